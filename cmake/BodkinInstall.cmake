@@ -1,0 +1,24 @@
+# install() rules. The package that find_package(Bodkin) finds holds the haptic core: patients in memory, force models,
+# devices and the tick. The bodkin command and its data are installed beside it.
+include(CMakePackageConfigHelpers)
+
+set(haptic_core core anatomy forces haptics simulation)
+foreach(room IN LISTS haptic_core)
+  install(TARGETS bodkin_${room} EXPORT BodkinTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY src/${room}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/bodkin/${room} FILES_MATCHING PATTERN "*.h")
+endforeach()
+install(EXPORT BodkinTargets NAMESPACE bodkin:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Bodkin)
+configure_package_config_file(cmake/BodkinConfig.cmake.in "${CMAKE_CURRENT_BINARY_DIR}/BodkinConfig.cmake"
+                              INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Bodkin)
+write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/BodkinConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/BodkinConfig.cmake" "${CMAKE_CURRENT_BINARY_DIR}/BodkinConfigVersion.cmake"
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Bodkin)
+
+if(TARGET bodkin)
+  install(TARGETS bodkin RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+if(TARGET bodkin-images)
+  install(TARGETS bodkin-images RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/bodkin)
+endif()
+install(DIRECTORY share/bodkin/ DESTINATION ${CMAKE_INSTALL_DATADIR}/bodkin)
+install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

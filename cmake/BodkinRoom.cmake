@@ -1,0 +1,46 @@
+# bodkin_room(NAME [FOLDERS dir...] [LINK target...] [PRIVATE_LINK target...])
+#
+# Makes the static library bodkin_NAME (alias bodkin::NAME) from every source file of the calling folder, or of the
+# FOLDERS below it. LINK is for what public headers need, PRIVATE_LINK for what only source files need.
+
+set(BODKIN_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual
+    -Woverloaded-virtual -Wimplicit-fallthrough
+    -Wno-missing-field-initializers)  # designated initialisers name what differs from the defaults
+
+# Compiler settings that every Bodkin target shares. Floating point is kept strict (no contraction into fused
+# multiply-add) so that a recording replays to the same bits whatever the compiler and the machine.
+function(bodkin_settings target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PRIVATE ${BODKIN_WARNINGS} -ffp-contract=off)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  if(BODKIN_WERROR)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(BODKIN_SANITIZERS)
+    target_compile_options(${target} PUBLIC -fsanitize=${BODKIN_SANITIZERS} -fno-omit-frame-pointer
+                           -fno-sanitize-recover=all)
+    target_link_options(${target} PUBLIC -fsanitize=${BODKIN_SANITIZERS})
+  endif()
+  if(BODKIN_FUZZERS)
+    target_compile_options(${target} PUBLIC -fsanitize=fuzzer-no-link)
+  endif()
+endfunction()
+
+function(bodkin_room name)
+  cmake_parse_arguments(ARG "" "" "FOLDERS;LINK;PRIVATE_LINK" ${ARGN})
+  if(NOT ARG_FOLDERS)
+    set(ARG_FOLDERS ".")
+  endif()
+  set(patterns "")
+  foreach(folder IN LISTS ARG_FOLDERS)
+    list(APPEND patterns "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.h")
+  endforeach()
+  file(GLOB sources CONFIGURE_DEPENDS ${patterns})
+  add_library(bodkin_${name} STATIC ${sources})
+  add_library(bodkin::${name} ALIAS bodkin_${name})
+  set_target_properties(bodkin_${name} PROPERTIES EXPORT_NAME ${name} LINKER_LANGUAGE CXX)
+  target_include_directories(bodkin_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/bodkin>)
+  target_link_libraries(bodkin_${name} PUBLIC ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK})
+  bodkin_settings(bodkin_${name})
+endfunction()

@@ -1,0 +1,15 @@
+# What Bodkin needs from Debian 12, sourced by scripts/setup.sh. One list for building and running, one for testing.
+
+packages_to_run=(
+  g++ cmake ninja-build ccache pkg-config
+  libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev
+  libxml2-dev libcsv-dev libpng-dev zlib1g-dev libxxhash-dev libsqlitecpp-dev libsqlite3-dev libreaderwriterqueue-dev
+  libceres-dev libboost-dev
+  libinsighttoolkit5-dev libgdcm-dev libgdcm-tools
+  gnuplot-nox librsvg2-bin fonts-dejavu-core
+)
+
+packages_to_test=(
+  git libgtest-dev libgmock-dev libbenchmark-dev
+  clang clang-format clang-tidy libclang-rt-14-dev llvm libxml2-utils
+)
