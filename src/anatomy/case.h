@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "anatomy/force_settings.h"
+#include "anatomy/needle.h"
+#include "anatomy/tissue.h"
+#include "anatomy/volume.h"
+
+namespace bodkin {
+
+// One label of a segmentation: what it is called and what it is made of.
+struct Structure {
+  std::uint16_t label = 0;  // value in the structure volume; > 0
+  std::string name;         // "vertebrae_L3"
+  std::string tissue;       // name of a tissue of the library: "cortical_bone"; empty: decided by HU
+  bool critical = false;    // an organ or vessel that the needle must not enter
+};
+
+// A named point, LPS mm.
+struct Landmark {
+  std::string name;
+  Vec3 position = Vec3::Zero();
+};
+
+// A straight needle path, LPS mm.
+struct NeedlePath {
+  Vec3 entry = Vec3::Zero();   // on the skin
+  Vec3 target = Vec3::Zero();  // where the tip should end
+
+  double length() const { return (target - entry).norm(); }
+  Vec3 direction() const { return (target - entry).normalized(); }
+};
+
+// What the device can do; the governor and the stiffness limits are set from it.
+struct DeviceLimits {
+  std::string profile = "generic";
+  double peak_force = 6.0;           // N; > 0
+  double continuous_force = 2.0;     // N; 0 < continuous <= peak
+  double peak_torque = 188.0;        // N mm; >= 0; 0 = the device renders no torques
+  double stiffness = 1.0;            // N/mm that it renders stably; > 0
+  double position_resolution = 0.0;  // mm; 0 = noiseless
+};
+
+struct HapticSettings {
+  double rate = 1000.0;  // Hz; 200 to 4000
+  ResistanceSettings resistance;
+  ConstraintSettings constraint;
+  ForceParts parts;
+  GravitySettings compensation;
+};
+
+struct Procedure {
+  std::string name = "lumbar_puncture";
+  std::optional<NeedlePath> path;  // the planned path
+  std::string target_tissue;       // tissue whose entry is the aim; empty = only the target point counts
+  double target_tolerance = 3.0;   // mm; > 0
+};
+
+// What case.xml says; everything but the voxels.
+struct CaseDescription {
+  std::string name;
+  std::string description;
+  std::string created_by;
+  std::string ct_file, ct_digest;                  // relative to the case folder
+  std::string structures_file, structures_digest;  // empty = no segmentation
+  std::string tissues_file, tissues_digest;
+  std::string tissue_library_file;  // empty = the library that comes with Bodkin
+  std::vector<Structure> structures;
+  Needle needle;
+  DeviceLimits device;
+  HapticSettings haptics;
+  std::vector<Landmark> landmarks;
+  Procedure procedure;
+  std::vector<std::string> notes;  // what was repaired or assumed when the case was made
+};
+
+// A patient in memory, ready for the needle.
+struct Case {
+  CaseDescription description;
+  TissueLibrary library;
+  CtVolume ct;
+  LabelVolume structures;  // empty when there is no segmentation
+  TissueVolume tissues;    // its lattice may be finer than the CT's
+};
+
+}  // namespace bodkin

@@ -1,0 +1,54 @@
+#include "anatomy/needle.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace bodkin {
+
+namespace {
+
+constexpr std::array<GaugeSize, 25> sizes = {{
+    {10, 3.404, 2.692},  {11, 3.048, 2.388},  {12, 2.769, 2.159},  {13, 2.413, 1.803},  {14, 2.108, 1.6},
+    {15, 1.829, 1.372},  {16, 1.651, 1.194},  {17, 1.473, 1.067},  {18, 1.27, 0.838},   {19, 1.067, 0.686},
+    {20, 0.9081, 0.603}, {21, 0.8192, 0.514}, {22, 0.7176, 0.413}, {23, 0.6414, 0.337}, {24, 0.5652, 0.311},
+    {25, 0.5144, 0.26},  {26, 0.4636, 0.26},  {27, 0.4128, 0.21},  {28, 0.362, 0.184},  {29, 0.3366, 0.184},
+    {30, 0.3112, 0.159}, {31, 0.2604, 0.133}, {32, 0.235, 0.108},  {33, 0.2096, 0.108}, {34, 0.1842, 0.0826},
+}};
+
+constexpr std::array<std::pair<NeedleTip, const char*>, 6> tip_names = {{
+    {NeedleTip::quincke, "quincke"},
+    {NeedleTip::whitacre, "whitacre"},
+    {NeedleTip::tuohy, "tuohy"},
+    {NeedleTip::chiba, "chiba"},
+    {NeedleTip::trephine, "trephine"},
+    {NeedleTip::filiform, "filiform"},
+}};
+
+}  // namespace
+
+std::span<const GaugeSize> gauge_sizes() {
+  return sizes;
+}
+
+std::optional<GaugeSize> gauge_size(int gauge) {
+  const auto found =
+      std::find_if(sizes.begin(), sizes.end(), [gauge](const GaugeSize& s) { return s.gauge == gauge; });
+  return found == sizes.end() ? std::nullopt : std::optional(*found);
+}
+
+std::string to_string(NeedleTip tip) {
+  for (const auto& [value, name] : tip_names) {
+    if (value == tip) return name;
+  }
+  return "unknown";
+}
+
+std::optional<NeedleTip> needle_tip_from(const std::string& name) {
+  for (const auto& [value, known] : tip_names) {
+    if (name == known) return value;
+  }
+  return std::nullopt;
+}
+
+}  // namespace bodkin

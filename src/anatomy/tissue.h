@@ -1,0 +1,91 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "anatomy/tissue_forces.h"
+
+namespace bodkin {
+
+// What a voxel is made of, as far as a needle can feel it. Values 0 to 31 are Bodkin's own and fixed; a tissue
+// library may define more, 32 to 254. 255 is never a tissue.
+using TissueId = std::uint8_t;
+
+namespace tissue {
+inline constexpr TissueId air = 0;
+inline constexpr TissueId skin = 1;
+inline constexpr TissueId fat = 2;
+inline constexpr TissueId muscle = 3;
+inline constexpr TissueId soft = 4;  // soft tissue that nothing names more closely
+inline constexpr TissueId cortical_bone = 5;
+inline constexpr TissueId cancellous_bone = 6;
+inline constexpr TissueId disc = 7;
+inline constexpr TissueId supraspinous_ligament = 8;
+inline constexpr TissueId interspinous_ligament = 9;
+inline constexpr TissueId ligamentum_flavum = 10;
+inline constexpr TissueId epidural_fat = 11;  // the epidural space
+inline constexpr TissueId dura = 12;          // dura with arachnoid
+inline constexpr TissueId cerebrospinal_fluid = 13;
+inline constexpr TissueId nerve = 14;  // cord and cauda equina
+inline constexpr TissueId vessel = 15;
+inline constexpr TissueId organ = 16;
+inline constexpr TissueId lung = 17;
+inline constexpr TissueId gas = 18;  // inside the body: bowel gas
+inline constexpr TissueId metal = 19;
+inline constexpr TissueId mass = 20;  // a lesion, the target of a biopsy
+inline constexpr TissueId cartilage = 21;
+inline constexpr int count = 22;
+}  // namespace tissue
+
+// One tissue of the library.
+struct TissueProperties {
+  TissueId id = tissue::air;
+  std::string name;                 // as case files write it: "ligamentum_flavum"
+  std::string title;                // as people read it: "ligamentum flavum"
+  std::uint32_t colour = 0x000000;  // 0xRRGGBB, of overlays and bands
+  double hounsfield = 0.0;          // HU typical of the tissue; the synthetic patient is painted with it
+  double hounsfield_noise = 0.0;    // HU, standard deviation inside one tissue
+  LayeredTissue layered;
+  TrackingWallTissue tracking_wall;
+  DepthProfileTissue depth_profile;
+  ProxyProperties volume_proxy;
+  double field_value = 0.0;  // V_label of `volume_proxy`, -10 to 10: the harder a tissue feels, the higher
+  ShaftFrictionTissue shaft_friction;
+  SyringeTissue syringe;
+  std::string source;  // where the numbers come from, one line for people
+};
+
+// The tissues that a case knows, by id and by name.
+class TissueLibrary {
+ public:
+  TissueLibrary() = default;
+  // Throws InputError when two tissues share an id or a name, or when id 255 is used.
+  explicit TissueLibrary(std::vector<TissueProperties> tissues);
+
+  const std::vector<TissueProperties>& tissues() const { return tissues_; }
+  // nullptr when there is none.
+  const TissueProperties* find(TissueId id) const noexcept {
+    return by_id_[id] < 0 ? nullptr : &tissues_[static_cast<std::size_t>(by_id_[id])];
+  }
+  const TissueProperties* find(std::string_view name) const noexcept;
+  // One property of every tissue by id; `absent` for ids without an entry. For models that look it up each tick.
+  template <typename Property>
+  std::array<Property, 256> by_id(Property TissueProperties::*property, const Property& absent = {}) const {
+    std::array<Property, 256> table;  // 256, by TissueId
+    table.fill(absent);
+    for (const TissueProperties& tissue : tissues_) table[tissue.id] = tissue.*property;
+    return table;
+  }
+  // Title of a tissue, or "tissue N" for an id without an entry.
+  std::string title(TissueId id) const;
+
+ private:
+  std::vector<TissueProperties> tissues_;
+  std::vector<int> by_id_ = std::vector<int>(256, -1);  // 256: position in tissues_, or -1
+};
+
+}  // namespace bodkin
