@@ -1,0 +1,101 @@
+#include "forces/bevel_tip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "forces/model_input.h"
+
+namespace bodkin {
+namespace {
+
+// exp of the twist (w, v) on SE(3).
+Pose exponential(const Vec3& w, const Vec3& v) {
+  const double angle = w.norm();
+  Pose pose = Pose::Identity();
+  if (angle < 1e-9) {
+    pose.linear() = Eigen::Quaterniond(1.0, 0.5 * w.x(), 0.5 * w.y(), 0.5 * w.z()).normalized().toRotationMatrix();
+    pose.translation() = v + 0.5 * w.cross(v);
+    return pose;
+  }
+  const Vec3 axis = w / angle;
+  pose.linear() = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+  pose.translation() = v * (std::sin(angle) / angle) + axis.cross(v) * ((1.0 - std::cos(angle)) / angle) +
+                       axis * (axis.dot(v) * (1.0 - std::sin(angle) / angle));
+  return pose;
+}
+
+Pose rolled(const Pose& pose, double angle) {
+  return pose * Eigen::AngleAxisd(angle, Vec3::UnitZ());
+}
+
+}  // namespace
+
+double bevel_curvature(double angle, double base) {
+  return std::tan(angle) / base;
+}
+
+WinklerTip winkler_tip(double rigidity, double foundation, double load) {
+  const double beta = std::pow(foundation / (4.0 * rigidity), 0.25);
+  return {beta, 2.0 * load * beta / foundation};
+}
+
+BevelTip::BevelTip(double curvature, double longest) : curvature_(curvature), longest_(longest) {
+  constexpr auto model = "bevel_tip";
+  check_setting(model, "curvature", "1/mm", curvature, 0.0, 0.1);
+  check_setting(model, "longest path", "mm", longest, 1.0, 1000.0);
+  nodes_.resize(static_cast<std::size_t>(std::ceil(longest / spacing)) + 2);
+  begin(Pose::Identity());
+}
+
+void BevelTip::begin(const Pose& start) noexcept {
+  tip_ = start;
+  end_ = nodes_[0] = {start, 0.0};
+  known_ = 1;
+  roll_ = length_ = cut_ = 0.0;
+}
+
+Pose BevelTip::on_path(double length) const noexcept {
+  const double place = length / spacing;
+  const std::size_t below = std::min(static_cast<std::size_t>(std::max(0.0, place)), known_ - 1);
+  const Node& a = nodes_[below];
+  const bool last = below + 1 >= known_;
+  const Node& b = last ? end_ : nodes_[below + 1];
+  const double whole = last ? cut_ / spacing - static_cast<double>(below) : 1.0;
+  const double part = whole > 1e-9 ? std::clamp((place - static_cast<double>(below)) / whole, 0.0, 1.0) : 0.0;
+  Pose pose = Pose::Identity();
+  pose.translation() = a.pose.translation() + (b.pose.translation() - a.pose.translation()) * part;
+  const Eigen::Quaterniond from(rolled(a.pose, -a.roll).linear()), to(rolled(b.pose, -b.roll).linear());
+  pose.linear() = from.slerp(part, to).toRotationMatrix();
+  return rolled(pose, roll_);
+}
+
+const Pose& BevelTip::step(double advance, double roll) noexcept {
+  if (!(std::abs(advance) <= farthest_depth) || !(std::abs(roll) <= 1e3)) return tip_;
+  const double target = std::clamp(length_ + advance, 0.0, longest_);
+  if (target <= cut_) {
+    roll_ += roll;
+    length_ = target;
+    if (target == cut_ && advance == 0.0) {
+      tip_ = rolled(end_.pose, roll_ - end_.roll);
+    } else {
+      tip_ = on_path(target);
+    }
+    return tip_;
+  }
+  // Free to the end of the cut path, then through whole tissue, from one node of the memory to the next.
+  if (length_ < cut_) tip_ = rolled(end_.pose, roll_ - end_.roll);
+  const double turn = roll / (target - cut_);  // rad/mm
+  while (cut_ < target) {
+    const double node = static_cast<double>(known_) * spacing;
+    const double next = node > cut_ ? std::min(node, target) : target;
+    const double ds = next - cut_;
+    tip_ = tip_ * exponential(Vec3(curvature_ * ds, 0.0, turn * ds), Vec3(0.0, 0.0, ds));
+    roll_ += turn * ds;
+    cut_ = length_ = next;
+    end_ = {tip_, roll_};
+    if (next == node && known_ < nodes_.size()) nodes_[known_++] = end_;
+  }
+  return tip_;
+}
+
+}  // namespace bodkin

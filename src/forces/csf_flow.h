@@ -1,0 +1,46 @@
+#pragma once
+
+namespace bodkin {
+
+// Settings of CsfFlow. [L] literature, [D] our choice.
+struct CsfFlowSettings {
+  double opening_pressure = 145.0;  // mm of fluid; 0 to 1000 [L: 14.5 (SD 3.7) cm lying, Gilland et al. 1974]
+  double needle_bore = 0.413;       // mm; 0.05 to 3 [22G]
+  double needle_length = 90.0;      // mm; 10 to 300
+  double viscosity = 1e-9;          // MPa s; 1e-10 to 1e-8 [L: 0.7 to 1.0 mPa s]
+  double manometer_bore = 1.5;      // mm; 0.5 to 10 [D]
+};
+
+struct CsfState {
+  double height = 0.0;     // mm of fluid in the manometer
+  double flow = 0.0;       // mm^3/s, into the manometer or dripping
+  double collected = 0.0;  // mm^3 that have dripped
+};
+
+// What returns through a spinal needle whose tip is in cerebrospinal fluid:
+//
+//   manometer   h <- h_eq + (h - h_eq) exp(-dt/tau),   tau = R A/(rho g),   R = 128 mu L/(pi d^4)
+//   free drip   Q = rho g h_eq / R
+//
+// A bevel that lies across the dura is only partly open: R is multiplied by 1/open. A stylet stops all flow.
+class CsfFlow {
+ public:
+  // Throws InputError for a setting outside its range. `dt`: s, 1e-6 to 0.1.
+  CsfFlow(const CsfFlowSettings& settings, double dt);
+
+  // `open`: part of the opening in fluid, 0 to 1 (clamped; NaN = 0). Nothing flows when 0 or with the stylet in.
+  const CsfState& step_manometer(double open, bool stylet) noexcept;
+  const CsfState& step_drip(double open, bool stylet) noexcept;
+  void reset() noexcept { state_ = {}; }
+
+  double resistance() const noexcept { return resistance_; }  // R, MPa s/mm^3
+  double drip(double height) const noexcept;                  // Q at `height` mm, mm^3/s
+  double time_constant() const noexcept;                      // tau of the manometer, s
+
+ private:
+  CsfFlowSettings settings_;
+  double dt_, resistance_;
+  CsfState state_;
+};
+
+}  // namespace bodkin

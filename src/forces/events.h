@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "anatomy/tissue.h"
+
+namespace bodkin {
+
+// What can happen to a needle, as the force models notice it.
+enum class EventKind : std::uint8_t {
+  contact,             // the tip touched the body
+  puncture,            // a tissue gave way; value = force at which it broke, N
+  loss_of_resistance,  // ligamentum flavum gave way into the epidural space; value = drop of resistance, N
+  bone_contact,        // the tip met bone; value = 0
+  bone_left,           // the tip came off the bone
+  tissue_entered,      // the tip's tissue changed; value = 0
+  withdrawn,           // the needle left the body
+  force_limited,       // the governor had to intervene; value = force asked for, N
+  fault                // a value was not finite or a device failed; force ramps to zero
+};
+
+struct Event {
+  EventKind kind = EventKind::contact;
+  TissueId tissue = tissue::air;
+  double depth = 0.0;  // mm along the insertion line
+  double value = 0.0;  // see EventKind
+};
+
+// Events of one tick, in order. Holds at most `capacity`; more are counted, not kept.
+class TickEvents {
+ public:
+  static constexpr std::size_t capacity = 16;
+
+  void push(const Event& event) noexcept {
+    if (size_ < capacity) {
+      events_[size_++] = event;
+    } else {
+      ++lost_;
+    }
+  }
+  void clear() noexcept {
+    size_ = 0;
+    lost_ = 0;
+  }
+  const Event* begin() const noexcept { return events_.data(); }
+  const Event* end() const noexcept { return events_.data() + size_; }
+  std::size_t size() const noexcept { return size_; }
+  std::size_t lost() const noexcept { return lost_; }
+
+ private:
+  std::array<Event, capacity> events_{};  // capacity
+  std::size_t size_ = 0;
+  std::size_t lost_ = 0;
+};
+
+}  // namespace bodkin

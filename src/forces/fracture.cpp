@@ -1,0 +1,77 @@
+#include "forces/fracture.h"
+
+#include <algorithm>
+
+#include "forces/model_input.h"
+
+namespace bodkin {
+
+Fracture::Fracture(const FractureSettings& settings)
+    : settings_(settings),
+      membrane_(VoigtSum::cubic, settings.stiffness, 0.0, settings.spacing),
+      edge_(cutting_force(settings.cutting_toughness, settings.width), settings.cutting_stiffness) {
+  constexpr auto model = "fracture";
+  check_setting(model, "stiffness", "N/mm", settings.stiffness, 0.001, 10.0);
+  check_setting(model, "spacing", "mm", settings.spacing, 0.1, 10.0);
+  check_setting(model, "toughness", "N/mm", settings.toughness, 1e-4, 100.0);
+  check_setting(model, "width", "mm", settings.width, 0.05, 5.0);
+  check_setting(model, "thickness", "mm", settings.thickness, 0.01, 20.0);
+  check_setting(model, "cutting stiffness", "N/mm", settings.cutting_stiffness, 0.01, 100.0);
+  check_setting(model, "cutting toughness", "N/mm", settings.cutting_toughness, 0.0, 100.0);
+  check_setting(model, "limit", "N", settings.limit, 1e-3, 100.0);
+}
+
+void Fracture::begin(const Vec3& entry, const Vec3& direction) noexcept {
+  channels_.enter(entry, direction);
+  inside_ = false;
+}
+
+void Fracture::reset() noexcept {
+  channels_.clear();
+  inside_ = false;
+}
+
+double Fracture::stiffness_at_rupture() const noexcept {
+  const double needed = settings_.toughness * settings_.width * settings_.thickness;
+  double low = 0.0, high = settings_.spacing;
+  while (stored_energy(settings_.stiffness, settings_.spacing, high) < needed) high *= 2.0;
+  for (int step = 0; step < 60; ++step) {
+    const double middle = 0.5 * (low + high);
+    (stored_energy(settings_.stiffness, settings_.spacing, middle) < needed ? low : high) = middle;
+  }
+  return membrane_.tangent(high);
+}
+
+double Fracture::step(const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept {
+  const double x = motion.depth;
+  if (!usable(motion)) {
+    events.push({EventKind::fault, tissue, edge_.wall(), 0.0});
+    return 0.0;
+  }
+  if (x <= 0.0) {
+    if (inside_) events.push({EventKind::withdrawn, tissue, x, 0.0});
+    inside_ = false;
+    return 0.0;
+  }
+  if (!inside_) {
+    events.push({EventKind::contact, tissue, x, 0.0});
+    inside_ = true;
+    torn_ = channels_.deepest() > 0.0;
+    edge_.start(channels_.deepest());
+  }
+  if (!torn_) {
+    const double force = membrane_.elastic(x);
+    if (stored_energy(settings_.stiffness, settings_.spacing, x) <
+        settings_.toughness * settings_.width * settings_.thickness) {
+      return std::min(force, settings_.limit);
+    }
+    torn_ = true;
+    events.push({EventKind::puncture, tissue, x, force});
+    edge_.start(x - std::min(edge_.reach(), force / settings_.cutting_stiffness));  // never more than before
+  }
+  const double force = edge_.step(x);
+  channels_.deepen(edge_.wall());
+  return std::min(force, settings_.limit);
+}
+
+}  // namespace bodkin

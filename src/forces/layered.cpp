@@ -1,0 +1,312 @@
+#include "forces/layered.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/error.h"
+#include "core/random.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr double speed_floor = 1.0;         // v0 of the break rule, mm/s
+constexpr double fade_time = 0.020;         // s, viscous terms come back after bone
+constexpr double furthest_tenting = -10.0;  // mm, beyond which the skin lets go
+constexpr double sliver = 1.0;              // mm, a thinner run inside one tissue is noise of the labels
+constexpr double rough_cell = 0.1;          // mm
+constexpr double bone_slack = 0.2;          // mm off the bone before that is an event
+constexpr double least_grip_budget = 0.1;   // of the device's stiffness
+constexpr std::uint64_t rough_seed = 0x6e65656c65;
+
+void require(bool holds, const TissueProperties& tissue, const char* name, double value, const char* range) {
+  if (holds) return;
+  throw InputError("tissue '" + tissue.name + "': " + name + " is " + std::to_string(value) + ", expected " + range);
+}
+
+bool positive(double value) {
+  return std::isfinite(value) && value > 0.0;
+}
+bool not_negative(double value) {
+  return std::isfinite(value) && value >= 0.0;
+}
+
+void check(const TissueProperties& tissue) {
+  const LayeredTissue& p = tissue.layered;
+  if (p.kind == LayeredKind::viscoelastic) {
+    require(positive(p.stiffness), tissue, "stiffness", p.stiffness, "more than 0 N/mm");
+    require(not_negative(p.viscosity), tissue, "viscosity", p.viscosity, "0 N s/mm or more");
+    require(positive(p.element_spacing), tissue, "element_spacing", p.element_spacing, "more than 0 mm");
+    require(positive(p.break_force), tissue, "break_force", p.break_force, "more than 0 N");
+    require(not_negative(p.break_force_rate), tissue, "break_force_rate", p.break_force_rate, "0 N mm/s or more");
+    require(positive(p.shaft_stiffness), tissue, "shaft_stiffness", p.shaft_stiffness, "more than 0 N/mm^2");
+    require(not_negative(p.shaft_viscosity), tissue, "shaft_viscosity", p.shaft_viscosity, "0 N s/mm^2 or more");
+    require(positive(p.shaft_spacing), tissue, "shaft_spacing", p.shaft_spacing, "more than 0 mm");
+    require(not_negative(p.dynamic_friction), tissue, "dynamic_friction", p.dynamic_friction, "0 N/mm or more");
+    require(std::isfinite(p.static_friction) && p.static_friction >= p.dynamic_friction, tissue, "static_friction",
+            p.static_friction, "at least the dynamic friction");
+    require(p.roughness >= 0.0 && p.roughness < 1.0, tissue, "roughness", p.roughness, "0 or more and less than 1");
+  } else if (p.kind == LayeredKind::viscous) {
+    require(not_negative(p.drag), tissue, "drag", p.drag, "0 N s/mm^2 or more");
+  } else if (p.kind == LayeredKind::rigid) {
+    require(positive(p.contact_stiffness), tissue, "contact_stiffness", p.contact_stiffness, "more than 0 N/mm");
+  }
+}
+
+}  // namespace
+
+Layered::Layered(const TissueLibrary& library, const LayeredSettings& settings, double device_stiffness, double dt,
+                 double longest)
+    : layer_(settings.layer),
+      dt_(dt),
+      device_stiffness_(device_stiffness),
+      strict_(settings.strict),
+      sliver_layers_(std::max(0, static_cast<int>(std::ceil(sliver / settings.layer - 1e-9)) - 1)) {
+  const VoigtSum sum = settings.law == LayeredLaw::cubic ? VoigtSum::cubic : VoigtSum::piecewise;
+  for (const TissueProperties& tissue : library.tissues()) {
+    check(tissue);
+    const LayeredTissue& p = tissue.layered;
+    Law& law = laws_[tissue.id];
+    law.kind = p.kind;
+    law.drag = p.drag;
+    law.contact_stiffness = std::min(p.contact_stiffness, device_stiffness);
+    if (p.kind != LayeredKind::viscoelastic) continue;
+    law.push = VoigtLaw(sum, p.stiffness, p.viscosity, p.element_spacing);
+    // The law is stiffest where it breaks. A tissue too stiff for the device gives way over a longer distance, at the
+    // same forces.
+    const double scale = std::min(1.0, device_stiffness / law.push.tangent(law.push.inverse(p.break_force)));
+    if (scale < 1.0) law.push = law.push.softened(scale);
+    stiffness_scale_ = std::min(stiffness_scale_, scale);
+    law.grip = VoigtLaw(sum, p.shaft_stiffness, p.shaft_viscosity, p.shaft_spacing);
+    law.break_force = p.break_force;
+    law.break_force_rate = p.break_force_rate;
+    law.static_friction = p.static_friction;
+    law.dynamic_friction = p.dynamic_friction;
+    law.roughness = p.roughness;
+    law.rough = p.roughness > 0.0;
+    law.slip_strain = law.grip.inverse(p.dynamic_friction);
+    law.breakaway_tangent = law.grip.tangent(law.grip.inverse(p.static_friction));
+  }
+  blocks_.resize(static_cast<std::size_t>(std::ceil(longest / layer_)) + 2);
+}
+
+void Layered::begin() noexcept {
+  known_ = 0;
+  revealed_ = -1;
+  last_punctured_ = -1;
+  bone_near_ = std::numeric_limits<double>::infinity();
+  last_depth_ = 0.0;
+  last_resistance_ = 0.0;
+  softening_ = 1.0;
+  viscous_ = 1.0;
+  bone_reported_ = false;
+  loss_behind_ = -1;
+}
+
+// Makes blocks of the layers that the tip has reached. A run thinner than 1 mm (the voxel of the paper) with the same
+// tissue on both sides is noise of the labels, not an organ to be punctured; bone is never taken for noise. Nothing
+// behind bone is reached.
+void Layered::reveal(int tip_layer, std::span<const TissueId> layers) noexcept {
+  const int end = static_cast<int>(layers.size());
+  while (revealed_ < tip_layer && revealed_ + 1 < end && bone_near_ == std::numeric_limits<double>::infinity()) {
+    const int next = revealed_ + 1;
+    const TissueId tissue = layers[static_cast<std::size_t>(next)];
+    if (known_ > 0) {
+      Block& current = blocks_[known_ - 1];
+      int resumes = next;  // the layer at which the current tissue goes on
+      while (resumes < end && resumes - next <= sliver_layers_ &&
+             layers[static_cast<std::size_t>(resumes)] != current.tissue &&
+             laws_[layers[static_cast<std::size_t>(resumes)]].kind != LayeredKind::rigid) {
+        ++resumes;
+      }
+      if (resumes < end && resumes - next <= sliver_layers_ &&
+          layers[static_cast<std::size_t>(resumes)] == current.tissue) {
+        current.last = revealed_ = resumes;
+        continue;
+      }
+    }
+    if (known_ == blocks_.size()) return;
+    blocks_[known_] = Block{.tissue = tissue, .first = next, .last = next, .near = next * layer_};
+    ++known_;
+    revealed_ = next;
+    if (laws_[tissue].kind == LayeredKind::rigid) bone_near_ = next * layer_;
+  }
+}
+
+// A tip that reaches a block presses on its face; one that was punctured before grips the shaft at once.
+void Layered::touch(Block& block) const noexcept {
+  if (block.first > last_punctured_) {
+    block.mode = Mode::pressed;
+  } else {
+    block.mode = Mode::held;
+    block.strain = 0.0;
+    block.contact = std::clamp(last_depth_ - block.near, 0.0, length(block));
+  }
+}
+
+bool Layered::breaks(const Law& law, double force, const AxialMotion& motion) const noexcept {
+  if (strict_) {  // eq. 3 times v, so that nothing is divided
+    return motion.velocity > 0.0 &&
+           force * motion.velocity >= law.break_force * motion.velocity + law.break_force_rate;
+  }
+  if (motion.direction <= 0) return false;
+  return force >= law.break_force + law.break_force_rate / (std::max(0.0, motion.velocity) + speed_floor);
+}
+
+void Layered::press(Block& block, const Law& law, const AxialMotion& motion, Sums& sums,
+                    TickEvents& events) noexcept {
+  const double x = motion.depth - block.near;
+  if (x < 0.0) {
+    block.mode = Mode::untouched;
+    return;
+  }
+  const double force = law.push.push(x, motion.velocity * viscous_);  // eq. 2
+  if (breaks(law, force, motion)) {
+    last_punctured_ = std::max(last_punctured_, block.first);
+    block.mode = Mode::held;
+    block.strain = 0.0;
+    block.contact = std::min(x, length(block));
+    sums.gripped = true;
+    events.push({EventKind::puncture, block.tissue, motion.depth, force});
+    if (block.tissue == tissue::ligamentum_flavum) {
+      loss_behind_ = static_cast<int>(&block - blocks_.data());
+      force_before_loss_ = std::max(last_resistance_, force);
+    }
+    return;
+  }
+  sums.resistance += force;
+  sums.firm_stiffness += law.push.tangent(x);
+  sums.first_pressed = std::min(sums.first_pressed, block.near);
+}
+
+void Layered::hold(Block& block, const Law& law, const AxialMotion& motion, double advance, Sums& sums) noexcept {
+  block.strain += softening_ * advance;
+  const double friction = law.grip.grip(block.strain, motion.velocity * viscous_);  // eq. 4
+  sums.resistance += grip_ * friction * block.contact;
+  sums.friction_stiffness += grip_ * law.breakaway_tangent * block.contact;
+  sums.held_stiffness += softening_ * grip_ * law.grip.tangent(std::abs(block.strain)) * block.contact;
+  sums.gripped = true;
+  if (std::abs(friction) > law.static_friction && block.strain * advance > 0.0) {  // eq. 14
+    block.mode = Mode::sliding;
+    block.slide = block.strain > 0.0 ? 1 : -1;
+    block.furthest = motion.depth;
+  } else if (block.contact <= 0.0) {
+    block.mode = Mode::untouched;
+  }
+}
+
+void Layered::slide(Block& block, const Law& law, const AxialMotion& motion, Sums& sums) noexcept {
+  const double sense = block.slide;
+  block.furthest = sense > 0.0 ? std::max(block.furthest, motion.depth) : std::min(block.furthest, motion.depth);
+  block.contact = std::clamp(block.furthest - block.near, 0.0, length(block));
+  if (block.contact <= 0.0) {
+    block.mode = Mode::untouched;
+    return;
+  }
+  sums.gripped = true;
+  double dynamic = law.dynamic_friction;  // eq. 5, 7
+  double slip = law.slip_strain;
+  if (law.rough) dynamic *= 1.0 + law.roughness * roughness(block.furthest);
+  // A needle that turns stretches the tissue back at once; the estimate of its direction comes some ticks later. The
+  // force follows the position, so that the delay feeds no energy in.
+  const double back = softening_ * sense * (block.furthest - motion.depth);
+  const bool ends = motion.stopped || motion.direction == -block.slide;
+  if (law.rough && (back > 0.0 || ends)) slip = law.grip.inverse(std::min(dynamic, law.static_friction));
+  const double friction = back > 0.0 ? law.grip.grip(sense * (slip - back), 0.0) : sense * dynamic;
+  sums.resistance += grip_ * friction * block.contact;
+  sums.friction_stiffness += grip_ * law.breakaway_tangent * block.contact;
+  if (ends) {
+    block.mode = Mode::held;
+    block.strain = sense * (slip - back);
+  }
+}
+
+// Smooth noise in [-1, 1], the same at the same depth in every run and at every rate.
+double Layered::roughness(double depth) noexcept {
+  const double place = depth / rough_cell;
+  const double cell = std::floor(place);
+  const auto index = static_cast<std::int64_t>(cell);
+  if (index != rough_cell_) {
+    rough_cell_ = index;
+    rough_low_ = hash_noise(rough_seed, index);
+    rough_high_ = hash_noise(rough_seed, index + 1);
+  }
+  return rough_low_ + (place - cell) * (rough_high_ - rough_low_);
+}
+
+void Layered::report_bone(double depth, bool in_bone, TickEvents& events) noexcept {
+  if (in_bone && !bone_reported_) {
+    bone_reported_ = true;
+    events.push({EventKind::bone_contact, blocks_[known_ - 1].tissue, depth, 0.0});
+  } else if (bone_reported_ && depth < bone_near_ - bone_slack) {
+    bone_reported_ = false;
+    events.push({EventKind::bone_left, blocks_[known_ - 1].tissue, depth, 0.0});
+  }
+}
+
+void Layered::report_loss(double depth, TissueId at_tip, int tip_layer, double resistance,
+                          TickEvents& events) noexcept {
+  if (loss_behind_ < 0 || tip_layer <= blocks_[static_cast<std::size_t>(loss_behind_)].last) return;
+  loss_behind_ = -1;
+  const bool in_canal = at_tip == tissue::epidural_fat || at_tip == tissue::dura ||
+                        at_tip == tissue::cerebrospinal_fluid || at_tip == tissue::nerve;
+  if (in_canal) {
+    events.push({EventKind::loss_of_resistance, at_tip, depth, std::max(0.0, force_before_loss_ - resistance)});
+  }
+}
+
+LayeredForce Layered::step(const AxialMotion& motion, std::span<const TissueId> layers, TickEvents& events,
+                           double grip) noexcept {
+  grip_ = grip;
+  const double advance = motion.depth - last_depth_;
+  last_depth_ = motion.depth;
+  const double deepest_layer = static_cast<double>(layers.size()) - 1.0;
+  const int tip_layer = static_cast<int>(std::clamp(std::floor(motion.depth / layer_), -1.0, deepest_layer));
+  reveal(tip_layer, layers);
+
+  const bool in_bone = motion.depth > bone_near_;
+  viscous_ = in_bone ? 0.0 : std::min(1.0, viscous_ + dt_ / fade_time);
+
+  Sums sums;
+  double viscous_length_drag = 0.0;
+  for (std::size_t index = 0; index < known_; ++index) {
+    Block& block = blocks_[index];
+    const Law& law = laws_[block.tissue];
+    if (law.kind == LayeredKind::viscoelastic) {
+      if (block.mode == Mode::untouched && tip_layer >= block.first) touch(block);
+      if (block.mode == Mode::pressed) {
+        press(block, law, motion, sums, events);
+      } else if (block.mode == Mode::held) {
+        hold(block, law, motion, advance, sums);
+      } else if (block.mode == Mode::sliding) {
+        slide(block, law, motion, sums);
+      }
+    } else if (law.kind == LayeredKind::viscous) {
+      const double reach = std::min(motion.depth, sums.first_pressed);
+      viscous_length_drag += law.drag * std::clamp(reach - block.near, 0.0, length(block));  // eq. 13
+    } else if (law.kind == LayeredKind::rigid && in_bone) {
+      sums.resistance += law.contact_stiffness * (motion.depth - block.near);
+      sums.firm_stiffness += law.contact_stiffness;
+    }
+  }
+  sums.resistance += viscous_length_drag * motion.velocity * viscous_;
+
+  // Held shaft shares the device's stiffness with whatever else is elastic: it deforms over a longer way when long.
+  const double budget = std::max(least_grip_budget * device_stiffness_, device_stiffness_ - sums.firm_stiffness);
+  softening_ = sums.friction_stiffness > budget ? budget / sums.friction_stiffness : 1.0;
+
+  report_bone(motion.depth, in_bone, events);
+  const TissueId at_tip = tip_layer >= 0 ? layers[static_cast<std::size_t>(tip_layer)] : tissue::air;
+  report_loss(motion.depth, at_tip, tip_layer, sums.resistance, events);
+  last_resistance_ = sums.resistance;
+
+  const bool in_contact = motion.depth > 0.0 || (sums.gripped && motion.depth > furthest_tenting);
+  if (!in_contact) return {};
+  return {.resistance = sums.resistance,
+          .stiffness = sums.firm_stiffness + sums.held_stiffness,
+          .in_contact = true,
+          .in_bone = in_bone};
+}
+
+}  // namespace bodkin

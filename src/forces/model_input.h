@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cmath>
+#include <string_view>
+
+#include "core/axial_motion.h"
+
+namespace bodkin {
+
+// What every force model does with its settings and its input before it trusts them.
+
+// Throws InputError, naming model, setting, value, unit and the allowed range, unless low <= value <= high. NaN is
+// always refused.
+void check_setting(std::string_view model, std::string_view setting, std::string_view unit, double value, double low,
+                   double high);
+
+// Throws InputError unless `dt` is a usable tick, 1e-6 to 0.1 s.
+void check_tick(std::string_view model, double dt);
+
+// Motions beyond these are no needle in a hand: a sensor or a driver failed. A model answers them with zero force, a
+// `fault` event and an unchanged state.
+inline constexpr double farthest_depth = 1e4;  // mm
+inline constexpr double fastest_motion = 1e6;  // mm/s
+
+// False for NaN, infinities and motions beyond the limits above.
+inline bool usable(const AxialMotion& motion) noexcept {
+  return std::abs(motion.depth) <= farthest_depth && std::abs(motion.velocity) <= fastest_motion;
+}
+
+}  // namespace bodkin

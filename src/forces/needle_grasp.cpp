@@ -1,0 +1,43 @@
+#include "forces/needle_grasp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "forces/model_input.h"
+
+namespace bodkin {
+
+NeedleGrasp::NeedleGrasp(const NeedleGraspSettings& settings) : settings_(settings) {
+  constexpr auto model = "needle_grasp";
+  check_setting(model, "rise after turning one way", "", settings.one_way, 0.0, 10.0);
+  check_setting(model, "rise after turning to and fro", "", settings.two_way, 0.0, settings.one_way);
+  check_setting(model, "factor at a point", "", settings.point, 0.1, 10.0);
+  check_setting(model, "turns to wind", "", settings.turns_to_wind, 0.1, 100.0);
+}
+
+double NeedleGrasp::factor() const noexcept {
+  const auto wound = [this](double turns) { return -std::expm1(-turns / settings_.turns_to_wind); };
+  const double net = std::abs(net_), back = std::max(0.0, total_ - net);
+  return settings_.point * (1.0 + std::max(settings_.one_way * wound(net), settings_.two_way * wound(back)));
+}
+
+double NeedleGrasp::step(double roll) noexcept {
+  if (!(std::abs(roll) <= 1e6)) return factor();
+  constexpr double turn = 2.0 * std::numbers::pi;
+  if (started_) {
+    const double moved = std::remainder(roll - last_, turn) / turn;
+    net_ += moved;
+    total_ += std::abs(moved);
+  }
+  started_ = true;
+  last_ = roll;
+  return factor();
+}
+
+void NeedleGrasp::reset() noexcept {
+  started_ = false;
+  last_ = net_ = total_ = 0.0;
+}
+
+}  // namespace bodkin

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "anatomy/force_settings.h"
+
+namespace bodkin {
+
+// Acupuncture's needle grasp: turning the needle winds tissue round it, and it holds more firmly (Langevin et al.
+// 2001).
+//
+//   factor = point (1 + max(one_way (1 - exp(-|n|/w)), two_way (1 - exp(-m/w))))
+//
+// n net turns since the entry, m turns that went back on themselves (all turning less |n|), w turns_to_wind. Multiply
+// the friction of the shaft (D and S of `layered`, Fc of `shaft_friction`) with it. Twisting takes r f for every mm
+// of shaft.
+class NeedleGrasp {
+ public:
+  // Throws InputError for a setting outside its range.
+  explicit NeedleGrasp(const NeedleGraspSettings& settings);
+
+  // `roll`: of the shaft, rad, any multiple of a turn left out or not; steps of less than half a turn are followed.
+  // Not finite: as if unchanged. Returns the factor.
+  double step(double roll) noexcept;
+  void reset() noexcept;
+
+  double turns() const noexcept { return net_; }  // n
+
+ private:
+  double factor() const noexcept;
+
+  NeedleGraspSettings settings_;
+  bool started_ = false;
+  double last_ = 0.0;   // rad
+  double net_ = 0.0;    // turns
+  double total_ = 0.0;  // turns
+};
+
+// N mm: torque that turns a needle of `diameter` (mm) whose shaft is held with `friction` N/mm over `length` mm.
+constexpr double twisting_torque(double diameter, double friction, double length) noexcept {
+  return 0.5 * diameter * friction * length;
+}
+
+}  // namespace bodkin

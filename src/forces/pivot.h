@@ -1,0 +1,36 @@
+#pragma once
+
+#include "anatomy/force_settings.h"
+#include "core/geometry.h"
+
+namespace bodkin {
+
+// The constraint of a device that can only push, not turn: the puncture O is a pivot, the tissue holds the tip, and
+// the device renders at the gimbal (the hub) the force that balances the tip's about O (Kwon et al. 2001, eq. 2,
+// Fig. 5 and 9):
+//
+//   F_c = c k_t (V_i - V_c)          V_i = L u0, V_c = L u
+//   F_gimbal = -F_c l1 / l2          l1 = (tip - O) . u inside, l2 = L - l1 outside; |F_gimbal| <= limit
+//
+// u0 direction frozen at puncture, u the needle's now, L its length mm. Only F_c's direction across u counts; its
+// size is that of the whole chord. The lateral stiffness grows with l1 but costs nothing along the needle, as in the
+// paper, so closed paths that tilt shallow and return deep give energy: this constraint is **active**
+// (docs/models/pivot.md).
+class Pivot {
+ public:
+  // Throws InputError for a setting outside its range. `length`: mm, hub to tip, 10 to 500.
+  Pivot(const PivotSettings& settings, double length);
+
+  // Freezes the pivot at `entry` and the direction (unit).
+  void begin(const Vec3& entry, const Vec3& direction) noexcept;
+  // Force on the hand at the hub, LPS N. Zero for input that is not finite.
+  Vec3 step(const Vec3& tip, const Vec3& axis) const noexcept;
+
+ private:
+  PivotSettings settings_;
+  double length_;
+  Vec3 entry_ = Vec3::Zero();
+  Vec3 direction_ = Vec3::UnitZ();
+};
+
+}  // namespace bodkin

@@ -1,0 +1,53 @@
+#include "forces/rail.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "forces/model_input.h"
+
+namespace bodkin {
+
+Rail::Rail(const RailSettings& settings) : settings_(settings) {
+  constexpr auto model = "rail";
+  check_setting(model, "stiffness", "N/mm", settings.stiffness, 0.0, 10.0);
+  check_setting(model, "limit", "N", settings.limit, 1e-3, 100.0);
+  check_setting(model, "torsion", "N mm/rad", settings.torsion, 0.0, 1e5);
+  check_setting(model, "full depth", "mm", settings.full_depth, 1.0, 500.0);
+  check_setting(model, "torque limit", "N mm", settings.torque_limit, 1e-3, 1e4);
+}
+
+void Rail::begin(const Vec3& entry, const Vec3& direction) noexcept {
+  entry_ = entry;
+  direction_ = direction;
+}
+
+Vec3 Rail::torque(const Vec3& axis, double depth) const noexcept {
+  const Vec3 turn = axis.cross(direction_);
+  const double sine = turn.norm(), cosine = axis.dot(direction_);
+  if (!(sine <= 2.0) || !(std::abs(cosine) <= 2.0) || !(depth > 0.0)) return Vec3::Zero();
+  const double grown = std::min(depth / settings_.full_depth, 1.0);
+  if (sine < 1e-9) {
+    if (cosine > 0.0) return Vec3::Zero();
+    // Turned right round: any axis across the needle will do.
+    return direction_.unitOrthogonal() *
+           std::min(settings_.torsion * grown * std::numbers::pi, settings_.torque_limit);
+  }
+  const double size = settings_.torsion * grown * std::atan2(sine, cosine);
+  return turn * (std::min(size, settings_.torque_limit) / sine);
+}
+
+Wrench Rail::step(const Vec3& tip, const Vec3& axis) const noexcept {
+  const double depth = (tip - entry_).dot(direction_);
+  const Vec3 aside = tip - entry_ - depth * direction_;  // w
+  const double distance = aside.norm();
+  if (!(distance <= farthest_depth) || !(std::abs(depth) <= farthest_depth)) return {};
+  Wrench wrench;
+  if (distance > 0.0) {
+    wrench.force = aside * (-std::min(settings_.stiffness * distance, settings_.limit) / distance);
+  }
+  wrench.torque = torque(axis, depth);
+  return wrench;
+}
+
+}  // namespace bodkin

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "anatomy/force_settings.h"
+#include "anatomy/tissue.h"
+#include "core/axial_motion.h"
+#include "forces/events.h"
+
+namespace bodkin {
+
+// The friction of all of the shaft that is in tissue: sums of what its tissues do per mm (ShaftFrictionTissue).
+struct ShaftContact {
+  double coulomb = 0.0;       // Fc, N
+  double static_force = 0.0;  // Fs, N
+  double stiffness = 0.0;     // sigma0, N/mm
+  double viscous = 0.0;       // sigma2, N s/mm
+};
+
+// Sums over the layers (each `layer` mm thick) down to `depth` mm. Never throws.
+ShaftContact shaft_contact(std::span<const TissueId> layers, double layer, double depth,
+                           const std::array<ShaftFrictionTissue, 256>& tissues) noexcept;
+
+// g(v) = Fc + (Fs - Fc) exp(-(v/vs)^2), N: the friction at steady speed without its viscous part.
+inline double stribeck(const ShaftContact& contact, double velocity, double stribeck_velocity) noexcept {
+  const double ratio = velocity / stribeck_velocity;
+  return contact.coulomb + (contact.static_force - contact.coulomb) * std::exp(-ratio * ratio);
+}
+
+// Friction with memory between needle and tissue: Dahl (1968), and LuGre (Canudas de Wit et al. 1995) when Fs > Fc.
+// Tissue sticks to the shaft and stretches by z before it slides:
+//
+//   dz/dx = 1 - sigma0 z sgn(dx) / g(v);   F = sigma0 z + sigma2 v          (LuGre with sigma1 = 0; Dahl: Fs = Fc)
+//
+// over a motion dx, solved exactly: z_ss = g/sigma0 sgn(dx);  z <- z_ss + (z - z_ss) exp(-sigma0 |dx| / g).
+// Explicit Euler would need steps of microseconds. At rest z, and so the force, stays. As the length in contact
+// grows, z is kept and the sums grow. Passive. R > 0 on insertion, R < 0 on withdrawal.
+class ShaftFriction {
+ public:
+  // Throws InputError for a setting outside its range.
+  explicit ShaftFriction(const ShaftFrictionSettings& settings);
+
+  void begin() noexcept { fresh_ = true; }
+  // R in N. Unusable motion: 0, a `fault` event and an unchanged state.
+  double step(const AxialMotion& motion, const ShaftContact& contact, TickEvents& events) noexcept;
+  void reset() noexcept { begin(); }
+
+  // z, mm.
+  double stretch() const noexcept { return stretch_; }
+
+ private:
+  double stribeck_velocity_;
+  double stretch_ = 0.0;     // z, mm
+  double last_depth_ = 0.0;  // mm
+  bool fresh_ = true;
+};
+
+}  // namespace bodkin

@@ -1,0 +1,130 @@
+#include "forces/surface_proxy.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "forces/model_input.h"
+
+namespace bodkin {
+namespace {
+
+constexpr double least_slide = 1e-9;  // mm: shorter ways are rounding
+constexpr double parallel = 1e-12;    // sine squared of the least angle at which two planes make an edge
+
+}  // namespace
+
+HeldWay held_way(const Vec3& pull, const std::array<Vec3, 3>& normals, std::size_t count) noexcept {
+  const double slack = -1e-12 * pull.norm();
+  const auto free = [&](const Vec3& way, std::size_t but, std::size_t and_but) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i != but && i != and_but && normals[i].dot(way) < slack) return false;
+    }
+    return true;
+  };
+  if (free(pull, count, count)) return {pull, {}, 0};
+  for (std::size_t i = 0; i < count; ++i) {  // along a face
+    HeldWay one;
+    one.load[i] = -normals[i].dot(pull);
+    if (one.load[i] < 0.0) continue;
+    one.holding = 1;
+    one.way = pull + one.load[i] * normals[i];
+    if (free(one.way, i, count)) return one;
+  }
+  for (std::size_t i = 0; i < count; ++i) {  // along an edge
+    for (std::size_t j = i + 1; j < count; ++j) {
+      const Vec3 edge = normals[i].cross(normals[j]);
+      const double sine2 = edge.squaredNorm();
+      if (sine2 < parallel) continue;
+      const double cosine = normals[i].dot(normals[j]);
+      const double into_i = -normals[i].dot(pull), into_j = -normals[j].dot(pull);
+      HeldWay two;
+      two.load[i] = (into_i - cosine * into_j) / sine2;
+      two.load[j] = (into_j - cosine * into_i) / sine2;
+      if (two.load[i] < 0.0 || two.load[j] < 0.0) continue;
+      two.holding = 2;
+      two.way = edge * (edge.dot(pull) / sine2);
+      if (free(two.way, i, j)) return two;
+    }
+  }
+  return {Vec3::Zero(), {}, count};  // in a corner
+}
+
+SurfaceProxy::SurfaceProxy(const SurfaceProxySettings& settings, const Surface& surface, double dt)
+    : settings_(settings), tree_(surface), dt_(dt) {
+  constexpr auto model = "surface_proxy";
+  check_tick(model, dt);
+  check_setting(model, "stiffness", "N/mm", settings.stiffness, 0.01, 10.0);
+  check_setting(model, "dynamic friction", "", settings.dynamic_friction, 0.0, 10.0);
+  check_setting(model, "static friction", "", settings.static_friction, settings.dynamic_friction, 10.0);
+  check_setting(model, "time to stick again", "s", settings.stick_after, 0.0, 1.0);
+  check_setting(model, "viscosity", "N s/mm", settings.viscosity, 0.0, 1.0);
+  check_setting(model, "limit", "N", settings.limit, 1e-3, 100.0);
+}
+
+void SurfaceProxy::reset() noexcept {
+  count_ = 0;
+  at_rest_ = long_at_rest;
+  placed_ = false;
+}
+
+// Moves the proxy as near to the tip as faces and friction let it.
+void SurfaceProxy::follow(const Vec3& tip) noexcept {
+  double friction = at_rest_ < settings_.stick_after ? settings_.dynamic_friction : settings_.static_friction;
+  double left = dt_;  // s of this tick that the proxy has not yet slid
+  at_rest_ += dt_;
+  count_ = 0;
+  for (int round = 0; round < most_rounds; ++round) {
+    const HeldWay held = held_way(tip - proxy_, normals_, count_);
+    Vec3 way = held.way;
+    if (count_ > 0) {
+      const double length = way.norm(), load = held.load[0] + held.load[1] + held.load[2];
+      if (length <= least_slide || length <= friction * load * (1.0 + 1e-9)) {  // inside the cone
+        count_ = held.holding;
+        return;
+      }
+      friction = settings_.dynamic_friction;
+      way *= 1.0 - friction * load / length;
+      if (settings_.viscosity > 0.0) {
+        const double spring = settings_.stiffness * left;
+        way *= spring / (spring + settings_.viscosity);
+      }
+    }
+    const SurfaceHit hit = tree_.first_entry(proxy_, way);
+    const double drop = -hit.normal.dot(way);
+    const double part = hit.triangle < 0 ? 1.0 : std::max(0.0, hit.part - clearance / drop);
+    proxy_ += part * way;
+    if (count_ > 0 && part * way.norm() > least_slide) at_rest_ = 0.0;
+    if (hit.triangle < 0) {
+      // Arrived: at the tip itself, or on the faces, which may have ended on the way (an edge was passed).
+      if (count_ == 0) at_rest_ = long_at_rest;
+      if (count_ == 0 || settings_.viscosity > 0.0) return;
+      count_ = 0;
+      continue;
+    }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (held.load[i] <= 0.0) continue;
+      // A face met again: the angle between faces is lost in rounding. Standing still is always safe.
+      if (normals_[i].cross(hit.normal).squaredNorm() < parallel && normals_[i].dot(hit.normal) > 0.0) return;
+      normals_[kept++] = normals_[i];
+    }
+    if (count_ > 0) left *= 1.0 - part;
+    normals_[kept] = hit.normal;
+    count_ = kept + 1;
+  }
+}
+
+Vec3 SurfaceProxy::step(const Vec3& tip, TickEvents& events) noexcept {
+  if (!(tip.norm() <= farthest_depth)) {
+    events.push({EventKind::fault, tissue::air, 0.0, 0.0});
+    return Vec3::Zero();
+  }
+  if (!placed_) proxy_ = tip;
+  placed_ = true;
+  follow(tip);
+  const Vec3 force = -settings_.stiffness * (tip - proxy_);
+  const double size = force.norm();
+  return size > settings_.limit ? Vec3(force * (settings_.limit / size)) : force;
+}
+
+}  // namespace bodkin

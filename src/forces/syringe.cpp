@@ -1,0 +1,62 @@
+#include "forces/syringe.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "forces/model_input.h"
+
+namespace bodkin {
+namespace {
+
+constexpr double atmosphere = 0.1013;       // MPa
+constexpr double highest_pressure = 2.0;    // MPa: no thumb goes there
+constexpr double lowest_pressure = -0.099;  // MPa gauge: short of vacuum
+
+}  // namespace
+
+double tube_resistance(double viscosity, double length, double bore) {
+  return 128.0 * viscosity * length / (std::numbers::pi * std::pow(bore, 4));
+}
+
+Syringe::Syringe(const TissueLibrary& library, const SyringeSettings& settings, double dt)
+    : settings_(settings), tissues_(library.by_id(&TissueProperties::syringe)), dt_(dt) {
+  constexpr auto model = "syringe";
+  check_tick(model, dt);
+  check_setting(model, "bore", "mm", settings.bore, 2.0, 40.0);
+  check_setting(model, "air volume", "mm^3", settings.air_volume, 10.0, 20000.0);
+  check_setting(model, "saline compliance", "mm^3/MPa", settings.saline_compliance, 0.1, 1e5);
+  check_setting(model, "needle bore", "mm", settings.needle_bore, 0.1, 5.0);
+  check_setting(model, "needle length", "mm", settings.needle_length, 10.0, 300.0);
+  check_setting(model, "viscosity", "MPa s", settings.viscosity, 1e-11, 1e-6);
+  check_setting(model, "friction", "N", settings.friction, 0.0, 20.0);
+  for (const TissueProperties& tissue : library.tissues()) {
+    check_setting(model, "resistance of " + tissue.title, "MPa s/mm^3", tissue.syringe.resistance, 0.0, 1e6);
+    check_setting(model, "pressure of " + tissue.title, "MPa", tissue.syringe.pressure, -0.01, 0.05);
+  }
+  area_ = std::numbers::pi * settings.bore * settings.bore / 4.0;
+  needle_resistance_ = tube_resistance(settings.viscosity, settings.needle_length, settings.needle_bore);
+}
+
+double Syringe::relax(double pressure, double outside, double inflow, double compliance, double resistance,
+                      double dt) noexcept {
+  const double steady = outside + resistance * inflow;
+  return pressure - (steady - pressure) * std::expm1(-dt / (resistance * compliance));
+}
+
+const SyringeState& Syringe::step(double plunger_speed, TissueId tissue) noexcept {
+  const double speed = std::abs(plunger_speed) <= 1e4 ? plunger_speed : 0.0;  // NaN too
+  const SyringeTissue& here = tissues_[tissue];
+  const double resistance = needle_resistance_ + here.resistance;
+  const double compliance = settings_.filling == SyringeFilling::saline
+                                ? settings_.saline_compliance
+                                : settings_.air_volume / (atmosphere + state_.pressure);
+  state_.pressure = std::clamp(relax(state_.pressure, here.pressure, area_ * speed, compliance, resistance, dt_),
+                               lowest_pressure, highest_pressure);
+  state_.flow = (state_.pressure - here.pressure) / resistance;
+  // The seal drags against the motion; below 1 mm/s it eases off instead of switching.
+  state_.force = area_ * state_.pressure + settings_.friction * std::clamp(speed, -1.0, 1.0);
+  return state_;
+}
+
+}  // namespace bodkin

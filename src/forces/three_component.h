@@ -1,0 +1,43 @@
+#pragma once
+
+#include "anatomy/force_settings.h"
+#include "anatomy/tissue.h"
+#include "core/axial_motion.h"
+#include "forces/channel_memory.h"
+#include "forces/cutting_edge.h"
+#include "forces/events.h"
+
+namespace bodkin {
+
+// Force of needle insertion as a sum of three (Simone and Okamura 2002; Okamura, Simone, O'Leary 2004):
+//
+//   R = stiffness + friction + cutting
+//   stiffness  a1 x + a2 x^2 before the puncture, 0 after
+//   friction   after it, per mm inserted: C sgn v + b v for |v| >= Dv/2, within the band up to D   (modified Karnopp)
+//   cutting    0 before, constant after
+//
+// A simulator does not know the force that a hand applies, which Karnopp's band needs; inside it a Dahl spring (see
+// shaft_friction.h) holds with at most D. Cutting acts where tissue is still whole (cutting_edge.h). Passive.
+class ThreeComponent {
+ public:
+  // Throws InputError for a setting outside its range.
+  explicit ThreeComponent(const ThreeComponentSettings& settings);
+
+  // Meets the capsule at `entry` along the unit `direction`; a punctured channel (1 mm, 3 degrees) stays so.
+  void begin(const Vec3& entry, const Vec3& direction) noexcept;
+  // R in N, -limit to limit. Events: contact, puncture (value = force), withdrawn, fault.
+  double step(const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept;
+  void reset() noexcept;
+
+ private:
+  double friction(const AxialMotion& motion) noexcept;
+
+  ThreeComponentSettings settings_;
+  ChannelMemory channels_;  // depths of punctured channels
+  CuttingEdge edge_;
+  double stretch_ = 0.0;     // z, mm
+  double last_depth_ = 0.0;  // mm
+  bool inside_ = false, punctured_ = false;
+};
+
+}  // namespace bodkin

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "anatomy/tissue.h"
+#include "anatomy/volume.h"
+
+namespace bodkin {
+
+// The tissues along a frozen insertion line, in layers of equal thickness. Layer 0 begins at the entry point, each
+// layer carries the tissue at its middle. Layers are looked up once, as the needle reaches them, into memory taken at
+// construction, so that extending the path in the tick costs one look-up a layer and no allocation.
+class TissuePath {
+ public:
+  // `layer`: mm, > 0. `longest`: mm, the deepest depth that will be asked for.
+  TissuePath(double layer, double longest);
+
+  // Starts a new line at `entry` along the unit vector `direction` (LPS). Forgets the old layers.
+  void restart(const Vec3& entry, const Vec3& direction) noexcept;
+  // Makes the layers up to the one that holds `depth` known (at most `longest`). Beyond the volume is air.
+  void extend_to(double depth, const TissueVolume& tissues) noexcept;
+
+  std::span<const TissueId> layers() const noexcept { return {layers_.data(), known_}; }
+  double layer() const noexcept { return layer_; }
+
+ private:
+  double layer_;
+  std::size_t known_ = 0;
+  Vec3 entry_ = Vec3::Zero();
+  Vec3 direction_ = Vec3::UnitZ();
+  std::vector<TissueId> layers_;
+};
+
+}  // namespace bodkin

@@ -1,0 +1,130 @@
+#include "forces/tracking_wall.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "core/error.h"
+#include "forces/model_input.h"
+
+namespace bodkin {
+
+void check_tracking_wall(const TissueLibrary& library, const TrackingWallSettings& settings, const char* model) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  check_setting(model, "surface", "mm", settings.surface, -1000.0, 1000.0);
+  check_setting(model, "catch-up time", "s", settings.catch_up, 1e-3, infinity);
+  check_setting(model, "limit", "N", settings.limit, 1e-3, 100.0);
+  const auto check = [model](const TrackingWallTissue& layer, const std::string& of) {
+    check_setting(model, "spring of " + of, "N/mm", layer.stiffness, 0.01, 100.0);
+    check_setting(model, "force of " + of, "N", layer.force, 0.0, 50.0);
+  };
+  for (const TissueProperties& tissue : library.tissues()) check(tissue.tracking_wall, tissue.title);
+  double before = -1.0;
+  for (const TrackingWallDepthLayer& layer : settings.layers) {
+    check(layer.layer, "a layer");
+    check_setting(model, "depth at which a layer begins", "mm", layer.from, 0.0, 1000.0);
+    if (layer.from <= before) {
+      throw InputError(std::string(model) + ": the layers do not begin deeper and deeper; sort them by depth");
+    }
+    before = layer.from;
+  }
+}
+
+TrackingWall::TrackingWall(const TissueLibrary& library, const TrackingWallSettings& settings, double dt)
+    : settings_(settings),
+      tissues_(library.by_id(&TissueProperties::tracking_wall)),
+      dt_(dt),
+      channels_(settings.channel_radius, settings.channel_tilt) {
+  check_tracking_wall(library, settings, "tracking_wall");
+  check_tick("tracking_wall", dt);
+  reset();
+}
+
+void TrackingWall::reset() noexcept {
+  channels_.clear();
+  mode_ = Mode::outside;
+  wall_ = stop_wall_ = stop_depth_ = last_stop_ = settings_.surface;
+  stiffness_ = stop_ticks_ = 0.0;
+}
+
+void TrackingWall::begin(const Vec3& entry, const Vec3& direction) noexcept {
+  if (channels_.enter(entry, direction)) last_stop_ = settings_.surface;
+  mode_ = Mode::outside;
+  wall_ = settings_.surface;
+}
+
+const TrackingWallTissue& TrackingWall::layer_at(double depth, TissueId tissue) const noexcept {
+  if (settings_.layers.empty()) return tissues_[tissue];
+  std::size_t i = settings_.layers.size() - 1;
+  while (i > 0 && depth - settings_.surface < settings_.layers[i].from) --i;
+  return settings_.layers[i].layer;
+}
+
+void TrackingWall::rebase(double depth, double stiffness) noexcept {
+  if (stiffness == stiffness_) return;
+  if (stiffness_ > 0.0 && depth > wall_) {
+    wall_ = depth - stiffness_ / stiffness * (depth - wall_);  // same force before and after
+    stop_wall_ = wall_;
+    stop_depth_ = depth;
+    stop_ticks_ = 0.0;
+  }
+  stiffness_ = stiffness;
+}
+
+double TrackingWall::step(const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept {
+  const double x = motion.depth;
+  if (!usable(motion)) {
+    events.push({EventKind::fault, tissue, wall_, 0.0});
+    return 0.0;
+  }
+  const double surface = settings_.surface;
+  if (x <= surface) {  // eq. 3, second line
+    if (mode_ != Mode::outside) events.push({EventKind::withdrawn, tissue, x, 0.0});
+    mode_ = Mode::outside;
+    wall_ = surface;
+    stiffness_ = 0.0;
+    return 0.0;
+  }
+  // The memory counts from the surface, so that an unused channel has depth 0.
+  const double deepest = surface + channels_.deepest();
+  if (mode_ == Mode::outside) {
+    events.push({EventKind::contact, tissue, x, 0.0});
+    mode_ = x < deepest && !settings_.strict ? Mode::free : Mode::insert;
+    wall_ = mode_ == Mode::free || settings_.strict ? deepest : surface;
+  }
+  if (mode_ == Mode::free) {
+    if (x <= deepest) return 0.0;
+    mode_ = Mode::insert;
+    wall_ = deepest;
+  }
+  channels_.deepen(x - surface);
+
+  const TrackingWallTissue& layer = layer_at(x, tissue);
+  rebase(x, layer.stiffness);
+  if (motion.stopped || motion.direction == 0) {
+    if (mode_ != Mode::stop) {  // eq. 5
+      mode_ = Mode::stop;
+      stop_wall_ = wall_;
+      stop_depth_ = last_stop_ = x;
+      stop_ticks_ = 0.0;
+    }
+    const double part = std::min(1.0, ++stop_ticks_ * dt_ / settings_.catch_up);
+    wall_ = stop_wall_ + std::max(0.0, stop_depth_ - stop_wall_) * part;  // eq. 6 read as a line
+  } else if (motion.direction > 0) {
+    mode_ = Mode::insert;
+    wall_ = std::max(wall_, x - layer.force / layer.stiffness);  // eq. 3, 4
+  } else {
+    mode_ = Mode::unload;
+  }
+
+  if (settings_.strict && x < last_stop_) return 0.0;               // eq. 7, third line
+  const double force = layer.stiffness * std::max(0.0, x - wall_);  // eq. 7
+  if (force == 0.0 && mode_ == Mode::unload && !settings_.strict) {
+    mode_ = Mode::free;
+    wall_ = surface + channels_.deepest();
+  }
+  return std::min(force, settings_.limit);
+}
+
+}  // namespace bodkin

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "anatomy/force_settings.h"
+#include "anatomy/tissue.h"
+#include "core/axial_motion.h"
+#include "forces/channel_memory.h"
+#include "forces/events.h"
+
+namespace bodkin {
+
+// Throws InputError for settings or tissues outside their ranges; `model` names the culprit.
+void check_tracking_wall(const TissueLibrary& library, const TrackingWallSettings& settings, const char* model);
+
+// A spring whose wall W follows the tip at the distance D = f_R / K_t, so that the force stops growing at f_R; at
+// rest the wall catches up with the tip and the force fades; a channel that is cut already is free to its old depth.
+// Alamilla, Moreau, Redarce 2018, eq. 3-7, Fig. 3 and 4:
+//
+//   inserting   W = max(W, x - D)                          (eq. 3, 4 behind the gate of Fig. 4)
+//   stopped     W = W_s + (x_s - W_s) min(1, t / T)        (eq. 5, 6; W_s, x_s at the stop, t since then)
+//   always      R = K_t max(0, x - W)                      (eq. 7)
+//
+// On withdrawal the spring unloads along its own line, then R = 0 until the deepest depth of the channel is passed.
+// A border between layers rebases W so that R is continuous where K_t changes. Energy stored, K_t (x - W)^2 / 2, is
+// only ever given up, so the wall is passive, except when `strict`.
+//
+// In three dimensions the scalar law runs along the frozen insertion line: F_hand = -R u, wall at entry + W u.
+class TrackingWall {
+ public:
+  // Throws InputError for a setting outside its range. `dt`: s, 1e-6 to 0.1.
+  TrackingWall(const TissueLibrary& library, const TrackingWallSettings& settings, double dt);
+
+  // The needle meets the skin at `entry` along the unit `direction`: opens a channel, or goes back to one.
+  void begin(const Vec3& entry, const Vec3& direction) noexcept;
+  // R in N, 0 to `limit`. `tissue` at the tip chooses the layer unless the settings give layers by depth.
+  // Events: contact, withdrawn, fault (unusable motion: R = 0, state unchanged).
+  double step(const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept;
+  // Forgets everything, the channels too.
+  void reset() noexcept;
+
+  // W, mm along the line.
+  double wall() const noexcept { return wall_; }
+  const ChannelMemory& channels() const noexcept { return channels_; }
+
+ private:
+  enum class Mode : std::uint8_t { outside, free, insert, stop, unload };
+
+  const TrackingWallTissue& layer_at(double depth, TissueId tissue) const noexcept;
+  void rebase(double depth, double stiffness) noexcept;
+
+  TrackingWallSettings settings_;
+  std::array<TrackingWallTissue, 256> tissues_;  // 256, by TissueId
+  double dt_;
+  ChannelMemory channels_;
+  Mode mode_ = Mode::outside;
+  double wall_ = 0.0;        // W, mm
+  double stiffness_ = 0.0;   // K_t of the layer that W refers to, N/mm
+  double stop_wall_ = 0.0;   // W_s, mm
+  double stop_depth_ = 0.0;  // x_s, mm
+  double stop_ticks_ = 0.0;  // ticks since the stop
+  double last_stop_ = 0.0;   // x_t0 of eq. 7, for `strict`, mm
+};
+
+}  // namespace bodkin

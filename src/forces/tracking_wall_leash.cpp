@@ -1,0 +1,91 @@
+#include "forces/tracking_wall_leash.h"
+
+#include <algorithm>
+
+#include "forces/model_input.h"
+
+namespace bodkin {
+
+TrackingWallLeash::TrackingWallLeash(const TissueLibrary& library, const TrackingWallSettings& settings, double dt)
+    : settings_(settings), tissues_(library.by_id(&TissueProperties::tracking_wall)), dt_(dt) {
+  check_tracking_wall(library, settings, "tracking_wall (leash)");
+  check_tick("tracking_wall (leash)", dt);
+}
+
+void TrackingWallLeash::begin(const Vec3& entry, const Vec3& direction) noexcept {
+  entry_ = wall_ = entry;
+  direction_ = direction;
+  stiffness_ = deepest_ = 0.0;
+  inside_ = free_ = stopped_ = false;
+}
+
+void TrackingWallLeash::reset() noexcept {
+  begin(Vec3::Zero(), Vec3::UnitZ());
+}
+
+const TrackingWallTissue& TrackingWallLeash::layer_at(double depth, TissueId tissue) const noexcept {
+  if (settings_.layers.empty()) return tissues_[tissue];
+  std::size_t i = settings_.layers.size() - 1;
+  while (i > 0 && depth < settings_.layers[i].from) --i;
+  return settings_.layers[i].layer;
+}
+
+Vec3 TrackingWallLeash::step(const Vec3& tip, const AxialMotion& motion, TissueId tissue,
+                             TickEvents& events) noexcept {
+  const double x = (tip - entry_).dot(direction_);
+  if (!usable(motion) || !((tip - entry_).norm() <= farthest_depth)) {
+    events.push({EventKind::fault, tissue, deepest_, 0.0});
+    return Vec3::Zero();
+  }
+  if (x <= 0.0) {
+    if (inside_) events.push({EventKind::withdrawn, tissue, x, 0.0});
+    inside_ = stopped_ = false;
+    free_ = deepest_ > 0.0;
+    wall_ = entry_;
+    stiffness_ = 0.0;
+    return Vec3::Zero();
+  }
+  if (!inside_) events.push({EventKind::contact, tissue, x, 0.0});
+  inside_ = true;
+  if (free_ && x <= deepest_) {
+    wall_ = tip;
+    return Vec3::Zero();
+  }
+  free_ = false;
+  deepest_ = std::max(deepest_, x);
+
+  const TrackingWallTissue layer = layer_at(x, tissue);
+  if (stiffness_ > 0.0 && layer.stiffness != stiffness_) {
+    wall_ = tip - stiffness_ / layer.stiffness * (tip - wall_);  // same force before and after
+    stopped_ = false;
+  }
+  stiffness_ = layer.stiffness;
+
+  if (motion.stopped || motion.direction == 0) {
+    if (!stopped_) {
+      stop_wall_ = wall_;
+      stop_tip_ = tip;
+      stop_ticks_ = 0.0;
+    }
+    stopped_ = true;
+    wall_ = stop_wall_ + (stop_tip_ - stop_wall_) * std::min(1.0, ++stop_ticks_ * dt_ / settings_.catch_up);
+  } else {
+    stopped_ = false;
+  }
+  const double longest = layer.force / layer.stiffness;
+  Vec3 leash = tip - wall_;
+  if (const double length = leash.norm(); length > longest) {
+    leash *= longest / length;
+    wall_ = tip - leash;
+  }
+  if (leash.dot(direction_) <= 0.0 && motion.direction < 0) {
+    free_ = true;
+    wall_ = tip;
+    return Vec3::Zero();
+  }
+  const Vec3 force = -layer.stiffness * leash;
+  const double size = force.norm();
+  return size > settings_.limit ? Vec3(force * (settings_.limit / size)) : force;
+}
+
+}  // namespace bodkin

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "anatomy/tissue.h"
+#include "core/geometry.h"
+#include "forces/events.h"
+#include "forces/tracking_wall.h"
+
+namespace bodkin {
+
+// The tracking wall on a path that may bend: the wall is a point W on a leash behind the tip P.
+//
+//   d = P - W;   if |d| > D: W = P - D d/|d|;   F_hand = -K_t d        D = f_R / K_t
+//
+// Depth is counted along the direction at entry, x = (P - entry) . u. At rest W catches up with P as in TrackingWall.
+// When the tip has backed off until the leash no longer points inwards (d . u <= 0) the force is zero, until x passes
+// the deepest depth of this entry again. Without that rule the leash would be friction that pulls inwards on
+// withdrawal. Uses surface = 0 and ignores `strict` and the memory of channels: another entry begins anew.
+class TrackingWallLeash {
+ public:
+  // Throws InputError for a setting outside its range. `dt`: s, 1e-6 to 0.1.
+  TrackingWallLeash(const TissueLibrary& library, const TrackingWallSettings& settings, double dt);
+
+  void begin(const Vec3& entry, const Vec3& direction) noexcept;
+  // Force on the hand, LPS N, at most `limit`. `motion` is that of the depth x. Events: contact, withdrawn, fault.
+  Vec3 step(const Vec3& tip, const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept;
+  void reset() noexcept;
+
+  // W, LPS mm.
+  const Vec3& wall() const noexcept { return wall_; }
+
+ private:
+  const TrackingWallTissue& layer_at(double depth, TissueId tissue) const noexcept;
+
+  TrackingWallSettings settings_;
+  std::array<TrackingWallTissue, 256> tissues_;  // 256, by TissueId
+  double dt_;
+  Vec3 entry_ = Vec3::Zero();
+  Vec3 direction_ = Vec3::UnitZ();
+  Vec3 wall_ = Vec3::Zero();
+  Vec3 stop_wall_ = Vec3::Zero(), stop_tip_ = Vec3::Zero();
+  double stop_ticks_ = 0.0;
+  double stiffness_ = 0.0;  // K_t of the layer that W refers to, N/mm; 0 outside
+  double deepest_ = 0.0;    // mm
+  bool inside_ = false, free_ = false, stopped_ = false;
+};
+
+}  // namespace bodkin

@@ -1,0 +1,111 @@
+#include "forces/volume_proxy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/error.h"
+#include "forces/model_input.h"
+
+namespace bodkin {
+namespace {
+
+ProxyProperties blend(const ProxyProperties& a, const ProxyProperties& b, double part) noexcept {
+  const auto mix = [part](double from, double to) { return from + (to - from) * part; };
+  return {mix(a.penetrability, b.penetrability), mix(a.friction, b.friction), mix(a.drag, b.drag),
+          mix(a.viscosity, b.viscosity)};
+}
+
+void check(const ProxyProperties& properties, const std::string& of) {
+  constexpr auto model = "volume_proxy";
+  check_setting(model, "penetrability of " + of, "N", properties.penetrability, 0.0, 50.0);
+  check_setting(model, "friction of " + of, "N", properties.friction, 0.0, 50.0);
+  check_setting(model, "drag of " + of, "N", properties.drag, 0.0, 50.0);
+  check_setting(model, "viscosity of " + of, "N s/mm", properties.viscosity, 0.0, 10.0);
+}
+
+}  // namespace
+
+Vec3 advance_proxy(const Vec3& proxy, const Vec3& tip, const Vec3& normal, const ProxyProperties& properties,
+                   double stiffness, ProxyVariant variant, bool two_sided, double dt) noexcept {
+  const Vec3 stretch = tip - proxy;              // d
+  const double along = stretch.dot(normal);      // dn
+  const Vec3 across = stretch - along * normal;  // t
+  const double wall = properties.penetrability / stiffness;
+  Vec3 moved = proxy;
+  if (along > wall) {
+    moved += normal * (along - wall);  // eq. 3
+  } else if (!two_sided && along < 0.0) {
+    moved += normal * along;
+  } else if (two_sided && along < -wall) {
+    moved += normal * (along + wall);
+  }
+  const double slide = across.norm(), hold = properties.friction / stiffness;
+  if (slide > hold) moved += across * ((slide - hold) / slide);  // eq. 4
+  const Vec3 way = moved - proxy;                                // e
+  if (variant == ProxyVariant::viscous) {
+    return proxy + way * (stiffness * dt / (stiffness * dt + properties.viscosity));
+  }
+  const double length = way.norm(), back = properties.drag / stiffness;
+  return length > back ? Vec3(moved - way * (back / length)) : (back > 0.0 ? proxy : moved);  // eq. 5
+}
+
+VolumeProxy::VolumeProxy(const TissueLibrary& library, const VolumeProxySettings& settings, const HapticField& field,
+                         double dt)
+    : settings_(settings), tissues_(library.by_id(&TissueProperties::volume_proxy)), field_(&field), dt_(dt) {
+  constexpr auto model = "volume_proxy";
+  check_tick(model, dt);
+  check_setting(model, "stiffness", "N/mm", settings.stiffness, 0.01, 10.0);
+  check_setting(model, "gradient reference", "1/mm", settings.gradient_reference, 1e-6, 1e3);
+  check_setting(model, "least gradient", "1/mm", settings.gradient_least, 0.0, settings.gradient_reference);
+  check_setting(model, "limit", "N", settings.limit, 1e-3, 100.0);
+  for (const TissueProperties& tissue : library.tissues()) check(tissue.volume_proxy, tissue.title);
+  for (std::size_t i = 0; i < settings.transfer.size(); ++i) {
+    check(settings.transfer[i].properties, "a transfer point");
+    check_setting(model, "value of a transfer point", "", settings.transfer[i].value, -100.0, 100.0);
+    if (i > 0 && settings.transfer[i].value <= settings.transfer[i - 1].value) {
+      throw InputError("volume_proxy: the points of the transfer function do not rise in value; sort them");
+    }
+  }
+}
+
+ProxyProperties VolumeProxy::properties(const FieldSample& here) const noexcept {
+  const auto& points = settings_.transfer;
+  if (points.empty()) return tissues_[field_->tissue(proxy_)];
+  const auto above = std::upper_bound(points.begin(), points.end(), here.value,
+                                      [](double value, const TransferPoint& point) { return value < point.value; });
+  if (above == points.begin()) return points.front().properties;
+  if (above == points.end()) return points.back().properties;
+  const auto below = above - 1;
+  return blend(below->properties, above->properties, (here.value - below->value) / (above->value - below->value));
+}
+
+Vec3 VolumeProxy::step(const Vec3& tip, const Rail* rail, TickEvents& events) noexcept {
+  if (!(tip.norm() <= farthest_depth)) {
+    events.push({EventKind::fault, tissue::air, 0.0, 0.0});
+    return Vec3::Zero();
+  }
+  if (!placed_) proxy_ = tip;
+  placed_ = true;
+  const FieldSample here = field_->sample(proxy_);
+  if (here.inside) {
+    ProxyProperties local = properties(here);
+    const double slope = here.gradient.norm();
+    Vec3 normal = Vec3::Zero();
+    if (slope > settings_.gradient_least) {
+      normal = here.gradient / slope;
+      const double part = std::min(slope / settings_.gradient_reference, 1.0);
+      local.penetrability *= part * part * (3.0 - 2.0 * part);
+    }
+    proxy_ =
+        advance_proxy(proxy_, tip, normal, local, settings_.stiffness, settings_.variant, settings_.two_sided, dt_);
+  } else {
+    proxy_ = tip;
+  }
+  if (rail != nullptr) proxy_ = rail->project(proxy_);
+  const Vec3 force = -settings_.stiffness * (tip - proxy_);  // eq. 1
+  const double size = force.norm();
+  return size > settings_.limit ? Vec3(force * (settings_.limit / size)) : force;
+}
+
+}  // namespace bodkin
