@@ -1,0 +1,71 @@
+#include "haptics/deadline_clock.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <ctime>
+
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+
+namespace bodkin {
+
+namespace {
+
+constexpr std::int64_t second = 1'000'000'000;  // ns
+constexpr std::int64_t longest_chase = 50;      // periods
+constexpr int fifo_priority = 50;
+constexpr unsigned long default_timer_slack = 0;  // ns; 0 asks for the system's own again
+
+std::int64_t now() noexcept {
+  timespec time{};
+  clock_gettime(CLOCK_MONOTONIC, &time);
+  return static_cast<std::int64_t>(time.tv_sec) * second + time.tv_nsec;
+}
+
+}  // namespace
+
+DeadlineClock::DeadlineClock(double period) : period_(std::llround(period * 1e9)) {}
+
+void DeadlineClock::start() noexcept {
+  next_ = now() + period_;
+}
+
+void DeadlineClock::wait() noexcept {
+  const timespec deadline{static_cast<time_t>(next_ / second), static_cast<long>(next_ % second)};
+  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &deadline, nullptr) == EINTR) {
+  }
+  const std::int64_t late = now() - next_;
+  ++deadlines_;
+  worst_ = std::max(worst_, late);
+  if (late > period_) ++missed_;
+  next_ += period_;
+  if (late > longest_chase * period_) next_ = now() + period_;
+}
+
+RealTimePriority::RealTimePriority() {
+  sched_param parameters{};
+  parameters.sched_priority = fifo_priority;
+  scheduled_ = sched_setscheduler(0, SCHED_FIFO, &parameters) == 0;
+  if (!scheduled_) refused_.push_back(std::string("no real-time priority: ") + std::strerror(errno));
+  // Locking less memory than the program will need would make its later allocations fail.
+  rlimit limit{};
+  const bool unlimited = getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY;
+  locked_ = unlimited && mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
+  if (!locked_) refused_.emplace_back("memory is not locked: the system limits how much may be");
+  prctl(PR_SET_TIMERSLACK, 1UL);
+}
+
+RealTimePriority::~RealTimePriority() {
+  if (scheduled_) {
+    const sched_param ordinary{};
+    sched_setscheduler(0, SCHED_OTHER, &ordinary);
+  }
+  if (locked_) munlockall();
+  prctl(PR_SET_TIMERSLACK, default_timer_slack);
+}
+
+}  // namespace bodkin

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace bodkin {
+
+// Wakes a servo thread at absolute moments of the monotonic clock, `period` apart, and counts the wake-ups that came
+// too late to do a tick's work in time. wait() neither locks nor allocates.
+class DeadlineClock {
+ public:
+  // `period`: s, > 0.
+  explicit DeadlineClock(double period);
+
+  // The first deadline is one period from now.
+  void start() noexcept;
+  // Sleeps until the next deadline. A deadline already gone by is not waited for; after a stall of more than 50
+  // periods the clock starts afresh from now instead of racing after it.
+  void wait() noexcept;
+
+  std::uint64_t deadlines() const noexcept { return deadlines_; }
+  // Wake-ups more than one period late.
+  std::uint64_t missed() const noexcept { return missed_; }
+  // s, the latest wake-up.
+  double worst_lateness() const noexcept { return static_cast<double>(worst_) * 1e-9; }
+
+ private:
+  std::int64_t period_;  // ns
+  std::int64_t next_ = 0;
+  std::uint64_t deadlines_ = 0;
+  std::uint64_t missed_ = 0;
+  std::int64_t worst_ = 0;
+};
+
+// Asks the system to run the calling thread ahead of others (SCHED_FIFO, memory locked, fine timers) while it lives.
+// What the system does not grant is listed, one sentence each, and the thread runs on without it.
+class RealTimePriority {
+ public:
+  RealTimePriority();
+  ~RealTimePriority();
+  RealTimePriority(const RealTimePriority&) = delete;
+  RealTimePriority& operator=(const RealTimePriority&) = delete;
+
+  const std::vector<std::string>& refused() const { return refused_; }
+
+ private:
+  bool scheduled_ = false;
+  bool locked_ = false;
+  std::vector<std::string> refused_;
+};
+
+}  // namespace bodkin

@@ -1,0 +1,96 @@
+#include "haptics/simulated_hand.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "core/error.h"
+#include "core/random.h"
+
+namespace bodkin {
+
+namespace {
+
+// 1 N = 1000 kg mm/s^2.
+constexpr double per_newton = 1000.0;
+
+void check_range(const char* name, const char* unit, double value, double low, double high) {
+  if (value >= low && value <= high) return;
+  std::ostringstream sentence;
+  sentence << "the hand's " << name << " is " << value << ' ' << unit << ", expected " << low << " to " << high;
+  throw InputError(sentence.str());
+}
+
+Pose turned(const Vec3& turn, const Pose& pose) noexcept {
+  Pose result = pose;
+  const double angle = turn.norm();
+  if (angle > 1e-12) result.linear() = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() * pose.linear();
+  return result;
+}
+
+}  // namespace
+
+void check(const HandParameters& parameters) {
+  check_range("mass", "kg", parameters.mass, 0.02, 5.0);
+  check_range("stiffness", "N/mm", parameters.stiffness, 0.05, 20.0);
+  check_range("damping", "N s/mm", parameters.damping, 0.0, 1.0);
+  check_range("inertia", "kg mm^2", parameters.inertia, 10.0, 1e5);
+  check_range("rotation stiffness", "N mm/rad", parameters.rotation_stiffness, 10.0, 1e6);
+  check_range("rotation damping", "N mm s/rad", parameters.rotation_damping, 0.0, 1e5);
+  check_range("tremor", "mm", parameters.tremor, 0.0, 5.0);
+  check_range("tremor of the angle", "rad", parameters.tremor_angle, 0.0, 0.2);
+}
+
+SimulatedHand::SimulatedHand(const HandParameters& parameters, double dt, std::uint64_t seed)
+    : parameters_((check(parameters), parameters)),
+      dt_(dt),
+      translation_(
+          transition(parameters.mass, parameters.stiffness * per_newton, parameters.damping * per_newton, dt)),
+      rotation_(transition(parameters.inertia, parameters.rotation_stiffness * per_newton,
+                           parameters.rotation_damping * per_newton, dt)),
+      tremor_(parameters.tremor, dt, mix64(seed)),
+      tremor_angle_(parameters.tremor_angle, dt, mix64(mix64(seed))) {}
+
+// z'' + (c/m) z' + (k/m) z = 0 over one tick, in closed form for light, critical and heavy damping.
+SimulatedHand::Transition SimulatedHand::transition(double mass, double stiffness, double damping, double dt) {
+  const double decay = damping / (2.0 * mass);
+  const double square = stiffness / mass;
+  const double discriminant = decay * decay - square;
+  const double root = std::sqrt(std::abs(discriminant));
+  double even = 1.0, odd = dt;  // critical damping
+  if (root * dt > 1e-9) {
+    even = discriminant > 0.0 ? std::cosh(root * dt) : std::cos(root * dt);
+    odd = (discriminant > 0.0 ? std::sinh(root * dt) : std::sin(root * dt)) / root;
+  }
+  const double fade = std::exp(-decay * dt);
+  return {fade * (even + decay * odd), fade * odd, -fade * square * odd, fade * (even - decay * odd)};
+}
+
+void SimulatedHand::start(const Pose& pose) noexcept {
+  needle_ = pose;
+  intended_ = pose.translation();
+  velocity_.setZero();
+  turn_.setZero();
+  turn_rate_.setZero();
+}
+
+const Pose& SimulatedHand::step(const Pose& intended, const Wrench& on_hand) noexcept {
+  const Vec3 goal = intended.translation() + tremor_.next();
+  const Vec3 pace = (goal - intended_) / dt_;
+  const Vec3 rest = on_hand.force / parameters_.stiffness;  // where the spring alone would balance the force
+  const Vec3 offset = needle_.translation() - intended_ - rest;
+  const Vec3 rate = velocity_ - pace;
+  const Vec3 tip = goal + rest + translation_.xx * offset + translation_.xv * rate;
+  velocity_ = pace + translation_.vx * offset + translation_.vv * rate;
+  intended_ = goal;
+
+  const Vec3 turn_rest = on_hand.torque / parameters_.rotation_stiffness;
+  const Vec3 turn_offset = turn_ - turn_rest;
+  turn_ = turn_rest + rotation_.xx * turn_offset + rotation_.xv * turn_rate_;
+  turn_rate_ = rotation_.vx * turn_offset + rotation_.vv * turn_rate_;
+
+  needle_ = turned(turn_ + tremor_angle_.next(), intended);
+  needle_.translation() = tip;
+  return needle_;
+}
+
+}  // namespace bodkin

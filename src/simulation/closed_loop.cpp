@@ -1,0 +1,18 @@
+#include "simulation/closed_loop.h"
+
+namespace bodkin {
+
+ClosedLoop::ClosedLoop(const Case& patient, const OperatorScript& script, const NeedlePath& path, std::uint64_t seed)
+    : tick_(patient), operator_(script, path, seed, tick_.dt()), hand_(script.hand, tick_.dt(), mix64(seed ^ 0xD7)) {
+  hand_.start(operator_.start());
+}
+
+void ClosedLoop::step(TickRecord& record) noexcept {
+  const Pose intended = operator_.step({hand_.needle(), felt_.force});
+  record.tick = ticks_++;
+  record.input.needle = hand_.step(intended, felt_);
+  record.output = tick_.step(record.input);
+  felt_ = record.output.applied;
+}
+
+}  // namespace bodkin

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+
+#include "simulation/haptic_tick.h"
+#include "simulation/operator.h"
+
+namespace bodkin {
+
+// An operator's hand in the patient: the operator means, the hand moves, the tick finds the force, the hand feels it
+// one tick later. Equal cases, scripts, paths and seeds give equal bits. step() allocates nothing and locks nothing;
+// the patient must outlive the loop.
+class ClosedLoop {
+ public:
+  // Throws InputError for a script, a path or a patient that cannot be used.
+  ClosedLoop(const Case& patient, const OperatorScript& script, const NeedlePath& path, std::uint64_t seed);
+
+  // One tick; what happened is put into `record`.
+  void step(TickRecord& record) noexcept;
+  // The operator has come to the end of the script.
+  bool finished() const noexcept { return operator_.finished(); }
+  // The operator's present phase, see Operator::phase.
+  int phase() const noexcept { return operator_.phase(); }
+  double dt() const noexcept { return tick_.dt(); }
+
+ private:
+  HapticTick tick_;
+  Operator operator_;
+  SimulatedHand hand_;
+  std::uint64_t ticks_ = 0;
+  Wrench felt_;  // on the hand, from the last tick
+};
+
+}  // namespace bodkin

@@ -1,0 +1,30 @@
+#include "simulation/device_stability.h"
+
+#include <sstream>
+
+#include "core/error.h"
+#include "core/sampled_stability.h"
+
+namespace bodkin {
+
+void require_stable(const std::string& model, const std::string& what, double stiffness, const DeviceLimits& device) {
+  if (stiffness <= device.stiffness) return;
+  std::ostringstream text;
+  text << model << ": " << what << " is " << stiffness << " N/mm, but the device (" << device.profile
+       << ") renders at most " << device.stiffness
+       << " N/mm stably; lower it, or give the device its true stiffness_N_per_mm";
+  throw InputError(text.str());
+}
+
+void require_stable_damping(const std::string& model, double stiffness, double damping, const DeviceLimits& device,
+                            double dt) {
+  const double allowed = damping_allowed(stiffness, device.stiffness, dt);
+  if (damping <= allowed * (1.0 + 1e-9)) return;
+  std::ostringstream text;
+  text << model << ": damping is " << damping << " N s/mm, but beside a spring of " << stiffness
+       << " N/mm the device (" << device.profile << ") renders at most " << allowed
+       << " N s/mm stably; lower damping or stiffness, or give the device its true stiffness_N_per_mm";
+  throw InputError(text.str());
+}
+
+}  // namespace bodkin

@@ -1,0 +1,232 @@
+#include "simulation/haptic_tick.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/error.h"
+#include "core/motion_estimator.h"
+#include "forces/gravity_compensation.h"
+#include "haptics/force_governor.h"
+#include "simulation/constraint.h"
+#include "simulation/needle_contact.h"
+#include "simulation/resistance.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr double tissue_slack = 0.2;   // mm that the tip must move before another change of tissue is an event
+constexpr int limit_event_rest = 100;  // ticks without intervention before the next one is an event again
+constexpr std::uint8_t interventions = force_limit::passivity | force_limit::peak | force_limit::thermal;
+
+void require(bool holds, const std::string& what, double value, const char* range) {
+  if (!holds) throw InputError("haptics: " + what + " is " + std::to_string(value) + ", expected " + range);
+}
+
+// The case, if its numbers can be simulated.
+const Case& checked(const Case& patient) {
+  if (patient.tissues.empty()) throw InputError("the case has no tissues, so there is nothing to feel");
+  const HapticSettings& haptics = patient.description.haptics;
+  const DeviceLimits& device = patient.description.device;
+  require(haptics.rate >= 200.0 && haptics.rate <= 4000.0, "rate", haptics.rate, "200 to 4000 Hz");
+  if (const auto* layered = std::get_if<LayeredSettings>(&haptics.resistance)) {
+    require(layered->layer >= 0.1 && layered->layer <= 2.0, "layer", layered->layer, "0.1 to 2 mm");
+  }
+  require(device.peak_force > 0.0 && std::isfinite(device.peak_force), "peak force", device.peak_force,
+          "more than 0 N");
+  require(device.continuous_force > 0.0 && device.continuous_force <= device.peak_force, "continuous force",
+          device.continuous_force, "more than 0 N and at most the peak force");
+  require(device.stiffness > 0.0, "device stiffness", device.stiffness, "more than 0 N/mm");
+  require(device.position_resolution >= 0.0 && std::isfinite(device.position_resolution), "position resolution",
+          device.position_resolution, "0 mm or more");
+  require(device.peak_torque >= 0.0 && std::isfinite(device.peak_torque), "peak torque", device.peak_torque,
+          "0 N mm or more");
+  return patient;
+}
+
+GovernorSettings governor_settings(const Case& patient, double dt, double velocity_threshold) {
+  GovernorSettings settings;
+  settings.dt = dt;
+  settings.peak_force = patient.description.device.peak_force;
+  settings.continuous_force = patient.description.device.continuous_force;
+  settings.peak_torque = patient.description.device.peak_torque;
+  settings.velocity_threshold = velocity_threshold;
+  return settings;
+}
+
+}  // namespace
+
+struct HapticTick::State {
+  explicit State(const Case& from)
+      : patient(checked(from)),
+        dt(1.0 / from.description.haptics.rate),
+        motion(dt, from.description.device.position_resolution),
+        resistance(from, dt),
+        constraint(from, dt),
+        compensation(from.description.haptics.compensation),
+        governor(governor_settings(from, dt, motion.threshold())) {}
+
+  const Case& patient;
+  double dt;
+  MotionEstimator motion;
+  Resistance resistance;
+  Constraint constraint;
+  GravityCompensation compensation;
+  ForceGovernor governor;
+  NeedleContact contact;
+  Vec3 last_tip = Vec3::Zero();
+  bool seen = false;                 // there was a tick before
+  TissueId announced = tissue::air;  // tissue of the last tissue_entered
+  Vec3 announced_at = Vec3::Zero();  // LPS mm
+  bool anything_announced = false;
+  int quiet_ticks = limit_event_rest;  // since the governor last intervened
+  TickOutput last;                     // what is repeated while a fault lasts
+
+  TickOutput step(const Vec3& tip, const Vec3& axis, const Vec3& side) noexcept;
+  void announce_tissue(const Vec3& tip, TickOutput& output) noexcept;
+  void announce_limits(const Vec3& wanted, TickOutput& output) noexcept;
+  TickOutput fault() noexcept;
+};
+
+void HapticTick::State::announce_tissue(const Vec3& tip, TickOutput& output) noexcept {
+  if (output.tissue == announced) return;
+  if (anything_announced && (tip - announced_at).squaredNorm() < tissue_slack * tissue_slack) return;
+  announced = output.tissue;
+  announced_at = tip;
+  anything_announced = true;
+  output.events.push({EventKind::tissue_entered, announced, output.depth, 0.0});
+}
+
+void HapticTick::State::announce_limits(const Vec3& wanted, TickOutput& output) noexcept {
+  if ((output.limits & interventions) == 0) {
+    quiet_ticks = std::min(quiet_ticks + 1, limit_event_rest);
+    return;
+  }
+  if (quiet_ticks == limit_event_rest) {
+    output.events.push({EventKind::force_limited, output.tissue, output.depth, wanted.norm()});
+  }
+  quiet_ticks = 0;
+}
+
+// The models rest, the force fades. Only reset() leads out.
+TickOutput HapticTick::State::fault() noexcept {
+  TickOutput output = last;
+  output.events.clear();
+  if (!governor.failed()) {
+    governor.fail();
+    output.events.push({EventKind::fault, output.tissue, output.depth, 0.0});
+  }
+  output.requested = Wrench{};
+  output.resistance = output.constraint = output.velocity = 0.0;
+  output.applied.force = governor.step({});
+  output.applied.torque = governor.torque();
+  output.limits = governor.flags();
+  last = output;
+  return output;
+}
+
+TickOutput HapticTick::State::step(const Vec3& tip, const Vec3& axis, const Vec3& side) noexcept {
+  TickOutput output;
+  output.tissue = nearest<TissueId>(patient.tissues, tip, tissue::air);
+  const double advance = seen ? (tip - last_tip).dot(contact.held() ? contact.direction() : axis) : 0.0;
+  seen = true;
+  last_tip = tip;
+
+  if (contact.held()) {
+    contact.follow(tip, output.tissue);
+  } else if (contact.touches(tip, axis, output.tissue, patient.tissues)) {
+    resistance.begin(contact.entry(), contact.direction());
+    constraint.begin(contact.entry(), contact.direction(), tip);
+    motion.rebase(contact.depth(tip) - advance);
+    output.events.push({EventKind::contact, output.tissue, 0.0, 0.0});
+  }
+
+  // Free, the estimator follows the way along the needle; held, the depth along the frozen line.
+  const AxialMotion moving = motion.step(contact.held() ? contact.depth(tip) : motion.depth() + advance);
+  output.velocity = moving.velocity;
+
+  // Along the frozen line, not the present axis: the deformation is measured there, so the work of the resistance is
+  // that of the law, and a tilt of the hand neither gains nor loses energy.
+  ForceRequest request{.axis = contact.held() ? contact.direction() : axis,
+                       .velocity = advance / dt,
+                       .compensation = compensation.step(tip)};
+  double stiffness = 0.0;
+  if (contact.held()) {
+    output.depth = moving.depth;
+    const NeedleInTissue needle{
+        .motion = moving, .tip = tip, .tissue = output.tissue, .side = side, .rail = constraint.rail()};
+    const ResistanceForce tissue_force = resistance.step(needle, output.events);
+    stiffness = tissue_force.stiffness;
+    if (tissue_force.in_contact) {
+      request.in_contact = output.in_contact = true;
+      request.resistance = output.resistance = tissue_force.along;
+      const Wrench held = constraint.step(tip, axis, resistance.holds_laterally());
+      request.constraint = tissue_force.across + held.force;
+      request.torque = output.requested.torque = held.torque;
+      output.constraint = request.constraint.norm();
+    } else {
+      output.events.push({EventKind::withdrawn, output.tissue, output.depth, 0.0});
+      contact.release();
+    }
+  }
+  announce_tissue(tip, output);
+
+  output.requested.force = request.constraint - request.resistance * request.axis + request.compensation;
+  output.applied.force = governor.step(request);
+  output.applied.torque = governor.torque();
+  output.limits = governor.flags();
+  if (stiffness > patient.description.device.stiffness) output.limits |= force_limit::stiffness;
+  announce_limits(output.requested.force, output);
+  return output;
+}
+
+HapticTick::HapticTick(const Case& patient) : state_(std::make_unique<State>(patient)) {}
+HapticTick::~HapticTick() = default;
+HapticTick::HapticTick(HapticTick&&) noexcept = default;
+HapticTick& HapticTick::operator=(HapticTick&&) noexcept = default;
+
+double HapticTick::dt() const noexcept {
+  return state_->dt;
+}
+
+double HapticTick::stiffness_scale() const noexcept {
+  return state_->resistance.stiffness_scale();
+}
+
+void HapticTick::reset() noexcept {
+  State& state = *state_;
+  state.motion.reset();
+  state.resistance.reset();
+  state.governor.reset();
+  state.contact.reset();
+  state.seen = state.anything_announced = false;
+  state.announced = tissue::air;
+  state.quiet_ticks = limit_event_rest;
+  state.last = TickOutput{};
+}
+
+TickOutput HapticTick::step(const TickInput& input) noexcept {
+  State& state = *state_;
+  const Vec3 tip = input.needle.translation();
+  const Vec3 axis = needle_axis(input.needle);
+  const double length = axis.norm();
+  const bool usable = tip.allFinite() && std::isfinite(length) && length > 1e-6;
+  if (state.governor.failed() || !usable) return state.fault();
+
+  TickOutput output = state.step(tip, axis / length, input.needle.linear().col(0));
+  if (state.governor.failed()) {  // a model gave something that is not a number: keep what was known before
+    state.last.events.clear();
+    state.last.requested = Wrench{};
+    state.last.resistance = state.last.constraint = state.last.velocity = 0.0;
+    state.last.applied = output.applied;
+    state.last.limits = output.limits;
+    TickOutput failed = state.last;
+    failed.events.push({EventKind::fault, failed.tissue, failed.depth, 0.0});
+    return failed;
+  }
+  state.last = output;
+  return output;
+}
+
+}  // namespace bodkin

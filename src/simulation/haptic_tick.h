@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+
+#include "anatomy/case.h"
+#include "simulation/tick_record.h"
+
+namespace bodkin {
+
+// The one function that a servo calls a thousand times a second: needle in tissue to force on the hand, through the
+// governor. Deterministic: the same case and the same inputs give the same bits. step() allocates nothing, locks
+// nothing, throws nothing and reads no clock; the case must outlive the object.
+class HapticTick {
+ public:
+  // Throws InputError when the case's parameters make a model impossible or the case has no tissues.
+  explicit HapticTick(const Case& patient);
+  ~HapticTick();
+  HapticTick(HapticTick&&) noexcept;
+  HapticTick& operator=(HapticTick&&) noexcept;
+
+  TickOutput step(const TickInput& input) noexcept;
+  // s; 1 / rate of the case.
+  double dt() const noexcept;
+  // The smallest factor by which a tissue's stiffness had to be reduced for the device; 1 = none.
+  double stiffness_scale() const noexcept;
+  // Back to the state after construction: needle outside, nothing punctured, governor armed.
+  void reset() noexcept;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace bodkin

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "anatomy/case.h"
+#include "core/random.h"
+#include "simulation/operator_script.h"
+
+namespace bodkin {
+
+// All that an operator knows of the world at one tick: where the own hand holds the needle, and what the hand feels.
+struct OperatorSense {
+  Pose needle = Pose::Identity();  // LPS
+  Vec3 force = Vec3::Zero();       // N, of the device on the hand
+};
+
+// Performs a script along a planned path: turns what is felt into an intended motion. It never sees tissues, depths
+// in the model or events. Equal seeds and equal sensations give equal intentions. step() allocates nothing.
+class Operator {
+ public:
+  // Throws InputError for a script that cannot be performed or a path of no length. `dt`: s.
+  Operator(const OperatorScript& script, const NeedlePath& path, std::uint64_t seed, double dt);
+
+  // Where the needle is held before the first tick.
+  Pose start() const noexcept;
+  // Where the operator means the needle to be at the end of this tick.
+  Pose step(const OperatorSense& sense) noexcept;
+  // True when the script has come to its end.
+  bool finished() const noexcept { return phase_ == OperatorCondition::end; }
+  // Position of the present phase in the script, or OperatorCondition::end.
+  int phase() const noexcept { return phase_; }
+
+ private:
+  // Normal numbers at even intervals with a smooth course between them, standard deviation near 1.
+  class SlowNoise {
+   public:
+    SlowNoise(double interval, double dt, std::uint64_t seed);
+    double next() noexcept;
+
+   private:
+    Random random_;
+    double rate_;  // intervals per tick
+    double position_ = 0.0;
+    double from_;
+    double to_;
+  };
+
+  // What the hand has felt lately, one sample every few milliseconds.
+  struct Feeling {
+    double force = 0.0;    // N, pushing out
+    double advance = 0.0;  // mm
+  };
+
+  void feel(const OperatorSense& sense) noexcept;
+  bool holds(const OperatorCondition& condition) const noexcept;
+  double recent_drop() const noexcept;
+  double recent_hardness() const noexcept;
+  void decide() noexcept;
+  void enter(int phase) noexcept;
+  void draw_aim() noexcept;
+  void move() noexcept;
+
+  OperatorScript script_;
+  NeedlePath path_;
+  double dt_;
+  Random random_;
+  SlowNoise speed_noise_;
+  std::array<SlowNoise, 4> wander_;  // tip across the line (2), direction (2)
+  Vec3 across_, along_;              // unit, perpendicular to the planned direction
+
+  // the line of aim
+  Vec3 aim_entry_, aim_direction_;  // where it is to be
+  Vec3 entry_, direction_;          // where it is now, following at a human pace
+  double intended_ = 0.0;           // mm along the line beyond the entry
+  double speed_ = 0.0;              // mm/s
+
+  // the phase
+  int phase_ = 0;
+  std::vector<int> visits_;     // per phase
+  double phase_time_ = 0.0;     // s
+  double phase_advance_ = 0.0;  // mm, the tip's advance at the start of the phase
+  double stepped_ = 0.0;        // mm since the last pause
+  double pausing_ = 0.0;        // s left of a pause
+  bool pending_ = false;        // something was felt and is not yet answered
+  int pending_next_ = 0;        // the phase that will be the answer
+  double pending_time_ = 0.0;   // s left until then
+
+  // what is felt
+  double force_ = 0.0;    // N, smoothed
+  double advance_ = 0.0;  // mm along the planned line beyond the planned entry
+  bool first_ = true;
+  std::vector<Feeling> feelings_;  // ring over the longest memory
+  std::size_t newest_ = 0;
+  std::size_t felt_ = 0;  // samples since the phase began
+  int until_sample_ = 0;  // ticks
+  int sample_ticks_;
+};
+
+}  // namespace bodkin

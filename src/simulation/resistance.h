@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+
+#include "anatomy/case.h"
+#include "core/axial_motion.h"
+#include "core/geometry.h"
+#include "forces/events.h"
+#include "forces/rail.h"
+
+namespace bodkin {
+
+// Where the needle is, as far as a resistance needs to know.
+struct NeedleInTissue {
+  AxialMotion motion;             // along the frozen line
+  Vec3 tip = Vec3::Zero();        // LPS mm
+  TissueId tissue = tissue::air;  // at the tip
+  Vec3 side = Vec3::UnitX();      // unit, across the needle, turns with its shaft
+  const Rail* rail = nullptr;     // holds the proxy on the line, if that is the case's constraint
+};
+
+// What a resistance found in one tick.
+struct ResistanceForce {
+  double along = 0.0;          // N, along the frozen line, positive pushes the hand out
+  Vec3 across = Vec3::Zero();  // N on the hand, of models whose force may leave the line
+  double stiffness = 0.0;      // N/mm, elastic tangent where the model knows it; 0 otherwise
+  bool in_contact = false;     // false: the needle has left the body, the line can be released
+};
+
+// The resistance that a case chooses, with its parts: any of `resistance_names`. Deterministic; step() allocates
+// nothing. The case must outlive the object.
+class Resistance {
+ public:
+  // Throws InputError when settings or tissues make the model impossible, active, or too stiff for the device, and
+  // for a part that does not go with the model.
+  Resistance(const Case& patient, double dt);
+  ~Resistance();
+  Resistance(Resistance&&) noexcept;
+  Resistance& operator=(Resistance&&) noexcept;
+
+  // A new line: nothing is touched yet. Models that remember channels do.
+  void begin(const Vec3& entry, const Vec3& direction) noexcept;
+  // One tick on the line. Events are appended.
+  ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
+  // Forgets channels too.
+  void reset() noexcept;
+
+  // The smallest factor by which a tissue's stiffness had to be reduced for the device; 1 = none.
+  double stiffness_scale() const noexcept;
+  // The model brings its own lateral spring (`volume_proxy`), so a rail adds only its torque.
+  bool holds_laterally() const noexcept;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace bodkin
