@@ -1,0 +1,65 @@
+#include "io/case_folder.h"
+
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "io/case_xml.h"
+#include "io/resources.h"
+#include "io/tissue_library_file.h"
+#include "io/xml_document.h"
+
+namespace bodkin {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t case_limit = 16 << 20;  // bytes of case.xml
+
+TissueLibrary library_of_case(const fs::path& folder, const std::string& file) {
+  if (file.empty()) return default_tissue_library();
+  return read_tissue_library(file_inside(folder, file, (folder / "case.xml").string() + ": tissue_library file"));
+}
+
+}  // namespace
+
+CaseDescription read_case_description(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored)) {
+    throw InputError(
+        fmt::format("{}: there is no such case folder; 'bodkin case new' and 'bodkin case synthesize' make one",
+                    folder.string()));
+  }
+  const fs::path file = folder / "case.xml";
+  const std::string text = read_text_file(file, case_limit);
+  return parse_case_xml(text, file.string(), XmlSchema("case.xsd"),
+                        [&folder](const std::string& name) { return library_of_case(folder, name); });
+}
+
+TissueLibrary read_case_library(const fs::path& folder, const CaseDescription& description) {
+  return library_of_case(folder, description.tissue_library_file);
+}
+
+void write_case_description(const CaseDescription& description, const fs::path& folder) {
+  const fs::path file = folder / "case.xml";
+  const std::string text = case_xml(description);
+  // What would not be read back must not be written.
+  parse_case_xml(text, file.string(), XmlSchema("case.xsd"),
+                 [&folder](const std::string& name) { return library_of_case(folder, name); });
+  // A reader sees the old file or the new one, never a half.
+  const fs::path draft = folder / "case.xml.new";
+  {
+    std::ofstream stream(draft, std::ios::binary | std::ios::trunc);
+    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+    if (!stream.flush())
+      throw SystemError(
+          fmt::format("{} cannot be written; is the disk full or the folder read-only?", draft.string()));
+  }
+  std::error_code failed;
+  fs::rename(draft, file, failed);
+  if (failed) throw SystemError(fmt::format("{} cannot be written: {}", file.string(), failed.message()));
+}
+
+}  // namespace bodkin

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "anatomy/volume.h"
+
+namespace bodkin {
+
+// A fingerprint of an image: XXH3, 128 bits, as 32 hexadecimal digits. It covers the bytes of the voxels and the
+// grid. Coordinates enter rounded to single precision, so that the last bits of a double, which a file format may not
+// keep, do not change it. It finds accidents, not attacks.
+template <typename Voxel>
+std::string volume_digest(const Volume<Voxel>& volume);
+
+extern template std::string volume_digest(const CtVolume& volume);
+extern template std::string volume_digest(const LabelVolume& volume);
+extern template std::string volume_digest(const TissueVolume& volume);
+
+}  // namespace bodkin

@@ -1,0 +1,276 @@
+#include "io/experiment_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "io/case_xml.h"
+#include "io/haptics_xml.h"
+#include "io/resources.h"
+#include "io/tissue_library_file.h"
+#include "io/xml_document.h"
+
+namespace bodkin {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t largest_file = 1 << 20;  // bytes
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double longest = 600.0;      // s
+constexpr TissueId first_new_id = 32;  // below are Bodkin's own
+constexpr TissueId last_new_id = 254;
+constexpr double multiple_tolerance = 1e-6;
+constexpr double shortest_direction = 1e-6;
+
+Quantity quantity_of(const XmlElement& element, const char* attribute, Quantity fallback) {
+  const std::string name = element.string(attribute);
+  const auto found = std::find_if(quantity_names.begin(), quantity_names.end(),
+                                  [&name](const QuantityName& entry) { return entry.name == name; });
+  return found == quantity_names.end() ? fallback : static_cast<Quantity>(found - quantity_names.begin());
+}
+
+std::optional<double> given(const XmlElement& element, const char* attribute) {
+  return element.find(attribute) == nullptr ? std::nullopt : std::optional(element.number(attribute, 0.0));
+}
+
+std::string text_of(const XmlElement& parent, const char* child) {
+  const XmlElement* element = parent.child(child);
+  return element == nullptr ? std::string() : one_line(element->text);
+}
+
+ExperimentWindow window_from(const XmlElement& element, const std::string& origin) {
+  const ExperimentWindow window = {given(element, "from_s"), given(element, "to_s"), given(element, "depth_from_mm"),
+                                   given(element, "depth_to_mm")};
+  const auto check = [&](const std::optional<double>& from, const std::optional<double>& to, const char* what) {
+    if (from && to && !(*from < *to)) {
+      fail_at(origin, element.line,
+              fmt::format("{} goes from {} {} to {}, expected an end after the beginning", element.name, *from, what,
+                          *to));
+    }
+  };
+  check(window.time_from, window.time_to, "s");
+  check(window.depth_from, window.depth_to, "mm");
+  return window;
+}
+
+TissueLibrary library_from(const XmlElement* changes, const std::string& origin) {
+  std::vector<TissueProperties> tissues = default_tissue_library().tissues();
+  if (changes == nullptr) return TissueLibrary(std::move(tissues));
+  const auto find = [&tissues](const std::string& name) {
+    return std::find_if(tissues.begin(), tissues.end(), [&](const TissueProperties& t) { return t.name == name; });
+  };
+  for (const XmlElement& element : changes->children) {
+    const std::string name = element.string("name"), like = element.string("like", name);
+    const auto model = find(like);
+    if (model == tissues.end()) {
+      fail_at(
+          origin, element.line,
+          fmt::format("the tissue library has no tissue {}; to add one, let 'like' name the tissue that it starts "
+                      "from",
+                      in_quotes(like)));
+    }
+    auto entry = model;
+    if (element.find("like") != nullptr) {
+      if (find(name) != tissues.end()) {
+        fail_at(
+            origin, element.line,
+            fmt::format("a tissue {} exists already, so it cannot be 'like' another; leave 'like' out to change it",
+                        in_quotes(name)));
+      }
+      int id = first_new_id;
+      for (const TissueProperties& tissue : tissues) id = std::max(id, tissue.id + 1);
+      if (id > last_new_id) fail_at(origin, element.line, "there are too many tissues, expected ids up to 254");
+      TissueProperties added = *model;
+      added.name = added.title = name;
+      added.id = static_cast<TissueId>(id);
+      entry = tissues.insert(tissues.end(), std::move(added));
+    }
+    entry->title = element.string("title", entry->title);
+    if (const std::string* colour = element.find("colour"); colour != nullptr)
+      entry->colour = static_cast<std::uint32_t>(std::stoul(colour->substr(1), nullptr, 16));
+    read_tissue_forces(element, origin, *entry);
+  }
+  return TissueLibrary(std::move(tissues));
+}
+
+ExperimentBody body_from(const XmlElement& element, const TissueLibrary& library, const std::string& origin) {
+  const XmlElement& shape = element.children.front();
+  ExperimentBody body;
+  body.hemisphere = shape.name == "hemisphere";
+  body.radius = shape.number("radius_mm", 0.0);
+  body.width = shape.number("width_mm", body.width);
+  body.voxel = shape.number("voxel_mm", body.hemisphere ? 1.0 : body.voxel);
+  for (const XmlElement& layer : shape.children) {
+    const ExperimentLayer read = {layer.string("tissue"), layer.number("thickness_mm", 0.0)};
+    if (library.find(read.tissue) == nullptr) {
+      fail_at(origin, layer.line,
+              fmt::format("tissue_layer tissue is {}, which neither the tissue library nor <changed_tissues> has",
+                          in_quotes(read.tissue)));
+    }
+    const double voxels = read.thickness / body.voxel;
+    if (!body.hemisphere && std::abs(voxels - std::round(voxels)) > multiple_tolerance) {
+      fail_at(origin, layer.line,
+              fmt::format("tissue_layer thickness_mm is {}, expected a multiple of the voxel_mm of {}",
+                          read.thickness, body.voxel));
+    }
+    body.layers.push_back(read);
+  }
+  return body;
+}
+
+ExperimentMotion motion_from(const XmlElement& element, const std::string& origin) {
+  ExperimentMotion motion;
+  motion.entry = {element.number("entry_x_mm", 0.0), element.number("entry_y_mm", 0.0),
+                  element.number("entry_z_mm", 0.0)};
+  const Vec3 direction = {element.number("direction_x", 0.0), element.number("direction_y", 0.0),
+                          element.number("direction_z", 1.0)};
+  if (direction.norm() < shortest_direction)
+    fail_at(origin, element.line, "motion has a direction of no length, expected one that points into the body");
+  motion.direction = direction.normalized();
+  // Along x as far as that is across.
+  const Vec3 towards = std::abs(motion.direction.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
+  motion.across = (towards - towards.dot(motion.direction) * motion.direction).normalized();
+  motion.tilt_about_tip = element.string("tilt_about") == "tip";
+  ExperimentPlace place;
+  place.depth = element.number("from_mm", -10.0);
+  motion.places.push_back(place);
+  for (const XmlElement& step : element.children) {
+    const ExperimentPlace before = place;
+    place.depth = step.number("depth_mm", place.depth);
+    place.aside = step.number("aside_mm", place.aside);
+    place.tilt = given(step, "tilt_deg") ? step.number("tilt_deg", 0.0) * degree : place.tilt;
+    const std::optional<double> speed = given(step, "speed_mm_per_s"), time = given(step, "time_s");
+    if (step.name == "move" && speed.has_value() == time.has_value()) {
+      fail_at(origin, step.line, "move has both or neither of speed_mm_per_s and time_s, expected one of them");
+    }
+    const double way = std::hypot(place.depth - before.depth, place.aside - before.aside);
+    if (speed && way == 0.0)
+      fail_at(origin, step.line, "move has a speed_mm_per_s but the tip does not move, expected time_s instead");
+    place.time += speed ? way / *speed : time.value_or(0.0);
+    if (place.time > longest) {
+      fail_at(origin, step.line,
+              fmt::format("the motion takes {:.0f} s up to here, expected at most {} s", place.time, longest));
+    }
+    if (place.time > before.time) {
+      motion.places.push_back(place);
+    } else if (way > 0.0 || place.tilt != before.tilt) {
+      fail_at(origin, step.line, "move takes no time, expected a time_s above 0");
+    }
+  }
+  if (motion.places.size() < 2) fail_at(origin, element.line, "the motion takes no time, expected a move");
+  return motion;
+}
+
+ExperimentPanel panel_from(const XmlElement& element, const std::string& origin) {
+  ExperimentPanel panel;
+  panel.title = element.string("title");
+  panel.x = quantity_of(element, "x", Quantity::time);
+  panel.x_label = element.string("x_label");
+  panel.y_label = element.string("y_label");
+  panel.right_label = element.string("right_label");
+  panel.window = window_from(element, origin);
+  panel.height = element.number("height_px", panel.height);
+  panel.down = element.boolean("down", false);
+  panel.tissues = element.boolean("tissues", false);
+  for (const XmlElement& curve : element.children) {
+    ExperimentCurve read;
+    read.quantity = quantity_of(curve, "quantity", read.quantity);
+    if (curve.find("x") != nullptr) read.x = quantity_of(curve, "x", panel.x);
+    read.name = curve.string("name");
+    read.right = curve.string("axis") == "right";
+    panel.curves.push_back(std::move(read));
+  }
+  return panel;
+}
+
+PublishedValue value_from(const XmlElement& element, const std::string& origin) {
+  PublishedValue value;
+  value.what = element.string("what");
+  value.source = element.string("source");
+  value.quantity = quantity_of(element, "quantity", Quantity::resistance);
+  const std::string take = element.string("take", "mean");
+  value.take = take == "highest"  ? Take::highest
+               : take == "lowest" ? Take::lowest
+               : take == "first"  ? Take::first
+               : take == "last"   ? Take::last
+                                  : Take::mean;
+  value.window = window_from(element, origin);
+  value.value = element.number("is", 0.0);
+  value.tolerance = element.number("tolerance", 0.0);
+  return value;
+}
+
+// Walls and proxies can be told from the forces of their own models only.
+void check_quantities(const Experiment& experiment, const std::string& origin) {
+  const auto check = [&](Quantity quantity) {
+    const bool wall = quantity >= Quantity::wall && quantity <= Quantity::wall_z;
+    const bool proxy = quantity >= Quantity::proxy_x;
+    const auto needs = [&](const char* model) {
+      throw InputError(fmt::format("{}: the quantity {} needs the resistance {}, found {}", origin,
+                                   quantity_names[static_cast<std::size_t>(quantity)].name, model,
+                                   name_of(experiment.haptics.resistance)));
+    };
+    if (wall && !std::holds_alternative<TrackingWallSettings>(experiment.haptics.resistance)) needs("tracking_wall");
+    if (proxy && !std::holds_alternative<VolumeProxySettings>(experiment.haptics.resistance)) needs("volume_proxy");
+  };
+  for (const ExperimentPanel& panel : experiment.panels) {
+    check(panel.x);
+    for (const ExperimentCurve& curve : panel.curves) {
+      check(curve.quantity);
+      check(curve.x.value_or(panel.x));
+    }
+  }
+  for (const PublishedValue& value : experiment.values) check(value.quantity);
+}
+
+}  // namespace
+
+Experiment parse_experiment(std::string_view document, const std::string& origin) {
+  static const XmlSchema schema("experiment.xsd");
+  const XmlElement root = schema.read(document, origin, {.root = "experiment"});
+  Experiment experiment;
+  experiment.name = root.string("name");
+  experiment.title = root.string("title");
+  experiment.paper = text_of(root, "paper");
+  const XmlElement& caption = *root.child("caption");
+  experiment.caption = {text_of(caption, "reproduces"), text_of(caption, "parameters"), text_of(caption, "agrees"),
+                        text_of(caption, "differs")};
+  experiment.library = library_from(root.child("changed_tissues"), origin);
+  experiment.body = body_from(*root.child("body"), experiment.library, origin);
+  if (const XmlElement* needle = root.child("needle"); needle != nullptr)
+    experiment.needle = read_needle(*needle, origin);
+  if (const XmlElement* device = root.child("device"); device != nullptr)
+    experiment.device = read_device(*device, origin);
+  experiment.haptics = read_haptics(*root.child("haptics"), origin);
+  experiment.motion = motion_from(*root.child("motion"), origin);
+  for (const XmlElement& panel : root.child("plot")->children) experiment.panels.push_back(panel_from(panel, origin));
+  if (const XmlElement* published = root.child("published"); published != nullptr) {
+    for (const XmlElement& value : published->children) experiment.values.push_back(value_from(value, origin));
+  }
+  check_quantities(experiment, origin);
+  return experiment;
+}
+
+Experiment read_experiment(const fs::path& file) {
+  return parse_experiment(read_text_file(file, largest_file), file.string());
+}
+
+std::vector<fs::path> shipped_experiments() {
+  const fs::path folder = shared_file("experiments/alamilla_2018_fig_5.xml").parent_path();
+  std::vector<fs::path> files;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(folder, failed)) {
+    if (entry.path().extension() == ".xml") files.push_back(entry.path());
+  }
+  if (failed) throw SystemError(fmt::format("{} cannot be read: {}", folder.string(), failed.message()));
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace bodkin

@@ -1,0 +1,172 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "anatomy/case.h"
+
+namespace bodkin {
+
+class XmlSchema;
+
+// A needle experiment as its file tells it: what is pierced, with what, how the needle moves, what is drawn, and what
+// was published (docs/figures.md describes the format). The needle enters at the origin of depth; depth runs inwards.
+
+// A stack of plane layers with the skin at z = 0 and depth along +z, or a half ball, its pole at the origin, with
+// layers as shells from outside to inside; what is left in the middle is made of the last layer.
+struct ExperimentLayer {
+  std::string tissue;
+  double thickness = 0.0;  // mm
+};
+struct ExperimentBody {
+  bool hemisphere = false;
+  double radius = 0.0;  // mm, of the half ball
+  double width = 60.0;  // mm, of the stack across the needle
+  double voxel = 0.5;   // mm
+  std::vector<ExperimentLayer> layers;
+};
+
+// Where the needle is at a time; between two of them it moves evenly. All are measured from `entry` along
+// `direction`.
+struct ExperimentPlace {
+  double time = 0.0;   // s
+  double depth = 0.0;  // mm of the tip along the direction, negative outside
+  double aside = 0.0;  // mm of the tip across it
+  double tilt = 0.0;   // rad of the needle in the plane of direction and aside
+};
+struct ExperimentMotion {
+  Vec3 entry = Vec3::Zero();            // mm
+  Vec3 direction = Vec3::UnitZ();       // unit
+  Vec3 across = Vec3::UnitX();          // unit; where `aside` points
+  bool tilt_about_tip = false;          // else about the entry
+  std::vector<ExperimentPlace> places;  // times rise from 0
+};
+
+// What can be drawn and compared, one number a tick. Forces and torques as the models ask for them, before the
+// governor, on the hand; `applied` is what leaves the governor.
+enum class Quantity : std::uint8_t {
+  time,
+  depth,
+  position,  // along the motion's direction, in air too
+  velocity,
+  resistance,
+  force,
+  force_x,
+  force_y,
+  force_z,
+  applied_force,
+  constraint,
+  torque,
+  applied_torque,
+  tip_x,
+  tip_y,
+  tip_z,
+  aside,
+  tilt,
+  wall,  // of `tracking_wall`, while its spring is under load
+  wall_x,
+  wall_y,
+  wall_z,
+  proxy_x,  // of `volume_proxy`
+  proxy_y,
+  proxy_z
+};
+struct QuantityName {
+  std::string_view name;   // as experiment files write it, with its unit
+  std::string_view label;  // as people read it
+};
+inline constexpr std::array<QuantityName, 25> quantity_names = {{{"time_s", "time, s"},
+                                                                 {"depth_mm", "depth, mm"},
+                                                                 {"position_mm", "position, mm"},
+                                                                 {"velocity_mm_per_s", "velocity, mm/s"},
+                                                                 {"resistance_N", "resistance, N"},
+                                                                 {"force_N", "force, N"},
+                                                                 {"force_x_N", "force along x, N"},
+                                                                 {"force_y_N", "force along y, N"},
+                                                                 {"force_z_N", "force along z, N"},
+                                                                 {"applied_force_N", "force on the hand, N"},
+                                                                 {"constraint_N", "force across the needle, N"},
+                                                                 {"torque_N_mm", "torque, N mm"},
+                                                                 {"applied_torque_N_mm", "torque on the hand, N mm"},
+                                                                 {"tip_x_mm", "x, mm"},
+                                                                 {"tip_y_mm", "y, mm"},
+                                                                 {"tip_z_mm", "z, mm"},
+                                                                 {"aside_mm", "aside, mm"},
+                                                                 {"tilt_deg", "tilt, deg"},
+                                                                 {"wall_mm", "wall, mm"},
+                                                                 {"wall_x_mm", "wall x, mm"},
+                                                                 {"wall_y_mm", "wall y, mm"},
+                                                                 {"wall_z_mm", "wall z, mm"},
+                                                                 {"proxy_x_mm", "proxy x, mm"},
+                                                                 {"proxy_y_mm", "proxy y, mm"},
+                                                                 {"proxy_z_mm", "proxy z, mm"}}};
+
+// A part of an experiment: ticks at which both hold.
+struct ExperimentWindow {
+  std::optional<double> time_from, time_to;    // s
+  std::optional<double> depth_from, depth_to;  // mm
+};
+
+struct ExperimentCurve {
+  Quantity quantity = Quantity::resistance;
+  std::optional<Quantity> x;  // instead of the panel's
+  std::string name;
+  bool right = false;  // on the axis on the right
+};
+struct ExperimentPanel {
+  std::string title;
+  Quantity x = Quantity::time;
+  std::string x_label, y_label, right_label;  // empty: that of the first curve there
+  ExperimentWindow window;                    // what of the experiment is drawn
+  double height = 260.0;                      // px
+  bool down = false;                          // the y axis points down, as depth does
+  bool tissues = false;                       // bands of the tissues at the tip
+  std::vector<ExperimentCurve> curves;
+};
+
+enum class Take : std::uint8_t { mean, highest, lowest, first, last };
+// A published number and where in the experiment it should come out.
+struct PublishedValue {
+  std::string what;    // "force in the layer"
+  std::string source;  // "section 3.1"
+  Quantity quantity = Quantity::resistance;
+  Take take = Take::mean;
+  ExperimentWindow window;
+  double value = 0.0;      // in the quantity's unit
+  double tolerance = 0.0;  // within which it agrees
+};
+
+// What a reader must know of the figure, each one paragraph.
+struct ExperimentCaption {
+  std::string reproduces, parameters, agrees, differs;
+};
+
+struct Experiment {
+  std::string name;  // file names are made from it
+  std::string title;
+  std::string paper;  // the publication, empty for an experiment of one's own
+  ExperimentCaption caption;
+  TissueLibrary library;  // the library that comes with Bodkin, changed as the experiment says
+  ExperimentBody body;
+  Needle needle;
+  DeviceLimits device;
+  HapticSettings haptics;
+  ExperimentMotion motion;
+  std::vector<ExperimentPanel> panels;
+  std::vector<PublishedValue> values;
+};
+
+// Reads an experiment from text in memory; `origin` names it in messages. Throws InputError naming file, line, what
+// was found and what was expected.
+Experiment parse_experiment(std::string_view document, const std::string& origin);
+Experiment read_experiment(const std::filesystem::path& file);
+
+// The experiments that come with Bodkin (share/bodkin/experiments), by name.
+std::vector<std::filesystem::path> shipped_experiments();
+
+}  // namespace bodkin

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "anatomy/force_settings.h"
+
+namespace bodkin {
+
+struct HapticSettings;
+
+// Force models as people type them: a name and settings, with the names, units, ranges and defaults of case files.
+//   tracking_wall catch_up_s=0.3 leash=true
+//   tracking_wall; layer from_mm=0 force_N=1.5; layer from_mm=4 force_N=0.4     elements inside, after semicolons
+// The text becomes the element of a case file and is read against the same schema. `origin` names it in messages.
+// Throw InputError naming the setting, what was found and what was expected.
+
+ResistanceSettings parse_resistance(std::string_view text, const std::string& origin);
+
+ConstraintSettings parse_constraint(std::string_view text, const std::string& origin);
+
+inline constexpr std::array<std::string_view, 3> part_names = {"relaxation", "shaft_friction", "needle_grasp"};
+
+// One text for each part; "none" alone means no parts.
+ForceParts parse_parts(const std::vector<std::string>& texts, const std::string& origin);
+
+// Settings as texts that the functions above read back to the same bits.
+struct ForceTexts {
+  std::string resistance;
+  std::string constraint;
+  std::vector<std::string> parts;  // empty: none
+};
+ForceTexts force_texts(const HapticSettings& haptics);
+
+}  // namespace bodkin

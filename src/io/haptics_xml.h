@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "anatomy/force_settings.h"
+
+namespace bodkin {
+
+struct HapticSettings;
+struct XmlElement;
+class XmlSchema;
+class XmlWriter;
+
+// The settings that a <haptics> element holds, which the schema (case.xsd) has accepted. Throws InputError naming
+// file, line, attribute, what was found and what was expected where one value does not go with another.
+HapticSettings read_haptics(const XmlElement& element, const std::string& origin);
+
+// Writes a <haptics> element that read_haptics reads back to the same bits. The direction against gravity is a unit
+// vector.
+void write_haptics(XmlWriter& xml, const HapticSettings& haptics);
+
+// The same as documents of their own, which sessions keep. `schema` is case.xsd.
+std::string haptics_xml(const HapticSettings& haptics);
+HapticSettings parse_haptics_xml(std::string_view document, const std::string& origin, const XmlSchema& schema);
+
+}  // namespace bodkin

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "anatomy/volume.h"
+#include "core/progress.h"
+#include "io/images/dicom_scan.h"
+
+namespace bodkin {
+
+struct DicomOptions {
+  std::optional<int> series;  // which one of several, counted from 1 as series_listing numbers them
+  bool fill_missing = false;  // interpolate missing slices instead of refusing the series
+  bool any_modality = false;  // also what is not a CT: label images
+};
+
+// A series as a volume of HU (or of whatever its rescaled values mean).
+struct DicomVolume {
+  CtVolume volume;
+  bool resampled = false;          // the stack was sheared, uneven or had gaps: voxels lie on a grid of our own
+  std::vector<std::string> notes;  // one sentence each
+};
+
+// Reads a DICOM series from a folder (or one file). Slices are ordered by their position; a regular stack is carried
+// exactly, a sheared one (gantry tilt) or an uneven one is resampled onto a regular grid, and a note says so. Throws
+// InputError, one sentence, for several series (with a listing), for a missing slice, for two slices in one place,
+// for what is not a CT, and for what cannot be decoded.
+DicomVolume read_dicom(const std::filesystem::path& path, const DicomOptions& options, const Progress& progress = {});
+
+// The image series of a folder, one per line, numbered from 1: "  1: series 3 'abdomen', CT, 55 slices of 172 x 160".
+std::string series_listing(const DicomFolder& folder);
+
+}  // namespace bodkin

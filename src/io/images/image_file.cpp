@@ -1,0 +1,250 @@
+#include "io/images/image_file.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+#include <Eigen/SVD>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <itkMetaImageIO.h>
+#include <itkNiftiImageIO.h>
+#include <itkNrrdImageIO.h>
+
+#include "core/error.h"
+#include "io/images/image_format.h"
+
+namespace bodkin {
+namespace {
+
+// niftilib derives file names from file names: asked for a.nii.gz it may read the voxels of an a.nii that lies beside
+// it. So it is shown a link of a name that nothing else has, in a folder of its own.
+class PrivateLink {
+ public:
+  PrivateLink(const std::filesystem::path& file, const std::string& name) {
+    std::string pattern = (std::filesystem::temp_directory_path() / "bodkin-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) {
+      throw SystemError(fmt::format("no temporary folder can be made in {}; set TMPDIR to a folder with room",
+                                    std::filesystem::temp_directory_path().string()));
+    }
+    folder_ = pattern;
+    std::filesystem::create_symlink(std::filesystem::absolute(file), path_ = folder_ / name);
+  }
+  ~PrivateLink() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  PrivateLink(const PrivateLink&) = delete;
+  PrivateLink& operator=(const PrivateLink&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path folder_, path_;
+};
+
+itk::ImageIOBase::Pointer image_io(ImageFormat format) {
+  switch (format) {
+    case ImageFormat::nifti:
+      return itk::NiftiImageIO::New().GetPointer();
+    case ImageFormat::nrrd:
+      return itk::NrrdImageIO::New().GetPointer();
+    case ImageFormat::meta_image:
+      return itk::MetaImageIO::New().GetPointer();
+    case ImageFormat::dicom:
+      break;
+  }
+  throw SystemError("a DICOM file was handed to the reader of single-file images");
+}
+
+Payload inspect(ImageFormat format, const std::filesystem::path& file) {
+  switch (format) {
+    case ImageFormat::nifti:
+      return inspect_nifti(file);
+    case ImageFormat::nrrd:
+      return inspect_nrrd(file);
+    default:
+      return inspect_meta_image(file);
+  }
+}
+
+// ITK's own words, without its file names and line breaks.
+std::string reason(const itk::ExceptionObject& error) {
+  std::string text = error.GetDescription();
+  if (const auto place = text.find("): "); place != std::string::npos) text = text.substr(place + 3);
+  for (char& letter : text) {
+    if (letter < ' ') letter = ' ';
+  }
+  return text.substr(0, 200);
+}
+
+Grid grid_of(const itk::ImageIOBase& io) {
+  Grid grid;
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    grid.size[axis] = static_cast<int>(io.GetDimensions(axis));
+    grid.spacing[axis] = io.GetSpacing(axis);
+    grid.origin[axis] = io.GetOrigin(axis);
+    const std::vector<double> direction = io.GetDirection(axis);
+    for (unsigned row = 0; row < 3; ++row) grid.direction(row, axis) = direction.at(row);
+  }
+  return grid;
+}
+
+std::vector<std::uintmax_t> declared_sizes(const itk::ImageIOBase& io, const std::string& name) {
+  std::vector<std::uintmax_t> sizes;
+  for (unsigned axis = 0; axis < io.GetNumberOfDimensions(); ++axis) sizes.push_back(io.GetDimensions(axis));
+  if (sizes.size() < 3) {
+    throw InputError(fmt::format("{}: the image has {} dimensions; expected a volume of 3", name, sizes.size()));
+  }
+  for (std::size_t axis = 3; axis < sizes.size(); ++axis) {
+    if (sizes[axis] != 1) {
+      throw InputError(
+          fmt::format("{}: the image has {} frames or channels along axis {}; expected a volume of 3 "
+                      "dimensions",
+                      name, sizes[axis], axis + 1));
+    }
+  }
+  return sizes;
+}
+
+template <typename Voxel>
+VoxelBuffer read_voxels(itk::ImageIOBase& io, std::size_t count) {
+  std::vector<Voxel> voxels(count);
+  io.Read(voxels.data());
+  return voxels;
+}
+
+VoxelBuffer read_voxels_as_stored(itk::ImageIOBase& io, std::size_t count, const std::string& name) {
+  switch (io.GetComponentType()) {
+    case itk::IOComponentEnum::CHAR:
+      return read_voxels<std::int8_t>(io, count);
+    case itk::IOComponentEnum::UCHAR:
+      return read_voxels<std::uint8_t>(io, count);
+    case itk::IOComponentEnum::SHORT:
+      return read_voxels<std::int16_t>(io, count);
+    case itk::IOComponentEnum::USHORT:
+      return read_voxels<std::uint16_t>(io, count);
+    case itk::IOComponentEnum::INT:
+      return read_voxels<std::int32_t>(io, count);
+    case itk::IOComponentEnum::UINT:
+      return read_voxels<std::uint32_t>(io, count);
+    case itk::IOComponentEnum::LONG:
+    case itk::IOComponentEnum::LONGLONG:
+      return read_voxels<std::int64_t>(io, count);
+    case itk::IOComponentEnum::ULONG:
+    case itk::IOComponentEnum::ULONGLONG:
+      return read_voxels<std::uint64_t>(io, count);
+    case itk::IOComponentEnum::FLOAT:
+      return read_voxels<float>(io, count);
+    case itk::IOComponentEnum::DOUBLE:
+      return read_voxels<double>(io, count);
+    default:
+      break;
+  }
+  throw InputError(fmt::format("{}: the voxels are of type '{}'; expected one number a voxel", name,
+                               itk::ImageIOBase::GetComponentTypeAsString(io.GetComponentType())));
+}
+
+ImageFile read_with_itk(const std::filesystem::path& shown, ImageFormat format, const Payload& payload,
+                        const std::string& name) {
+  itk::Object::SetGlobalWarningDisplay(false);
+  const itk::ImageIOBase::Pointer io = image_io(format);
+  io->SetFileName(shown.string());
+  io->ReadImageInformation();
+  if (io->GetNumberOfComponents() != 1) {
+    throw InputError(fmt::format("{}: a voxel holds {} numbers (colours or vectors); expected one", name,
+                                 io->GetNumberOfComponents()));
+  }
+  const std::vector<std::uintmax_t> sizes = declared_sizes(*io, name);
+  require_plausible_size(name, sizes, io->GetComponentSize(), payload.voxel_bytes);
+
+  itk::ImageIORegion region(static_cast<unsigned>(sizes.size()));
+  for (unsigned axis = 0; axis < sizes.size(); ++axis) {
+    region.SetIndex(axis, 0);
+    region.SetSize(axis, sizes[axis]);
+  }
+  io->SetIORegion(region);
+  ImageFile image;
+  image.grid = clean_grid(grid_of(*io), name);
+  image.voxels = read_voxels_as_stored(*io, image.grid.voxel_count(), name);
+  return image;
+}
+
+}  // namespace
+
+void require_plausible_size(const std::string& name, const std::vector<std::uintmax_t>& sizes,
+                            std::uintmax_t voxel_bytes, double limit_bytes) {
+  double voxels = 1.0;
+  for (const std::uintmax_t size : sizes) voxels *= static_cast<double>(size);
+  const std::string shape = fmt::format("{}", fmt::join(sizes, " x "));
+  if (voxels < 1.0) throw InputError(fmt::format("{}: the image has {} voxels; expected at least one", name, shape));
+  if (voxels > static_cast<double>(most_voxels)) {
+    throw InputError(
+        fmt::format("{}: the header declares {} voxels; Bodkin reads at most {} million, so crop or "
+                    "resample the image",
+                    name, shape, most_voxels / 1'000'000));
+  }
+  if (voxels * static_cast<double>(voxel_bytes) > limit_bytes) {
+    throw InputError(
+        fmt::format("{}: the header declares {} voxels, but the file is too short to hold them; it is "
+                    "truncated or damaged, copy it again",
+                    name, shape));
+  }
+}
+
+Grid clean_grid(const Grid& grid, const std::string& name) {
+  Grid clean = grid;
+  if (!grid.spacing.allFinite() || grid.spacing.minCoeff() <= 0.0) {
+    throw InputError(fmt::format("{}: the voxel spacing is {} x {} x {} mm; expected lengths above zero", name,
+                                 grid.spacing[0], grid.spacing[1], grid.spacing[2]));
+  }
+  if (grid.spacing.minCoeff() < 1e-3 || grid.spacing.maxCoeff() > 100.0) {
+    throw InputError(
+        fmt::format("{}: the voxel spacing is {} x {} x {} mm; expected 0.001 to 100 mm (is the unit mm?)", name,
+                    grid.spacing[0], grid.spacing[1], grid.spacing[2]));
+  }
+  if (!grid.origin.allFinite() || grid.origin.cwiseAbs().maxCoeff() > 1e6) {
+    throw InputError(
+        fmt::format("{}: the first voxel lies at ({}, {}, {}) mm; expected finite coordinates within a "
+                    "kilometre",
+                    name, grid.origin[0], grid.origin[1], grid.origin[2]));
+  }
+  const bool orthonormal =
+      grid.direction.allFinite() &&
+      (grid.direction.transpose() * grid.direction - Mat3::Identity()).cwiseAbs().maxCoeff() < 1e-4;
+  if (!orthonormal) {
+    throw InputError(
+        fmt::format("{}: the axes of the image are not orthogonal unit vectors; resample it onto a regular "
+                    "grid",
+                    name));
+  }
+  const Mat3 snapped = grid.direction.array().round();
+  if ((snapped - grid.direction).cwiseAbs().maxCoeff() < 1e-6) {
+    clean.direction = snapped;
+  } else if ((grid.direction.transpose() * grid.direction - Mat3::Identity()).cwiseAbs().maxCoeff() > 1e-14) {
+    // The nearest orthonormal axes (Higham 1986): the unitary factor of the polar decomposition.
+    const Eigen::JacobiSVD<Mat3> svd(grid.direction, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    clean.direction = svd.matrixU() * svd.matrixV().transpose();
+  }
+  clean.direction.array() += 0.0;  // -0 becomes 0, so that equal grids are equal to the bit
+  clean.origin.array() += 0.0;
+  return clean;
+}
+
+ImageFile read_image_file(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  const ImageFormat format = detect_image_format(file);
+  if (format == ImageFormat::dicom) {
+    throw InputError(fmt::format("{}: this is a DICOM file; give the folder that holds its series", name));
+  }
+  const Payload payload = inspect(format, file);
+  try {
+    if (format != ImageFormat::nifti) return read_with_itk(file, format, payload, name);
+    const PrivateLink link(file, payload.gzip_file ? "image.nii.gz" : "image.nii");
+    return read_with_itk(link.path(), format, payload, name);
+  } catch (const itk::ExceptionObject& error) {
+    throw InputError(fmt::format("{}: this {} file cannot be read; it is truncated or damaged ({})", name,
+                                 to_string(format), reason(error)));
+  }
+}
+
+}  // namespace bodkin

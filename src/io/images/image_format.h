@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace bodkin {
+
+enum class ImageFormat { nifti, nrrd, meta_image, dicom };
+
+std::string to_string(ImageFormat format);
+
+// What a file is, found from its first bytes; its name plays no part. Throws InputError when it does not exist, is
+// empty or a folder, or is none of the formats that Bodkin reads.
+ImageFormat detect_image_format(const std::filesystem::path& file);
+
+// How many voxel bytes a file holds, judged before any memory is taken for them.
+struct Payload {
+  double voxel_bytes = 0.0;  // at most, once unpacked; packed streams are unpacked into nothing to count them
+  bool gzip_file = false;    // the whole file is a gzip stream (NIfTI)
+};
+
+// Reads a header the careful way, before a library does: every number of the geometry must be there, finite and not
+// zero where a length is meant; the voxels must be in the file itself or in a plain file beside it (never elsewhere);
+// the kind of voxel must be a number. Throws InputError, one sentence. For DICOM there is read_dicom_*.
+Payload inspect_nifti(const std::filesystem::path& file);
+Payload inspect_nrrd(const std::filesystem::path& file);
+Payload inspect_meta_image(const std::filesystem::path& file);
+
+}  // namespace bodkin

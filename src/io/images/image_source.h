@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "anatomy/volume.h"
+#include "core/progress.h"
+#include "io/images/dicom_series.h"
+
+namespace bodkin {
+
+// A CT as read from a file or a DICOM folder.
+struct CtImage {
+  CtVolume ct;
+  bool resampled = false;  // voxels lie on a grid of our own (see DicomVolume)
+  std::vector<std::string> notes;
+};
+
+// Reads a CT from a DICOM folder, or a NIfTI, NRRD, MetaImage or single DICOM file. HU as int16. Throws InputError.
+CtImage read_ct(const std::filesystem::path& path, const DicomOptions& options = {}, const Progress& progress = {});
+
+// Reads labels from any of the same. Throws InputError.
+LabelVolume read_labels(const std::filesystem::path& path, const Progress& progress = {});
+
+// Reads tissue ids from a NIfTI, NRRD or MetaImage file. Throws InputError.
+TissueVolume read_tissues(const std::filesystem::path& path);
+
+}  // namespace bodkin

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "anatomy/volume.h"
+#include "io/images/image_file.h"
+
+namespace bodkin {
+
+// What happened to values on their way to HU, gathered over all voxels of an image.
+struct HounsfieldLosses {
+  double largest_rounding = 0.0;  // HU
+  std::size_t padded = 0;         // voxels below -1024, the scanner's padding
+  std::size_t too_high = 0;       // voxels above 32767
+  std::size_t not_numbers = 0;    // NaN voxels
+
+  std::vector<std::string> notes() const;  // one sentence each; empty when every value was kept
+};
+
+// A value as HU: rounded to a whole number, not below air's -1024, at most 32767; NaN becomes -1024.
+std::int16_t to_hounsfield(double value, HounsfieldLosses& losses);
+
+// A CT from a file's voxels. Whole numbers in range are kept exactly.
+CtVolume to_ct(ImageFile&& image, std::vector<std::string>& notes);
+
+// Labels or tissue ids from a file's voxels. Throws InputError naming `name` when a voxel is not a whole number from
+// 0 to the largest of the type.
+LabelVolume to_labels(ImageFile&& image, const std::string& name);
+TissueVolume to_tissues(ImageFile&& image, const std::string& name);
+LabelVolume to_labels(CtVolume&& image, const std::string& name);
+
+// Throws InputError naming `name` when the values cannot be HU: every body has fat below -50 HU or air at -1000, so
+// an image without a voxel below -50 HU was windowed, scaled, or never was a CT.
+void require_hounsfield(const CtVolume& ct, const std::string& name);
+
+}  // namespace bodkin

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "anatomy/volume.h"
+
+namespace bodkin {
+
+struct LabelPlacement {
+  LabelVolume labels;  // on the CT's grid; 0 where the segmentation does not reach
+  std::vector<std::string> notes;
+};
+
+// Puts labels onto the lattice of their CT by where they lie in the patient. Labels on the same lattice, in any axis
+// order and direction, whole or a part of it, are only re-indexed. Any other lattice is refused with an InputError
+// that says by how much it is off (`name` is the file), unless `resample`: then each CT voxel takes the nearest
+// label.
+LabelPlacement place_labels(LabelVolume&& labels, const Grid& ct, bool resample, const std::string& name);
+
+}  // namespace bodkin
