@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bodkin {
+
+// What a testing machine or an instrumented needle measured, sample by sample.
+struct MeasuredCurve {
+  std::string name;           // of the file, for messages and titles
+  std::vector<double> time;   // s, increasing; empty: not measured
+  std::vector<double> depth;  // mm, positive inwards
+  std::vector<double> force;  // N, positive pushes the needle out
+
+  std::size_t size() const noexcept { return depth.size(); }
+};
+
+// Reads a table with the columns time_s (may be missing), depth_mm and force_N, in any order, under a header; commas,
+// semicolons or tabs between them; lines that begin with # are comments. At least 10 rows. Throws InputError naming
+// line, column, what was found and what was expected; also for values that cannot be in these units: a range of depth
+// below 0.2 mm or above 500 mm, forces above 100 N or below 1 mN, more than 600 s, negative forces on the way in.
+MeasuredCurve read_measured_curve(const std::filesystem::path& file);
+
+// The same from text already in memory; `origin` names it in messages.
+MeasuredCurve parse_measured_curve(std::string_view text, const std::string& origin);
+
+// The time of every sample, s: as measured, or the way divided by `speed` (mm/s). Throws InputError when the curve
+// has neither.
+std::vector<double> sample_times(const MeasuredCurve& curve, std::optional<double> speed);
+
+}  // namespace bodkin

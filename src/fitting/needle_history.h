@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/axial_motion.h"
+
+namespace bodkin {
+
+// The motion of a needle as the tick would have seen it.
+struct NeedleHistory {
+  double dt = 0.001;               // s
+  std::vector<AxialMotion> ticks;  // from the first sample to the last
+  std::vector<double> places;      // of the samples, in ticks; between two ticks where it is not whole
+};
+
+// Depths (mm) measured at `times` (s, not decreasing) on a straight line between each other, every millisecond, with
+// velocity, direction and rest from the estimator that the tick has (core/motion_estimator.h). `resolution`: mm, of
+// the measured depth; 0 = noiseless.
+NeedleHistory needle_history(std::span<const double> times, std::span<const double> depths, double resolution);
+
+// A force of every tick, taken at the samples; `force` has as many values as `history.ticks`.
+void at_samples(const NeedleHistory& history, std::span<const double> force, std::span<double> sampled);
+
+}  // namespace bodkin

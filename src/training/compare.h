@@ -1,0 +1,110 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "anatomy/case.h"
+#include "core/progress.h"
+
+namespace bodkin {
+
+// A resistance as one curve.
+struct ComparedModel {
+  std::string name;
+  ResistanceSettings settings;
+};
+
+// The names of what is compared by default: those of `resistance_names` in their order, each followed by its
+// variants.
+//
+//   layered, layered_sum                     Heng's eq. 2 as printed; the sum of elements of the text before it
+//   tracking_wall, tracking_wall_leash       the wall as a number on the line; as a point that may leave it
+//   volume_proxy, volume_proxy_viscous       the drag variant; the viscous one
+std::span<const std::string_view> compared_names();
+
+// The models of texts, each once; all of compared_names() for none. A text is such a name, which keeps the settings
+// of the case's own model, `own`, where they do not make the variant, or a name with settings as in io/force_choice.h
+// ("tracking_wall catch_up_s=0.3"), where settings that are not given have their defaults. Throws InputError for an
+// unknown name, listing the known, and for settings that the model does not have.
+std::vector<ComparedModel> models_of(const std::vector<std::string>& texts, const ResistanceSettings& own);
+
+// One scripted motion through a patient, the same for every model.
+struct CompareOptions {
+  std::optional<Vec3> entry, target;             // LPS mm; the case's planned path where absent
+  double speed = 10.0;                           // mm/s, 0.5 to 500
+  std::optional<double> withdraw_speed;          // mm/s, 0.5 to 500; `speed` where absent
+  double pause = 2.0;                            // s at the deepest point, 0 to 60
+  bool reinsert = true;                          // after the withdrawal, at `speed` to the same depth
+  std::vector<ComparedModel> models;             // at least one; names differ
+  std::optional<ConstraintSettings> constraint;  // the case's where absent
+  std::optional<ForceParts> parts;               // added to every resistance; the case's where absent
+};
+
+enum class MotionPhase : std::uint8_t { insertion, stop, withdrawal, reinsertion };
+inline constexpr std::size_t motion_phases = 4;
+inline constexpr std::array<std::string_view, motion_phases> phase_names = {"insertion", "stop", "withdrawal",
+                                                                            "re-insertion"};
+
+// What one model did on the motion. Forces are the model's resistance along the needle before the governor, positive
+// pushes the hand out.
+struct ModelRun {
+  std::string name;
+  std::vector<double> force;  // N; motion's ticks
+
+  double peak = 0.0;          // N, the largest on the insertion; 0 when nothing pushed
+  std::size_t peak_tick = 0;  // where that was first
+  double peak_again = 0.0;    // N, the largest on the re-insertion
+  double lowest = 0.0;        // N, the most negative (the tissue holds the needle back on withdrawal); 0 or less
+  double end_of_stop = 0.0;   // N, at the last tick before the withdrawal
+  std::array<double, motion_phases> work{};  // N mm taken from the hand
+  // Of insertion, stop and withdrawal together, which end where they began: at least 0 for a passive model.
+  double closed_work = 0.0;  // N mm
+  std::array<int, motion_phases> punctures{};
+  double largest_difference = 0.0;  // N, from the reference while the tip is in the body
+  double rms_difference = 0.0;      // N, likewise
+  double nanoseconds = 0.0;  // mean processor time of a whole tick with this model, on this machine; not reproducible
+};
+
+// A model that cannot be run on the case, and why.
+struct ModelRefused {
+  std::string name;
+  std::string reason;
+};
+
+struct Comparison {
+  NeedlePath path;
+  CompareOptions options;
+  std::string constraint;                              // its name
+  double dt = 0.001;                                   // s
+  std::vector<double> depth;                           // ticks; mm below the skin, negative before it
+  std::vector<TissueId> tissue;                        // ticks; at the tip
+  std::array<std::size_t, motion_phases + 1> first{};  // tick of each phase, then their number
+  std::vector<ModelRun> models;                        // at least one, in the order asked for
+  std::vector<ModelRefused> refused;
+  std::size_t reference = 0;           // the model that the others are compared with: `layered`, or else the first
+  std::optional<double> ends_in_bone;  // mm; the depth at which the motion stops short of the target
+  std::vector<std::string> notes;      // what was assumed, one sentence each
+
+  MotionPhase phase_of(std::size_t tick) const;
+};
+
+// Plays one motion - in at constant speed from 10 mm before the skin, a stop, out, in again through the same channel
+// - through the tick of `patient` with every model in turn. Settings of the case's own model are kept, others have
+// their defaults. The motion ends at the target or in bone, where a spring of that bone's stiffness (the device's at
+// most) would ask for the device's peak force. Forces are the same bits each time.
+//
+// Work taken from the hand is the integral of resistance over the way in, by the trapezoidal rule. Models that throw
+// InputError are in `refused`; throws InputError itself when all do, for an option out of its range,
+// a motion of more than 3 million ticks, and when the path is no path or misses the body (saying by how much).
+Comparison compare_models(Case patient, const CompareOptions& options, const Progress& progress = {});
+
+// A row per tick: time_s, depth_mm, and a column NAME_N per model, where characters of a name that are no letter,
+// digit or point become one underscore.
+std::string comparison_csv(const Comparison& comparison);
+
+}  // namespace bodkin

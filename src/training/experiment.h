@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "anatomy/case.h"
+#include "core/progress.h"
+#include "io/experiment_file.h"
+
+namespace bodkin {
+
+// One tick of an experiment; see Quantity for what is what.
+struct ExperimentTick {
+  double time = 0.0;        // s
+  double depth = 0.0;       // mm along the line that was frozen at contact; 0 outside
+  double velocity = 0.0;    // mm/s
+  double resistance = 0.0;  // N
+  double constraint = 0.0;  // N
+  double aside = 0.0;       // mm
+  double tilt = 0.0;        // rad
+  Vec3 tip = Vec3::Zero();  // mm
+  Wrench requested, applied;
+  TissueId tissue = tissue::air;
+  bool in_contact = false;
+};
+
+// A published number and what came out.
+struct Comparison {
+  PublishedValue published;
+  double found = 0.0;
+  bool agrees = false;  // |found - published| <= tolerance
+};
+
+// An experiment that has been played.
+struct ExperimentRun {
+  double dt = 0.001;  // s
+  std::vector<ExperimentTick> ticks;
+  std::vector<Comparison> comparisons;  // in the order of the file
+};
+
+// The body, needle and settings of an experiment as a patient in memory: a tissue map, and a CT where the resistance
+// reads one. Throws InputError for a body of more than 60 million voxels or one without tissue.
+Case experiment_case(const Experiment& experiment);
+
+// Moves the needle of an experiment through the same tick that a hand would feel, as its motion says. Throws
+// InputError when body, tissues and settings do not go together or when a published value's window holds no tick.
+ExperimentRun play(const Experiment& experiment, const Progress& progress = {});
+
+// Whether a tick lies in a window; one that says a depth holds ticks in contact only.
+bool is_inside(const ExperimentWindow& window, const ExperimentTick& tick);
+
+// A quantity of one tick in its unit; NaN where it is not known (a wall whose spring is slack).
+double value_of(Quantity quantity, const ExperimentTick& tick, const Experiment& experiment);
+
+// The table of a run, a row per tick.
+std::string experiment_csv(const Experiment& experiment, const ExperimentRun& run);
+
+}  // namespace bodkin

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace bodkin {
+
+// A stretch of the x axis with a colour and a name above the plot. Neighbours of one name and colour are drawn as
+// one.
+struct PlotBand {
+  double from = 0.0;
+  double to = 0.0;
+  std::uint32_t colour = 0;  // 0xRRGGBB
+  std::string name;          // empty: only the colour
+};
+
+struct PlotSeries {
+  std::string name;          // empty: not in the key
+  std::vector<double> x, y;  // equally many, finite
+  std::uint32_t colour = 0x12385C;
+  double width = 2.0;          // px
+  bool right_axis = false;     // measured on the axis on the right
+  std::vector<int> dash = {};  // lengths of strokes and gaps in turn, 1 to 50; empty: a solid line
+};
+
+// A numbered dot; its text stands in a list below the plot. Dots at (nearly) one place share a number.
+struct PlotMark {
+  double x = 0.0;
+  double y = 0.0;
+  std::string text;
+};
+
+// A vertical line where something begins; its name stands on its right, at the top of the plot.
+struct PlotDivider {
+  double x = 0.0;
+  std::string name;
+};
+
+// What is to be drawn; how is decided by plot_svg().
+struct Plot {
+  std::string title;
+  std::string x_label;
+  std::string y_label;
+  std::string right_label;  // empty: no axis on the right
+  std::vector<PlotBand> bands;
+  std::vector<PlotSeries> series;  // the last one lies on top
+  std::vector<PlotMark> marks;
+  std::vector<PlotDivider> dividers;
+  std::optional<double> y_highest;  // cuts the y axis off above
+  bool y_down = false;              // the y axis on the left points down
+  double height = 330.0;            // px, of the plotting area; the whole picture is 900 px wide
+};
+
+// The plot as an SVG document, drawn by gnuplot. Any text is safe in titles and names. Series of very many points are
+// thinned to what the eye can see, extremes kept. Throws SystemError when gnuplot is missing or fails.
+std::string plot_svg(const Plot& plot);
+// Several plots in one picture, the first on top.
+std::string plot_svg(std::span<const Plot> plots);
+
+}  // namespace bodkin

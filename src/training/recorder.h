@@ -1,0 +1,52 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <thread>
+
+#include "core/single_producer_ring.h"
+#include "training/session_file.h"
+
+namespace bodkin {
+
+// Stands between a servo thread, which must never wait, and the disk: records go through a ring to a thread of their
+// own, which saves them at least four times a second.
+class Recorder {
+ public:
+  // Called on the recorder's thread with every record, in order.
+  using Observer = std::function<void(const TickRecord&)>;
+
+  // `capacity`: records that may wait when the disk is slow; at 1 kHz the default is 16 s.
+  explicit Recorder(SessionWriter writer, Observer observer = {}, std::size_t capacity = 16384);
+  // Ends the thread; what was pushed is saved, but the session does not count as finished.
+  ~Recorder();
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+
+  // Servo thread only; wait-free. A record that finds the ring full is lost and counted.
+  void push(const TickRecord& record) noexcept;
+  // Saves what is left and closes the session. Throws what went wrong on the recorder's thread.
+  void finish();
+
+  // The thread has stopped because the disk refused; finish() says why. Any thread.
+  bool failed() const noexcept { return failed_.load(std::memory_order_acquire); }
+  // Records lost so far. Servo thread only, or after finish().
+  std::uint64_t lost() const noexcept { return lost_; }
+
+ private:
+  void work();
+  void stop();
+
+  SessionWriter writer_;
+  Observer observer_;
+  SingleProducerRing<TickRecord> ring_;
+  std::uint64_t lost_ = 0;
+  std::atomic<bool> stopping_{false};
+  std::atomic<bool> failed_{false};
+  std::exception_ptr failure_;
+  std::thread thread_;
+};
+
+}  // namespace bodkin

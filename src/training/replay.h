@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/progress.h"
+#include "training/session_file.h"
+
+namespace bodkin {
+
+// The first place where a recomputation differs from the recording.
+struct ReplayDifference {
+  std::uint64_t tick = 0;
+  double time = 0.0;     // s
+  std::string field;     // "applied_force_x", "tissue", "events", ...
+  std::string recorded;  // as text that tells every bit
+  std::string recomputed;
+};
+
+struct ReplayResult {
+  std::uint64_t ticks = 0;                     // recomputed
+  std::string digest;                          // of everything recomputed: XXH3, 16 hexadecimal digits
+  std::optional<ReplayDifference> difference;  // nothing: identical to the last bit
+};
+
+// Feeds the recorded needle poses to a new haptic tick on `patient`, with the force models that the session used
+// instead of the case's, and compares every number, flag and event with the recording, bit by bit. Stops at the first
+// difference. Throws InputError when the session cannot be replayed: it holds no ticks, ticks are missing, or its
+// tick is not that of its force models.
+ReplayResult replay_session(const Session& session, Case patient, const Progress& progress = {});
+
+// Throws InputError unless `patient`, read from `case_folder`, is the one that the session was recorded on.
+void check_same_case(const Session& session, const Case& patient, const std::string& case_folder);
+
+}  // namespace bodkin

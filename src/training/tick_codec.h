@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "simulation/tick_record.h"
+
+namespace bodkin {
+
+// The numbers of a tick, in the order in which a recording keeps them, with their names. Columns 0 to 11 are the
+// input: the rotation of the needle's pose, column by column, then its tip. The rest is what the tick found.
+std::span<const std::string_view> tick_number_names();
+
+// The numbers of a record, in the order of tick_number_names().
+void tick_numbers(const TickRecord& record, std::vector<double>& numbers);
+
+// The bytes of one tick: every number as an IEEE 754 double, little-endian, bit for bit; then tissue, contact and
+// limits as one byte each, and one byte that is zero.
+std::size_t encoded_tick_size();
+
+// Appends the bytes of a tick; its tick number and its events are not part of them.
+void encode_tick(const TickRecord& record, std::vector<std::uint8_t>& bytes);
+// Reads what encode_tick wrote. `bytes` holds encoded_tick_size() of them. False when a byte has a value it cannot
+// have.
+bool decode_tick(std::span<const std::uint8_t> bytes, TickRecord& record);
+
+// The bytes of one event: tick of the chunk (4 bytes), kind, tissue, two zero bytes, depth and value as doubles.
+inline constexpr std::size_t encoded_event_size = 24;
+void encode_event(std::uint32_t tick_of_chunk, const Event& event, std::vector<std::uint8_t>& bytes);
+bool decode_event(std::span<const std::uint8_t> bytes, std::uint32_t& tick_of_chunk, Event& event);
+
+// As sessions and CSV files write the kind of an event: "puncture", "loss_of_resistance", ...
+std::string_view event_kind_name(EventKind kind);
+
+}  // namespace bodkin
