@@ -1,0 +1,75 @@
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/new_case_options.h"
+#include "core/error.h"
+#include "io/image_worker.h"
+
+namespace bodkin {
+namespace {
+
+struct Options {
+  NewCaseOptions common;
+  std::string ct, labels, scheme, tissues;
+  std::int64_t series = 0;
+  bool resample_labels = false, fill_missing = false, assume_hu = false;
+};
+
+constexpr const char* footer = R"(Examples:
+  bodkin case new patient --ct dicom_folder
+  bodkin case new patient --ct ct.nii.gz --labels totalsegmentator.nii.gz
+  bodkin case new patient --ct ct.nrrd --labels vertebrae.nii.gz --scheme tptbox
+  bodkin case new patient --ct ct.mha --labels mine.nrrd --scheme mine.csv
+  bodkin case new patient --ct ct.mha --labels mine.nrrd --scheme mine.csv --tissues mine.xml
+  bodkin case new patient --ct dicom_folder --series 2 --entry 4.5,-45,293 --target 3,-117.5,294
+
+The geometry of the CT is carried exactly; nothing is flipped or resampled, except a stack of slices that no regular grid
+can hold (gantry tilt, uneven steps), and then a note says so. docs/importing.md has the rules.)";
+
+void run(const Options& options, const CommandContext& context) {
+  nlohmann::json request = new_case_request(options.common);
+  request["ct"] = path_text(options.ct);
+  if (!options.labels.empty()) {
+    request["labels"] = path_text(options.labels);
+    if (!options.scheme.empty()) request["scheme"] = path_text(options.scheme);
+  } else if (!options.scheme.empty() || options.resample_labels) {
+    throw InputError("--scheme and --resample-labels say something about labels; give the file with --labels");
+  }
+  if (!options.tissues.empty()) request["tissues"] = path_text(options.tissues);
+  if (options.series != 0) request["series"] = options.series;
+  request["resample_labels"] = options.resample_labels;
+  request["fill_missing"] = options.fill_missing;
+  request["assume_hu"] = options.assume_hu;
+  make_case("case-new", request, options.ct, context);
+}
+
+}  // namespace
+
+void add_case_new_command(CLI::App& case_group, CommandContext& context) {
+  CLI::App* command = case_group.add_subcommand("new", "Make a case from a CT, with or without labels");
+  const auto options = std::make_shared<Options>();
+  add_new_case_options(*command, options->common);
+  add_text(*command, "--ct", options->ct, "CT: DICOM folder, NIfTI, NRRD or MetaImage")->required();
+  add_text(*command, "--labels", options->labels, "Segmentation of this CT, in any of the same formats");
+  add_text(*command, "--scheme", options->scheme,
+           "What the labels mean: totalsegmentator (default), tptbox, or a CSV file with the columns "
+           "label,name,tissue,critical");
+  add_text(*command, "--tissues", options->tissues,
+           "Tissue library of the case, XML, with Bodkin's own tissues and yours (default: the one that comes with "
+           "Bodkin)");
+  add_whole_number(*command, "--series", options->series, 1, 100000,
+                   "Which series of a DICOM folder, counted from 1 as it is listed")
+      ->default_str("");
+  add_switch(*command, "--resample-labels", options->resample_labels,
+             "Take the nearest label at each CT voxel when the labels lie on other voxels");
+  add_switch(*command, "--fill-missing", options->fill_missing, "Interpolate missing slices");
+  add_switch(*command, "--assume-hu", options->assume_hu, "Take the values as HU even if they do not look like it");
+  command->footer(footer);
+  command->callback([options, &context] { run(*options, context); });
+}
+
+}  // namespace bodkin

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace bodkin {
+
+// Options that every subcommand honours.
+struct CommandContext {
+  bool quiet = false;  // no progress, no notes; errors are still said
+  bool json = false;   // the result as one JSON object on standard output
+  int exit_code = 0;   // what main returns after a command has run
+};
+
+// Each adds one subcommand to `app`, defined in the file of its name. The command runs in CLI11's callback; it throws
+// InputError (exit code 2) or SystemError (exit code 1).
+void add_case_new_command(CLI::App& case_group, CommandContext& context);
+void add_case_synthesize_command(CLI::App& case_group, CommandContext& context);
+void add_case_check_command(CLI::App& case_group, CommandContext& context);
+void add_case_show_command(CLI::App& case_group, CommandContext& context);
+void add_profile_command(CLI::App& app, CommandContext& context);
+void add_compare_command(CLI::App& app, CommandContext& context);
+void add_run_command(CLI::App& app, CommandContext& context);
+void add_replay_command(CLI::App& app, CommandContext& context);
+void add_export_command(CLI::App& app, CommandContext& context);
+void add_report_command(CLI::App& app, CommandContext& context);
+void add_fit_command(CLI::App& app, CommandContext& context);
+void add_figures_command(CLI::App& app, CommandContext& context);
+
+}  // namespace bodkin

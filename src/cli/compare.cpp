@@ -1,0 +1,205 @@
+#include "training/compare.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "imaging/files.h"
+#include "io/case_folder.h"
+#include "io/force_choice.h"
+#include "training/compare_plot.h"
+
+namespace bodkin {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string folder;
+  std::string entry, target;
+  std::string output;
+  std::vector<std::string> models, parts;
+  std::string constraint;
+  double withdraw_speed = 0.0;
+  CLI::Option* withdraw_speed_option = nullptr;
+  bool no_reinsert = false;
+  CompareOptions options;
+};
+
+constexpr const char* footer = R"(Examples:
+  bodkin compare patient                                         every model along the planned path
+  bodkin compare patient --models layered,tracking_wall,fracture
+  bodkin compare patient --entry 0,95,3 --target 2,45,10 --speed 5 --pause 1 -o out/models
+  bodkin compare patient --models "tracking_wall,tracking_wall catch_up_s=0.1,tracking_wall catch_up_s=2"
+  bodkin compare patient --models volume_proxy --constraint rail --no-reinsert
+
+The same motion is played for each: in at constant speed, a stop, out, and in again. Writes BASE.csv (a row per tick, a
+column per model) and BASE.svg (force over depth and over time).
+A path that starts with a minus sign needs an equals sign: --entry=-5,95,3)";
+
+nlohmann::json json_of(const Vec3& point) {
+  return {point.x(), point.y(), point.z()};
+}
+
+nlohmann::json json_of(const ModelRun& run, const Comparison& comparison, const TissueLibrary& library) {
+  nlohmann::json work, punctures;
+  for (std::size_t phase = 0; phase < motion_phases; ++phase) {
+    work[std::string(phase_names[phase])] = run.work[phase];
+    punctures[std::string(phase_names[phase])] = run.punctures[phase];
+  }
+  nlohmann::json peak = nullptr;
+  if (run.peak > 0.0) {
+    peak = {{"force_N", run.peak},
+            {"depth_mm", comparison.depth[run.peak_tick]},
+            {"time_s", static_cast<double>(run.peak_tick) * comparison.dt},
+            {"tissue", library.title(comparison.tissue[run.peak_tick])}};
+  }
+  return {{"model", run.name},
+          {"peak", peak},
+          {"peak_of_reinsertion_N", run.peak_again},
+          {"lowest_N", run.lowest},
+          {"end_of_stop_N", run.end_of_stop},
+          {"work_N_mm", work},
+          {"closed_work_N_mm", run.closed_work},
+          {"punctures", punctures},
+          {"largest_difference_N", run.largest_difference},
+          {"rms_difference_N", run.rms_difference},
+          {"tick_on_this_machine_ns", run.nanoseconds}};
+}
+
+nlohmann::json json_of(const Comparison& comparison, const TissueLibrary& library) {
+  nlohmann::json result;
+  result["entry_mm"] = json_of(comparison.path.entry);
+  result["target_mm"] = json_of(comparison.path.target);
+  result["speed_mm_s"] = comparison.options.speed;
+  result["constraint"] = comparison.constraint;
+  result["deepest_mm"] = *std::max_element(comparison.depth.begin(), comparison.depth.end());
+  result["ends_in_bone"] = comparison.ends_in_bone.has_value();
+  result["reference"] = comparison.models[comparison.reference].name;
+  for (std::size_t phase = 0; phase < motion_phases; ++phase) {
+    result["phases"].push_back({{"phase", phase_names[phase]},
+                                {"from_s", static_cast<double>(comparison.first[phase]) * comparison.dt},
+                                {"to_s", static_cast<double>(comparison.first[phase + 1]) * comparison.dt}});
+  }
+  for (const ModelRun& run : comparison.models) result["models"].push_back(json_of(run, comparison, library));
+  result["refused"] = nlohmann::json::array();
+  for (const ModelRefused& model : comparison.refused)
+    result["refused"].push_back({{"model", model.name}, {"reason", model.reason}});
+  result["notes"] = comparison.notes;
+  return result;
+}
+
+// A number with two digits behind the point, and no minus before zero.
+std::string two_digits(double value) {
+  return fmt::format("{:.2f}", std::abs(value) < 0.005 ? 0.0 : value);
+}
+
+void print_tables(const Console& console, const Comparison& comparison, const TissueLibrary& library) {
+  std::size_t name_width = 22;
+  for (const ModelRun& run : comparison.models) name_width = std::max(name_width, run.name.size());
+  const auto row = [&](const auto&... cells) {
+    const std::array<std::string, sizeof...(cells)> texts = {cells...};
+    std::string text = fmt::format("{:<{}}", texts[0], name_width);
+    for (std::size_t i = 1; i < texts.size(); ++i) text += fmt::format(" {:>11}", texts[i]);
+    return text;
+  };
+  console.line(row("N", "peak", "end of", "peak of", "lowest", "largest", "RMS"));
+  console.line(row("", "", "stop", "re-insert.", "", "difference", "difference") + "   where the peak is");
+  for (const ModelRun& run : comparison.models) {
+    const std::string place = run.peak > 0.0 ? fmt::format("{:.1f} mm, {}", comparison.depth[run.peak_tick],
+                                                           library.title(comparison.tissue[run.peak_tick]))
+                                             : "-";
+    console.line(row(run.name, two_digits(run.peak), two_digits(run.end_of_stop), two_digits(run.peak_again),
+                     two_digits(run.lowest), two_digits(run.largest_difference), two_digits(run.rms_difference)) +
+                 "   " + place);
+  }
+  console.line("\n" + row("N mm of work taken from", "", "", "", "", "punctures", ""));
+  console.line(row("the hand", "insertion", "withdrawal", "in and out", "re-insert.", "in, again", "ns a tick *"));
+  for (const ModelRun& run : comparison.models) {
+    console.line(row(run.name, two_digits(run.work[0]), two_digits(run.work[2]), two_digits(run.closed_work),
+                     two_digits(run.work[3]), fmt::format("{}, {}", run.punctures[0], run.punctures[3]),
+                     fmt::format("{:.0f}", run.nanoseconds)));
+  }
+  console.line(fmt::format("\nDifferences are from {}. * processor time on this machine.",
+                           comparison.models[comparison.reference].name));
+}
+
+void run(const Arguments& arguments, const CommandContext& context) {
+  Console console(context);
+  CompareOptions options = arguments.options;
+  if (!arguments.entry.empty()) options.entry = parse_point(arguments.entry, "--entry");
+  if (!arguments.target.empty()) options.target = parse_point(arguments.target, "--target");
+  if (arguments.withdraw_speed_option->count() > 0) options.withdraw_speed = arguments.withdraw_speed;
+  if (!arguments.constraint.empty()) options.constraint = parse_constraint(arguments.constraint, "--constraint");
+  if (!arguments.parts.empty()) options.parts = parse_parts(arguments.parts, "--part");
+  options.reinsert = !arguments.no_reinsert;
+  const bool all = std::find(arguments.models.begin(), arguments.models.end(), "all") != arguments.models.end();
+
+  const std::string base = arguments.output.empty() ? "compare" : arguments.output;
+  for (const char* ending : {".csv", ".svg"}) require_writable(base + ending, "--output");
+  Case patient = load_case(arguments.folder, console.progress());
+  options.models =
+      models_of(all ? std::vector<std::string>{} : arguments.models, patient.description.haptics.resistance);
+  const TissueLibrary library = patient.library;
+  const std::string name = patient.description.name;
+  const double peak_force = patient.description.device.peak_force;
+  const Comparison comparison = compare_models(std::move(patient), options, console.progress());
+  for (const std::string& note : comparison.notes) console.note(note);
+  for (const ModelRefused& model : comparison.refused)
+    console.note(fmt::format("{} is left out: {}", model.name, model.reason));
+
+  std::vector<Plot> plots = comparison_plots(comparison, library, peak_force);
+  plots[0].title = fmt::format("{}, {:g} mm/s, {} constraint", name, options.speed, comparison.constraint);
+  const std::string picture = plot_svg(plots);  // before any file is written: what fails leaves nothing behind
+
+  write_file(base + ".csv", comparison_csv(comparison));
+  write_file(base + ".svg", picture);
+  print_tables(console, comparison, library);
+  console.line(fmt::format("\n{}\n{}", fs::absolute(base + ".svg").string(), fs::absolute(base + ".csv").string()));
+  nlohmann::json result = json_of(comparison, library);
+  result["csv"] = fs::absolute(base + ".csv").string();
+  result["svg"] = fs::absolute(base + ".svg").string();
+  console.json(result.dump(2));
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, CommandContext& context) {
+  auto arguments = std::make_shared<Arguments>();
+  CompareOptions& options = arguments->options;
+  CLI::App* command = app.add_subcommand("compare", "One motion through every force model: figures, table and plot");
+  command->footer(footer);
+  add_text(*command, "CASE", arguments->folder, "Folder of the case")->required();
+  add_text(*command, "--entry", arguments->entry, "Where the path begins, x,y,z in LPS mm (default: as planned)");
+  add_text(*command, "--target", arguments->target, "Where it ends, x,y,z in LPS mm (default: as planned)");
+  add_texts(*command, "--models", arguments->models,
+            fmt::format("All of them, or some of {}; or NAME SETTING=VALUE ... (default: all)",
+                        fmt::join(compared_names(), ", ")))
+      ->delimiter(',')
+      ->type_name("NAME,NAME,...");
+  add_text(*command, "--constraint", arguments->constraint,
+           "Another force that keeps the needle on its path than the case's: \"NAME SETTING=VALUE ...\"");
+  add_texts(*command, "--part", arguments->parts,
+            "Another addition to every resistance, may be repeated; \"none\" leaves out the case's");
+  add_number(*command, "--speed", options.speed, 0.5, 500.0, "mm/s inwards, 0.5 to 500");
+  arguments->withdraw_speed_option = add_number(*command, "--withdraw-speed", arguments->withdraw_speed, 0.5, 500.0,
+                                                "mm/s outwards, 0.5 to 500 (default: as --speed)");
+  arguments->withdraw_speed_option->default_str("");
+  add_number(*command, "--pause", options.pause, 0.0, 60.0, "s at the deepest point, 0 to 60");
+  add_switch(*command, "--no-reinsert", arguments->no_reinsert, "End with the withdrawal");
+  add_text(*command, "-o,--output", arguments->output, "BASE of BASE.csv and BASE.svg (default: compare)");
+  command->callback([arguments, &context] { run(*arguments, context); });
+}
+
+}  // namespace bodkin

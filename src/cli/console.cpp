@@ -1,0 +1,75 @@
+#include "cli/console.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace bodkin {
+
+namespace {
+
+constexpr int bar_width = 28;
+constexpr auto draw_interval = std::chrono::milliseconds(60);
+constexpr auto patience = std::chrono::milliseconds(400);  // quicker stages are not worth a bar
+
+}  // namespace
+
+Console::Console(const CommandContext& context)
+    : quiet_(context.quiet), json_(context.json), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+Console::~Console() {
+  clear_bar();
+}
+
+Progress Console::progress() {
+  if (quiet_) return {};
+  return [this](std::string_view stage, double fraction) { draw(stage, fraction); };
+}
+
+void Console::draw(std::string_view stage, double fraction) {
+  const auto now = std::chrono::steady_clock::now();
+  if (stage != stage_) {
+    clear_bar();
+    stage_ = stage;
+    stage_start_ = now;
+    if (!terminal_) fmt::print(stderr, "{} ...\n", stage_);
+  }
+  if (!terminal_ || now - stage_start_ < patience || (now - last_draw_ < draw_interval && fraction < 1.0)) return;
+  last_draw_ = now;
+  const double share = std::clamp(fraction, 0.0, 1.0);
+  const int filled = static_cast<int>(std::lround(share * bar_width));
+  std::string bar;
+  for (int cell = 0; cell < bar_width; ++cell) bar += cell < filled ? "█" : "░";
+  const double elapsed = std::chrono::duration<double>(now - stage_start_).count();
+  const std::string left = share > 0.05 ? fmt::format("{:.0f} s left", elapsed * (1.0 - share) / share) : "";
+  fmt::print(stderr, "\r\033[K{:<34} {} {:3.0f} %  {}", stage_, bar, 100.0 * share, left);
+  std::fflush(stderr);
+  drawn_ = true;
+}
+
+void Console::clear_bar() {
+  if (!drawn_) return;
+  fmt::print(stderr, "\r\033[K");
+  std::fflush(stderr);
+  drawn_ = false;
+}
+
+void Console::note(std::string_view sentence) {
+  if (quiet_) return;
+  clear_bar();
+  fmt::print(stderr, "note: {}\n", sentence);
+}
+
+void Console::line(std::string_view text) const {
+  if (!json_) fmt::print("{}\n", text);
+}
+
+void Console::json(std::string_view text) const {
+  if (json_) fmt::print("{}\n", text);
+}
+
+}  // namespace bodkin

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <string_view>
+
+#include "cli/commands.h"
+#include "core/progress.h"
+
+namespace bodkin {
+
+// What a command says to the person at the terminal. Results go to standard output, everything else to standard
+// error, so that `bodkin ... > file` and `--json` stay clean.
+class Console {
+ public:
+  explicit Console(const CommandContext& context);
+  ~Console();
+  Console(const Console&) = delete;
+  Console& operator=(const Console&) = delete;
+
+  // A progress bar: drawn in place on a terminal, one line per stage elsewhere, nothing with --quiet. A stage that
+  // ends within a second is never drawn on a terminal.
+  Progress progress();
+  // A remark worth knowing (what was repaired, what was assumed). Nothing with --quiet.
+  void note(std::string_view sentence);
+  // One line of the result; nothing with --json, which has its own.
+  void line(std::string_view text) const;
+  // The result as JSON text; nothing without --json.
+  void json(std::string_view text) const;
+  // Removes a bar that is still drawn.
+  void clear_bar();
+
+ private:
+  void draw(std::string_view stage, double fraction);
+
+  bool quiet_;
+  bool json_;
+  bool terminal_;
+  bool drawn_ = false;
+  std::string stage_;
+  std::chrono::steady_clock::time_point stage_start_{};
+  std::chrono::steady_clock::time_point last_draw_{};
+};
+
+}  // namespace bodkin

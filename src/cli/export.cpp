@@ -1,0 +1,125 @@
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/force_options.h"
+#include "core/error.h"
+#include "training/session_export.h"
+
+namespace bodkin {
+
+namespace {
+
+struct Arguments {
+  std::string session;
+  std::string ticks;
+  std::string events;
+};
+
+constexpr const char* footer = R"(Examples:
+  bodkin export session.bodkin --csv ticks.csv
+  bodkin export session.bodkin --csv - | head
+  bodkin export session.bodkin --csv ticks.csv --events events.csv
+
+'-' is standard output. Every number can be read back to the same bits. docs/running.md lists the columns.)";
+
+// A file that appears whole or not at all, or standard output.
+class OutputFile {
+ public:
+  explicit OutputFile(const std::string& name) : name_(name), part_(name + ".part") {
+    stream_ = name == "-" ? stdout : std::fopen(part_.c_str(), "wb");
+    if (stream_ == nullptr) fail();
+  }
+  ~OutputFile() {
+    if (stream_ == nullptr || stream_ == stdout) return;
+    std::fclose(stream_);
+    std::remove(part_.c_str());
+  }
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  void write(std::string_view text) {
+    if (std::fwrite(text.data(), 1, text.size(), stream_) != text.size()) fail();
+  }
+  void close() {
+    if (stream_ == stdout) {
+      if (std::fflush(stdout) != 0) fail();
+      return;
+    }
+    const bool closed = std::fclose(stream_) == 0;
+    stream_ = nullptr;
+    if (!closed || std::rename(part_.c_str(), name_.c_str()) != 0) {
+      std::remove(part_.c_str());
+      fail();
+    }
+  }
+
+ private:
+  [[noreturn]] void fail() const {
+    throw SystemError(fmt::format("cannot write {}: {}", name_, std::strerror(errno)));
+  }
+
+  std::string name_;
+  std::string part_;
+  std::FILE* stream_ = nullptr;
+};
+
+void write(const std::string& name, void (*exporter)(const Session&, const TextSink&), const Session& session) {
+  OutputFile file(name);
+  exporter(session, [&](std::string_view text) { file.write(text); });
+  file.close();
+}
+
+void run(const Arguments& arguments, const CommandContext& context) {
+  Console console(context);
+  if (arguments.ticks.empty() && arguments.events.empty()) {
+    throw InputError("there is nothing to export, give --csv FILE or --events FILE");
+  }
+  if (arguments.ticks == arguments.events) {
+    throw InputError(fmt::format("--csv and --events are both '{}'; expected two different places", arguments.ticks));
+  }
+  for (const auto& [option, file] : {std::pair("--csv", arguments.ticks), std::pair("--events", arguments.events)}) {
+    if (!file.empty() && file != "-") require_writable(file, option, arguments.session);
+  }
+  const bool to_terminal = arguments.ticks == "-" || arguments.events == "-";
+  if (context.json && to_terminal)
+    throw InputError("--json and a CSV file on standard output cannot go together, name a file");
+  const Session session = read_session(arguments.session);
+  if (!session.finished) console.note("the session was not finished; what was saved is exported");
+  if (!arguments.ticks.empty()) write(arguments.ticks, export_ticks, session);
+  if (!arguments.events.empty()) write(arguments.events, export_events, session);
+  if (!to_terminal) {
+    console.line(fmt::format("{} ticks and {} events of {}", session.ticks.size(), session.events.size(),
+                             force_names(session.header.haptics)));
+  }
+  console.json(nlohmann::ordered_json({{"ticks", session.ticks.size()},
+                                       {"events", session.events.size()},
+                                       {"resistance", name_of(session.header.haptics.resistance)},
+                                       {"constraint", name_of(session.header.haptics.constraint)},
+                                       {"csv", arguments.ticks},
+                                       {"events_csv", arguments.events}})
+                   .dump(2));
+}
+
+}  // namespace
+
+void add_export_command(CLI::App& app, CommandContext& context) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("export", "Write a session as CSV");
+  command->footer(footer);
+  add_text(*command, "SESSION", arguments->session, "Session file")->required();
+  add_text(*command, "--csv", arguments->ticks, "A row per tick; '-' for standard output");
+  add_text(*command, "--events", arguments->events, "A row per event; '-' for standard output");
+  command->callback([arguments, &context] { run(*arguments, context); });
+}
+
+}  // namespace bodkin

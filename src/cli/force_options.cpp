@@ -1,0 +1,38 @@
+#include "cli/force_options.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/arguments.h"
+#include "io/force_choice.h"
+
+namespace bodkin {
+
+void add_force_options(CLI::App& command, ForceOptions& options) {
+  add_text(command, "--resistance", options.resistance,
+           fmt::format("Another force along the needle than the case's, \"NAME SETTING=VALUE ...\": {}",
+                       fmt::join(resistance_names, ", ")));
+  add_text(command, "--constraint", options.constraint,
+           fmt::format("Another force that keeps the needle on its path, likewise: {}",
+                       fmt::join(constraint_names, ", ")));
+  add_texts(
+      command, "--part", options.parts,
+      fmt::format("Another addition to the resistance, may be repeated: {}, or none", fmt::join(part_names, ", ")));
+}
+
+void apply(const ForceOptions& options, HapticSettings& haptics) {
+  if (!options.resistance.empty()) haptics.resistance = parse_resistance(options.resistance, "--resistance");
+  if (!options.constraint.empty()) haptics.constraint = parse_constraint(options.constraint, "--constraint");
+  if (!options.parts.empty()) haptics.parts = parse_parts(options.parts, "--part");
+}
+
+std::string force_names(const HapticSettings& haptics) {
+  std::string names(name_of(haptics.resistance));
+  if (!haptics.parts.relaxation.empty()) names += " + relaxation";
+  if (haptics.parts.shaft_friction) names += " + shaft_friction";
+  if (haptics.parts.needle_grasp) names += " + needle_grasp";
+  return fmt::format("{}, {}", names, name_of(haptics.constraint));
+}
+
+}  // namespace bodkin

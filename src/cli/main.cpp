@@ -1,0 +1,71 @@
+#include <cstdio>
+#include <exception>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "core/error.h"
+
+namespace {
+
+constexpr int exit_system_error = 1;
+constexpr int exit_input_error = 2;
+
+constexpr const char* footer = R"(Examples:
+  bodkin case synthesize lumbar patient          make a lumbar torso from nothing but a seed
+  bodkin case new patient --ct dicom_folder      make a case from a CT
+  bodkin case show patient                       what is in it, as text and as a picture
+  bodkin profile patient                         force against depth along the planned path
+  bodkin compare patient                         every force model on the same motion
+  bodkin run patient --operator novice           a simulated hand performs the procedure
+  bodkin report session.bodkin                   what happened, as one HTML file
+  bodkin fit layered skin.csv                    parameters of a force model from a measured curve
+  bodkin figures figures                         published experiments, played again and plotted
+
+'bodkin COMMAND --help' explains a command. Coordinates are patient coordinates, LPS, in mm.)";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Bodkin: put needles into bodies, feel what they meet, and see how well it went."};
+  app.footer(footer);
+  app.require_subcommand(1);
+  app.fallthrough();
+  app.set_version_flag("--version", "bodkin " BODKIN_VERSION);
+
+  bodkin::CommandContext context;
+  bodkin::add_switch(app, "--quiet,-q", context.quiet, "No progress bars and no notes");
+  bodkin::add_switch(app, "--json", context.json, "The result as one JSON object on standard output");
+
+  CLI::App* case_group = app.add_subcommand("case", "Make, check and look at patients");
+  case_group->require_subcommand(1);
+  bodkin::add_case_new_command(*case_group, context);
+  bodkin::add_case_synthesize_command(*case_group, context);
+  bodkin::add_case_check_command(*case_group, context);
+  bodkin::add_case_show_command(*case_group, context);
+  bodkin::add_profile_command(app, context);
+  bodkin::add_compare_command(app, context);
+  bodkin::add_run_command(app, context);
+  bodkin::add_replay_command(app, context);
+  bodkin::add_export_command(app, context);
+  bodkin::add_report_command(app, context);
+  bodkin::add_fit_command(app, context);
+  bodkin::add_figures_command(app, context);
+
+  try {
+    app.parse(argc, argv);
+    return context.exit_code;
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
+    fmt::print(stderr, "bodkin: {}\n", bodkin::usage_sentence(app, error));
+    return exit_input_error;
+  } catch (const bodkin::InputError& error) {
+    fmt::print(stderr, "bodkin: {}\n", error.what());
+    return exit_input_error;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "bodkin: {}\n", error.what());
+    return exit_system_error;
+  }
+}

@@ -1,0 +1,106 @@
+#include "cli/new_case_options.h"
+
+#include <array>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "anatomy/needle.h"
+#include "cli/arguments.h"
+#include "cli/console.h"
+#include "core/error.h"
+#include "io/image_worker.h"
+
+namespace bodkin {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t longest_name = 200;  // characters; case.xml allows no more
+constexpr double furthest = 1e5;           // mm
+
+json point_json(const std::string& text, const std::string& option) {
+  const Vec3 point = parse_point(text, option);
+  if (point.cwiseAbs().maxCoeff() > furthest) {
+    throw InputError(fmt::format("{} is {}; expected coordinates within {:g} mm", option, text, furthest));
+  }
+  return {point.x(), point.y(), point.z()};
+}
+
+void say_summary(const json& result, const Console& console, const std::string& folder) {
+  const auto numbers = [&](const char* key) { return result.at(key).get<std::array<double, 3>>(); };
+  const auto size = result.at("size").get<std::array<int, 3>>();
+  const auto spacing = numbers("spacing_mm"), tissue = numbers("tissue_spacing_mm");
+  console.line(fmt::format("{} is ready: {}", folder, result.value("name", "")));
+  console.line(fmt::format("  CT        {} x {} x {} voxels of {:.4g} x {:.4g} x {:.4g} mm, axes {}", size[0],
+                           size[1], size[2], spacing[0], spacing[1], spacing[2], result.value("axes", "")));
+  console.line(fmt::format("  tissues   voxels of {:.3g} x {:.3g} x {:.3g} mm, {} labelled structures", tissue[0],
+                           tissue[1], tissue[2], result.value("structures", 0)));
+  for (const json& amount : result.at("tissues")) {
+    console.line(fmt::format("    {:<24} {:>10.1f} ml", amount.value("tissue", ""), amount.value("volume_ml", 0.0)));
+  }
+  if (result.contains("path")) {
+    const auto entry = result["path"].at("entry_mm").get<std::array<double, 3>>();
+    const auto target = result["path"].at("target_mm").get<std::array<double, 3>>();
+    console.line(fmt::format(
+        "  path      from ({:.1f}, {:.1f}, {:.1f}) to ({:.1f}, {:.1f}, {:.1f}) mm, {:.1f} mm long", entry[0],
+        entry[1], entry[2], target[0], target[1], target[2], result["path"].value("length_mm", 0.0)));
+  } else {
+    console.line("  path      none was found; give --entry and --target");
+  }
+  console.line(fmt::format("Next: bodkin case show {0}, bodkin profile {0}", folder));
+}
+
+}  // namespace
+
+void add_new_case_options(CLI::App& command, NewCaseOptions& options) {
+  add_text(command, "DIR", options.folder, "Folder of the case; it must not exist yet")->required();
+  add_text(command, "--name", options.name, "Name of the patient (default: the folder's)");
+  add_text(command, "--entry", options.entry, "Where the planned path enters the skin: x,y,z in LPS mm");
+  add_text(command, "--target", options.target, "Where the needle's tip should end: x,y,z in LPS mm");
+  add_whole_number(command, "--needle-gauge", options.needle_gauge, gauge_sizes().front().gauge,
+                   gauge_sizes().back().gauge, "Gauge of the needle, 10 to 34");
+  add_switch(command, "--overwrite", options.overwrite, "Replace a case that is already there");
+}
+
+json new_case_request(const NewCaseOptions& options) {
+  if (options.name.size() > longest_name) {
+    throw InputError(fmt::format("--name has {} characters; expected at most {}", options.name.size(), longest_name));
+  }
+  if (!gauge_size(static_cast<int>(options.needle_gauge))) {
+    throw InputError(fmt::format("--needle-gauge is {}; expected {} to {}", options.needle_gauge,
+                                 gauge_sizes().front().gauge, gauge_sizes().back().gauge));
+  }
+  if (options.entry.empty() != options.target.empty()) {
+    throw InputError(fmt::format("--{0} is missing: a path needs both --entry and --target",
+                                 options.entry.empty() ? "entry" : "target"));
+  }
+  json request = {{"folder", path_text(options.folder)},
+                  {"overwrite", options.overwrite},
+                  {"name", path_text(options.name)},
+                  {"needle_gauge", options.needle_gauge}};
+  if (!options.entry.empty()) {
+    request["entry"] = point_json(options.entry, "--entry");
+    request["target"] = point_json(options.target, "--target");
+    if (request["entry"] == request["target"]) {
+      throw InputError(fmt::format("--entry and --target are both {}; expected two points", options.entry));
+    }
+  }
+  return request;
+}
+
+void make_case(const std::string& verb, const json& request, const std::string& subject,
+               const CommandContext& context) {
+  Console console(context);
+  const WorkerReport report = run_image_worker(verb, request.dump(), subject, console.progress());
+  console.clear_bar();
+  for (const std::string& note : report.notes) console.note(note);
+  json result = json::parse(report.result);
+  const std::string folder = request.at("folder");
+  result["folder"] = folder;
+  say_summary(result, console, folder);
+  console.json(result.dump(-1, ' ', false, json::error_handler_t::replace));
+}
+
+}  // namespace bodkin

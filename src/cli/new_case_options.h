@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "cli/commands.h"
+
+namespace bodkin {
+
+// What `case new` and `case synthesize` have in common: options, and what is said at the end.
+struct NewCaseOptions {
+  std::string folder;
+  std::string name;
+  std::string entry, target;  // "x,y,z"
+  std::int64_t needle_gauge = 22;
+  bool overwrite = false;
+};
+
+void add_new_case_options(CLI::App& command, NewCaseOptions& options);
+
+// The options as the image worker takes them. Throws InputError when one is out of range, or when a path is half
+// given.
+nlohmann::json new_case_request(const NewCaseOptions& options);
+
+// Has the image worker make the case and says what came of it.
+void make_case(const std::string& verb, const nlohmann::json& request, const std::string& subject,
+               const CommandContext& context);
+
+}  // namespace bodkin

@@ -1,0 +1,140 @@
+#include "training/profile.h"
+
+#include <filesystem>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/force_options.h"
+#include "imaging/files.h"
+#include "io/case_folder.h"
+#include "training/crossings.h"
+#include "training/force_plot.h"
+
+namespace bodkin {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string folder;
+  std::string entry, target;
+  std::string output;
+  ProfileOptions options;
+  ForceOptions forces;
+};
+
+constexpr const char* footer = R"(Examples:
+  bodkin profile patient                                         along the planned path
+  bodkin profile patient --entry 0,95,3 --target 2,45,10         along another one
+  bodkin profile patient --speed 2 --pause 1 --withdraw -o out/slow
+  bodkin profile patient --resistance "tracking_wall catch_up_s=0.3" --constraint "rail torsion_N_mm_per_rad=500"
+
+Writes BASE.csv (a row per tick) and BASE.svg (force against depth with the tissues as bands).
+A path that starts with a minus sign needs an equals sign: --entry=-5,95,3)";
+
+nlohmann::json json_of(const Vec3& point) {
+  return {point.x(), point.y(), point.z()};
+}
+
+nlohmann::json json_of(const Profile& profile, const std::vector<TissueCrossing>& crossings,
+                       const std::vector<SessionEvent>& events, const TissueLibrary& library) {
+  nlohmann::json result;
+  result["entry_mm"] = json_of(profile.path.entry);
+  result["target_mm"] = json_of(profile.path.target);
+  result["speed_mm_s"] = profile.options.speed;
+  result["tissues"] = nlohmann::json::array();
+  for (const TissueCrossing& crossing : crossings) {
+    result["tissues"].push_back({{"tissue", library.title(crossing.tissue)},
+                                 {"from_mm", crossing.from},
+                                 {"to_mm", crossing.to},
+                                 {"peak_force_N", crossing.peak_force},
+                                 {"peak_depth_mm", crossing.peak_depth}});
+  }
+  result["events"] = nlohmann::json::array();
+  for (const SessionEvent& event : events) {
+    result["events"].push_back({{"time_s", static_cast<double>(event.tick) * profile.dt},
+                                {"depth_mm", event.event.depth},
+                                {"text", event_text(event.event, library)},
+                                {"tissue", library.title(event.event.tissue)},
+                                {"value_N", event.event.value}});
+  }
+  result["stopped_by_bone_mm"] =
+      profile.stopped_by_bone ? nlohmann::json(*profile.stopped_by_bone) : nlohmann::json(nullptr);
+  result["outcome"] = profile.outcome;
+  result["notes"] = profile.notes;
+  return result;
+}
+
+void print_table(const Console& console, const std::vector<TissueCrossing>& crossings,
+                 const std::vector<SessionEvent>& events, const TissueLibrary& library) {
+  console.line(fmt::format("{:<26} {:>8} {:>8} {:>10}   {}", "tissue", "from mm", "to mm", "peak N", "what happens"));
+  for (const TissueCrossing& crossing : crossings) {
+    std::string happened;
+    for (const SessionEvent& event : events) {
+      const bool here = event.event.depth >= crossing.from && event.event.depth < crossing.to;
+      if (!here || !is_notable(event.event.kind)) continue;
+      happened += fmt::format("{}{}", happened.empty() ? "" : "; ", event_text(event.event, library));
+    }
+    console.line(fmt::format("{:<26} {:>8.1f} {:>8.1f} {:>10.2f}   {}", library.title(crossing.tissue), crossing.from,
+                             crossing.to, crossing.peak_force, happened));
+  }
+}
+
+void run(const Arguments& arguments, const CommandContext& context) {
+  Console console(context);
+  ProfileOptions options = arguments.options;
+  if (!arguments.entry.empty()) options.entry = parse_point(arguments.entry, "--entry");
+  if (!arguments.target.empty()) options.target = parse_point(arguments.target, "--target");
+  const std::string base = arguments.output.empty() ? "profile" : arguments.output;
+  for (const char* ending : {".csv", ".svg"}) require_writable(base + ending, "--output");
+  Case patient = load_case(arguments.folder, console.progress());
+  apply(arguments.forces, patient.description.haptics);
+  const Profile profile = insert_at_constant_speed(patient, options, console.progress());
+  for (const std::string& note : profile.notes) console.note(note);
+
+  const std::vector<SessionEvent> events = events_of(profile.ticks);
+  const std::vector<TissueCrossing> crossings = tissues_crossed(profile.ticks, profile.dt);
+  Plot plot = force_against_depth(profile.ticks, events, profile.dt, patient);
+  plot.title = fmt::format("{}, {:g} mm/s, {}", patient.description.name, options.speed,
+                           name_of(patient.description.haptics.resistance));
+  const std::string picture = plot_svg(plot);  // before any file is written: what fails leaves nothing behind
+
+  write_file(base + ".csv", profile_csv(profile, patient.library));
+  write_file(base + ".svg", picture);
+  print_table(console, crossings, events, patient.library);
+  console.line("\n" + profile.outcome);
+  console.line(fmt::format("\n{}\n{}", fs::absolute(base + ".svg").string(), fs::absolute(base + ".csv").string()));
+  nlohmann::json result = json_of(profile, crossings, events, patient.library);
+  result["resistance"] = name_of(patient.description.haptics.resistance);
+  result["constraint"] = name_of(patient.description.haptics.constraint);
+  result["csv"] = fs::absolute(base + ".csv").string();
+  result["svg"] = fs::absolute(base + ".svg").string();
+  console.json(result.dump(2));
+}
+
+}  // namespace
+
+void add_profile_command(CLI::App& app, CommandContext& context) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("profile", "Force against depth of a needle driven in at constant speed");
+  command->footer(footer);
+  add_text(*command, "CASE", arguments->folder, "Folder of the case")->required();
+  add_text(*command, "--entry", arguments->entry, "Where the path begins, x,y,z in LPS mm (default: as planned)");
+  add_text(*command, "--target", arguments->target, "Where it ends, x,y,z in LPS mm (default: as planned)");
+  add_number(*command, "--speed", arguments->options.speed, 0.5, 500.0, "mm/s, 0.5 to 500");
+  add_number(*command, "--beyond", arguments->options.beyond, 0.0, 200.0, "mm past the target, 0 to 200");
+  add_number(*command, "--pause", arguments->options.pause, 0.0, 60.0, "s at the deepest point, 0 to 60");
+  add_switch(*command, "--withdraw", arguments->options.withdraw, "Pull the needle out again at the same speed");
+  add_text(*command, "-o,--output", arguments->output, "BASE of BASE.csv and BASE.svg (default: profile)");
+  add_force_options(*command, arguments->forces);
+  command->callback([arguments, &context] { run(*arguments, context); });
+}
+
+}  // namespace bodkin

@@ -1,0 +1,73 @@
+#include "training/replay.h"
+
+#include <memory>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "io/case_folder.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr int exit_different = 3;
+
+struct Arguments {
+  std::string session;
+  std::string case_folder;
+};
+
+constexpr const char* footer = R"(Examples:
+  bodkin replay session.bodkin                  recompute every tick and compare
+  bodkin replay session.bodkin --case patient   when the case has moved
+
+Exit code 0: identical to the last bit. 3: something differs; the first difference is shown.)";
+
+int run(const Arguments& arguments, const CommandContext& context) {
+  Console console(context);
+  const Session session = read_session(arguments.session);
+  const std::string folder = arguments.case_folder.empty() ? session.header.case_folder : arguments.case_folder;
+  Case patient = load_case(folder, console.progress());
+  check_same_case(session, patient, folder);
+  const ReplayResult result = replay_session(session, std::move(patient), console.progress());
+  console.clear_bar();
+  if (!session.finished) console.note("the session was not finished; what was saved is replayed");
+  nlohmann::ordered_json json = {{"identical", !result.difference},
+                                 {"ticks", result.ticks},
+                                 {"resistance", name_of(session.header.haptics.resistance)},
+                                 {"constraint", name_of(session.header.haptics.constraint)}};
+  if (result.difference) {
+    const ReplayDifference& difference = *result.difference;
+    console.line(fmt::format("different: tick {} at {:.3f} s, {}\n  recorded   {}\n  recomputed {}", difference.tick,
+                             difference.time, difference.field, difference.recorded, difference.recomputed));
+    json["difference"] = {{"tick", difference.tick},
+                          {"time_s", difference.time},
+                          {"field", difference.field},
+                          {"recorded", difference.recorded},
+                          {"recomputed", difference.recomputed}};
+  } else {
+    console.line(fmt::format("identical: {} ticks, digest {}", result.ticks, result.digest));
+    json["digest"] = result.digest;
+  }
+  console.json(json.dump(2));
+  return result.difference ? exit_different : 0;
+}
+
+}  // namespace
+
+void add_replay_command(CLI::App& app, CommandContext& context) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("replay", "Recompute a session and prove that it is the same to the bit");
+  command->footer(footer);
+  add_text(*command, "SESSION", arguments->session, "Session file")->required();
+  add_text(*command, "--case", arguments->case_folder, "Folder of the case (default: as the session says)");
+  command->callback([arguments, &context] { context.exit_code = run(*arguments, context); });
+}
+
+}  // namespace bodkin
