@@ -1,0 +1,68 @@
+// Session files from anybody: any bytes are either refused with a sentence, or a session.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <string>
+
+#include <unistd.h>
+
+#include "core/error.h"
+#include "training/session_file.h"
+#include "training/tick_codec.h"
+
+namespace {
+
+// SQLite wants a file; shared memory is one that costs no disk. Removed when the fuzzer ends.
+class ScratchFile {
+ public:
+  ScratchFile()
+      : path_(std::string(std::filesystem::exists("/dev/shm") ? "/dev/shm" : "/tmp") +
+              ("/bodkin_session_fuzz_" + std::to_string(getpid()) + ".bodkin")) {}
+  ~ScratchFile() {
+    std::error_code ignored;
+    for (const char* ending : {"", "-wal", "-shm", "-journal"}) std::filesystem::remove(path_ + ending, ignored);
+  }
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+// What lies behind the checksums, which random bytes do not pass.
+void decode(std::span<const std::uint8_t> bytes) {
+  bodkin::TickRecord record;
+  const std::size_t size = bodkin::encoded_tick_size();
+  if (bytes.size() >= size && bodkin::decode_tick(bytes.first(size), record)) {
+    std::vector<std::uint8_t> again;
+    bodkin::encode_tick(record, again);
+    if (!std::equal(again.begin(), again.end(), bytes.begin())) std::abort();
+  }
+  bodkin::Event event;
+  std::uint32_t tick = 0;
+  if (bytes.size() >= bodkin::encoded_event_size) {
+    const auto first = bytes.first(bodkin::encoded_event_size);
+    std::vector<std::uint8_t> again;
+    if (bodkin::decode_event(first, tick, event)) bodkin::encode_event(tick, event, again);
+    if (!again.empty() && !std::equal(again.begin(), again.end(), first.begin())) std::abort();
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const ScratchFile scratch;
+  decode({data, size});
+  std::ofstream(scratch.path(), std::ios::binary)
+      .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+  try {
+    bodkin::read_session(scratch.path());
+  } catch (const bodkin::InputError&) {
+  }
+  return 0;
+}

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace bodkin_test {
+
+struct Outcome {
+  int exit_code = -1;
+  std::string output;  // standard output
+  std::string errors;  // standard error
+
+  std::string text() const { return output + errors; }
+};
+
+inline std::ptrdiff_t lines_of(const std::string& text) {
+  return std::count(text.begin(), text.end(), '\n');
+}
+
+inline std::string content_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+// Runs the bodkin command that was built, in `folder`.
+inline Outcome run_bodkin(const std::filesystem::path& folder, const std::string& arguments) {
+  const std::filesystem::path errors =
+      std::filesystem::temp_directory_path() / ("bodkin_errors_" + std::to_string(getpid()));
+  const std::string command =
+      "cd '" + folder.string() + "' && '" BODKIN_BUILD "/bin/bodkin' " + arguments + " 2> '" + errors.string() + "'";
+  FILE* pipe = popen(command.c_str(), "r");
+  Outcome outcome;
+  char block[4096];
+  for (std::size_t n = 0; (n = fread(block, 1, sizeof block, pipe)) > 0;) outcome.output.append(block, n);
+  const int status = pclose(pipe);
+  outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  outcome.errors = content_of(errors);
+  std::filesystem::remove(errors);
+  return outcome;
+}
+
+// A folder of its own for the tests of a file, removed with what they leave in it.
+class BodkinCommand : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::filesystem::temp_directory_path() / ("bodkin_commands_" + std::to_string(getpid()));
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  static void TearDownTestSuite() { std::filesystem::remove_all(folder_); }
+
+  static Outcome bodkin(const std::string& arguments) { return run_bodkin(folder_, arguments); }
+  static std::string text_of(const std::string& file) { return content_of(folder_ / file); }
+  static void write(const std::string& name, const std::string& bytes) {
+    std::ofstream(folder_ / name, std::ios::binary) << bytes;
+  }
+  // Everything in the folder, folders within it too.
+  static std::set<std::string> listing() {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_))
+      names.insert(entry.path().string());
+    return names;
+  }
+
+  static inline std::filesystem::path folder_;
+};
+
+// The same with a small synthetic patient in it, "patient".
+class PatientCommand : public BodkinCommand {
+ protected:
+  static void SetUpTestSuite() {
+    BodkinCommand::SetUpTestSuite();
+    made_ = bodkin("--quiet case synthesize lumbar patient --spacing 1.5");
+  }
+  void SetUp() override { ASSERT_EQ(made_.exit_code, 0) << made_.errors; }
+
+  static std::string patient() { return (folder_ / "patient").string(); }
+
+  static inline Outcome made_;
+};
+
+}  // namespace bodkin_test

@@ -1,0 +1,185 @@
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "tests/cli/bodkin_command.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+// `bodkin case new` and `bodkin case synthesize` as a user runs them: exit codes, one sentence, nothing left behind.
+
+namespace bodkin_test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class CaseNew : public BodkinCommand {
+ protected:
+  void SetUp() override {  // an empty folder for every test
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+
+  // Exit code 2, one sentence that says `what`, and no folder, finished or half-made.
+  void expect_refusal(const std::string& arguments, const std::string& what) const {
+    const Outcome outcome = bodkin(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments << "\n" << outcome.errors;
+    EXPECT_THAT(outcome.errors, HasSubstr(what));
+    EXPECT_EQ(outcome.output, "");
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      EXPECT_THAT(entry.path().filename().string(), testing::Not(testing::StartsWith("patient")));
+    }
+  }
+
+  fs::path data() const {
+    const char* named = std::getenv("BODKIN_DATA");
+    const fs::path place = named != nullptr ? named : BODKIN_REPOSITORY "/../shared/data";
+    return fs::exists(place / "MANIFEST.tsv") ? place : fs::path();
+  }
+};
+
+TEST_F(CaseNew, what_is_no_image_is_refused_with_one_sentence_and_leaves_nothing) {
+  write("empty.nii.gz", "");
+  write("text.nrrd", "somebody's notes");
+  write("cut.nrrd", "NRRD0004\ntype: short\ndimension: 3\n");
+  fs::create_directory(folder_ / "nothing");
+  expect_refusal("case new patient --ct empty.nii.gz", "empty.nii.gz: this file is empty");
+  expect_refusal("case new patient --ct text.nrrd", "not an image that Bodkin reads");
+  expect_refusal("case new patient --ct cut.nrrd", "no 'sizes'");
+  expect_refusal("case new patient --ct nothing", "no DICOM image here");
+  expect_refusal("case new patient --ct lost.mha", "there is no such file");
+}
+
+TEST_F(CaseNew, options_out_of_range_are_refused_before_anything_is_read) {
+  write("ct.nrrd", "NRRD0004\n");
+  const std::string start = "case new patient --ct ct.nrrd ";
+  expect_refusal(start + "--needle-gauge 9", "--needle-gauge is '9'; expected a whole number from 10 to 34");
+  expect_refusal(start + "--entry 1,2,3", "--target is missing");
+  expect_refusal(start + "--entry 1,2 --target 1,2,3", "--entry");
+  expect_refusal(start + "--entry 1,2,nan --target 1,2,3", "--entry");
+  expect_refusal(start + "--entry 1,2,3 --target 1,2,3", "both 1,2,3");
+  expect_refusal(start + "--series 0", "--series");
+  expect_refusal(start + "--scheme tptbox", "--labels");
+  expect_refusal("case new missing/patient --ct ct.nrrd", "does not exist");
+  expect_refusal("case synthesize lumbar patient --age 7", "--age");
+  expect_refusal("case synthesize lumbar patient --spacing 0", "--spacing");
+  expect_refusal("case synthesize lumbar patient --seed -3", "--seed");
+}
+
+TEST_F(CaseNew, real_images_that_cannot_be_a_patient_are_refused_and_leave_nothing) {
+  if (data().empty()) GTEST_SKIP() << "no real CT data: set BODKIN_DATA to its folder";
+  const std::string start = "case new patient --ct '" + data().string();
+  expect_refusal(start + "/oblique/head_phantom_ct_pitched.nii.gz'", "are not HU");
+  expect_refusal(start + "/dicom_odd/missing_slice_4_slices'",
+                 "a slice is missing between z = 28.11 and z = 38.11 mm");
+  expect_refusal(start + "/dicom_odd'", "--series N to pick one");
+  expect_refusal(
+      start + "/lumbar_l3/lumbar_l3_ct.nii.gz' --labels '" + data().string() + "/abdomen/abdomen_labels.nii.gz'",
+      "do not lie on the CT's voxels");
+  expect_refusal(start + "/reference_ultrasound/spine_phantom_reconstructed.mha'", "are not HU");
+}
+
+TEST_F(CaseNew, a_real_ct_with_labels_becomes_a_case_that_case_check_finds_sound) {
+  if (data().empty()) GTEST_SKIP() << "no real CT data: set BODKIN_DATA to its folder";
+  const std::string crop = data().string() + "/derived_same_crop_three_formats/lumbar_crop_";
+  const std::string arguments =
+      "--json case new patient --ct '" + crop + "ct.nrrd' --labels '" + crop + "labels.mha'";
+  const Outcome made = bodkin(arguments);
+  ASSERT_EQ(made.exit_code, 0) << made.errors;
+  const nlohmann::json result = nlohmann::json::parse(made.output);
+  EXPECT_EQ(result.at("size"), (std::array<int, 3>{66, 60, 64}));
+  EXPECT_EQ(result.at("axes"), "RAS");
+  EXPECT_FALSE(result.at("tissues").empty());
+  EXPECT_EQ(bodkin("case check patient").exit_code, 0);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "patient"), fs::directory_iterator()), 4);
+
+  const Outcome again = bodkin(arguments);
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_THAT(again.errors, HasSubstr("--overwrite"));
+  EXPECT_EQ(bodkin(arguments + " --overwrite --quiet").exit_code, 0);
+}
+
+// Bodkin's own tissues and a tumour with the id 40.
+std::string library_with_tumour() {
+  std::string library = content_of(BODKIN_REPOSITORY "/share/bodkin/tissues.xml");
+  const std::string mine = R"(<tissue id="40" name="tumour" title="tumour" colour="#804080" hounsfield_HU="60"
+      hounsfield_noise_HU="10"><layered><viscous drag_N_s_per_mm2="0.001"/></layered><source>test</source></tissue>)";
+  return library.insert(library.rfind("</"), mine);
+}
+
+TEST_F(CaseNew, a_tissue_library_of_ones_own_gives_labels_tissues_of_their_own) {
+  if (data().empty()) GTEST_SKIP() << "no real CT data: set BODKIN_DATA to its folder";
+  write("mine.xml", library_with_tumour());
+  write("mine.csv", "label,name,tissue,critical\n29,vertebrae_L3,tumour,false\n30,other,bone,false\n");
+  const std::string crop = data().string() + "/derived_same_crop_three_formats/lumbar_crop_";
+  const std::string arguments =
+      "--json case new patient --ct '" + crop + "ct.nrrd' --labels '" + crop + "labels.mha' --scheme mine.csv";
+  expect_refusal(arguments, "tumour");
+  const Outcome made = bodkin(arguments + " --tissues mine.xml");
+  ASSERT_EQ(made.exit_code, 0) << made.errors;
+  const auto amounts = nlohmann::json::parse(made.output).at("tissues");
+  EXPECT_TRUE(std::any_of(amounts.begin(), amounts.end(), [](const nlohmann::json& amount) {
+    return amount.at("tissue") == "tumour" && amount.at("volume_ml") > 20.0;
+  })) << amounts;
+  EXPECT_EQ(text_of("patient/tissues.xml"), text_of("mine.xml"));
+  EXPECT_THAT(text_of("patient/case.xml"), HasSubstr("<tissue_library file=\"tissues.xml\""));
+  EXPECT_EQ(bodkin("case check patient").exit_code, 0);
+  EXPECT_THAT(bodkin("-q case show patient -o p.svg").output, HasSubstr("tumour"));
+}
+
+TEST_F(CaseNew, a_tissue_library_that_lacks_a_tissue_or_is_none_is_refused) {
+  write("ct.nrrd", "NRRD0004\n");
+  std::string library = content_of(BODKIN_REPOSITORY "/share/bodkin/tissues.xml");
+  const auto start = library.find("<tissue id=\"2\""), end = library.find("</tissue>", start) + 9;
+  write("lacking.xml", library.erase(start, end - start));
+  write("text.xml", "not a library");
+  expect_refusal("case new patient --ct ct.nrrd --tissues lacking.xml", "no tissue with id 2 (fat)");
+  expect_refusal("case new patient --ct ct.nrrd --tissues text.xml", "text.xml");
+  expect_refusal("case new patient --ct ct.nrrd --tissues lost.xml", "lost.xml");
+}
+
+TEST_F(CaseNew, overwrite_never_removes_a_folder_that_is_no_case) {
+  fs::create_directory(folder_ / "photos");
+  write("photos/holiday.jpg", "dear");
+  const Outcome outcome = bodkin("case synthesize lumbar photos --overwrite --spacing 3");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.errors, HasSubstr("has no case.xml"));
+  EXPECT_EQ(text_of("photos/holiday.jpg"), "dear");
+}
+
+TEST_F(CaseNew, what_a_killed_run_left_is_cleared_by_the_next) {
+  fs::create_directory(folder_ / "patient.partial-2147483646");  // no process has this number
+  const Outcome outcome = bodkin("--json case synthesize lumbar patient --spacing 3 --seed 5 --name Ada");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_FALSE(fs::exists(folder_ / "patient.partial-2147483646"));
+  EXPECT_TRUE(fs::exists(folder_ / "patient/case.xml"));
+  const nlohmann::json result = nlohmann::json::parse(outcome.output);
+  EXPECT_EQ(result.at("name"), "Ada");
+  EXPECT_TRUE(result.contains("path"));
+  EXPECT_EQ(bodkin("case check patient").exit_code, 0);
+}
+
+TEST_F(CaseNew, without_the_image_worker_the_sentence_says_so_and_the_exit_code_is_one) {
+  write("ct.nrrd", "NRRD0004\n");
+  setenv("BODKIN_IMAGES_WORKER", "/nonexistent/bodkin-images", 1);
+  const Outcome outcome = bodkin("case new patient --ct ct.nrrd");
+  unsetenv("BODKIN_IMAGES_WORKER");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.errors, HasSubstr("/nonexistent/bodkin-images cannot be started"));
+}
+
+TEST_F(CaseNew, help_has_examples) {
+  for (const std::string command : {"case new --help", "case synthesize lumbar --help"}) {
+    const Outcome outcome = bodkin(command);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_THAT(outcome.output, HasSubstr("Examples:"));
+  }
+}
+
+}  // namespace
+}  // namespace bodkin_test

@@ -1,0 +1,60 @@
+#include <cmath>
+#include <filesystem>
+
+#include "tests/cli/bodkin_command.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+// `bodkin case synthesize` as a user runs it.
+
+namespace bodkin_test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class CaseSynthesize : public PatientCommand {};
+
+TEST_F(CaseSynthesize, the_same_seed_gives_the_same_files_and_another_seed_does_not) {
+  const std::string options = "--quiet case synthesize lumbar ";
+  ASSERT_EQ(bodkin(options + "one --spacing 3 --seed 5").exit_code, 0);
+  ASSERT_EQ(bodkin(options + "two --spacing 3 --seed 5").exit_code, 0);
+  ASSERT_EQ(bodkin(options + "three --spacing 3 --seed 6").exit_code, 0);
+  for (const char* file : {"ct.nrrd", "tissues.nrrd", "structures.nrrd"}) {
+    EXPECT_EQ(text_of(std::string("one/") + file), text_of(std::string("two/") + file)) << file;
+    EXPECT_NE(text_of(std::string("one/") + file), text_of(std::string("three/") + file)) << file;
+  }
+}
+
+TEST_F(CaseSynthesize, a_synthetic_case_is_sound_and_its_path_has_a_length_of_life) {
+  const Outcome checked = bodkin("--json case check patient");
+  EXPECT_EQ(checked.exit_code, 0) << checked.output << checked.errors;
+  const Outcome shown = bodkin("--json case show patient -o patient.svg");
+  ASSERT_EQ(shown.exit_code, 0) << shown.errors;
+  EXPECT_TRUE(nlohmann::json::accept(shown.output));
+  EXPECT_TRUE(fs::exists(folder_ / "patient.svg"));
+}
+
+TEST_F(CaseSynthesize, parameters_out_of_range_are_refused_and_leave_nothing) {
+  for (const char* wrong : {"--age 12", "--age nan", "--weight 400", "--height 0", "--flexion -0.1", "--spacing 0.1",
+                            "--seed -3", "--seed x"}) {
+    const Outcome outcome = bodkin(std::string("case synthesize lumbar refused ") + wrong);
+    EXPECT_EQ(outcome.exit_code, 2) << wrong;
+    EXPECT_THAT(outcome.errors, HasSubstr(std::string(wrong).substr(0, std::string(wrong).find(' ')))) << wrong;
+    EXPECT_FALSE(fs::exists(folder_ / "refused")) << wrong;
+  }
+}
+
+TEST_F(CaseSynthesize, a_case_that_exists_is_kept_unless_overwriting_is_asked_for) {
+  const std::string before = text_of("patient/case.xml");
+  const Outcome refused = bodkin("case synthesize lumbar patient --spacing 3");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("--overwrite"));
+  EXPECT_EQ(text_of("patient/case.xml"), before);
+  EXPECT_EQ(bodkin("-q case synthesize lumbar patient --spacing 3 --overwrite").exit_code, 0);
+  EXPECT_NE(text_of("patient/case.xml"), before);
+}
+
+}  // namespace
+}  // namespace bodkin_test

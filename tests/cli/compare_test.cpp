@@ -1,0 +1,95 @@
+#include "tests/cli/bodkin_command.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace bodkin_test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class CompareCommand : public PatientCommand {};
+
+TEST_F(CompareCommand, runs_every_model_and_writes_table_and_plot) {
+  const fs::path base = folder_ / "all";
+  const Outcome said = bodkin("-q compare " + patient() + " --speed 40 -o " + base.string());
+  ASSERT_EQ(said.exit_code, 0) << said.text();
+  for (const char* name :
+       {"layered ", "layered_sum", "tracking_wall ", "tracking_wall_leash", "depth_profile", "volume_proxy ",
+        "volume_proxy_viscous", "three_component", "fracture", "shaft_friction"}) {
+    EXPECT_THAT(said.text(), HasSubstr(name));
+  }
+  EXPECT_THAT(said.text(), HasSubstr("this machine"));
+  EXPECT_THAT(content_of(base.string() + ".csv"), HasSubstr("time_s,depth_mm,layered_N,layered_sum_N"));
+  const std::string picture = content_of(base.string() + ".svg");
+  EXPECT_THAT(picture, HasSubstr("interspinous ligament"));
+  EXPECT_THAT(picture, HasSubstr("re-insertion"));
+}
+
+TEST_F(CompareCommand, takes_names_and_a_motion_and_tells_in_json) {
+  const fs::path base = folder_ / "some";
+  const Outcome said = bodkin("-q --json compare " + patient() +
+                              " --models fracture,layered,fracture --constraint none --speed 20 --withdraw-speed 40 "
+                              "--pause 0.5 --no-reinsert -o " +
+                              base.string());
+  ASSERT_EQ(said.exit_code, 0) << said.text();
+  const auto result = nlohmann::json::parse(said.text());
+  EXPECT_EQ(result.at("constraint"), "none");
+  EXPECT_EQ(result.at("reference"), "layered");
+  ASSERT_EQ(result.at("models").size(), 2U);
+  const auto& fracture = result["models"][0];
+  EXPECT_EQ(fracture.at("model"), "fracture");
+  EXPECT_GT(fracture.at("peak").at("force_N"), 0.0);
+  EXPECT_GT(fracture.at("work_N_mm").at("insertion"), 0.0);
+  EXPECT_EQ(fracture.at("work_N_mm").at("re-insertion"), 0.0);
+  EXPECT_EQ(result["models"][1].at("largest_difference_N"), 0.0);
+  const auto& phases = result.at("phases");
+  EXPECT_NEAR(phases[1].at("to_s").get<double>() - phases[1].at("from_s").get<double>(), 0.5, 0.002);
+  EXPECT_EQ(phases[3].at("from_s"), phases[3].at("to_s"));
+}
+
+TEST_F(CompareCommand, says_what_it_left_out_and_reports_progress_on_standard_error) {
+  const fs::path base = folder_ / "left_out";
+  const std::string description = content_of(fs::path(patient()) / "case.xml");
+  const fs::path soft = folder_ / "soft_device";  // a device that is too soft for the proxy's 0.5 N/mm
+  fs::copy(patient(), soft, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+  const auto device = description.find("<device");
+  ASSERT_NE(device, std::string::npos);
+  const auto end = description.find('>', device);
+  std::ofstream(soft / "case.xml") << description.substr(0, device)
+                                   << R"(<device profile="soft" peak_force_N="3" continuous_force_N="1" )"
+                                      R"(stiffness_N_per_mm="0.4" position_resolution_mm="0.05"/>)"
+                                   << description.substr(end + 1);
+  const std::string command = "compare " + soft.string() + " --speed 40 --constraint none -o " + base.string();
+  const Outcome said = bodkin(command + " --models volume_proxy,layered");
+  ASSERT_EQ(said.exit_code, 0) << said.text();
+  EXPECT_THAT(said.text(), HasSubstr("note: volume_proxy is left out: volume_proxy: stiffness is 0.5 N/mm"));
+  EXPECT_THAT(said.text(), HasSubstr("Inserting with layered"));
+  EXPECT_THAT(bodkin(command + " --models volume_proxy,layered").output, Not(HasSubstr("Inserting")));
+  const Outcome nothing = bodkin(command + " -q --models volume_proxy");
+  EXPECT_EQ(nothing.exit_code, 2);
+  EXPECT_THAT(nothing.text(), HasSubstr("stiffness is 0.5 N/mm"));
+}
+
+TEST_F(CompareCommand, refuses_bad_arguments_in_one_sentence_and_leaves_no_file) {
+  const fs::path base = folder_ / "refused_comparison";
+  for (const char* arguments :
+       {"--models jelly", "--models ''", "--constraint glue", "--speed 0", "--speed nan", "--withdraw-speed 0",
+        "--pause -1", "--entry 0,1 --target 0,0,0", "--entry 9000,0,0"}) {
+    const Outcome said = bodkin("-q compare " + patient() + " " + arguments + " -o " + base.string());
+    EXPECT_EQ(said.exit_code, 2) << arguments << ": " << said.text();
+    EXPECT_THAT(said.text(), ::testing::StartsWith("bodkin: ")) << arguments;
+    EXPECT_EQ(lines_of(said.text()), 1) << said.text();
+  }
+  EXPECT_THAT(bodkin("-q compare " + patient() + " --models jelly").text(),
+              HasSubstr("'jelly', expected 'all' or some of layered, layered_sum, spring_damper_wall"));
+  EXPECT_EQ(bodkin("-q compare /no/such/case -o " + base.string()).exit_code, 2);
+  EXPECT_FALSE(fs::exists(base.string() + ".csv"));
+  EXPECT_FALSE(fs::exists(base.string() + ".svg"));
+  EXPECT_THAT(bodkin("compare --help").text(), HasSubstr("Examples:"));
+}
+
+}  // namespace
+}  // namespace bodkin_test

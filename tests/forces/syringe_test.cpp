@@ -1,0 +1,95 @@
+#include "forces/syringe.h"
+
+#include <cmath>
+#include <limits>
+
+#include "tests/forces/default_tissues.h"
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+
+namespace bodkin {
+namespace {
+
+TEST(Syringe, published_forces_and_pressures_belong_to_one_plunger) {
+  EXPECT_NEAR(11.1 / 0.0627, 177.0, 0.05);
+  EXPECT_NEAR(Syringe(checks::default_tissues(), {}, 1e-3).area(), 176.7, 0.05);
+  const double pressures[] = {461.0, 430.0, 415.0, 376.0}, forces[] = {10.86, 10.13, 9.78, 8.86};  // mmHg, N
+  for (int i = 0; i < 4; ++i) EXPECT_NEAR(pressures[i] * 1.33322e-4 * 176.7, forces[i], 5e-3);
+}
+
+TEST(Syringe, a_16_gauge_needle_empties_2_millilitres_of_air_exponentially) {
+  const double resistance = tube_resistance(1e-9, 80.0, 1.194), compliance = 2000.0 / 0.1013;
+  EXPECT_NEAR(resistance, 1.60374e-6, 5e-12);
+  EXPECT_NEAR(Syringe(checks::default_tissues(), {}, 1e-3).needle_resistance(), resistance, 1e-18);
+  EXPECT_NEAR(compliance, 19743.0, 0.5);
+  const double time = resistance * compliance;
+  EXPECT_NEAR(time, 0.03166, 5e-6);
+  for (const int ticks : {1, 10, 1000}) {
+    double pressure = 0.0627;
+    for (int i = 0; i < ticks; ++i)
+      pressure = Syringe::relax(pressure, 0.0, 0.0, compliance, resistance, 3.0 * time / ticks);
+    EXPECT_NEAR(pressure * 11.1 / 0.0627, 0.5526, 5e-5);
+  }
+}
+
+TEST(Syringe, ligament_holds_the_pressure_and_the_epidural_space_lets_it_go) {
+  for (const SyringeFilling filling : {SyringeFilling::saline, SyringeFilling::air}) {
+    Syringe syringe(checks::default_tissues(), {.filling = filling}, 1e-3);
+    double force = 0.0;
+    int ticks = 0;
+    while (force < 11.0 && ticks < 20000) {
+      force = syringe.step(2.0, tissue::ligamentum_flavum).force;
+      ++ticks;
+    }
+    EXPECT_GE(force, 11.0);
+    EXPECT_LT(syringe.state().flow, 0.01);
+    for (int i = 0; i < 2000; ++i) syringe.step(0.0, tissue::epidural_fat);
+    EXPECT_LT(syringe.state().force, 0.2);
+    EXPECT_NEAR(syringe.state().pressure, 6e-4, 1e-4);  // that of the epidural space
+  }
+}
+
+TEST(Syringe, air_is_springier_than_saline) {
+  Syringe air(checks::default_tissues(), {.filling = SyringeFilling::air}, 1e-3),
+      saline(checks::default_tissues(), {}, 1e-3);
+  for (int i = 0; i < 50; ++i) {
+    air.step(2.0, tissue::ligamentum_flavum);
+    saline.step(2.0, tissue::ligamentum_flavum);
+  }
+  EXPECT_GT(saline.state().pressure, 20.0 * air.state().pressure);
+}
+
+TEST(Syringe, conserves_volume) {
+  const SyringeSettings settings = {.saline_compliance = 500.0};
+  Syringe syringe(checks::default_tissues(), settings, 1e-4);
+  double out = 0.0, in = 0.0;
+  for (int i = 0; i < 20000; ++i) {
+    const double before = syringe.state().flow;
+    in += syringe.area() * 0.5 * 1e-4;
+    syringe.step(0.5, tissue::fat);
+    out += 0.5 * (before + syringe.state().flow) * 1e-4;
+  }
+  EXPECT_NEAR(in, out + 500.0 * syringe.state().pressure, 1e-3 * in);
+}
+
+TEST(Syringe, is_finite_and_repeats_for_any_input) {
+  Syringe one(checks::default_tissues(), {.filling = SyringeFilling::air}, 1e-3),
+      two(checks::default_tissues(), {.filling = SyringeFilling::air}, 1e-3);
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  for (const double speed : {1e308, -1e308, inf, -inf, std::nan(""), 1e4, -1e4, 3.0}) {
+    for (const TissueId id : {tissue::air, tissue::ligamentum_flavum, tissue::epidural_fat}) {
+      const SyringeState& state = one.step(speed, id);
+      EXPECT_TRUE(std::isfinite(state.pressure) && std::isfinite(state.flow) && std::isfinite(state.force));
+      EXPECT_EQ(state.force, two.step(speed, id).force);
+    }
+  }
+}
+
+TEST(Syringe, refuses_settings_outside_their_ranges) {
+  EXPECT_THROW(Syringe(checks::default_tissues(), {.bore = 0.0}, 1e-3), InputError);
+  EXPECT_THROW(Syringe(checks::default_tissues(), {}, -1.0), InputError);
+}
+
+}  // namespace
+}  // namespace bodkin

@@ -1,0 +1,157 @@
+// The layout is the architecture; these tests keep it so (docs/architecture.md).
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path repository = BODKIN_REPOSITORY;
+
+const std::map<std::string, int> floors = {
+    {"core", 0},    {"anatomy", 0},  {"forces", 1},  {"fem", 1},  {"haptics", 1}, {"io", 1}, {"simulation", 2},
+    {"imaging", 2}, {"training", 3}, {"fitting", 3}, {"link", 3}, {"app", 4},     {"cli", 4}};
+
+struct Include {
+  fs::path file;
+  int line;
+  std::string target;  // what stands between the quotes or brackets
+};
+
+std::string read(const fs::path& file) {
+  std::ifstream stream(file);
+  std::stringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+std::vector<fs::path> sources(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<Include> includes_of(const fs::path& file) {
+  static const std::regex pattern(R"(^\s*#\s*include\s*["<]([^">]+)[">])");
+  std::vector<Include> found;
+  std::istringstream text(read(file));
+  std::string line;
+  for (int number = 1; std::getline(text, line); ++number) {
+    std::smatch match;
+    if (std::regex_search(line, match, pattern)) found.push_back({file, number, match[1]});
+  }
+  return found;
+}
+
+std::string room_of(const fs::path& file) {
+  return fs::relative(file, repository / "src").begin()->string();
+}
+
+std::string where(const Include& include) {
+  return fs::relative(include.file, repository).string() + ":" + std::to_string(include.line);
+}
+
+TEST(Layout, every_folder_of_src_is_a_room_with_a_floor) {
+  for (const auto& entry : fs::directory_iterator(repository / "src")) {
+    EXPECT_TRUE(floors.contains(entry.path().filename().string())) << entry.path();
+  }
+}
+
+TEST(Layout, includes_go_downwards) {
+  int checked = 0;
+  for (const fs::path& file : sources(repository / "src")) {
+    const std::string room = room_of(file);
+    for (const Include& include : includes_of(file)) {
+      const std::string target = include.target.substr(0, include.target.find('/'));
+      if (!floors.contains(target) || target == room) continue;
+      ++checked;
+      // Rooms on one floor are neighbours that do not know each other; patients in memory stand on the core.
+      const bool downwards = floors.at(target) < floors.at(room) || (room == "anatomy" && target == "core");
+      EXPECT_TRUE(downwards) << where(include) << ": " << room << " includes " << include.target;
+    }
+  }
+  EXPECT_GT(checked, 20);
+}
+
+TEST(Layout, heavy_headers_stay_in_source_files_of_the_rooms_that_own_them) {
+  struct Rule {
+    std::regex header;
+    std::regex owner;  // path below src/
+  };
+  const std::vector<Rule> rules = {
+      {std::regex("^(itk|gdcm|vnl).*"), std::regex(R"(^io/(images|patient)/.*\.cpp$)")},
+      {std::regex("^libxml/.*"), std::regex(R"(^io/[^/]*\.cpp$)")},
+      {std::regex("^nlohmann/json\\.hpp$"), std::regex(R"(^(io|training|cli)/.*\.cpp$)")},
+      {std::regex("^SQLiteCpp/.*|^sqlite3.*"), std::regex(R"(^training/.*\.cpp$)")},
+      {std::regex("^CLI/.*"), std::regex(R"(^cli/.*\.cpp$)")},
+      {std::regex("^(ceres|boost)/.*"), std::regex(R"(^fitting/.*\.cpp$)")},
+      {std::regex("^png\\.h$"), std::regex(R"(^imaging/.*\.cpp$)")},
+      {std::regex("^(fmt|spdlog)/.*"), std::regex(R"(.*\.cpp$)")},
+      {std::regex("^(Q[A-Z]|vtk|CGAL|opencv2|igtl).*"), std::regex("^$")},  // no room owns these
+      {std::regex("^Eigen/(SVD|Sparse|Eigenvalues|Dense|QR|LU)$"), std::regex(R"(.*\.cpp$)")},
+  };
+  for (const fs::path& file : sources(repository / "src")) {
+    const std::string below = fs::relative(file, repository / "src").string();
+    for (const Include& include : includes_of(file)) {
+      for (const Rule& rule : rules) {
+        if (!std::regex_match(include.target, rule.header)) continue;
+        EXPECT_TRUE(std::regex_match(below, rule.owner)) << where(include) << " includes " << include.target;
+      }
+    }
+  }
+}
+
+TEST(Layout, a_file_holds_one_idea) {
+  for (const char* folder : {"src", "tests", "bench", "fuzz"}) {
+    for (const fs::path& file : sources(repository / folder)) {
+      const std::string text = read(file);
+      EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 450) << fs::relative(file, repository);
+    }
+  }
+}
+
+TEST(Layout, every_public_header_compiles_first_in_its_own_source_file) {
+  for (const fs::path& file : sources(repository / "src")) {
+    fs::path header = file;
+    header.replace_extension(".h");
+    if (file.extension() != ".cpp" || !fs::exists(header)) continue;
+    const auto found = includes_of(file);
+    ASSERT_FALSE(found.empty()) << file;
+    EXPECT_EQ(found.front().target, fs::relative(header, repository / "src").string()) << where(found.front());
+  }
+}
+
+TEST(Layout, a_model_has_a_header_a_source_a_test_and_a_page_of_one_name) {
+  int models = 0;
+  for (const auto& page : fs::directory_iterator(repository / "docs" / "models")) {
+    if (page.path().extension() != ".md") continue;
+    const std::string name = page.path().stem();
+    ++models;
+    EXPECT_TRUE(fs::exists(repository / "src/forces" / (name + ".h"))) << name;
+    EXPECT_TRUE(fs::exists(repository / "src/forces" / (name + ".cpp"))) << name;
+    EXPECT_TRUE(fs::exists(repository / "tests/forces" / (name + "_test.cpp"))) << name;
+  }
+  EXPECT_GE(models, 2);
+}
+
+TEST(Layout, a_subcommand_has_a_test_of_its_name) {
+  for (const fs::path& file : sources(repository / "src" / "cli")) {
+    const std::string name = file.stem();
+    const bool command = read(file).find("void add_" + name + "_command(") != std::string::npos;
+    if (!command || file.extension() != ".cpp") continue;
+    EXPECT_TRUE(fs::exists(repository / "tests/cli" / (name + "_test.cpp"))) << name;
+  }
+}
+
+}  // namespace

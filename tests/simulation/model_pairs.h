@@ -1,0 +1,100 @@
+#pragma once
+
+// Every resistance and every constraint that a case can choose, in the variants that behave differently.
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "tests/simulation/slab_patient.h"
+
+#include "anatomy/case.h"
+#include "io/tissue_library_file.h"
+
+namespace bodkin {
+
+struct NamedResistance {
+  std::string name;
+  ResistanceSettings settings;
+  ForceParts parts;
+  bool active = false;  // documented: may give energy on closed paths
+};
+
+inline void PrintTo(const NamedResistance& resistance, std::ostream* out) {
+  *out << resistance.name;
+}
+
+inline std::vector<NamedResistance> all_resistances() {
+  ForceParts rubbing, relaxing;
+  rubbing.shaft_friction.emplace();
+  relaxing.relaxation = {{0.4, 0.2}, {0.2, 2.0}};
+  return {{"layered", LayeredSettings{}, {}},
+          {"layered_sum", LayeredSettings{.law = LayeredLaw::sum}, {}},
+          {"layered_strict", LayeredSettings{.strict = true}, {}},
+          {"spring_damper_wall", SpringDamperWallSettings{.damping = 0.0001}, {}},
+          {"spring_damper_wall_relaxing", SpringDamperWallSettings{.damping = 0.0}, relaxing},
+          {"tracking_wall", TrackingWallSettings{}, {}},
+          {"tracking_wall_rubbing", TrackingWallSettings{}, rubbing},
+          {"tracking_wall_relaxing", TrackingWallSettings{.catch_up = 1e6}, relaxing},
+          {"tracking_wall_strict", TrackingWallSettings{.strict = true}, {}, true},
+          {"tracking_wall_leash", TrackingWallSettings{.leash = true}, {}},
+          {"depth_profile", DepthProfileSettings{}, {}},
+          {"depth_profile_rubbing", DepthProfileSettings{}, rubbing},
+          {"volume_proxy_drag", VolumeProxySettings{}, {}},
+          {"volume_proxy_viscous", VolumeProxySettings{.variant = ProxyVariant::viscous}, {}},
+          {"volume_proxy_two_sided", VolumeProxySettings{.two_sided = true}, {}},
+          {"volume_proxy_of_value",
+           VolumeProxySettings{.transfer = {{0.0, {}}, {0.4, {0.8, 0.2, 0.2, 0.0}}, {1.0, {6.0, 4.0, 0.5, 0.0}}}},
+           {}},
+          {"three_component", ThreeComponentSettings{}, {}},
+          {"fracture", FractureSettings{}, {}},
+          {"fracture_rubbing", FractureSettings{}, rubbing},
+          {"shaft_friction", ShaftFrictionSettings{}, {}}};
+}
+
+struct NamedConstraint {
+  std::string name;
+  ConstraintSettings settings;
+  bool active = false;  // documented: its stiffness changes with depth at no cost along the needle
+};
+
+inline void PrintTo(const NamedConstraint& constraint, std::ostream* out) {
+  *out << constraint.name;
+}
+
+inline std::vector<NamedConstraint> all_constraints() {
+  return {{"line_spring", LineSpringSettings{}},
+          {"pivot", PivotSettings{}, true},
+          {"rail", RailSettings{}, true},
+          {"beam", BeamSettings{}, true},
+          {"none", NoConstraint{}}};
+}
+
+// The slabs of slab_patient() with the tissues that come with Bodkin and a CT, 40 mm wide.
+inline Case patient_for(const NamedResistance& resistance, const NamedConstraint& constraint, double rate = 1000.0) {
+  Case patient;
+  patient.library = default_tissue_library();
+  const std::vector<TissueId> slabs = spine_slabs();
+  Grid grid;
+  grid.size = {40, 40, static_cast<int>(slabs.size()) + 8};
+  grid.origin = {-19.5, -19.5, -7.5};
+  patient.tissues = TissueVolume(grid);
+  patient.ct = CtVolume(grid);
+  for (int k = 0; k < grid.size[2]; ++k) {
+    const TissueId id = k < 8 ? tissue::air : slabs[static_cast<std::size_t>(k - 8)];
+    const auto hounsfield = static_cast<std::int16_t>(patient.library.find(id)->hounsfield);
+    for (int j = 0; j < grid.size[1]; ++j) {
+      for (int i = 0; i < grid.size[0]; ++i) {
+        patient.tissues.at(i, j, k) = id;
+        patient.ct.at(i, j, k) = hounsfield;
+      }
+    }
+  }
+  HapticSettings& haptics = patient.description.haptics;
+  haptics.rate = rate;
+  haptics.resistance = resistance.settings;
+  haptics.parts = resistance.parts;
+  haptics.constraint = constraint.settings;
+  return patient;
+}
+
+}  // namespace bodkin

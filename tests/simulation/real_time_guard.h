@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+
+namespace bodkin {
+
+// While one lives, every heap allocation, release and lock of this thread is counted. The test program defines malloc
+// and its kin and pthread's lock functions itself, so nothing passes unseen, in whatever library it happens.
+class RealTimeGuard {
+ public:
+  RealTimeGuard() noexcept;
+  ~RealTimeGuard();
+  RealTimeGuard(const RealTimeGuard&) = delete;
+  RealTimeGuard& operator=(const RealTimeGuard&) = delete;
+
+  static std::size_t heap_calls() noexcept;  // by this thread while guarded, since the last guard began
+  static std::size_t lock_calls() noexcept;
+  // False under a sanitizer, which needs these functions for itself.
+  static bool available() noexcept;
+};
+
+}  // namespace bodkin
