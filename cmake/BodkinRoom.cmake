@@ -1,7 +1,8 @@
-# bodkin_room(NAME [FOLDERS dir...] [LINK target...] [PRIVATE_LINK target...])
+# bodkin_room(NAME [PARSES] [FOLDERS dir...] [LINK target...] [PRIVATE_LINK target...])
 #
 # Makes the static library bodkin_NAME (alias bodkin::NAME) from every source file of the calling folder, or of the
-# FOLDERS below it. LINK is for what public headers need, PRIVATE_LINK for what only source files need.
+# FOLDERS below it. LINK is for what public headers need, PRIVATE_LINK for what only source files need. PARSES: the
+# room reads foreign bytes, so the fuzzers want to see which of its branches they have reached.
 
 set(BODKIN_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual
     -Woverloaded-virtual -Wimplicit-fallthrough
@@ -21,13 +22,10 @@ function(bodkin_settings target)
                            -fno-sanitize-recover=all)
     target_link_options(${target} PUBLIC -fsanitize=${BODKIN_SANITIZERS})
   endif()
-  if(BODKIN_FUZZERS)
-    target_compile_options(${target} PUBLIC -fsanitize=fuzzer-no-link)
-  endif()
 endfunction()
 
 function(bodkin_room name)
-  cmake_parse_arguments(ARG "" "" "FOLDERS;LINK;PRIVATE_LINK" ${ARGN})
+  cmake_parse_arguments(ARG "PARSES" "" "FOLDERS;LINK;PRIVATE_LINK" ${ARGN})
   if(NOT ARG_FOLDERS)
     set(ARG_FOLDERS ".")
   endif()
@@ -43,4 +41,7 @@ function(bodkin_room name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/bodkin>)
   target_link_libraries(bodkin_${name} PUBLIC ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK})
   bodkin_settings(bodkin_${name})
+  if(BODKIN_FUZZERS AND ARG_PARSES)
+    target_compile_options(bodkin_${name} PRIVATE -fsanitize=fuzzer-no-link)
+  endif()
 endfunction()

@@ -6,7 +6,7 @@ cd "$root"
 source scripts/packages.sh
 export CCACHE_BASEDIR="$root"
 
-say() { printf '\033[1m==>\033[0m %s\n' "$*" >&2; }
+say() { printf '\033[1m==>\033[0m %s\033[2m [%d:%02d]\033[0m\n' "$*" $((SECONDS / 60)) $((SECONDS % 60)) >&2; }
 
 # install_packages NAME...: installs those that are missing.
 install_packages() {

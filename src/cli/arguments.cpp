@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -32,8 +33,8 @@ std::optional<Number> number_of(const std::string& text) {
 }
 
 template <typename Number>
-CLI::Option* add_range(CLI::App& command, const std::string& name, Number& value, Number low, Number high,
-                       const std::string& expected, const std::string& help) {
+Argument add_range(CLI::App& command, const std::string& name, Number& value, Number low, Number high,
+                   const std::string& expected, const std::string& help) {
   const std::string said = spoken(name);
   CLI::Option* option = command.add_option_function<std::string>(
       name,
@@ -45,7 +46,7 @@ CLI::Option* add_range(CLI::App& command, const std::string& name, Number& value
         value = *number;
       },
       help);
-  return option->default_str(fmt::format("{}", value))->type_name("NUMBER");
+  return Argument(option->default_str(fmt::format("{}", value))->type_name("NUMBER"));
 }
 
 // The names of the commands that may follow.
@@ -100,7 +101,40 @@ std::string about(const CLI::App& command, const std::string& name) {
 
 }  // namespace
 
-CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& value, const std::string& help) {
+Argument& Argument::required() {
+  option_->required();
+  return *this;
+}
+
+Argument& Argument::without_default() {
+  option_->default_str("");
+  return *this;
+}
+
+Argument& Argument::separated_by_commas(const std::string& type_name) {
+  option_->delimiter(',')->type_name(type_name);
+  return *this;
+}
+
+bool Argument::given() const {
+  return option_->count() > 0;
+}
+
+CLI::App* add_command(CLI::App& parent, const std::string& name, const std::string& help, const std::string& footer) {
+  CLI::App* command = parent.add_subcommand(name, help);
+  command->footer(footer);
+  return command;
+}
+
+void need_command(CLI::App& command) {
+  command.require_subcommand(1);
+}
+
+void on_run(CLI::App& command, std::function<void()> work) {
+  command.callback(std::move(work));
+}
+
+Argument add_text(CLI::App& command, const std::string& name, std::string& value, const std::string& help) {
   const std::string said = spoken(name);
   CLI::Option* option = command.add_option_function<std::string>(
       name,
@@ -112,11 +146,11 @@ CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& v
         value = text;
       },
       help);
-  return option->default_str(value)->type_name("TEXT");
+  return Argument(option->default_str(value)->type_name("TEXT"));
 }
 
-CLI::Option* add_texts(CLI::App& command, const std::string& name, std::vector<std::string>& values,
-                       const std::string& help) {
+Argument add_texts(CLI::App& command, const std::string& name, std::vector<std::string>& values,
+                   const std::string& help) {
   const std::string said = spoken(name);
   CLI::Option* option = command.add_option_function<std::vector<std::string>>(
       name,
@@ -128,24 +162,24 @@ CLI::Option* add_texts(CLI::App& command, const std::string& name, std::vector<s
         values = texts;
       },
       help);
-  return option->allow_extra_args(false)->type_name("TEXT");
+  return Argument(option->allow_extra_args(false)->type_name("TEXT"));
 }
 
-CLI::Option* add_number(CLI::App& command, const std::string& name, double& value, double low, double high,
-                        const std::string& help) {
+Argument add_number(CLI::App& command, const std::string& name, double& value, double low, double high,
+                    const std::string& help) {
   return add_range(command, name, value, low, high, fmt::format("a number from {} to {}", low, high), help);
 }
 
-CLI::Option* add_whole_number(CLI::App& command, const std::string& name, std::int64_t& value, std::int64_t low,
-                              std::int64_t high, const std::string& help) {
+Argument add_whole_number(CLI::App& command, const std::string& name, std::int64_t& value, std::int64_t low,
+                          std::int64_t high, const std::string& help) {
   const bool open = high == std::numeric_limits<std::int64_t>::max();
   const std::string expected =
       open ? fmt::format("a whole number from {}", low) : fmt::format("a whole number from {} to {}", low, high);
   return add_range(command, name, value, low, high, expected, help);
 }
 
-CLI::Option* add_switch(CLI::App& command, const std::string& name, bool& value, const std::string& help) {
-  return command.add_flag(name, value, help)->disable_flag_override();
+Argument add_switch(CLI::App& command, const std::string& name, bool& value, const std::string& help) {
+  return Argument(command.add_flag(name, value, help)->disable_flag_override());
 }
 
 Vec3 parse_point(const std::string& text, const std::string& option) {

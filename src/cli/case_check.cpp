@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -54,11 +53,10 @@ void check(const std::string& folder, CommandContext& context) {
 }  // namespace
 
 void add_case_check_command(CLI::App& case_group, CommandContext& context) {
-  CLI::App* command = case_group.add_subcommand("check", "Find everything that is wrong with a case folder");
-  command->footer(examples);
+  CLI::App* command = add_command(case_group, "check", "Find everything that is wrong with a case folder", examples);
   auto folder = std::make_shared<std::string>();
-  add_text(*command, "CASE", *folder, "Folder of the case")->required();
-  command->callback([folder, &context] { check(*folder, context); });
+  add_text(*command, "CASE", *folder, "Folder of the case").required();
+  on_run(*command, [folder, &context] { check(*folder, context); });
 }
 
 }  // namespace bodkin

@@ -1,6 +1,5 @@
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.h"
@@ -50,10 +49,10 @@ void run(const Options& options, const CommandContext& context) {
 }  // namespace
 
 void add_case_new_command(CLI::App& case_group, CommandContext& context) {
-  CLI::App* command = case_group.add_subcommand("new", "Make a case from a CT, with or without labels");
+  CLI::App* command = add_command(case_group, "new", "Make a case from a CT, with or without labels", footer);
   const auto options = std::make_shared<Options>();
   add_new_case_options(*command, options->common);
-  add_text(*command, "--ct", options->ct, "CT: DICOM folder, NIfTI, NRRD or MetaImage")->required();
+  add_text(*command, "--ct", options->ct, "CT: DICOM folder, NIfTI, NRRD or MetaImage").required();
   add_text(*command, "--labels", options->labels, "Segmentation of this CT, in any of the same formats");
   add_text(*command, "--scheme", options->scheme,
            "What the labels mean: totalsegmentator (default), tptbox, or a CSV file with the columns "
@@ -63,13 +62,12 @@ void add_case_new_command(CLI::App& case_group, CommandContext& context) {
            "Bodkin)");
   add_whole_number(*command, "--series", options->series, 1, 100000,
                    "Which series of a DICOM folder, counted from 1 as it is listed")
-      ->default_str("");
+      .without_default();
   add_switch(*command, "--resample-labels", options->resample_labels,
              "Take the nearest label at each CT voxel when the labels lie on other voxels");
   add_switch(*command, "--fill-missing", options->fill_missing, "Interpolate missing slices");
   add_switch(*command, "--assume-hu", options->assume_hu, "Take the values as HU even if they do not look like it");
-  command->footer(footer);
-  command->callback([options, &context] { run(*options, context); });
+  on_run(*command, [options, &context] { run(*options, context); });
 }
 
 }  // namespace bodkin

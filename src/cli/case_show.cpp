@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -200,11 +199,10 @@ void add_case_show_command(CLI::App& case_group, CommandContext& context) {
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
-      case_group.add_subcommand("show", "What is in a case, as text and as a picture of three slices");
-  command->footer(footer);
-  add_text(*command, "CASE", arguments->folder, "Folder of the case")->required();
+      add_command(case_group, "show", "What is in a case, as text and as a picture of three slices", footer);
+  add_text(*command, "CASE", arguments->folder, "Folder of the case").required();
   add_text(*command, "-o,--output", arguments->output, "The picture, .png or .svg (default: NAME.png)");
-  command->callback([arguments, &context] { run(arguments->folder, arguments->output, context); });
+  on_run(*command, [arguments, &context] { run(arguments->folder, arguments->output, context); });
 }
 
 }  // namespace bodkin

@@ -2,7 +2,6 @@
 #include <limits>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.h"
@@ -43,9 +42,10 @@ void run(const Options& options, const CommandContext& context) {
 }  // namespace
 
 void add_case_synthesize_command(CLI::App& case_group, CommandContext& context) {
-  CLI::App* group = case_group.add_subcommand("synthesize", "Make a patient from nothing but parameters and a seed");
-  group->require_subcommand(1);
-  CLI::App* command = group->add_subcommand("lumbar", "A lumbar torso, L1 to the sacrum, for lumbar puncture");
+  CLI::App* group =
+      add_command(case_group, "synthesize", "Make a patient from nothing but parameters and a seed", footer);
+  need_command(*group);
+  CLI::App* command = add_command(*group, "lumbar", "A lumbar torso, L1 to the sacrum, for lumbar puncture", footer);
   const auto options = std::make_shared<Options>();
   LumbarParameters& parameters = options->parameters;
   add_new_case_options(*command, options->common);
@@ -56,9 +56,7 @@ void add_case_synthesize_command(CLI::App& case_group, CommandContext& context) 
   add_number(*command, "--weight", parameters.weight, 40.0, 160.0, "kg, 40 to 160");
   add_number(*command, "--flexion", parameters.flexion, 0.0, 1.0, "0 = straight, 1 = fully curled");
   add_number(*command, "--spacing", parameters.spacing, 0.5, 3.0, "mm, of the voxels, 0.5 to 3");
-  group->footer(footer);
-  command->footer(footer);
-  command->callback([options, &context] { run(*options, context); });
+  on_run(*command, [options, &context] { run(*options, context); });
 }
 
 }  // namespace bodkin

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -32,7 +31,7 @@ struct Arguments {
   std::vector<std::string> models, parts;
   std::string constraint;
   double withdraw_speed = 0.0;
-  CLI::Option* withdraw_speed_option = nullptr;
+  Argument withdraw_speed_given;
   bool no_reinsert = false;
   CompareOptions options;
 };
@@ -140,7 +139,7 @@ void run(const Arguments& arguments, const CommandContext& context) {
   CompareOptions options = arguments.options;
   if (!arguments.entry.empty()) options.entry = parse_point(arguments.entry, "--entry");
   if (!arguments.target.empty()) options.target = parse_point(arguments.target, "--target");
-  if (arguments.withdraw_speed_option->count() > 0) options.withdraw_speed = arguments.withdraw_speed;
+  if (arguments.withdraw_speed_given.given()) options.withdraw_speed = arguments.withdraw_speed;
   if (!arguments.constraint.empty()) options.constraint = parse_constraint(arguments.constraint, "--constraint");
   if (!arguments.parts.empty()) options.parts = parse_parts(arguments.parts, "--part");
   options.reinsert = !arguments.no_reinsert;
@@ -178,28 +177,27 @@ void run(const Arguments& arguments, const CommandContext& context) {
 void add_compare_command(CLI::App& app, CommandContext& context) {
   auto arguments = std::make_shared<Arguments>();
   CompareOptions& options = arguments->options;
-  CLI::App* command = app.add_subcommand("compare", "One motion through every force model: figures, table and plot");
-  command->footer(footer);
-  add_text(*command, "CASE", arguments->folder, "Folder of the case")->required();
+  CLI::App* command =
+      add_command(app, "compare", "One motion through every force model: figures, table and plot", footer);
+  add_text(*command, "CASE", arguments->folder, "Folder of the case").required();
   add_text(*command, "--entry", arguments->entry, "Where the path begins, x,y,z in LPS mm (default: as planned)");
   add_text(*command, "--target", arguments->target, "Where it ends, x,y,z in LPS mm (default: as planned)");
   add_texts(*command, "--models", arguments->models,
             fmt::format("All of them, or some of {}; or NAME SETTING=VALUE ... (default: all)",
                         fmt::join(compared_names(), ", ")))
-      ->delimiter(',')
-      ->type_name("NAME,NAME,...");
+      .separated_by_commas("NAME,NAME,...");
   add_text(*command, "--constraint", arguments->constraint,
            "Another force that keeps the needle on its path than the case's: \"NAME SETTING=VALUE ...\"");
   add_texts(*command, "--part", arguments->parts,
             "Another addition to every resistance, may be repeated; \"none\" leaves out the case's");
   add_number(*command, "--speed", options.speed, 0.5, 500.0, "mm/s inwards, 0.5 to 500");
-  arguments->withdraw_speed_option = add_number(*command, "--withdraw-speed", arguments->withdraw_speed, 0.5, 500.0,
-                                                "mm/s outwards, 0.5 to 500 (default: as --speed)");
-  arguments->withdraw_speed_option->default_str("");
+  arguments->withdraw_speed_given = add_number(*command, "--withdraw-speed", arguments->withdraw_speed, 0.5, 500.0,
+                                               "mm/s outwards, 0.5 to 500 (default: as --speed)");
+  arguments->withdraw_speed_given.without_default();
   add_number(*command, "--pause", options.pause, 0.0, 60.0, "s at the deepest point, 0 to 60");
   add_switch(*command, "--no-reinsert", arguments->no_reinsert, "End with the withdrawal");
   add_text(*command, "-o,--output", arguments->output, "BASE of BASE.csv and BASE.svg (default: compare)");
-  command->callback([arguments, &context] { run(*arguments, context); });
+  on_run(*command, [arguments, &context] { run(*arguments, context); });
 }
 
 }  // namespace bodkin

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -114,12 +113,11 @@ void run(const Arguments& arguments, const CommandContext& context) {
 
 void add_export_command(CLI::App& app, CommandContext& context) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("export", "Write a session as CSV");
-  command->footer(footer);
-  add_text(*command, "SESSION", arguments->session, "Session file")->required();
+  CLI::App* command = add_command(app, "export", "Write a session as CSV", footer);
+  add_text(*command, "SESSION", arguments->session, "Session file").required();
   add_text(*command, "--csv", arguments->ticks, "A row per tick; '-' for standard output");
   add_text(*command, "--events", arguments->events, "A row per event; '-' for standard output");
-  command->callback([arguments, &context] { run(*arguments, context); });
+  on_run(*command, [arguments, &context] { run(*arguments, context); });
 }
 
 }  // namespace bodkin

@@ -2,7 +2,6 @@
 #include <memory>
 #include <set>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -104,12 +103,11 @@ void run(const Arguments& arguments, const CommandContext& context) {
 
 void add_figures_command(CLI::App& app, CommandContext& context) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("figures", "Play published experiments again and plot them");
-  command->footer(footer);
-  add_text(*command, "DIR", arguments->folder, "Folder for the pictures, tables and index.html")->required();
+  CLI::App* command = add_command(app, "figures", "Play published experiments again and plot them", footer);
+  add_text(*command, "DIR", arguments->folder, "Folder for the pictures, tables and index.html").required();
   add_texts(*command, "--experiment", arguments->files,
             "Experiment file instead of those that come with Bodkin, may be repeated");
-  command->callback([arguments, &context] { run(*arguments, context); });
+  on_run(*command, [arguments, &context] { run(*arguments, context); });
 }
 
 }  // namespace bodkin

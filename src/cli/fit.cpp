@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -181,23 +180,23 @@ void run(const Arguments& arguments, const CommandContext& context) {
 
 void add_fit_command(CLI::App& app, CommandContext& context) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("fit", "Parameters of a force model from a measured force-depth curve");
-  command->footer(footer);
+  CLI::App* command =
+      add_command(app, "fit", "Parameters of a force model from a measured force-depth curve", footer);
   FitRequest& request = arguments->request;
-  add_text(*command, "MODEL", arguments->model, "Name of the force model")->required();
-  add_text(*command, "CURVE", arguments->curve, "CSV table of the measurement")->required();
+  add_text(*command, "MODEL", arguments->model, "Name of the force model").required();
+  add_text(*command, "CURVE", arguments->curve, "CSV table of the measurement").required();
   add_number(*command, "--from", request.from, -1000.0, 1000.0, "Only samples from this depth count, mm")
-      ->default_str("");
-  add_number(*command, "--to", request.to, -1000.0, 1000.0, "Only samples to this depth count, mm")->default_str("");
+      .without_default();
+  add_number(*command, "--to", request.to, -1000.0, 1000.0, "Only samples to this depth count, mm").without_default();
   add_number(*command, "--speed", arguments->speed, 0.01, 1000.0, "mm/s of a curve without times, 0.01 to 1000")
-      ->default_str("");
+      .without_default();
   add_number(*command, "--resolution", request.resolution, 0.0, 1.0, "Step of the measured depth, mm, 0 to 1");
   add_texts(*command, "--fix", arguments->fix, "Keep a parameter at a value, name=value");
   add_texts(*command, "--start", arguments->start, "Begin with a value, name=value");
   add_texts(*command, "--bounds", arguments->bounds, "Keep a parameter within name=low:high");
   add_texts(*command, "--free", request.free, "Fit a parameter that the model usually keeps");
   add_text(*command, "-o,--output", arguments->output, "BASE of BASE.svg and BASE.xml (default: fit)");
-  command->callback([arguments, &context] { run(*arguments, context); });
+  on_run(*command, [arguments, &context] { run(*arguments, context); });
 }
 
 }  // namespace bodkin

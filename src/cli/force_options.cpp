@@ -1,6 +1,5 @@
 #include "cli/force_options.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -55,7 +54,7 @@ void say_summary(const json& result, const Console& console, const std::string& 
 }  // namespace
 
 void add_new_case_options(CLI::App& command, NewCaseOptions& options) {
-  add_text(command, "DIR", options.folder, "Folder of the case; it must not exist yet")->required();
+  add_text(command, "DIR", options.folder, "Folder of the case; it must not exist yet").required();
   add_text(command, "--name", options.name, "Name of the patient (default: the folder's)");
   add_text(command, "--entry", options.entry, "Where the planned path enters the skin: x,y,z in LPS mm");
   add_text(command, "--target", options.target, "Where the needle's tip should end: x,y,z in LPS mm");

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -123,9 +122,9 @@ void run(const Arguments& arguments, const CommandContext& context) {
 
 void add_profile_command(CLI::App& app, CommandContext& context) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("profile", "Force against depth of a needle driven in at constant speed");
-  command->footer(footer);
-  add_text(*command, "CASE", arguments->folder, "Folder of the case")->required();
+  CLI::App* command =
+      add_command(app, "profile", "Force against depth of a needle driven in at constant speed", footer);
+  add_text(*command, "CASE", arguments->folder, "Folder of the case").required();
   add_text(*command, "--entry", arguments->entry, "Where the path begins, x,y,z in LPS mm (default: as planned)");
   add_text(*command, "--target", arguments->target, "Where it ends, x,y,z in LPS mm (default: as planned)");
   add_number(*command, "--speed", arguments->options.speed, 0.5, 500.0, "mm/s, 0.5 to 500");
@@ -134,7 +133,7 @@ void add_profile_command(CLI::App& app, CommandContext& context) {
   add_switch(*command, "--withdraw", arguments->options.withdraw, "Pull the needle out again at the same speed");
   add_text(*command, "-o,--output", arguments->output, "BASE of BASE.csv and BASE.svg (default: profile)");
   add_force_options(*command, arguments->forces);
-  command->callback([arguments, &context] { run(*arguments, context); });
+  on_run(*command, [arguments, &context] { run(*arguments, context); });
 }
 
 }  // namespace bodkin

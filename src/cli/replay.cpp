@@ -3,7 +3,6 @@
 #include <memory>
 #include <utility>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -63,11 +62,11 @@ int run(const Arguments& arguments, const CommandContext& context) {
 
 void add_replay_command(CLI::App& app, CommandContext& context) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("replay", "Recompute a session and prove that it is the same to the bit");
-  command->footer(footer);
-  add_text(*command, "SESSION", arguments->session, "Session file")->required();
+  CLI::App* command =
+      add_command(app, "replay", "Recompute a session and prove that it is the same to the bit", footer);
+  add_text(*command, "SESSION", arguments->session, "Session file").required();
   add_text(*command, "--case", arguments->case_folder, "Folder of the case (default: as the session says)");
-  command->callback([arguments, &context] { context.exit_code = run(*arguments, context); });
+  on_run(*command, [arguments, &context] { context.exit_code = run(*arguments, context); });
 }
 
 }  // namespace bodkin

@@ -6,7 +6,6 @@
 #include <iterator>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -151,13 +150,12 @@ void run(const Arguments& arguments, const CommandContext& context) {
 
 void add_report_command(CLI::App& app, CommandContext& context) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("report", "What happened in a session, as one HTML file");
-  command->footer(footer);
-  add_text(*command, "SESSION", arguments->session, "File of the session")->required();
+  CLI::App* command = add_command(app, "report", "What happened in a session, as one HTML file", footer);
+  add_text(*command, "SESSION", arguments->session, "File of the session").required();
   add_text(*command, "--case", arguments->folder, "Folder of the case (default: where it was recorded)");
   add_text(*command, "-o,--output", arguments->output, "The report (default: beside the session, ending .html)");
   add_switch(*command, "--open", arguments->open, "Open the report when there is a display");
-  command->callback([arguments, &context] { run(*arguments, context); });
+  on_run(*command, [arguments, &context] { run(*arguments, context); });
 }
 
 }  // namespace bodkin

@@ -5,7 +5,6 @@
 #include <limits>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -219,9 +218,8 @@ void run(Arguments arguments, const CommandContext& context) {
 void add_run_command(CLI::App& app, CommandContext& context) {
   auto arguments = std::make_shared<Arguments>();
   RunSettings& settings = arguments->settings;
-  CLI::App* command = app.add_subcommand("run", "A simulated hand performs the procedure and is recorded");
-  command->footer(footer);
-  add_text(*command, "CASE", arguments->folder, "Folder of the case")->required();
+  CLI::App* command = add_command(app, "run", "A simulated hand performs the procedure and is recorded", footer);
+  add_text(*command, "CASE", arguments->folder, "Folder of the case").required();
   add_text(*command, "--operator", arguments->operator_name, "expert, novice, or an operator file");
   add_whole_number(*command, "--seed", arguments->seed, 0, std::numeric_limits<std::int64_t>::max(),
                    "What chance is made from: errors of aim, tremor, reaction times");
@@ -233,7 +231,7 @@ void add_run_command(CLI::App& app, CommandContext& context) {
   add_force_options(*command, arguments->forces);
   add_number(*command, "--max-time", settings.longest, 1.0, 3600.0,
              "s of simulated time after which the run ends, 1 to 3600");
-  command->callback([arguments, &context] { run(*arguments, context); });
+  on_run(*command, [arguments, &context] { run(*arguments, context); });
 }
 
 }  // namespace bodkin

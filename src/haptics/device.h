@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "core/geometry.h"
+
+namespace bodkin {
+
+// The operator's frame, in which every device speaks to Bodkin: right-handed, +X to the operator's right, +Y away
+// from the operator, +Z up, origin in the middle of the device's workspace, mm. A vendor's own axes and units exist
+// only in its driver.
+
+// What is wrong with a device. Whatever it is, the force goes to zero until the hand is armed again.
+enum class DeviceFault : std::uint8_t {
+  none,
+  not_installed,   // the vendor's library or service is not there
+  not_connected,   // the device is not there
+  not_calibrated,  // it does not know where it is
+  busy,            // another program holds it
+  no_permission,
+  wrong_version,       // of the vendor's library or service
+  communication_lost,  // unplugged, or it has stopped answering
+  overheated,
+  force_limit,
+  velocity_limit,
+  emergency_stop,
+  bad_data,  // a pose that is not finite or cannot be
+  vendor_error
+};
+
+// "communication lost"
+std::string_view text_of(DeviceFault fault) noexcept;
+
+// What a device can do; its driver or its profile says so. 0 where nothing is known.
+struct DeviceAbilities {
+  std::string name;                    // of the model: "Touch"
+  std::string serial;                  // may be empty
+  double peak_force = 0.0;             // N; 0 = the device renders no force
+  double continuous_force = 0.0;       // N
+  double peak_torque = 0.0;            // N mm; 0 = it renders no torque
+  double stiffness = 0.0;              // N/mm that it renders stably
+  double damping = 0.0;                // N s/mm, likewise
+  double resolution = 0.0;             // mm
+  double rate = 1000.0;                // Hz
+  Vec3 workspace_low = Vec3::Zero();   // mm, operator's frame; both zero = unknown
+  Vec3 workspace_high = Vec3::Zero();  // mm
+  bool measures_rotation = false;
+  bool has_dead_man = false;  // it senses the hand that holds it
+  bool owns_loop = false;     // the vendor's thread calls our tick
+};
+
+// One reading of a device.
+struct DeviceState {
+  Pose hand = Pose::Identity();  // the tool in the operator's frame, mm; third axis hub to tip
+  Vec3 velocity = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());  // mm/s; NaN = the device does not tell
+  std::uint32_t buttons = 0;                                                 // bit n: button n is pressed
+  bool held = true;          // the dead-man's switch, true where there is none
+  double temperature = 0.0;  // of the motors, 0 cold to 1 hot
+  DeviceFault fault = DeviceFault::none;
+};
+
+}  // namespace bodkin
