@@ -123,7 +123,8 @@ void print_tables(const Console& console, const Comparison& comparison, const Ti
                      two_digits(run.lowest), two_digits(run.largest_difference), two_digits(run.rms_difference)) +
                  "   " + place);
   }
-  console.line("\n" + row("N mm of work taken from", "", "", "", "", "punctures", ""));
+  console.line("");
+  console.line(row("N mm of work taken from", "", "", "", "", "punctures", ""));
   console.line(row("the hand", "insertion", "withdrawal", "in and out", "re-insert.", "in, again", "ns a tick *"));
   for (const ModelRun& run : comparison.models) {
     console.line(row(run.name, two_digits(run.work[0]), two_digits(run.work[2]), two_digits(run.closed_work),

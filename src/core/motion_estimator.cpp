@@ -17,8 +17,7 @@ constexpr double rounding_tolerance = 1e-6;  // mm; a noiseless input is straigh
 }  // namespace
 
 MotionEstimator::MotionEstimator(double dt, double resolution)
-    : dt_(dt),
-      tolerance_(resolution + rounding_tolerance),
+    : tolerance_(resolution + rounding_tolerance),
       threshold_(resolution > 0.0 ? device_threshold : noiseless_threshold),
       window_(std::clamp(static_cast<int>(std::lround(longest_window / dt)), 1, static_cast<int>(capacity) - 1)),
       dwell_(std::max(1, static_cast<int>(std::lround(dwell_time / dt)))),

@@ -35,7 +35,7 @@ class MotionEstimator {
 
   double slope() const noexcept;
 
-  double dt_, tolerance_, threshold_;
+  double tolerance_, threshold_;
   int window_;  // samples, the longest window
   int dwell_;   // ticks below the threshold that make a rest
   OnePole filter_;

@@ -33,7 +33,7 @@ constexpr std::uint64_t memory_limit = 6ULL << 30U;
 
 ChildLimits limits() {
   ChildLimits result;
-#ifndef __SANITIZE_ADDRESS__  // its shadow memory alone is larger
+#ifndef BODKIN_ADDRESS_SANITIZER  // its shadow memory alone is larger
   result.memory = memory_limit;
 #endif
   return result;

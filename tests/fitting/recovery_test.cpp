@@ -10,7 +10,7 @@
 namespace bodkin {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(BODKIN_ADDRESS_SANITIZER) || defined(BODKIN_THREAD_SANITIZER)
 constexpr int trials = 10;
 #else
 constexpr int trials = 100;

@@ -279,7 +279,7 @@ TEST(DamagedFiles, no_mangled_file_gets_past_the_isolated_reader) {
     }
   }
   getrusage(RUSAGE_CHILDREN, &after);
-#ifndef __SANITIZE_ADDRESS__                                             // which keeps what is freed
+#ifndef BODKIN_ADDRESS_SANITIZER                                         // which keeps what is freed
   EXPECT_LE(after.ru_maxrss, std::max(before.ru_maxrss, 256L * 1024L));  // KiB; files of a few hundred bytes
 #endif
   EXPECT_GT(refused, 50);

@@ -60,7 +60,7 @@ void write_series(const SyntheticPatient& patient, const test::ScratchFolder& fo
 }
 
 TEST(LargeImport, a_clinical_series_with_labels_takes_seconds_and_less_than_two_and_a_half_gigabytes) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(BODKIN_ADDRESS_SANITIZER) || defined(BODKIN_THREAD_SANITIZER)
   GTEST_SKIP() << "time and memory mean nothing under a sanitizer";
 #endif
   setenv("BODKIN_IMAGES_WORKER", BODKIN_BUILD "/bin/bodkin-images", 0);

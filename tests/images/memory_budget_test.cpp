@@ -9,7 +9,7 @@
 namespace bodkin {
 namespace {
 
-#ifndef __SANITIZE_ADDRESS__
+#ifndef BODKIN_ADDRESS_SANITIZER
 
 void take(std::size_t bytes) {
   std::pmr::memory_resource& memory = *std::pmr::new_delete_resource();

@@ -108,7 +108,7 @@ TEST(LumbarSynthesis, the_planned_path_keeps_clear_of_bone_for_every_flexed_pati
 TEST(LumbarSynthesis, voxels_along_the_planned_path_hold_no_bone_and_end_in_the_fluid) {
   const TissueLibrary library = default_tissue_library();
   Random random(21);
-#ifdef __SANITIZE_ADDRESS__
+#ifdef BODKIN_ADDRESS_SANITIZER
   constexpr int coarse = 5,
                 fine = 1;  // the plain build looks at the anatomy of many, this one at the memory of a few
 #else

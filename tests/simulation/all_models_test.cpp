@@ -18,7 +18,7 @@ namespace bodkin {
 namespace {
 
 // A sanitizer takes thirty times as long and looks for something else: every model once is enough for it.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(BODKIN_ADDRESS_SANITIZER) || defined(BODKIN_THREAD_SANITIZER)
 constexpr bool sanitized = true;
 constexpr int closed_paths = 1000;  // in all
 constexpr int reversals = 1500;

@@ -24,8 +24,6 @@ namespace bodkin {
 namespace {
 
 constexpr std::size_t header_size = 348;
-constexpr double deflate_limit =
-    1100.0;                             // deflate cannot lengthen by more than 1032 (zlib manual); with the container
 constexpr double largest_shear = 1e-3;  // cosine between two axes of an affine that is still called orthogonal
 
 using Bytes = std::array<unsigned char, header_size>;

@@ -9,7 +9,7 @@
 namespace bodkin {
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef BODKIN_ADDRESS_SANITIZER
 constexpr bool limits_memory = false;  // the sanitizer maps terabytes that it never touches
 #else
 constexpr bool limits_memory = true;
