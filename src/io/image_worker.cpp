@@ -27,14 +27,12 @@ using nlohmann::json;
 
 constexpr const char* worker_name = "bodkin-images";
 
-// Address space of the worker. The largest import (a 512-million-voxel CT) needs less; what a file's own bytes
+// Of the worker. The largest import (a 512-million-voxel CT) needs less address space; what a file's own bytes
 // justify is checked inside, before memory is taken.
-constexpr std::uint64_t memory_limit = 6ULL << 30U;
-
 ChildLimits limits() {
   ChildLimits result;
 #ifndef BODKIN_ADDRESS_SANITIZER  // its shadow memory alone is larger
-  result.memory = memory_limit;
+  result.memory = 6ULL << 30U;
 #endif
   return result;
 }
