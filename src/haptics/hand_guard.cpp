@@ -33,19 +33,18 @@ bool finite(const Wrench& wrench) noexcept {
   return std::isfinite(wrench.force.squaredNorm()) && std::isfinite(wrench.torque.squaredNorm());
 }
 
-// Finite, not metres away, and its rotation is one.
+Wrench scaled(const Wrench& wrench, double share) noexcept {
+  return {wrench.force * share, wrench.torque * share};
+}
+
+}  // namespace
+
 bool is_possible(const Pose& hand) noexcept {
   const Mat3 turn = hand.linear();
   const bool rotation =
       (turn.transpose() * turn - Mat3::Identity()).cwiseAbs().maxCoeff() < 1e-3 && turn.determinant() > 0.0;
   return hand.matrix().allFinite() && rotation && hand.translation().norm() < furthest;
 }
-
-Wrench scaled(const Wrench& wrench, double share) noexcept {
-  return {wrench.force * share, wrench.torque * share};
-}
-
-}  // namespace
 
 HandGuard::HandGuard(const GuardSettings& settings)
     : settings_((check(settings), settings)), motion_(settings.dt), oscillation_(settings.oscillation_amplitude) {

@@ -12,6 +12,9 @@
 
 namespace bodkin {
 
+// Whether a device can be there: finite, its rotation is one, and it is within 5 m of the workspace.
+bool is_possible(const Pose& hand) noexcept;
+
 // What goes into one tick.
 struct GuardInput {
   Wrench wanted;     // on the hand, operator's frame
