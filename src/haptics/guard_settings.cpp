@@ -35,6 +35,7 @@ GuardSettings guard_settings(const DeviceAbilities& abilities, double rate) {
   settings.peak_torque = abilities.peak_torque;
   settings.workspace_low = abilities.workspace_low;
   settings.workspace_high = abilities.workspace_high;
+  if (abilities.stiffness > 0.0) settings.stiffness = abilities.stiffness;
   settings.oscillation_amplitude = std::max(settings.oscillation_amplitude, counts_of_a_swing * abilities.resolution);
   return settings;
 }
@@ -65,6 +66,7 @@ void check(const GuardSettings& settings) {
   require(settings.frozen_time >= 0.0, "the time of unchanged readings", settings.frozen_time, "0 s or more");
   require(positive(settings.oscillation_amplitude), "the amplitude of a shake", settings.oscillation_amplitude,
           "more than 0 mm");
+  require(positive(settings.stiffness), "the stiffness", settings.stiffness, "more than 0 N/mm");
   require(positive(settings.thermal_time), "the thermal time", settings.thermal_time, "more than 0 s");
 }
 

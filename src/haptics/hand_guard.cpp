@@ -21,6 +21,7 @@ constexpr double fault_after = 0.050;  // s of age
 constexpr double rest_speed = 20.0;    // mm/s
 constexpr double rest_time = 0.050;    // s
 constexpr int fast_ticks = 3;
+constexpr double driven_swing = 4.0;       // times the smallest swing of a fast shake
 constexpr double workspace_margin = 10.0;  // mm
 constexpr double frozen_force = 0.5;       // N
 constexpr double calm_time = 10.0;         // s after which the whole force comes back
@@ -47,7 +48,10 @@ bool is_possible(const Pose& hand) noexcept {
 }
 
 HandGuard::HandGuard(const GuardSettings& settings)
-    : settings_((check(settings), settings)), motion_(settings.dt), oscillation_(settings.oscillation_amplitude) {
+    : settings_((check(settings), settings)),
+      motion_(settings.dt),
+      fast_(fast_shaking(settings.oscillation_amplitude)),
+      driven_(driven_shaking(driven_swing * settings.oscillation_amplitude, settings.stiffness, settings.dt)) {
   limited_.fill(never);
 }
 
@@ -101,7 +105,8 @@ void HandGuard::ramp_from_zero() noexcept {
   fast_ticks_ = 0;
   still_for_ = 0.0;
   applied_ = Wrench{};
-  oscillation_.reset();
+  fast_.reset();
+  driven_.reset();
 }
 
 // A simulation that is late is bridged for a while.
@@ -131,7 +136,9 @@ void HandGuard::watch_hand(double dt) noexcept {
     return fail(GuardReason::frozen, still_for_, settings_.frozen_time);
   }
   calm_for_ += dt;
-  if (oscillation_.step(motion_.moved(), applied_.force, dt)) {
+  const bool fast = fast_.step(motion_.moved(), applied_.force, dt);
+  const bool driven = driven_.step(motion_.moved(), applied_.force, dt);
+  if (fast || driven) {
     if (calm_ < 1.0) return fail(GuardReason::oscillation);
     calm_ = 0.5;
     calm_for_ = 0.0;

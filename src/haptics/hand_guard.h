@@ -90,7 +90,7 @@ class HandGuard {
 
   GuardSettings settings_;
   MotionWatch motion_;
-  OscillationWatch oscillation_;
+  OscillationWatch fast_, driven_;
   GuardState state_ = GuardState::disarmed;
   GuardReason fault_ = GuardReason::none;
   GuardEvents events_;

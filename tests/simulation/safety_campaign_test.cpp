@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <utility>
 
 #include "tests/simulation/safety_rig.h"
 #include <gtest/gtest.h>
@@ -39,6 +40,7 @@ bool is_long() {
 struct Tally {
   std::uint64_t ticks = 0, armed = 0;
   int trials = 0, refused = 0, holds = 0;
+  int calmed_at_rest = 0;      // shaking without a hand that shakes, on models that are passive
   double largest_share = 0.0;  // of the device's peak
   double worst_growth = 0.0;   // mm by which a hand at rest swung more from one fifth of a second to the next, twice
   std::array<long, static_cast<std::size_t>(GuardReason::count_of_reasons)> counts{};
@@ -62,7 +64,7 @@ class Swing {
 };
 
 // One thing that a hand does, for a while. Returns false at the first unsafe tick.
-bool misbehave(SafetyRig& rig, Tally& tally) {
+bool misbehave(SafetyRig& rig, bool passive, Tally& tally) {
   Random& random = rig.random;
   const auto step = [&] {
     rig.tick();
@@ -80,6 +82,7 @@ bool misbehave(SafetyRig& rig, Tally& tally) {
   if (kind == 5) rig.hand.hand_stiffness = 0.0;  // lets go
   if (kind == 6) rig.hand.hand_stiffness = 2.0;  // clenches
   std::array<Swing, 4> quarters;
+  const int calmed = rig.count(GuardReason::calming) + rig.count(GuardReason::oscillation);
   for (int i = 0; i < ticks; ++i) {
     const double way = std::min(std::abs(goal - here), speed * 0.001 * i);
     const double travelled = here + (goal > here ? way : -way);
@@ -94,6 +97,9 @@ bool misbehave(SafetyRig& rig, Tally& tally) {
   }
   if (kind == 7) {
     ++tally.holds;
+    if (passive) {
+      tally.calmed_at_rest += rig.count(GuardReason::calming) + rig.count(GuardReason::oscillation) - calmed;
+    }
     // From quarter to quarter: a membrane that gives way late in a hold makes the hand swing, but not more and more.
     const double growth = std::min(quarters[2].size() - quarters[1].size(), quarters[3].size() - quarters[2].size());
     tally.worst_growth = std::max(tally.worst_growth, growth);
@@ -132,7 +138,7 @@ TEST(SafetyCampaign, no_hand_on_any_device_in_any_tissue_gets_more_than_the_devi
     ++tally.trials;
     ASSERT_TRUE(rig->arm()) << what;
     while (rig->ticks < per_trial) {
-      ASSERT_TRUE(misbehave(*rig, tally))
+      ASSERT_TRUE(misbehave(*rig, !resistance.active, tally))
           << what << ", tick " << rig->ticks << ": " << rig->applied.force.transpose();
     }
     tally.ticks += rig->ticks;
@@ -145,12 +151,13 @@ TEST(SafetyCampaign, no_hand_on_any_device_in_any_tissue_gets_more_than_the_devi
       std::printf(
           "%s: trials %d, refused %d, ticks %llu, armed %llu, largest share of peak %.4f, holds %d, worst growth "
           "%.4f "
-          "mm, calmed %ld, shaking %ld, too fast %ld, jump %ld, workspace %ld, thermal %ld, peak %ld\n",
+          "mm, calmed at rest %d, calmed %ld, shaking %ld, too fast %ld, jump %ld, workspace %ld, thermal %ld, peak "
+          "%ld\n",
           name.c_str(), tally.trials, tally.refused, static_cast<unsigned long long>(tally.ticks),
           static_cast<unsigned long long>(tally.armed), tally.largest_share, tally.holds, tally.worst_growth,
-          count(GuardReason::calming), count(GuardReason::oscillation), count(GuardReason::too_fast),
-          count(GuardReason::jump), count(GuardReason::workspace), count(GuardReason::thermal),
-          count(GuardReason::peak));
+          tally.calmed_at_rest, count(GuardReason::calming), count(GuardReason::oscillation),
+          count(GuardReason::too_fast), count(GuardReason::jump), count(GuardReason::workspace),
+          count(GuardReason::thermal), count(GuardReason::peak));
     }
     all.ticks += tally.ticks;
     all.armed += tally.armed;
@@ -239,6 +246,67 @@ TEST(SafetyCampaign, a_hand_that_leans_on_bone_does_not_shake) {
   if (is_long()) {
     std::printf("bone: %d hands, %d refused, %d on bone at the end, most turns %d (active %d), calmed %d, ended %d\n",
                 all.pairs, all.refused, all.on_bone, all.most_turns, all.most_active_turns, all.calmed, all.ended);
+  }
+}
+
+// A wall of `stiffness` (N/mm) from the skin on.
+void put_wall(SafetyRig& rig, double stiffness) {
+  rig.controller = [stiffness](const ControlInput& input) {
+    return Control{{Vec3(0.0, 0.0, -stiffness * std::max(0.0, input.needle.translation().z())), Vec3::Zero()}, 0.0};
+  };
+}
+
+double stiffness_of(const SafetyRig& rig) {
+  return rig.abilities.stiffness > 0.0 ? rig.abilities.stiffness : 1.0;
+}
+
+// What the campaign is looking for exists: walls far too stiff for their device shake the hand, until the guard
+// halves or ends the force.
+TEST(SafetyCampaign, a_wall_that_the_device_cannot_render_is_calmed_or_ended) {
+  int shaken = 0, ended = 0;
+  for (const DeviceProfile& device : devices_with_force()) {
+    for (const double factor : {5.0, 10.0, 40.0}) {
+      SafetyRig rig(all_resistances().front(), all_constraints().front(), device, 3);
+      const std::string what = device.name + ", " + std::to_string(factor);
+      put_wall(rig, factor * stiffness_of(rig));
+      ASSERT_TRUE(rig.arm(true)) << what;
+      rig.hand.hand_stiffness = 0.5;
+      for (int i = 0; i < 3000; ++i) {
+        rig.aim(std::min(2.0, -5.0 + 0.03 * i));
+        ASSERT_TRUE(rig.run(1)) << what;
+      }
+      Turns turns(0.02 + 2.0 * rig.abilities.resolution);
+      for (int i = 0; i < 500; ++i) {
+        ASSERT_TRUE(rig.run(1)) << what;
+        turns.add(rig.depth());
+      }
+      EXPECT_LE(turns.count(), 6) << what << ": it is quiet now";
+      shaken += rig.count(GuardReason::calming);
+      ended += rig.servo->snapshot().fault == GuardReason::oscillation ? 1 : 0;
+    }
+  }
+  EXPECT_GT(shaken, 10);
+  EXPECT_GT(ended, 5);
+  if (is_long()) std::printf("walls too stiff: %d calmed, %d of them ended\n", shaken, ended);
+}
+
+// A person may shake, as fast as a person can, on the stiffest wall that the device renders.
+TEST(SafetyCampaign, a_hand_that_shakes_by_itself_keeps_its_force) {
+  for (const DeviceProfile& device : devices_with_force()) {
+    SafetyRig rig(all_resistances().front(), all_constraints().front(), device, 3);
+    put_wall(rig, stiffness_of(rig));
+    ASSERT_TRUE(rig.arm(true)) << device.name;
+    rig.hand.hand_stiffness = 2.0;
+    const std::pair<double, double> shakes[] = {{4.0, 3.0},  {6.0, 3.0},  {8.0, 2.0},
+                                                {11.0, 1.0}, {14.0, 0.3}, {18.0, 0.3}};
+    for (const auto& [hertz, wide] : shakes) {
+      for (int i = 0; i < 1000; ++i) {
+        rig.aim(1.0 + wide * std::sin(6.283 * hertz * 0.001 * i));
+        ASSERT_TRUE(rig.run(1)) << device.name;
+      }
+      EXPECT_EQ(rig.count(GuardReason::calming), 0) << device.name << ", " << hertz << " Hz, " << wide << " mm";
+    }
+    EXPECT_EQ(rig.state(), GuardState::active) << device.name;
   }
 }
 
