@@ -39,6 +39,7 @@ void DeadlineClock::wait() noexcept {
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &deadline, nullptr) == EINTR) {
   }
   const std::int64_t late = now() - next_;
+  late_ = std::max<std::int64_t>(late, 0);
   ++deadlines_;
   worst_ = std::max(worst_, late);
   if (late > period_) ++missed_;

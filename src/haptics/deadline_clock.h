@@ -22,6 +22,8 @@ class DeadlineClock {
   std::uint64_t deadlines() const noexcept { return deadlines_; }
   // Wake-ups more than one period late.
   std::uint64_t missed() const noexcept { return missed_; }
+  // s by which the last wake-up came after its deadline.
+  double lateness() const noexcept { return static_cast<double>(late_) * 1e-9; }
   // s, the latest wake-up.
   double worst_lateness() const noexcept { return static_cast<double>(worst_) * 1e-9; }
 
@@ -30,6 +32,7 @@ class DeadlineClock {
   std::int64_t next_ = 0;
   std::uint64_t deadlines_ = 0;
   std::uint64_t missed_ = 0;
+  std::int64_t late_ = 0;
   std::int64_t worst_ = 0;
 };
 

@@ -3,27 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/force_change.h"
+
 namespace bodkin {
 
 namespace {
-constexpr double thermal_knee = 0.8;  // of the continuous load: from here the bound comes down from the peak
-
-struct Change {
-  Vec3 value;
-  bool limited;
-};
-
-// From `last` towards `wanted`: the part of the change that shortens the last value is free, the rest is at most
-// `most`.
-Change approach(const Vec3& last, const Vec3& wanted, double most) noexcept {
-  const double square = last.squaredNorm();
-  const double kept = square > 0.0 ? std::clamp(wanted.dot(last) / square, 0.0, 1.0) : 0.0;
-  const Vec3 start = kept * last;
-  const Vec3 change = wanted - start;
-  const double size = change.norm();
-  if (size <= most) return {wanted, false};
-  return {start + change * (most / size), true};
-}
 
 // One tick of the way to zero in a straight line.
 Vec3 fade(const Vec3& last, const Vec3& step) noexcept {
@@ -54,7 +38,8 @@ void ForceGovernor::fail() noexcept {
 }
 
 Vec3 ForceGovernor::limit_slew(const Vec3& wanted) noexcept {
-  const Change change = approach(applied_, wanted, (ramping_ ? settings_.ramp_slew : settings_.slew) * settings_.dt);
+  const ForceChange change =
+      approach(applied_, wanted, (ramping_ ? settings_.ramp_slew : settings_.slew) * settings_.dt);
   if (change.limited) {
     flags_ |= ramping_ ? force_limit::slew | force_limit::ramp : force_limit::slew;
   } else {
@@ -73,25 +58,16 @@ void ForceGovernor::step_torque(const Vec3& wanted) noexcept {
     torque_ = fade(torque_, fade_turn_);
     return;
   }
-  const Change change = approach(torque_, wanted, settings_.torque_slew * (ramping_ ? 0.1 : 1.0) * settings_.dt);
+  const ForceChange change = approach(torque_, wanted, settings_.torque_slew * (ramping_ ? 0.1 : 1.0) * settings_.dt);
   if (change.limited) flags_ |= force_limit::slew;
   torque_ = settings_.peak_torque > 0.0 ? limit_size(change.value, settings_.peak_torque, force_limit::peak)
                                         : Vec3(Vec3::Zero());  // a device without torques lacks them, at no fault
 }
 
 Vec3 ForceGovernor::limit_size(const Vec3& force, double size, std::uint8_t flag) noexcept {
-  const double norm = force.norm();
-  if (norm <= size) return force;
-  if (norm > size * (1.0 + 1e-9)) flags_ |= flag;  // a limit that rounding just touches is none that a person feels
-  return force * (size / norm);
-}
-
-// The peak while the motors are cool, the continuous force once their mean load is used up, a straight line between:
-// the mean square converges to the square of the continuous force and never passes it, and the force has no step.
-double ForceGovernor::thermal_bound() const noexcept {
-  const double load = mean_square_ / (settings_.continuous_force * settings_.continuous_force);
-  const double spent = std::clamp((load - thermal_knee) / (1.0 - thermal_knee), 0.0, 1.0);
-  return settings_.peak_force + spent * (settings_.continuous_force - settings_.peak_force);
+  const ForceChange change = shortened(force, size);
+  if (change.limited) flags_ |= flag;
+  return change.value;
 }
 
 Vec3 ForceGovernor::step(const ForceRequest& request) noexcept {
@@ -112,7 +88,8 @@ Vec3 ForceGovernor::step(const ForceRequest& request) noexcept {
     force = fade(applied_, fade_step_);
   }
   force = limit_size(force, settings_.peak_force, force_limit::peak);
-  force = limit_size(force, thermal_bound(), force_limit::thermal);
+  force = limit_size(force, thermal_bound(mean_square_, settings_.continuous_force, settings_.peak_force),
+                     force_limit::thermal);
   mean_square_ += settings_.dt / settings_.thermal_time * (force.squaredNorm() - mean_square_);
   applied_ = force;
   step_torque(request.torque);

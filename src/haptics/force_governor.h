@@ -44,10 +44,17 @@ struct ForceRequest {
   Vec3 torque = Vec3::Zero();        // N mm about the tip
 };
 
-// The one exit to the motors: passivity, then slew, then peak, then thermal limit, in this order. Slew, peak and
+// The exit of the simulated tick: passivity, then slew, then peak, then thermal limit, in this order. Slew, peak and
 // thermal limits act on the vector's size and keep its direction; torques have a slew and a peak of their own.
 // Whatever leads towards zero is never delayed. A clamp raises its flag. step() is noexcept, allocates nothing and
 // returns a finite force of at most the peak, whatever comes in.
+//
+// How it divides the work with HandGuard (haptics/hand_guard.h): the governor belongs to the simulation. It knows the
+// tissue's force and the needle's axis, so passivity is its own, and its limits are those of the device that the case
+// was made for. It is deterministic and part of every recording, simulated hands included. The guard belongs to a
+// real device: it knows nothing of tissue, stands behind the governor as the last exit to the motors, holds the
+// limits that this very device reports, and answers for what only a device has: arming, dead-man, temperature,
+// workspace, speed, late ticks. What both need is in haptics/force_change.h.
 class ForceGovernor {
  public:
   explicit ForceGovernor(const GovernorSettings& settings);
@@ -68,7 +75,6 @@ class ForceGovernor {
   Vec3 limit_slew(const Vec3& wanted) noexcept;
   void step_torque(const Vec3& wanted) noexcept;
   Vec3 limit_size(const Vec3& force, double size, std::uint8_t flag) noexcept;
-  double thermal_bound() const noexcept;
 
   GovernorSettings settings_;
   PassivityController passivity_;

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "core/device_profile.h"
+#include "haptics/device.h"
+
+namespace bodkin {
+
+// The profile of a model by its name or another name of it, whatever the case of its letters; null where there is
+// none.
+const DeviceProfile* find_profile(const std::vector<DeviceProfile>& profiles, std::string_view model);
+
+// What a device can do as far as its profile knows. The workspace is the box about its middle.
+DeviceAbilities abilities_of(const DeviceProfile& profile);
+
+// Puts what the profile knows where the device itself has told nothing (0). A continuous force is lowered to the
+// device's own peak.
+void complete(DeviceAbilities& abilities, const DeviceProfile& profile);
+
+}  // namespace bodkin

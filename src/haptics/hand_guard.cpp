@@ -1,0 +1,303 @@
+#include "haptics/hand_guard.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "haptics/force_change.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr double peak_share = 0.9;  // of the nominal peaks
+
+constexpr double furthest = 5000.0;    // mm from the middle of the workspace
+constexpr double longest_dt = 1.0;     // s; a longer pause counts as this
+constexpr double longest_gap = 0.050;  // s between two ticks
+constexpr double hold_after = 0.005;   // s of age
+constexpr double decay_after = 0.015;  // s of age
+constexpr double decay_time = 0.030;   // s
+constexpr double fault_after = 0.050;  // s of age
+constexpr double rest_speed = 20.0;    // mm/s
+constexpr double rest_time = 0.050;    // s
+constexpr int fast_ticks = 3;
+constexpr double driven_swing = 4.0;       // times the smallest swing of a fast shake
+constexpr double workspace_margin = 10.0;  // mm
+constexpr double frozen_force = 0.5;       // N
+constexpr double calm_time = 10.0;         // s after which the whole force comes back
+constexpr double calm_return = 1.0;        // s that this takes
+constexpr double warm = 0.75, hot = 0.9;   // of the temperature: continuous force from `hot` on, zero at 1
+constexpr double quiet_time = 0.1;         // s without a limit before its next intervention is an event again
+constexpr double never = -1e9;             // s
+
+bool finite(const Wrench& wrench) noexcept {
+  return std::isfinite(wrench.force.squaredNorm()) && std::isfinite(wrench.torque.squaredNorm());
+}
+
+Wrench scaled(const Wrench& wrench, double share) noexcept {
+  return {wrench.force * share, wrench.torque * share};
+}
+
+}  // namespace
+
+bool is_possible(const Pose& hand) noexcept {
+  const Mat3 turn = hand.linear();
+  const bool rotation =
+      (turn.transpose() * turn - Mat3::Identity()).cwiseAbs().maxCoeff() < 1e-3 && turn.determinant() > 0.0;
+  return hand.matrix().allFinite() && rotation && hand.translation().norm() < furthest;
+}
+
+HandGuard::HandGuard(const GuardSettings& settings)
+    : settings_((check(settings), settings)),
+      motion_(settings.dt),
+      fast_(fast_shaking(settings.oscillation_amplitude)),
+      driven_(driven_shaking(driven_swing * settings.oscillation_amplitude, settings.stiffness, settings.dt)) {
+  limited_.fill(never);
+}
+
+double HandGuard::bound() const noexcept {
+  return std::min(settings_.user_force, peak_share * settings_.peak_force);
+}
+
+void HandGuard::tell(GuardReason reason, double value, double limit, GuardReason cause, DeviceFault fault) noexcept {
+  events_.push({tick_, time_, reason, cause, fault, state_, value, limit});
+}
+
+// Limits come in spells; the beginning of each is an event.
+void HandGuard::limit_by(GuardReason reason, double value, double limit) noexcept {
+  const auto index = static_cast<std::size_t>(reason);
+  limits_ |= 1U << index;
+  if (time_ - limited_[index] > quiet_time) tell(reason, value, limit);
+  limited_[index] = time_;
+}
+
+void HandGuard::end_force(bool at_once) noexcept {
+  fading_ = applied_;
+  faded_ = at_once ? 1.0 : 0.0;
+  ramp_ = 0.0;
+  calm_ = 1.0;
+  arming_for_ = -1.0;
+}
+
+void HandGuard::fail(GuardReason reason, double value, double limit, DeviceFault fault) noexcept {
+  const bool sound = reason == GuardReason::not_finite || reason == GuardReason::stale_fault ||
+                     reason == GuardReason::controller_failed || reason == GuardReason::frozen ||
+                     reason == GuardReason::oscillation;
+  // A device that fails while a force fades takes the rest of it.
+  if (is_armed() || !sound) end_force(!sound);
+  state_ = GuardState::faulted;
+  fault_ = reason;
+  tell(reason, value, limit, GuardReason::none, fault);
+}
+
+void HandGuard::release(GuardReason reason) noexcept {
+  end_force(false);
+  state_ = GuardState::disarmed;
+  fault_ = GuardReason::none;
+  tell(reason);
+}
+
+void HandGuard::ramp_from_zero() noexcept {
+  state_ = GuardState::ramping;
+  fault_ = GuardReason::none;
+  ramp_ = 0.0;
+  faded_ = 1.0;
+  fast_ticks_ = 0;
+  still_for_ = 0.0;
+  applied_ = Wrench{};
+  fast_.reset();
+  driven_.reset();
+}
+
+// A simulation that is late is bridged for a while.
+void HandGuard::watch_age(double age) noexcept {
+  if (!(age <= fault_after)) {
+    fail(GuardReason::stale_fault, age, fault_after);
+  } else if (age > hold_after && state_ != GuardState::holding) {
+    state_ = GuardState::holding;
+    held_ = applied_;
+    tell(GuardReason::stale, age, hold_after);
+  } else if (age <= hold_after && state_ == GuardState::holding) {
+    state_ = ramp_ < 1.0 ? GuardState::ramping : GuardState::active;
+    tell(GuardReason::fresh_again, age, hold_after);
+  }
+}
+
+// What the hand's motion says. Called while armed.
+void HandGuard::watch_hand(double dt) noexcept {
+  fast_ticks_ = motion_.speed() > settings_.speed_limit ? fast_ticks_ + 1 : 0;
+  if (motion_.jumped()) return fail(GuardReason::jump, motion_.moved().norm(), 0.0);
+  if (fast_ticks_ >= fast_ticks) return fail(GuardReason::too_fast, motion_.speed(), settings_.speed_limit);
+  if (motion_.mean_speed() > settings_.speed_limit) {
+    return fail(GuardReason::too_fast, motion_.mean_speed(), settings_.speed_limit);
+  }
+  still_for_ = motion_.is_still() && applied_.force.norm() > frozen_force ? still_for_ + dt : 0.0;
+  if (settings_.frozen_time > 0.0 && still_for_ > settings_.frozen_time) {
+    return fail(GuardReason::frozen, still_for_, settings_.frozen_time);
+  }
+  calm_for_ += dt;
+  const bool fast = fast_.step(motion_.moved(), applied_.force, dt);
+  const bool driven = driven_.step(motion_.moved(), applied_.force, dt);
+  if (fast || driven) {
+    if (calm_ < 1.0) return fail(GuardReason::oscillation);
+    calm_ = 0.5;
+    calm_for_ = 0.0;
+    limit_by(GuardReason::calming, calm_, 1.0);
+  } else if (calm_for_ > calm_time) {
+    calm_ = std::min(1.0, calm_ + 0.5 * dt / calm_return);
+  }
+}
+
+// Everything that ends the force.
+void HandGuard::watch(const DeviceState& device, const GuardInput& input, double dt) noexcept {
+  const bool possible = is_possible(device.hand);
+  if (possible) {
+    motion_.step(device.hand, device.velocity, dt);
+  } else {
+    motion_.reset();
+  }
+  resting_for_ = possible && motion_.mean_speed() < rest_speed ? resting_for_ + dt : 0.0;
+
+  const DeviceFault fault = device.fault == DeviceFault::none && !possible ? DeviceFault::bad_data : device.fault;
+  const DeviceFault before = device_fault_;
+  device_fault_ = fault;
+  if (device.fault != DeviceFault::none) {
+    if (fault != before) fail(GuardReason::device_fault, 0.0, 0.0, device.fault);
+    return;
+  }
+  if (fault != DeviceFault::none) {
+    if (fault != before) fail(GuardReason::bad_pose, 0.0, 0.0, fault);
+    return;
+  }
+  if (!is_armed()) return;
+  if (disarming_) return release(GuardReason::disarmed);
+  if (!device.held) return release(GuardReason::released);
+  if (dt > longest_gap) {
+    tell(GuardReason::tick_gap, dt, longest_gap);
+    ramp_from_zero();
+  }
+  if (input.controller_failed) return fail(GuardReason::controller_failed);
+  if (!finite(input.wanted)) return fail(GuardReason::not_finite);
+  watch_hand(dt);
+  if (is_armed()) watch_age(input.age);
+}
+
+GuardReason HandGuard::obstacle(const DeviceState& device, const GuardInput& input) const noexcept {
+  if (device.fault != DeviceFault::none) return GuardReason::device_fault;
+  if (!is_possible(device.hand)) return GuardReason::bad_pose;
+  if (!device.held) return GuardReason::released;
+  if (input.controller_failed) return GuardReason::controller_failed;
+  if (!finite(input.wanted)) return GuardReason::not_finite;
+  if (!(input.age <= hold_after)) return GuardReason::stale;
+  if (input.wanted.force.norm() > settings_.arming_force) return GuardReason::pulling;
+  if (resting_for_ < rest_time) return GuardReason::moving;
+  return GuardReason::none;
+}
+
+void HandGuard::try_to_arm(const DeviceState& device, const GuardInput& input, double dt) noexcept {
+  if (disarming_ || is_armed()) arming_for_ = -1.0;
+  if (arming_for_ < 0.0) return;
+  const GuardReason cause = obstacle(device, input);
+  if (cause == GuardReason::none) {
+    arming_for_ = -1.0;
+    ramp_from_zero();
+    tell(GuardReason::armed);
+    return;
+  }
+  arming_for_ += dt;
+  if (arming_for_ <= settings_.arming_patience) return;
+  arming_for_ = -1.0;
+  tell(GuardReason::refused, input.wanted.force.norm(), settings_.arming_force, cause, device.fault);
+}
+
+// 1 inside the usable box, down to 0 ten millimetres outside.
+double HandGuard::workspace_share(const Vec3& position) noexcept {
+  if (settings_.workspace_low.isZero(0.0) && settings_.workspace_high.isZero(0.0)) return 1.0;
+  const Vec3 inside = position.cwiseMax(settings_.workspace_low).cwiseMin(settings_.workspace_high);
+  const double outside = (position - inside).norm();
+  if (outside == 0.0) return 1.0;
+  limit_by(GuardReason::workspace, outside, 0.0);
+  return std::max(0.0, 1.0 - outside / workspace_margin);
+}
+
+// Of the bound: the continuous force from `hot` on, nothing at 1.
+double HandGuard::heat_share(double temperature) noexcept {
+  if (!(temperature > warm)) return 1.0;  // also for devices that tell none
+  limit_by(GuardReason::hot, temperature, warm);
+  const double continuous = std::min(1.0, settings_.continuous_force / std::max(bound(), 1e-9));
+  if (temperature <= hot) return 1.0 + (temperature - warm) / (hot - warm) * (continuous - 1.0);
+  return continuous * std::clamp((1.0 - temperature) / (1.0 - hot), 0.0, 1.0);
+}
+
+void HandGuard::fade(double dt) noexcept {
+  faded_ = std::min(1.0, faded_ + dt / settings_.fade_time);
+  // Zero is zero: a share that is off by a rounding must not leave a femtonewton.
+  applied_ = faded_ < 1.0 - 1e-9 ? scaled(fading_, 1.0 - faded_) : Wrench{};
+}
+
+// Called while armed: from what is wanted to what leaves.
+void HandGuard::apply(const DeviceState& device, const GuardInput& input, double dt) noexcept {
+  const double step = std::min(dt, 2.0 * settings_.dt);  // a late tick does not entitle to a larger step
+  if (state_ == GuardState::ramping) {
+    ramp_ += step / settings_.ramp_time;
+    if (ramp_ >= 1.0) {
+      ramp_ = 1.0;
+      state_ = GuardState::active;
+      tell(GuardReason::full_force);
+    }
+  }
+  Wrench wanted;
+  if (state_ == GuardState::holding) {
+    const double share = std::clamp(1.0 - (input.age - decay_after) / decay_time, 0.0, 1.0);
+    if (share < 1.0) limit_by(GuardReason::stale_decay, input.age, decay_after);
+    wanted = scaled(held_, share);
+  } else {
+    wanted = scaled(input.wanted, ramp_ * calm_);
+  }
+  wanted = scaled(wanted, workspace_share(device.hand.translation()));
+
+  const double most = bound();
+  const double thermal =
+      most > 0.0 ? thermal_bound(mean_square_, std::min(settings_.continuous_force, most), most) : 0.0;
+  const double heated = std::min(thermal, most * heat_share(device.temperature));
+
+  const ForceChange slowed = approach(applied_.force, wanted.force, settings_.slew * step);
+  if (slowed.limited) limit_by(GuardReason::slew, wanted.force.norm(), settings_.slew);
+  const ForceChange clamped = shortened(slowed.value, most);
+  if (clamped.limited) limit_by(GuardReason::peak, slowed.value.norm(), most);
+  const ForceChange cooled = shortened(clamped.value, heated);
+  if (cooled.limited && thermal <= heated) limit_by(GuardReason::thermal, clamped.value.norm(), thermal);
+  applied_.force = cooled.value;
+
+  // Motors that are too hot for a force are too hot for a torque.
+  const double torque_most = peak_share * settings_.peak_torque * (most > 0.0 ? heated / most : 0.0);
+  const ForceChange turned = approach(applied_.torque, wanted.torque, settings_.torque_slew * step);
+  if (turned.limited) limit_by(GuardReason::slew, wanted.torque.norm(), settings_.torque_slew);
+  const ForceChange shorter = shortened(turned.value, torque_most);
+  // A device without torques lacks them, at no fault.
+  if (shorter.limited && settings_.peak_torque > 0.0) {
+    limit_by(GuardReason::torque_peak, turned.value.norm(), torque_most);
+  }
+  applied_.torque = shorter.value;
+}
+
+const Wrench& HandGuard::step(const DeviceState& device, const GuardInput& input) noexcept {
+  const double dt = input.dt > 0.0 ? std::min(input.dt, longest_dt) : settings_.dt;
+  events_.clear();
+  limits_ = 0;
+  ++tick_;
+  time_ += dt;
+
+  watch(device, input, dt);
+  try_to_arm(device, input, dt);
+  disarming_ = false;
+  if (is_armed()) {
+    apply(device, input, dt);
+  } else {
+    fade(dt);
+  }
+  mean_square_ += std::min(1.0, dt / settings_.thermal_time) * (applied_.force.squaredNorm() - mean_square_);
+  return applied_;
+}
+
+}  // namespace bodkin

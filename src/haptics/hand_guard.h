@@ -1,0 +1,117 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/geometry.h"
+#include "haptics/device.h"
+#include "haptics/guard_event.h"
+#include "haptics/guard_settings.h"
+#include "haptics/motion_watch.h"
+#include "haptics/oscillation_watch.h"
+
+namespace bodkin {
+
+// Whether a device can be there: finite, its rotation is one, and it is within 5 m of the workspace.
+bool is_possible(const Pose& hand) noexcept;
+
+// What goes into one tick.
+struct GuardInput {
+  Wrench wanted;     // on the hand, operator's frame
+  double age = 0.0;  // s since the simulation computed it
+  double dt = 0.0;   // s since the tick before
+  bool controller_failed = false;
+};
+
+// The last exit to the motors of a real device, for as long as a hand holds it. It knows nothing of tissue: it takes
+// the wrench that a controller wants and what the device reports, and lets a wrench through that cannot hurt. Always
+// finite, never above the peaks; what leads towards zero is never delayed; every intervention is an event with its
+// reason. step() is noexcept, allocates nothing, locks nothing and reads no clock. ForceGovernor
+// (haptics/force_governor.h) stands before it, inside the simulation, and keeps passivity and the case's limits; its
+// header says how the two divide the work.
+//
+//   disarmed --arm(), hand at rest--> ramping --1 s--> active <--late, fresh again--> holding
+//   any of these --dead-man released, disarm()--> disarmed;  --anything wrong--> faulted --arm()--> ramping
+//
+// To zero at once where the device itself is in doubt (its own faults, a pose that is no number, a jump, too fast);
+// in 20 ms, in a straight line, where it is sound (dead-man, disarm(), a force that is no number, shaking, readings
+// that stand still). A simulation later than 5 ms is bridged by the last force, which fades from 15 to 45 ms of age;
+// at 50 ms it is a fault.
+class HandGuard {
+ public:
+  // Throws InputError as check() does.
+  explicit HandGuard(const GuardSettings& settings);
+
+  // All functions are for the thread that calls step(), which others reach through ServoTick's commands.
+  //
+  // The user wants force. It begins at the first tick, within 2 s, at which the hand has been at rest for 50 ms,
+  // holds the dead-man's switch, and no force is waiting for it; otherwise the wish is refused.
+  void arm() noexcept { arming_for_ = 0.0; }
+  // The user wants no force any more.
+  void disarm() noexcept { disarming_ = true; }
+
+  // The wrench that leaves, on the hand, operator's frame.
+  const Wrench& step(const DeviceState& device, const GuardInput& input) noexcept;
+
+  GuardState state() const noexcept { return state_; }
+  bool is_armed() const noexcept { return state_ != GuardState::disarmed && state_ != GuardState::faulted; }
+  // Why it is faulted; none while it is not.
+  GuardReason fault() const noexcept { return fault_; }
+  const Wrench& applied() const noexcept { return applied_; }     // of the last step
+  const GuardEvents& events() const noexcept { return events_; }  // of the last step
+  // Bit n: GuardReason n limited the wrench of the last step.
+  std::uint32_t limits() const noexcept { return limits_; }
+  double mean_square() const noexcept { return mean_square_; }    // N^2
+  double speed() const noexcept { return motion_.mean_speed(); }  // mm/s, over 10 ms
+  // N, what no force exceeds, heat aside.
+  double bound() const noexcept;
+
+ private:
+  static constexpr auto reasons = static_cast<std::size_t>(GuardReason::count_of_reasons);
+
+  void watch(const DeviceState& device, const GuardInput& input, double dt) noexcept;
+  void watch_hand(double dt) noexcept;
+  void watch_age(double age) noexcept;
+  void try_to_arm(const DeviceState& device, const GuardInput& input, double dt) noexcept;
+  GuardReason obstacle(const DeviceState& device, const GuardInput& input) const noexcept;
+  void apply(const DeviceState& device, const GuardInput& input, double dt) noexcept;
+  double workspace_share(const Vec3& position) noexcept;
+  double heat_share(double temperature) noexcept;
+  void fade(double dt) noexcept;
+
+  void tell(GuardReason reason, double value = 0.0, double limit = 0.0, GuardReason cause = GuardReason::none,
+            DeviceFault fault = DeviceFault::none) noexcept;
+  void limit_by(GuardReason reason, double value, double limit) noexcept;
+  void fail(GuardReason reason, double value = 0.0, double limit = 0.0,
+            DeviceFault fault = DeviceFault::none) noexcept;
+  void release(GuardReason reason) noexcept;
+  void end_force(bool at_once) noexcept;
+  void ramp_from_zero() noexcept;
+
+  GuardSettings settings_;
+  MotionWatch motion_;
+  OscillationWatch fast_, driven_;
+  GuardState state_ = GuardState::disarmed;
+  GuardReason fault_ = GuardReason::none;
+  GuardEvents events_;
+  std::uint32_t limits_ = 0;
+  std::uint64_t tick_ = 0;
+  double time_ = 0.0;                      // s
+  std::array<double, reasons> limited_{};  // s, when each reason last limited
+  Wrench applied_;
+  Wrench held_;               // what is bridged with while the simulation is late
+  Wrench fading_;             // where the way to zero began
+  double faded_ = 1.0;        // share of the way to zero
+  double ramp_ = 0.0;         // share of the force that is let through
+  double calm_ = 1.0;         // likewise, after the hand shook
+  double calm_for_ = 0.0;     // s since it did
+  double mean_square_ = 0.0;  // N^2
+  double arming_for_ = -1.0;  // s since the wish to arm; negative: there is none
+  bool disarming_ = false;
+  double resting_for_ = 0.0;                      // s
+  double still_for_ = 0.0;                        // s of unchanged readings under force
+  DeviceFault device_fault_ = DeviceFault::none;  // of the last step, a pose that cannot be included
+  int fast_ticks_ = 0;
+};
+
+}  // namespace bodkin

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace bodkin {
+
+// How long something took, again and again: fixed bins from 1 ns to 100 ms, sixteen to an octave, so that a
+// percentile is at most 1/16 too high whatever the scale, and one bin for what took longer. record() is noexcept,
+// allocates nothing and takes a few nanoseconds; the object is plain data and can be copied to another thread as a
+// whole.
+class LatencyHistogram {
+ public:
+  // `seconds`: less than 1 ns counts as 0, what is no number as longer than everything.
+  void record(double seconds) noexcept;
+  void reset() noexcept { *this = LatencyHistogram(); }
+
+  std::uint64_t count() const noexcept { return count_; }
+  // s, the longest that was recorded, exactly; 0 when there is none.
+  double maximum() const noexcept { return maximum_; }
+  // s; 0 when there is none.
+  double mean() const noexcept { return count_ == 0 ? 0.0 : sum_ / static_cast<double>(count_); }
+  // s within which `share` (0 to 1) of all lie: the upper edge of the bin in which the last of them falls, but never
+  // more than the maximum. 0 when there is none.
+  double percentile(double share) const noexcept;
+  // How many took longer than the last bin reaches, 100 ms.
+  std::uint64_t beyond() const noexcept { return bins_[last_bin]; }
+
+ private:
+  static constexpr std::size_t per_octave = 16;
+  static constexpr std::size_t last_bin = 376;  // above 100 ms
+
+  static std::size_t bin_of(std::uint64_t nanoseconds) noexcept;
+  static std::uint64_t end_of(std::size_t bin) noexcept;
+
+  std::array<std::uint64_t, last_bin + 1> bins_{};
+  std::uint64_t count_ = 0;
+  double sum_ = 0.0;      // s
+  double maximum_ = 0.0;  // s
+};
+
+}  // namespace bodkin

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "core/geometry.h"
+
+namespace bodkin {
+
+// How a device's hand moves, as far as safety needs to know: speed, rest, jumps and readings that stand still. Makes
+// do with positions where the device tells no velocity. step() is noexcept and allocates nothing.
+class MotionWatch {
+ public:
+  // `dt`: s, the nominal period.
+  explicit MotionWatch(double dt) noexcept;
+
+  // A finite pose (mm), the velocity that the device tells (mm/s, NaN = none), s since the last one.
+  void step(const Pose& hand, const Vec3& velocity, double dt) noexcept;
+  void reset() noexcept;
+
+  // mm since the last reading.
+  const Vec3& moved() const noexcept { return moved_; }
+  // mm/s of this tick: what the device tells, or else the way since the last reading.
+  double speed() const noexcept { return speed_; }
+  // mm/s over the last 10 ms, from positions alone, so that a coarse encoder at rest is not taken for motion.
+  double mean_speed() const noexcept { return mean_speed_; }
+  // No part of the pose has changed by a single bit since the last reading.
+  bool is_still() const noexcept { return still_; }
+  // More than 5 mm in one tick, and faster than 3 m/s: no hand does that.
+  bool jumped() const noexcept { return jumped_; }
+
+ private:
+  static constexpr std::size_t capacity = 64;  // a power of two above 10 ms at 4 kHz
+
+  struct Reading {
+    Vec3 position = Vec3::Zero();
+    double time = 0.0;  // s
+  };
+
+  double dt_;
+  std::size_t window_;  // readings in 10 ms
+  std::array<Reading, capacity> readings_{};
+  std::size_t seen_ = 0;
+  double time_ = 0.0;
+  Pose last_ = Pose::Identity();
+  Vec3 moved_ = Vec3::Zero();
+  double speed_ = 0.0;
+  double mean_speed_ = 0.0;
+  bool still_ = false;
+  bool jumped_ = false;
+};
+
+}  // namespace bodkin

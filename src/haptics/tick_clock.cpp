@@ -1,0 +1,21 @@
+#include "haptics/tick_clock.h"
+
+#include <ctime>
+
+namespace bodkin {
+
+namespace {
+
+std::int64_t monotonic(void* /*user*/) noexcept {
+  timespec time{};
+  clock_gettime(CLOCK_MONOTONIC, &time);
+  return static_cast<std::int64_t>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
+}
+
+}  // namespace
+
+TickClock monotonic_clock() noexcept {
+  return {&monotonic, nullptr};
+}
+
+}  // namespace bodkin

@@ -1,0 +1,111 @@
+#include "haptics/workspace_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "core/error.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr double rotation_slack = 1e-6;
+
+bool is_rotation(const Mat3& turn, double slack) noexcept {
+  return (turn.transpose() * turn - Mat3::Identity()).cwiseAbs().maxCoeff() <= slack && turn.determinant() > 0.0;
+}
+
+void require(bool holds, const char* what, double value, const char* expected) {
+  if (holds) return;
+  std::ostringstream text;
+  text << "workspace: " << what << " is " << value << ", expected " << expected << "; correct the device's profile";
+  throw InputError(text.str());
+}
+
+}  // namespace
+
+void check(const WorkspaceSettings& settings) {
+  require(is_rotation(settings.rotation, rotation_slack), "the determinant of the rotation",
+          settings.rotation.determinant(), "three perpendicular unit axes, right-handed");
+  require(is_rotation(settings.tool_rotation, rotation_slack), "the determinant of the tool's rotation",
+          settings.tool_rotation.determinant(), "three perpendicular unit axes, right-handed");
+  require(settings.centre.allFinite(), "the centre", settings.centre.norm(), "finite coordinates");
+  require(settings.tip_offset.norm() <= 1000.0, "the tip's offset", settings.tip_offset.norm(), "at most 1000 mm");
+  require(settings.scale >= 0.1 && settings.scale <= 10.0, "the scale", settings.scale, "0.1 to 10");
+  require(settings.force_scale >= 0.01 && settings.force_scale <= 1.0, "the force scale", settings.force_scale,
+          "0.01 to 1");
+  require(settings.body_speed > 0.0 && settings.body_speed <= 1000.0, "the body's speed", settings.body_speed,
+          "more than 0 and at most 1000 mm/s");
+  require(settings.body_turn > 0.0 && settings.body_turn <= 10.0, "the body's turn", settings.body_turn,
+          "more than 0 and at most 10 rad/s");
+}
+
+WorkspaceMap::WorkspaceMap(const WorkspaceSettings& settings)
+    : settings_((check(settings), settings)),
+      wanted_centre_(settings.centre),
+      wanted_rotation_(settings.rotation),
+      grip_(settings.tool_rotation) {}
+
+Vec3 WorkspaceMap::tip_of(const Pose& hand) const noexcept {
+  return settings_.scale * (hand.translation() + hand.linear() * settings_.tip_offset);
+}
+
+void WorkspaceMap::move_body(const Vec3& middle, const Mat3& rotation) noexcept {
+  if (!middle.allFinite() || !is_rotation(rotation, rotation_slack)) return;
+  wanted_centre_ = middle;
+  wanted_rotation_ = rotation;
+  body_moving_ = true;
+}
+
+void WorkspaceMap::glide(double dt) noexcept {
+  if (!body_moving_) return;
+  const Vec3 way = wanted_centre_ - settings_.centre;
+  const Eigen::AngleAxisd turn(Mat3(wanted_rotation_ * settings_.rotation.transpose()));
+  const double share = std::min({1.0, settings_.body_speed * dt / std::max(way.norm(), 1e-12),
+                                 settings_.body_turn * dt / std::max(turn.angle(), 1e-12)});
+  if (share >= 1.0) {
+    settings_.centre = wanted_centre_;
+    settings_.rotation = wanted_rotation_;
+    body_moving_ = false;
+    return;
+  }
+  settings_.centre += share * way;
+  // A quaternion between, so that many small turns do not wear the axes.
+  Eigen::Quaterniond next(
+      Mat3(Eigen::AngleAxisd(share * turn.angle(), turn.axis()).toRotationMatrix() * settings_.rotation));
+  settings_.rotation = next.normalized().toRotationMatrix();
+}
+
+// The needle stays where it is in the patient; from now on the hand holds it like that.
+void WorkspaceMap::grasp(const Pose& hand) noexcept {
+  shift_ = settings_.rotation.transpose() * (needle_.translation() - settings_.centre) - tip_of(hand);
+  grip_ = hand.linear().transpose() * settings_.rotation.transpose() * needle_.linear();
+}
+
+const Pose& WorkspaceMap::step(const Pose& hand, double dt) noexcept {
+  glide(dt);
+  lever_ = hand.linear() * settings_.tip_offset;
+  // A needle that was never held in a hand cannot stay anywhere.
+  if (is_held() && begun_) {
+    was_held_ = true;
+    return needle_;
+  }
+  if (was_held_) grasp(hand);
+  was_held_ = false;
+  begun_ = true;
+  needle_.translation() = settings_.centre + settings_.rotation * (tip_of(hand) + shift_);
+  needle_.linear() = settings_.rotation * hand.linear() * grip_;
+  return needle_;
+}
+
+Wrench WorkspaceMap::felt(const Wrench& on_needle) const noexcept {
+  if (is_held()) return {};
+  Wrench hand;
+  hand.force = settings_.force_scale * (settings_.rotation.transpose() * on_needle.force);
+  hand.torque =
+      settings_.force_scale * (settings_.rotation.transpose() * on_needle.torque) + lever_.cross(hand.force);
+  return hand;
+}
+
+}  // namespace bodkin

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "core/geometry.h"
+
+namespace bodkin {
+
+// How the hand's workspace lies in the patient, and how the needle lies in the hand.
+struct WorkspaceSettings {
+  Mat3 rotation = Mat3::Identity();       // operator's frame (haptics/device.h) to patient frame (LPS)
+  Vec3 centre = Vec3::Zero();             // LPS mm, what the middle of the workspace is
+  double scale = 1.0;                     // mm of the needle per mm of the hand; 0.1 to 10
+  Mat3 tool_rotation = Mat3::Identity();  // needle to tool as the device reports it: the needle's axis is its z
+  Vec3 tip_offset = Vec3::Zero();         // mm, from the device's point to the tip, in the tool's axes
+  double force_scale = 1.0;               // N at the hand per N of the needle; 0.01 to 1: for weak devices, recorded
+  double body_speed = 50.0;               // mm/s at most, when the body is moved
+  double body_turn = 0.5;                 // rad/s
+};
+
+// Throws InputError naming the first number out of range.
+void check(const WorkspaceSettings& settings);
+
+// From the hand in the operator's frame to the needle in the patient, and from the wrench on the needle back to the
+// hand.
+//
+//   tip = centre + R (s x + shift),   x = p + H o        needle axes = R H G
+//   force on the hand = k R' F,       torque about p = k R' T + (H o) x (force on the hand)
+//
+//   p, H  position and rotation of the device's tool;  o  tip offset;  G  how the needle is held (tool rotation at
+//   first);  R  rotation;  s  scale;  k  force scale;  F, T  wrench about the tip in the patient
+//
+// With s = k = 1 the work of the hand is the work of the needle, whatever the grasp (virtual work). Otherwise the
+// hand does k / s times the needle's work, and feels k s times its stiffness. Motion between tip and hand changes
+// only by rotation, scale and the grasp, so nothing here adds energy.
+//
+// Hold: while the needle is frozen (it stays in the tissue, the hand may leave) or the clutch is pressed (the hand
+// goes back to the middle of a small workspace), the needle keeps its pose in the patient. When the last hold ends,
+// the grasp is taken anew (shift and G), so the needle does not jump, wherever the hand is and however it is turned.
+// All functions but the constructor are noexcept and allocate nothing.
+class WorkspaceMap {
+ public:
+  explicit WorkspaceMap(const WorkspaceSettings& settings);
+
+  // The needle for the hand of this tick. `dt`: s since the last one, by which the body moves on.
+  const Pose& step(const Pose& hand, double dt) noexcept;
+  // The needle's wrench (LPS, about the tip) as the hand of the last step feels it: about the device's point,
+  // operator's frame. Zero while the needle is held.
+  Wrench felt(const Wrench& on_needle) const noexcept;
+
+  // Takes effect at the next step.
+  void freeze(bool on) noexcept { frozen_ = on; }
+  void clutch(bool on) noexcept { clutched_ = on; }
+  // Where the body shall lie: `middle` (LPS mm) in the middle of the workspace, turned by `rotation` (operator to
+  // patient). It glides there at body_speed and body_turn, so that no needle is torn through it. Ignored when it is
+  // not finite or no rotation.
+  void move_body(const Vec3& middle, const Mat3& rotation) noexcept;
+
+  bool is_held() const noexcept { return frozen_ || clutched_; }
+  bool is_frozen() const noexcept { return frozen_; }
+  bool is_clutched() const noexcept { return clutched_; }
+  bool is_body_moving() const noexcept { return body_moving_; }
+  const Pose& needle() const noexcept { return needle_; }  // LPS
+  const WorkspaceSettings& settings() const noexcept { return settings_; }
+
+ private:
+  Vec3 tip_of(const Pose& hand) const noexcept;
+  void glide(double dt) noexcept;
+  void grasp(const Pose& hand) noexcept;
+
+  WorkspaceSettings settings_;
+  Vec3 wanted_centre_;
+  Mat3 wanted_rotation_;
+  Mat3 grip_;                  // G
+  Vec3 shift_ = Vec3::Zero();  // mm, operator's axes
+  Vec3 lever_ = Vec3::Zero();  // mm, H o of the last step
+  Pose needle_ = Pose::Identity();
+  bool frozen_ = false;
+  bool clutched_ = false;
+  bool was_held_ = false;
+  bool body_moving_ = false;
+  bool begun_ = false;
+};
+
+}  // namespace bodkin

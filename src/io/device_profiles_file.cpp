@@ -1,0 +1,170 @@
+#include "io/device_profiles_file.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "io/csv_rows.h"
+#include "io/resources.h"
+#include "io/xml_document.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr std::size_t table_limit = 1 << 20;  // bytes
+constexpr std::string_view header = "device,quantity,value,unit,source,provenance,remark";
+constexpr std::array<const char*, 7> columns = {"device", "quantity",   "value", "unit",
+                                                "source", "provenance", "remark"};
+constexpr const char* other_name = "also_called";
+
+struct Quantity {
+  std::string_view name;
+  std::string_view unit;
+  double most;
+};
+
+// In the order of DeviceQuantity.
+constexpr std::array<Quantity, device_quantities> quantities = {{{"peak_force", "N", 200.0},
+                                                                 {"continuous_force", "N", 200.0},
+                                                                 {"peak_torque", "N mm", 20000.0},
+                                                                 {"stiffness", "N/mm", 50.0},
+                                                                 {"damping", "N s/mm", 1.0},
+                                                                 {"resolution", "mm", 1.0},
+                                                                 {"workspace_x", "mm", 3000.0},
+                                                                 {"workspace_y", "mm", 3000.0},
+                                                                 {"workspace_z", "mm", 3000.0},
+                                                                 {"friction", "N", 20.0},
+                                                                 {"inertia", "kg", 5.0}}};
+
+constexpr std::array<std::string_view, 5> provenances = {"not sourced", "paper", "looked-up", "recalled", "derived"};
+
+// One row, checked.
+class ProfileRow {
+ public:
+  ProfileRow(const CsvRow& row, const std::string& origin) : row_(row), origin_(origin) {
+    if (row.fields.size() != columns.size()) {
+      fail_at(origin, row.line,
+              fmt::format("there are {} columns, expected {} ({})", row.fields.size(), columns.size(), header));
+    }
+    if (row.fields[0].empty() || row.fields[0].size() > 100) fail(0, "the name of a device, at most 100 bytes long");
+    if (row.fields[1] == other_name && row.fields[2].empty()) fail(2, "another name of the device");
+  }
+
+  bool is_other_name() const { return row_.fields[1] == other_name; }
+
+  DeviceQuantity quantity() const {
+    for (std::size_t i = 0; i < quantities.size(); ++i) {
+      if (row_.fields[1] == quantities[i].name) return static_cast<DeviceQuantity>(i);
+    }
+    std::string names = other_name;
+    for (const Quantity& known : quantities) names += fmt::format(", {}", known.name);
+    fail(1, fmt::format("one of {}", names));
+  }
+
+  ProfileValue value() const {
+    const Quantity& kind = quantities[static_cast<std::size_t>(quantity())];
+    if (row_.fields[3] != kind.unit) fail(3, fmt::format("{} for {}", kind.unit, kind.name));
+    ProfileValue found{.value = number(kind), .source = row_.fields[4], .remark = row_.fields[6]};
+    const auto* const known = std::find(provenances.begin(), provenances.end(), row_.fields[5]);
+    if (known == provenances.end()) fail(5, "paper, looked-up, recalled, derived or not sourced");
+    found.provenance = static_cast<Provenance>(known - provenances.begin());
+    if ((found.provenance == Provenance::unknown) != row_.fields[2].empty()) {
+      fail(5, row_.fields[2].empty() ? "not sourced, for there is no value" : "where the value comes from");
+    }
+    if (found.provenance != Provenance::unknown && found.source.empty()) fail(4, "where the value comes from");
+    return found;
+  }
+
+ private:
+  [[noreturn]] void fail(std::size_t column, const std::string& expected) const {
+    fail_at(origin_, row_.line,
+            fmt::format("column {}: {} is {}, expected {}", column + 1, columns[column],
+                        in_quotes(row_.fields[column]), expected));
+  }
+
+  double number(const Quantity& kind) const {
+    const std::string& text = row_.fields[2];
+    if (text.empty()) return 0.0;
+    double value = 0.0;
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (problem != std::errc() || end != text.data() + text.size() || !(value > 0.0 && value <= kind.most)) {
+      fail(2, fmt::format("a number above 0 and at most {} {}, or nothing", kind.most, kind.unit));
+    }
+    return value;
+  }
+
+  const CsvRow& row_;
+  const std::string& origin_;
+};
+
+// Profiles while they are read, with the lines of their numbers.
+struct Reading {
+  DeviceProfile profile;
+  std::array<int, device_quantities> lines{};
+};
+
+Reading& profile_named(std::vector<Reading>& readings, const std::string& name) {
+  for (Reading& reading : readings) {
+    if (reading.profile.name == name) return reading;
+  }
+  readings.emplace_back().profile.name = name;
+  return readings.back();
+}
+
+void check_forces(const Reading& reading, const std::string& origin) {
+  const double peak = reading.profile.of(DeviceQuantity::peak_force).value;
+  const double continuous = reading.profile.of(DeviceQuantity::continuous_force).value;
+  if (continuous <= peak) return;
+  fail_at(origin, reading.lines[static_cast<std::size_t>(DeviceQuantity::continuous_force)],
+          fmt::format("the continuous force of {} is {} N, expected at most its peak force of {} N",
+                      in_quotes(reading.profile.name), continuous, peak));
+}
+
+}  // namespace
+
+std::vector<DeviceProfile> parse_device_profiles(const std::string& text, const std::string& origin) {
+  const std::vector<CsvRow> rows = read_csv_rows(text, origin, {.comments = true});
+  if (rows.empty()) fail_at(origin, 1, fmt::format("the file is empty, expected the header {}", header));
+  const std::string first = fmt::format("{}", fmt::join(rows.front().fields, ","));
+  if (first != header) {
+    fail_at(origin, rows.front().line, fmt::format("the header is {}, expected {}", in_quotes(first), header));
+  }
+  std::vector<Reading> readings;
+  for (auto row = rows.begin() + 1; row != rows.end(); ++row) {
+    const ProfileRow entry(*row, origin);
+    Reading& reading = profile_named(readings, row->fields[0]);
+    if (entry.is_other_name()) {
+      reading.profile.other_names.push_back(row->fields[2]);
+      continue;
+    }
+    const auto index = static_cast<std::size_t>(entry.quantity());
+    if (reading.lines[index] != 0) {
+      fail_at(origin, row->line,
+              fmt::format("{} of {} is given again, which line {} gives already", quantities[index].name,
+                          in_quotes(row->fields[0]), reading.lines[index]));
+    }
+    reading.profile.values[index] = entry.value();
+    reading.lines[index] = row->line;
+  }
+  if (readings.empty()) fail_at(origin, rows.front().line, "there are no devices under the header");
+  std::vector<DeviceProfile> profiles;
+  for (Reading& reading : readings) {
+    check_forces(reading, origin);
+    profiles.push_back(std::move(reading.profile));
+  }
+  return profiles;
+}
+
+std::vector<DeviceProfile> read_device_profiles(const std::filesystem::path& file) {
+  return parse_device_profiles(read_text_file(file, table_limit), file.string());
+}
+
+std::vector<DeviceProfile> default_device_profiles() {
+  return read_device_profiles(shared_file("devices.csv"));
+}
+
+}  // namespace bodkin

@@ -1,0 +1,56 @@
+#include "haptics/oscillation_watch.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace bodkin {
+namespace {
+
+constexpr double dt = 0.001;
+
+// How often a hand that swings at `hertz` and `wide` (mm from the middle) is found to be shaken within a second, by a
+// spring of `stiffness` (N/mm) about a push of 5 N that answers `late` seconds after the hand.
+int found(OscillationWatch watch, double hertz, double wide, double stiffness, double late, double drift = 0.0) {
+  const auto place = [&](double time) {
+    return drift * time + wide * std::sin(2.0 * std::numbers::pi * hertz * time);
+  };
+  int count = 0;
+  for (int i = 1; i <= 1000; ++i) {
+    const double time = dt * i;
+    // The mean of the tick, so that a spring without delay neither gives nor takes.
+    const double meanwhile = time - 0.5 * dt - late;
+    const Vec3 force(0.0, 0.0, 5.0 - stiffness * place(meanwhile));
+    count += watch.step(Vec3(0.0, 0.0, place(time) - place(time - dt)), force, dt) ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(OscillationWatch, fast_shaking_is_above_30_Hz_and_its_swing) {
+  const OscillationWatch watch(fast_shaking(0.05));
+  EXPECT_GE(found(watch, 40.0, 0.1, 0.0, 0.0), 7);
+  EXPECT_GE(found(watch, 200.0, 0.1, 0.0, 0.0), 7);
+  EXPECT_EQ(found(watch, 25.0, 1.0, 0.0, 0.0), 0);
+  EXPECT_EQ(found(watch, 12.0, 3.0, 0.0, 0.0), 0);
+  EXPECT_EQ(found(watch, 100.0, 0.02, 0.0, 0.0), 0);
+}
+
+TEST(OscillationWatch, driven_shaking_is_one_that_the_force_feeds) {
+  const OscillationWatch watch(driven_shaking(0.2, 1.0, dt));
+  EXPECT_GE(found(watch, 15.0, 1.0, 2.0, 0.004), 2) << "a spring that answers late";
+  EXPECT_EQ(found(watch, 15.0, 1.0, 2.0, 0.0), 0) << "a spring";
+  EXPECT_EQ(found(watch, 15.0, 1.0, 2.0, -0.004), 0) << "a spring with a damper";
+  EXPECT_EQ(found(watch, 15.0, 1.0, 1.0, 0.0005), 0) << "a wall that the device renders, held for a tick";
+  EXPECT_EQ(found(watch, 15.0, 0.05, 2.0, 0.004), 0) << "small";
+  EXPECT_EQ(found(watch, 5.0, 1.0, 2.0, 0.004), 0) << "slow";
+  EXPECT_EQ(found(watch, 15.0, 1.0, 2.0, 0.004, 60.0), 0) << "the hand goes somewhere";
+}
+
+TEST(OscillationWatch, without_force_nothing_shakes_the_hand) {
+  OscillationWatch watch(fast_shaking(0.05));
+  for (int i = 0; i < 1000; ++i) EXPECT_FALSE(watch.step(Vec3(0.0, 0.0, i % 10 < 5 ? 0.1 : -0.1), Vec3::Zero(), dt));
+}
+
+}  // namespace
+}  // namespace bodkin
