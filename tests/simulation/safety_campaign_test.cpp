@@ -147,7 +147,9 @@ TEST(SafetyCampaign, no_hand_on_any_device_in_any_tissue_gets_more_than_the_devi
     for (std::size_t i = 0; i < tally.counts.size(); ++i) tally.counts[i] += rig->counts[i];
     ASSERT_LT(tally.worst_growth, 0.1) << what << ": the hand swings more and more, mm";
   }
-  for (const auto& [name, tally] : tallies) {
+  for (const auto& entry : tallies) {
+    const std::string& name = entry.first;
+    const Tally& tally = entry.second;
     const auto count = [&tally](GuardReason reason) { return tally.counts[static_cast<std::size_t>(reason)]; };
     if (is_long()) {
       std::printf(
