@@ -12,6 +12,7 @@ namespace bodkin {
 namespace {
 
 constexpr double bounce_time = 0.020;  // s
+constexpr double longest_dt = 1.0;     // s; a longer pause counts as this
 constexpr int recent_ticks = 100;
 
 // The period, if a servo can keep it.
@@ -150,6 +151,7 @@ Wrench ServoTick::step(const DeviceState& reported, double dt, double lateness) 
   const std::int64_t began = clock_();
   if (!(dt > 0.0)) dt = period_;
   if (std::isnan(lateness)) lateness = std::max(0.0, dt - period_);
+  dt = std::min(dt, longest_dt);
 
   obey();
   DeviceState device = reported;

@@ -54,6 +54,9 @@ class WorkspaceMap {
   // not finite or no rotation.
   void move_body(const Vec3& middle, const Mat3& rotation) noexcept;
 
+  // k s: how much stiffer than it is the needle's surroundings feel. A device that renders 1 N/mm stably renders
+  // tissue of at most 1 / stiffness_factor() N/mm.
+  double stiffness_factor() const noexcept { return settings_.force_scale * settings_.scale; }
   bool is_held() const noexcept { return frozen_ || clutched_; }
   bool is_frozen() const noexcept { return frozen_; }
   bool is_clutched() const noexcept { return clutched_; }

@@ -116,6 +116,7 @@ TEST(WorkspaceMap, scales_are_separate_and_the_hand_does_their_ratio_of_the_work
   settings.scale = 2.0;
   settings.force_scale = 0.25;
   WorkspaceMap map(settings);
+  EXPECT_EQ(map.stiffness_factor(), 0.5);
   map.step(Pose::Identity(), 0.001);
   const Wrench felt = map.felt({Vec3(0.0, 0.0, -8.0), Vec3(40.0, 0.0, 0.0)});
   EXPECT_EQ(felt.force, Vec3(0.0, 0.0, -2.0));
