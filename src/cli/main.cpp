@@ -22,6 +22,7 @@ constexpr const char* footer = R"(Examples:
   bodkin run patient --operator novice           a simulated hand performs the procedure
   bodkin report session.bodkin                   what happened, as one HTML file
   bodkin fit layered skin.csv                    parameters of a force model from a measured curve
+  bodkin devices list                            haptic devices that are connected
   bodkin figures figures                         published experiments, played again and plotted
 
 'bodkin COMMAND --help' explains a command. Coordinates are patient coordinates, LPS, in mm.)";
@@ -45,6 +46,10 @@ int main(int argc, char** argv) {
   bodkin::add_case_synthesize_command(*case_group, context);
   bodkin::add_case_check_command(*case_group, context);
   bodkin::add_case_show_command(*case_group, context);
+  CLI::App* devices_group = app.add_subcommand("devices", "Find haptic devices and see how well they answer");
+  devices_group->require_subcommand(1);
+  bodkin::add_devices_list_command(*devices_group, context);
+  bodkin::add_devices_check_command(*devices_group, context);
   bodkin::add_profile_command(app, context);
   bodkin::add_compare_command(app, context);
   bodkin::add_run_command(app, context);

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "haptics/device_port.h"
+#include "haptics/servo_thread.h"
+#include "haptics/servo_tick.h"
+
+namespace bodkin {
+
+// An open device with its servo, whoever owns the loop: a vendor's thread, or one of ours. Without start() and an arm
+// command no force leaves.
+class DeviceServo {
+ public:
+  // `settings`: its guard is made for the device (guard_settings) unless it already has a peak force. Throws
+  // InputError as ServoTick does.
+  DeviceServo(DevicePort port, ServoSettings settings, Controller controller);
+  ~DeviceServo();  // stop()
+  DeviceServo(const DeviceServo&) = delete;
+  DeviceServo& operator=(const DeviceServo&) = delete;
+
+  // The loop runs from now on. Throws DeviceError, or SystemError when real-time priority is required and refused.
+  // Once only.
+  void start(bool require_real_time = false);
+  // Zero force and the end of the loop. False: the device did not answer and was left behind, never waited for.
+  bool stop() noexcept;
+
+  const DeviceAbilities& abilities() const noexcept;
+  // Commands, snapshots, events and timings.
+  ServoTick& tick() noexcept;
+  // Rounds so far. Any thread.
+  std::uint64_t rounds() const noexcept;
+  // What the system did not grant, one sentence each; known once start() has returned.
+  const std::vector<std::string>& refused() const noexcept { return refused_; }
+  // One sentence about the device's last fault; may be empty.
+  std::string explain() const;
+
+ private:
+  struct Shared;
+
+  std::shared_ptr<Shared> shared_;       // with a loop that may have to be left behind
+  std::unique_ptr<ServoThread> thread_;  // where the loop is ours
+  std::vector<std::string> refused_;
+  bool started_ = false;
+};
+
+}  // namespace bodkin
