@@ -14,8 +14,7 @@
 
 namespace bodkin {
 
-void add_driver_options(CLI::App& command, DeviceOptions& options) {
-  add_text(command, "--plug-in", options.plug_in, "Shared library with a driver that does not come with Bodkin");
+void add_driver_settings(CLI::App& command, DeviceOptions& options) {
   add_text(command, "--settings", options.settings,
            "Settings of the driver, \"KEY=VALUE ...\", such as library=/opt/sdk/libdrd.so");
 }
@@ -24,19 +23,12 @@ ChosenDevice choose_device(const DeviceOptions& options) {
   const std::size_t colon = options.device.find(':');
   const std::string name = options.device.substr(0, colon);
   const std::string identity = colon == std::string::npos ? "" : options.device.substr(colon + 1);
-  if (!options.plug_in.empty()) {
-    const bodkin_driver& driver = load_plugin(options.plug_in);
-    if (!name.empty() && name != driver.name) {
-      throw InputError(fmt::format("the device is '{}', but {} is the driver '{}'; name that, or no device",
-                                   options.device, options.plug_in, driver.name));
-    }
-    return {&driver, identity};
-  }
+  if (name.find('/') != std::string::npos) return {&load_plugin(name), identity};
   if (const bodkin_driver* driver = find_driver(name)) return {driver, identity};
   std::vector<std::string> names;
   for (const bodkin_driver* driver : built_in_drivers()) names.emplace_back(driver->name);
-  throw InputError(fmt::format("there is no driver '{}'; expected {}, with ':IDENTITY' for one of several devices",
-                               name, fmt::join(names, ", ")));
+  throw InputError(fmt::format("there is no driver '{}'; expected {}, or the path of a driver with a '/' in it", name,
+                               fmt::join(names, ", ")));
 }
 
 void complete_from_table(DeviceAbilities& abilities) {

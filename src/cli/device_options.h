@@ -13,20 +13,20 @@ namespace bodkin {
 
 // Which driver a command is to use, and how.
 struct DeviceOptions {
-  std::string device;    // "DRIVER" or "DRIVER:IDENTITY", as `bodkin devices list` prints it
-  std::string plug_in;   // a shared library with somebody else's driver
+  std::string device;    // "DRIVER" or "DRIVER:IDENTITY", as `bodkin devices list` prints it; a driver may be a path
   std::string settings;  // "key=value ..." for the driver
 };
 
-// Adds --plug-in and --settings.
-void add_driver_options(CLI::App& command, DeviceOptions& options);
+// Adds --settings.
+void add_driver_settings(CLI::App& command, DeviceOptions& options);
 
 struct ChosenDevice {
   const bodkin_driver* driver = nullptr;
   std::string identity;  // "" = the first
 };
 
-// Throws InputError for a name that no driver has, SystemError for a plug-in that cannot be loaded.
+// A name with a '/' is the file of somebody else's driver. Throws InputError for a name that no driver has,
+// SystemError for a file that is no driver.
 ChosenDevice choose_device(const DeviceOptions& options);
 
 // Puts what share/bodkin/devices.csv knows of the model where the device itself tells nothing.

@@ -34,7 +34,7 @@ struct Arguments {
 constexpr const char* footer = R"(Examples:
   bodkin devices check force_dimension              the first device of that driver, for ten seconds
   bodkin devices check openhaptics:Left --seconds 30
-  bodkin devices check --plug-in ./my_driver.so     a driver of your own
+  bodkin devices check ./my_driver.so               a driver of your own
 
 No force is ever asked for. Move the device while it is being checked: to every corner, and press its buttons.
 Exit code 0: it is ready. 3: it is not, and the last line says why.)";
@@ -207,8 +207,9 @@ void add_devices_check_command(CLI::App& devices_group, CommandContext& context)
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
       add_command(devices_group, "check", "Open a device, ask it for nothing, and say how well it answers", footer);
-  add_text(*command, "DEVICE", arguments->device.device, "DRIVER or DRIVER:IDENTITY, as 'devices list' prints it");
-  add_driver_options(*command, arguments->device);
+  add_text(*command, "DEVICE", arguments->device.device, "DRIVER or DRIVER:IDENTITY, as 'devices list' prints it")
+      .required();
+  add_driver_settings(*command, arguments->device);
   add_number(*command, "--seconds", arguments->seconds, 0.1, 3600.0, "s for which it is checked, 0.1 to 3600");
   on_run(*command, [arguments, &context] { context.exit_code = run(*arguments, context); });
 }

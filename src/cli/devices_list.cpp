@@ -22,7 +22,7 @@ constexpr std::chrono::seconds patience{5};
 constexpr const char* footer = R"(Examples:
   bodkin devices list                                          every driver, and the devices that it finds
   bodkin devices list --driver force_dimension --settings library=/opt/forcedimension/lib/libdrd.so
-  bodkin devices list --plug-in ./my_driver.so                 a driver of your own
+  bodkin devices list --driver ./my_driver.so                  a driver of your own
 
 Nothing moves and nothing is energised. docs/devices.md says what each driver needs.)";
 
@@ -75,7 +75,7 @@ nlohmann::ordered_json json_of(const Found& found) {
 void run(const DeviceOptions& options, const CommandContext& context) {
   const Console console(context);
   std::vector<const bodkin_driver*> drivers(built_in_drivers().begin(), built_in_drivers().end());
-  if (!options.device.empty() || !options.plug_in.empty()) drivers = {choose_device(options).driver};
+  if (!options.device.empty()) drivers = {choose_device(options).driver};
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const bodkin_driver* driver : drivers) {
     const Found found = ask(*driver, options.settings);
@@ -91,8 +91,8 @@ void run(const DeviceOptions& options, const CommandContext& context) {
 void add_devices_list_command(CLI::App& devices_group, CommandContext& context) {
   auto options = std::make_shared<DeviceOptions>();
   CLI::App* command = add_command(devices_group, "list", "Every driver, and the devices that it finds", footer);
-  add_text(*command, "--driver", options->device, "Ask this driver only");
-  add_driver_options(*command, *options);
+  add_text(*command, "--driver", options->device, "Ask this driver only (default: all that come with Bodkin)");
+  add_driver_settings(*command, *options);
   on_run(*command, [options, &context] { run(*options, context); });
 }
 

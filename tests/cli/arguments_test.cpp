@@ -23,7 +23,7 @@ struct OptionRow {
 struct CommandRow {
   std::string words;      // the command
   std::string arguments;  // that it cannot do without, all good as far as the command line goes
-  std::string missing;    // the first of them
+  std::string missing;    // the first of them; empty where there is none
   std::vector<OptionRow> options;
 };
 
@@ -61,6 +61,11 @@ const std::vector<CommandRow>& table() {
         {"--spacing", Kind::number, {"0", "0.4", "3.1", "-1"}}}},
       {"case check", "somewhere", "CASE", {}},
       {"case show", "somewhere", "CASE", {{"--output", Kind::text}}},
+      {"devices list", "", "", {{"--driver", Kind::text}, {"--settings", Kind::text}}},
+      {"devices check",
+       "force_dimension",
+       "DEVICE",
+       {{"--settings", Kind::text}, {"--seconds", Kind::number, {"0.09", "3601", "-1"}}}},
       {"profile",
        "somewhere",
        "CASE",
@@ -154,7 +159,7 @@ TEST_F(Arguments, the_table_holds_every_command_and_every_option) {
     EXPECT_EQ(told, known) << row.words;
   }
   const std::regex command(R"(^  ([a-z]+) +[A-Z])");
-  for (const std::string group : {"", "case", "case synthesize"}) {
+  for (const std::string group : {"", "case", "case synthesize", "devices"}) {
     std::istringstream lines(bodkin(group + " --help").output);
     std::smatch match;
     for (std::string line; std::getline(lines, line);) {
@@ -216,6 +221,7 @@ TEST_F(Arguments, unknown_words_and_missing_ones_are_named) {
     expect_refusal(start + " --no-such-option=1", {"has no option --no-such-option"});
     expect_refusal(start + " -x", {"has no option -x"});
     expect_refusal(start + " surplus", {"bodkin " + row.words + " does not take 'surplus'"});
+    if (row.missing.empty()) continue;
     expect_refusal(row.words, {row.missing + " is missing; expected "});
     expect_refusal(row.words + " ''", {row.missing + " is empty; expected "});
   }
