@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "tests/simulation/hand_on_device.h"
@@ -31,6 +32,22 @@ inline std::vector<DeviceProfile> devices_with_force() {
   return found;
 }
 
+// No spring of the case stiffer than the device renders: what the sentence that refuses the case asks its author to
+// do.
+inline void soften(Case& patient) {
+  const double most = patient.description.device.stiffness;
+  const auto bound = [most](double& stiffness) { stiffness = std::min(stiffness, most); };
+  std::vector<TissueProperties> tissues = patient.library.tissues();
+  for (TissueProperties& tissue : tissues) bound(tissue.tracking_wall.stiffness);
+  patient.library = TissueLibrary(tissues);
+  HapticSettings& haptics = patient.description.haptics;
+  if (auto* depth_profile = std::get_if<DepthProfileSettings>(&haptics.resistance))
+    bound(depth_profile->bone_stiffness);
+  if (auto* parts = std::get_if<ThreeComponentSettings>(&haptics.resistance)) bound(parts->cutting_stiffness);
+  if (auto* fracture = std::get_if<FractureSettings>(&haptics.resistance)) bound(fracture->cutting_stiffness);
+  if (auto* beam = std::get_if<BeamSettings>(&haptics.constraint)) bound(beam->largest_stiffness);
+}
+
 inline Case patient_on(const NamedResistance& resistance, const NamedConstraint& constraint,
                        const DeviceAbilities& device) {
   Case patient = patient_for(resistance, constraint);
@@ -41,6 +58,7 @@ inline Case patient_on(const NamedResistance& resistance, const NamedConstraint&
   limits.peak_torque = device.peak_torque;
   limits.stiffness = device.stiffness > 0.0 ? device.stiffness : 1.0;
   limits.position_resolution = device.resolution;
+  soften(patient);
   return patient;
 }
 

@@ -1,0 +1,23 @@
+// A table of devices from anybody: refused with a sentence, or limits that a device can have.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "core/error.h"
+#include "io/device_profiles_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    const std::string text(reinterpret_cast<const char*>(data), size);
+    for (const bodkin::DeviceProfile& profile : bodkin::parse_device_profiles(text, "devices.csv")) {
+      if (profile.name.empty()) std::abort();
+      for (const bodkin::ProfileValue& value : profile.values) {
+        if (!std::isfinite(value.value) || value.value < 0.0) std::abort();
+      }
+    }
+  } catch (const bodkin::InputError&) {
+  }
+  return 0;
+}
