@@ -177,11 +177,11 @@ int run(const Arguments& arguments, const CommandContext& context) {
   Console console(context);
   const ChosenDevice chosen = choose_device(arguments.device);
   DevicePort port(*chosen.driver, chosen.identity, arguments.device.settings);
-  ServoSettings settings;
-  settings.rate = std::clamp(port.abilities().rate, 200.0, 4000.0);
-  DeviceServo servo(std::move(port), settings, [](const ControlInput&) { return Control{}; });
-  DeviceAbilities abilities = servo.abilities();
+  DeviceAbilities abilities = port.abilities();
   complete_from_table(abilities);
+  ServoSettings settings;
+  settings.rate = std::clamp(abilities.rate, 200.0, 4000.0);
+  DeviceServo servo(std::move(port), abilities, settings, [](const ControlInput&) { return Control{}; });
   say_abilities(console, abilities);
   const Observation seen = observe(servo, arguments.seconds, console);
   const std::string why_not = obstacle(seen, abilities);

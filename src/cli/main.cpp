@@ -22,6 +22,7 @@ constexpr const char* footer = R"(Examples:
   bodkin run patient --operator novice           a simulated hand performs the procedure
   bodkin report session.bodkin                   what happened, as one HTML file
   bodkin fit layered skin.csv                    parameters of a force model from a measured curve
+  bodkin perform patient openhaptics             your own hand performs it on a haptic device
   bodkin devices list                            haptic devices that are connected
   bodkin figures figures                         published experiments, played again and plotted
 
@@ -53,6 +54,7 @@ int main(int argc, char** argv) {
   bodkin::add_profile_command(app, context);
   bodkin::add_compare_command(app, context);
   bodkin::add_run_command(app, context);
+  bodkin::add_perform_command(app, context);
   bodkin::add_replay_command(app, context);
   bodkin::add_export_command(app, context);
   bodkin::add_report_command(app, context);

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cctype>
 #include <cstdint>
 #include <filesystem>
@@ -12,12 +11,11 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/force_options.h"
+#include "cli/outcome.h"
 #include "core/error.h"
 #include "io/case_folder.h"
-#include "training/crossings.h"
 #include "training/operator_file.h"
 #include "training/session_run.h"
-#include "training/session_summary.h"
 
 namespace bodkin {
 
@@ -71,110 +69,6 @@ NeedlePath path_of(const Arguments& arguments, const Case& patient) {
   return path;
 }
 
-// What a person wants to know at the end.
-struct Outcome {
-  RunResult run;
-  Session session;  // as it was saved
-  SessionSummary summary;
-  Verdict verdict;
-  fs::path file;
-
-  double time() const { return static_cast<double>(run.ticks) * session.header.dt; }
-  // N, the greatest force that reached the hand.
-  double peak_applied() const {
-    double peak = 0.0;
-    for (const TickRecord& record : session.ticks) peak = std::max(peak, record.output.applied.force.norm());
-    return peak;
-  }
-  double speed() const { return run.wall_time > 0.0 ? time() / run.wall_time : 0.0; }
-};
-
-nlohmann::ordered_json json_of(const Outcome& outcome, const Case& patient) {
-  const SessionSummary& summary = outcome.summary;
-  const TissueLibrary& library = patient.library;
-  nlohmann::ordered_json json = {{"session", outcome.file.string()},
-                                 {"operator", outcome.session.header.operator_name},
-                                 {"seed", outcome.session.header.seed},
-                                 {"resistance", name_of(outcome.session.header.haptics.resistance)},
-                                 {"constraint", name_of(outcome.session.header.haptics.constraint)},
-                                 {"time_s", outcome.time()},
-                                 {"wall_time_s", outcome.run.wall_time},
-                                 {"speed_factor", outcome.speed()},
-                                 {"operator_finished", outcome.run.operator_finished},
-                                 {"reached", outcome.verdict.reached},
-                                 {"verdict", outcome.verdict.headline},
-                                 {"target_distance_mm", summary.final_error.distance},
-                                 {"target_axial_mm", summary.final_error.axial},
-                                 {"target_lateral_mm", summary.final_error.lateral},
-                                 {"deepest_mm", summary.deepest},
-                                 {"peak_force_N", summary.peak_force},
-                                 {"peak_depth_mm", summary.peak_depth},
-                                 {"peak_applied_force_N", outcome.peak_applied()},
-                                 {"peak_tissue", library.title(summary.peak_tissue)},
-                                 {"bone_contacts", summary.bone_contacts},
-                                 {"insertions", summary.insertions},
-                                 {"missed_deadlines", outcome.run.missed_deadlines},
-                                 {"worst_lateness_s", outcome.run.worst_lateness},
-                                 {"records_lost", outcome.run.records_lost}};
-  json["target_tissue_time_s"] = summary.target_tissue_time ? nlohmann::ordered_json(*summary.target_tissue_time)
-                                                            : nlohmann::ordered_json(nullptr);
-  json["tissues"] = nlohmann::ordered_json::array();
-  for (const TissueTotal& tissue : summary.tissues) {
-    json["tissues"].push_back({{"tissue", library.title(tissue.tissue)},
-                               {"from_mm", tissue.from},
-                               {"to_mm", tissue.to},
-                               {"peak_force_N", tissue.peak_force},
-                               {"peak_depth_mm", tissue.peak_depth}});
-  }
-  json["events"] = nlohmann::ordered_json::array();
-  for (const SessionEvent& event : outcome.session.events) {
-    json["events"].push_back({{"time_s", static_cast<double>(event.tick) * outcome.session.header.dt},
-                              {"depth_mm", event.event.depth},
-                              {"text", event_text(event.event, library)}});
-  }
-  json["notes"] = outcome.run.notes;
-  return json;
-}
-
-void print_events(const Console& console, const Outcome& outcome, const Case& patient) {
-  constexpr std::size_t most = 24;  // one screen
-  std::size_t shown = 0, left = 0;
-  console.line(fmt::format("\n{:>9} {:>9}   {}", "time s", "depth mm", "event"));
-  for (const SessionEvent& event : outcome.session.events) {
-    if (!is_notable(event.event.kind)) continue;
-    if (shown == most) {
-      ++left;
-      continue;
-    }
-    ++shown;
-    console.line(fmt::format("{:>9.2f} {:>9.1f}   {}", static_cast<double>(event.tick) * outcome.session.header.dt,
-                             event.event.depth, event_text(event.event, patient.library)));
-  }
-  if (left > 0) console.line(fmt::format("{:>22} {} more", "", left));
-}
-
-void print(const Console& console, const Outcome& outcome, const Case& patient) {
-  const SessionSummary& summary = outcome.summary;
-  console.line(outcome.verdict.headline);
-  for (const std::string& remark : outcome.verdict.remarks) console.line("  " + remark);
-  console.line(fmt::format("\n{:<26} {:>8} {:>8} {:>10}", "tissue", "from mm", "to mm", "peak N"));
-  for (const TissueTotal& tissue : summary.tissues) {
-    console.line(fmt::format("{:<26} {:>8.1f} {:>8.1f} {:>10.2f}", patient.library.title(tissue.tissue), tissue.from,
-                             tissue.to, tissue.peak_force));
-  }
-  print_events(console, outcome, patient);
-  console.line(fmt::format("\n{:<14} {:.1f} s simulated in {:.2f} s, {:.0f} times real time", "time", outcome.time(),
-                           outcome.run.wall_time, outcome.speed()));
-  console.line(fmt::format("{:<14} {:.1f} mm from the target ({:+.1f} along the path, {:.1f} beside it)", "tip",
-                           summary.final_error.distance, summary.final_error.axial, summary.final_error.lateral));
-  console.line(fmt::format("{:<14} {:.2f} N of resistance in {} at {:.1f} mm; at most {:.2f} N reached the hand",
-                           "peak force", summary.peak_force, patient.library.title(summary.peak_tissue),
-                           summary.peak_depth, outcome.peak_applied()));
-  console.line(fmt::format("{:<14} {}", "bone contacts", summary.bone_contacts));
-  console.line(fmt::format("{:<14} {}", "force models", force_names(outcome.session.header.haptics)));
-  console.line(fmt::format("{:<14} {}", "session", outcome.file.string()));
-}
-
 void run(Arguments arguments, const CommandContext& context) {
   Console console(context);
   RunSettings& settings = arguments.settings;
@@ -188,12 +82,8 @@ void run(Arguments arguments, const CommandContext& context) {
                         ? free_name(patient.description.name, settings.script.name, settings.seed, settings.overwrite)
                         : fs::path(arguments.output);
   const SessionHeader header = session_header(patient, arguments.folder, settings);
-  Outcome outcome;
-  outcome.run = run_session(patient, header, settings, console.progress());
-  outcome.file = fs::absolute(settings.output).lexically_normal();
-  outcome.session = read_session(settings.output);
-  outcome.summary = summarise(outcome.session, patient);
-  outcome.verdict = judge(outcome.summary, outcome.session, patient);
+  const Outcome outcome =
+      read_outcome(settings.output, patient, run_session(patient, header, settings, console.progress()));
   console.clear_bar();
   for (const std::string& note : outcome.run.notes) console.note(note);
   if (!outcome.run.operator_finished) {

@@ -8,7 +8,6 @@ namespace bodkin {
 namespace {
 
 ServoSettings guarded(ServoSettings settings, const DeviceAbilities& abilities) {
-  if (settings.guard.peak_force > 0.0) return settings;
   const double user_force = settings.guard.user_force;
   settings.guard = guard_settings(abilities, settings.rate);
   settings.guard.user_force = user_force;
@@ -18,8 +17,8 @@ ServoSettings guarded(ServoSettings settings, const DeviceAbilities& abilities) 
 }  // namespace
 
 struct DeviceServo::Shared final : DeviceTick {
-  Shared(DevicePort opened, const ServoSettings& settings, Controller controller)
-      : port(std::move(opened)), servo(guarded(settings, port.abilities()), std::move(controller)) {}
+  Shared(DevicePort opened, const DeviceAbilities& known, const ServoSettings& settings, Controller controller)
+      : port(std::move(opened)), servo(guarded(settings, known), std::move(controller)) {}
 
   Wrench tick(const DeviceState& state, double dt) noexcept override { return servo.step(state, dt); }
 
@@ -27,8 +26,9 @@ struct DeviceServo::Shared final : DeviceTick {
   ServoTick servo;
 };
 
-DeviceServo::DeviceServo(DevicePort port, ServoSettings settings, Controller controller)
-    : shared_(std::make_shared<Shared>(std::move(port), settings, std::move(controller))) {}
+DeviceServo::DeviceServo(DevicePort port, const DeviceAbilities& known, const ServoSettings& settings,
+                         Controller controller)
+    : shared_(std::make_shared<Shared>(std::move(port), known, settings, std::move(controller))) {}
 
 DeviceServo::~DeviceServo() {
   stop();
@@ -37,7 +37,7 @@ DeviceServo::~DeviceServo() {
 void DeviceServo::start(bool require_real_time) {
   shared_->port.start(shared_.get());
   started_ = true;
-  if (abilities().owns_loop) return;
+  if (shared_->port.abilities().owns_loop) return;
   ServoThreadSettings settings;
   settings.period = shared_->servo.period();
   settings.require_real_time = require_real_time;
@@ -62,10 +62,6 @@ bool DeviceServo::stop() noexcept {
     answered = false;  // the port has given the call up and ends the force when the device comes back
   }
   return answered;
-}
-
-const DeviceAbilities& DeviceServo::abilities() const noexcept {
-  return shared_->port.abilities();
 }
 
 ServoTick& DeviceServo::tick() noexcept {

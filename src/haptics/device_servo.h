@@ -15,9 +15,9 @@ namespace bodkin {
 // command no force leaves.
 class DeviceServo {
  public:
-  // `settings`: its guard is made for the device (guard_settings) unless it already has a peak force. Throws
-  // InputError as ServoTick does.
-  DeviceServo(DevicePort port, ServoSettings settings, Controller controller);
+  // `known`: what the device can do, by itself and by its profile (haptics/device_profiles.h). The guard of
+  // `settings` is made for it, but for the user's limit. Throws InputError as ServoTick does.
+  DeviceServo(DevicePort port, const DeviceAbilities& known, const ServoSettings& settings, Controller controller);
   ~DeviceServo();  // stop()
   DeviceServo(const DeviceServo&) = delete;
   DeviceServo& operator=(const DeviceServo&) = delete;
@@ -28,7 +28,6 @@ class DeviceServo {
   // Zero force and the end of the loop. False: the device did not answer and was left behind, never waited for.
   bool stop() noexcept;
 
-  const DeviceAbilities& abilities() const noexcept;
   // Commands, snapshots, events and timings.
   ServoTick& tick() noexcept;
   // Rounds so far. Any thread.

@@ -97,6 +97,10 @@ DeviceLimits read_device(const XmlElement& element, const std::string& origin) {
   return device;
 }
 
+DeviceLimits parse_device_xml(std::string_view document, const std::string& origin, const XmlSchema& schema) {
+  return read_device(schema.read(document, origin, {.root = "device"}), origin);
+}
+
 namespace {
 
 Vec3 read_point(const XmlElement& element) {

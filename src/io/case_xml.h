@@ -24,6 +24,10 @@ CaseDescription parse_case_xml(std::string_view document, const std::string& ori
 Needle read_needle(const XmlElement& element, const std::string& origin);
 DeviceLimits read_device(const XmlElement& element, const std::string& origin);
 
+// The same as a document of its own, which a session keeps that was recorded on a device. `schema` is case.xsd.
+std::string device_xml(const DeviceLimits& device);
+DeviceLimits parse_device_xml(std::string_view document, const std::string& origin, const XmlSchema& schema);
+
 // The document that parse_case_xml reads back to the same description, every number to the same bits. Texts are made
 // valid: what is not UTF-8 or not allowed in XML becomes U+FFFD.
 std::string case_xml(const CaseDescription& description);

@@ -109,4 +109,10 @@ std::string case_xml(const CaseDescription& description) {
   return xml.finish();
 }
 
+std::string device_xml(const DeviceLimits& device) {
+  XmlWriter xml;
+  write_device(xml, device);
+  return xml.finish();
+}
+
 }  // namespace bodkin

@@ -67,6 +67,7 @@ ReplayDifference difference_of(const TickRecord& recorded, const TickRecord& rec
 ReplayResult replay_session(const Session& session, Case patient, const Progress& progress) {
   if (session.ticks.empty()) throw InputError("the session holds no ticks, there is nothing to replay");
   patient.description.haptics = session.header.haptics;
+  if (session.header.device) patient.description.device = *session.header.device;
   HapticTick haptics(patient);
   if (haptics.dt() != session.header.dt) {
     throw InputError(

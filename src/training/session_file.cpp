@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "io/case_xml.h"
 #include "io/haptics_xml.h"
 #include "training/session_schema.h"
 #include "training/tick_codec.h"
@@ -27,18 +28,21 @@ std::string point_text(const Vec3& point) {
 
 std::vector<std::pair<std::string, std::string>> header_rows(const SessionHeader& header) {
   // In the order of the keys, in which the checksum takes them.
-  return {{"bodkin_version", header.bodkin_version},
-          {"case_digest", header.case_digest},
-          {"case_folder", header.case_folder},
-          {"case_xml", header.case_xml},
-          {"dt_s", fmt::format("{}", header.dt)},
-          {"entry_mm", point_text(header.path.entry)},
-          {"haptics_xml", haptics_xml(header.haptics)},
-          {"operator_name", header.operator_name},
-          {"operator_settings", header.operator_settings},
-          {"seed", fmt::format("{}", header.seed)},
-          {"started_at", header.started_at},
-          {"target_mm", point_text(header.path.target)}};
+  std::vector<std::pair<std::string, std::string>> rows = {{"bodkin_version", header.bodkin_version},
+                                                           {"case_digest", header.case_digest},
+                                                           {"case_folder", header.case_folder},
+                                                           {"case_xml", header.case_xml},
+                                                           {"dt_s", fmt::format("{}", header.dt)},
+                                                           {"entry_mm", point_text(header.path.entry)},
+                                                           {"haptics_xml", haptics_xml(header.haptics)},
+                                                           {"operator_name", header.operator_name},
+                                                           {"operator_settings", header.operator_settings},
+                                                           {"seed", fmt::format("{}", header.seed)},
+                                                           {"started_at", header.started_at},
+                                                           {"target_mm", point_text(header.path.target)}};
+  const auto after = std::find_if(rows.begin(), rows.end(), [](const auto& row) { return row.first > "device_xml"; });
+  if (header.device) rows.insert(after, {"device_xml", device_xml(*header.device)});
+  return rows;
 }
 
 }  // namespace

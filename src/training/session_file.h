@@ -28,11 +28,12 @@ struct SessionHeader {
   std::string operator_name;      // "expert", "novice", or the script's name
   std::string operator_settings;  // JSON: every parameter of the operator
   std::uint64_t seed = 0;
-  double dt = 0.001;                // s
-  std::string started_at;           // ISO 8601, UTC
-  NeedlePath path;                  // that the operator was given
-  HapticSettings haptics;           // that were used: those of the case, or others in their place
-  std::vector<TissueName> tissues;  // of the case's library, in the order of their ids
+  double dt = 0.001;                   // s
+  std::string started_at;              // ISO 8601, UTC
+  NeedlePath path;                     // that the operator was given
+  HapticSettings haptics;              // that were used: those of the case, or others in their place
+  std::optional<DeviceLimits> device;  // that was held, in place of the case's
+  std::vector<TissueName> tissues;     // of the case's library, in the order of their ids
 };
 
 // An event with its place in the session.

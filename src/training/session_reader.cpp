@@ -9,6 +9,7 @@
 #include <sqlite3.h>
 
 #include "core/error.h"
+#include "io/case_xml.h"
 #include "io/haptics_xml.h"
 #include "io/xml_document.h"
 #include "training/session_file.h"
@@ -195,6 +196,10 @@ void Reader::read_header(SQLite::Database& database, Session& session) {
   if (!(header.dt > 1e-5 && header.dt < 1.0)) fail(fmt::format("a tick of {} s is out of range", header.dt));
   header.haptics = parse_haptics_xml(
       text("haptics_xml"), fmt::format("{}: haptics_xml of the header", file_.string()), XmlSchema("case.xsd"));
+  if (header_.contains("device_xml")) {
+    header.device = parse_device_xml(text("device_xml"), fmt::format("{}: device_xml of the header", file_.string()),
+                                     XmlSchema("case.xsd"));
+  }
   session.finished = header_.contains("finished_after_ticks");
 }
 

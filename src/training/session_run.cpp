@@ -140,24 +140,29 @@ std::string case_digest(const Case& patient, const std::string& case_xml) {
   return text_checksum(all);
 }
 
-SessionHeader session_header(const Case& patient, const std::filesystem::path& case_folder,
-                             const RunSettings& settings) {
+SessionHeader session_header(const Case& patient, const std::filesystem::path& case_folder, const NeedlePath& path) {
   SessionHeader header;
   header.bodkin_version = BODKIN_VERSION;
   header.case_folder = std::filesystem::absolute(case_folder).lexically_normal().string();
   header.case_xml = read_text_file(case_folder / "case.xml", largest_case_xml);
   header.case_digest = case_digest(patient, header.case_xml);
-  header.operator_name = settings.script.name;
-  header.operator_settings = operator_json(settings.script);
-  header.seed = settings.seed;
   header.dt = 1.0 / patient.description.haptics.rate;
   header.started_at = utc_now();
-  header.path = settings.path;
+  header.path = path;
   header.haptics = patient.description.haptics;
   for (int id = 0; id < 255; ++id) {
     const TissueProperties* tissue = patient.library.find(static_cast<TissueId>(id));
     if (tissue != nullptr) header.tissues.push_back({tissue->id, tissue->name, tissue->title});
   }
+  return header;
+}
+
+SessionHeader session_header(const Case& patient, const std::filesystem::path& case_folder,
+                             const RunSettings& settings) {
+  SessionHeader header = session_header(patient, case_folder, settings.path);
+  header.operator_name = settings.script.name;
+  header.operator_settings = operator_json(settings.script);
+  header.seed = settings.seed;
   return header;
 }
 

@@ -32,6 +32,9 @@ struct RunResult {
   std::vector<std::string> notes;      // what the system refused
 };
 
+// What a recording says about its case, the path and the moment; nothing about who performs.
+SessionHeader session_header(const Case& patient, const std::filesystem::path& case_folder, const NeedlePath& path);
+
 // What a recording says about its case and operator. `case_folder`: where the case lies; its case.xml is read.
 SessionHeader session_header(const Case& patient, const std::filesystem::path& case_folder,
                              const RunSettings& settings);

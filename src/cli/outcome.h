@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "cli/console.h"
+#include "training/session_file.h"
+#include "training/session_run.h"
+#include "training/session_summary.h"
+
+namespace bodkin {
+
+// What a person wants to know of a session that has just ended.
+struct Outcome {
+  RunResult run;
+  Session session;  // as it was saved
+  SessionSummary summary;
+  Verdict verdict;
+  std::filesystem::path file;
+
+  double time() const;  // s of the session
+  // N, the greatest force that reached the hand.
+  double peak_applied() const;
+  double speed() const;  // times real time
+};
+
+// Reads the session file that was just written.
+Outcome read_outcome(const std::filesystem::path& file, const Case& patient, RunResult run);
+
+// On one screen.
+void print(const Console& console, const Outcome& outcome, const Case& patient);
+
+nlohmann::ordered_json json_of(const Outcome& outcome, const Case& patient);
+
+}  // namespace bodkin

@@ -1,0 +1,94 @@
+#include "training/hand_session.h"
+
+#include <algorithm>
+#include <atomic>
+#include <utility>
+
+#include "core/latest_value.h"
+#include "simulation/haptic_tick.h"
+#include "training/recorder.h"
+
+namespace bodkin {
+
+namespace {
+constexpr double room_above = 30.0;  // mm between the middle of the workspace and the skin
+}  // namespace
+
+DeviceLimits limits_of(const DeviceAbilities& device, DeviceLimits limits) {
+  if (!device.name.empty()) limits.profile = device.name;
+  if (device.peak_force > 0.0) {
+    limits.peak_force = device.peak_force;
+    limits.continuous_force = guard_settings(device, 1000.0).continuous_force;
+    limits.peak_torque = device.peak_torque;
+  }
+  if (device.stiffness > 0.0) limits.stiffness = device.stiffness;
+  limits.position_resolution = device.resolution;
+  return limits;
+}
+
+WorkspaceSettings workspace_about(const NeedlePath& path) {
+  WorkspaceSettings workspace;
+  workspace.rotation << -Vec3::UnitX(), Vec3::UnitZ(), Vec3::UnitY();  // right, away, up: right, head, back
+  workspace.centre = path.entry + room_above * Vec3::UnitY();
+  return workspace;
+}
+
+struct HandSession::Shared {
+  Shared(Case from, const SessionHeader& header, const std::filesystem::path& output, bool overwrite)
+      : patient(std::move(from)), tick(patient), recorder(SessionWriter(output, header, overwrite)) {}
+
+  Control step(const ControlInput& input) noexcept {
+    TickRecord record;
+    record.tick = ticks;
+    record.input.needle = input.needle;
+    record.output = tick.step(record.input);
+    if (!closed.load(std::memory_order_acquire)) recorder.push(record);
+    ++ticks;
+    HandMoment now{ticks, record.output};
+    now.output.events.clear();
+    moment.write(now);
+    return {record.output.applied, 0.0};
+  }
+
+  Case patient;
+  HapticTick tick;
+  Recorder recorder;
+  std::uint64_t ticks = 0;
+  LatestValue<HandMoment> moment;
+  std::atomic<bool> closed{false};  // the recording has ended, though the loop may not have
+};
+
+HandSession::HandSession(Case patient, const SessionHeader& header, const std::filesystem::path& output,
+                         bool overwrite, DevicePort port, const DeviceAbilities& device,
+                         const ServoSettings& settings)
+    : shared_(std::make_shared<Shared>(std::move(patient), header, output, overwrite)),
+      servo_(std::make_unique<DeviceServo>(
+          std::move(port), device, settings,
+          [shared = shared_](const ControlInput& input) { return shared->step(input); })) {}
+
+HandSession::~HandSession() = default;
+
+void HandSession::start() {
+  servo_->start();
+}
+
+const HandMoment& HandSession::moment() noexcept {
+  return shared_->moment.read();
+}
+
+bool HandSession::failed() const noexcept {
+  return shared_->recorder.failed();
+}
+
+bool HandSession::finish() {
+  const bool answered = servo_->stop();
+  shared_->closed.store(true, std::memory_order_release);
+  shared_->recorder.finish();
+  return answered;
+}
+
+std::uint64_t HandSession::records_lost() const noexcept {
+  return shared_->recorder.lost();
+}
+
+}  // namespace bodkin

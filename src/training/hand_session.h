@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "haptics/device_servo.h"
+#include "training/session_file.h"
+
+namespace bodkin {
+
+// The limits that a case takes from the device that is held: the models are then made for it, and the recording says
+// so. What is not known of the device stays as it is in `limits`.
+DeviceLimits limits_of(const DeviceAbilities& device, DeviceLimits limits);
+
+// The patient lies prone in front of the operator, head away from him; the path's entry is 30 mm below the middle of
+// the workspace, so that there is room above the skin.
+WorkspaceSettings workspace_about(const NeedlePath& path);
+
+// What a screen shows of the newest tick.
+struct HandMoment {
+  std::uint64_t ticks = 0;
+  TickOutput output;  // without events
+};
+
+// A person's hand on a device performs a procedure on a patient, and every tick is recorded. The constructor opens
+// the recording; the force begins when the servo is told to arm (ServoTick::command).
+class HandSession {
+ public:
+  // `patient` has the device's limits already (limits_of), and so has `header`. Throws InputError and SystemError.
+  HandSession(Case patient, const SessionHeader& header, const std::filesystem::path& output, bool overwrite,
+              DevicePort port, const DeviceAbilities& device, const ServoSettings& settings);
+  ~HandSession();
+  HandSession(const HandSession&) = delete;
+  HandSession& operator=(const HandSession&) = delete;
+
+  void start();
+  DeviceServo& servo() noexcept { return *servo_; }
+  // One observer's thread.
+  const HandMoment& moment() noexcept;
+  // The disk refuses; finish() says why.
+  bool failed() const noexcept;
+
+  // Zero force, the end of the loop, and the recording closed. False: the device did not let itself be stopped.
+  // Throws what went wrong with the recording.
+  bool finish();
+  // Ticks that the disk was too slow for; after finish().
+  std::uint64_t records_lost() const noexcept;
+
+ private:
+  struct Shared;
+
+  std::shared_ptr<Shared> shared_;  // with a loop that may have to be left behind
+  std::unique_ptr<DeviceServo> servo_;
+};
+
+}  // namespace bodkin
