@@ -1,8 +1,11 @@
 /* The interface between Bodkin and a driver of haptic devices, in plain C, so that anyone can ship a driver as a
- * shared library. Bodkin's own drivers stand behind the same interface. A driver exports one function:
+ * shared library. Bodkin's own drivers stand behind the same interface. A driver exports one function,
+ * bodkin_driver_entry, declared at the end of this file.
  *
- *     const bodkin_driver* bodkin_driver_entry(uint32_t abi);      returns a null pointer for an abi it does not
- * speak
+ * Threads: list, open, start, stop, close and explain may block and are called by ordinary threads, not always the
+ * same one, and never two at once for one handle. exchange is called by one thread between start and stop only.
+ * Bodkin waits for a call that may block some seconds at most; one that comes back later is followed by stop and
+ * close. A driver's library is never unloaded.
  *
  * Poses, velocities, forces and torques are in the operator's frame: right-handed, +X to the operator's right, +Y
  * away from the operator, +Z up, origin in the middle of the usable workspace; mm, mm/s, N, N mm. Forces and torques
@@ -35,9 +38,11 @@ enum {
   BODKIN_VELOCITY_LIMIT,
   BODKIN_EMERGENCY_STOP,
   BODKIN_BAD_DATA,
-  BODKIN_VENDOR_ERROR
+  BODKIN_VENDOR_ERROR,
+  BODKIN_BAD_SETTINGS = 100 /* of list and open alone: the user's settings are wrong; no DeviceFault */
 };
 
+/* Numbers of which nothing is known are 0. */
 typedef struct bodkin_abilities {
   char name[BODKIN_TEXT];                     /* of the model */
   char serial[BODKIN_TEXT];                   /* may be empty */
@@ -56,7 +61,7 @@ typedef struct bodkin_state {
   double rotation[9]; /* row by row, tool to operator's frame; its third column points along the needle, hub to tip */
   double velocity[3]; /* mm/s; NaN: the device does not tell */
   double temperature; /* 0 cold to 1 hot */
-  uint32_t buttons;
+  uint32_t buttons;   /* bit 0: the first button is pressed */
   uint32_t held;  /* the dead-man's switch; 1 where there is none */
   uint32_t fault; /* one of the results above */
 } bodkin_state;
@@ -69,7 +74,8 @@ typedef struct bodkin_command {
 /* Called with each device that is found: its identity for open(), and words for people. */
 typedef void (*bodkin_found)(void* user, const char* identity, const char* title);
 
-/* One tick: the state goes in, the command comes out. dt: s since the tick before. Never blocks. */
+/* One tick: the state goes in, the command comes out. dt: s by the clock since the tick before, the nominal period at
+ * the first. Never blocks. A driver goes on calling it after a fault, for as long as it can. */
 typedef void (*bodkin_tick)(void* user, const bodkin_state* state, double dt, bodkin_command* command);
 
 typedef struct bodkin_driver {
@@ -78,7 +84,7 @@ typedef struct bodkin_driver {
   const char* summary; /* one line for `bodkin devices list` */
 
   /* Finds devices without moving or energising any. `settings`: "key=value" words from the user's profile, may be
-   * empty. Where the result is not BODKIN_OK, `message` (BODKIN_MESSAGE bytes) gets one sentence that says what to
+   * empty; a value with spaces stands in double quotes, key="a value". Where the result is not BODKIN_OK, `message` (BODKIN_MESSAGE bytes) gets one sentence that says what to
    * do. */
   int (*list)(const char* settings, bodkin_found found, void* user, char* message);
   /* Opens a device ("" = the first) without force; a handle other than null comes with BODKIN_OK. */
@@ -86,14 +92,23 @@ typedef struct bodkin_driver {
   /* Enables forces, which are zero. With owns_loop the driver's thread calls `tick` from now on; else it is ignored.
    */
   int (*start)(void* handle, bodkin_tick tick, void* user, char* message);
-  /* One round without owns_loop: sends the command, returns the state that answers it. Does not allocate. */
+  /* One round without owns_loop: sends the command, returns the state that answers it. Does not allocate. A result
+   * other than BODKIN_OK is the state's fault. */
   int (*exchange)(void* handle, const bodkin_command* command, bodkin_state* state);
   /* Zero force, forces disabled, no tick any more once it has returned. */
   int (*stop)(void* handle);
   void (*close)(void* handle);
+  /* One sentence about the last fault, with the vendor's own code and words; empty where there was none. May be a
+   * null pointer. */
+  void (*explain)(void* handle, char* message);
 } bodkin_driver;
 
 typedef const bodkin_driver* (*bodkin_driver_entry_function)(uint32_t abi);
+
+#define BODKIN_DRIVER_EXPORT __attribute__((visibility("default")))
+
+/* The driver, which lives for ever; a null pointer for an abi that it does not speak. */
+BODKIN_DRIVER_EXPORT const bodkin_driver* bodkin_driver_entry(uint32_t abi);
 
 #ifdef __cplusplus
 }

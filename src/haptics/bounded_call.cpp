@@ -1,0 +1,38 @@
+#include "haptics/bounded_call.h"
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace bodkin {
+
+bool returns_within(std::chrono::milliseconds limit, std::function<void()> call, std::function<void()> late) {
+  struct Meeting {
+    std::mutex mutex;
+    std::condition_variable changed;
+    bool returned = false;
+    bool given_up = false;
+  };
+  const auto meeting = std::make_shared<Meeting>();
+  std::thread([meeting, call = std::move(call), late = std::move(late)]() mutable {
+    call();
+    call = nullptr;  // what it owns goes before the caller reads the result
+    bool given_up = false;
+    {
+      const std::lock_guard lock(meeting->mutex);
+      meeting->returned = true;
+      given_up = meeting->given_up;
+      meeting->changed.notify_all();
+    }
+    if (given_up && late) late();
+  }).detach();
+
+  std::unique_lock lock(meeting->mutex);
+  if (meeting->changed.wait_for(lock, limit, [&] { return meeting->returned; })) return true;
+  meeting->given_up = true;
+  return false;
+}
+
+}  // namespace bodkin

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "haptics/bodkin_driver.h"
+
+namespace bodkin {
+
+// Loads somebody else's driver, a shared library that exports bodkin_driver_entry (bodkin_driver.h; docs/devices.md says
+// how to write one). The library stays loaded. Throws SystemError: no such file, no driver, or an interface of another
+// version than ours.
+const bodkin_driver& load_plugin(const std::string& path);
+
+// Throws SystemError where the driver speaks another version of the interface or leaves a function out. `origin`: for
+// messages.
+void check(const bodkin_driver& driver, const std::string& origin);
+
+}  // namespace bodkin
