@@ -4,8 +4,9 @@
 # FOLDERS below it. LINK is for what public headers need, PRIVATE_LINK for what only source files need. PARSES: the
 # room reads foreign bytes, so the fuzzers want to see which of its branches they have reached.
 
-set(BODKIN_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual
-    -Woverloaded-virtual -Wimplicit-fallthrough
+set(BODKIN_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wcast-qual -Wimplicit-fallthrough
+    $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor> $<$<COMPILE_LANGUAGE:CXX>:-Wold-style-cast>
+    $<$<COMPILE_LANGUAGE:CXX>:-Woverloaded-virtual>
     -Wno-missing-field-initializers)  # designated initialisers name what differs from the defaults
 
 # Compiler settings that every Bodkin target shares. Floating point is kept strict (no contraction into fused

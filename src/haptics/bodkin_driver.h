@@ -62,8 +62,8 @@ typedef struct bodkin_state {
   double velocity[3]; /* mm/s; NaN: the device does not tell */
   double temperature; /* 0 cold to 1 hot */
   uint32_t buttons;   /* bit 0: the first button is pressed */
-  uint32_t held;  /* the dead-man's switch; 1 where there is none */
-  uint32_t fault; /* one of the results above */
+  uint32_t held;      /* the dead-man's switch; 1 where there is none */
+  uint32_t fault;     /* one of the results above */
 } bodkin_state;
 
 typedef struct bodkin_command {
@@ -84,8 +84,8 @@ typedef struct bodkin_driver {
   const char* summary; /* one line for `bodkin devices list` */
 
   /* Finds devices without moving or energising any. `settings`: "key=value" words from the user's profile, may be
-   * empty; a value with spaces stands in double quotes, key="a value". Where the result is not BODKIN_OK, `message` (BODKIN_MESSAGE bytes) gets one sentence that says what to
-   * do. */
+   * empty; a value with spaces stands in double quotes, key="a value". Where the result is not BODKIN_OK, `message`
+   * (BODKIN_MESSAGE bytes) gets one sentence that says what to do. */
   int (*list)(const char* settings, bodkin_found found, void* user, char* message);
   /* Opens a device ("" = the first) without force; a handle other than null comes with BODKIN_OK. */
   int (*open)(const char* identity, const char* settings, void** handle, bodkin_abilities* abilities, char* message);

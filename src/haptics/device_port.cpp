@@ -32,9 +32,10 @@ void must_succeed(const bodkin_driver& driver, int result, const Message& messag
 }
 
 [[noreturn]] void gave_up(const bodkin_driver& driver, const char* call, std::chrono::milliseconds patience) {
-  throw DeviceError(DeviceFault::communication_lost,
-                    std::string(driver.name) + ": the vendor's software has not come back from " + call + " within " +
-                        std::to_string(patience.count() / 1000) + " s: unplug the device, plug it in and start Bodkin again");
+  throw DeviceError(DeviceFault::communication_lost, std::string(driver.name) +
+                                                         ": the vendor's software has not come back from " + call +
+                                                         " within " + std::to_string(patience.count() / 1000) +
+                                                         " s: unplug the device, plug it in and start Bodkin again");
 }
 
 }  // namespace
@@ -52,12 +53,12 @@ std::vector<FoundDevice> list_devices(const bodkin_driver& driver, const std::st
   const auto keep = [](void* user, const char* identity, const char* title) {
     static_cast<Search*>(user)->found.push_back({identity, title});
   };
-  const bool answered = returns_within(
-      patience,
-      [search, keep] {
-        search->result = search->driver.list(search->settings.c_str(), keep, search.get(), search->message.data());
-      },
-      {});
+  const bool answered = returns_within(patience,
+                                       [search, keep] {
+                                         search->result = search->driver.list(search->settings.c_str(), keep,
+                                                                              search.get(), search->message.data());
+                                       },
+                                       {});
   if (!answered) gave_up(driver, "looking for devices", patience);
   must_succeed(driver, search->result, search->message);
   return std::move(search->found);
@@ -81,7 +82,7 @@ struct DevicePort::Shared {
   std::atomic<bool> inside{false};
   std::atomic<std::uint64_t> ticks{0};
   DeviceTick* tick = nullptr;
-  DeviceState state;  // of the vendor's loop
+  DeviceState state;                         // of the vendor's loop
   DeviceFault answered = DeviceFault::none;  // the state that the next exchange's command answers
 
   bool enter() noexcept {
@@ -133,7 +134,8 @@ DevicePort::DevicePort(const bodkin_driver& driver, const std::string& identity,
   if (!answered) gave_up(driver, "opening the device", patience);
   must_succeed(driver, shared_->result, shared_->message);
   if (shared_->handle == nullptr) {
-    throw DeviceError(DeviceFault::vendor_error, std::string(driver.name) + ": the driver opened nothing, and said it had");
+    throw DeviceError(DeviceFault::vendor_error,
+                      std::string(driver.name) + ": the driver opened nothing, and said it had");
   }
   abilities_ = abilities_from(shared_->abilities);
 }

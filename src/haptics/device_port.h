@@ -46,8 +46,8 @@ std::vector<FoundDevice> list_devices(const bodkin_driver& driver, const std::st
 // one that is not finite, not in answer to a state with a fault, and none after the port is gone.
 //
 // No vendor can hang the program: opening, starting, stopping and closing run on a thread of their own, and one that
-// outlasts the patience throws DeviceError{communication_lost}. The abandoned call keeps what it needs alive; if it comes
-// back, the device is stopped and closed then. The port is of no use afterwards.
+// outlasts the patience throws DeviceError{communication_lost}. The abandoned call keeps what it needs alive; if it
+// comes back, the device is stopped and closed then. The port is of no use afterwards.
 //
 // All functions but exchange() are for one thread.
 class DevicePort {
@@ -63,8 +63,8 @@ class DevicePort {
 
   const DeviceAbilities& abilities() const noexcept { return abilities_; }
 
-  // Enables forces. Where the vendor owns the loop, `tick` is called from now until stop() has returned, and is needed;
-  // otherwise exchange() works from now on and `tick` is ignored. Throws DeviceError.
+  // Enables forces. Where the vendor owns the loop, `tick` is called from now until stop() has returned, and is
+  // needed; otherwise exchange() works from now on and `tick` is ignored. Throws DeviceError.
   void start(DeviceTick* tick = nullptr);
 
   // One round where we own the loop: the command out, the state in. By one thread, between start() and stop(); before

@@ -28,9 +28,10 @@ struct LibraryPlaces {
   bool share_symbols = false;       // when symbols are missing, try again with the library's symbols shared
 };
 
-// A library loaded at run time. A place is a bare name ("libHD.so", found as the system finds libraries) or an absolute
-// path, which may begin with an environment variable ("$OH_SDK_BASE/lib/libHD.so"; left out where it is not set to an
-// absolute path) and may end in ".*" for the newest version in that folder. Nothing is looked for in the working folder.
+// A library loaded at run time. A place is a bare name ("libHD.so", found as the system finds libraries) or an
+// absolute path, which may begin with an environment variable ("$OH_SDK_BASE/lib/libHD.so"; left out where it is not
+// set to an absolute path) and may end in ".*" for the newest version in that folder. Nothing is looked for in the
+// working folder.
 //
 // The library stays loaded for the life of the process, for vendors' libraries start threads and register exit
 // handlers; copies of this object refer to the same one.

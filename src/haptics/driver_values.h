@@ -6,16 +6,16 @@
 
 namespace bodkin {
 
-// Between the structures of the C interface to drivers and our own. What a driver says is not believed: numbers that are
-// not finite, flags and codes out of range never come through. None of these allocates, save abilities_from.
+// Between the structures of the C interface to drivers and our own. What a driver says is not believed: numbers that
+// are not finite, flags and codes out of range never come through. None of these allocates, save abilities_from.
 
 // A code that we do not know is a vendor error.
 DeviceFault fault_from(int result) noexcept;
 
 DeviceAbilities abilities_from(const bodkin_abilities& abilities);
 
-// Fills `state` in place. A pose that is not finite, farther than 10 m away, or whose rotation is none, is bad_data: the
-// hand then stays where it was.
+// Fills `state` in place. A pose that is not finite, farther than 10 m away, or whose rotation is none, is bad_data:
+// the hand then stays where it was.
 void read_state(const bodkin_state& from, DeviceState& state) noexcept;
 
 // A wrench that is not finite commands nothing.

@@ -20,7 +20,8 @@ void check(const bodkin_driver& driver, const std::string& origin) {
                      driver.list != nullptr && driver.open != nullptr && driver.start != nullptr &&
                      driver.exchange != nullptr && driver.stop != nullptr && driver.close != nullptr;
   if (!whole) {
-    throw SystemError(origin + " leaves out its name, its summary or a function of the driver interface: every one but " +
+    throw SystemError(origin +
+                      " leaves out its name, its summary or a function of the driver interface: every one but " +
                       "explain is needed");
   }
 }

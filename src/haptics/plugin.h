@@ -6,9 +6,9 @@
 
 namespace bodkin {
 
-// Loads somebody else's driver, a shared library that exports bodkin_driver_entry (bodkin_driver.h; docs/devices.md says
-// how to write one). The library stays loaded. Throws SystemError: no such file, no driver, or an interface of another
-// version than ours.
+// Loads somebody else's driver, a shared library that exports bodkin_driver_entry (bodkin_driver.h; docs/devices.md
+// says how to write one). The library stays loaded. Throws SystemError: no such file, no driver, or an interface of
+// another version than ours.
 const bodkin_driver& load_plugin(const std::string& path);
 
 // Throws SystemError where the driver speaks another version of the interface or leaves a function out. `origin`: for

@@ -5,8 +5,8 @@
 
 namespace bodkin {
 
-// A vendor's axes, unit of length and unit of torque, and the way into the operator's frame (X right, Y away, Z up; mm,
-// N mm). Forces are N everywhere.
+// A vendor's axes, unit of length and unit of torque, and the way into the operator's frame (X right, Y away, Z up;
+// mm, N mm). Forces are N everywhere.
 struct VendorFrame {
   Mat3 to_operator;          // M: the vendor's axes in the operator's frame
   Mat3 tool;                 // the tool of Bodkin (third axis hub to tip) in the vendor's tool
@@ -46,8 +46,8 @@ inline VendorFrame y_up_frame() {
           .tool = Vec3(1.0, -1.0, -1.0).asDiagonal().toDenseMatrix()};
 }
 
-// X towards the operator, Y right, Z up (Force Dimension, Haption): (y, -x, z). The tool points along its own -X: away
-// from the operator when the handle is in its middle position.
+// X towards the operator, Y right, Z up (Force Dimension, Haption): (y, -x, z). The tool points along its own -X:
+// away from the operator when the handle is in its middle position.
 inline VendorFrame x_near_frame() {
   return {.to_operator = rows(Vec3::UnitY(), -Vec3::UnitX(), Vec3::UnitZ()),
           .tool = rows(-Vec3::UnitZ(), Vec3::UnitX(), -Vec3::UnitY())};
