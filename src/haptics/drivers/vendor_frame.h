@@ -53,6 +53,12 @@ inline VendorFrame x_near_frame() {
           .tool = rows(-Vec3::UnitZ(), Vec3::UnitX(), -Vec3::UnitY())};
 }
 
+// The frame of a vendor that speaks m and N m.
+inline VendorFrame metres(VendorFrame frame) {
+  frame.length = frame.torque = 1000.0;
+  return frame;
+}
+
 // A state at the workspace's centre, tool away from the operator, with nothing else known.
 bodkin_state blank_state() noexcept;
 

@@ -1,0 +1,19 @@
+#include "haptics/drivers/drivers.h"
+
+#include "haptics/drivers/force_dimension.h"
+
+namespace bodkin {
+
+std::span<const bodkin_driver* const> built_in_drivers() noexcept {
+  static const bodkin_driver* const all[] = {&force_dimension_driver()};
+  return all;
+}
+
+const bodkin_driver* find_driver(std::string_view name) noexcept {
+  for (const bodkin_driver* driver : built_in_drivers()) {
+    if (name == driver->name) return driver;
+  }
+  return nullptr;
+}
+
+}  // namespace bodkin

@@ -1,0 +1,52 @@
+#include "tests/haptics/stand_ins/board.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <thread>
+
+namespace stand_in {
+
+namespace {
+
+constexpr const char* names[] = {"none",           "no_device",    "busy",       "wrong_version",  "uncalibrated",
+                                 "unplug",         "freeze",       "nan",        "late",           "hot",
+                                 "emergency_stop", "hand_off",     "too_fast",   "too_much_force", "unknown_code",
+                                 "open_blocks",    "start_blocks", "stop_blocks"};
+
+void read_environment(Board& to) {
+  const char* value = std::getenv("BODKIN_STAND_IN");
+  if (value == nullptr) return;
+  const std::string_view text = value;
+  const std::size_t at = text.find('@');
+  int number = 0;
+  for (const char* name : names) {
+    if (text.substr(0, at) == name) to.trouble = static_cast<Trouble>(number);
+    ++number;
+  }
+  if (at != std::string_view::npos) to.from_tick = std::atoll(value + at + 1);
+}
+
+}  // namespace
+
+void Board::violation(const char* rule) noexcept {
+  if (violations.fetch_add(1) == 0) first_violation = rule;
+}
+
+void Board::wait_while(Trouble which) const noexcept {
+  while (troubled_by(which)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
+Board& board() noexcept {
+  static Board one;
+  [[maybe_unused]] static const bool read = (read_environment(one), true);
+  return one;
+}
+
+}  // namespace stand_in
+
+extern "C" __attribute__((visibility("default"))) stand_in::Board* bodkin_stand_in() {
+  return &stand_in::board();
+}

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+namespace stand_in {
+
+// What can go wrong with a simulated device. Environment: BODKIN_STAND_IN="unplug@100", from tick 100 on.
+enum class Trouble : int {
+  none,
+  no_device,
+  busy,
+  wrong_version,
+  uncalibrated,
+  unplug,
+  freeze,  // the loop stands still; a call of ours that takes part in it does not return
+  not_a_number,
+  late,  // every reply comes 5 ms late
+  hot,
+  emergency_stop,
+  hand_off,
+  too_fast,
+  too_much_force,
+  unknown_code,
+  open_blocks,
+  start_blocks,
+  stop_blocks
+};
+
+// The test's side of a stand-in: every library exports it as `extern "C" stand_in::Board* bodkin_stand_in()`. Numbers
+// are in the vendor's own axes and units, exactly as they pass through the vendor's functions.
+struct Board {
+  std::atomic<Trouble> trouble{Trouble::none};
+  std::atomic<std::int64_t> from_tick{0};
+
+  // The hand: where it means to be, and the tool's rotation (row by row, vendor's axes). A firm hand does not yield.
+  std::array<std::atomic<double>, 3> hand{};
+  std::array<std::atomic<double>, 9> turn{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  std::atomic<bool> firm{true};
+  std::atomic<std::uint32_t> buttons{0};
+
+  // The device: what its motors apply now, and where it is.
+  std::array<std::atomic<double>, 3> force{}, torque{}, position{};
+  std::atomic<std::int64_t> ticks{0};
+  std::atomic<std::int64_t> pushes{0};  // ticks with a force other than zero
+  std::atomic<int> open_devices{0};
+  std::atomic<bool> motors_on{false};
+
+  // Calls that break the vendor's rules; the first one's name.
+  std::atomic<int> violations{0};
+  std::atomic<const char*> first_violation{""};
+
+  // Run on the vendor's thread around everything of ours that it calls; may be null.
+  std::atomic<void (*)()> before_callback{nullptr}, after_callback{nullptr};
+
+  bool troubled_by(Trouble which) const noexcept {
+    return trouble.load() == which && ticks.load() >= from_tick.load();
+  }
+  // As before a library is first used. Only while nobody uses it.
+  void clear() noexcept;
+
+  // For the stand-ins.
+  void violation(const char* rule) noexcept;
+  void wait_while(Trouble which) const noexcept;
+};
+
+inline void Board::clear() noexcept {
+  trouble = Trouble::none;
+  from_tick = 0;
+  for (auto* triple : {&hand, &force, &torque, &position}) {
+    for (auto& component : *triple) component = 0.0;
+  }
+  for (std::size_t i = 0; i < turn.size(); ++i) turn[i] = i % 4 == 0 ? 1.0 : 0.0;
+  firm = true;
+  buttons = 0;
+  ticks = pushes = 0;
+  motors_on = false;
+  violations = 0;
+  first_violation = "";
+  before_callback = after_callback = nullptr;
+}
+
+// The library's one board, with the environment's trouble.
+Board& board() noexcept;
+
+}  // namespace stand_in

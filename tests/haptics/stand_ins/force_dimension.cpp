@@ -1,0 +1,219 @@
+// A stand-in for libdrd.so with one sigma.7-like device. A tick of the mechanism passes with every force that is
+// sent. The controller brakes until forces are enabled, and when its watchdog, its velocity guard or its cable trips.
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <thread>
+
+#include "tests/haptics/stand_ins/mechanism.h"
+
+#define EXPORT extern "C" __attribute__((visibility("default")))
+
+namespace {
+
+using stand_in::board;
+using stand_in::Trouble;
+
+constexpr char the_id = 3;  // not the index, so that a driver that mixes them up is found
+constexpr double peak = 12.0;
+
+stand_in::Mechanism mechanism(1.0, peak);
+bool open_now = false, brakes = true, expert = false, calibrated_by_itself = false;
+int off_cause = 0;
+int watchdog_steps = 0;
+thread_local int last_error = 0;
+
+int failed(int error) {
+  last_error = error;
+  return -1;
+}
+
+// Every call about the device must name it by the identifier that opening gave.
+bool is_ours(char id) {
+  if (open_now && id == the_id) return true;
+  board().violation("a device was named that is not open");
+  last_error = 15;
+  return false;
+}
+
+void trip(int cause) {
+  board().motors_on = false;
+  off_cause = cause;
+  brakes = true;
+  for (auto& component : board().force) component = 0.0;
+}
+
+bool gone() {
+  if (!board().troubled_by(Trouble::unplug)) return false;
+  trip(5);
+  last_error = 2;
+  return true;
+}
+
+int send(double x, double y, double z, double a, double b, double c, char id) {
+  board().wait_while(Trouble::freeze);
+  if (board().troubled_by(Trouble::late)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  if (!is_ours(id) || gone()) return -1;
+  if (board().troubled_by(Trouble::unknown_code)) return failed(4711);
+  if (board().troubled_by(Trouble::emergency_stop)) trip(1);
+  if (board().troubled_by(Trouble::too_fast)) trip(2);
+  if (board().troubled_by(Trouble::hand_off)) trip(6);
+  const bool on = board().motors_on.load() && !brakes;
+  mechanism.step(board(), {on ? x : 0, on ? y : 0, on ? z : 0}, {on ? a : 0, on ? b : 0, on ? c : 0});
+  return std::abs(x) > peak || std::abs(y) > peak || std::abs(z) > peak ? 2 : 0;
+}
+
+}  // namespace
+
+EXPORT void dhdGetSDKVersion(int* major, int* minor, int* release, int* revision) {
+  *major = 3;
+  *minor = board().troubled_by(Trouble::wrong_version) ? 8 : 17;
+  *release = *revision = 0;
+}
+EXPORT int dhdGetDeviceCount() {
+  return board().troubled_by(Trouble::no_device) ? 0 : 1;
+}
+EXPORT int dhdOpenID(char index) {
+  board().wait_while(Trouble::open_blocks);
+  if (index != 0) return failed(15);
+  if (open_now || board().troubled_by(Trouble::busy)) return failed(20);
+  open_now = brakes = true;
+  off_cause = 0;
+  watchdog_steps = 0;
+  ++board().open_devices;
+  return the_id;
+}
+EXPORT int dhdOpen() {
+  return dhdOpenID(0);
+}
+EXPORT int dhdClose(char id) {
+  if (!is_ours(id)) return -1;
+  if (board().motors_on) board().violation("closed while forces were enabled");
+  board().motors_on = false;
+  open_now = calibrated_by_itself = false;
+  --board().open_devices;
+  return 0;
+}
+EXPORT int dhdGetSystemType(char id) {
+  return is_ours(id) ? 104 : -1;
+}
+EXPORT const char* dhdGetSystemName(char id) {
+  return is_ours(id) ? "sigma.7" : nullptr;
+}
+EXPORT int dhdGetSerialNumber(unsigned short* serial, char id) {
+  *serial = 10204;
+  return is_ours(id) ? 0 : -1;
+}
+EXPORT bool dhdHasWrist(char id) {
+  return is_ours(id);
+}
+EXPORT bool dhdHasActiveWrist(char id) {
+  return is_ours(id);
+}
+EXPORT int dhdGetStatus(int* status, char id) {
+  if (!is_ours(id)) return -1;
+  std::memset(status, 0, 17 * sizeof(int));
+  status[0] = status[2] = status[8] = status[12] = 1;
+  status[1] = board().troubled_by(Trouble::unplug) ? 0 : 1;
+  status[3] = board().troubled_by(Trouble::uncalibrated) && !calibrated_by_itself ? 1 : 0;
+  status[5] = board().motors_on ? 1 : 0;
+  status[6] = brakes ? 1 : 0;
+  status[14] = off_cause;
+  return 0;
+}
+EXPORT int dhdGetPositionAndOrientationFrame(double* x, double* y, double* z, double rotation[3][3], char id) {
+  if (!is_ours(id) || gone()) return -1;
+  const auto& at = mechanism.position();
+  *x = at[0];
+  *y = at[1];
+  *z = at[2];
+  for (std::size_t i = 0; i < 9; ++i) rotation[i / 3][i % 3] = board().turn[i];
+  return 1;  // the time guard: fresh enough
+}
+EXPORT int dhdGetLinearVelocity(double* x, double* y, double* z, char id) {
+  if (!is_ours(id) || gone()) return -1;
+  const auto& velocity = mechanism.velocity();
+  *x = velocity[0];
+  *y = velocity[1];
+  *z = velocity[2];
+  return 0;
+}
+EXPORT int dhdSetForceAndTorque(double x, double y, double z, double a, double b, double c, char id) {
+  return send(x, y, z, a, b, c, id);
+}
+EXPORT int dhdSetForce(double x, double y, double z, char id) {
+  return send(x, y, z, 0.0, 0.0, 0.0, id);
+}
+EXPORT unsigned dhdGetButtonMask(char id) {
+  return is_ours(id) ? board().buttons.load() : 0;
+}
+#ifndef BROKEN_SDK
+EXPORT int dhdEnableForce(unsigned char on, char id) {
+  board().wait_while(Trouble::start_blocks);
+  if (!is_ours(id) || gone()) return -1;
+  if (on != 0 && watchdog_steps == 0) board().violation("forces enabled without a watchdog");
+  if (on != 0 && board().troubled_by(Trouble::uncalibrated)) board().violation("forces enabled without calibration");
+  board().motors_on = on != 0;
+  brakes = on == 0;
+  off_cause = on == 0 ? 4 : 0;
+  return 0;
+}
+#endif
+EXPORT int dhdSetBrakes(int on, char id) {
+  if (!is_ours(id)) return -1;
+  brakes = on != 0;
+  return 0;
+}
+EXPORT int dhdStop(char id) {
+  static int calls = 0;
+  board().wait_while(Trouble::stop_blocks);
+  if (!is_ours(id)) return -1;
+  if (++calls % 2 == 1) return failed(7);  // a timeout now and then: drivers must try again
+  board().motors_on = false;
+  brakes = true;
+  off_cause = 4;
+  mechanism.step(board(), {0, 0, 0}, {0, 0, 0});
+  return 0;
+}
+EXPORT int dhdErrorGetLast() {
+  return last_error;
+}
+EXPORT const char* dhdErrorGetLastStr() {
+  return "words of the vendor";
+}
+#ifndef OLD_SDK
+EXPORT int dhdSetMaxForce(double limit, char id) {
+  return is_ours(id) && limit > 0.0 ? 0 : -1;
+}
+EXPORT double dhdGetMaxForce(char id) {
+  return is_ours(id) ? peak : -1.0;
+}
+#endif
+EXPORT int dhdSetGravityCompensation(int, char id) {
+  return is_ours(id) ? 0 : -1;
+}
+EXPORT int dhdEnableExpertMode() {
+  expert = true;
+  return 0;
+}
+EXPORT int dhdDisableExpertMode() {
+  expert = false;
+  return 0;
+}
+EXPORT int dhdSetWatchdog(unsigned char steps, char id) {
+  if (!is_ours(id)) return -1;
+  if (!expert) return failed(9);
+  if (steps == 0) board().violation("the watchdog was switched off");
+  watchdog_steps = steps;
+  return 0;
+}
+EXPORT bool drdIsInitialized(char id) {
+  return is_ours(id) && (calibrated_by_itself || !board().troubled_by(Trouble::uncalibrated));
+}
+EXPORT int drdAutoInit(char id) {
+  calibrated_by_itself = is_ours(id);
+  return calibrated_by_itself ? 0 : -1;
+}
+EXPORT int drdStop(bool, char id) {
+  return is_ours(id) ? 0 : -1;
+}

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+
+#include "tests/haptics/stand_ins/board.h"
+
+namespace stand_in {
+
+// The moving parts of a desktop device and the hand on it, along three axes: a mass with viscous and dry friction,
+// the motors' force up to a limit, a spring and damper to where the hand means to be, and encoders that see whole
+// counts.
+//
+//   m x'' = F - c x' - f sign(x') + k (h - x) - d x'
+class Mechanism {
+ public:
+  // `unit`: m per unit of the vendor's lengths. `limit`: N along each axis.
+  Mechanism(double unit, double limit) : unit_(unit), limit_(limit) {}
+
+  // One millisecond under the force that the motors are told (N; zero when they are off). Writes what happens to the
+  // board.
+  void step(Board& board, const double (&force)[3], const double (&torque)[3]) noexcept;
+
+  // As the encoders see it, vendor's unit.
+  const std::array<double, 3>& position() const noexcept { return seen_; }
+  const std::array<double, 3>& velocity() const noexcept { return velocity_seen_; }
+
+ private:
+  double unit_, limit_;
+  std::array<double, 3> at_{}, speed_{};  // m, m/s
+  std::array<double, 3> seen_{}, velocity_seen_{};
+};
+
+}  // namespace stand_in
