@@ -21,7 +21,7 @@ using testing::HasSubstr;
 
 class DriverContract : public testing::TestWithParam<DriverSubject> {
  protected:
-  DriverContract() { board().clear(); }
+  DriverContract() { reset(); }
   ~DriverContract() override {
     EXPECT_EQ(board().violations.load(), 0) << board().first_violation.load();
     EXPECT_EQ(board().open_devices.load(), 0);
@@ -32,6 +32,10 @@ class DriverContract : public testing::TestWithParam<DriverSubject> {
   const DriverSubject& subject() const { return GetParam(); }
   stand_in::Board& board() const { return subject().board(); }
 
+  void reset() const {
+    board().clear();
+    place(subject().origin_vendor);
+  }
   void place(const Vec3& at) const {
     for (int i = 0; i < 3; ++i) board().hand[static_cast<std::size_t>(i)] = at[i];
   }
@@ -215,7 +219,7 @@ TEST_P(DriverContract, a_device_that_cannot_be_opened_says_why) {
 
 TEST_P(DriverContract, a_fault_in_the_loop_is_reported_and_ends_the_force) {
   for (const auto& [trouble, fault] : subject().in_loop) {
-    board().clear();
+    reset();
     {
       DriverRig rig(subject());
       rig.push({subject().force, subject().torque});

@@ -44,11 +44,39 @@ DriverSubject force_dimension() {
   return subject;
 }
 
+DriverSubject openhaptics() {
+  DriverSubject subject;
+  subject.name = "openhaptics";
+  subject.library = folder + "/openhaptics/libHD.so";
+  subject.library_without_symbol = folder + "/openhaptics_broken/libHD.so";
+  subject.missing_symbol = "hdDisable";
+  subject.settings = "dead_man=yes";
+  // X right, Y up, Z towards the operator; mm, N mm; the middle of the workspace is at (0, 20, 0).
+  subject.origin_vendor = {0, 20, 0};
+  subject.pushed_vendor = {10, 40, 30};
+  subject.pushed = {10, -30, 20};
+  subject.left_vendor = columns(-Vec3::UnitZ(), Vec3::UnitY(), Vec3::UnitX());
+  subject.force_vendor = {1, 3, -2};
+  subject.torque_vendor = {10, 30, -20};
+  subject.at_open = {{Trouble::no_device, DeviceFault::not_connected},
+                     {Trouble::busy, DeviceFault::busy},
+                     {Trouble::wrong_version, DeviceFault::wrong_version},
+                     {Trouble::uncalibrated, DeviceFault::not_calibrated}};
+  subject.in_loop = {{Trouble::unplug, DeviceFault::communication_lost},
+                     {Trouble::not_a_number, DeviceFault::bad_data},
+                     {Trouble::hot, DeviceFault::overheated},
+                     {Trouble::too_fast, DeviceFault::velocity_limit},
+                     {Trouble::too_much_force, DeviceFault::force_limit},
+                     {Trouble::uncalibrated, DeviceFault::not_calibrated},
+                     {Trouble::unknown_code, DeviceFault::vendor_error}};
+  return subject;
+}
+
 }  // namespace
 
 const std::vector<DriverSubject>& driver_subjects() {
   static const std::vector<DriverSubject> all = [] {
-    std::vector<DriverSubject> subjects = {force_dimension()};
+    std::vector<DriverSubject> subjects = {openhaptics(), force_dimension()};
     for (DriverSubject& subject : subjects) {
       subject.driver = find_driver(subject.name);
       subject.force = {1, 2, 3};

@@ -23,7 +23,8 @@ struct DriverSubject {
   std::string library, library_without_symbol, missing_symbol;
   std::string settings;  // besides library=
 
-  Vec3 pushed_vendor, pushed;  // vendor's unit; mm
+  Vec3 origin_vendor = Vec3::Zero();  // the operator's origin
+  Vec3 pushed_vendor, pushed;         // vendor's unit; mm
   Mat3 left_vendor;  // from the identity, in which the tool points away from the operator, a quarter to the left
   Vec3 force_vendor, force;    // N
   Vec3 torque_vendor, torque;  // vendor's unit; N mm

@@ -1,0 +1,373 @@
+#include "haptics/drivers/openhaptics.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <ctime>
+#include <string>
+
+#include "haptics/drivers/driver_adapter.h"
+#include "haptics/drivers/driver_settings.h"
+#include "haptics/drivers/openhaptics_session.h"
+#include "haptics/drivers/vendor_frame.h"
+
+namespace bodkin {
+
+namespace {
+
+using namespace openhaptics;
+
+constexpr long calibration_every = 50;   // ticks between two looks
+constexpr long temperature_every = 100;  // likewise
+constexpr long fault_shown = 20;         // ticks for which a fault that passes is told
+constexpr int oldest_version = 3;
+
+double now() noexcept {
+  timespec time{};
+  clock_gettime(CLOCK_MONOTONIC, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+// Of an error in the loop.
+int result_of(unsigned code) noexcept {
+  switch (code) {
+    case success:
+      return BODKIN_OK;
+    case warm_motors:
+      return BODKIN_OVERHEATED;
+    case exceeded_force:
+    case exceeded_impulse:
+    case force_error:
+      return BODKIN_FORCE_LIMIT;
+    case exceeded_velocity:
+      return BODKIN_VELOCITY_LIMIT;
+    case comm_error:
+    case comm_config_error:
+      return BODKIN_COMMUNICATION_LOST;
+    default:
+      return BODKIN_VENDOR_ERROR;
+  }
+}
+
+// The vendor lets these pass; every other error ends the session.
+bool passes(unsigned code) noexcept {
+  return code >= exceeded_force && code <= force_error;
+}
+
+int result_of_opening(unsigned code) {
+  switch (code) {
+    case already_initiated:
+      return BODKIN_BUSY;
+    case device_fault:
+    case comm_error:
+    case comm_config_error:
+      return BODKIN_NOT_CONNECTED;
+    default:
+      return BODKIN_VENDOR_ERROR;
+  }
+}
+
+const char* advice_for(int result) {
+  switch (result) {
+    case BODKIN_BUSY:
+      return "close the other program that uses the device, or unplug it and plug it in";
+    case BODKIN_NOT_CONNECTED:
+      return "connect it, run the vendor's Touch_Setup, and see that you are in the group dialout";
+    default:
+      return "see whether the vendor's Touch_Diagnostic works";
+  }
+}
+
+using Session = std::shared_ptr<OpenHapticsSession>;
+
+DriverSettings read(const char* settings) {
+  return {settings, {"library", "dead_man"}};
+}
+
+double number(const OpenHapticsLibrary& hd, unsigned parameter) {
+  double value = 0.0;
+  hd.hdGetDoublev(parameter, &value);
+  return value;
+}
+
+int whole(const OpenHapticsLibrary& hd, unsigned parameter) {
+  int value = 0;
+  hd.hdGetIntegerv(parameter, &value);
+  return value;
+}
+
+std::string text(const OpenHapticsLibrary& hd, unsigned parameter) {
+  const char* value = hd.hdGetString(parameter);
+  return value == nullptr ? "" : value;
+}
+
+// A device that HD has initialised. Made, used and destroyed while the scheduler stands.
+class Initialised {
+ public:
+  Initialised(OpenHapticsSession& session, const std::string& name) : session_(session) {
+    session.newest_error(invalid_handle);  // what others have left behind
+    id_ = session.hd.hdInitDevice(name.empty() ? nullptr : name.c_str());
+    const unsigned error = session.newest_error(id_);
+    if (id_ != invalid_handle && error == success) return;
+    if (id_ != invalid_handle) session.hd.hdDisableDevice(id_);
+    const int result = result_of_opening(error);
+    throw DriverFailure(result, "the device" + (name.empty() ? "" : " '" + name + "'") + " does not open (" +
+                                    session.words(error) + "): " + advice_for(result));
+  }
+  ~Initialised() { session_.hd.hdDisableDevice(id_); }
+  Initialised(const Initialised&) = delete;
+  Initialised& operator=(const Initialised&) = delete;
+
+  unsigned id() const noexcept { return id_; }
+
+ private:
+  OpenHapticsSession& session_;
+  unsigned id_;
+};
+
+void check_version(const OpenHapticsLibrary& hd) {
+  const std::string version_text = text(hd, version);
+  const int major = std::atoi(version_text.c_str());
+  if (major == 0 || major >= oldest_version) return;  // a version that is no number says nothing
+  throw DriverFailure(BODKIN_WRONG_VERSION, hd.library.path() + " is version " + version_text +
+                                                ", expected 3.0 or newer: install a newer OpenHaptics");
+}
+
+void check_calibration(const OpenHapticsLibrary& hd) {
+  if (hd.hdCheckCalibration() == calibration_needs_update) {
+    // Forces are off, so that a jump of the position moves nothing.
+    hd.hdUpdateCalibration(static_cast<unsigned>(whole(hd, calibration_style)));
+  }
+  if (hd.hdCheckCalibration() == calibration_ok) return;
+  throw DriverFailure(BODKIN_NOT_CALIBRATED,
+                      "the device is not calibrated: put the stylus into its inkwell, or run the vendor's "
+                      "Touch_Diagnostic, and try again");
+}
+
+class OpenHapticsDevice : public OpenDevice {
+ public:
+  OpenHapticsDevice(Session session, const std::string& name, bool dead_man)
+      : session_(std::move(session)), hd_(session_->hd) {
+    session_->paused([&] {
+      auto device = std::make_unique<Initialised>(*session_, name);  // ends in here when a check throws
+      hd_.hdMakeCurrentDevice(device->id());
+      check_version(hd_);
+      check_calibration(hd_);
+      session_->newest_error(device->id());
+      // What a device does not tell is an error on the stack that the tick reads, so it is asked for once here.
+      double temperatures[6] = {};
+      hd_.hdGetDoublev(motor_temperature, temperatures);
+      has_temperature_ = session_->newest_error(device->id()) == success;
+      has_dead_man_ = dead_man && hd_.hdGetBooleanv != nullptr;
+      torques_ = whole(hd_, output_freedoms) >= 6;
+      period_ = 1.0 / std::max(100, whole(hd_, update_rate));
+      double box[6] = {};
+      hd_.hdGetDoublev(usable_workspace, box);
+      low_ = Vec3(box[0], box[1], box[2]);
+      high_ = Vec3(box[3], box[4], box[5]);
+      frame_.centre = 0.5 * (low_ + high_);
+      device_ = std::move(device);
+    });
+  }
+
+  ~OpenHapticsDevice() override {
+    if (scheduled_) OpenHapticsDevice::stop();
+    session_->paused([&] { device_.reset(); });
+  }
+
+  void describe(bodkin_abilities& abilities) {
+    session_->paused([&] {
+      hd_.hdMakeCurrentDevice(device_->id());
+      copy_text(text(hd_, model_type), abilities.name, BODKIN_TEXT);
+      copy_text(text(hd_, serial_number), abilities.serial, BODKIN_TEXT);
+      abilities.peak_force = number(hd_, nominal_max_force);
+      abilities.continuous_force = number(hd_, nominal_max_continuous_force);
+      abilities.peak_torque = torques_ ? number(hd_, nominal_max_torque) : 0.0;
+      abilities.stiffness = number(hd_, nominal_max_stiffness);
+      abilities.damping = number(hd_, nominal_max_damping);
+      abilities.measures_rotation = whole(hd_, input_freedoms) >= 6 ? 1 : 0;
+      session_->newest_error(device_->id());  // of what this model does not tell
+    });
+    const Vec3 half = frame_.to_operator * (0.5 * (high_ - low_));
+    Eigen::Map<Vec3>(abilities.workspace_low) = -half.cwiseAbs();
+    Eigen::Map<Vec3>(abilities.workspace_high) = half.cwiseAbs();
+    abilities.resolution = 0.055;  // of a Touch; finer devices only profit
+    abilities.rate = 1.0 / period_;
+    abilities.has_dead_man = has_dead_man_ ? 1 : 0;
+    abilities.owns_loop = 1;
+  }
+
+  void start(bodkin_tick tick, void* user) override {
+    tick_ = tick;
+    user_ = user;
+    ticks_ = 0;
+    lasting_ = passing_ = success;
+    last_error_.store(success);
+    state_ = blank_state();
+    unsigned error = success;
+    session_->paused([&] {
+      hd_.hdMakeCurrentDevice(device_->id());
+      session_->newest_error(device_->id());
+      hd_.hdEnable(force_output);
+      error = session_->newest_error(device_->id());
+      if (error == success) callback_ = session_->schedule(&OpenHapticsDevice::run, this);
+      scheduled_ = error == success;
+    });
+    if (error != success) {
+      throw DriverFailure(BODKIN_VENDOR_ERROR, "forces cannot be enabled (" + session_->words(error) +
+                                                   "): " + advice_for(BODKIN_VENDOR_ERROR));
+    }
+  }
+
+  // The vendor applies no force once the scheduler stands.
+  void stop() override {
+    session_->paused([&] {
+      if (scheduled_) session_->unschedule(callback_);
+      scheduled_ = false;
+      hd_.hdMakeCurrentDevice(device_->id());
+      hd_.hdDisable(force_output);
+      session_->newest_error(device_->id());
+    });
+  }
+
+  std::string explain() override {
+    const unsigned code = last_error_.load();
+    if (code == uncalibrated) return "the device has lost its calibration: put the stylus into its inkwell";
+    return code == success ? "" : "OpenHaptics says " + session_->words(code);
+  }
+
+ private:
+  static constexpr unsigned uncalibrated = 0xFFFF0000;  // beside the vendor's errors
+
+  static unsigned run(void* self) noexcept { return static_cast<OpenHapticsDevice*>(self)->round(); }
+
+  // One tick in the scheduler's thread: one frame. A frame that sets no force has none.
+  unsigned round() noexcept {
+    const double time = now();
+    const double dt = ticks_ == 0 ? period_ : time - last_time_;
+    last_time_ = time;
+
+    hd_.hdMakeCurrentDevice(device_->id());
+    hd_.hdBeginFrame(device_->id());
+    read_state();
+    note(session_->newest_error(device_->id()));
+    if (ticks_ % calibration_every == 0) calibrated_ = hd_.hdCheckCalibration() == calibration_ok;
+    state_.fault = static_cast<std::uint32_t>(fault());
+    bodkin_command command{};
+    tick_(user_, &state_, dt, &command);
+    if (state_.fault == BODKIN_OK) send(command);
+    hd_.hdEndFrame(device_->id());
+    note(session_->newest_error(device_->id()));
+    ++ticks_;
+    return 1;
+  }
+
+  void read_state() noexcept {
+    double transform[16] = {}, velocity[3] = {};
+    int buttons = 0;
+    hd_.hdGetDoublev(current_transform, transform);
+    hd_.hdGetDoublev(current_velocity, velocity);
+    hd_.hdGetIntegerv(current_buttons, &buttons);
+    const Eigen::Map<const Eigen::Matrix4d> pose(transform);  // column by column
+    frame_.put_position(pose.topRightCorner<3, 1>(), state_);
+    frame_.put_rotation(pose.topLeftCorner<3, 3>(), state_);
+    frame_.put_velocity(Vec3(velocity), state_);
+    state_.buttons = static_cast<std::uint32_t>(buttons);
+    if (has_dead_man_) {
+      unsigned char held = 0;
+      hd_.hdGetBooleanv(current_safety_switch, &held);
+      state_.held = held != 0 ? 1 : 0;
+    }
+    if (has_temperature_ && ticks_ % temperature_every == 0) {
+      double temperatures[6] = {};
+      hd_.hdGetDoublev(motor_temperature, temperatures);
+      state_.temperature = *std::max_element(std::begin(temperatures), std::end(temperatures));
+    }
+  }
+
+  void send(const bodkin_command& command) noexcept {
+    const Vec3 force = frame_.force_of(command);
+    hd_.hdSetDoublev(current_force, force.data());
+    if (!torques_) return;
+    const Vec3 torque = frame_.torque_of(command);
+    hd_.hdSetDoublev(current_torque, torque.data());
+  }
+
+  void note(unsigned code) noexcept {
+    if (code == success) return;
+    last_error_.store(code);
+    if (passes(code)) {
+      passing_ = code;
+      passing_until_ = ticks_ + fault_shown;
+      return;
+    }
+    if (lasting_ != success) return;
+    lasting_ = code;
+    hd_.hdMakeCurrentDevice(device_->id());
+    hd_.hdDisable(force_output);  // until the next start
+  }
+
+  int fault() noexcept {
+    if (lasting_ != success) return result_of(lasting_);
+    if (!calibrated_) {
+      last_error_.store(uncalibrated);
+      return BODKIN_NOT_CALIBRATED;
+    }
+    return passing_ != success && ticks_ < passing_until_ ? result_of(passing_) : BODKIN_OK;
+  }
+
+  Session session_;
+  const OpenHapticsLibrary& hd_;
+  std::unique_ptr<Initialised> device_;
+  VendorFrame frame_ = y_up_frame();
+  Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();  // of the usable workspace, vendor's axes, mm
+  bool has_temperature_ = false, has_dead_man_ = false, torques_ = false;
+  double period_ = 0.001;  // s
+
+  // Of the loop.
+  bodkin_tick tick_ = nullptr;
+  void* user_ = nullptr;
+  unsigned long callback_ = 0;
+  bool scheduled_ = false;
+  bodkin_state state_{};
+  long ticks_ = 0;
+  double last_time_ = 0.0;  // s
+  bool calibrated_ = true;
+  unsigned lasting_ = success, passing_ = success;
+  long passing_until_ = 0;
+  std::atomic<unsigned> last_error_{success};
+};
+
+struct OpenHaptics {
+  static constexpr const char* name = "openhaptics";
+  static constexpr const char* summary = "Touch and PHANTOM devices (OpenHaptics)";
+
+  // HD has no list: the default device is opened without force, asked for its name, and closed.
+  static void list(const char* words, const DeviceSink& found) {
+    const DriverSettings settings = read(words);
+    const Session session = OpenHapticsSession::join(settings.text("library", ""));
+    session->paused([&] {
+      const Initialised device(*session, "");
+      session->hd.hdMakeCurrentDevice(device.id());
+      found("", text(session->hd, model_type) + ", serial number " + text(session->hd, serial_number) +
+                    ", the default device");
+    });
+  }
+
+  static std::unique_ptr<OpenDevice> open(const std::string& device, const char* words, bodkin_abilities& abilities) {
+    const DriverSettings settings = read(words);
+    const bool dead_man = settings.flag("dead_man", false);
+    auto opened =
+        std::make_unique<OpenHapticsDevice>(OpenHapticsSession::join(settings.text("library", "")), device, dead_man);
+    opened->describe(abilities);
+    return opened;
+  }
+};
+
+}  // namespace
+
+const bodkin_driver& openhaptics_driver() noexcept {
+  static constexpr bodkin_driver driver = driver_of<OpenHaptics>();
+  return driver;
+}
+
+}  // namespace bodkin
