@@ -72,11 +72,35 @@ DriverSubject openhaptics() {
   return subject;
 }
 
+DriverSubject haption() {
+  DriverSubject subject;
+  subject.name = "haption";
+  subject.library = folder + "/haption/libVirtuoseAPI.so";
+  subject.library_without_symbol = folder + "/haption_broken/libVirtuoseAPI.so";
+  subject.missing_symbol = "virtStopLoop";
+  subject.settings = "relays_s=0.02";
+  // X towards the operator, Y right, Z up; m, N m.
+  subject.pushed_vendor = {0.01, 0.02, 0.03};
+  subject.pushed = {20, -10, 30};
+  subject.left_vendor = columns(Vec3::UnitY(), -Vec3::UnitX(), Vec3::UnitZ());
+  subject.force_vendor = {-2, 1, 3};
+  subject.torque_vendor = {-0.020, 0.010, 0.030};
+  subject.at_open = {{Trouble::no_device, DeviceFault::not_connected},
+                     {Trouble::busy, DeviceFault::busy},
+                     {Trouble::wrong_version, DeviceFault::wrong_version}};
+  subject.in_loop = {{Trouble::unplug, DeviceFault::communication_lost},
+                     {Trouble::not_a_number, DeviceFault::bad_data},
+                     {Trouble::hot, DeviceFault::overheated},
+                     {Trouble::emergency_stop, DeviceFault::emergency_stop},
+                     {Trouble::unknown_code, DeviceFault::vendor_error}};
+  return subject;
+}
+
 }  // namespace
 
 const std::vector<DriverSubject>& driver_subjects() {
   static const std::vector<DriverSubject> all = [] {
-    std::vector<DriverSubject> subjects = {openhaptics(), force_dimension()};
+    std::vector<DriverSubject> subjects = {openhaptics(), force_dimension(), haption()};
     for (DriverSubject& subject : subjects) {
       subject.driver = find_driver(subject.name);
       subject.force = {1, 2, 3};
