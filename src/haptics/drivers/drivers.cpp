@@ -3,11 +3,13 @@
 #include "haptics/drivers/force_dimension.h"
 #include "haptics/drivers/haption.h"
 #include "haptics/drivers/openhaptics.h"
+#include "haptics/drivers/spacemouse.h"
 
 namespace bodkin {
 
 std::span<const bodkin_driver* const> built_in_drivers() noexcept {
-  static const bodkin_driver* const all[] = {&openhaptics_driver(), &force_dimension_driver(), &haption_driver()};
+  static const bodkin_driver* const all[] = {&openhaptics_driver(), &force_dimension_driver(), &haption_driver(),
+                                             &spacemouse_driver()};
   return all;
 }
 
