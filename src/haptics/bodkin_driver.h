@@ -2,10 +2,10 @@
  * shared library. Bodkin's own drivers stand behind the same interface. A driver exports one function,
  * bodkin_driver_entry, declared at the end of this file.
  *
- * Threads: list, open, start, stop, close and explain may block and are called by ordinary threads, not always the
+ * Threads: list, open, start, stop and close may block and are called by ordinary threads, not always the
  * same one, and never two at once for one handle. exchange is called by one thread between start and stop only.
  * Bodkin waits for a call that may block some seconds at most; one that comes back later is followed by stop and
- * close. A driver's library is never unloaded.
+ * close. explain never blocks. A driver's library is never unloaded.
  *
  * Poses, velocities, forces and torques are in the operator's frame: right-handed, +X to the operator's right, +Y
  * away from the operator, +Z up, origin in the middle of the usable workspace; mm, mm/s, N, N mm. Forces and torques

@@ -36,7 +36,7 @@ struct FoundDevice {
 };
 
 // A vendor's call that has not returned by then is given up.
-constexpr std::chrono::milliseconds usual_patience{15000};
+constexpr std::chrono::milliseconds usual_patience{20000};
 
 // Throws DeviceError; InputError for settings ("key=value" words) that the driver does not take.
 std::vector<FoundDevice> list_devices(const bodkin_driver& driver, const std::string& settings,

@@ -33,6 +33,7 @@ enum class Trouble : int {
 struct Board {
   std::atomic<Trouble> trouble{Trouble::none};
   std::atomic<std::int64_t> from_tick{0};
+  std::atomic<bool> only_first{false};  // where a library has two devices, the second is well
 
   // The hand: where it means to be, and the tool's rotation (row by row, vendor's axes). A firm hand does not yield.
   std::array<std::atomic<double>, 3> hand{};
@@ -68,6 +69,7 @@ struct Board {
 inline void Board::clear() noexcept {
   trouble = Trouble::none;
   from_tick = 0;
+  only_first = false;
   for (auto* triple : {&hand, &force, &torque, &position}) {
     for (auto& component : *triple) component = 0.0;
   }

@@ -165,6 +165,7 @@ EXPORT void hdBeginFrame(unsigned id) {
   std::fill_n(which->force, 3, 0.0);
   std::fill_n(which->torque, 3, 0.0);
   const Board& b = board();
+  if (b.only_first && !first(which)) return;
   if (b.troubled_by(Trouble::unplug)) push(0x0302, id);
   if (b.troubled_by(Trouble::hot)) push(0x0200, id);
   if (b.troubled_by(Trouble::too_fast)) push(0x0203, id);
