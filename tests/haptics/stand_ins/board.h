@@ -46,6 +46,7 @@ struct Board {
   std::atomic<std::int64_t> ticks{0};
   std::atomic<std::int64_t> pushes{0};  // ticks with a force other than zero
   std::atomic<int> open_devices{0};
+  std::atomic<int> openings{0};  // so far, never cleared
   std::atomic<bool> motors_on{false};
 
   // Calls that break the vendor's rules; the first one's name.
@@ -62,6 +63,10 @@ struct Board {
   void clear() noexcept;
 
   // For the stand-ins.
+  void opened() noexcept {
+    ++open_devices;
+    ++openings;
+  }
   void violation(const char* rule) noexcept;
   void wait_while(Trouble which) const noexcept;
 };

@@ -80,7 +80,7 @@ EXPORT int dhdOpenID(char index) {
   open_now = brakes = true;
   off_cause = 0;
   watchdog_steps = 0;
-  ++board().open_devices;
+  board().opened();
   return the_id;
 }
 EXPORT int dhdOpen() {

@@ -99,7 +99,7 @@ EXPORT Context virtOpen(const char* address) {
   the_device.periodic = nullptr;
   the_device.error = 0;
   open_now = true;
-  ++board().open_devices;
+  board().opened();
   return &the_device;
 }
 EXPORT int virtClose(Context context) {

@@ -7,8 +7,8 @@
 namespace stand_in {
 
 // The moving parts of a desktop device and the hand on it, along three axes: a mass with viscous and dry friction,
-// the motors' force up to a limit, a spring and damper to where the hand means to be, and encoders that see whole
-// counts.
+// the motors' force up to a limit and with a lag of 2 ms, a spring and damper to where the hand means to be, and
+// encoders that see whole counts.
 //
 //   m x'' = F - c x' - f sign(x') + k (h - x) - d x'
 class Mechanism {
@@ -27,6 +27,7 @@ class Mechanism {
  private:
   double unit_, limit_;
   std::array<double, 3> at_{}, speed_{};  // m, m/s
+  std::array<double, 3> felt_{};          // N, behind the lag
   std::array<double, 3> seen_{}, velocity_seen_{};
 };
 

@@ -137,7 +137,7 @@ EXPORT unsigned hdInitDevice(const char* name) {
   }
   devices[id] = Device{};
   devices[id].open = true;
-  ++board().open_devices;
+  board().opened();
   current = id;
   return id;
 }
