@@ -75,6 +75,9 @@ class DevicePort {
   // Zero force, forces disabled. Throws DeviceError when the vendor does not answer. Does nothing when not started.
   void stop();
 
+  // For the calls from now on.
+  void set_patience(std::chrono::milliseconds patience) noexcept { patience_ = patience; }
+
   // Rounds so far, for a watch from any thread: a vendor's loop that has stopped no longer counts.
   std::uint64_t ticks() const noexcept;
 

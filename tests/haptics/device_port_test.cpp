@@ -133,7 +133,8 @@ TEST_F(Port, a_device_whose_opening_comes_back_late_is_closed) {
 
 TEST_F(Port, a_start_that_blocks_is_given_up_and_the_device_closed_afterwards) {
   {
-    DevicePort port(driver, "", "", impatient);
+    DevicePort port(driver, "", "");
+    port.set_patience(impatient);
     fake_.blocked = "start";
     lost([&] { port.start(); });
     lost([&] { port.start(); });
@@ -148,8 +149,9 @@ TEST_F(Port, a_start_that_blocks_is_given_up_and_the_device_closed_afterwards) {
 
 TEST_F(Port, a_stop_that_blocks_is_given_up_and_so_is_the_closing) {
   {
-    DevicePort port(driver, "", "", impatient);
+    DevicePort port(driver, "", "");
     port.start();
+    port.set_patience(impatient);
     fake_.blocked = "stop";
     EXPECT_THAT(lost([&] { port.stop(); }), HasSubstr("stopping"));
   }
@@ -158,8 +160,9 @@ TEST_F(Port, a_stop_that_blocks_is_given_up_and_so_is_the_closing) {
 }
 
 TEST_F(Port, an_exchange_that_hangs_does_not_hang_the_stop) {
-  auto port = std::make_unique<DevicePort>(driver, "", "", impatient);
+  auto port = std::make_unique<DevicePort>(driver, "", "");
   port->start();
+  port->set_patience(impatient);
   fake_.blocked = "exchange";
   DeviceState state;
   std::thread servo([&state, &port = *port] { port.exchange({}, state); });

@@ -260,9 +260,10 @@ TEST_P(DriverContract, late_replies_are_no_fault) {
 }
 
 TEST_P(DriverContract, a_loop_that_freezes_does_not_hang_the_stop) {
-  DriverRig rig(subject(), 300ms);
+  DriverRig rig(subject());
   rig.start();
   EXPECT_TRUE(rig.ticks(5));
+  rig.port().set_patience(100ms);
   board().trouble = Trouble::freeze;
   const auto ticks = [&] { return rig.port().ticks(); };
   EXPECT_TRUE(comes_true([&] {
@@ -285,8 +286,10 @@ TEST_P(DriverContract, a_call_of_the_vendors_that_blocks_is_given_up_and_cleaned
     const int openings = board().openings;
     try {
       board().trouble = blocked;
-      DriverRig rig(subject(), 300ms);
+      DriverRig rig(subject(), blocked == Trouble::open_blocks ? 100ms : usual_patience);
+      if (blocked == Trouble::start_blocks) rig.port().set_patience(100ms);
       rig.start();
+      rig.port().set_patience(100ms);
       rig.stop();
       ADD_FAILURE() << "nothing blocked";
     } catch (const DeviceError& error) {
