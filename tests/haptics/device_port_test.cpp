@@ -32,11 +32,20 @@ struct Fake {
   bodkin_tick tick = nullptr;
   void* user = nullptr;
 
-  void pass(const char* call) {
-    ++inside;
-    while (std::string(blocked.load()) == call) std::this_thread::sleep_for(1ms);
-    --inside;
-  }
+  // A call, from its begin to its end.
+  class Visit {
+   public:
+    Visit(Fake* host, const char* call) : host_(*host) {
+      ++host_.inside;
+      while (std::string(host_.blocked.load()) == call) std::this_thread::sleep_for(1ms);
+    }
+    ~Visit() { --host_.inside; }
+    Visit(const Visit&) = delete;
+    Visit& operator=(const Visit&) = delete;
+
+   private:
+    Fake& host_;
+  };
   // Lets everything return and waits until it has.
   void release() {
     blocked = "";
@@ -50,12 +59,12 @@ const bodkin_driver driver = {BODKIN_DRIVER_ABI,
                               "fake",
                               "for tests",
                               [](const char*, bodkin_found found, void* user, char*) {
-                                fake->pass("list");
+                                const Fake::Visit visit(fake, "list");
                                 found(user, "a", "A");
                                 return fake->result;
                               },
                               [](const char*, const char*, void** handle, bodkin_abilities* abilities, char*) {
-                                fake->pass("open");
+                                const Fake::Visit visit(fake, "open");
                                 if (fake->result != BODKIN_OK) return fake->result;
                                 *handle = fake;
                                 abilities->peak_force = nan;
@@ -66,22 +75,22 @@ const bodkin_driver driver = {BODKIN_DRIVER_ABI,
                               [](void*, bodkin_tick tick, void* user, char*) {
                                 fake->tick = tick;
                                 fake->user = user;
-                                fake->pass("start");
+                                const Fake::Visit visit(fake, "start");
                                 return fake->result;
                               },
                               [](void*, const bodkin_command* command, bodkin_state* state) {
-                                fake->pass("exchange");
+                                const Fake::Visit visit(fake, "exchange");
                                 fake->command = *command;
                                 *state = fake->state;
                                 return fake->result;
                               },
                               [](void*) {
-                                fake->pass("stop");
+                                const Fake::Visit visit(fake, "stop");
                                 ++fake->stopped;
                                 return fake->result;
                               },
                               [](void*) {
-                                fake->pass("close");
+                                const Fake::Visit visit(fake, "close");
                                 ++fake->closed;
                               },
                               nullptr};

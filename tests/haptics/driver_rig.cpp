@@ -1,5 +1,6 @@
 #include "tests/haptics/driver_rig.h"
 
+#include <cmath>
 #include <stdexcept>
 
 #include <dlfcn.h>
@@ -129,7 +130,9 @@ bool comes_true(const std::function<bool()>& condition) {
 Wrench DriverRig::Hand::tick(const DeviceState& state, double) noexcept {
   const std::lock_guard lock(mutex_);
   last_ = state;
-  if (state.velocity.norm() > fastest_.norm()) fastest_ = state.velocity;
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(state.velocity[i]) > std::abs(fastest_[i])) fastest_[i] = state.velocity[i];
+  }
   return wrench_;
 }
 

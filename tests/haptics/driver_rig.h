@@ -53,7 +53,7 @@ class DriverRig {
 
   void push(const Wrench& wrench) { hand_.push(wrench); }
   DeviceState last() const { return hand_.last(); }
-  // The fastest velocity so far.
+  // The fastest velocity so far along each axis.
   Vec3 fastest() const { return hand_.fastest(); }
   // Waits for so many ticks more of the vendor's; false when they do not come.
   bool ticks(int count);

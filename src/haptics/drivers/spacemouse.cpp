@@ -165,9 +165,9 @@ class SpaceMouseDevice : public OpenDevice {
 
   void take(const Event& event) noexcept {
     if (event[0] == motion) {
-      for (int i = 0; i < 3; ++i) {
-        pull_[i] = feel_.deflection(event[static_cast<std::size_t>(1 + i)]);
-        twist_[i] = feel_.deflection(event[static_cast<std::size_t>(4 + i)]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        pull_[static_cast<Eigen::Index>(i)] = feel_.deflection(event[1 + i]);
+        twist_[static_cast<Eigen::Index>(i)] = feel_.deflection(event[4 + i]);
       }
     } else if ((event[0] == press || event[0] == release) && event[1] >= 0 && event[1] < 32) {
       const std::uint32_t bit = 1U << event[1];
