@@ -1,10 +1,12 @@
 // What is particular to one vendor, beyond the contract of all drivers.
 #include <cstdlib>
+#include <filesystem>
 #include <set>
 
 #include "tests/haptics/driver_rig.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "haptics/drivers/driver_adapter.h"
 #include "haptics/drivers/driver_settings.h"
@@ -53,6 +55,20 @@ TEST(Drivers, are_found_by_name_or_by_path) {
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), testing::AllOf(HasSubstr("'joystick'"), HasSubstr("openhaptics, force_dimension")));
   }
+}
+
+TEST(StandIns, take_their_trouble_from_the_environment) {
+  // A copy is a library of its own, which reads the environment anew.
+  const std::filesystem::path copy =
+      std::filesystem::temp_directory_path() / ("bodkin_stand_in_" + std::to_string(getpid()) + ".so");
+  std::filesystem::copy_file(subject("force_dimension").library, copy);
+  setenv("BODKIN_STAND_IN", "stop_blocks@12", 1);
+  DriverSubject troubled = subject("force_dimension");
+  troubled.library = copy;
+  EXPECT_EQ(troubled.board().trouble, Trouble::stop_blocks);  // the last of the list
+  EXPECT_EQ(troubled.board().from_tick, 12);
+  unsetenv("BODKIN_STAND_IN");
+  std::filesystem::remove(copy);
 }
 
 TEST(DriverSettings, hold_words_numbers_and_quoted_paths) {
@@ -159,6 +175,13 @@ TEST(ForceDimension, an_sdk_without_the_newer_functions_works) {
   rig.push({Vec3(1, 2, 3), Vec3::Zero()});
   rig.start();
   EXPECT_TRUE(comes_true([&] { return old.board().force[2] == 3.0; }));
+  rig.close();
+  old.board().trouble = Trouble::uncalibrated;
+  EXPECT_THROW(DevicePort(*old.driver, "", old.words() + " initialise=yes"),
+               DeviceError);  // it has no DRD to do that
+  EXPECT_EQ(old.board().violations, 0) << old.board().first_violation.load();
+  EXPECT_EQ(old.board().open_devices, 0);
+  old.board().clear();
 }
 
 TEST(ForceDimension, a_device_calibrates_itself_only_where_the_user_allows_it_to_move) {

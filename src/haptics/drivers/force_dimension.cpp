@@ -98,11 +98,18 @@ DriverSettings read(const char* settings) {
   return {settings, {"library", "initialise", "gravity", "peak_force"}};
 }
 
-// A device that is open in the SDK, closed at the end of the scope.
+// A device that is open in the SDK, closed at the end of its life. DRD, where there is one, answers only for devices
+// that it has opened itself.
 class Handle {
  public:
+  // `index`: among the devices that are connected. Null when the SDK refuses.
+  static std::unique_ptr<Handle> open(const Library& sdk, int index) {
+    const auto number = static_cast<char>(index);
+    const int id = sdk->has_drd() ? sdk->drdOpenID(number) : sdk->dhdOpenID(number);
+    return id < 0 ? nullptr : std::make_unique<Handle>(sdk, id);
+  }
   Handle(Library sdk, int id) : sdk_(std::move(sdk)), id_(static_cast<char>(id)) {}
-  ~Handle() { sdk_->dhdClose(id_); }
+  ~Handle() { sdk_->has_drd() ? sdk_->drdClose(id_) : sdk_->dhdClose(id_); }
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
 
@@ -128,17 +135,11 @@ std::unique_ptr<Handle> open_handle(const Library& sdk, const std::string& seria
     throw DriverFailure(BODKIN_NOT_CONNECTED,
                         std::string("no Force Dimension device is found: ") + advice_for(BODKIN_NOT_CONNECTED));
   }
-  if (serial.empty()) {
-    const int id = sdk->dhdOpen();
-    if (id < 0) fail(*sdk, "the device does not open");
-    return std::make_unique<Handle>(sdk, id);
-  }
   for (int index = 0; index < count; ++index) {
-    const int id = sdk->dhdOpenID(static_cast<char>(index));
-    if (id < 0) continue;
-    auto handle = std::make_unique<Handle>(sdk, id);
-    if (handle->serial() == serial) return handle;
+    auto handle = Handle::open(sdk, index);
+    if (handle != nullptr && (serial.empty() || handle->serial() == serial)) return handle;
   }
+  if (serial.empty()) fail(*sdk, "the device does not open");
   throw DriverFailure(BODKIN_NOT_CONNECTED, "no free Force Dimension device has the serial number " + serial +
                                                 ": see `bodkin devices list` for those that are connected");
 }
@@ -277,10 +278,9 @@ struct ForceDimension {
     const Library sdk = load(read(text));
     const int count = sdk->dhdGetDeviceCount();
     for (int index = 0; index < count; ++index) {
-      const int id = sdk->dhdOpenID(static_cast<char>(index));
-      if (id < 0) continue;  // another program's
-      const Handle handle(sdk, id);
-      found(handle.serial(), handle.name() + ", serial number " + handle.serial());
+      const auto handle = Handle::open(sdk, index);
+      if (handle == nullptr) continue;  // another program's
+      found(handle->serial(), handle->name() + ", serial number " + handle->serial());
     }
   }
 
@@ -317,12 +317,12 @@ struct ForceDimension {
   // Moves the device only where the user has said that it may.
   static void calibrate(const ForceDimensionLibrary& sdk, char id, bool may_move) {
     const auto calibrated = [&] {
-      if (sdk.drdIsInitialized != nullptr) return sdk.drdIsInitialized(id);
+      if (sdk.has_drd() && sdk.drdIsInitialized != nullptr) return sdk.drdIsInitialized(id);
       int status[17] = {};
       return sdk.dhdGetStatus(status, id) >= 0 && status[needs_reset] == 0;
     };
     if (calibrated()) return;
-    if (may_move && sdk.drdAutoInit != nullptr) {
+    if (may_move && sdk.has_drd() && sdk.drdAutoInit != nullptr) {
       if (sdk.drdAutoInit(id) < 0) fail(sdk, "the device cannot calibrate itself");
       if (sdk.drdStop != nullptr) sdk.drdStop(false, id);
       if (calibrated()) return;

@@ -28,7 +28,6 @@ LibraryPlaces places(const std::string& chosen) {
 ForceDimensionLibrary::ForceDimensionLibrary(const std::string& chosen) : library(places(chosen)) {
   library.need(dhdGetSDKVersion, "dhdGetSDKVersion");
   library.need(dhdGetDeviceCount, "dhdGetDeviceCount");
-  library.need(dhdOpen, "dhdOpen");
   library.need(dhdOpenID, "dhdOpenID");
   library.need(dhdClose, "dhdClose");
   library.need(dhdGetSystemType, "dhdGetSystemType");
@@ -53,6 +52,8 @@ ForceDimensionLibrary::ForceDimensionLibrary(const std::string& chosen) : librar
   library.take(dhdEnableExpertMode, "dhdEnableExpertMode");
   library.take(dhdDisableExpertMode, "dhdDisableExpertMode");
   library.take(dhdSetWatchdog, "dhdSetWatchdog");
+  library.take(drdOpenID, "drdOpenID");
+  library.take(drdClose, "drdClose");
   library.take(drdIsInitialized, "drdIsInitialized");
   library.take(drdAutoInit, "drdAutoInit");
   library.take(drdStop, "drdStop");

@@ -17,7 +17,6 @@ struct ForceDimensionLibrary {
 
   void (*dhdGetSDKVersion)(int* major, int* minor, int* release, int* revision);
   int (*dhdGetDeviceCount)();
-  int (*dhdOpen)();
   int (*dhdOpenID)(char index);
   int (*dhdClose)(char);
   int (*dhdGetSystemType)(char);
@@ -37,6 +36,8 @@ struct ForceDimensionLibrary {
   int (*dhdErrorGetLast)();
   const char* (*dhdErrorGetLastStr)();
 
+  bool has_drd() const noexcept { return drdOpenID != nullptr && drdClose != nullptr; }
+
   // Null in SDKs that lack them.
   int (*dhdSetMaxForce)(double limit, char);
   double (*dhdGetMaxForce)(char);
@@ -44,6 +45,8 @@ struct ForceDimensionLibrary {
   int (*dhdEnableExpertMode)();
   int (*dhdDisableExpertMode)();
   int (*dhdSetWatchdog)(unsigned char steps_of_125_us, char);
+  int (*drdOpenID)(char index);  // the functions of DRD are for devices that it has opened
+  int (*drdClose)(char);
   bool (*drdIsInitialized)(char);
   int (*drdAutoInit)(char);
   int (*drdStop)(bool keep_force, char);

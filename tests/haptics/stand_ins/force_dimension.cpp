@@ -18,7 +18,7 @@ constexpr char the_id = 3;  // not the index, so that a driver that mixes them u
 constexpr double peak = 12.0;
 
 stand_in::Mechanism mechanism(1.0, peak);
-bool open_now = false, brakes = true, expert = false, calibrated_by_itself = false;
+bool open_now = false, opened_by_drd = false, brakes = true, expert = false, calibrated_by_itself = false;
 int off_cause = 0;
 int watchdog_steps = 0;
 thread_local int last_error = 0;
@@ -63,6 +63,35 @@ int send(double x, double y, double z, double a, double b, double c, char id) {
   return std::abs(x) > peak || std::abs(y) > peak || std::abs(z) > peak ? 2 : 0;
 }
 
+int open_device(char index, bool by_drd) {
+  board().wait_while(Trouble::open_blocks);
+  if (index != 0) return failed(15);
+  if (open_now || board().troubled_by(Trouble::busy)) return failed(20);
+  open_now = brakes = true;
+  opened_by_drd = by_drd;
+  off_cause = 0;
+  watchdog_steps = 0;
+  board().opened();
+  return the_id;
+}
+
+int close_device(char id, bool by_drd) {
+  if (!is_ours(id)) return -1;
+  if (by_drd != opened_by_drd) board().violation("closed by another part of the SDK than opened it");
+  if (board().motors_on) board().violation("closed while forces were enabled");
+  board().motors_on = false;
+  open_now = calibrated_by_itself = false;
+  --board().open_devices;
+  return 0;
+}
+
+// DRD knows only what it has opened.
+[[maybe_unused]] bool is_drds(char id) {
+  if (is_ours(id) && opened_by_drd) return true;
+  board().violation("DRD was asked for a device that it has not opened");
+  return false;
+}
+
 }  // namespace
 
 EXPORT void dhdGetSDKVersion(int* major, int* minor, int* release, int* revision) {
@@ -74,25 +103,10 @@ EXPORT int dhdGetDeviceCount() {
   return board().troubled_by(Trouble::no_device) ? 0 : 1;
 }
 EXPORT int dhdOpenID(char index) {
-  board().wait_while(Trouble::open_blocks);
-  if (index != 0) return failed(15);
-  if (open_now || board().troubled_by(Trouble::busy)) return failed(20);
-  open_now = brakes = true;
-  off_cause = 0;
-  watchdog_steps = 0;
-  board().opened();
-  return the_id;
-}
-EXPORT int dhdOpen() {
-  return dhdOpenID(0);
+  return open_device(index, false);
 }
 EXPORT int dhdClose(char id) {
-  if (!is_ours(id)) return -1;
-  if (board().motors_on) board().violation("closed while forces were enabled");
-  board().motors_on = false;
-  open_now = calibrated_by_itself = false;
-  --board().open_devices;
-  return 0;
+  return close_device(id, false);
 }
 EXPORT int dhdGetSystemType(char id) {
   return is_ours(id) ? 104 : -1;
@@ -207,13 +221,21 @@ EXPORT int dhdSetWatchdog(unsigned char steps, char id) {
   watchdog_steps = steps;
   return 0;
 }
+#ifndef OLD_SDK
+EXPORT int drdOpenID(char index) {
+  return open_device(index, true);
+}
+EXPORT int drdClose(char id) {
+  return close_device(id, true);
+}
 EXPORT bool drdIsInitialized(char id) {
-  return is_ours(id) && (calibrated_by_itself || !board().troubled_by(Trouble::uncalibrated));
+  return is_drds(id) && (calibrated_by_itself || !board().troubled_by(Trouble::uncalibrated));
 }
 EXPORT int drdAutoInit(char id) {
-  calibrated_by_itself = is_ours(id);
+  calibrated_by_itself = is_drds(id);
   return calibrated_by_itself ? 0 : -1;
 }
 EXPORT int drdStop(bool, char id) {
-  return is_ours(id) ? 0 : -1;
+  return is_drds(id) ? 0 : -1;
 }
+#endif
