@@ -115,9 +115,8 @@ TEST(OpenHaptics, an_error_of_one_device_is_not_the_others) {
     DevicePort first(*hd.driver, "", hd.words()), second(*hd.driver, "second", hd.words());
     first.start(&first_push);
     second.start(&second_push);
-    hd.board().trouble =
-        Trouble::hot;  // the first's motors: the stand-in pushes it for the device whose frame begins
     hd.board().only_first = true;
+    hd.board().trouble = Trouble::hot;
     EXPECT_TRUE(comes_true([&] { return first_push.fault == DeviceFault::overheated; }));
     const int ticks = second_push.ticks;
     EXPECT_TRUE(comes_true([&] { return second_push.ticks > ticks + 20; }));
