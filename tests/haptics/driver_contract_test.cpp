@@ -19,6 +19,8 @@ using namespace std::chrono_literals;
 using stand_in::Trouble;
 using testing::HasSubstr;
 
+constexpr int longest_push = 12;  // ms of the device's time from a fault to zero force (docs/devices.md)
+
 class DriverContract : public testing::TestWithParam<DriverSubject> {
  protected:
   DriverContract() { reset(); }
@@ -232,6 +234,7 @@ TEST_P(DriverContract, a_fault_in_the_loop_is_reported_and_ends_the_force) {
       const auto pushes = board().pushes.load();
       std::this_thread::sleep_for(10ms);
       EXPECT_EQ(board().pushes, pushes) << text_of(fault);
+      EXPECT_LE(board().pushes_in_trouble, longest_push) << text_of(fault);
       if (fault != DeviceFault::bad_data) {
         EXPECT_FALSE(rig.port().explain().empty()) << text_of(fault);
       }

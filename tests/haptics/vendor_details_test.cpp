@@ -208,7 +208,7 @@ TEST(ForceDimension, a_serial_number_that_is_not_there_is_told) {
 
 TEST(Haption, the_tick_begins_when_the_relays_have_closed) {
   DriverSubject virtuose = subject("haption");
-  virtuose.settings = "relays_s=0.2";
+  virtuose.settings = "relays_s=0.5";
   virtuose.board().clear();
   {
     DevicePort port(*virtuose.driver, "", virtuose.words());

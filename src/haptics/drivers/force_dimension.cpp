@@ -106,7 +106,8 @@ class Handle {
   static std::unique_ptr<Handle> open(const Library& sdk, int index) {
     const auto number = static_cast<char>(index);
     const int id = sdk->has_drd() ? sdk->drdOpenID(number) : sdk->dhdOpenID(number);
-    return id < 0 ? nullptr : std::make_unique<Handle>(sdk, id);
+    if (id < 0) return nullptr;
+    return std::make_unique<Handle>(sdk, id);
   }
   Handle(Library sdk, int id) : sdk_(std::move(sdk)), id_(static_cast<char>(id)) {}
   ~Handle() { sdk_->has_drd() ? sdk_->drdClose(id_) : sdk_->dhdClose(id_); }

@@ -16,7 +16,7 @@ namespace {
 
 using namespace openhaptics;
 
-constexpr long calibration_every = 50;   // ticks between two looks
+constexpr long calibration_every = 10;   // ticks between two looks
 constexpr long temperature_every = 100;  // likewise
 constexpr long fault_shown = 20;         // ticks for which a fault that passes is told
 constexpr int oldest_version = 3;

@@ -44,7 +44,8 @@ struct Board {
   // The device: what its motors apply now, and where it is.
   std::array<std::atomic<double>, 3> force{}, torque{}, position{};
   std::atomic<std::int64_t> ticks{0};
-  std::atomic<std::int64_t> pushes{0};  // ticks with a force other than zero
+  std::atomic<std::int64_t> pushes{0};             // ticks with a force other than zero
+  std::atomic<std::int64_t> pushes_in_trouble{0};  // such ticks while the trouble lasted
   std::atomic<int> open_devices{0};
   std::atomic<int> openings{0};  // so far, never cleared
   std::atomic<bool> motors_on{false};
@@ -81,7 +82,7 @@ inline void Board::clear() noexcept {
   for (std::size_t i = 0; i < turn.size(); ++i) turn[i] = i % 4 == 0 ? 1.0 : 0.0;
   firm = true;
   buttons = 0;
-  ticks = pushes = 0;
+  ticks = pushes = pushes_in_trouble = 0;
   motors_on = false;
   violations = 0;
   first_violation = "";

@@ -44,6 +44,7 @@ void Mechanism::step(Board& board, const double (&force)[3], const double (&torq
     pushed = pushed || motor != 0.0 || torque[i] != 0.0;
   }
   if (pushed) ++board.pushes;
+  if (pushed && board.trouble.load() != Trouble::none && board.troubled_by(board.trouble)) ++board.pushes_in_trouble;
   ++board.ticks;
 }
 

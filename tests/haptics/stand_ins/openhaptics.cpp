@@ -165,12 +165,12 @@ EXPORT void hdBeginFrame(unsigned id) {
   std::fill_n(which->force, 3, 0.0);
   std::fill_n(which->torque, 3, 0.0);
   const Board& b = board();
-  if (b.only_first && !first(which)) return;
-  if (b.troubled_by(Trouble::unplug)) push(0x0302, id);
-  if (b.troubled_by(Trouble::hot)) push(0x0200, id);
-  if (b.troubled_by(Trouble::too_fast)) push(0x0203, id);
-  if (b.troubled_by(Trouble::too_much_force)) push(0x0201, id);
-  if (b.troubled_by(Trouble::unknown_code)) push(0x0999, id);
+  const unsigned whose = b.only_first ? 0 : id;  // an error may come up in a frame of the other device
+  if (b.troubled_by(Trouble::unplug)) push(0x0302, whose);
+  if (b.troubled_by(Trouble::hot)) push(0x0200, whose);
+  if (b.troubled_by(Trouble::too_fast)) push(0x0203, whose);
+  if (b.troubled_by(Trouble::too_much_force)) push(0x0201, whose);
+  if (b.troubled_by(Trouble::unknown_code)) push(0x0999, whose);
 }
 EXPORT void hdEndFrame(unsigned id) {
   Device* which = device(id);
