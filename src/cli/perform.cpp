@@ -194,6 +194,12 @@ void run(const Arguments& arguments, const CommandContext& context) {
                       settings);
   RunResult result = perform(session, arguments, whole.library, console);
   if (result.ticks == 0) throw SystemError("the device did not answer once; is it switched on?");
+  const double rate = static_cast<double>(result.ticks) / result.wall_time;
+  if (std::abs(rate - settings.rate) > 0.05 * settings.rate) {
+    console.note(
+        fmt::format("the device ran at {:.0f} Hz instead of {:g}; the tissue's time was {:.2f} times the clock's",
+                    rate, settings.rate, rate / settings.rate));
+  }
   const Outcome outcome = read_outcome(arguments.output, whole, std::move(result));
   for (const std::string& note : outcome.run.notes) console.note(note);
   console.note(fmt::format("{} of {} ticks were late (by {:.2f} ms at worst)", outcome.run.missed_deadlines,

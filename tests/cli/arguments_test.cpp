@@ -105,6 +105,18 @@ const std::vector<CommandRow>& table() {
         {"--free", Kind::texts},
         {"--output", Kind::text}}},
       {"figures", "made", "DIR", {{"--experiment", Kind::texts}}},
+      {"perform",
+       "somewhere force_dimension",
+       "CASE",
+       {{"--settings", Kind::text},
+        {"--output", Kind::text},
+        {"--overwrite", Kind::toggle},
+        {"--scale", Kind::number, {"0.09", "10.1", "-1"}},
+        {"--force-scale", Kind::number, {"0.009", "1.1", "-1"}},
+        {"--max-time", Kind::number, {"0.9", "3601"}},
+        {"--resistance", Kind::text},
+        {"--constraint", Kind::text},
+        {"--part", Kind::texts}}},
       {"run",
        "somewhere",
        "CASE",
@@ -245,6 +257,7 @@ TEST_F(Arguments, places_that_cannot_be_written_are_refused_before_the_work) {
   expect_refusal("case show somewhere -o folder.png", {"which is a folder"});
   expect_refusal("profile somewhere -o no/such/base", {"--output is 'no/such/base"});
   expect_refusal("run somewhere -o no/such/s.bodkin", {"--output is 'no/such/s.bodkin'"});
+  expect_refusal("perform somewhere haption -o no/such/s.bodkin", {"--output is 'no/such/s.bodkin'"});
   expect_refusal("run somewhere -o folder", {"which is a folder"});
   expect_refusal("report session.bodkin -o no/such/r.html", {"--output is 'no/such/r.html'"});
   expect_refusal("report session.bodkin -o ./session.bodkin", {"which is read from"});

@@ -12,7 +12,6 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 
 const std::string vendor = "--settings library=" BODKIN_STAND_INS "/force_dimension/libdrd.so";
-const std::string plug_in = BODKIN_STAND_INS "/plug_in/example_driver.so";
 
 // A trouble of the simulated device, for as long as this lives.
 struct Trouble {
@@ -22,39 +21,9 @@ struct Trouble {
   Trouble& operator=(const Trouble&) = delete;
 };
 
-class DevicesCommand : public BodkinCommand {};
+using DevicesCheckCommand = BodkinCommand;
 
-TEST_F(DevicesCommand, list_says_of_every_driver_what_it_finds_or_lacks) {
-  const Outcome outcome = bodkin("devices list");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.text();
-  for (const char* driver : {"openhaptics", "force_dimension", "haption", "spacemouse"}) {
-    EXPECT_THAT(outcome.output, HasSubstr(driver));
-  }
-  const json found = json::parse(bodkin("devices list --json -q").output);
-  EXPECT_GE(found.size(), 4u);
-  for (const json& driver : found) {
-    EXPECT_TRUE(driver.contains("fault") || driver.contains("devices")) << driver;
-    if (driver.contains("fault")) {
-      EXPECT_FALSE(driver.at("sentence").get<std::string>().empty()) << driver;
-    }
-  }
-}
-
-TEST_F(DevicesCommand, list_finds_the_devices_of_one_driver) {
-  const json found = json::parse(bodkin("devices list --json -q --driver force_dimension " + vendor).output);
-  ASSERT_EQ(found.size(), 1u);
-  ASSERT_FALSE(found[0].at("devices").empty()) << found;
-  const auto device = found[0].at("devices")[0].at("device").get<std::string>();
-  EXPECT_EQ(device.rfind("force_dimension:", 0), 0u) << device;
-}
-
-TEST_F(DevicesCommand, list_takes_a_driver_of_ones_own) {
-  const json found = json::parse(bodkin("devices list --json -q --driver " + plug_in).output);
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_FALSE(found[0].at("devices").empty()) << found;
-}
-
-TEST_F(DevicesCommand, check_counts_rounds_and_asks_for_no_force) {
+TEST_F(DevicesCheckCommand, counts_rounds_and_asks_for_no_force) {
   const Outcome outcome = bodkin("devices check force_dimension --seconds 1 --json -q " + vendor);
   // On a busy machine the device is rightly called not ready: too many rounds are late.
   EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 3) << outcome.text();
@@ -66,14 +35,14 @@ TEST_F(DevicesCommand, check_counts_rounds_and_asks_for_no_force) {
   EXPECT_EQ(seen.contains("why_not"), outcome.exit_code == 3);
 }
 
-TEST_F(DevicesCommand, check_says_which_fault_makes_a_device_unfit) {
+TEST_F(DevicesCheckCommand, says_which_fault_makes_a_device_unfit) {
   const Trouble unplugged("unplug@100");
   const Outcome outcome = bodkin("devices check force_dimension --seconds 2 -q " + vendor);
   EXPECT_EQ(outcome.exit_code, 3) << outcome.text();
   EXPECT_THAT(outcome.output, HasSubstr("not ready: "));
 }
 
-TEST_F(DevicesCommand, check_of_what_is_not_there_is_one_sentence) {
+TEST_F(DevicesCheckCommand, of_what_is_not_there_is_one_sentence) {
   const Outcome missing = bodkin("devices check force_dimension --settings library=/no/such/libdrd.so");
   EXPECT_EQ(missing.exit_code, 1);
   EXPECT_THAT(missing.errors, HasSubstr("/no/such/libdrd.so"));
