@@ -107,8 +107,9 @@ std::string obstacle(const Observation& seen, const DeviceAbilities& abilities) 
                           ? 0.0
                           : static_cast<double>(seen.timings.overruns) / static_cast<double>(seen.timings.ticks);
   if (1.0 - late < least_success) {
-    return fmt::format("{:.1f} % of the rounds were late; docs/devices.md says how to permit real-time priority",
-                       100.0 * late);
+    return fmt::format(
+        "{:.1f} % of the rounds were late; close other programs, and permit real-time priority (docs/perform.md)",
+        100.0 * late);
   }
   return "";
 }

@@ -20,6 +20,12 @@ constexpr std::int64_t longest_chase = 50;      // periods
 constexpr int fifo_priority = 50;
 constexpr unsigned long default_timer_slack = 0;  // ns; 0 asks for the system's own again
 
+// How to have it next time.
+std::string permit(const char* limit) {
+  return std::string("; permit it with the line '@realtime - ") + limit +
+         "' in /etc/security/limits.d/bodkin.conf, add yourself to the group realtime and log in again";
+}
+
 std::int64_t now() noexcept {
   timespec time{};
   clock_gettime(CLOCK_MONOTONIC, &time);
@@ -51,12 +57,14 @@ RealTimePriority::RealTimePriority() {
   sched_param parameters{};
   parameters.sched_priority = fifo_priority;
   scheduled_ = sched_setscheduler(0, SCHED_FIFO, &parameters) == 0;
-  if (!scheduled_) refused_.push_back(std::string("no real-time priority: ") + std::strerror(errno));
+  if (!scheduled_)
+    refused_.push_back(std::string("no real-time priority: ") + std::strerror(errno) + permit("rtprio 60"));
   // Locking less memory than the program will need would make its later allocations fail.
   rlimit limit{};
   const bool unlimited = getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY;
   locked_ = unlimited && mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
-  if (!locked_) refused_.emplace_back("memory is not locked: the system limits how much may be");
+  if (!locked_)
+    refused_.push_back("memory is not locked: the system limits how much may be" + permit("memlock unlimited"));
   prctl(PR_SET_TIMERSLACK, 1UL);
 }
 

@@ -124,9 +124,7 @@ void ServoThread::start() {
   if (settings_.require_real_time && !refused_.empty()) {
     lock.unlock();
     stop();
-    throw SystemError("servo: " + refused_.front() +
-                      "; allow it with the lines \"@realtime - rtprio 60\" and \"@realtime - memlock unlimited\" in "
-                      "/etc/security/limits.d/bodkin.conf and add the user to the group realtime");
+    throw SystemError("servo: " + refused_.front());
   }
   shared_->may_run = true;
   shared_->changed.notify_all();
