@@ -229,13 +229,13 @@ TEST(ExperimentPage, tells_captions_and_numbers_and_is_safe) {
   EXPECT_THAT(text, HasSubstr("(ball.svg)"));
 }
 
-// docs/published is what `bodkin figures docs/published` writes.
+// docs/models/published is what `bodkin figures docs/models/published` writes.
 TEST(ExperimentPage, the_documentation_shows_what_the_experiments_say_today) {
-  const fs::path folder = fs::path(BODKIN_REPOSITORY) / "docs" / "published";
+  const fs::path folder = fs::path(BODKIN_REPOSITORY) / "docs" / "models" / "published";
   std::ifstream stream(folder / "index.md");
   std::stringstream text;
   text << stream.rdbuf();
-  EXPECT_EQ(text.str(), figures_markdown(figures())) << "run: bodkin figures docs/published";
+  EXPECT_EQ(text.str(), figures_markdown(figures())) << "run: bodkin figures docs/models/published";
   for (const Figure& played : figures()) EXPECT_TRUE(fs::exists(folder / (played.experiment.name + ".svg")));
 }
 
