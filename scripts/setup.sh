@@ -4,7 +4,7 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 source scripts/packages.sh
-export CCACHE_BASEDIR="$root"
+export CCACHE_BASEDIR="$root" CCACHE_SLOPPINESS=pch_defines,time_macros
 
 say() { printf '\033[1m==>\033[0m %s\033[2m [%d:%02d]\033[0m\n' "$*" $((SECONDS / 60)) $((SECONDS % 60)) >&2; }
 

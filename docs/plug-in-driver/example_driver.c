@@ -16,16 +16,23 @@ typedef struct device {
 
 static device only_device;
 
+static int check(const char* settings, char* message) {
+  if (*settings == '\0') return BODKIN_OK;
+  snprintf(message, BODKIN_MESSAGE, "the settings are '%.200s', but this driver has none; leave them away", settings);
+  return BODKIN_BAD_SETTINGS;
+}
+
 static int list(const char* settings, bodkin_found found, void* user, char* message) {
-  (void)settings;
-  (void)message;
+  const int result = check(settings, message);
+  if (result != BODKIN_OK) return result;
   found(user, "0", "Example device");
   return BODKIN_OK;
 }
 
 static int open_device(const char* identity, const char* settings, void** handle, bodkin_abilities* abilities,
                        char* message) {
-  (void)settings;
+  const int result = check(settings, message);
+  if (result != BODKIN_OK) return result;
   if (*identity != '\0' && strcmp(identity, "0") != 0) {
     snprintf(message, BODKIN_MESSAGE, "there is no device '%s', expected 0", identity);
     return BODKIN_NOT_CONNECTED;

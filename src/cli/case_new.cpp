@@ -11,14 +11,14 @@
 namespace bodkin {
 namespace {
 
-struct Options {
+struct CaseNewOptions {
   NewCaseOptions common;
   std::string ct, labels, scheme, tissues;
   std::int64_t series = 0;
   bool resample_labels = false, fill_missing = false, assume_hu = false;
 };
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* case_new_footer = R"(Examples:
   bodkin case new patient --ct dicom_folder
   bodkin case new patient --ct ct.nii.gz --labels totalsegmentator.nii.gz
   bodkin case new patient --ct ct.nrrd --labels vertebrae.nii.gz --scheme tptbox
@@ -29,7 +29,7 @@ constexpr const char* footer = R"(Examples:
 The geometry of the CT is carried exactly; nothing is flipped or resampled, except a stack of slices that no regular grid
 can hold (gantry tilt, uneven steps), and then a note says so. docs/importing.md has the rules.)";
 
-void run(const Options& options, const CommandContext& context) {
+void run_case_new(const CaseNewOptions& options, const CommandContext& context) {
   nlohmann::json request = new_case_request(options.common);
   request["ct"] = path_text(options.ct);
   if (!options.labels.empty()) {
@@ -49,8 +49,9 @@ void run(const Options& options, const CommandContext& context) {
 }  // namespace
 
 void add_case_new_command(CLI::App& case_group, CommandContext& context) {
-  CLI::App* command = add_command(case_group, "new", "Make a case from a CT, with or without labels", footer);
-  const auto options = std::make_shared<Options>();
+  CLI::App* command =
+      add_command(case_group, "new", "Make a case from a CT, with or without labels", case_new_footer);
+  const auto options = std::make_shared<CaseNewOptions>();
   add_new_case_options(*command, options->common);
   add_text(*command, "--ct", options->ct, "CT: DICOM folder, NIfTI, NRRD or MetaImage").required();
   add_text(*command, "--labels", options->labels, "Segmentation of this CT, in any of the same formats");
@@ -67,7 +68,7 @@ void add_case_new_command(CLI::App& case_group, CommandContext& context) {
              "Take the nearest label at each CT voxel when the labels lie on other voxels");
   add_switch(*command, "--fill-missing", options->fill_missing, "Interpolate missing slices");
   add_switch(*command, "--assume-hu", options->assume_hu, "Take the values as HU even if they do not look like it");
-  on_run(*command, [options, &context] { run(*options, context); });
+  on_run(*command, [options, &context] { run_case_new(*options, context); });
 }
 
 }  // namespace bodkin

@@ -5,14 +5,14 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/force_options.h"
+#include "cli/json_values.h"
 #include "core/error.h"
-#include "imaging/files.h"
+#include "core/files.h"
 #include "imaging/slice_picture.h"
 #include "imaging/svg.h"
 #include "io/case_folder.h"
@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr double cubic_mm_per_ml = 1000.0;
 constexpr double png_zoom = 1.5;  // pixels per px of the picture
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* case_show_footer = R"(Examples:
   bodkin case show patient                      text, and a picture named after the case
   bodkin case show patient -o out/patient.svg   the picture as SVG
   bodkin --json case show patient               everything as JSON)";
@@ -58,15 +58,11 @@ std::string lattice_text(const Grid& grid) {
                      grid.size[2], grid.spacing.x(), grid.spacing.y(), grid.spacing.z(), grid.axes());
 }
 
-nlohmann::json json_of(const Vec3& point) {
-  return {point.x(), point.y(), point.z()};
-}
-
 nlohmann::json json_of(const Grid& grid) {
   return {{"size", grid.size},
-          {"spacing_mm", json_of(grid.spacing)},
+          {"spacing_mm", json_point(grid.spacing)},
           {"axes", grid.axes()},
-          {"origin_mm", json_of(grid.origin)}};
+          {"origin_mm", json_point(grid.origin)}};
 }
 
 // The name of a case as the name of a file.
@@ -148,7 +144,7 @@ nlohmann::json json_of(const Case& patient) {
                                     {"critical", structure.critical}});
   }
   result["landmarks"] = nlohmann::json::object();
-  for (const Landmark& landmark : about.landmarks) result["landmarks"][landmark.name] = json_of(landmark.position);
+  for (const Landmark& landmark : about.landmarks) result["landmarks"][landmark.name] = json_point(landmark.position);
   result["needle"] = {{"gauge", about.needle.gauge},
                       {"tip", to_string(about.needle.tip)},
                       {"outer_diameter_mm", about.needle.outer_diameter},
@@ -163,14 +159,15 @@ nlohmann::json json_of(const Case& patient) {
   result["parts"] = forces.parts;
   result["procedure"] = {{"name", about.procedure.name}, {"target_tissue", about.procedure.target_tissue}};
   if (const auto& path = about.procedure.path) {
-    result["procedure"]["path"] = {
-        {"entry_mm", json_of(path->entry)}, {"target_mm", json_of(path->target)}, {"length_mm", path->length()}};
+    result["procedure"]["path"] = {{"entry_mm", json_point(path->entry)},
+                                   {"target_mm", json_point(path->target)},
+                                   {"length_mm", path->length()}};
   }
   result["notes"] = about.notes;
   return result;
 }
 
-void run(const std::string& folder, const std::string& output, const CommandContext& context) {
+void run_case_show(const std::string& folder, const std::string& output, const CommandContext& context) {
   Console console(context);
   const fs::path given(output);
   if (!output.empty() && given.extension() != ".png" && given.extension() != ".svg") {
@@ -198,11 +195,11 @@ void add_case_show_command(CLI::App& case_group, CommandContext& context) {
     std::string output;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
-      add_command(case_group, "show", "What is in a case, as text and as a picture of three slices", footer);
+  CLI::App* command = add_command(case_group, "show", "What is in a case, as text and as a picture of three slices",
+                                  case_show_footer);
   add_text(*command, "CASE", arguments->folder, "Folder of the case").required();
   add_text(*command, "-o,--output", arguments->output, "The picture, .png or .svg (default: NAME.png)");
-  on_run(*command, [arguments, &context] { run(arguments->folder, arguments->output, context); });
+  on_run(*command, [arguments, &context] { run_case_show(arguments->folder, arguments->output, context); });
 }
 
 }  // namespace bodkin

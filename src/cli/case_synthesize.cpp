@@ -12,13 +12,13 @@
 namespace bodkin {
 namespace {
 
-struct Options {
+struct CaseSynthesizeOptions {
   NewCaseOptions common;
   LumbarParameters parameters;
   std::int64_t seed = 1;
 };
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* case_synthesize_footer = R"(Examples:
   bodkin case synthesize lumbar patient
   bodkin case synthesize lumbar old_and_stiff --age 82 --flexion 0.2 --seed 7
   bodkin case synthesize lumbar heavy --weight 120 --height 1.68
@@ -27,7 +27,7 @@ constexpr const char* footer = R"(Examples:
 The same parameters give the same patient on every machine. docs/synthetic-patient.md says what is in it and where the
 numbers come from.)";
 
-void run(const Options& options, const CommandContext& context) {
+void run_case_synthesize(const CaseSynthesizeOptions& options, const CommandContext& context) {
   nlohmann::json request = new_case_request(options.common);
   const LumbarParameters& parameters = options.parameters;
   request["seed"] = options.seed;
@@ -42,11 +42,12 @@ void run(const Options& options, const CommandContext& context) {
 }  // namespace
 
 void add_case_synthesize_command(CLI::App& case_group, CommandContext& context) {
-  CLI::App* group =
-      add_command(case_group, "synthesize", "Make a patient from nothing but parameters and a seed", footer);
+  CLI::App* group = add_command(case_group, "synthesize", "Make a patient from nothing but parameters and a seed",
+                                case_synthesize_footer);
   need_command(*group);
-  CLI::App* command = add_command(*group, "lumbar", "A lumbar torso, L1 to the sacrum, for lumbar puncture", footer);
-  const auto options = std::make_shared<Options>();
+  CLI::App* command =
+      add_command(*group, "lumbar", "A lumbar torso, L1 to the sacrum, for lumbar puncture", case_synthesize_footer);
+  const auto options = std::make_shared<CaseSynthesizeOptions>();
   LumbarParameters& parameters = options->parameters;
   add_new_case_options(*command, options->common);
   constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
@@ -56,7 +57,7 @@ void add_case_synthesize_command(CLI::App& case_group, CommandContext& context) 
   add_number(*command, "--weight", parameters.weight, 40.0, 160.0, "kg, 40 to 160");
   add_number(*command, "--flexion", parameters.flexion, 0.0, 1.0, "0 = straight, 1 = fully curled");
   add_number(*command, "--spacing", parameters.spacing, 0.5, 3.0, "mm, of the voxels, 0.5 to 3");
-  on_run(*command, [options, &context] { run(*options, context); });
+  on_run(*command, [options, &context] { run_case_synthesize(*options, context); });
 }
 
 }  // namespace bodkin

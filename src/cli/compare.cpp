@@ -8,12 +8,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "imaging/files.h"
+#include "cli/json_values.h"
+#include "core/files.h"
 #include "io/case_folder.h"
 #include "io/force_choice.h"
 #include "training/compare_plot.h"
@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct CompareArguments {
   std::string folder;
   std::string entry, target;
   std::string output;
@@ -36,7 +36,7 @@ struct Arguments {
   CompareOptions options;
 };
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* compare_footer = R"(Examples:
   bodkin compare patient                                         every model along the planned path
   bodkin compare patient --models layered,tracking_wall,fracture
   bodkin compare patient --entry 0,95,3 --target 2,45,10 --speed 5 --pause 1 -o out/models
@@ -46,10 +46,6 @@ constexpr const char* footer = R"(Examples:
 The same motion is played for each: in at constant speed, a stop, out, and in again. Writes BASE.csv (a row per tick, a
 column per model) and BASE.svg (force over depth and over time).
 A path that starts with a minus sign needs an equals sign: --entry=-5,95,3)";
-
-nlohmann::json json_of(const Vec3& point) {
-  return {point.x(), point.y(), point.z()};
-}
 
 nlohmann::json json_of(const ModelRun& run, const Comparison& comparison, const TissueLibrary& library) {
   nlohmann::json work, punctures;
@@ -79,8 +75,8 @@ nlohmann::json json_of(const ModelRun& run, const Comparison& comparison, const 
 
 nlohmann::json json_of(const Comparison& comparison, const TissueLibrary& library) {
   nlohmann::json result;
-  result["entry_mm"] = json_of(comparison.path.entry);
-  result["target_mm"] = json_of(comparison.path.target);
+  result["entry_mm"] = json_point(comparison.path.entry);
+  result["target_mm"] = json_point(comparison.path.target);
   result["speed_mm_s"] = comparison.options.speed;
   result["constraint"] = comparison.constraint;
   result["deepest_mm"] = *std::max_element(comparison.depth.begin(), comparison.depth.end());
@@ -135,7 +131,7 @@ void print_tables(const Console& console, const Comparison& comparison, const Ti
                            comparison.models[comparison.reference].name));
 }
 
-void run(const Arguments& arguments, const CommandContext& context) {
+void run_compare(const CompareArguments& arguments, const CommandContext& context) {
   Console console(context);
   CompareOptions options = arguments.options;
   if (!arguments.entry.empty()) options.entry = parse_point(arguments.entry, "--entry");
@@ -176,10 +172,10 @@ void run(const Arguments& arguments, const CommandContext& context) {
 }  // namespace
 
 void add_compare_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CompareArguments>();
   CompareOptions& options = arguments->options;
   CLI::App* command =
-      add_command(app, "compare", "One motion through every force model: figures, table and plot", footer);
+      add_command(app, "compare", "One motion through every force model: figures, table and plot", compare_footer);
   add_text(*command, "CASE", arguments->folder, "Folder of the case").required();
   add_text(*command, "--entry", arguments->entry, "Where the path begins, x,y,z in LPS mm (default: as planned)");
   add_text(*command, "--target", arguments->target, "Where it ends, x,y,z in LPS mm (default: as planned)");
@@ -198,7 +194,7 @@ void add_compare_command(CLI::App& app, CommandContext& context) {
   add_number(*command, "--pause", options.pause, 0.0, 60.0, "s at the deepest point, 0 to 60");
   add_switch(*command, "--no-reinsert", arguments->no_reinsert, "End with the withdrawal");
   add_text(*command, "-o,--output", arguments->output, "BASE of BASE.csv and BASE.svg (default: compare)");
-  on_run(*command, [arguments, &context] { run(*arguments, context); });
+  on_run(*command, [arguments, &context] { run_compare(*arguments, context); });
 }
 
 }  // namespace bodkin

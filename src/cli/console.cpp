@@ -14,7 +14,7 @@ namespace {
 
 constexpr int bar_width = 28;
 constexpr auto draw_interval = std::chrono::milliseconds(60);
-constexpr auto patience = std::chrono::milliseconds(400);  // quicker stages are not worth a bar
+constexpr auto bar_patience = std::chrono::milliseconds(400);  // quicker stages are not worth a bar
 
 }  // namespace
 
@@ -38,7 +38,7 @@ void Console::draw(std::string_view stage, double fraction) {
     stage_start_ = now;
     if (!terminal_) fmt::print(stderr, "{} ...\n", stage_);
   }
-  if (!terminal_ || now - stage_start_ < patience || (now - last_draw_ < draw_interval && fraction < 1.0)) return;
+  if (!terminal_ || now - stage_start_ < bar_patience || (now - last_draw_ < draw_interval && fraction < 1.0)) return;
   last_draw_ = now;
   const double share = std::clamp(fraction, 0.0, 1.0);
   const int filled = static_cast<int>(std::lround(share * bar_width));

@@ -14,6 +14,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/device_options.h"
+#include "cli/mouse_window.h"
 #include "haptics/device_servo.h"
 
 namespace bodkin {
@@ -22,16 +23,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::chrono::milliseconds look{10};
+constexpr std::chrono::milliseconds check_interval{10};
 constexpr double least_success = 0.99;  // of the rounds must be on time
 constexpr int exit_not_ready = 3;
 
-struct Arguments {
+struct DevicesCheckArguments {
   DeviceOptions device;
   double seconds = 10.0;
 };
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* devices_check_footer = R"(Examples:
   bodkin devices check force_dimension              the first device of that driver, for ten seconds
   bodkin devices check openhaptics:Left --seconds 30
   bodkin devices check ./my_driver.so               a driver of your own
@@ -57,7 +58,8 @@ struct Observation {
   double rate() const { return static_cast<double>(rounds) / seconds; }
 };
 
-Observation observe(DeviceServo& servo, double seconds, Console& console) {
+// `window`: may be null.
+Observation observe(DeviceServo& servo, double seconds, MouseWindow* window, Console& console) {
   Observation seen;
   const Progress progress = console.progress();
   servo.start();
@@ -67,21 +69,29 @@ Observation observe(DeviceServo& servo, double seconds, Console& console) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
   while (elapsed() < seconds) {
-    std::this_thread::sleep_for(look);
+    std::this_thread::sleep_for(check_interval);
     if (progress) progress("checking: move the device to every corner, press its buttons", elapsed() / seconds);
     if (servo.rounds() == 0) continue;
+    if (window != nullptr) {
+      window->take();
+      WindowScene scene;
+      scene.time = elapsed();
+      scene.state = "checking";
+      window->show(scene);
+    }
     const ServoSnapshot& now = servo.tick().snapshot();
     if (now.device.fault != DeviceFault::none) {
       if (seen.fault == DeviceFault::none) seen.sentence = servo.explain();
       seen.fault = now.device.fault;
       continue;
     }
+    if (now.device.ended()) break;
     seen.low = seen.low.cwiseMin(now.device.hand.translation());
     seen.high = seen.high.cwiseMax(now.device.hand.translation());
     seen.buttons |= now.device.buttons;
     seen.hottest = std::max(seen.hottest, now.device.temperature);
     seen.strongest = std::max(seen.strongest, now.applied.force.norm());
-    if (!now.device.held) seen.released += std::chrono::duration<double>(look).count();
+    if (!now.device.held) seen.released += std::chrono::duration<double>(check_interval).count();
   }
   seen.seconds = elapsed();
   seen.rounds = servo.rounds();
@@ -174,9 +184,10 @@ Json json_of(const Observation& seen, const DeviceAbilities& device, const std::
   return json;
 }
 
-int run(const Arguments& arguments, const CommandContext& context) {
+int run_devices_check(const DevicesCheckArguments& arguments, const CommandContext& context) {
   Console console(context);
   const ChosenDevice chosen = choose_device(arguments.device);
+  const auto window = chosen.is_mouse() ? std::make_unique<MouseWindow>("check of the mouse") : nullptr;
   DevicePort port(*chosen.driver, chosen.identity, arguments.device.settings);
   DeviceAbilities abilities = port.abilities();
   complete_from_table(abilities);
@@ -184,7 +195,7 @@ int run(const Arguments& arguments, const CommandContext& context) {
   settings.rate = std::clamp(abilities.rate, 200.0, 4000.0);
   DeviceServo servo(std::move(port), abilities, settings, [](const ControlInput&) { return Control{}; });
   say_abilities(console, abilities);
-  const Observation seen = observe(servo, arguments.seconds, console);
+  const Observation seen = observe(servo, arguments.seconds, window.get(), console);
   const std::string why_not = obstacle(seen, abilities);
   console.line(fmt::format("  rounds      {} in {:.1f} s, {:.0f} a second, {} too late", seen.rounds, seen.seconds,
                            seen.rate(), seen.timings.overruns));
@@ -205,14 +216,14 @@ int run(const Arguments& arguments, const CommandContext& context) {
 }  // namespace
 
 void add_devices_check_command(CLI::App& devices_group, CommandContext& context) {
-  auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
-      add_command(devices_group, "check", "Open a device, ask it for nothing, and say how well it answers", footer);
+  auto arguments = std::make_shared<DevicesCheckArguments>();
+  CLI::App* command = add_command(
+      devices_group, "check", "Open a device, ask it for nothing, and say how well it answers", devices_check_footer);
   add_text(*command, "DEVICE", arguments->device.device, "DRIVER or DRIVER:IDENTITY, as 'devices list' prints it")
       .required();
   add_driver_settings(*command, arguments->device);
   add_number(*command, "--seconds", arguments->seconds, 0.1, 3600.0, "s for which it is checked, 0.1 to 3600");
-  on_run(*command, [arguments, &context] { context.exit_code = run(*arguments, context); });
+  on_run(*command, [arguments, &context] { context.exit_code = run_devices_check(*arguments, context); });
 }
 
 }  // namespace bodkin

@@ -1,86 +1,114 @@
-#include <chrono>
+#include <cstddef>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/all_drivers.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/device_options.h"
-#include "haptics/device_port.h"
-#include "haptics/drivers/drivers.h"
+#include "cli/driver_inquiry.h"
+#include "core/error.h"
+#include "haptics/driver_folder.h"
 
 namespace bodkin {
 
 namespace {
 
-constexpr std::chrono::seconds patience{5};
-
-constexpr const char* footer = R"(Examples:
+constexpr const char* devices_list_footer = R"(Examples:
   bodkin devices list                                          every driver, and the devices that it finds
   bodkin devices list --driver force_dimension --settings library=/opt/forcedimension/lib/libdrd.so
   bodkin devices list --driver ./my_driver.so                  a driver of your own
 
-Nothing moves and nothing is energised. docs/devices.md says what each driver needs.)";
+Drivers of your own are also found in the folder that BODKIN_DRIVERS names. Each driver is asked in a process of its own,
+so that one that crashes or hangs is a line in the list. Nothing moves and nothing is energised. docs/devices.md says what each driver needs.)";
 
-// What a driver answered.
-struct Found {
-  const bodkin_driver* driver;
-  std::vector<FoundDevice> devices;
-  DeviceFault fault = DeviceFault::none;
-  std::string sentence;  // where there is a fault
-};
-
-Found ask(const bodkin_driver& driver, const std::string& settings) {
-  Found found{&driver, {}, DeviceFault::none, ""};
-  try {
-    found.devices = list_devices(driver, settings, patience);
-  } catch (const DeviceError& error) {
-    found.fault = error.fault();
-    found.sentence = error.what();
+// For each answer the sentence about its name, empty where the name says who is meant.
+std::vector<std::string> clashes(const std::vector<DriverAnswer>& answers) {
+  std::vector<std::string> sentences(answers.size());
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    if (answers[i].driver.find('/') == std::string::npos || answers[i].name.empty()) continue;
+    for (std::size_t other = 0; other < answers.size(); ++other) {
+      if (other == i || answers[other].name != answers[i].name) continue;
+      sentences[i] = fmt::format("{} has the same name: say {} instead of {}, or remove one of the two",
+                                 answers[other].driver, answers[i].driver, answers[i].name);
+    }
   }
-  return found;
+  return sentences;
 }
 
-void say(const Console& console, const Found& found) {
-  console.line(fmt::format("{:<16} {}", found.driver->name, found.driver->summary));
-  for (const FoundDevice& device : found.devices) {
-    console.line(fmt::format("    {}:{}   {}", found.driver->name, device.identity, device.title));
+// Devices that a driver finds under an identity that another one has too.
+std::string twins(const DriverAnswer& answer) {
+  std::set<std::string> seen;
+  for (const FoundDevice& device : answer.devices) {
+    if (seen.insert(device.identity).second) continue;
+    return fmt::format("two devices have the identity '{}': unplug one of them, for only the first can be chosen",
+                       device.identity);
   }
-  if (found.fault != DeviceFault::none) {
-    console.line(fmt::format("    {}: {}", text_of(found.fault), found.sentence));
-  } else if (found.devices.empty()) {
+  return "";
+}
+
+void say(const Console& console, const DriverAnswer& answer, const std::string& call, const std::string& clash) {
+  console.line(fmt::format("{:<16} {}", answer.name.empty() ? answer.driver : answer.name, answer.summary));
+  for (const FoundDevice& device : answer.devices) {
+    console.line(fmt::format("    {}:{}   {}", call, device.identity, device.title));
+  }
+  if (answer.fault != DeviceFault::none) {
+    console.line(fmt::format("    {}: {}", text_of(answer.fault), answer.sentence));
+  } else if (answer.devices.empty()) {
     console.line("    no device is connected");
   }
+  for (const std::string& sentence : {clash, twins(answer)}) {
+    if (!sentence.empty()) console.line("    " + sentence);
+  }
 }
 
-nlohmann::ordered_json json_of(const Found& found) {
-  nlohmann::ordered_json json = {{"driver", found.driver->name},
-                                 {"summary", found.driver->summary},
+nlohmann::ordered_json json_of(const DriverAnswer& answer, const std::string& call, const std::string& clash) {
+  nlohmann::ordered_json json = {{"driver", answer.name.empty() ? answer.driver : answer.name},
+                                 {"summary", answer.summary},
                                  {"devices", nlohmann::ordered_json::array()}};
-  for (const FoundDevice& device : found.devices) {
-    json["devices"].push_back(
-        {{"device", fmt::format("{}:{}", found.driver->name, device.identity)}, {"title", device.title}});
+  if (answer.driver.find('/') != std::string::npos) json["file"] = answer.driver;
+  for (const FoundDevice& device : answer.devices) {
+    json["devices"].push_back({{"device", fmt::format("{}:{}", call, device.identity)}, {"title", device.title}});
   }
-  if (found.fault != DeviceFault::none) {
-    json["fault"] = text_of(found.fault);
-    json["sentence"] = found.sentence;
+  if (answer.fault != DeviceFault::none) {
+    json["fault"] = text_of(answer.fault);
+    json["sentence"] = answer.sentence;
+  }
+  for (const std::string& sentence : {clash, twins(answer)}) {
+    if (!sentence.empty()) json["ambiguous"].push_back(sentence);
   }
   return json;
 }
 
-void run(const DeviceOptions& options, const CommandContext& context) {
+// Every driver that comes with Bodkin and every one in the folder, or the one that was asked for.
+std::vector<std::string> drivers_of(const DeviceOptions& options) {
+  if (!options.device.empty()) return {driver_of(options)};
+  std::vector<std::string> drivers;
+  for (const bodkin_driver* driver : all_drivers()) drivers.emplace_back(driver->name);
+  for (const std::string& file : driver_files()) drivers.push_back(file);
+  return drivers;
+}
+
+void run_devices_list(const DeviceOptions& options, const CommandContext& context) {
   const Console console(context);
-  std::vector<const bodkin_driver*> drivers(built_in_drivers().begin(), built_in_drivers().end());
-  if (!options.device.empty()) drivers = {choose_device(options).driver};
+  std::vector<DriverAnswer> answers;
+  for (const std::string& driver : drivers_of(options)) {
+    answers.push_back(ask_driver(driver, options.settings, Inquiry::devices));
+  }
+  if (!options.device.empty() && answers.front().name.empty()) throw SystemError(answers.front().sentence);
+  const std::vector<std::string> clash = clashes(answers);
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const bodkin_driver* driver : drivers) {
-    const Found found = ask(*driver, options.settings);
-    say(console, found);
-    json.push_back(json_of(found));
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const bool by_path = !clash[i].empty() || !options.device.empty();
+    const std::string& call = by_path ? answers[i].driver : answers[i].name;
+    say(console, answers[i], call, clash[i]);
+    json.push_back(json_of(answers[i], call, clash[i]));
   }
   console.line("\nNext: bodkin devices check DRIVER:DEVICE");
   console.json(json.dump(2));
@@ -90,10 +118,12 @@ void run(const DeviceOptions& options, const CommandContext& context) {
 
 void add_devices_list_command(CLI::App& devices_group, CommandContext& context) {
   auto options = std::make_shared<DeviceOptions>();
-  CLI::App* command = add_command(devices_group, "list", "Every driver, and the devices that it finds", footer);
-  add_text(*command, "--driver", options->device, "Ask this driver only (default: all that come with Bodkin)");
+  CLI::App* command =
+      add_command(devices_group, "list", "Every driver, and the devices that it finds", devices_list_footer);
+  add_text(*command, "--driver", options->device,
+           "Ask this driver only (default: all that come with Bodkin, and those in the folder of drivers)");
   add_driver_settings(*command, *options);
-  on_run(*command, [options, &context] { run(*options, context); });
+  on_run(*command, [options, &context] { run_devices_list(*options, context); });
 }
 
 }  // namespace bodkin

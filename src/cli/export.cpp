@@ -1,8 +1,11 @@
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -18,16 +21,18 @@ namespace bodkin {
 
 namespace {
 
-struct Arguments {
+struct ExportArguments {
   std::string session;
   std::string ticks;
   std::string events;
+  std::string second;
 };
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* export_footer = R"(Examples:
   bodkin export session.bodkin --csv ticks.csv
   bodkin export session.bodkin --csv - | head
   bodkin export session.bodkin --csv ticks.csv --events events.csv
+  bodkin export session.bodkin --second plunger.csv       the second hand of 'perform --second'
 
 '-' is standard output. Every number can be read back to the same bits. docs/running.md lists the columns.)";
 
@@ -78,24 +83,36 @@ void write(const std::string& name, void (*exporter)(const Session&, const TextS
   file.close();
 }
 
-void run(const Arguments& arguments, const CommandContext& context) {
+void run_export(const ExportArguments& arguments, const CommandContext& context) {
   Console console(context);
-  if (arguments.ticks.empty() && arguments.events.empty()) {
-    throw InputError("there is nothing to export, give --csv FILE or --events FILE");
+  const std::array<std::pair<const char*, const std::string*>, 3> places = {
+      {{"--csv", &arguments.ticks}, {"--events", &arguments.events}, {"--second", &arguments.second}}};
+  if (std::all_of(places.begin(), places.end(), [](const auto& place) { return place.second->empty(); })) {
+    throw InputError("there is nothing to export, give --csv FILE, --events FILE or --second FILE");
   }
-  if (arguments.ticks == arguments.events) {
-    throw InputError(fmt::format("--csv and --events are both '{}'; expected two different places", arguments.ticks));
+  bool to_terminal = false;
+  for (auto place = places.begin(); place != places.end(); ++place) {
+    const auto& [option, file] = *place;
+    if (file->empty()) continue;
+    to_terminal = to_terminal || *file == "-";
+    for (auto other = place + 1; other != places.end(); ++other) {
+      if (*file != *other->second) continue;
+      throw InputError(
+          fmt::format("{} and {} are both '{}'; expected two different places", option, other->first, *file));
+    }
+    if (*file != "-") require_writable(*file, option, arguments.session);
   }
-  for (const auto& [option, file] : {std::pair("--csv", arguments.ticks), std::pair("--events", arguments.events)}) {
-    if (!file.empty() && file != "-") require_writable(file, option, arguments.session);
-  }
-  const bool to_terminal = arguments.ticks == "-" || arguments.events == "-";
   if (context.json && to_terminal)
     throw InputError("--json and a CSV file on standard output cannot go together, name a file");
   const Session session = read_session(arguments.session);
+  if (!arguments.second.empty() && !session.header.second) {
+    throw InputError(fmt::format("{} has no second hand; expected a session of 'bodkin perform --second DEVICE'",
+                                 arguments.session));
+  }
   if (!session.finished) console.note("the session was not finished; what was saved is exported");
   if (!arguments.ticks.empty()) write(arguments.ticks, export_ticks, session);
   if (!arguments.events.empty()) write(arguments.events, export_events, session);
+  if (!arguments.second.empty()) write(arguments.second, export_second, session);
   if (!to_terminal) {
     console.line(fmt::format("{} ticks and {} events of {}", session.ticks.size(), session.events.size(),
                              force_names(session.header.haptics)));
@@ -105,19 +122,22 @@ void run(const Arguments& arguments, const CommandContext& context) {
                                        {"resistance", name_of(session.header.haptics.resistance)},
                                        {"constraint", name_of(session.header.haptics.constraint)},
                                        {"csv", arguments.ticks},
-                                       {"events_csv", arguments.events}})
+                                       {"events_csv", arguments.events},
+                                       {"second_samples", session.second.size()},
+                                       {"second_csv", arguments.second}})
                    .dump(2));
 }
 
 }  // namespace
 
 void add_export_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = add_command(app, "export", "Write a session as CSV", footer);
+  auto arguments = std::make_shared<ExportArguments>();
+  CLI::App* command = add_command(app, "export", "Write a session as CSV", export_footer);
   add_text(*command, "SESSION", arguments->session, "Session file").required();
   add_text(*command, "--csv", arguments->ticks, "A row per tick; '-' for standard output");
   add_text(*command, "--events", arguments->events, "A row per event; '-' for standard output");
-  on_run(*command, [arguments, &context] { run(*arguments, context); });
+  add_text(*command, "--second", arguments->second, "A row per sample of the second hand; '-' for standard output");
+  on_run(*command, [arguments, &context] { run_export(*arguments, context); });
 }
 
 }  // namespace bodkin

@@ -9,7 +9,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "core/error.h"
-#include "imaging/files.h"
+#include "core/files.h"
 #include "training/experiment_page.h"
 #include "training/experiment_plot.h"
 
@@ -19,12 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct FiguresArguments {
   std::string folder;
   std::vector<std::string> files;
 };
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* figures_footer = R"(Examples:
   bodkin figures figures                          every published experiment that comes with Bodkin
   bodkin figures mine --experiment my_needle.xml  an experiment of your own
 
@@ -38,7 +38,7 @@ nlohmann::json json_of(const Figure& figure, const fs::path& folder) {
                            {"svg", (folder / (figure.experiment.name + ".svg")).string()},
                            {"csv", (folder / (figure.experiment.name + ".csv")).string()},
                            {"published", nlohmann::json::array()}};
-  for (const Comparison& comparison : figure.run.comparisons) {
+  for (const PublishedComparison& comparison : figure.run.comparisons) {
     result["published"].push_back(
         {{"what", comparison.published.what},
          {"source", comparison.published.source},
@@ -52,7 +52,7 @@ nlohmann::json json_of(const Figure& figure, const fs::path& folder) {
 
 void print(const Console& console, const Figure& figure) {
   console.line(figure.experiment.title);
-  for (const Comparison& comparison : figure.run.comparisons) {
+  for (const PublishedComparison& comparison : figure.run.comparisons) {
     const PublishedValue& published = comparison.published;
     console.line(fmt::format(
         "  {:<7} {:<58} expected {:>12}   found {:>12}", comparison.agrees ? "agrees" : "DIFFERS", published.what,
@@ -60,7 +60,7 @@ void print(const Console& console, const Figure& figure) {
   }
 }
 
-void run(const Arguments& arguments, const CommandContext& context) {
+void run_figures(const FiguresArguments& arguments, const CommandContext& context) {
   Console console(context);
   std::vector<fs::path> files(arguments.files.begin(), arguments.files.end());
   if (files.empty()) files = shipped_experiments();
@@ -102,12 +102,12 @@ void run(const Arguments& arguments, const CommandContext& context) {
 }  // namespace
 
 void add_figures_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = add_command(app, "figures", "Play published experiments again and plot them", footer);
+  auto arguments = std::make_shared<FiguresArguments>();
+  CLI::App* command = add_command(app, "figures", "Play published experiments again and plot them", figures_footer);
   add_text(*command, "DIR", arguments->folder, "Folder for the pictures, tables and index.html").required();
   add_texts(*command, "--experiment", arguments->files,
             "Experiment file instead of those that come with Bodkin, may be repeated");
-  on_run(*command, [arguments, &context] { run(*arguments, context); });
+  on_run(*command, [arguments, &context] { run_figures(*arguments, context); });
 }
 
 }  // namespace bodkin

@@ -12,7 +12,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "core/error.h"
-#include "imaging/files.h"
+#include "core/files.h"
 #include "training/plot.h"
 
 namespace bodkin {
@@ -21,14 +21,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct FitArguments {
   std::string model, curve, output;
   std::vector<std::string> fix, start, bounds;
   FitRequest request;
   double speed = std::numeric_limits<double>::quiet_NaN();  // not given
 };
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* fit_footer = R"(Examples:
   bodkin fit tracking_wall liver.csv                         stiffness, force and catch-up time of the wall
   bodkin fit layered skin.csv --fix viscosity=0 -o out/skin  the rest, without viscosity
   bodkin fit depth_profile gel.csv --from 0 --to 20          only samples between 0 and 20 mm count
@@ -151,7 +151,7 @@ void print(const Console& console, const CurveFit& fit) {
                            fit.yields_at ? fmt::format(", gives way at {:.2f} mm", *fit.yields_at) : ""));
 }
 
-void run(const Arguments& arguments, const CommandContext& context) {
+void run_fit(const FitArguments& arguments, const CommandContext& context) {
   Console console(context);
   FitRequest request = arguments.request;
   request.model = arguments.model;
@@ -179,9 +179,9 @@ void run(const Arguments& arguments, const CommandContext& context) {
 }  // namespace
 
 void add_fit_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<FitArguments>();
   CLI::App* command =
-      add_command(app, "fit", "Parameters of a force model from a measured force-depth curve", footer);
+      add_command(app, "fit", "Parameters of a force model from a measured force-depth curve", fit_footer);
   FitRequest& request = arguments->request;
   add_text(*command, "MODEL", arguments->model, "Name of the force model").required();
   add_text(*command, "CURVE", arguments->curve, "CSV table of the measurement").required();
@@ -196,7 +196,7 @@ void add_fit_command(CLI::App& app, CommandContext& context) {
   add_texts(*command, "--bounds", arguments->bounds, "Keep a parameter within name=low:high");
   add_texts(*command, "--free", request.free, "Fit a parameter that the model usually keeps");
   add_text(*command, "-o,--output", arguments->output, "BASE of BASE.svg and BASE.xml (default: fit)");
-  on_run(*command, [arguments, &context] { run(*arguments, context); });
+  on_run(*command, [arguments, &context] { run_fit(*arguments, context); });
 }
 
 }  // namespace bodkin

@@ -1,11 +1,13 @@
 #include <cstdio>
 #include <exception>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
+#include "cli/driver_inquiry.h"
 #include "core/error.h"
 
 namespace {
@@ -13,7 +15,7 @@ namespace {
 constexpr int exit_system_error = 1;
 constexpr int exit_input_error = 2;
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* main_footer = R"(Examples:
   bodkin case synthesize lumbar patient          make a lumbar torso from nothing but a seed
   bodkin case new patient --ct dicom_folder      make a case from a CT
   bodkin case show patient                       what is in it, as text and as a picture
@@ -31,8 +33,12 @@ constexpr const char* footer = R"(Examples:
 }  // namespace
 
 int main(int argc, char** argv) {
+  // This program asking a driver in a child process of its own: no command for people.
+  if (argc == 2 && std::string_view(argv[1]) == bodkin::driver_inquiry_argument) {
+    return bodkin::answer_driver_inquiry();
+  }
   CLI::App app{"Bodkin: put needles into bodies, feel what they meet, and see how well it went."};
-  app.footer(footer);
+  app.footer(main_footer);
   app.require_subcommand(1);
   app.fallthrough();
   app.set_version_flag("--version", "bodkin " BODKIN_VERSION);
@@ -51,6 +57,7 @@ int main(int argc, char** argv) {
   devices_group->require_subcommand(1);
   bodkin::add_devices_list_command(*devices_group, context);
   bodkin::add_devices_check_command(*devices_group, context);
+  bodkin::add_devices_calibrate_command(*devices_group, context);
   bodkin::add_profile_command(app, context);
   bodkin::add_compare_command(app, context);
   bodkin::add_run_command(app, context);

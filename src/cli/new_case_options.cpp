@@ -3,11 +3,11 @@
 #include <array>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "anatomy/needle.h"
 #include "cli/arguments.h"
 #include "cli/console.h"
+#include "cli/json_values.h"
 #include "core/error.h"
 #include "io/image_worker.h"
 
@@ -19,12 +19,12 @@ using nlohmann::json;
 constexpr std::size_t longest_name = 200;  // characters; case.xml allows no more
 constexpr double furthest = 1e5;           // mm
 
-json point_json(const std::string& text, const std::string& option) {
+json checked_point(const std::string& text, const std::string& option) {
   const Vec3 point = parse_point(text, option);
   if (point.cwiseAbs().maxCoeff() > furthest) {
     throw InputError(fmt::format("{} is {}; expected coordinates within {:g} mm", option, text, furthest));
   }
-  return {point.x(), point.y(), point.z()};
+  return json_point(point);
 }
 
 void say_summary(const json& result, const Console& console, const std::string& folder) {
@@ -80,8 +80,8 @@ json new_case_request(const NewCaseOptions& options) {
                   {"name", path_text(options.name)},
                   {"needle_gauge", options.needle_gauge}};
   if (!options.entry.empty()) {
-    request["entry"] = point_json(options.entry, "--entry");
-    request["target"] = point_json(options.target, "--target");
+    request["entry"] = checked_point(options.entry, "--entry");
+    request["target"] = checked_point(options.target, "--target");
     if (request["entry"] == request["target"]) {
       throw InputError(fmt::format("--entry and --target are both {}; expected two points", options.entry));
     }

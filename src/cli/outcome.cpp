@@ -87,6 +87,17 @@ nlohmann::ordered_json json_of(const Outcome& outcome, const Case& patient) {
                                  {"records_lost", outcome.run.records_lost}};
   json["target_tissue_time_s"] = summary.target_tissue_time ? nlohmann::ordered_json(*summary.target_tissue_time)
                                                             : nlohmann::ordered_json(nullptr);
+  if (const auto& timings = outcome.session.timings) {
+    const auto spread = [](const std::vector<TimeBin>& bins) {
+      return nlohmann::ordered_json{{"median_s", percentile(bins, 0.5)},
+                                    {"p99_s", percentile(bins, 0.99)},
+                                    {"longest_s", percentile(bins, 1.0)}};
+    };
+    json["timings"] = {{"overruns", timings->overruns},
+                       {"rounds", count_of(timings->compute)},
+                       {"lateness", spread(timings->lateness)},
+                       {"compute", spread(timings->compute)}};
+  }
   json["tissues"] = nlohmann::ordered_json::array();
   for (const TissueTotal& tissue : summary.tissues) {
     json["tissues"].push_back({{"tissue", library.title(tissue.tissue)},

@@ -4,13 +4,13 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/force_options.h"
-#include "imaging/files.h"
+#include "cli/json_values.h"
+#include "core/files.h"
 #include "io/case_folder.h"
 #include "training/crossings.h"
 #include "training/force_plot.h"
@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct ProfileArguments {
   std::string folder;
   std::string entry, target;
   std::string output;
@@ -29,7 +29,7 @@ struct Arguments {
   ForceOptions forces;
 };
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* profile_footer = R"(Examples:
   bodkin profile patient                                         along the planned path
   bodkin profile patient --entry 0,95,3 --target 2,45,10         along another one
   bodkin profile patient --speed 2 --pause 1 --withdraw -o out/slow
@@ -38,15 +38,11 @@ constexpr const char* footer = R"(Examples:
 Writes BASE.csv (a row per tick) and BASE.svg (force against depth with the tissues as bands).
 A path that starts with a minus sign needs an equals sign: --entry=-5,95,3)";
 
-nlohmann::json json_of(const Vec3& point) {
-  return {point.x(), point.y(), point.z()};
-}
-
 nlohmann::json json_of(const Profile& profile, const std::vector<TissueCrossing>& crossings,
                        const std::vector<SessionEvent>& events, const TissueLibrary& library) {
   nlohmann::json result;
-  result["entry_mm"] = json_of(profile.path.entry);
-  result["target_mm"] = json_of(profile.path.target);
+  result["entry_mm"] = json_point(profile.path.entry);
+  result["target_mm"] = json_point(profile.path.target);
   result["speed_mm_s"] = profile.options.speed;
   result["tissues"] = nlohmann::json::array();
   for (const TissueCrossing& crossing : crossings) {
@@ -86,7 +82,7 @@ void print_table(const Console& console, const std::vector<TissueCrossing>& cros
   }
 }
 
-void run(const Arguments& arguments, const CommandContext& context) {
+void run_profile(const ProfileArguments& arguments, const CommandContext& context) {
   Console console(context);
   ProfileOptions options = arguments.options;
   if (!arguments.entry.empty()) options.entry = parse_point(arguments.entry, "--entry");
@@ -121,9 +117,9 @@ void run(const Arguments& arguments, const CommandContext& context) {
 }  // namespace
 
 void add_profile_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ProfileArguments>();
   CLI::App* command =
-      add_command(app, "profile", "Force against depth of a needle driven in at constant speed", footer);
+      add_command(app, "profile", "Force against depth of a needle driven in at constant speed", profile_footer);
   add_text(*command, "CASE", arguments->folder, "Folder of the case").required();
   add_text(*command, "--entry", arguments->entry, "Where the path begins, x,y,z in LPS mm (default: as planned)");
   add_text(*command, "--target", arguments->target, "Where it ends, x,y,z in LPS mm (default: as planned)");
@@ -133,7 +129,7 @@ void add_profile_command(CLI::App& app, CommandContext& context) {
   add_switch(*command, "--withdraw", arguments->options.withdraw, "Pull the needle out again at the same speed");
   add_text(*command, "-o,--output", arguments->output, "BASE of BASE.csv and BASE.svg (default: profile)");
   add_force_options(*command, arguments->forces);
-  on_run(*command, [arguments, &context] { run(*arguments, context); });
+  on_run(*command, [arguments, &context] { run_profile(*arguments, context); });
 }
 
 }  // namespace bodkin

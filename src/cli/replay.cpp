@@ -17,18 +17,18 @@ namespace {
 
 constexpr int exit_different = 3;
 
-struct Arguments {
+struct ReplayArguments {
   std::string session;
   std::string case_folder;
 };
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* replay_footer = R"(Examples:
   bodkin replay session.bodkin                  recompute every tick and compare
   bodkin replay session.bodkin --case patient   when the case has moved
 
 Exit code 0: identical to the last bit. 3: something differs; the first difference is shown.)";
 
-int run(const Arguments& arguments, const CommandContext& context) {
+int run_replay(const ReplayArguments& arguments, const CommandContext& context) {
   Console console(context);
   const Session session = read_session(arguments.session);
   const std::string folder = arguments.case_folder.empty() ? session.header.case_folder : arguments.case_folder;
@@ -61,12 +61,12 @@ int run(const Arguments& arguments, const CommandContext& context) {
 }  // namespace
 
 void add_replay_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ReplayArguments>();
   CLI::App* command =
-      add_command(app, "replay", "Recompute a session and prove that it is the same to the bit", footer);
+      add_command(app, "replay", "Recompute a session and prove that it is the same to the bit", replay_footer);
   add_text(*command, "SESSION", arguments->session, "Session file").required();
   add_text(*command, "--case", arguments->case_folder, "Folder of the case (default: as the session says)");
-  on_run(*command, [arguments, &context] { context.exit_code = run(*arguments, context); });
+  on_run(*command, [arguments, &context] { context.exit_code = run_replay(*arguments, context); });
 }
 
 }  // namespace bodkin

@@ -7,13 +7,13 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/json_values.h"
 #include "core/error.h"
-#include "imaging/files.h"
+#include "core/files.h"
 #include "imaging/tool.h"
 #include "io/case_folder.h"
 #include "training/session_file.h"
@@ -26,21 +26,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct ReportArguments {
   std::string session;
   std::string folder;
   std::string output;
   bool open = false;
 };
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* report_footer = R"(Examples:
   bodkin report session.bodkin                       writes session.html beside it
   bodkin report session.bodkin -o report.html --open
   bodkin report session.bodkin --case moved/patient  when the case is not where it was recorded)";
-
-nlohmann::json json_of(const Vec3& point) {
-  return {point.x(), point.y(), point.z()};
-}
 
 nlohmann::json optional_json(const std::optional<double>& value) {
   return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
@@ -66,7 +62,7 @@ nlohmann::json json_of(const SessionSummary& summary, const Verdict& verdict, co
                            {"peak_depth_mm", summary.peak_depth},
                            {"peak_tissue", library.title(summary.peak_tissue)},
                            {"work_N_mm", summary.work},
-                           {"final_tip_mm", json_of(summary.final_tip)},
+                           {"final_tip_mm", json_point(summary.final_tip)},
                            {"final_distance_mm", summary.final_error.distance},
                            {"final_axial_mm", summary.final_error.axial},
                            {"final_lateral_mm", summary.final_error.lateral},
@@ -108,7 +104,7 @@ bool has_display() {
   return given("DISPLAY") || given("WAYLAND_DISPLAY");
 }
 
-void run(const Arguments& arguments, const CommandContext& context) {
+void run_report(const ReportArguments& arguments, const CommandContext& context) {
   Console console(context);
   const fs::path file =
       arguments.output.empty() ? fs::path(arguments.session).replace_extension(".html") : fs::path(arguments.output);
@@ -149,13 +145,13 @@ void run(const Arguments& arguments, const CommandContext& context) {
 }  // namespace
 
 void add_report_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = add_command(app, "report", "What happened in a session, as one HTML file", footer);
+  auto arguments = std::make_shared<ReportArguments>();
+  CLI::App* command = add_command(app, "report", "What happened in a session, as one HTML file", report_footer);
   add_text(*command, "SESSION", arguments->session, "File of the session").required();
   add_text(*command, "--case", arguments->folder, "Folder of the case (default: where it was recorded)");
   add_text(*command, "-o,--output", arguments->output, "The report (default: beside the session, ending .html)");
   add_switch(*command, "--open", arguments->open, "Open the report when there is a display");
-  on_run(*command, [arguments, &context] { run(*arguments, context); });
+  on_run(*command, [arguments, &context] { run_report(*arguments, context); });
 }
 
 }  // namespace bodkin

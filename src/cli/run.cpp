@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct RunArguments {
   std::string folder;
   std::string operator_name = "expert";
   std::string entry, target;
@@ -33,7 +33,7 @@ struct Arguments {
   ForceOptions forces;
 };
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* run_footer = R"(Examples:
   bodkin run patient                                 an expert performs the procedure as planned
   bodkin run patient --operator novice --seed 7      a beginner; another seed, another attempt
   bodkin run patient --operator mine.xml --realtime  an operator of your own, on the clock
@@ -57,7 +57,7 @@ fs::path free_name(const std::string& case_name, const std::string& operator_nam
   return name;
 }
 
-NeedlePath path_of(const Arguments& arguments, const Case& patient) {
+NeedlePath path_of(const RunArguments& arguments, const Case& patient) {
   const std::optional<NeedlePath>& planned = patient.description.procedure.path;
   if (!planned && (arguments.entry.empty() || arguments.target.empty())) {
     throw InputError(
@@ -69,7 +69,7 @@ NeedlePath path_of(const Arguments& arguments, const Case& patient) {
   return path;
 }
 
-void run(Arguments arguments, const CommandContext& context) {
+void run_scripted(RunArguments arguments, const CommandContext& context) {
   Console console(context);
   RunSettings& settings = arguments.settings;
   settings.seed = static_cast<std::uint64_t>(arguments.seed);
@@ -106,9 +106,9 @@ void run(Arguments arguments, const CommandContext& context) {
 }  // namespace
 
 void add_run_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RunArguments>();
   RunSettings& settings = arguments->settings;
-  CLI::App* command = add_command(app, "run", "A simulated hand performs the procedure and is recorded", footer);
+  CLI::App* command = add_command(app, "run", "A simulated hand performs the procedure and is recorded", run_footer);
   add_text(*command, "CASE", arguments->folder, "Folder of the case").required();
   add_text(*command, "--operator", arguments->operator_name, "expert, novice, or an operator file");
   add_whole_number(*command, "--seed", arguments->seed, 0, std::numeric_limits<std::int64_t>::max(),
@@ -121,7 +121,7 @@ void add_run_command(CLI::App& app, CommandContext& context) {
   add_force_options(*command, arguments->forces);
   add_number(*command, "--max-time", settings.longest, 1.0, 3600.0,
              "s of simulated time after which the run ends, 1 to 3600");
-  on_run(*command, [arguments, &context] { run(*arguments, context); });
+  on_run(*command, [arguments, &context] { run_scripted(*arguments, context); });
 }
 
 }  // namespace bodkin

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <numbers>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -7,6 +9,9 @@ namespace bodkin {
 
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
+
+// Radians in a degree.
+inline constexpr double degree = std::numbers::pi / 180.0;
 
 // A rigid placement in patient coordinates (LPS, mm). A needle's pose has its origin at the tip, and its third axis
 // is the needle's axis, a unit vector from hub to tip.

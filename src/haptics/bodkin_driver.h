@@ -42,6 +42,10 @@ enum {
   BODKIN_BAD_SETTINGS = 100 /* of list and open alone: the user's settings are wrong; no DeviceFault */
 };
 
+/* The last bit of a state's buttons is none that a finger presses: the hand has ended the session, as where a
+ * recording is over or a window was closed. It stays set. */
+#define BODKIN_BUTTON_END (1u << 31)
+
 /* Numbers of which nothing is known are 0. */
 typedef struct bodkin_abilities {
   char name[BODKIN_TEXT];                     /* of the model */

@@ -61,6 +61,9 @@ struct DeviceState {
   bool held = true;          // the dead-man's switch, true where there is none
   double temperature = 0.0;  // of the motors, 0 cold to 1 hot
   DeviceFault fault = DeviceFault::none;
+
+  // The hand has ended the session (BODKIN_BUTTON_END).
+  bool ended() const noexcept { return (buttons >> 31U) != 0; }
 };
 
 }  // namespace bodkin

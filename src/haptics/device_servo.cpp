@@ -8,9 +8,10 @@ namespace bodkin {
 namespace {
 
 ServoSettings guarded(ServoSettings settings, const DeviceAbilities& abilities) {
-  const double user_force = settings.guard.user_force;
+  const double user_force = settings.guard.user_force, frozen_time = settings.guard.frozen_time;
   settings.guard = guard_settings(abilities, settings.rate);
   settings.guard.user_force = user_force;
+  settings.guard.frozen_time = frozen_time;
   return settings;
 }
 

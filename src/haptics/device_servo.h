@@ -16,7 +16,8 @@ namespace bodkin {
 class DeviceServo {
  public:
   // `known`: what the device can do, by itself and by its profile (haptics/device_profiles.h). The guard of
-  // `settings` is made for it, but for the user's limit. Throws InputError as ServoTick does.
+  // `settings` is made for it, but for the user's limit and the time for which readings may stand still. Throws
+  // InputError as ServoTick does.
   DeviceServo(DevicePort port, const DeviceAbilities& known, const ServoSettings& settings, Controller controller);
   ~DeviceServo();  // stop()
   DeviceServo(const DeviceServo&) = delete;

@@ -57,6 +57,8 @@ std::string_view text_of(GuardReason reason) noexcept {
       return "the device's readings stand still under force";
     case GuardReason::oscillation:
       return "the hand shakes again";
+    case GuardReason::passivity:
+      return "an axis gave more energy than it took";
     case GuardReason::slew:
       return "the force rose too fast";
     case GuardReason::peak:

@@ -44,6 +44,7 @@ enum class GuardReason : std::uint8_t {
   frozen,       // the device's readings have stopped while it pushes
   oscillation,  // again, soon after the force was halved for it
   // limits
+  passivity,  // an axis has given the hand more energy than it took: damping was added
   slew,
   peak,
   torque_peak,

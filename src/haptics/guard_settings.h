@@ -27,6 +27,7 @@ struct GuardSettings {
   double frozen_time = 0.5;                                     // s of unchanged readings under force; 0 = no guard
   double oscillation_amplitude = 0.05;                          // mm from turning point to turning point
   double stiffness = 1.0;                                       // N/mm that the device renders stably
+  double damping = 0.002;                                       // N s/mm that the device renders stably
   double thermal_time = 30.0;                                   // s over which the motors average their load
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "haptics/force_change.h"
+#include "haptics/tick_clock.h"
 
 namespace bodkin {
 
@@ -12,7 +13,6 @@ namespace {
 constexpr double peak_share = 0.9;  // of the nominal peaks
 
 constexpr double furthest = 5000.0;    // mm from the middle of the workspace
-constexpr double longest_dt = 1.0;     // s; a longer pause counts as this
 constexpr double longest_gap = 0.050;  // s between two ticks
 constexpr double hold_after = 0.005;   // s of age
 constexpr double decay_after = 0.015;  // s of age
@@ -21,7 +21,7 @@ constexpr double fault_after = 0.050;  // s of age
 constexpr double rest_speed = 20.0;    // mm/s
 constexpr double rest_time = 0.050;    // s
 constexpr int fast_ticks = 3;
-constexpr double driven_swing = 4.0;       // times the smallest swing of a fast shake
+constexpr double driven_swing = 3.0;       // times the smallest swing of a fast shake
 constexpr double workspace_margin = 10.0;  // mm
 constexpr double frozen_force = 0.5;       // N
 constexpr double calm_time = 10.0;         // s after which the whole force comes back
@@ -51,7 +51,8 @@ HandGuard::HandGuard(const GuardSettings& settings)
     : settings_((check(settings), settings)),
       motion_(settings.dt),
       fast_(fast_shaking(settings.oscillation_amplitude)),
-      driven_(driven_shaking(driven_swing * settings.oscillation_amplitude, settings.stiffness, settings.dt)) {
+      driven_(driven_shaking(driven_swing * settings.oscillation_amplitude, settings.stiffness, settings.dt)),
+      passivity_(settings.damping) {
   limited_.fill(never);
 }
 
@@ -105,6 +106,7 @@ void HandGuard::ramp_from_zero() noexcept {
   fast_ticks_ = 0;
   still_for_ = 0.0;
   applied_ = Wrench{};
+  passivity_.reset();
   fast_.reset();
   driven_.reset();
 }
@@ -137,7 +139,9 @@ void HandGuard::watch_hand(double dt) noexcept {
   }
   calm_for_ += dt;
   const bool fast = fast_.step(motion_.moved(), applied_.force, dt);
-  const bool driven = driven_.step(motion_.moved(), applied_.force, dt);
+  // What the tissue does counts, not what damping makes of it: damping that has to work in every cycle hides a
+  // shaking hand without ending it.
+  const bool driven = driven_.step(motion_.moved(), applied_.force - damped_, dt);
   if (fast || driven) {
     if (calm_ < 1.0) return fail(GuardReason::oscillation);
     calm_ = 0.5;
@@ -254,7 +258,15 @@ void HandGuard::apply(const DeviceState& device, const GuardInput& input, double
   } else {
     wanted = scaled(input.wanted, ramp_ * calm_);
   }
-  wanted = scaled(wanted, workspace_share(device.hand.translation()));
+  const double inside = workspace_share(device.hand.translation());
+  const Vec3 wished = inside * wanted.force;
+  // A force that is on its way to zero is not held up by damping.
+  const double alive = state_ == GuardState::holding ? 0.0 : ramp_ * calm_ * inside;
+  wanted = {passivity_.damped(wished, motion_.recent_velocity(), dt, alive), inside * wanted.torque};
+  damped_ = wanted.force - wished;
+  if (!passivity_.damping().isZero(0.0)) limit_by(GuardReason::passivity, passivity_.energy().minCoeff(), 0.0);
+  carried_ = input.weight * alive;
+  wanted.force += carried_;
 
   const double most = bound();
   const double thermal =
@@ -289,11 +301,14 @@ const Wrench& HandGuard::step(const DeviceState& device, const GuardInput& input
   time_ += dt;
 
   watch(device, input, dt);
+  passivity_.observe(applied_.force - carried_, motion_.moved(), dt);
   try_to_arm(device, input, dt);
   disarming_ = false;
   if (is_armed()) {
     apply(device, input, dt);
   } else {
+    carried_.setZero();
+    damped_.setZero();
     fade(dt);
   }
   mean_square_ += std::min(1.0, dt / settings_.thermal_time) * (applied_.force.squaredNorm() - mean_square_);

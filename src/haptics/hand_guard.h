@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/geometry.h"
+#include "haptics/axis_passivity.h"
 #include "haptics/device.h"
 #include "haptics/guard_event.h"
 #include "haptics/guard_settings.h"
@@ -21,6 +22,7 @@ struct GuardInput {
   double age = 0.0;  // s since the simulation computed it
   double dt = 0.0;   // s since the tick before
   bool controller_failed = false;
+  Vec3 weight = Vec3::Zero();  // N that carry the device's handle: part of the force, not of what must be passive
 };
 
 // The last exit to the motors of a real device, for as long as a hand holds it. It knows nothing of tissue: it takes
@@ -63,6 +65,8 @@ class HandGuard {
   std::uint32_t limits() const noexcept { return limits_; }
   double mean_square() const noexcept { return mean_square_; }    // N^2
   double speed() const noexcept { return motion_.mean_speed(); }  // mm/s, over 10 ms
+  // N mm that the hand has given to each axis of the operator's frame, see AxisPassivity.
+  const Vec3& energy() const noexcept { return passivity_.energy(); }
   // N, what no force exceeds, heat aside.
   double bound() const noexcept;
 
@@ -99,14 +103,17 @@ class HandGuard {
   double time_ = 0.0;                      // s
   std::array<double, reasons> limited_{};  // s, when each reason last limited
   Wrench applied_;
-  Wrench held_;               // what is bridged with while the simulation is late
-  Wrench fading_;             // where the way to zero began
-  double faded_ = 1.0;        // share of the way to zero
-  double ramp_ = 0.0;         // share of the force that is let through
-  double calm_ = 1.0;         // likewise, after the hand shook
-  double calm_for_ = 0.0;     // s since it did
-  double mean_square_ = 0.0;  // N^2
-  double arming_for_ = -1.0;  // s since the wish to arm; negative: there is none
+  AxisPassivity passivity_;
+  Vec3 carried_ = Vec3::Zero();  // N, weight within the force of the last step
+  Vec3 damped_ = Vec3::Zero();   // N, damping within it
+  Wrench held_;                  // what is bridged with while the simulation is late
+  Wrench fading_;                // where the way to zero began
+  double faded_ = 1.0;           // share of the way to zero
+  double ramp_ = 0.0;            // share of the force that is let through
+  double calm_ = 1.0;            // likewise, after the hand shook
+  double calm_for_ = 0.0;        // s since it did
+  double mean_square_ = 0.0;     // N^2
+  double arming_for_ = -1.0;     // s since the wish to arm; negative: there is none
   bool disarming_ = false;
   double resting_for_ = 0.0;                      // s
   double still_for_ = 0.0;                        // s of unchanged readings under force

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace bodkin {
 
@@ -23,6 +24,10 @@ std::uint64_t LatencyHistogram::end_of(std::size_t bin) noexcept {
   if (bin < per_octave) return bin;
   const std::size_t shift = bin / per_octave - 1;
   return ((per_octave + bin % per_octave + 1) << shift) - 1;
+}
+
+double LatencyHistogram::upper_edge(std::size_t bin) noexcept {
+  return bin < last_bin ? static_cast<double>(end_of(bin)) * 1e-9 : std::numeric_limits<double>::infinity();
 }
 
 void LatencyHistogram::record(double seconds) noexcept {

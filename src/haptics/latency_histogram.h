@@ -27,14 +27,20 @@ class LatencyHistogram {
   // How many took longer than the last bin reaches, 100 ms.
   std::uint64_t beyond() const noexcept { return bins_[last_bin]; }
 
+  // The bins, the one beyond 100 ms included.
+  static constexpr std::size_t bins = 377;
+  std::uint64_t count_in(std::size_t bin) const noexcept { return bins_[bin]; }
+  // s, the longest that falls into a bin; infinity for the last.
+  static double upper_edge(std::size_t bin) noexcept;
+
  private:
   static constexpr std::size_t per_octave = 16;
-  static constexpr std::size_t last_bin = 376;  // above 100 ms
+  static constexpr std::size_t last_bin = bins - 1;  // above 100 ms
 
   static std::size_t bin_of(std::uint64_t nanoseconds) noexcept;
   static std::uint64_t end_of(std::size_t bin) noexcept;
 
-  std::array<std::uint64_t, last_bin + 1> bins_{};
+  std::array<std::uint64_t, bins> bins_{};
   std::uint64_t count_ = 0;
   double sum_ = 0.0;      // s
   double maximum_ = 0.0;  // s

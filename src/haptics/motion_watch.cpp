@@ -7,15 +7,27 @@ namespace bodkin {
 
 namespace {
 constexpr double window_time = 0.010;   // s
+constexpr double recent_time = 0.003;   // s
+constexpr long most_readings = 63;      // that the ring holds beside the newest
 constexpr double jump_way = 5.0;        // mm
 constexpr double jump_speed = 3000.0;   // mm/s
 constexpr double shortest_share = 0.5;  // of the nominal period: readings closer together would look like speed
+
+std::size_t readings_in(double time, double dt) noexcept {
+  return static_cast<std::size_t>(std::clamp(std::lround(time / dt), 1L, most_readings));
+}
 }  // namespace
 
 MotionWatch::MotionWatch(double dt) noexcept
-    : dt_(dt),
-      window_(
-          static_cast<std::size_t>(std::clamp(std::lround(window_time / dt), 1L, static_cast<long>(capacity) - 1))) {}
+    : dt_(dt), window_(readings_in(window_time, dt)), recent_(readings_in(recent_time, dt)) {}
+
+Vec3 MotionWatch::velocity_since(std::size_t wanted) const noexcept {
+  const std::size_t back = std::min(wanted, seen_);
+  const Reading& now = readings_[seen_ & (capacity - 1)];
+  const Reading& earlier = readings_[(seen_ - back) & (capacity - 1)];
+  const double elapsed = std::max(time_ - earlier.time, shortest_share * dt_ * static_cast<double>(wanted));
+  return (now.position - earlier.position) / elapsed;
+}
 
 void MotionWatch::reset() noexcept {
   *this = MotionWatch(dt_);
@@ -35,10 +47,8 @@ void MotionWatch::step(const Pose& hand, const Vec3& velocity, double dt) noexce
   jumped_ = way > jump_way && way > jump_speed * period;
 
   readings_[seen_ & (capacity - 1)] = {position, time_};
-  const std::size_t back = std::min(window_, seen_);
-  const Reading& earlier = readings_[(seen_ - back) & (capacity - 1)];
-  const double elapsed = std::max(time_ - earlier.time, shortest_share * dt_ * static_cast<double>(window_));
-  mean_speed_ = (position - earlier.position).norm() / elapsed;
+  mean_speed_ = velocity_since(window_).norm();
+  recent_velocity_ = velocity_since(recent_);
   ++seen_;
 }
 

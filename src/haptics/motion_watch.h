@@ -24,6 +24,8 @@ class MotionWatch {
   double speed() const noexcept { return speed_; }
   // mm/s over the last 10 ms, from positions alone, so that a coarse encoder at rest is not taken for motion.
   double mean_speed() const noexcept { return mean_speed_; }
+  // mm/s over the last 3 ms, likewise: early enough to damp with.
+  const Vec3& recent_velocity() const noexcept { return recent_velocity_; }
   // No part of the pose has changed by a single bit since the last reading.
   bool is_still() const noexcept { return still_; }
   // More than 5 mm in one tick, and faster than 3 m/s: no hand does that.
@@ -37,8 +39,12 @@ class MotionWatch {
     double time = 0.0;  // s
   };
 
+  // mm/s since so many readings ago, or since the first one.
+  Vec3 velocity_since(std::size_t back) const noexcept;
+
   double dt_;
   std::size_t window_;  // readings in 10 ms
+  std::size_t recent_;  // readings in 3 ms
   std::array<Reading, capacity> readings_{};
   std::size_t seen_ = 0;
   double time_ = 0.0;
@@ -46,6 +52,7 @@ class MotionWatch {
   Vec3 moved_ = Vec3::Zero();
   double speed_ = 0.0;
   double mean_speed_ = 0.0;
+  Vec3 recent_velocity_ = Vec3::Zero();
   bool still_ = false;
   bool jumped_ = false;
 };

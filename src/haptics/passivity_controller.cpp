@@ -6,13 +6,13 @@
 namespace bodkin {
 
 namespace {
-constexpr double forget_after = 0.5;  // s out of contact
+constexpr double forget_out_of_contact = 0.5;  // s out of contact
 }
 
 double PassivityController::step(double resistance, double velocity, bool in_contact) noexcept {
   damping_ = 0.0;
   time_outside_ = in_contact ? 0.0 : time_outside_ + dt_;
-  if (time_outside_ >= forget_after) energy_ = 0.0;
+  if (time_outside_ >= forget_out_of_contact) energy_ = 0.0;
 
   energy_ += resistance * velocity * dt_;
   const double speed = std::abs(velocity);

@@ -31,7 +31,8 @@ struct ServoSnapshot {
   Wrench applied;                  // on the hand, operator's frame, as it left
   GuardState state = GuardState::disarmed;
   GuardReason fault = GuardReason::none;
-  std::uint32_t limits = 0;  // see HandGuard::limits
+  std::uint32_t limits = 0;    // see HandGuard::limits
+  Vec3 energy = Vec3::Zero();  // N mm that the hand has given since it was armed, by axis of the operator's frame
   bool frozen = false;
   bool clutched = false;
 };

@@ -12,7 +12,6 @@ namespace bodkin {
 namespace {
 
 constexpr double bounce_time = 0.020;  // s
-constexpr double longest_dt = 1.0;     // s; a longer pause counts as this
 constexpr int recent_ticks = 100;
 
 // The period, if a servo can keep it.
@@ -46,6 +45,7 @@ bool ServoTick::Button::step(std::uint32_t buttons, double dt) noexcept {
 ServoTick::ServoTick(const ServoSettings& settings, Controller controller, TickClock clock)
     : period_(checked_period(settings.rate)),
       grasp_time_(settings.grasp_time),
+      weight_(settings.weight * Vec3::UnitZ()),
       dead_man_button_(settings.dead_man_button),
       controller_(std::move(controller)),
       clock_(clock),
@@ -54,6 +54,11 @@ ServoTick::ServoTick(const ServoSettings& settings, Controller controller, TickC
       clutch_button_{.number = settings.clutch_button},
       freeze_button_{.number = settings.freeze_button} {
   if (!controller_) throw InputError("servo: there is no controller, expected a function that gives the force");
+  if (!(settings.weight >= 0.0 && settings.weight <= 5.0)) {
+    std::ostringstream text;
+    text << "servo: the weight of the handle is " << settings.weight << " N, expected 0 to 5 N";
+    throw InputError(text.str());
+  }
   if (!(grasp_time_ > 0.0)) throw InputError("servo: the time of a grasp is not more than 0 s");
 }
 
@@ -129,6 +134,7 @@ void ServoTick::tell(const DeviceState& device, const Control& control) noexcept
   snapshot.state = guard_.state();
   snapshot.fault = guard_.fault();
   snapshot.limits = guard_.limits();
+  snapshot.energy = guard_.energy();
   snapshot.frozen = map_.is_frozen();
   snapshot.clutched = map_.is_clutched();
   snapshots_.write(snapshot);
@@ -165,16 +171,19 @@ Wrench ServoTick::step(const DeviceState& reported, double dt, double lateness) 
 
   // A device in trouble leaves the needle where it was.
   const Pose needle = seen_ ? map_.step(hand_, dt) : map_.needle();
-  const Control answer =
-      seen_
-          ? control(
-                {.needle = needle, .dt = dt, .tick = tick_, .buttons = device.buttons, .needle_held = map_.is_held()})
-          : Control{};
+  const Control answer = seen_ ? control({.needle = needle,
+                                          .dt = dt,
+                                          .tick = tick_,
+                                          .buttons = device.buttons,
+                                          .needle_held = map_.is_held(),
+                                          .guard = guard_.state()})
+                               : Control{};
   grasp_ = map_.is_held() ? 0.0 : std::min(1.0, grasp_ + dt / grasp_time_);
   Wrench wanted = map_.felt(answer.wrench);
   if (grasp_ < 1.0) wanted = {grasp_ * wanted.force, grasp_ * wanted.torque};
-  const Wrench& applied =
-      guard_.step(device, {.wanted = wanted, .age = answer.age, .dt = dt, .controller_failed = controller_failed_});
+  const Wrench& applied = guard_.step(
+      device,
+      {.wanted = wanted, .age = answer.age, .dt = dt, .controller_failed = controller_failed_, .weight = weight_});
 
   time_ += dt;
   keep({.tick = tick_,

@@ -21,7 +21,8 @@ struct ControlInput {
   double dt = 0.0;                 // s since the last tick, as measured
   std::uint64_t tick = 0;
   std::uint32_t buttons = 0;
-  bool needle_held = false;  // frozen or clutched: it stays where it is and no hand feels it
+  bool needle_held = false;                 // frozen or clutched: it stays where it is and no hand feels it
+  GuardState guard = GuardState::disarmed;  // after the tick before: whether the hand will feel the answer
 };
 
 // What it answers.
@@ -39,6 +40,7 @@ struct ServoSettings {
   double rate = 1000.0;  // Hz; 200 to 4000
   GuardSettings guard;   // its dt is set from the rate
   WorkspaceSettings workspace;
+  double weight = 0.0;       // N of the device's handle that its own controller does not carry; 0 to 5
   double grasp_time = 0.25;  // s over which the force comes back when a hold ends
   // Buttons of the device, by number; -1 = none.
   int dead_man_button = -1;  // beside the device's own switch; the force ends when it is let go
@@ -98,6 +100,7 @@ class ServoTick {
 
   double period_;
   double grasp_time_;
+  Vec3 weight_;  // N, upwards
   int dead_man_button_;
   Controller controller_;
   TickClock clock_;

@@ -18,4 +18,8 @@ TickClock monotonic_clock() noexcept {
   return {&monotonic, nullptr};
 }
 
+double monotonic_seconds() noexcept {
+  return static_cast<double>(monotonic(nullptr)) * 1e-9;
+}
+
 }  // namespace bodkin

@@ -14,5 +14,10 @@ struct TickClock {
 
 // The system's monotonic clock.
 TickClock monotonic_clock() noexcept;
+// The same, s.
+double monotonic_seconds() noexcept;
+
+// s; a longer pause between two ticks counts as this.
+inline constexpr double longest_dt = 1.0;
 
 }  // namespace bodkin

@@ -31,6 +31,8 @@ void check(const WorkspaceSettings& settings) {
   require(is_rotation(settings.tool_rotation, rotation_slack), "the determinant of the tool's rotation",
           settings.tool_rotation.determinant(), "three perpendicular unit axes, right-handed");
   require(settings.centre.allFinite(), "the centre", settings.centre.norm(), "finite coordinates");
+  require(settings.hand_middle.norm() <= 3500.0, "the distance of its middle", settings.hand_middle.norm(),
+          "at most 3500 mm");
   require(settings.tip_offset.norm() <= 1000.0, "the tip's offset", settings.tip_offset.norm(), "at most 1000 mm");
   require(settings.scale >= 0.1 && settings.scale <= 10.0, "the scale", settings.scale, "0.1 to 10");
   require(settings.force_scale >= 0.01 && settings.force_scale <= 1.0, "the force scale", settings.force_scale,
@@ -48,7 +50,7 @@ WorkspaceMap::WorkspaceMap(const WorkspaceSettings& settings)
       grip_(settings.tool_rotation) {}
 
 Vec3 WorkspaceMap::tip_of(const Pose& hand) const noexcept {
-  return settings_.scale * (hand.translation() + hand.linear() * settings_.tip_offset);
+  return settings_.scale * (hand.translation() - settings_.hand_middle + hand.linear() * settings_.tip_offset);
 }
 
 void WorkspaceMap::move_body(const Vec3& middle, const Mat3& rotation) noexcept {

@@ -8,6 +8,7 @@ namespace bodkin {
 struct WorkspaceSettings {
   Mat3 rotation = Mat3::Identity();       // operator's frame (haptics/device.h) to patient frame (LPS)
   Vec3 centre = Vec3::Zero();             // LPS mm, what the middle of the workspace is
+  Vec3 hand_middle = Vec3::Zero();        // mm, operator's frame: where that middle is
   double scale = 1.0;                     // mm of the needle per mm of the hand; 0.1 to 10
   Mat3 tool_rotation = Mat3::Identity();  // needle to tool as the device reports it: the needle's axis is its z
   Vec3 tip_offset = Vec3::Zero();         // mm, from the device's point to the tip, in the tool's axes
@@ -22,11 +23,12 @@ void check(const WorkspaceSettings& settings);
 // From the hand in the operator's frame to the needle in the patient, and from the wrench on the needle back to the
 // hand.
 //
-//   tip = centre + R (s x + shift),   x = p + H o        needle axes = R H G
+//   tip = centre + R (s x + shift),   x = p - m + H o    needle axes = R H G
 //   force on the hand = k R' F,       torque about p = k R' T + (H o) x (force on the hand)
 //
-//   p, H  position and rotation of the device's tool;  o  tip offset;  G  how the needle is held (tool rotation at
-//   first);  R  rotation;  s  scale;  k  force scale;  F, T  wrench about the tip in the patient
+//   p, H  position and rotation of the device's tool;  m  middle of the workspace;  o  tip offset;  G  how the needle
+//   is held (tool rotation at first);  R  rotation;  s  scale;  k  force scale;  F, T  wrench about the tip in the
+//   patient
 //
 // With s = k = 1 the work of the hand is the work of the needle, whatever the grasp (virtual work). Otherwise the
 // hand does k / s times the needle's work, and feels k s times its stiffness. Motion between tip and hand changes

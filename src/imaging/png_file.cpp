@@ -6,7 +6,7 @@
 #include <png.h>
 
 #include "core/error.h"
-#include "imaging/files.h"
+#include "core/files.h"
 
 namespace bodkin {
 

@@ -1,10 +1,9 @@
 #include "io/case_folder.h"
 
-#include <fstream>
-
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/files.h"
 #include "io/case_xml.h"
 #include "io/resources.h"
 #include "io/tissue_library_file.h"
@@ -48,18 +47,7 @@ void write_case_description(const CaseDescription& description, const fs::path& 
   // What would not be read back must not be written.
   parse_case_xml(text, file.string(), XmlSchema("case.xsd"),
                  [&folder](const std::string& name) { return library_of_case(folder, name); });
-  // A reader sees the old file or the new one, never a half.
-  const fs::path draft = folder / "case.xml.new";
-  {
-    std::ofstream stream(draft, std::ios::binary | std::ios::trunc);
-    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-    if (!stream.flush())
-      throw SystemError(
-          fmt::format("{} cannot be written; is the disk full or the folder read-only?", draft.string()));
-  }
-  std::error_code failed;
-  fs::rename(draft, file, failed);
-  if (failed) throw SystemError(fmt::format("{} cannot be written: {}", file.string(), failed.message()));
+  write_file(file, text);
 }
 
 }  // namespace bodkin

@@ -113,7 +113,7 @@ void limit(int resource, rlim_t value) {
 // The child's standard input: memory, so that nobody has to wait for anybody and no pipe can break.
 Descriptor input_of(std::string_view text) {
   Descriptor memory(memfd_create("bodkin-request", MFD_CLOEXEC));
-  const bool written = write(memory.get(), text.data(), text.size()) == static_cast<ssize_t>(text.size());
+  const bool written = ::write(memory.get(), text.data(), text.size()) == static_cast<ssize_t>(text.size());
   if (!written || lseek(memory.get(), 0, SEEK_SET) != 0) {
     throw SystemError(fmt::format("no memory for a request: {}", std::strerror(errno)));
   }

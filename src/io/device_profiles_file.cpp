@@ -21,24 +21,24 @@ constexpr std::array<const char*, 7> columns = {"device", "quantity",   "value",
                                                 "source", "provenance", "remark"};
 constexpr const char* other_name = "also_called";
 
-struct Quantity {
+struct QuantityKind {
   std::string_view name;
   std::string_view unit;
   double most;
 };
 
 // In the order of DeviceQuantity.
-constexpr std::array<Quantity, device_quantities> quantities = {{{"peak_force", "N", 200.0},
-                                                                 {"continuous_force", "N", 200.0},
-                                                                 {"peak_torque", "N mm", 20000.0},
-                                                                 {"stiffness", "N/mm", 50.0},
-                                                                 {"damping", "N s/mm", 1.0},
-                                                                 {"resolution", "mm", 1.0},
-                                                                 {"workspace_x", "mm", 3000.0},
-                                                                 {"workspace_y", "mm", 3000.0},
-                                                                 {"workspace_z", "mm", 3000.0},
-                                                                 {"friction", "N", 20.0},
-                                                                 {"inertia", "kg", 5.0}}};
+constexpr std::array<QuantityKind, device_quantities> quantities = {{{"peak_force", "N", 200.0},
+                                                                     {"continuous_force", "N", 200.0},
+                                                                     {"peak_torque", "N mm", 20000.0},
+                                                                     {"stiffness", "N/mm", 50.0},
+                                                                     {"damping", "N s/mm", 1.0},
+                                                                     {"resolution", "mm", 1.0},
+                                                                     {"workspace_x", "mm", 3000.0},
+                                                                     {"workspace_y", "mm", 3000.0},
+                                                                     {"workspace_z", "mm", 3000.0},
+                                                                     {"friction", "N", 20.0},
+                                                                     {"inertia", "kg", 5.0}}};
 
 constexpr std::array<std::string_view, 5> provenances = {"not sourced", "paper", "looked-up", "recalled", "derived"};
 
@@ -61,12 +61,12 @@ class ProfileRow {
       if (row_.fields[1] == quantities[i].name) return static_cast<DeviceQuantity>(i);
     }
     std::string names = other_name;
-    for (const Quantity& known : quantities) names += fmt::format(", {}", known.name);
+    for (const QuantityKind& known : quantities) names += fmt::format(", {}", known.name);
     fail(1, fmt::format("one of {}", names));
   }
 
   ProfileValue value() const {
-    const Quantity& kind = quantities[static_cast<std::size_t>(quantity())];
+    const QuantityKind& kind = quantities[static_cast<std::size_t>(quantity())];
     if (row_.fields[3] != kind.unit) fail(3, fmt::format("{} for {}", kind.unit, kind.name));
     ProfileValue found{.value = number(kind), .source = row_.fields[4], .remark = row_.fields[6]};
     const auto* const known = std::find(provenances.begin(), provenances.end(), row_.fields[5]);
@@ -86,7 +86,7 @@ class ProfileRow {
                         in_quotes(row_.fields[column]), expected));
   }
 
-  double number(const Quantity& kind) const {
+  double number(const QuantityKind& kind) const {
     const std::string& text = row_.fields[2];
     if (text.empty()) return 0.0;
     double value = 0.0;

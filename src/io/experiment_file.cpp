@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 
 #include <fmt/format.h>
@@ -20,10 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t largest_file = 1 << 20;  // bytes
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double longest = 600.0;      // s
-constexpr TissueId first_new_id = 32;  // below are Bodkin's own
+constexpr std::size_t largest_experiment_file = 1 << 20;  // bytes
+constexpr double longest = 600.0;                         // s
+constexpr TissueId first_new_id = 32;                     // below are Bodkin's own
 constexpr TissueId last_new_id = 254;
 constexpr double multiple_tolerance = 1e-6;
 constexpr double shortest_direction = 1e-6;
@@ -258,7 +256,7 @@ Experiment parse_experiment(std::string_view document, const std::string& origin
 }
 
 Experiment read_experiment(const fs::path& file) {
-  return parse_experiment(read_text_file(file, largest_file), file.string());
+  return parse_experiment(read_text_file(file, largest_experiment_file), file.string());
 }
 
 std::vector<fs::path> shipped_experiments() {

@@ -18,16 +18,17 @@ namespace {
 
 constexpr std::size_t scheme_limit = 8 << 20;  // bytes
 constexpr std::size_t longest_name = 200;      // bytes, as case.xml has it
-constexpr std::array<const char*, 4> columns = {"label", "name", "tissue", "critical"};
-constexpr const char* header = "label,name,tissue,critical";
+constexpr std::array<const char*, 4> scheme_columns = {"label", "name", "tissue", "critical"};
+constexpr const char* scheme_header = "label,name,tissue,critical";
 
 // One row as a structure.
 class RowReader {
  public:
   RowReader(const CsvRow& row, const std::string& origin) : row_(row), origin_(origin) {
-    if (row.fields.size() != columns.size()) {
+    if (row.fields.size() != scheme_columns.size()) {
       fail_at(origin, row.line,
-              fmt::format("there are {} columns, expected {} ({})", row.fields.size(), columns.size(), header));
+              fmt::format("there are {} columns, expected {} ({})", row.fields.size(), scheme_columns.size(),
+                          scheme_header));
     }
   }
 
@@ -50,7 +51,7 @@ class RowReader {
  private:
   [[noreturn]] void fail(std::size_t column, const std::string& expected) const {
     fail_at(origin_, row_.line,
-            fmt::format("column {}: {} is {}, expected {}", column + 1, columns[column],
+            fmt::format("column {}: {} is {}, expected {}", column + 1, scheme_columns[column],
                         in_quotes(row_.fields[column]), expected));
   }
 
@@ -89,10 +90,10 @@ bool is_resolved_by_construction(std::string_view tissue) noexcept {
 std::vector<Structure> parse_label_scheme(const std::string& text, const std::string& origin,
                                           const TissueLibrary& library) {
   const std::vector<CsvRow> rows = read_csv_rows(text, origin);
-  if (rows.empty()) fail_at(origin, 1, fmt::format("the file is empty, expected the header {}", header));
+  if (rows.empty()) fail_at(origin, 1, fmt::format("the file is empty, expected the header {}", scheme_header));
   const std::string first = joined(rows.front().fields);
-  if (first != header)
-    fail_at(origin, rows.front().line, fmt::format("the header is {}, expected {}", in_quotes(first), header));
+  if (first != scheme_header)
+    fail_at(origin, rows.front().line, fmt::format("the header is {}, expected {}", in_quotes(first), scheme_header));
   std::vector<Structure> structures;
   std::map<int, int> line_of_label;
   for (auto row = rows.begin() + 1; row != rows.end(); ++row) {
@@ -120,7 +121,7 @@ std::vector<Structure> read_label_scheme(const std::string& scheme, const Tissue
   if (!std::filesystem::exists(scheme, ignored)) {
     throw InputError(fmt::format(
         "label scheme is {}, expected totalsegmentator, tptbox or the path of a CSV file with the columns {}",
-        in_quotes(scheme), header));
+        in_quotes(scheme), scheme_header));
   }
   return parse_label_scheme(read_text_file(scheme, scheme_limit), scheme, library);
 }

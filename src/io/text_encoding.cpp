@@ -28,4 +28,12 @@ std::string valid_text(std::string_view text) {
   return valid;
 }
 
+std::string printable(std::string_view text) {
+  std::string result(text.substr(0, 60));
+  for (char& letter : result) {
+    if (letter < ' ' || letter > '~') letter = '?';
+  }
+  return result;
+}
+
 }  // namespace bodkin

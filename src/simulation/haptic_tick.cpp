@@ -175,6 +175,7 @@ TickOutput HapticTick::State::step(const Vec3& tip, const Vec3& axis, const Vec3
   output.requested.force = request.constraint - request.resistance * request.axis + request.compensation;
   output.applied.force = governor.step(request);
   output.applied.torque = governor.torque();
+  output.energy = governor.passivity().energy();
   output.limits = governor.flags();
   if (stiffness > patient.description.device.stiffness) output.limits |= force_limit::stiffness;
   announce_limits(output.requested.force, output);

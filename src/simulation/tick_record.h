@@ -14,12 +14,13 @@ struct TickInput {
 
 // What one tick found. Everything that is recorded, plotted and judged comes from here.
 struct TickOutput {
-  Wrench requested;               // what the models ask for, on the hand, LPS
-  Wrench applied;                 // what leaves through the governor
-  double depth = 0.0;             // mm along the frozen line; negative or 0 outside
-  double velocity = 0.0;          // mm/s, inwards
-  double resistance = 0.0;        // N along the needle, positive pushes out
-  double constraint = 0.0;        // N, size of the constraint force
+  Wrench requested;         // what the models ask for, on the hand, LPS
+  Wrench applied;           // what leaves through the governor
+  double depth = 0.0;       // mm along the frozen line; negative or 0 outside
+  double velocity = 0.0;    // mm/s, inwards
+  double resistance = 0.0;  // N along the needle, positive pushes out
+  double constraint = 0.0;  // N, size of the constraint force
+  double energy = 0.0;      // N mm that the hand has given to the tissue along the needle, as passivity counts it
   TissueId tissue = tissue::air;  // at the tip
   bool in_contact = false;
   std::uint8_t limits = 0;  // governor flags, see haptics/force_governor.h

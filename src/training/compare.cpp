@@ -24,10 +24,10 @@ constexpr double bone_search = 0.1;  // mm
 constexpr double least_bone = 1e-3;  // N/mm
 
 constexpr const char* option = "--models";
-constexpr std::array<std::string_view, 11> names = {"layered",       "layered_sum",          "spring_damper_wall",
-                                                    "tracking_wall", "tracking_wall_leash",  "depth_profile",
-                                                    "volume_proxy",  "volume_proxy_viscous", "three_component",
-                                                    "fracture",      "shaft_friction"};
+constexpr std::array<std::string_view, 11> model_names = {
+    "layered",       "layered_sum",  "spring_damper_wall",   "tracking_wall",   "tracking_wall_leash",
+    "depth_profile", "volume_proxy", "volume_proxy_viscous", "three_component", "fracture",
+    "shaft_friction"};
 
 // The settings of one of `names`. Those of the case's own model are kept, but for what makes the variant.
 ResistanceSettings settings_of(std::string_view name, const ResistanceSettings& own) {
@@ -191,25 +191,25 @@ std::string nothing_ran(const std::vector<ModelRefused>& refused) {
 }  // namespace
 
 std::span<const std::string_view> compared_names() {
-  return names;
+  return model_names;
 }
 
 std::vector<ComparedModel> models_of(const std::vector<std::string>& texts, const ResistanceSettings& own) {
   std::vector<ComparedModel> models;
   if (texts.empty()) {
-    for (const std::string_view name : names) models.push_back({std::string(name), settings_of(name, own)});
+    for (const std::string_view name : model_names) models.push_back({std::string(name), settings_of(name, own)});
   }
   for (const std::string& text : texts) {
     const auto is_text = [&](const ComparedModel& model) { return model.name == text; };
     if (std::any_of(models.begin(), models.end(), is_text)) continue;
-    if (std::find(names.begin(), names.end(), text) != names.end()) {
+    if (std::find(model_names.begin(), model_names.end(), text) != model_names.end()) {
       models.push_back({text, settings_of(text, own)});
       continue;
     }
     const std::string_view first = std::string_view(text).substr(0, text.find_first_of(" ;"));
     if (std::find(resistance_names.begin(), resistance_names.end(), first) == resistance_names.end()) {
       throw InputError(fmt::format("{}: there is no model '{}', expected 'all' or some of {}", option, text,
-                                   fmt::join(names, ", ")));
+                                   fmt::join(model_names, ", ")));
     }
     models.push_back({text, parse_resistance(text, option)});
   }

@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include "training/crossings.h"
+#include "training/force_plot.h"
 
 namespace bodkin {
 
 namespace {
-
-constexpr double highest_share = 1.5;  // of the device's peak force that the plot shows
 
 struct Look {
   std::string_view name;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -17,7 +16,6 @@ namespace {
 
 constexpr double most_voxels = 60e6;
 constexpr double same_time = 1e-9;  // s; the time of a tick is a rounded product
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr std::int16_t air_hounsfield = -1000;
 
 // Tissue at a depth below the surface, or along the radius of a half ball.
@@ -101,7 +99,7 @@ class Mover {
   std::size_t next_ = 1;
 };
 
-Comparison compare(const PublishedValue& published, const Experiment& experiment, const ExperimentRun& run) {
+PublishedComparison compare(const PublishedValue& published, const Experiment& experiment, const ExperimentRun& run) {
   double sum = 0.0, highest = -std::numeric_limits<double>::infinity(), lowest = -highest, first = 0.0, last = 0.0;
   std::size_t count = 0;
   for (const ExperimentTick& tick : run.ticks) {
@@ -119,7 +117,7 @@ Comparison compare(const PublishedValue& published, const Experiment& experiment
         fmt::format("{}: the published value '{}' asks for a time or depth that the motion never reaches",
                     experiment.name, published.what));
   }
-  Comparison comparison{published};
+  PublishedComparison comparison{published};
   switch (published.take) {
     case Take::mean:
       comparison.found = sum / static_cast<double>(count);

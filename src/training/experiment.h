@@ -25,7 +25,7 @@ struct ExperimentTick {
 };
 
 // A published number and what came out.
-struct Comparison {
+struct PublishedComparison {
   PublishedValue published;
   double found = 0.0;
   bool agrees = false;  // |found - published| <= tolerance
@@ -35,7 +35,7 @@ struct Comparison {
 struct ExperimentRun {
   double dt = 0.001;  // s
   std::vector<ExperimentTick> ticks;
-  std::vector<Comparison> comparisons;  // in the order of the file
+  std::vector<PublishedComparison> comparisons;  // in the order of the file
 };
 
 // The body, needle and settings of an experiment as a patient in memory: a tissue map, and a CT where the resistance

@@ -60,7 +60,7 @@ std::vector<std::pair<const char*, std::string>> parts(const ExperimentCaption& 
   return all;
 }
 
-std::string compared(const Comparison& comparison) {
+std::string compared(const PublishedComparison& comparison) {
   return fmt::format("{} ({})", comparison.published.what, take_in_words(comparison.published.take));
 }
 
@@ -97,7 +97,7 @@ std::string figures_html(const std::vector<Figure>& figures) {
       emit(
           "<table>\n<tr><th>what</th><th>from</th><th class=\"n\">expected</th><th class=\"n\">found</th>"
           "<th></th></tr>\n");
-      for (const Comparison& comparison : figure.run.comparisons) {
+      for (const PublishedComparison& comparison : figure.run.comparisons) {
         const PublishedValue& published = comparison.published;
         emit(
             "<tr><td>{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"{}\">{}</td></tr>\n",
@@ -131,7 +131,7 @@ std::string figures_markdown(const std::vector<Figure>& figures) {
     for (const auto& [title, part] : parts(experiment.caption)) emit("**{}.** {}\n\n", title, in_markdown(part));
     if (figure.run.comparisons.empty()) continue;
     emit("| what | from | expected | found | |\n|---|---|---|---|---|\n");
-    for (const Comparison& comparison : figure.run.comparisons) {
+    for (const PublishedComparison& comparison : figure.run.comparisons) {
       const PublishedValue& published = comparison.published;
       emit("| {} | {} | {} | {} | {} |\n", in_markdown(compared(comparison)), in_markdown(published.source),
            with_unit(published.value, published.quantity), with_unit(comparison.found, published.quantity),

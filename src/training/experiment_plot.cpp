@@ -97,7 +97,7 @@ class Panel {
       }
     }
     const double width = std::max(0.0, high - low);
-    for (const Comparison& comparison : run_.comparisons) {
+    for (const PublishedComparison& comparison : run_.comparisons) {
       const PublishedValue& value = comparison.published;
       const auto shows = [&](const ExperimentCurve& curve) { return curve.quantity == value.quantity; };
       const auto curve = std::find_if(panel_.curves.begin(), panel_.curves.end(), shows);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "forces/gravity_compensation.h"
+#include "haptics/force_governor.h"
 #include "training/crossings.h"
 
 namespace bodkin {
@@ -12,7 +13,6 @@ namespace {
 
 constexpr double visible_difference = 0.1;  // N between asked and applied that the eye can see ...
 constexpr double worth_a_curve = 0.01;      // ... and the share of ticks that makes it worth a curve
-constexpr double highest_share = 1.5;       // of the device's peak force that the plot shows
 constexpr std::uint32_t earlier_colour = 0x9AA7B1, applied_colour = 0xD9722B, depth_colour = 0x2E8B6F;
 
 }  // namespace
@@ -101,6 +101,64 @@ Plot force_and_depth_against_time(std::span<const TickRecord> ticks, double dt) 
   }
   plot.series = {depth, force};
   return plot;
+}
+
+Plot energy_against_time(std::span<const TickRecord> ticks, double dt) {
+  Plot plot;
+  plot.x_label = "time, s";
+  plot.y_label = "energy, N mm";
+  plot.height = 200.0;
+  PlotSeries energy, damped;
+  energy.name = "given by the hand so far";
+  energy.width = 1.4;
+  damped = {"not 0: damping was added", {}, {}, applied_colour, 1.2, false};
+  bool any = false;
+  for (const TickRecord& record : ticks) {
+    const double time = static_cast<double>(record.tick) * dt;
+    const bool acted = (record.output.limits & force_limit::passivity) != 0;
+    energy.x.push_back(time);
+    energy.y.push_back(record.output.energy);
+    damped.x.push_back(time);
+    damped.y.push_back(acted ? record.output.energy : 0.0);
+    any = any || acted;
+  }
+  plot.series = {energy};
+  if (any) plot.series.push_back(damped);
+  return plot;
+}
+
+std::vector<Plot> second_hand_against_time(const Session& session) {
+  PlotSeries depth, pressure, force;
+  depth = {"depth of the needle", {}, {}, depth_colour, 1.6, true};
+  pressure.name = "pressure in the syringe";
+  pressure.width = force.width = 1.4;
+  for (const TickRecord& record : session.ticks) {
+    depth.x.push_back(static_cast<double>(record.tick) * session.header.dt);
+    depth.y.push_back(record.output.depth);
+  }
+  for (const SecondSample& sample : session.second) {
+    pressure.x.push_back(sample.time);
+    pressure.y.push_back(1000.0 * sample.pressure);
+    force.x.push_back(sample.time);
+    force.y.push_back(sample.force);
+  }
+  Plot forces;
+  forces.x_label = "time, s";
+  forces.height = 200.0;
+  if (!session.header.second || session.header.second->role == SecondRole::probe) {
+    force.name = "force of the probe on the skin";
+    forces.y_label = "force, N";
+    forces.series = {force};
+    return {forces};
+  }
+  Plot pressures = forces;
+  pressures.y_label = "pressure, kPa";
+  forces.y_label = "force, N";
+  pressures.right_label = forces.right_label = "depth, mm";
+  force.name = "force on the thumb";
+  pressures.series = {depth, pressure};
+  forces.series = {depth, force};
+  return {pressures, forces};
 }
 
 }  // namespace bodkin

@@ -34,8 +34,12 @@ WorkspaceSettings workspace_about(const NeedlePath& path) {
 }
 
 struct HandSession::Shared {
-  Shared(Case from, const SessionHeader& header, const std::filesystem::path& output, bool overwrite)
-      : patient(std::move(from)), tick(patient), recorder(SessionWriter(output, header, overwrite)) {}
+  Shared(Case from, const SessionHeader& header, const std::filesystem::path& output, bool overwrite,
+         std::shared_ptr<SecondLink> link)
+      : patient(std::move(from)),
+        tick(patient),
+        second(std::move(link)),
+        recorder(SessionWriter(output, header, overwrite), {}, Recorder::usual_capacity, second) {}
 
   Control step(const ControlInput& input) noexcept {
     TickRecord record;
@@ -43,6 +47,8 @@ struct HandSession::Shared {
     record.input.needle = input.needle;
     record.output = tick.step(record.input);
     if (!closed.load(std::memory_order_acquire)) recorder.push(record);
+    // After the tick itself, so that whatever is recorded of this moment has its tick before it.
+    if (second) second->needle.write({static_cast<double>(ticks) * tick.dt(), record.output.tissue});
     ++ticks;
     HandMoment now{ticks, record.output};
     now.output.events.clear();
@@ -52,6 +58,7 @@ struct HandSession::Shared {
 
   Case patient;
   HapticTick tick;
+  std::shared_ptr<SecondLink> second;  // may be null
   Recorder recorder;
   std::uint64_t ticks = 0;
   LatestValue<HandMoment> moment;
@@ -60,8 +67,8 @@ struct HandSession::Shared {
 
 HandSession::HandSession(Case patient, const SessionHeader& header, const std::filesystem::path& output,
                          bool overwrite, DevicePort port, const DeviceAbilities& device,
-                         const ServoSettings& settings)
-    : shared_(std::make_shared<Shared>(std::move(patient), header, output, overwrite)),
+                         const ServoSettings& settings, std::shared_ptr<SecondLink> second)
+    : shared_(std::make_shared<Shared>(std::move(patient), header, output, overwrite, std::move(second))),
       servo_(std::make_unique<DeviceServo>(
           std::move(port), device, settings,
           [shared = shared_](const ControlInput& input) { return shared->step(input); })) {}
@@ -83,7 +90,7 @@ bool HandSession::failed() const noexcept {
 bool HandSession::finish() {
   const bool answered = servo_->stop();
   shared_->closed.store(true, std::memory_order_release);
-  shared_->recorder.finish();
+  shared_->recorder.finish(timings_of(servo_->tick().timings()));
   return answered;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "haptics/device_servo.h"
+#include "training/second_link.h"
 #include "training/session_file.h"
 
 namespace bodkin {
@@ -29,9 +30,11 @@ struct HandMoment {
 // the recording; the force begins when the servo is told to arm (ServoTick::command).
 class HandSession {
  public:
-  // `patient` has the device's limits already (limits_of), and so has `header`. Throws InputError and SystemError.
+  // `patient` has the device's limits already (limits_of), and so has `header`. `second`: to a second hand, which
+  // learns of the needle through it and is recorded; may be null. Throws InputError and SystemError.
   HandSession(Case patient, const SessionHeader& header, const std::filesystem::path& output, bool overwrite,
-              DevicePort port, const DeviceAbilities& device, const ServoSettings& settings);
+              DevicePort port, const DeviceAbilities& device, const ServoSettings& settings,
+              std::shared_ptr<SecondLink> second = nullptr);
   ~HandSession();
   HandSession(const HandSession&) = delete;
   HandSession& operator=(const HandSession&) = delete;

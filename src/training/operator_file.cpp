@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <map>
-#include <numbers>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -16,7 +15,6 @@ namespace bodkin {
 namespace {
 
 constexpr std::size_t largest_file = 1 << 20;  // bytes
-constexpr double degree = std::numbers::pi / 180.0;
 
 HandParameters hand_from(const XmlElement& element) {
   HandParameters hand;

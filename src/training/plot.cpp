@@ -41,7 +41,7 @@ constexpr double invisible = 0.1;
 // Text inside single quotes, where gnuplot substitutes nothing. No quote may occur in it (gnuplot does not always
 // honour a doubled one), so that it becomes an apostrophe; line ends cannot leave the command. `noenhanced` switches
 // markup off.
-std::string quoted(const std::string& text) {
+std::string gnuplot_text(const std::string& text) {
   std::string safe = "'";
   for (const char c : text) {
     if (c == '\'') {
@@ -238,18 +238,18 @@ class Script {
         "set border 3 lw 1 lc rgb '#5b6670'\nset grid lw 0.6 lc rgb '#d5dade'\nset xzeroaxis lw 0.8 lc rgb "
         "'#8a949c'");
     emit("set xtics nomirror out scale 0.6 tc rgb '#26303a'\nset ytics nomirror out scale 0.6 tc rgb '#26303a'");
-    emit("set xlabel {} tc rgb '#26303a'\nset ylabel {} tc rgb '#26303a' offset 1.5", quoted(plot_.x_label),
-         quoted(plot_.y_label));
+    emit("set xlabel {} tc rgb '#26303a'\nset ylabel {} tc rgb '#26303a' offset 1.5", gnuplot_text(plot_.x_label),
+         gnuplot_text(plot_.y_label));
     if (!plot_.right_label.empty()) {
       emit(
           "set border 11\nset y2tics nomirror out scale 0.6 tc rgb '#26303a'\nset y2range [{}:{}]\nset y2label {} tc "
           "rgb "
           "'#26303a' offset -1.5",
-          right_.low, right_.high, quoted(plot_.right_label));
+          right_.low, right_.high, gnuplot_text(plot_.right_label));
     }
     if (!plot_.title.empty()) {
       emit("set label {} at screen {:.5f},{:.5f} left font 'DejaVu Sans Bold,16' tc rgb '#12212e'",
-           quoted(plot_.title), screen_x(left_margin), screen_y(30.0));
+           gnuplot_text(plot_.title), screen_x(left_margin), screen_y(30.0));
     }
   }
 
@@ -277,8 +277,8 @@ class Script {
     for (std::size_t i = 0; i < names.size(); ++i) {
       emit("set arrow from screen {:.5f},{:.5f} to screen {:.5f},{:.5f} nohead lw 1 lc rgb '#8a949c'",
            screen_x(centres[i]), screen_y(top_), screen_x(places[i]), screen_y(top_ - names_lift));
-      emit("set label {} at screen {:.5f},{:.5f} left rotate by {} font ',12' tc rgb '#26303a'", quoted(names[i]),
-           screen_x(places[i] + 2.0), screen_y(top_ - names_lift - 5.0), names_slant);
+      emit("set label {} at screen {:.5f},{:.5f} left rotate by {} font ',12' tc rgb '#26303a'",
+           gnuplot_text(names[i]), screen_x(places[i] + 2.0), screen_y(top_ - names_lift - 5.0), names_slant);
     }
   }
 
@@ -290,8 +290,8 @@ class Script {
     for (const PlotDivider& divider : plot_.dividers) {
       separate_lines();
       emit("set arrow from {},graph 0 to {},graph 1 nohead lw 1 lc rgb '#5b6670' dt (3,3)", divider.x, divider.x);
-      emit("set label {} at {},graph 1 left offset 0.5,-0.8 font ',12' tc rgb '#26303a' front", quoted(divider.name),
-           divider.x);
+      emit("set label {} at {},graph 1 left offset 0.5,-0.8 font ',12' tc rgb '#26303a' front",
+           gnuplot_text(divider.name), divider.x);
     }
   }
 
@@ -303,7 +303,7 @@ class Script {
       separate_lines();
       emit("set arrow from screen {:.5f},{:.5f} to screen {:.5f},{:.5f} nohead {}", screen_x(x), screen_y(y),
            screen_x(x + key_sample), screen_y(y), line_style(*named_[i]));
-      emit("set label {} at screen {:.5f},{:.5f} left tc rgb '#26303a'", quoted(named_[i]->name),
+      emit("set label {} at screen {:.5f},{:.5f} left tc rgb '#26303a'", gnuplot_text(named_[i]->name),
            screen_x(x + key_sample + 8.0), screen_y(y));
     }
   }
@@ -336,7 +336,7 @@ class Script {
       };
       dot(screen_x(px_x(group.x)), screen_y(px_y(group.y)));
       dot(screen_x(left_margin + 8.0), screen_y(row));
-      emit("set label {} at screen {:.5f},{:.5f} left font ',12' tc rgb '#26303a'", quoted(group.text),
+      emit("set label {} at screen {:.5f},{:.5f} left font ',12' tc rgb '#26303a'", gnuplot_text(group.text),
            screen_x(left_margin + 24.0), screen_y(row));
       row += mark_row;
     }

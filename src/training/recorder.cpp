@@ -12,8 +12,12 @@ constexpr auto save_interval = std::chrono::milliseconds(250);
 
 }  // namespace
 
-Recorder::Recorder(SessionWriter writer, Observer observer, std::size_t capacity)
-    : writer_(std::move(writer)), observer_(std::move(observer)), ring_(capacity), thread_([this] { work(); }) {}
+Recorder::Recorder(SessionWriter writer, Observer observer, std::size_t capacity, std::shared_ptr<SecondLink> second)
+    : writer_(std::move(writer)),
+      observer_(std::move(observer)),
+      ring_(capacity),
+      second_(std::move(second)),
+      thread_([this] { work(); }) {}
 
 Recorder::~Recorder() {
   stop();
@@ -21,6 +25,12 @@ Recorder::~Recorder() {
 
 void Recorder::push(const TickRecord& record) noexcept {
   if (!ring_.push(record)) ++lost_;
+}
+
+void Recorder::take_samples() {
+  if (!second_) return;
+  SecondSample sample;
+  while (second_->samples.pop(sample)) writer_.append(sample);
 }
 
 void Recorder::work() {
@@ -34,6 +44,7 @@ void Recorder::work() {
         writer_.append(record);
         if (observer_) observer_(record);
       }
+      take_samples();
       const auto now = std::chrono::steady_clock::now();
       if (now - saved >= save_interval) {
         writer_.commit();
@@ -53,10 +64,10 @@ void Recorder::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-void Recorder::finish() {
+void Recorder::finish(const std::optional<SessionTimings>& timings) {
   stop();
   if (failure_) std::rethrow_exception(failure_);
-  writer_.finish();
+  writer_.finish(timings);
 }
 
 }  // namespace bodkin

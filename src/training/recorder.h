@@ -4,9 +4,12 @@
 #include <cstdint>
 #include <exception>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <thread>
 
 #include "core/single_producer_ring.h"
+#include "training/second_link.h"
 #include "training/session_file.h"
 
 namespace bodkin {
@@ -18,8 +21,11 @@ class Recorder {
   // Called on the recorder's thread with every record, in order.
   using Observer = std::function<void(const TickRecord&)>;
 
-  // `capacity`: records that may wait when the disk is slow; at 1 kHz the default is 16 s.
-  explicit Recorder(SessionWriter writer, Observer observer = {}, std::size_t capacity = 16384);
+  static constexpr std::size_t usual_capacity = 16384;  // 16 s at 1 kHz
+
+  // `capacity`: records that may wait when the disk is slow. `second`: whose samples are saved too; may be null.
+  explicit Recorder(SessionWriter writer, Observer observer = {}, std::size_t capacity = usual_capacity,
+                    std::shared_ptr<SecondLink> second = nullptr);
   // Ends the thread; what was pushed is saved, but the session does not count as finished.
   ~Recorder();
   Recorder(const Recorder&) = delete;
@@ -28,7 +34,7 @@ class Recorder {
   // Servo thread only; wait-free. A record that finds the ring full is lost and counted.
   void push(const TickRecord& record) noexcept;
   // Saves what is left and closes the session. Throws what went wrong on the recorder's thread.
-  void finish();
+  void finish(const std::optional<SessionTimings>& timings = {});
 
   // The thread has stopped because the disk refused; finish() says why. Any thread.
   bool failed() const noexcept { return failed_.load(std::memory_order_acquire); }
@@ -37,11 +43,13 @@ class Recorder {
 
  private:
   void work();
+  void take_samples();
   void stop();
 
   SessionWriter writer_;
   Observer observer_;
   SingleProducerRing<TickRecord> ring_;
+  std::shared_ptr<SecondLink> second_;
   std::uint64_t lost_ = 0;
   std::atomic<bool> stopping_{false};
   std::atomic<bool> failed_{false};

@@ -15,8 +15,7 @@ namespace bodkin {
 
 namespace {
 
-constexpr std::size_t largest_case_xml = std::size_t{16} << 20;  // bytes
-constexpr std::uint64_t progress_interval = 4096;                // ticks
+constexpr std::uint64_t progress_interval = 4096;  // ticks
 
 std::string bits_text(double value) {
   return fmt::format("{} (bits {:016x})", value, std::bit_cast<std::uint64_t>(value));

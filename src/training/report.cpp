@@ -35,6 +35,12 @@ std::string indented(const std::string& text) {
   return json.is_discarded() ? text : json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
+// "median 0.4 us, 99 % within 1.2 us, longest 33.0 us"
+std::string spread(std::span<const TimeBin> bins) {
+  return fmt::format("median {:.1f} us, 99 % within {:.1f} us, longest {:.1f} us", 1e6 * percentile(bins, 0.5),
+                     1e6 * percentile(bins, 0.99), 1e6 * percentile(bins, 1.0));
+}
+
 class Page {
  public:
   Page(const Session& session, const Case& patient, const SessionSummary& summary, bool case_changed)
@@ -54,6 +60,7 @@ class Page {
     force();
     pictures();
     course();
+    second_hand();
     tissues();
     events();
     provenance();
@@ -157,6 +164,17 @@ class Page {
     emit("<h2>In the course of time</h2>\n");
     figure(plot_svg(force_and_depth_against_time(session_.ticks, session_.header.dt)), "",
            "Resistance and depth against time");
+    figure(plot_svg(energy_against_time(session_.ticks, session_.header.dt)), "",
+           "Energy that the hand has given to the tissue, against time");
+  }
+
+  void second_hand() {
+    if (session_.second.empty()) return;
+    const bool is_plunger = session_.header.second->role == SecondRole::plunger;
+    emit("<h2>The second hand: {}</h2>\n", is_plunger ? "the plunger" : "the ultrasound probe");
+    figure(plot_svg(second_hand_against_time(session_)), "",
+           is_plunger ? "Pressure in the syringe and force on the thumb against time, with the needle's depth"
+                      : "Force of the probe on the skin against time");
   }
 
   std::string swatch(TissueId id) const {
@@ -231,9 +249,17 @@ class Page {
           "<pre>{}</pre></details></td></tr>\n",
           escape_markup(indented(header.operator_settings)));
     }
+    if (header.second) {
+      row("second hand", fmt::format("{} {}", name_of(header.second->role), header.second->device));
+    }
     row("seed", std::to_string(header.seed));
     row("recorded", header.started_at);
     row("length", fmt::format("{} ticks of {:g} ms", session_.ticks.size(), 1000.0 * header.dt));
+    if (session_.timings) {
+      const SessionTimings& timings = *session_.timings;
+      row("kept its time", fmt::format("{} of {} rounds late; lateness {}; a round took {}", timings.overruns,
+                                       count_of(timings.compute), spread(timings.lateness), spread(timings.compute)));
+    }
     row("complete", session_.finished ? "yes" : "no, the recording broke off; this is what was saved");
     row("Bodkin", header.bodkin_version);
     emit("</table>\n");

@@ -19,4 +19,8 @@ void export_ticks(const Session& session, const TextSink& sink);
 // The events of a session, likewise: time, depth, kind, tissue, value.
 void export_events(const Session& session, const TextSink& sink);
 
+// The samples of the second hand, likewise; what a probe has none of stays empty. Only the line of names where there
+// was no second hand.
+void export_second(const Session& session, const TextSink& sink);
+
 }  // namespace bodkin

@@ -27,7 +27,6 @@ std::string point_text(const Vec3& point) {
 }
 
 std::vector<std::pair<std::string, std::string>> header_rows(const SessionHeader& header) {
-  // In the order of the keys, in which the checksum takes them.
   std::vector<std::pair<std::string, std::string>> rows = {{"bodkin_version", header.bodkin_version},
                                                            {"case_digest", header.case_digest},
                                                            {"case_folder", header.case_folder},
@@ -40,8 +39,13 @@ std::vector<std::pair<std::string, std::string>> header_rows(const SessionHeader
                                                            {"seed", fmt::format("{}", header.seed)},
                                                            {"started_at", header.started_at},
                                                            {"target_mm", point_text(header.path.target)}};
-  const auto after = std::find_if(rows.begin(), rows.end(), [](const auto& row) { return row.first > "device_xml"; });
-  if (header.device) rows.insert(after, {"device_xml", device_xml(*header.device)});
+  if (header.device) rows.emplace_back("device_xml", device_xml(*header.device));
+  if (header.second) {
+    rows.emplace_back("second_device", header.second->device);
+    rows.emplace_back("second_role", name_of(header.second->role));
+  }
+  // In the order of the keys, in which the checksum takes them.
+  std::sort(rows.begin(), rows.end());
   return rows;
 }
 
@@ -51,7 +55,10 @@ struct SessionWriter::Impl {
   Impl(const fs::path& path, const SessionHeader& header);
 
   void flush();
+  void put_chunk();
+  void put_samples();
   void put_header(const std::string& key, const std::string& value);
+  void put_timings(const SessionTimings& timings);
   // What a failure of the database means for the person at the terminal.
   [[noreturn]] void fail(const SQLite::Exception& error) const {
     throw SystemError(fmt::format("cannot write the session {}: {}", file.string(), error.what()));
@@ -61,12 +68,17 @@ struct SessionWriter::Impl {
   SQLite::Database database;
   std::unique_ptr<SQLite::Statement> insert_chunk;
   std::unique_ptr<SQLite::Statement> insert_event;
+  std::unique_ptr<SQLite::Statement> insert_sample;
   std::uint32_t chunk_ticks;      // ticks of a full chunk
   std::uint64_t first_tick = 0;   // of the chunk being filled
   std::uint64_t total_ticks = 0;  // written or waiting
   std::uint32_t ticks = 0;        // in the chunk being filled
   std::vector<std::uint8_t> data;
   std::vector<SessionEvent> events;
+  bool has_second;
+  bool pressure_is_kept = false;      // of a plunger
+  std::uint64_t total_samples = 0;    // of the second hand, written
+  std::vector<SecondSample> samples;  // waiting
   bool finished = false;
 };
 
@@ -74,7 +86,8 @@ SessionWriter::Impl::Impl(const fs::path& path, const SessionHeader& header)
     : file(path),
       database(path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE),
       chunk_ticks(static_cast<std::uint32_t>(
-          std::clamp(std::round(chunk_time / header.dt), 1.0, double{session_schema::most_ticks_of_a_chunk}))) {
+          std::clamp(std::round(chunk_time / header.dt), 1.0, double{session_schema::most_ticks_of_a_chunk}))),
+      has_second(header.second.has_value()) {
   database.exec(fmt::format("PRAGMA page_size={}", page_size));
   database.exec("PRAGMA synchronous=OFF");  // an empty session is worth no waiting for the disk
   {
@@ -105,6 +118,9 @@ SessionWriter::Impl::Impl(const fs::path& path, const SessionHeader& header)
   database.exec(fmt::format("PRAGMA wal_autocheckpoint={}", checkpoint_pages));
   insert_chunk = std::make_unique<SQLite::Statement>(database, "INSERT INTO chunks VALUES(?, ?, ?, ?, ?)");
   insert_event = std::make_unique<SQLite::Statement>(database, "INSERT INTO events VALUES(?, ?, ?, ?, ?)");
+  insert_sample = std::make_unique<SQLite::Statement>(
+      database, "INSERT INTO second_hand VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  pressure_is_kept = header.second && header.second->role == SecondRole::plunger;
   data.reserve(chunk_ticks * encoded_tick_size() + 1024);
 }
 
@@ -115,13 +131,40 @@ void SessionWriter::Impl::put_header(const std::string& key, const std::string& 
   insert.exec();
 }
 
+void SessionWriter::Impl::put_timings(const SessionTimings& timings) {
+  SQLite::Transaction transaction(database);
+  SQLite::Statement insert(database, "INSERT INTO timings VALUES(?, ?, ?)");
+  const auto put = [&insert](const char* what, const TimeBin& bin) {
+    insert.bind(1, what);
+    insert.bind(2, bin.up_to);
+    insert.bind(3, static_cast<std::int64_t>(bin.count));
+    insert.exec();
+    insert.reset();
+  };
+  for (const TimeBin& bin : timings.lateness) put("lateness", bin);
+  for (const TimeBin& bin : timings.compute) put("compute", bin);
+  put("overruns", {0.0, timings.overruns});
+  transaction.commit();
+}
+
 void SessionWriter::Impl::flush() {
-  if (ticks == 0) return;
+  if (ticks == 0 && samples.empty()) return;
+  SQLite::Transaction transaction(database);
+  if (ticks > 0) put_chunk();
+  put_samples();
+  transaction.commit();
+  total_samples += samples.size();
+  samples.clear();
+  ticks = 0;
+  data.clear();
+  events.clear();
+}
+
+void SessionWriter::Impl::put_chunk() {
   for (const SessionEvent& event : events) {
     encode_event(static_cast<std::uint32_t>(event.tick - first_tick), event.event, data);
   }
   const auto event_count = static_cast<std::uint32_t>(events.size());
-  SQLite::Transaction transaction(database);
   insert_chunk->reset();
   insert_chunk->bind(1, static_cast<std::int64_t>(first_tick));
   insert_chunk->bind(2, ticks);
@@ -138,10 +181,25 @@ void SessionWriter::Impl::flush() {
     insert_event->bind(5, event.event.value);
     insert_event->exec();
   }
-  transaction.commit();
-  ticks = 0;
-  data.clear();
-  events.clear();
+}
+
+void SessionWriter::Impl::put_samples() {
+  auto number = static_cast<std::int64_t>(total_samples);
+  for (const SecondSample& sample : samples) {
+    const Eigen::Quaterniond& turn = sample.rotation;
+    insert_sample->reset();
+    insert_sample->bind(1, number++);
+    int column = 2;
+    for (const double value : {sample.time, sample.position.x(), sample.position.y(), sample.position.z(), turn.w(),
+                               turn.x(), turn.y(), turn.z(), sample.force, sample.pressure, sample.volume}) {
+      if (column > 10 && !pressure_is_kept) {
+        insert_sample->bind(column++);
+      } else {
+        insert_sample->bind(column++, value);
+      }
+    }
+    insert_sample->exec();
+  }
 }
 
 SessionWriter::SessionWriter(const fs::path& file, const SessionHeader& header, bool overwrite) {
@@ -189,6 +247,13 @@ void SessionWriter::append(const TickRecord& record) {
   if (writer.ticks == writer.chunk_ticks) commit();
 }
 
+void SessionWriter::append(const SecondSample& sample) {
+  Impl& writer = *impl_;
+  if (writer.has_second && writer.total_samples + writer.samples.size() < session_schema::most_second_samples) {
+    writer.samples.push_back(sample);
+  }
+}
+
 void SessionWriter::commit() {
   try {
     impl_->flush();
@@ -197,12 +262,15 @@ void SessionWriter::commit() {
   }
 }
 
-void SessionWriter::finish() {
+void SessionWriter::finish(const std::optional<SessionTimings>& timings) {
   commit();
   try {
+    if (timings) impl_->put_timings(*timings);
     impl_->put_header("finished_after_ticks", fmt::format("{}", impl_->total_ticks));
+    if (impl_->has_second) impl_->put_header("second_samples", fmt::format("{}", impl_->total_samples));
     impl_->insert_chunk.reset();
     impl_->insert_event.reset();
+    impl_->insert_sample.reset();
     // Back to a single file: the log is carried over and removed.
     impl_->database.exec("PRAGMA journal_mode=DELETE");
     impl_->finished = true;

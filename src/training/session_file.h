@@ -9,6 +9,8 @@
 
 #include "anatomy/case.h"
 #include "simulation/tick_record.h"
+#include "training/second_sample.h"
+#include "training/session_timings.h"
 
 namespace bodkin {
 
@@ -33,6 +35,7 @@ struct SessionHeader {
   NeedlePath path;                     // that the operator was given
   HapticSettings haptics;              // that were used: those of the case, or others in their place
   std::optional<DeviceLimits> device;  // that was held, in place of the case's
+  std::optional<SecondHeader> second;  // a second hand, where there was one
   std::vector<TissueName> tissues;     // of the case's library, in the order of their ids
 };
 
@@ -53,10 +56,12 @@ class SessionWriter {
   SessionWriter& operator=(SessionWriter&&) noexcept;
 
   void append(const TickRecord& record);
+  // Of the second hand, which the header names; times rise strictly.
+  void append(const SecondSample& sample);
   // Makes everything appended so far safe on disk.
   void commit();
   // Writes the closing entry: the session ended on purpose. Throws SystemError when the disk is full.
-  void finish();
+  void finish(const std::optional<SessionTimings>& timings = {});
 
  private:
   struct Impl;
@@ -68,7 +73,9 @@ struct Session {
   SessionHeader header;
   std::vector<TickRecord> ticks;  // events stand in `events`, not in the records
   std::vector<SessionEvent> events;
-  bool finished = false;  // false: the recording process died; what is here is what was saved
+  std::vector<SecondSample> second;       // of the second hand
+  std::optional<SessionTimings> timings;  // of a finished session that ran on the clock
+  bool finished = false;                  // false: the recording process died; what is here is what was saved
 };
 
 // Throws InputError for anything that is not a sound session file of this version.

@@ -27,6 +27,19 @@ constexpr int patience = 2'000'000;      // thousands of steps of the database e
 constexpr int busy_timeout = 3000;       // ms, for a session that is still being written
 constexpr std::uint64_t last_tick = std::uint64_t{1} << 53;
 constexpr std::size_t most_header_rows = 64;
+// What no second hand exceeds.
+constexpr double last_time = 1e6;          // s
+constexpr double furthest = 1e5;           // mm
+constexpr double strongest = 1e4;          // N
+constexpr double lowest_pressure = -0.2;   // MPa gauge
+constexpr double highest_pressure = 10.0;  // MPa
+constexpr double largest_volume = 1e6;     // mm^3
+constexpr double unit_tolerance = 1e-6;    // of a rotation's length
+
+// Keys that are written when a session ends, which the header's checksum cannot know.
+bool is_written_last(const std::string& key) {
+  return key == "checksum" || key == "finished_after_ticks" || key == "second_samples";
+}
 
 class Reader {
  public:
@@ -45,6 +58,8 @@ class Reader {
   void read_chunks(SQLite::Database& database, Session& session) const;
   void read_chunk(std::uint64_t first_tick, std::uint32_t ticks, std::uint32_t events,
                   std::span<const std::uint8_t> data, Session& session) const;
+  void read_second_hand(SQLite::Database& database, Session& session) const;
+  void read_timings(SQLite::Database& database, Session& session) const;
   // A text of the header, which must be there.
   const std::string& text(const std::string& key) const;
   template <typename Number>
@@ -170,7 +185,7 @@ void Reader::read_header(SQLite::Database& database, Session& session) {
     header_[rows.getColumn(0).getString()] = rows.getColumn(1).getString();
   }
   for (const auto& [key, value] : header_) {
-    if (key != "checksum" && key != "finished_after_ticks") all += key + '\n' + value + '\n';
+    if (!is_written_last(key)) all += key + '\n' + value + '\n';
   }
   SessionHeader& header = session.header;
   SQLite::Statement tissues(database, "SELECT id, name, title FROM tissues ORDER BY id");
@@ -199,6 +214,11 @@ void Reader::read_header(SQLite::Database& database, Session& session) {
   if (header_.contains("device_xml")) {
     header.device = parse_device_xml(text("device_xml"), fmt::format("{}: device_xml of the header", file_.string()),
                                      XmlSchema("case.xsd"));
+  }
+  if (header_.contains("second_role")) {
+    const std::optional<SecondRole> role = second_role(text("second_role"));
+    if (!role) fail(fmt::format("the second hand is a '{}', expected plunger or probe", text("second_role")));
+    header.second = SecondHeader{*role, text("second_device")};
   }
   session.finished = header_.contains("finished_after_ticks");
 }
@@ -258,6 +278,69 @@ void Reader::read_chunk(std::uint64_t first_tick, std::uint32_t ticks, std::uint
   }
 }
 
+void Reader::read_second_hand(SQLite::Database& database, Session& session) const {
+  SQLite::Statement query(database,
+                          "SELECT sample, time_s, x_mm, y_mm, z_mm, qw, qx, qy, qz, force_N, pressure_MPa, "
+                          "volume_mm3 FROM second_hand ORDER BY sample");
+  const std::optional<SecondHeader>& second = session.header.second;
+  const bool is_plunger = second && second->role == SecondRole::plunger;
+  const auto within = [](double value, double low, double high) { return value >= low && value <= high; };  // no NaN
+  while (query.executeStep()) {
+    const std::size_t row = session.second.size();
+    if (!second) fail("there are samples of a second hand, but the header names none");
+    if (row >= session_schema::most_second_samples) fail("the second hand has too many samples");
+    std::array<double, 11> values{};  // in the order of the columns
+    bool sound = query.getColumn(0).getInt64() == static_cast<std::int64_t>(row);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const SQLite::Column column = query.getColumn(static_cast<int>(i) + 1);
+      const bool is_number = i < 9 || is_plunger;
+      sound = sound && (is_number ? column.isFloat() : column.isNull());
+      if (is_number) values[i] = column.getDouble();
+    }
+    SecondSample sample;
+    sample.time = values[0];
+    sample.position = Vec3(values[1], values[2], values[3]);
+    sample.rotation = Eigen::Quaterniond(values[4], values[5], values[6], values[7]);
+    sample.force = values[8];
+    sample.pressure = values[9];
+    sample.volume = values[10];
+    for (int axis = 0; axis < 3; ++axis) sound = sound && within(sample.position[axis], -furthest, furthest);
+    sound = sound && within(sample.time, 0.0, last_time) &&
+            within(sample.rotation.norm(), 1.0 - unit_tolerance, 1.0 + unit_tolerance) &&
+            within(sample.force, -strongest, strongest) &&
+            within(sample.pressure, lowest_pressure, highest_pressure) &&
+            within(sample.volume, 0.0, largest_volume) && (row == 0 || sample.time > session.second.back().time);
+    if (!sound) fail(fmt::format("sample {} of the second hand is damaged", row));
+    session.second.push_back(sample);
+  }
+  if (second && session.finished && number<std::uint64_t>("second_samples") != session.second.size()) {
+    fail("samples of the second hand are missing from a session that was finished");
+  }
+}
+
+void Reader::read_timings(SQLite::Database& database, Session& session) const {
+  SQLite::Statement query(database, "SELECT what, up_to_s, count FROM timings ORDER BY what, up_to_s");
+  SessionTimings timings;
+  bool any = false;
+  for (std::size_t rows = 0; query.executeStep(); ++rows) {
+    const std::string what = query.getColumn(0).getString();
+    const double up_to = query.getColumn(1).getDouble();
+    const std::int64_t count = query.getColumn(2).getInt64();
+    const bool known = what == "lateness" || what == "compute" || what == "overruns";
+    if (!known || rows > 2 * LatencyHistogram::bins || !(up_to >= 0.0) || !std::isfinite(up_to) || count < 0 ||
+        static_cast<std::uint64_t>(count) > last_tick) {
+      fail("the timings are damaged");
+    }
+    any = true;
+    if (what == "overruns") {
+      timings.overruns = static_cast<std::uint64_t>(count);
+    } else {
+      (what == "lateness" ? timings.lateness : timings.compute).push_back({up_to, static_cast<std::uint64_t>(count)});
+    }
+  }
+  if (any) session.timings = std::move(timings);
+}
+
 Session Reader::read() {
   Session session;
   try {
@@ -268,6 +351,8 @@ Session Reader::read() {
     check_schema(database);
     read_header(database, session);
     read_chunks(database, session);
+    read_second_hand(database, session);
+    read_timings(database, session);
   } catch (const SQLite::Exception& error) {
     fail(fmt::format("the file is damaged ({})", error.what()));
   }

@@ -2,12 +2,13 @@
 
 #include <atomic>
 #include <chrono>
-#include <ctime>
 
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/utc_time.h"
 #include "haptics/deadline_clock.h"
+#include "haptics/tick_clock.h"
 #include "io/digest.h"
 #include "io/resources.h"
 #include "simulation/closed_loop.h"
@@ -19,17 +20,7 @@ namespace bodkin {
 
 namespace {
 
-constexpr std::size_t largest_case_xml = std::size_t{16} << 20;  // bytes
-constexpr std::uint64_t progress_interval = 512;                 // ticks
-
-std::string utc_now() {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
-}
+constexpr std::uint64_t show_interval = 512;  // ticks
 
 void add_tissue(const TissueProperties& tissue, std::string& text) {
   const LayeredTissue& p = tissue.layered;
@@ -79,7 +70,7 @@ class Run {
       loop_.step(record);
       writer_.append(record);
       ++result_.ticks;
-      if (tick % progress_interval == 0) show(loop_.phase());
+      if (tick % show_interval == 0) show(loop_.phase());
     }
     writer_.finish();
   }
@@ -87,26 +78,33 @@ class Run {
   void on_the_clock() {
     std::atomic<int> phase{loop_.phase()};
     Recorder recorder(std::move(writer_), [&](const TickRecord& record) {
-      if (record.tick % progress_interval == 0) show(phase.load(std::memory_order_relaxed));
+      if (record.tick % show_interval == 0) show(phase.load(std::memory_order_relaxed));
     });
+    ServoTimings timings;
     {
       const RealTimePriority priority;
       result_.notes = priority.refused();
       DeadlineClock clock(loop_.dt());
+      const TickClock now = monotonic_clock();
       TickRecord record;
       clock.start();
       for (std::uint64_t tick = 0; tick < most_ticks_ && !loop_.finished() && !recorder.failed(); ++tick) {
         note_phase(loop_.phase());
         phase.store(loop_.phase(), std::memory_order_relaxed);
         clock.wait();
+        const std::int64_t began = now();
         loop_.step(record);
         recorder.push(record);
+        const double compute = static_cast<double>(now() - began) * 1e-9;
+        timings.lateness.record(clock.lateness());
+        timings.compute.record(compute);
+        timings.overruns += clock.lateness() > loop_.dt() || compute > loop_.dt() ? 1 : 0;
         ++result_.ticks;
       }
-      result_.missed_deadlines = clock.missed();
+      result_.missed_deadlines = timings.overruns;
       result_.worst_lateness = clock.worst_lateness();
     }
-    recorder.finish();
+    recorder.finish(timings_of(timings));
     result_.records_lost = recorder.lost();
   }
 

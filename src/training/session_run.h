@@ -32,6 +32,8 @@ struct RunResult {
   std::vector<std::string> notes;      // what the system refused
 };
 
+inline constexpr std::size_t largest_case_xml = std::size_t{16} << 20;  // bytes
+
 // What a recording says about its case, the path and the moment; nothing about who performs.
 SessionHeader session_header(const Case& patient, const std::filesystem::path& case_folder, const NeedlePath& path);
 

@@ -7,20 +7,20 @@
 
 namespace bodkin {
 
-// The shape of a session file, version 1; docs/session-format.md explains it to people.
+// The shape of a session file, version 2; docs/session-format.md explains it to people.
 namespace session_schema {
 
 inline constexpr std::int32_t application_id = 0x42444B4E;  // "BDKN"
-inline constexpr std::int32_t version = 1;
+inline constexpr std::int32_t version = 2;
 
 struct Table {
   const char* name;
   const char* sql;
 };
 
-// The authority is `header`, `tissues` and `chunks`; `events` repeats the events of the chunks for those who ask in
-// SQL.
-inline constexpr std::array<Table, 4> tables = {{
+// The authority is `header`, `tissues`, `chunks`, `second_hand` and `timings`; `events` repeats the events of the
+// chunks for those who ask in SQL.
+inline constexpr std::array<Table, 6> tables = {{
     {"header", "CREATE TABLE header(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID"},
     {"tissues", "CREATE TABLE tissues(id INTEGER PRIMARY KEY, name TEXT NOT NULL, title TEXT NOT NULL)"},
     {"chunks",
@@ -29,9 +29,15 @@ inline constexpr std::array<Table, 4> tables = {{
     {"events",
      "CREATE TABLE events(tick INTEGER NOT NULL, kind TEXT NOT NULL, tissue INTEGER NOT NULL, depth_mm REAL, value "
      "REAL)"},
+    {"second_hand",
+     "CREATE TABLE second_hand(sample INTEGER PRIMARY KEY, time_s REAL NOT NULL, x_mm REAL NOT NULL, y_mm REAL NOT "
+     "NULL, z_mm REAL NOT NULL, qw REAL NOT NULL, qx REAL NOT NULL, qy REAL NOT NULL, qz REAL NOT NULL, force_N REAL "
+     "NOT NULL, pressure_MPa REAL, volume_mm3 REAL)"},
+    {"timings", "CREATE TABLE timings(what TEXT NOT NULL, up_to_s REAL NOT NULL, count INTEGER NOT NULL)"},
 }};
 
 inline constexpr std::uint32_t most_ticks_of_a_chunk = 4096;
+inline constexpr std::uint64_t most_second_samples = 1'000'000;  // almost three hours
 
 }  // namespace session_schema
 

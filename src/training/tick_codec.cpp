@@ -7,40 +7,41 @@ namespace bodkin {
 
 namespace {
 
-constexpr std::array<std::string_view, 28> names = {"needle_x_axis_x",
-                                                    "needle_x_axis_y",
-                                                    "needle_x_axis_z",
-                                                    "needle_y_axis_x",
-                                                    "needle_y_axis_y",
-                                                    "needle_y_axis_z",
-                                                    "axis_x",
-                                                    "axis_y",
-                                                    "axis_z",
-                                                    "tip_x",
-                                                    "tip_y",
-                                                    "tip_z",
-                                                    "requested_force_x",
-                                                    "requested_force_y",
-                                                    "requested_force_z",
-                                                    "requested_torque_x",
-                                                    "requested_torque_y",
-                                                    "requested_torque_z",
-                                                    "applied_force_x",
-                                                    "applied_force_y",
-                                                    "applied_force_z",
-                                                    "applied_torque_x",
-                                                    "applied_torque_y",
-                                                    "applied_torque_z",
-                                                    "depth",
-                                                    "velocity",
-                                                    "resistance",
-                                                    "constraint"};
+constexpr std::array<std::string_view, 29> number_names = {"needle_x_axis_x",
+                                                           "needle_x_axis_y",
+                                                           "needle_x_axis_z",
+                                                           "needle_y_axis_x",
+                                                           "needle_y_axis_y",
+                                                           "needle_y_axis_z",
+                                                           "axis_x",
+                                                           "axis_y",
+                                                           "axis_z",
+                                                           "tip_x",
+                                                           "tip_y",
+                                                           "tip_z",
+                                                           "requested_force_x",
+                                                           "requested_force_y",
+                                                           "requested_force_z",
+                                                           "requested_torque_x",
+                                                           "requested_torque_y",
+                                                           "requested_torque_z",
+                                                           "applied_force_x",
+                                                           "applied_force_y",
+                                                           "applied_force_z",
+                                                           "applied_torque_x",
+                                                           "applied_torque_y",
+                                                           "applied_torque_z",
+                                                           "depth",
+                                                           "velocity",
+                                                           "resistance",
+                                                           "constraint",
+                                                           "energy"};
 
 constexpr std::array<std::string_view, 9> kind_names = {"contact",      "puncture",      "loss_of_resistance",
                                                         "bone_contact", "bone_left",     "tissue_entered",
                                                         "withdrawn",    "force_limited", "fault"};
 
-// Visits every number of a record in the order of `names`; `Record` may be const.
+// Visits every number of a record in the order of `number_names`; `Record` may be const.
 template <typename Record, typename Visit>
 void for_each_number(Record& record, Visit&& visit) {
   auto& pose = record.input.needle.matrix();
@@ -56,6 +57,7 @@ void for_each_number(Record& record, Visit&& visit) {
   visit(output.velocity);
   visit(output.resistance);
   visit(output.constraint);
+  visit(output.energy);
 }
 
 // Little-endian, whatever the machine; compilers turn the loops into single stores and loads.
@@ -86,7 +88,7 @@ std::uint8_t* grow(std::vector<std::uint8_t>& bytes, std::size_t size) {
 }  // namespace
 
 std::span<const std::string_view> tick_number_names() {
-  return names;
+  return number_names;
 }
 
 void tick_numbers(const TickRecord& record, std::vector<double>& numbers) {
@@ -95,7 +97,7 @@ void tick_numbers(const TickRecord& record, std::vector<double>& numbers) {
 }
 
 std::size_t encoded_tick_size() {
-  return names.size() * 8 + 4;
+  return number_names.size() * 8 + 4;
 }
 
 void encode_tick(const TickRecord& record, std::vector<std::uint8_t>& bytes) {

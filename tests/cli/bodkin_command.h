@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -56,8 +57,13 @@ class BodkinCommand : public ::testing::Test {
     folder_ = std::filesystem::temp_directory_path() / ("bodkin_commands_" + std::to_string(getpid()));
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
+    // What this user has calibrated is no part of a test.
+    setenv("XDG_CONFIG_HOME", (folder_.string() + "_config").c_str(), 1);
   }
-  static void TearDownTestSuite() { std::filesystem::remove_all(folder_); }
+  static void TearDownTestSuite() {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::remove_all(folder_.string() + "_config");
+  }
 
   static Outcome bodkin(const std::string& arguments) { return run_bodkin(folder_, arguments); }
   static std::string text_of(const std::string& file) { return content_of(folder_ / file); }

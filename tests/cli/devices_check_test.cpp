@@ -11,7 +11,7 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-const std::string vendor = "--settings library=" BODKIN_STAND_INS "/force_dimension/libdrd.so";
+const std::string check_vendor = "--settings library=" BODKIN_STAND_INS "/force_dimension/libdrd.so";
 
 // A trouble of the simulated device, for as long as this lives.
 struct Trouble {
@@ -24,7 +24,7 @@ struct Trouble {
 using DevicesCheckCommand = BodkinCommand;
 
 TEST_F(DevicesCheckCommand, counts_rounds_and_asks_for_no_force) {
-  const Outcome outcome = bodkin("devices check force_dimension --seconds 1 --json -q " + vendor);
+  const Outcome outcome = bodkin("devices check force_dimension --seconds 1 --json -q " + check_vendor);
   // On a busy machine the device is rightly called not ready: too many rounds are late.
   EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 3) << outcome.text();
   const json seen = json::parse(outcome.output);
@@ -35,11 +35,31 @@ TEST_F(DevicesCheckCommand, counts_rounds_and_asks_for_no_force) {
   EXPECT_EQ(seen.contains("why_not"), outcome.exit_code == 3);
 }
 
+TEST_F(DevicesCheckCommand, drives_a_service_in_another_program) {
+  // The service ends with its standard input, which the shell's pipe holds open for as long as the check may take.
+  const std::string port = (folder_ / "port").string();
+  const std::string line = "sleep 6 | '" BODKIN_STAND_INS "/haply/haply_service' > '" + port +
+                           "' & for wait in $(seq 50); do test -s '" + port + "' && break; sleep 0.1; done";
+  ASSERT_EQ(std::system(line.c_str()), 0);
+  const Outcome outcome = bodkin("devices check haply --seconds 1 --json -q --settings port=" +
+                                 std::to_string(std::stoi(text_of("port"))));
+  const json seen = json::parse(outcome.output);
+  EXPECT_EQ(seen.at("name"), "Inverse3");
+  EXPECT_GT(seen.at("rounds").get<int>(), 10);
+  EXPECT_EQ(seen.at("strongest_force_N"), 0.0);
+}
+
 TEST_F(DevicesCheckCommand, says_which_fault_makes_a_device_unfit) {
   const Trouble unplugged("unplug@100");
-  const Outcome outcome = bodkin("devices check force_dimension --seconds 2 -q " + vendor);
+  const Outcome outcome = bodkin("devices check force_dimension --seconds 2 -q " + check_vendor);
   EXPECT_EQ(outcome.exit_code, 3) << outcome.text();
   EXPECT_THAT(outcome.output, HasSubstr("not ready: "));
+}
+
+TEST_F(DevicesCheckCommand, takes_a_simulated_hand) {
+  const Outcome outcome = bodkin("devices check simulated --seconds 1 --json -q");
+  EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 3) << outcome.text();
+  EXPECT_EQ(json::parse(outcome.output).at("name"), "simulated hand");
 }
 
 TEST_F(DevicesCheckCommand, of_what_is_not_there_is_one_sentence) {
@@ -54,7 +74,7 @@ TEST_F(DevicesCheckCommand, of_what_is_not_there_is_one_sentence) {
   EXPECT_EQ(lines_of(unknown.errors), 1) << unknown.errors;
 
   const Trouble nothing("no_device");
-  const Outcome absent = bodkin("devices check force_dimension " + vendor);
+  const Outcome absent = bodkin("devices check force_dimension " + check_vendor);
   EXPECT_EQ(absent.exit_code, 1);
   EXPECT_EQ(lines_of(absent.errors), 1) << absent.errors;
 }

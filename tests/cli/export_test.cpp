@@ -31,6 +31,10 @@ TEST_F(ExportCommand, writes_a_row_per_tick_and_a_row_per_event) {
 TEST_F(ExportCommand, refuses_what_makes_no_sense) {
   EXPECT_EQ(bodkin("--quiet run patient --max-time 1 --output t.bodkin").exit_code, 0);
   EXPECT_EQ(bodkin("--quiet export t.bodkin").exit_code, 2);
+  EXPECT_EQ(bodkin("--quiet export t.bodkin --csv a.csv --second a.csv").exit_code, 2);
+  const Outcome alone = bodkin("--quiet export t.bodkin --second out.csv");
+  EXPECT_EQ(alone.exit_code, 2);
+  EXPECT_THAT(alone.errors, HasSubstr("has no second hand"));
   EXPECT_EQ(bodkin("--quiet export t.bodkin --csv - --events -").exit_code, 2);
   EXPECT_EQ(bodkin("--json export t.bodkin --csv -").exit_code, 2);
   EXPECT_EQ(bodkin("--quiet export t.bodkin --csv no/such/folder.csv").exit_code, 2);

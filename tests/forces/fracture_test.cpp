@@ -7,8 +7,8 @@
 namespace bodkin {
 namespace {
 
-struct Bench {
-  explicit Bench(const FractureSettings& settings = {}) : model(settings) {}
+struct FractureBench {
+  explicit FractureBench(const FractureSettings& settings = {}) : model(settings) {}
   double operator()(const AxialMotion& motion) { return model.step(motion, tissue::skin, events); }
   double to(double depth, double speed = 10.0) { return checks::move(hand, depth, speed, *this); }
   Fracture model;
@@ -38,7 +38,7 @@ TEST(Fracture, tears_where_the_energy_suffices_at_any_speed) {
   for (const double speed : {1.0, 10.0, 50.0}) {
     FractureSettings settings;
     settings.toughness = 0.46875 / 0.8;  // so that U(3 mm) = J w t_m
-    Bench bench(settings);
+    FractureBench bench(settings);
     EXPECT_NEAR(bench.to(2.9, speed), 0.05 * 2.9 * 3.9 * 4.9 / 6.0, 1e-9);
     bench.to(3.5, speed);
     ASSERT_EQ(bench.events.size(), 2u);
@@ -48,7 +48,7 @@ TEST(Fracture, tears_where_the_energy_suffices_at_any_speed) {
 }
 
 TEST(Fracture, a_second_insertion_into_the_channel_cuts_nothing) {
-  Bench bench;
+  FractureBench bench;
   bench.to(20.0);
   bench.to(-1.0);
   EXPECT_EQ(bench.to(10.0), 0.0);
@@ -58,7 +58,7 @@ TEST(Fracture, a_second_insertion_into_the_channel_cuts_nothing) {
 }
 
 TEST(Fracture, has_the_properties_of_every_model) {
-  const auto make = [] { return Bench(); };
+  const auto make = [] { return FractureBench(); };
   checks::finite_on_any_input(make);
   checks::passive_on_random_closed_paths(make, 40.0, 50.0, 2.0);
   checks::same_bits_on_repetition(make, 40.0);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/one_tick.h"
 #include <gtest/gtest.h>
 
 #include "core/error.h"
@@ -11,8 +12,6 @@
 namespace bodkin {
 namespace {
 
-constexpr double dt = 0.001;
-
 void expect_force(const Vec3& force, double x, double y, double z, double tolerance = 1e-12) {
   EXPECT_NEAR(force.x(), x, tolerance);
   EXPECT_NEAR(force.y(), y, tolerance);
@@ -20,7 +19,7 @@ void expect_force(const Vec3& force, double x, double y, double z, double tolera
 }
 
 TEST(LineSpring, pulls_straight_back_to_the_line) {
-  LineSpring spring({}, 1.0, dt);
+  LineSpring spring({}, 1.0, one_tick);
   spring.begin(Vec3::Zero(), Vec3::UnitZ());
   expect_force(spring.step({3.0, 4.0, 10.0}), -1.5, -2.0, 0.0);
   spring.begin(Vec3::Zero(), Vec3(1.0, 2.0, 2.0) / 3.0);
@@ -28,7 +27,7 @@ TEST(LineSpring, pulls_straight_back_to_the_line) {
 }
 
 TEST(LineSpring, leaves_a_tip_on_the_line_alone) {
-  LineSpring spring({}, 1.0, dt);
+  LineSpring spring({}, 1.0, one_tick);
   const Vec3 entry(10.0, -20.0, 30.0), direction = Vec3(1.0, -2.0, 2.0) / 3.0;
   spring.begin(entry, direction);
   for (const double depth : {-20.0, 0.0, 1.0, 80.0}) {
@@ -37,13 +36,13 @@ TEST(LineSpring, leaves_a_tip_on_the_line_alone) {
 }
 
 TEST(LineSpring, force_has_a_limit_and_keeps_its_direction) {
-  LineSpring spring({}, 1.0, dt);
+  LineSpring spring({}, 1.0, one_tick);
   spring.begin(Vec3::Zero(), Vec3::UnitZ());
   expect_force(spring.step({30.0, 40.0, 5.0}), -1.8, -2.4, 0.0);
 }
 
 TEST(LineSpring, works_like_a_potential_whatever_way_the_tip_takes) {
-  LineSpring spring({.stiffness = 0.5, .damping = 0.0, .limit = 100.0}, 1.0, dt);
+  LineSpring spring({.stiffness = 0.5, .damping = 0.0, .limit = 100.0}, 1.0, one_tick);
   spring.begin({1.0, 2.0, 3.0}, Vec3(2.0, 1.0, -2.0) / 3.0);
   double work = 0.0;  // by the hand
   Vec3 last(1.0, 2.0, 3.0);
@@ -61,9 +60,10 @@ TEST(LineSpring, works_like_a_potential_whatever_way_the_tip_takes) {
 }
 
 TEST(LineSpring, damping_opposes_motion_off_the_line_and_is_bounded_by_the_device) {
-  LineSpring spring({.stiffness = 0.5, .damping = 1.0, .limit = 100.0}, 1.0, dt);
-  EXPECT_DOUBLE_EQ(spring.damping(), damping_allowed(0.5, 1.0, dt));
-  EXPECT_LE(damping_needed(spring.stiffness(), spring.damping(), dt), damping_needed(1.0, 0.0, dt) + 1e-15);
+  LineSpring spring({.stiffness = 0.5, .damping = 1.0, .limit = 100.0}, 1.0, one_tick);
+  EXPECT_DOUBLE_EQ(spring.damping(), damping_allowed(0.5, 1.0, one_tick));
+  EXPECT_LE(damping_needed(spring.stiffness(), spring.damping(), one_tick),
+            damping_needed(1.0, 0.0, one_tick) + 1e-15);
   spring.begin(Vec3::Zero(), Vec3::UnitZ());
   Vec3 moving;
   for (int tick = 0; tick <= 100; ++tick) moving = spring.step({0.02 * tick, 0.0, 0.1 * tick});
@@ -72,14 +72,14 @@ TEST(LineSpring, damping_opposes_motion_off_the_line_and_is_bounded_by_the_devic
 }
 
 TEST(LineSpring, is_never_stiffer_than_the_device_renders) {
-  EXPECT_EQ(LineSpring({.stiffness = 5.0}, 0.8, dt).stiffness(), 0.8);
+  EXPECT_EQ(LineSpring({.stiffness = 5.0}, 0.8, one_tick).stiffness(), 0.8);
 }
 
 TEST(LineSpring, refuses_values_that_make_no_spring) {
-  EXPECT_THROW(LineSpring({.stiffness = -1.0}, 1.0, dt), InputError);
-  EXPECT_THROW(LineSpring({.stiffness = std::numeric_limits<double>::quiet_NaN()}, 1.0, dt), InputError);
-  EXPECT_THROW(LineSpring({.damping = -0.1}, 1.0, dt), InputError);
-  EXPECT_THROW(LineSpring({.limit = 0.0}, 1.0, dt), InputError);
+  EXPECT_THROW(LineSpring({.stiffness = -1.0}, 1.0, one_tick), InputError);
+  EXPECT_THROW(LineSpring({.stiffness = std::numeric_limits<double>::quiet_NaN()}, 1.0, one_tick), InputError);
+  EXPECT_THROW(LineSpring({.damping = -0.1}, 1.0, one_tick), InputError);
+  EXPECT_THROW(LineSpring({.limit = 0.0}, 1.0, one_tick), InputError);
 }
 
 }  // namespace

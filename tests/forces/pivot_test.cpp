@@ -1,7 +1,6 @@
 #include "forces/pivot.h"
 
 #include <limits>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -11,10 +10,8 @@
 namespace bodkin {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
-
 // The force with `inside` mm of a 150 mm needle in the body, its hub turned towards +y about the entry.
-Vec3 force(double inside, double angle, const PivotSettings& settings = {}) {
+Vec3 pivot_force(double inside, double angle, const PivotSettings& settings = {}) {
   Pivot pivot(settings, 150.0);
   pivot.begin(Vec3::Zero(), Vec3::UnitZ());
   const Vec3 axis(0.0, -std::sin(angle), std::cos(angle));
@@ -25,42 +22,42 @@ TEST(Pivot, balances_the_force_at_the_tip_about_the_entry) {
   const double chord = 150.0 * 2.0 * std::sin(degree);
   EXPECT_NEAR(chord, 5.23572, 5e-6);
   EXPECT_NEAR(0.2 * chord, 1.04714, 5e-6);
-  EXPECT_NEAR(force(50.0, 2.0 * degree).norm(), 0.523572, 5e-7);
-  EXPECT_NEAR(force(50.0, 2.0 * degree).norm(), 0.2 * chord * 50.0 / 100.0, 1e-12);
+  EXPECT_NEAR(pivot_force(50.0, 2.0 * degree).norm(), 0.523572, 5e-7);
+  EXPECT_NEAR(pivot_force(50.0, 2.0 * degree).norm(), 0.2 * chord * 50.0 / 100.0, 1e-12);
   const double wide = 150.0 * 2.0 * std::sin(5.0 * degree);
   EXPECT_NEAR(wide, 26.1467, 5e-5);
-  EXPECT_NEAR(force(50.0, 10.0 * degree, {.limit = 50.0}).norm(), 2.61467, 5e-6);
-  EXPECT_NEAR(force(100.0, 2.0 * degree, {.limit = 50.0}).norm(), 2.09429, 5e-6);
+  EXPECT_NEAR(pivot_force(50.0, 10.0 * degree, {.limit = 50.0}).norm(), 2.61467, 5e-6);
+  EXPECT_NEAR(pivot_force(100.0, 2.0 * degree, {.limit = 50.0}).norm(), 2.09429, 5e-6);
 }
 
 TEST(Pivot, asks_no_more_than_its_limit) {
-  EXPECT_DOUBLE_EQ(force(100.0, 2.0 * degree).norm(), 2.0);
-  EXPECT_DOUBLE_EQ(force(50.0, 10.0 * degree).norm(), 2.0);
+  EXPECT_DOUBLE_EQ(pivot_force(100.0, 2.0 * degree).norm(), 2.0);
+  EXPECT_DOUBLE_EQ(pivot_force(50.0, 10.0 * degree).norm(), 2.0);
   // With 6 N of resistance: 8 N aligned, 6.325 N at right angles; both within a peak of 8.5 N.
   EXPECT_NEAR(std::hypot(6.0, 2.0), 6.325, 5e-4);
 }
 
 TEST(Pivot, pushes_a_hub_at_plus_y_towards_minus_y_across_the_needle) {
-  const Vec3 hand = force(50.0, 2.0 * degree);
+  const Vec3 hand = pivot_force(50.0, 2.0 * degree);
   EXPECT_LT(hand.y(), 0.0);
   EXPECT_EQ(hand.x(), 0.0);
   EXPECT_NEAR(hand.dot(Vec3(0.0, -std::sin(2.0 * degree), std::cos(2.0 * degree))), 0.0, 1e-15);
 }
 
 TEST(Pivot, is_nothing_outside_the_body_and_on_the_line) {
-  EXPECT_EQ(force(-5.0, 2.0 * degree), Vec3::Zero());
-  EXPECT_EQ(force(0.0, 2.0 * degree), Vec3::Zero());
-  EXPECT_EQ(force(50.0, 0.0), Vec3::Zero());
+  EXPECT_EQ(pivot_force(-5.0, 2.0 * degree), Vec3::Zero());
+  EXPECT_EQ(pivot_force(0.0, 2.0 * degree), Vec3::Zero());
+  EXPECT_EQ(pivot_force(50.0, 0.0), Vec3::Zero());
 }
 
 TEST(Pivot, fades_in_with_the_depth) {
-  EXPECT_LT(force(0.01, 2.0 * degree).norm(), 1e-4);
+  EXPECT_LT(pivot_force(0.01, 2.0 * degree).norm(), 1e-4);
 }
 
 TEST(Pivot, does_not_grow_beyond_the_largest_angle_or_with_the_hub_at_the_skin) {
   const PivotSettings open = {.limit = 100.0};
-  EXPECT_NEAR(force(50.0, 0.3, open).norm(), force(50.0, 1.2, open).norm(), 1e-9);
-  EXPECT_NEAR(force(149.0, 0.01, open).norm(), 0.2 * 150.0 * 2.0 * std::sin(0.005) * 149.0 / 20.0, 1e-9);
+  EXPECT_NEAR(pivot_force(50.0, 0.3, open).norm(), pivot_force(50.0, 1.2, open).norm(), 1e-9);
+  EXPECT_NEAR(pivot_force(149.0, 0.01, open).norm(), 0.2 * 150.0 * 2.0 * std::sin(0.005) * 149.0 / 20.0, 1e-9);
 }
 
 TEST(Pivot, conserves_energy_while_the_depth_stays) {

@@ -1,7 +1,6 @@
 #include "forces/rail.h"
 
 #include <limits>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -9,8 +8,6 @@
 
 namespace bodkin {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 Rail rail(const RailSettings& settings = {}) {
   Rail made(settings);

@@ -11,7 +11,7 @@ namespace bodkin {
 namespace {
 
 // Friction of the whole shaft with constant parameters.
-struct Bench {
+struct FrictionBench {
   ShaftContact contact{0.5, 0.5, 2.0, 0.0};
   ShaftFriction model{{}};
   TickEvents events;
@@ -34,7 +34,7 @@ struct Growing {
 TEST(ShaftFriction, grows_gradually_to_the_coulomb_force) {
   const double depths[] = {0.1, 0.25, 0.5, 1.0}, forces[] = {0.164840, 0.316060, 0.432332, 0.490842};
   for (const double speed : {0.7, 10.0, 300.0}) {
-    Bench bench;
+    FrictionBench bench;
     checks::Hand hand(0.0);
     checks::rest(hand, 1, bench);
     for (int i = 0; i < 4; ++i) EXPECT_NEAR(checks::move(hand, depths[i], speed, bench), forces[i], 5e-7);
@@ -42,7 +42,7 @@ TEST(ShaftFriction, grows_gradually_to_the_coulomb_force) {
 }
 
 TEST(ShaftFriction, turns_round_with_hysteresis) {
-  Bench bench;
+  FrictionBench bench;
   checks::Hand hand(0.0);
   checks::rest(hand, 1, bench);
   EXPECT_NEAR(checks::move(hand, 50.0, 10.0, bench), 0.5, 1e-9);
@@ -53,7 +53,7 @@ TEST(ShaftFriction, turns_round_with_hysteresis) {
 TEST(ShaftFriction, slides_at_the_stribeck_curve) {
   const double speeds[] = {0.5, 5.0, 20.0}, forces[] = {0.698510, 0.578576, 0.520000};
   for (int i = 0; i < 3; ++i) {
-    Bench bench;
+    FrictionBench bench;
     bench.contact = {0.5, 0.7, 2.0, 0.001};
     checks::Hand hand(0.0);
     checks::rest(hand, 1, bench);
@@ -62,7 +62,7 @@ TEST(ShaftFriction, slides_at_the_stribeck_curve) {
 }
 
 TEST(ShaftFriction, is_stable_where_explicit_integration_needs_microseconds) {
-  Bench bench;
+  FrictionBench bench;
   bench.contact.stiffness = 2000.0;
   checks::Hand hand(0.0);
   checks::rest(hand, 1, bench);
@@ -80,7 +80,7 @@ TEST(ShaftFriction, adds_the_tissues_along_the_shaft) {
   EXPECT_NEAR(shaft_contact(layers, 1.0, 20.5, tissues).coulomb, 0.5, 1e-12);
   EXPECT_EQ(shaft_contact(layers, 1.0, -1.0, tissues).coulomb, 0.0);
   // Withdrawing turns the sign; stopping after an advance keeps the force, without a jump.
-  Bench bench;
+  FrictionBench bench;
   bench.contact = shaft_contact(layers, 1.0, 25.0, tissues);
   checks::Hand hand(0.0);
   checks::rest(hand, 1, bench);
@@ -96,7 +96,7 @@ TEST(ShaftFriction, has_the_properties_of_every_model) {
   checks::same_bits_on_repetition(make, 60.0);
   checks::bounded_when_saturated(make, 300.0 * (0.018 + 0.0002 * 1000.0));
   checks::no_growth_under_reversal_at_every_tick(make, 30.0);
-  const auto fixed = [](double) { return Bench(); };
+  const auto fixed = [](double) { return FrictionBench(); };
   checks::steady_force_is_the_same_at_half_the_tick(fixed, 12.0, 10.0, 1e-9);
 }
 

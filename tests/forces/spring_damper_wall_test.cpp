@@ -7,7 +7,7 @@
 namespace bodkin {
 namespace {
 
-double force(double depth, double velocity) {
+double wall_force(double depth, double velocity) {
   SpringDamperWall wall({.stiffness = 0.5, .damping = 0.002});
   TickEvents events;
   return wall.step({depth, velocity, velocity > 0 ? 1 : -1, false}, tissue::muscle, events);
@@ -21,21 +21,21 @@ auto make() {
 }
 
 TEST(SpringDamperWall, pushes_in_proportion_to_depth_and_speed) {
-  EXPECT_DOUBLE_EQ(force(2.0, 0.0), 1.0);
-  EXPECT_DOUBLE_EQ(force(2.0, 10.0), 1.02);
-  EXPECT_DOUBLE_EQ(force(12.0, 0.0), 6.0);  // six times the 1 N wanted in a layer of 12 mm
+  EXPECT_DOUBLE_EQ(wall_force(2.0, 0.0), 1.0);
+  EXPECT_DOUBLE_EQ(wall_force(2.0, 10.0), 1.02);
+  EXPECT_DOUBLE_EQ(wall_force(12.0, 0.0), 6.0);  // six times the 1 N wanted in a layer of 12 mm
 }
 
 TEST(SpringDamperWall, is_nothing_in_front_of_the_wall) {
-  EXPECT_EQ(force(-1.0, 50.0), 0.0);
+  EXPECT_EQ(wall_force(-1.0, 50.0), 0.0);
 }
 
 TEST(SpringDamperWall, steps_by_the_damping_when_entered_at_speed) {
-  EXPECT_DOUBLE_EQ(force(0.0, 10.0), 0.02);
+  EXPECT_DOUBLE_EQ(wall_force(0.0, 10.0), 0.02);
 }
 
 TEST(SpringDamperWall, never_pulls_the_hand_in) {
-  EXPECT_EQ(force(1.0, -300.0), 0.0);  // the printed form gives -0.1 N
+  EXPECT_EQ(wall_force(1.0, -300.0), 0.0);  // the printed form gives -0.1 N
 }
 
 TEST(SpringDamperWall, has_the_properties_of_every_model) {

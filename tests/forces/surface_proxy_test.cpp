@@ -4,7 +4,9 @@
 #include <limits>
 #include <numbers>
 
+#include "tests/forces/near.h"
 #include "tests/forces/surface_shapes.h"
+#include "tests/one_tick.h"
 #include <gtest/gtest.h>
 
 #include "core/error.h"
@@ -13,7 +15,6 @@
 namespace bodkin {
 namespace {
 
-constexpr double dt = 1e-3;
 constexpr double gap = SurfaceProxy::clearance;
 
 const SurfaceProxySettings smooth = {.static_friction = 0.0, .dynamic_friction = 0.0};
@@ -21,13 +22,13 @@ const SurfaceProxySettings smooth = {.static_friction = 0.0, .dynamic_friction =
 // A proxy and the tip that leads it.
 struct Touch {
   Touch(const SurfaceProxySettings& settings, const Surface& surface, const Vec3& start)
-      : model(settings, surface, dt), tip(start) {
+      : model(settings, surface, one_tick), tip(start) {
     model.step(tip, events);
   }
   // Straight to `to` at `speed` mm/s; the last force.
   Vec3 move(const Vec3& to, double speed = 100.0) {
     const Vec3 from = tip;
-    const int ticks = std::max(1, static_cast<int>(std::ceil((to - from).norm() / (speed * dt) - 1e-9)));
+    const int ticks = std::max(1, static_cast<int>(std::ceil((to - from).norm() / (speed * one_tick) - 1e-9)));
     for (int i = 1; i <= ticks; ++i) force = model.step(tip = from + (to - from) * i / ticks, events);
     return force;
   }
@@ -35,10 +36,6 @@ struct Touch {
   TickEvents events;
   Vec3 tip, force = Vec3::Zero();
 };
-
-void expect_near(const Vec3& found, const Vec3& expected, double tolerance) {
-  EXPECT_NEAR((found - expected).norm(), 0.0, tolerance) << found.transpose() << " for " << expected.transpose();
-}
 
 TEST(SurfaceProxy, a_plane_pushes_back_along_its_normal_in_proportion_to_depth) {
   SurfaceProxySettings settings = smooth;
@@ -185,7 +182,7 @@ TEST(SurfaceProxy, a_hand_on_the_lattice_of_the_corners_passes_no_edge_and_no_co
   const Surface room = shapes::box(Vec3(-10, -10, -10), Vec3(10, 10, 10), 10, true);
   for (const double friction : {0.0, 0.3}) {
     const SurfaceProxySettings settings = {.static_friction = friction, .dynamic_friction = friction};
-    SurfaceProxy outside(settings, box, dt), within(settings, room, dt);
+    SurfaceProxy outside(settings, box, one_tick), within(settings, room, one_tick);
     TickEvents events;
     Random random(5);
     Vec3 around(0, 0, 15), about(0, 0, 0);
@@ -211,7 +208,7 @@ TEST(SurfaceProxy, nothing_goes_through_a_thin_wall) {
   const Surface wall = shapes::box(Vec3(-50, -50, -0.05), Vec3(50, 50, 0), 10);
   Random random(4);
   for (const double friction : {0.0, 0.5}) {
-    SurfaceProxy model({.static_friction = friction, .dynamic_friction = friction}, wall, dt);
+    SurfaceProxy model({.static_friction = friction, .dynamic_friction = friction}, wall, one_tick);
     TickEvents events;
     Vec3 tip(0, 0, 2);
     model.step(tip, events);
@@ -251,7 +248,7 @@ TEST(SurfaceProxy, stays_outside_a_rough_body_whatever_the_hand_does) {
   for (Vec3& vertex : vertices) vertex *= random.uniform(0.6, 1.4);
   const Surface lump(vertices, ball.triangles());
   for (const double friction : {0.0, 0.4}) {
-    SurfaceProxy model({.static_friction = friction, .dynamic_friction = 0.5 * friction}, lump, dt);
+    SurfaceProxy model({.static_friction = friction, .dynamic_friction = 0.5 * friction}, lump, one_tick);
     TickEvents events;
     Vec3 tip(0, 0, 20);
     model.step(tip, events);
@@ -275,7 +272,7 @@ void expect_passive(const SurfaceProxySettings& settings) {
   Random shape(6), random(12);
   std::vector<Vec3> vertices = ball.vertices();
   for (Vec3& vertex : vertices) vertex *= shape.uniform(0.85, 1.15);
-  SurfaceProxy model(settings, Surface(vertices, ball.triangles()), dt);
+  SurfaceProxy model(settings, Surface(vertices, ball.triangles()), one_tick);
   TickEvents events;
   const auto stored = [&](const Vec3& tip) { return 0.5 * settings.stiffness * (tip - model.proxy()).squaredNorm(); };
   for (int path = 0; path < 60; ++path) {
@@ -313,7 +310,7 @@ TEST(SurfaceProxy, is_passive_on_random_closed_paths) {
   // Trapezium rule over the forces that the hand feels, on a smooth ball where it is accurate.
   for (const double friction : {0.0, 0.3}) {
     SurfaceProxy model({.static_friction = friction, .dynamic_friction = friction, .limit = 3.0},
-                       shapes::sphere(20.0, 4), dt);
+                       shapes::sphere(20.0, 4), one_tick);
     TickEvents events;
     Random random(21);
     double least = 1e9;
@@ -390,7 +387,7 @@ TEST(SurfaceProxy, repeats_to_the_same_bits) {
 }
 
 TEST(SurfaceProxy, is_finite_and_limited_on_any_input) {
-  SurfaceProxy model({}, shapes::sphere(10.0, 3), dt);
+  SurfaceProxy model({}, shapes::sphere(10.0, 3), one_tick);
   TickEvents events;
   const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
   const double values[] = {0.0, -0.0, 1e-300, 5.0, -300.0, 9e3, 1e300, inf, nan};
@@ -419,11 +416,11 @@ TEST(SurfaceProxy, an_empty_surface_is_air) {
 
 TEST(SurfaceProxy, refuses_what_it_cannot_use) {
   const Surface plane = shapes::plane();
-  EXPECT_THROW(SurfaceProxy({.stiffness = 0.0}, plane, dt), InputError);
-  EXPECT_THROW(SurfaceProxy({.static_friction = 0.1, .dynamic_friction = 0.2}, plane, dt), InputError);
-  EXPECT_THROW(SurfaceProxy({.dynamic_friction = -0.1}, plane, dt), InputError);
-  EXPECT_THROW(SurfaceProxy({.viscosity = std::nan("")}, plane, dt), InputError);
-  EXPECT_THROW(SurfaceProxy({.limit = 0.0}, plane, dt), InputError);
+  EXPECT_THROW(SurfaceProxy({.stiffness = 0.0}, plane, one_tick), InputError);
+  EXPECT_THROW(SurfaceProxy({.static_friction = 0.1, .dynamic_friction = 0.2}, plane, one_tick), InputError);
+  EXPECT_THROW(SurfaceProxy({.dynamic_friction = -0.1}, plane, one_tick), InputError);
+  EXPECT_THROW(SurfaceProxy({.viscosity = std::nan("")}, plane, one_tick), InputError);
+  EXPECT_THROW(SurfaceProxy({.limit = 0.0}, plane, one_tick), InputError);
   EXPECT_THROW(SurfaceProxy({}, plane, 0.0), InputError);
 }
 

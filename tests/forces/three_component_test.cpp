@@ -7,8 +7,8 @@
 namespace bodkin {
 namespace {
 
-struct Bench {
-  explicit Bench(const ThreeComponentSettings& settings = {}) : model(settings) {}
+struct ThreeComponentBench {
+  explicit ThreeComponentBench(const ThreeComponentSettings& settings = {}) : model(settings) {}
   double operator()(const AxialMotion& motion) { return model.step(motion, tissue::organ, events); }
   double to(double depth, double speed = 10.0) { return checks::move(hand, depth, speed, *this); }
   ThreeComponent model;
@@ -17,14 +17,14 @@ struct Bench {
 };
 
 TEST(ThreeComponent, the_capsule_is_a_polynomial) {
-  Bench bench({.puncture_force = 5.0});
+  ThreeComponentBench bench({.puncture_force = 5.0});
   EXPECT_NEAR(bench.to(1.0), 0.05, 1e-9);
   EXPECT_NEAR(bench.to(3.0), 0.33, 1e-9);
   EXPECT_NEAR(bench.to(5.0), 0.85, 1e-9);
 }
 
 TEST(ThreeComponent, breaks_at_its_force_and_drops_to_cutting) {
-  Bench bench;
+  ThreeComponentBench bench;
   bench.to(4.98);
   const double after = bench.to(5.05);
   ASSERT_EQ(bench.events.size(), 2u);
@@ -37,12 +37,12 @@ TEST(ThreeComponent, slides_with_coulomb_and_viscous_friction_on_its_length) {
   ThreeComponentSettings settings;
   settings.inwards = {0.012, 0.00021, 0.012};
   settings.cutting_force = 0.0;
-  Bench bench(settings);
+  ThreeComponentBench bench(settings);
   EXPECT_NEAR(bench.to(30.0, 5.0), 0.3915, 1e-6);
 }
 
 TEST(ThreeComponent, friction_differs_by_direction_and_holds_at_rest) {
-  Bench bench;
+  ThreeComponentBench bench;
   EXPECT_NEAR(bench.to(40.0, 10.0), 0.3 + 40.0 * (0.01196 + 0.0021213), 1e-6);
   const double still = checks::rest(bench.hand, 500, bench);
   EXPECT_GT(still, 0.3);
@@ -51,7 +51,7 @@ TEST(ThreeComponent, friction_differs_by_direction_and_holds_at_rest) {
 }
 
 TEST(ThreeComponent, does_not_cut_a_channel_twice) {
-  Bench bench;
+  ThreeComponentBench bench;
   bench.to(20.0);
   bench.to(-1.0);
   EXPECT_NEAR(bench.to(10.0), 10.0 * (0.01196 + 0.0021213), 1e-6);  // friction alone
@@ -62,7 +62,7 @@ TEST(ThreeComponent, does_not_cut_a_channel_twice) {
 }
 
 TEST(ThreeComponent, has_the_properties_of_every_model) {
-  const auto make = [] { return Bench(); };
+  const auto make = [] { return ThreeComponentBench(); };
   checks::finite_on_any_input(make);
   checks::passive_on_random_closed_paths(make, 60.0, 50.0, 5.0);
   checks::same_bits_on_repetition(make, 60.0);

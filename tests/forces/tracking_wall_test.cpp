@@ -15,8 +15,8 @@ using checks::move;
 using checks::rest;
 
 // One tissue, K_t 0.5 N/mm, f_R 1 N, stepped through checks::move.
-struct Bench {
-  explicit Bench(const TrackingWallSettings& settings = {}, double tick = 1e-3)
+struct WallBench {
+  explicit WallBench(const TrackingWallSettings& settings = {}, double tick = 1e-3)
       : wall(checks::default_tissues(), settings, tick), dt(tick), hand(-1.0, tick) {}
   double operator()(const AxialMotion& motion) { return wall.step(motion, tissue::muscle, events); }
   double to(double depth, double speed = 10.0) { return move(hand, depth, speed, *this, dt); }
@@ -28,7 +28,7 @@ struct Bench {
   TickEvents events;
 };
 
-constexpr double tick = 0.005 + 1e-9;  // N, K v dt at 0.5 N/mm and 10 mm/s
+constexpr double wall_tick = 0.005 + 1e-9;  // N, K v dt at 0.5 N/mm and 10 mm/s
 
 TrackingWallSettings shoulder() {  // Alamilla et al. 2018, section 3.4: nine layers of a hemisphere of 150 mm
   TrackingWallSettings settings;
@@ -38,7 +38,7 @@ TrackingWallSettings shoulder() {  // Alamilla et al. 2018, section 3.4: nine la
 }
 
 TEST(TrackingWall, saturates_at_the_force_of_the_layer) {
-  Bench bench;
+  WallBench bench;
   const double depths[] = {0.5, 1.0, 1.5, 2.0, 5.0, 12.0}, forces[] = {0.25, 0.5, 0.75, 1.0, 1.0, 1.0};
   for (int i = 0; i < 6; ++i) {
     EXPECT_NEAR(bench.to(depths[i]), forces[i], 1e-9);
@@ -50,7 +50,7 @@ TEST(TrackingWall, saturates_at_the_force_of_the_layer) {
 }
 
 TEST(TrackingWall, catches_up_with_the_tip_at_rest) {
-  Bench bench;
+  WallBench bench;
   bench.to(12.0);
   const int ticks[] = {1, 124, 125, 125, 125};
   const double forces[] = {0.998, 0.75, 0.5, 0.25, 0.0}, walls[] = {10.004, 10.5, 11.0, 11.5, 12.0};
@@ -61,7 +61,7 @@ TEST(TrackingWall, catches_up_with_the_tip_at_rest) {
 }
 
 TEST(TrackingWall, a_cut_channel_is_free_to_its_old_depth) {
-  Bench bench;
+  WallBench bench;
   bench.to(12.0);
   bench.still(500);
   for (double depth = 11.0; depth >= 7.0; --depth) EXPECT_EQ(bench.to(depth), 0.0);
@@ -71,7 +71,7 @@ TEST(TrackingWall, a_cut_channel_is_free_to_its_old_depth) {
 }
 
 TEST(TrackingWall, unloads_along_its_own_line_without_a_stop) {
-  Bench bench;
+  WallBench bench;
   bench.to(12.0);
   const double depths[] = {11.5, 11.0, 10.5, 10.0, 9.0}, forces[] = {0.75, 0.5, 0.25, 0.0, 0.0};
   for (int i = 0; i < 5; ++i) EXPECT_NEAR(bench.to(depths[i]), forces[i], 1e-9);
@@ -80,7 +80,7 @@ TEST(TrackingWall, unloads_along_its_own_line_without_a_stop) {
 }
 
 TEST(TrackingWall, takes_11_newton_millimetres_for_12_millimetres_and_returns_1) {
-  Bench bench;
+  WallBench bench;
   double work = 0.0, before = 0.0;
   const auto measure = [&](const AxialMotion& motion) {
     const double force = bench(motion);
@@ -97,12 +97,12 @@ TEST(TrackingWall, takes_11_newton_millimetres_for_12_millimetres_and_returns_1)
 }
 
 TEST(TrackingWall, passes_the_nine_layers_of_the_shoulder) {
-  Bench bench(shoulder());
+  WallBench bench(shoulder());
   const struct {
     double depth, force;
   } marks[] = {{1.0, 0.5},    {16.617, 1.5}, {16.717, 1.0},   {33.383, 1.025}, {34.333, 1.5}, {49.95, 1.8},
                {83.283, 3.0}, {100.05, 2.5}, {116.717, 2.53}, {134.333, 4.5},  {149.95, 4.5}};
-  for (const auto& mark : marks) EXPECT_NEAR(bench.to(mark.depth), mark.force, tick) << mark.depth;
+  for (const auto& mark : marks) EXPECT_NEAR(bench.to(mark.depth), mark.force, wall_tick) << mark.depth;
   const double safety[] = {3.0, 2.0, 3.6, 4.0, 6.0, 7.0, 5.0, 8.0, 9.0};
   for (int i = 0; i < 9; ++i) {
     const TrackingWallTissue layer = shoulder().layers[static_cast<std::size_t>(i)].layer;
@@ -117,24 +117,24 @@ TEST(TrackingWall, passes_the_nine_layers_of_the_shoulder) {
 }
 
 TEST(TrackingWall, resolves_along_the_frozen_direction_with_one_threshold_not_three) {
-  Bench bench(shoulder());
+  WallBench bench(shoulder());
   const double force = bench.to(60.0);  // the 2 N layer
   const Vec3 hand = -force * Vec3(0.6, 0.0, -0.8);
   EXPECT_NEAR((hand - Vec3(-1.2, 0.0, 1.6)).norm(), 0.0, 1e-9);
-  Bench diagonal(shoulder());
+  WallBench diagonal(shoulder());
   EXPECT_NEAR(diagonal.to(10.0) / std::numbers::sqrt3, 0.8660254, 1e-6);
 }
 
 TEST(TrackingWall, holds_when_the_catch_up_is_infinite) {
   TrackingWallSettings settings;
   settings.catch_up = std::numeric_limits<double>::infinity();
-  Bench bench(settings);
+  WallBench bench(settings);
   bench.to(12.0);
   EXPECT_NEAR(bench.still(60000), 1.0, 1e-12);
 }
 
 TEST(TrackingWall, catches_up_in_seconds_whatever_the_rate) {
-  Bench coarse, fine({}, 2.5e-4);
+  WallBench coarse, fine({}, 2.5e-4);
   coarse.to(12.0);
   fine.to(12.0);
   EXPECT_NEAR(coarse.still(250), 0.5, 1e-9);
@@ -145,11 +145,11 @@ TEST(TrackingWall, strict_falls_to_zero_one_count_behind_the_stop_and_jumps_back
   TrackingWallSettings settings;
   settings.strict = true;
   settings.catch_up = std::numeric_limits<double>::infinity();
-  Bench bench(settings);
+  WallBench bench(settings);
   bench.to(12.0);
   EXPECT_NEAR(bench.still(10), 1.0, 1e-9);
   EXPECT_EQ(bench.to(11.95), 0.0);
-  EXPECT_NEAR(bench.to(12.0), 1.0, tick);
+  EXPECT_NEAR(bench.to(12.0), 1.0, wall_tick);
 }
 
 TEST(TrackingWall, remembers_channels_by_place_and_tilt) {
@@ -164,7 +164,7 @@ TEST(TrackingWall, remembers_channels_by_place_and_tilt) {
   };
   const Entry entries[] = {{{0, 0, 0}, 0.0, 1.0},   {{0.9, 0, 0}, 0.0, 0.0}, {{0, 0, 0}, 2.9, 0.0},
                            {{1.1, 0, 0}, 0.0, 1.0}, {{0, 0, 0}, 4.0, 1.0},   {{0, 0, 0}, 0.0, 0.0}};
-  Bench bench;
+  WallBench bench;
   for (const Entry& entry : entries) {
     bench.wall.begin(entry.place, tilted(entry.tilt));
     EXPECT_NEAR(bench.to(2.0), entry.force, 1e-9) << entry.place.transpose() << ", " << entry.tilt;
@@ -181,7 +181,7 @@ TEST(TrackingWall, remembers_channels_by_place_and_tilt) {
 TEST(TrackingWall, is_continuous_where_the_spring_changes) {
   TrackingWallSettings settings;
   settings.layers = {{0.0, {0.5, 1.0}}, {10.0, {1.0, 3.0}}, {20.0, {0.25, 3.0}}};
-  Bench bench(settings);
+  WallBench bench(settings);
   double before = 0.0;
   const auto smooth = [&](const AxialMotion& motion) {
     const double force = bench(motion);
@@ -196,7 +196,7 @@ TEST(TrackingWall, is_continuous_where_the_spring_changes) {
 }
 
 TEST(TrackingWall, tells_of_contact_and_withdrawal_once) {
-  Bench bench;
+  WallBench bench;
   bench.to(5.0);
   bench.to(-1.0);
   ASSERT_EQ(bench.events.size(), 2u);
@@ -205,19 +205,19 @@ TEST(TrackingWall, tells_of_contact_and_withdrawal_once) {
 }
 
 TEST(TrackingWall, has_the_properties_of_every_model) {
-  const auto make = [] { return Bench(shoulder()); };
+  const auto make = [] { return WallBench(shoulder()); };
   checks::finite_on_any_input(make);
   checks::passive_on_random_closed_paths(make, 60.0, 50.0, 1.0);
   checks::same_bits_on_repetition(make, 60.0);
   checks::bounded_when_saturated(make, 8.5);
   checks::no_growth_under_reversal_at_every_tick(make, 12.0);
-  checks::steady_force_is_the_same_at_half_the_tick([](double dt) { return Bench({}, dt); }, 12.0, 10.0, 1e-9);
+  checks::steady_force_is_the_same_at_half_the_tick([](double dt) { return WallBench({}, dt); }, 12.0, 10.0, 1e-9);
 }
 
 TEST(TrackingWall, stays_passive_where_springs_differ_from_layer_to_layer) {
   TrackingWallSettings settings;
   settings.layers = {{0.0, {0.3, 1.0}}, {4.0, {2.0, 3.0}}, {9.0, {0.2, 0.5}}, {13.0, {1.0, 4.0}}};
-  checks::passive_on_random_closed_paths([&] { return Bench(settings); }, 20.0, 20.0, 8.0);
+  checks::passive_on_random_closed_paths([&] { return WallBench(settings); }, 20.0, 20.0, 8.0);
 }
 
 TEST(TrackingWall, refuses_settings_outside_their_ranges) {

@@ -5,6 +5,7 @@
 
 #include "tests/forces/default_tissues.h"
 #include "tests/forces/model_checks.h"
+#include "tests/forces/near.h"
 
 #include "core/error.h"
 
@@ -19,10 +20,6 @@ Step step(const Vec3& tip, const ProxyProperties& properties, bool two_sided = f
           const Vec3& normal = Vec3::UnitZ()) {
   const Vec3 proxy = advance_proxy(Vec3::Zero(), tip, normal, properties, 0.5, ProxyVariant::drag, two_sided, 1e-3);
   return {proxy, -0.5 * (tip - proxy)};
-}
-
-void expect_near(const Vec3& found, const Vec3& expected, double tolerance = 1e-12) {
-  EXPECT_NEAR((found - expected).norm(), 0.0, tolerance) << found.transpose() << " for " << expected.transpose();
 }
 
 // Air above z = 0, then skin to 3, fat to 12, muscle to 30, bone below; 1 mm voxels, turned and moved in space.

@@ -10,11 +10,6 @@
 
 namespace bodkin {
 
-// GoogleTest finds it by the type's namespace; without it a failure shows bytes.
-static void PrintTo(const DriverSubject& subject, std::ostream* to) {
-  *to << subject.name;
-}
-
 namespace {
 
 using stand_in::Trouble;

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 
-const std::string folder = std::string(BODKIN_STAND_INS) + "/plug_in";
+const std::string plug_ins = std::string(BODKIN_STAND_INS) + "/plug_in";
 
 LibraryPlaces places(std::vector<std::string> where) {
   return {
@@ -48,8 +48,8 @@ class ScratchFolder {
 };
 
 TEST(DriverLibrary, is_the_first_that_is_there) {
-  const DriverLibrary library(places({"libbodkin_nowhere.so", "/nowhere/at_all.so", folder + "/no_entry.so"}));
-  EXPECT_EQ(library.path(), folder + "/no_entry.so");
+  const DriverLibrary library(places({"libbodkin_nowhere.so", "/nowhere/at_all.so", plug_ins + "/no_entry.so"}));
+  EXPECT_EQ(library.path(), plug_ins + "/no_entry.so");
 }
 
 TEST(DriverLibrary, names_every_place_when_there_is_none) {
@@ -59,14 +59,14 @@ TEST(DriverLibrary, names_every_place_when_there_is_none) {
 }
 
 TEST(DriverLibrary, that_the_user_chose_is_the_only_one_looked_for) {
-  LibraryPlaces where = places({folder + "/no_entry.so"});
+  LibraryPlaces where = places({plug_ins + "/no_entry.so"});
   where.chosen = "/nowhere/chosen.so";
   EXPECT_THAT(refusal(where, true), HasSubstr("/nowhere/chosen.so"));
 }
 
 TEST(DriverLibrary, is_found_below_an_environment_variable_unless_that_is_relative) {
   setenv("BODKIN_TEST_PLACE", BODKIN_STAND_INS, 1);
-  EXPECT_EQ(DriverLibrary(places({"$BODKIN_TEST_PLACE/plug_in/no_entry.so"})).path(), folder + "/no_entry.so");
+  EXPECT_EQ(DriverLibrary(places({"$BODKIN_TEST_PLACE/plug_in/no_entry.so"})).path(), plug_ins + "/no_entry.so");
   setenv("BODKIN_TEST_PLACE", ".", 1);
   EXPECT_THAT(refusal(places({"$BODKIN_TEST_PLACE/plug_in/no_entry.so", "libbodkin_nowhere.so"}), true),
               testing::Not(HasSubstr("no_entry")));
@@ -76,7 +76,7 @@ TEST(DriverLibrary, is_found_below_an_environment_variable_unless_that_is_relati
 TEST(DriverLibrary, is_the_newest_of_its_versions) {
   const ScratchFolder scratch;
   for (const char* version : {"3.9.1", "3.16.0", "3.2"}) {
-    fs::copy_file(folder + "/no_entry.so", scratch / ("libversions.so." + std::string(version)));
+    fs::copy_file(plug_ins + "/no_entry.so", scratch / ("libversions.so." + std::string(version)));
   }
   EXPECT_EQ(DriverLibrary(places({scratch / "libversions.so.*"})).path(), scratch / "libversions.so.3.16.0");
 }
@@ -89,7 +89,7 @@ TEST(DriverLibrary, that_is_damaged_is_told_in_the_systems_words) {
 }
 
 TEST(DriverLibrary, names_itself_and_the_symbol_that_it_lacks) {
-  const DriverLibrary library(places({folder + "/no_entry.so"}));
+  const DriverLibrary library(places({plug_ins + "/no_entry.so"}));
   int (*present)() = nullptr;
   library.need(present, "nothing_of_interest");
   EXPECT_EQ(present(), 0);
@@ -100,14 +100,14 @@ TEST(DriverLibrary, names_itself_and_the_symbol_that_it_lacks) {
     library.need(missing, "something_else");
     FAIL();
   } catch (const LibraryError& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("something_else"), HasSubstr(folder + "/no_entry.so")));
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("something_else"), HasSubstr(plug_ins + "/no_entry.so")));
     EXPECT_FALSE(error.absent());
   }
 }
 
 TEST(DriverLibrary, can_be_unloaded_and_loaded_again) {
   for (int round = 0; round < 3; ++round) {
-    DriverLibrary library(places({folder + "/no_entry.so"}));
+    DriverLibrary library(places({plug_ins + "/no_entry.so"}));
     library.unload();
   }
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tests/haptics/stand_ins/haply.h"
 #include <dlfcn.h>
 
 #include "haptics/drivers/drivers.h"
@@ -14,7 +15,7 @@ using stand_in::Trouble;
 
 namespace {
 
-const std::string folder = BODKIN_STAND_INS;
+const std::string stand_ins = BODKIN_STAND_INS;
 
 Mat3 columns(const Vec3& x, const Vec3& y, const Vec3& z) {
   Mat3 matrix;
@@ -22,12 +23,18 @@ Mat3 columns(const Vec3& x, const Vec3& y, const Vec3& z) {
   return matrix;
 }
 
+void without_symbol(DriverSubject& subject, const std::string& library, const std::string& symbol) {
+  subject.absent = "library=/nowhere/lib.so";
+  subject.told_of_absent = {"/nowhere/lib.so"};
+  subject.unfit = "library=" + library;
+  subject.told_of_unfit = {library, symbol};
+}
+
 DriverSubject force_dimension() {
   DriverSubject subject;
   subject.name = "force_dimension";
-  subject.library = folder + "/force_dimension/libdrd.so";
-  subject.library_without_symbol = folder + "/force_dimension_broken/libdrd.so";
-  subject.missing_symbol = "dhdEnableForce";
+  subject.library = stand_ins + "/force_dimension/libdrd.so";
+  without_symbol(subject, stand_ins + "/force_dimension_broken/libdrd.so", "dhdEnableForce");
   // X towards the operator, Y right, Z up; m, N m.
   subject.pushed_vendor = {0.01, 0.02, 0.03};
   subject.pushed = {20, -10, 30};
@@ -48,9 +55,8 @@ DriverSubject force_dimension() {
 DriverSubject openhaptics() {
   DriverSubject subject;
   subject.name = "openhaptics";
-  subject.library = folder + "/openhaptics/libHD.so";
-  subject.library_without_symbol = folder + "/openhaptics_broken/libHD.so";
-  subject.missing_symbol = "hdDisable";
+  subject.library = stand_ins + "/openhaptics/libHD.so";
+  without_symbol(subject, stand_ins + "/openhaptics_broken/libHD.so", "hdDisable");
   subject.settings = "dead_man=yes";
   // X right, Y up, Z towards the operator; mm, N mm; the middle of the workspace is at (0, 20, 0).
   subject.origin_vendor = {0, 20, 0};
@@ -76,9 +82,8 @@ DriverSubject openhaptics() {
 DriverSubject haption() {
   DriverSubject subject;
   subject.name = "haption";
-  subject.library = folder + "/haption/libVirtuoseAPI.so";
-  subject.library_without_symbol = folder + "/haption_broken/libVirtuoseAPI.so";
-  subject.missing_symbol = "virtStopLoop";
+  subject.library = stand_ins + "/haption/libVirtuoseAPI.so";
+  without_symbol(subject, stand_ins + "/haption_broken/libVirtuoseAPI.so", "virtStopLoop");
   subject.settings = "relays_s=0.02";
   // X towards the operator, Y right, Z up; m, N m.
   subject.pushed_vendor = {0.01, 0.02, 0.03};
@@ -97,11 +102,47 @@ DriverSubject haption() {
   return subject;
 }
 
+DriverSubject haply() {
+  static stand_in::Board other_board;
+  static const stand_in::HaplyService service(stand_in::board());
+  static const stand_in::HaplyService old_service(other_board, {.version = "2.9.1"});
+  DriverSubject subject;
+  subject.name = "haply";
+  subject.service = &stand_in::board();
+  subject.settings =
+      "port=" + std::to_string(service.port()) + " dead_man=c silence_ms=1000";  // a busy machine is no fault
+  subject.absent = "port=1";
+  subject.told_of_absent = {"localhost:1", "haply-inverse-service"};
+  subject.unfit = "port=" + std::to_string(old_service.port());
+  subject.told_of_unfit = {"2.9.1", "3.0 or newer"};
+  // X right, Y away, Z up; m; the middle of the workspace is at (0, -0.15, 0.2).
+  subject.origin_vendor = {0.0, -0.15, 0.20};
+  subject.pushed_vendor = {0.01, -0.13, 0.23};
+  subject.pushed = {10, 20, 30};
+  subject.left_vendor = columns(Vec3::UnitY(), -Vec3::UnitX(), Vec3::UnitZ());
+  subject.force_vendor = {1, 2, 3};
+  subject.torque_vendor = Vec3::Zero();
+  subject.tells_of_a_freeze = true;
+  subject.at_open = {{Trouble::no_device, DeviceFault::not_connected},
+                     {Trouble::wrong_version, DeviceFault::wrong_version},
+                     {Trouble::uncalibrated, DeviceFault::not_calibrated}};
+  subject.in_loop = {{Trouble::unplug, DeviceFault::communication_lost},
+                     {Trouble::not_a_number, DeviceFault::bad_data},
+                     {Trouble::emergency_stop, DeviceFault::emergency_stop},
+                     {Trouble::uncalibrated, DeviceFault::not_calibrated},
+                     {Trouble::unknown_code, DeviceFault::vendor_error}};
+  return subject;
+}
+
 }  // namespace
+
+void PrintTo(const DriverSubject& subject, std::ostream* to) {
+  *to << subject.name;
+}
 
 const std::vector<DriverSubject>& driver_subjects() {
   static const std::vector<DriverSubject> all = [] {
-    std::vector<DriverSubject> subjects = {openhaptics(), force_dimension(), haption()};
+    std::vector<DriverSubject> subjects = {openhaptics(), force_dimension(), haption(), haply()};
     for (DriverSubject& subject : subjects) {
       subject.driver = find_driver(subject.name);
       subject.force = {1, 2, 3};
@@ -113,81 +154,22 @@ const std::vector<DriverSubject>& driver_subjects() {
 }
 
 stand_in::Board& DriverSubject::board() const {
+  if (service != nullptr) return *service;
   void* handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) throw std::runtime_error(dlerror());
   const auto entry = reinterpret_cast<stand_in::Board* (*)()>(dlsym(handle, "bodkin_stand_in"));
   return *entry();
 }
 
-bool comes_true(const std::function<bool()>& condition) {
-  for (int wait = 0; wait < 30000; ++wait) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(1ms);
-  }
-  return false;
-}
-
-Wrench DriverRig::Hand::tick(const DeviceState& state, double) noexcept {
-  const std::lock_guard lock(mutex_);
-  last_ = state;
-  for (int i = 0; i < 3; ++i) {
-    if (std::abs(state.velocity[i]) > std::abs(fastest_[i])) fastest_[i] = state.velocity[i];
-  }
-  return wrench_;
-}
-
-void DriverRig::Hand::push(const Wrench& wrench) {
-  const std::lock_guard lock(mutex_);
-  wrench_ = wrench;
-}
-
-DeviceState DriverRig::Hand::last() const {
-  const std::lock_guard lock(mutex_);
-  return last_;
-}
-
-Vec3 DriverRig::Hand::fastest() const {
-  const std::lock_guard lock(mutex_);
-  return fastest_;
-}
-
 DriverRig::DriverRig(const DriverSubject& subject, std::chrono::milliseconds patience)
-    : subject_(subject), port_(std::make_unique<DevicePort>(*subject.driver, "", subject.words(), patience)) {}
+    : DeviceLoop(DevicePort(*subject.driver, "", subject.words(), patience)), subject_(subject) {}
 
 DriverRig::~DriverRig() {
   close();
-  ended_ = true;
-  if (servo_.joinable()) servo_.join();
-}
-
-void DriverRig::start() {
-  port_->start(&hand_);
-  if (port_->abilities().owns_loop) return;
-  servo_ = std::thread([this, &port = *port_] {
-    DeviceState state;
-    Wrench wrench;
-    while (!ended_) {
-      port.exchange(wrench, state);
-      if (state.fault == DeviceFault::not_connected) break;
-      wrench = hand_.tick(state, 0.001);
-      std::this_thread::sleep_for(50us);
-    }
-  });
-}
-
-void DriverRig::stop() {
-  port_->stop();
-  ended_ = true;
-  if (servo_.joinable()) servo_.join();
-  ended_ = false;
 }
 
 void DriverRig::close() {
-  if (port_ == nullptr) return;
-  ended_ = true;
-  // A servo that hangs in a vendor's call is joined at the end, when the test has let the call return.
-  if (servo_.joinable() && !subject_.board().troubled_by(Trouble::freeze)) servo_.join();
-  port_.reset();
+  DeviceLoop::close(subject_.board().troubled_by(Trouble::freeze));
 }
 
 bool DriverRig::ticks(int count) {

@@ -58,6 +58,27 @@ TEST(HandGuardLimits, torques_have_a_peak_and_a_slew_of_their_own) {
   EXPECT_EQ(plain.count(GuardReason::torque_peak), 0) << "a device without torques is at no fault";
 }
 
+TEST(HandGuardLimits, an_axis_that_gives_energy_is_damped_and_says_so) {
+  GuardRig rig;
+  rig.push({2.0, 0.0, 0.0});
+  const double before = rig.guard.energy().x();
+  for (int i = 0; i < 50; ++i) {
+    rig.device.hand.translation().x() += 0.02;  // 20 mm/s, along with the force
+    rig.tick(Vec3(2.0, 0.0, 0.0));
+  }
+  EXPECT_NEAR(rig.guard.applied().force.x(), 2.0 - 0.002 * 20.0, 1e-3);
+  EXPECT_NEAR(rig.guard.energy().x() - before, -50 * 0.02 * 1.97, 0.05) << "N mm that the hand has got";
+  EXPECT_EQ(rig.count(GuardReason::passivity), 1);
+  EXPECT_TRUE(rig.guard.limits() & (1U << static_cast<unsigned>(GuardReason::passivity)));
+  // Against the force the hand gives it back, and the damping ends.
+  for (int i = 0; i < 60; ++i) {
+    rig.device.hand.translation().x() -= 0.02;
+    rig.tick(Vec3(2.0, 0.0, 0.0));
+  }
+  EXPECT_DOUBLE_EQ(rig.guard.applied().force.x(), 2.0);
+  EXPECT_GT(rig.guard.energy().x(), 0.0);
+}
+
 TEST(HandGuardLimits, the_mean_load_never_passes_the_continuous_force) {
   GuardRig rig;
   rig.push(nothing);
@@ -115,8 +136,15 @@ void shake(GuardRig& rig, double hertz, double amplitude, double seconds) {
   rig.device.hand.translation() = start;
 }
 
+// A force that is as it is wherever the hand goes gives and takes energy that no tissue had: passivity would damp it.
+GuardSettings undamped() {
+  GuardSettings settings = GuardRig::example();
+  settings.damping = 0.0;
+  return settings;
+}
+
 TEST(HandGuardLimits, a_shaking_hand_gets_half_the_force_and_then_none) {
-  GuardRig rig;
+  GuardRig rig(undamped());
   rig.push({0.0, 0.0, 3.0});
   shake(rig, 45.0, 0.3, 0.15);
   EXPECT_NEAR(rig.guard.applied().force.z(), 1.5, 1e-9);
@@ -127,7 +155,7 @@ TEST(HandGuardLimits, a_shaking_hand_gets_half_the_force_and_then_none) {
 }
 
 TEST(HandGuardLimits, half_the_force_becomes_the_whole_again_when_the_hand_was_quiet_for_ten_seconds) {
-  GuardRig rig;
+  GuardRig rig(undamped());
   rig.push({0.0, 0.0, 3.0});
   shake(rig, 60.0, 0.3, 0.14);
   EXPECT_NEAR(rig.guard.applied().force.z(), 1.5, 1e-9);
@@ -138,7 +166,7 @@ TEST(HandGuardLimits, half_the_force_becomes_the_whole_again_when_the_hand_was_q
 }
 
 TEST(HandGuardLimits, tremor_and_encoder_noise_are_no_shaking) {
-  GuardSettings settings = GuardRig::example();
+  GuardSettings settings = undamped();
   settings.oscillation_amplitude = 1.9 * 0.055;
   GuardRig tremor(settings);
   tremor.push({0.0, 0.0, 3.0});

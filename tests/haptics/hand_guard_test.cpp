@@ -13,7 +13,7 @@ namespace bodkin {
 namespace {
 
 const Vec3 push3(0.0, 0.0, 3.0);
-const Vec3 nothing = Vec3::Zero();
+const Vec3 no_force = Vec3::Zero();
 
 TEST(HandGuard, lets_nothing_through_until_it_is_armed) {
   GuardRig rig;
@@ -24,9 +24,9 @@ TEST(HandGuard, lets_nothing_through_until_it_is_armed) {
 
 TEST(HandGuard, brings_the_force_in_over_one_second) {
   GuardRig rig;
-  for (int i = 0; i < 60; ++i) rig.tick(nothing);
+  for (int i = 0; i < 60; ++i) rig.tick(no_force);
   rig.guard.arm();
-  rig.tick(nothing);
+  rig.tick(no_force);
   EXPECT_EQ(rig.guard.state(), GuardState::ramping);
   for (int i = 2; i <= 1000; ++i) {
     EXPECT_NEAR(rig.tick({0.0, 2.0, 0.0}).force.y(), 2.0 * i / 1000.0, 1e-9);
@@ -41,17 +41,17 @@ TEST(HandGuard, waits_for_a_moving_hand_and_gives_up_after_two_seconds) {
   rig.guard.arm();
   for (int i = 0; i < 1900; ++i) {
     rig.device.hand.translation().y() = 30.0 * std::sin(0.006 * i);  // up to 180 mm/s
-    rig.tick(nothing);
+    rig.tick(no_force);
   }
   EXPECT_EQ(rig.guard.state(), GuardState::disarmed);
-  for (int i = 0; i < 80; ++i) rig.tick(nothing);  // rests in time
+  for (int i = 0; i < 80; ++i) rig.tick(no_force);  // rests in time
   EXPECT_EQ(rig.guard.state(), GuardState::ramping);
 
   GuardRig restless;
   restless.guard.arm();
   for (int i = 0; i < 2100; ++i) {
     restless.device.hand.translation().y() = 0.1 * (i % 100);
-    restless.tick(nothing);
+    restless.tick(no_force);
   }
   EXPECT_EQ(restless.guard.state(), GuardState::disarmed);
   ASSERT_EQ(restless.count(GuardReason::refused), 1);
@@ -69,9 +69,9 @@ TEST(HandGuard, refuses_to_be_armed_and_says_why) {
   GuardRig pulled, loose, broken, silent;
   EXPECT_EQ(refusal(pulled, {0.0, 0.0, 0.31}), GuardReason::pulling);
   loose.device.held = false;
-  EXPECT_EQ(refusal(loose, nothing), GuardReason::released);
+  EXPECT_EQ(refusal(loose, no_force), GuardReason::released);
   broken.device.fault = DeviceFault::overheated;
-  EXPECT_EQ(refusal(broken, nothing), GuardReason::device_fault);
+  EXPECT_EQ(refusal(broken, no_force), GuardReason::device_fault);
   EXPECT_EQ(refusal(silent, {std::nan(""), 0.0, 0.0}), GuardReason::not_finite);
 }
 
@@ -133,7 +133,7 @@ TEST(HandGuard, a_hand_faster_than_one_metre_a_second_ends_the_force_at_the_thir
 TEST(HandGuard, a_device_that_tells_a_wrong_velocity_is_seen_through_by_its_positions) {
   GuardRig rig;
   rig.push(push3);
-  rig.device.velocity = nothing;
+  rig.device.velocity = no_force;
   int ticks = 0;
   for (; rig.guard.is_armed() && ticks < 50; ++ticks) {
     rig.device.hand.translation().y() += 1.2;
@@ -259,7 +259,7 @@ TEST(HandGuard, a_gap_between_ticks_starts_the_force_again_from_zero) {
 
 TEST(HandGuard, a_late_tick_gives_no_right_to_a_larger_step) {
   GuardRig rig;
-  rig.push(nothing);
+  rig.push(no_force);
   EXPECT_LE(rig.tick(push3, 0.0, 0.030).force.z(), 1.0 + 1e-12);
 }
 
@@ -277,7 +277,7 @@ TEST(HandGuard, readings_that_stand_still_under_force_are_a_fault_after_half_a_s
   EXPECT_LE(rig.ticks_to_zero(push3), 20);
 
   GuardRig free;
-  free.push(nothing);
+  free.push(no_force);
   free.alive = false;
   for (int i = 0; i < 2000; ++i) free.tick(Vec3(0.0, 0.0, 0.2));
   EXPECT_EQ(free.guard.state(), GuardState::active) << "a device that lies on the table";

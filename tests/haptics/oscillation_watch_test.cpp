@@ -3,12 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/one_tick.h"
 #include <gtest/gtest.h>
 
 namespace bodkin {
 namespace {
-
-constexpr double dt = 0.001;
 
 // How often a hand that swings at `hertz` and `wide` (mm from the middle) is found to be shaken within a second, by a
 // spring of `stiffness` (N/mm) about a push of 5 N that answers `late` seconds after the hand.
@@ -18,11 +17,11 @@ int found(OscillationWatch watch, double hertz, double wide, double stiffness, d
   };
   int count = 0;
   for (int i = 1; i <= 1000; ++i) {
-    const double time = dt * i;
+    const double time = one_tick * i;
     // The mean of the tick, so that a spring without delay neither gives nor takes.
-    const double meanwhile = time - 0.5 * dt - late;
+    const double meanwhile = time - 0.5 * one_tick - late;
     const Vec3 force(0.0, 0.0, 5.0 - stiffness * place(meanwhile));
-    count += watch.step(Vec3(0.0, 0.0, place(time) - place(time - dt)), force, dt) ? 1 : 0;
+    count += watch.step(Vec3(0.0, 0.0, place(time) - place(time - one_tick)), force, one_tick) ? 1 : 0;
   }
   return count;
 }
@@ -37,7 +36,7 @@ TEST(OscillationWatch, fast_shaking_is_above_30_Hz_and_its_swing) {
 }
 
 TEST(OscillationWatch, driven_shaking_is_one_that_the_force_feeds) {
-  const OscillationWatch watch(driven_shaking(0.2, 1.0, dt));
+  const OscillationWatch watch(driven_shaking(0.2, 1.0, one_tick));
   EXPECT_GE(found(watch, 15.0, 1.0, 2.0, 0.004), 2) << "a spring that answers late";
   EXPECT_EQ(found(watch, 15.0, 1.0, 2.0, 0.0), 0) << "a spring";
   EXPECT_EQ(found(watch, 15.0, 1.0, 2.0, -0.004), 0) << "a spring with a damper";
@@ -49,7 +48,8 @@ TEST(OscillationWatch, driven_shaking_is_one_that_the_force_feeds) {
 
 TEST(OscillationWatch, without_force_nothing_shakes_the_hand) {
   OscillationWatch watch(fast_shaking(0.05));
-  for (int i = 0; i < 1000; ++i) EXPECT_FALSE(watch.step(Vec3(0.0, 0.0, i % 10 < 5 ? 0.1 : -0.1), Vec3::Zero(), dt));
+  for (int i = 0; i < 1000; ++i)
+    EXPECT_FALSE(watch.step(Vec3(0.0, 0.0, i % 10 < 5 ? 0.1 : -0.1), Vec3::Zero(), one_tick));
 }
 
 }  // namespace

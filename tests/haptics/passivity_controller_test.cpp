@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/one_tick.h"
 #include <gtest/gtest.h>
 
 #include "core/random.h"
@@ -10,11 +11,10 @@
 namespace bodkin {
 namespace {
 
-constexpr double dt = 0.001;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 PassivityController unlimited_controller() {
-  return {dt, unlimited, unlimited, 0.5};
+  return {one_tick, unlimited, unlimited, 0.5};
 }
 
 TEST(PassivityController, active_force_from_nothing_is_taken_back_whole) {
@@ -47,15 +47,15 @@ TEST(PassivityController, below_the_velocity_threshold_the_debt_is_carried_on) {
 }
 
 TEST(PassivityController, damping_is_bounded_by_the_device_and_the_rest_follows_later) {
-  PassivityController controller(dt, 0.03, 6.0, 0.5);
+  PassivityController controller(one_tick, 0.03, 6.0, 0.5);
   EXPECT_NEAR(controller.step(1.0, -10.0, true), 0.7, 1e-12);
   EXPECT_NEAR(controller.energy(), -0.007, 1e-15);
 }
 
 TEST(PassivityController, the_force_that_comes_out_is_bounded) {
-  PassivityController controller(dt, unlimited, 6.0, 0.5);
+  PassivityController controller(one_tick, unlimited, 6.0, 0.5);
   EXPECT_EQ(controller.step(-20.0, 50.0, true), 0.0);
-  controller = PassivityController(dt, 1.0, 6.0, 0.5);
+  controller = PassivityController(one_tick, 1.0, 6.0, 0.5);
   controller.step(-20.0, 0.4, true);
   EXPECT_LE(std::abs(controller.step(-20.0, 0.6, true)), 6.0);
 }
@@ -77,7 +77,7 @@ TEST(PassivityController, no_force_however_active_ever_gives_more_than_it_took) 
     const double velocity = random.uniform(-100.0, 100.0);
     if (std::abs(velocity) < 0.5) continue;
     const double force = random.uniform(-3.0, 3.0) - 0.02 * velocity;  // a negative damper
-    taken += controller.step(force, velocity, true) * velocity * dt;
+    taken += controller.step(force, velocity, true) * velocity * one_tick;
     EXPECT_GE(taken, -1e-9);
   }
 }

@@ -11,11 +11,11 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string folder = std::string(BODKIN_STAND_INS) + "/plug_in";
+const std::string example_folder = std::string(BODKIN_STAND_INS) + "/plug_in";
 
 std::string refusal(const std::string& name) {
   try {
-    load_plugin(folder + "/" + name);
+    load_plugin(example_folder + "/" + name);
   } catch (const SystemError& error) {
     return error.what();
   }
@@ -24,7 +24,7 @@ std::string refusal(const std::string& name) {
 }
 
 TEST(Plugin, the_example_of_the_documentation_is_a_driver) {
-  const bodkin_driver& driver = load_plugin(folder + "/example_driver.so");
+  const bodkin_driver& driver = load_plugin(example_folder + "/example_driver.so");
   EXPECT_STREQ(driver.name, "example");
   const auto found = list_devices(driver, "");
   ASSERT_EQ(found.size(), 1u);
@@ -41,7 +41,7 @@ TEST(Plugin, the_example_of_the_documentation_is_a_driver) {
 }
 
 TEST(Plugin, a_refusal_of_the_example_arrives_in_its_own_words) {
-  const bodkin_driver& driver = load_plugin(folder + "/example_driver.so");
+  const bodkin_driver& driver = load_plugin(example_folder + "/example_driver.so");
   try {
     const DevicePort port(driver, "7", "");
     FAIL();

@@ -25,7 +25,7 @@ struct VirtualTime {
   }
 };
 
-ServoSettings settings() {
+ServoSettings servo_settings() {
   ServoSettings made;
   made.guard.peak_force = 10.0;
   made.guard.continuous_force = 4.0;
@@ -42,7 +42,7 @@ Control wall(const ControlInput& input) {
 
 class Servo {
  public:
-  explicit Servo(const ServoSettings& with = settings(), Controller controller = wall)
+  explicit Servo(const ServoSettings& with = servo_settings(), Controller controller = wall)
       : tick(std::make_unique<ServoTick>(with, std::move(controller), time.clock())) {}
 
   Wrench step(double dt = 0.001) {
@@ -99,6 +99,23 @@ TEST(ServoTick, shows_the_newest_tick) {
   EXPECT_NEAR(snapshot.needle.translation().z(), -4.0, 1e-9);
 }
 
+TEST(ServoTick, carries_the_handle_whatever_the_needle_feels_and_counts_it_as_no_energy) {
+  ServoSettings with = servo_settings();
+  with.weight = 0.7;
+  Servo servo(with);
+  servo.device.hand.translation().z() = 0.0;
+  servo.steps(100);
+  EXPECT_TRUE(servo.step().force.isZero(0.0)) << "not before it is armed";
+  servo.into_the_wall();
+  EXPECT_NEAR(servo.step().force.z(), 2.7, 1e-9);
+  EXPECT_NEAR(servo.tick->snapshot().energy.z(), 0.5 * 0.5 * 4.0 * 4.0, 0.11)
+      << "of the wall's spring alone, half a tick late";
+  servo.command(ServoCommand::Kind::freeze);
+  EXPECT_NEAR(servo.step().force.z(), 0.7, 1e-9);
+  with.weight = 6.0;
+  EXPECT_THROW(Servo{with}, InputError);
+}
+
 TEST(ServoTick, a_frozen_needle_is_not_felt_and_comes_back_slowly) {
   Servo servo;
   servo.into_the_wall();
@@ -120,7 +137,7 @@ TEST(ServoTick, a_frozen_needle_is_not_felt_and_comes_back_slowly) {
 }
 
 TEST(ServoTick, buttons_clutch_and_freeze_and_their_bounces_do_not_count) {
-  ServoSettings with = settings();
+  ServoSettings with = servo_settings();
   with.clutch_button = 0;
   with.freeze_button = 3;
   Servo servo(with);
@@ -145,7 +162,7 @@ TEST(ServoTick, buttons_clutch_and_freeze_and_their_bounces_do_not_count) {
 }
 
 TEST(ServoTick, a_button_can_be_the_dead_mans_switch) {
-  ServoSettings with = settings();
+  ServoSettings with = servo_settings();
   with.dead_man_button = 1;
   Servo servo(with);
   servo.device.buttons = 2U;
@@ -174,7 +191,7 @@ TEST(ServoTick, disarm_comes_after_every_waiting_arm_and_needs_no_place_in_the_q
 TEST(ServoTick, a_controller_that_throws_ends_the_force_and_rests_until_it_is_armed_again) {
   int calls = 0;
   bool bad = false;
-  Servo servo(settings(), [&](const ControlInput& input) {
+  Servo servo(servo_settings(), [&](const ControlInput& input) {
     ++calls;
     if (bad) throw std::runtime_error("no tissue");
     return wall(input);
@@ -194,7 +211,7 @@ TEST(ServoTick, a_controller_that_throws_ends_the_force_and_rests_until_it_is_ar
 
 TEST(ServoTick, a_pose_that_is_no_number_never_reaches_the_controller) {
   bool finite = true;
-  Servo servo(settings(), [&](const ControlInput& input) {
+  Servo servo(servo_settings(), [&](const ControlInput& input) {
     finite = finite && input.needle.matrix().allFinite();
     return wall(input);
   });
@@ -248,15 +265,15 @@ TEST(ServoTick, a_lateness_that_the_caller_knows_counts_instead) {
 }
 
 TEST(ServoTick, a_servo_without_controller_or_at_an_impossible_rate_is_refused) {
-  EXPECT_THROW(ServoTick(settings(), Controller()), InputError);
-  ServoSettings slow = settings();
+  EXPECT_THROW(ServoTick(servo_settings(), Controller()), InputError);
+  ServoSettings slow = servo_settings();
   slow.rate = 30.0;
   EXPECT_THROW(ServoTick(slow, wall), InputError);
 }
 
 // For ThreadSanitizer: commands, snapshots, events, timings and reports beside a running tick.
 TEST(ServoTick, one_thread_ticks_while_another_commands_and_looks) {
-  const auto tick = std::make_unique<ServoTick>(settings(), wall);
+  const auto tick = std::make_unique<ServoTick>(servo_settings(), wall);
   std::atomic<bool> done{false};
   std::thread servo([&] {
     DeviceState device;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "tests/one_tick.h"
 #include <gtest/gtest.h>
 
 #include "core/error.h"
@@ -12,8 +13,6 @@
 
 namespace bodkin {
 namespace {
-
-constexpr double dt = 0.001;
 
 HandParameters plain_hand() {
   HandParameters hand;
@@ -46,17 +45,18 @@ TEST(SimulatedHand, yields_to_a_force_as_the_textbook_says_whatever_its_damping)
   for (const double damping : {0.0, 0.02, 0.3}) {
     HandParameters parameters = plain_hand();
     parameters.damping = damping;
-    SimulatedHand hand(parameters, dt, 1);
+    SimulatedHand hand(parameters, one_tick, 1);
     hand.start(Pose::Identity());
     for (int tick = 1; tick <= 400; ++tick) {
       const double x = hand.step(Pose::Identity(), push({1.5, 0, 0})).translation().x();
-      EXPECT_NEAR(x, step_response(parameters, 1.5, tick * dt), 1e-9) << "damping " << damping << " tick " << tick;
+      EXPECT_NEAR(x, step_response(parameters, 1.5, tick * one_tick), 1e-9)
+          << "damping " << damping << " tick " << tick;
     }
   }
 }
 
 TEST(SimulatedHand, rests_where_spring_and_force_balance) {
-  SimulatedHand hand(plain_hand(), dt, 1);
+  SimulatedHand hand(plain_hand(), one_tick, 1);
   hand.start(Pose::Identity());
   for (int tick = 0; tick < 5000; ++tick) hand.step(Pose::Identity(), push({0, -3.0, 1.0}));
   EXPECT_NEAR((hand.needle().translation() - Vec3(0, -1.5, 0.5)).norm(), 0.0, 1e-9);
@@ -64,11 +64,11 @@ TEST(SimulatedHand, rests_where_spring_and_force_balance) {
 }
 
 TEST(SimulatedHand, follows_an_even_motion_without_lag) {
-  SimulatedHand hand(plain_hand(), dt, 1);
+  SimulatedHand hand(plain_hand(), one_tick, 1);
   Pose intended = Pose::Identity();
   hand.start(intended);
   for (int tick = 0; tick < 5000; ++tick) {
-    intended.translation() += Vec3(0, 0, 5.0 * dt);
+    intended.translation() += Vec3(0, 0, 5.0 * one_tick);
     hand.step(intended, {});
   }
   EXPECT_NEAR((hand.needle().translation() - intended.translation()).norm(), 0.0, 1e-9);
@@ -82,7 +82,7 @@ TEST(SimulatedHand, is_passive_it_never_gives_more_energy_than_the_force_put_in)
     parameters.mass = random.uniform(0.05, 2.0);
     parameters.stiffness = random.uniform(0.1, 15.0);
     parameters.damping = random.uniform(0.0, 0.3);
-    SimulatedHand hand(parameters, dt, 1);
+    SimulatedHand hand(parameters, one_tick, 1);
     hand.start(Pose::Identity());
     double work = 0.0;  // N mm, done by the force
     for (int tick = 0; tick < 2000; ++tick) {
@@ -112,7 +112,7 @@ TEST(SimulatedHand, the_stiffest_hand_with_the_coarsest_tick_stays_finite) {
 
 TEST(SimulatedHand, turns_by_torque_over_stiffness) {
   HandParameters parameters = plain_hand();
-  SimulatedHand hand(parameters, dt, 1);
+  SimulatedHand hand(parameters, one_tick, 1);
   hand.start(Pose::Identity());
   for (int tick = 0; tick < 3000; ++tick) hand.step(Pose::Identity(), {Vec3::Zero(), Vec3(200.0, 0, 0)});
   const Vec3 axis = needle_axis(hand.needle());
@@ -123,7 +123,7 @@ TEST(SimulatedHand, turns_by_torque_over_stiffness) {
 }
 
 TEST(Tremor, has_the_wanted_size_and_nothing_outside_8_to_12_hertz) {
-  Tremor tremor(0.1, dt, 5);
+  Tremor tremor(0.1, one_tick, 5);
   constexpr int count = 20000;
   double square = 0.0;
   std::vector<double> x(count);
@@ -136,7 +136,8 @@ TEST(Tremor, has_the_wanted_size_and_nothing_outside_8_to_12_hertz) {
     std::complex<double> sum = 0.0;
     for (int i = 0; i < count; ++i) {
       const double window = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * i / count);
-      sum += window * x[static_cast<std::size_t>(i)] * std::polar(1.0, -2.0 * std::numbers::pi * frequency * i * dt);
+      sum += window * x[static_cast<std::size_t>(i)] *
+             std::polar(1.0, -2.0 * std::numbers::pi * frequency * i * one_tick);
     }
     return std::norm(sum / static_cast<double>(count));
   };
@@ -151,7 +152,7 @@ TEST(SimulatedHand, equal_seeds_tremble_equally_and_others_do_not) {
   HandParameters parameters = plain_hand();
   parameters.tremor = 0.1;
   parameters.tremor_angle = 0.01;
-  SimulatedHand one(parameters, dt, 7), same(parameters, dt, 7), other(parameters, dt, 8);
+  SimulatedHand one(parameters, one_tick, 7), same(parameters, one_tick, 7), other(parameters, one_tick, 8);
   for (SimulatedHand* hand : {&one, &same, &other}) hand->start(Pose::Identity());
   bool differs = false;
   for (int tick = 0; tick < 500; ++tick) {
@@ -166,7 +167,7 @@ TEST(SimulatedHand, a_parameter_out_of_range_is_named_with_its_range) {
   HandParameters parameters;
   parameters.stiffness = -1.0;
   try {
-    SimulatedHand hand(parameters, dt, 1);
+    SimulatedHand hand(parameters, one_tick, 1);
     FAIL();
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(), "the hand's stiffness is -1 N/mm, expected 0.05 to 20");

@@ -25,8 +25,7 @@ SpnavServer::SpnavServer() {
 }
 
 SpnavServer::~SpnavServer() {
-  hang_up();
-  close(listener_);
+  close_all();
   std::filesystem::remove_all(folder_);
 }
 
@@ -48,6 +47,12 @@ void SpnavServer::send_bytes(const Event& event, std::size_t from, std::size_t t
 void SpnavServer::hang_up() {
   if (client_ >= 0) close(client_);
   client_ = -1;
+}
+
+void SpnavServer::close_all() {
+  hang_up();
+  if (listener_ >= 0) close(listener_);  // with it end the connections that wait to be taken
+  listener_ = -1;
 }
 
 }  // namespace stand_in

@@ -25,6 +25,8 @@ class SpnavServer {
   // The first bytes now, the rest with the next call.
   void send_bytes(const Event& event, std::size_t from, std::size_t to) const;
   void hang_up();
+  // Takes no connection any more and ends those that there are, as when the daemon stops.
+  void close_all();
 
  private:
   std::filesystem::path folder_;

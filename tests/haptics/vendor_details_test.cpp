@@ -46,17 +46,6 @@ TEST(Drivers, have_names_of_their_own_and_speak_our_version) {
   EXPECT_EQ(names.size(), built_in_drivers().size());
 }
 
-TEST(Drivers, are_found_by_name_or_by_path) {
-  EXPECT_STREQ(driver_named("haption").name, "haption");
-  EXPECT_STREQ(driver_named(std::string(BODKIN_STAND_INS) + "/plug_in/example_driver.so").name, "example");
-  try {
-    driver_named("joystick");
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::AllOf(HasSubstr("'joystick'"), HasSubstr("openhaptics, force_dimension")));
-  }
-}
-
 TEST(StandIns, take_their_trouble_from_the_environment) {
   // A copy is a library of its own, which reads the environment anew.
   const std::filesystem::path copy =
@@ -162,7 +151,7 @@ TEST(OpenHaptics, refuses_a_second_library_while_the_first_is_in_use) {
   const DriverSubject& hd = subject("openhaptics");
   hd.board().clear();
   const DevicePort port(*hd.driver, "", hd.words());
-  EXPECT_THROW(DevicePort(*hd.driver, "", "library=" + hd.library_without_symbol), DeviceError);
+  EXPECT_THROW(DevicePort(*hd.driver, "", hd.unfit), DeviceError);
 }
 
 TEST(ForceDimension, an_sdk_without_the_newer_functions_works) {

@@ -19,17 +19,8 @@
 namespace bodkin {
 namespace {
 
+using test::sentence_of;
 using testing::HasSubstr;
-
-template <typename Call>
-std::string sentence_of(const Call& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing was refused";
-}
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const auto place = text.find(from);

@@ -16,17 +16,8 @@
 namespace bodkin {
 namespace {
 
+using test::sentence_of;
 using testing::HasSubstr;
-
-template <typename Call>
-std::string sentence_of(const Call& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing was refused";
-}
 
 SliceStack stack_at(const std::vector<Vec3>& positions) {
   SliceStack stack;

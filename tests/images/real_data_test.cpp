@@ -15,17 +15,8 @@
 namespace bodkin {
 namespace {
 
+using test::sentence_of;
 using testing::HasSubstr;
-
-template <typename Call>
-std::string sentence_of(const Call& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing was refused";
-}
 
 double mean_where(const CtVolume& ct, const LabelVolume& labels, std::uint16_t label) {
   double sum = 0.0;

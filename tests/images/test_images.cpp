@@ -153,7 +153,9 @@ std::string dicom_bytes(const DicomSliceFile& slice) {
     put(pixels, 2 * i, slice.pixels.empty() ? std::uint16_t{1024} : slice.pixels[i]);
   }
   const Vec3 &p = slice.position, &r = slice.row, &c = slice.column;
-  return std::string(128, '\0') + "DICM" + element(2, 0, "UL", length) + meta + element(8, 0x16, "UI", ct_storage) +
+  std::string preamble(128, '\0');
+  preamble += "DICM";
+  return preamble + element(2, 0, "UL", length) + meta + element(8, 0x16, "UI", ct_storage) +
          element(8, 0x18, "UI", instance) + element(8, 0x60, "CS", slice.modality) +
          element(8, 0x103e, "LO", "made for a test") +
          element(0x18, 0x50, "DS", fmt::format("{:.10g}", slice.spacing)) + element(0x20, 0x0d, "UI", "1.2") +

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "anatomy/volume.h"
+#include "core/error.h"
 
 // Images for tests: where the real ones are, and small ones written byte by byte as the formats prescribe, so that
 // the readers are not tested against a writer of the same library.
@@ -24,6 +25,17 @@ inline std::filesystem::path data_folder() {
 #define BODKIN_REQUIRE_DATA(variable)                         \
   const std::filesystem::path variable = test::data_folder(); \
   if (variable.empty()) GTEST_SKIP() << "no real CT data: set BODKIN_DATA to its folder"
+
+// What `call` is refused with.
+template <typename Call>
+std::string sentence_of(const Call& call) {
+  try {
+    call();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing was refused";
+}
 
 // A folder that is removed with everything in it.
 class ScratchFolder {

@@ -12,7 +12,7 @@ ResistanceSettings resistance(const std::string& text) {
   return parse_resistance(text, "--resistance");
 }
 
-std::string refused(const std::string& text) {
+std::string refused_choice(const std::string& text) {
   return refusal([&] { resistance(text); });
 }
 
@@ -52,29 +52,31 @@ TEST(ForceChoice, errors_name_the_option_what_was_found_and_what_was_expected) {
   const std::string names =
       "layered, spring_damper_wall, tracking_wall, depth_profile, volume_proxy, three_component, fracture or "
       "shaft_friction";
-  EXPECT_EQ(refused("tracking_wall catch_up_s=0"),
+  EXPECT_EQ(refused_choice("tracking_wall catch_up_s=0"),
             "--resistance: tracking_wall catch_up_s is '0', expected a number from 0.001 to 1e9");
-  EXPECT_EQ(refused("tracking_wall catch_up=0"),
+  EXPECT_EQ(refused_choice("tracking_wall catch_up=0"),
             "--resistance: <tracking_wall> has the unknown attribute 'catch_up'; it takes catch_up_s, "
             "channel_radius_mm, channel_tilt_deg, leash, limit_N, strict and surface_mm");
-  EXPECT_EQ(refused("tracking_wal"), "--resistance: there is no resistance 'tracking_wal', expected " + names);
-  EXPECT_EQ(refused(""), "--resistance: is empty, expected " + names);
-  EXPECT_EQ(refused(" ; "), "--resistance: is empty, expected " + names);
-  EXPECT_EQ(refused("<fracture/>"), "--resistance: there is no resistance '<fracture/>', expected " + names);
-  EXPECT_EQ(refused("fracture width_mm"),
+  EXPECT_EQ(refused_choice("tracking_wal"), "--resistance: there is no resistance 'tracking_wal', expected " + names);
+  EXPECT_EQ(refused_choice(""), "--resistance: is empty, expected " + names);
+  EXPECT_EQ(refused_choice(" ; "), "--resistance: is empty, expected " + names);
+  EXPECT_EQ(refused_choice("<fracture/>"), "--resistance: there is no resistance '<fracture/>', expected " + names);
+  EXPECT_EQ(refused_choice("fracture width_mm"),
             "--resistance: fracture has 'width_mm', expected SETTING=VALUE without blanks");
-  EXPECT_EQ(refused("fracture width_mm =1"),
+  EXPECT_EQ(refused_choice("fracture width_mm =1"),
             "--resistance: fracture has 'width_mm', expected SETTING=VALUE without blanks");
-  EXPECT_EQ(refused("fracture width_mm=1 width_mm=2"), "--resistance: fracture width_mm is given twice");
-  EXPECT_EQ(refused("fracture width_mm="), "--resistance: fracture width_mm is '', expected a number from 0.05 to 5");
-  EXPECT_EQ(refused("fracture width_mm='1'/><x"),
+  EXPECT_EQ(refused_choice("fracture width_mm=1 width_mm=2"), "--resistance: fracture width_mm is given twice");
+  EXPECT_EQ(refused_choice("fracture width_mm="),
+            "--resistance: fracture width_mm is '', expected a number from 0.05 to 5");
+  EXPECT_EQ(refused_choice("fracture width_mm='1'/><x"),
             "--resistance: fracture width_mm is ''1'/><x', expected a number from 0.05 to 5");
-  EXPECT_EQ(refused("fracture 1=2"), "--resistance: fracture has '1=2', expected SETTING=VALUE without blanks");
-  EXPECT_EQ(refused("tracking_wall; layer from_mm=1 force_N=1"),
+  EXPECT_EQ(refused_choice("fracture 1=2"),
+            "--resistance: fracture has '1=2', expected SETTING=VALUE without blanks");
+  EXPECT_EQ(refused_choice("tracking_wall; layer from_mm=1 force_N=1"),
             "--resistance: layer from_mm is 1, expected 0 for the first layer");
-  EXPECT_EQ(refused("tracking_wall; <layer>"),
+  EXPECT_EQ(refused_choice("tracking_wall; <layer>"),
             "--resistance: ' <layer>' does not begin with a name, expected NAME SETTING=VALUE SETTING=VALUE ...");
-  EXPECT_EQ(refused("tracking_wall; membrane"),
+  EXPECT_EQ(refused_choice("tracking_wall; membrane"),
             "--resistance: the element <membrane> is not allowed here, expected <layer>");
   EXPECT_EQ(refusal([] { parse_constraint("layered", "--constraint"); }),
             "--constraint: there is no constraint 'layered', expected line_spring, pivot, rail, beam or none");

@@ -32,7 +32,7 @@ Model constraint_of(const std::string& element) {
   return std::get<Model>(haptics_of("<constraint>" + element + "</constraint>").constraint);
 }
 
-std::string refused(const std::string& inside) {
+std::string refused_haptics(const std::string& inside) {
   return refusal([&] { haptics_of(inside); });
 }
 
@@ -228,7 +228,7 @@ TEST(HapticsXml, every_setting_has_a_range_that_the_schema_guards) {
     for (const Attribute& attribute : attributes_of(schema, name)) {
       for (const char* wrong : {"NaN", "INF", "1e300", "-1e300", "", "soft"}) {
         const std::string sentence =
-            refused(role.before + "<" + name + given(attribute.name, wrong) + "/>" + role.after);
+            refused_haptics(role.before + "<" + name + given(attribute.name, wrong) + "/>" + role.after);
         EXPECT_THAT(sentence,
                     HasSubstr("h, line 2: " + name + " " + attribute.name + " is '" + wrong + "', expected "));
       }
@@ -283,7 +283,8 @@ TEST(HapticsXml, settings_that_do_not_go_together_are_refused) {
       {"<compensation up_x='0' up_y='0' up_z='-0'/>",
        "compensation up_x, up_y and up_z are 0, 0 and -0, expected a direction, which is longer than 1e-06"},
   };
-  for (const auto& [inside, sentence] : faults) EXPECT_EQ(refused(inside), std::string("h, line 2: ") + sentence);
+  for (const auto& [inside, sentence] : faults)
+    EXPECT_EQ(refused_haptics(inside), std::string("h, line 2: ") + sentence);
 }
 
 }  // namespace

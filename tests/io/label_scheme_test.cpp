@@ -15,9 +15,9 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const std::string header = "label,name,tissue,critical\n";
+const std::string scheme_header = "label,name,tissue,critical\n";
 
-std::string refused(const std::string& text) {
+std::string refused_scheme(const std::string& text) {
   return refusal([&] { parse_label_scheme(text, "s.csv"); });
 }
 
@@ -28,8 +28,8 @@ std::map<int, Structure> by_label(const std::vector<Structure>& structures) {
 }
 
 TEST(LabelScheme, a_line_becomes_a_structure) {
-  const auto structures =
-      parse_label_scheme(header + "28,vertebrae_L4,bone,no\n2,\"kidney, right\",organ,yes\n7,thing,,\n", "s.csv");
+  const auto structures = parse_label_scheme(
+      scheme_header + "28,vertebrae_L4,bone,no\n2,\"kidney, right\",organ,yes\n7,thing,,\n", "s.csv");
   ASSERT_EQ(structures.size(), 3U);
   EXPECT_EQ(structures[0].label, 28);
   EXPECT_EQ(structures[0].name, "vertebrae_L4");
@@ -52,72 +52,74 @@ TEST(LabelScheme, what_spreadsheets_write_is_read) {
   EXPECT_TRUE(structures[1].critical);
 }
 
-struct Refusal {
+struct SchemeRefusal {
   const char* name;
   std::string text;
   const char* sentence;
 };
 
-class LabelSchemeRefusal : public ::testing::TestWithParam<Refusal> {};
+class LabelSchemeRefusal : public ::testing::TestWithParam<SchemeRefusal> {};
 
 TEST_P(LabelSchemeRefusal, names_line_and_column) {
-  EXPECT_EQ(refused(GetParam().text), std::string("s.csv, ") + GetParam().sentence);
+  EXPECT_EQ(refused_scheme(GetParam().text), std::string("s.csv, ") + GetParam().sentence);
 }
 
-const Refusal refusals[] = {
+const SchemeRefusal scheme_refusals[] = {
     {"empty", "", "line 1: the file is empty, expected the header label,name,tissue,critical"},
     {"blank", "\n\n", "line 1: the file is empty, expected the header label,name,tissue,critical"},
     {"no_header", "1,spleen,organ,yes\n",
      "line 1: the header is '1,spleen,organ,yes', expected label,name,tissue,critical"},
     {"other_header", "id,name\n1,spleen\n", "line 1: the header is 'id,name', expected label,name,tissue,critical"},
-    {"only_a_header", header, "line 1: there are no labels under the header"},
-    {"too_many_columns", header + "1,a,bone,no\n2,b,bone,no,maybe\n",
+    {"only_a_header", scheme_header, "line 1: there are no labels under the header"},
+    {"too_many_columns", scheme_header + "1,a,bone,no\n2,b,bone,no,maybe\n",
      "line 3: there are 5 columns, expected 4 (label,name,tissue,critical)"},
-    {"too_few_columns", header + "\n\n1,a\n", "line 4: there are 2 columns, expected 4 (label,name,tissue,critical)"},
-    {"label_is_a_word", header + "one,a,bone,no\n",
+    {"too_few_columns", scheme_header + "\n\n1,a\n",
+     "line 4: there are 2 columns, expected 4 (label,name,tissue,critical)"},
+    {"label_is_a_word", scheme_header + "one,a,bone,no\n",
      "line 2: column 1: label is 'one', expected a whole number from 1 to 65535"},
-    {"label_zero", header + "0,a,bone,no\n",
+    {"label_zero", scheme_header + "0,a,bone,no\n",
      "line 2: column 1: label is '0', expected a whole number from 1 to 65535"},
-    {"label_negative", header + "-1,a,bone,no\n",
+    {"label_negative", scheme_header + "-1,a,bone,no\n",
      "line 2: column 1: label is '-1', expected a whole number from 1 to 65535"},
-    {"label_too_large", header + "65536,a,bone,no\n",
+    {"label_too_large", scheme_header + "65536,a,bone,no\n",
      "line 2: column 1: label is '65536', expected a whole number from 1 to 65535"},
-    {"label_fraction", header + "1.5,a,bone,no\n",
+    {"label_fraction", scheme_header + "1.5,a,bone,no\n",
      "line 2: column 1: label is '1.5', expected a whole number from 1 to 65535"},
-    {"label_empty", header + ",a,bone,no\n",
+    {"label_empty", scheme_header + ",a,bone,no\n",
      "line 2: column 1: label is '', expected a whole number from 1 to 65535"},
-    {"label_twice", header + "1,a,bone,no\r\n2,b,bone,no\r\n1,c,bone,no\r\n",
+    {"label_twice", scheme_header + "1,a,bone,no\r\n2,b,bone,no\r\n1,c,bone,no\r\n",
      "line 4: column 1: label is 1, which line 2 uses already"},
-    {"no_name", header + "1,,bone,no\n",
+    {"no_name", scheme_header + "1,,bone,no\n",
      "line 2: column 2: name is '', expected a name on one line, at most 200 bytes long"},
-    {"name_on_two_lines", header + "1,\"a\nb\",bone,no\n",
+    {"name_on_two_lines", scheme_header + "1,\"a\nb\",bone,no\n",
      "line 2: column 2: name is 'a b', expected a name on one line, at most 200 bytes long"},
-    {"unknown_tissue", header + "1,a,liver,no\n",
+    {"unknown_tissue", scheme_header + "1,a,liver,no\n",
      "line 2: column 3: tissue is 'liver', expected the name of a tissue of the library, bone, spinal_canal or "
      "nothing"},
-    {"unknown_critical", header + "1,a,bone,maybe\n", "line 2: column 4: critical is 'maybe', expected yes or no"},
-    {"quote_inside", header + "1,a\"b,bone,no\n",
+    {"unknown_critical", scheme_header + "1,a,bone,maybe\n",
+     "line 2: column 4: critical is 'maybe', expected yes or no"},
+    {"quote_inside", scheme_header + "1,a\"b,bone,no\n",
      "line 2: column 2: a quote (\") stands where none may; put the whole field in quotes and double the quotes in "
      "it"},
-    {"quote_left_open", header + "1,a,bone,no\n2,\"b,bone,no\n3,c,bone,no\n",
+    {"quote_left_open", scheme_header + "1,a,bone,no\n2,\"b,bone,no\n3,c,bone,no\n",
      "line 3: a field that begins with a quote (\") never ends with one"},
-    {"nul", header + std::string("1,a\0b,bone,no\n", 14),
+    {"nul", scheme_header + std::string("1,a\0b,bone,no\n", 14),
      "line 2: column 2: the byte 0x00 is not text, expected UTF-8 without control characters"},
     {"latin1",
-     header + "1,r\xFC"
-              "ckgrat,bone,no\n",
+     scheme_header + "1,r\xFC"
+                     "ckgrat,bone,no\n",
      "line 2: column 2: the byte 0xFC is not text, expected UTF-8 without control characters"},
     {"utf16", std::string("\xFF\xFEl\0a\0", 6),
      "line 1: column 1: the byte 0xFF is not text, expected UTF-8 without control characters"},
 };
 
-INSTANTIATE_TEST_SUITE_P(All, LabelSchemeRefusal, ::testing::ValuesIn(refusals),
+INSTANTIATE_TEST_SUITE_P(All, LabelSchemeRefusal, ::testing::ValuesIn(scheme_refusals),
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST(LabelScheme, lines_are_counted_whatever_ends_them) {
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     const std::string text = "label,name,tissue,critical" + end + "1,a,bone,no" + end + end + "x,b,bone,no" + end;
-    EXPECT_THAT(refused(text), ::testing::StartsWith("s.csv, line 4: column 1: label is 'x'"));
+    EXPECT_THAT(refused_scheme(text), ::testing::StartsWith("s.csv, line 4: column 1: label is 'x'"));
   }
 }
 
@@ -127,9 +129,9 @@ TEST(LabelScheme, a_name_that_is_neither_a_scheme_nor_a_file_is_refused) {
             "label,name,tissue,critical");
   const ScratchFolder folder;
   EXPECT_THAT(refusal([&] { read_label_scheme(folder.path()); }), HasSubstr("this is not a file"));
-  const auto large = folder.write("large.csv", header + std::string(9 << 20, ' '));
+  const auto large = folder.write("large.csv", scheme_header + std::string(9 << 20, ' '));
   EXPECT_THAT(refusal([&] { read_label_scheme(large); }), HasSubstr("larger than the 8192 kB"));
-  const auto good = folder.write("good.csv", header + "1,a,bone,no\n");
+  const auto good = folder.write("good.csv", scheme_header + "1,a,bone,no\n");
   EXPECT_EQ(read_label_scheme(good).size(), 1U);
 }
 

@@ -42,7 +42,7 @@ TissueLibrary parse(const std::string& document) {
   return parse_tissue_library(document, "tissues.xml", XmlSchema("tissues.xsd"));
 }
 
-std::string refused(const std::string& from, const std::string& to) {
+std::string refused_library(const std::string& from, const std::string& to) {
   return refusal([&] { parse(replaced(library, from, to)); });
 }
 
@@ -179,30 +179,32 @@ TEST(TissueLibraryFile, faults_of_the_other_models_are_refused_with_line_field_f
 }
 
 TEST(TissueLibraryFile, faults_are_refused_with_line_field_found_and_expected) {
-  EXPECT_EQ(refused("id='32'", "id='255'"),
+  EXPECT_EQ(refused_library("id='32'", "id='255'"),
             "tissues.xml, line 4: tissue id is '255', expected a whole number from 0 to 254");
-  EXPECT_EQ(refused("id='32'", "id='0'"), "tissues.xml, line 4: tissue id is 0, which line 2 uses already");
-  EXPECT_EQ(refused("name='gel'", "name='air'"),
+  EXPECT_EQ(refused_library("id='32'", "id='0'"), "tissues.xml, line 4: tissue id is 0, which line 2 uses already");
+  EXPECT_EQ(refused_library("name='gel'", "name='air'"),
             "tissues.xml, line 4: tissue name is 'air', which line 2 uses already");
-  EXPECT_EQ(refused("id='0'", "id='1'"), "tissues.xml, line 1: there is no tissue with id 0, expected one for air");
-  EXPECT_EQ(refused("#A1b2C3", "red"),
+  EXPECT_EQ(refused_library("id='0'", "id='1'"),
+            "tissues.xml, line 1: there is no tissue with id 0, expected one for air");
+  EXPECT_EQ(refused_library("#A1b2C3", "red"),
             "tissues.xml, line 4: tissue colour is 'red', expected a colour such as #F4EBD0");
-  EXPECT_EQ(refused("hounsfield_HU='20'", "hounsfield_HU='NaN'"),
+  EXPECT_EQ(refused_library("hounsfield_HU='20'", "hounsfield_HU='NaN'"),
             "tissues.xml, line 4: tissue hounsfield_HU is 'NaN', expected a number from -1024 to 30000");
-  EXPECT_EQ(refused("stiffness_N_per_mm='0.05'", "stiffness_N_per_mm='0'"),
+  EXPECT_EQ(refused_library("stiffness_N_per_mm='0.05'", "stiffness_N_per_mm='0'"),
             "tissues.xml, line 6: viscoelastic stiffness_N_per_mm is '0', expected a number above 0 and at most 100");
-  EXPECT_EQ(refused("break_force_N='1' ", ""),
+  EXPECT_EQ(refused_library("break_force_N='1' ", ""),
             "tissues.xml, line 6: <viscoelastic> lacks the attribute break_force_N, expected a number above 0 and at "
             "most 100");
-  EXPECT_EQ(refused("'0.024'", "'0.019'"),
+  EXPECT_EQ(refused_library("'0.024'", "'0.019'"),
             "tissues.xml, line 6: static_friction_N_per_mm is 0.019, expected at least the dynamic_friction_N_per_mm "
             "of 0.02");
-  EXPECT_EQ(refused("'0.02'/>", "'0.02' roughness='1'/>"),
+  EXPECT_EQ(refused_library("'0.02'/>", "'0.02' roughness='1'/>"),
             "tissues.xml, line 6: viscoelastic roughness is '1', expected a number of at least 0 and below 1");
-  EXPECT_EQ(refused("<none/>", "<elastic/>"),
+  EXPECT_EQ(refused_library("<none/>", "<elastic/>"),
             "tissues.xml, line 3: the element <elastic> is not allowed here, expected <none>, <viscoelastic>, "
             "<viscous> or <rigid>");
-  EXPECT_EQ(refused("<source>measured\n   here</source>", ""), "tissues.xml, line 4: <tissue> lacks <source>");
+  EXPECT_EQ(refused_library("<source>measured\n   here</source>", ""),
+            "tissues.xml, line 4: <tissue> lacks <source>");
 }
 
 TEST(TissueLibraryFile, the_library_that_comes_with_bodkin_has_every_tissue_of_the_engine_under_its_name) {

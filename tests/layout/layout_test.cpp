@@ -92,10 +92,15 @@ TEST(Layout, heavy_headers_stay_in_source_files_of_the_rooms_that_own_them) {
   const std::vector<Rule> rules = {
       {std::regex("^(itk|gdcm|vnl).*"), std::regex(R"(^io/(images|patient)/.*\.cpp$)")},
       {std::regex("^libxml/.*"), std::regex(R"(^io/[^/]*\.cpp$)")},
-      {std::regex("^nlohmann/json\\.hpp$"), std::regex(R"(^(io|training|cli)/.*\.cpp$)")},
+      {std::regex("^nlohmann/json\\.hpp$"),
+       std::regex(R"(^((io|training|cli)/.*|haptics/drivers/haply_inventory)\.cpp$)")},
+      {std::regex("^simdjson\\.h$"), std::regex(R"(^haptics/drivers/haply_messages\.cpp$)")},
       {std::regex("^SQLiteCpp/.*|^sqlite3.*"), std::regex(R"(^training/.*\.cpp$)")},
       {std::regex("^CLI/.*"), std::regex(R"(^cli/.*\.cpp$)")},
-      {std::regex("^(ceres|boost)/.*"), std::regex(R"(^fitting/.*\.cpp$)")},
+      {std::regex("^boost/(asio|beast)/.*"), std::regex(R"(^haptics/drivers/haply_connection\.cpp$)")},
+      {std::regex("^(ceres|boost/math)/.*"), std::regex(R"(^fitting/.*\.cpp$)")},
+      {std::regex("^boost/(?!asio/|beast/|math/).*"), std::regex("^$")},  // nor these
+      {std::regex("^SDL.*"), std::regex(R"(^cli/sdl_screen\.cpp$)")},
       {std::regex("^png\\.h$"), std::regex(R"(^imaging/.*\.cpp$)")},
       {std::regex("^(fmt|spdlog)/.*"), std::regex(R"(.*\.cpp$)")},
       {std::regex("^(Q[A-Z]|vtk|CGAL|opencv2|igtl).*"), std::regex("^$")},  // no room owns these

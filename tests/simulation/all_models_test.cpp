@@ -7,6 +7,7 @@
 #include <memory>
 #include <tuple>
 
+#include "tests/sanitized.h"
 #include "tests/simulation/model_pairs.h"
 #include <gtest/gtest.h>
 
@@ -17,16 +18,9 @@
 namespace bodkin {
 namespace {
 
-// A sanitizer takes thirty times as long and looks for something else: every model once is enough for it.
-#if defined(BODKIN_ADDRESS_SANITIZER) || defined(BODKIN_THREAD_SANITIZER)
-constexpr bool sanitized = true;
-constexpr int closed_paths = 1000;  // in all
-constexpr int reversals = 1500;
-#else
-constexpr bool sanitized = false;
-constexpr int closed_paths = 100000;  // in all
-constexpr int reversals = 10000;
-#endif
+// Under a sanitizer every model once is enough.
+constexpr int closed_paths = sanitized ? 1000 : 100000;  // in all
+constexpr int reversals = sanitized ? 1500 : 10000;
 
 constexpr double deepest = 42.0;   // mm, in the epidural space
 constexpr double in_bone = 50.0;   // mm

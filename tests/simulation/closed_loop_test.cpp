@@ -10,9 +10,9 @@
 namespace bodkin {
 namespace {
 
-const NeedlePath path{{0, 0, 0}, {0, 0, 40}};
+const NeedlePath slab_path{{0, 0, 0}, {0, 0, 40}};
 
-OperatorCondition after(double time, int next) {
+OperatorCondition switch_after(double time, int next) {
   OperatorCondition condition;
   condition.time = time;
   condition.next = next;
@@ -37,14 +37,14 @@ OperatorScript restless() {
   hard.force_above = 4.5;
   hard.hardness_above = 0.2;
   hard.next = 1;
-  in.until = {gave_way, hard, after(5.0, 1)};
-  OperatorPhase hold{.name = "hold", .until = {after(0.3, 2)}};
+  in.until = {gave_way, hard, switch_after(5.0, 1)};
+  OperatorPhase hold{.name = "hold", .until = {switch_after(0.3, 2)}};
   OperatorPhase out{.name = "out", .speed = -40.0};
   OperatorCondition outside;
   outside.depth_below = -8.0;
   outside.next = 3;
-  out.until = {outside, after(5.0, 3)};
-  OperatorPhase again{.name = "again", .aim_again = true, .until = {after(0.2, 0)}};
+  out.until = {outside, switch_after(5.0, 3)};
+  OperatorPhase again{.name = "again", .aim_again = true, .until = {switch_after(0.2, 0)}};
   script.phases = {in, hold, out, again};
   return script;
 }
@@ -56,8 +56,8 @@ TEST(ClosedLoop, the_hand_feels_the_tissue_and_the_tissue_stops_the_hand) {
   script.aim_position = 0.0;
   script.aim_angle = 0.0;
   script.start_distance = 5.0;
-  script.phases = {{.name = "in", .speed = 10.0, .until = {after(60.0, OperatorCondition::end)}}};
-  ClosedLoop loop(patient, script, path, 1);
+  script.phases = {{.name = "in", .speed = 10.0, .until = {switch_after(60.0, OperatorCondition::end)}}};
+  ClosedLoop loop(patient, script, slab_path, 1);
   TickRecord record;
   // Bone begins at 44 mm and renders 1 N/mm, the hand has 2 N/mm: it lags ever more behind the intention.
   for (int tick = 0; tick < 5500; ++tick) loop.step(record);
@@ -74,7 +74,7 @@ TEST(ClosedLoop, the_hand_feels_the_tissue_and_the_tissue_stops_the_hand) {
 TEST(ClosedLoop, a_whole_attempt_allocates_nothing_and_locks_nothing) {
   if (!RealTimeGuard::available()) GTEST_SKIP() << "a sanitizer owns malloc and the locks in this build";
   const Case patient = slab_patient();
-  ClosedLoop loop(patient, restless(), path, 2);
+  ClosedLoop loop(patient, restless(), slab_path, 2);
   SingleProducerRing<TickRecord> ring(64);
   DeadlineClock clock(1e-6);
   TickRecord record;

@@ -257,6 +257,20 @@ TEST(HapticTick, an_ordinary_insertion_leaves_the_passivity_controller_idle) {
   }
 }
 
+TEST(HapticTick, the_energy_is_the_work_that_the_hand_did_along_the_needle) {
+  const Case patient = slab_patient();
+  Drive drive(patient);
+  double work = 0.0, last = 0.0;
+  for (int i = 1; i <= 2000; ++i) {
+    drive.to(-2.0 + 0.01 * i);
+    if (drive.output.in_contact) work += drive.output.resistance * 0.01;
+    EXPECT_GE(drive.output.energy, last - 1e-9) << "an insertion only gives";
+    last = drive.output.energy;
+  }
+  EXPECT_GT(work, 1.0);
+  EXPECT_NEAR(last, work, 0.02 * work);
+}
+
 TEST(HapticTick, what_is_not_a_number_ends_in_a_ramp_to_zero_and_reset_leads_out) {
   const Case patient = slab_patient();
   const double bad[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300};

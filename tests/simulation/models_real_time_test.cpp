@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "tests/one_tick.h"
 #include "tests/simulation/real_time_guard.h"
 #include <gtest/gtest.h>
 
@@ -30,8 +31,6 @@
 namespace bodkin {
 namespace {
 
-constexpr double dt = 1e-3;
-
 struct Slab {  // skin, muscle, bone along z
   CtVolume ct;
   TissueVolume tissues;
@@ -57,14 +56,14 @@ struct Slab {  // skin, muscle, bone along z
 struct Models {
   TissueLibrary library = default_tissue_library();
   Models(const HapticField& field, const Surface& skin)
-      : volume_proxy(library, {}, field, dt), surface_proxy({}, skin, dt) {}
+      : volume_proxy(library, {}, field, one_tick), surface_proxy({}, skin, one_tick) {}
 
   SpringDamperWall spring_damper_wall{{}};
-  TrackingWall tracking_wall{library, {}, dt};
-  TrackingWallLeash leash{library, {}, dt};
-  DepthProfile depth_profile{library, {}, dt};
+  TrackingWall tracking_wall{library, {}, one_tick};
+  TrackingWallLeash leash{library, {}, one_tick};
+  DepthProfile depth_profile{library, {}, one_tick};
   Pivot pivot{{}, 90.0};
-  Beam beam{{}, Needle{}, dt};
+  Beam beam{{}, Needle{}, one_tick};
   Rail rail{{}};
   VolumeProxy volume_proxy;
   SurfaceProxy surface_proxy;
@@ -74,10 +73,10 @@ struct Models {
   std::vector<TissueId> layers = std::vector<TissueId>(200, tissue::muscle);
   ThreeComponent three_component{{}};
   Fracture fracture{{}};
-  PronyRelaxation prony{std::vector<PronyTerm>{{}}, dt};
+  PronyRelaxation prony{std::vector<PronyTerm>{{}}, one_tick};
   BevelTip bevel{0.005, 100.0};
-  Syringe syringe{library, {.filling = SyringeFilling::air}, dt};
-  CsfFlow csf{{}, dt};
+  Syringe syringe{library, {.filling = SyringeFilling::air}, one_tick};
+  CsfFlow csf{{}, one_tick};
   NeedleGrasp grasp{{}};
   TickEvents events;
   double before = 0.0;
@@ -99,7 +98,7 @@ struct Models {
     events.clear();
     const double way = depth - before;
     before = std::isfinite(depth) ? depth : before;
-    const AxialMotion motion{depth, way / dt, way > 0.0 ? 1 : (way < 0.0 ? -1 : 0), way == 0.0};
+    const AxialMotion motion{depth, way / one_tick, way > 0.0 ? 1 : (way < 0.0 ? -1 : 0), way == 0.0};
     const Vec3 tip = entry + Vec3(0.2, 0.1, depth), axis = Vec3(0.02, 0.01, 1.0).normalized();
     double sum = spring_damper_wall.step(motion, at_tip, events) + tracking_wall.step(motion, at_tip, events) +
                  depth_profile.step(motion, at_tip, events) + three_component.step(motion, at_tip, events) +

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "tests/one_tick.h"
 #include <gtest/gtest.h>
 
 #include "core/error.h"
@@ -9,7 +10,6 @@
 namespace bodkin {
 namespace {
 
-constexpr double dt = 0.001;
 const NeedlePath path{{0, 100, 0}, {0, 50, 0}};  // anterior
 
 OperatorPhase phase(const std::string& name, double speed, std::vector<OperatorCondition> until) {
@@ -43,7 +43,7 @@ OperatorScript machine(std::vector<OperatorPhase> phases) {
 class Rehearsal {
  public:
   Rehearsal(const OperatorScript& script, std::uint64_t seed)
-      : actor_(script, path, seed, dt), needle_(actor_.start()) {}
+      : actor_(script, path, seed, one_tick), needle_(actor_.start()) {}
 
   // Performs one tick while `force` N push the hand out; the tip's depth after it.
   double step(double force) {
@@ -162,7 +162,7 @@ TEST(Operator, the_error_of_aim_has_the_wanted_spread) {
   constexpr int people = 2000;
   for (int seed = 0; seed < people; ++seed) {
     const Vec3 beside =
-        Operator(script, path, static_cast<std::uint64_t>(seed), dt).start().translation() - path.entry;
+        Operator(script, path, static_cast<std::uint64_t>(seed), one_tick).start().translation() - path.entry;
     EXPECT_NEAR(beside.dot(path.direction()), -30.0, 1e-9);
     square += (beside + 30.0 * path.direction()).squaredNorm() / 2.0;
   }
@@ -170,13 +170,13 @@ TEST(Operator, the_error_of_aim_has_the_wanted_spread) {
 }
 
 TEST(Operator, a_script_that_cannot_be_performed_is_refused) {
-  EXPECT_THROW(Operator(machine({}), path, 1, dt), InputError);
-  EXPECT_THROW(Operator(machine({phase("never", 1.0, {})}), path, 1, dt), InputError);
-  EXPECT_THROW(Operator(machine({phase("in", 1.0, {OperatorCondition{}})}), path, 1, dt), InputError);
-  EXPECT_THROW(Operator(machine({phase("in", 1.0, {after(1.0, 3)})}), path, 1, dt), InputError);
-  EXPECT_THROW(Operator(machine({phase("in", 900.0, {after(1.0, -1)})}), path, 1, dt), InputError);
+  EXPECT_THROW(Operator(machine({}), path, 1, one_tick), InputError);
+  EXPECT_THROW(Operator(machine({phase("never", 1.0, {})}), path, 1, one_tick), InputError);
+  EXPECT_THROW(Operator(machine({phase("in", 1.0, {OperatorCondition{}})}), path, 1, one_tick), InputError);
+  EXPECT_THROW(Operator(machine({phase("in", 1.0, {after(1.0, 3)})}), path, 1, one_tick), InputError);
+  EXPECT_THROW(Operator(machine({phase("in", 900.0, {after(1.0, -1)})}), path, 1, one_tick), InputError);
   const NeedlePath nowhere{{1, 2, 3}, {1, 2, 3}};
-  EXPECT_THROW(Operator(machine({phase("in", 1.0, {after(1.0, -1)})}), nowhere, 1, dt), InputError);
+  EXPECT_THROW(Operator(machine({phase("in", 1.0, {after(1.0, -1)})}), nowhere, 1, one_tick), InputError);
 }
 
 }  // namespace

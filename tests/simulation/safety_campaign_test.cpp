@@ -8,23 +8,12 @@
 #include <map>
 #include <utility>
 
+#include "tests/sanitized.h"
 #include "tests/simulation/safety_rig.h"
 #include <gtest/gtest.h>
 
 namespace bodkin {
 namespace {
-
-#if defined(BODKIN_ADDRESS_SANITIZER) || defined(BODKIN_THREAD_SANITIZER)
-constexpr bool sanitized = true;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-constexpr bool sanitized = true;
-#else
-constexpr bool sanitized = false;
-#endif
-#else
-constexpr bool sanitized = false;
-#endif
 
 constexpr std::uint64_t short_ticks = sanitized ? 60'000 : 1'500'000;
 constexpr double bone = 44.0;  // mm

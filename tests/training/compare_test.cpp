@@ -61,7 +61,7 @@ const ModelRun& run_of(const Comparison& comparison, const std::string& name) {
 }
 
 // What is said to `layered` with changed options.
-std::string sentence_of(const Case& patient, const std::function<void(CompareOptions&)>& change) {
+std::string comparison_refused(const Case& patient, const std::function<void(CompareOptions&)>& change) {
   try {
     CompareOptions options = options_of({"layered"});
     change(options);
@@ -273,7 +273,7 @@ TEST(Compare, a_model_that_cannot_run_is_named_and_the_others_go_on) {
   ASSERT_EQ(comparison.refused.size(), 1U);
   EXPECT_EQ(comparison.refused[0].name, "volume_proxy");
   EXPECT_NE(comparison.refused[0].reason.find("no CT"), std::string::npos) << comparison.refused[0].reason;
-  const std::string none = sentence_of(patient, [](auto& o) {
+  const std::string none = comparison_refused(patient, [](auto& o) {
     o.models = models_of({"volume_proxy", "volume_proxy_viscous"}, {});
   });
   EXPECT_NE(none.find("no CT"), std::string::npos) << none;
@@ -298,7 +298,7 @@ TEST(Compare, parts_of_the_case_are_kept_unless_others_are_given) {
 TEST(Compare, what_makes_no_sense_is_refused_with_a_sentence) {
   const Case patient = slab_case(lumbar_slabs());
   const auto refused = [&](const std::function<void(CompareOptions&)>& change, const std::string& words) {
-    const std::string sentence = sentence_of(patient, change);
+    const std::string sentence = comparison_refused(patient, change);
     EXPECT_NE(sentence.find(words), std::string::npos) << sentence;
   };
   refused(
@@ -314,7 +314,7 @@ TEST(Compare, what_makes_no_sense_is_refused_with_a_sentence) {
   Case fast = slab_case({{tissue::fat, 400.0}});
   fast.description.haptics.rate = 4000.0;
   fast.description.procedure.path->target = Vec3(0, -390, 0);
-  EXPECT_NE(sentence_of(fast, [](auto& o) { o.speed = 0.5; }).find("million ticks"), std::string::npos);
+  EXPECT_NE(comparison_refused(fast, [](auto& o) { o.speed = 0.5; }).find("million ticks"), std::string::npos);
 }
 
 TEST(Compare, its_table_reads_back) {

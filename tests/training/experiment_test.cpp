@@ -58,7 +58,7 @@ std::pair<double, double> range(const Figure& played, Quantity quantity, double 
 
 TEST(Experiment, every_number_that_a_shipped_experiment_expects_comes_out) {
   for (const Figure& played : figures()) {
-    for (const Comparison& comparison : played.run.comparisons) {
+    for (const PublishedComparison& comparison : played.run.comparisons) {
       EXPECT_TRUE(comparison.agrees) << played.experiment.name << ": " << comparison.published.what << ": expected "
                                      << comparison.published.value << ", found " << comparison.found;
     }

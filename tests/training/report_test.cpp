@@ -38,7 +38,7 @@ struct Made {
   }
 };
 
-void expect_well_formed(const std::string& html) {
+void expect_well_formed_page(const std::string& html) {
   const ToolResult result = run_tool({"xmllint", "--huge", "--noout", "-"}, html, "libxml2-utils");
   EXPECT_EQ(result.exit_code, 0) << result.errors.substr(0, 500);
 }
@@ -46,7 +46,7 @@ void expect_well_formed(const std::string& html) {
 TEST(Report, is_one_well_formed_page_that_refers_to_nothing_outside) {
   Made made;
   const std::string html = made.html();
-  expect_well_formed(html);
+  expect_well_formed_page(html);
   EXPECT_LT(html.size(), 5'000'000U);
   for (const char* outside : {"http://", "https://", "<link", "<script", "<iframe", "@import", "url("}) {
     EXPECT_EQ(html.find(outside), std::string::npos) << outside;
@@ -56,7 +56,7 @@ TEST(Report, is_one_well_formed_page_that_refers_to_nothing_outside) {
   for (std::sregex_iterator i(html.begin(), html.end(), source), end; i != end; ++i, ++pictures) {
     EXPECT_EQ((*i)[1].str().substr(0, 25), "data:image/svg+xml;base64");
   }
-  EXPECT_EQ(pictures, 3);
+  EXPECT_EQ(pictures, 4);
 }
 
 TEST(Report, tells_tissues_events_measures_and_provenance) {
@@ -82,7 +82,7 @@ TEST(Report, names_from_files_are_text_and_nothing_else) {
   made.session.header.case_folder = evil;
   made.session.header.operator_settings = evil;
   const std::string html = made.html();
-  expect_well_formed(html);
+  expect_well_formed_page(html);
   EXPECT_EQ(html.find("<img src=x"), std::string::npos);
   EXPECT_EQ(html.find("<script"), std::string::npos);
 }
@@ -91,7 +91,7 @@ TEST(Report, tables_repeat_their_heads_on_paper_and_settings_are_folded_away) {
   Made made;
   made.session.header.operator_settings = R"({"name":"expert","hand":{"mass_kg":0.3}})";
   const std::string html = made.html();
-  expect_well_formed(html);
+  expect_well_formed_page(html);
   const auto count = [&](const std::string& text) {
     int found = 0;
     for (std::size_t at = html.find(text); at != std::string::npos; at = html.find(text, at + 1)) ++found;
@@ -115,9 +115,34 @@ TEST(Report, of_a_needle_that_never_touched_can_be_written) {
   made.session.ticks.resize(50);
   made.session.events.clear();
   const std::string html = made.html(true);
-  expect_well_formed(html);
+  expect_well_formed_page(html);
   EXPECT_NE(html.find("never touched"), std::string::npos);
   EXPECT_NE(html.find("has changed since the recording"), std::string::npos);
+}
+
+TEST(Report, shows_what_the_second_hand_felt) {
+  for (const SecondRole role : {SecondRole::plunger, SecondRole::probe}) {
+    Made made;
+    made.session.header.second = SecondHeader{role, "{}"};
+    for (int i = 0; i < 100; ++i) {
+      SecondSample sample;
+      sample.time = 0.01 * i;
+      sample.force = 0.1 * i;
+      sample.pressure = 5e-4 * i;
+      made.session.second.push_back(sample);
+    }
+    const std::vector<Plot> plots = second_hand_against_time(made.session);
+    const bool is_plunger = role == SecondRole::plunger;
+    ASSERT_EQ(plots.size(), is_plunger ? 2u : 1u);
+    EXPECT_NEAR(plots.back().series.back().y.back(), 9.9, 1e-12);
+    if (is_plunger) {
+      EXPECT_NEAR(plots.front().series.back().y.back(), 49.5, 1e-12) << "kPa";
+    }
+    const std::string html = made.html();
+    expect_well_formed_page(html);
+    EXPECT_NE(html.find(is_plunger ? "The second hand: the plunger" : "The second hand: the ultrasound probe"),
+              std::string::npos);
+  }
 }
 
 }  // namespace

@@ -65,6 +65,32 @@ TEST(SessionFile, comes_back_bit_for_bit) {
   EXPECT_EQ(event, session.events.end());
 }
 
+TEST(SessionFile, keeps_how_well_it_kept_its_time) {
+  const ScratchSession scratch;
+  ServoTimings servo;
+  for (int i = 0; i < 97; ++i) servo.lateness.record(2e-6);
+  for (int i = 0; i < 3; ++i) servo.lateness.record(0.25);
+  for (int i = 0; i < 100; ++i) servo.compute.record(1e-7 * (i + 1));
+  servo.overruns = 3;
+  SessionWriter writer(scratch.path(), sample_header(), true);
+  writer.append(sample_record(0));
+  writer.finish(timings_of(servo));
+  const std::optional<SessionTimings> timings = read_session(scratch.path()).timings;
+  ASSERT_TRUE(timings.has_value());
+  EXPECT_EQ(timings->overruns, 3u);
+  EXPECT_EQ(count_of(timings->lateness), 100u);
+  EXPECT_NEAR(percentile(timings->lateness, 0.97), 2e-6, 2e-6 / 16.0);
+  EXPECT_EQ(percentile(timings->lateness, 1.0), 0.25) << "the longest, exactly";
+  EXPECT_NEAR(percentile(timings->compute, 0.5), 5e-6, 5e-6 / 16.0);
+  EXPECT_EQ(percentile(timings->compute, 1.0), servo.compute.maximum());
+}
+
+TEST(SessionFile, a_session_off_the_clock_has_no_timings) {
+  const ScratchSession scratch;
+  write_sample(scratch.path(), 3);
+  EXPECT_FALSE(read_session(scratch.path()).timings.has_value());
+}
+
 TEST(SessionFile, is_a_single_file_when_finished) {
   const ScratchSession scratch;
   write_sample(scratch.path(), 500);
@@ -81,13 +107,13 @@ TEST(SessionFile, the_bytes_of_a_tick_do_not_depend_on_the_machine) {
   record.output.in_contact = true;
   record.output.limits = 5;
   const std::vector<std::uint8_t> bytes = bytes_of(record);
-  ASSERT_EQ(bytes.size(), 28u * 8u + 4u);
+  ASSERT_EQ(bytes.size(), 29u * 8u + 4u);
   EXPECT_EQ(bytes[6], 0xF0);
   EXPECT_EQ(bytes[7], 0x3F);
   EXPECT_EQ(bytes[27 * 8 + 7], 0xC0);
-  EXPECT_EQ(bytes[28 * 8 + 0], 10);
-  EXPECT_EQ(bytes[28 * 8 + 1], 1);
-  EXPECT_EQ(bytes[28 * 8 + 2], 5);
+  EXPECT_EQ(bytes[29 * 8 + 0], 10);
+  EXPECT_EQ(bytes[29 * 8 + 1], 1);
+  EXPECT_EQ(bytes[29 * 8 + 2], 5);
 }
 
 TEST(SessionFile, an_unfinished_session_can_be_read_while_it_is_written_and_afterwards) {
@@ -166,6 +192,86 @@ TEST(SessionFile, tables_that_a_writer_does_not_make_are_refused) {
   EXPECT_THAT(tamper("UPDATE chunks SET data=zeroblob(length(data))"), HasSubstr("checksum"));
   EXPECT_THAT(tamper("UPDATE chunks SET data='text'"), HasSubstr("wrong size"));
   EXPECT_THAT(tamper("DELETE FROM chunks"), HasSubstr("ticks are missing"));
+  EXPECT_THAT(tamper("INSERT INTO timings VALUES('tea', 0.1, 1)"), HasSubstr("timings are damaged"));
+  EXPECT_THAT(tamper("INSERT INTO timings VALUES('compute', 9e999, 1)"), HasSubstr("timings are damaged"));
+  EXPECT_THAT(tamper("INSERT INTO timings VALUES('compute', 0.1, -1)"), HasSubstr("timings are damaged"));
+}
+
+SecondSample second_sample(int number) {
+  SecondSample sample;
+  sample.time = 0.01 * number;
+  sample.position = Vec3(1.0, -2.5, 0.1 * number);
+  sample.rotation = Eigen::Quaterniond(0.6, 0.0, -0.8, 0.0);
+  sample.force = 0.3 * number;
+  sample.pressure = 1.0 / (3.0 + number);
+  sample.volume = 17.0 * number;
+  return sample;
+}
+
+void write_second(const fs::path& file, SecondRole role, bool finish = true) {
+  SessionHeader header = sample_header();
+  header.second = SecondHeader{role, "{\"driver\":\"simulated\"}"};
+  SessionWriter writer(file, header, true);
+  for (int number = 0; number < 50; ++number) {
+    writer.append(sample_record(static_cast<std::uint64_t>(number)));
+    writer.append(second_sample(number));
+    if (number == 20) writer.commit();
+  }
+  if (finish) writer.finish();
+}
+
+TEST(SessionFile, a_second_hand_comes_back_to_the_bit) {
+  const ScratchSession scratch;
+  for (const SecondRole role : {SecondRole::plunger, SecondRole::probe}) {
+    write_second(scratch.path(), role);
+    const Session session = read_session(scratch.path());
+    ASSERT_TRUE(session.header.second.has_value());
+    EXPECT_EQ(session.header.second->role, role);
+    EXPECT_EQ(session.header.second->device, "{\"driver\":\"simulated\"}");
+    ASSERT_EQ(session.second.size(), 50u);
+    for (int number = 0; number < 50; ++number) {
+      const SecondSample& read = session.second[static_cast<std::size_t>(number)];
+      const SecondSample wanted = second_sample(number);
+      EXPECT_EQ(read.time, wanted.time);
+      EXPECT_EQ(read.position, wanted.position);
+      EXPECT_EQ(read.rotation.coeffs(), wanted.rotation.coeffs());
+      EXPECT_EQ(read.force, wanted.force);
+      EXPECT_EQ(read.pressure, role == SecondRole::plunger ? wanted.pressure : 0.0);
+      EXPECT_EQ(read.volume, role == SecondRole::plunger ? wanted.volume : 0.0);
+    }
+  }
+}
+
+TEST(SessionFile, a_second_hand_that_no_writer_makes_is_refused) {
+  const ScratchSession scratch;
+  const auto tamper = [&](const std::string& sql, SecondRole role = SecondRole::plunger, bool finish = true) {
+    write_second(scratch.path(), role, finish);
+    SQLite::Database(scratch.path().string(), SQLite::OPEN_READWRITE).exec(sql);
+    return refusal_of(scratch.path());
+  };
+  EXPECT_EQ(tamper("SELECT 1"), "it was accepted");
+  for (const std::string change :
+       {"time_s=0.05", "time_s=-1", "time_s=9e999", "time_s='late'", "x_mm=9e999", "y_mm=-1e6", "z_mm='down'",
+        "qw=0.61", "qx=9e999", "force_N=1e5", "force_N=-9e999", "pressure_MPa=NULL", "pressure_MPa=-1",
+        "pressure_MPa=11", "volume_mm3=-0.1", "volume_mm3=9e999", "volume_mm3=x'00'", "sample=900"}) {
+    EXPECT_THAT(tamper("UPDATE second_hand SET " + change + " WHERE sample=7"),
+                HasSubstr("sample 7 of the second hand is damaged"))
+        << change;
+  }
+  EXPECT_THAT(tamper("UPDATE second_hand SET pressure_MPa=0.1 WHERE sample=7", SecondRole::probe),
+              HasSubstr("sample 7 of the second hand is damaged"));
+  EXPECT_THAT(tamper("DELETE FROM second_hand WHERE sample=49"), HasSubstr("samples of the second hand are missing"));
+  EXPECT_THAT(tamper("DELETE FROM second_hand WHERE sample=3"), HasSubstr("sample 3"));
+  EXPECT_THAT(tamper("DELETE FROM header WHERE key='second_samples'"), HasSubstr("lacks 'second_samples'"));
+  EXPECT_THAT(tamper("UPDATE header SET value='probe' WHERE key='second_role'"), HasSubstr("header is damaged"));
+  EXPECT_THAT(tamper("DELETE FROM header WHERE key='second_role'"), HasSubstr("header is damaged"));
+  EXPECT_THAT(tamper("DROP TABLE second_hand"), HasSubstr("'second_hand' is missing"));
+  EXPECT_EQ(tamper("DELETE FROM second_hand WHERE sample>40", SecondRole::plunger, false), "it was accepted")
+      << "not finished: what was saved is there";
+  write_sample(scratch.path(), 3);
+  SQLite::Database(scratch.path().string(), SQLite::OPEN_READWRITE)
+      .exec("INSERT INTO second_hand VALUES(0, 0.5, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, NULL, NULL)");
+  EXPECT_THAT(refusal_of(scratch.path()), HasSubstr("the header names none"));
 }
 
 TEST(SessionFile, a_truncated_file_is_refused_at_every_length) {

@@ -93,6 +93,7 @@ inline TickRecord sample_record(std::uint64_t tick) {
   record.output.velocity = number();
   record.output.resistance = number();
   record.output.constraint = number();
+  record.output.energy = number();
   record.output.tissue = static_cast<TissueId>(random.next() % 255);
   record.output.in_contact = random.next() % 2 == 0;
   record.output.limits = static_cast<std::uint8_t>(random.next());

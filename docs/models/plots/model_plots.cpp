@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/files.h"
 #include "core/random.h"
 #include "forces/beam.h"
 #include "forces/bevel_tip.h"
@@ -26,7 +27,6 @@
 #include "forces/syringe.h"
 #include "forces/three_component.h"
 #include "forces/tracking_wall.h"
-#include "imaging/files.h"
 #include "io/tissue_library_file.h"
 #include "training/plot.h"
 

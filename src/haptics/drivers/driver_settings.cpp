@@ -39,7 +39,7 @@ DriverSettings::DriverSettings(std::string_view words, std::initializer_list<std
     if (std::find(known.begin(), known.end(), key) == known.end()) {
       std::string list;
       for (const std::string_view name : known) list += (list.empty() ? "" : ", ") + std::string(name);
-      refuse("there is no setting '" + key + "', expected one of " + list);
+      refuse("there is no setting '" + key + "', expected " + (list.empty() ? "none" : "one of " + list));
     }
     values_[key] = words.substr(0, end);
     words.remove_prefix(std::min(end + (quoted ? 1 : 0), words.size()));

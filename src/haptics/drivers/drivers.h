@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <string_view>
 
 #include "haptics/bodkin_driver.h"
@@ -13,9 +12,5 @@ std::span<const bodkin_driver* const> built_in_drivers() noexcept;
 
 // The built-in driver of that name; null where there is none.
 const bodkin_driver* find_driver(std::string_view name) noexcept;
-
-// The built-in driver of that name, or somebody else's by the path of its library, which has a '/'. Throws InputError
-// for an unknown name and SystemError for a library that is no driver.
-const bodkin_driver& driver_named(const std::string& name);
 
 }  // namespace bodkin

@@ -42,7 +42,7 @@ const Model& model_of(int type) {
   return unknown_model;
 }
 
-int result_of(int error) {
+int result_of_force_dimension(int error) {
   switch (error) {
     case error_com:
       return BODKIN_COMMUNICATION_LOST;
@@ -57,7 +57,7 @@ int result_of(int error) {
   }
 }
 
-const char* advice_for(int result) {
+const char* force_dimension_advice(int result) {
   switch (result) {
     case BODKIN_BUSY:
       return "close the other program that uses the device";
@@ -69,7 +69,7 @@ const char* advice_for(int result) {
   }
 }
 
-using Library = std::shared_ptr<const ForceDimensionLibrary>;
+using ForceDimensionHandle = std::shared_ptr<const ForceDimensionLibrary>;
 
 std::string words(const ForceDimensionLibrary& sdk, int error) {
   const char* text = sdk.dhdErrorGetLastStr();
@@ -78,11 +78,11 @@ std::string words(const ForceDimensionLibrary& sdk, int error) {
 
 [[noreturn]] void fail(const ForceDimensionLibrary& sdk, const std::string& what) {
   const int error = sdk.dhdErrorGetLast();
-  const int result = result_of(error);
-  throw DriverFailure(result, what + " (" + words(sdk, error) + "): " + advice_for(result));
+  const int result = result_of_force_dimension(error);
+  throw DriverFailure(result, what + " (" + words(sdk, error) + "): " + force_dimension_advice(result));
 }
 
-Library load(const DriverSettings& settings) {
+ForceDimensionHandle load_force_dimension(const DriverSettings& settings) {
   auto sdk = std::make_shared<const ForceDimensionLibrary>(settings.text("library", ""));
   int major = 0, minor = 0, release = 0, revision = 0;
   sdk->dhdGetSDKVersion(&major, &minor, &release, &revision);
@@ -94,7 +94,7 @@ Library load(const DriverSettings& settings) {
   return sdk;
 }
 
-DriverSettings read(const char* settings) {
+DriverSettings force_dimension_settings(const char* settings) {
   return {settings, {"library", "initialise", "gravity", "peak_force"}};
 }
 
@@ -103,13 +103,13 @@ DriverSettings read(const char* settings) {
 class Handle {
  public:
   // `index`: among the devices that are connected. Null when the SDK refuses.
-  static std::unique_ptr<Handle> open(const Library& sdk, int index) {
+  static std::unique_ptr<Handle> open(const ForceDimensionHandle& sdk, int index) {
     const auto number = static_cast<char>(index);
     const int id = sdk->has_drd() ? sdk->drdOpenID(number) : sdk->dhdOpenID(number);
     if (id < 0) return nullptr;
     return std::make_unique<Handle>(sdk, id);
   }
-  Handle(Library sdk, int id) : sdk_(std::move(sdk)), id_(static_cast<char>(id)) {}
+  Handle(ForceDimensionHandle sdk, int id) : sdk_(std::move(sdk)), id_(static_cast<char>(id)) {}
   ~Handle() { sdk_->has_drd() ? sdk_->drdClose(id_) : sdk_->dhdClose(id_); }
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
@@ -126,15 +126,15 @@ class Handle {
   }
 
  private:
-  Library sdk_;
+  ForceDimensionHandle sdk_;
   char id_;
 };
 
-std::unique_ptr<Handle> open_handle(const Library& sdk, const std::string& serial) {
+std::unique_ptr<Handle> open_handle(const ForceDimensionHandle& sdk, const std::string& serial) {
   const int count = sdk->dhdGetDeviceCount();
   if (count <= 0) {
-    throw DriverFailure(BODKIN_NOT_CONNECTED,
-                        std::string("no Force Dimension device is found: ") + advice_for(BODKIN_NOT_CONNECTED));
+    throw DriverFailure(BODKIN_NOT_CONNECTED, std::string("no Force Dimension device is found: ") +
+                                                  force_dimension_advice(BODKIN_NOT_CONNECTED));
   }
   for (int index = 0; index < count; ++index) {
     auto handle = Handle::open(sdk, index);
@@ -224,7 +224,7 @@ class ForceDimensionDevice : public OpenDevice {
     const int error = sdk_.dhdErrorGetLast();
     error_.store(error);
     sdk_.dhdStop(id_);
-    const int result = result_of(error);
+    const int result = result_of_force_dimension(error);
     return result == BODKIN_NOT_CONNECTED ? BODKIN_COMMUNICATION_LOST : result;
   }
 
@@ -276,7 +276,7 @@ struct ForceDimension {
   static constexpr const char* summary = "omega, delta, sigma, lambda (Force Dimension SDK)";
 
   static void list(const char* text, const DeviceSink& found) {
-    const Library sdk = load(read(text));
+    const ForceDimensionHandle sdk = load_force_dimension(force_dimension_settings(text));
     const int count = sdk->dhdGetDeviceCount();
     for (int index = 0; index < count; ++index) {
       const auto handle = Handle::open(sdk, index);
@@ -286,11 +286,11 @@ struct ForceDimension {
   }
 
   static std::unique_ptr<OpenDevice> open(const std::string& serial, const char* text, bodkin_abilities& abilities) {
-    const DriverSettings settings = read(text);
+    const DriverSettings settings = force_dimension_settings(text);
     const bool initialise = settings.flag("initialise", false);
     const int gravity = settings.flag("gravity", true) ? 1 : 0;
     const double least = settings.number("peak_force", 100.0, 0.1, 100.0);
-    const Library library = load(settings);
+    const ForceDimensionHandle library = load_force_dimension(settings);
     auto handle = open_handle(library, serial);
     const ForceDimensionLibrary& sdk = *library;
     const char id = handle->id();

@@ -14,6 +14,7 @@
 #include "haptics/drivers/driver_settings.h"
 #include "haptics/drivers/haption_library.h"
 #include "haptics/drivers/vendor_frame.h"
+#include "haptics/tick_clock.h"
 
 namespace bodkin {
 
@@ -32,13 +33,7 @@ constexpr double peak_torque = 800.0;                        // N mm
 constexpr double stiffness = 2.0, damping = 0.01;            // N/mm, N s/mm
 constexpr double radius = 60.0;                              // mm
 
-double now() noexcept {
-  timespec time{};
-  clock_gettime(CLOCK_MONOTONIC, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-int result_of(int error) noexcept {
+int result_of_haption(int error) noexcept {
   switch (error) {
     case error_communication:
     case error_timeout:
@@ -55,18 +50,18 @@ int result_of(int error) noexcept {
   }
 }
 
-using Library = std::shared_ptr<const HaptionLibrary>;
+using HaptionHandle = std::shared_ptr<const HaptionLibrary>;
 
 std::string words(const HaptionLibrary& api, int error) {
   const char* text = api.virtGetErrorMessage(error);
   return "error " + std::to_string(error) + (text == nullptr ? "" : ", '" + std::string(text) + "'");
 }
 
-DriverSettings read(const char* settings) {
+DriverSettings haption_settings(const char* settings) {
   return {settings, {"library", "address", "relays_s"}};
 }
 
-Library load(const DriverSettings& settings) {
+HaptionHandle load_haption(const DriverSettings& settings) {
   auto api = std::make_shared<const HaptionLibrary>(settings.text("library", ""));
   int major = 0, minor = 0;
   api->virtAPIVersion(&major, &minor);
@@ -81,11 +76,11 @@ Library load(const DriverSettings& settings) {
 // A connection, closed at the end of its life.
 class Connection {
  public:
-  Connection(Library api, const std::string& address)
+  Connection(HaptionHandle api, const std::string& address)
       : api_(std::move(api)), context_(api_->virtOpen(address.c_str())) {
     if (context_ != nullptr) return;
     const int error = api_->virtGetErrorCode(nullptr);
-    int result = result_of(error);
+    int result = result_of_haption(error);
     if (result == BODKIN_COMMUNICATION_LOST) result = BODKIN_NOT_CONNECTED;
     const char* advice = result == BODKIN_BUSY ? "close the other program that uses it"
                                                : "switch it on, start the vendor's daemon, or say address=HOST#PORT";
@@ -102,8 +97,9 @@ class Connection {
   void must(int result, const char* what) const {
     if (result == 0) return;
     const int error = api_->virtGetErrorCode(context_);
-    throw DriverFailure(result_of(error), std::string("the device refuses ") + what + " (" + words(*api_, error) +
-                                              "): see whether the vendor's own test program works");
+    throw DriverFailure(result_of_haption(error), std::string("the device refuses ") + what + " (" +
+                                                      words(*api_, error) +
+                                                      "): see whether the vendor's own test program works");
   }
 
   std::string name() const {
@@ -118,7 +114,7 @@ class Connection {
   }
 
  private:
-  Library api_;
+  HaptionHandle api_;
   HaptionLibrary::Context context_;
 };
 
@@ -204,7 +200,7 @@ class HaptionDevice : public OpenDevice {
       api_.virtSetForce(device_, force);
       return;
     }
-    const double time = now();
+    const double time = monotonic_seconds();
     const double dt = ticks_ == 0 ? static_cast<double>(period) : time - last_time_;
     last_time_ = time;
     ++ticks_;
@@ -224,7 +220,7 @@ class HaptionDevice : public OpenDevice {
   int keep_error() noexcept {
     const int error = api_.virtGetErrorCode(device_);
     error_.store(error);
-    return result_of(error);
+    return result_of_haption(error);
   }
 
   int told(int result, const char* trouble) noexcept {
@@ -285,18 +281,18 @@ struct Haption {
 
   // The vendor has no list: the one address is asked.
   static void list(const char* text, const DeviceSink& found) {
-    const DriverSettings settings = read(text);
+    const DriverSettings settings = haption_settings(text);
     const std::string address = settings.text("address", usual_address);
-    const Connection connection(load(settings), address);
+    const Connection connection(load_haption(settings), address);
     found(address, connection.name() + " at " + address + ", serial number " + connection.serial());
   }
 
   static std::unique_ptr<OpenDevice> open(const std::string& identity, const char* text,
                                           bodkin_abilities& abilities) {
-    const DriverSettings settings = read(text);
+    const DriverSettings settings = haption_settings(text);
     const double relays = settings.number("relays_s", 3.0, 0.0, 10.0);
     const std::string address = identity.empty() ? settings.text("address", usual_address) : identity;
-    auto connection = std::make_unique<Connection>(load(settings), address);
+    auto connection = std::make_unique<Connection>(load_haption(settings), address);
     copy_text(connection->name(), abilities.name, BODKIN_TEXT);
     copy_text(connection->serial(), abilities.serial, BODKIN_TEXT);
     abilities.peak_force = peak_force;

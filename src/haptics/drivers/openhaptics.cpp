@@ -9,6 +9,7 @@
 #include "haptics/drivers/driver_settings.h"
 #include "haptics/drivers/openhaptics_session.h"
 #include "haptics/drivers/vendor_frame.h"
+#include "haptics/tick_clock.h"
 
 namespace bodkin {
 
@@ -21,14 +22,8 @@ constexpr long temperature_every = 100;  // likewise
 constexpr long fault_shown = 20;         // ticks for which a fault that passes is told
 constexpr int oldest_version = 3;
 
-double now() noexcept {
-  timespec time{};
-  clock_gettime(CLOCK_MONOTONIC, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 // Of an error in the loop.
-int result_of(unsigned code) noexcept {
+int result_of_openhaptics(unsigned code) noexcept {
   switch (code) {
     case success:
       return BODKIN_OK;
@@ -66,7 +61,7 @@ int result_of_opening(unsigned code) {
   }
 }
 
-const char* advice_for(int result) {
+const char* openhaptics_advice(int result) {
   switch (result) {
     case BODKIN_BUSY:
       return "close the other program that uses the device, or unplug it and plug it in";
@@ -79,7 +74,7 @@ const char* advice_for(int result) {
 
 using Session = std::shared_ptr<OpenHapticsSession>;
 
-DriverSettings read(const char* settings) {
+DriverSettings openhaptics_settings(const char* settings) {
   return {settings, {"library", "dead_man"}};
 }
 
@@ -111,7 +106,7 @@ class Initialised {
     if (id_ != invalid_handle) session.hd.hdDisableDevice(id_);
     const int result = result_of_opening(error);
     throw DriverFailure(result, "the device" + (name.empty() ? "" : " '" + name + "'") + " does not open (" +
-                                    session.words(error) + "): " + advice_for(result));
+                                    session.words(error) + "): " + openhaptics_advice(result));
   }
   ~Initialised() { session_.hd.hdDisableDevice(id_); }
   Initialised(const Initialised&) = delete;
@@ -214,7 +209,7 @@ class OpenHapticsDevice : public OpenDevice {
     });
     if (error != success) {
       throw DriverFailure(BODKIN_VENDOR_ERROR, "forces cannot be enabled (" + session_->words(error) +
-                                                   "): " + advice_for(BODKIN_VENDOR_ERROR));
+                                                   "): " + openhaptics_advice(BODKIN_VENDOR_ERROR));
     }
   }
 
@@ -242,7 +237,7 @@ class OpenHapticsDevice : public OpenDevice {
 
   // One tick in the scheduler's thread: one frame. A frame that sets no force has none.
   unsigned round() noexcept {
-    const double time = now();
+    const double time = monotonic_seconds();
     const double dt = ticks_ == 0 ? period_ : time - last_time_;
     last_time_ = time;
 
@@ -307,12 +302,12 @@ class OpenHapticsDevice : public OpenDevice {
   }
 
   int fault() noexcept {
-    if (lasting_ != success) return result_of(lasting_);
+    if (lasting_ != success) return result_of_openhaptics(lasting_);
     if (!calibrated_) {
       last_error_.store(uncalibrated);
       return BODKIN_NOT_CALIBRATED;
     }
-    return passing_ != success && ticks_ < passing_until_ ? result_of(passing_) : BODKIN_OK;
+    return passing_ != success && ticks_ < passing_until_ ? result_of_openhaptics(passing_) : BODKIN_OK;
   }
 
   Session session_;
@@ -343,7 +338,7 @@ struct OpenHaptics {
 
   // HD has no list: the default device is opened without force, asked for its name, and closed.
   static void list(const char* words, const DeviceSink& found) {
-    const DriverSettings settings = read(words);
+    const DriverSettings settings = openhaptics_settings(words);
     const Session session = OpenHapticsSession::join(settings.text("library", ""));
     session->paused([&] {
       const Initialised device(*session, "");
@@ -354,7 +349,7 @@ struct OpenHaptics {
   }
 
   static std::unique_ptr<OpenDevice> open(const std::string& device, const char* words, bodkin_abilities& abilities) {
-    const DriverSettings settings = read(words);
+    const DriverSettings settings = openhaptics_settings(words);
     const bool dead_man = settings.flag("dead_man", false);
     auto opened =
         std::make_unique<OpenHapticsDevice>(OpenHapticsSession::join(settings.text("library", "")), device, dead_man);

@@ -19,6 +19,7 @@
 #include "haptics/drivers/driver_adapter.h"
 #include "haptics/drivers/driver_settings.h"
 #include "haptics/drivers/vendor_frame.h"
+#include "haptics/tick_clock.h"
 
 namespace bodkin {
 
@@ -31,13 +32,7 @@ constexpr int most_events = 64;        // of one round
 using Event = std::array<std::int32_t, 8>;
 enum EventType { motion, press, release };
 
-double now() noexcept {
-  timespec time{};
-  clock_gettime(CLOCK_MONOTONIC, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-DriverSettings read(const char* settings) {
+DriverSettings spacemouse_settings(const char* settings) {
   return {settings, {"socket", "axes", "full_scale", "dead_zone", "speed_mm_s", "turn_deg_s", "reach_mm"}};
 }
 
@@ -141,7 +136,7 @@ class SpaceMouseDevice : public OpenDevice {
     state_ = blank_state();
     rotation_ = Eigen::Map<const RowMajor>(state_.rotation);
     position_.setZero();
-    last_time_ = now();
+    last_time_ = monotonic_seconds();
   }
   void stop() override {}
 
@@ -149,7 +144,7 @@ class SpaceMouseDevice : public OpenDevice {
     if (!gone_.load()) {
       gone_.store(!socket_.drain([this](const Event& event) { take(event); }));
     }
-    const double time = now();
+    const double time = monotonic_seconds();
     move(std::clamp(time - last_time_, 0.0, longest_step));
     last_time_ = time;
     state = state_;
@@ -169,7 +164,7 @@ class SpaceMouseDevice : public OpenDevice {
         pull_[static_cast<Eigen::Index>(i)] = feel_.deflection(event[1 + i]);
         twist_[static_cast<Eigen::Index>(i)] = feel_.deflection(event[4 + i]);
       }
-    } else if ((event[0] == press || event[0] == release) && event[1] >= 0 && event[1] < 32) {
+    } else if ((event[0] == press || event[0] == release) && event[1] >= 0 && event[1] < 31) {
       const std::uint32_t bit = 1U << event[1];
       state_.buttons = event[0] == press ? state_.buttons | bit : state_.buttons & ~bit;
     }
@@ -206,13 +201,13 @@ struct SpaceMouse {
   static constexpr const char* summary = "SpaceMouse and other pucks (spacenavd); no force";
 
   static void list(const char* text, const DeviceSink& found) {
-    const std::string path = socket_of(read(text));
+    const std::string path = socket_of(spacemouse_settings(text));
     const Socket connection(path);
     found("", "what spacenavd serves at " + path);
   }
 
   static std::unique_ptr<OpenDevice> open(const std::string&, const char* text, bodkin_abilities& abilities) {
-    const DriverSettings settings = read(text);
+    const DriverSettings settings = spacemouse_settings(text);
     const Feel feel{.axes = axes_of(settings.text("axes", "x,-z,y")),
                     .full_scale = settings.number("full_scale", 350.0, 1.0, 1e6),
                     .dead_zone = settings.number("dead_zone", 0.05, 0.0, 0.9),

@@ -18,6 +18,7 @@
 #include "core/error.h"
 #include "io/images/image_format.h"
 #include "io/images/memory_budget.h"
+#include "io/text_encoding.h"
 
 namespace bodkin {
 namespace {
@@ -35,14 +36,6 @@ std::string text_of(const gdcm::DataSet& data, const gdcm::Tag& tag) {
   const auto last = text.find_last_not_of(' ');
   const auto first = text.find_first_not_of(' ');
   return first == std::string::npos ? "" : text.substr(first, last - first + 1);
-}
-
-// Text for a message: a damaged header must not spoil a terminal.
-std::string printable(std::string text) {
-  for (char& letter : text) {
-    if (letter < ' ' || letter > '~') letter = '?';
-  }
-  return text.substr(0, 64);
 }
 
 // The numbers of a decimal string, "1\0\0"; empty when any of them is not a finite number or `count` does not fit.

@@ -16,7 +16,6 @@ namespace {
 
 constexpr double same_place = 0.01;     // mm; slices closer than this are two images of one place
 constexpr double steepest_tilt = 45.0;  // degrees; a gantry tilts by 30 at most
-constexpr std::int16_t air = -1024;
 
 // The series to read: the one asked for, or the only one there is.
 DicomSeries chosen_series(const DicomFolder& folder, const std::string& name, const DicomOptions& options,
@@ -202,7 +201,7 @@ DicomVolume read_dicom(const std::filesystem::path& path, const DicomOptions& op
     result.volume.voxels = std::move(voxels);
   } else {
     if (progress) progress("resampling", 0.0);
-    result.volume = resample_stack(stack, grid, voxels, air);
+    result.volume = resample_stack(stack, grid, voxels, lowest_hounsfield);
     result.resampled = true;
   }
   return result;

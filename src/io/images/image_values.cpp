@@ -12,7 +12,6 @@
 namespace bodkin {
 namespace {
 
-constexpr std::int16_t air = -1024;  // HU; the lowest value of the CT scale as scanners store it
 constexpr std::int16_t highest = 32767;
 constexpr std::int16_t darkest_of_soft_tissue = -50;  // HU; fat is darker (-120 to -60), air and lung far darker
 
@@ -77,11 +76,11 @@ std::vector<std::string> HounsfieldLosses::notes() const {
 std::int16_t to_hounsfield(double value, HounsfieldLosses& losses) {
   if (std::isnan(value)) {
     ++losses.not_numbers;
-    return air;
+    return lowest_hounsfield;
   }
-  if (value < air) {
+  if (value < lowest_hounsfield) {
     ++losses.padded;
-    return air;
+    return lowest_hounsfield;
   }
   if (value > highest) {
     ++losses.too_high;
@@ -98,7 +97,7 @@ CtVolume to_ct(ImageFile&& image, std::vector<std::string>& notes) {
   if (auto* same = std::get_if<std::vector<std::int16_t>>(&image.voxels)) {
     ct = on_grid(image.grid, std::move(*same));
     for (std::int16_t& value : ct.voxels) {
-      if (value < air) value = to_hounsfield(value, losses);
+      if (value < lowest_hounsfield) value = to_hounsfield(value, losses);
     }
   } else {
     ct = converted<std::int16_t>(std::move(image),

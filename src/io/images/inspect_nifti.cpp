@@ -14,6 +14,7 @@
 
 #include "core/error.h"
 #include "core/geometry.h"
+#include "io/images/gzip_stream.h"
 #include "io/images/image_file.h"
 #include "io/images/image_format.h"
 #include "io/images/inflated_size.h"
@@ -43,13 +44,9 @@ struct Header {
   float pixdim(std::size_t i) const { return at<float>(76 + 4 * i); }
 };
 
-struct CloseGzip {
-  void operator()(gzFile_s* file) const { gzclose(file); }
-};
-
 // gzread also reads files that are not packed.
-Bytes read_header(const std::filesystem::path& file) {
-  const std::unique_ptr<gzFile_s, CloseGzip> stream(gzopen(file.c_str(), "rb"));
+Bytes read_nifti_header(const std::filesystem::path& file) {
+  const GzipStream stream(gzopen(file.c_str(), "rb"));
   if (!stream) throw InputError(fmt::format("{}: this file cannot be opened", file.string()));
   Bytes bytes{};
   const int count = gzread(stream.get(), bytes.data(), static_cast<unsigned>(bytes.size()));
@@ -173,7 +170,7 @@ bool is_gzip(const std::filesystem::path& file) {
 
 Payload inspect_nifti(const std::filesystem::path& file) {
   const std::string name = file.string();
-  Header header{read_header(file)};
+  Header header{read_nifti_header(file)};
   const auto length = header.at<std::int32_t>(0);
   header.swapped = length != 348 && length != 540;
   if (header.at<std::int32_t>(0) == 540) {

@@ -13,6 +13,7 @@
 #include "io/images/image_file.h"
 #include "io/images/image_format.h"
 #include "io/images/inflated_size.h"
+#include "io/text_encoding.h"
 
 // NRRD (teem.sourceforge.net/nrrd/format.html) and MetaImage both start with lines of text, "key: value" and
 // "Key = Value". Only what makes a file unsafe or ambiguous is looked at here; ITK reads the rest.
@@ -44,15 +45,6 @@ std::string lower(std::string text) {
     if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
   }
   return text;
-}
-
-// A name from a damaged header must not spoil a terminal.
-std::string printable(const std::string& text) {
-  std::string result = text.substr(0, 60);
-  for (char& letter : result) {
-    if (letter < ' ' || letter > '~') letter = '?';
-  }
-  return result;
 }
 
 // Reads lines until `last` (a key after which voxels follow) or an empty line, whichever the format has.

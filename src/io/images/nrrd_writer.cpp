@@ -13,6 +13,7 @@
 #include <zlib.h>
 
 #include "core/error.h"
+#include "io/images/gzip_stream.h"
 
 namespace bodkin {
 namespace {
@@ -50,10 +51,6 @@ std::string header_text(const Grid& grid, const char* type) {
   throw SystemError(fmt::format("{} cannot be written: {}", file.string(), std::strerror(errno)));
 }
 
-struct CloseGzip {
-  void operator()(gzFile_s* file) const { gzclose(file); }
-};
-
 }  // namespace
 
 template <typename Voxel>
@@ -61,8 +58,9 @@ void write_nrrd(const Volume<Voxel>& volume, const std::filesystem::path& file) 
   const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) fail(file);
   const std::string header = header_text(volume.grid, type_name<Voxel>());
-  const bool header_written = write(descriptor, header.data(), header.size()) == static_cast<ssize_t>(header.size());
-  std::unique_ptr<gzFile_s, CloseGzip> stream(header_written ? gzdopen(descriptor, gzip_mode) : nullptr);
+  const bool header_written =
+      ::write(descriptor, header.data(), header.size()) == static_cast<ssize_t>(header.size());
+  GzipStream stream(header_written ? gzdopen(descriptor, gzip_mode) : nullptr);
   if (!stream) {
     close(descriptor);
     fail(file);

@@ -12,7 +12,7 @@ namespace {
 using namespace lumbar_size;
 
 // Everything about one height that the drawing needs; y and x are LPS mm.
-struct Section {
+struct ConstructedSection {
   double x, front, back, half_width;  // canal; `back` with its bulge in the midline
   double bulge;
   double flavum;  // thickness along y; 0 = none here
@@ -33,12 +33,12 @@ double nearness(const Interspace& gap, double z) {
   return std::max(0.0, 1.0 - square(beyond / 4.0));
 }
 
-Section section_at(const LumbarSpine& spine, double z) {
+ConstructedSection section_at(const LumbarSpine& spine, double z) {
   const CanalSection canal = spine.canal.at(z);
   const double cosine = std::max(0.64, spine.canal.cosine(z));
   const auto last = static_cast<double>(spine.tip.size()) - 1.0;
   const auto n = static_cast<std::size_t>(std::lround(std::clamp(z - spine.canal.lowest, 0.0, last)));
-  Section s{};
+  ConstructedSection s{};
   s.x = canal.x, s.front = canal.front, s.half_width = canal.half_width;
   s.tip = spine.tip[n], s.tip_x = spine.tip_x[n];
   double open = 0.0, nearest = 1e9;
@@ -71,8 +71,8 @@ Section section_at(const LumbarSpine& spine, double z) {
 
 // Sections `step` mm apart along the whole canal. The back of the sac is drawn taut: fat fills what the wall of the
 // canal does between the laminae.
-std::vector<Section> sections_of(const LumbarSpine& spine, double step) {
-  std::vector<Section> sections;
+std::vector<ConstructedSection> sections_of(const LumbarSpine& spine, double step) {
+  std::vector<ConstructedSection> sections;
   std::vector<double> backs;
   for (double z = spine.canal.lowest - 0.5; z <= spine.canal.highest() + 0.5; z += step) {
     sections.push_back(section_at(spine, z));
@@ -80,7 +80,7 @@ std::vector<Section> sections_of(const LumbarSpine& spine, double step) {
   }
   const auto taut = moving_average(backs, static_cast<int>(10.0 / step));
   for (std::size_t n = 0; n < sections.size(); ++n) {
-    Section& s = sections[n];
+    ConstructedSection& s = sections[n];
     const double low = s.front + anterior_epidural;
     const double back =
         std::clamp(taut[n], low + 4.0, std::max(low + 4.0, s.back - std::max(least_epidural, 0.75 * s.epidural)));
@@ -103,12 +103,12 @@ double oval(double u, double v) {
   return std::pow(std::pow(std::abs(u), 2.5) + std::pow(std::abs(v), 2.5), 0.4);
 }
 
-bool in_sac(const Section& s, double x, double y) {
+bool in_sac(const ConstructedSection& s, double x, double y) {
   if (s.sac_half_depth < 1.0 || s.sac_half_width < 1.0) return false;
   return oval((x - s.x) / s.sac_half_width, (y - s.sac_y) / s.sac_half_depth) < 1.0;
 }
 
-bool is_nerve(const Section& s, double x, double y, bool above_conus) {
+bool is_nerve(const ConstructedSection& s, double x, double y, bool above_conus) {
   const double u = x - s.x, v = y - s.sac_y;
   if (above_conus) return square(u / 4.5) + square(v / std::min(4.0, 0.6 * s.sac_half_depth)) < 1.0;
   // Cauda equina: the roots hang in two bundles beside the midline, towards the back.
@@ -117,7 +117,7 @@ bool is_nerve(const Section& s, double x, double y, bool above_conus) {
 }
 
 // What the construction puts at a point, or air for nothing. The sac comes out as cerebrospinal fluid.
-TissueId tissue_at(const Section& s, double x, double y) {
+TissueId tissue_at(const ConstructedSection& s, double x, double y) {
   const double middle = 0.5 * (s.front + s.back), u = x - s.x;
   const double wall = s.back - s.bulge * std::min(1.0, square(u / 9.0));  // the bulge is in the midline
   const double v = y - middle;
@@ -192,7 +192,7 @@ bool touches_other(const TissueVolume& tissues, int i, int j, int k) {
 Vec3 sac_centre(const LumbarSpine& spine, double z) {
   const auto sections = sections_of(spine, 1.0);
   const double n = std::round(z - spine.canal.lowest + 0.5);
-  const Section& s =
+  const ConstructedSection& s =
       sections[static_cast<std::size_t>(std::clamp(n, 0.0, static_cast<double>(sections.size()) - 1.0))];
   return {s.x, s.sac_y, z};
 }
@@ -201,8 +201,8 @@ void draw_lumbar(TissueVolume& tissues, const LumbarSpine& spine) {
   const Grid& grid = tissues.grid;
   const IndexBox box = box_about(grid, spine);
   constexpr double fine = 0.25;  // mm between prepared sections
-  const std::vector<Section> sections = sections_of(spine, fine);
-  const auto section_of = [&](double z) -> const Section& {
+  const std::vector<ConstructedSection> sections = sections_of(spine, fine);
+  const auto section_of = [&](double z) -> const ConstructedSection& {
     const double n = std::round((z - spine.canal.lowest + 0.5) / fine);
     return sections[static_cast<std::size_t>(std::clamp(n, 0.0, static_cast<double>(sections.size()) - 1.0))];
   };

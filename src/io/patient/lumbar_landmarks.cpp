@@ -11,7 +11,7 @@
 namespace bodkin {
 namespace {
 
-constexpr double longest_process = 60.0;               // mm behind the canal that is searched for spinous processes
+constexpr double deepest_search = 60.0;                // mm behind the canal that is searched for spinous processes
 constexpr double sacral_plate = 35.0;                  // mm: no lumbar lamina is so high
 constexpr double least_gap = 3.0, least_lamina = 4.0;  // mm of height
 
@@ -37,7 +37,7 @@ void find_tips(const SpineView& view, LumbarSpine& spine) {
     const auto at = static_cast<std::size_t>(n);
     const CanalSection& s = sections[at];
     const int k = view.k_of(ahead(spine.canal, at)), middle = view.i_of(s.x);
-    for (int j = view.j_of(s.back + 4.0); j <= view.j_of(s.back + longest_process); ++j) {
+    for (int j = view.j_of(s.back + 4.0); j <= view.j_of(s.back + deepest_search); ++j) {
       int bone = 0;
       for (int i = middle - 5; i <= middle + 5; ++i) {
         if (!view.bone_at(i, j, k)) continue;

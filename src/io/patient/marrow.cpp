@@ -14,7 +14,7 @@ constexpr double half_breadth = 14.0;   // mm about the midline
 constexpr double largest_area = 400.0;  // mm^2
 
 // One sagittal section, j to the right and k upwards; 1 where the mask is set.
-struct Section {
+struct MarrowSection {
   int width, height;
   std::vector<std::uint8_t> cells;
   bool inside(int j, int k) const { return j >= 0 && k >= 0 && j < width && k < height; }
@@ -26,8 +26,8 @@ struct Section {
   }
 };
 
-Section widened(const Section& section) {
-  Section out = section;
+MarrowSection widened(const MarrowSection& section) {
+  MarrowSection out = section;
   for (int k = 0; k < section.height; ++k) {
     for (int j = 0; j < section.width; ++j) {
       for (int n = 0; n < 9 && out.at(j, k) == 0; ++n) {
@@ -41,8 +41,8 @@ Section widened(const Section& section) {
 
 // The holes of a section: free cells that no way of free cells joins to its border, unless they cover more than
 // `most`.
-Section holes_of(const Section& walls, double most) {
-  Section seen = walls, holes = walls;
+MarrowSection holes_of(const MarrowSection& walls, double most) {
+  MarrowSection seen = walls, holes = walls;
   std::fill(holes.cells.begin(), holes.cells.end(), std::uint8_t{0});
   std::vector<std::pair<int, int>> piece;
   for (int k = 0; k < walls.height; ++k) {
@@ -78,13 +78,13 @@ void fill_marrow(SpineView& view, TissueVolume& tissues, const SpinalCanal& cana
   MaskVolume marrow(view.grid());
   for (int i = std::max(0, view.i_of(x - half_breadth)); i <= std::min(size[0] - 1, view.i_of(x + half_breadth));
        ++i) {
-    Section bone{size[1], size[2], {}};
+    MarrowSection bone{size[1], size[2], {}};
     bone.cells.resize(static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(size[2]));
     for (int k = 0; k < size[2]; ++k) {
       for (int j = 0; j < size[1]; ++j) bone.at(j, k) = view.bone.at(i, j, k);
     }
     const double cell = view.grid().spacing.y() * view.grid().spacing.z();
-    const Section holes = widened(holes_of(widened(bone), largest_area / cell));
+    const MarrowSection holes = widened(holes_of(widened(bone), largest_area / cell));
     for (int k = 0; k < size[2]; ++k) {
       const double back = canal.at(view.z_of(k)).back;
       for (int j = 0; j < size[1]; ++j) {

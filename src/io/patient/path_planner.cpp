@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "io/patient/hounsfield_classes.h"
 #include "io/patient/lumbar_construction.h"
@@ -54,7 +53,6 @@ std::vector<PlannedPath> plan_paths(const TissueVolume& tissues, const SpineView
   std::vector<PlannedPath> found;
   if (spine.interspaces.empty()) return found;
   const Volume<float> distance = signed_distance(view.bone);
-  constexpr double degree = std::numbers::pi / 180.0;
   for (const Interspace& gap : spine.interspaces) {
     std::optional<PlannedPath> best;
     double most = -1e9;

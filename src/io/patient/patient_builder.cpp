@@ -19,9 +19,9 @@
 namespace bodkin {
 namespace {
 
-constexpr double least_laminae = 15.0;  // mm of laminae that labels of vertebrae must show to be a spine
-constexpr double below_lung = 60.0;     // mm, two vertebrae: how far below lung an interspace counts as lumbar
-constexpr double least_side = 6.0;      // mm of image on either side of the midline, about half a canal
+constexpr double least_labelled_laminae = 15.0;  // mm of laminae that labels of vertebrae must show to be a spine
+constexpr double below_lung = 60.0;  // mm, two vertebrae: how far below lung an interspace counts as lumbar
+constexpr double least_side = 6.0;   // mm of image on either side of the midline, about half a canal
 
 // The middle of the labelled vertebrae, slice by slice; labels of the sides balance.
 std::vector<double> midline_of_labels(const SpineView& view) {
@@ -105,14 +105,14 @@ std::optional<FoundSpine> find_spine(const CtVolume& ct, const LabelVolume& stru
     PatientBox box = *bones;
     box.low -= Vec3(2.0, 2.0, 2.0), box.high += Vec3(2.0, 15.0, 2.0);
     SpineView view = view_spine(ct, structures, roles, tissues, box, spacing);
-    canal = canal_from_bone(view, midline_of_labels(view), least_laminae);
+    canal = canal_from_bone(view, midline_of_labels(view), least_labelled_laminae);
     if (canal) return found_in(std::move(view), std::move(*canal), "the labels of the vertebrae");
   }
   if (const auto midline = find_midline(ct, tissues, body)) {
     SpineView view = view_spine(ct, structures, roles, tissues, midline->box, spacing);
     std::vector<double> x;
     for (int k = 0; k < view.grid().size[2]; ++k) x.push_back(midline->x_at(view.z_of(k)));
-    canal = canal_from_bone(view, x, 2 * least_laminae);
+    canal = canal_from_bone(view, x, 2 * least_labelled_laminae);
     // The spinous processes show the midline finer than the search did.
     for (int pass = 0; pass < 2 && canal; ++pass) {
       const LumbarSpine spine = find_interspaces(view, *canal);
@@ -120,7 +120,7 @@ std::optional<FoundSpine> find_spine(const CtVolume& ct, const LabelVolume& stru
         const double n = std::clamp(view.z_of(static_cast<int>(k)) - canal->lowest, 0.0, spine.tip_x.size() - 1.0);
         x[k] = spine.tip_x[static_cast<std::size_t>(n)];
       }
-      canal = canal_from_bone(view, x, 2 * least_laminae);
+      canal = canal_from_bone(view, x, 2 * least_labelled_laminae);
     }
     if (!canal) return std::nullopt;
     const LumbarSpine bare = find_interspaces(view, *canal);

@@ -43,13 +43,13 @@ Approach plan_approach(const LumbarModel& model, int upper) {
     // Half way between the back of the sac and the roots, which lie in its front half.
     const double middle_y = section.sac_y + 0.25 * section.sac_half_depth;
     const Vec3 target(section.canal_x, section.canal_y + middle_y / section.tilt, section.z);
-    for (int degree = -8; degree <= 40; ++degree) {
-      const double angle = degree * shapes::degrees;
+    for (int cephalad = -8; cephalad <= 40; ++cephalad) {
+      const double angle = cephalad * shapes::degrees;
       const Vec3 direction = shapes::cosine(angle) * inwards + shapes::sine(angle) * headwards;
       const double enough = 5.0;
       double clearance = enough;
       const double worst_useful = best_score;
-      const double penalty = 0.02 * std::abs(degree - 8) + 0.03 * std::abs(shift);
+      const double penalty = 0.02 * std::abs(cephalad - 8) + 0.03 * std::abs(shift);
       for (double t = 4.0; t < 60.0 && clearance - penalty > worst_useful; t += kSample)
         clearance = std::min(clearance, model.bone_clearance(target - t * direction));
       if (clearance - penalty <= best_score) continue;

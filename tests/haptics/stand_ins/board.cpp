@@ -16,7 +16,20 @@ constexpr const char* names[] = {"none",           "no_device",    "busy",      
                                  "emergency_stop", "hand_off",     "too_fast",   "too_much_force", "unknown_code",
                                  "open_blocks",    "start_blocks", "stop_blocks"};
 
+constexpr const char* habits[] = {"still", "wander", "swivel", "sweep", "gone"};
+
+void read_habit(Board& to) {
+  const char* value = std::getenv("BODKIN_STAND_IN_HAND");
+  if (value == nullptr) return;
+  int number = 0;
+  for (const char* habit : habits) {
+    if (std::strcmp(habit, value) == 0) to.habit = static_cast<Hand>(number);
+    ++number;
+  }
+}
+
 void read_environment(Board& to) {
+  read_habit(to);
   const char* value = std::getenv("BODKIN_STAND_IN");
   if (value == nullptr) return;
   const std::string_view text = value;

@@ -28,6 +28,15 @@ enum class Trouble : int {
   stop_blocks
 };
 
+// What the hand does by itself. Environment: BODKIN_STAND_IN_HAND="swivel".
+enum class Hand : int {
+  still,   // it stays where Board::hand is
+  wander,  // through a box of 80 x 60 x 100 mm (vendor's axes)
+  swivel,  // the tool's tip, 50 mm along its third axis, stays in one place
+  sweep,   // 80 mm along the vendor's second axis, and no way back
+  gone     // after three seconds it lets go, and the handle hangs down the vendor's third axis with 0.6 N
+};
+
 // The test's side of a stand-in: every library exports it as `extern "C" stand_in::Board* bodkin_stand_in()`. Numbers
 // are in the vendor's own axes and units, exactly as they pass through the vendor's functions.
 struct Board {
@@ -39,6 +48,7 @@ struct Board {
   std::array<std::atomic<double>, 3> hand{};
   std::array<std::atomic<double>, 9> turn{1, 0, 0, 0, 1, 0, 0, 0, 1};
   std::atomic<bool> firm{true};
+  std::atomic<Hand> habit{Hand::still};
   std::atomic<std::uint32_t> buttons{0};
 
   // The device: what its motors apply now, and where it is.
@@ -81,6 +91,7 @@ inline void Board::clear() noexcept {
   }
   for (std::size_t i = 0; i < turn.size(); ++i) turn[i] = i % 4 == 0 ? 1.0 : 0.0;
   firm = true;
+  habit = Hand::still;
   buttons = 0;
   ticks = pushes = pushes_in_trouble = 0;
   motors_on = false;

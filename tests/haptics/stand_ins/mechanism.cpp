@@ -7,35 +7,68 @@
 namespace stand_in {
 
 namespace {
-constexpr double dt = 0.001;         // s
-constexpr double lag = 0.002;        // s, of the motors
-constexpr double mass = 0.1;         // kg
-constexpr double damping = 1.0;      // N s/m
-constexpr double dry = 0.05;         // N
-constexpr double hand_spring = 300;  // N/m
-constexpr double hand_damper = 3.0;  // N s/m
-constexpr double count = 5e-5;       // m, one encoder count
+constexpr double dt = 0.001;          // s
+constexpr double lag = 0.002;         // s, of the motors
+constexpr double mass = 0.1;          // kg
+constexpr double damping = 1.0;       // N s/m
+constexpr double dry = 0.05;          // N
+constexpr double hand_spring = 300;   // N/m
+constexpr double hand_damper = 3.0;   // N s/m
+constexpr double count = 5e-5;        // m, one encoder count
+constexpr double held_for = 3.0;      // s
+constexpr double handle = 0.6;        // N, of a device that nobody holds
+constexpr double lever = 0.05;        // m from the device's point to the tip
+constexpr double sweep_speed = 0.04;  // m/s
 }  // namespace
+
+void Mechanism::follow_habit(Board& board) noexcept {
+  time_ += dt;
+  const auto reach = [&](double x, double y, double z) {
+    board.hand[0] = x / unit_;
+    board.hand[1] = y / unit_;
+    board.hand[2] = z / unit_;
+  };
+  switch (board.habit.load()) {
+    case Hand::still:
+    case Hand::gone:
+      return;
+    case Hand::wander:
+      return reach(0.04 * std::sin(9.0 * time_), 0.03 * std::sin(7.0 * time_), 0.05 * std::sin(5.0 * time_));
+    case Hand::sweep:
+      return reach(0.0, std::min(0.08, sweep_speed * time_) - 0.04, 0.0);
+    case Hand::swivel: {
+      // Turned about the first axis, then about the second.
+      const double a = 0.6 * std::sin(9.0 * time_), b = 0.6 * std::cos(7.0 * time_);
+      const double turn[9] = {
+          std::cos(b),  std::sin(b) * std::sin(a), std::sin(b) * std::cos(a), 0.0, std::cos(a), -std::sin(a),
+          -std::sin(b), std::cos(b) * std::sin(a), std::cos(b) * std::cos(a)};
+      for (std::size_t i = 0; i < 9; ++i) board.turn[i] = turn[i];
+      return reach(-lever * turn[2], -lever * turn[5], -lever * turn[8]);
+    }
+  }
+}
 
 void Mechanism::step(Board& board, const double (&force)[3], const double (&torque)[3]) noexcept {
   const double follow = 1.0 - std::exp(-dt / lag);
   bool pushed = false;
+  follow_habit(board);
+  const bool alone = board.habit.load() == Hand::gone && time_ > held_for;
   for (std::size_t i = 0; i < 3; ++i) {
     const double motor = std::clamp(force[i], -limit_, limit_);
     felt_[i] += (motor - felt_[i]) * follow;
     const double hand = board.hand[i].load() * unit_;
-    if (board.firm.load()) {
+    if (board.firm.load() && !alone) {
       speed_[i] = (hand - at_[i]) / dt;
       at_[i] = hand;
     } else {
-      const double free =
-          speed_[i] + dt / mass * (felt_[i] + hand_spring * (hand - at_[i]) - (damping + hand_damper) * speed_[i]);
+      const double hold = alone ? (i == 2 ? -handle : 0.0) : hand_spring * (hand - at_[i]) - hand_damper * speed_[i];
+      const double free = speed_[i] + dt / mass * (felt_[i] + hold - damping * speed_[i]);
       const double loss = std::min(std::abs(free), dt / mass * dry);
       speed_[i] = free - std::copysign(loss, free);
       at_[i] += speed_[i] * dt;
     }
     const double rounded = std::round(at_[i] / count) * count;
-    const double seen = board.firm.load() ? at_[i] : rounded;
+    const double seen = board.firm.load() && !alone ? at_[i] : rounded;
     velocity_seen_[i] = speed_[i] / unit_;
     seen_[i] = board.troubled_by(Trouble::not_a_number) ? std::numeric_limits<double>::quiet_NaN() : seen / unit_;
     board.force[i] = motor;

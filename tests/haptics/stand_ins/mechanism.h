@@ -25,7 +25,10 @@ class Mechanism {
   const std::array<double, 3>& velocity() const noexcept { return velocity_seen_; }
 
  private:
+  void follow_habit(Board& board) noexcept;
+
   double unit_, limit_;
+  double time_ = 0.0;                     // s
   std::array<double, 3> at_{}, speed_{};  // m, m/s
   std::array<double, 3> felt_{};          // N, behind the lag
   std::array<double, 3> seen_{}, velocity_seen_{};

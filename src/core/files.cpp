@@ -1,8 +1,9 @@
-#include "imaging/files.h"
+#include "core/files.h"
 
 #include <fstream>
+#include <string>
+#include <system_error>
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include "core/error.h"
@@ -15,7 +16,9 @@ void write_file(const fs::path& file, std::string_view bytes) {
   std::error_code problem;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), problem);
   fs::path unfinished = file;
-  unfinished += fmt::format(".{}.part", getpid());
+  unfinished += '.';
+  unfinished += std::to_string(getpid());
+  unfinished += ".part";
   std::ofstream stream(unfinished, std::ios::binary | std::ios::trunc);
   stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   stream.close();
@@ -25,7 +28,7 @@ void write_file(const fs::path& file, std::string_view bytes) {
   }
   std::error_code ignored;
   fs::remove(unfinished, ignored);
-  throw SystemError(fmt::format("{} cannot be written; is the folder there, writable and not full?", file.string()));
+  throw SystemError(file.string() + " cannot be written; is the folder there, writable and not full?");
 }
 
 }  // namespace bodkin

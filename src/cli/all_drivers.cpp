@@ -1,0 +1,36 @@
+#include "cli/all_drivers.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/mouse_driver.h"
+#include "core/error.h"
+#include "haptics/drivers/drivers.h"
+#include "haptics/plugin.h"
+#include "training/recorded_hand.h"
+
+namespace bodkin {
+
+std::vector<const bodkin_driver*> all_drivers() {
+  std::vector<const bodkin_driver*> drivers(built_in_drivers().begin(), built_in_drivers().end());
+  drivers.insert(drivers.end(), {&recorded_driver(), &mouse_driver()});
+  return drivers;
+}
+
+const bodkin_driver* find_own_driver(std::string_view name) {
+  for (const bodkin_driver* driver : all_drivers()) {
+    if (name == driver->name) return driver;
+  }
+  return nullptr;
+}
+
+const bodkin_driver& load_driver(const std::string& name) {
+  if (name.find('/') != std::string::npos) return load_plugin(name);
+  if (const bodkin_driver* driver = find_own_driver(name)) return *driver;
+  std::vector<std::string> names;
+  for (const bodkin_driver* driver : all_drivers()) names.emplace_back(driver->name);
+  throw InputError(fmt::format("there is no driver '{}'; expected {}, or the path of a driver with a '/' in it", name,
+                               fmt::join(names, ", ")));
+}
+
+}  // namespace bodkin

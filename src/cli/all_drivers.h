@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "haptics/bodkin_driver.h"
+
+namespace bodkin {
+
+// The drivers that come with the program: those of devices (haptics/drivers/drivers.h), of a recorded hand, and of
+// mouse and keyboard.
+std::vector<const bodkin_driver*> all_drivers();
+
+// The one of that name; null where there is none.
+const bodkin_driver* find_own_driver(std::string_view name);
+
+// The one of that name, or somebody else's by the path of its library, which has a '/'. Throws InputError for an
+// unknown name and SystemError for a library that is no driver.
+const bodkin_driver& load_driver(const std::string& name);
+
+}  // namespace bodkin

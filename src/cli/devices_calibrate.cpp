@@ -1,0 +1,204 @@
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/arguments.h"
+#include "cli/calibration_steps.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/device_options.h"
+#include "core/error.h"
+#include "core/utc_time.h"
+#include "haptics/calibration.h"
+#include "io/calibrations_file.h"
+
+namespace bodkin {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct DevicesCalibrateArguments {
+  DeviceOptions device;
+  std::vector<std::string> steps;
+  std::string file;
+  CalibrationSettings settings;
+  bool show = false;
+  bool forget = false;
+};
+
+constexpr const char* devices_calibrate_footer = R"(Examples:
+  bodkin devices calibrate force_dimension                       every step that the device allows
+  bodkin devices calibrate openhaptics --steps workspace,tip     these only; what was measured before stays
+  bodkin devices calibrate haption --show                        what is kept of it
+  bodkin devices calibrate haption --forget
+
+Steps: workspace (the box that the hand reaches: its middle becomes the middle of the workspace), mounting (which way
+is away from you), tip (where the needle's tip is), axis (which way the needle points), weight (of the handle; the
+motors lift it by 25 mm, let go of it then). Each begins with the Enter key, and without a terminal after a countdown.
+The result is kept in ~/.config/bodkin/calibrations.xml for this very device, and 'bodkin perform' uses it.)";
+
+Json list_of(const Vec3& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+Json json_of(const DeviceCalibration& calibration, const std::filesystem::path& file) {
+  Json json = {{"file", file.string()},
+               {"driver", calibration.driver},
+               {"model", calibration.model},
+               {"serial", calibration.serial},
+               {"measured_at", calibration.measured_at}};
+  if (calibration.reach) {
+    json["reach_low_mm"] = list_of(calibration.reach->low);
+    json["reach_high_mm"] = list_of(calibration.reach->high);
+  }
+  if (calibration.mounting) json["mounting_deg"] = *calibration.mounting / degree;
+  if (calibration.tip_offset) {
+    json["tip_offset_mm"] = list_of(*calibration.tip_offset);
+    json["tip_residual_mm"] = calibration.tip_residual;
+  }
+  if (calibration.tool_axis) json["tool_axis"] = list_of(*calibration.tool_axis);
+  if (calibration.weight) {
+    json["weight_N"] = *calibration.weight;
+    json["friction_N"] = calibration.friction;
+  }
+  return json;
+}
+
+// One line for each thing that is known.
+void print(const Console& console, const DeviceCalibration& calibration) {
+  console.line(fmt::format("{}{}, calibrated {}", calibration.model,
+                           calibration.serial.empty() ? "" : ", serial number " + calibration.serial,
+                           calibration.measured_at));
+  if (calibration.reach) {
+    const Vec3 &low = calibration.reach->low, &high = calibration.reach->high;
+    console.line(fmt::format("  workspace   x {:.0f} to {:.0f}, y {:.0f} to {:.0f}, z {:.0f} to {:.0f} mm", low.x(),
+                             high.x(), low.y(), high.y(), low.z(), high.z()));
+  }
+  if (calibration.mounting) {
+    console.line(fmt::format("  mounting    turned by {:.1f} degrees", *calibration.mounting / degree));
+  }
+  if (calibration.tip_offset) {
+    const Vec3& tip = *calibration.tip_offset;
+    console.line(fmt::format("  tip         {:.1f} {:.1f} {:.1f} mm, within {:.2f} mm", tip.x(), tip.y(), tip.z(),
+                             calibration.tip_residual));
+  }
+  if (calibration.tool_axis) {
+    const Vec3& axis = *calibration.tool_axis;
+    console.line(fmt::format("  axis        {:.3f} {:.3f} {:.3f}", axis.x(), axis.y(), axis.z()));
+  }
+  if (calibration.weight) {
+    console.line(fmt::format("  weight      {:.2f} N, friction {:.2f} N", *calibration.weight, calibration.friction));
+  }
+}
+
+std::vector<CalibrationStep> chosen_steps(const DevicesCalibrateArguments& arguments, const DeviceAbilities& device) {
+  std::vector<CalibrationStep> possible = steps_for(device);
+  if (arguments.steps.empty()) return possible;
+  std::vector<CalibrationStep> steps;
+  for (const std::string& name : arguments.steps) {
+    const CalibrationStep step = calibration_step(name);
+    if (std::find(possible.begin(), possible.end(), step) == possible.end()) {
+      throw InputError(fmt::format("--steps: '{}' needs a device that {}, which {} is not; leave it out", name,
+                                   step == CalibrationStep::weight ? "renders force" : "measures rotation",
+                                   device.name));
+    }
+    steps.push_back(step);
+  }
+  return steps;
+}
+
+DeviceCalibration measure(DevicePort port, const DeviceAbilities& abilities,
+                          const DevicesCalibrateArguments& arguments, Console& console) {
+  const std::vector<CalibrationStep> steps = chosen_steps(arguments, abilities);
+  DeviceCalibration measured;
+  const auto weighing = std::make_shared<Weighing>();
+  ServoSettings settings;
+  settings.rate = std::clamp(abilities.rate, 200.0, 4000.0);
+  settings.guard.user_force = Weighing::most;
+  settings.guard.frozen_time = 0.0;  // a handle that nobody holds stands still under force
+  DeviceServo servo(std::move(port), abilities, settings,
+                    [weighing](const ControlInput& input) { return weighing->step(input); });
+  servo.start();
+  CalibrationSteps person(servo, *weighing, arguments.settings, console);
+  for (const CalibrationStep step : steps) person.perform(step, measured);
+  if (!servo.stop()) console.note("the device did not let itself be stopped; switch it off and on again");
+  return measured;
+}
+
+void show(const DeviceCalibration* known, const DeviceAbilities& device, const std::filesystem::path& file,
+          const Console& console) {
+  if (known == nullptr) {
+    throw InputError(fmt::format("{} holds no calibration of {} {}; make one without --show or --forget",
+                                 file.string(), device.name, device.serial));
+  }
+  print(console, *known);
+  console.json(json_of(*known, file).dump(2));
+}
+
+std::filesystem::path file_of(const DevicesCalibrateArguments& arguments) {
+  if (!arguments.file.empty()) return arguments.file;
+  if (const auto file = calibrations_file()) return *file;
+  throw InputError(
+      "there is no place for calibrations, for neither XDG_CONFIG_HOME nor HOME is an absolute path; give a --file");
+}
+
+void run_devices_calibrate(const DevicesCalibrateArguments& arguments, const CommandContext& context) {
+  Console console(context);
+  const std::filesystem::path file = file_of(arguments);
+  std::vector<DeviceCalibration> all = read_calibrations(file);
+  const ChosenDevice chosen = choose_device(arguments.device);
+  DevicePort port(*chosen.driver, chosen.identity, arguments.device.settings);
+  DeviceAbilities abilities = port.abilities();
+  complete_from_table(abilities);
+  const auto known = [&] { return find_calibration(all, chosen.driver->name, abilities.name, abilities.serial); };
+  if (arguments.show) return show(known(), abilities, file, console);
+  if (arguments.forget) {
+    show(known(), abilities, file, console);
+    const auto index = known() - all.data();
+    all.erase(all.begin() + index);
+    write_calibrations(all, file);
+    console.note("forgotten");
+    return;
+  }
+  DeviceCalibration measured = measure(std::move(port), abilities, arguments, console);
+  measured.driver = chosen.driver->name;
+  measured.model = abilities.name;
+  measured.serial = abilities.serial;
+  measured.measured_at = utc_now();
+  merge_calibration(all, measured);
+  write_calibrations(all, file);
+  print(console, *known());
+  console.line(fmt::format("kept in {}", file.string()));
+  console.json(json_of(*known(), file).dump(2));
+}
+
+}  // namespace
+
+void add_devices_calibrate_command(CLI::App& devices_group, CommandContext& context) {
+  auto arguments = std::make_shared<DevicesCalibrateArguments>();
+  CLI::App* command = add_command(devices_group, "calibrate",
+                                  "Measure where a device stands, where its tip is and what its handle weighs",
+                                  devices_calibrate_footer);
+  add_text(*command, "DEVICE", arguments->device.device, "DRIVER or DRIVER:IDENTITY, as 'devices list' prints it")
+      .required();
+  add_driver_settings(*command, arguments->device);
+  add_texts(*command, "--steps", arguments->steps, "workspace, mounting, tip, axis, weight (default: all possible)")
+      .separated_by_commas("STEPS");
+  add_number(*command, "--seconds", arguments->settings.seconds, 1.0, 600.0,
+             "s that the motions of a step last at most; Enter ends it earlier; 1 to 600");
+  add_number(*command, "--countdown", arguments->settings.countdown, 0.0, 600.0,
+             "s before each step where there is no terminal, 0 to 600");
+  add_text(*command, "--file", arguments->file, "Keep it in this file").without_default();
+  add_switch(*command, "--show", arguments->show, "Measure nothing, print what is kept");
+  add_switch(*command, "--forget", arguments->forget, "Measure nothing, remove what is kept");
+  on_run(*command, [arguments, &context] { run_devices_calibrate(*arguments, context); });
+}
+
+}  // namespace bodkin

@@ -1,0 +1,121 @@
+#include "cli/driver_inquiry.h"
+
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <iterator>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "cli/all_drivers.h"
+#include "core/error.h"
+#include "io/child_process.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr std::chrono::seconds inquiry_patience{5};  // of the child, with the driver
+constexpr ChildLimits limits{.memory = 0, .processor = std::chrono::seconds(60), .wall = std::chrono::seconds(8)};
+
+// What the child says in its one line of JSON.
+nlohmann::json told_by(const bodkin_driver& driver, const std::string& settings, bool wants_devices) {
+  nlohmann::json told = {{"name", driver.name}, {"summary", driver.summary}, {"devices", nlohmann::json::array()}};
+  if (!wants_devices) return told;
+  try {
+    for (const FoundDevice& device : list_devices(driver, settings, inquiry_patience)) {
+      told["devices"].push_back({{"identity", device.identity}, {"title", device.title}});
+    }
+  } catch (const DeviceError& error) {
+    told["fault"] = static_cast<int>(error.fault());
+    told["sentence"] = error.what();
+  }
+  return told;
+}
+
+nlohmann::json answer_to(const std::string& request) {
+  try {
+    const nlohmann::json json = nlohmann::json::parse(request);
+    return told_by(load_driver(json.at("driver").get<std::string>()), json.at("settings").get<std::string>(),
+                   json.at("devices").get<bool>());
+  } catch (const InputError& error) {
+    return {{"refused", error.what()}};
+  } catch (const std::exception& error) {
+    return {{"broken", error.what()}};
+  }
+}
+
+DeviceFault fault_in(const nlohmann::json& told) {
+  const int number = told.value("fault", 0);
+  const bool known = number >= 0 && number <= static_cast<int>(DeviceFault::vendor_error);
+  return known ? static_cast<DeviceFault>(number) : DeviceFault::vendor_error;
+}
+
+DriverAnswer answer_from(const nlohmann::json& told, DriverAnswer answer) {
+  if (told.contains("refused")) throw InputError(told.at("refused").get<std::string>());
+  if (told.contains("broken")) {
+    answer.fault = DeviceFault::vendor_error;
+    answer.sentence = told.at("broken").get<std::string>();
+    return answer;
+  }
+  answer.name = told.at("name").get<std::string>();
+  answer.summary = told.at("summary").get<std::string>();
+  for (const nlohmann::json& device : told.at("devices")) {
+    answer.devices.push_back({device.at("identity").get<std::string>(), device.at("title").get<std::string>()});
+  }
+  answer.fault = fault_in(told);
+  answer.sentence = told.value("sentence", "");
+  return answer;
+}
+
+std::string end_of(const ChildResult& result, const std::string& driver) {
+  const std::string advice = driver.find('/') == std::string::npos
+                                 ? "install its vendor's software anew, or remove it"
+                                 : "remove the file, or ask whoever made it for another one";
+  switch (result.end) {
+    case ChildEnd::out_of_time:
+      return fmt::format("the driver {} has not answered within {} s: {}", driver, limits.wall.count(), advice);
+    case ChildEnd::killed:
+      return fmt::format("the driver {} crashed ({}): {}", driver, strsignal(result.signal), advice);
+    case ChildEnd::exited:
+      break;
+  }
+  return fmt::format("the driver {} ended the program that asked it (exit code {}): {}", driver, result.exit_code,
+                     advice);
+}
+
+}  // namespace
+
+DriverAnswer ask_driver(const std::string& driver, const std::string& settings, Inquiry inquiry) {
+  DriverAnswer answer;
+  answer.driver = driver;
+  const nlohmann::json request = {
+      {"driver", driver}, {"settings", settings}, {"devices", inquiry == Inquiry::devices}};
+  std::string line;
+  const ChildResult result = run_child(std::filesystem::read_symlink("/proc/self/exe"), {driver_inquiry_argument},
+                                       request.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace), -1,
+                                       limits, [&](std::string_view text) { line = text; });
+  const nlohmann::json told = nlohmann::json::parse(line, nullptr, false);
+  if (told.is_object()) return answer_from(told, std::move(answer));
+  answer.fault = DeviceFault::vendor_error;
+  answer.sentence = end_of(result, driver);
+  return answer;
+}
+
+int answer_driver_inquiry() {
+  // A vendor's library may write to standard output: it gets another one.
+  const int answers = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (answers < 0 || nowhere < 0 || dup2(nowhere, STDOUT_FILENO) < 0) return 1;
+  const std::string request{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+  const std::string line = answer_to(request).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) + "\n";
+  const bool whole = write(answers, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+  _exit(whole ? 0 : 1);  // without what a vendor's library does at the end of a program
+}
+
+}  // namespace bodkin

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "haptics/device.h"
+#include "haptics/device_port.h"
+
+namespace bodkin {
+
+// Asking a driver what it is and what it finds, in a child process: a vendor's library may crash when it is loaded,
+// or never come back, and must take nobody with it. The child is this program again.
+
+// What a driver answered, or what became of it instead.
+struct DriverAnswer {
+  std::string driver;   // as it was asked for: a built-in driver's name, or the path of a library
+  std::string name;     // its own; empty where it could not be loaded
+  std::string summary;  // likewise
+  std::vector<FoundDevice> devices;
+  DeviceFault fault = DeviceFault::none;
+  std::string sentence;  // where there is a fault, or no answer
+};
+
+enum class Inquiry {
+  name,    // only who it is
+  devices  // what it finds, too
+};
+
+// `driver`: the name of a built-in driver or the path of a library. A driver that crashes or is silent for eight
+// seconds answers with a vendor error and a sentence that says what to do. Throws InputError for settings that it
+// does not take.
+DriverAnswer ask_driver(const std::string& driver, const std::string& settings, Inquiry inquiry);
+
+// The child's side: the argument that main() recognises, and what it then does instead of anything else.
+constexpr const char* driver_inquiry_argument = "answer-driver-inquiry";
+int answer_driver_inquiry();
+
+}  // namespace bodkin

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include <Eigen/Core>
+
+namespace bodkin {
+
+struct Colour {
+  std::uint8_t red = 0, green = 0, blue = 0;
+};
+
+enum class ScreenKey { other, space, escape, up, down, left, right, page_up, page_down, a, c, d, e, q, s, w };
+
+// What a person did in the window. Pixels, right and down.
+struct ScreenEvent {
+  enum class Kind { motion, leave, wheel, key, focus_lost, close };
+  Kind kind = Kind::close;
+  double x = 0.0, y = 0.0;  // motion: where the pointer is
+  double steps = 0.0;       // wheel: forwards
+  ScreenKey key = ScreenKey::other;
+  bool down = false;    // key: pressed, not let go
+  bool shift = false;   // is held
+  bool button = false;  // motion: a button of the mouse is held
+};
+
+// A window with a picture that is drawn anew each time, by SDL 2 and its SDL_ttf, which are loaded when the first one
+// is opened. All of it is for one thread. Places are pixels from the upper left corner of a picture of the size that
+// was asked for, which is stretched to the window.
+class SdlScreen {
+ public:
+  enum class Size { small, normal, large, huge };  // of text: 13, 16, 26 and 48 pixels
+  enum class Align { left, right, middle };
+
+  // Throws InputError where there is no display, SystemError where SDL or its font is not installed.
+  SdlScreen(const std::string& title, int width, int height);
+  ~SdlScreen();
+  SdlScreen(const SdlScreen&) = delete;
+  SdlScreen& operator=(const SdlScreen&) = delete;
+
+  // Why no screen can be opened here, in one sentence; empty where one can.
+  static std::string obstacle();
+
+  // The next thing that was done; false when there is none.
+  bool next(ScreenEvent& event);
+
+  void clear(Colour colour);
+  void fill(double x, double y, double width, double height, Colour colour);
+  // Two pixels wide, with smooth edges.
+  void line(std::span<const Eigen::Vector2f> points, Colour colour);
+  // `x` is where the text begins, ends or has its middle, `y` its upper edge.
+  void text(double x, double y, const std::string& words, Size size, Colour colour, Align align = Align::left);
+  // Shows what was drawn.
+  void present();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace bodkin

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/geometry.h"
+
+namespace bodkin {
+
+// What was measured of one device where it stands: `bodkin devices calibrate` finds it and keeps it. What was not
+// measured is empty. Frames as in haptics/device.h.
+struct DeviceCalibration {
+  std::string driver;       // "force_dimension"
+  std::string model;        // "omega.3"
+  std::string serial;       // empty where the device has none
+  std::string measured_at;  // ISO 8601, UTC
+
+  // The box that the hand reached, mm, as the device reports positions.
+  struct Reach {
+    Vec3 low = Vec3::Zero();
+    Vec3 high = Vec3::Zero();
+  };
+  std::optional<Reach> reach;
+  // rad about +Z that turn what the device calls "away from the operator" into what is.
+  std::optional<double> mounting;
+  // mm from the point that the device reports to the tool's tip, in the tool's axes; with the mean distance of the
+  // readings from the one place in which the tip stood.
+  std::optional<Vec3> tip_offset;
+  double tip_residual = 0.0;  // mm
+  // Unit, hub to tip, in the tool's axes.
+  std::optional<Vec3> tool_axis;
+  // N of the handle that the device's own controller does not carry, and N of dry friction found on the way.
+  std::optional<double> weight;
+  double friction = 0.0;
+
+  bool empty() const { return !reach && !mounting && !tip_offset && !tool_axis && !weight; }
+};
+
+}  // namespace bodkin

@@ -1,0 +1,175 @@
+#include "haptics/calibration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+#include <string>
+
+#include <Eigen/Dense>
+
+#include "core/error.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr std::size_t fewest = 20;        // readings
+constexpr double smallest_side = 20.0;    // mm
+constexpr double smallest_swivel = 20.0;  // deg
+constexpr double largest_residual = 2.0;  // mm
+constexpr double largest_unrest = 5.0;    // deg
+constexpr double shortest_way = 40.0;     // mm
+constexpr double straightness = 4.0;      // times as long as wide
+constexpr double largest_weight = 5.0;    // N
+constexpr double smallest_weight = 0.02;  // N, below which it is none
+
+[[noreturn]] void refuse(const char* what, double found, const char* rest) {
+  std::ostringstream text;
+  text.precision(3);
+  text << what << found << rest;
+  throw InputError(text.str());
+}
+
+void require_readings(std::span<const Pose> readings) {
+  if (readings.size() < fewest) {
+    refuse("the device gave ", static_cast<double>(readings.size()), " readings, expected 20 or more; try again");
+  }
+}
+
+// The two largest extents of the tool's turning, deg: standard deviations, doubled, of the rotation vectors from the
+// mean pose.
+Eigen::Vector3d swivel_of(std::span<const Pose> readings) {
+  const Mat3 first = readings.front().linear();
+  Eigen::Matrix3Xd turns(3, static_cast<Eigen::Index>(readings.size()));
+  for (Eigen::Index i = 0; i < turns.cols(); ++i) {
+    const Eigen::AngleAxisd turn(Mat3(first.transpose() * readings[static_cast<std::size_t>(i)].linear()));
+    turns.col(i) = turn.angle() * turn.axis();
+  }
+  turns.colwise() -= turns.rowwise().mean().eval();
+  const Mat3 covariance = turns * turns.transpose() / static_cast<double>(turns.cols());
+  const Eigen::SelfAdjointEigenSolver<Mat3> axes(covariance);
+  return 2.0 / degree * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt();  // ascending
+}
+
+}  // namespace
+
+DeviceCalibration::Reach reach_of(std::span<const Pose> readings) {
+  require_readings(readings);
+  DeviceCalibration::Reach reach{readings.front().translation(), readings.front().translation()};
+  for (const Pose& hand : readings) {
+    reach.low = reach.low.cwiseMin(hand.translation());
+    reach.high = reach.high.cwiseMax(hand.translation());
+  }
+  const double side = (reach.high - reach.low).minCoeff();
+  if (side < smallest_side) {
+    refuse("the hand covered ", side,
+           " mm along one axis, expected 20 mm or more; move to every corner of the workspace");
+  }
+  return reach;
+}
+
+TipFit tip_of(std::span<const Pose> readings) {
+  require_readings(readings);
+  const double swivel = swivel_of(readings)[1];
+  if (swivel < smallest_swivel) {
+    refuse("the tool was turned by ", swivel,
+           " degrees, expected 20 or more about two axes; swivel it wider while the tip stays in its place");
+  }
+  // p + H o - c = 0, three rows a reading.
+  const auto rows = static_cast<Eigen::Index>(3 * readings.size());
+  Eigen::MatrixXd equations(rows, 6);
+  Eigen::VectorXd positions(rows);
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(3 * i);
+    equations.block<3, 3>(row, 0) = readings[i].linear();
+    equations.block<3, 3>(row, 3) = -Mat3::Identity();
+    positions.segment<3>(row) = -readings[i].translation();
+  }
+  const Eigen::VectorXd solution = equations.colPivHouseholderQr().solve(positions);
+  TipFit fit{solution.head<3>(), solution.tail<3>(), 0.0};
+  fit.residual = (equations * solution - positions).norm() / std::sqrt(static_cast<double>(readings.size()));
+  if (fit.residual > largest_residual) {
+    refuse("the tip strayed by ", fit.residual,
+           " mm, expected 2 mm or less; put it into a dimple that holds it, and try again");
+  }
+  return fit;
+}
+
+Vec3 tool_axis_of(std::span<const Pose> readings) {
+  require_readings(readings);
+  Vec3 sum = Vec3::Zero();
+  for (const Pose& hand : readings) sum -= hand.linear().transpose().col(2);
+  Vec3 axis = sum.normalized();
+  double unrest = 0.0;
+  for (const Pose& hand : readings) {
+    const double cosine = std::clamp(-hand.linear().transpose().col(2).dot(axis), -1.0, 1.0);
+    unrest = std::max(unrest, std::acos(cosine) / degree);
+  }
+  if (!(unrest <= largest_unrest)) {
+    refuse("the tool turned by ", unrest,
+           " degrees while it was to point straight down, expected 5 or less; hold it still");
+  }
+  return axis;
+}
+
+double mounting_of(std::span<const Pose> readings) {
+  require_readings(readings);
+  // The farthest reading from the first says where the way went, the others how wide it was.
+  const Vec3 begin = readings.front().translation();
+  const auto flat = [&](const Pose& hand) { return Eigen::Vector2d((hand.translation() - begin).head<2>()); };
+  const Pose& farthest = *std::max_element(readings.begin(), readings.end(), [&](const Pose& a, const Pose& b) {
+    return flat(a).norm() < flat(b).norm();
+  });
+  const Eigen::Vector2d way = flat(farthest);
+  if (way.norm() < shortest_way) {
+    refuse("the hand went ", way.norm(), " mm away, expected 40 mm or more; push it straight away from you");
+  }
+  const Eigen::Vector2d along = way.normalized();
+  double width = 0.0;
+  for (const Pose& hand : readings) {
+    const Eigen::Vector2d here = flat(hand);
+    width = std::max(width, std::abs(along.x() * here.y() - along.y() * here.x()));
+  }
+  if (width * straightness > way.norm()) {
+    refuse("the hand strayed by ", width, " mm to the side; push it straight away from you, without turning back");
+  }
+  return std::numbers::pi / 2.0 - std::atan2(along.y(), along.x());
+}
+
+WeightFit weight_of(double from_below, double from_above) {
+  WeightFit fit{0.5 * (from_below + from_above), 0.5 * std::abs(from_below - from_above)};
+  if (!(fit.weight >= -fit.friction - smallest_weight) || fit.weight > largest_weight) {
+    refuse("the handle seems to weigh ", fit.weight,
+           " N, expected 0 to 5 N; leave it alone while it is weighed, and see that its controller's own gravity "
+           "compensation is as you use it");
+  }
+  if (fit.friction > std::max(largest_weight / 5.0, fit.weight)) {
+    refuse("lifted and lowered, the handle differs by ", 2.0 * fit.friction,
+           " N; leave it alone while it is weighed");
+  }
+  fit.weight = fit.weight < smallest_weight ? 0.0 : fit.weight;
+  return fit;
+}
+
+void apply(const DeviceCalibration& calibration, DeviceAbilities& abilities) {
+  if (!calibration.reach) return;
+  abilities.workspace_low = calibration.reach->low;
+  abilities.workspace_high = calibration.reach->high;
+}
+
+void apply(const DeviceCalibration& calibration, ServoSettings& settings) {
+  WorkspaceSettings& workspace = settings.workspace;
+  if (calibration.reach) workspace.hand_middle = 0.5 * (calibration.reach->low + calibration.reach->high);
+  if (calibration.mounting) {
+    workspace.rotation = workspace.rotation * Eigen::AngleAxisd(*calibration.mounting, Vec3::UnitZ());
+  }
+  if (calibration.tip_offset) workspace.tip_offset = *calibration.tip_offset;
+  if (calibration.tool_axis) {
+    workspace.tool_rotation =
+        Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), *calibration.tool_axis).toRotationMatrix();
+  }
+  if (calibration.weight) settings.weight = *calibration.weight;
+}
+
+}  // namespace bodkin

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <span>
+
+#include "core/device_calibration.h"
+#include "core/geometry.h"
+#include "haptics/device.h"
+#include "haptics/servo_tick.h"
+
+namespace bodkin {
+
+// What readings of a device tell about it. All throw InputError, in one sentence that says what to do differently,
+// when the readings do not determine what is asked for. Poses and positions are those of DeviceState::hand.
+
+// The box that was reached. Every side must be 20 mm at least.
+DeviceCalibration::Reach reach_of(std::span<const Pose> readings);
+
+// The tool's tip stood in one place while the tool was swivelled about it: p + H o = c in every reading, solved for o
+// and c by least squares. The tool must have been turned by 20 degrees at least about two axes.
+struct TipFit {
+  Vec3 offset = Vec3::Zero();  // mm, o
+  Vec3 place = Vec3::Zero();   // mm, c
+  double residual = 0.0;       // mm, root mean square distance of p + H o from c; 2 at most
+};
+TipFit tip_of(std::span<const Pose> readings);
+
+// The tool was held so that it points straight down: the mean of the downward direction in the tool's axes. It must
+// have been held still within 5 degrees.
+Vec3 tool_axis_of(std::span<const Pose> readings);
+
+// The hand went straight away from the operator: the turn about +Z, rad, from where the device says it went to away.
+// The way must be 40 mm at least, and four times as long as it is wide.
+double mounting_of(std::span<const Pose> readings);
+
+// A weak spring carried the handle alone and came to rest, first from below, then from above. The weight is the mean
+// of both forces (N, upwards), half their difference is friction. Both must be forces that a handle can weigh.
+struct WeightFit {
+  double weight = 0.0;    // N
+  double friction = 0.0;  // N
+};
+WeightFit weight_of(double from_below, double from_above);
+
+// The box of the device becomes what was reached.
+void apply(const DeviceCalibration& calibration, DeviceAbilities& abilities);
+// The middle of the workspace, the direction in which the device stands, tip, needle and weight. `settings.workspace`
+// already lies in the patient as for a device that stands straight.
+void apply(const DeviceCalibration& calibration, ServoSettings& settings);
+
+}  // namespace bodkin

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bodkin {
+
+// What Haply's service tells about itself and about what is connected to it, before anything is driven.
+
+struct HaplyVersion {
+  int major = 0, minor = 0;
+  std::string text;  // as the service writes it
+};
+
+// The body of GET /version. Throws DriverFailure{BODKIN_WRONG_VERSION}: what answers is not this service. The message
+// says what was found and nothing else.
+HaplyVersion parse_haply_version(std::string_view body);
+
+struct HaplyInverse {
+  std::string identity;
+  std::string model;  // "Inverse3"
+  bool calibrated = true;
+  // Empty, or what another program has set so that the axes are not the vendor's own: "the basis XZY".
+  std::string moved;
+};
+
+struct HaplyInventory {
+  std::vector<HaplyInverse> devices;
+  std::vector<std::string> grips;  // identities, in the order of the message
+};
+
+// The first message of a session. Entries without an identity of letters, digits and . : _ - are left out. Throws
+// DriverFailure{BODKIN_BAD_DATA}, likewise, for what is no inventory.
+HaplyInventory parse_haply_inventory(std::string_view text);
+
+}  // namespace bodkin

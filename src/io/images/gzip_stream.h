@@ -1,0 +1,16 @@
+#pragma once
+
+#include <memory>
+
+#include <zlib.h>
+
+namespace bodkin {
+
+struct CloseGzip {
+  void operator()(gzFile_s* file) const { gzclose(file); }
+};
+
+// A gzip stream, closed at the end of its life. Null when it could not be opened.
+using GzipStream = std::unique_ptr<gzFile_s, CloseGzip>;
+
+}  // namespace bodkin

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "anatomy/tissue.h"
+#include "core/geometry.h"
+#include "forces/syringe.h"
+
+namespace bodkin {
+
+// The syringe on the needle as a hand on a haptic device feels it: down is in.
+//
+//   x = z0 - z,  s = clamp(x, 0, 60 mm)   travel from where the hand was when it was armed
+//   force upwards = syringe(ds/dt, tissue at the tip)   0 < x      (forces/syringe.h)
+//                 + k (x - 60 mm)                       x > 60 mm  (the barrel is empty)
+//   force sideways = 0.2 N/mm towards the vertical through the start, at most 1 N
+//
+// k: 1 N/mm, or what the device renders stably if that is less. A barrel of saline of area A and compliance C is a
+// spring of A^2/C = 312 N/mm, more than any device renders, so C is made as large as A^2/k; the plunger's friction,
+// which below 1 mm/s is a damping, is made as small as the damping that the device renders. The pressure is the
+// integral of the inflow, so the travel of each tick is given to the syringe as it is: an estimate of the speed would
+// make that spring lag, and a spring that lags pushes more on the way out than on the way in.
+class Plunger {
+ public:
+  // `dt`: s of a tick, 0.00025 to 0.005. `stiffness`, `damping`: what the device renders stably, N/mm (> 0) and
+  // N s/mm (>= 0). Throws InputError as Syringe does.
+  Plunger(const TissueLibrary& library, double dt, double stiffness, double damping);
+
+  // The force on the hand (N) at `hand` (mm), both in the operator's frame. While it is not armed the hand feels
+  // nothing and takes the start along with it; a hand that is armed again has a full syringe.
+  Vec3 step(const Vec3& hand, TissueId tissue, bool armed) noexcept;
+
+  double travel() const noexcept { return travel_; }                      // mm, 0 to barrel_length
+  double force() const noexcept { return force_; }                        // N upwards, of the last step
+  double pressure() const noexcept { return syringe_.state().pressure; }  // MPa gauge
+  double volume() const noexcept { return syringe_.area() * travel_; }    // mm^3 that left the barrel
+  double stiffness() const noexcept { return stiffness_; }                // N/mm, k
+
+  static constexpr double barrel_length = 60.0;  // mm
+
+ private:
+  double dt_, stiffness_;
+  Syringe syringe_;
+  Vec3 start_ = Vec3::Zero();
+  double travel_ = 0.0;
+  double force_ = 0.0;
+};
+
+}  // namespace bodkin

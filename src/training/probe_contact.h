@@ -1,0 +1,41 @@
+#pragma once
+
+#include "anatomy/volume.h"
+#include "core/geometry.h"
+#include "core/motion_estimator.h"
+
+namespace bodkin {
+
+// mm from the skin to `tip` along `axis` (unit, both LPS), 0 where the way comes through air alone. The skin is where
+// a way that begins 40 mm before the tip first leaves the air: steps of 0.5 mm, then bisection. Whether a point is in
+// the body is decided by the eight voxels around it, weighted trilinearly, so that the skin is no staircase. A way
+// that begins in the body is 40 mm. Allocates nothing.
+double depth_below_skin(const TissueVolume& tissues, const Vec3& tip, const Vec3& axis) noexcept;
+
+// An ultrasound transducer on the skin: it gives way along its own axis.
+//
+//   F = k d + b d',  0 <= F <= 15 N,  d: depth_below_skin;  k = 0.4 N/mm, b = 0.002 N s/mm, or what the device
+//   renders
+//
+// There is no friction and no torque, and the skin is not moved by it.
+class ProbeContact {
+ public:
+  // `tissues` must outlive the object. `dt`: s of a tick, 0.00025 to 0.005. `resolution`: mm of one count of the
+  // device. `stiffness`, `damping`: what the device renders stably, N/mm and N s/mm.
+  ProbeContact(const TissueVolume& tissues, double dt, double resolution, double stiffness, double damping);
+
+  // The force on the hand (N, LPS) that holds the transducer at `probe` (LPS, third axis out of its tip).
+  Vec3 step(const Pose& probe) noexcept;
+
+  double depth() const noexcept { return depth_; }  // mm, of the last step
+  double force() const noexcept { return force_; }  // N out of the skin, along the axis
+
+ private:
+  const TissueVolume& tissues_;
+  double stiffness_, damping_;
+  MotionEstimator motion_;
+  double depth_ = 0.0;
+  double force_ = 0.0;
+};
+
+}  // namespace bodkin

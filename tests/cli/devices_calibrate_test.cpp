@@ -1,0 +1,104 @@
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "tests/cli/bodkin_command.h"
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace bodkin_test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+const std::string vendor = " --settings library=" BODKIN_STAND_INS "/force_dimension/libdrd.so";
+
+// What the hand on the simulated device does, for as long as this lives.
+struct HandDoes {
+  explicit HandDoes(const char* what) { setenv("BODKIN_STAND_IN_HAND", what, 1); }
+  ~HandDoes() { unsetenv("BODKIN_STAND_IN_HAND"); }
+  HandDoes(const HandDoes&) = delete;
+  HandDoes& operator=(const HandDoes&) = delete;
+};
+
+class DevicesCalibrateCommand : public BodkinCommand {
+ protected:
+  void SetUp() override { std::filesystem::remove(folder_ / "kept.xml"); }
+
+  static Outcome calibrate(const std::string& steps, const std::string& more = "") {
+    return bodkin("devices calibrate force_dimension --file kept.xml --countdown 0 --seconds 3 -q --json --steps " +
+                  steps + more + vendor);
+  }
+  static json calibrated(const std::string& steps) {
+    const Outcome outcome = calibrate(steps);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.text();
+    return outcome.exit_code == 0 ? json::parse(outcome.output) : json::object();
+  }
+};
+
+TEST_F(DevicesCalibrateCommand, finds_the_box_that_the_hand_reaches) {
+  const HandDoes wander("wander");
+  const json found = calibrated("workspace");
+  // 80 x 60 x 100 mm along the vendor's axes; its second axis is the operator's first.
+  EXPECT_NEAR(found.at("reach_high_mm")[0].get<double>(), 30.0, 3.0);
+  EXPECT_NEAR(found.at("reach_low_mm")[1].get<double>(), -40.0, 3.0);
+  EXPECT_NEAR(found.at("reach_high_mm")[2].get<double>(), 50.0, 3.0);
+}
+
+TEST_F(DevicesCalibrateCommand, finds_the_tip_and_keeps_what_it_found_before) {
+  {
+    const HandDoes sweep("sweep");
+    // To the device's right; what a person does is straight away.
+    EXPECT_NEAR(calibrated("mounting").at("mounting_deg").get<double>(), 90.0, 0.5);
+  }
+  const HandDoes swivel("swivel");
+  const json found = calibrated("tip");
+  const json& tip = found.at("tip_offset_mm");
+  const double length = std::hypot(tip[0].get<double>(), tip[1].get<double>(), tip[2].get<double>());
+  EXPECT_NEAR(length, 50.0, 0.05);
+  EXPECT_LT(found.at("tip_residual_mm").get<double>(), 0.05);
+  EXPECT_NEAR(found.at("mounting_deg").get<double>(), 90.0, 0.5) << "the step before is still there";
+
+  const Outcome shown = bodkin("devices calibrate force_dimension --file kept.xml --show -q" + vendor);
+  EXPECT_EQ(shown.exit_code, 0) << shown.text();
+  EXPECT_THAT(shown.output, HasSubstr("turned by 90"));
+  EXPECT_EQ(bodkin("devices calibrate force_dimension --file kept.xml --forget -q" + vendor).exit_code, 0);
+  const Outcome gone = bodkin("devices calibrate force_dimension --file kept.xml --show -q" + vendor);
+  EXPECT_EQ(gone.exit_code, 2);
+  EXPECT_THAT(gone.errors, HasSubstr("holds no calibration of sigma.7"));
+  EXPECT_EQ(lines_of(gone.errors), 1) << gone.errors;
+}
+
+TEST_F(DevicesCalibrateCommand, weighs_a_handle_that_nobody_holds) {
+  const HandDoes nothing("gone");
+  const json found = calibrated("weight");
+  EXPECT_NEAR(found.at("weight_N").get<double>(), 0.6, 0.06);
+  EXPECT_LT(found.at("friction_N").get<double>(), 0.1);
+}
+
+TEST_F(DevicesCalibrateCommand, a_hand_that_does_something_else_is_told_so_and_nothing_is_kept) {
+  const auto refused = [](const std::string& steps) {
+    const Outcome outcome = calibrate(steps);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.text();
+    EXPECT_EQ(lines_of(outcome.errors), 1) << outcome.errors;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "kept.xml"));
+    return outcome.errors;
+  };
+  EXPECT_THAT(refused("workspace"), HasSubstr("every corner"));
+  EXPECT_THAT(refused("tip"), HasSubstr("swivel it wider"));
+  EXPECT_THAT(refused("mounting"), HasSubstr("straight away from you"));
+  EXPECT_THAT(refused("weight"), HasSubstr("the handle"));
+  EXPECT_THAT(refused("colour"), HasSubstr("'colour' is no step, expected workspace, mounting, tip, axis, weight"));
+}
+
+TEST_F(DevicesCalibrateCommand, a_damaged_file_is_refused_and_left_alone) {
+  write("kept.xml", "<calibrations version=\"1\"><device/></calibrations>");
+  const Outcome outcome = calibrate("axis");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.errors, HasSubstr("kept.xml"));
+  EXPECT_EQ(text_of("kept.xml"), "<calibrations version=\"1\"><device/></calibrations>");
+}
+
+}  // namespace
+}  // namespace bodkin_test

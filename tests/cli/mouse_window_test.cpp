@@ -1,0 +1,131 @@
+// The window of the mouse on a display that nobody sees (Xvfb), driven as a person would (xdotool).
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "tests/cli/bodkin_command.h"
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "training/session_file.h"
+
+namespace bodkin_test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+// Opens a display and the window in the background, does what `person` says, and waits for the end of the program.
+std::string script(const std::string& person) {
+  return R"(set -u
+Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp 3> display > xvfb.log 2>&1 &
+xvfb=$!
+trap 'kill $xvfb' EXIT
+for wait in $(seq 100); do [ -s display ] && break; sleep 0.1; done
+export DISPLAY=:$(cat display)
+export ASAN_OPTIONS=${ASAN_OPTIONS:-}:detect_leaks=0  # SDL loads libdbus, which keeps what it has at the end
+')" BODKIN_BUILD R"(/bin/bodkin' --json -q perform patient mouse --max-time 90 -o mouse.bodkin > said 2> errors &
+window=$(timeout 60 xdotool search --sync --name '^Bodkin: ' | head -n 1)
+sleep 2.5
+)" + person +
+         R"(
+wait %2
+echo $? > code
+)";
+}
+
+class MouseWindow : public PatientCommand {
+ protected:
+  void SetUp() override {
+    PatientCommand::SetUp();
+    if (std::system("command -v Xvfb > programs && command -v xdotool >> programs") != 0) {
+      GTEST_SKIP() << "Xvfb or xdotool is not installed";
+    }
+    for (const char* left : {"mouse.bodkin", "display", "said", "errors", "code", "seen.png"}) {
+      std::filesystem::remove(folder_ / left);
+    }
+  }
+  static ::bodkin::Session session_of(const std::string& person) {
+    write("person.sh", script(person));
+    const std::string command = "cd '" + folder_.string() + "' && bash person.sh > log 2>&1";
+    EXPECT_EQ(std::system(command.c_str()), 0) << text_of("log");
+    EXPECT_EQ(text_of("code"), "0\n") << text_of("errors") << text_of("log");
+    return ::bodkin::read_session(folder_ / "mouse.bodkin");
+  }
+  // mm from the planned entry, in the operator's axes: right, away, up.
+  static ::bodkin::Vec3 from_entry(const ::bodkin::Session& session, std::size_t tick) {
+    const ::bodkin::Vec3 tip = session.ticks.at(tick).input.needle.translation() - session.header.path.entry;
+    return {-tip.x(), tip.z(), tip.y()};
+  }
+};
+
+TEST_F(MouseWindow, the_wheel_pushes_the_needle_in_and_space_holds_it) {
+  const ::bodkin::Session session = session_of(R"(
+xdotool click --repeat 42 --delay 40 4
+sleep 1
+import -window root seen.png
+identify -format '%k' seen.png > colours
+xdotool key space
+sleep 0.5
+xdotool click --repeat 10 --delay 40 4
+sleep 0.7
+xdotool key Escape)");
+  EXPECT_TRUE(session.finished);
+  EXPECT_NEAR((from_entry(session, 0) - ::bodkin::Vec3(0, 0, 30)).norm(), 0.0, 1e-6);
+  const std::size_t last = session.ticks.size() - 1;
+  EXPECT_NEAR((from_entry(session, last) - ::bodkin::Vec3(0, 0, -12)).norm(), 0.0, 0.01)
+      << from_entry(session, last).transpose();
+  EXPECT_NEAR(session.ticks[last].output.depth, 12.0, 1.5);
+  double peak = 0.0;
+  bool punctured = false;
+  for (const auto& tick : session.ticks) peak = std::max(peak, tick.output.requested.force.norm());
+  for (const auto& event : session.events) punctured = punctured || event.event.kind == ::bodkin::EventKind::puncture;
+  EXPECT_GT(peak, 0.5);
+  EXPECT_TRUE(punctured);
+  // What comes in steps of 1 mm moves smoothly, even where a tick was late.
+  for (std::size_t i = 1; i <= last; ++i) {
+    ASSERT_LT((from_entry(session, i) - from_entry(session, i - 1)).norm(), 0.7) << i;
+  }
+  if (std::filesystem::exists(folder_ / "seen.png")) {
+    EXPECT_GT(std::atoi(text_of("colours").c_str()), 50) << "the window shows nothing";
+  }
+}
+
+TEST_F(MouseWindow, pointer_and_keys_move_sideways_and_tilt) {
+  const ::bodkin::Session session = session_of(R"(
+xdotool mousemove --window $window 480 300
+sleep 0.3
+xdotool mousemove_relative 100 0
+sleep 0.3
+xdotool keydown w; sleep 1; xdotool keyup w
+sleep 0.3
+xdotool keydown q; sleep 0.5; xdotool keyup q
+sleep 0.5
+xdotool key Escape)");
+  const std::size_t last = session.ticks.size() - 1;
+  const ::bodkin::Vec3 end = from_entry(session, last);
+  EXPECT_NEAR(end.x(), 10.0, 0.2) << end.transpose();  // 0.1 mm a pixel
+  EXPECT_LT(end.z(), 25.0);                            // some 10 mm of the key
+  EXPECT_GT(end.z(), 5.0);
+  const ::bodkin::Vec3 axis = ::bodkin::needle_axis(session.ticks[last].input.needle);
+  EXPECT_GT(std::asin(axis.z()), 0.03) << "towards the head: " << axis.transpose();
+  EXPECT_LT(axis.y(), -0.9);
+}
+
+TEST_F(MouseWindow, without_a_display_is_one_sentence) {
+  for (const std::string display : {"", ":4711"}) {
+    const std::string errors = (folder_ / "refusal").string();
+    const std::string command = "cd '" + folder_.string() + "' && DISPLAY=" + display +
+                                " WAYLAND_DISPLAY= ASAN_OPTIONS=detect_leaks=0 '" BODKIN_BUILD
+                                "/bin/bodkin' -q perform patient mouse 2> " +
+                                errors;
+    const int status = std::system(command.c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 2);
+    EXPECT_EQ(lines_of(content_of(errors)), 1) << content_of(errors);
+    EXPECT_THAT(content_of(errors), HasSubstr("display"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "session-by-hand.bodkin"));
+  }
+}
+
+}  // namespace
+}  // namespace bodkin_test
