@@ -16,7 +16,7 @@ bool returns_within(std::chrono::milliseconds limit, std::function<void()> call,
     bool given_up = false;
   };
   const auto meeting = std::make_shared<Meeting>();
-  std::thread([meeting, call = std::move(call), late = std::move(late)]() mutable {
+  std::thread caller([meeting, call = std::move(call), late = std::move(late)]() mutable {
     call();
     call = nullptr;  // what it owns goes before the caller reads the result
     bool given_up = false;
@@ -27,11 +27,16 @@ bool returns_within(std::chrono::milliseconds limit, std::function<void()> call,
       meeting->changed.notify_all();
     }
     if (given_up && late) late();
-  }).detach();
+  });
 
   std::unique_lock lock(meeting->mutex);
-  if (meeting->changed.wait_for(lock, limit, [&] { return meeting->returned; })) return true;
+  if (meeting->changed.wait_for(lock, limit, [&] { return meeting->returned; })) {
+    lock.unlock();
+    caller.join();  // which has nothing left to do
+    return true;
+  }
   meeting->given_up = true;
+  caller.detach();
   return false;
 }
 

@@ -5,8 +5,10 @@
 #include <numbers>
 #include <sstream>
 #include <string>
+#include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include "core/error.h"
 
@@ -41,15 +43,27 @@ void require_readings(std::span<const Pose> readings) {
 // mean pose.
 Eigen::Vector3d swivel_of(std::span<const Pose> readings) {
   const Mat3 first = readings.front().linear();
-  Eigen::Matrix3Xd turns(3, static_cast<Eigen::Index>(readings.size()));
-  for (Eigen::Index i = 0; i < turns.cols(); ++i) {
-    const Eigen::AngleAxisd turn(Mat3(first.transpose() * readings[static_cast<std::size_t>(i)].linear()));
-    turns.col(i) = turn.angle() * turn.axis();
+  const double count = static_cast<double>(readings.size());
+  std::vector<Vec3> turns;
+  Vec3 mean = Vec3::Zero();
+  for (const Pose& hand : readings) {
+    const Eigen::AngleAxisd turn(Mat3(first.transpose() * hand.linear()));
+    turns.emplace_back(turn.angle() * turn.axis());
+    mean += turns.back() / count;
   }
-  turns.colwise() -= turns.rowwise().mean().eval();
-  const Mat3 covariance = turns * turns.transpose() / static_cast<double>(turns.cols());
-  const Eigen::SelfAdjointEigenSolver<Mat3> axes(covariance);
+  Mat3 covariance = Mat3::Zero();
+  for (const Vec3& turn : turns) covariance += (turn - mean) * (turn - mean).transpose() / count;
+  Eigen::SelfAdjointEigenSolver<Mat3> axes;
+  axes.computeDirect(covariance, Eigen::EigenvaluesOnly);
   return 2.0 / degree * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt();  // ascending
+}
+
+// The smallest turn that takes Z to `axis` (unit); half a turn about X where it is -Z.
+Mat3 turn_of_z_to(const Vec3& axis) {
+  const Vec3 about = Vec3::UnitZ().cross(axis);
+  const double sine = about.norm();
+  const Vec3 unit = sine > 1e-12 ? Vec3(about / sine) : Vec3(Vec3::UnitX());
+  return Eigen::AngleAxisd(std::atan2(sine, axis.z()), unit).toRotationMatrix();
 }
 
 }  // namespace
@@ -76,19 +90,27 @@ TipFit tip_of(std::span<const Pose> readings) {
     refuse("the tool was turned by ", swivel,
            " degrees, expected 20 or more about two axes; swivel it wider while the tip stays in its place");
   }
-  // p + H o - c = 0, three rows a reading.
-  const auto rows = static_cast<Eigen::Index>(3 * readings.size());
-  Eigen::MatrixXd equations(rows, 6);
-  Eigen::VectorXd positions(rows);
-  for (std::size_t i = 0; i < readings.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(3 * i);
-    equations.block<3, 3>(row, 0) = readings[i].linear();
-    equations.block<3, 3>(row, 3) = -Mat3::Identity();
-    positions.segment<3>(row) = -readings[i].translation();
+  // p + H o = c for every reading. With c the mean of the left sides, what is left is three equations for o: with the
+  // mean rotation M and the mean position m, (1 - M^T M) o = M^T m - mean(H^T p), whose matrix the swivel makes
+  // regular.
+  Mat3 turn = Mat3::Zero();
+  Vec3 position = Vec3::Zero(), turned_back = Vec3::Zero();
+  for (const Pose& hand : readings) {
+    turn += hand.linear();
+    position += hand.translation();
+    turned_back += hand.linear().transpose() * hand.translation();
   }
-  const Eigen::VectorXd solution = equations.colPivHouseholderQr().solve(positions);
-  TipFit fit{solution.head<3>(), solution.tail<3>(), 0.0};
-  fit.residual = (equations * solution - positions).norm() / std::sqrt(static_cast<double>(readings.size()));
+  const double count = static_cast<double>(readings.size());
+  turn /= count;
+  position /= count;
+  turned_back /= count;
+  const Mat3 spread = Mat3::Identity() - turn.transpose() * turn;
+  TipFit fit;
+  fit.offset = spread.inverse() * (turn.transpose() * position - turned_back);
+  fit.place = position + turn * fit.offset;
+  double strayed = 0.0;
+  for (const Pose& hand : readings) strayed += (hand * fit.offset - fit.place).squaredNorm();
+  fit.residual = std::sqrt(strayed / count);
   if (fit.residual > largest_residual) {
     refuse("the tip strayed by ", fit.residual,
            " mm, expected 2 mm or less; put it into a dimple that holds it, and try again");
@@ -166,8 +188,7 @@ void apply(const DeviceCalibration& calibration, ServoSettings& settings) {
   }
   if (calibration.tip_offset) workspace.tip_offset = *calibration.tip_offset;
   if (calibration.tool_axis) {
-    workspace.tool_rotation =
-        Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), *calibration.tool_axis).toRotationMatrix();
+    workspace.tool_rotation = turn_of_z_to(*calibration.tool_axis);
   }
   if (calibration.weight) settings.weight = *calibration.weight;
 }

@@ -232,11 +232,9 @@ TEST_F(PerformCommand, a_second_hand_holds_a_probe_and_its_fault_leaves_the_need
   EXPECT_NEAR((session.second.front().position - session.header.path.entry).x(), 60.0, 30.0) << "left is LPS +x";
 
   setenv("BODKIN_STAND_IN", "unplug@500", 1);
-  setenv("ASAN_OPTIONS", "detect_leaks=0", 1);  // LeakSanitizer's own tracer fails now and then in this program
   const Outcome unplugged = bodkin(
       "perform patient simulated --settings \"speed_mm_s=60 wait_s=0.5\" --second force_dimension --second-settings "
       "library=" BODKIN_STAND_INS "/force_dimension/libdrd.so -o unplugged.bodkin");
-  unsetenv("ASAN_OPTIONS");
   unsetenv("BODKIN_STAND_IN");
   ASSERT_EQ(unplugged.exit_code, 0) << unplugged.text();
   EXPECT_THAT(unplugged.errors, HasSubstr("second hand: "));

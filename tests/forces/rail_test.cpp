@@ -32,7 +32,8 @@ TEST(Rail, turns_a_tilted_needle_back_with_the_depth) {
 
 TEST(Rail, is_the_vector_part_of_the_quaternion_that_turns_the_needle_back) {
   const Vec3 axis = Vec3(0.2, -0.3, 0.9).normalized();
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(axis, Vec3::UnitZ());
+  const Vec3 about = axis.cross(Vec3::UnitZ());  // q = (1 + cosine, about) / |...|
+  const Eigen::Quaterniond turn = Eigen::Quaterniond(1.0 + axis.z(), about.x(), about.y(), about.z()).normalized();
   const Eigen::AngleAxisd angle_axis(turn);
   const Vec3 torque = rail({.torque_limit = 1e4}).torque(axis, 40.0);
   EXPECT_NEAR((torque - 1000.0 * angle_axis.angle() * angle_axis.axis()).norm(), 0.0, 1e-9);

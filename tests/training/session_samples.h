@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <filesystem>
@@ -22,8 +23,7 @@ class ScratchSession {
  public:
   ScratchSession()
       : path_(std::filesystem::temp_directory_path() /
-              ("bodkin_" + std::to_string(getpid()) + "_" +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".bodkin")) {
+              ("bodkin_" + std::to_string(getpid()) + "_" + test_name() + ".bodkin")) {
     remove();
   }
   ~ScratchSession() { remove(); }
@@ -32,6 +32,11 @@ class ScratchSession {
   const std::filesystem::path& path() const { return path_; }
 
  private:
+  static std::string test_name() {
+    std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::replace(name.begin(), name.end(), '/', '_');
+    return name;
+  }
   void remove() const {
     std::error_code ignored;
     for (const char* ending : {"", "-wal", "-shm", "-journal"})
