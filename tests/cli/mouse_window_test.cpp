@@ -23,7 +23,7 @@ xvfb=$!
 trap 'kill $xvfb' EXIT
 for wait in $(seq 100); do [ -s display ] && break; sleep 0.1; done
 export DISPLAY=:$(cat display)
-export ASAN_OPTIONS=${ASAN_OPTIONS:-}:detect_leaks=0  # SDL loads libdbus, which keeps what it has at the end
+export ASAN_OPTIONS=${ASAN_OPTIONS:-}:detect_leaks=0  # of libraries that SDL loads, some gone again at the end
 ')" BODKIN_BUILD R"(/bin/bodkin' --json -q perform patient mouse --max-time 90 -o mouse.bodkin > said 2> errors &
 window=$(timeout 60 xdotool search --sync --name '^Bodkin: ' | head -n 1)
 sleep 2.5
