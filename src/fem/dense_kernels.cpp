@@ -1,5 +1,7 @@
 #include "fem/dense_kernels.h"
 
+#include <algorithm>
+
 #include <cblas-openblas.h>
 
 // LAPACK as OpenBLAS has it; Debian's package brings no header for these. Arguments as in the Fortran reference.
@@ -86,12 +88,20 @@ void subtract_transposed_product(std::size_t rows, std::size_t size, std::size_t
               as_int(lead), x, as_int(lead_x), 1.0, y, as_int(lead_y));
 }
 
+void mirror_lower(std::size_t size, double* a, std::size_t lead) {
+  constexpr std::size_t tile = 32;  // rows and columns that stay in the cache together
+  for (std::size_t left = 0; left < size; left += tile)
+    for (std::size_t top = left; top < size; top += tile)
+      for (std::size_t column = left; column < std::min(left + tile, size); ++column)
+        for (std::size_t row = std::max(top, column + 1); row < std::min(top + tile, size); ++row)
+          a[row * lead + column] = a[column * lead + row];
+}
+
 void invert_from_cholesky(std::size_t size, double* l, std::size_t lead) {
   const int n = as_int(size), distance = as_int(lead);
   int info = 0;
   dpotri_("L", &n, l, &distance, &info, 1);  // cannot fail: a factor's diagonal is positive
-  for (std::size_t column = 0; column < size; ++column)
-    for (std::size_t row = column + 1; row < size; ++row) l[row * lead + column] = l[column * lead + row];
+  mirror_lower(size, l, lead);
 }
 
 }  // namespace bodkin

@@ -44,6 +44,9 @@ void subtract_transposed_product(std::size_t rows, std::size_t size, std::size_t
                                  std::size_t lead, const double* x, std::size_t lead_x, double* y,
                                  std::size_t lead_y);
 
+// The upper triangle becomes the mirror of the lower.
+void mirror_lower(std::size_t size, double* a, std::size_t lead);
+
 // l := (L L^T)^-1, both triangles.
 void invert_from_cholesky(std::size_t size, double* l, std::size_t lead);
 

@@ -1,15 +1,11 @@
 #include "fem/multifrontal_cholesky.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <limits>
-#include <new>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
+#include "fem/available_memory.h"
 #include "fem/dense_kernels.h"
 #include "fem/front_assembly.h"
 #include <fmt/format.h>
@@ -31,29 +27,9 @@ void pack(const double* full, std::size_t height, double* packed) {
 
 }  // namespace
 
-std::size_t available_memory() {
-  std::ifstream lines("/proc/meminfo");
-  std::string name, rest;
-  std::size_t kibibytes = 0;
-  while (lines >> name >> kibibytes && std::getline(lines, rest))
-    if (name == "MemAvailable:") return 1024 * kibibytes;
-  return std::numeric_limits<std::size_t>::max();
-}
-
 NotPositiveDefinite::NotPositiveDefinite(std::uint32_t at)
     : InputError(fmt::format("nothing holds node {} of the equations: the matrix is not positive definite", at)),
       node(at) {}
-
-void MultifrontalCholesky::Freed::operator()(double* numbers) const noexcept {
-  std::free(numbers);
-}
-
-MultifrontalCholesky::Numbers MultifrontalCholesky::zeros(std::size_t count) {
-  // Fresh pages are zero without being touched.
-  auto* const numbers = static_cast<double*>(std::calloc(std::max<std::size_t>(count, 1), sizeof(double)));
-  if (numbers == nullptr) throw std::bad_alloc();
-  return Numbers(numbers);
-}
 
 MultifrontalCholesky::MultifrontalCholesky(const BlockMatrix& matrix, SymbolicFactor symbolic,
                                            const FactorOptions& options, const Progress& progress)
@@ -77,15 +53,15 @@ bool MultifrontalCholesky::is_last(std::size_t supernode) const noexcept {
 }
 
 double* MultifrontalCholesky::panel(std::size_t supernode) const noexcept {
-  if (options_.keep_field) return panels_.get() + symbolic_.supernodes[supernode].panel_at;
-  return is_last(supernode) ? last_.get() : panels_.get();
+  if (options_.keep_field) return panels_.data() + symbolic_.supernodes[supernode].panel_at;
+  return is_last(supernode) ? last_.data() : panels_.data();
 }
 
 void MultifrontalCholesky::factorise(const BlockMatrix& matrix, const Progress& progress) {
-  panels_ = zeros(options_.keep_field ? symbolic_.factor_size : symbolic_.largest_panel);
-  if (!options_.keep_field) last_ = zeros(symbolic_.last_size());
-  const Numbers stack = zeros(symbolic_.stack_size);
-  double* top = stack.get();
+  panels_ = ZeroPages(options_.keep_field ? symbolic_.factor_size : symbolic_.largest_panel);
+  if (!options_.keep_field) last_ = ZeroPages(symbolic_.last_size());
+  const ZeroPages stack(symbolic_.stack_size);
+  double* top = stack.data();
   std::vector<std::uint32_t> waiting;  // supernodes whose updates lie on the stack
   FrontAssembly assembly(matrix, symbolic_);
   double done = 0.0, told = 0.0;
@@ -94,7 +70,7 @@ void MultifrontalCholesky::factorise(const BlockMatrix& matrix, const Progress& 
     const Front front{panel(s), top, &supernode};
     const std::size_t height = front.height(), width = front.width(), below = front.update_height();
     if (!options_.keep_field && !is_last(s)) std::fill_n(front.panel, supernode.panel_size(), 0.0);
-    std::fill_n(front.update, below * below, 0.0);
+    for (std::size_t j = 0; j < below; ++j) std::fill_n(front.update + j * below + j, below - j, 0.0);
     assembly.add_matrix(front);
     for (std::uint32_t child = 0; child < supernode.children; ++child) {
       const Supernode& from = symbolic_.supernodes[waiting.back()];
@@ -121,14 +97,13 @@ void MultifrontalCholesky::factorise(const BlockMatrix& matrix, const Progress& 
       waiting.push_back(s);
       top += supernode.update_size();
     }
-    const auto w = static_cast<double>(width), b = static_cast<double>(below);
-    done += w * w * w / 3.0 + w * w * b + w * b * b;
+    done += supernode.operations();
     if (progress && done >= told + 0.01 * symbolic_.operations) {
       told = done;
       progress("factorising the body", std::min(1.0, done / symbolic_.operations));
     }
   }
-  if (!options_.keep_field) panels_.reset();
+  if (!options_.keep_field) panels_ = ZeroPages();
 }
 
 Eigen::MatrixXd MultifrontalCholesky::last_compliance() const {

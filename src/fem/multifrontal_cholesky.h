@@ -2,11 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "fem/block_matrix.h"
 #include "fem/symbolic_factor.h"
+#include "fem/zero_pages.h"
 #include <Eigen/Core>
 
 #include "core/error.h"
@@ -25,7 +25,7 @@ struct FactorOptions {
   // Threads for the dense parts, 1 or more. More than the machine has idle are slower than one: they wait for each
   // other.
   int threads = 1;
-  // Bytes that the factorisation may take; 0: what the machine has left. It is known, and refused, beforehand.
+  // Bytes that the factorisation may take; 0: what available_memory() says. It is known, and refused, beforehand.
   std::size_t memory_limit = 0;
   // Keep the whole factor, for solve() and respond(), or only that of the last nodes, in a fraction of the memory.
   bool keep_field = true;
@@ -55,11 +55,6 @@ class MultifrontalCholesky {
   Eigen::MatrixXd respond(const Eigen::MatrixXd& forces_on_last) const;
 
  private:
-  struct Freed {
-    void operator()(double* numbers) const noexcept;
-  };
-  using Numbers = std::unique_ptr<double[], Freed>;
-  static Numbers zeros(std::size_t count);
   double* panel(std::size_t supernode) const noexcept;
   bool is_last(std::size_t supernode) const noexcept;
   void factorise(const BlockMatrix& matrix, const Progress& progress);
@@ -68,11 +63,8 @@ class MultifrontalCholesky {
 
   SymbolicFactor symbolic_;
   FactorOptions options_;
-  Numbers panels_;  // of all supernodes, or one that each uses in turn
-  Numbers last_;    // the panel of the last nodes, unless it is among `panels_`
+  ZeroPages panels_;  // of all supernodes, or one that each uses in turn
+  ZeroPages last_;    // the panel of the last nodes, unless it is among `panels_`
 };
-
-// Bytes of memory that the machine can still give (Linux: MemAvailable); the largest number when it does not say.
-std::size_t available_memory();
 
 }  // namespace bodkin

@@ -175,16 +175,15 @@ void add_up(SymbolicFactor& result) {
     result.factor_size += supernode.panel_size();
     const bool is_last = result.last > 0 && s + 1 == result.supernodes.size();
     if (!is_last) result.largest_panel = std::max(result.largest_panel, supernode.panel_size());
-    const double rows = 3.0 * supernode.rows;
-    result.stack_size = std::max(result.stack_size, held + static_cast<std::size_t>(rows * rows));
+    const std::size_t below = 3 * std::size_t{supernode.rows};
+    result.stack_size = std::max(result.stack_size, held + below * below);
     for (std::uint32_t child = 0; child < supernode.children; ++child) {
       held -= waiting.back();
       waiting.pop_back();
     }
     if (supernode.rows > 0) waiting.push_back(supernode.update_size());
     if (supernode.rows > 0) held += supernode.update_size();
-    const auto n = static_cast<double>(supernode.width());
-    result.operations += n * n * n / 3.0 + n * n * rows + n * rows * rows;
+    result.operations += supernode.operations();
   }
 }
 
