@@ -1,0 +1,108 @@
+// From a mesh to a condensed body: time and memory over the number of nodes, with a corridor of 1,000 nodes. The
+// meshes are boxes of 100 mm. The largest takes half a minute a run and comes only when BODKIN_LARGE_BODIES is set;
+// more threads than one with BODKIN_FEM_THREADS.
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+#include "fem/elastic_body.h"
+#include "tests/fem/lattice_body.h"
+#include <benchmark/benchmark.h>
+
+namespace {
+
+using namespace bodkin;
+
+constexpr std::size_t corridor = 1000;  // nodes
+constexpr double side = 100.0;          // mm
+
+FactorOptions options_of_environment() {
+  FactorOptions options;
+  if (const char* threads = std::getenv("BODKIN_FEM_THREADS")) options.threads = std::atoi(threads);
+  return options;
+}
+
+// MB, the most that this program has held since the last reset.
+double peak_memory() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) / 1000.0;
+  return 0.0;
+}
+
+void reset_peak_memory() {
+  std::ofstream("/proc/self/clear_refs") << "5";
+}
+
+void describe(benchmark::State& state, const BodyDescription& body, std::size_t bytes, double before) {
+  state.counters["nodes"] = static_cast<double>(body.mesh.nodes.size());
+  state.counters["announced_MB"] = static_cast<double>(bytes) * 1e-6;
+  state.counters["peak_MB"] = peak_memory() - before;
+}
+
+BodyDescription box(const benchmark::State& state) {
+  return lattice_body(static_cast<std::uint32_t>(state.range(0)), side, 0.1, corridor);
+}
+
+// Checks, equations, factor and compliance; `field`: with the factor kept for the displacement of all nodes.
+void prepare(benchmark::State& state, bool field) {
+  const BodyDescription body = box(state);
+  reset_peak_memory();
+  const double before = peak_memory();
+  std::size_t bytes = 0;
+  for (auto _ : state) {
+    FactorOptions options = options_of_environment();
+    options.keep_field = field;
+    check_body(body);
+    BodyPlan plan = plan_body(body);
+    bytes = plan.symbolic.bytes(field);
+    const ElasticBody elastic(body, std::move(plan), options);
+    benchmark::DoNotOptimize(elastic.condensed());
+  }
+  describe(state, body, bytes, before);
+}
+
+void only_check(benchmark::State& state) {
+  const BodyDescription body = box(state);
+  for (auto _ : state) benchmark::DoNotOptimize(check_body(body));
+}
+
+void only_plan(benchmark::State& state) {
+  const BodyDescription body = box(state);
+  for (auto _ : state) benchmark::DoNotOptimize(plan_body(body));
+}
+
+void only_factorise(benchmark::State& state) {
+  const BodyDescription body = box(state);
+  const BodyPlan plan = plan_body(body);
+  FactorOptions options = options_of_environment();
+  options.keep_field = false;
+  double operations = 0.0;
+  for (auto _ : state) {
+    const MultifrontalCholesky factor(plan.system.stiffness, plan.symbolic, options);
+    operations += plan.symbolic.operations;
+  }
+  state.counters["flops"] = benchmark::Counter(operations, benchmark::Counter::kIsRate);
+}
+
+// The displacement of all nodes under forces on the corridor.
+void field_of_corridor(benchmark::State& state) {
+  const BodyDescription body = box(state);
+  const ElasticBody elastic(body, plan_body(body), options_of_environment());
+  const Eigen::MatrixXd forces = Eigen::MatrixXd::Constant(3 * static_cast<Eigen::Index>(corridor), 1, 1e-3);
+  for (auto _ : state) benchmark::DoNotOptimize(elastic.displacement_by_corridor(forces));
+}
+
+void sizes(benchmark::internal::Benchmark* bench) {
+  bench->Arg(13)->Arg(27)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+  if (std::getenv("BODKIN_LARGE_BODIES") != nullptr) bench->Arg(46);
+}
+
+BENCHMARK_CAPTURE(prepare, condensed, false)->Apply(sizes);
+BENCHMARK_CAPTURE(prepare, with_field, true)->Apply(sizes);
+BENCHMARK(only_check)->Apply(sizes);
+BENCHMARK(only_plan)->Apply(sizes);
+BENCHMARK(only_factorise)->Apply(sizes);
+BENCHMARK(field_of_corridor)->Apply(sizes);
+
+}  // namespace

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+
+namespace bodkin {
+
+// Many numbers, all zero at first. The machine gives the pages when they are first written to, large ones (2 MiB)
+// where it has them, and takes them back at the end.
+class ZeroPages {
+ public:
+  ZeroPages() = default;
+  // Throws SystemError when the machine refuses.
+  explicit ZeroPages(std::size_t count);
+  ~ZeroPages();
+  ZeroPages(ZeroPages&& other) noexcept;
+  ZeroPages& operator=(ZeroPages&& other) noexcept;
+  ZeroPages(const ZeroPages&) = delete;
+  ZeroPages& operator=(const ZeroPages&) = delete;
+
+  double* data() const noexcept { return numbers_; }
+
+ private:
+  double* numbers_ = nullptr;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace bodkin

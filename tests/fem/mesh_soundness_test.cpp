@@ -1,0 +1,155 @@
+#include "fem/mesh_soundness.h"
+
+#include <limits>
+#include <numeric>
+
+#include "fem/elastic_body.h"
+#include "tests/fem/lattice_body.h"
+#include "tests/io/scratch_folder.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace bodkin {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+TetrahedralMesh one_tetrahedron() {
+  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}, {tissue::soft}};
+}
+
+std::string mesh_refusal(const TetrahedralMesh& mesh) {
+  return refusal([&mesh] { check_mesh(mesh); });
+}
+
+TEST(MeshSoundness, knows_the_angles_and_volumes_of_the_regular_and_the_corner_tetrahedron) {
+  TetrahedralMesh regular = one_tetrahedron();
+  regular.nodes = {{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}};
+  const MeshQuality quality = check_mesh(regular);
+  EXPECT_NEAR(quality.smallest_angle, std::acos(1.0 / 3.0) / degree, 1e-12);
+  EXPECT_NEAR(quality.largest_angle, std::acos(1.0 / 3.0) / degree, 1e-12);
+  EXPECT_NEAR(quality.volume, 8.0 / 3.0, 1e-14);
+  EXPECT_NEAR(quality.mean_edge, std::sqrt(8.0), 1e-14);
+  EXPECT_TRUE(quality.warnings.empty());
+  EXPECT_EQ(quality.angles[14], 6U);  // 70 to 75 degrees
+
+  const MeshQuality corner = check_mesh(one_tetrahedron());
+  EXPECT_NEAR(corner.smallest_angle, std::acos(1.0 / std::sqrt(3.0)) / degree, 1e-12);
+  EXPECT_NEAR(corner.largest_angle, 90.0, 1e-12);
+  EXPECT_NEAR(corner.shortest_edge, 1.0, 1e-15);
+  EXPECT_NEAR(corner.longest_edge, std::sqrt(2.0), 1e-15);
+}
+
+TEST(MeshSoundness, adds_up_a_lattice) {
+  const BodyDescription body = lattice_body(6, 50.0, 0.1, 1);
+  const MeshQuality quality = check_mesh(body.mesh);
+  EXPECT_EQ(quality.nodes, 216U);
+  EXPECT_EQ(quality.elements, 750U);
+  EXPECT_NEAR(quality.volume, 125000.0, 1e-8);
+  EXPECT_NEAR(std::accumulate(quality.tissue_volume.begin(), quality.tissue_volume.end(), 0.0), 125000.0, 1e-8);
+  EXPECT_EQ(quality.tissue_elements[tissue::ligamentum_flavum], 150U);
+  EXPECT_EQ(quality.tissue_nodes[tissue::ligamentum_flavum], 72U);
+  EXPECT_EQ(quality.tissue_nodes[tissue::soft], 216U);
+  EXPECT_EQ(std::accumulate(quality.angles.begin(), quality.angles.end(), std::size_t{0}), 6 * 750U);
+}
+
+TEST(MeshSoundness, a_poor_mesh_is_used_with_a_warning) {
+  TetrahedralMesh mesh = one_tetrahedron();
+  mesh.nodes[3] = {0.3, 0.3, 0.01};
+  const MeshQuality quality = check_mesh(mesh);
+  EXPECT_EQ(quality.poor_elements, 1U);
+  ASSERT_EQ(quality.warnings.size(), 1U);
+  EXPECT_THAT(quality.warnings[0], AllOf(HasSubstr("1 of 1 elements"), HasSubstr("below 5 degrees"),
+                                         HasSubstr("element 0 at (0.3, 0.3, 0.0) mm")));
+}
+
+TEST(MeshSoundness, refuses_a_mesh_that_is_no_mesh) {
+  EXPECT_THAT(mesh_refusal({}), HasSubstr("no elements"));
+  TetrahedralMesh mesh = one_tetrahedron();
+  mesh.tissues.clear();
+  EXPECT_THAT(mesh_refusal(mesh), HasSubstr("1 elements but 0 tissues"));
+  mesh = one_tetrahedron();
+  mesh.elements[0][2] = 4;
+  EXPECT_THAT(mesh_refusal(mesh), HasSubstr("element 0 has the corner 4, but the nodes of the mesh are 0 to 3"));
+  mesh = one_tetrahedron();
+  mesh.nodes[2].y() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(mesh_refusal(mesh), HasSubstr("node 2 of the mesh lies at (0, nan, 0)"));
+  mesh = one_tetrahedron();
+  mesh.nodes.push_back({5, 6, 7});
+  EXPECT_THAT(mesh_refusal(mesh),
+              AllOf(HasSubstr("node 4 at (5.0, 6.0, 7.0) mm belongs to no element"), HasSubstr("1 such")));
+}
+
+TEST(MeshSoundness, refuses_elements_that_are_inverted_or_flat) {
+  TetrahedralMesh mesh = one_tetrahedron();
+  std::swap(mesh.elements[0][0], mesh.elements[0][1]);
+  EXPECT_THAT(mesh_refusal(mesh), AllOf(HasSubstr("element 0 at (0.2, 0.2, 0.2) mm is inverted"),
+                                        HasSubstr("-0.167 mm^3"), HasSubstr("exchange two of its corners")));
+  for (const double height : {1e-7, 0.0, -1e-7}) {
+    mesh = one_tetrahedron();
+    mesh.nodes[3] = {0.3, 0.3, height};
+    EXPECT_THAT(mesh_refusal(mesh), AllOf(HasSubstr("element 0 at"), HasSubstr("is flat"), HasSubstr("slivers")))
+        << height;
+  }
+  mesh = one_tetrahedron();
+  mesh.nodes[3] = {0.3, 0.3, 2e-5};
+  EXPECT_NO_THROW(check_mesh(mesh));
+  mesh.elements[0][3] = 2;  // a corner twice
+  mesh.nodes.pop_back();
+  EXPECT_THAT(mesh_refusal(mesh), HasSubstr("is flat"));
+}
+
+TEST(MeshSoundness, refuses_a_body_that_nothing_holds) {
+  const TetrahedralMesh mesh = one_tetrahedron();
+  const auto supports = [&mesh](const std::vector<std::uint32_t>& fixed) {
+    return refusal([&] { check_supports(mesh, fixed); });
+  };
+  EXPECT_THAT(supports({}),
+              AllOf(HasSubstr("no node of the body is fixed"), HasSubstr("fix its bone or its far side")));
+  EXPECT_THAT(supports({0, 1, 9}), HasSubstr("node 9 is to be fixed, but the nodes of the mesh are 0 to 3"));
+  EXPECT_THAT(supports({0, 1}), AllOf(HasSubstr("4 nodes"), HasSubstr("on one line")));
+  EXPECT_THAT(supports({0, 0, 1, 1}), HasSubstr("on one line"));
+  EXPECT_NO_THROW(check_supports(mesh, std::vector<std::uint32_t>{0, 1, 2}));
+}
+
+TEST(MeshSoundness, refuses_an_island_that_nothing_holds) {
+  TetrahedralMesh mesh = one_tetrahedron();
+  for (const Vec3& node : one_tetrahedron().nodes) mesh.nodes.emplace_back(node + Vec3(20, 30, 40));
+  mesh.elements.push_back({4, 5, 6, 7});
+  mesh.tissues.push_back(tissue::soft);
+  const std::vector<std::uint32_t> fixed = {0, 1, 2}, both = {0, 1, 2, 5, 6, 7};
+  EXPECT_THAT(refusal([&] { check_supports(mesh, fixed); }),
+              AllOf(HasSubstr("a piece of the body with 4 nodes, node 4 at (20.0, 30.0, 40.0) mm among them"),
+                    HasSubstr("none of its nodes is fixed"), HasSubstr("mesh the body without it")));
+  EXPECT_NO_THROW(check_supports(mesh, both));
+}
+
+TEST(ElasticMaterials, refuses_values_that_no_tissue_can_have) {
+  ElasticMaterials materials;
+  for (const double young :
+       {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    EXPECT_THAT(refusal([&] {
+                  materials.set(4, {young, 0.3});
+                }),
+                AllOf(HasSubstr("Young's modulus of tissue 4"), HasSubstr("expected more than 0")));
+  for (const double poisson : {0.4901, 0.5, -1.0, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THAT(refusal([&] {
+                  materials.set(4, {0.02, poisson});
+                }),
+                AllOf(HasSubstr("Poisson's ratio of tissue 4"), HasSubstr("at most 0.49")));
+  EXPECT_EQ(materials.find(4), nullptr);
+  materials.set(4, {0.02, 0.49});
+  EXPECT_EQ(materials.find(4)->poisson, 0.49);
+}
+
+TEST(ElasticMaterials, refuses_a_tissue_without_a_material) {
+  BodyDescription body = lattice_body(4, 30.0, 0.0, 4);
+  body.mesh.tissues[100] = 77;
+  EXPECT_THAT(refusal([&] { condense(body); }),
+              AllOf(HasSubstr("tissue 77 of element 100 at ("), HasSubstr(") mm has no material"),
+                    HasSubstr("give the tissue a Young's modulus")));
+}
+
+}  // namespace
+}  // namespace bodkin
