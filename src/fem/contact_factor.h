@@ -52,8 +52,6 @@ class ContactFactor {
   std::size_t constraints() const noexcept { return held_; }
   std::size_t rows() const noexcept { return rows_; }
   std::size_t most_rows() const noexcept { return most_rows_; }
-  // First row of a constraint; rows() for one beyond the last.
-  std::size_t first_row(std::size_t constraint) const noexcept { return first_rows_[constraint]; }
   // How many numbers of U lie behind a constraint: what its removal costs.
   std::size_t removal_cost(std::size_t constraint) const noexcept;
 

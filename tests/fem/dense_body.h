@@ -26,6 +26,17 @@ inline Mat3 kelvin(const Vec3& from, const Vec3& to, double modulus, double pois
          ((3.0 - 4.0 * poisson) * Mat3::Identity() + apart * apart.transpose() / (distance * distance));
 }
 
+inline void fill_compliance(CondensedBody& body, double modulus, double smear) {
+  const auto count = static_cast<Eigen::Index>(body.nodes.size());
+  body.compliance.resize(3 * count, 3 * count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    for (Eigen::Index j = 0; j < count; ++j) {
+      body.compliance.block<3, 3>(3 * i, 3 * j) = kelvin(
+          body.nodes[static_cast<std::size_t>(i)], body.nodes[static_cast<std::size_t>(j)], modulus, 0.3, smear);
+    }
+  }
+}
+
 // `across` x `across` x `along` nodes, `spacing` mm apart, around the z axis from z = 0 on, all of one tissue.
 inline CondensedBody kelvin_body(int across, int along, double spacing, double modulus = 0.02,
                                  TissueId tissue_id = tissue::soft) {
@@ -39,15 +50,7 @@ inline CondensedBody kelvin_body(int across, int along, double spacing, double m
       }
     }
   }
-  const auto count = static_cast<Eigen::Index>(body.nodes.size());
-  body.compliance.resize(3 * count, 3 * count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    for (Eigen::Index j = 0; j < count; ++j) {
-      body.compliance.block<3, 3>(3 * i, 3 * j) =
-          kelvin(body.nodes[static_cast<std::size_t>(i)], body.nodes[static_cast<std::size_t>(j)], modulus, 0.3,
-                 0.4 * spacing);
-    }
-  }
+  fill_compliance(body, modulus, 0.4 * spacing);
   return body;
 }
 
