@@ -1,9 +1,9 @@
 // What a needle in a deformable body costs: a corridor of 1000 nodes, k of which the needle holds. The motion is
 // recorded beforehand and the state is warm.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <ctime>
 #include <utility>
 #include <vector>
 
@@ -22,16 +22,24 @@ const CondensedBody& corridor() {
   return body;
 }
 
-// Median and high quantiles of times, us.
+// Least, median and high quantiles of times, us.
 void report(benchmark::State& state, std::vector<double>& times) {
   std::sort(times.begin(), times.end());
   const auto at = [&times](double part) {
     return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
   };
+  state.counters["min_us"] = times.front();
   state.counters["median_us"] = at(0.5);
   state.counters["p99_us"] = at(0.99);
   state.counters["p99.9_us"] = at(0.999);
-  state.counters["max_us"] = times.back();
+}
+
+// Processor time of this thread, us: what other jobs take of the machine is not counted, what they take of the caches
+// is. Reading it takes about 0.3 us.
+double processor_time() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
 }
 
 template <typename Tick>
@@ -41,10 +49,9 @@ void every_tick_on_its_own(benchmark::State& state, Tick&& tick) {
   for (int warm = 0; warm < 200; ++warm) tick(warm);
   int number = 0;
   for (auto _ : state) {
-    const auto start = std::chrono::steady_clock::now();
+    const double start = processor_time();
     tick(number++);
-    const auto end = std::chrono::steady_clock::now();
-    times.push_back(std::chrono::duration<double, std::micro>(end - start).count());
+    times.push_back(processor_time() - start);
   }
   report(state, times);
 }

@@ -1,6 +1,33 @@
 #include "fem/axial_coupling.h"
 
+#include "fem/processor_clones.h"
+
 namespace bodkin {
+
+namespace {
+
+BODKIN_PROCESSOR_CLONES
+void add_scaled(const double* __restrict row, double factor, std::size_t count, double* __restrict sum) noexcept {
+  for (std::size_t j = 0; j < count; ++j) sum[j] += row[j] * factor;
+}
+
+// Eight partial sums in a fixed order, whatever width the processor has.
+BODKIN_PROCESSOR_CLONES
+double product(const double* a, const double* b, std::size_t count) noexcept {
+  using Lanes = double __attribute__((vector_size(32), aligned(8), may_alias));
+  Lanes even = {}, odd = {};
+  std::size_t j = 0;
+  for (; j + 8 <= count; j += 8) {
+    even += *reinterpret_cast<const Lanes*>(a + j) * *reinterpret_cast<const Lanes*>(b + j);
+    odd += *reinterpret_cast<const Lanes*>(a + j + 4) * *reinterpret_cast<const Lanes*>(b + j + 4);
+  }
+  double rest = 0.0;
+  for (; j < count; ++j) rest += a[j] * b[j];
+  const Lanes sum = even + odd;
+  return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + rest;
+}
+
+}  // namespace
 
 AxialCoupling::AxialCoupling(const Eigen::MatrixXd& compliance, std::size_t most_nodes)
     : compliance_(compliance),
@@ -30,21 +57,11 @@ void AxialCoupling::push(std::uint32_t node) noexcept {
 }
 
 void AxialCoupling::add(std::size_t index, double load, std::span<double> displacements) const noexcept {
-  const double* row = matrix_.data() + index * stride_;
-  double* sum = displacements.data();
-  for (std::size_t j = 0; j < 3 * count_; ++j) sum[j] += row[j] * load;
+  add_scaled(matrix_.data() + index * stride_, load, 3 * count_, displacements.data());
 }
 
 double AxialCoupling::displacement(std::size_t index, std::span<const double> forces) const noexcept {
-  const double* row = matrix_.data() + index * stride_;
-  constexpr std::size_t lanes = 8;  // a fixed order of summation, whatever width the processor has
-  double sums[lanes] = {};
-  const std::size_t count = 3 * count_, whole = count / lanes * lanes;
-  for (std::size_t j = 0; j < whole; j += lanes) {
-    for (std::size_t lane = 0; lane < lanes; ++lane) sums[lane] += row[j + lane] * forces[j + lane];
-  }
-  for (std::size_t j = whole; j < count; ++j) sums[j - whole] += row[j] * forces[j];
-  return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
+  return product(matrix_.data() + index * stride_, forces.data(), 3 * count_);
 }
 
 }  // namespace bodkin

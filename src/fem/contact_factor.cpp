@@ -5,123 +5,43 @@
 #include <memory>
 #include <string>
 
+#include "fem/triangle.h"
+
 #include "core/error.h"
 
 namespace bodkin {
 
 namespace {
 
-constexpr std::size_t block = 8;       // rows of U that are worked on together
-constexpr double least_pivot = 1e-10;  // of the diagonal of S, below which a constraint is no news
-
-std::size_t padded(std::size_t count) {
-  return (count + block - 1) / block * block;
-}
-
-// Four numbers at once, wherever they lie. The order of every sum is written out, so that the bits are the same
-// whatever width the processor has.
-using Lanes = double __attribute__((vector_size(32), aligned(8), may_alias));
-constexpr std::size_t lanes = 4;
-
-// values[j] -= sum over the 8 rows of rows[r * stride + j] solved[r], j in [from, to).
-inline void subtract_rows(const double* rows, std::size_t stride, const double* solved, double* values,
-                          std::size_t from, std::size_t to) noexcept {
-  for (std::size_t j = from; j < to; j += lanes) {
-    Lanes sum = *reinterpret_cast<const Lanes*>(values + j);
-    for (std::size_t r = 0; r < block; ++r) {
-      sum -= *reinterpret_cast<const Lanes*>(rows + r * stride + j) * solved[r];
-    }
-    *reinterpret_cast<Lanes*>(values + j) = sum;
-  }
-}
-
-// sums[r] = rows[r * stride + j] values[j] summed over j in [from, to), for 4 rows.
-inline void four_products(const double* rows, std::size_t stride, const double* values, std::size_t from,
-                          std::size_t to, double* sums) noexcept {
-  Lanes sum[4] = {};
-  for (std::size_t j = from; j < to; j += lanes) {
-    const Lanes value = *reinterpret_cast<const Lanes*>(values + j);
-    for (std::size_t r = 0; r < 4; ++r) sum[r] += *reinterpret_cast<const Lanes*>(rows + r * stride + j) * value;
-  }
-  for (std::size_t r = 0; r < 4; ++r) sums[r] = (sum[r][0] + sum[r][1]) + (sum[r][2] + sum[r][3]);
-}
-
-// The rotation that makes the first of `other` zero: `to` is what becomes of `from`, which may be the same.
-inline void rotate(const double* from, double* other, double* to, std::size_t count) noexcept {
-  const double length = std::sqrt(from[0] * from[0] + other[0] * other[0]);
-  const double cosine = from[0] / length, sine = other[0] / length;
-  std::size_t j = 0;
-  for (; j + lanes <= count; j += lanes) {
-    const Lanes here = *reinterpret_cast<const Lanes*>(from + j);
-    const Lanes there = *reinterpret_cast<const Lanes*>(other + j);
-    *reinterpret_cast<Lanes*>(to + j) = here * cosine + there * sine;
-    *reinterpret_cast<Lanes*>(other + j) = there * cosine - here * sine;
-  }
-  for (; j < count; ++j) {
-    const double here = from[j], there = other[j];
-    to[j] = here * cosine + there * sine;
-    other[j] = there * cosine - here * sine;
-  }
-}
+constexpr std::size_t block = 8;        // rows of U that are worked on together
+constexpr std::size_t prefetched = 24;  // rows ahead
+constexpr double least_pivot = 1e-10;   // of the diagonal of S, below which a constraint is no news
 
 }  // namespace
 
 ContactFactor::ContactFactor(const Eigen::MatrixXd& compliance, std::size_t most_nodes)
-    : compliance_(compliance), most_rows_(3 * most_nodes), stride_(padded(3 * most_nodes)) {
+    : compliance_(compliance), most_rows_(3 * most_nodes), stride_(triangle::padded(3 * most_nodes)) {
   if (compliance.rows() != compliance.cols() || compliance.rows() % 3 != 0 || compliance.rows() == 0) {
     throw InputError("contact: the compliance of the corridor is " + std::to_string(compliance.rows()) + " x " +
                      std::to_string(compliance.cols()) + ", expected 3 rows and columns for each of its nodes");
   }
   if (most_nodes == 0) throw InputError("contact: room for 0 nodes, expected at least 1");
   constexpr std::size_t line = 64;
-  storage_.assign(padded(most_rows_) * stride_ + line / sizeof(double), 0.0);
+  storage_.assign(triangle::padded(most_rows_) * stride_ + line / sizeof(double), 0.0);
   void* begin = storage_.data();
   std::size_t room = storage_.size() * sizeof(double);
-  std::align(line, padded(most_rows_) * stride_ * sizeof(double), begin, room);
-  factor_ = {static_cast<double*>(begin), padded(most_rows_) * stride_};
+  std::align(line, triangle::padded(most_rows_) * stride_ * sizeof(double), begin, room);
+  factor_ = {static_cast<double*>(begin), triangle::padded(most_rows_) * stride_};
   scratch_.assign(3 * stride_, 0.0);
   row_of_.resize(most_rows_);
   first_rows_.assign(most_rows_ + 1, 0);
 }
 
-template <int Columns>
-void ContactFactor::forward(double* columns) const noexcept {
-  const std::size_t end = padded(rows_);
-  for (std::size_t first = 0; first < rows_; first += block) {
-    const std::size_t count = std::min(block, rows_ - first);
-    for (int column = 0; column < Columns; ++column) {
-      double* values = columns + static_cast<std::size_t>(column) * stride_;
-      double solved[block] = {};
-      for (std::size_t r = 0; r < count; ++r) {
-        const double* upper = row(first + r);
-        solved[r] = values[first + r] / upper[first + r];
-        for (std::size_t j = first + r + 1; j < first + count; ++j) values[j] -= upper[j] * solved[r];
-      }
-      std::copy_n(solved, count, values + first);
-      subtract_rows(row(first), stride_, solved, values, first + block, end);
-    }
-  }
-}
-
 void ContactFactor::solve(std::span<double> values) noexcept {
   double* d = scratch_.data();
   std::copy_n(values.data(), rows_, d);
-  forward<1>(d);
-  const std::size_t end = padded(rows_);
-  std::fill(d + rows_, d + end, 0.0);
-  for (std::size_t first = end; first > 0;) {
-    first -= block;
-    double sums[block];
-    four_products(row(first), stride_, d, first + block, end, sums);
-    four_products(row(first + 4), stride_, d, first + block, end, sums + 4);
-    for (std::size_t r = std::min(block, rows_ - first); r > 0;) {
-      --r;
-      const double* upper = row(first + r);
-      double value = d[first + r] - sums[r];
-      for (std::size_t j = first + r + 1; j < std::min(first + block, rows_); ++j) value -= upper[j] * d[j];
-      d[first + r] = value / upper[first + r];
-    }
-  }
+  triangle::solve_transposed({factor_.data(), stride_, rows_}, d, 1);
+  triangle::solve({factor_.data(), stride_, rows_}, d);
   std::copy_n(d, rows_, values.data());
 }
 
@@ -168,19 +88,17 @@ bool ContactFactor::append(std::uint32_t node, const HeldDirections& directions,
   if (count == 0 || rows_ + count > most_rows_ || place + 3 > compliance_.rows() || !(softness >= 0.0)) return false;
   double* columns = scratch_.data();
   for (std::size_t i = 0; i < rows_; ++i) {
+    if (i + prefetched < rows_) {  // the compliance is scattered over much memory
+      const auto later = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(row_of_[i + prefetched].node);
+      for (Eigen::Index a = 0; a < 3; ++a) __builtin_prefetch(&compliance_(later, place + a));
+    }
     const auto at = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(row_of_[i].node);
     const Vec3 moved = compliance_.block<3, 3>(at, place).transpose() * row_of_[i].direction;
     for (std::size_t a = 0; a < count; ++a) {
       columns[a * stride_ + i] = moved.dot(directions.col(static_cast<Eigen::Index>(a)));
     }
   }
-  if (count == 1) {
-    forward<1>(columns);
-  } else if (count == 2) {
-    forward<2>(columns);
-  } else {
-    forward<3>(columns);
-  }
+  triangle::solve_transposed({factor_.data(), stride_, rows_}, columns, count);
   for (std::size_t i = 0; i < rows_; ++i) {
     for (std::size_t a = 0; a < count; ++a) row(i)[rows_ + a] = columns[a * stride_ + i];
   }
@@ -232,7 +150,7 @@ void ContactFactor::remove(std::size_t constraint) noexcept {
     const double* from = row(i) + i;
     double* to = row(i - count) + (i - count);
     for (std::size_t a = 0; a < count; ++a) {
-      rotate(from, x + a * stride_ + i, to, rows_ - i);
+      triangle::rotate(from, x + a * stride_ + i, to, rows_ - i);
       from = to;
     }
   }

@@ -63,9 +63,6 @@ class ContactFactor {
 
   double* row(std::size_t index) noexcept { return factor_.data() + index * stride_; }
   const double* row(std::size_t index) const noexcept { return factor_.data() + index * stride_; }
-  // Turns `scratch_`, a block of `Columns` columns with entries i + column * stride_, into U^-T times it.
-  template <int Columns>
-  void forward(double* block) const noexcept;
   bool finish(std::size_t first, std::size_t count, double softness) noexcept;
 
   const Eigen::MatrixXd& compliance_;

@@ -17,6 +17,7 @@ constexpr double force_tolerance = 1e-9;        // N and relative, above a limit
 constexpr double least_grip = 1e-6;             // part of its length from which on a node is held across
 constexpr int most_captures = 2;                // a tick; the others wait for the next
 constexpr int most_rounds = 6;                  // of sticking and slipping a tick
+constexpr int slip_rounds = 2;                  // the first of them, in which nodes may begin to slide
 constexpr int few_turns = 6;                    // nodes that are made to stick one by one
 constexpr std::size_t release_budget = 100000;  // numbers of the factor to be turned a tick, beyond the first release
 
@@ -153,7 +154,8 @@ void NeedleContact::capture() noexcept {
     }
     // One that the tip has left behind while tissue held it back sticks where it is; a fresh one slides, with as
     // little friction as there is shaft in it.
-    if (tip_ >= station.depth + station.length) constraints_.hold_along(held_ - 1);
+    const bool rubs = tissues_[station.tissue].friction * station.length > force_tolerance;
+    if (rubs && tip_ >= station.depth + station.length) constraints_.hold_along(held_ - 1);
   }
 }
 
@@ -251,7 +253,7 @@ bool NeedleContact::slip_where_friction_ends(std::size_t& budget) noexcept {
   bool released = false;
   for (std::size_t i = held_; i > 0;) {
     --i;
-    if (!constraints_.held_along(i) || excess(i) < 0.5 * worst) continue;
+    if (!constraints_.held_along(i) || excess(i) < 0.25 * worst) continue;
     const std::size_t cost = constraints_.release_cost(i);
     if (budget < cost && released) continue;
     if (budget == 0) break;
@@ -282,7 +284,7 @@ void NeedleContact::settle() noexcept {
     if (round == most_rounds) break;
     const bool last = round + 1 == most_rounds;
     bool changed = stick_where_slip_turned(last);
-    if (!changed && !last) changed = slip_where_friction_ends(budget);
+    if (!changed && round <= slip_rounds) changed = slip_where_friction_ends(budget);
     if (meet_tip()) changed = true;
     if (!changed) break;
   }
