@@ -45,33 +45,37 @@ void ContactFactor::solve(std::span<double> values) noexcept {
   std::copy_n(d, rows_, values.data());
 }
 
-// The corner of U that belongs to the last constraint, from what stands above it.
-bool ContactFactor::finish(std::size_t first, std::size_t count, double softness) noexcept {
-  Mat3 corner = Mat3::Zero();
+// What is left of S for the last constraint by what stands above it; `scratch_` holds those columns of U.
+void ContactFactor::find_corner(std::size_t first, std::size_t count) noexcept {
+  corner_.setZero();
+  const auto node = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(row_of_[first].node);
   for (std::size_t a = 0; a < count; ++a) {
+    const Vec3 moved = compliance_.block<3, 3>(node, node) * row_of_[first + a].direction;
+    const double* left = scratch_.data() + a * stride_;
     for (std::size_t b = 0; b <= a; ++b) {
-      const auto node = static_cast<Eigen::Index>(3 * row_of_[first].node);
-      corner(static_cast<int>(b), static_cast<int>(a)) =
-          row_of_[first + b].direction.dot(compliance_.block<3, 3>(node, node) * row_of_[first + a].direction);
+      const double* right = scratch_.data() + b * stride_;
+      double sum = 0.0;
+      for (std::size_t i = 0; i < first; ++i) sum += left[i] * right[i];
+      const double here = row_of_[first + b].direction.dot(moved);
+      corner_(static_cast<int>(b), static_cast<int>(a)) = here - sum;
+      if (a == b) whole_(static_cast<int>(a)) = here;
     }
   }
-  const Vec3 whole = corner.diagonal();
-  for (std::size_t i = 0; i < first; ++i) {
-    const double* above = row(i) + first;
-    for (std::size_t a = 0; a < count; ++a) {
-      for (std::size_t b = 0; b <= a; ++b) corner(static_cast<int>(b), static_cast<int>(a)) -= above[a] * above[b];
-    }
-  }
+  corner_known_ = true;
+}
+
+// The corner of U that belongs to the last constraint.
+bool ContactFactor::finish(std::size_t first, std::size_t count, double softness) noexcept {
   Mat3 upper = Mat3::Zero();
   for (int a = 0; a < static_cast<int>(count); ++a) {
     for (int b = 0; b < a; ++b) {
-      double value = corner(b, a);
+      double value = corner_(b, a);
       for (int i = 0; i < b; ++i) value -= upper(i, a) * upper(i, b);
       upper(b, a) = value / upper(b, b);
     }
-    double pivot = corner(a, a) + softness;
+    double pivot = corner_(a, a) + softness;
     for (int i = 0; i < a; ++i) pivot -= upper(i, a) * upper(i, a);
-    if (!(pivot > least_pivot * whole(a)) || !std::isfinite(pivot)) return false;
+    if (!(pivot > least_pivot * whole_(a)) || !std::isfinite(pivot)) return false;
     upper(a, a) = std::sqrt(pivot);
   }
   for (std::size_t b = 0; b < count; ++b) {
@@ -105,7 +109,9 @@ bool ContactFactor::append(std::uint32_t node, const HeldDirections& directions,
   for (std::size_t a = 0; a < count; ++a) {
     row_of_[rows_ + a] = {node, directions.col(static_cast<Eigen::Index>(a))};
   }
+  find_corner(rows_, count);
   if (!finish(rows_, count, softness)) {
+    corner_known_ = false;
     for (std::size_t i = 0; i < rows_; ++i) std::fill_n(row(i) + rows_, count, 0.0);
     return false;
   }
@@ -116,15 +122,23 @@ bool ContactFactor::append(std::uint32_t node, const HeldDirections& directions,
 
 void ContactFactor::clear() noexcept {
   held_ = rows_ = 0;
+  corner_known_ = false;
 }
 
 void ContactFactor::remove_last() noexcept {
   if (held_ > 0) rows_ = first_rows_[--held_];
+  corner_known_ = false;
 }
 
 bool ContactFactor::soften_last(double softness) noexcept {
   if (held_ == 0 || !(softness >= 0.0)) return false;
   const std::size_t first = first_rows_[held_ - 1];
+  if (!corner_known_) {
+    for (std::size_t i = 0; i < first; ++i) {
+      for (std::size_t a = 0; a < rows_ - first; ++a) scratch_[a * stride_ + i] = row(i)[first + a];
+    }
+    find_corner(first, rows_ - first);
+  }
   return finish(first, rows_ - first, softness);
 }
 
@@ -138,6 +152,7 @@ std::size_t ContactFactor::removal_cost(std::size_t constraint) const noexcept {
 // of T). T' then stands where the constraint stood.
 void ContactFactor::remove(std::size_t constraint) noexcept {
   if (constraint >= held_) return;
+  corner_known_ = false;
   const std::size_t first = first_rows_[constraint];
   const std::size_t count = first_rows_[constraint + 1] - first;
   const std::size_t after = first + count;
@@ -168,6 +183,7 @@ void ContactFactor::copy(const ContactFactor& other) noexcept {
   std::copy_n(other.first_rows_.begin(), other.held_ + 1, first_rows_.begin());
   held_ = other.held_;
   rows_ = other.rows_;
+  corner_known_ = false;
 }
 
 }  // namespace bodkin

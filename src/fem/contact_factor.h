@@ -64,6 +64,7 @@ class ContactFactor {
   double* row(std::size_t index) noexcept { return factor_.data() + index * stride_; }
   const double* row(std::size_t index) const noexcept { return factor_.data() + index * stride_; }
   bool finish(std::size_t first, std::size_t count, double softness) noexcept;
+  void find_corner(std::size_t first, std::size_t count) noexcept;
 
   const Eigen::MatrixXd& compliance_;
   std::size_t most_rows_;
@@ -74,6 +75,9 @@ class ContactFactor {
   std::vector<Row> row_of_;              // most_rows_
   std::vector<std::size_t> first_rows_;  // most_rows_ + 1, by constraint
   std::size_t held_ = 0, rows_ = 0;
+  Mat3 corner_ = Mat3::Zero();  // U^T U of the last constraint alone, without softness
+  Vec3 whole_ = Vec3::Zero();   // diagonal of S there
+  bool corner_known_ = false;
 };
 
 }  // namespace bodkin

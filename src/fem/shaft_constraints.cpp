@@ -8,6 +8,7 @@ ShaftConstraints::ShaftConstraints(const Eigen::MatrixXd& compliance, std::size_
     : factor_(compliance, most_nodes + 1),
       all_held_(compliance, most_nodes + 1),
       names_(2 * most_nodes + 2),
+      held_(2 * most_nodes + 2, 0),
       nodes_(most_nodes + 1),
       values_(3 * most_nodes + 3) {
   begin(Mat3::Identity());
@@ -18,6 +19,7 @@ void ShaftConstraints::begin(const Mat3& frame) noexcept {
   across_ = frame.rightCols<2>();
   factor_.clear();
   all_held_.clear();
+  std::fill(held_.begin(), held_.end(), std::uint8_t{0});
   count_ = 0;
   last_softness_ = -1.0;
 }
@@ -30,12 +32,14 @@ std::size_t ShaftConstraints::place(Name name) const noexcept {
 bool ShaftConstraints::append(Name name, std::uint32_t node, double softness) noexcept {
   if (!factor_.append(node, name % 2 == 0 ? along_ : across_, softness)) return false;
   names_[factor_.constraints() - 1] = name;
+  held_[name] = 1;
   return true;
 }
 
 void ShaftConstraints::remove(Name name) noexcept {
+  if (held_[name] == 0) return;
+  held_[name] = 0;
   const std::size_t at = place(name);
-  if (at >= factor_.constraints()) return;
   std::copy(names_.begin() + static_cast<std::ptrdiff_t>(at) + 1,
             names_.begin() + static_cast<std::ptrdiff_t>(factor_.constraints()),
             names_.begin() + static_cast<std::ptrdiff_t>(at));
@@ -89,6 +93,8 @@ void ShaftConstraints::hold_all_along() noexcept {
     names_[2 * i] = along(i);
     names_[2 * i + 1] = across(i);
   }
+  std::fill(held_.begin(), held_.end(), std::uint8_t{0});
+  std::fill_n(held_.begin(), 2 * count_ - 2, std::uint8_t{1});
   append(along(count_ - 1), nodes_[count_ - 1], 0.0);
   if (last_softness_ >= 0.0) append(across(count_ - 1), nodes_[count_ - 1], last_softness_);
   if (before_tip) append(along(count_), nodes_[count_], 0.0);

@@ -38,7 +38,7 @@ class ShaftConstraints {
   void solve(std::span<const double> displacements, std::span<double> forces) noexcept;
 
   std::size_t size() const noexcept { return count_; }
-  bool held_along(std::size_t index) const noexcept { return place(along(index)) < factor_.constraints(); }
+  bool held_along(std::size_t index) const noexcept { return held_[along(index)] != 0; }
   std::size_t release_cost(std::size_t index) const noexcept;
 
  private:
@@ -53,6 +53,7 @@ class ShaftConstraints {
   ContactFactor factor_;
   ContactFactor all_held_;            // every node but the last, in all directions
   std::vector<Name> names_;           // of the constraints of factor_
+  std::vector<std::uint8_t> held_;    // by name: whether factor_ has it
   std::vector<std::uint32_t> nodes_;  // most_nodes + 1; of the corridor; that before the tip is nodes_[count_]
   std::vector<double> values_;        // one a row
   std::size_t count_ = 0;

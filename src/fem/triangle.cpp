@@ -55,16 +55,17 @@ void solve_transposed(const Upper& upper, double* columns, std::size_t count) no
   for (std::size_t first = 0; first < upper.rows; first += block) {
     const std::size_t here = std::min(block, upper.rows - first);
     const double* rows = upper.numbers + first * upper.stride;
+    double inverse[block] = {};
+    for (std::size_t r = 0; r < here; ++r) inverse[r] = 1.0 / rows[r * upper.stride + first + r];
     for (std::size_t column = 0; column < count; ++column) {
       double* values = columns + column * upper.stride;
       double solved[block] = {};
       for (std::size_t r = 0; r < here; ++r) {
-        const double* row = rows + r * upper.stride + first;
         double value = values[first + r];
         for (std::size_t above = 0; above < r; ++above) {
           value -= rows[above * upper.stride + first + r] * solved[above];
         }
-        solved[r] = value / row[r];
+        solved[r] = value * inverse[r];
       }
       std::copy_n(solved, here, values + first);
       subtract_rows(rows, upper.stride, solved, values, first + block, end);
@@ -83,12 +84,14 @@ void solve(const Upper& upper, double* values) noexcept {
     four_products(rows, upper.stride, values, first + block, end, sums);
     four_products(rows + 4 * upper.stride, upper.stride, values, first + block, end, sums + 4);
     const std::size_t here = std::min(block, upper.rows - first);
+    double inverse[block] = {};
+    for (std::size_t r = 0; r < here; ++r) inverse[r] = 1.0 / rows[r * upper.stride + first + r];
     for (std::size_t r = here; r > 0;) {
       --r;
       const double* row = rows + r * upper.stride + first;
       double value = values[first + r] - sums[r];
       for (std::size_t j = r + 1; j < here; ++j) value -= row[j] * values[first + j];
-      values[first + r] = value / row[r];
+      values[first + r] = value * inverse[r];
     }
   }
 }
