@@ -10,16 +10,16 @@ namespace bodkin {
 
 namespace {
 
-constexpr double farthest_pose = 1e4;           // mm; beyond, a sensor failed
-constexpr double least_cosine = 0.2;            // between needle and line; a needle that lies across is no insertion
-constexpr double slip_tolerance = 1e-9;         // mm that rounding may move a node that slides
-constexpr double force_tolerance = 1e-9;        // N and relative, above a limit
-constexpr double least_grip = 1e-6;             // part of its length from which on a node is held across
-constexpr int most_captures = 2;                // a tick; the others wait for the next
-constexpr int most_rounds = 6;                  // of sticking and slipping a tick
-constexpr int slip_rounds = 2;                  // the first of them, in which nodes may begin to slide
-constexpr int few_turns = 6;                    // nodes that are made to stick one by one
-constexpr std::size_t release_budget = 100000;  // numbers of the factor to be turned a tick, beyond the first release
+constexpr double farthest_pose = 1e4;          // mm; beyond, a sensor failed
+constexpr double least_cosine = 0.2;           // between needle and line; a needle that lies across is no insertion
+constexpr double slip_tolerance = 1e-9;        // mm that rounding may move a node that slides
+constexpr double force_tolerance = 1e-9;       // N and relative, above a limit
+constexpr double least_grip = 1e-6;            // part of its length from which on a node is held across
+constexpr int most_captures = 2;               // a tick; the others wait for the next
+constexpr int most_rounds = 6;                 // of sticking and slipping a tick
+constexpr int slip_rounds = 1;                 // the first of them, in which nodes may begin to slide
+constexpr int few_turns = 6;                   // nodes that are made to stick one by one
+constexpr std::size_t release_budget = 50000;  // numbers of the factor to be turned a tick, beyond the first release
 
 void check_contact_setting(double value, double low, double high, const char* name, const char* unit) {
   if (value >= low && value <= high) return;
