@@ -1,0 +1,171 @@
+// What a needle in a deformable body costs: a corridor of 1000 nodes, k of which the needle holds. The motion is
+// recorded beforehand and the state is warm.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <ctime>
+#include <utility>
+#include <vector>
+
+#include "fem/contact_factor.h"
+#include "fem/display_field.h"
+#include "fem/needle_contact.h"
+#include "tests/fem/dense_body.h"
+#include <benchmark/benchmark.h>
+
+namespace {
+
+using namespace bodkin;
+
+const CondensedBody& corridor() {
+  static const CondensedBody body = checks::kelvin_body(5, 40, 2.0);  // 1000 nodes
+  return body;
+}
+
+// Least, median and high quantiles of times, us.
+void report(benchmark::State& state, std::vector<double>& times) {
+  std::sort(times.begin(), times.end());
+  const auto at = [&times](double part) {
+    return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
+  };
+  state.counters["min_us"] = times.front();
+  state.counters["median_us"] = at(0.5);
+  state.counters["p99_us"] = at(0.99);
+  state.counters["p99.9_us"] = at(0.999);
+}
+
+// Processor time of this thread, us: what other jobs take of the machine is not counted, what they take of the caches
+// is. Reading it takes about 0.3 us.
+double processor_time() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
+}
+
+template <typename Tick>
+void every_tick_on_its_own(benchmark::State& state, Tick&& tick) {
+  std::vector<double> times;
+  times.reserve(static_cast<std::size_t>(state.max_iterations));
+  for (int warm = 0; warm < 200; ++warm) tick(warm);
+  int number = 0;
+  for (auto _ : state) {
+    const double start = processor_time();
+    tick(number++);
+    times.push_back(processor_time() - start);
+  }
+  report(state, times);
+}
+
+// The factor alone: a solve every tick; every 20 ticks a node comes or goes at the end, as at a needle's tip, or
+// (second argument 1) one leaves from anywhere.
+void factor_tick(benchmark::State& state) {
+  const auto nodes = static_cast<std::size_t>(state.range(0));
+  const bool anywhere = state.range(1) != 0;
+  ContactFactor factor(corridor().compliance, 170);
+  Random random(1);
+  const auto grow = [&] {
+    while (!factor.append(static_cast<std::uint32_t>(random.next() % corridor().nodes.size()), Mat3::Identity())) {
+    }
+  };
+  while (factor.constraints() < nodes) grow();
+  std::vector<double> values(3 * 170);
+  bool more = true;
+  every_tick_on_its_own(state, [&](int tick) {
+    if (tick % 20 == 0) {
+      if (more) {
+        grow();
+      } else if (anywhere) {
+        factor.remove(random.next() % factor.constraints());
+      } else {
+        factor.remove_last();
+      }
+      more = factor.constraints() <= nodes;
+    }
+    for (std::size_t i = 0; i < factor.rows(); ++i)
+      values[i] = std::sin(0.001 * tick) + 0.01 * static_cast<double>(i);
+    factor.solve(values);
+    benchmark::DoNotOptimize(values.data());
+  });
+}
+
+BENCHMARK(factor_tick)->ArgNames({"k", "anywhere"})->ArgsProduct({{1, 10, 50, 150}, {0, 1}})->Iterations(50000);
+
+// A corridor of 1000 nodes with one every 0.5 mm of the needle's way, 85 mm of soft tissue.
+const CondensedBody& way_of_the_needle() {
+  static const CondensedBody body = [] {
+    CondensedBody made;
+    const auto add = [&made](const Vec3& place) {
+      made.mesh_nodes.push_back(static_cast<std::uint32_t>(made.nodes.size()));
+      made.nodes.push_back(place);
+      made.tissues.push_back(tissue::soft);
+    };
+    for (int i = 0; i < 170; ++i) add(Vec3(0.0, 0.0, 0.5 * i));
+    for (int i = 0; made.nodes.size() < 1000; ++i) {
+      const double angle = 2.4 * i;
+      add(Vec3((2.0 + 0.005 * i) * std::cos(angle), (2.0 + 0.005 * i) * std::sin(angle), 0.102 * i));
+    }
+    checks::fill_compliance(made, 0.05, 0.3);
+    return made;
+  }();
+  return body;
+}
+
+// A needle that holds k nodes and is pushed and drawn by 5 mm at 25 mm/s, a node every 20 ticks, while it sways:
+// nodes come and go, friction slides, and turns round every 200 ticks.
+void needle_tick(benchmark::State& state) {
+  ContactTissues tissues;
+  tissues.fill({.friction = 0.005});
+  NeedleContactSettings settings;
+  settings.capture_radius = 0.6;
+  settings.spacing = 0.45;
+  settings.most_nodes = 160;
+  NeedleContact contact(way_of_the_needle(), tissues, settings, 1e-3);
+  contact.begin(Vec3::Zero(), Vec3::UnitZ());
+  const double depth = 0.5 * static_cast<double>(state.range(0)) - 0.25;
+  std::vector<Pose> motion;
+  for (int tick = 0; tick < 2000; ++tick) {
+    const double swing = std::abs(static_cast<double>(tick % 400) - 200.0) / 200.0;  // 1 to 0 to 1
+    const double angle = 2.0 * 3.14159265358979323846 * tick / 2000.0;
+    motion.push_back(needle_pose(Vec3(0.5 * std::sin(angle), 0.3 * std::sin(2.0 * angle), depth - 2.5 + 5.0 * swing),
+                                 Vec3(0.01 * std::sin(3.0 * angle), 0.0, 1.0)));
+  }
+  for (double tip = -1.0; tip < depth + 2.5; tip += 0.02)
+    contact.step(needle_pose(Vec3(0.0, 0.0, tip), Vec3::UnitZ()));
+  double nodes = 0.0, sticking = 0.0;
+  std::int64_t ticks = 0;
+  every_tick_on_its_own(state, [&](int tick) {
+    const NeedleContactForce& force = contact.step(motion[static_cast<std::size_t>(tick) % motion.size()]);
+    nodes += force.nodes;
+    sticking += force.sticking;
+    ++ticks;
+  });
+  state.counters["nodes"] = nodes / static_cast<double>(ticks);
+  state.counters["sticking"] = sticking / static_cast<double>(ticks);
+}
+
+// The field for the eyes: a grid of 32^3 points and 2116 points of skin.
+void display_field(benchmark::State& state) {
+  constexpr Eigen::Index points = 32 * 32 * 32 + 2116;
+  static const DisplayField field = [] {
+    Eigen::MatrixXf columns(3 * points, 3 * 400);  // 400 nodes of the corridor
+    std::uint64_t number = 0;
+    for (float& value : columns.reshaped()) value = static_cast<float>(mix64(++number) % 1000) * 1e-3F;
+    return DisplayField(std::move(columns));
+  }();
+  NodeForces forces;
+  forces.count = static_cast<std::size_t>(state.range(0));
+  std::vector<float> moved(3 * points);
+  every_tick_on_its_own(state, [&](int tick) {
+    for (std::size_t i = 0; i < forces.count; ++i) {
+      forces.nodes[i] = {static_cast<std::uint32_t>((i * 7 + static_cast<std::size_t>(tick) / 4) % 400),
+                         {0.1F, 0.2F, 0.3F}};
+    }
+    field.evaluate(forces, moved);
+    benchmark::DoNotOptimize(moved.data());
+  });
+}
+
+BENCHMARK(needle_tick)->ArgName("k")->Arg(1)->Arg(10)->Arg(50)->Arg(150)->Iterations(50000);
+BENCHMARK(display_field)->ArgName("k")->Arg(10)->Arg(50)->Arg(150)->Iterations(500)->Unit(benchmark::kMillisecond);
+
+}  // namespace

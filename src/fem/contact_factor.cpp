@@ -1,0 +1,189 @@
+#include "fem/contact_factor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "fem/triangle.h"
+
+#include "core/error.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr std::size_t block = 8;        // rows of U that are worked on together
+constexpr std::size_t prefetched = 24;  // rows ahead
+constexpr double least_pivot = 1e-10;   // of the diagonal of S, below which a constraint is no news
+
+}  // namespace
+
+ContactFactor::ContactFactor(const Eigen::MatrixXd& compliance, std::size_t most_nodes)
+    : compliance_(compliance), most_rows_(3 * most_nodes), stride_(triangle::padded(3 * most_nodes)) {
+  if (compliance.rows() != compliance.cols() || compliance.rows() % 3 != 0 || compliance.rows() == 0) {
+    throw InputError("contact: the compliance of the corridor is " + std::to_string(compliance.rows()) + " x " +
+                     std::to_string(compliance.cols()) + ", expected 3 rows and columns for each of its nodes");
+  }
+  if (most_nodes == 0) throw InputError("contact: room for 0 nodes, expected at least 1");
+  constexpr std::size_t line = 64;
+  storage_.assign(triangle::padded(most_rows_) * stride_ + line / sizeof(double), 0.0);
+  void* begin = storage_.data();
+  std::size_t room = storage_.size() * sizeof(double);
+  std::align(line, triangle::padded(most_rows_) * stride_ * sizeof(double), begin, room);
+  factor_ = {static_cast<double*>(begin), triangle::padded(most_rows_) * stride_};
+  scratch_.assign(3 * stride_, 0.0);
+  row_of_.resize(most_rows_);
+  first_rows_.assign(most_rows_ + 1, 0);
+}
+
+void ContactFactor::solve(std::span<double> values) noexcept {
+  double* d = scratch_.data();
+  std::copy_n(values.data(), rows_, d);
+  triangle::solve_transposed({factor_.data(), stride_, rows_}, d, 1);
+  triangle::solve({factor_.data(), stride_, rows_}, d);
+  std::copy_n(d, rows_, values.data());
+}
+
+// What is left of S for the last constraint by what stands above it; `scratch_` holds those columns of U.
+void ContactFactor::find_corner(std::size_t first, std::size_t count) noexcept {
+  corner_.setZero();
+  const auto node = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(row_of_[first].node);
+  for (std::size_t a = 0; a < count; ++a) {
+    const Vec3 moved = compliance_.block<3, 3>(node, node) * row_of_[first + a].direction;
+    const double* left = scratch_.data() + a * stride_;
+    for (std::size_t b = 0; b <= a; ++b) {
+      const double* right = scratch_.data() + b * stride_;
+      double sum = 0.0;
+      for (std::size_t i = 0; i < first; ++i) sum += left[i] * right[i];
+      const double here = row_of_[first + b].direction.dot(moved);
+      corner_(static_cast<int>(b), static_cast<int>(a)) = here - sum;
+      if (a == b) whole_(static_cast<int>(a)) = here;
+    }
+  }
+  corner_known_ = true;
+}
+
+// The corner of U that belongs to the last constraint.
+bool ContactFactor::finish(std::size_t first, std::size_t count, double softness) noexcept {
+  Mat3 upper = Mat3::Zero();
+  for (int a = 0; a < static_cast<int>(count); ++a) {
+    for (int b = 0; b < a; ++b) {
+      double value = corner_(b, a);
+      for (int i = 0; i < b; ++i) value -= upper(i, a) * upper(i, b);
+      upper(b, a) = value / upper(b, b);
+    }
+    double pivot = corner_(a, a) + softness;
+    for (int i = 0; i < a; ++i) pivot -= upper(i, a) * upper(i, a);
+    if (!(pivot > least_pivot * whole_(a)) || !std::isfinite(pivot)) return false;
+    upper(a, a) = std::sqrt(pivot);
+  }
+  for (std::size_t b = 0; b < count; ++b) {
+    for (std::size_t a = b; a < count; ++a) {
+      row(first + b)[first + a] = upper(static_cast<int>(b), static_cast<int>(a));
+    }
+  }
+  return true;
+}
+
+bool ContactFactor::append(std::uint32_t node, const HeldDirections& directions, double softness) noexcept {
+  const auto count = static_cast<std::size_t>(directions.cols());
+  const auto place = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(node);
+  if (count == 0 || rows_ + count > most_rows_ || place + 3 > compliance_.rows() || !(softness >= 0.0)) return false;
+  double* columns = scratch_.data();
+  for (std::size_t i = 0; i < rows_; ++i) {
+    if (i + prefetched < rows_) {  // the compliance is scattered over much memory
+      const auto later = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(row_of_[i + prefetched].node);
+      for (Eigen::Index a = 0; a < 3; ++a) __builtin_prefetch(&compliance_(later, place + a));
+    }
+    const auto at = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(row_of_[i].node);
+    const Vec3 moved = compliance_.block<3, 3>(at, place).transpose() * row_of_[i].direction;
+    for (std::size_t a = 0; a < count; ++a) {
+      columns[a * stride_ + i] = moved.dot(directions.col(static_cast<Eigen::Index>(a)));
+    }
+  }
+  triangle::solve_transposed({factor_.data(), stride_, rows_}, columns, count);
+  for (std::size_t i = 0; i < rows_; ++i) {
+    for (std::size_t a = 0; a < count; ++a) row(i)[rows_ + a] = columns[a * stride_ + i];
+  }
+  for (std::size_t a = 0; a < count; ++a) {
+    row_of_[rows_ + a] = {node, directions.col(static_cast<Eigen::Index>(a))};
+  }
+  find_corner(rows_, count);
+  if (!finish(rows_, count, softness)) {
+    corner_known_ = false;
+    for (std::size_t i = 0; i < rows_; ++i) std::fill_n(row(i) + rows_, count, 0.0);
+    return false;
+  }
+  rows_ += count;
+  first_rows_[++held_] = rows_;
+  return true;
+}
+
+void ContactFactor::clear() noexcept {
+  held_ = rows_ = 0;
+  corner_known_ = false;
+}
+
+void ContactFactor::remove_last() noexcept {
+  if (held_ > 0) rows_ = first_rows_[--held_];
+  corner_known_ = false;
+}
+
+bool ContactFactor::soften_last(double softness) noexcept {
+  if (held_ == 0 || !(softness >= 0.0)) return false;
+  const std::size_t first = first_rows_[held_ - 1];
+  if (!corner_known_) {
+    for (std::size_t i = 0; i < first; ++i) {
+      for (std::size_t a = 0; a < rows_ - first; ++a) scratch_[a * stride_ + i] = row(i)[first + a];
+    }
+    find_corner(first, rows_ - first);
+  }
+  return finish(first, rows_ - first, softness);
+}
+
+std::size_t ContactFactor::removal_cost(std::size_t constraint) const noexcept {
+  const std::size_t behind = rows_ - first_rows_[constraint];
+  return behind * behind / 2;
+}
+
+// With the columns of the constraint gone, U has too many rows below: what its rows hold behind them, x, has to be
+// turned into the triangle T that follows, so that T'^T T' = T^T T + x^T x (a Givens rotation for every row of x and
+// of T). T' then stands where the constraint stood.
+void ContactFactor::remove(std::size_t constraint) noexcept {
+  if (constraint >= held_) return;
+  corner_known_ = false;
+  const std::size_t first = first_rows_[constraint];
+  const std::size_t count = first_rows_[constraint + 1] - first;
+  const std::size_t after = first + count;
+  for (std::size_t i = 0; i < first; ++i) std::copy(row(i) + after, row(i) + rows_, row(i) + first);
+  double* x = scratch_.data();
+  for (std::size_t a = 0; a < count; ++a) {
+    std::copy(row(first + a) + after, row(first + a) + rows_, x + a * stride_ + after);
+  }
+  for (std::size_t i = after; i < rows_; ++i) {
+    const double* from = row(i) + i;
+    double* to = row(i - count) + (i - count);
+    for (std::size_t a = 0; a < count; ++a) {
+      triangle::rotate(from, x + a * stride_ + i, to, rows_ - i);
+      from = to;
+    }
+  }
+  std::copy(row_of_.begin() + static_cast<std::ptrdiff_t>(after),
+            row_of_.begin() + static_cast<std::ptrdiff_t>(rows_),
+            row_of_.begin() + static_cast<std::ptrdiff_t>(first));
+  for (std::size_t i = constraint + 1; i < held_; ++i) first_rows_[i] = first_rows_[i + 1] - count;
+  --held_;
+  rows_ -= count;
+}
+
+void ContactFactor::copy(const ContactFactor& other) noexcept {
+  for (std::size_t i = 0; i < other.rows_; ++i) std::copy(other.row(i) + i, other.row(i) + other.rows_, row(i) + i);
+  std::copy_n(other.row_of_.begin(), other.rows_, row_of_.begin());
+  std::copy_n(other.first_rows_.begin(), other.held_ + 1, first_rows_.begin());
+  held_ = other.held_;
+  rows_ = other.rows_;
+  corner_known_ = false;
+}
+
+}  // namespace bodkin

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "fem/node_forces.h"
+#include <Eigen/Core>
+
+namespace bodkin {
+
+// How the visible points of a body move by the forces of a needle: u = columns(nodes) f, the same operator as in the
+// tick, so that eyes and hand see one body. For a thread that draws; the tick hands it NodeForces through
+// LatestValue.
+class DisplayField {
+ public:
+  // `columns`: 3 x points rows and 3 columns a node of the corridor, mm/N, single precision: displacement of every
+  // point (x y z in turn) by 1 N on the node. Throws InputError when rows or columns are not in threes, or none.
+  explicit DisplayField(Eigen::MatrixXf columns);
+
+  std::size_t points() const noexcept { return static_cast<std::size_t>(columns_.rows()) / 3; }
+  std::size_t nodes() const noexcept { return static_cast<std::size_t>(columns_.cols()) / 3; }
+
+  // mm, 3 x points() values, all of them written; forces on nodes that are not in the corridor count nothing. Never
+  // throws, allocates or locks; several threads may call it at once.
+  void evaluate(const NodeForces& forces, std::span<float> displacements) const noexcept;
+
+ private:
+  Eigen::MatrixXf columns_;  // 3 points x 3 nodes
+};
+
+}  // namespace bodkin

@@ -1,0 +1,388 @@
+#include "fem/needle_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/error.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr double farthest_pose = 1e4;          // mm; beyond, a sensor failed
+constexpr double least_cosine = 0.2;           // between needle and line; a needle that lies across is no insertion
+constexpr double slip_tolerance = 1e-9;        // mm that rounding may move a node that slides
+constexpr double force_tolerance = 1e-9;       // N and relative, above a limit
+constexpr double least_grip = 1e-6;            // part of its length from which on a node is held across
+constexpr int most_captures = 2;               // a tick; the others wait for the next
+constexpr int most_rounds = 6;                 // of sticking and slipping a tick
+constexpr int slip_rounds = 1;                 // the first of them, in which nodes may begin to slide
+constexpr int few_turns = 6;                   // nodes that are made to stick one by one
+constexpr std::size_t release_budget = 50000;  // numbers of the factor to be turned a tick, beyond the first release
+
+void check_contact_setting(double value, double low, double high, const char* name, const char* unit) {
+  if (value >= low && value <= high) return;
+  throw InputError("needle contact: " + std::string(name) + " is " + std::to_string(value) + " " + unit +
+                   ", expected " + std::to_string(low) + " to " + std::to_string(high));
+}
+
+const CondensedBody& checked_body(const CondensedBody& body) {
+  const std::size_t nodes = body.nodes.size();
+  if (nodes > 0 && body.tissues.size() == nodes && static_cast<std::size_t>(body.compliance.rows()) == 3 * nodes) {
+    return body;
+  }
+  throw InputError("needle contact: the corridor has " + std::to_string(nodes) + " nodes, " +
+                   std::to_string(body.tissues.size()) + " tissues and a compliance of " +
+                   std::to_string(body.compliance.rows()) +
+                   " rows; expected as many tissues as nodes and 3 rows for each");
+}
+
+std::size_t checked_room(const NeedleContactSettings& settings) {
+  check_contact_setting(settings.capture_radius, 0.05, 20.0, "capture radius", "mm");
+  check_contact_setting(settings.spacing, 0.05, 20.0, "spacing", "mm");
+  check_contact_setting(settings.puncture_time, 0.001, 1.0, "puncture time", "s");
+  check_contact_setting(static_cast<double>(settings.most_nodes), 1.0, static_cast<double>(NodeForces::capacity - 1),
+                        "most nodes", "");
+  return settings.most_nodes;
+}
+
+}  // namespace
+
+NeedleContact::NeedleContact(const CondensedBody& body, const ContactTissues& tissues,
+                             const NeedleContactSettings& settings, double dt)
+    : body_(checked_body(body)),
+      tissues_(tissues),
+      settings_(settings),
+      dt_(dt),
+      stations_(body, settings.capture_radius, settings.spacing),
+      constraints_(body.compliance, checked_room(settings)),
+      coupling_(body.compliance, settings.most_nodes + 1),
+      holds_(settings.most_nodes + 1),
+      displacements_(3 * settings.most_nodes + 3, 0.0),
+      forces_(3 * settings.most_nodes + 3, 0.0),
+      punctured_(body.nodes.size(), 0) {
+  check_contact_tissues(tissues);
+  check_contact_setting(dt, 1e-6, 0.1, "tick", "s");
+}
+
+void NeedleContact::reset() noexcept {
+  std::fill(punctured_.begin(), punctured_.end(), std::uint8_t{0});
+  begin(Vec3::Zero(), Vec3::UnitZ());
+  stations_.clear();
+  begun_ = false;
+}
+
+void NeedleContact::begin(const Vec3& entry, const Vec3& direction) noexcept {
+  entry_ = entry;
+  frame_.col(0) = direction;
+  const Vec3 other = std::abs(direction.x()) < 0.6 ? Vec3::UnitX() : Vec3::UnitY();
+  frame_.col(1) = direction.cross(other).normalized();
+  frame_.col(2) = direction.cross(frame_.col(1));
+  stations_.begin(entry, direction, tissues_);
+  constraints_.begin(frame_);
+  coupling_.begin(frame_);
+  std::fill(forces_.begin(), forces_.end(), 0.0);
+  held_ = 0;
+  begun_ = fresh_ = true;
+  if (!line().empty()) coupling_.push(line()[0].node);
+  force_ = {};
+  published_.count = 0;
+}
+
+// Whether the node before the tip still has to be punctured.
+bool NeedleContact::blocked() const noexcept {
+  return held_ < line().size() && line()[held_].resists && punctured_[line()[held_].node] == 0;
+}
+
+Vec3 NeedleContact::displacement(std::uint32_t node) const noexcept {
+  Vec3 sum = Vec3::Zero();
+  const auto at = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(node);
+  for (std::size_t i = 0; i < coupling_.size(); ++i) {
+    const auto from = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(line()[i].node);
+    const Vec3 force = frame_ * Eigen::Map<const Vec3>(forces_.data() + 3 * i);
+    sum += body_.compliance.block<3, 3>(from, at).transpose() * force;
+  }
+  return frame_.transpose() * sum;
+}
+
+// Nodes that the tip has drawn back beyond.
+void NeedleContact::let_go() noexcept {
+  while (held_ > 0 && tip_ < line()[held_ - 1].depth) {
+    std::fill_n(forces_.begin() + static_cast<std::ptrdiff_t>(3 * held_ - 3), 6, 0.0);
+    if (coupling_.size() > held_) coupling_.pop();  // it is before the tip again
+    constraints_.pop();
+    --held_;
+  }
+}
+
+// Where the tip will meet the node before it: at its depth, or here if the tip is beyond that already.
+void NeedleContact::face_next(double moved) noexcept {
+  holds_[held_].slip = std::max(line()[held_].depth, tip_ - moved);
+  holds_[held_].moved = moved;
+}
+
+bool NeedleContact::take(std::size_t index) noexcept {
+  const InsertionStation& station = line()[index];
+  Hold& hold = holds_[index];
+  const Vec3 moved = displacement(station.node);
+  if (index > 0 && holds_[index - 1].softness != 0.0) soften(0.0);
+  if (!constraints_.push(station.node)) return false;
+  const auto place = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(station.node);
+  const Mat3 own = frame_.transpose() * body_.compliance.block<3, 3>(place, place) * frame_;
+  hold = {};
+  hold.compliance = 0.5 * (own(1, 1) + own(2, 2));
+  hold.moved = moved(0);
+  hold.slip = tip_ - moved(0);
+  hold.anchor = axis_offset(station.depth) - moved.tail<2>();
+  held_ = index + 1;
+  if (held_ < line().size() && held_ < holds_.size()) {
+    coupling_.push(line()[held_].node);
+    face_next(coupling_.displacement(held_, forces_));
+  }
+  return true;
+}
+
+void NeedleContact::capture() noexcept {
+  force_.full = false;
+  for (int i = 0; i < most_captures; ++i) {
+    if (held_ >= line().size() || blocked() || tip_ < line()[held_].depth) return;
+    const InsertionStation& station = line()[held_];
+    if (!take(held_)) {
+      force_.full = true;
+      return;
+    }
+    // One that the tip has left behind while tissue held it back sticks where it is; a fresh one slides, with as
+    // little friction as there is shaft in it.
+    const bool rubs = tissues_[station.tissue].friction * station.length > force_tolerance;
+    if (rubs && tip_ >= station.depth + station.length) constraints_.hold_along(held_ - 1);
+  }
+}
+
+// Another softness of the last node across the needle. One that grows does so where the node is, one that shrinks
+// with the force that the node has: either way energy is lost, not won.
+void NeedleContact::soften(double softness) noexcept {
+  Hold& hold = holds_[held_ - 1];
+  if (softness == hold.softness) return;
+  if (softness < 0.0) {
+    constraints_.release_last_across();
+    forces_[3 * held_ - 2] = forces_[3 * held_ - 1] = 0.0;
+  } else {
+    const Eigen::Vector2d force(forces_[3 * held_ - 2], forces_[3 * held_ - 1]);
+    if (hold.softness < 0.0) {
+      const Vec3 moved = displacement(line()[held_ - 1].node);
+      hold.anchor = axis_offset(line()[held_ - 1].depth) - moved.tail<2>();
+    } else if (softness < hold.softness) {
+      hold.anchor += (hold.softness - softness) * force;
+    }
+    if (!constraints_.hold_last_across(softness)) softness = -1.0;
+  }
+  hold.softness = softness;
+}
+
+// How much of the needle each node has got hold of.
+void NeedleContact::grip() noexcept {
+  for (std::size_t i = 0; i < held_; ++i) {
+    const InsertionStation& station = line()[i];
+    const double length = std::clamp(tip_ - station.depth, 0.0, station.length);
+    Hold& hold = holds_[i];
+    hold.tear = std::max(0.0, hold.tear - tissues_[station.tissue].puncture_force * dt_ / settings_.puncture_time);
+    hold.limit = tissues_[station.tissue].friction * length + hold.tear;
+  }
+  if (held_ == 0) return;
+  const InsertionStation& last = line()[held_ - 1];
+  const double whole = std::min(last.length, settings_.capture_radius);
+  const double part = std::clamp((tip_ - last.depth) / whole, 0.0, 1.0);
+  soften(part < least_grip ? -1.0 : holds_[held_ - 1].compliance * (1.0 / part - 1.0));
+}
+
+void NeedleContact::solve() noexcept {
+  const std::size_t known = coupling_.size();
+  double* d = displacements_.data();
+  for (std::size_t i = 0; i < known; ++i) {
+    const double depth = line()[i].depth;
+    d[3 * i] = tip_ - holds_[i].slip;
+    Eigen::Map<Eigen::Vector2d>(d + 3 * i + 1) = axis_offset(depth) - holds_[i].anchor;
+    if (!constraints_.held_along(i)) forces_[3 * i] = i < held_ ? holds_[i].sense * holds_[i].limit : 0.0;
+  }
+  // What slides is a load: the others are held as far from where it would leave them.
+  std::vector<double>& loads = displacements_;
+  for (std::size_t i = 0; i < held_; ++i) {
+    if (!constraints_.held_along(i) && forces_[3 * i] != 0.0) coupling_.add(i, -forces_[3 * i], loads);
+  }
+  constraints_.solve(displacements_, forces_);
+  for (std::size_t i = 0; i < known; ++i) {
+    holds_[i].moved = constraints_.held_along(i) ? tip_ - holds_[i].slip : coupling_.displacement(i, forces_);
+  }
+}
+
+// Nodes that would slide against the friction that drives them stick where they were at the last tick.
+bool NeedleContact::stick_where_slip_turned(bool last_round) noexcept {
+  std::size_t turned = 0, sliding = 0;
+  const auto turns = [this](std::size_t i) {
+    const Hold& hold = holds_[i];
+    return hold.limit > force_tolerance && hold.sense * (tip_ - hold.moved - hold.slip) < -slip_tolerance &&
+           !constraints_.held_along(i);
+  };
+  for (std::size_t i = 0; i < held_; ++i) {
+    sliding += constraints_.held_along(i) ? 0 : 1;
+    turned += turns(i) ? 1 : 0;
+  }
+  if (turned == 0) return false;
+  if (turned > few_turns || last_round) {
+    constraints_.hold_all_along();
+    return true;
+  }
+  for (std::size_t i = 0; i < held_; ++i) {
+    if (turns(i)) constraints_.hold_along(i);
+  }
+  return true;
+}
+
+// Nodes that are held by more than their friction begin to slide, the worst first and as many as the tick can bear.
+// One that waits is held a little longer: that is elastic and gives no energy.
+bool NeedleContact::slip_where_friction_ends(std::size_t& budget) noexcept {
+  double worst = 0.0;
+  const auto excess = [this](std::size_t i) {
+    return std::abs(forces_[3 * i]) - holds_[i].limit * (1.0 + force_tolerance) - force_tolerance;
+  };
+  for (std::size_t i = 0; i < held_; ++i) {
+    if (constraints_.held_along(i)) worst = std::max(worst, excess(i));
+  }
+  if (worst <= 0.0) return false;
+  bool released = false;
+  for (std::size_t i = held_; i > 0;) {
+    --i;
+    if (!constraints_.held_along(i) || excess(i) < 0.25 * worst) continue;
+    const std::size_t cost = constraints_.release_cost(i);
+    if (budget < cost && released) continue;
+    if (budget == 0) break;
+    budget -= std::min(budget, cost);
+    holds_[i].sense = forces_[3 * i] < 0.0 ? -1.0 : 1.0;
+    constraints_.let_slide(i);
+    released = true;
+  }
+  return released;
+}
+
+// The tip and the tissue before it touch where they would overlap, and part where they would pull.
+bool NeedleContact::meet_tip() noexcept {
+  if (constraints_.held_along(held_)) {
+    if (forces_[3 * held_] >= 0.0) return false;
+    constraints_.let_slide(held_);
+    return true;
+  }
+  if (!blocked() || coupling_.size() <= held_) return false;
+  if (!(tip_ > holds_[held_].slip + holds_[held_].moved)) return false;
+  return constraints_.hold_before_tip(line()[held_].node);
+}
+
+void NeedleContact::settle() noexcept {
+  std::size_t budget = release_budget;
+  for (int round = 1;; ++round) {
+    solve();
+    if (round == most_rounds) break;
+    const bool last = round + 1 == most_rounds;
+    bool changed = stick_where_slip_turned(last);
+    if (!changed && round <= slip_rounds) changed = slip_where_friction_ends(budget);
+    if (meet_tip()) changed = true;
+    if (!changed) break;
+  }
+  for (std::size_t i = 0; i < held_; ++i) {
+    if (!constraints_.held_along(i)) holds_[i].slip = tip_ - holds_[i].moved;
+  }
+  if (coupling_.size() > held_ && !constraints_.held_along(held_)) {
+    Hold& next = holds_[held_];
+    next.slip = std::max(line()[held_].depth, std::min(next.slip, tip_ - next.moved));
+  }
+}
+
+void NeedleContact::puncture() noexcept {
+  if (!blocked() || !constraints_.held_along(held_)) return;
+  const InsertionStation& station = line()[held_];
+  const double strength = tissues_[station.tissue].puncture_force;
+  const double force = forces_[3 * held_];
+  if (force < strength) return;
+  const double slip = holds_[held_].slip;
+  if (!take(held_)) {
+    force_.full = true;
+    return;
+  }
+  punctured_[station.node] = 1;
+  Hold& hold = holds_[held_ - 1];
+  hold.slip = slip;
+  hold.tear = hold.limit = force;
+  force_.puncture = TissuePuncture{station.tissue, tip_, force};
+}
+
+const NeedleContactForce& NeedleContact::step(const Pose& needle) noexcept {
+  force_.fault = false;
+  force_.puncture.reset();
+  const Vec3 axis = needle.linear().col(2);
+  const Vec3 from_entry = needle.translation() - entry_;
+  const double cosine = axis.dot(frame_.col(0));
+  if (!(from_entry.squaredNorm() <= farthest_pose * farthest_pose) || !(cosine >= least_cosine) ||
+      !(std::abs(axis.squaredNorm() - 1.0) < 1e-6)) {
+    force_ = {};
+    force_.fault = true;
+    published_.count = 0;
+    return force_;
+  }
+  const Vec3 place = frame_.transpose() * from_entry;
+  const Vec3 lean = frame_.transpose() * axis;
+  tip_ = place(0);
+  offset_ = place.tail<2>();
+  slope_ = lean.tail<2>() / lean(0);
+  if (begun_) {
+    if (fresh_ && !line().empty()) face_next(0.0);
+    fresh_ = false;
+    let_go();
+    capture();
+    grip();
+    settle();
+    puncture();
+  }
+  report();
+  return force_;
+}
+
+void NeedleContact::report() noexcept {
+  const std::size_t known = coupling_.size();
+  Vec3 pushed = Vec3::Zero(), torque = Vec3::Zero();  // of the tissue, about the tip, in the frame
+  published_.count = 0;
+  force_.nodes = static_cast<std::uint32_t>(held_);
+  force_.sticking = 0;
+  for (std::size_t i = 0; i < known; ++i) {
+    const Vec3 force = Eigen::Map<const Vec3>(forces_.data() + 3 * i);
+    if (i < held_ && constraints_.held_along(i)) ++force_.sticking;
+    // A force along the line acts where the line says, one across it at the needle's axis and square to it: that is
+    // how the constraints move when the needle does.
+    const double reach = line()[i].depth - tip_;
+    const Vec3 at(reach, slope_(0) * reach, slope_(1) * reach);
+    const Vec3 square(-(force(1) * slope_(0) + force(2) * slope_(1)), force(1), force(2));
+    pushed += Vec3(force(0), 0.0, 0.0) + square;
+    torque += at.cross(square);
+    if (force == Vec3::Zero()) continue;
+    const Vec3 there = frame_ * force;
+    published_.nodes[published_.count++] = {
+        line()[i].node,
+        {static_cast<float>(there.x()), static_cast<float>(there.y()), static_cast<float>(there.z())}};
+  }
+  force_.resistance = pushed(0);
+  force_.tip_force = known > held_ ? forces_[3 * held_] : 0.0;
+  force_.on_hand = {-(frame_ * pushed), -(frame_ * torque)};
+  force_.beyond = begun_ && (line().empty() || tip_ > line().back().depth + 2.0 * std::max(settings_.spacing,
+                                                                                           settings_.capture_radius));
+}
+
+double NeedleContact::stored_energy() const noexcept {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < coupling_.size(); ++i) {
+    const Vec3 force = Eigen::Map<const Vec3>(forces_.data() + 3 * i);
+    sum += 0.5 * force.dot(displacement(line()[i].node));
+    if (i < held_ && holds_[i].softness > 0.0) sum += 0.5 * holds_[i].softness * force.tail<2>().squaredNorm();
+  }
+  return sum;
+}
+
+}  // namespace bodkin

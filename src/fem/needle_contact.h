@@ -1,0 +1,136 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "fem/axial_coupling.h"
+#include "fem/condensed_body.h"
+#include "fem/contact_tissues.h"
+#include "fem/insertion_stations.h"
+#include "fem/node_forces.h"
+#include "fem/shaft_constraints.h"
+
+#include "core/geometry.h"
+
+namespace bodkin {
+
+struct NeedleContactSettings {
+  double capture_radius =
+      1.5;               // mm; nodes this close to the line are the needle's; 0.05 to 20 [D: half an edge of 3]
+  double spacing = 0.5;  // mm of the line for which one node is kept; 0.05 to 20 [D]
+  double puncture_time = 0.030;  // s in which the force of a puncture goes; 0.001 to 1 [D: force-models 4.1]
+  std::size_t most_nodes = 150;  // along the shaft; 1 to 160
+};
+
+// A tissue that gave way.
+struct TissuePuncture {
+  TissueId tissue = tissue::air;
+  double depth = 0.0;  // mm, tip beyond the entry, along the line
+  double force = 0.0;  // N along the needle
+};
+
+// What a needle and a deformable body did to each other in one tick.
+struct NeedleContactForce {
+  Wrench on_hand;              // about the tip
+  double resistance = 0.0;     // N, along the line, positive pushes the hand out
+  double tip_force = 0.0;      // N of the resistance, by the tissue in front of the tip
+  std::uint32_t nodes = 0;     // that the shaft holds
+  std::uint32_t sticking = 0;  // of them, those that do not slide
+  std::optional<TissuePuncture> puncture;
+  bool full = false;    // a node was not taken for want of room: the shaft beyond holds no tissue
+  bool beyond = false;  // the tip is further in than the corridor reaches: its force is that of the nodes before
+  bool fault = false;   // the pose is not one of a needle in a hand: zero force, state unchanged
+};
+
+// A rigid straight needle in a deformable body (CondensedBody), its shaft as many constrained nodes.
+//
+//   S f = u                             all nodes at once, exactly (ContactFactor)
+//   across the needle   u_i = offset of the needle's axis from the line at depth_i - what it was when i was taken
+//   along, sticking     u_i = s - z_i                      while |f_i| <= mu_t l_i
+//   along, sliding      f_i = +-mu_t l_i                   while z_i moves in the sense of the force
+//   before the tip      u_i = s - depth_i, f_i >= 0        until f_i = F_p: puncture
+//
+//   s depth of the tip along the frozen line, mm; z_i slip, where on the needle node i sits, mm; l_i the length of
+//   shaft in node i's part of the line; mu_t, F_p ContactTissue.
+//
+// Forces are continuous but for punctures, and even there: F_p becomes a friction that goes to zero within
+// puncture_time. A node that the tip has just reached is held softly across the needle, the more firmly the further
+// the tip is beyond it, and let go likewise. Nothing gives energy: every law is elastic, a friction, or a softness
+// that grows at constant displacement and shrinks at constant force. Small displacements: depths and lengths are
+// those at rest. Scheme, readings and proofs: docs/fem-contact.md.
+//
+// The state is reset by begin(); punctured nodes are remembered until reset(). Each call does the same for the same
+// calls before it, to the bit. Memory is taken at construction; nothing else throws, allocates, locks or reads a
+// clock.
+class NeedleContact {
+ public:
+  // `body` is kept by reference and must outlive this. Throws InputError for settings or tissues out of range, or a
+  // body whose arrays do not fit together. `dt`: s, 1e-6 to 0.1.
+  NeedleContact(const CondensedBody& body, const ContactTissues& tissues, const NeedleContactSettings& settings,
+                double dt);
+
+  // The needle touches the body at `entry` and goes along the unit vector `direction` (LPS).
+  void begin(const Vec3& entry, const Vec3& direction) noexcept;
+  // One tick. Before the first begin() nothing touches.
+  const NeedleContactForce& step(const Pose& needle) noexcept;
+  // As constructed: no contact, nothing punctured.
+  void reset() noexcept;
+
+  // Forces of the last tick, by node.
+  const NodeForces& node_forces() const noexcept { return published_; }
+  // Elastic energy by these forces, N mm, in the body and in what is soft. Goes through all pairs of nodes.
+  double stored_energy() const noexcept;
+
+ private:
+  struct Hold {
+    double slip = 0.0;                                 // z, mm; before the tip: where the tip meets it
+    double sense = 1.0;                                // of sliding, -1 or 1
+    double tear = 0.0;                                 // N, what a puncture has left
+    double limit = 0.0;                                // N, this tick
+    double moved = 0.0;                                // mm, u along the needle
+    Eigen::Vector2d anchor = Eigen::Vector2d::Zero();  // mm, across
+    double softness = -1.0;                            // mm/N, across; negative: not held
+    double compliance = 0.0;                           // mm/N across, by its own force
+  };
+
+  std::span<const InsertionStation> line() const noexcept { return stations_.along(); }
+  Eigen::Vector2d axis_offset(double depth) const noexcept { return offset_ + slope_ * (depth - tip_); }
+  bool blocked() const noexcept;
+  void let_go() noexcept;
+  void capture() noexcept;
+  void face_next(double moved) noexcept;
+  bool take(std::size_t index) noexcept;
+  void grip() noexcept;
+  void soften(double softness) noexcept;
+  void settle() noexcept;
+  void solve() noexcept;
+  bool stick_where_slip_turned(bool last_round) noexcept;
+  bool slip_where_friction_ends(std::size_t& budget) noexcept;
+  bool meet_tip() noexcept;
+  void puncture() noexcept;
+  void report() noexcept;
+  Vec3 displacement(std::uint32_t node) const noexcept;
+
+  const CondensedBody& body_;
+  ContactTissues tissues_;
+  NeedleContactSettings settings_;
+  double dt_;
+  InsertionStations stations_;
+  ShaftConstraints constraints_;
+  AxialCoupling coupling_;
+  std::vector<Hold> holds_;              // most_nodes + 1: the shaft's nodes and the one before the tip
+  std::vector<double> displacements_;    // 3 x (most_nodes + 1), mm: along, across, across
+  std::vector<double> forces_;           // likewise, N on the tissue
+  std::vector<std::uint8_t> punctured_;  // by node of the corridor
+  std::size_t held_ = 0;
+  bool begun_ = false, fresh_ = true;
+  Vec3 entry_ = Vec3::Zero();
+  Mat3 frame_ = Mat3::Identity();  // columns: along the line, across, across
+  double tip_ = 0.0;               // s, mm
+  Eigen::Vector2d offset_ = Eigen::Vector2d::Zero(), slope_ = Eigen::Vector2d::Zero();
+  NeedleContactForce force_;
+  NodeForces published_;
+};
+
+}  // namespace bodkin

@@ -1,0 +1,117 @@
+#include "fem/triangle.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fem/processor_clones.h"
+
+namespace bodkin::triangle {
+
+namespace {
+
+// Four numbers at once, wherever they lie.
+using Lanes = double __attribute__((vector_size(32), aligned(8), may_alias));
+constexpr std::size_t lanes = 4;
+constexpr std::size_t block = 8;
+
+// values[j] -= sum over 8 rows of rows[r * stride + j] solved[r], j in [from, to).
+[[gnu::always_inline]] inline void subtract_rows(const double* rows, std::size_t stride, const double* solved,
+                                                 double* values, std::size_t from, std::size_t to) noexcept {
+  const double a = solved[0], b = solved[1], c = solved[2], d = solved[3];
+  const double e = solved[4], f = solved[5], g = solved[6], h = solved[7];
+  for (std::size_t j = from; j < to; j += lanes) {
+    const double* at = rows + j;
+    const auto row = [at, stride](std::size_t r) -> const Lanes& {
+      return *reinterpret_cast<const Lanes*>(at + r * stride);
+    };
+    Lanes& value = *reinterpret_cast<Lanes*>(values + j);
+    value -= ((row(0) * a + row(1) * b) + (row(2) * c + row(3) * d)) +
+             ((row(4) * e + row(5) * f) + (row(6) * g + row(7) * h));
+  }
+}
+
+// sums[r] = rows[r * stride + j] values[j] summed over j in [from, to), for 4 rows.
+[[gnu::always_inline]] inline void four_products(const double* rows, std::size_t stride, const double* values,
+                                                 std::size_t from, std::size_t to, double* sums) noexcept {
+  Lanes a = {}, b = {}, c = {}, d = {};
+  for (std::size_t j = from; j < to; j += lanes) {
+    const Lanes value = *reinterpret_cast<const Lanes*>(values + j);
+    a += *reinterpret_cast<const Lanes*>(rows + j) * value;
+    b += *reinterpret_cast<const Lanes*>(rows + stride + j) * value;
+    c += *reinterpret_cast<const Lanes*>(rows + 2 * stride + j) * value;
+    d += *reinterpret_cast<const Lanes*>(rows + 3 * stride + j) * value;
+  }
+  sums[0] = (a[0] + a[1]) + (a[2] + a[3]);
+  sums[1] = (b[0] + b[1]) + (b[2] + b[3]);
+  sums[2] = (c[0] + c[1]) + (c[2] + c[3]);
+  sums[3] = (d[0] + d[1]) + (d[2] + d[3]);
+}
+
+}  // namespace
+
+BODKIN_PROCESSOR_CLONES
+void solve_transposed(const Upper& upper, double* columns, std::size_t count) noexcept {
+  const std::size_t end = padded(upper.rows);
+  for (std::size_t first = 0; first < upper.rows; first += block) {
+    const std::size_t here = std::min(block, upper.rows - first);
+    const double* rows = upper.numbers + first * upper.stride;
+    double inverse[block] = {};
+    for (std::size_t r = 0; r < here; ++r) inverse[r] = 1.0 / rows[r * upper.stride + first + r];
+    for (std::size_t column = 0; column < count; ++column) {
+      double* values = columns + column * upper.stride;
+      double solved[block] = {};
+      for (std::size_t r = 0; r < here; ++r) {
+        double value = values[first + r];
+        for (std::size_t above = 0; above < r; ++above) {
+          value -= rows[above * upper.stride + first + r] * solved[above];
+        }
+        solved[r] = value * inverse[r];
+      }
+      std::copy_n(solved, here, values + first);
+      subtract_rows(rows, upper.stride, solved, values, first + block, end);
+    }
+  }
+}
+
+BODKIN_PROCESSOR_CLONES
+void solve(const Upper& upper, double* values) noexcept {
+  const std::size_t end = padded(upper.rows);
+  std::fill(values + upper.rows, values + end, 0.0);
+  for (std::size_t first = end; first > 0;) {
+    first -= block;
+    const double* rows = upper.numbers + first * upper.stride;
+    double sums[block];
+    four_products(rows, upper.stride, values, first + block, end, sums);
+    four_products(rows + 4 * upper.stride, upper.stride, values, first + block, end, sums + 4);
+    const std::size_t here = std::min(block, upper.rows - first);
+    double inverse[block] = {};
+    for (std::size_t r = 0; r < here; ++r) inverse[r] = 1.0 / rows[r * upper.stride + first + r];
+    for (std::size_t r = here; r > 0;) {
+      --r;
+      const double* row = rows + r * upper.stride + first;
+      double value = values[first + r] - sums[r];
+      for (std::size_t j = r + 1; j < here; ++j) value -= row[j] * values[first + j];
+      values[first + r] = value * inverse[r];
+    }
+  }
+}
+
+BODKIN_PROCESSOR_CLONES
+void rotate(const double* from, double* other, double* to, std::size_t count) noexcept {
+  const double length = std::sqrt(from[0] * from[0] + other[0] * other[0]);
+  const double cosine = from[0] / length, sine = other[0] / length;
+  std::size_t j = 0;
+  for (; j + lanes <= count; j += lanes) {
+    const Lanes here = *reinterpret_cast<const Lanes*>(from + j);
+    const Lanes there = *reinterpret_cast<const Lanes*>(other + j);
+    *reinterpret_cast<Lanes*>(to + j) = here * cosine + there * sine;
+    *reinterpret_cast<Lanes*>(other + j) = there * cosine - here * sine;
+  }
+  for (; j < count; ++j) {
+    const double here = from[j], there = other[j];
+    to[j] = here * cosine + there * sine;
+    other[j] = there * cosine - here * sine;
+  }
+}
+
+}  // namespace bodkin::triangle
