@@ -21,6 +21,7 @@ void add_case_new_command(CLI::App& case_group, CommandContext& context);
 void add_case_synthesize_command(CLI::App& case_group, CommandContext& context);
 void add_case_check_command(CLI::App& case_group, CommandContext& context);
 void add_case_show_command(CLI::App& case_group, CommandContext& context);
+void add_case_mesh_command(CLI::App& case_group, CommandContext& context);
 void add_devices_list_command(CLI::App& devices_group, CommandContext& context);
 void add_devices_check_command(CLI::App& devices_group, CommandContext& context);
 void add_devices_calibrate_command(CLI::App& devices_group, CommandContext& context);

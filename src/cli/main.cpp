@@ -19,6 +19,7 @@ constexpr const char* main_footer = R"(Examples:
   bodkin case synthesize lumbar patient          make a lumbar torso from nothing but a seed
   bodkin case new patient --ct dicom_folder      make a case from a CT
   bodkin case show patient                       what is in it, as text and as a picture
+  bodkin case mesh patient                       tetrahedra for the deformable body
   bodkin profile patient                         force against depth along the planned path
   bodkin compare patient                         every force model on the same motion
   bodkin run patient --operator novice           a simulated hand performs the procedure
@@ -53,6 +54,7 @@ int main(int argc, char** argv) {
   bodkin::add_case_synthesize_command(*case_group, context);
   bodkin::add_case_check_command(*case_group, context);
   bodkin::add_case_show_command(*case_group, context);
+  bodkin::add_case_mesh_command(*case_group, context);
   CLI::App* devices_group = app.add_subcommand("devices", "Find haptic devices and see how well they answer");
   devices_group->require_subcommand(1);
   bodkin::add_devices_list_command(*devices_group, context);

@@ -1,8 +1,10 @@
 #include "imaging/slice_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -35,8 +37,12 @@ class PanelArtist {
     emit("<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"#cfd8df\" font-size=\"13\">{}</text>\n", x, y - 7.0,
          escape_markup(panel_.title));
     emit("<svg x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\">\n", x, y, w, h);
-    emit("<image width=\"{:.1f}\" height=\"{:.1f}\" preserveAspectRatio=\"none\" xlink:href=\"{}\"/>\n", w, h,
-         data_uri("image/png", encode_png(paint(panel_.slice, library))));
+    if (panel_.elements.empty()) {
+      emit("<image width=\"{:.1f}\" height=\"{:.1f}\" preserveAspectRatio=\"none\" xlink:href=\"{}\"/>\n", w, h,
+           data_uri("image/png", encode_png(paint(panel_.slice, library))));
+    } else {
+      elements(library);
+    }
     if (panel_.path) planned(*panel_.path);
     travelled();
     if (panel_.path) ends(*panel_.path);
@@ -62,6 +68,35 @@ class PanelArtist {
   }
 
   bool is_near(const Vec3& point) const { return std::abs(panel_.slice.plane.distance(point)) <= near_plane; }
+
+  // Cut elements, those of one tissue as one path.
+  void elements(const TissueLibrary& library) {
+    std::map<TissueId, std::string> paths;
+    const double w = width(), h = height();
+    for (const CutElement& cut : panel_.elements) {
+      std::array<Place, 4> at;
+      Place low = Place::Constant(1e9), high = Place::Constant(-1e9);
+      for (std::size_t i = 0; i < static_cast<std::size_t>(cut.corners); ++i) {
+        at[i] = place(cut.points[i]);
+        low = low.cwiseMin(at[i]);
+        high = high.cwiseMax(at[i]);
+      }
+      if (high.x() < 0.0 || high.y() < 0.0 || low.x() > w || low.y() > h) continue;
+      std::string& path = paths[cut.tissue];
+      for (std::size_t i = 0; i < static_cast<std::size_t>(cut.corners); ++i) {
+        fmt::format_to(std::back_inserter(path), "{}{:.2f} {:.2f}", i == 0 ? "M" : "L", at[i].x(), at[i].y());
+      }
+      path += "Z";
+    }
+    for (const auto& [id, path] : paths) {
+      const TissueProperties* properties = library.find(id);
+      emit(
+          "<path d=\"{}\" fill=\"{}\" stroke=\"#000\" stroke-opacity=\"0.6\" stroke-width=\"{:.2f}\" "
+          "stroke-linejoin=\"round\"/>\n",
+          path, css_colour(properties == nullptr ? 0x808080 : properties->colour),
+          std::clamp(0.12 * scale_, 0.25, 0.7));
+    }
+  }
 
   void line(const Vec3& from, const Vec3& to, const char* colour, double thickness) {
     const Place a = place(from), b = place(to);
@@ -190,6 +225,9 @@ std::vector<LegendEntry> legend_of(const std::vector<SlicePanel>& panels, const 
     for (const TissueId id : tissues_present(panel.slice)) {
       if (std::find(seen.begin(), seen.end(), id) == seen.end()) seen.push_back(id);
     }
+    for (const CutElement& cut : panel.elements) {
+      if (std::find(seen.begin(), seen.end(), cut.tissue) == seen.end()) seen.push_back(cut.tissue);
+    }
   }
   std::sort(seen.begin(), seen.end());
   for (const TissueId id : seen) {
@@ -204,8 +242,8 @@ std::vector<LegendEntry> legend_of(const std::vector<SlicePanel>& panels, const 
 
 }  // namespace
 
-std::string slice_picture(const std::vector<SlicePanel>& panels, const TissueLibrary& library,
-                          const std::string& title, double height) {
+SlicesDrawn draw_slices(const std::vector<SlicePanel>& panels, const TissueLibrary& library, const std::string& title,
+                        double height) {
   std::string content;
   double x = margin;
   const double top = (title.empty() ? 0.0 : title_height) + panel_title + 6.0;
@@ -233,7 +271,13 @@ std::string slice_picture(const std::vector<SlicePanel>& panels, const TissueLib
         column, row, entry.sign, escape_markup(entry.text));
     column += wide;
   }
-  return svg_document(x, row + 16.0, content, background);
+  return {content, x, row + 16.0};
+}
+
+std::string slice_picture(const std::vector<SlicePanel>& panels, const TissueLibrary& library,
+                          const std::string& title, double height) {
+  const SlicesDrawn drawn = draw_slices(panels, library, title, height);
+  return svg_document(drawn.width, drawn.height, drawn.svg, background);
 }
 
 std::string case_picture(const Case& patient) {

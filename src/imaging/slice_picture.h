@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "anatomy/case.h"
+#include "imaging/mesh_cut.h"
 #include "imaging/slice.h"
 
 namespace bodkin {
@@ -13,12 +14,21 @@ namespace bodkin {
 struct SlicePanel {
   Slice slice;
   std::string title;
-  std::optional<NeedlePath> path;  // planned: entry dot, line, depth ticks every 10 mm, target cross
-  std::vector<Vec3> travelled;     // LPS mm, where the tip really went, in order
+  std::optional<NeedlePath> path;         // planned: entry dot, line, depth ticks every 10 mm, target cross
+  std::vector<Vec3> travelled;            // LPS mm, where the tip really went, in order
+  std::vector<CutElement> elements = {};  // of a mesh; where there are any, they are drawn instead of the pixels
+};
+
+// Slices side by side as SVG, without a document around it.
+struct SlicesDrawn {
+  std::string svg;
+  double width = 0.0, height = 0.0;  // px
 };
 
 // Slices side by side, all `height` px high, with orientation letters, millimetre bars and the names of the tissues
 // that they show. Parts of a line further than 2 mm from a slice are dashed. The result is an SVG document.
+SlicesDrawn draw_slices(const std::vector<SlicePanel>& panels, const TissueLibrary& library, const std::string& title,
+                        double height);
 std::string slice_picture(const std::vector<SlicePanel>& panels, const TissueLibrary& library,
                           const std::string& title, double height);
 

@@ -20,6 +20,10 @@ TissueLibrary read_case_library(const std::filesystem::path& folder, const CaseD
 // process down). Throws InputError when a file is missing, damaged, or does not agree with case.xml.
 Case load_case(const std::filesystem::path& folder, const Progress& progress = {});
 
+// Reads the tissues alone, checked like those of load_case.
+TissueVolume load_case_tissues(const std::filesystem::path& folder, const CaseDescription& description,
+                               const Progress& progress = {});
+
 // Writes case.xml (and nothing else) into `folder`; an older one is replaced whole. Throws SystemError when that
 // fails, and InputError when read_case_description would refuse what was written.
 void write_case_description(const CaseDescription& description, const std::filesystem::path& folder);

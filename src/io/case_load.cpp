@@ -61,6 +61,10 @@ Case load_case(const fs::path& folder, const Progress& progress) {
   return patient;
 }
 
+TissueVolume load_case_tissues(const fs::path& folder, const CaseDescription& description, const Progress& progress) {
+  return load_tissues(folder, description, progress);
+}
+
 std::vector<std::string> check_case(const fs::path& folder, const Progress& progress) {
   std::vector<std::string> problems;
   const auto attempt = [&problems](const auto& work) {

@@ -49,6 +49,11 @@ std::string volume_digest(const Volume<Voxel>& volume) {
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }
 
+std::string bytes_digest(std::string_view bytes) {
+  const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
+  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+}
+
 template std::string volume_digest(const CtVolume& volume);
 template std::string volume_digest(const LabelVolume& volume);
 template std::string volume_digest(const TissueVolume& volume);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "anatomy/volume.h"
 
@@ -15,5 +16,8 @@ std::string volume_digest(const Volume<Voxel>& volume);
 extern template std::string volume_digest(const CtVolume& volume);
 extern template std::string volume_digest(const LabelVolume& volume);
 extern template std::string volume_digest(const TissueVolume& volume);
+
+// The same of any bytes.
+std::string bytes_digest(std::string_view bytes);
 
 }  // namespace bodkin

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "anatomy/case.h"
+
+namespace bodkin {
+
+// How a body is to be meshed. Lengths are mean edge lengths in mm before they are scaled to the number of nodes.
+struct MeshSettings {
+  std::int64_t nodes = 20000;     // wanted; 500 to 400000
+  double fine = 2.0;              // mm, in the corridor and at tissue borders near it; 0.2 to 20
+  double coarse = 10.0;           // mm, far from both; fine to 100
+  double corridor_radius = 25.0;  // mm around the planned path; 1 to 200
+  std::int64_t seed = 1;          // 0 to 2^31 - 1
+
+  // [D] our choices, not offered on the command line.
+  double corridor_beyond = 15.0;  // mm that the corridor goes on beyond the target
+  double reach = 60.0;            // mm of body around the corridor that is meshed
+};
+
+// Where and how finely: the part of the tissue lattice that is meshed, with a layer of air around it, and the wished
+// edges at each of its voxels for a scale of 1.
+struct MeshPlan {
+  TissueVolume tissues;             // tissue ids; air and the outermost layer are 0, which is not meshed
+  std::vector<float> border_edges;  // mm, at a border between tissues, were there one at the voxel
+  std::vector<float> inner_edges;   // mm, far from any border
+  bool boxed = false;               // the volume was larger than what is meshed
+};
+
+// The plan for a case's tissues. Throws InputError when there is no tissue in reach of the path.
+MeshPlan plan_mesh(const TissueVolume& tissues, const std::optional<NeedlePath>& path, const MeshSettings& settings);
+
+// mm from `point` to the corridor: the cylinder around the path, from `corridor_radius` before the entry to
+// `corridor_beyond` behind the target; 0 inside.
+double distance_to_corridor(const Vec3& point, const NeedlePath& path, const MeshSettings& settings);
+
+}  // namespace bodkin
