@@ -39,10 +39,10 @@ struct ClosestNodeForce {
 //   P tip, X_i node at rest, d the frozen line, S compliance of the corridor. A closer node (by 10 %) takes over with
 //   the force that there is, by its offset o. Friction: a spring that slides at the sum of length times mu_t.
 //
-// c_i stands in for the size of the elements: a point load on a finer mesh meets less stiffness. Along the line it is
-// passive; moving the tip sideways from a stiff node to a soft one at the same force is not (**active**, see
-// docs/fem-contact.md). For the exact answer with all nodes of the shaft: NeedleContact. Memory is taken at
-// construction; nothing else throws, allocates or locks.
+// c_i stands in for the size of the elements: a point load on a finer mesh meets less stiffness. A force that is
+// carried from a stiff node to a soft one stores more energy than before (**active**, see docs/fem-contact.md). For
+// the exact answer with all nodes of the shaft: NeedleContact. Memory is taken at construction; nothing else throws,
+// allocates or locks.
 class ClosestNodeContact {
  public:
   // `body` is kept by reference. Throws InputError for settings or tissues out of range. `dt`: s, 1e-6 to 0.1.
