@@ -1,13 +1,12 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "core/geometry.h"
 
 namespace bodkin {
 
-inline nlohmann::json json_point(const Vec3& point) {
-  return {point.x(), point.y(), point.z()};
-}
+// [x, y, z]
+nlohmann::json json_point(const Vec3& point);
 
 }  // namespace bodkin

@@ -218,16 +218,13 @@ void NeedleContact::solve() noexcept {
 
 // Nodes that would slide against the friction that drives them stick where they were at the last tick.
 bool NeedleContact::stick_where_slip_turned(bool last_round) noexcept {
-  std::size_t turned = 0, sliding = 0;
+  std::size_t turned = 0;
   const auto turns = [this](std::size_t i) {
     const Hold& hold = holds_[i];
     return hold.limit > force_tolerance && hold.sense * (tip_ - hold.moved - hold.slip) < -slip_tolerance &&
            !constraints_.held_along(i);
   };
-  for (std::size_t i = 0; i < held_; ++i) {
-    sliding += constraints_.held_along(i) ? 0 : 1;
-    turned += turns(i) ? 1 : 0;
-  }
+  for (std::size_t i = 0; i < held_; ++i) turned += turns(i) ? 1 : 0;
   if (turned == 0) return false;
   if (turned > few_turns || last_round) {
     constraints_.hold_all_along();

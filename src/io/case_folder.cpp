@@ -47,6 +47,9 @@ void write_case_description(const CaseDescription& description, const fs::path& 
   // What would not be read back must not be written.
   parse_case_xml(text, file.string(), XmlSchema("case.xsd"),
                  [&folder](const std::string& name) { return library_of_case(folder, name); });
+  if (!std::filesystem::is_directory(file.parent_path())) {
+    throw SystemError(file.string() + " cannot be written: there is no such folder");
+  }
   write_file(file, text);
 }
 

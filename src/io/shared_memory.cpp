@@ -28,7 +28,7 @@ std::size_t SharedMemory::size() const {
 void SharedMemory::append(const void* source, std::size_t size) {
   const auto* place = static_cast<const char*>(source);
   while (size > 0) {
-    const ssize_t count = write(descriptor_, place, size);
+    const ssize_t count = ::write(descriptor_, place, size);
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) throw SystemError(fmt::format("no shared memory: {}", std::strerror(errno)));
     place += count;

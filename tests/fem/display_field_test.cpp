@@ -64,7 +64,7 @@ TEST(DisplayField, nodes_that_are_not_there_move_nothing) {
 TEST(DisplayField, refuses_columns_that_are_not_in_threes) {
   EXPECT_THROW(DisplayField(Eigen::MatrixXf(4, 3)), InputError);
   EXPECT_THROW(DisplayField(Eigen::MatrixXf(3, 4)), InputError);
-  EXPECT_THROW(DisplayField(Eigen::MatrixXf()), InputError);
+  EXPECT_THROW(DisplayField(Eigen::MatrixXf{}), InputError);
 }
 
 TEST(DisplayField, takes_no_memory_and_no_lock) {

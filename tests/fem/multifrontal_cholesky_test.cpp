@@ -57,11 +57,11 @@ Eigen::MatrixXd compliance_by_eigen(const Sparse& lower, const std::vector<std::
   return compliance;
 }
 
-constexpr std::uint32_t lattice = sanitized ? 6 : 11;
+constexpr std::uint32_t factor_lattice = sanitized ? 6 : 11;
 
 TEST(MultifrontalCholesky, solves_what_eigen_solves) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    const BodyDescription body = lattice_body(lattice, 60.0, 0.1, 40, seed);
+    const BodyDescription body = lattice_body(factor_lattice, 60.0, 0.1, 40, seed);
     const BodyPlan plan = plan_body(body);
     const MultifrontalCholesky factor(plan.system.stiffness, plan.symbolic);
     const Sparse lower = lower_of(plan.system.stiffness);
@@ -74,7 +74,7 @@ TEST(MultifrontalCholesky, solves_what_eigen_solves) {
 
 TEST(MultifrontalCholesky, condenses_to_what_full_solves_give) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    const BodyDescription body = lattice_body(lattice, 60.0, 0.1, 20 * seed, seed);
+    const BodyDescription body = lattice_body(factor_lattice, 60.0, 0.1, 20 * seed, seed);
     const CondensedBody condensed = condense(body);
     const ElasticSystem system = assemble(body.mesh, body.materials, body.fixed);
     std::vector<std::uint32_t> nodes;
@@ -130,7 +130,7 @@ TEST(MultifrontalCholesky, solves_what_cholmod_solves) {
 }
 
 TEST(MultifrontalCholesky, forces_on_the_last_nodes_move_everything_as_in_a_full_solve) {
-  const BodyDescription body = lattice_body(lattice, 60.0, 0.1, 50);
+  const BodyDescription body = lattice_body(factor_lattice, 60.0, 0.1, 50);
   const BodyPlan plan = plan_body(body);
   const MultifrontalCholesky factor(plan.system.stiffness, plan.symbolic);
   const Eigen::MatrixXd on_last = random_matrix(150, 4, 9);
@@ -145,7 +145,7 @@ TEST(MultifrontalCholesky, forces_on_the_last_nodes_move_everything_as_in_a_full
 }
 
 TEST(MultifrontalCholesky, gives_the_same_bits_again_and_without_the_field) {
-  const BodyDescription body = lattice_body(lattice, 60.0, 0.1, 100);
+  const BodyDescription body = lattice_body(factor_lattice, 60.0, 0.1, 100);
   const BodyPlan plan = plan_body(body), again = plan_body(body);
   EXPECT_EQ(plan.symbolic.order, again.symbolic.order);
   const MultifrontalCholesky first(plan.system.stiffness, plan.symbolic);

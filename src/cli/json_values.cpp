@@ -1,0 +1,11 @@
+#include "cli/json_values.h"
+
+#include <nlohmann/json.hpp>
+
+namespace bodkin {
+
+nlohmann::json json_point(const Vec3& point) {
+  return {point.x(), point.y(), point.z()};
+}
+
+}  // namespace bodkin
