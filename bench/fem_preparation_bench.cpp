@@ -5,9 +5,10 @@
 #include <fstream>
 #include <string>
 
-#include "fem/elastic_body.h"
 #include "tests/fem/lattice_body.h"
 #include <benchmark/benchmark.h>
+
+#include "fem/elastic_body.h"
 
 namespace {
 

@@ -7,11 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "tests/fem/dense_body.h"
+#include <benchmark/benchmark.h>
+
 #include "fem/contact_factor.h"
 #include "fem/display_field.h"
 #include "fem/needle_contact.h"
-#include "tests/fem/dense_body.h"
-#include <benchmark/benchmark.h>
 
 namespace {
 

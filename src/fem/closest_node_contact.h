@@ -4,12 +4,11 @@
 #include <optional>
 #include <vector>
 
+#include "core/geometry.h"
 #include "fem/condensed_body.h"
 #include "fem/contact_tissues.h"
 #include "fem/needle_contact.h"
 #include "fem/node_forces.h"
-
-#include "core/geometry.h"
 
 namespace bodkin {
 

@@ -7,11 +7,11 @@
 #include <memory>
 #include <vector>
 
-#include "fem/dense_kernels.h"
 #include <fmt/format.h>
 
 #include "core/error.h"
 #include "core/files.h"
+#include "fem/dense_kernels.h"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>

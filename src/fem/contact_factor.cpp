@@ -5,9 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "fem/triangle.h"
-
 #include "core/error.h"
+#include "fem/triangle.h"
 
 namespace bodkin {
 

@@ -3,8 +3,9 @@
 #include <cstddef>
 #include <span>
 
-#include "fem/node_forces.h"
 #include <Eigen/Core>
+
+#include "fem/node_forces.h"
 
 namespace bodkin {
 

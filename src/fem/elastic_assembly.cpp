@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "fem/element_stiffness.h"
-
 #include "core/error.h"
+#include "fem/element_stiffness.h"
 
 namespace bodkin {
 

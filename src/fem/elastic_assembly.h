@@ -5,11 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "fem/block_matrix.h"
-#include "fem/elastic_material.h"
 #include <Eigen/Core>
 
 #include "anatomy/tetrahedral_mesh.h"
+#include "fem/block_matrix.h"
+#include "fem/elastic_material.h"
 
 namespace bodkin {
 

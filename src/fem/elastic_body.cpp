@@ -3,10 +3,10 @@
 #include <array>
 #include <utility>
 
-#include "fem/mesh_place.h"
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "fem/mesh_place.h"
 
 namespace bodkin {
 

@@ -3,13 +3,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "anatomy/tetrahedral_mesh.h"
+#include "core/progress.h"
 #include "fem/condensed_body.h"
 #include "fem/elastic_assembly.h"
 #include "fem/mesh_soundness.h"
 #include "fem/multifrontal_cholesky.h"
-
-#include "anatomy/tetrahedral_mesh.h"
-#include "core/progress.h"
 
 namespace bodkin {
 

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "fem/mesh_place.h"
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "fem/mesh_place.h"
 
 namespace bodkin {
 

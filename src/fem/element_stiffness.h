@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include "fem/elastic_material.h"
 #include <Eigen/Core>
 
 #include "core/geometry.h"
+#include "fem/elastic_material.h"
 
 namespace bodkin {
 
@@ -18,7 +18,7 @@ struct TetrahedronGradients {
 // The corners must span a positive volume.
 TetrahedronGradients tetrahedron_gradients(const std::array<Vec3, 4>& corners);
 
-// The stiffness between corners a and b, N/mm: the force on a for a displacement of b (force-models 4.1),
+// The stiffness between corners a and b, N/mm: the force on a for a displacement of b (Sutherland 2013, eq. 1),
 //   K_ab[i][j] = V (lambda g_a[i] g_b[j] + mu g_a[j] g_b[i] + mu (g_a . g_b) delta_ij).
 // K_ba is the transpose of K_ab to the last bit.
 Mat3 stiffness_block(const TetrahedronGradients& element, const LameConstants& material, std::size_t a,

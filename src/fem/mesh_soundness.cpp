@@ -5,11 +5,11 @@
 #include <limits>
 #include <numeric>
 
-#include "fem/mesh_place.h"
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "fem/mesh_place.h"
 
 namespace bodkin {
 

@@ -5,10 +5,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "fem/available_memory.h"
 #include "fem/dense_kernels.h"
 #include "fem/front_assembly.h"
-#include <fmt/format.h>
 
 namespace bodkin {
 

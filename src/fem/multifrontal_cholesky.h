@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "fem/block_matrix.h"
-#include "fem/symbolic_factor.h"
-#include "fem/zero_pages.h"
 #include <Eigen/Core>
 
 #include "core/error.h"
 #include "core/progress.h"
+#include "fem/block_matrix.h"
+#include "fem/symbolic_factor.h"
+#include "fem/zero_pages.h"
 
 namespace bodkin {
 

@@ -5,8 +5,9 @@
 #include <limits>
 #include <utility>
 
-#include "fitting/curve_shape.h"
 #include <Eigen/QR>
+
+#include "fitting/curve_shape.h"
 
 namespace bodkin {
 

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "fitting/curve_shape.h"
-#include "fitting/curve_solver.h"
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "fitting/curve_shape.h"
+#include "fitting/curve_solver.h"
 
 namespace bodkin {
 

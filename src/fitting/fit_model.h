@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "fitting/needle_history.h"
-
 #include "io/xml_document.h"
 
 namespace bodkin {

@@ -1,8 +1,8 @@
 #include <string>
 
-#include "fitting/fit.h"
 #include <fmt/format.h>
 
+#include "fitting/fit.h"
 #include "io/xml_writer.h"
 
 namespace bodkin {

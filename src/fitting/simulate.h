@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "fitting/fit_model.h"
-
 #include "forces/events.h"
 
 namespace bodkin {

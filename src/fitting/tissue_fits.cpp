@@ -3,7 +3,6 @@
 
 #include "fitting/fit_model.h"
 #include "fitting/simulate.h"
-
 #include "forces/fracture.h"
 #include "forces/layered.h"
 #include "forces/shaft_friction.h"

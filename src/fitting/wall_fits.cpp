@@ -3,7 +3,6 @@
 
 #include "fitting/fit_model.h"
 #include "fitting/simulate.h"
-
 #include "forces/depth_profile.h"
 #include "forces/spring_damper_wall.h"
 #include "forces/tracking_wall.h"

@@ -4,7 +4,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "fem/elastic_body.h"
 #include "tests/fem/lattice_body.h"
 #include "tests/io/scratch_folder.h"
 #include "tests/sanitized.h"
@@ -13,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "core/random.h"
+#include "fem/elastic_body.h"
 
 namespace bodkin {
 namespace {

@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "fem/condensed_body.h"
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include "core/random.h"
+#include "fem/condensed_body.h"
 
 namespace bodkin::checks {
 

@@ -1,6 +1,5 @@
 #include "fem/elastic_body.h"
 
-#include "fem/available_memory.h"
 #include "tests/fem/lattice_body.h"
 #include "tests/io/scratch_folder.h"
 #include "tests/sanitized.h"
@@ -9,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/random.h"
+#include "fem/available_memory.h"
 
 namespace bodkin {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-// force-models 4.1, test 3: some nodes of the corridor are held somewhere; by the compliance, and by a body in which
+// Some nodes of the corridor are held somewhere; by the compliance, and by a body in which
 // they are among the fixed nodes.
 TEST(ElasticBody, a_condensed_contact_is_that_of_a_full_constrained_solve) {
   const BodyDescription body = lattice_body(sanitized ? 6 : 10, 60.0, 0.1, 60);

@@ -1,9 +1,9 @@
-// Bodies whose exact solution is known, on meshes that do not lie in rows (force-models 4.1, test 2).
-#include "fem/elastic_body.h"
+// Bodies whose exact solution is known, on meshes that do not lie in rows.
 #include "tests/fem/lattice_body.h"
 #include <gtest/gtest.h>
 
 #include "core/random.h"
+#include "fem/elastic_body.h"
 
 namespace bodkin {
 namespace {

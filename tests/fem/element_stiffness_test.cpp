@@ -19,7 +19,7 @@ Corners random_corners(Random& random) {
   return corners;
 }
 
-// force-models 4.1, test 1.
+// Numbers of the unit tetrahedron, worked out by hand from the formula.
 TEST(ElementStiffness, of_the_unit_tetrahedron_is_that_of_the_paper) {
   const auto k = element_stiffness(unit_corners, {0.02, 0.3});
   EXPECT_NEAR(tetrahedron_gradients(unit_corners).volume, 1.0 / 6.0, 1e-16);

@@ -7,9 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "fem/elastic_body.h"
-
 #include "core/random.h"
+#include "fem/elastic_body.h"
 
 namespace bodkin {
 

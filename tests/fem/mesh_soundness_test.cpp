@@ -3,11 +3,12 @@
 #include <limits>
 #include <numeric>
 
-#include "fem/elastic_body.h"
 #include "tests/fem/lattice_body.h"
 #include "tests/io/scratch_folder.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "fem/elastic_body.h"
 
 namespace bodkin {
 namespace {

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fem/needle_contact.h"
 #include "tests/fem/dense_body.h"
+
+#include "fem/needle_contact.h"
 
 namespace bodkin::checks {
 

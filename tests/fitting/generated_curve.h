@@ -3,9 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "fitting/fit.h"
-
 #include "core/random.h"
+#include "fitting/fit.h"
 
 namespace bodkin {
 
