@@ -3,6 +3,7 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "anatomy/mesh_quality.h"
 #include "cli/arguments.h"

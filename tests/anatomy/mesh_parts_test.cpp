@@ -30,7 +30,9 @@ TEST(MeshParts, elements_inside_out_are_turned_and_the_others_left) {
   std::swap(mesh.elements[1][0], mesh.elements[1][1]);
   EXPECT_EQ(orient_elements(mesh), third_was_positive ? 1U : 2U);
   for (std::size_t e = 0; e < 3; ++e) EXPECT_GT(element_volume(mesh, e), 0.0);
-  if (third_was_positive) EXPECT_EQ(mesh.elements[2], third);
+  if (third_was_positive) {
+    EXPECT_EQ(mesh.elements[2], third);
+  }
   EXPECT_EQ(orient_elements(mesh), 0U);
 }
 
