@@ -49,8 +49,12 @@ TEST(MeshPlan, edges_are_fine_in_the_corridor_and_grow_steadily_away_from_it) {
         ASSERT_GE(edge, 2.0F);
         ASSERT_LE(edge, 10.0F);
         const double away = distance_to_corridor(grid.to_patient(Vec3(i, j, k)), straight_in, settings);
-        if (away <= 0.0) ASSERT_FLOAT_EQ(edge, 2.0F);
-        if (i > 0) ASSERT_LE(std::abs(edge - edges[grid.offset(i - 1, j, k)]), 0.83F);
+        if (away <= 0.0) {
+          ASSERT_FLOAT_EQ(edge, 2.0F);
+        }
+        if (i > 0) {
+          ASSERT_LE(std::abs(edge - edges[grid.offset(i - 1, j, k)]), 0.83F);
+        }
       }
     }
   }
