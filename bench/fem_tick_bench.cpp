@@ -12,7 +12,7 @@
 
 #include "fem/contact_factor.h"
 #include "fem/display_field.h"
-#include "fem/needle_contact.h"
+#include "fem/embedded_needle.h"
 
 namespace {
 
@@ -116,11 +116,11 @@ const CondensedBody& way_of_the_needle() {
 void needle_tick(benchmark::State& state) {
   ContactTissues tissues;
   tissues.fill({.friction = 0.005});
-  NeedleContactSettings settings;
+  EmbeddedNeedleSettings settings;
   settings.capture_radius = 0.6;
   settings.spacing = 0.45;
   settings.most_nodes = 160;
-  NeedleContact contact(way_of_the_needle(), tissues, settings, 1e-3);
+  EmbeddedNeedle contact(way_of_the_needle(), tissues, settings, 1e-3);
   contact.begin(Vec3::Zero(), Vec3::UnitZ());
   const double depth = 0.5 * static_cast<double>(state.range(0)) - 0.25;
   std::vector<Pose> motion;
@@ -135,7 +135,7 @@ void needle_tick(benchmark::State& state) {
   double nodes = 0.0, sticking = 0.0;
   std::int64_t ticks = 0;
   every_tick_on_its_own(state, [&](int tick) {
-    const NeedleContactForce& force = contact.step(motion[static_cast<std::size_t>(tick) % motion.size()]);
+    const EmbeddedNeedleForce& force = contact.step(motion[static_cast<std::size_t>(tick) % motion.size()]);
     nodes += force.nodes;
     sticking += force.sticking;
     ++ticks;

@@ -7,7 +7,7 @@
 #include "core/geometry.h"
 #include "fem/condensed_body.h"
 #include "fem/contact_tissues.h"
-#include "fem/needle_contact.h"
+#include "fem/embedded_needle.h"
 #include "fem/node_forces.h"
 
 namespace bodkin {
@@ -40,7 +40,7 @@ struct ClosestNodeForce {
 //
 // c_i stands in for the size of the elements: a point load on a finer mesh meets less stiffness. A force that is
 // carried from a stiff node to a soft one stores more energy than before (**active**, see docs/fem-contact.md). For
-// the exact answer with all nodes of the shaft: NeedleContact. Memory is taken at construction; nothing else throws,
+// the exact answer with all nodes of the shaft: EmbeddedNeedle. Memory is taken at construction; nothing else throws,
 // allocates or locks.
 class ClosestNodeContact {
  public:

@@ -6,7 +6,7 @@
 
 #include "tests/fem/dense_body.h"
 
-#include "fem/needle_contact.h"
+#include "fem/embedded_needle.h"
 
 namespace bodkin::checks {
 
@@ -17,8 +17,8 @@ inline ContactTissues plain_tissues(double friction) {
   return tissues;
 }
 
-inline NeedleContactSettings narrow_settings() {
-  NeedleContactSettings settings;
+inline EmbeddedNeedleSettings narrow_settings() {
+  EmbeddedNeedleSettings settings;
   settings.capture_radius = 0.6;
   settings.spacing = 0.4;
   return settings;
@@ -27,7 +27,7 @@ inline NeedleContactSettings narrow_settings() {
 class NeedleRig {
  public:
   NeedleRig(const CondensedBody& body, const ContactTissues& tissues,
-            const NeedleContactSettings& settings = narrow_settings())
+            const EmbeddedNeedleSettings& settings = narrow_settings())
       : model(body, tissues, settings, 1e-3) {
     begin();
   }
@@ -38,14 +38,14 @@ class NeedleRig {
     to(place_);
   }
   // One tick; the work of the hand with the force at the end of the way.
-  const NeedleContactForce& to(const Vec3& tip) {
+  const EmbeddedNeedleForce& to(const Vec3& tip) {
     force = model.step(needle_pose(tip, Vec3::UnitZ()));
     work -= force.on_hand.force.dot(tip - place_);
     way += (tip - place_).norm();
     place_ = tip;
     return force;
   }
-  const NeedleContactForce& to(double depth) { return to(Vec3(place_.x(), place_.y(), depth)); }
+  const EmbeddedNeedleForce& to(double depth) { return to(Vec3(place_.x(), place_.y(), depth)); }
   // At `speed` mm/s; returns the largest change of the force in a tick.
   double move(const Vec3& goal, double speed) {
     const Vec3 start = place_;
@@ -60,8 +60,8 @@ class NeedleRig {
   }
   double move(double depth, double speed) { return move(Vec3(place_.x(), place_.y(), depth), speed); }
 
-  NeedleContact model;
-  NeedleContactForce force;
+  EmbeddedNeedle model;
+  EmbeddedNeedleForce force;
   double work = 0.0;  // N mm
   double way = 0.0;   // mm
 

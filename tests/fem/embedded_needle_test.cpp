@@ -1,4 +1,4 @@
-#include "fem/needle_contact.h"
+#include "fem/embedded_needle.h"
 
 #include <vector>
 
@@ -35,7 +35,7 @@ ContactTissues two_tissues() {
   return tissues;
 }
 
-TEST(NeedleContact, twenty_mm_of_soft_tissue_and_five_of_ligament_rub_with_1400_mN) {
+TEST(EmbeddedNeedle, twenty_mm_of_soft_tissue_and_five_of_ligament_rub_with_1400_mN) {
   const CondensedBody body = stiff_body();
   NeedleRig rig(body, two_tissues());
   rig.move(25.0, 10.0);
@@ -47,7 +47,7 @@ TEST(NeedleContact, twenty_mm_of_soft_tissue_and_five_of_ligament_rub_with_1400_
   EXPECT_NEAR(rig.force.resistance, before, 1e-9);  // held at rest
 }
 
-TEST(NeedleContact, withdrawal_turns_the_friction_round_without_a_jump) {
+TEST(EmbeddedNeedle, withdrawal_turns_the_friction_round_without_a_jump) {
   const CondensedBody body = stiff_body();
   NeedleRig rig(body, two_tissues());
   rig.move(25.5, 10.0);
@@ -62,7 +62,7 @@ TEST(NeedleContact, withdrawal_turns_the_friction_round_without_a_jump) {
   EXPECT_EQ(rig.force.nodes, 0u);
 }
 
-TEST(NeedleContact, tip_is_held_back_until_the_puncture_force_and_for_30_ms_after) {
+TEST(EmbeddedNeedle, tip_is_held_back_until_the_puncture_force_and_for_30_ms_after) {
   ContactTissues tissues = checks::plain_tissues(0.0);
   tissues[tissue::soft].puncture_force = 1.5;
   NeedleRig rig(soft_body(), tissues);
@@ -122,7 +122,7 @@ Eigen::VectorXd dense_forces(const CondensedBody& body, std::size_t nodes, const
   return matrix.ldlt().solve(right);
 }
 
-TEST(NeedleContact, a_sliding_shaft_pushed_sideways_is_the_dense_solve) {
+TEST(EmbeddedNeedle, a_sliding_shaft_pushed_sideways_is_the_dense_solve) {
   NeedleRig rig(soft_body(), checks::plain_tissues(0.0));
   rig.move(10.9, 20.0);
   const Vec3 aside(0.3, -0.2, 0.0);
@@ -140,7 +140,7 @@ TEST(NeedleContact, a_sliding_shaft_pushed_sideways_is_the_dense_solve) {
   EXPECT_LT((rig.force.on_hand.torque + torque).norm(), 1e-10 * torque.norm());
 }
 
-TEST(NeedleContact, a_sticking_shaft_changes_its_force_as_the_dense_solve_says) {
+TEST(EmbeddedNeedle, a_sticking_shaft_changes_its_force_as_the_dense_solve_says) {
   NeedleRig rig(soft_body(), checks::plain_tissues(5.0));
   rig.move(10.9, 20.0);
   for (int tick = 0; tick < 100; ++tick) rig.to(10.9);
@@ -156,7 +156,7 @@ TEST(NeedleContact, a_sticking_shaft_changes_its_force_as_the_dense_solve_says) 
   EXPECT_LT((rig.force.on_hand.force - before + total).norm(), 1e-9 * total.norm());
 }
 
-TEST(NeedleContact, forces_are_continuous_wherever_nothing_is_punctured) {
+TEST(EmbeddedNeedle, forces_are_continuous_wherever_nothing_is_punctured) {
   NeedleRig rig(soft_body(), checks::plain_tissues(0.02));
   Random random(1);
   double largest = 0.0;
@@ -170,7 +170,7 @@ TEST(NeedleContact, forces_are_continuous_wherever_nothing_is_punctured) {
   EXPECT_GT(largest, 1e-4);
 }
 
-TEST(NeedleContact, a_node_comes_and_goes_without_a_jump) {
+TEST(EmbeddedNeedle, a_node_comes_and_goes_without_a_jump) {
   NeedleRig rig(soft_body(), checks::plain_tissues(0.02));
   rig.move(4.5, 10.0);
   rig.move(Vec3(0.4, 0.0, 4.5), 10.0);
@@ -182,7 +182,7 @@ TEST(NeedleContact, a_node_comes_and_goes_without_a_jump) {
   }
 }
 
-TEST(NeedleContact, no_way_gives_more_work_than_went_in) {
+TEST(EmbeddedNeedle, no_way_gives_more_work_than_went_in) {
   Random random(2);
   ContactTissues tissues = checks::plain_tissues(0.05);
   tissues[tissue::soft].puncture_force = 0.2;
@@ -203,13 +203,13 @@ TEST(NeedleContact, no_way_gives_more_work_than_went_in) {
   EXPECT_LT(least, 1.0);
 }
 
-TEST(NeedleContact, tilting_needles_give_no_work_either) {
+TEST(EmbeddedNeedle, tilting_needles_give_no_work_either) {
   Random random(3);
   for (int trial = 0; trial < (sanitized ? 3 : 30); ++trial) {
-    NeedleContact model(soft_body(), checks::plain_tissues(0.05), checks::narrow_settings(), 1e-3);
+    EmbeddedNeedle model(soft_body(), checks::plain_tissues(0.05), checks::narrow_settings(), 1e-3);
     model.begin(Vec3::Zero(), Vec3::UnitZ());
     Pose last = needle_pose(Vec3(0.0, 0.0, -1.0), Vec3::UnitZ());
-    NeedleContactForce before = model.step(last);
+    EmbeddedNeedleForce before = model.step(last);
     double work = 0.0;
     const double speed = random.uniform(1.0, 4.0), phase = random.uniform(0.0, 6.0);
     const double lean = random.uniform(0.0, 0.1);
@@ -223,7 +223,7 @@ TEST(NeedleContact, tilting_needles_give_no_work_either) {
       Pose now = Pose::Identity();  // the least turn from z, so that turning is what it seems
       now.linear() = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis).toRotationMatrix();
       now.translation() = tip;
-      const NeedleContactForce force = model.step(now);
+      const EmbeddedNeedleForce force = model.step(now);
       const Eigen::AngleAxisd turn(now.linear() * last.linear().transpose());
       const Vec3 turned = turn.angle() * turn.axis();
       // The mean of both ends; the torque is about the tip, which is what the force moves.
@@ -236,10 +236,10 @@ TEST(NeedleContact, tilting_needles_give_no_work_either) {
   }
 }
 
-TEST(NeedleContact, a_hundred_thousand_ticks_at_random_are_all_finite_and_take_no_memory_and_no_lock) {
+TEST(EmbeddedNeedle, a_hundred_thousand_ticks_at_random_are_all_finite_and_take_no_memory_and_no_lock) {
   Random random(4);
   ContactTissues tissues = default_contact_tissues();
-  NeedleContact model(soft_body(), tissues, checks::narrow_settings(), 1e-3);
+  EmbeddedNeedle model(soft_body(), tissues, checks::narrow_settings(), 1e-3);
   model.begin(Vec3::Zero(), Vec3::UnitZ());
   bool finite = true;
   Vec3 tip(0.0, 0.0, -1.0);
@@ -252,7 +252,7 @@ TEST(NeedleContact, a_hundred_thousand_ticks_at_random_are_all_finite_and_take_n
       if (random.uniform() < 0.0002) model.reset();
       tip += 0.1 * Vec3(random.normal(), random.normal(), random.normal() + 0.01);
       const Vec3 axis = Vec3(0.1 * random.normal(), 0.1 * random.normal(), 1.0).normalized();
-      const NeedleContactForce& force = model.step(needle_pose(tip, axis));
+      const EmbeddedNeedleForce& force = model.step(needle_pose(tip, axis));
       finite = finite && std::isfinite(force.on_hand.force.sum() + force.on_hand.torque.sum());
       most = std::max(most, force.nodes);
     }
@@ -265,7 +265,7 @@ TEST(NeedleContact, a_hundred_thousand_ticks_at_random_are_all_finite_and_take_n
   EXPECT_GT(most, 5u);
 }
 
-TEST(NeedleContact, the_same_motion_gives_the_same_bits) {
+TEST(EmbeddedNeedle, the_same_motion_gives_the_same_bits) {
   NeedleRig rig(soft_body(), default_contact_tissues());
   std::vector<double> first;
   for (const bool again : {false, true}) {
@@ -283,8 +283,8 @@ TEST(NeedleContact, the_same_motion_gives_the_same_bits) {
   }
 }
 
-TEST(NeedleContact, says_when_its_room_and_when_the_corridor_end) {
-  NeedleContactSettings settings = checks::narrow_settings();
+TEST(EmbeddedNeedle, says_when_its_room_and_when_the_corridor_end) {
+  EmbeddedNeedleSettings settings = checks::narrow_settings();
   settings.most_nodes = 5;
   NeedleRig rig(soft_body(), checks::plain_tissues(0.02), settings);
   rig.move(4.2, 20.0);
@@ -297,7 +297,7 @@ TEST(NeedleContact, says_when_its_room_and_when_the_corridor_end) {
   EXPECT_TRUE(rig.force.beyond);
 }
 
-TEST(NeedleContact, no_needle_no_force_and_the_state_stays) {
+TEST(EmbeddedNeedle, no_needle_no_force_and_the_state_stays) {
   NeedleRig rig(soft_body(), checks::plain_tissues(0.02));
   rig.move(8.0, 20.0);
   const double before = rig.force.resistance;
@@ -309,21 +309,21 @@ TEST(NeedleContact, no_needle_no_force_and_the_state_stays) {
   EXPECT_NEAR(rig.to(8.0).resistance, before, 1e-12);
 }
 
-TEST(NeedleContact, refuses_settings_out_of_range_and_bodies_that_do_not_fit) {
+TEST(EmbeddedNeedle, refuses_settings_out_of_range_and_bodies_that_do_not_fit) {
   const ContactTissues tissues = checks::plain_tissues(0.02);
-  NeedleContactSettings settings;
+  EmbeddedNeedleSettings settings;
   settings.capture_radius = -1.0;
-  EXPECT_THROW(NeedleContact(soft_body(), tissues, settings, 1e-3), InputError);
+  EXPECT_THROW(EmbeddedNeedle(soft_body(), tissues, settings, 1e-3), InputError);
   settings = {};
   settings.most_nodes = 161;
-  EXPECT_THROW(NeedleContact(soft_body(), tissues, settings, 1e-3), InputError);
-  EXPECT_THROW(NeedleContact(soft_body(), tissues, {}, 0.0), InputError);
+  EXPECT_THROW(EmbeddedNeedle(soft_body(), tissues, settings, 1e-3), InputError);
+  EXPECT_THROW(EmbeddedNeedle(soft_body(), tissues, {}, 0.0), InputError);
   CondensedBody body = soft_body();
   body.tissues.pop_back();
-  EXPECT_THROW(NeedleContact(body, tissues, {}, 1e-3), InputError);
+  EXPECT_THROW(EmbeddedNeedle(body, tissues, {}, 1e-3), InputError);
   ContactTissues bad = tissues;
   bad[7].friction = std::nan("");
-  EXPECT_THROW(NeedleContact(soft_body(), bad, {}, 1e-3), InputError);
+  EXPECT_THROW(EmbeddedNeedle(soft_body(), bad, {}, 1e-3), InputError);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 
 namespace bodkin {
 
-struct NeedleContactSettings {
+struct EmbeddedNeedleSettings {
   double capture_radius =
       1.5;               // mm; nodes this close to the line are the needle's; 0.05 to 20 [D: half an edge of 3]
   double spacing = 0.5;  // mm of the line for which one node is kept; 0.05 to 20 [D]
@@ -30,7 +30,7 @@ struct TissuePuncture {
 };
 
 // What a needle and a deformable body did to each other in one tick.
-struct NeedleContactForce {
+struct EmbeddedNeedleForce {
   Wrench on_hand;              // about the tip
   double resistance = 0.0;     // N, along the line, positive pushes the hand out
   double tip_force = 0.0;      // N of the resistance, by the tissue in front of the tip
@@ -62,17 +62,17 @@ struct NeedleContactForce {
 // The state is reset by begin(); punctured nodes are remembered until reset(). Each call does the same for the same
 // calls before it, to the bit. Memory is taken at construction; nothing else throws, allocates, locks or reads a
 // clock.
-class NeedleContact {
+class EmbeddedNeedle {
  public:
   // `body` is kept by reference and must outlive this. Throws InputError for settings or tissues out of range, or a
   // body whose arrays do not fit together. `dt`: s, 1e-6 to 0.1.
-  NeedleContact(const CondensedBody& body, const ContactTissues& tissues, const NeedleContactSettings& settings,
-                double dt);
+  EmbeddedNeedle(const CondensedBody& body, const ContactTissues& tissues, const EmbeddedNeedleSettings& settings,
+                 double dt);
 
   // The needle touches the body at `entry` and goes along the unit vector `direction` (LPS).
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   // One tick. Before the first begin() nothing touches.
-  const NeedleContactForce& step(const Pose& needle) noexcept;
+  const EmbeddedNeedleForce& step(const Pose& needle) noexcept;
   // As constructed: no contact, nothing punctured.
   void reset() noexcept;
 
@@ -113,7 +113,7 @@ class NeedleContact {
 
   const CondensedBody& body_;
   ContactTissues tissues_;
-  NeedleContactSettings settings_;
+  EmbeddedNeedleSettings settings_;
   double dt_;
   InsertionStations stations_;
   ShaftConstraints constraints_;
@@ -128,7 +128,7 @@ class NeedleContact {
   Mat3 frame_ = Mat3::Identity();  // columns: along the line, across, across
   double tip_ = 0.0;               // s, mm
   Eigen::Vector2d offset_ = Eigen::Vector2d::Zero(), slope_ = Eigen::Vector2d::Zero();
-  NeedleContactForce force_;
+  EmbeddedNeedleForce force_;
   NodeForces published_;
 };
 

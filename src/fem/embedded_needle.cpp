@@ -1,4 +1,4 @@
-#include "fem/needle_contact.h"
+#include "fem/embedded_needle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,7 @@ const CondensedBody& checked_body(const CondensedBody& body) {
                    " rows; expected as many tissues as nodes and 3 rows for each");
 }
 
-std::size_t checked_room(const NeedleContactSettings& settings) {
+std::size_t checked_room(const EmbeddedNeedleSettings& settings) {
   check_contact_setting(settings.capture_radius, 0.05, 20.0, "capture radius", "mm");
   check_contact_setting(settings.spacing, 0.05, 20.0, "spacing", "mm");
   check_contact_setting(settings.puncture_time, 0.001, 1.0, "puncture time", "s");
@@ -49,8 +49,8 @@ std::size_t checked_room(const NeedleContactSettings& settings) {
 
 }  // namespace
 
-NeedleContact::NeedleContact(const CondensedBody& body, const ContactTissues& tissues,
-                             const NeedleContactSettings& settings, double dt)
+EmbeddedNeedle::EmbeddedNeedle(const CondensedBody& body, const ContactTissues& tissues,
+                               const EmbeddedNeedleSettings& settings, double dt)
     : body_(checked_body(body)),
       tissues_(tissues),
       settings_(settings),
@@ -66,14 +66,14 @@ NeedleContact::NeedleContact(const CondensedBody& body, const ContactTissues& ti
   check_contact_setting(dt, 1e-6, 0.1, "tick", "s");
 }
 
-void NeedleContact::reset() noexcept {
+void EmbeddedNeedle::reset() noexcept {
   std::fill(punctured_.begin(), punctured_.end(), std::uint8_t{0});
   begin(Vec3::Zero(), Vec3::UnitZ());
   stations_.clear();
   begun_ = false;
 }
 
-void NeedleContact::begin(const Vec3& entry, const Vec3& direction) noexcept {
+void EmbeddedNeedle::begin(const Vec3& entry, const Vec3& direction) noexcept {
   entry_ = entry;
   frame_.col(0) = direction;
   const Vec3 other = std::abs(direction.x()) < 0.6 ? Vec3::UnitX() : Vec3::UnitY();
@@ -91,11 +91,11 @@ void NeedleContact::begin(const Vec3& entry, const Vec3& direction) noexcept {
 }
 
 // Whether the node before the tip still has to be punctured.
-bool NeedleContact::blocked() const noexcept {
+bool EmbeddedNeedle::blocked() const noexcept {
   return held_ < line().size() && line()[held_].resists && punctured_[line()[held_].node] == 0;
 }
 
-Vec3 NeedleContact::displacement(std::uint32_t node) const noexcept {
+Vec3 EmbeddedNeedle::displacement(std::uint32_t node) const noexcept {
   Vec3 sum = Vec3::Zero();
   const auto at = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(node);
   for (std::size_t i = 0; i < coupling_.size(); ++i) {
@@ -107,7 +107,7 @@ Vec3 NeedleContact::displacement(std::uint32_t node) const noexcept {
 }
 
 // Nodes that the tip has drawn back beyond.
-void NeedleContact::let_go() noexcept {
+void EmbeddedNeedle::let_go() noexcept {
   while (held_ > 0 && tip_ < line()[held_ - 1].depth) {
     std::fill_n(forces_.begin() + static_cast<std::ptrdiff_t>(3 * held_ - 3), 6, 0.0);
     if (coupling_.size() > held_) coupling_.pop();  // it is before the tip again
@@ -117,12 +117,12 @@ void NeedleContact::let_go() noexcept {
 }
 
 // Where the tip will meet the node before it: at its depth, or here if the tip is beyond that already.
-void NeedleContact::face_next(double moved) noexcept {
+void EmbeddedNeedle::face_next(double moved) noexcept {
   holds_[held_].slip = std::max(line()[held_].depth, tip_ - moved);
   holds_[held_].moved = moved;
 }
 
-bool NeedleContact::take(std::size_t index) noexcept {
+bool EmbeddedNeedle::take(std::size_t index) noexcept {
   const InsertionStation& station = line()[index];
   Hold& hold = holds_[index];
   const Vec3 moved = displacement(station.node);
@@ -143,7 +143,7 @@ bool NeedleContact::take(std::size_t index) noexcept {
   return true;
 }
 
-void NeedleContact::capture() noexcept {
+void EmbeddedNeedle::capture() noexcept {
   force_.full = false;
   for (int i = 0; i < most_captures; ++i) {
     if (held_ >= line().size() || blocked() || tip_ < line()[held_].depth) return;
@@ -161,7 +161,7 @@ void NeedleContact::capture() noexcept {
 
 // Another softness of the last node across the needle. One that grows does so where the node is, one that shrinks
 // with the force that the node has: either way energy is lost, not won.
-void NeedleContact::soften(double softness) noexcept {
+void EmbeddedNeedle::soften(double softness) noexcept {
   Hold& hold = holds_[held_ - 1];
   if (softness == hold.softness) return;
   if (softness < 0.0) {
@@ -181,7 +181,7 @@ void NeedleContact::soften(double softness) noexcept {
 }
 
 // How much of the needle each node has got hold of.
-void NeedleContact::grip() noexcept {
+void EmbeddedNeedle::grip() noexcept {
   for (std::size_t i = 0; i < held_; ++i) {
     const InsertionStation& station = line()[i];
     const double length = std::clamp(tip_ - station.depth, 0.0, station.length);
@@ -196,7 +196,7 @@ void NeedleContact::grip() noexcept {
   soften(part < least_grip ? -1.0 : holds_[held_ - 1].compliance * (1.0 / part - 1.0));
 }
 
-void NeedleContact::solve() noexcept {
+void EmbeddedNeedle::solve() noexcept {
   const std::size_t known = coupling_.size();
   double* d = displacements_.data();
   for (std::size_t i = 0; i < known; ++i) {
@@ -217,7 +217,7 @@ void NeedleContact::solve() noexcept {
 }
 
 // Nodes that would slide against the friction that drives them stick where they were at the last tick.
-bool NeedleContact::stick_where_slip_turned(bool last_round) noexcept {
+bool EmbeddedNeedle::stick_where_slip_turned(bool last_round) noexcept {
   std::size_t turned = 0;
   const auto turns = [this](std::size_t i) {
     const Hold& hold = holds_[i];
@@ -238,7 +238,7 @@ bool NeedleContact::stick_where_slip_turned(bool last_round) noexcept {
 
 // Nodes that are held by more than their friction begin to slide, the worst first and as many as the tick can bear.
 // One that waits is held a little longer: that is elastic and gives no energy.
-bool NeedleContact::slip_where_friction_ends(std::size_t& budget) noexcept {
+bool EmbeddedNeedle::slip_where_friction_ends(std::size_t& budget) noexcept {
   double worst = 0.0;
   const auto excess = [this](std::size_t i) {
     return std::abs(forces_[3 * i]) - holds_[i].limit * (1.0 + force_tolerance) - force_tolerance;
@@ -263,7 +263,7 @@ bool NeedleContact::slip_where_friction_ends(std::size_t& budget) noexcept {
 }
 
 // The tip and the tissue before it touch where they would overlap, and part where they would pull.
-bool NeedleContact::meet_tip() noexcept {
+bool EmbeddedNeedle::meet_tip() noexcept {
   if (constraints_.held_along(held_)) {
     if (forces_[3 * held_] >= 0.0) return false;
     constraints_.let_slide(held_);
@@ -274,7 +274,7 @@ bool NeedleContact::meet_tip() noexcept {
   return constraints_.hold_before_tip(line()[held_].node);
 }
 
-void NeedleContact::settle() noexcept {
+void EmbeddedNeedle::settle() noexcept {
   std::size_t budget = release_budget;
   for (int round = 1;; ++round) {
     solve();
@@ -294,7 +294,7 @@ void NeedleContact::settle() noexcept {
   }
 }
 
-void NeedleContact::puncture() noexcept {
+void EmbeddedNeedle::puncture() noexcept {
   if (!blocked() || !constraints_.held_along(held_)) return;
   const InsertionStation& station = line()[held_];
   const double strength = tissues_[station.tissue].puncture_force;
@@ -312,7 +312,7 @@ void NeedleContact::puncture() noexcept {
   force_.puncture = TissuePuncture{station.tissue, tip_, force};
 }
 
-const NeedleContactForce& NeedleContact::step(const Pose& needle) noexcept {
+const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle) noexcept {
   force_.fault = false;
   force_.puncture.reset();
   const Vec3 axis = needle.linear().col(2);
@@ -343,7 +343,7 @@ const NeedleContactForce& NeedleContact::step(const Pose& needle) noexcept {
   return force_;
 }
 
-void NeedleContact::report() noexcept {
+void EmbeddedNeedle::report() noexcept {
   const std::size_t known = coupling_.size();
   Vec3 pushed = Vec3::Zero(), torque = Vec3::Zero();  // of the tissue, about the tip, in the frame
   published_.count = 0;
@@ -372,7 +372,7 @@ void NeedleContact::report() noexcept {
                                                                                            settings_.capture_radius));
 }
 
-double NeedleContact::stored_energy() const noexcept {
+double EmbeddedNeedle::stored_energy() const noexcept {
   double sum = 0.0;
   for (std::size_t i = 0; i < coupling_.size(); ++i) {
     const Vec3 force = Eigen::Map<const Vec3>(forces_.data() + 3 * i);
