@@ -69,7 +69,7 @@ TEST_F(CaseMesh, meshes_a_patient_once_and_tells_table_picture_and_json) {
   EXPECT_NEAR(json::parse(other.output).at("nodes").get<double>(), 2500.0, 375.0);
   const Outcome back = bodkin("-q case mesh patient --nodes 4000 --force");
   EXPECT_EQ(back.exit_code, 0);
-  EXPECT_EQ(content_of(file), before);  // the same seed gives the same bytes
+  EXPECT_EQ(content_of(file), before);  // the same bytes as the first time
 }
 
 TEST_F(CaseMesh, imports_a_mesh_with_regions_and_keeps_it) {
