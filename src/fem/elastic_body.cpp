@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "fem/mesh_place.h"
+#include "fem/mesh_soundness.h"
 
 namespace bodkin {
 
@@ -68,12 +69,12 @@ MultifrontalCholesky factorise(const BodyDescription& body, const BodyPlan& plan
 
 }  // namespace
 
-MeshQuality check_body(const BodyDescription& body) {
-  MeshQuality quality = check_mesh(body.mesh);
+std::vector<std::string> check_body(const BodyDescription& body) {
+  std::vector<std::string> warnings = check_mesh(body.mesh);
   check_materials(body.mesh, body.materials);
   check_supports(body.mesh, body.fixed);
   check_corridor(body);
-  return quality;
+  return warnings;
 }
 
 BodyPlan plan_body(const BodyDescription& body, const Progress& progress) {

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "anatomy/tetrahedral_mesh.h"
 #include "core/progress.h"
 #include "fem/condensed_body.h"
 #include "fem/elastic_assembly.h"
-#include "fem/mesh_soundness.h"
 #include "fem/multifrontal_cholesky.h"
 
 namespace bodkin {
@@ -21,8 +21,8 @@ struct BodyDescription {
 };
 
 // Checks a body whole: its mesh, its materials, what holds it, and its corridor. Throws InputError, one sentence with
-// place and remedy; returns how good the mesh is.
-MeshQuality check_body(const BodyDescription& body);
+// place and remedy; returns warnings of a mesh that is poor, one sentence each.
+std::vector<std::string> check_body(const BodyDescription& body);
 
 // The equations of a body and how they will be solved. Says what memory that takes before it is taken:
 // plan.symbolic.bytes().

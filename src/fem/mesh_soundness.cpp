@@ -8,6 +8,8 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "anatomy/mesh_parts.h"
+#include "anatomy/mesh_quality.h"
 #include "core/error.h"
 #include "fem/mesh_place.h"
 
@@ -69,21 +71,6 @@ void check_indices(const TetrahedralMesh& mesh) {
   }
 }
 
-// Degrees, between the two faces that meet in each edge: in the plane across the edge, the angle between the
-// directions to the other two corners.
-std::array<double, 6> dihedral_angles(const Corners& x) {
-  std::array<double, 6> angles{};
-  for (std::size_t i = 0; i < 6; ++i) {
-    const auto [a, b] = edges[i];
-    const auto [c, d] = edges[5 - i];  // the opposite edge
-    const Vec3 along = (x[b] - x[a]).normalized();
-    const Vec3 to_c = (x[c] - x[a]) - along * along.dot(x[c] - x[a]);
-    const Vec3 to_d = (x[d] - x[a]) - along * along.dot(x[d] - x[a]);
-    angles[i] = std::atan2(to_c.cross(to_d).norm(), to_c.dot(to_d)) / degree;
-  }
-  return angles;
-}
-
 void refuse_flat(const TetrahedralMesh& mesh, std::size_t element, double volume, double edge) {
   const double least = flattest * edge * edge * edge;
   if (volume >= least) return;
@@ -97,22 +84,6 @@ void refuse_flat(const TetrahedralMesh& mesh, std::size_t element, double volume
       fmt::format("element {} at {} is flat: {:.3g} mm^3 for edges of {:.3g} mm, expected at least {:.0e} "
                   "of their cube; let the mesher remove slivers (perturb and exude) or mesh anew",
                   element, place_of_element(mesh, element), volume, edge, flattest));
-}
-
-// Counts the nodes of each tissue, without a set per tissue: nodes sorted by tissue, each pair once.
-void count_tissue_nodes(const TetrahedralMesh& mesh, MeshQuality& quality) {
-  std::vector<std::uint32_t> last_seen(mesh.nodes.size());
-  for (std::size_t tissue = 0; tissue < 256; ++tissue) {
-    if (quality.tissue_elements[tissue] == 0) continue;
-    const auto mark = static_cast<std::uint32_t>(tissue + 1);
-    for (std::size_t element = 0; element < mesh.elements.size(); ++element) {
-      if (mesh.tissues[element] != tissue) continue;
-      for (const std::uint32_t node : mesh.elements[element]) {
-        if (last_seen[node] != mark) ++quality.tissue_nodes[tissue];
-        last_seen[node] = mark;
-      }
-    }
-  }
 }
 
 // The pieces of a mesh that hang together through elements: a union-find over nodes.
@@ -155,51 +126,28 @@ struct Support {
 
 }  // namespace
 
-MeshQuality check_mesh(const TetrahedralMesh& mesh) {
+std::vector<std::string> check_mesh(const TetrahedralMesh& mesh) {
   check_indices(mesh);
-  MeshQuality quality;
-  quality.nodes = mesh.nodes.size();
-  quality.elements = mesh.elements.size();
-  quality.smallest_angle = 180.0;
-  quality.smallest_volume = quality.shortest_edge = std::numeric_limits<double>::infinity();
-  double edge_sum = 0.0;
+  std::size_t poor_elements = 0, poorest = 0;
+  double smallest_angle = poor_angle;
   for (std::size_t element = 0; element < mesh.elements.size(); ++element) {
     const Corners x = corners_of(mesh, element);
-    const double volume = (x[1] - x[0]).cross(x[2] - x[0]).dot(x[3] - x[0]) / 6.0;
     double sum = 0.0;
-    for (const auto& [a, b] : edges) {
-      const double length = (x[b] - x[a]).norm();
-      sum += length;
-      quality.shortest_edge = std::min(quality.shortest_edge, length);
-      quality.longest_edge = std::max(quality.longest_edge, length);
-    }
-    refuse_flat(mesh, element, volume, sum / 6.0);
-    edge_sum += sum;
-    quality.volume += volume;
-    quality.smallest_volume = std::min(quality.smallest_volume, volume);
-    quality.largest_volume = std::max(quality.largest_volume, volume);
-    quality.tissue_volume[mesh.tissues[element]] += volume;
-    ++quality.tissue_elements[mesh.tissues[element]];
-    const std::array<double, 6> angles = dihedral_angles(x);
-    for (const double angle : angles) {
-      ++quality.angles[std::min<std::size_t>(35, static_cast<std::size_t>(angle / 5.0))];
-      quality.largest_angle = std::max(quality.largest_angle, angle);
-      if (angle >= quality.smallest_angle) continue;
-      quality.smallest_angle = angle;
-      quality.smallest_angle_element = element;
-    }
-    if (*std::min_element(angles.begin(), angles.end()) < poor_angle) ++quality.poor_elements;
+    for (const auto& [a, b] : edges) sum += (x[b] - x[a]).norm();
+    refuse_flat(mesh, element, element_volume(mesh, element), sum / 6.0);
+    const std::array<double, 6> angles = dihedral_angles(x[0], x[1], x[2], x[3]);
+    const double angle = *std::min_element(angles.begin(), angles.end());
+    if (angle >= poor_angle) continue;
+    ++poor_elements;
+    if (angle >= smallest_angle) continue;
+    smallest_angle = angle;
+    poorest = element;
   }
-  quality.mean_edge = edge_sum / (6.0 * static_cast<double>(quality.elements));
-  count_tissue_nodes(mesh, quality);
-  if (quality.poor_elements > 0) {
-    quality.warnings.push_back(fmt::format(
-        "{} of {} elements have a dihedral angle below {} degrees, the smallest is {:.2f} in element {} at {}; the "
-        "body is used, but is stiffer there than its tissue",
-        quality.poor_elements, quality.elements, poor_angle, quality.smallest_angle, quality.smallest_angle_element,
-        place_of_element(mesh, quality.smallest_angle_element)));
-  }
-  return quality;
+  if (poor_elements == 0) return {};
+  return {fmt::format(
+      "{} of {} elements have a dihedral angle below {} degrees, the smallest is {:.2f} in element {} at {}; the "
+      "body is used, but is stiffer there than its tissue",
+      poor_elements, mesh.elements.size(), poor_angle, smallest_angle, poorest, place_of_element(mesh, poorest))};
 }
 
 void check_supports(const TetrahedralMesh& mesh, std::span<const std::uint32_t> fixed) {
