@@ -4,21 +4,14 @@
 #include <optional>
 #include <vector>
 
+#include "anatomy/condensed_body.h"
+#include "anatomy/force_settings.h"
 #include "core/geometry.h"
-#include "fem/condensed_body.h"
 #include "fem/contact_tissues.h"
 #include "fem/embedded_needle.h"
 #include "fem/node_forces.h"
 
 namespace bodkin {
-
-struct ClosestNodeSettings {
-  double capture_radius = 2.0;  // r_cap, mm; half the edge of an element; 0.05 to 50 [D]
-  double presliding = 1.0;      // N/mm by which friction grows before the shaft slides; 0.01 to 100 [D]
-  double relaxation = 0.030;    // s in which a punctured node goes back to its place; 0.001 to 1 [D]
-  double layer = 0.5;           // mm between the places where the tissue beside the shaft is looked up; 0.1 to 10 [D]
-  double longest = 300.0;       // mm, of shaft in tissue; 1 to 1000 [D]
-};
 
 struct ClosestNodeForce {
   double resistance = 0.0;            // R, N, positive pushes the hand out

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "tests/cli/bodkin_command.h"
+#include "tests/cli/calculix_case.h"
 #include "tests/cli/mesher_rig.h"
 #include "tests/io/foreign_meshes.h"
 #include <gmock/gmock.h>
@@ -141,6 +142,7 @@ TEST_F(CaseMesh, meshes_a_real_abdomen) {
   EXPECT_NEAR(result.at("nodes").get<double>(), 5000.0, 750.0);
   EXPECT_GT(result.at("dihedral_angle_deg").at(0).get<double>(), 1.0);
   EXPECT_GE(result.at("tissues").size(), 5U);
+  expect_same_as_calculix(folder_ / "abdomen");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "fem/condensed_cache.h"
+#include "fem/solid/condensed_cache.h"
 
 #include <chrono>
 #include <fstream>

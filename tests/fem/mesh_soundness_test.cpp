@@ -1,4 +1,4 @@
-#include "fem/mesh_soundness.h"
+#include "fem/solid/mesh_soundness.h"
 
 #include <limits>
 
@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "fem/elastic_body.h"
+#include "fem/solid/elastic_body.h"
 
 namespace bodkin {
 namespace {

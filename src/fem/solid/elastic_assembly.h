@@ -8,8 +8,8 @@
 #include <Eigen/Core>
 
 #include "anatomy/tetrahedral_mesh.h"
-#include "fem/block_matrix.h"
-#include "fem/elastic_material.h"
+#include "fem/solid/block_matrix.h"
+#include "fem/solid/elastic_material.h"
 
 namespace bodkin {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "fem/block_matrix.h"
+#include "fem/solid/block_matrix.h"
 
 namespace bodkin {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "fem/nested_dissection.h"
+#include "fem/solid/nested_dissection.h"
 
 namespace bodkin {
 

@@ -1,14 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "anatomy/condensed_body.h"
 #include "anatomy/tetrahedral_mesh.h"
 #include "core/progress.h"
-#include "fem/condensed_body.h"
-#include "fem/elastic_assembly.h"
-#include "fem/multifrontal_cholesky.h"
+#include "fem/solid/elastic_assembly.h"
+#include "fem/solid/multifrontal_cholesky.h"
 
 namespace bodkin {
 
@@ -61,7 +62,9 @@ class ElasticBody {
   MultifrontalCholesky factor_;
 };
 
-// From the description to the condensed body, checked, in the least memory.
-CondensedBody condense(const BodyDescription& body, FactorOptions options = {}, const Progress& progress = {});
+// From the description to the condensed body, checked, in the least memory. `note` hears the warnings of the check,
+// and how large the body is and what memory it will take, before that is taken; it may be empty.
+CondensedBody condense(const BodyDescription& body, FactorOptions options = {}, const Progress& progress = {},
+                       const std::function<void(const std::string&)>& note = {});
 
 }  // namespace bodkin

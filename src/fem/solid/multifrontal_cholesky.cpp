@@ -1,4 +1,4 @@
-#include "fem/multifrontal_cholesky.h"
+#include "fem/solid/multifrontal_cholesky.h"
 
 #include <algorithm>
 #include <cstring>
@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "fem/available_memory.h"
-#include "fem/dense_kernels.h"
-#include "fem/front_assembly.h"
+#include "fem/solid/available_memory.h"
+#include "fem/solid/dense_kernels.h"
+#include "fem/solid/front_assembly.h"
 
 namespace bodkin {
 

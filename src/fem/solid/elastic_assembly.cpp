@@ -1,10 +1,10 @@
-#include "fem/elastic_assembly.h"
+#include "fem/solid/elastic_assembly.h"
 
 #include <algorithm>
 #include <array>
 
 #include "core/error.h"
-#include "fem/element_stiffness.h"
+#include "fem/solid/element_stiffness.h"
 
 namespace bodkin {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "fem/elastic_body.h"
+#include "fem/solid/elastic_body.h"
 
 namespace bodkin {
 
@@ -26,8 +26,8 @@ void save_condensed(const std::filesystem::path& file, const CondensedBody& body
 CondensedBody load_condensed(const std::filesystem::path& file, const BodyDigest& digest);
 
 // The condensed body from the cache or, when that does not have it, prepared by condense() and put there. `note`
-// hears one sentence when a file had to be passed over or could not be written; it may be empty. Throws what
-// condense() does.
+// hears what condense() notes, and one sentence when a file had to be passed over or could not be written; it may be
+// empty. Throws what condense() does.
 CondensedBody condensed_with_cache(const std::filesystem::path& file, const BodyDescription& body,
                                    const FactorOptions& options = {}, const Progress& progress = {},
                                    const std::function<void(const std::string&)>& note = {});

@@ -1,4 +1,4 @@
-#include "fem/available_memory.h"
+#include "fem/solid/available_memory.h"
 
 #include <algorithm>
 #include <fstream>

@@ -1,9 +1,9 @@
-#include "fem/symbolic_factor.h"
+#include "fem/solid/symbolic_factor.h"
 
 #include <algorithm>
 #include <numeric>
 
-#include "fem/elimination_tree.h"
+#include "fem/solid/elimination_tree.h"
 
 namespace bodkin {
 

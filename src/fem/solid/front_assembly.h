@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "fem/block_matrix.h"
-#include "fem/symbolic_factor.h"
+#include "fem/solid/block_matrix.h"
+#include "fem/solid/symbolic_factor.h"
 
 namespace bodkin {
 

@@ -1,4 +1,4 @@
-#include "fem/dense_kernels.h"
+#include "fem/solid/dense_kernels.h"
 
 #include <algorithm>
 

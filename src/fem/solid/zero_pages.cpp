@@ -1,4 +1,4 @@
-#include "fem/zero_pages.h"
+#include "fem/solid/zero_pages.h"
 
 #include <utility>
 

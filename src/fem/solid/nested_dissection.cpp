@@ -1,4 +1,4 @@
-#include "fem/nested_dissection.h"
+#include "fem/solid/nested_dissection.h"
 
 #include <limits>
 

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "core/geometry.h"
-#include "fem/elastic_material.h"
+#include "fem/solid/elastic_material.h"
 
 namespace bodkin {
 

@@ -1,11 +1,11 @@
-#include "fem/elastic_material.h"
+#include "fem/solid/elastic_material.h"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "core/error.h"
-#include "fem/mesh_place.h"
+#include "fem/solid/mesh_place.h"
 
 namespace bodkin {
 

@@ -1,4 +1,4 @@
-#include "fem/mesh_place.h"
+#include "fem/solid/mesh_place.h"
 
 #include <fmt/format.h>
 

@@ -8,9 +8,9 @@
 
 #include "core/error.h"
 #include "core/progress.h"
-#include "fem/block_matrix.h"
-#include "fem/symbolic_factor.h"
-#include "fem/zero_pages.h"
+#include "fem/solid/block_matrix.h"
+#include "fem/solid/symbolic_factor.h"
+#include "fem/solid/zero_pages.h"
 
 namespace bodkin {
 

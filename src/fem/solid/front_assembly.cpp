@@ -1,4 +1,4 @@
-#include "fem/front_assembly.h"
+#include "fem/solid/front_assembly.h"
 
 #include <algorithm>
 

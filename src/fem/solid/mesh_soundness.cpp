@@ -1,4 +1,4 @@
-#include "fem/mesh_soundness.h"
+#include "fem/solid/mesh_soundness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "anatomy/mesh_parts.h"
 #include "anatomy/mesh_quality.h"
 #include "core/error.h"
-#include "fem/mesh_place.h"
+#include "fem/solid/mesh_place.h"
 
 namespace bodkin {
 

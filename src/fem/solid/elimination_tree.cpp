@@ -1,4 +1,4 @@
-#include "fem/elimination_tree.h"
+#include "fem/solid/elimination_tree.h"
 
 namespace bodkin {
 

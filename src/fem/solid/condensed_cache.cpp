@@ -1,4 +1,4 @@
-#include "fem/condensed_cache.h"
+#include "fem/solid/condensed_cache.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
-#include "fem/dense_kernels.h"
+#include "fem/solid/dense_kernels.h"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -196,7 +196,7 @@ CondensedBody condensed_with_cache(const fs::path& file, const BodyDescription& 
       if (note) note(std::string("the body is prepared anew, since ") + error.what());
     }
   }
-  CondensedBody condensed = condense(body, options, progress);
+  CondensedBody condensed = condense(body, options, progress, note);
   try {
     save_condensed(file, condensed, digest);
   } catch (const SystemError& error) {

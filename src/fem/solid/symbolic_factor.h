@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "fem/nested_dissection.h"
+#include "fem/solid/nested_dissection.h"
 
 namespace bodkin {
 

@@ -1,4 +1,4 @@
-#include "fem/elastic_body.h"
+#include "fem/solid/elastic_body.h"
 
 #include <array>
 #include <utility>
@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
-#include "fem/mesh_place.h"
-#include "fem/mesh_soundness.h"
+#include "fem/solid/mesh_place.h"
+#include "fem/solid/mesh_soundness.h"
 
 namespace bodkin {
 
@@ -126,10 +126,18 @@ Eigen::MatrixXd ElasticBody::displacement_by_corridor(const Eigen::MatrixXd& for
   return on_all_nodes(factor_.respond(forces));
 }
 
-CondensedBody condense(const BodyDescription& body, FactorOptions options, const Progress& progress) {
-  check_body(body);
+CondensedBody condense(const BodyDescription& body, FactorOptions options, const Progress& progress,
+                       const std::function<void(const std::string&)>& note) {
+  for (const std::string& warning : check_body(body)) {
+    if (note) note(warning);
+  }
   options.keep_field = false;
-  return ElasticBody(body, plan_body(body, progress), options, progress).condensed();
+  BodyPlan plan = plan_body(body, progress);
+  if (note) {
+    note(fmt::format("preparing a deformable body of {} nodes, {} of them in the corridor, takes {} MB",
+                     body.mesh.nodes.size(), plan.corridor.nodes.size(), (plan.symbolic.bytes(false) >> 20U) + 1));
+  }
+  return ElasticBody(body, std::move(plan), options, progress).condensed();
 }
 
 }  // namespace bodkin
