@@ -91,7 +91,8 @@ inline void expect_what_calculix_says(const BodyDescription& body, std::size_t c
   const auto size = static_cast<Eigen::Index>(rows.size());
   const Eigen::VectorXd way = Eigen::VectorXd::NullaryExpr(size, [&random] { return random.uniform(-2.0, 2.0); });
   Eigen::VectorXd on_corridor = Eigen::VectorXd::Zero(compliance.rows());
-  on_corridor(rows) = Eigen::MatrixXd(compliance(rows, rows)).llt().solve(way);
+  const Eigen::VectorXd contact = Eigen::MatrixXd(compliance(rows, rows)).llt().solve(way);
+  on_corridor(rows) = contact;
   const Eigen::VectorXd ours = elastic.displacement_by_corridor(on_corridor);
   const Eigen::VectorXd our_forces = elastic_forces(body.mesh, body.materials, ours);
 
