@@ -106,8 +106,7 @@ DeformableTip::DeformableTip(const Case& patient, const ClosestNodeSettings& set
     firm = std::max(firm, tissue.stiffness);
   }
   ClosestNodeSettings possible = settings;
-  possible.presliding = std::clamp(device - firm, least_friction_share * device,
-                                   std::max(settings.presliding, least_friction_share * device));
+  possible.presliding = std::min(settings.presliding, std::max(device - firm, least_friction_share * device));
   contact_ = std::make_unique<ClosestNodeContact>(*body_in(patient), tissues, possible, dt);
 }
 
