@@ -145,7 +145,7 @@ struct DeformableBodySettings {
   double corridor_radius = 25.0;   // mm about the planned path; 1 to 200
   double corridor_beyond = 15.0;   // mm that the corridor goes on behind the target; 0 to 200
   double corridor_nodes = 1000.0;  // at most, those nearest to the path; 10 to 5000
-  double stiffness_scale = 1.0;    // factor on Young's modulus of every tissue; 0.001 to 1000
+  double stiffness_scale = 10.0;   // factor on Young's modulus of every tissue; 0.001 to 1000
   bool fix_bone = true;            // bone and metal do not move
   bool fix_cut = true;             // nor do the faces where the mesh ends inside the patient
   double fix_beyond = 1000.0;      // mm along the planned path behind the entry: deeper nodes do not move; 1 to 1000

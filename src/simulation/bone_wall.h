@@ -9,14 +9,15 @@
 namespace bodkin {
 
 // Bone before the tip of a needle in a deformable body, whose bone does not move and so has no nodes to push: a
-// spring from where the tip met it, that never breaks.
+// spring from where the tip met it, that never breaks. The needle in the body stays there, at the bone's surface, so
+// that the device renders one stiffness at a time.
 class BoneWall {
  public:
-  // `largest`: N/mm that the device has left for it.
-  BoneWall(const Case& patient, double largest) {
+  // No stiffer than the patient's device renders.
+  explicit BoneWall(const Case& patient) {
     for (const TissueProperties& tissue : patient.library.tissues()) {
       if (tissue.layered.kind == LayeredKind::rigid)
-        stiffness_[tissue.id] = std::min(tissue.layered.contact_stiffness, largest);
+        stiffness_[tissue.id] = std::min(tissue.layered.contact_stiffness, patient.description.device.stiffness);
     }
   }
 
@@ -32,15 +33,21 @@ class BoneWall {
       met_ = false;
       events.push({EventKind::bone_left, bone_, depth, 0.0});
     }
-    return met_ ? stiffness_[bone_] * (depth - from_) : 0.0;
+    behind_ = met_ ? depth - from_ : 0.0;
+    return stiffness_[bone_] * behind_;
   }
+  // mm that the hand's tip is behind the bone's surface.
+  double behind() const noexcept { return behind_; }
   bool met() const noexcept { return met_; }
-  void reset() noexcept { met_ = false; }
+  void reset() noexcept {
+    met_ = false;
+    behind_ = 0.0;
+  }
 
  private:
   std::array<double, 256> stiffness_{};  // N/mm, by TissueId; 0 = no bone
   bool met_ = false;
-  double from_ = 0.0;  // mm
+  double from_ = 0.0, behind_ = 0.0;  // mm
   TissueId bone_ = tissue::air;
 };
 

@@ -10,7 +10,6 @@ namespace bodkin {
 
 namespace {
 
-constexpr double body_share = 0.5;            // of the device's stiffness, that the tissue about the shaft may take
 constexpr double least_friction_share = 0.1;  // of the device's stiffness, left to the friction's spring
 
 const std::shared_ptr<const CondensedBody>& body_in(const Case& patient) {
@@ -30,21 +29,25 @@ ContactTissues tissues_in(const Case& patient) {
   return tissues;
 }
 
-// The factor by which the body has to be softer for the device.
-double scale_for(const Case& patient, const CondensedBody& body, const EmbeddedNeedleSettings& settings) {
+double stiffness_on_path(const Case& patient, const EmbeddedNeedleSettings& settings) {
   const auto& path = patient.description.procedure.path;
-  if (!path) return 1.0;
-  const double stiffness =
-      shaft_stiffness(body, path->entry, path->direction(), path->length() + settings.body.corridor_beyond,
-                      settings.capture_radius, settings.spacing, settings.most_nodes);
-  const double wanted = body_share * patient.description.device.stiffness;
-  return stiffness > wanted ? wanted / stiffness : 1.0;
+  if (!path) return 0.0;
+  return shaft_stiffness(*body_in(patient), path->entry, path->direction(),
+                         path->length() + settings.body.corridor_beyond, settings.capture_radius, settings.spacing,
+                         settings.most_nodes);
 }
 
-std::shared_ptr<const CondensedBody> softened(const std::shared_ptr<const CondensedBody>& body, double scale) {
-  if (scale == 1.0) return body;
+// The body on a spring: a shaft in it that has the stiffness `found` then has `rendered`. Moving all nodes alike is
+// what the hand does, so to every pair of them the spring's compliance is added.
+std::shared_ptr<const CondensedBody> on_spring(const std::shared_ptr<const CondensedBody>& body, double found,
+                                               double rendered) {
+  if (rendered >= found) return body;
   auto softer = std::make_shared<CondensedBody>(*body);
-  softer->compliance /= scale;
+  const double compliance = 1.0 / rendered - 1.0 / found;
+  for (Eigen::Index column = 0; column < softer->compliance.cols(); ++column) {
+    for (Eigen::Index row = column % 3; row < softer->compliance.rows(); row += 3)
+      softer->compliance(row, column) += compliance;
+  }
   return softer;
 }
 
@@ -59,10 +62,13 @@ void tell(const std::optional<TissuePuncture>& puncture, TickEvents& events) noe
 }  // namespace
 
 DeformableShaft::DeformableShaft(const Case& patient, const EmbeddedNeedleSettings& settings, double dt)
-    : scale_(scale_for(patient, *body_in(patient), settings)),
-      body_(softened(body_in(patient), scale_)),
-      needle_(std::make_unique<EmbeddedNeedle>(*body_, tissues_in(patient), settings, dt)),
-      bone_(patient, (1.0 - body_share) * patient.description.device.stiffness) {}
+    : bone_(patient) {
+  const double found = stiffness_on_path(patient, settings);
+  const double rendered = std::min(found, patient.description.device.stiffness);
+  if (rendered < found) scale_ = rendered / found;
+  body_ = on_spring(body_in(patient), found, rendered);
+  needle_ = std::make_unique<EmbeddedNeedle>(*body_, tissues_in(patient), settings, dt);
+}
 
 void DeformableShaft::begin(const Vec3& entry, const Vec3& direction) noexcept {
   needle_->begin(entry, direction);
@@ -78,25 +84,24 @@ void DeformableShaft::reset() noexcept {
 }
 
 ResistanceForce DeformableShaft::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
+  const double bone = bone_.step(needle.motion.depth, needle.tissue, events);
   Pose pose = Pose::Identity();
-  pose.translation() = needle.tip;
+  pose.translation() = needle.tip - bone_.behind() * direction_;
   pose.linear().col(0) = needle.side;
   pose.linear().col(1) = needle.axis.cross(needle.side);
   pose.linear().col(2) = needle.axis;
   const EmbeddedNeedleForce& found = needle_->step(pose);
   tell(found.puncture, events);
-  const double bone = bone_.step(needle.motion.depth, needle.tissue, events);
-  const bool beyond = found.beyond && !bone_.met();  // bone does not move, it has no nodes
-  if (beyond && !beyond_) events.push({EventKind::corridor_left, needle.tissue, needle.motion.depth, 0.0});
-  beyond_ = beyond;
+  if (found.beyond && !beyond_ && !bone_.met())  // at bone the nodes end, for it does not move
+    events.push({EventKind::corridor_left, needle.tissue, needle.motion.depth, 0.0});
+  beyond_ = found.beyond;
   return {.along = found.resistance + bone,
           .across = found.on_hand.force + found.resistance * direction_,
           .torque = found.on_hand.torque,
           .in_contact = needle.motion.depth > 0.0};
 }
 
-DeformableTip::DeformableTip(const Case& patient, const ClosestNodeSettings& settings, double dt)
-    : bone_(patient, patient.description.device.stiffness) {
+DeformableTip::DeformableTip(const Case& patient, const ClosestNodeSettings& settings, double dt) : bone_(patient) {
   const double device = patient.description.device.stiffness;
   ContactTissues tissues = tissues_in(patient);
   double firm = 0.0;
@@ -113,6 +118,7 @@ DeformableTip::DeformableTip(const Case& patient, const ClosestNodeSettings& set
 void DeformableTip::begin(const Vec3& entry, const Vec3& direction) noexcept {
   contact_->begin(entry, direction);
   bone_.reset();
+  direction_ = direction;
 }
 
 void DeformableTip::reset() noexcept {
@@ -121,9 +127,9 @@ void DeformableTip::reset() noexcept {
 }
 
 ResistanceForce DeformableTip::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
-  const ClosestNodeForce found = contact_->step(needle.tip);
-  tell(found.puncture, events);
   const double bone = bone_.step(needle.motion.depth, needle.tissue, events);
+  const ClosestNodeForce found = contact_->step(needle.tip - bone_.behind() * direction_);
+  tell(found.puncture, events);
   return {.along = found.resistance + bone, .in_contact = needle.motion.depth > 0.0};
 }
 

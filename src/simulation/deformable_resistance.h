@@ -14,8 +14,8 @@ namespace bodkin {
 // them; its library says what a needle meets in each tissue. Throw InputError when there is no body, or for settings
 // or tissues out of range.
 
-// `embedded_needle`: all nodes along the shaft. A body that is stiffer along the planned path than the device can
-// render is softened as a whole, by stiffness_scale().
+// `embedded_needle`: all nodes along the shaft. Where these are stiffer along the planned path than the device can
+// render, the hand feels the body through a spring, which leaves stiffness_scale() of that stiffness and every force.
 class DeformableShaft {
  public:
   DeformableShaft(const Case& patient, const EmbeddedNeedleSettings& settings, double dt);
@@ -26,7 +26,7 @@ class DeformableShaft {
   double stiffness_scale() const noexcept { return scale_; }
 
  private:
-  double scale_;
+  double scale_ = 1.0;
   std::shared_ptr<const CondensedBody> body_;
   std::unique_ptr<EmbeddedNeedle> needle_;  // refers to the body
   BoneWall bone_;
@@ -49,6 +49,7 @@ class DeformableTip {
   double scale_ = 1.0;
   BoneWall bone_;
   std::unique_ptr<ClosestNodeContact> contact_;
+  Vec3 direction_ = Vec3::UnitZ();
 };
 
 }  // namespace bodkin
