@@ -217,9 +217,9 @@ inline ResistanceSettings wild_resistance(Random& random) {
     case 7:
       return ShaftFrictionSettings{number(0.01, 1e3)};
     default: {
-      const DeformableBodySettings body{number(1.0, 200.0), number(0.0, 200.0), number(10.0, 5000.0),
-                                        number(1e-3, 1e3),  coin(),             coin(),
-                                        number(1.0, 1000.0)};
+      const DeformableBodySettings body{
+          number(1.0, 200.0), number(0.0, 200.0), number(10.0, 5000.0), number(1e-3, 1e3), coin(), coin(),
+          number(1.0, 1000.0)};
       if (coin())
         return EmbeddedNeedleSettings{number(0.05, 20.0), number(0.05, 20.0), number(0.001, 1.0), 150, body};
       return ClosestNodeSettings{number(0.05, 50.0), number(0.01, 100.0), number(0.001, 1.0),

@@ -101,7 +101,8 @@ TEST(Layout, heavy_headers_stay_in_source_files_of_the_rooms_that_own_them) {
       {std::regex("^(ceres|boost/math)/.*"), std::regex(R"(^fitting/.*\.cpp$)")},
       {std::regex("^boost/(?!asio/|beast/|math/).*"), std::regex("^$")},  // nor these
       {std::regex("^SDL.*"), std::regex(R"(^cli/sdl_screen\.cpp$)")},
-      {std::regex("^(metis|cblas.*|lapacke)\\.h$"), std::regex(R"(^fem/solid/(nested_dissection|dense_kernels)\.cpp$)")},
+      {std::regex("^(metis|cblas.*|lapacke)\\.h$"),
+       std::regex(R"(^fem/solid/(nested_dissection|dense_kernels)\.cpp$)")},
       {std::regex("^png\\.h$"), std::regex(R"(^imaging/.*\.cpp$)")},
       {std::regex("^(fmt|spdlog)/.*"), std::regex(R"(.*\.cpp$)")},
       {std::regex("^CGAL/.*"), std::regex(R"(^cli/mesher/label_mesher\.cpp$)")},
