@@ -11,6 +11,7 @@ namespace bodkin {
 namespace {
 
 constexpr double least_friction_share = 0.1;  // of the device's stiffness, left to the friction's spring
+constexpr double least_presliding = 0.01;     // N/mm, that ClosestNodeContact takes
 
 const std::shared_ptr<const CondensedBody>& body_in(const Case& patient) {
   if (patient.body != nullptr) return patient.body;
@@ -111,7 +112,8 @@ DeformableTip::DeformableTip(const Case& patient, const ClosestNodeSettings& set
     firm = std::max(firm, tissue.stiffness);
   }
   ClosestNodeSettings possible = settings;
-  possible.presliding = std::min(settings.presliding, std::max(device - firm, least_friction_share * device));
+  possible.presliding =
+      std::min(settings.presliding, std::max({device - firm, least_friction_share * device, least_presliding}));
   contact_ = std::make_unique<ClosestNodeContact>(*body_in(patient), tissues, possible, dt);
 }
 
