@@ -71,6 +71,18 @@ inline auto members(const ShaftFrictionSettings& s) {
   const auto& [a] = s;
   return std::tie(a);
 }
+inline auto members(const DeformableBodySettings& s) {
+  const auto& [a, b, c, d, e, f, g] = s;
+  return std::tie(a, b, c, d, e, f, g);
+}
+inline auto members(const EmbeddedNeedleSettings& s) {
+  const auto& [a, b, c, d, e] = s;
+  return std::tie(a, b, c, d, e);
+}
+inline auto members(const ClosestNodeSettings& s) {
+  const auto& [a, b, c, d, e, f] = s;
+  return std::tie(a, b, c, d, e, f);
+}
 inline auto members(const LineSpringSettings& s) {
   const auto& [a, b, c] = s;
   return std::tie(a, b, c);
@@ -134,7 +146,7 @@ bool same_bits(const std::variant<T...>& a, const std::variant<T...>& b) {
 }
 template <typename T>
 bool same_bits(const T& a, const T& b) {
-  if constexpr (std::is_enum_v<T> || std::is_same_v<T, bool>) {
+  if constexpr (std::is_enum_v<T> || std::is_integral_v<T>) {
     return a == b;
   } else {
     return std::apply(
