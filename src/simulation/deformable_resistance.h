@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "anatomy/case.h"
-#include "fem/closest_node_contact.h"
+#include "fem/closest_node.h"
 #include "fem/embedded_needle.h"
 #include "simulation/bone_wall.h"
 #include "simulation/resistance.h"

@@ -146,9 +146,10 @@ TEST(Layout, a_model_has_a_header_a_source_a_test_and_a_page_of_one_name) {
     if (page.path().extension() != ".md") continue;
     const std::string name = page.path().stem();
     ++models;
-    EXPECT_TRUE(fs::exists(repository / "src/forces" / (name + ".h"))) << name;
-    EXPECT_TRUE(fs::exists(repository / "src/forces" / (name + ".cpp"))) << name;
-    EXPECT_TRUE(fs::exists(repository / "tests/forces" / (name + "_test.cpp"))) << name;
+    const std::string room = fs::exists(repository / "src/fem" / (name + ".h")) ? "fem" : "forces";
+    EXPECT_TRUE(fs::exists(repository / "src" / room / (name + ".h"))) << name;
+    EXPECT_TRUE(fs::exists(repository / "src" / room / (name + ".cpp"))) << name;
+    EXPECT_TRUE(fs::exists(repository / "tests" / room / (name + "_test.cpp"))) << name;
   }
   EXPECT_GE(models, 2);
 }

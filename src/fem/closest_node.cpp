@@ -1,4 +1,4 @@
-#include "fem/closest_node_contact.h"
+#include "fem/closest_node.h"
 
 #include <algorithm>
 #include <cmath>
