@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "tests/fem/calculix.h"
@@ -16,7 +17,9 @@ inline void expect_same_as_calculix(const std::filesystem::path& folder) {
     std::cout << "  not compared with CalculiX: ccx is not installed (Debian: calculix-ccx)\n";
     return;
   }
+  setenv("BODKIN_IMAGES_WORKER", BODKIN_BUILD "/bin/bodkin-images", 1);  // it is not beside the tests
   const ::bodkin::Case patient = ::bodkin::load_case(folder);
+  unsetenv("BODKIN_IMAGES_WORKER");
   auto mesh = ::bodkin::read_case_mesh(folder, patient.library);
   ASSERT_TRUE(mesh.has_value());
   ::bodkin::DeformableBodySettings settings;
