@@ -22,13 +22,14 @@ inline bool calculix_is_there() {
   return std::system("command -v ccx > /dev/null 2>&1") == 0;
 }
 
-// The input of CalculiX: the mesh with its materials, the fixed nodes, and the way of some others.
+// The input of CalculiX: the mesh with its materials, the fixed nodes, and the way of some others. It reads no more
+// than 20 characters of a number.
 inline std::string calculix_input(const BodyDescription& body, const std::vector<std::uint32_t>& moved,
                                   const Eigen::VectorXd& way) {
   std::string text = "*NODE, NSET=ALL\n";
   for (std::size_t node = 0; node < body.mesh.nodes.size(); ++node) {
     const Vec3& x = body.mesh.nodes[node];
-    text += fmt::format("{}, {:.15g}, {:.15g}, {:.15g}\n", node + 1, x.x(), x.y(), x.z());
+    text += fmt::format("{}, {:.12g}, {:.12g}, {:.12g}\n", node + 1, x.x(), x.y(), x.z());
   }
   for (int id = 0; id < 256; ++id) {
     std::string elements;
@@ -42,7 +43,7 @@ inline std::string calculix_input(const BodyDescription& body, const std::vector
     const ElasticMaterial& material = *body.materials.find(static_cast<TissueId>(id));
     text += fmt::format("*ELEMENT, TYPE=C3D4, ELSET=TISSUE{}\n{}", id, elements);
     text += fmt::format(
-        "*MATERIAL, NAME=MATERIAL{0}\n*ELASTIC\n{1:.15g}, {2:.15g}\n*SOLID SECTION, ELSET=TISSUE{0}, "
+        "*MATERIAL, NAME=MATERIAL{0}\n*ELASTIC\n{1:.12g}, {2:.12g}\n*SOLID SECTION, ELSET=TISSUE{0}, "
         "MATERIAL=MATERIAL{0}\n",
         id, material.young, material.poisson);
   }
@@ -51,7 +52,7 @@ inline std::string calculix_input(const BodyDescription& body, const std::vector
   text += "*STEP\n*STATIC\n*BOUNDARY\n";
   for (std::size_t i = 0; i < moved.size(); ++i)
     for (Eigen::Index axis = 0; axis < 3; ++axis)
-      text += fmt::format("{0}, {1}, {1}, {2:.15g}\n", moved[i] + 1, axis + 1,
+      text += fmt::format("{0}, {1}, {1}, {2:.12g}\n", moved[i] + 1, axis + 1,
                           way(3 * static_cast<Eigen::Index>(i) + axis));
   return text + "*NODE PRINT, NSET=ALL\nU, RF\n*END STEP\n";
 }
