@@ -108,7 +108,7 @@ void MultifrontalCholesky::factorise(const BlockMatrix& matrix, const Progress& 
 }
 
 Eigen::MatrixXd MultifrontalCholesky::last_compliance() const {
-  const auto size = static_cast<Eigen::Index>(3 * symbolic_.last);
+  const auto size = 3 * Eigen::Index{symbolic_.last};
   if (size == 0) return {};
   const DenseThreads threads(options_.threads);
   Eigen::MatrixXd compliance = Eigen::Map<const Eigen::MatrixXd>(panel(symbolic_.supernodes.size() - 1), size, size);
