@@ -21,7 +21,8 @@ class BoneWall {
     }
   }
 
-  // N along the line, positive pushes out. `depth`: mm of the tip along the line; `at`: its tissue.
+  // N along the line, positive pushes out. `depth`: mm of the tip along the line; `at`: its tissue. The surface stays
+  // where the tip met it until the tip is before it and out of the bone.
   double step(double depth, TissueId at, TickEvents& events) noexcept {
     if (!met_ && stiffness_[at] > 0.0) {
       met_ = true;
@@ -29,11 +30,11 @@ class BoneWall {
       bone_ = at;
       events.push({EventKind::bone_contact, at, depth, 0.0});
     }
-    if (met_ && depth < from_) {
+    if (met_ && depth < from_ && stiffness_[at] == 0.0) {
       met_ = false;
       events.push({EventKind::bone_left, bone_, depth, 0.0});
     }
-    behind_ = met_ ? depth - from_ : 0.0;
+    behind_ = met_ ? std::max(depth - from_, 0.0) : 0.0;
     return stiffness_[bone_] * behind_;
   }
   // mm that the hand's tip is behind the bone's surface.
