@@ -66,6 +66,10 @@ EmbeddedNeedle::EmbeddedNeedle(const CondensedBody& body, const ContactTissues& 
   check_contact_setting(dt, 1e-6, 0.1, "tick", "s");
 }
 
+void EmbeddedNeedle::take_punctures(const EmbeddedNeedle& other) noexcept {
+  take_marks(body_, punctured_, other.body_, other.punctured_);
+}
+
 void EmbeddedNeedle::reset() noexcept {
   std::fill(punctured_.begin(), punctured_.end(), std::uint8_t{0});
   begin(Vec3::Zero(), Vec3::UnitZ());

@@ -68,6 +68,8 @@ class EmbeddedNeedle {
   const EmbeddedNeedleForce& step(const Pose& needle) noexcept;
   // As constructed: no contact, nothing punctured.
   void reset() noexcept;
+  // Punctured is also what was so in another corridor of the same mesh. The mesh nodes of both must ascend.
+  void take_punctures(const EmbeddedNeedle& other) noexcept;
 
   // Forces of the last tick, by node.
   const NodeForces& node_forces() const noexcept { return published_; }

@@ -50,11 +50,10 @@ Case deformable_patient(const ResistanceSettings& resistance, double device = 10
       checks::kelvin_body(3, 1 + static_cast<int>(deformable_bone_from / apart), apart, modulus));
   for (std::size_t node = 0; node < body->nodes.size(); ++node)
     body->tissues[node] = deformable_tissue_at(body->nodes[node].z() + 0.01);
-  patient.body = std::move(body);
+  patient.corridor = {std::move(body), NeedlePath{Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 30.0)}, {}};
   patient.description.device = {"strong", 100.0, 50.0, 1e6, device, 0.0};
   patient.description.haptics.resistance = resistance;
   patient.description.haptics.constraint = NoConstraint{};
-  patient.description.procedure.path = NeedlePath{Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 30.0)};
   return patient;
 }
 
@@ -114,7 +113,7 @@ TEST(DeformableResistance, is_what_the_embedded_needle_says) {
     const DeformableTissue& here = tissue.deformable;
     tissues[tissue.id] = {here.friction, here.puncture_force, here.stiffness};
   }
-  EmbeddedNeedle needle(*patient.body, tissues, settings, one_tick);
+  EmbeddedNeedle needle(*patient.corridor.body, tissues, settings, one_tick);
   bool begun = false;
   for (double place = -1.0; place < 30.0; place += 0.05) {
     const Pose pose = needle_pose(Vec3(0.0005 * place, 0.0, place), Vec3::UnitZ());
@@ -148,6 +147,20 @@ TEST(DeformableResistance, a_body_too_stiff_for_the_device_is_softened_and_says_
   const Case tip = deformable_patient(ClosestNodeSettings{}, 0.6);
   HapticTick by_tip(tip);
   EXPECT_NEAR(by_tip.stiffness_scale(), 0.6, 1e-12);  // 1 N/mm of the ligament
+}
+
+TEST(DeformableResistance, the_needle_in_the_body_is_behind_the_hand_by_the_spring_between_them) {
+  const Case strong = deformable_patient(EmbeddedNeedleSettings{}, 1e6, 0.5);
+  HapticTick firm(strong);
+  push_in(firm, 15.0);
+  EXPECT_EQ(firm.needle_ahead().norm(), 0.0);
+  const Case weak = deformable_patient(EmbeddedNeedleSettings{}, 0.6, 0.5);
+  HapticTick soft(weak);
+  EXPECT_EQ(soft.needle_ahead().norm(), 0.0);
+  const Felt felt = push_in(soft, 15.0);
+  const double spring = (1.0 - soft.stiffness_scale()) / 0.6;  // mm/N: 1/0.6 less the body's own compliance
+  EXPECT_NEAR(soft.needle_ahead().z(), spring * felt.end, 1e-9);
+  EXPECT_GT(soft.needle_ahead().z(), 0.5);
 }
 
 TEST(DeformableResistance, bone_stops_the_needle_and_lets_go_without_giving_energy) {
@@ -214,7 +227,7 @@ TEST(DeformableResistance, without_a_body_or_with_a_second_friction_it_is_refuse
   patient.description.haptics.parts.shaft_friction = ShaftFrictionSettings{};
   EXPECT_THROW(HapticTick{patient}, InputError);
   patient.description.haptics.parts.shaft_friction.reset();
-  patient.body.reset();
+  patient.corridor.body.reset();
   try {
     const HapticTick tick(patient);
     FAIL();
