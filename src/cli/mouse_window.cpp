@@ -228,10 +228,11 @@ void MouseWindow::draw_curve() {
 }
 
 void MouseWindow::draw_body(const WindowScene& scene) {
-  fill(screen_, body_box_on_screen, panel);
-  body_->draw(screen_, body_box_on_screen.x, body_box_on_screen.y, body_box_on_screen.width, scene.needle);
-  screen_.text(body_box_on_screen.x + 14.0, body_box_on_screen.y + 14.0, "The body along the path", Size::normal,
-               faint);
+  constexpr double title = 40.0;  // pixels
+  const Box& box = body_box_on_screen;
+  fill(screen_, box, panel);
+  screen_.text(box.x + 20.0, box.y + 14.0, "The body along the path", Size::normal, faint);
+  body_->draw(screen_, box.x + 0.5 * title, box.y + title, box.width - title, scene.needle);
 }
 
 void MouseWindow::draw_side(const WindowScene& scene) {

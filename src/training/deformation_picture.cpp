@@ -46,9 +46,9 @@ std::vector<float> moved_points(const BodyDescription& body, const std::vector<V
 }
 
 std::string title_of(const DeformedMoment& moment, double most) {
-  std::string title = fmt::format("at {:.2f} N, {:.1f} mm deep; tissue moved by up to {:.1f} mm", moment.resistance,
+  std::string title = fmt::format("{:.2f} N at {:.1f} mm; tissue moved {:.1f} mm", moment.resistance,
                                   moment.depth - moment.ahead, most);
-  if (moment.ahead > 0.1) title += fmt::format("; the hand is {:.1f} mm ahead", moment.ahead);
+  if (moment.ahead > 0.1) title += fmt::format(", the hand {:.1f} mm ahead", moment.ahead);
   return title;
 }
 

@@ -64,7 +64,7 @@ TEST_F(DeformableCase, a_patient_is_felt_through_its_mesh) {
 
   const Outcome seen = bodkin("-q profile patient --deformation" + embedded + "-o seen");
   ASSERT_EQ(seen.exit_code, 0) << seen.errors;
-  EXPECT_THAT(text_of("seen-deformation.svg"), AllOf(HasSubstr("at rest"), HasSubstr("tissue moved by up to")));
+  EXPECT_THAT(text_of("seen-deformation.svg"), AllOf(HasSubstr("at rest"), HasSubstr("tissue moved ")));
 
   // Beside the planned path the corridor is another one, and what was cached stays.
   const auto cached = fs::last_write_time(folder_ / "patient" / ::bodkin::body_file_name);

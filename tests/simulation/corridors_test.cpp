@@ -137,7 +137,7 @@ TEST(Corridors, a_corridor_feels_the_same_whenever_it_was_prepared) {
 
 TEST(Corridors, what_gave_way_in_one_has_given_way_in_the_next) {
   for (const ResistanceSettings& settings :
-       {ResistanceSettings(shaft_settings()), ResistanceSettings(ClosestNodeSettings{.capture_radius = 3.0})}) {
+       {ResistanceSettings(shaft_settings()), ResistanceSettings(ClosestNodeSettings{.capture_radius = 2.0})}) {
     const Case patient = patient_of_corridors(settings);
     HapticTick tick(patient);
     const auto skin_gives_way = [&](HapticTick& by, double x) {
