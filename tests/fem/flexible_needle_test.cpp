@@ -6,6 +6,7 @@
 
 #include "tests/fem/hermite_beam.h"
 #include "tests/fem/needle_rig.h"
+#include "tests/fem/winkler_body.h"
 #include "tests/sanitized.h"
 #include "tests/simulation/real_time_guard.h"
 #include <gtest/gtest.h>
@@ -19,6 +20,7 @@ namespace {
 
 using checks::MonolithicNeedle;
 using checks::NeedleRig;
+using checks::winkler_body;
 
 constexpr double steel_24g = 877.94;  // N mm^2
 
@@ -28,32 +30,18 @@ EmbeddedNeedleSettings bending(double rigidity, NeedleHold hold = NeedleHold::cl
   return settings;
 }
 
-// Nodes on the z axis that know nothing of each other: Winkler's foundation of `foundation` N/mm^2. The first stands
-// for half as much of the line as the others.
-CondensedBody winkler_body(int count, double spacing, double foundation) {
-  CondensedBody body;
-  for (int i = 0; i < count; ++i) {
-    body.mesh_nodes.push_back(static_cast<std::uint32_t>(i));
-    body.nodes.emplace_back(0.0, 0.0, spacing * i);
-    body.tissues.push_back(tissue::soft);
-  }
-  body.compliance = Eigen::MatrixXd::Identity(3 * count, 3 * count) / (foundation * spacing);
-  body.compliance.topLeftCorner<3, 3>() *= 2.0;
-  return body;
-}
-
 const CondensedBody& flesh() {
   static const CondensedBody body = checks::kelvin_body(3, sanitized ? 16 : 41, 1.0, 0.05);
   return body;
 }
 
 TEST(FlexibleNeedle, one_firm_node_is_the_tip_of_a_cantilever) {
-  const CondensedBody body = winkler_body(1, 1.0, 1e5);
+  const CondensedBody body = winkler_body(1, 1.0, 1e4);
   NeedleRig rig(body, checks::plain_tissues(0.0), bending(steel_24g));
   rig.move(0.9, 20.0);
   rig.move(Vec3(1.5, -0.5, 0.9), 20.0);
   const double outside = 90.0 - 0.9;
-  const Vec3 expected = -Vec3(1.5, -0.5, 0.0) / (std::pow(outside, 3) / (3.0 * steel_24g) + 2e-5);
+  const Vec3 expected = -Vec3(1.5, -0.5, 0.0) / (std::pow(outside, 3) / (3.0 * steel_24g) + 2e-4);
   EXPECT_LT((Vec3(rig.force.on_hand.force.x(), rig.force.on_hand.force.y(), 0.0) - expected).norm(),
             1e-9 * expected.norm());
 }
@@ -73,7 +61,7 @@ TEST(FlexibleNeedle, held_at_both_ends_it_is_four_times_as_stiff) {
   const double guided = 12.0 * steel_24g / std::pow(80.0, 3);
   EXPECT_LT(std::abs(stiffness[2] - guided), 0.6 * std::abs(stiffness[1] - guided));
   const double at_none = (8.0 * stiffness[2] - 6.0 * stiffness[1] + stiffness[0]) / 3.0;
-  EXPECT_NEAR(at_none, guided, 1e-4 * guided);
+  EXPECT_NEAR(at_none, guided, 3e-4 * guided);
 }
 
 // A half-infinite beam on Winkler's foundation whose other end sticks out by `outside`, clamped and moved by 1 mm
@@ -389,7 +377,36 @@ TEST(FlexibleNeedle, no_closed_way_gives_work) {
   }
 }
 
-TEST(FlexibleNeedle, a_hundred_thousand_ticks_at_random_are_all_finite_and_take_no_memory_and_no_lock) {
+// Bent where it is soft and let go where it is stiff, a spring would give what the hand never put in (here about
+// 0.3 N mm, were it not for what pushes back along the needle).
+TEST(FlexibleNeedle, bent_outside_and_let_go_deeper_it_gives_no_work) {
+  for (const int ticks : {400, 1600}) {
+    EmbeddedNeedle model(flesh(), checks::plain_tissues(0.0), bending(steel_24g, NeedleHold::clamped, 40.0), 1e-3);
+    model.begin(Vec3::Zero(), Vec3::UnitZ());
+    Vec3 place(0.0, 0.0, -0.5);
+    EmbeddedNeedleForce before = model.step(needle_pose(place, Vec3::UnitZ()));
+    double work = 0.0, pushed = 0.0, least = 0.0;
+    for (const Vec3& goal : {Vec3(0.0, 0.0, 2.7), Vec3(3.0, 0.0, 2.7), Vec3(3.0, 0.0, 12.7), Vec3(0.0, 0.0, 12.7),
+                             Vec3(0.0, 0.0, -0.5)}) {
+      const Vec3 start = place;
+      for (int tick = 1; tick <= ticks; ++tick) {
+        const Vec3 next = start + (goal - start) * (static_cast<double>(tick) / ticks);
+        const EmbeddedNeedleForce force = model.step(needle_pose(next, Vec3::UnitZ()));
+        const Vec3 mean = 0.5 * (force.on_hand.force + before.on_hand.force);
+        work -= mean.dot(next - place);
+        pushed -= mean.z() * (next - place).z();
+        least = std::min(least, work - model.stored_energy());
+        before = force;
+        place = next;
+      }
+    }
+    EXPECT_GT(least, -1e-3);
+    EXPECT_GT(work, 0.0);
+    EXPECT_GT(pushed, 0.05);
+  }
+}
+
+TEST(FlexibleNeedle, fifty_thousand_ticks_at_random_are_all_finite_and_take_no_memory_and_no_lock) {
   Random random(6);
   EmbeddedNeedleSettings settings = bending(250.0, NeedleHold::pinned, 40.0);
   settings.beam->cut_offset = 0.2;
