@@ -198,12 +198,10 @@ void EmbeddedNeedle::grip() noexcept {
 // The bevel: the hole of a node that is firmly held moves aside while the tip goes through the part of the next, as
 // far as friction has paid for it.
 void EmbeddedNeedle::cut_aside(double advance) noexcept {
-  if (!beam_ || beam_->settings().cut_offset == 0.0) return;
+  if (!beam_ || beam_->settings().cut_offset == 0.0 || !(advance > 0.0)) return;
   double used = 0.0;
-  for (std::size_t i = held_ - std::min(held_, last_cuts); i < held_; ++i) {
+  for (std::size_t i = held_ - std::min(held_, last_cuts); i + 1 < held_; ++i) {
     Hold& hold = holds_[i];
-    hold.aside.setZero();
-    if (i + 1 >= held_ || !(advance > 0.0)) continue;
     const InsertionStation& next = line()[i + 1];
     const double whole = std::min(next.length, settings_.capture_radius);
     const double cut = std::clamp((tip_ - next.depth) / whole, hold.cut, 1.0);

@@ -109,6 +109,7 @@ void EmbeddedNeedle::settle() noexcept {
   for (std::size_t i = 0; i < held_; ++i) {
     Hold& hold = holds_[i];
     spare_ -= std::max(0.0, -Eigen::Vector2d(forces_[3 * i + 1], forces_[3 * i + 2]).dot(hold.aside));
+    hold.aside.setZero();
     if (constraints_.held_along(i)) continue;
     const double slip = tip_ - hold.moved;
     spare_ += forces_[3 * i] * (slip - hold.slip);

@@ -13,16 +13,16 @@
 namespace bodkin {
 namespace {
 
-NeedleBeam steel_24g(NeedleHold hold = NeedleHold::clamped) {
+NeedleBeam needle_24g(NeedleHold hold = NeedleHold::clamped) {
   return NeedleBeam({.rigidity = 877.94, .length = 90.0, .hold = hold});
 }
 
 TEST(NeedleBeam, cantilever_bends_by_the_cube_of_its_length_over_3EI) {
   for (const double length : {10.0, 50.0, 90.0}) {
-    EXPECT_NEAR(steel_24g().flexibility(length, length), std::pow(length, 3) / (3.0 * 877.94), 1e-12 * length);
+    EXPECT_NEAR(needle_24g().flexibility(length, length), std::pow(length, 3) / (3.0 * 877.94), 1e-12 * length);
   }
   // design/force-models.md 4.3: 5 mm at 90 mm take 0.018065 N
-  EXPECT_NEAR(5.0 / steel_24g().flexibility(90.0, 90.0), 0.018065, 1e-6);
+  EXPECT_NEAR(5.0 / needle_24g().flexibility(90.0, 90.0), 0.018065, 1e-6);
 }
 
 TEST(NeedleBeam, is_what_any_chain_of_hermite_elements_gives) {
@@ -45,7 +45,7 @@ TEST(NeedleBeam, is_what_any_chain_of_hermite_elements_gives) {
 }
 
 TEST(NeedleBeam, ever_more_point_loads_become_a_distributed_one) {
-  const NeedleBeam beam = steel_24g();
+  const NeedleBeam beam = needle_24g();
   const double load = 1e-4, length = 90.0;  // N/mm
   const double exact = load * std::pow(length, 4) / (8.0 * 877.94);
   double last = 0.0;
@@ -64,7 +64,7 @@ TEST(NeedleBeam, ever_more_point_loads_become_a_distributed_one) {
 
 TEST(NeedleBeam, the_piece_outside_and_the_piece_inside_make_the_whole) {
   Random random(2);
-  const NeedleBeam beam = steel_24g();
+  const NeedleBeam beam = needle_24g();
   for (int trial = 0; trial < 100; ++trial) {
     const double depth = random.uniform(0.0, 90.0);
     const ShaftRoot root = beam.root(depth);
@@ -78,13 +78,13 @@ TEST(NeedleBeam, the_piece_outside_and_the_piece_inside_make_the_whole) {
 }
 
 TEST(NeedleBeam, a_hub_in_the_body_is_at_its_surface) {
-  EXPECT_EQ(steel_24g().root(95.0).outside, 0.0);
-  EXPECT_EQ(steel_24g().root(95.0).root.norm(), 0.0);
-  EXPECT_EQ(steel_24g().root(-5.0).outside, 90.0);
+  EXPECT_EQ(needle_24g().root(95.0).outside, 0.0);
+  EXPECT_EQ(needle_24g().root(95.0).root.norm(), 0.0);
+  EXPECT_EQ(needle_24g().root(-5.0).outside, 90.0);
 }
 
 TEST(NeedleBeam, a_pinned_hub_turns_without_moment) {
-  const NeedleBeam beam = steel_24g(NeedleHold::pinned);
+  const NeedleBeam beam = needle_24g(NeedleHold::pinned);
   const ShaftRoot root = beam.root(30.0);
   // 1e-9 N mm turn it by far: what it moves at the surface is that angle times the way from the hub.
   const Eigen::Vector2d moved = root.root * root.root.transpose() * Eigen::Vector2d(0.0, 1e-9);
