@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <ctime>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -121,8 +122,9 @@ void needle_tick(benchmark::State& state) {
   settings.capture_radius = 0.6;
   settings.spacing = 0.45;
   settings.most_nodes = 160;
-  if (state.range(1) != 0) settings.beam = NeedleBeamSettings{.rigidity = 257.0, .length = 90.0, .cut_offset = 0.1};
-  EmbeddedNeedle contact(way_of_the_needle(), tissues, settings, 1e-3);
+  std::optional<NeedleBeam> beam;
+  if (state.range(1) != 0) beam = NeedleBeam({.rigidity = 257.0, .length = 90.0, .cut_offset = 0.1});
+  EmbeddedNeedle contact(way_of_the_needle(), tissues, settings, 1e-3, beam);
   contact.begin(Vec3::Zero(), Vec3::UnitZ());
   const double depth = 0.5 * static_cast<double>(state.range(0)) - 0.25;
   std::vector<Pose> motion;

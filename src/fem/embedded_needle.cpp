@@ -46,12 +46,13 @@ std::size_t checked_room(const EmbeddedNeedleSettings& settings) {
 }  // namespace
 
 EmbeddedNeedle::EmbeddedNeedle(const CondensedBody& body, const ContactTissues& tissues,
-                               const EmbeddedNeedleSettings& settings, double dt)
+                               const EmbeddedNeedleSettings& settings, double dt,
+                               const std::optional<NeedleBeam>& beam)
     : body_(checked_body(body)),
       tissues_(tissues),
       settings_(settings),
       dt_(dt),
-      beam_(settings.beam ? std::optional<NeedleBeam>(*settings.beam) : std::nullopt),
+      beam_(beam),
       stations_(body, settings.capture_radius, settings.spacing),
       constraints_(body.compliance, checked_room(settings), beam_),
       coupling_(body.compliance, settings.most_nodes + 1),
@@ -254,7 +255,9 @@ const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle) noexcept {
   slope_ = lean.tail<2>() / lean(0);
   if (beam_) {
     root_ = beam_->root(tip_);
-    side_ = -(frame_.transpose() * needle.linear().col(1)).tail<2>();
+    const Vec3 across = needle.linear().col(1);
+    const bool known = std::abs(across.squaredNorm() - 1.0) < 1e-6;
+    side_ = known ? Eigen::Vector2d(-(frame_.transpose() * across).tail<2>()) : Eigen::Vector2d(0.0, 0.0);
   }
   if (begun_) {
     if (fresh_ && !line().empty()) face_next(0.0);

@@ -4,24 +4,16 @@
 #include <optional>
 #include <vector>
 
+#include "anatomy/condensed_body.h"
+#include "anatomy/force_settings.h"
 #include "core/geometry.h"
 #include "fem/axial_coupling.h"
-#include "fem/condensed_body.h"
 #include "fem/contact_tissues.h"
 #include "fem/insertion_stations.h"
 #include "fem/node_forces.h"
 #include "fem/shaft_constraints.h"
 
 namespace bodkin {
-
-struct EmbeddedNeedleSettings {
-  double capture_radius =
-      1.5;               // mm; nodes this close to the line are the needle's; 0.05 to 20 [D: half an edge of 3]
-  double spacing = 0.5;  // mm of the line for which one node is kept; 0.05 to 20 [D]
-  double puncture_time = 0.030;            // s in which the force of a puncture goes; 0.001 to 1 [D]
-  std::size_t most_nodes = 150;            // along the shaft; 1 to 160
-  std::optional<NeedleBeamSettings> beam;  // none: the needle is rigid
-};
 
 // A tissue that gave way.
 struct TissuePuncture {
@@ -55,8 +47,9 @@ struct EmbeddedNeedleForce {
 //   before the tip      u_i = s - depth_i, f_i >= 0        until f_i = F_p: puncture
 //
 // A bevelled needle cuts its hole `cut_offset` beside its axis, towards its point, which is the side of -y of its
-// pose (as BevelTip's), and so bends there. The energy of it comes from the friction of the shaft: never more than
-// that has taken. A hand that pushes a bent needle deeper bends it more sharply, and is pushed back for it.
+// pose (as BevelTip's; it cuts straight when y is no unit vector), and so bends there. The energy of it comes from
+// the friction of the shaft: never more than that has taken. A hand that pushes a bent needle deeper bends it more
+// sharply, and is pushed back for it.
 //
 //   s depth of the tip along the frozen line, mm; z_i slip, where on the needle node i sits, mm; l_i the length of
 //   shaft in node i's part of the line; mu_t, F_p ContactTissue.
@@ -73,9 +66,10 @@ struct EmbeddedNeedleForce {
 class EmbeddedNeedle {
  public:
   // `body` is kept by reference and must outlive this. Throws InputError for settings or tissues out of range, or a
-  // body whose arrays do not fit together. `dt`: s, 1e-6 to 0.1.
+  // body whose arrays do not fit together. `dt`: s, 1e-6 to 0.1. `beam`: none for a rigid needle; the settings' own
+  // `bending` says how a case's needle becomes one, and is not read here, nor is their `body`.
   EmbeddedNeedle(const CondensedBody& body, const ContactTissues& tissues, const EmbeddedNeedleSettings& settings,
-                 double dt);
+                 double dt, const std::optional<NeedleBeam>& beam = {});
 
   // The needle touches the body at `entry` and goes along the unit vector `direction` (LPS).
   void begin(const Vec3& entry, const Vec3& direction) noexcept;

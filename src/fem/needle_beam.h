@@ -2,13 +2,9 @@
 
 #include <Eigen/Core>
 
-namespace bodkin {
+#include "anatomy/force_settings.h"
 
-// How the hand has hold of the hub.
-enum class NeedleHold {
-  clamped,  // place and angle are the hand's
-  pinned    // its place alone: the hub turns freely, as in a gimbal without motors
-};
+namespace bodkin {
 
 struct NeedleBeamSettings {
   double rigidity = 877.94;  // E I, N mm^2 (bending_stiffness() in forces/beam.h); 0.1 to 1e9, or infinite

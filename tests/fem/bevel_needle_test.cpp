@@ -21,7 +21,8 @@ class BevelRig {
  public:
   BevelRig(const CondensedBody& body, double spacing, double offset, double friction = 0.02,
            double rigidity = steel_27g)
-      : model_(body, checks::plain_tissues(friction), settings(spacing, offset, rigidity), 1e-3) {
+      : model_(body, checks::plain_tissues(friction), settings(spacing), 1e-3,
+               NeedleBeam({.rigidity = rigidity, .length = 120.0, .cut_offset = offset})) {
     model_.begin(Vec3::Zero(), Vec3::UnitZ());
     step(-0.5, 0.0);
   }
@@ -69,11 +70,10 @@ class BevelRig {
   const EmbeddedNeedle& model() const { return model_; }
 
  private:
-  static EmbeddedNeedleSettings settings(double spacing, double offset, double rigidity) {
+  static EmbeddedNeedleSettings settings(double spacing) {
     EmbeddedNeedleSettings settings;
     settings.capture_radius = settings.spacing = 0.9 * spacing;
     settings.most_nodes = 160;
-    settings.beam = NeedleBeamSettings{.rigidity = rigidity, .length = 120.0, .cut_offset = offset};
     return settings;
   }
 

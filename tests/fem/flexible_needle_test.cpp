@@ -1,43 +1,31 @@
 // EmbeddedNeedle with a shaft that bends.
-#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
+#include "tests/fem/bent_needle.h"
 #include "tests/fem/hermite_beam.h"
-#include "tests/fem/needle_rig.h"
 #include "tests/fem/winkler_body.h"
-#include "tests/sanitized.h"
-#include "tests/simulation/real_time_guard.h"
 #include <gtest/gtest.h>
 
-#include "core/error.h"
 #include "fem/embedded_needle.h"
 #include "fem/shaft_constraints.h"
 
 namespace bodkin {
 namespace {
 
+using checks::bending;
+using checks::bent_rig;
+using checks::flesh;
 using checks::MonolithicNeedle;
 using checks::NeedleRig;
+using checks::steel_24g;
 using checks::winkler_body;
-
-constexpr double steel_24g = 877.94;  // N mm^2
-
-EmbeddedNeedleSettings bending(double rigidity, NeedleHold hold = NeedleHold::clamped, double length = 90.0) {
-  EmbeddedNeedleSettings settings = checks::narrow_settings();
-  settings.beam = NeedleBeamSettings{.rigidity = rigidity, .length = length, .hold = hold};
-  return settings;
-}
-
-const CondensedBody& flesh() {
-  static const CondensedBody body = checks::kelvin_body(3, sanitized ? 16 : 41, 1.0, 0.05);
-  return body;
-}
 
 TEST(FlexibleNeedle, one_firm_node_is_the_tip_of_a_cantilever) {
   const CondensedBody body = winkler_body(1, 1.0, 1e4);
-  NeedleRig rig(body, checks::plain_tissues(0.0), bending(steel_24g));
+  NeedleRig rig = bent_rig(body, checks::plain_tissues(0.0), bending(steel_24g));
   rig.move(0.9, 20.0);
   rig.move(Vec3(1.5, -0.5, 0.9), 20.0);
   const double outside = 90.0 - 0.9;
@@ -51,9 +39,9 @@ TEST(FlexibleNeedle, held_at_both_ends_it_is_four_times_as_stiff) {
   std::vector<double> stiffness;
   for (const double spacing : {2.0, 1.0, 0.5}) {
     const CondensedBody body = winkler_body(2, spacing, 1e7);
-    EmbeddedNeedleSettings settings = bending(steel_24g);
+    EmbeddedNeedleSettings settings = checks::narrow_settings();
     settings.capture_radius = 0.4 * spacing;
-    NeedleRig rig(body, checks::plain_tissues(0.0), settings);
+    NeedleRig rig(body, checks::plain_tissues(0.0), settings, bending(steel_24g));
     rig.move(10.0, 20.0);
     rig.move(Vec3(1.0, 0.0, 10.0), 20.0);
     stiffness.push_back(-rig.force.on_hand.force.x());
@@ -90,9 +78,9 @@ TEST(FlexibleNeedle, on_winklers_foundation_it_is_hetenyis_beam) {
   double last = 0.0;
   for (const double spacing : {2.0, 1.0, 0.5}) {
     const CondensedBody body = winkler_body(static_cast<int>(60.0 / spacing), spacing, 1.0);
-    EmbeddedNeedleSettings settings = bending(steel_24g);
+    EmbeddedNeedleSettings settings;
     settings.capture_radius = settings.spacing = 0.4 * spacing;
-    NeedleRig rig(body, checks::plain_tissues(0.0), settings);
+    NeedleRig rig(body, checks::plain_tissues(0.0), settings, bending(steel_24g));
     rig.move(60.0, 50.0);
     rig.move(Vec3(1.0, 0.0, 60.0), 50.0);
     const double error = std::abs(rig.force.on_hand.force.x() + exact.force) / exact.force;
@@ -218,7 +206,7 @@ TEST(FlexibleNeedle, a_tilted_shaft_in_a_body_is_the_solution_of_all_equations_a
   for (const NeedleHold hold : {NeedleHold::clamped, NeedleHold::pinned}) {
     for (int trial = 0; trial < 10; ++trial) {
       const double rigidity = std::pow(10.0, random.uniform(1.0, 4.0));
-      NeedleRig rig(flesh(), checks::plain_tissues(0.0), bending(rigidity, hold, 60.0));
+      NeedleRig rig = bent_rig(flesh(), checks::plain_tissues(0.0), bending(rigidity, hold, 60.0));
       rig.move(10.9, 100.0);
       for (int state = 0; state < 3; ++state) {
         const Vec3 tip(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(10.65, 10.99));
@@ -240,7 +228,8 @@ TEST(FlexibleNeedle, the_force_is_the_slope_of_the_stored_energy_in_every_direct
   Random random(3);
   for (const NeedleHold hold : {NeedleHold::clamped, NeedleHold::pinned}) {
     for (int trial = 0; trial < 10; ++trial) {
-      NeedleRig rig(flesh(), checks::plain_tissues(0.0), bending(random.uniform(30.0, 1000.0), hold, 30.0));
+      NeedleRig rig =
+          bent_rig(flesh(), checks::plain_tissues(0.0), bending(random.uniform(30.0, 1000.0), hold, 30.0));
       rig.move(10.9, 100.0);
       const Vec3 tip(random.uniform(-2.0, 2.0), random.uniform(-2.0, 2.0), random.uniform(10.7, 10.9));
       const Vec3 axis(random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05), 1.0);
@@ -264,7 +253,7 @@ TEST(FlexibleNeedle, the_force_is_the_slope_of_the_stored_energy_in_every_direct
 }
 
 TEST(FlexibleNeedle, a_pinned_hub_feels_no_torque) {
-  NeedleRig rig(flesh(), checks::plain_tissues(0.0), bending(300.0, NeedleHold::pinned, 40.0));
+  NeedleRig rig = bent_rig(flesh(), checks::plain_tissues(0.0), bending(300.0, NeedleHold::pinned, 40.0));
   rig.move(10.9, 100.0);
   const Pose pose = needle_pose(Vec3(1.0, 0.5, 10.8), Vec3(0.03, 0.02, 1.0));
   const Wrench hand = rig.model.step(pose).on_hand;
@@ -280,7 +269,7 @@ TEST(FlexibleNeedle, one_that_does_not_bend_is_the_rigid_needle) {
   ContactTissues tissues = checks::plain_tissues(0.03);
   tissues[tissue::soft].puncture_force = 0.2;
   NeedleRig rigid(flesh(), tissues);
-  NeedleRig beam(flesh(), tissues, bending(std::numeric_limits<double>::infinity()));
+  NeedleRig beam = bent_rig(flesh(), tissues, bending(std::numeric_limits<double>::infinity()));
   for (int way = 0; way < (sanitized ? 5 : 60); ++way) {
     const Vec3 goal(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 14.0));
     const double speed = random.uniform(5.0, 200.0);
@@ -295,13 +284,13 @@ TEST(FlexibleNeedle, one_that_does_not_bend_is_the_rigid_needle) {
 }
 
 TEST(FlexibleNeedle, the_stiffer_the_nearer_to_the_rigid_needle) {
-  const auto side_force = [](const EmbeddedNeedleSettings& settings) {
-    NeedleRig rig(flesh(), checks::plain_tissues(0.0), settings);
+  const auto side_force = [](const std::optional<NeedleBeam>& beam) {
+    NeedleRig rig(flesh(), checks::plain_tissues(0.0), checks::narrow_settings(), beam);
     rig.move(10.9, 20.0);
     rig.move(Vec3(0.5, 0.0, 10.9), 20.0);
     return -rig.force.on_hand.force.x();
   };
-  const double rigid = side_force(checks::narrow_settings());
+  const double rigid = side_force({});
   double last = rigid;
   for (const double rigidity : {1e8, 1e6, 1e4, 1e3, 1e2}) {
     const double force = side_force(bending(rigidity));
@@ -309,167 +298,6 @@ TEST(FlexibleNeedle, the_stiffer_the_nearer_to_the_rigid_needle) {
     EXPECT_LT(std::abs(force - rigid), rigid * 3e6 / rigidity);
     last = force;
   }
-}
-
-TEST(FlexibleNeedle, forces_are_continuous_wherever_nothing_is_punctured) {
-  for (const NeedleHold hold : {NeedleHold::clamped, NeedleHold::pinned}) {
-    NeedleRig rig(flesh(), checks::plain_tissues(0.02), bending(250.0, hold, 40.0));
-    Random random(5);
-    double largest = 0.0;
-    for (int way = 0; way < (sanitized ? 4 : 20); ++way) {
-      largest = std::max(
-          largest,
-          rig.move(Vec3(random.uniform(-2.0, 2.0), random.uniform(-2.0, 2.0), random.uniform(0.0, 14.0)), 2.0));
-    }
-    // 2 um a tick; along the line 14 mm of this tissue are about 2 N/mm stiff.
-    EXPECT_LT(largest, 0.012);
-    EXPECT_GT(largest, 1e-4);
-  }
-}
-
-TEST(FlexibleNeedle, a_node_comes_and_goes_without_a_jump) {
-  NeedleRig rig(flesh(), checks::plain_tissues(0.02), bending(250.0, NeedleHold::clamped, 40.0));
-  rig.move(4.5, 10.0);
-  rig.move(Vec3(2.0, 0.0, 4.5), 10.0);
-  for (const double node : {4.0, 5.0, 4.0, 3.0, 5.0}) {
-    rig.move(node - 0.01, 10.0);
-    EXPECT_LT(rig.move(node + 0.01, 0.1), 1e-3) << node;
-    EXPECT_LT(rig.move(node - 0.01, 0.1), 1e-3) << node;
-  }
-}
-
-// Work of a hand on a random closed way, with the mean of both ends of every tick, N mm.
-double closed_way(const EmbeddedNeedleSettings& settings, const ContactTissues& tissues, std::uint64_t seed,
-                  int ticks) {
-  Random random(seed);
-  EmbeddedNeedle model(flesh(), tissues, settings, 1e-3);
-  model.begin(Vec3::Zero(), Vec3::UnitZ());
-  Pose last = needle_pose(Vec3(0.0, 0.0, -1.0), Vec3::UnitZ());
-  EmbeddedNeedleForce before = model.step(last);
-  const double speed = random.uniform(1.0, 4.0), phase = random.uniform(0.0, 6.0), lean = random.uniform(0.0, 0.05);
-  double work = 0.0;
-  for (int tick = 1; tick <= ticks; ++tick) {
-    const double t = static_cast<double>(tick) / ticks;
-    const double swing = std::sin(3.14159265358979323846 * t);
-    const Vec3 tip(2.0 * swing * std::sin(speed * 9.0 * t + phase), 2.0 * swing * std::sin(speed * 5.0 * t),
-                   -1.0 + 13.0 * swing * std::abs(std::sin(speed * 4.0 * t + phase)));
-    const Vec3 axis(lean * std::sin(speed * 6.0 * t), lean * std::sin(speed * 8.0 * t + phase), 1.0);
-    Pose now = Pose::Identity();
-    now.linear() = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis).toRotationMatrix();
-    now.translation() = tip;
-    const EmbeddedNeedleForce force = model.step(now);
-    const Eigen::AngleAxisd turn(now.linear() * last.linear().transpose());
-    const Vec3 turned = turn.angle() * turn.axis();
-    work -= 0.5 * (force.on_hand.force + before.on_hand.force).dot(now.translation() - last.translation()) +
-            0.5 * (force.on_hand.torque + before.on_hand.torque).dot(turned);
-    before = force;
-    last = now;
-  }
-  return work - model.stored_energy();
-}
-
-TEST(FlexibleNeedle, no_closed_way_gives_work) {
-  for (const NeedleHold hold : {NeedleHold::clamped, NeedleHold::pinned}) {
-    for (std::uint64_t seed = 1; seed <= (sanitized ? 2 : 15); ++seed) {
-      const EmbeddedNeedleSettings settings = bending(seed % 3 == 0 ? 50.0 : 877.94, hold, 40.0);
-      EXPECT_GT(closed_way(settings, checks::plain_tissues(seed % 2 == 0 ? 0.0 : 0.05), seed, 4000), -2e-3) << seed;
-    }
-  }
-}
-
-// Bent where it is soft and let go where it is stiff, a spring would give what the hand never put in (here about
-// 0.3 N mm, were it not for what pushes back along the needle).
-TEST(FlexibleNeedle, bent_outside_and_let_go_deeper_it_gives_no_work) {
-  for (const int ticks : {400, 1600}) {
-    EmbeddedNeedle model(flesh(), checks::plain_tissues(0.0), bending(steel_24g, NeedleHold::clamped, 40.0), 1e-3);
-    model.begin(Vec3::Zero(), Vec3::UnitZ());
-    Vec3 place(0.0, 0.0, -0.5);
-    EmbeddedNeedleForce before = model.step(needle_pose(place, Vec3::UnitZ()));
-    double work = 0.0, pushed = 0.0, least = 0.0;
-    for (const Vec3& goal : {Vec3(0.0, 0.0, 2.7), Vec3(3.0, 0.0, 2.7), Vec3(3.0, 0.0, 12.7), Vec3(0.0, 0.0, 12.7),
-                             Vec3(0.0, 0.0, -0.5)}) {
-      const Vec3 start = place;
-      for (int tick = 1; tick <= ticks; ++tick) {
-        const Vec3 next = start + (goal - start) * (static_cast<double>(tick) / ticks);
-        const EmbeddedNeedleForce force = model.step(needle_pose(next, Vec3::UnitZ()));
-        const Vec3 mean = 0.5 * (force.on_hand.force + before.on_hand.force);
-        work -= mean.dot(next - place);
-        pushed -= mean.z() * (next - place).z();
-        least = std::min(least, work - model.stored_energy());
-        before = force;
-        place = next;
-      }
-    }
-    EXPECT_GT(least, -1e-3);
-    EXPECT_GT(work, 0.0);
-    EXPECT_GT(pushed, 0.05);
-  }
-}
-
-TEST(FlexibleNeedle, fifty_thousand_ticks_at_random_are_all_finite_and_take_no_memory_and_no_lock) {
-  Random random(6);
-  EmbeddedNeedleSettings settings = bending(250.0, NeedleHold::pinned, 40.0);
-  settings.beam->cut_offset = 0.2;
-  EmbeddedNeedle model(flesh(), default_contact_tissues(), settings, 1e-3);
-  model.begin(Vec3::Zero(), Vec3::UnitZ());
-  bool finite = true;
-  Vec3 tip(0.0, 0.0, -1.0);
-  std::uint32_t most = 0;
-  {
-    const RealTimeGuard guard;
-    for (int tick = 0; tick < (sanitized ? 3000 : 50000); ++tick) {
-      if (random.uniform() < 0.001) tip = Vec3(random.normal(), random.normal(), random.uniform(-5.0, 50.0));
-      if (random.uniform() < 0.0005) model.begin(Vec3(0.1, 0.0, 0.0), Vec3(0.05, 0.0, 1.0).normalized());
-      if (random.uniform() < 0.0002) model.reset();
-      tip += 0.1 * Vec3(random.normal(), random.normal(), random.normal() + 0.01);
-      const Vec3 axis = Vec3(0.1 * random.normal(), 0.1 * random.normal(), 1.0).normalized();
-      const EmbeddedNeedleForce& force = model.step(needle_pose(tip, axis));
-      finite = finite && std::isfinite(force.on_hand.force.sum() + force.on_hand.torque.sum());
-      finite = finite && std::isfinite(model.shaft_deflection(10.0).sum());
-      most = std::max(most, force.nodes);
-    }
-    if (RealTimeGuard::available()) {
-      EXPECT_EQ(RealTimeGuard::heap_calls(), 0u);
-      EXPECT_EQ(RealTimeGuard::lock_calls(), 0u);
-    }
-  }
-  EXPECT_TRUE(finite);
-  EXPECT_GT(most, 5u);
-}
-
-TEST(FlexibleNeedle, the_same_motion_gives_the_same_bits) {
-  EmbeddedNeedleSettings settings = bending(250.0);
-  settings.beam->cut_offset = 0.2;
-  NeedleRig rig(flesh(), default_contact_tissues(), settings);
-  std::vector<double> first;
-  for (const bool again : {false, true}) {
-    Random random(7);
-    rig.model.reset();
-    rig.begin();
-    for (int way = 0; way < 10; ++way) {
-      rig.move(Vec3(random.uniform(-1.0, 1.0), 0.0, random.uniform(-1.0, 14.0)), 50.0);
-      const double sum = rig.force.on_hand.force.sum() + rig.force.tip_deflection.sum();
-      if (again) {
-        EXPECT_EQ(first[static_cast<std::size_t>(way)], sum);
-      } else {
-        first.push_back(sum);
-      }
-    }
-  }
-}
-
-TEST(FlexibleNeedle, a_needle_longer_in_than_it_is_goes_on_from_its_hub) {
-  NeedleRig rig(flesh(), checks::plain_tissues(0.0), bending(250.0, NeedleHold::clamped, 8.0));
-  rig.move(Vec3(0.5, 0.0, 0.9), 20.0);
-  EXPECT_LT(rig.move(Vec3(0.5, 0.0, 12.0), 2.0), 0.01);
-  EXPECT_GT(-rig.force.on_hand.force.x() + 1.0, 0.0);
-  EXPECT_FALSE(rig.force.fault);
-}
-
-TEST(FlexibleNeedle, refuses_a_needle_that_is_none) {
-  EXPECT_THROW(EmbeddedNeedle(flesh(), checks::plain_tissues(0.0), bending(-1.0), 1e-3), InputError);
-  EXPECT_THROW(EmbeddedNeedle(flesh(), checks::plain_tissues(0.0), bending(100.0, NeedleHold::clamped, 0.0), 1e-3),
-               InputError);
 }
 
 }  // namespace

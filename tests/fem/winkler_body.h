@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "fem/condensed_body.h"
+#include "anatomy/condensed_body.h"
 
 namespace bodkin::checks {
 
