@@ -234,7 +234,7 @@ void EmbeddedNeedle::puncture() noexcept {
   force_.puncture = TissuePuncture{station.tissue, tip_, force};
 }
 
-const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle) noexcept {
+const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle, double pressed) noexcept {
   force_.fault = false;
   force_.puncture.reset();
   const Vec3 axis = needle.linear().col(2);
@@ -254,7 +254,7 @@ const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle) noexcept {
   offset_ = place.tail<2>();
   slope_ = lean.tail<2>() / lean(0);
   if (beam_) {
-    root_ = beam_->root(tip_);
+    root_ = beam_->root(tip_ + pressed);
     const Vec3 across = needle.linear().col(1);
     const bool known = std::abs(across.squaredNorm() - 1.0) < 1e-6;
     side_ = known ? Eigen::Vector2d(-(frame_.transpose() * across).tail<2>()) : Eigen::Vector2d(0.0, 0.0);

@@ -73,8 +73,10 @@ class EmbeddedNeedle {
 
   // The needle touches the body at `entry` and goes along the unit vector `direction` (LPS).
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
-  // One tick. Before the first begin() nothing touches.
-  const EmbeddedNeedleForce& step(const Pose& needle) noexcept;
+  // One tick. Before the first begin() nothing touches. `pressed`: mm, >= 0, along the line, by which the hub is
+  // nearer to the body than the needle's length allows, its tip standing on what does not give way; of a needle that
+  // bends there is so much less outside.
+  const EmbeddedNeedleForce& step(const Pose& needle, double pressed = 0.0) noexcept;
   // As constructed: no contact, nothing punctured.
   void reset() noexcept;
 

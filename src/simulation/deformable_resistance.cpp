@@ -13,6 +13,7 @@ namespace bodkin {
 namespace {
 
 constexpr double least_friction_share = 0.1;  // of the device's stiffness, left to the friction's spring
+constexpr double least_cosine = 0.2;          // between needle and line, as EmbeddedNeedle takes it
 constexpr double least_presliding = 0.01;     // N/mm, that ClosestNodeContact takes
 
 const std::shared_ptr<const CondensedBody>& body_in(const Case& patient) {
@@ -114,19 +115,25 @@ void DeformableShaft::reset() noexcept {
 
 ResistanceForce DeformableShaft::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
   const double bone = bone_.step(needle.motion.depth, needle.tissue, events);
+  // At bone the needle in the body ends where the hand's line meets the depth of the bone.
+  const double cosine = needle.axis.dot(direction_);
+  const Vec3 line = cosine > least_cosine ? Vec3(needle.axis / cosine) : direction_;
+  const Vec3 short_of = -bone_.behind() * line;
   Pose pose = Pose::Identity();
-  pose.translation() = needle.tip - bone_.behind() * direction_;
+  pose.translation() = needle.tip + short_of;
   pose.linear().col(0) = needle.side;
   pose.linear().col(1) = needle.axis.cross(needle.side);
   pose.linear().col(2) = needle.axis;
-  const EmbeddedNeedleForce& found = needle_->step(pose);
+  const EmbeddedNeedleForce& found = needle_->step(pose, bone_.behind());
   tell(found.puncture, events);
   if (found.beyond && !beyond_ && !bone_.met())  // at bone the nodes end, for it does not move
     events.push({EventKind::corridor_left, needle.tissue, needle.motion.depth, 0.0});
   beyond_ = found.beyond;
+  const Vec3 across = found.on_hand.force + found.resistance * direction_;
+  const Vec3 square = across - across.dot(line) * direction_;  // to the needle; what turns it
   return {.along = found.resistance + bone,
-          .across = found.on_hand.force + found.resistance * direction_,
-          .torque = found.on_hand.torque,
+          .across = across,
+          .torque = found.on_hand.torque + short_of.cross(square),
           .in_contact = needle.motion.depth > 0.0};
 }
 

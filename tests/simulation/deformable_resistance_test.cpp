@@ -263,6 +263,48 @@ TEST(DeformableResistance, bone_stops_the_needle_and_lets_go_without_giving_ener
   EXPECT_EQ(count(EventKind::corridor_left), 0);  // bone has no nodes and needs none
 }
 
+// Bent aside while it leans on bone, drawn back from there, and straightened: what the bent shaft pushes back with is
+// paid for by the hand on the way in.
+TEST(DeformableResistance, a_needle_that_is_bent_on_bone_gives_no_work) {
+  for (const double slope : {0.0, 0.05, -0.05}) {
+    Case patient = patient_with_a_thin_needle(0.0);
+    patient.description.device.stiffness = 1.0;
+    patient.description.needle.length = 55.0;
+    HapticTick tick(patient);
+    push_in(tick, deformable_bone_from - 1.0);
+    Vec3 place(0.0, 0.0, deformable_bone_from - 1.0);
+    double lean = 0.0, work = 0.0;
+    Wrench before = tick.step({along_z(place.z())}).requested;
+    const auto go = [&](const Vec3& goal, double lean_there) {
+      const Vec3 start = place;
+      const double lean_before = lean;
+      for (int i = 1; i <= 1000; ++i) {
+        const Vec3 next = start + (goal - start) * (i / 1000.0);
+        const double turned = (lean_before + (lean_there - lean_before) * (i / 1000.0)) - lean;
+        lean += turned;
+        Pose pose = along_z(0.0);
+        pose.translation() = next;
+        pose.linear() = Eigen::AngleAxisd(lean, Vec3::UnitY()).toRotationMatrix() * pose.linear();
+        const Wrench now = tick.step({pose}).requested;
+        work -= 0.5 * ((now.force + before.force).dot(next - place) + (now.torque + before.torque).y() * turned);
+        before = now;
+        place = next;
+      }
+    };
+    const double above = deformable_bone_from - 1.0, on_bone = deformable_bone_from + 3.0;
+    for (int round = 0; round < 2; ++round) {  // the first sets what slides
+      work = 0.0;
+      for (const double side : {3.0, -3.0}) {
+        go(Vec3(0.0, 0.0, on_bone), 0.0);
+        go(Vec3(side, 0.0, on_bone), slope);
+        go(Vec3(side, 0.0, above), slope);
+        go(Vec3(0.0, 0.0, above), 0.0);
+      }
+    }
+    EXPECT_GT(work, -1e-3) << slope;
+  }
+}
+
 TEST(DeformableResistance, a_needle_beside_the_corridor_is_told) {
   const Case patient = deformable_patient(EmbeddedNeedleSettings{});
   HapticTick tick(patient);
