@@ -1,16 +1,19 @@
 #include "simulation/deformable_resistance.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "core/error.h"
 #include "fem/shaft_stiffness.h"
+#include "forces/beam.h"
 
 namespace bodkin {
 
 namespace {
 
 constexpr double least_friction_share = 0.1;  // of the device's stiffness, left to the friction's spring
+constexpr double least_cosine = 0.2;          // between needle and line, as EmbeddedNeedle takes it
 constexpr double least_presliding = 0.01;     // N/mm, that ClosestNodeContact takes
 
 const std::shared_ptr<const CondensedBody>& body_in(const PreparedCorridor& corridor, const Case& patient) {
@@ -47,6 +50,31 @@ std::shared_ptr<const CondensedBody> on_spring(const std::shared_ptr<const Conde
   return softer;
 }
 
+bool is_bevelled(NeedleTip tip) {
+  return tip == NeedleTip::quincke || tip == NeedleTip::tuohy || tip == NeedleTip::chiba;
+}
+
+// The needle of the case as a beam; none when it is to be rigid.
+std::optional<NeedleBeam> beam_in(const Case& patient, const NeedleBendingSettings& settings) {
+  const Needle& needle = patient.description.needle;
+  if (settings.cut_offset > 0.0 && !settings.flexible) {
+    throw InputError("embedded_needle: cut_offset_mm is " + std::to_string(settings.cut_offset) +
+                     " for a needle that does not bend; give flexible=true as well, or leave it out");
+  }
+  if (settings.cut_offset > 0.0 && !is_bevelled(needle.tip)) {
+    throw InputError(
+        "embedded_needle: cut_offset_mm is " + std::to_string(settings.cut_offset) + ", but a " +
+        to_string(needle.tip) +
+        " needle has no bevel and cuts straight; leave it out, or take a quincke, tuohy or chiba needle");
+  }
+  if (!settings.flexible) return {};
+  const double bore = settings.stylet ? 0.0 : needle.inner_diameter;
+  return NeedleBeam({.rigidity = bending_stiffness(settings.modulus, needle.outer_diameter, bore),
+                     .length = needle.length,
+                     .hold = settings.hold,
+                     .cut_offset = settings.cut_offset});
+}
+
 // What a tissue that gave way is told as.
 void tell(const std::optional<TissuePuncture>& puncture, TickEvents& events) noexcept {
   if (!puncture) return;
@@ -66,7 +94,8 @@ DeformableShaft::DeformableShaft(const Case& patient, const PreparedCorridor& co
   if (rendered < found) scale_ = rendered / found;
   if (rendered < found) spring_ = 1.0 / rendered - 1.0 / found;
   body_ = on_spring(body, spring_);
-  needle_ = std::make_unique<EmbeddedNeedle>(*body_, tissues_in(patient), settings, dt);
+  needle_ =
+      std::make_unique<EmbeddedNeedle>(*body_, tissues_in(patient), settings, dt, beam_in(patient, settings.bending));
 }
 
 void DeformableShaft::begin(const Vec3& entry, const Vec3& direction) noexcept {
@@ -84,20 +113,26 @@ void DeformableShaft::reset() noexcept {
 
 ResistanceForce DeformableShaft::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
   const double bone = bone_.step(needle.motion.depth, needle.tissue, events);
+  // At bone the needle in the body ends where the hand's line meets the depth of the bone.
+  const double cosine = needle.axis.dot(direction_);
+  const Vec3 line = cosine > least_cosine ? Vec3(needle.axis / cosine) : direction_;
+  const Vec3 short_of = -bone_.behind() * line;
   Pose pose = Pose::Identity();
-  pose.translation() = needle.tip - bone_.behind() * direction_;
+  pose.translation() = needle.tip + short_of;
   pose.linear().col(0) = needle.side;
   pose.linear().col(1) = needle.axis.cross(needle.side);
   pose.linear().col(2) = needle.axis;
-  const EmbeddedNeedleForce& found = needle_->step(pose);
-  ahead_ = bone_.behind() * direction_ - spring_ * found.on_hand.force;
+  const EmbeddedNeedleForce& found = needle_->step(pose, bone_.behind());
+  ahead_ = -short_of - spring_ * found.on_hand.force;
   tell(found.puncture, events);
   if (found.beyond && !beyond_ && !bone_.met())  // at bone the nodes end, for it does not move
     events.push({EventKind::corridor_left, needle.tissue, needle.motion.depth, 0.0});
   beyond_ = found.beyond;
+  const Vec3 across = found.on_hand.force + found.resistance * direction_;
+  const Vec3 square = across - across.dot(line) * direction_;  // to the needle; what turns it
   return {.along = found.resistance + bone,
-          .across = found.on_hand.force + found.resistance * direction_,
-          .torque = found.on_hand.torque,
+          .across = across,
+          .torque = found.on_hand.torque + short_of.cross(square),
           .in_contact = needle.motion.depth > 0.0};
 }
 

@@ -16,6 +16,9 @@ namespace bodkin {
 
 // `embedded_needle`: all nodes along the shaft. Where these are stiffer along the planned path than the device can
 // render, the hand feels the body through a spring, which leaves stiffness_scale() of that stiffness and every force.
+// With `bending.flexible` the needle of the case bends: its tube and length are those of the description. Throws
+// InputError for a needle that is no beam (NeedleBeam), and for a cut_offset of one that does not bend or has no
+// bevel.
 class DeformableShaft {
  public:
   DeformableShaft(const Case& patient, const PreparedCorridor& corridor, const EmbeddedNeedleSettings& settings,

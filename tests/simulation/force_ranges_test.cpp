@@ -69,6 +69,7 @@ std::string beside(const std::string& model, const Range& range, bool at_low) {
   if (range.attribute == "field_lowest_HU" && !at_low) return pair("field_highest_HU", "4000");
   if (range.attribute == "cutting_force_N" && !at_low) return pair("puncture_force_N", "50");
   if (range.attribute == "puncture_force_N" && at_low) return pair("cutting_force_N", "0.01");
+  if (range.attribute == "cut_offset_mm" && !at_low) return pair("flexible", "true");
   if (range.attribute == "two_way" && !at_low) return pair("one_way", "10");
   if (range.attribute == "one_way" && at_low) return pair("two_way", "0");
   return {};

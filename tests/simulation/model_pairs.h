@@ -19,6 +19,7 @@ struct NamedResistance {
   ResistanceSettings settings;
   ForceParts parts;
   bool active = false;  // documented: may give energy on closed paths
+  double paths = 1.0;   // part of the usual number of closed paths that is enough
 };
 
 inline void PrintTo(const NamedResistance& resistance, std::ostream* out) {
@@ -52,6 +53,11 @@ inline std::vector<NamedResistance> all_resistances() {
           {"fracture_rubbing", FractureSettings{}, rubbing},
           {"shaft_friction", ShaftFrictionSettings{}, {}},
           {"embedded_needle", EmbeddedNeedleSettings{}, {}},
+          {"embedded_needle_bending",
+           EmbeddedNeedleSettings{.bending = {.flexible = true, .cut_offset = 0.1}},
+           {},
+           false,
+           0.05},
           // Half of the 11 mm that its nodes are apart; taking over from a stiff node is active.
           {"closest_node", ClosestNodeSettings{.capture_radius = 5.5}, {}, true}};
 }
