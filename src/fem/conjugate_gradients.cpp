@@ -1,6 +1,8 @@
 #include "fem/conjugate_gradients.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace bodkin {
 
@@ -27,6 +29,10 @@ int ConjugateGradients::solve(const NodeMatrix& matrix, const NodeVectors& right
   direction_ = turned_;
   double left = inner_product(residual_, turned_);
   const double enough = settings.tolerance * settings.tolerance * std::max(asked, left);
+  if (!std::isfinite(left) || !std::isfinite(asked)) {
+    x.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return 0;
+  }
   int iteration = 0;
   while (iteration < settings.most_iterations && left > enough) {
     ++iteration;

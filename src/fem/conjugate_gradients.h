@@ -5,9 +5,9 @@
 namespace bodkin {
 
 struct GradientsSettings {
-  // Of the residual, in the norm of the inverse diagonal, by that of the right side or of the first residual, whichever
-  // is larger; 0 to 1.
-  double tolerance = 1e-3;
+  // Of the residual, in the norm of the inverse diagonal, by that of the right side or of the first residual,
+  // whichever is larger; 0 to 1.
+  double tolerance = 1e-2;
   int most_iterations = 200;  // 1 or more
 };
 
@@ -18,8 +18,8 @@ class ConjugateGradients {
  public:
   explicit ConjugateGradients(std::size_t nodes);
 
-  // `matrix` with invert_diagonal() done, which says what is held. `x` is where to begin. Returns the iterations made;
-  // `x` is not finite when the matrix was not. Never throws or allocates.
+  // `matrix` with invert_diagonal() done, which says what is held. `x` is where to begin. Returns the iterations
+  // made; `x` is not a number when the numbers were not finite. Never throws or allocates.
   int solve(const NodeMatrix& matrix, const NodeVectors& right, const GradientsSettings& settings,
             NodeVectors& x) noexcept;
 

@@ -13,6 +13,7 @@ namespace bodkin {
 namespace {
 
 constexpr int most_halvings = 8;
+constexpr double farthest_step = 1e4;          // mm; beyond, the numbers have failed
 constexpr double tonnes_per_cubic_mm = 1e-12;  // of 1 kg/m^3
 
 const BodyDescription& checked_moving_body(const BodyDescription& body) {
@@ -58,12 +59,10 @@ CorotationalBody::CorotationalBody(const BodyDescription& body, const Corotation
   const TetrahedralMesh& mesh = body.mesh;
   for (const std::uint32_t node : body.fixed) held_[node] = 2;
   for (const auto& element : mesh.elements) {
-    const double volume =
-        tetrahedron_gradients({mesh.nodes[element[0]], mesh.nodes[element[1]], mesh.nodes[element[2]],
-                               mesh.nodes[element[3]]})
-            .volume;
-    for (const std::uint32_t node : element)
-      masses_[node] += 0.25 * volume * tonnes_per_cubic_mm * settings_.density;
+    const double volume = tetrahedron_gradients({mesh.nodes[element[0]], mesh.nodes[element[1]],
+                                                 mesh.nodes[element[2]], mesh.nodes[element[3]]})
+                              .volume;
+    for (const std::uint32_t node : element) masses_[node] += 0.25 * volume * tonnes_per_cubic_mm * settings_.density;
   }
   if (settings_.dt > 0.0) {
     const double by = (1.0 / settings_.dt + settings_.mass_damping) / settings_.dt;
@@ -180,7 +179,7 @@ bool CorotationalBody::correct(double& won) noexcept {
     matrix_.multiply(moved_, product_);
     energy_ = elements_.evaluate(places_, forces_);
     const double now = energy_won();
-    const bool finite = std::isfinite(now) && forces_.allFinite();
+    const bool finite = std::isfinite(now) && forces_.allFinite() && largest_column(moved_) < farthest_step;
     const double rounding = 1e-12 * (std::abs(energy_) + std::abs(begin_energy_));
     if ((finite && now <= won + rounding) || halving == most_halvings) {
       won = now;

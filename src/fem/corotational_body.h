@@ -12,29 +12,29 @@
 namespace bodkin {
 
 struct CorotationalSettings {
-  // s of a step, 1e-5 to 1; 0: no time, every step goes on towards the place where the body is at rest.
+  // s of a step, 1e-5 to 1; 0: no time, every step is one of Newton's towards the place where the body is at rest.
   double dt = 1.0 / 60.0;
   double density = 1000.0;  // kg/m^3, 1 to 30000; of all tissues [D: that of water]
   // Rayleigh's damping, mass_damping M + stiffness_damping K: of a mode that swings w times 2 pi a second the part
-  // (mass_damping / w + stiffness_damping w) / 2 of the critical. 1/s, 0 to 1000; s, 0 to 1 [D: soft tissue at a few
-  // Hz is near critical].
+  // (mass_damping / w + stiffness_damping w) / 2 of the critical. 1/s, 0 to 1000; s, 0 to 1 [D: a body of soft tissue
+  // that swings at 10 Hz has a fifth of the critical].
   double mass_damping = 2.0;
-  double stiffness_damping = 0.02;
-  GradientsSettings gradients{1e-3, 200};
+  double stiffness_damping = 0.005;
+  GradientsSettings gradients;
   // Newton steps within a step, 1 to 50: the first is the semi-implicit one; the others, with the same matrix, only
-  // while some node is out of balance by more than `balance`, N.
+  // while some node is out of balance by more than `balance`, N. What is left over is taken up by the next step.
   int most_corrections = 1;
   double balance = 1e-6;
 };
 
 // What a step did.
 struct CorotationalStep {
-  bool fault = false;          // it led to no finite place: the body is where it was, at rest
-  int iterations = 0;          // of conjugate gradients
-  int corrections = 0;         // Newton steps
-  int halvings = 0;            // of Newton steps that won no energy
-  double unbalance = 0.0;      // N, on the free node that is worst off
-  double largest_move = 0.0;   // mm, of any node
+  bool fault = false;         // it led to no finite place: the body is where it was, at rest
+  int iterations = 0;         // of conjugate gradients
+  int corrections = 0;        // Newton steps
+  int halvings = 0;           // of Newton steps that won no energy
+  double unbalance = 0.0;     // N, on the free node that is worst off
+  double largest_move = 0.0;  // mm, of any node
 };
 
 // A body that is pressed and bent far, on its own time: corotational linear tetrahedra (CorotationalElements),
@@ -58,7 +58,7 @@ class CorotationalBody {
   // finite are not taken.
   void hold(std::uint32_t node, const Vec3& place) noexcept;
   void release(std::uint32_t node) noexcept;
-  bool held(std::uint32_t node) const noexcept { return held_[node] != 0; }    // or fixed
+  bool held(std::uint32_t node) const noexcept { return held_[node] != 0; }  // or fixed
   bool fixed(std::uint32_t node) const noexcept { return held_[node] == 2; }
   std::span<const std::uint8_t> all_held() const noexcept { return held_; }
 
@@ -70,8 +70,8 @@ class CorotationalBody {
   const CorotationalStep& step() noexcept;
   // Back to rest, nothing held or loaded.
   void reset() noexcept;
-  // Puts all free nodes elsewhere, at rest; columns in the order of the mesh. False, and nothing changed, when they are
-  // not finite or not as many.
+  // Puts all free nodes elsewhere, at rest; columns in the order of the mesh. False, and nothing changed, when they
+  // are not finite or not as many.
   bool place(const Eigen::Matrix3Xd& places) noexcept;
 
   std::size_t nodes() const noexcept { return held_.size(); }
@@ -82,8 +82,8 @@ class CorotationalBody {
   Vec3 holding_force(std::uint32_t node) const noexcept { return -(forces_ + loads_).col(node).head<3>(); }
   const NodeVectors& places() const noexcept { return places_; }
 
-  double elastic_energy() const noexcept { return energy_; }  // N mm
-  double kinetic_energy() const noexcept;                     // N mm
+  double elastic_energy() const noexcept { return energy_; }                // N mm
+  double kinetic_energy() const noexcept;                                   // N mm
   double mass(std::uint32_t node) const noexcept { return masses_[node]; }  // t, that is N s^2/mm
 
  private:
@@ -99,14 +99,14 @@ class CorotationalBody {
   CorotationalElements elements_;
   NodeMatrix matrix_;
   ConjugateGradients gradients_;
-  std::vector<double> masses_;       // t
-  std::vector<double> inertia_;      // by node, what mass and its damping add to the diagonal, N/mm
-  std::vector<std::uint8_t> held_;   // 0 free, 1 held, 2 fixed
+  std::vector<double> masses_;      // t
+  std::vector<double> inertia_;     // by node, what mass and its damping add to the diagonal, N/mm
+  std::vector<std::uint8_t> held_;  // 0 free, 1 held, 2 fixed
   NodeVectors rest_, places_, velocities_, goals_;
-  NodeVectors forces_, loads_;                   // N, of the elements and from outside
-  NodeVectors begin_, begin_forces_, push_;      // at the beginning of the step; m v / dt + loads, N
-  NodeVectors moved_, product_;                  // since then, mm, and the matrix times it, N
-  NodeVectors before_, change_, residual_;       // a Newton step: moved_ before it, how it changes, what it balances
+  NodeVectors forces_, loads_;               // N, of the elements and from outside
+  NodeVectors begin_, begin_forces_, push_;  // at the beginning of the step; m v / dt + loads, N
+  NodeVectors moved_, product_;              // since then, mm, and the matrix times it, N
+  NodeVectors before_, change_, residual_;   // a Newton step: moved_ before it, how it changes, what it balances
   double energy_ = 0.0, begin_energy_ = 0.0;
   CorotationalStep told_;
 };

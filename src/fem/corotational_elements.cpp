@@ -45,8 +45,9 @@ BODKIN_LANES_INLINE void magnitude(Lanes& a) {
 }
 
 // b of TurnedElement over 2 mu. The exact stiffness against turning has the principal values
-// 2 mu + 2 (lambda tr(S - 1) - 2 mu) / (s_i + s_j), s_i + s_j the principal values of Y: at most this, with the
-// largest of them, for which Gershgorin's bound is taken.
+// 2 mu + 2 (lambda tr(S - 1) - 2 mu) / (s_i + s_j), s_i + s_j the principal values of Y. None is more than this, with
+// Gershgorin's bound of the largest of them, unless lambda tr(S - 1) is above 2 mu: an element blown up by half or
+// more.
 BODKIN_LANES_INLINE void stiffening(const LaneMatrix& y, const Lanes& lambda, const Lanes& mu, const Lanes& stretch,
                                     Lanes& half) {
   Lanes xy = y.column[0].y, xz = y.column[0].z, yz = y.column[1].z;
@@ -109,9 +110,9 @@ BODKIN_LANES_INLINE double CorotationalElements::evaluate_batch(Batch& batch, co
     add_lanes(edge, batch.gradient[a].y, deformation.column[1]);
     add_lanes(edge, batch.gradient[a].z, deformation.column[2]);
   }
-  LaneMatrix rotation, y;
+  LaneMatrix rotation;
   LaneMask settled;
-  turn_to_nearest(deformation, batch.rotation, rotation, y, settled);
+  turn_to_nearest(deformation, batch.rotation, rotation, settled);
   if ((settled[0] & settled[1] & settled[2] & settled[3]) == 0) {
     settle_rotations(deformation, settled, batch.rotation);
     rotation_of(batch.rotation, rotation);
@@ -129,9 +130,7 @@ BODKIN_LANES_INLINE double CorotationalElements::evaluate_batch(Batch& batch, co
   strain.column[0] = {twice_mu * xx + pressure, twice_mu * xy, twice_mu * xz};
   strain.column[1] = {twice_mu * xy, twice_mu * yy + pressure, twice_mu * yz};
   strain.column[2] = {twice_mu * xz, twice_mu * yz, twice_mu * zz + pressure};
-  y.column[0] = {yy + zz + 2.0, -xy, -xz};
-  y.column[1] = {-xy, xx + zz + 2.0, -yz};
-  y.column[2] = {-xz, -yz, xx + yy + 2.0};
+  const LaneMatrix y{{{yy + zz + 2.0, -xy, -xz}, {-xy, xx + zz + 2.0, -yz}, {-xz, -yz, xx + yy + 2.0}}};
   Lanes half;
   stiffening(y, batch.lambda, batch.mu, stretch, half);
   const Lanes along = batch.mu - half, both = batch.mu + half;

@@ -32,7 +32,8 @@ StrainedElement strained(const BodyDescription& body, const Eigen::Ref<const Eig
   const auto& nodes = body.mesh.elements[element];
   std::array<Vec3, 4> corners;
   for (std::size_t a = 0; a < 4; ++a) corners[a] = body.mesh.nodes[nodes[a]];
-  StrainedElement found{tetrahedron_gradients(corners), lame_constants(*body.materials.find(body.mesh.tissues[element]))};
+  StrainedElement found{tetrahedron_gradients(corners),
+                        lame_constants(*body.materials.find(body.mesh.tissues[element]))};
   Mat3 deformation = Mat3::Zero();
   for (std::size_t a = 0; a < 4; ++a)
     deformation += places.col(nodes[a]).head<3>() * found.turned.gradient[a].transpose();

@@ -10,8 +10,8 @@ Eigen::Quaterniond nearest_rotation(const Mat3& matrix) noexcept {
   const double size = matrix.cwiseAbs().maxCoeff();
   if (!(size > 0.0) || !std::isfinite(size) || !matrix.allFinite()) return Eigen::Quaterniond::Identity();
   const Mat3 m = matrix / size;
-  Eigen::Matrix4d horn;  // tr(R^T F) = q^T horn q
-  horn << m.trace(), m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1),     //
+  Eigen::Matrix4d horn;                                                                      // tr(R^T F) = q^T horn q
+  horn << m.trace(), m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1),                //
       m(2, 1) - m(1, 2), m(0, 0) - m(1, 1) - m(2, 2), m(0, 1) + m(1, 0), m(0, 2) + m(2, 0),  //
       m(0, 2) - m(2, 0), m(0, 1) + m(1, 0), m(1, 1) - m(0, 0) - m(2, 2), m(1, 2) + m(2, 1),  //
       m(1, 0) - m(0, 1), m(0, 2) + m(2, 0), m(1, 2) + m(2, 1), m(2, 2) - m(0, 0) - m(1, 1);

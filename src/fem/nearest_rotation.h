@@ -34,15 +34,14 @@ BODKIN_LANES_INLINE void rotation_of(const LaneQuaternion& q, LaneMatrix& rotati
 }
 
 // The same for four matrices, from rotations that are near already (those of the step before), by Newton's method on
-// tr(R^T F): with A = R^T F and Y = tr(A) 1 - sym(A), R turns by Y^-1 axial(A - A^T). Where Y is positive definite and
-// the turn vanishes, R is the nearest rotation; the error of a turn goes with its third power, so that two suffice
-// from step to step. `settled`: all bits where that was reached; elsewhere nearest_rotation() is to be asked.
-// `columns_of_y` is left for the last R but one.
+// tr(R^T F): with A = R^T F and Y = tr(A) 1 - sym(A), R turns by Y^-1 axial(A - A^T). Where Y is positive definite
+// and the turn vanishes, R is the nearest rotation; the error of a turn goes with its third power, so that two
+// suffice from step to step. `settled`: all bits where that was reached; elsewhere nearest_rotation() is to be asked.
 BODKIN_LANES_INLINE void turn_to_nearest(const LaneMatrix& matrix, LaneQuaternion& q, LaneMatrix& rotation,
-                                         LaneMatrix& columns_of_y, LaneMask& settled) {
+                                         LaneMask& settled) {
   constexpr int most_turns = 6;
-  constexpr double small_turn = 1e-10;   // squared, radians
-  constexpr double least_minor = 1e-9;   // of Y, by its trace: below, it is no Newton step
+  constexpr double small_turn = 1e-10;  // squared, radians
+  constexpr double least_minor = 1e-9;  // of Y, by its trace: below, it is no Newton step
   rotation_of(q, rotation);
   settled = LaneMask{};
   for (int turn = 0; turn < most_turns; ++turn) {
@@ -53,7 +52,7 @@ BODKIN_LANES_INLINE void turn_to_nearest(const LaneMatrix& matrix, LaneQuaternio
     const Lanes trace = a.column[0].x + a.column[1].y + a.column[2].z;
     const Lanes xy = -0.5 * (a.column[0].y + a.column[1].x), xz = -0.5 * (a.column[0].z + a.column[2].x),
                 yz = -0.5 * (a.column[1].z + a.column[2].y);
-    LaneMatrix& y = columns_of_y;
+    LaneMatrix y;
     y.column[0] = {trace - a.column[0].x, xy, xz};
     y.column[1] = {xy, trace - a.column[1].y, yz};
     y.column[2] = {xz, yz, trace - a.column[2].z};

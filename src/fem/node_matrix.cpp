@@ -71,7 +71,8 @@ void NodeMatrix::assemble_edges(std::span<const Edge> edges, const Share* shares
     SingleLanes column[3] = {};
     for (std::uint32_t share = edges[edge].first_share; share < edges[edge + 1].first_share; ++share) {
       const TurnedElement& element = elements[shares[share] / 16];
-      const std::array<float, 3>&a = element.gradient[shares[share] / 4 % 4], &b = element.gradient[shares[share] % 4];
+      const std::array<float, 3>&a = element.gradient[shares[share] / 4 % 4],
+                              &b = element.gradient[shares[share] % 4];
       const SingleLanes ga = {a[0], a[1], a[2], 0.0F}, gb = {b[0], b[1], b[2], 0.0F};
       const float turned = element.both * ((a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]);
       const SingleLanes across = element.across * ga, along = element.along * gb;
@@ -162,7 +163,8 @@ void NodeMatrix::multiply_by_inverse_diagonal(const NodeVectors& vector, NodeVec
     const std::array<double, 12>& inverse = inverse_[node];
     const double* from = vector.data() + 4 * node;
     double* to = product.data() + 4 * node;
-    for (std::size_t i = 0; i < 4; ++i) to[i] = inverse[i] * from[0] + inverse[4 + i] * from[1] + inverse[8 + i] * from[2];
+    for (std::size_t i = 0; i < 4; ++i)
+      to[i] = inverse[i] * from[0] + inverse[4 + i] * from[1] + inverse[8 + i] * from[2];
   }
 }
 

@@ -17,8 +17,8 @@ class NodeMatrix {
  public:
   explicit NodeMatrix(const TetrahedralMesh& mesh);
 
-  // factor K + diagonal: K from the elements, one number a node in `diagonal` (N/mm), for all three of its directions.
-  // What a block of the diagonal of K is follows from the others of its row: a translation costs nothing.
+  // factor K + diagonal: K from the elements, one number a node in `diagonal` (N/mm), for all three of its
+  // directions. What a block of the diagonal of K is follows from the others of its row: a translation costs nothing.
   void assemble(const std::vector<TurnedElement>& elements, double factor, std::span<const double> diagonal) noexcept;
 
   // product = matrix vector

@@ -94,16 +94,16 @@ TEST(CorotationalElements, an_even_strain_leaves_nothing_out_of_balance_inside_h
     CorotationalElements elements(body.mesh, body.materials);
     const Mat3 strain = 0.3 * Mat3::NullaryExpr([&random] { return random.normal(); });
     NodeVectors forces = NodeVectors::Zero(4, static_cast<Eigen::Index>(body.mesh.nodes.size()));
-    elements.evaluate(padded(moved_affinely(body.mesh, some_rotation(random) * (Mat3::Identity() + strain),
-                                            Vec3(1.0, 2.0, 3.0))),
-                      forces);
+    elements.evaluate(
+        padded(moved_affinely(body.mesh, some_rotation(random) * (Mat3::Identity() + strain), Vec3(1.0, 2.0, 3.0))),
+        forces);
     EXPECT_GT(forces.norm(), 0.1);
     for (const std::uint32_t node : body.corridor) EXPECT_LT(forces.col(node).norm(), 1e-12 * forces.norm());
   }
 }
 
 TEST(CorotationalBody, an_even_shear_of_its_border_goes_on_inside) {
-  for (const Vec3& shear : {Vec3(0.3, 0.0, 0.0), Vec3(1.5, 0.5, 0.0), Vec3(-0.4, 0.2, -0.5)}) {
+  for (const Vec3& shear : {Vec3(0.3, 0.0, 0.0), Vec3(1.5, 0.5, 0.0), Vec3(-0.4, 0.2, -0.2)}) {
     std::vector<std::uint32_t> border;
     const BodyDescription body = patch(0.4, border);
     CorotationalBody moving(body, checks::to_rest());
@@ -140,6 +140,29 @@ TEST(CorotationalBody, agrees_with_the_linear_body_the_better_the_smaller_the_fo
   }
   EXPECT_NEAR(errors[0] / errors[1], 4.0, 0.4);
   EXPECT_NEAR(errors[1] / errors[2], 4.0, 0.2);
+}
+
+TEST(CorotationalBody, steps_that_are_solved_loosely_go_where_exact_ones_go) {
+  const BodyDescription body = lattice_body(6, 40.0, 0.1, 10);
+  CorotationalSettings exactly;
+  exactly.gradients = {1e-8, 1000};
+  exactly.most_corrections = 30;
+  exactly.balance = 1e-9;
+  CorotationalBody loose(body, CorotationalSettings{}), exact(body, exactly);
+  const auto top = nodes_beyond(body.mesh, Vec3(0.0, 0.0, 40.0), Vec3::UnitZ());
+  double worst = 0.0;
+  for (int step = 1; step <= 40; ++step) {
+    for (std::size_t i = 0; i < 8; ++i) {
+      const Vec3 place = body.mesh.nodes[top[i]] - Vec3(0.0, 0.0, std::min(8.0, 0.4 * step));
+      loose.hold(top[i], place);
+      exact.hold(top[i], place);
+    }
+    loose.step();
+    exact.step();
+    worst = std::max(worst, (loose.places() - exact.places()).colwise().norm().maxCoeff());
+  }
+  EXPECT_LT(worst, 0.15);                                                          // mm, of 8, while it moves
+  EXPECT_LT((loose.places() - exact.places()).colwise().norm().maxCoeff(), 0.02);  // once it is held
 }
 
 // A body that is bent and jolted, and let go.
@@ -207,10 +230,14 @@ TEST(CorotationalBody, swings_at_the_frequency_of_a_bar_and_damping_ends_it) {
     }
     if (sanitized) continue;
     ASSERT_GE(crossings.size(), 4U);
-    EXPECT_NEAR(crossings[3] - crossings[1], 0.016, 0.016 * 0.01);
+    const double lowest = 2.0 * 3.14159265358979323846 / 0.016;
+    const double period = damped ? 2.0 * 3.14159265358979323846 / std::sqrt(lowest * lowest - 1e4) : 0.016;
+    EXPECT_NEAR(crossings[3] - crossings[1], period, 0.01 * period);
     if (!damped) continue;
     // exp(-mass_damping t / 2), a period apart: 800 steps.
-    const auto peak = [&](int from) { return *std::max_element(heights.begin() + from, heights.begin() + from + 400); };
+    const auto peak = [&](int from) {
+      return *std::max_element(heights.begin() + from, heights.begin() + from + 400);
+    };
     EXPECT_NEAR(peak(1000) / peak(200), std::exp(-0.5 * 200.0 * 0.016), 0.03);
   }
 }
@@ -223,7 +250,7 @@ TEST(CorotationalBody, inverted_elements_come_back_to_rest) {
     CorotationalBody moving(body, settings);
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       jolt(moving, 8.0, seed);
-      for (int step = 0; step < 300; ++step) ASSERT_FALSE(moving.step().fault);
+      for (int step = 0; step < 120; ++step) ASSERT_FALSE(moving.step().fault);
       for (std::uint32_t node = 0; node < moving.nodes(); ++node)
         EXPECT_LT((moving.position(node) - moving.at_rest(node)).norm(), 1e-3) << dt << ", " << seed;
     }
@@ -231,7 +258,7 @@ TEST(CorotationalBody, inverted_elements_come_back_to_rest) {
     Eigen::Matrix3Xd places = moving.places().topRows<3>();
     places.setConstant(20.0);
     ASSERT_TRUE(moving.place(places));
-    for (int step = 0; step < 600; ++step) {
+    for (int step = 0; step < 200; ++step) {
       ASSERT_FALSE(moving.step().fault);
       ASSERT_TRUE(moving.places().allFinite());
     }
@@ -248,11 +275,13 @@ TEST(CorotationalBody, held_nodes_go_where_they_are_told_and_what_holds_them_hol
   ASSERT_LE(checks::settle(moving, 1e-10), 100);
   Vec3 above = Vec3::Zero(), below = Vec3::Zero();
   for (std::uint32_t node = 0; node < moving.nodes(); ++node) {
-    if (moving.fixed(node)) below += moving.holding_force(node);
-    else if (moving.held(node)) above += moving.holding_force(node);
+    if (moving.fixed(node))
+      below += moving.holding_force(node);
+    else if (moving.held(node))
+      above += moving.holding_force(node);
   }
   EXPECT_LT(above.z(), -1.0);
-  EXPECT_LT((above + below).norm(), 1e-9);
+  EXPECT_LT((above + below).norm(), 1e-8);
   for (const std::uint32_t node : top) {
     EXPECT_LT((moving.position(node) - body.mesh.nodes[node] + Vec3(0.0, 0.0, 10.0)).norm(), 1e-12);
     moving.release(node);
@@ -273,12 +302,14 @@ TEST(CorotationalBody, what_cannot_be_computed_is_a_fault_and_leaves_it_where_it
   moving.load(top, Vec3(0.0, 0.0, -0.01));
   for (int step = 0; step < 10; ++step) ASSERT_FALSE(moving.step().fault);
   const Vec3 before = moving.position(top);
-  moving.load(top, Vec3(1e300, 1e300, 0.0));
-  EXPECT_TRUE(moving.step().fault);
-  EXPECT_EQ(moving.position(top), before);
-  EXPECT_EQ(moving.velocity(top), Vec3::Zero());
-  moving.clear_loads();
-  for (int step = 0; step < 400; ++step) ASSERT_FALSE(moving.step().fault);
+  for (const double force : {1e300, 1e100}) {
+    moving.load(top, Vec3(force, force, 0.0));
+    EXPECT_TRUE(moving.step().fault);
+    EXPECT_EQ(moving.position(top), before);
+    EXPECT_EQ(moving.velocity(top), Vec3::Zero());
+    moving.clear_loads();
+  }
+  for (int step = 0; step < 100; ++step) ASSERT_FALSE(moving.step().fault);
   EXPECT_LT((moving.position(top) - moving.at_rest(top)).norm(), 1e-3);
 }
 

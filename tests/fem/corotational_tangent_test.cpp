@@ -60,7 +60,6 @@ TEST(CorotationalTangent, is_the_derivative_of_the_forces_in_any_state_without_i
     }
     EXPECT_LT((exact * way - resists).norm(), 1e-7 * resists.norm());
   }
-  // What the step uses is at least as stiff; the positive one is positive.
   assemble_tangent(body, places, {}, StressStiffness::positive, plan.system);
   const Eigen::MatrixXd positive = dense_of(plan.system.stiffness);
   EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(positive).eigenvalues()(0), 0.0);

@@ -50,10 +50,16 @@ TEST(NearestRotation, of_a_rotation_is_itself) {
 TEST(NearestRotation, of_flat_empty_and_senseless_matrices_is_some_rotation) {
   Random random(3);
   const double huge = std::numeric_limits<double>::max(), tiny = std::numeric_limits<double>::denorm_min();
-  std::vector<Mat3> matrices = {Mat3::Zero(), Mat3::Constant(huge), Mat3::Constant(tiny), Mat3::Ones(),
-                                Mat3::Constant(std::nan("")), Mat3::Constant(std::numeric_limits<double>::infinity()),
-                                Vec3(1.0, 0.0, 0.0).asDiagonal(), Vec3(-1.0, -1.0, -1.0).asDiagonal(),
-                                Vec3(1.0, 1.0, -1.0).asDiagonal(), Vec3(1.0, 1.0, 0.0).asDiagonal()};
+  std::vector<Mat3> matrices = {Mat3::Zero(),
+                                Mat3::Constant(huge),
+                                Mat3::Constant(tiny),
+                                Mat3::Ones(),
+                                Mat3::Constant(std::nan("")),
+                                Mat3::Constant(std::numeric_limits<double>::infinity()),
+                                Vec3(1.0, 0.0, 0.0).asDiagonal(),
+                                Vec3(-1.0, -1.0, -1.0).asDiagonal(),
+                                Vec3(1.0, 1.0, -1.0).asDiagonal(),
+                                Vec3(1.0, 1.0, 0.0).asDiagonal()};
   for (int trial = 0; trial < 50; ++trial) {
     const Mat3 a = random_matrix(random), b = random_matrix(random);
     matrices.emplace_back(a.col(0) * b.row(0));
@@ -85,7 +91,7 @@ TEST(NearestRotation, four_at_once_are_the_same_wherever_they_say_that_they_have
   Random random(4);
   int settled_lanes = 0, others = 0;
   for (int trial = 0; trial < 500; ++trial) {
-    LaneMatrix f{}, rotation{}, y{};
+    LaneMatrix f{}, rotation{};
     LaneQuaternion q{};
     LaneMask settled{};
     std::array<Mat3, lane_count> matrices;
@@ -98,7 +104,7 @@ TEST(NearestRotation, four_at_once_are_the_same_wherever_they_say_that_they_have
       q.y[lane] = random.normal();
       q.z[lane] = random.normal();
     }
-    turn_to_nearest(f, q, rotation, y, settled);
+    turn_to_nearest(f, q, rotation, settled);
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
       EXPECT_TRUE(taken(rotation, lane).allFinite());
       (settled[lane] != 0 ? settled_lanes : others) += 1;
@@ -112,15 +118,16 @@ TEST(NearestRotation, four_at_once_are_the_same_wherever_they_say_that_they_have
 
 TEST(NearestRotation, four_at_once_settle_in_two_turns_from_nearby) {
   Random random(5);
-  LaneMatrix f{}, rotation{}, y{};
+  LaneMatrix f{}, rotation{};
   LaneQuaternion q{};
   LaneMask settled{};
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    const Mat3 turned = Eigen::AngleAxisd(0.05, Vec3(random.normal(), random.normal(), 1.0).normalized()).toRotationMatrix();
+    const Mat3 turned =
+        Eigen::AngleAxisd(0.05, Vec3(random.normal(), random.normal(), 1.0).normalized()).toRotationMatrix();
     put(turned * Vec3(1.2, 0.9, 0.8).asDiagonal(), lane, f);
     q.w[lane] = 1.0;
   }
-  turn_to_nearest(f, q, rotation, y, settled);
+  turn_to_nearest(f, q, rotation, settled);
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
     EXPECT_NE(settled[lane], 0);
     EXPECT_LT((taken(rotation, lane) - nearest_rotation(taken(f, lane)).toRotationMatrix()).norm(), 1e-14);
