@@ -1,11 +1,11 @@
 #include "fem/pressed_body.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tests/fem/lattice_body.h"
 #include "tests/fem/needle_rig.h"
-#include "tests/fem/rest.h"
-#include "tests/sanitized.h"
 #include "tests/simulation/real_time_guard.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
