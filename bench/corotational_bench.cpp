@@ -9,8 +9,8 @@
 #include "tests/fem/lattice_body.h"
 #include <benchmark/benchmark.h>
 
-#include "fem/corotational_body.h"
-#include "fem/corotational_tangent.h"
+#include "fem/moving/corotational_body.h"
+#include "fem/moving/corotational_tangent.h"
 
 namespace {
 

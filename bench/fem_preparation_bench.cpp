@@ -8,7 +8,7 @@
 #include "tests/fem/lattice_body.h"
 #include <benchmark/benchmark.h>
 
-#include "fem/elastic_body.h"
+#include "fem/solid/elastic_body.h"
 
 namespace {
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "anatomy/condensed_body.h"
 #include "anatomy/force_settings.h"
 #include "anatomy/needle.h"
 #include "anatomy/tissue.h"
@@ -85,6 +87,8 @@ struct Case {
   CtVolume ct;
   LabelVolume structures;  // empty when there is no segmentation
   TissueVolume tissues;    // its lattice may be finer than the CT's
+  // The deformable body, prepared by prepare_body() for the resistances that need one; nullptr otherwise.
+  std::shared_ptr<const CondensedBody> body;
 };
 
 }  // namespace bodkin

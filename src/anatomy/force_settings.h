@@ -140,15 +140,53 @@ struct ShaftFrictionSettings {
   double stribeck_velocity = 5.0;  // vs, mm/s; 0.01 to 1000 [D]
 };
 
+// How a case's mesh becomes a deformable body: what holds it, and which nodes the needle can meet. All [D].
+struct DeformableBodySettings {
+  double corridor_radius = 25.0;   // mm about the planned path; 1 to 200
+  double corridor_beyond = 15.0;   // mm that the corridor goes on behind the target; 0 to 200
+  double corridor_nodes = 1000.0;  // at most, those nearest to the path; 10 to 5000
+  double stiffness_scale = 10.0;   // factor on Young's modulus of every tissue; 0.001 to 1000
+  bool fix_bone = true;            // bone and metal do not move
+  bool fix_cut = true;             // nor do the faces where the mesh ends inside the patient
+  double fix_beyond = 1000.0;      // mm along the planned path behind the entry: deeper nodes do not move; 1 to 1000
+};
+
+// Settings of EmbeddedNeedle. All [D].
+struct EmbeddedNeedleSettings {
+  double capture_radius = 1.5;   // mm; nodes this close to the line are the needle's; 0.05 to 20 [half an edge of 3]
+  double spacing = 0.5;          // mm of the line for which one node is kept; 0.05 to 20
+  double puncture_time = 0.030;  // s in which the force of a puncture goes; 0.001 to 1
+  std::size_t most_nodes = 150;  // along the shaft; 1 to 160
+  DeformableBodySettings body;
+};
+
+// Settings of ClosestNodeContact. All [D].
+struct ClosestNodeSettings {
+  double capture_radius = 2.0;  // r_cap, mm; half the edge of an element; 0.05 to 50
+  double presliding = 1.0;      // N/mm by which friction grows before the shaft slides; 0.01 to 100
+  double relaxation = 0.030;    // s in which a punctured node goes back to its place; 0.001 to 1
+  double layer = 0.5;           // mm between the places where the tissue beside the shaft is looked up; 0.1 to 10
+  double longest = 300.0;       // mm, of shaft in tissue; 1 to 1000
+  DeformableBodySettings body;
+};
+
 using ResistanceSettings =
     std::variant<LayeredSettings, SpringDamperWallSettings, TrackingWallSettings, DepthProfileSettings,
-                 VolumeProxySettings, ThreeComponentSettings, FractureSettings, ShaftFrictionSettings>;
+                 VolumeProxySettings, ThreeComponentSettings, FractureSettings, ShaftFrictionSettings,
+                 EmbeddedNeedleSettings, ClosestNodeSettings>;
 // Names as case files write them, in the order of the variant.
 inline constexpr std::array<std::string_view, std::variant_size_v<ResistanceSettings>> resistance_names = {
-    "layered",      "spring_damper_wall", "tracking_wall", "depth_profile",
-    "volume_proxy", "three_component",    "fracture",      "shaft_friction"};
+    "layered",         "spring_damper_wall", "tracking_wall",  "depth_profile",   "volume_proxy",
+    "three_component", "fracture",           "shaft_friction", "embedded_needle", "closest_node"};
 inline std::string_view name_of(const ResistanceSettings& settings) {
   return resistance_names[settings.index()];
+}
+
+// What the deformable body of a resistance is made with; nullptr when the resistance needs none.
+inline const DeformableBodySettings* body_of(const ResistanceSettings& settings) {
+  if (const auto* embedded = std::get_if<EmbeddedNeedleSettings>(&settings)) return &embedded->body;
+  if (const auto* closest = std::get_if<ClosestNodeSettings>(&settings)) return &closest->body;
+  return nullptr;
 }
 
 // --- constraints -------------------------------------------------------------------------------------------------

@@ -16,7 +16,8 @@ namespace bodkin {
 std::vector<float> distance_to_other_label(const Volume<std::uint8_t>& labels);
 
 // Which voxels lie in a ball of one label that is thick enough: a voxel c is the middle of one when its border is at
-// least `radius`[c] mm away, the border lying half a voxel (of the smallest spacing) before the other label's centre.
+// least `radius`[c] mm away (to 1e-5 mm), the border lying half a voxel (of the smallest spacing) before the other
+// label's centre.
 // What is left out is what a morphological opening by balls of these radii takes away: sheets, threads and specks.
 // `distance` is distance_to_other_label(labels); `radius` has as many values, mm. 1 = thick enough, 0 = not.
 std::vector<std::uint8_t> thick_enough(const Volume<std::uint8_t>& labels, const std::vector<float>& distance,

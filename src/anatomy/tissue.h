@@ -56,6 +56,7 @@ struct TissueProperties {
   double field_value = 0.0;  // V_label of `volume_proxy`, -10 to 10: the harder a tissue feels, the higher
   ShaftFrictionTissue shaft_friction;
   SyringeTissue syringe;
+  DeformableTissue deformable;
   std::string source;  // where the numbers come from, one line for people
 };
 

@@ -78,4 +78,13 @@ struct SyringeTissue {
   double pressure = 0.0;     // MPa gauge, in the tissue; -0.01 to 0.05
 };
 
+// What a tissue of a deformable body is made of (docs/fem.md), and what a needle meets in it (docs/fem-contact.md).
+struct DeformableTissue {
+  double young = 0.0;           // MPa; 1e-5 to 1e6; 0 = the library says nothing, the tissue cannot be in a mesh
+  double poisson = 0.3;         // 0 to 0.49; nearer to 1/2 linear tetrahedra lock
+  double friction = 0.0;        // mu_t, N/mm: Coulomb force per mm of shaft; 0 to 10
+  double puncture_force = 0.0;  // F_p, N along the needle at which it gives way; 0 to 100, 0 = at once
+  double stiffness = 0.0;       // k_target, N/mm, of `closest_node` alone; 0 to 100, 0 = as the mesh has it
+};
+
 }  // namespace bodkin

@@ -267,7 +267,6 @@ void add_case_mesh_command(CLI::App& case_group, CommandContext& context) {
   add_number(*command, "--coarse", settings.coarse, 0.2, 100.0, "mm, edges far away, before scaling");
   add_number(*command, "--corridor", settings.corridor_radius, 1.0, 200.0,
              "mm, radius of the corridor around the planned path");
-  add_whole_number(*command, "--seed", settings.seed, 0, 2147483647, "Variation of the mesh");
   add_text(*command, "--import", options->import, "Take this mesh instead: Gmsh .msh (ASCII 2.2 or 4.1) or VTK .vtu");
   add_text(*command, "--regions", options->regions,
            "CSV with label,name,tissue,critical: tissues of the imported regions (without it they are tissue ids)");

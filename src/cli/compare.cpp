@@ -18,6 +18,7 @@
 #include "io/case_folder.h"
 #include "io/force_choice.h"
 #include "training/compare_plot.h"
+#include "training/prepared_body.h"
 
 namespace bodkin {
 
@@ -151,7 +152,9 @@ void run_compare(const CompareArguments& arguments, const CommandContext& contex
   const TissueLibrary library = patient.library;
   const std::string name = patient.description.name;
   const double peak_force = patient.description.device.peak_force;
-  const Comparison comparison = compare_models(std::move(patient), options, console.progress());
+  const Comparison comparison = compare_models(std::move(patient), options, console.progress(), [&](Case& with) {
+    prepare_body(with, arguments.folder, console.progress(), [&](const std::string& text) { console.note(text); });
+  });
   for (const std::string& note : comparison.notes) console.note(note);
   for (const ModelRefused& model : comparison.refused)
     console.note(fmt::format("{} is left out: {}", model.name, model.reason));

@@ -28,6 +28,7 @@
 #include "io/calibrations_file.h"
 #include "io/case_folder.h"
 #include "training/hand_session.h"
+#include "training/prepared_body.h"
 #include "training/recorded_hand.h"
 
 namespace bodkin {
@@ -270,6 +271,7 @@ void run_perform(const PerformArguments& arguments, const CommandContext& contex
                     "case with --entry and --target",
                     arguments.folder));
   }
+  prepare_body(patient, arguments.folder, console.progress(), [&](const std::string& text) { console.note(text); });
   const NeedlePath path = *patient.description.procedure.path;
   const std::unique_ptr<MouseWindow> window =
       chosen.is_mouse() ? std::make_unique<MouseWindow>(patient.description.name) : nullptr;

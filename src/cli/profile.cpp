@@ -15,6 +15,7 @@
 #include "io/case_folder.h"
 #include "training/crossings.h"
 #include "training/force_plot.h"
+#include "training/prepared_body.h"
 
 namespace bodkin {
 
@@ -92,6 +93,7 @@ void run_profile(const ProfileArguments& arguments, const CommandContext& contex
   for (const char* ending : {".csv", ".svg"}) require_writable(base + ending, "--output");
   Case patient = load_case(arguments.folder, console.progress());
   apply(arguments.forces, patient.description.haptics);
+  prepare_body(patient, arguments.folder, console.progress(), [&](const std::string& text) { console.note(text); });
   const Profile profile = insert_at_constant_speed(patient, options, console.progress());
   for (const std::string& note : profile.notes) console.note(note);
 

@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "io/case_folder.h"
+#include "training/prepared_body.h"
 
 namespace bodkin {
 
@@ -34,6 +35,8 @@ int run_replay(const ReplayArguments& arguments, const CommandContext& context) 
   const std::string folder = arguments.case_folder.empty() ? session.header.case_folder : arguments.case_folder;
   Case patient = load_case(folder, console.progress());
   check_same_case(session, patient, folder);
+  patient.description.haptics = session.header.haptics;
+  prepare_body(patient, folder, console.progress(), [&](const std::string& text) { console.note(text); });
   const ReplayResult result = replay_session(session, std::move(patient), console.progress());
   console.clear_bar();
   if (!session.finished) console.note("the session was not finished; what was saved is replayed");

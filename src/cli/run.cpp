@@ -15,6 +15,7 @@
 #include "core/error.h"
 #include "io/case_folder.h"
 #include "training/operator_file.h"
+#include "training/prepared_body.h"
 #include "training/session_run.h"
 
 namespace bodkin {
@@ -77,6 +78,7 @@ void run_scripted(RunArguments arguments, const CommandContext& context) {
   settings.script = load_operator(arguments.operator_name);
   Case patient = load_case(arguments.folder, console.progress());
   apply(arguments.forces, patient.description.haptics);
+  prepare_body(patient, arguments.folder, console.progress(), [&](const std::string& text) { console.note(text); });
   settings.path = path_of(arguments, patient);
   settings.output = arguments.output.empty()
                         ? free_name(patient.description.name, settings.script.name, settings.seed, settings.overwrite)

@@ -14,7 +14,7 @@ void add_scaled(const double* __restrict row, double factor, std::size_t count, 
 // Eight partial sums in a fixed order, whatever width the processor has.
 BODKIN_PROCESSOR_CLONES
 double product(const double* a, const double* b, std::size_t count) noexcept {
-  using Lanes = double __attribute__((vector_size(32), aligned(8), may_alias));
+  using Lanes [[gnu::aligned(8), gnu::may_alias]] = double __attribute__((vector_size(32)));
   Lanes even = {}, odd = {};
   std::size_t j = 0;
   for (; j + 8 <= count; j += 8) {

@@ -4,23 +4,16 @@
 #include <optional>
 #include <vector>
 
+#include "anatomy/condensed_body.h"
+#include "anatomy/force_settings.h"
 #include "core/geometry.h"
 #include "fem/axial_coupling.h"
-#include "fem/condensed_body.h"
 #include "fem/contact_tissues.h"
 #include "fem/insertion_stations.h"
 #include "fem/node_forces.h"
 #include "fem/shaft_constraints.h"
 
 namespace bodkin {
-
-struct EmbeddedNeedleSettings {
-  double capture_radius =
-      1.5;               // mm; nodes this close to the line are the needle's; 0.05 to 20 [D: half an edge of 3]
-  double spacing = 0.5;  // mm of the line for which one node is kept; 0.05 to 20 [D]
-  double puncture_time = 0.030;  // s in which the force of a puncture goes; 0.001 to 1 [D]
-  std::size_t most_nodes = 150;  // along the shaft; 1 to 160
-};
 
 // A tissue that gave way.
 struct TissuePuncture {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "fem/condensed_body.h"
+#include "anatomy/condensed_body.h"
 #include "fem/contact_tissues.h"
 
 namespace bodkin {

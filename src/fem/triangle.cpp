@@ -10,7 +10,7 @@ namespace bodkin::triangle {
 namespace {
 
 // Four numbers at once, wherever they lie.
-using Lanes = double __attribute__((vector_size(32), aligned(8), may_alias));
+using Lanes [[gnu::aligned(8), gnu::may_alias]] = double __attribute__((vector_size(32)));
 constexpr std::size_t lanes = 4;
 constexpr std::size_t block = 8;
 

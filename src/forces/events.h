@@ -18,7 +18,8 @@ enum class EventKind : std::uint8_t {
   tissue_entered,      // the tip's tissue changed; value = 0
   withdrawn,           // the needle left the body
   force_limited,       // the governor had to intervene; value = force asked for, N
-  fault                // a value was not finite or a device failed; force ramps to zero
+  fault,               // a value was not finite or a device failed; force ramps to zero
+  corridor_left        // the needle is where no node of the deformable body was prepared; value = 0
 };
 
 struct Event {

@@ -105,6 +105,32 @@ void each_attribute(ShaftFrictionSettings& s, const auto& visit) {
   visit("stribeck_velocity_mm_per_s", s.stribeck_velocity);
 }
 
+void each_attribute(DeformableBodySettings& s, const auto& visit) {
+  visit("corridor_radius_mm", s.corridor_radius);
+  visit("corridor_beyond_mm", s.corridor_beyond);
+  visit("corridor_nodes", s.corridor_nodes);
+  visit("stiffness_scale", s.stiffness_scale);
+  visit("fix_bone", s.fix_bone);
+  visit("fix_cut", s.fix_cut);
+  visit("fix_beyond_mm", s.fix_beyond);
+}
+
+void each_attribute(EmbeddedNeedleSettings& s, const auto& visit) {
+  visit("capture_radius_mm", s.capture_radius);
+  visit("spacing_mm", s.spacing);
+  visit("puncture_time_s", s.puncture_time);
+  each_attribute(s.body, visit);
+}
+
+void each_attribute(ClosestNodeSettings& s, const auto& visit) {
+  visit("capture_radius_mm", s.capture_radius);
+  visit("presliding_N_per_mm", s.presliding);
+  visit("relaxation_s", s.relaxation);
+  visit("layer_mm", s.layer);
+  visit("longest_mm", s.longest);
+  each_attribute(s.body, visit);
+}
+
 void each_attribute(LineSpringSettings& s, const auto& visit) {
   visit("stiffness_N_per_mm", s.stiffness);
   visit("damping_N_s_per_mm", s.damping);

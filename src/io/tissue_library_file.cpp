@@ -95,6 +95,13 @@ void read_tissue_forces(const XmlElement& element, const std::string& origin, Ti
     entry.syringe.resistance = syringe->number("resistance_MPa_s_per_mm3", 0.0);
     entry.syringe.pressure = syringe->number("pressure_MPa", entry.syringe.pressure);
   }
+  if (const XmlElement* deformable = element.child("deformable"); deformable != nullptr) {
+    entry.deformable.young = deformable->number("young_MPa", 0.0);
+    entry.deformable.poisson = deformable->number("poisson", entry.deformable.poisson);
+    entry.deformable.friction = deformable->number("friction_N_per_mm", 0.0);
+    entry.deformable.puncture_force = deformable->number("puncture_force_N", 0.0);
+    entry.deformable.stiffness = deformable->number("stiffness_N_per_mm", 0.0);
+  }
 }
 
 namespace {

@@ -155,7 +155,7 @@ TickOutput HapticTick::State::step(const Vec3& tip, const Vec3& axis, const Vec3
   if (contact.held()) {
     output.depth = moving.depth;
     const NeedleInTissue needle{
-        .motion = moving, .tip = tip, .tissue = output.tissue, .side = side, .rail = constraint.rail()};
+        .motion = moving, .tip = tip, .tissue = output.tissue, .axis = axis, .side = side, .rail = constraint.rail()};
     const ResistanceForce tissue_force = resistance.step(needle, output.events);
     stiffness = tissue_force.stiffness;
     if (tissue_force.in_contact) {
@@ -163,7 +163,7 @@ TickOutput HapticTick::State::step(const Vec3& tip, const Vec3& axis, const Vec3
       request.resistance = output.resistance = tissue_force.along;
       const Wrench held = constraint.step(tip, axis, resistance.holds_laterally());
       request.constraint = tissue_force.across + held.force;
-      request.torque = output.requested.torque = held.torque;
+      request.torque = output.requested.torque = tissue_force.torque + held.torque;
       output.constraint = request.constraint.norm();
     } else {
       output.events.push({EventKind::withdrawn, output.tissue, output.depth, 0.0});

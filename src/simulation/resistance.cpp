@@ -22,6 +22,7 @@
 #include "forces/tracking_wall.h"
 #include "forces/tracking_wall_leash.h"
 #include "forces/volume_proxy.h"
+#include "simulation/deformable_resistance.h"
 #include "simulation/device_stability.h"
 
 namespace bodkin {
@@ -169,7 +170,7 @@ struct Layers {
 };
 
 using Model = std::variant<Layers, Wall, Axial<TrackingWall>, Leash, Axial<DepthProfile>, Proxy,
-                           Axial<ThreeComponent>, Axial<Fracture>, Friction>;
+                           Axial<ThreeComponent>, Axial<Fracture>, Friction, DeformableShaft, DeformableTip>;
 
 // Builds the model that the settings ask for, after checks that need the device.
 struct Maker {
@@ -222,6 +223,8 @@ struct Maker {
     return Axial<Fracture>{std::move(model)};
   }
   Model operator()(const ShaftFrictionSettings& settings) const { return Friction(patient, settings, 0.0); }
+  Model operator()(const EmbeddedNeedleSettings& settings) const { return DeformableShaft(patient, settings, dt); }
+  Model operator()(const ClosestNodeSettings& settings) const { return DeformableTip(patient, settings, dt); }
 };
 
 // The stiffness along the line that a friction part has to share the device with.
@@ -261,7 +264,8 @@ void check_parts(const HapticSettings& haptics) {
                        (tracking != nullptr && !tracking->leash);
   if (!parts.relaxation.empty() && !relaxes)
     refuse_part("relaxation", model, "use it with spring_damper_wall, or with tracking_wall without leash");
-  const bool has_friction = model == "layered" || model == "three_component" || model == "shaft_friction";
+  const bool has_friction = model == "layered" || model == "three_component" || model == "shaft_friction" ||
+                            body_of(haptics.resistance) != nullptr;
   if (parts.shaft_friction && has_friction)
     refuse_part("shaft_friction", model, "that model has a friction of the shaft of its own; leave the part out");
   if (parts.needle_grasp && !parts.shaft_friction && model != "layered" && model != "shaft_friction")
@@ -349,12 +353,14 @@ void Resistance::reset() noexcept {
 }
 
 double Resistance::stiffness_scale() const noexcept {
-  const auto* layers = std::get_if<Layers>(&state_->model);
-  return layers != nullptr ? layers->model.stiffness_scale() : 1.0;
+  if (const auto* layers = std::get_if<Layers>(&state_->model)) return layers->model.stiffness_scale();
+  if (const auto* shaft = std::get_if<DeformableShaft>(&state_->model)) return shaft->stiffness_scale();
+  if (const auto* tip = std::get_if<DeformableTip>(&state_->model)) return tip->stiffness_scale();
+  return 1.0;
 }
 
 bool Resistance::holds_laterally() const noexcept {
-  return std::holds_alternative<Proxy>(state_->model);
+  return std::holds_alternative<Proxy>(state_->model) || std::holds_alternative<DeformableShaft>(state_->model);
 }
 
 }  // namespace bodkin

@@ -15,6 +15,7 @@ struct NeedleInTissue {
   AxialMotion motion;             // along the frozen line
   Vec3 tip = Vec3::Zero();        // LPS mm
   TissueId tissue = tissue::air;  // at the tip
+  Vec3 axis = Vec3::UnitZ();      // unit, hub to tip
   Vec3 side = Vec3::UnitX();      // unit, across the needle, turns with its shaft
   const Rail* rail = nullptr;     // holds the proxy on the line, if that is the case's constraint
 };
@@ -23,6 +24,7 @@ struct NeedleInTissue {
 struct ResistanceForce {
   double along = 0.0;          // N, along the frozen line, positive pushes the hand out
   Vec3 across = Vec3::Zero();  // N on the hand, of models whose force may leave the line
+  Vec3 torque = Vec3::Zero();  // N mm on the hand, about the tip, of models that feel the whole shaft
   double stiffness = 0.0;      // N/mm, elastic tangent where the model knows it; 0 otherwise
   bool in_contact = false;     // false: the needle has left the body, the line can be released
 };
@@ -47,7 +49,7 @@ class Resistance {
 
   // The smallest factor by which a tissue's stiffness had to be reduced for the device; 1 = none.
   double stiffness_scale() const noexcept;
-  // The model brings its own lateral spring (`volume_proxy`), so a rail adds only its torque.
+  // The model holds the needle laterally itself (`volume_proxy`, `embedded_needle`), so a rail adds only its torque.
   bool holds_laterally() const noexcept;
 
  private:

@@ -24,10 +24,10 @@ constexpr double bone_search = 0.1;  // mm
 constexpr double least_bone = 1e-3;  // N/mm
 
 constexpr const char* option = "--models";
-constexpr std::array<std::string_view, 11> model_names = {
-    "layered",       "layered_sum",  "spring_damper_wall",   "tracking_wall",   "tracking_wall_leash",
-    "depth_profile", "volume_proxy", "volume_proxy_viscous", "three_component", "fracture",
-    "shaft_friction"};
+constexpr std::array<std::string_view, 13> model_names = {
+    "layered",        "layered_sum",     "spring_damper_wall",   "tracking_wall",   "tracking_wall_leash",
+    "depth_profile",  "volume_proxy",    "volume_proxy_viscous", "three_component", "fracture",
+    "shaft_friction", "embedded_needle", "closest_node"};
 
 // The settings of one of `names`. Those of the case's own model are kept, but for what makes the variant.
 ResistanceSettings settings_of(std::string_view name, const ResistanceSettings& own) {
@@ -222,7 +222,8 @@ MotionPhase Comparison::phase_of(std::size_t tick) const {
   return static_cast<MotionPhase>(phase);
 }
 
-Comparison compare_models(Case patient, const CompareOptions& options, const Progress& progress) {
+Comparison compare_models(Case patient, const CompareOptions& options, const Progress& progress,
+                          const std::function<void(Case&)>& prepare) {
   check_option(options.speed, 0.5, 500.0, "--speed", "mm/s");
   check_option(options.withdraw_speed.value_or(options.speed), 0.5, 500.0, "--withdraw-speed", "mm/s");
   check_option(options.pause, 0.0, 60.0, "--pause", "s");
@@ -243,6 +244,7 @@ Comparison compare_models(Case patient, const CompareOptions& options, const Pro
   for (const ComparedModel& model : options.models) {
     haptics.resistance = model.settings;
     try {
+      if (prepare) prepare(patient);
       result.models.push_back(play(model.name, patient, motion, result, progress));
     } catch (const InputError& error) {
       result.refused.push_back({model.name, error.what()});

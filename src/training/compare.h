@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -101,7 +102,9 @@ struct Comparison {
 // Work taken from the hand is the integral of resistance over the way in, by the trapezoidal rule. Models that throw
 // InputError are in `refused`; throws InputError itself when all do, for an option out of its range,
 // a motion of more than 3 million ticks, and when the path is no path or misses the body (saying by how much).
-Comparison compare_models(Case patient, const CompareOptions& options, const Progress& progress = {});
+// `prepare` gives the case what the model in its description needs beside it (its deformable body); it may be empty.
+Comparison compare_models(Case patient, const CompareOptions& options, const Progress& progress = {},
+                          const std::function<void(Case&)>& prepare = {});
 
 // A row per tick: time_s, depth_mm, and a column NAME_N per model, where characters of a name that are no letter,
 // digit or point become one underscore.

@@ -16,8 +16,8 @@ struct Look {
 };
 
 // Colours after Okabe and Ito (2008), told apart in every kind of colour vision; their yellow is too pale for a line,
-// so that olive takes its place. Dashes differ as well, for print without colour. `others`: how many models with
-// settings of their own there were.
+// so that olive takes its place, and wine (Tol 2021) is added. Dashes differ as well, for print without colour.
+// `others`: how many models with settings of their own there were.
 Look look_of(std::string_view name, std::size_t& others) {
   static const std::vector<Look> looks = {
       {"layered", 0x000000, {}},
@@ -31,6 +31,8 @@ Look look_of(std::string_view name, std::size_t& others) {
       {"three_component", 0x56B4E9, {10, 4, 2, 4, 2, 4}},
       {"fracture", 0xD55E00, {6, 3}},
       {"shaft_friction", 0x7A6A00, {3, 3}},
+      {"embedded_needle", 0x882255, {}},
+      {"closest_node", 0x882255, {8, 3, 2, 3}},
   };
   const auto find = [&](std::string_view wanted) {
     return std::find_if(looks.begin(), looks.end(), [&](const Look& look) { return look.name == wanted; });

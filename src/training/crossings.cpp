@@ -64,6 +64,8 @@ std::string event_text(const Event& event, const TissueLibrary& library) {
       return "the needle has left the body";
     case EventKind::force_limited:
       return fmt::format("force limited, {:.1f} N were asked for", event.value);
+    case EventKind::corridor_left:
+      return "the needle leaves the corridor that the deformable body was prepared for";
     case EventKind::fault:
       break;
   }
@@ -72,7 +74,7 @@ std::string event_text(const Event& event, const TissueLibrary& library) {
 
 bool is_notable(EventKind kind) {
   return kind == EventKind::puncture || kind == EventKind::loss_of_resistance || kind == EventKind::bone_contact ||
-         kind == EventKind::force_limited || kind == EventKind::fault;
+         kind == EventKind::force_limited || kind == EventKind::fault || kind == EventKind::corridor_left;
 }
 
 std::vector<PlotBand> bands_of(std::span<const TissueCrossing> crossings, const TissueLibrary& library) {

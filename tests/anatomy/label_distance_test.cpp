@@ -76,7 +76,7 @@ TEST(LabelDistance, thick_parts_are_the_union_of_balls_that_fit) {
       bool in_a_ball = false;
       for_voxels(labels.grid, [&](std::size_t c, const Vec3& middle) {
         const double reach = static_cast<double>(distance[c]);
-        if (labels.voxels[c] == labels.voxels[p] && reach - 0.4 >= static_cast<double>(radius[c]) &&
+        if (labels.voxels[c] == labels.voxels[p] && reach - 0.4 + 1e-5 >= static_cast<double>(radius[c]) &&
             (at - middle).norm() < reach - 1e-4) {
           in_a_ball = true;
         }

@@ -68,7 +68,6 @@ const std::vector<CommandRow>& table() {
         {"--fine", Kind::number, {"0.1", "21", "-1"}},
         {"--coarse", Kind::number, {"0.1", "101", "-1"}},
         {"--corridor", Kind::number, {"0.9", "201", "-1"}},
-        {"--seed", Kind::whole, {"-1", "2147483648"}},
         {"--import", Kind::text},
         {"--regions", Kind::text},
         {"--output", Kind::text},

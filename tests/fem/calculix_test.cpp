@@ -1,109 +1,15 @@
-// The same body solved by CalculiX (C3D4, SPOOLES), a program that is not ours. It prints seven digits.
-#include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
+// The same body solved by CalculiX; tests/cli/deformable_case_test.cpp does it with patients.
+#include "tests/fem/calculix.h"
 
 #include "tests/fem/lattice_body.h"
-#include "tests/io/scratch_folder.h"
 #include "tests/sanitized.h"
-#include <Eigen/Cholesky>
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include "core/random.h"
-#include "fem/elastic_body.h"
 
 namespace bodkin {
 namespace {
 
-bool calculix_is_there() {
-  return std::system("command -v ccx > /dev/null 2>&1") == 0;
-}
-
-// The input of CalculiX: the mesh with its two materials, the fixed nodes, and the way of some others.
-std::string calculix_input(const BodyDescription& body, const std::vector<std::uint32_t>& moved,
-                           const Eigen::VectorXd& way) {
-  std::string text = "*NODE, NSET=ALL\n";
-  for (std::size_t node = 0; node < body.mesh.nodes.size(); ++node) {
-    const Vec3& x = body.mesh.nodes[node];
-    text += fmt::format("{}, {:.15g}, {:.15g}, {:.15g}\n", node + 1, x.x(), x.y(), x.z());
-  }
-  for (const TissueId id : {tissue::soft, tissue::ligamentum_flavum}) {
-    text += fmt::format("*ELEMENT, TYPE=C3D4, ELSET=TISSUE{}\n", id);
-    for (std::size_t element = 0; element < body.mesh.elements.size(); ++element) {
-      if (body.mesh.tissues[element] != id) continue;
-      const auto& corner = body.mesh.elements[element];
-      text += fmt::format("{}, {}, {}, {}, {}\n", element + 1, corner[0] + 1, corner[1] + 1, corner[2] + 1,
-                          corner[3] + 1);
-    }
-    const ElasticMaterial& material = *body.materials.find(id);
-    text += fmt::format(
-        "*MATERIAL, NAME=MATERIAL{0}\n*ELASTIC\n{1:.15g}, {2:.15g}\n*SOLID SECTION, ELSET=TISSUE{0}, "
-        "MATERIAL=MATERIAL{0}\n",
-        id, material.young, material.poisson);
-  }
-  text += "*BOUNDARY\n";
-  for (const std::uint32_t node : body.fixed) text += fmt::format("{}, 1, 3\n", node + 1);
-  text += "*STEP\n*STATIC\n*BOUNDARY\n";
-  for (std::size_t i = 0; i < moved.size(); ++i)
-    for (Eigen::Index axis = 0; axis < 3; ++axis)
-      text += fmt::format("{0}, {1}, {1}, {2:.15g}\n", moved[i] + 1, axis + 1,
-                          way(3 * static_cast<Eigen::Index>(i) + axis));
-  return text + "*NODE PRINT, NSET=ALL\nU, RF\n*END STEP\n";
-}
-
-// The table of the .dat file whose title begins with `title`: 3 values for every node.
-Eigen::VectorXd calculix_table(const std::filesystem::path& file, const std::string& title, std::size_t nodes) {
-  Eigen::VectorXd values = Eigen::VectorXd::Constant(3 * static_cast<Eigen::Index>(nodes), std::nan(""));
-  std::ifstream lines(file);
-  bool inside = false;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.find("for set") != std::string::npos) inside = line.find(title) != std::string::npos;
-    std::istringstream fields(line);
-    Eigen::Index node = 0;
-    Vec3 value;
-    if (inside && fields >> node >> value.x() >> value.y() >> value.z()) values.segment<3>(3 * (node - 1)) = value;
-  }
-  return values;
-}
-
 TEST(CalculiX, moves_and_resists_the_same) {
-  if (!calculix_is_there()) GTEST_SKIP() << "ccx is not installed (Debian: calculix-ccx)";
-  const ScratchFolder folder;
-  const BodyDescription body = lattice_body(sanitized ? 6 : 11, 100.0, 0.1, 80);
-  Random random(2);
-  std::vector<std::uint32_t> moved;
-  std::vector<Eigen::Index> rows;
-  for (std::size_t i = 0; i < body.corridor.size(); i += 2) {
-    moved.push_back(body.corridor[i]);
-    for (Eigen::Index axis = 0; axis < 3; ++axis) rows.push_back(3 * static_cast<Eigen::Index>(i) + axis);
-  }
-  const auto size = static_cast<Eigen::Index>(rows.size());
-  const Eigen::VectorXd way = Eigen::VectorXd::NullaryExpr(size, [&random] { return random.uniform(-2.0, 2.0); });
-
-  const ElasticBody elastic(body, plan_body(body));
-  const Eigen::MatrixXd compliance = elastic.condensed().compliance;
-  const Eigen::VectorXd contact = Eigen::MatrixXd(compliance(rows, rows)).llt().solve(way);
-  Eigen::VectorXd on_corridor = Eigen::VectorXd::Zero(compliance.rows());
-  on_corridor(rows) = contact;
-  const Eigen::VectorXd ours = elastic.displacement_by_corridor(on_corridor);
-  const Eigen::VectorXd our_forces = elastic_forces(body.mesh, body.materials, ours);
-
-  folder.write("body.inp", calculix_input(body, moved, way));
-  const std::string command = "cd '" + folder.path().string() + "' && OMP_NUM_THREADS=1 ccx body > ccx.log 2>&1";
-  ASSERT_EQ(std::system(command.c_str()), 0);
-  const std::size_t nodes = body.mesh.nodes.size();
-  const Eigen::VectorXd theirs = calculix_table(folder.path() / "body.dat", "displacements", nodes);
-  const Eigen::VectorXd their_forces = calculix_table(folder.path() / "body.dat", "forces", nodes);
-  ASSERT_TRUE(theirs.allFinite());
-  ASSERT_TRUE(their_forces.allFinite());
-  const double displacement_off = (ours - theirs).cwiseAbs().maxCoeff() / theirs.cwiseAbs().maxCoeff();
-  const double reaction_off = (our_forces - their_forces).cwiseAbs().maxCoeff() / their_forces.cwiseAbs().maxCoeff();
-  std::cout << "  " << nodes << " nodes: displacements differ by " << displacement_off << ", reactions by "
-            << reaction_off << " of the largest\n";
-  EXPECT_LT(displacement_off, 1e-6);
-  EXPECT_LT(reaction_off, 1e-6);
+  if (!checks::calculix_is_there()) GTEST_SKIP() << "ccx is not installed (Debian: calculix-ccx)";
+  checks::expect_what_calculix_says(lattice_body(sanitized ? 6 : 11, 100.0, 0.1, 80), 40);
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include "anatomy/condensed_body.h"
 #include "core/random.h"
-#include "fem/condensed_body.h"
 
 namespace bodkin::checks {
 

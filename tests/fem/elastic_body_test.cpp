@@ -1,4 +1,4 @@
-#include "fem/elastic_body.h"
+#include "fem/solid/elastic_body.h"
 
 #include "tests/fem/lattice_body.h"
 #include "tests/io/scratch_folder.h"
@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/random.h"
-#include "fem/available_memory.h"
+#include "fem/solid/available_memory.h"
 
 namespace bodkin {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/random.h"
-#include "fem/elastic_body.h"
+#include "fem/solid/elastic_body.h"
 
 namespace bodkin {
 namespace {

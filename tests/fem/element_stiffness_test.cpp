@@ -1,4 +1,4 @@
-#include "fem/element_stiffness.h"
+#include "fem/solid/element_stiffness.h"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>

@@ -187,7 +187,7 @@ TEST(EmbeddedNeedle, no_way_gives_more_work_than_went_in) {
   ContactTissues tissues = checks::plain_tissues(0.05);
   tissues[tissue::soft].puncture_force = 0.2;
   double least = 1e9;
-  for (int trial = 0; trial < (sanitized ? 5 : 100); ++trial) {
+  for (int trial = 0; trial < (sanitized ? 40 : 100); ++trial) {
     tissues[tissue::soft].friction = trial % 3 == 0 ? 0.0 : random.uniform(0.001, 0.5);
     NeedleRig rig(soft_body(), tissues);
     for (int way = 0; way < 12; ++way) {
@@ -200,7 +200,7 @@ TEST(EmbeddedNeedle, no_way_gives_more_work_than_went_in) {
     EXPECT_EQ(rig.force.on_hand.force.norm(), 0.0);
     least = std::min(least, rig.work);
   }
-  EXPECT_LT(least, 1.0);
+  EXPECT_LT(least, 1.0);  // N mm: with little friction, little is lost
 }
 
 TEST(EmbeddedNeedle, tilting_needles_give_no_work_either) {

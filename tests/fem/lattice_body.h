@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/random.h"
-#include "fem/elastic_body.h"
+#include "fem/solid/elastic_body.h"
 
 namespace bodkin {
 

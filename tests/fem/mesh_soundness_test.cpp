@@ -1,14 +1,13 @@
-#include "fem/mesh_soundness.h"
+#include "fem/solid/mesh_soundness.h"
 
 #include <limits>
-#include <numeric>
 
 #include "tests/fem/lattice_body.h"
 #include "tests/io/scratch_folder.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "fem/elastic_body.h"
+#include "fem/solid/elastic_body.h"
 
 namespace bodkin {
 namespace {
@@ -24,45 +23,18 @@ std::string mesh_refusal(const TetrahedralMesh& mesh) {
   return refusal([&mesh] { check_mesh(mesh); });
 }
 
-TEST(MeshSoundness, knows_the_angles_and_volumes_of_the_regular_and_the_corner_tetrahedron) {
-  TetrahedralMesh regular = one_tetrahedron();
-  regular.nodes = {{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}};
-  const MeshQuality quality = check_mesh(regular);
-  EXPECT_NEAR(quality.smallest_angle, std::acos(1.0 / 3.0) / degree, 1e-12);
-  EXPECT_NEAR(quality.largest_angle, std::acos(1.0 / 3.0) / degree, 1e-12);
-  EXPECT_NEAR(quality.volume, 8.0 / 3.0, 1e-14);
-  EXPECT_NEAR(quality.mean_edge, std::sqrt(8.0), 1e-14);
-  EXPECT_TRUE(quality.warnings.empty());
-  EXPECT_EQ(quality.angles[14], 6U);  // 70 to 75 degrees
-
-  const MeshQuality corner = check_mesh(one_tetrahedron());
-  EXPECT_NEAR(corner.smallest_angle, std::acos(1.0 / std::sqrt(3.0)) / degree, 1e-12);
-  EXPECT_NEAR(corner.largest_angle, 90.0, 1e-12);
-  EXPECT_NEAR(corner.shortest_edge, 1.0, 1e-15);
-  EXPECT_NEAR(corner.longest_edge, std::sqrt(2.0), 1e-15);
-}
-
-TEST(MeshSoundness, adds_up_a_lattice) {
-  const BodyDescription body = lattice_body(6, 50.0, 0.1, 1);
-  const MeshQuality quality = check_mesh(body.mesh);
-  EXPECT_EQ(quality.nodes, 216U);
-  EXPECT_EQ(quality.elements, 750U);
-  EXPECT_NEAR(quality.volume, 125000.0, 1e-8);
-  EXPECT_NEAR(std::accumulate(quality.tissue_volume.begin(), quality.tissue_volume.end(), 0.0), 125000.0, 1e-8);
-  EXPECT_EQ(quality.tissue_elements[tissue::ligamentum_flavum], 150U);
-  EXPECT_EQ(quality.tissue_nodes[tissue::ligamentum_flavum], 72U);
-  EXPECT_EQ(quality.tissue_nodes[tissue::soft], 216U);
-  EXPECT_EQ(std::accumulate(quality.angles.begin(), quality.angles.end(), std::size_t{0}), 6 * 750U);
+TEST(MeshSoundness, good_meshes_pass_without_a_word) {
+  EXPECT_TRUE(check_mesh(one_tetrahedron()).empty());
+  EXPECT_TRUE(check_mesh(lattice_body(6, 50.0, 0.1, 1).mesh).empty());
 }
 
 TEST(MeshSoundness, a_poor_mesh_is_used_with_a_warning) {
   TetrahedralMesh mesh = one_tetrahedron();
   mesh.nodes[3] = {0.3, 0.3, 0.01};
-  const MeshQuality quality = check_mesh(mesh);
-  EXPECT_EQ(quality.poor_elements, 1U);
-  ASSERT_EQ(quality.warnings.size(), 1U);
-  EXPECT_THAT(quality.warnings[0], AllOf(HasSubstr("1 of 1 elements"), HasSubstr("below 5 degrees"),
-                                         HasSubstr("element 0 at (0.3, 0.3, 0.0) mm")));
+  const std::vector<std::string> warnings = check_mesh(mesh);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_THAT(warnings[0], AllOf(HasSubstr("1 of 1 elements"), HasSubstr("below 5 degrees"),
+                                 HasSubstr("element 0 at (0.3, 0.3, 0.0) mm")));
 }
 
 TEST(MeshSoundness, refuses_a_mesh_that_is_no_mesh) {

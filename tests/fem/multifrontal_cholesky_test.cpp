@@ -1,5 +1,5 @@
 // The factorisation against programs that are not ours: Eigen's simplicial and CHOLMOD's supernodal Cholesky.
-#include "fem/multifrontal_cholesky.h"
+#include "fem/solid/multifrontal_cholesky.h"
 
 #include "tests/fem/lattice_body.h"
 #include "tests/sanitized.h"

@@ -9,7 +9,7 @@
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
-#include "fem/elastic_body.h"
+#include "fem/solid/elastic_body.h"
 
 namespace bodkin {
 namespace {

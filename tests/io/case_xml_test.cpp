@@ -132,7 +132,8 @@ constexpr Refusal refusals[] = {
      "line 10: needle tip is 'sharp', expected quincke, whitacre, tuohy, chiba, trephine or filiform"},
     {"unknown_resistance", "<layered ", "<fem ",
      "line 13: the element <fem> is not allowed here, expected <layered>, <spring_damper_wall>, <tracking_wall>, "
-     "<depth_profile>, <volume_proxy>, <three_component>, <fracture> or <shaft_friction>"},
+     "<depth_profile>, <volume_proxy>, <three_component>, <fracture>, <shaft_friction>, <embedded_needle> or "
+     "<closest_node>"},
     {"unknown_constraint", "<line_spring ", "<spring ",
      "line 14: the element <spring> is not allowed here, expected <line_spring>, <pivot>, <rail>, <beam> or <none>"},
     {"negative_torque", "peak_torque_N_mm='0'", "peak_torque_N_mm='-1'",

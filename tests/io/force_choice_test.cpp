@@ -50,8 +50,8 @@ TEST(ForceChoice, parts_add_up_and_none_is_none) {
 
 TEST(ForceChoice, errors_name_the_option_what_was_found_and_what_was_expected) {
   const std::string names =
-      "layered, spring_damper_wall, tracking_wall, depth_profile, volume_proxy, three_component, fracture or "
-      "shaft_friction";
+      "layered, spring_damper_wall, tracking_wall, depth_profile, volume_proxy, three_component, fracture, "
+      "shaft_friction, embedded_needle or closest_node";
   EXPECT_EQ(refused_choice("tracking_wall catch_up_s=0"),
             "--resistance: tracking_wall catch_up_s is '0', expected a number from 0.001 to 1e9");
   EXPECT_EQ(refused_choice("tracking_wall catch_up=0"),

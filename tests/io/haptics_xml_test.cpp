@@ -202,7 +202,7 @@ TEST(HapticsXml, the_defaults_that_the_schema_states_are_those_of_the_settings) 
                           haptics_of(role.before + "<" + name + "/>" + role.after)))
         << name << all;
   }
-  EXPECT_EQ(checked, 84);
+  EXPECT_EQ(checked, 106);
 }
 
 TEST(HapticsXml, the_defaults_that_the_schema_states_for_friction_are_those_of_the_settings) {
@@ -242,7 +242,8 @@ TEST(HapticsXml, settings_that_do_not_go_together_are_refused) {
   const std::pair<const char*, const char*> faults[] = {
       {"<resistance/>",
        "<resistance> lacks <layered>, <spring_damper_wall>, <tracking_wall>, <depth_profile>, <volume_proxy>, "
-       "<three_component>, <fracture> or <shaft_friction>"},
+       "<three_component>, <fracture>, <shaft_friction>, <embedded_needle> or "
+       "<closest_node>"},
       {"<resistance><layered/><layered/></resistance>",
        "<resistance> has the element <layered> once more, expected it once at most"},
       {"<constraint><none stiffness_N_per_mm='1'/></constraint>",

@@ -55,6 +55,7 @@ std::string bytes_of(const std::vector<Value>& values) {
 struct VtkWriter {
   bool packed = false, raw = false, appended = false;
   std::string appendix;
+  std::size_t block = 100;  // bytes that are packed together
 
   template <typename Header>
   std::string stored(const std::string& bytes) const {
@@ -62,8 +63,7 @@ struct VtkWriter {
       const std::string head = bytes_of(std::vector<Header>{static_cast<Header>(bytes.size())});
       return raw ? head + bytes : encoded(head + bytes);
     }
-    constexpr std::size_t block = 100;
-    std::vector<Header> head = {static_cast<Header>((bytes.size() + block - 1) / block), block,
+    std::vector<Header> head = {static_cast<Header>((bytes.size() + block - 1) / block), static_cast<Header>(block),
                                 static_cast<Header>(bytes.size() % block)};
     std::string data;
     for (std::size_t at = 0; at < bytes.size(); at += block) {
@@ -137,7 +137,7 @@ TEST(VtuFile, every_way_in_which_vtk_stores_arrays_is_read) {
   for (const bool packed : {false, true}) {
     for (const int place : {0, 1, 2}) {
       for (const bool wide : {false, true}) {
-        VtkWriter writer{.packed = packed, .raw = place == 2, .appended = place > 0, .appendix = {}};
+        VtkWriter writer{.packed = packed, .raw = place == 2, .appended = place > 0, .appendix = {}, .block = 100};
         const std::string text = wide ? writer.file<std::uint64_t>(mesh) : writer.file<std::uint32_t>(mesh);
         const ForeignMesh read = parse_vtu(text, "body.vtu");
         ASSERT_EQ(read.nodes.size(), mesh.nodes.size()) << packed << place << wide;
@@ -147,6 +147,12 @@ TEST(VtuFile, every_way_in_which_vtk_stores_arrays_is_read) {
       }
     }
   }
+}
+
+TEST(VtuFile, packed_arrays_may_be_smaller_than_the_block_that_their_writer_uses) {
+  const TetrahedralMesh mesh = block_mesh(1, 0.5);
+  VtkWriter writer{.packed = true, .raw = false, .appended = true, .appendix = {}, .block = 32768};
+  EXPECT_EQ(parse_vtu(writer.file<std::uint32_t>(mesh), "body.vtu").elements, mesh.elements);
 }
 
 TEST(VtuFile, every_damage_gets_a_sentence) {
@@ -183,7 +189,7 @@ TEST(VtuFile, every_damage_gets_a_sentence) {
 
 TEST(VtuFile, binary_data_that_does_not_hold_what_it_says_is_refused) {
   const TetrahedralMesh mesh = block_mesh(2, 1.0);
-  VtkWriter appended{.packed = false, .raw = true, .appended = true, .appendix = {}};
+  VtkWriter appended{.packed = false, .raw = true, .appended = true, .appendix = {}, .block = 100};
   std::string text = appended.file<std::uint32_t>(mesh);
   EXPECT_THAT(vtu_refusal(vtu_changed(text, "offset=\"0\"", "offset=\"123456\"")), HasSubstr("behind the end"));
   const std::size_t header = text.find("\n_") + 2;
@@ -192,7 +198,7 @@ TEST(VtuFile, binary_data_that_does_not_hold_what_it_says_is_refused) {
   EXPECT_THAT(vtu_refusal(huge), HasSubstr("the data says that it has 2147483647 bytes"));
   EXPECT_THAT(vtu_refusal(vtu_changed(text, "</AppendedData>", "")),
               HasSubstr("does not begin with '_', or does not"));
-  VtkWriter packed{.packed = true, .raw = false, .appended = false, .appendix = {}};
+  VtkWriter packed{.packed = true, .raw = false, .appended = false, .appendix = {}, .block = 100};
   text = packed.file<std::uint32_t>(mesh);
   EXPECT_THAT(vtu_refusal(vtu_changed(text, "format=\"binary\">\n", "format=\"binary\">\n!")),
               HasSubstr("no base64"));

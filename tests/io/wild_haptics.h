@@ -71,6 +71,18 @@ inline auto members(const ShaftFrictionSettings& s) {
   const auto& [a] = s;
   return std::tie(a);
 }
+inline auto members(const DeformableBodySettings& s) {
+  const auto& [a, b, c, d, e, f, g] = s;
+  return std::tie(a, b, c, d, e, f, g);
+}
+inline auto members(const EmbeddedNeedleSettings& s) {
+  const auto& [a, b, c, d, e] = s;
+  return std::tie(a, b, c, d, e);
+}
+inline auto members(const ClosestNodeSettings& s) {
+  const auto& [a, b, c, d, e, f] = s;
+  return std::tie(a, b, c, d, e, f);
+}
 inline auto members(const LineSpringSettings& s) {
   const auto& [a, b, c] = s;
   return std::tie(a, b, c);
@@ -134,7 +146,7 @@ bool same_bits(const std::variant<T...>& a, const std::variant<T...>& b) {
 }
 template <typename T>
 bool same_bits(const T& a, const T& b) {
-  if constexpr (std::is_enum_v<T> || std::is_same_v<T, bool>) {
+  if constexpr (std::is_enum_v<T> || std::is_integral_v<T>) {
     return a == b;
   } else {
     return std::apply(
@@ -214,8 +226,17 @@ inline ResistanceSettings wild_resistance(Random& random) {
     case 6:
       return FractureSettings{number(1e-3, 10.0), number(0.1, 10.0),   number(1e-4, 100.0), number(0.05, 5.0),
                               number(0.01, 20.0), number(0.01, 100.0), number(0.0, 100.0),  number(1e-3, 100.0)};
-    default:
+    case 7:
       return ShaftFrictionSettings{number(0.01, 1e3)};
+    default: {
+      const DeformableBodySettings body{
+          number(1.0, 200.0), number(0.0, 200.0), number(10.0, 5000.0), number(1e-3, 1e3), coin(), coin(),
+          number(1.0, 1000.0)};
+      if (coin())
+        return EmbeddedNeedleSettings{number(0.05, 20.0), number(0.05, 20.0), number(0.001, 1.0), 150, body};
+      return ClosestNodeSettings{number(0.05, 50.0), number(0.01, 100.0), number(0.001, 1.0),
+                                 number(0.1, 10.0),  number(1.0, 1000.0), body};
+    }
   }
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/fem/dense_body.h"
 #include <gtest/gtest.h>
 
 #include "core/error.h"
@@ -24,6 +25,8 @@ Case strong_patient() {
   patient.tissues = TissueVolume(grid, tissue::muscle);
   patient.ct = CtVolume(grid, 45);
   patient.description.device = {"strong", 1e3, 1e3, 1e6, 1e9, 0.0};
+  patient.description.procedure.path = NeedlePath{Vec3::Zero(), Vec3(0.0, 0.0, 4.0)};
+  patient.body = std::make_shared<CondensedBody>(checks::kelvin_body(3, 4, 1.5));
   return patient;
 }
 

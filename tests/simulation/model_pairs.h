@@ -1,10 +1,12 @@
 #pragma once
 
 // Every resistance and every constraint that a case can choose, in the variants that behave differently.
+#include <memory>
 #include <ostream>
 #include <string>
 #include <vector>
 
+#include "tests/fem/dense_body.h"
 #include "tests/simulation/slab_patient.h"
 
 #include "anatomy/case.h"
@@ -48,7 +50,10 @@ inline std::vector<NamedResistance> all_resistances() {
           {"three_component", ThreeComponentSettings{}, {}},
           {"fracture", FractureSettings{}, {}},
           {"fracture_rubbing", FractureSettings{}, rubbing},
-          {"shaft_friction", ShaftFrictionSettings{}, {}}};
+          {"shaft_friction", ShaftFrictionSettings{}, {}},
+          {"embedded_needle", EmbeddedNeedleSettings{}, {}},
+          // Half of the 11 mm that its nodes are apart; taking over from a stiff node is active.
+          {"closest_node", ClosestNodeSettings{.capture_radius = 5.5}, {}, true}};
 }
 
 struct NamedConstraint {
@@ -67,6 +72,15 @@ inline std::vector<NamedConstraint> all_constraints() {
           {"rail", RailSettings{}, true},
           {"beam", BeamSettings{}, true},
           {"none", NoConstraint{}}};
+}
+
+// Nodes about the z axis, down to the bone of the slabs, which does not move and has none.
+inline std::shared_ptr<const CondensedBody> slab_body(const TissueVolume& tissues, int across, int along,
+                                                      double spacing) {
+  auto body = std::make_shared<CondensedBody>(checks::kelvin_body(across, along, spacing, 0.2));
+  for (std::size_t node = 0; node < body->nodes.size(); ++node)
+    body->tissues[node] = nearest<TissueId>(tissues, body->nodes[node] + Vec3(0.0, 0.0, 0.6), tissue::air);
+  return body;
 }
 
 // The slabs of slab_patient() with the tissues that come with Bodkin and a CT, 40 mm wide.
@@ -94,6 +108,12 @@ inline Case patient_for(const NamedResistance& resistance, const NamedConstraint
   haptics.resistance = resistance.settings;
   haptics.parts = resistance.parts;
   haptics.constraint = constraint.settings;
+  if (body_of(resistance.settings) != nullptr) {
+    static const std::shared_ptr<const CondensedBody> fine = slab_body(patient.tissues, 5, 22, 2.0);
+    static const std::shared_ptr<const CondensedBody> coarse = slab_body(patient.tissues, 3, 4, 11.0);
+    patient.body = std::holds_alternative<ClosestNodeSettings>(resistance.settings) ? coarse : fine;
+    patient.description.procedure.path = NeedlePath{Vec3::Zero(), Vec3(0.0, 0.0, 40.0)};
+  }
   return patient;
 }
 

@@ -192,11 +192,18 @@ void lean_on_bone(const NamedResistance& resistance, const DeviceProfile& device
     rig->aim(std::min(bone + 3.0, -5.0 + 0.08 * i));
     ASSERT_TRUE(rig->run(1)) << what;
   }
-  ASSERT_TRUE(rig->run(1500)) << what;
   Turns turns(0.02 + 2.0 * rig->abilities.resolution);
-  for (int i = 0; i < 500; ++i) {
-    ASSERT_TRUE(rig->run(1)) << what;
-    turns.add(rig->depth());
+  // A tissue may give way late, and then the hand falls through it and swings. That has to die away; leaning is
+  // measured when it has.
+  for (int attempt = 0; attempt < 5; ++attempt) {
+    ASSERT_TRUE(rig->run(1500)) << what;
+    turns = Turns(0.02 + 2.0 * rig->abilities.resolution);
+    const int given_way = rig->given_way;
+    for (int i = 0; i < 500; ++i) {
+      ASSERT_TRUE(rig->run(1)) << what;
+      turns.add(rig->depth());
+    }
+    if (rig->given_way == given_way) break;
   }
   all.on_bone += rig->depth() > bone && rig->applied.force.norm() > 0.1 ? 1 : 0;
   all.calmed += rig->count(GuardReason::calming);

@@ -88,7 +88,9 @@ class SafetyRig {
         settings,
         [this](const ControlInput& input) {
           if (controller) return controller(input);
-          return Control{tissue_.step({input.needle}).applied, 0.0};
+          const TickOutput output = tissue_.step({input.needle});
+          for (const Event& event : output.events) given_way += event.kind == EventKind::puncture ? 1 : 0;
+          return Control{output.applied, 0.0};
         },
         TickClock{&no_time, nullptr});
 
@@ -169,6 +171,7 @@ class SafetyRig {
   std::array<int, static_cast<std::size_t>(GuardReason::count_of_reasons)> counts{};
   GuardEvent last_event;
   std::uint64_t ticks = 0;
+  int given_way = 0;  // tissues that were punctured
 
  private:
   Case patient_;

@@ -198,8 +198,8 @@ LabelMesh plain(const Complex& complex) {
 LabelMesh mesh_labels(const LabelLattice& lattice, const LabelMeshing& meshing,
                       const std::function<void(const char* stage, double fraction)>& progress) {
   namespace params = CGAL::parameters;
-  CGAL::get_default_random() = CGAL::Random(meshing.seed);
-  CGAL::Random random(meshing.seed);
+  CGAL::get_default_random() = CGAL::Random(0);  // every run makes the same choices
+  CGAL::Random random(0);
   const Field field(lattice);
   const auto far = [&](std::size_t axis) { return (lattice.size[axis] - 1) * lattice.spacing[axis]; };
   const Domain domain(

@@ -18,7 +18,6 @@ struct LabelLattice {
 };
 
 struct LabelMeshing {
-  std::uint32_t seed = 0;  // of every random choice
   std::size_t fewest = 0;  // nodes; a mesh of fewer or more is not worth improving and is left without elements
   std::size_t most = SIZE_MAX;
   std::size_t expected = 1;  // nodes, for the progress

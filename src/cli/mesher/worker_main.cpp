@@ -66,7 +66,6 @@ int run() {
   LabelLattice lattice{
       request.at("size").get<std::array<int, 3>>(), request.at("spacing").get<std::array<double, 3>>(), {}, {}};
   LabelMeshing meshing;
-  meshing.seed = request.at("seed").get<std::uint32_t>();
   meshing.fewest = request.at("fewest").get<std::size_t>();
   meshing.most = request.at("most").get<std::size_t>();
   meshing.expected = request.at("expected").get<std::size_t>();

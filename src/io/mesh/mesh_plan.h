@@ -15,7 +15,6 @@ struct MeshSettings {
   double fine = 2.0;              // mm, in the corridor and at tissue borders near it; 0.2 to 20
   double coarse = 10.0;           // mm, far from both; fine to 100
   double corridor_radius = 25.0;  // mm around the planned path; 1 to 200
-  std::int64_t seed = 1;          // 0 to 2^31 - 1
 
   // [D] our choices, not offered on the command line.
   double corridor_beyond = 15.0;  // mm that the corridor goes on beyond the target

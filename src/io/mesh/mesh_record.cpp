@@ -46,10 +46,9 @@ std::optional<MeshRecord> record_for(const fs::path& folder, std::string_view me
 
 std::string mesh_made_from(const TissueVolume& tissues, const std::optional<NeedlePath>& path,
                            const MeshSettings& settings) {
-  std::string text =
-      fmt::format("mesher {} tissues {} nodes {} fine {} coarse {} corridor {} {} reach {} seed {}", mesher_version,
-                  volume_digest(tissues), settings.nodes, settings.fine, settings.coarse, settings.corridor_radius,
-                  settings.corridor_beyond, settings.reach, settings.seed);
+  std::string text = fmt::format("mesher {} tissues {} nodes {} fine {} coarse {} corridor {} {} reach {}",
+                                 mesher_version, volume_digest(tissues), settings.nodes, settings.fine,
+                                 settings.coarse, settings.corridor_radius, settings.corridor_beyond, settings.reach);
   if (path) {
     for (const Vec3& end : {path->entry, path->target}) text += fmt::format(" {} {} {}", end.x(), end.y(), end.z());
   }

@@ -47,7 +47,7 @@ ChildLimits mesher_limits() {
   if (talk.child.end == ChildEnd::out_of_time) {
     throw SystemError("meshing took more than ten minutes and was given up; ask for fewer nodes");
   }
-  throw SystemError("bodkin-mesher ended without a word; ask for fewer nodes or another seed");
+  throw SystemError("bodkin-mesher ended without a word; ask for fewer nodes");
 }
 
 // The mesh that the worker left in shared memory, in patient coordinates.
@@ -151,8 +151,7 @@ MeshedBody mesh_tissues(const TissueVolume& tissues, const std::optional<NeedleP
                       settings.nodes, scale * settings.fine));
     }
     const bool last = round == most_rounds;
-    const json wish = {{"seed", settings.seed},
-                       {"fewest", last ? 0.0 : std::floor((1.0 - close_enough) * wanted)},
+    const json wish = {{"fewest", last ? 0.0 : std::floor((1.0 - close_enough) * wanted)},
                        {"most", last ? 1e12 : std::ceil((1.0 + close_enough) * wanted)},
                        {"expected", wanted}};
     Attempt made = run_mesher(meshable, wish, [&](std::string_view stage, double fraction) {

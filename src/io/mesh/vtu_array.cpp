@@ -149,20 +149,21 @@ std::string payload(Source source, const VtuStorage& storage, std::size_t most, 
   if (blocks > most) too_large(blocks);
   const std::vector<std::uint64_t> sizes =
       sizes_in(source.take((3 + static_cast<std::size_t>(blocks)) * width), storage.long_headers);
+  // The size of a whole block may be more than there is (writers state their usual one), and what hardly packs can
+  // grow by it.
   const std::uint64_t block = sizes[1], last = sizes[2];
-  if (block > most || last > most) too_large(std::max(block, last));
+  const std::uint64_t most_packed_size = most * 2 + 65536;
   std::string packed_all, bytes;
   std::uint64_t packed_size = 0;
   for (std::size_t b = 0; b < blocks; ++b) {
-    if (sizes[3 + b] > most) too_large(sizes[3 + b]);
+    if (sizes[3 + b] > most_packed_size - packed_size) too_large(sizes[3 + b]);
     packed_size += sizes[3 + b];
-    if (packed_size > most * 2 + 65536) too_large(packed_size);
   }
   packed_all = source.take(packed_size);
   std::size_t at = 0;
   for (std::size_t b = 0; b < blocks; ++b) {
     const std::size_t size = b + 1 == blocks && last != 0 ? last : block;
-    if (bytes.size() + size > most) too_large(bytes.size() + size);
+    if (size > most - bytes.size()) too_large(size);
     bytes += unpack(packed_all.substr(at, sizes[3 + b]), size, where);
     at += sizes[3 + b];
   }

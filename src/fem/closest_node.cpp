@@ -1,0 +1,170 @@
+#include "fem/closest_node.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <Eigen/LU>
+
+#include "core/error.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr double farthest_tip = 1e4;  // mm; beyond, a sensor failed
+constexpr double nearer = 0.9;        // of the distance to the node that has the tip, for another to take over
+
+void check_closest_setting(double value, double low, double high, const char* name, const char* unit) {
+  if (value >= low && value <= high) return;
+  throw InputError("closest node: " + std::string(name) + " is " + std::to_string(value) + " " + unit +
+                   ", expected " + std::to_string(low) + " to " + std::to_string(high));
+}
+
+}  // namespace
+
+ClosestNodeContact::ClosestNodeContact(const CondensedBody& body, const ContactTissues& tissues,
+                                       const ClosestNodeSettings& settings, double dt)
+    : body_(body), tissues_(tissues), settings_(settings), dt_(dt), punctured_(body.nodes.size(), 0) {
+  check_contact_tissues(tissues);
+  check_closest_setting(settings.capture_radius, 0.05, 50.0, "capture radius", "mm");
+  check_closest_setting(settings.presliding, 0.01, 100.0, "presliding stiffness", "N/mm");
+  check_closest_setting(settings.relaxation, 0.001, 1.0, "relaxation", "s");
+  check_closest_setting(settings.layer, 0.1, 10.0, "layer", "mm");
+  check_closest_setting(settings.longest, 1.0, 1000.0, "longest way", "mm");
+  check_closest_setting(dt, 1e-6, 0.1, "tick", "s");
+  const auto rows = static_cast<Eigen::Index>(3 * body.nodes.size());
+  if (body.nodes.empty() || body.tissues.size() != body.nodes.size() || body.compliance.rows() != rows ||
+      body.compliance.cols() != rows) {
+    throw InputError("closest node: the corridor's nodes, tissues and compliance do not fit together; expected a " +
+                     std::string("tissue and 3 rows for each of its ") + std::to_string(body.nodes.size()) +
+                     " nodes");
+  }
+  limits_.resize(static_cast<std::size_t>(std::ceil(settings.longest / settings.layer)) + 1);
+}
+
+void ClosestNodeContact::reset() noexcept {
+  std::fill(punctured_.begin(), punctured_.end(), std::uint8_t{0});
+  begin(Vec3::Zero(), Vec3::UnitZ());
+  begun_ = false;
+}
+
+void ClosestNodeContact::begin(const Vec3& entry, const Vec3& direction) noexcept {
+  entry_ = entry;
+  direction_ = direction;
+  begun_ = fresh_ = true;
+  known_ = 0;
+  node_ = relaxing_ = none;
+  force_.setZero();
+  friction_ = 0.0;
+}
+
+std::uint32_t ClosestNodeContact::closest(const Vec3& place, double within, bool unpunctured) const noexcept {
+  std::uint32_t found = none;
+  double least = within * within;
+  for (std::size_t node = 0; node < body_.nodes.size(); ++node) {
+    const double distance = (body_.nodes[node] - place).squaredNorm();
+    if (distance > least || (unpunctured && punctured_[node] != 0)) continue;
+    least = distance;
+    found = static_cast<std::uint32_t>(node);
+  }
+  return found;
+}
+
+Mat3 ClosestNodeContact::own_compliance(std::uint32_t node) const noexcept {
+  const auto at = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(node);
+  return body_.compliance.block<3, 3>(at, at);
+}
+
+double ClosestNodeContact::stiffness_scale(std::uint32_t node) const noexcept {
+  const double target = tissues_[body_.tissues[node]].stiffness;
+  return target > 0.0 ? target / direction_.dot(own_compliance(node).inverse() * direction_) : 1.0;
+}
+
+Vec3 ClosestNodeContact::push(const Vec3& tip) const noexcept {
+  return stiffness_scale(node_) * (own_compliance(node_).inverse() * (tip - body_.nodes[node_] - offset_));
+}
+
+// Which node the tip pushes, and where that node thinks the tip was when it met it.
+void ClosestNodeContact::follow(const Vec3& tip) noexcept {
+  const std::uint32_t best = closest(tip, settings_.capture_radius, true);
+  if (node_ == none) {
+    node_ = best;
+    if (node_ != none) offset_ = tip - body_.nodes[node_];
+  } else if (best != none && best != node_ &&
+             (body_.nodes[best] - tip).norm() < nearer * (body_.nodes[node_] - tip).norm()) {
+    const Vec3 force = push(tip);
+    node_ = best;
+    offset_ = tip - body_.nodes[node_] - own_compliance(node_) * force / stiffness_scale(node_);
+  }
+}
+
+// N that the shaft can bear by friction when the tip is at `depth`; looks up tissues that the tip reaches first.
+double ClosestNodeContact::shaft_limit(double depth) noexcept {
+  const double layer = settings_.layer;
+  const double place = std::clamp(depth / layer, 0.0, static_cast<double>(limits_.size() - 1));
+  const auto whole = static_cast<std::size_t>(place);
+  for (; known_ <= std::min(whole, limits_.size() - 1); ++known_) {
+    const Vec3 middle = entry_ + (static_cast<double>(known_) + 0.5) * layer * direction_;
+    const std::uint32_t node = closest(middle, farthest_tip, false);
+    const double here = node == none ? 0.0 : tissues_[body_.tissues[node]].friction * layer;
+    limits_[known_] = (known_ == 0 ? 0.0 : limits_[known_ - 1]) + here;
+  }
+  const double before = whole == 0 ? 0.0 : limits_[whole - 1];
+  return before + (place - static_cast<double>(whole)) * (limits_[whole] - before);
+}
+
+ClosestNodeForce ClosestNodeContact::step(const Vec3& tip) noexcept {
+  ClosestNodeForce out;
+  const Vec3 from_entry = tip - entry_;
+  if (!(from_entry.squaredNorm() <= farthest_tip * farthest_tip)) {
+    out.fault = true;
+    return out;
+  }
+  if (!begun_) return out;
+  relaxed_ = std::min(1.0, relaxed_ + dt_ / settings_.relaxation);
+  const double depth = from_entry.dot(direction_);
+  if (fresh_) last_depth_ = depth;
+  fresh_ = false;
+
+  follow(tip);
+  force_.setZero();
+  if (node_ != none) {
+    force_ = push(tip);
+    out.tip_force = std::max(0.0, force_.dot(direction_));
+    const double strength = tissues_[body_.tissues[node_]].puncture_force;
+    if (force_.dot(direction_) < 0.0) {
+      node_ = none;  // it lets go; what it meets next it meets without force
+      force_.setZero();
+    } else if (out.tip_force >= strength) {
+      if (strength > 0.0) out.puncture = TissuePuncture{body_.tissues[node_], depth, out.tip_force};
+      punctured_[node_] = 1;
+      relaxing_ = node_;
+      relaxing_force_ = force_ / stiffness_scale(node_);
+      relaxed_ = 0.0;
+      node_ = none;
+      force_.setZero();
+    }
+  }
+  // A spring between shaft and tissue that slides at the limit (Prandtl).
+  const double limit = shaft_limit(depth);
+  friction_ = std::clamp(friction_ + settings_.presliding * (depth - last_depth_), -limit, limit);
+  last_depth_ = depth;
+  out.friction = friction_;
+  out.resistance = out.tip_force + out.friction;
+  if (node_ != none) out.node = node_;
+  return out;
+}
+
+NodeForces ClosestNodeContact::node_forces() const noexcept {
+  NodeForces forces;
+  const auto add = [&forces](std::uint32_t node, const Vec3& force) {
+    forces.nodes[forces.count++] = {
+        node, {static_cast<float>(force.x()), static_cast<float>(force.y()), static_cast<float>(force.z())}};
+  };
+  if (node_ != none) add(node_, force_ / stiffness_scale(node_));
+  if (relaxing_ != none && relaxed_ < 1.0) add(relaxing_, (1.0 - relaxed_) * relaxing_force_);
+  return forces;
+}
+
+}  // namespace bodkin

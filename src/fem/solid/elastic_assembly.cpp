@@ -1,0 +1,139 @@
+#include "fem/solid/elastic_assembly.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/error.h"
+#include "fem/solid/element_stiffness.h"
+
+namespace bodkin {
+
+namespace {
+
+std::array<Vec3, 4> corners_at(const TetrahedralMesh& mesh, std::size_t element) {
+  const auto& nodes = mesh.elements[element];
+  return {mesh.nodes[nodes[0]], mesh.nodes[nodes[1]], mesh.nodes[nodes[2]], mesh.nodes[nodes[3]]};
+}
+
+// The elements around each node: those of node n are `element[start[n]]` to `element[start[n + 1]]`.
+struct Incidence {
+  std::vector<std::size_t> start;
+  std::vector<std::uint32_t> element;
+};
+
+Incidence incidence_of(const TetrahedralMesh& mesh) {
+  Incidence incidence;
+  incidence.start.assign(mesh.nodes.size() + 1, 0);
+  for (const auto& element : mesh.elements)
+    for (const std::uint32_t node : element) ++incidence.start[node + 1];
+  for (std::size_t node = 0; node < mesh.nodes.size(); ++node) incidence.start[node + 1] += incidence.start[node];
+  incidence.element.resize(4 * mesh.elements.size());
+  std::vector<std::size_t> next(incidence.start.begin(), incidence.start.end() - 1);
+  for (std::uint32_t element = 0; element < mesh.elements.size(); ++element)
+    for (const std::uint32_t node : mesh.elements[element]) incidence.element[next[node]++] = element;
+  return incidence;
+}
+
+// Which free nodes share an element, as the pattern of the matrix.
+void find_pattern(const TetrahedralMesh& mesh, ElasticSystem& system) {
+  const Incidence incidence = incidence_of(mesh);
+  BlockMatrix& matrix = system.stiffness;
+  matrix.nodes = static_cast<std::uint32_t>(system.mesh_nodes.size());
+  matrix.start.reserve(matrix.nodes + 1);
+  matrix.start.push_back(0);
+  matrix.row.reserve(9 * std::size_t{matrix.nodes});
+  for (std::uint32_t column = 0; column < matrix.nodes; ++column) {
+    const std::uint32_t node = system.mesh_nodes[column];
+    for (std::size_t i = incidence.start[node]; i < incidence.start[node + 1]; ++i) {
+      for (const std::uint32_t corner : mesh.elements[incidence.element[i]]) {
+        const std::uint32_t row = system.free_nodes[corner];
+        if (row != ElasticSystem::fixed && row >= column) matrix.row.push_back(row);
+      }
+    }
+    const auto first = matrix.row.begin() + static_cast<std::ptrdiff_t>(matrix.start.back());
+    std::sort(first, matrix.row.end());
+    matrix.row.erase(std::unique(first, matrix.row.end()), matrix.row.end());
+    matrix.start.push_back(matrix.row.size());
+  }
+}
+
+void add_element(const TetrahedralMesh& mesh, const ElasticMaterials& materials, std::size_t element,
+                 ElasticSystem& system) {
+  const TetrahedronGradients shape = tetrahedron_gradients(corners_at(mesh, element));
+  const LameConstants constants = lame_constants(*materials.find(mesh.tissues[element]));
+  BlockMatrix& matrix = system.stiffness;
+  for (std::size_t b = 0; b < 4; ++b) {
+    const std::uint32_t column = system.free_nodes[mesh.elements[element][b]];
+    if (column == ElasticSystem::fixed) continue;
+    const auto first = matrix.row.begin() + static_cast<std::ptrdiff_t>(matrix.start[column]);
+    const auto last = matrix.row.begin() + static_cast<std::ptrdiff_t>(matrix.start[column + 1]);
+    for (std::size_t a = 0; a < 4; ++a) {
+      const std::uint32_t row = system.free_nodes[mesh.elements[element][a]];
+      if (row == ElasticSystem::fixed || row < column) continue;
+      const auto place = static_cast<std::size_t>(std::lower_bound(first, last, row) - matrix.row.begin());
+      matrix.block[place] += stiffness_block(shape, constants, a, b);
+    }
+  }
+}
+
+}  // namespace
+
+ElasticSystem assemble(const TetrahedralMesh& mesh, const ElasticMaterials& materials,
+                       std::span<const std::uint32_t> fixed_nodes) {
+  ElasticSystem system;
+  system.free_nodes.assign(mesh.nodes.size(), 0);
+  for (const std::uint32_t node : fixed_nodes) system.free_nodes[node] = ElasticSystem::fixed;
+  for (std::uint32_t node = 0; node < mesh.nodes.size(); ++node) {
+    if (system.free_nodes[node] == ElasticSystem::fixed) continue;
+    system.free_nodes[node] = static_cast<std::uint32_t>(system.mesh_nodes.size());
+    system.mesh_nodes.push_back(node);
+  }
+  if (system.mesh_nodes.empty()) {
+    throw InputError("every node of the body is fixed, so that nothing can move; fix fewer of them");
+  }
+  find_pattern(mesh, system);
+  system.stiffness.block.assign(system.stiffness.row.size(), Mat3::Zero());
+  for (std::size_t element = 0; element < mesh.elements.size(); ++element)
+    add_element(mesh, materials, element, system);
+  return system;
+}
+
+Eigen::VectorXd elastic_forces(const TetrahedralMesh& mesh, const ElasticMaterials& materials,
+                               const Eigen::VectorXd& displacement) {
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(displacement.size());
+  for (std::size_t element = 0; element < mesh.elements.size(); ++element) {
+    const TetrahedronGradients shape = tetrahedron_gradients(corners_at(mesh, element));
+    const LameConstants constants = lame_constants(*materials.find(mesh.tissues[element]));
+    Mat3 gradient = Mat3::Zero();  // of the displacement
+    for (std::size_t corner = 0; corner < 4; ++corner)
+      gradient += displacement.segment<3>(3 * Eigen::Index{mesh.elements[element][corner]}) *
+                  shape.gradient[corner].transpose();
+    const Mat3 stress =
+        constants.lambda * gradient.trace() * Mat3::Identity() + constants.mu * (gradient + gradient.transpose());
+    for (std::size_t corner = 0; corner < 4; ++corner)
+      forces.segment<3>(3 * Eigen::Index{mesh.elements[element][corner]}) +=
+          shape.volume * (stress * shape.gradient[corner]);
+  }
+  return forces;
+}
+
+std::vector<std::uint32_t> nodes_of_tissues(const TetrahedralMesh& mesh, std::span<const TissueId> tissues) {
+  std::vector<bool> chosen(mesh.nodes.size(), false);
+  for (std::size_t element = 0; element < mesh.elements.size(); ++element) {
+    if (std::find(tissues.begin(), tissues.end(), mesh.tissues[element]) == tissues.end()) continue;
+    for (const std::uint32_t node : mesh.elements[element]) chosen[node] = true;
+  }
+  std::vector<std::uint32_t> nodes;
+  for (std::uint32_t node = 0; node < mesh.nodes.size(); ++node)
+    if (chosen[node]) nodes.push_back(node);
+  return nodes;
+}
+
+std::vector<std::uint32_t> nodes_beyond(const TetrahedralMesh& mesh, const Vec3& point, const Vec3& normal) {
+  std::vector<std::uint32_t> nodes;
+  for (std::uint32_t node = 0; node < mesh.nodes.size(); ++node)
+    if ((mesh.nodes[node] - point).dot(normal) >= 0.0) nodes.push_back(node);
+  return nodes;
+}
+
+}  // namespace bodkin

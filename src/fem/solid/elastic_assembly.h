@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "anatomy/tetrahedral_mesh.h"
+#include "fem/solid/block_matrix.h"
+#include "fem/solid/elastic_material.h"
+
+namespace bodkin {
+
+// The equations of a body at rest, stiffness * displacement = force, over the nodes that are free to move.
+struct ElasticSystem {
+  static constexpr std::uint32_t fixed = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> mesh_nodes;  // the free nodes, ascending, as the mesh calls them
+  std::vector<std::uint32_t> free_nodes;  // for each node of the mesh its place in `mesh_nodes`, or `fixed`
+  BlockMatrix stiffness;                  // N/mm, over the free nodes
+};
+
+// Assembles the stiffness of a sound mesh (check_mesh) whose tissues all have a material. `fixed_nodes` do not move;
+// each must be in the mesh, and may be named more than once. Throws InputError when no node is free.
+ElasticSystem assemble(const TetrahedralMesh& mesh, const ElasticMaterials& materials,
+                       std::span<const std::uint32_t> fixed_nodes);
+
+// The force (N) that holds every node of the mesh, fixed or free, at a displacement (mm): element by element, without
+// the assembled matrix. 3 values a node, x y z in turn.
+Eigen::VectorXd elastic_forces(const TetrahedralMesh& mesh, const ElasticMaterials& materials,
+                               const Eigen::VectorXd& displacement);
+
+// Nodes to fix, ascending, each once: those of every element that is of one of the tissues (bone) ...
+std::vector<std::uint32_t> nodes_of_tissues(const TetrahedralMesh& mesh, std::span<const TissueId> tissues);
+// ... and those on or beyond the plane through `point`, on the side to which `normal` points (the far side of a body
+// that lies on a table).
+std::vector<std::uint32_t> nodes_beyond(const TetrahedralMesh& mesh, const Vec3& point, const Vec3& normal);
+
+}  // namespace bodkin

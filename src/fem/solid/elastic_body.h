@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "anatomy/condensed_body.h"
+#include "anatomy/tetrahedral_mesh.h"
+#include "core/progress.h"
+#include "fem/solid/elastic_assembly.h"
+#include "fem/solid/multifrontal_cholesky.h"
+
+namespace bodkin {
+
+// What makes a body: its mesh, what each tissue is made of, which nodes do not move, and which the needle can meet.
+struct BodyDescription {
+  TetrahedralMesh mesh;
+  ElasticMaterials materials;
+  std::vector<std::uint32_t> fixed;     // nodes of the mesh
+  std::vector<std::uint32_t> corridor;  // nodes of the mesh, each once; fixed ones among them are left out
+};
+
+// Checks a body whole: its mesh, its materials, what holds it, and its corridor. Throws InputError, one sentence with
+// place and remedy; returns warnings of a mesh that is poor, one sentence each.
+std::vector<std::string> check_body(const BodyDescription& body);
+
+// The equations of a body and how they will be solved. Says what memory that takes before it is taken:
+// plan.symbolic.bytes().
+struct BodyPlan {
+  ElasticSystem system;
+  SymbolicFactor symbolic;
+  CondensedBody corridor;  // the free nodes of the corridor; its compliance is still empty
+};
+
+// The body must have passed check_body.
+BodyPlan plan_body(const BodyDescription& body, const Progress& progress = {});
+
+// A body whose equations are factorised: it knows its corridor's compliance and, if the whole factor was kept, the
+// displacement of all its nodes under any forces.
+class ElasticBody {
+ public:
+  // Throws InputError when the body does not fit into memory, or when a part of it hangs by a node or an edge alone,
+  // so that it can turn.
+  ElasticBody(const BodyDescription& body, BodyPlan plan, const FactorOptions& options = {},
+              const Progress& progress = {});
+
+  // Takes the memory of one more compliance.
+  CondensedBody condensed() const;
+
+  // mm, of every node of the mesh (3 rows each) under forces (N) on every node; those on fixed nodes do nothing.
+  Eigen::MatrixXd displacement(const Eigen::MatrixXd& forces) const;
+  // The same under forces on the corridor's nodes alone, 3 rows each in the order of condensed(); about twice as
+  // fast.
+  Eigen::MatrixXd displacement_by_corridor(const Eigen::MatrixXd& forces) const;
+
+  const ElasticSystem& system() const noexcept { return plan_.system; }
+
+ private:
+  Eigen::MatrixXd on_all_nodes(const Eigen::MatrixXd& of_free_nodes) const;
+  BodyPlan plan_;
+  MultifrontalCholesky factor_;
+};
+
+// From the description to the condensed body, checked, in the least memory. `note` hears the warnings of the check,
+// and how large the body is and what memory it will take, before that is taken; it may be empty.
+CondensedBody condense(const BodyDescription& body, FactorOptions options = {}, const Progress& progress = {},
+                       const std::function<void(const std::string&)>& note = {});
+
+}  // namespace bodkin

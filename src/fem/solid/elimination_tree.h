@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "fem/solid/nested_dissection.h"
+
+namespace bodkin {
+
+inline constexpr std::uint32_t no_parent = std::numeric_limits<std::uint32_t>::max();
+
+// Which column of a Cholesky factor is the first to be changed by each column: its parent. By position in the order
+// of elimination.
+struct EliminationTree {
+  std::vector<std::uint32_t> parent;  // no_parent: none, or one of the last nodes
+  std::vector<std::uint32_t> count;   // blocks of the column, with the diagonal's and those in rows of the last nodes
+};
+
+// The tree of the first `free` nodes of `order`; the others come last and are not part of it. Changes the order of
+// these first nodes to one that fills in the same places and has every node directly after the subtrees of its
+// children (Liu, The role of elimination trees in sparse factorization, 1990).
+EliminationTree elimination_tree(const NodeGraph& graph, std::vector<std::uint32_t>& order, std::uint32_t free);
+
+}  // namespace bodkin

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/error.h"
+#include "core/progress.h"
+#include "fem/solid/block_matrix.h"
+#include "fem/solid/symbolic_factor.h"
+#include "fem/solid/zero_pages.h"
+
+namespace bodkin {
+
+// The matrix is not positive definite: nothing holds one of its nodes, as far as double precision can tell.
+class NotPositiveDefinite : public InputError {
+ public:
+  explicit NotPositiveDefinite(std::uint32_t node);
+  std::uint32_t node = 0;  // as the matrix calls it
+};
+
+struct FactorOptions {
+  // Threads for the dense parts, 1 or more. More than the machine has idle are slower than one: they wait for each
+  // other.
+  int threads = 1;
+  // Bytes that the factorisation may take; 0: what available_memory() says. It is known, and refused, beforehand.
+  std::size_t memory_limit = 0;
+  // Keep the whole factor, for solve() and respond(), or only that of the last nodes, in a fraction of the memory.
+  bool keep_field = true;
+};
+
+// K = L L^T of a sparse symmetric positive definite matrix of 3 x 3 blocks, multifrontal (Duff & Reid 1983; Liu, The
+// multifrontal method for sparse matrix solution, 1992): every supernode is a dense matrix that is assembled from the
+// matrix and from what its children leave over, factorised, and leaves an update for its parent. With the corridor
+// last, its block of L is the Cholesky factor of the corridor's condensed stiffness. The same numbers for the same
+// input, as far as OpenBLAS gives the same on the machine and with the number of threads.
+class MultifrontalCholesky {
+ public:
+  // `symbolic` must come from graph_of(matrix). Throws InputError when the memory needed is above the limit, and
+  // NotPositiveDefinite.
+  MultifrontalCholesky(const BlockMatrix& matrix, SymbolicFactor symbolic, const FactorOptions& options = {},
+                       const Progress& progress = {});
+
+  const SymbolicFactor& symbolic() const noexcept { return symbolic_; }
+
+  // (P^T K^-1 P) of the last nodes P, in the order given: how each of them moves by a force on any of them. Symmetric
+  // to the last bit.
+  Eigen::MatrixXd last_compliance() const;
+
+  // K^-1 forces, for any number of columns. Only with keep_field.
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& forces) const;
+  // The same for forces on the last nodes alone (3 rows for each of them), at a little more than half the cost.
+  Eigen::MatrixXd respond(const Eigen::MatrixXd& forces_on_last) const;
+
+ private:
+  double* panel(std::size_t supernode) const noexcept;
+  bool is_last(std::size_t supernode) const noexcept;
+  void factorise(const BlockMatrix& matrix, const Progress& progress);
+  void substitute_forward(std::size_t supernode, Eigen::MatrixXd& x, Eigen::MatrixXd& work) const;
+  Eigen::MatrixXd substitute_back(Eigen::MatrixXd& x) const;
+
+  SymbolicFactor symbolic_;
+  FactorOptions options_;
+  ZeroPages panels_;  // of all supernodes, or one that each uses in turn
+  ZeroPages last_;    // the panel of the last nodes, unless it is among `panels_`
+};
+
+}  // namespace bodkin

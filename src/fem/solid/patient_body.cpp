@@ -1,0 +1,206 @@
+#include "fem/solid/patient_body.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "fem/solid/mesh_place.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr double before_skin = 5.0;    // mm of the planned line before the entry that belong to the corridor
+constexpr double behind_face = 2.5;    // mm outwards of a face, where one looks for what lies behind it
+constexpr double closest_voxel = 3.0;  // mm from a node, how far its tissue is looked for
+constexpr TissueId edge_of_volume = 255;
+
+// By TissueId: does not move and cannot be punctured.
+std::array<bool, 256> rigid_tissues(const TissueLibrary& library) {
+  std::array<bool, 256> rigid{};
+  for (const TissueProperties& tissue : library.tissues())
+    rigid[tissue.id] = tissue.layered.kind == LayeredKind::rigid;
+  return rigid;
+}
+
+ElasticMaterials materials_of(const TetrahedralMesh& mesh, const TissueLibrary& library, double scale) {
+  std::array<bool, 256> met{};
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const TissueId id = mesh.tissues[e];
+    const TissueProperties* tissue = library.find(id);
+    if (tissue != nullptr && tissue->deformable.young > 0.0) {
+      met[id] = true;
+      continue;
+    }
+    throw InputError(
+        fmt::format("element {} of the mesh at {} is of {}, which has no material; give the tissue an element "
+                    "<deformable> in the "
+                    "tissue library",
+                    e, place_of_element(mesh, e), library.title(id)));
+  }
+  ElasticMaterials materials;
+  for (const TissueProperties& tissue : library.tissues()) {
+    if (met[tissue.id])
+      materials.set(tissue.id, {.young = scale * tissue.deformable.young, .poisson = tissue.deformable.poisson});
+  }
+  return materials;
+}
+
+struct OuterFace {
+  std::array<std::uint32_t, 3> nodes;
+  std::uint32_t opposite;  // the fourth corner of its element
+};
+
+// Faces that belong to one element only.
+std::vector<OuterFace> outer_faces(const TetrahedralMesh& mesh) {
+  std::map<std::array<std::uint32_t, 3>, std::pair<OuterFace, int>> faces;
+  for (const auto& element : mesh.elements) {
+    for (std::size_t left_out = 0; left_out < 4; ++left_out) {
+      OuterFace face{};
+      for (std::size_t i = 0; i < 3; ++i) face.nodes[i] = element[(left_out + 1 + i) % 4];
+      face.opposite = element[left_out];
+      std::array<std::uint32_t, 3> key = face.nodes;
+      std::sort(key.begin(), key.end());
+      auto& [kept, count] = faces.try_emplace(key, face, 0).first->second;
+      ++count;
+    }
+  }
+  std::vector<OuterFace> outer;
+  for (const auto& [key, face] : faces)
+    if (face.second == 1) outer.push_back(face.first);
+  return outer;
+}
+
+// Behind the face lies more of the patient.
+bool is_cut(const OuterFace& face, const TetrahedralMesh& mesh, const TissueVolume& tissues) {
+  const Vec3 &a = mesh.nodes[face.nodes[0]], &b = mesh.nodes[face.nodes[1]], &c = mesh.nodes[face.nodes[2]];
+  Vec3 outwards = (b - a).cross(c - a).normalized();
+  if (outwards.dot(mesh.nodes[face.opposite] - a) > 0.0) outwards = -outwards;
+  const Vec3 behind = (a + b + c) / 3.0 + behind_face * outwards;
+  return nearest<TissueId>(tissues, behind, edge_of_volume) != tissue::air;
+}
+
+std::vector<std::uint32_t> fixed_nodes(const TetrahedralMesh& mesh, const Case& patient, const NeedlePath& path,
+                                       const DeformableBodySettings& settings) {
+  std::vector<bool> fixed(mesh.nodes.size(), false);
+  if (settings.fix_bone) {
+    const std::array<bool, 256> rigid = rigid_tissues(patient.library);
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+      if (!rigid[mesh.tissues[e]]) continue;
+      for (const std::uint32_t node : mesh.elements[e]) fixed[node] = true;
+    }
+  }
+  if (settings.fix_cut) {
+    for (const OuterFace& face : outer_faces(mesh)) {
+      if (!is_cut(face, mesh, patient.tissues)) continue;
+      for (const std::uint32_t node : face.nodes) fixed[node] = true;
+    }
+  }
+  std::vector<std::uint32_t> nodes;
+  for (std::uint32_t node = 0; node < mesh.nodes.size(); ++node) {
+    if (fixed[node] || (mesh.nodes[node] - path.entry).dot(path.direction()) > settings.fix_beyond)
+      nodes.push_back(node);
+  }
+  return nodes;
+}
+
+double distance_to_segment(const Vec3& point, const Vec3& from, const Vec3& to) {
+  const Vec3 along = to - from;
+  const double share = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (point - (from + share * along)).norm();
+}
+
+std::vector<std::uint32_t> corridor_nodes(const BodyDescription& body, const NeedlePath& path,
+                                          const DeformableBodySettings& settings, std::vector<std::string>& notes) {
+  const Vec3 from = path.entry - before_skin * path.direction();
+  const Vec3 to = path.target + settings.corridor_beyond * path.direction();
+  std::vector<bool> fixed(body.mesh.nodes.size(), false);
+  for (const std::uint32_t node : body.fixed) fixed[node] = true;
+  std::vector<std::pair<double, std::uint32_t>> near;
+  for (std::uint32_t node = 0; node < body.mesh.nodes.size(); ++node) {
+    const double away = distance_to_segment(body.mesh.nodes[node], from, to);
+    if (!fixed[node] && away <= settings.corridor_radius) near.emplace_back(away, node);
+  }
+  if (near.empty()) {
+    throw InputError(fmt::format(
+        "no node of the mesh that can move lies within {:g} mm of the planned path; mesh the patient anew "
+        "about this path, or give a larger corridor_radius_mm",
+        settings.corridor_radius));
+  }
+  const auto most = static_cast<std::size_t>(settings.corridor_nodes);
+  if (near.size() > most) {
+    std::sort(near.begin(), near.end());
+    notes.push_back(fmt::format(
+        "the corridor reaches {:.1f} mm from the planned path, for it has {} nodes at most, and {} lie within "
+        "{:g} mm; give a larger corridor_nodes where the needle is to be free to enter",
+        near[most - 1].first, most, near.size(), settings.corridor_radius));
+    near.resize(most);
+  }
+  std::vector<std::uint32_t> nodes;
+  for (const auto& [away, node] : near) nodes.push_back(node);
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+// Tissue of the closest voxel that is no air, within closest_voxel; air when there is none.
+TissueId tissue_beside(const TissueVolume& tissues, const Vec3& point) {
+  const TissueId here = nearest<TissueId>(tissues, point, tissue::air);
+  if (here != tissue::air) return here;
+  const Vec3 index = tissues.grid.to_index(point);
+  double closest = closest_voxel;
+  TissueId found = tissue::air;
+  std::array<int, 3> low{}, high{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto at = static_cast<Eigen::Index>(axis);
+    const double reach = closest_voxel / tissues.grid.spacing[at];
+    low[axis] = std::max(0, static_cast<int>(std::floor(index[at] - reach)));
+    high[axis] = std::min(tissues.grid.size[axis] - 1, static_cast<int>(std::ceil(index[at] + reach)));
+  }
+  for (int k = low[2]; k <= high[2]; ++k) {
+    for (int j = low[1]; j <= high[1]; ++j) {
+      for (int i = low[0]; i <= high[0]; ++i) {
+        const TissueId there = tissues.at(i, j, k);
+        if (there == tissue::air) continue;
+        const double away = (tissues.grid.to_patient(Vec3(i, j, k)) - point).norm();
+        if (away >= closest) continue;
+        closest = away;
+        found = there;
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+PatientBody describe_body(TetrahedralMesh mesh, const Case& patient, const DeformableBodySettings& settings) {
+  const auto& path = patient.description.procedure.path;
+  if (!path) {
+    throw InputError(
+        "the case has no planned path, about which the deformable body is prepared; make the case with --entry and "
+        "--target");
+  }
+  PatientBody described;
+  BodyDescription& body = described.body;
+  body.mesh = std::move(mesh);
+  body.materials = materials_of(body.mesh, patient.library, settings.stiffness_scale);
+  body.fixed = fixed_nodes(body.mesh, patient, *path, settings);
+  body.corridor = corridor_nodes(body, *path, settings, described.notes);
+  return described;
+}
+
+void take_tissues_of_voxels(CondensedBody& body, const Case& patient) {
+  const std::array<bool, 256> rigid = rigid_tissues(patient.library);
+  for (std::size_t node = 0; node < body.nodes.size(); ++node) {
+    const TissueId found = tissue_beside(patient.tissues, body.nodes[node]);
+    if (found != tissue::air && !rigid[found]) body.tissues[node] = found;
+  }
+}
+
+}  // namespace bodkin

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "tests/fem/calculix.h"
+
+#include "fem/solid/patient_body.h"
+#include "io/case_folder.h"
+#include "io/mesh/mesh_record.h"
+
+namespace bodkin_test {
+
+// The mesh of a case as its resistance would use it, against CalculiX.
+inline void expect_same_as_calculix(const std::filesystem::path& folder) {
+  if (!::bodkin::checks::calculix_is_there()) {
+    std::cout << "  not compared with CalculiX: ccx is not installed (Debian: calculix-ccx)\n";
+    return;
+  }
+  setenv("BODKIN_IMAGES_WORKER", BODKIN_BUILD "/bin/bodkin-images", 1);  // it is not beside the tests
+  const ::bodkin::Case patient = ::bodkin::load_case(folder);
+  unsetenv("BODKIN_IMAGES_WORKER");
+  auto mesh = ::bodkin::read_case_mesh(folder, patient.library);
+  ASSERT_TRUE(mesh.has_value());
+  ::bodkin::DeformableBodySettings settings;
+  settings.corridor_nodes = 300;
+  ::bodkin::checks::expect_what_calculix_says(::bodkin::describe_body(mesh->mesh, patient, settings).body, 60);
+}
+
+}  // namespace bodkin_test

@@ -1,0 +1,90 @@
+// A patient felt through its mesh, as a user does it, and that mesh solved by CalculiX.
+#include <cmath>
+#include <filesystem>
+
+#include "tests/cli/bodkin_command.h"
+#include "tests/cli/calculix_case.h"
+#include "tests/cli/mesher_rig.h"
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "training/prepared_body.h"
+
+namespace bodkin_test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+class DeformableCase : public PatientCommand {};
+
+double peak_in(const json& profile, const std::string& tissue) {
+  double peak = 0.0;
+  for (const json& crossing : profile.at("tissues")) {
+    if (crossing.at("tissue").get<std::string>().find(tissue) != std::string::npos)
+      peak = std::max(peak, crossing.at("peak_force_N").get<double>());
+  }
+  return peak;
+}
+
+std::vector<std::string> texts_in(const json& profile, const std::string& part) {
+  std::vector<std::string> found;
+  for (const json& event : profile.at("events")) {
+    const auto text = event.at("text").get<std::string>();
+    if (text.find(part) != std::string::npos) found.push_back(text);
+  }
+  return found;
+}
+
+TEST_F(DeformableCase, a_patient_is_felt_through_its_mesh) {
+  BODKIN_NEEDS_MESHER();
+  const Outcome without = bodkin("-q profile patient --resistance embedded_needle");
+  EXPECT_EQ(without.exit_code, 2);
+  EXPECT_THAT(without.errors, HasSubstr("make one with: bodkin case mesh patient"));
+  ASSERT_EQ(bodkin("-q case mesh patient --nodes 5000").exit_code, 0);
+  expect_same_as_calculix(folder_ / "patient");
+
+  // Sutherland et al. 2013, III.A: 1.5 N at the skin, 0.5 to 1.5 N in soft tissue, 4.7 N at the ligamentum flavum.
+  const std::string embedded = " --resistance 'embedded_needle corridor_nodes=600' --constraint none ";
+  const Outcome paper = bodkin("--json profile patient --beyond 10" + embedded + "-o paper");
+  ASSERT_EQ(paper.exit_code, 0) << paper.errors;
+  EXPECT_THAT(paper.errors, HasSubstr("preparing a deformable body"));
+  EXPECT_TRUE(fs::exists(folder_ / "patient" / ::bodkin::body_file_name));
+  const json said = json::parse(paper.output);
+  EXPECT_FALSE(texts_in(said, "skin gives way at 1.5").empty()) << paper.output;
+  EXPECT_FALSE(texts_in(said, "ligamentum flavum gives way at 4.7").empty()) << paper.output;
+  EXPECT_FALSE(texts_in(said, "loss of resistance").empty()) << paper.output;
+  EXPECT_GT(peak_in(said, "interspinous ligament"), 0.2);
+  EXPECT_LT(peak_in(said, "interspinous ligament"), 2.0);
+  const Outcome again = bodkin("--json profile patient --beyond 10" + embedded + "-o again");
+  EXPECT_EQ(again.errors.find("preparing a deformable body"), std::string::npos);  // from the cache
+  EXPECT_EQ(text_of("paper.csv"), text_of("again.csv"));
+
+  ASSERT_EQ(bodkin("-q run patient --operator expert" + embedded + "-o session.bodkin").exit_code, 0);
+  const Outcome replayed = bodkin("replay session.bodkin");
+  EXPECT_EQ(replayed.exit_code, 0) << replayed.errors;
+  EXPECT_THAT(replayed.output, HasSubstr("identical"));
+
+  const Outcome compared = bodkin("--json compare patient --models layered,embedded_needle,closest_node -o compared");
+  ASSERT_EQ(compared.exit_code, 0) << compared.errors;
+  EXPECT_THAT(text_of("compared.csv"), HasSubstr("layered_N,embedded_needle_N,closest_node_N"));
+}
+
+TEST_F(DeformableCase, a_damaged_body_file_is_made_anew_and_a_damaged_mesh_is_refused) {
+  BODKIN_NEEDS_MESHER();
+  ASSERT_EQ(bodkin("-q case mesh patient --nodes 1500").exit_code, 0);
+  const std::string command = "profile patient --resistance 'closest_node corridor_nodes=100' -o damaged";
+  ASSERT_EQ(bodkin(command).exit_code, 0);
+  fs::resize_file(folder_ / "patient" / ::bodkin::body_file_name, 1000);
+  const Outcome anew = bodkin(command);
+  EXPECT_EQ(anew.exit_code, 0);
+  EXPECT_THAT(anew.errors, HasSubstr("the body is prepared anew"));
+  fs::resize_file(folder_ / "patient/mesh.vtu", 1000);
+  const Outcome refused = bodkin("-q " + command);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(lines_of(refused.errors), 1) << refused.errors;
+}
+
+}  // namespace
+}  // namespace bodkin_test

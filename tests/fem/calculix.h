@@ -1,0 +1,116 @@
+#pragma once
+
+// A body solved by CalculiX (C3D4, SPOOLES), a program that is not ours. It prints seven digits.
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/io/scratch_folder.h"
+#include <Eigen/Cholesky>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "core/random.h"
+#include "fem/solid/elastic_body.h"
+
+namespace bodkin::checks {
+
+inline bool calculix_is_there() {
+  return std::system("command -v ccx > /dev/null 2>&1") == 0;
+}
+
+// The input of CalculiX: the mesh with its materials, the fixed nodes, and the way of some others. It reads no more
+// than 20 characters of a number.
+inline std::string calculix_input(const BodyDescription& body, const std::vector<std::uint32_t>& moved,
+                                  const Eigen::VectorXd& way) {
+  std::string text = "*NODE, NSET=ALL\n";
+  for (std::size_t node = 0; node < body.mesh.nodes.size(); ++node) {
+    const Vec3& x = body.mesh.nodes[node];
+    text += fmt::format("{}, {:.12g}, {:.12g}, {:.12g}\n", node + 1, x.x(), x.y(), x.z());
+  }
+  for (int id = 0; id < 256; ++id) {
+    std::string elements;
+    for (std::size_t element = 0; element < body.mesh.elements.size(); ++element) {
+      if (body.mesh.tissues[element] != id) continue;
+      const auto& corner = body.mesh.elements[element];
+      elements += fmt::format("{}, {}, {}, {}, {}\n", element + 1, corner[0] + 1, corner[1] + 1, corner[2] + 1,
+                              corner[3] + 1);
+    }
+    if (elements.empty()) continue;
+    const ElasticMaterial& material = *body.materials.find(static_cast<TissueId>(id));
+    text += fmt::format("*ELEMENT, TYPE=C3D4, ELSET=TISSUE{}\n{}", id, elements);
+    text += fmt::format(
+        "*MATERIAL, NAME=MATERIAL{0}\n*ELASTIC\n{1:.12g}, {2:.12g}\n*SOLID SECTION, ELSET=TISSUE{0}, "
+        "MATERIAL=MATERIAL{0}\n",
+        id, material.young, material.poisson);
+  }
+  text += "*BOUNDARY\n";
+  for (const std::uint32_t node : body.fixed) text += fmt::format("{}, 1, 3\n", node + 1);
+  text += "*STEP\n*STATIC\n*BOUNDARY\n";
+  for (std::size_t i = 0; i < moved.size(); ++i)
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      text += fmt::format("{0}, {1}, {1}, {2:.12g}\n", moved[i] + 1, axis + 1,
+                          way(3 * static_cast<Eigen::Index>(i) + axis));
+  return text + "*NODE PRINT, NSET=ALL\nU, RF\n*END STEP\n";
+}
+
+// The table of the .dat file whose title begins with `title`: 3 values for every node.
+inline Eigen::VectorXd calculix_table(const std::filesystem::path& file, const std::string& title,
+                                      std::size_t nodes) {
+  Eigen::VectorXd values = Eigen::VectorXd::Constant(3 * static_cast<Eigen::Index>(nodes), std::nan(""));
+  std::ifstream lines(file);
+  bool inside = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("for set") != std::string::npos) inside = line.find(title) != std::string::npos;
+    std::istringstream fields(line);
+    Eigen::Index node = 0;
+    Vec3 value;
+    if (inside && fields >> node >> value.x() >> value.y() >> value.z()) values.segment<3>(3 * (node - 1)) = value;
+  }
+  return values;
+}
+
+// Moves `count` nodes of the corridor by up to 2 mm at random, here through the condensed body and there whole, and
+// expects all displacements and reactions to agree within 1e-6 of the largest.
+inline void expect_what_calculix_says(const BodyDescription& body, std::size_t count) {
+  const ScratchFolder folder;
+  const BodyPlan plan = plan_body(body);
+  const std::vector<std::uint32_t>& corridor = plan.corridor.mesh_nodes;  // the free ones
+  const ElasticBody elastic(body, plan_body(body));
+  const Eigen::MatrixXd compliance = elastic.condensed().compliance;
+  Random random(2);
+  std::vector<std::uint32_t> moved;
+  std::vector<Eigen::Index> rows;
+  const std::size_t stride = std::max<std::size_t>(1, corridor.size() / count);
+  for (std::size_t i = 0; i < corridor.size(); i += stride) {
+    moved.push_back(corridor[i]);
+    for (Eigen::Index axis = 0; axis < 3; ++axis) rows.push_back(3 * static_cast<Eigen::Index>(i) + axis);
+  }
+  const auto size = static_cast<Eigen::Index>(rows.size());
+  const Eigen::VectorXd way = Eigen::VectorXd::NullaryExpr(size, [&random] { return random.uniform(-2.0, 2.0); });
+  Eigen::VectorXd on_corridor = Eigen::VectorXd::Zero(compliance.rows());
+  const Eigen::VectorXd contact = Eigen::MatrixXd(compliance(rows, rows)).llt().solve(way);
+  on_corridor(rows) = contact;
+  const Eigen::VectorXd ours = elastic.displacement_by_corridor(on_corridor);
+  const Eigen::VectorXd our_forces = elastic_forces(body.mesh, body.materials, ours);
+
+  folder.write("body.inp", calculix_input(body, moved, way));
+  const std::string command = "cd '" + folder.path().string() + "' && OMP_NUM_THREADS=1 ccx body > ccx.log 2>&1";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const std::size_t nodes = body.mesh.nodes.size();
+  const Eigen::VectorXd theirs = calculix_table(folder.path() / "body.dat", "displacements", nodes);
+  const Eigen::VectorXd their_forces = calculix_table(folder.path() / "body.dat", "forces", nodes);
+  ASSERT_TRUE(theirs.allFinite());
+  ASSERT_TRUE(their_forces.allFinite());
+  const double displacement_off = (ours - theirs).cwiseAbs().maxCoeff() / theirs.cwiseAbs().maxCoeff();
+  const double reaction_off = (our_forces - their_forces).cwiseAbs().maxCoeff() / their_forces.cwiseAbs().maxCoeff();
+  std::cout << "  CalculiX, " << nodes << " nodes, " << moved.size() << " moved: displacements differ by "
+            << displacement_off << ", reactions by " << reaction_off << " of the largest\n";
+  EXPECT_LT(displacement_off, 1e-6);
+  EXPECT_LT(reaction_off, 1e-6);
+}
+
+}  // namespace bodkin::checks

@@ -1,0 +1,139 @@
+#include "fem/solid/patient_body.h"
+
+#include <algorithm>
+
+#include "tests/fem/lattice_body.h"
+#include "tests/io/scratch_folder.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+
+namespace bodkin {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+// A block of 40 mm in a volume of 60: skin from z = 0 to 2, muscle to 40; air before it, more muscle behind it, and
+// air beside it but for x > 40.
+Case block_patient() {
+  std::vector<TissueProperties> tissues(4);
+  tissues[0].name = "air";
+  tissues[1] = {.id = tissue::skin, .name = "skin", .title = "skin"};
+  tissues[1].deformable = {.young = 0.02, .poisson = 0.3, .friction = 0.02, .puncture_force = 1.5, .stiffness = 0.3};
+  tissues[2] = {.id = tissue::muscle, .name = "muscle", .title = "muscle"};
+  tissues[2].deformable = {.young = 0.03, .poisson = 0.4, .friction = 0.02, .puncture_force = 0.9, .stiffness = 0.3};
+  tissues[3] = {.id = tissue::cortical_bone, .name = "cortical_bone", .title = "cortical bone"};
+  tissues[3].layered.kind = LayeredKind::rigid;
+  tissues[3].deformable = {.young = 12000, .poisson = 0.3, .friction = 0.2, .puncture_force = 100, .stiffness = 1};
+  Case patient;
+  patient.library = TissueLibrary(tissues);
+  Grid grid;
+  grid.size = {60, 60, 60};
+  grid.origin = Vec3(-10.0, -10.0, -10.0);
+  patient.tissues = TissueVolume(grid, tissue::air);
+  for (int k = 10; k < 60; ++k) {
+    for (int j = 10; j <= 50; ++j) {
+      for (int i = 10; i < 60; ++i) patient.tissues.at(i, j, k) = k < 12 ? tissue::skin : tissue::muscle;
+    }
+  }
+  patient.description.procedure.path = NeedlePath{Vec3(20.0, 20.0, 0.0), Vec3(20.0, 20.0, 20.0)};
+  return patient;
+}
+
+TetrahedralMesh block_of_muscle() {
+  TetrahedralMesh mesh = kuhn_lattice(9, 40.0);
+  std::fill(mesh.tissues.begin(), mesh.tissues.end(), tissue::muscle);
+  return mesh;
+}
+
+bool is_fixed(const BodyDescription& body, const Vec3& at) {
+  return std::any_of(body.fixed.begin(), body.fixed.end(),
+                     [&](std::uint32_t node) { return (body.mesh.nodes[node] - at).norm() < 1e-9; });
+}
+
+TEST(PatientBody, faces_behind_which_the_patient_goes_on_are_held) {
+  const BodyDescription body = describe_body(block_of_muscle(), block_patient(), {}).body;
+  EXPECT_TRUE(is_fixed(body, {20, 20, 40}));   // the far side
+  EXPECT_TRUE(is_fixed(body, {40, 20, 20}));   // the side on which there is more muscle
+  EXPECT_FALSE(is_fixed(body, {0, 20, 20}));   // air
+  EXPECT_FALSE(is_fixed(body, {20, 20, 0}));   // the skin
+  EXPECT_FALSE(is_fixed(body, {20, 20, 20}));  // inside
+  DeformableBodySettings settings;
+  settings.fix_cut = false;
+  settings.fix_beyond = 34.0;
+  const BodyDescription other = describe_body(block_of_muscle(), block_patient(), settings).body;
+  EXPECT_FALSE(is_fixed(other, {40, 20, 20}));
+  EXPECT_TRUE(is_fixed(other, {0, 0, 35}));
+  EXPECT_FALSE(is_fixed(other, {0, 0, 30}));
+}
+
+TEST(PatientBody, bone_is_held_unless_the_case_says_otherwise) {
+  TetrahedralMesh mesh = block_of_muscle();
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const auto& corners = mesh.elements[e];
+    const bool low =
+        std::all_of(corners.begin(), corners.end(), [&](std::uint32_t node) { return mesh.nodes[node].x() < 5.1; });
+    if (low) mesh.tissues[e] = tissue::cortical_bone;
+  }
+  EXPECT_TRUE(is_fixed(describe_body(mesh, block_patient(), {}).body, {5, 20, 20}));
+  DeformableBodySettings settings;
+  settings.fix_bone = false;
+  EXPECT_FALSE(is_fixed(describe_body(mesh, block_patient(), settings).body, {5, 20, 20}));
+}
+
+TEST(PatientBody, the_corridor_is_what_lies_nearest_to_the_path) {
+  DeformableBodySettings settings;
+  settings.corridor_radius = 7.5;
+  const PatientBody all = describe_body(block_of_muscle(), block_patient(), settings);
+  EXPECT_TRUE(all.notes.empty());
+  for (std::uint32_t node = 0; node < all.body.mesh.nodes.size(); ++node) {
+    const Vec3& at = all.body.mesh.nodes[node];
+    const double beside = (at - Vec3(20.0, 20.0, std::clamp(at.z(), -5.0, 35.0))).norm();
+    const bool in = std::find(all.body.corridor.begin(), all.body.corridor.end(), node) != all.body.corridor.end();
+    EXPECT_EQ(in, beside <= 7.5 && !is_fixed(all.body, at)) << at.transpose();
+  }
+  settings.corridor_nodes = 10;
+  const PatientBody some = describe_body(block_of_muscle(), block_patient(), settings);
+  EXPECT_EQ(some.body.corridor.size(), 10U);
+  ASSERT_EQ(some.notes.size(), 1U);
+  EXPECT_THAT(some.notes[0], AllOf(HasSubstr("10 nodes at most"), HasSubstr("corridor_nodes")));
+}
+
+TEST(PatientBody, moduli_are_those_of_the_library_times_the_scale) {
+  DeformableBodySettings settings;
+  settings.stiffness_scale = 2.0;
+  const BodyDescription body = describe_body(block_of_muscle(), block_patient(), settings).body;
+  ASSERT_NE(body.materials.find(tissue::muscle), nullptr);
+  EXPECT_DOUBLE_EQ(body.materials.find(tissue::muscle)->young, 0.06);
+  EXPECT_DOUBLE_EQ(body.materials.find(tissue::muscle)->poisson, 0.4);
+  EXPECT_EQ(body.materials.find(tissue::skin), nullptr);  // the mesh has none
+}
+
+TEST(PatientBody, thin_layers_that_the_mesh_has_merged_are_felt) {
+  const Case patient = block_patient();
+  CondensedBody body = condense(describe_body(block_of_muscle(), patient, {}).body);
+  EXPECT_EQ(std::count(body.tissues.begin(), body.tissues.end(), tissue::skin), 0);
+  body.nodes.front() = Vec3(20.0, 20.0, -1.4);  // a little outside, as the surface of a mesh is here and there
+  take_tissues_of_voxels(body, patient);
+  EXPECT_EQ(body.tissues.front(), tissue::skin);
+  for (std::size_t node = 1; node < body.nodes.size(); ++node)
+    EXPECT_EQ(body.tissues[node], body.nodes[node].z() < 1.5 ? tissue::skin : tissue::muscle);
+}
+
+TEST(PatientBody, what_cannot_be_a_body_is_refused) {
+  Case patient = block_patient();
+  patient.description.procedure.path.reset();
+  EXPECT_THAT(refusal([&] { describe_body(block_of_muscle(), patient, {}); }), HasSubstr("no planned path"));
+  patient = block_patient();
+  TetrahedralMesh mesh = block_of_muscle();
+  mesh.tissues[7] = tissue::fat;
+  EXPECT_THAT(refusal([&] { describe_body(mesh, patient, {}); }),
+              AllOf(HasSubstr("element 7"), HasSubstr("tissue 2"), HasSubstr("<deformable>")));
+  patient.description.procedure.path = NeedlePath{Vec3(500.0, 0.0, 0.0), Vec3(500.0, 0.0, 20.0)};
+  EXPECT_THAT(refusal([&] { describe_body(block_of_muscle(), patient, {}); }), HasSubstr("within 25 mm"));
+}
+
+}  // namespace
+}  // namespace bodkin

@@ -1,0 +1,227 @@
+// The deformable body as the resistance of a case, through the whole tick.
+#include "simulation/deformable_resistance.h"
+
+#include <cmath>
+
+#include "tests/fem/dense_body.h"
+#include "tests/one_tick.h"
+#include "tests/simulation/real_time_guard.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "io/tissue_library_file.h"
+#include "simulation/haptic_tick.h"
+
+namespace bodkin {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double lattice_step = 2.0;                                                 // mm between nodes
+constexpr double flavum_from = 20.0, flavum_to = 24.0, deformable_bone_from = 50.0;  // mm below the skin
+
+TissueId deformable_tissue_at(double depth) {
+  return depth < 0.0                    ? tissue::air
+         : depth < 2.0                  ? tissue::skin
+         : depth < flavum_from          ? tissue::muscle
+         : depth < flavum_to            ? tissue::ligamentum_flavum
+         : depth < 28.0                 ? tissue::epidural_fat
+         : depth < deformable_bone_from ? tissue::muscle
+                                        : tissue::cortical_bone;
+}
+
+// Layers along z with a lattice of nodes about the planned path, which is the z axis. `modulus`: MPa.
+Case deformable_patient(const ResistanceSettings& resistance, double device = 10.0, double modulus = 0.02,
+                        double apart = lattice_step) {
+  Case patient;
+  patient.library = default_tissue_library();
+  Grid grid;
+  grid.size = {20, 20, 80};
+  grid.origin = Vec3(-9.5, -9.5, -19.5);
+  patient.tissues = TissueVolume(grid);
+  for (int k = 0; k < 80; ++k) {
+    for (int j = 0; j < 20; ++j) {
+      for (int i = 0; i < 20; ++i) patient.tissues.at(i, j, k) = deformable_tissue_at(k - 19.5);
+    }
+  }
+  patient.ct = CtVolume(grid, 40);
+  auto body = std::make_shared<CondensedBody>(
+      checks::kelvin_body(3, 1 + static_cast<int>(deformable_bone_from / apart), apart, modulus));
+  for (std::size_t node = 0; node < body->nodes.size(); ++node)
+    body->tissues[node] = deformable_tissue_at(body->nodes[node].z() + 0.01);
+  patient.body = std::move(body);
+  patient.description.device = {"strong", 100.0, 50.0, 1e6, device, 0.0};
+  patient.description.haptics.resistance = resistance;
+  patient.description.haptics.constraint = NoConstraint{};
+  patient.description.procedure.path = NeedlePath{Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 30.0)};
+  return patient;
+}
+
+Pose along_z(double depth) {
+  return needle_pose(Vec3(0.0, 0.0, depth), Vec3::UnitZ());
+}
+
+struct Felt {
+  double peak = 0.0, end = 0.0, torque = 0.0, across = 0.0, stiffest = 0.0;
+  std::vector<Event> events;
+  bool has(EventKind kind, TissueId of) const {
+    return std::any_of(events.begin(), events.end(),
+                       [&](const Event& event) { return event.kind == kind && event.tissue == of; });
+  }
+};
+
+// From 2 mm before the skin to `depth` at 20 mm/s.
+Felt push_in(HapticTick& tick, double depth, double sideways = 0.0) {
+  Felt felt;
+  double before = 0.0;
+  for (double place = -2.0; place < depth; place += 0.02) {
+    Pose pose = along_z(place);
+    if (place > depth - 2.0) pose.translation().x() = sideways * (place - depth + 2.0) / 2.0;
+    const TickOutput output = tick.step({pose});
+    felt.peak = std::max(felt.peak, output.resistance);
+    felt.stiffest = std::max(felt.stiffest, std::abs(output.resistance - before) / 0.02);
+    before = felt.end = output.resistance;
+    felt.torque = output.requested.torque.norm();
+    felt.across = output.requested.force.x();
+    felt.events.insert(felt.events.end(), output.events.begin(), output.events.end());
+  }
+  return felt;
+}
+
+TEST(DeformableResistance, skin_and_ligament_give_way_in_their_order_and_resistance_is_lost) {
+  ClosestNodeSettings closest;  // nodes 11 mm apart, as of the paper's 2000
+  closest.capture_radius = 5.5;
+  for (const Case& patient :
+       {deformable_patient(EmbeddedNeedleSettings{}, 100.0, 0.4), deformable_patient(closest, 10.0, 0.02, 11.0)}) {
+    const std::string_view name = name_of(patient.description.haptics.resistance);
+    HapticTick tick(patient);
+    const Felt felt = push_in(tick, 40.0);
+    EXPECT_TRUE(felt.has(EventKind::puncture, tissue::skin)) << name;
+    EXPECT_TRUE(felt.has(EventKind::puncture, tissue::ligamentum_flavum)) << name;
+    EXPECT_TRUE(felt.has(EventKind::loss_of_resistance, tissue::ligamentum_flavum)) << name;
+    EXPECT_GT(felt.peak, 4.65) << name;
+    EXPECT_LT(felt.end, 3.5) << name;
+  }
+}
+
+TEST(DeformableResistance, is_what_the_embedded_needle_says) {
+  EmbeddedNeedleSettings settings;
+  const Case patient = deformable_patient(settings, 1e6);
+  HapticTick tick(patient);
+  ContactTissues tissues;
+  for (const TissueProperties& tissue : patient.library.tissues()) {
+    const DeformableTissue& here = tissue.deformable;
+    tissues[tissue.id] = {here.friction, here.puncture_force, here.stiffness};
+  }
+  EmbeddedNeedle needle(*patient.body, tissues, settings, one_tick);
+  bool begun = false;
+  for (double place = -1.0; place < 30.0; place += 0.05) {
+    const Pose pose = needle_pose(Vec3(0.0005 * place, 0.0, place), Vec3::UnitZ());
+    const TickOutput output = tick.step({pose});
+    if (!output.in_contact) continue;
+    if (!begun) needle.begin(pose.translation() - (output.depth) * Vec3::UnitZ(), Vec3::UnitZ());
+    begun = true;
+    const EmbeddedNeedleForce& found = needle.step(pose);
+    // The tick finds the entry by bisection, so that the lines differ by a trace.
+    ASSERT_NEAR(output.resistance, found.resistance, 1e-6 + 1e-5 * std::abs(found.resistance)) << place;
+    ASSERT_LT((output.requested.torque - found.on_hand.torque).norm(), 1e-4 + 1e-4 * found.on_hand.torque.norm());
+  }
+  EXPECT_TRUE(begun);
+}
+
+TEST(DeformableResistance, holds_the_needle_sideways_with_force_and_torque) {
+  const Case patient = deformable_patient(EmbeddedNeedleSettings{});
+  HapticTick tick(patient);
+  const Felt felt = push_in(tick, 18.0, 1.0);
+  EXPECT_LT(felt.across, -0.01);
+  EXPECT_GT(felt.torque, 0.01);
+}
+
+TEST(DeformableResistance, a_body_too_stiff_for_the_device_is_softened_and_says_so) {
+  const Case strong = deformable_patient(EmbeddedNeedleSettings{}, 1e6, 0.5);
+  EXPECT_EQ(HapticTick(strong).stiffness_scale(), 1.0);
+  const Case weak = deformable_patient(EmbeddedNeedleSettings{}, 0.6, 0.5);
+  HapticTick tick(weak);
+  EXPECT_LT(tick.stiffness_scale(), 0.2);
+  EXPECT_LT(push_in(tick, 1.9).stiffest, 0.6);
+  const Case tip = deformable_patient(ClosestNodeSettings{}, 0.6);
+  HapticTick by_tip(tip);
+  EXPECT_NEAR(by_tip.stiffness_scale(), 0.6, 1e-12);  // 1 N/mm of the ligament
+}
+
+TEST(DeformableResistance, bone_stops_the_needle_and_lets_go_without_giving_energy) {
+  const Case patient = deformable_patient(EmbeddedNeedleSettings{}, 2.0);
+  HapticTick tick(patient);
+  push_in(tick, deformable_bone_from - 0.5);
+  double energy = 0.0, deepest = 0.0, last_place = deformable_bone_from - 0.5, before = 0.0;
+  std::vector<Event> events;
+  for (int i = 0; i <= 400; ++i) {
+    const double place = deformable_bone_from - 0.5 + 2.0 * std::sin(EIGEN_PI * i / 400.0);
+    const TickOutput output = tick.step({along_z(place)});
+    energy += 0.5 * (before + output.resistance) * (place - last_place);
+    last_place = place;
+    before = output.resistance;
+    deepest = std::max(deepest, output.resistance);
+    events.insert(events.end(), output.events.begin(), output.events.end());
+  }
+  EXPECT_GT(deepest, 1.0);
+  EXPECT_GT(energy, -1e-3);
+  const auto count = [&](EventKind kind) {
+    return std::count_if(events.begin(), events.end(), [kind](const Event& event) { return event.kind == kind; });
+  };
+  EXPECT_EQ(count(EventKind::bone_contact), 1);
+  EXPECT_EQ(count(EventKind::bone_left), 1);
+  EXPECT_EQ(count(EventKind::corridor_left), 0);  // bone has no nodes and needs none
+}
+
+TEST(DeformableResistance, a_needle_beside_the_corridor_is_told) {
+  const Case patient = deformable_patient(EmbeddedNeedleSettings{});
+  HapticTick tick(patient);
+  std::vector<Event> events;
+  for (double place = -1.0; place < 20.0; place += 0.05) {
+    const TickOutput output = tick.step({needle_pose(Vec3(8.0, 0.0, place), Vec3::UnitZ())});
+    events.insert(events.end(), output.events.begin(), output.events.end());
+  }
+  EXPECT_EQ(std::count_if(events.begin(), events.end(),
+                          [](const Event& event) { return event.kind == EventKind::corridor_left; }),
+            1);
+}
+
+TEST(DeformableResistance, a_tick_allocates_and_locks_nothing) {
+  if (!RealTimeGuard::available()) GTEST_SKIP() << "a sanitizer owns malloc and the locks in this build";
+  for (const ResistanceSettings& settings :
+       {ResistanceSettings(EmbeddedNeedleSettings{}), ResistanceSettings(ClosestNodeSettings{})}) {
+    const Case patient = deformable_patient(settings);
+    HapticTick tick(patient);
+    std::size_t heap = 0, locks = 0;
+    {
+      const RealTimeGuard guard;
+      for (int i = 0; i < 4000; ++i) {
+        const double place = -2.0 + 50.0 * std::sin(EIGEN_PI * i / 4000.0);
+        tick.step({along_z(place)});
+      }
+      heap = RealTimeGuard::heap_calls();
+      locks = RealTimeGuard::lock_calls();
+    }
+    EXPECT_EQ(heap, 0U) << name_of(settings);
+    EXPECT_EQ(locks, 0U) << name_of(settings);
+  }
+}
+
+TEST(DeformableResistance, without_a_body_or_with_a_second_friction_it_is_refused) {
+  Case patient = deformable_patient(EmbeddedNeedleSettings{});
+  patient.description.haptics.parts.shaft_friction = ShaftFrictionSettings{};
+  EXPECT_THROW(HapticTick{patient}, InputError);
+  patient.description.haptics.parts.shaft_friction.reset();
+  patient.body.reset();
+  try {
+    const HapticTick tick(patient);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("bodkin case mesh"));
+  }
+}
+
+}  // namespace
+}  // namespace bodkin
