@@ -87,7 +87,7 @@ void refresh(benchmark::State& state) {
   state.counters["nodes"] = static_cast<double>(body.mesh.nodes.size());
 }
 
-BENCHMARK(step)->Arg(13)->Arg(18)->Iterations(600)->Unit(benchmark::kMillisecond);
+BENCHMARK(step)->Arg(13)->Arg(17)->Arg(18)->Iterations(600)->Unit(benchmark::kMillisecond);
 BENCHMARK(refresh)->Arg(13)->Arg(18)->Iterations(5)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace

@@ -8,45 +8,70 @@ namespace bodkin {
 
 namespace {
 
-double inner_product(const NodeVectors& a, const NodeVectors& b) noexcept {
-  return a.cwiseProduct(b).sum();
+constexpr double rounding = 1e-12;  // squared: of the right side, what is not worth solving for
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double nothing = 1e-40;  // N mm; below, single precision would end
+
+double inner_product(const SingleVectors& a, const SingleVectors& b) noexcept {
+  Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+  for (Eigen::Index node = 0; node < a.cols(); ++node)
+    sum += a.col(node).cast<double>().cwiseProduct(b.col(node).cast<double>());
+  return sum.sum();
 }
 
 }  // namespace
 
 ConjugateGradients::ConjugateGradients(std::size_t nodes) {
-  for (NodeVectors* vector : {&residual_, &direction_, &turned_, &product_})
-    vector->setZero(4, static_cast<Eigen::Index>(nodes));
+  const auto count = static_cast<Eigen::Index>(nodes);
+  product_.setZero(4, count);
+  for (SingleVectors* vector :
+       {&right_, &change_, &residual_, &scaled_, &direction_, &way_, &above_, &back_, &back_scaled_})
+    vector->setZero(4, count);
+}
+
+// Residual and D times it; returns their product, right^T M^-1 right.
+double ConjugateGradients::begin(const NodeMatrix& matrix, const NodeVectors& right) noexcept {
+  right_ = right.cast<float>();
+  residual_.setZero();
+  scaled_.setZero();
+  matrix.solve_lower(right_, residual_, scaled_);
+  return inner_product(residual_, scaled_);
 }
 
 int ConjugateGradients::solve(const NodeMatrix& matrix, const NodeVectors& right, const GradientsSettings& settings,
                               NodeVectors& x) noexcept {
-  matrix.multiply_by_inverse_diagonal(right, turned_);
-  const double asked = inner_product(right, turned_);
+  const double asked = begin(matrix, right);
   matrix.multiply(x, product_);
-  residual_ = right - product_;
-  matrix.multiply_by_inverse_diagonal(residual_, turned_);
-  direction_ = turned_;
-  double left = inner_product(residual_, turned_);
-  const double enough = settings.tolerance * settings.tolerance * std::max(asked, left);
+  product_ = right - product_;
+  double left = begin(matrix, product_);
   if (!std::isfinite(left) || !std::isfinite(asked)) {
-    x.setConstant(std::numeric_limits<double>::quiet_NaN());
+    x.setConstant(not_a_number);
     return 0;
   }
+  const double tolerance = settings.tolerance * settings.tolerance;
+  const double enough = std::max(tolerance * std::max(left, rounding * asked), nothing);
+  for (SingleVectors* vector : {&change_, &way_, &above_, &back_, &back_scaled_}) vector->setZero();
+  direction_ = scaled_;
   int iteration = 0;
   while (iteration < settings.most_iterations && left > enough) {
     ++iteration;
-    matrix.multiply(direction_, product_);
-    const double bend = inner_product(direction_, product_);
-    if (!(bend > 0.0)) break;
-    const double step = left / bend;
-    x += step * direction_;
-    residual_ -= step * product_;
-    matrix.multiply_by_inverse_diagonal(residual_, turned_);
-    const double now = inner_product(residual_, turned_);
-    direction_ = turned_ + (now / left) * direction_;
+    // With p the direction and t the way, the system's matrix times p is t + (D + L)^-1 (p - D t), and p - D t is
+    // L^T t.
+    matrix.solve_upper(direction_, way_, above_);
+    matrix.solve_lower(above_, back_, back_scaled_);
+    back_ += way_;
+    const double bend = inner_product(direction_, back_);
+    if (!(bend > 0.0) && std::isfinite(bend)) break;
+    const auto step = static_cast<float>(left / bend);
+    change_ += step * way_;
+    residual_ -= step * back_;
+    scaled_ -= step * (direction_ - above_ + back_scaled_);
+    const double now = inner_product(residual_, scaled_);
+    direction_ = scaled_ + static_cast<float>(now / left) * direction_;
     left = now;
+    if (!std::isfinite(left)) change_.setConstant(static_cast<float>(not_a_number));
   }
+  x += change_.cast<double>();
   return iteration;
 }
 
