@@ -5,7 +5,7 @@ include(CMakePackageConfigHelpers)
 set(haptic_core core anatomy forces fem haptics simulation)
 foreach(room IN LISTS haptic_core)
   install(TARGETS bodkin_${room} EXPORT BodkinTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(DIRECTORY src/${room}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/bodkin/${room} FILES_MATCHING PATTERN "*.h" PATTERN solid EXCLUDE)
+  install(DIRECTORY src/${room}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/bodkin/${room} FILES_MATCHING PATTERN "*.h" PATTERN solid EXCLUDE PATTERN moving EXCLUDE)
 endforeach()
 install(EXPORT BodkinTargets NAMESPACE bodkin:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Bodkin)
 configure_package_config_file(cmake/BodkinConfig.cmake.in "${CMAKE_CURRENT_BINARY_DIR}/BodkinConfig.cmake"

@@ -84,6 +84,11 @@ class EmbeddedNeedle {
 
   // Forces of the last tick, by node.
   const NodeForces& node_forces() const noexcept { return published_; }
+  // Whether it holds a node, or its tip is beyond the entry of an insertion that has begun, as of the last tick.
+  bool touches() const noexcept { return begun_ && (held_ > 0 || tip_ > 0.0); }
+  // Of a node of the corridor: whether a needle has punctured it, and that one has.
+  bool punctured(std::uint32_t node) const noexcept { return punctured_[node] != 0; }
+  void remember_puncture(std::uint32_t node) noexcept { punctured_[node] = 1; }
   // Elastic energy by these forces, N mm, in the body, the needle and what is soft. Goes through all pairs of nodes.
   double stored_energy() const noexcept;
   // mm, LPS: how far the shaft of a needle that bends is from the straight needle of the pose, at a point `from_tip`

@@ -12,28 +12,29 @@
 
 namespace bodkin {
 
-// A box of n x n x n nodes with edges of `side` mm along each axis, from the origin: every cell is cut into the six
+// A box of n[0] x n[1] x n[2] nodes with edges of `sides` mm, from the origin: every cell is cut into the six
 // tetrahedra around its diagonal (Kuhn). Nodes inside are moved by up to `jitter` of a cell in each direction.
-inline TetrahedralMesh kuhn_lattice(std::uint32_t n, double side, double jitter = 0.0, std::uint64_t seed = 1) {
+inline TetrahedralMesh kuhn_box(const std::array<std::uint32_t, 3>& n, const Vec3& sides, double jitter = 0.0,
+                                std::uint64_t seed = 1) {
   constexpr std::array<std::array<std::uint32_t, 2>, 6> turns = {{{0, 1}, {1, 2}, {2, 0}, {0, 2}, {2, 1}, {1, 0}}};
   TetrahedralMesh mesh;
   Random random(seed);
-  const double cell = side / (n - 1);
-  for (std::uint32_t k = 0; k < n; ++k) {
-    for (std::uint32_t j = 0; j < n; ++j) {
-      for (std::uint32_t i = 0; i < n; ++i) {
-        Vec3 node(i * cell, j * cell, k * cell);
-        const bool inside = i > 0 && j > 0 && k > 0 && i + 1 < n && j + 1 < n && k + 1 < n;
+  const Vec3 cell(sides.x() / (n[0] - 1), sides.y() / (n[1] - 1), sides.z() / (n[2] - 1));
+  for (std::uint32_t k = 0; k < n[2]; ++k) {
+    for (std::uint32_t j = 0; j < n[1]; ++j) {
+      for (std::uint32_t i = 0; i < n[0]; ++i) {
+        Vec3 node(i * cell.x(), j * cell.y(), k * cell.z());
+        const bool inside = i > 0 && j > 0 && k > 0 && i + 1 < n[0] && j + 1 < n[1] && k + 1 < n[2];
         if (inside && jitter > 0.0)
-          for (Eigen::Index axis = 0; axis < 3; ++axis) node[axis] += jitter * cell * random.uniform(-1.0, 1.0);
+          for (Eigen::Index axis = 0; axis < 3; ++axis) node[axis] += jitter * cell[axis] * random.uniform(-1.0, 1.0);
         mesh.nodes.push_back(node);
       }
     }
   }
-  const auto name = [n](const std::array<std::uint32_t, 3>& at) { return (at[2] * n + at[1]) * n + at[0]; };
-  for (std::uint32_t k = 0; k + 1 < n; ++k) {
-    for (std::uint32_t j = 0; j + 1 < n; ++j) {
-      for (std::uint32_t i = 0; i + 1 < n; ++i) {
+  const auto name = [&n](const std::array<std::uint32_t, 3>& at) { return (at[2] * n[1] + at[1]) * n[0] + at[0]; };
+  for (std::uint32_t k = 0; k + 1 < n[2]; ++k) {
+    for (std::uint32_t j = 0; j + 1 < n[1]; ++j) {
+      for (std::uint32_t i = 0; i + 1 < n[0]; ++i) {
         for (const auto& turn : turns) {
           std::array<std::uint32_t, 3> at{i, j, k};
           std::array<std::uint32_t, 4> element{name(at)};
@@ -51,6 +52,11 @@ inline TetrahedralMesh kuhn_lattice(std::uint32_t n, double side, double jitter 
     }
   }
   return mesh;
+}
+
+// The same with n nodes and `side` mm along each axis.
+inline TetrahedralMesh kuhn_lattice(std::uint32_t n, double side, double jitter = 0.0, std::uint64_t seed = 1) {
+  return kuhn_box({n, n, n}, Vec3::Constant(side), jitter, seed);
 }
 
 inline ElasticMaterials soft_and_ligament() {

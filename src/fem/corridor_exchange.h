@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "anatomy/condensed_body.h"
+#include "core/hand_over.h"
+#include "fem/embedded_needle.h"
+
+namespace bodkin {
+
+// Hands newer and newer corridors of one body from the thread that makes them to the haptic thread: the body pressed
+// into another shape (fem/moving/moving_body.h), or more of it than before. Each comes with a needle in it that is
+// ready to go, whatever the number of its nodes, so that the haptic end exchanges a pointer: wait-free, and without
+// copying, allocating or freeing anything.
+//
+// A needle keeps the corridor that it has entered. The triangle of ContactFactor belongs to one compliance, and all
+// constraints would have to be added anew for another: too long for a tick, and the force would jump. Therefore a new
+// corridor is taken only while the needle touches nothing, when it has the same force in both: none.
+//
+// What has been punctured stays so, by the nodes' names in the mesh (CondensedBody::mesh_nodes), as long as the new
+// corridor has them.
+class CorridorExchange {
+ public:
+  // The first corridor, and what EmbeddedNeedle wants. Throws InputError as EmbeddedNeedle does, and for a corridor
+  // whose nodes have no names. `first` must not be null.
+  CorridorExchange(std::shared_ptr<const CondensedBody> first, const ContactTissues& tissues,
+                   const EmbeddedNeedleSettings& settings, double dt);
+
+  // Maker only, which is any one thread but the haptic one: the newest corridor. One that still waits is dropped.
+  // Throws as the constructor; then nothing changes. Returns the corridor's number(), counted from 1.
+  std::uint32_t offer(std::shared_ptr<const CondensedBody> corridor);
+  // Maker only: frees the corridor that the needle has left, if it has; offer() does so too.
+  void free_left() noexcept { waiting_.free_left(); }
+
+  // Haptic thread only. The needle, its corridor and that corridor's number, 0 for the first: what the nodes in
+  // EmbeddedNeedle::node_forces() are nodes of. References stay valid until the next corridor is taken.
+  EmbeddedNeedle& needle() noexcept { return held_->needle; }
+  const EmbeddedNeedle& needle() const noexcept { return held_->needle; }
+  const CondensedBody& body() const noexcept { return *held_->body; }
+  std::uint32_t number() const noexcept { return held_->number; }
+  bool newer_waits() const noexcept { return waiting_.waits(); }
+  // Between two ticks: takes the newest corridor, if there is one and the needle touches nothing. True when it did;
+  // the needle then has to begin() before it touches anything.
+  bool take_newest() noexcept;
+  // A new insertion, as EmbeddedNeedle::begin(), in the newest corridor. It ends the one before, wherever the needle
+  // is.
+  void begin(const Vec3& entry, const Vec3& direction) noexcept;
+
+ private:
+  struct NeedleInCorridor {
+    NeedleInCorridor(std::shared_ptr<const CondensedBody> corridor, const ContactTissues& tissues,
+                     const EmbeddedNeedleSettings& settings, double dt, std::uint32_t number);
+
+    std::shared_ptr<const CondensedBody> body;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> names;  // of the nodes in the mesh, ascending, and the nodes
+    std::uint32_t number;
+    EmbeddedNeedle needle;
+  };
+
+  bool exchange() noexcept;
+  static void remember_punctures(const NeedleInCorridor& from, NeedleInCorridor& to) noexcept;
+
+  ContactTissues tissues_;
+  EmbeddedNeedleSettings settings_;
+  double dt_;
+  std::uint32_t offered_ = 0;
+  std::unique_ptr<NeedleInCorridor> held_;  // of the haptic thread
+  HandOver<NeedleInCorridor> waiting_;
+};
+
+}  // namespace bodkin

@@ -1,0 +1,223 @@
+#include "fem/moving/corotational_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "fem/solid/element_stiffness.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr int most_halvings = 8;
+constexpr double farthest_step = 1e4;          // mm; beyond, the numbers have failed
+constexpr double tonnes_per_cubic_mm = 1e-12;  // of 1 kg/m^3
+
+const BodyDescription& checked_moving_body(const BodyDescription& body) {
+  check_body(body);
+  return body;
+}
+
+void check_moving_setting(double value, double low, double high, const char* name, const char* unit) {
+  if (value >= low && value <= high) return;
+  throw InputError(
+      fmt::format("moving body: {} is {} {}, expected {} to {}; set it in that range", name, value, unit, low, high));
+}
+
+CorotationalSettings checked_corotational_settings(const CorotationalSettings& settings) {
+  if (settings.dt != 0.0) check_moving_setting(settings.dt, 1e-5, 1.0, "the step", "s (or 0, for no time)");
+  check_moving_setting(settings.density, 1.0, 30000.0, "the density", "kg/m^3");
+  check_moving_setting(settings.mass_damping, 0.0, 1000.0, "the damping by mass", "1/s");
+  check_moving_setting(settings.stiffness_damping, 0.0, 1.0, "the damping by stiffness", "s");
+  check_moving_setting(settings.gradients.tolerance, 1e-14, 0.5, "the tolerance of conjugate gradients", "");
+  check_moving_setting(settings.gradients.most_iterations, 1, 1e6, "the number of iterations", "");
+  check_moving_setting(settings.most_corrections, 1, 50, "the number of corrections", "");
+  check_moving_setting(settings.balance, 0.0, 1e3, "the balance", "N");
+  return settings;
+}
+
+double largest_column(const NodeVectors& vectors) noexcept {
+  double largest = 0.0;
+  for (Eigen::Index node = 0; node < vectors.cols(); ++node)
+    largest = std::max(largest, vectors.col(node).squaredNorm());
+  return std::sqrt(largest);
+}
+
+}  // namespace
+
+CorotationalBody::CorotationalBody(const BodyDescription& body, const CorotationalSettings& settings)
+    : settings_(checked_corotational_settings(settings)),
+      elements_(checked_moving_body(body).mesh, body.materials),
+      matrix_(body.mesh),
+      gradients_(body.mesh.nodes.size()),
+      masses_(body.mesh.nodes.size(), 0.0),
+      inertia_(body.mesh.nodes.size(), 0.0),
+      held_(body.mesh.nodes.size(), 0) {
+  const TetrahedralMesh& mesh = body.mesh;
+  for (const std::uint32_t node : body.fixed) held_[node] = 2;
+  for (const auto& element : mesh.elements) {
+    const double volume = tetrahedron_gradients({mesh.nodes[element[0]], mesh.nodes[element[1]],
+                                                 mesh.nodes[element[2]], mesh.nodes[element[3]]})
+                              .volume;
+    for (const std::uint32_t node : element) masses_[node] += 0.25 * volume * tonnes_per_cubic_mm * settings_.density;
+  }
+  if (settings_.dt > 0.0) {
+    const double by = (1.0 / settings_.dt + settings_.mass_damping) / settings_.dt;
+    for (std::size_t node = 0; node < masses_.size(); ++node) inertia_[node] = masses_[node] * by;
+  }
+  const auto count = static_cast<Eigen::Index>(mesh.nodes.size());
+  for (NodeVectors* vector : {&rest_, &places_, &velocities_, &goals_, &forces_, &loads_, &begin_, &begin_forces_,
+                              &push_, &moved_, &product_, &before_, &change_, &residual_})
+    vector->setZero(4, count);
+  for (Eigen::Index node = 0; node < count; ++node)
+    rest_.col(node).head<3>() = mesh.nodes[static_cast<std::size_t>(node)];
+  reset();
+}
+
+void CorotationalBody::reset() noexcept {
+  for (std::uint8_t& held : held_) held = held == 2 ? 2 : 0;
+  places_ = goals_ = rest_;
+  velocities_.setZero();
+  loads_.setZero();
+  elements_.reset();
+  energy_ = elements_.evaluate(places_, forces_);
+  told_ = {};
+}
+
+bool CorotationalBody::place(const Eigen::Matrix3Xd& places) noexcept {
+  if (places.cols() != places_.cols() || !places.allFinite()) return false;
+  for (Eigen::Index node = 0; node < places.cols(); ++node)
+    if (held_[static_cast<std::size_t>(node)] == 0) places_.col(node).head<3>() = places.col(node);
+  velocities_.setZero();
+  energy_ = elements_.evaluate(places_, forces_);
+  return true;
+}
+
+void CorotationalBody::hold(std::uint32_t node, const Vec3& place) noexcept {
+  if (node >= held_.size() || held_[node] == 2 || !place.allFinite()) return;
+  held_[node] = 1;
+  goals_.col(node).head<3>() = place;
+}
+
+void CorotationalBody::release(std::uint32_t node) noexcept {
+  if (node < held_.size() && held_[node] == 1) held_[node] = 0;
+}
+
+void CorotationalBody::load(std::uint32_t node, const Vec3& force) noexcept {
+  if (node < held_.size() && force.allFinite()) loads_.col(node).head<3>() += force;
+}
+
+double CorotationalBody::kinetic_energy() const noexcept {
+  double sum = 0.0;
+  for (std::size_t node = 0; node < masses_.size(); ++node)
+    sum += 0.5 * masses_[node] * velocities_.col(static_cast<Eigen::Index>(node)).squaredNorm();
+  return sum;
+}
+
+// b / dt, by which damping adds to the stiffness.
+double CorotationalBody::damping_share() const noexcept {
+  return settings_.dt > 0.0 ? settings_.stiffness_damping / settings_.dt : 0.0;
+}
+
+// sum += factor times what masses and their damping do against `moved`.
+void CorotationalBody::add_inertia(const NodeVectors& moved, double factor, NodeVectors& sum) const noexcept {
+  for (Eigen::Index node = 0; node < moved.cols(); ++node)
+    sum.col(node) += factor * inertia_[static_cast<std::size_t>(node)] * moved.col(node);
+}
+
+void CorotationalBody::begin_step() noexcept {
+  told_ = {};
+  begin_ = places_;
+  begin_forces_ = forces_;
+  begin_energy_ = energy_;
+  push_ = loads_;
+  if (settings_.dt > 0.0) {
+    for (Eigen::Index node = 0; node < push_.cols(); ++node)
+      push_.col(node) += masses_[static_cast<std::size_t>(node)] / settings_.dt * velocities_.col(node);
+  }
+  matrix_.assemble(elements_.turned(), 1.0 + damping_share(), inertia_);
+  matrix_.invert_diagonal(held_);
+  moved_.setZero();
+  for (Eigen::Index node = 0; node < moved_.cols(); ++node)
+    if (held_[static_cast<std::size_t>(node)] == 1) moved_.col(node) = goals_.col(node) - begin_.col(node);
+  matrix_.multiply(moved_, product_);
+  residual_ = push_ + begin_forces_ - product_;
+}
+
+// What the step has cost so far of the energy that implicit Euler makes least; not above 0 when nothing is moved by
+// force.
+double CorotationalBody::energy_won() const noexcept {
+  double inertia = 0.0;
+  for (Eigen::Index node = 0; node < moved_.cols(); ++node)
+    inertia += inertia_[static_cast<std::size_t>(node)] * moved_.col(node).squaredNorm();
+  const double share = damping_share();
+  const double stiff = (moved_.cwiseProduct(product_).sum() - inertia) / (1.0 + share);
+  return energy_ - begin_energy_ + 0.5 * inertia + 0.5 * share * stiff - push_.cwiseProduct(moved_).sum();
+}
+
+// What is out of balance on the free nodes.
+void CorotationalBody::find_residual() noexcept {
+  const double share = damping_share() / (1.0 + damping_share());
+  residual_ = push_ + forces_ - share * product_;
+  add_inertia(moved_, share - 1.0, residual_);
+  for (Eigen::Index node = 0; node < residual_.cols(); ++node)
+    if (held_[static_cast<std::size_t>(node)] != 0) residual_.col(node).setZero();
+  told_.unbalance = largest_column(residual_);
+}
+
+// A Newton step for what is out of balance, halved until it does not cost more than `won` so far.
+bool CorotationalBody::correct(double& won) noexcept {
+  before_ = moved_;
+  told_.iterations += gradients_.solve(matrix_, residual_, settings_.gradients, change_);
+  ++told_.corrections;
+  for (int halving = 0;; ++halving) {
+    moved_ = before_ + change_;
+    places_ = begin_ + moved_;
+    matrix_.multiply(moved_, product_);
+    energy_ = elements_.evaluate(places_, forces_);
+    const double now = energy_won();
+    const bool finite = std::isfinite(now) && forces_.allFinite() && largest_column(moved_) < farthest_step;
+    const double rounding = 1e-12 * (std::abs(energy_) + std::abs(begin_energy_));
+    if ((finite && now <= won + rounding) || halving == most_halvings) {
+      won = now;
+      return finite;
+    }
+    change_ *= 0.5;
+    ++told_.halvings;
+  }
+}
+
+void CorotationalBody::go_back() noexcept {
+  places_ = begin_;
+  velocities_.setZero();
+  energy_ = elements_.evaluate(places_, forces_);
+  told_.fault = true;
+  told_.largest_move = 0.0;
+}
+
+const CorotationalStep& CorotationalBody::step() noexcept {
+  begin_step();
+  // By what is held alone, in the linear body: what the first Newton step must not cost more than.
+  double won = 0.5 * moved_.cwiseProduct(product_).sum() - (push_ + begin_forces_).cwiseProduct(moved_).sum();
+  change_.setZero();
+  if (settings_.dt > 0.0) {  // it will go on about as it went
+    for (Eigen::Index node = 0; node < change_.cols(); ++node)
+      if (held_[static_cast<std::size_t>(node)] == 0) change_.col(node) = settings_.dt * velocities_.col(node);
+  }
+  do {
+    if (!correct(won)) {
+      go_back();
+      return told_;
+    }
+    find_residual();
+    change_.setZero();
+  } while (told_.corrections < settings_.most_corrections && told_.unbalance > settings_.balance);
+  if (settings_.dt > 0.0) velocities_ = moved_ / settings_.dt;
+  told_.largest_move = largest_column(moved_);
+  return told_;
+}
+
+}  // namespace bodkin

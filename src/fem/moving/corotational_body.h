@@ -1,0 +1,114 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "fem/moving/conjugate_gradients.h"
+#include "fem/moving/corotational_elements.h"
+#include "fem/moving/node_matrix.h"
+#include "fem/solid/elastic_body.h"
+
+namespace bodkin {
+
+struct CorotationalSettings {
+  // s of a step, 1e-5 to 1; 0: no time, every step is one of Newton's towards the place where the body is at rest.
+  double dt = 1.0 / 60.0;
+  double density = 1000.0;  // kg/m^3, 1 to 30000; of all tissues [D: that of water]
+  // Rayleigh's damping, mass_damping M + stiffness_damping K: of a mode that swings w times 2 pi a second the part
+  // (mass_damping / w + stiffness_damping w) / 2 of the critical. 1/s, 0 to 1000; s, 0 to 1 [D: a body of soft tissue
+  // that swings at 10 Hz has a fifth of the critical].
+  double mass_damping = 2.0;
+  double stiffness_damping = 0.005;
+  GradientsSettings gradients;
+  // Newton steps within a step, 1 to 50: the first is the semi-implicit one; the others, with the same matrix, only
+  // while some node is out of balance by more than `balance`, N. What is left over is taken up by the next step.
+  int most_corrections = 1;
+  double balance = 1e-6;
+};
+
+// What a step did.
+struct CorotationalStep {
+  bool fault = false;         // it led to no finite place: the body is where it was, at rest
+  int iterations = 0;         // of conjugate gradients
+  int corrections = 0;        // Newton steps
+  int halvings = 0;           // of Newton steps that won no energy
+  double unbalance = 0.0;     // N, on the free node that is worst off
+  double largest_move = 0.0;  // mm, of any node
+};
+
+// A body that is pressed and bent far, on its own time: corotational linear tetrahedra (CorotationalElements),
+//
+//   M (x' - x - dt v) / dt^2 + (a M + b K) (x' - x) / dt = f(x') + loads,   v' = (x' - x) / dt
+//
+// implicit Euler with lumped masses, Rayleigh's damping of the matrix at the beginning of the step, and without the
+// first two terms when dt is 0. Each step assembles the turned stiffness once and solves for x' by conjugate
+// gradients; should the energy that this equation minimises not fall, the step is halved. Implicit Euler loses energy
+// of itself, the more the longer the step.
+//
+// Nodes are free or held where they are told to be, those of BodyDescription::fixed for ever. Memory is taken at
+// construction; step() never throws, allocates, locks or reads a clock, and gives the same for the same calls before
+// it, to the bit. Not for two threads at once. docs/corotational.md
+class CorotationalBody {
+ public:
+  // Checks body (check_body) and settings; throws InputError.
+  CorotationalBody(const BodyDescription& body, const CorotationalSettings& settings);
+
+  // Holds a node at a place, mm, from the next step on; and lets it go. Fixed nodes stay, and places that are not
+  // finite are not taken.
+  void hold(std::uint32_t node, const Vec3& place) noexcept;
+  void release(std::uint32_t node) noexcept;
+  bool held(std::uint32_t node) const noexcept { return held_[node] != 0; }  // or fixed
+  bool fixed(std::uint32_t node) const noexcept { return held_[node] == 2; }
+  std::span<const std::uint8_t> all_held() const noexcept { return held_; }
+
+  // Forces from outside, N, that act until they are cleared. On held nodes they do nothing; not finite ones count as
+  // none.
+  void load(std::uint32_t node, const Vec3& force) noexcept;
+  void clear_loads() noexcept { loads_.setZero(); }
+
+  const CorotationalStep& step() noexcept;
+  // Back to rest, nothing held or loaded.
+  void reset() noexcept;
+  // Puts all free nodes elsewhere, at rest; columns in the order of the mesh. False, and nothing changed, when they
+  // are not finite or not as many.
+  bool place(const Eigen::Matrix3Xd& places) noexcept;
+
+  std::size_t nodes() const noexcept { return held_.size(); }
+  Vec3 at_rest(std::uint32_t node) const noexcept { return rest_.col(node).head<3>(); }
+  Vec3 position(std::uint32_t node) const noexcept { return places_.col(node).head<3>(); }
+  Vec3 velocity(std::uint32_t node) const noexcept { return velocities_.col(node).head<3>(); }  // mm/s
+  // What holds a held or fixed node, N on the body: by the last place, without masses and damping.
+  Vec3 holding_force(std::uint32_t node) const noexcept { return -(forces_ + loads_).col(node).head<3>(); }
+  const NodeVectors& places() const noexcept { return places_; }
+
+  double elastic_energy() const noexcept { return energy_; }                // N mm
+  double kinetic_energy() const noexcept;                                   // N mm
+  double mass(std::uint32_t node) const noexcept { return masses_[node]; }  // t, that is N s^2/mm
+
+ private:
+  void begin_step() noexcept;
+  bool correct(double& won) noexcept;
+  double energy_won() const noexcept;
+  void find_residual() noexcept;
+  void go_back() noexcept;
+  void add_inertia(const NodeVectors& moved, double factor, NodeVectors& sum) const noexcept;
+  double damping_share() const noexcept;
+
+  CorotationalSettings settings_;
+  CorotationalElements elements_;
+  NodeMatrix matrix_;
+  ConjugateGradients gradients_;
+  std::vector<double> masses_;      // t
+  std::vector<double> inertia_;     // by node, what mass and its damping add to the diagonal, N/mm
+  std::vector<std::uint8_t> held_;  // 0 free, 1 held, 2 fixed
+  NodeVectors rest_, places_, velocities_, goals_;
+  NodeVectors forces_, loads_;               // N, of the elements and from outside
+  NodeVectors begin_, begin_forces_, push_;  // at the beginning of the step; m v / dt + loads, N
+  NodeVectors moved_, product_;              // since then, mm, and the matrix times it, N
+  NodeVectors before_, change_, residual_;   // a Newton step: moved_ before it, how it changes, what it balances
+  double energy_ = 0.0, begin_energy_ = 0.0;
+  CorotationalStep told_;
+};
+
+}  // namespace bodkin

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "anatomy/tetrahedral_mesh.h"
+#include "fem/moving/corotational_elements.h"
+
+namespace bodkin {
+
+// As NodeVectors, in single precision.
+using SingleVectors = Eigen::Matrix4Xf;
+
+// A symmetric matrix with a 3 x 3 block for every pair of nodes that share an element of a mesh, both triangles kept,
+// in single precision; vectors are in double precision. Filled anew at every step of a moving body, so that what goes
+// where is found once.
+class NodeMatrix {
+ public:
+  explicit NodeMatrix(const TetrahedralMesh& mesh);
+
+  // factor K + diagonal: K from the elements, one number a node in `diagonal` (N/mm), for all three of its
+  // directions. What a block of the diagonal of K is follows from the others of its row: a translation costs nothing.
+  void assemble(const std::vector<TurnedElement>& elements, double factor, std::span<const double> diagonal) noexcept;
+
+  // product = matrix vector
+  void multiply(const NodeVectors& vector, NodeVectors& product) const noexcept;
+
+  // Before the two below: the inverse of the own block of every node whose `held` is zero. A block that is not
+  // positive definite, of a node that nothing resists, counts as held.
+  void invert_diagonal(std::span<const std::uint8_t> held) noexcept;
+  // Among the nodes that are free, D the blocks of the diagonal and L those below it in an order of the matrix's own:
+  //   solve_lower   (D + L) x = right,     scaled = D x
+  //   solve_upper   (D + L)^T x = right,   above = L^T x
+  // What is held is neither read, provided that it is zero in x, nor written.
+  void solve_lower(const SingleVectors& right, SingleVectors& x, SingleVectors& scaled) const noexcept;
+  void solve_upper(const SingleVectors& right, SingleVectors& x, SingleVectors& above) const noexcept;
+
+  std::size_t nodes() const noexcept { return order_.size(); }
+  std::size_t blocks() const noexcept { return blocks_.size(); }
+
+  // Three columns; the fourth number of each is 0.
+  struct alignas(16) Block {
+    std::array<std::array<float, 4>, 3> column;
+  };
+
+ private:
+  // An edge of the mesh: where its block and the transposed one are, and which elements have it.
+  struct Edge {
+    std::uint32_t upper, lower;
+    std::uint32_t first_share;
+  };
+  // 16 element + 4 a + b, a and b the corners that the edge joins.
+  using Share = std::uint32_t;
+
+  static void assemble_edges(std::span<const Edge> edges, const Share* shares, const TurnedElement* elements,
+                             float factor, Block* blocks) noexcept;
+  static void multiply_rows(const NodeMatrix& matrix, const double* vector, double* product) noexcept;
+  static void sweep_down(const NodeMatrix& matrix, const float* right, float* x, float* scaled) noexcept;
+  static void sweep_up(const NodeMatrix& matrix, const float* right, float* x, float* above) noexcept;
+
+  // In blocks_, by place in order_.
+  struct Range {
+    std::uint32_t first, last;
+  };
+  Range below(std::uint32_t place) const noexcept { return {below_[place], below_[place + 1]}; }
+  std::uint32_t own_block(std::uint32_t place) const noexcept { return below_.back() + place; }
+  Range above(std::uint32_t place) const noexcept {
+    const std::size_t from_last = nodes() - 1 - place;
+    return {above_[from_last], above_[from_last + 1]};
+  }
+
+  // The blocks as sweeps go through them: those below the diagonal, row by row; the diagonal; those above it, from
+  // the last row to the first.
+  std::vector<std::uint32_t> order_;   // of the nodes in a sweep
+  std::vector<std::uint32_t> below_;   // nodes + 1, of each row in blocks_
+  std::vector<std::uint32_t> above_;   // likewise, from the last row to the first
+  std::vector<std::uint32_t> column_;  // of each block, its node
+  std::vector<Block> blocks_;
+  std::vector<Block> inverse_;       // of the diagonal
+  std::vector<std::uint32_t> free_;  // places in order_ of the nodes that are free
+  std::size_t free_count_ = 0;       // as many as these
+  std::vector<Edge> edges_;          // one more than there are, so that each ends where the next begins
+  std::vector<Share> shares_;
+};
+
+}  // namespace bodkin

@@ -1,0 +1,86 @@
+#include "fem/moving/pressed_body.h"
+
+#include <algorithm>
+#include <new>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "fem/solid/multifrontal_cholesky.h"
+
+namespace bodkin {
+
+namespace {
+
+const PressedBodySettings& checked_pressed_settings(const PressedBodySettings& settings) {
+  if (!(settings.settled > 0.0 && settings.worth > 0.0)) {
+    throw InputError(
+        fmt::format("moving body: settled is {} mm and worth {} mm, expected both above 0; 0.05 and 0.5 are usual",
+                    settings.settled, settings.worth));
+  }
+  return settings;
+}
+
+}  // namespace
+
+PressedBody::PressedBody(const BodyDescription& body, const PressedBodySettings& settings)
+    : settings_(checked_pressed_settings(settings)),
+      description_(body),
+      moving_(description_, settings.motion),
+      press_(description_.mesh, description_.fixed, settings.probe),
+      plan_(plan_body(description_)),
+      last_corridor_(moving_.places()) {}
+
+const CorotationalStep& PressedBody::step(const std::optional<Pose>& probe, const NodeForces& needle) noexcept {
+  if (probe) {
+    press_.press(*probe, moving_);
+  } else {
+    press_.lift(moving_);
+  }
+  moving_.clear_loads();
+  for (std::size_t i = 0; i < std::min(needle.count, NodeForces::capacity); ++i) {
+    const NodeForce& on = needle.nodes[i];
+    if (on.node >= plan_.corridor.mesh_nodes.size()) continue;
+    moving_.load(plan_.corridor.mesh_nodes[on.node], Vec3(on.force[0], on.force[1], on.force[2]));
+  }
+  const CorotationalStep& told = moving_.step();
+  press_.let_go_what_is_pulled(moving_);
+  settled_ = !told.fault && told.largest_move <= settings_.settled;
+  judge(needle);
+  return told;
+}
+
+void PressedBody::judge(const NodeForces& needle) noexcept {
+  due_ = false;
+  if (!settled_ || needle.count > 0) return;
+  const double worth = settings_.worth * settings_.worth;
+  for (Eigen::Index node = 0; node < last_corridor_.cols() && !due_; ++node)
+    due_ = (moving_.places().col(node) - last_corridor_.col(node)).squaredNorm() > worth;
+}
+
+std::shared_ptr<const CondensedBody> PressedBody::make_corridor() {
+  due_ = false;
+  last_corridor_ = moving_.places();
+  FactorOptions options;
+  options.keep_field = false;
+  options.memory_limit = settings_.memory_limit;
+  for (const StressStiffness stress : {StressStiffness::exact, StressStiffness::positive}) {
+    try {
+      assemble_tangent(description_, moving_.places(), moving_.all_held(), stress, plan_.system);
+      auto corridor = std::make_shared<CondensedBody>(plan_.corridor);
+      corridor->compliance = MultifrontalCholesky(plan_.system.stiffness, plan_.symbolic, options).last_compliance();
+      for (std::size_t i = 0; i < corridor->nodes.size(); ++i)
+        corridor->nodes[i] = moving_.position(corridor->mesh_nodes[i]);
+      return corridor;
+    } catch (const NotPositiveDefinite&) {
+      if (stress == StressStiffness::positive) return nullptr;
+    } catch (const InputError&) {
+      return nullptr;
+    } catch (const std::bad_alloc&) {
+      return nullptr;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace bodkin

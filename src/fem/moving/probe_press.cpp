@@ -1,0 +1,135 @@
+#include "fem/moving/probe_press.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <fmt/format.h>
+
+#include "core/error.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr double farthest_probe = 1e5;  // mm; beyond, a sensor failed
+constexpr double least_pull = 1e-6;     // N; less is rounding
+
+void check_probe_face(double value, double low, double high, const char* name) {
+  if (value >= low && value <= high) return;
+  throw InputError(fmt::format("probe: its {} is {} mm, expected {} to {}; measure it on the probe's face", name,
+                               value, low, high));
+}
+
+// Nodes of the faces that belong to one element alone.
+std::vector<bool> on_surface(const TetrahedralMesh& mesh) {
+  std::vector<std::array<std::uint32_t, 3>> faces;
+  faces.reserve(4 * mesh.elements.size());
+  for (const auto& element : mesh.elements) {
+    for (std::size_t left_out = 0; left_out < 4; ++left_out) {
+      std::array<std::uint32_t, 3> face{};
+      for (std::size_t a = 0, b = 0; a < 4; ++a)
+        if (a != left_out) face[b++] = element[a];
+      std::sort(face.begin(), face.end());
+      faces.push_back(face);
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  std::vector<bool> found(mesh.nodes.size(), false);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if ((i > 0 && faces[i] == faces[i - 1]) || (i + 1 < faces.size() && faces[i] == faces[i + 1])) continue;
+    for (const std::uint32_t node : faces[i]) found[node] = true;
+  }
+  return found;
+}
+
+bool is_rigid(const Pose& pose) noexcept {
+  const Mat3 turn = pose.linear();
+  return pose.matrix().allFinite() && pose.translation().norm() < farthest_probe &&
+         (turn.transpose() * turn - Mat3::Identity()).norm() < 1e-6 && turn.determinant() > 0.0;
+}
+
+}  // namespace
+
+ProbePress::ProbePress(const TetrahedralMesh& mesh, std::span<const std::uint32_t> fixed, const ProbeFace& face)
+    : face_(face) {
+  check_probe_face(face.width, 1.0, 200.0, "width");
+  check_probe_face(face.thickness, 1.0, 100.0, "thickness");
+  check_probe_face(face.reach, 1.0, 100.0, "reach");
+  if (face.radius != 0.0) {
+    check_probe_face(face.radius, 5.0, 500.0, "radius");
+    check_probe_face(face.width, 1.0, 1.9 * face.radius, "width");
+  }
+  std::vector<bool> free = on_surface(mesh);
+  for (const std::uint32_t node : fixed) free[node] = false;
+  for (std::uint32_t node = 0; node < mesh.nodes.size(); ++node)
+    if (free[node]) surface_.push_back(node);
+  held_at_.assign(surface_.size(), Vec3::Zero());
+  taken_.assign(surface_.size(), 0);
+}
+
+// mm along the third axis; 0 in the middle, below it at the ends of a convex array.
+double ProbePress::height_of_face(double along) const noexcept {
+  if (face_.radius == 0.0) return 0.0;
+  return std::sqrt(face_.radius * face_.radius - along * along) - face_.radius;
+}
+
+Vec3 ProbePress::outward(double along) const noexcept {
+  if (face_.radius == 0.0) return Vec3::UnitZ();
+  return Vec3(along, 0.0, height_of_face(along) + face_.radius) / face_.radius;
+}
+
+void ProbePress::press(const Pose& probe, CorotationalBody& body) noexcept {
+  if (!is_rigid(probe)) {
+    lift(body);
+    return;
+  }
+  probe_ = probe;
+  for (std::size_t i = 0; i < surface_.size(); ++i) {
+    if (taken_[i] == 0) {
+      const Vec3 at = probe.linear().transpose() * (body.position(surface_[i]) - probe.translation());
+      if (!(std::abs(at.x()) <= 0.5 * face_.width && std::abs(at.y()) <= 0.5 * face_.thickness)) continue;
+      const double face = height_of_face(at.x());
+      if (at.z() >= face || at.z() < face - face_.reach) continue;
+      held_at_[i] = Vec3(at.x(), at.y(), face);
+      taken_[i] = 1;
+      ++held_;
+    }
+    body.hold(surface_[i], probe * held_at_[i]);
+  }
+}
+
+void ProbePress::lift(CorotationalBody& body) noexcept {
+  for (std::size_t i = 0; i < surface_.size(); ++i) {
+    if (taken_[i] == 0) continue;
+    body.release(surface_[i]);
+    taken_[i] = 0;
+  }
+  held_ = 0;
+}
+
+void ProbePress::let_go_what_is_pulled(CorotationalBody& body) noexcept {
+  for (std::size_t i = 0; i < surface_.size(); ++i) {
+    if (taken_[i] == 0) continue;
+    const Vec3 push = body.holding_force(surface_[i]);
+    if (push.dot(probe_.linear() * outward(held_at_[i].x())) >= -least_pull) continue;
+    body.release(surface_[i]);
+    taken_[i] = 0;
+    --held_;
+  }
+}
+
+Wrench ProbePress::on_probe(const CorotationalBody& body) const noexcept {
+  Wrench sum;
+  for (std::size_t i = 0; i < surface_.size(); ++i) {
+    if (taken_[i] == 0) continue;
+    const Vec3 force = -body.holding_force(surface_[i]);
+    sum.force += force;
+    sum.torque += (body.position(surface_[i]) - probe_.translation()).cross(force);
+  }
+  return sum;
+}
+
+}  // namespace bodkin
