@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -16,6 +17,7 @@
 #include <benchmark/benchmark.h>
 
 #include "fem/embedded_needle.h"
+#include "fem/solid/condensed_cache.h"
 #include "fem/solid/display_columns.h"
 #include "fem/solid/elastic_body.h"
 
@@ -102,6 +104,15 @@ void prepare(benchmark::State& state) {
   for (auto _ : state) state.SetIterationTime(box.preparation.seconds);
   state.counters["nodes"] = static_cast<double>(box.description.mesh.nodes.size());
   state.counters["peak_MB"] = box.preparation.peak_MB;
+}
+
+// The same again, from the cache: digest of the mesh and the file.
+void prepare_from_cache(benchmark::State& state) {
+  const BoxBody& box = box_of(static_cast<std::uint32_t>(state.range(0)));
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "bodkin-fem-body-bench.condensed";
+  save_condensed(file, box.condensed, digest_of(box.description));
+  for (auto _ : state) benchmark::DoNotOptimize(condensed_with_cache(file, box.description));
+  std::filesystem::remove(file);
 }
 
 // A needle that holds about k nodes of the body goes to and fro by 5 mm and sways: a node comes or goes every 20
@@ -194,6 +205,11 @@ const bool registered = [] {
         ->Arg(along)
         ->UseManualTime()
         ->Iterations(1)
+        ->Unit(benchmark::kSecond);
+    benchmark::RegisterBenchmark("prepare_from_cache", prepare_from_cache)
+        ->Arg(along)
+        ->UseRealTime()
+        ->Iterations(3)
         ->Unit(benchmark::kSecond);
     for (const std::int64_t k : {1, 10, 50, 150})
       benchmark::RegisterBenchmark("needle_tick", needle_tick)
