@@ -81,17 +81,17 @@ class BevelRig {
   double depth_ = -0.5;
 };
 
-constexpr double foundation = 0.5;  // N/mm^2
+constexpr double even_foundation = 0.5;  // N/mm^2
 
 CondensedBody even_tissue(double spacing) {
-  return checks::winkler_body(static_cast<int>(65.0 / spacing), spacing, foundation);
+  return checks::winkler_body(static_cast<int>(65.0 / spacing), spacing, even_foundation);
 }
 
 // A beam on Winkler's foundation whose hole is cut `offset` beside its axis and whose tip is free: w = y - c follows
 // e^(-bz) (A cos bz + B sin bz), z from the tip; w(0) = -offset, no shear force, no moment: y'' = 0 there. That
 // leaves c'' = 2 b^2 offset. As a bicycle (bevel_curvature): wheel base 1/b, steering angle 2 b offset.
 double curvature_to_be(double offset, double rigidity = steel_27g) {
-  const double beta = winkler_tip(rigidity, foundation, 0.0).beta;
+  const double beta = winkler_tip(rigidity, even_foundation, 0.0).beta;
   return bevel_curvature(std::atan(2.0 * beta * offset), 1.0 / beta);
 }
 

@@ -214,7 +214,7 @@ TEST(HapticsXml, the_defaults_that_the_schema_states_are_those_of_the_settings) 
                           haptics_of(role.before + "<" + name + "/>" + role.after)))
         << name << all;
   }
-  EXPECT_EQ(checked, 106);
+  EXPECT_EQ(checked, 111);
 }
 
 TEST(HapticsXml, the_defaults_that_the_schema_states_for_friction_are_those_of_the_settings) {
