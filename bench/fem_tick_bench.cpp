@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <ctime>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -112,7 +113,8 @@ const CondensedBody& way_of_the_needle() {
 }
 
 // A needle that holds k nodes and is pushed and drawn by 5 mm at 25 mm/s, a node every 20 ticks, while it sways:
-// nodes come and go, friction slides, and turns round every 200 ticks.
+// nodes come and go, friction slides, and turns round every 200 ticks. Second argument 1: it bends (27G, clamped,
+// with a bevel).
 void needle_tick(benchmark::State& state) {
   ContactTissues tissues;
   tissues.fill({.friction = 0.005});
@@ -120,7 +122,9 @@ void needle_tick(benchmark::State& state) {
   settings.capture_radius = 0.6;
   settings.spacing = 0.45;
   settings.most_nodes = 160;
-  EmbeddedNeedle contact(way_of_the_needle(), tissues, settings, 1e-3);
+  std::optional<NeedleBeam> beam;
+  if (state.range(1) != 0) beam = NeedleBeam({.rigidity = 257.0, .length = 90.0, .cut_offset = 0.1});
+  EmbeddedNeedle contact(way_of_the_needle(), tissues, settings, 1e-3, beam);
   contact.begin(Vec3::Zero(), Vec3::UnitZ());
   const double depth = 0.5 * static_cast<double>(state.range(0)) - 0.25;
   std::vector<Pose> motion;
@@ -166,7 +170,7 @@ void display_field(benchmark::State& state) {
   });
 }
 
-BENCHMARK(needle_tick)->ArgName("k")->Arg(1)->Arg(10)->Arg(50)->Arg(150)->Iterations(50000);
+BENCHMARK(needle_tick)->ArgNames({"k", "bends"})->ArgsProduct({{1, 10, 50, 100, 150}, {0, 1}})->Iterations(50000);
 BENCHMARK(display_field)->ArgName("k")->Arg(10)->Arg(50)->Arg(150)->Iterations(500)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -16,7 +16,9 @@ function(bodkin_settings target)
   target_compile_options(${target} PRIVATE ${BODKIN_WARNINGS} -ffp-contract=off)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   if(CMAKE_UNITY_BUILD)
-    target_compile_options(${target} PRIVATE -Wno-shadow)  # of a neighbour in the unit, no fault; release looks at each file
+    # What a neighbour in the unit calls something is no fault, nor that a unit includes what was a file of its own.
+    target_compile_options(${target} PRIVATE -Wno-shadow
+      $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local> $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
   endif()
   if(BODKIN_WERROR)
     target_compile_options(${target} PRIVATE -Werror)

@@ -9,6 +9,7 @@
 #include "anatomy/condensed_body.h"
 #include "anatomy/force_settings.h"
 #include "anatomy/needle.h"
+#include "anatomy/needle_path.h"
 #include "anatomy/tissue.h"
 #include "anatomy/volume.h"
 
@@ -26,15 +27,6 @@ struct Structure {
 struct Landmark {
   std::string name;
   Vec3 position = Vec3::Zero();
-};
-
-// A straight needle path, LPS mm.
-struct NeedlePath {
-  Vec3 entry = Vec3::Zero();   // on the skin
-  Vec3 target = Vec3::Zero();  // where the tip should end
-
-  double length() const { return (target - entry).norm(); }
-  Vec3 direction() const { return (target - entry).normalized(); }
 };
 
 // What the device can do; the governor and the stiffness limits are set from it.
@@ -87,8 +79,9 @@ struct Case {
   CtVolume ct;
   LabelVolume structures;  // empty when there is no segmentation
   TissueVolume tissues;    // its lattice may be finer than the CT's
-  // The deformable body, prepared by prepare_body() for the resistances that need one; nullptr otherwise.
-  std::shared_ptr<const CondensedBody> body;
+  // The corridor of the deformable body, prepared by prepare_body() for the resistances that need one; without a body
+  // otherwise.
+  PreparedCorridor corridor;
 };
 
 }  // namespace bodkin

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "anatomy/needle_path.h"
 #include "anatomy/tissue.h"
 #include "core/geometry.h"
 
@@ -18,5 +22,25 @@ struct CondensedBody {
   std::vector<TissueId> tissues;          // of the stiffest element that a node belongs to
   Eigen::MatrixXd compliance;             // mm/N; symmetric, 3 rows and columns a node, x y z in turn
 };
+
+// A corridor that a needle can be put into.
+struct PreparedCorridor {
+  std::shared_ptr<const CondensedBody> body;  // nullptr: none
+  NeedlePath path;                            // that it was prepared about
+  // The tick of the session whose needle aimed along `path`; nothing for the corridor that the session began with.
+  std::optional<std::uint64_t> aimed_at;
+};
+
+// Marks the nodes of a corridor that are marked in another one of the same mesh. The mesh nodes of both must ascend;
+// marks are one a node.
+inline void take_marks(const CondensedBody& body, std::vector<std::uint8_t>& marks, const CondensedBody& other,
+                       const std::vector<std::uint8_t>& other_marks) noexcept {
+  std::size_t from = 0;
+  for (std::size_t node = 0; node < marks.size(); ++node) {
+    while (from < other_marks.size() && other.mesh_nodes[from] < body.mesh_nodes[node]) ++from;
+    if (from == other_marks.size()) return;
+    if (other.mesh_nodes[from] == body.mesh_nodes[node] && other_marks[from] != 0) marks[node] = 1;
+  }
+}
 
 }  // namespace bodkin

@@ -151,6 +151,22 @@ struct DeformableBodySettings {
   double fix_beyond = 1000.0;      // mm along the planned path behind the entry: deeper nodes do not move; 1 to 1000
 };
 
+// How the hand has hold of a needle's hub.
+enum class NeedleHold : std::uint8_t {
+  clamped,  // place and angle are the hand's
+  pinned    // its place alone: the hub turns freely, as in a gimbal without motors
+};
+
+// Whether the needle of a case bends in a deformable body, and how (NeedleBeam). [L] literature, [D] our choice.
+struct NeedleBendingSettings {
+  bool flexible = false;                  // [D]
+  double modulus = 193000.0;              // E, MPa, of stainless steel AISI 304; 1000 to 500000 [L]
+  bool stylet = false;                    // true: the bore is filled, the needle bends as a solid rod [D]
+  NeedleHold hold = NeedleHold::clamped;  // [D]
+  double cut_offset =
+      0.0;  // mm beside its axis that a bevel cuts, towards its point; 0 to 2, 0 = it cuts straight [D]
+};
+
 // Settings of EmbeddedNeedle. All [D].
 struct EmbeddedNeedleSettings {
   double capture_radius = 1.5;   // mm; nodes this close to the line are the needle's; 0.05 to 20 [half an edge of 3]
@@ -158,6 +174,7 @@ struct EmbeddedNeedleSettings {
   double puncture_time = 0.030;  // s in which the force of a puncture goes; 0.001 to 1
   std::size_t most_nodes = 150;  // along the shaft; 1 to 160
   DeformableBodySettings body;
+  NeedleBendingSettings bending;
 };
 
 // Settings of ClosestNodeContact. All [D].

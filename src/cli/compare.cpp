@@ -19,6 +19,7 @@
 #include "io/force_choice.h"
 #include "training/compare_plot.h"
 #include "training/prepared_body.h"
+#include "training/straight_motion.h"
 
 namespace bodkin {
 
@@ -153,7 +154,8 @@ void run_compare(const CompareArguments& arguments, const CommandContext& contex
   const std::string name = patient.description.name;
   const double peak_force = patient.description.device.peak_force;
   const Comparison comparison = compare_models(std::move(patient), options, console.progress(), [&](Case& with) {
-    prepare_body(with, arguments.folder, console.progress(), [&](const std::string& text) { console.note(text); });
+    prepare_body(with, arguments.folder, straight_way(with, options.entry, options.target).path, console.progress(),
+                 [&](const std::string& text) { console.note(text); });
   });
   for (const std::string& note : comparison.notes) console.note(note);
   for (const ModelRefused& model : comparison.refused)

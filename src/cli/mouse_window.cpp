@@ -28,7 +28,9 @@ constexpr Colour accent{76, 194, 255}, good{70, 200, 120}, warn{245, 185, 66}, b
 struct Box {
   double x, y, width, height;
 };
-constexpr Box force_box{24, 84, 632, 152}, curve_box{24, 252, 632, 324}, side_box{672, 84, 264, 492};
+constexpr Box force_box{24, 84, 632, 152}, side_box{672, 84, 264, 492};
+constexpr Box wide_curve_box{24, 252, 632, 324}, narrow_curve_box{24, 252, 292, 324},
+    body_box_on_screen{332, 252, 324, 324};
 
 // What the keys do, as the window says it.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 9> help = {{
@@ -170,6 +172,7 @@ void MouseWindow::draw(const WindowScene& scene) {
   }
   draw_force(scene);
   draw_curve();
+  if (body_) draw_body(scene);
   draw_side(scene);
   screen_.present();
 }
@@ -193,8 +196,9 @@ void MouseWindow::draw_force(const WindowScene& scene) {
 }
 
 void MouseWindow::draw_curve() {
-  constexpr double left = curve_box.x + 56.0, right = curve_box.x + curve_box.width - 20.0;
-  constexpr double upper = curve_box.y + 44.0, lower = curve_box.y + curve_box.height - 34.0;
+  const Box& curve_box = body_ ? narrow_curve_box : wide_curve_box;
+  const double left = curve_box.x + 56.0, right = curve_box.x + curve_box.width - 20.0;
+  const double upper = curve_box.y + 44.0, lower = curve_box.y + curve_box.height - 34.0;
   fill(screen_, curve_box, panel);
   screen_.text(curve_box.x + 20.0, curve_box.y + 14.0, "The last ten seconds", Size::normal, faint);
   double most = 0.0;
@@ -206,7 +210,7 @@ void MouseWindow::draw_curve() {
     screen_.fill(left, y, right - left, 1.0, grid);
     screen_.text(left - 8.0, y - 8.0, fmt::format("{:g} N", top * row / rows), Size::small, faint, Align::right);
   }
-  for (int second = -10; second <= 0; second += 2) {
+  for (int second = -10; second <= 0; second += body_ ? 5 : 2) {
     const double x = right + (right - left) * second / curve_time;
     screen_.fill(x, lower, 1.0, 5.0, grid);
     screen_.text(x, lower + 8.0, fmt::format("{} s", second), Size::small, faint,
@@ -221,6 +225,14 @@ void MouseWindow::draw_curve() {
     points.emplace_back(static_cast<float>(x), static_cast<float>(y));
   }
   screen_.line(points, accent);
+}
+
+void MouseWindow::draw_body(const WindowScene& scene) {
+  constexpr double title = 40.0;  // pixels
+  const Box& box = body_box_on_screen;
+  fill(screen_, box, panel);
+  screen_.text(box.x + 20.0, box.y + 14.0, "The body along the path", Size::normal, faint);
+  body_->draw(screen_, box.x + 0.5 * title, box.y + title, box.width - title, scene.needle);
 }
 
 void MouseWindow::draw_side(const WindowScene& scene) {

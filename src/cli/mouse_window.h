@@ -5,7 +5,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "cli/body_view.h"
 #include "cli/mouse_driver.h"
 #include "cli/sdl_screen.h"
 
@@ -22,6 +24,7 @@ struct WindowScene {
   std::string message;  // the guard's last word
   double beside = 0.0;  // mm from the tip to the planned path
   double angle = 0.0;   // deg between the needle and that path
+  Pose needle = Pose::Identity();
   bool armed = false;
   bool faulted = false;
 };
@@ -32,6 +35,8 @@ class MouseWindow {
  public:
   // Throws InputError where there is no display, SystemError where SDL is not installed.
   explicit MouseWindow(std::string title);
+  // A deformable body that is shown beside the curve, from now on; may be null.
+  void show_body(std::unique_ptr<BodyView> body) { body_ = std::move(body); }
 
   // Why no window can be opened here, in one sentence; empty where one can.
   static std::string obstacle() { return SdlScreen::obstacle(); }
@@ -49,6 +54,7 @@ class MouseWindow {
   void draw(const WindowScene& scene);
   void draw_force(const WindowScene& scene);
   void draw_curve();
+  void draw_body(const WindowScene& scene);
   void draw_side(const WindowScene& scene);
 
   struct Sample {
@@ -62,6 +68,7 @@ class MouseWindow {
   std::optional<Eigen::Vector2d> pointer_;  // where it was, while it is in the window
   std::deque<char> keys_;
   std::deque<Sample> history_;
+  std::unique_ptr<BodyView> body_;
   std::chrono::steady_clock::time_point shown_{};
 };
 

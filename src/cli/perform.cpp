@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.h"
+#include "cli/body_view.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/device_options.h"
@@ -27,6 +28,8 @@
 #include "haptics/calibration.h"
 #include "io/calibrations_file.h"
 #include "io/case_folder.h"
+#include "simulation/haptic_tick.h"
+#include "training/corridor_keeper.h"
 #include "training/hand_session.h"
 #include "training/prepared_body.h"
 #include "training/recorded_hand.h"
@@ -112,9 +115,11 @@ WindowScene scene_of(const ServoSnapshot& servo, const HandMoment& moment, const
   scene.tissue = patient.library.title(moment.output.tissue);
   scene.state = text_of(servo.state);
   scene.hold = servo.frozen ? "held" : servo.clutched ? "clutch" : "";
-  scene.message = message;
+  scene.message = moment.corridor_left ? "the deformable body is not prepared here: draw the needle back" : message;
   scene.beside = (from_entry - way * way.dot(from_entry)).norm();
   scene.angle = std::acos(std::clamp(way.dot(needle_axis(servo.needle)), -1.0, 1.0)) * 180.0 / std::numbers::pi;
+  scene.needle = moment.needle;
+  scene.needle.translation() -= moment.needle_ahead;
   scene.armed = servo.state != GuardState::disarmed;
   scene.faulted = servo.state == GuardState::faulted;
   return scene;
@@ -126,8 +131,9 @@ std::string screen(const ServoSnapshot& servo, const HandMoment& moment, const T
   const double force = now.requested.force.norm();
   const auto bar = static_cast<std::size_t>(std::clamp(std::lround(2.0 * force), 0L, 20L));
   const char* const hold = servo.frozen ? ", held" : servo.clutched ? ", clutch" : "";
-  return fmt::format("{}{}  {:5.1f} mm  {:5.2f} N [{:<20}] {}", text_of(servo.state), hold, now.depth, force,
-                     std::string(bar, '='), library.title(now.tissue));
+  const char* const place = moment.corridor_left ? ", NOT PREPARED HERE, draw back" : "";
+  return fmt::format("{}{}  {:5.1f} mm  {:5.2f} N [{:<20}] {}{}", text_of(servo.state), hold, now.depth, force,
+                     std::string(bar, '='), library.title(now.tissue), place);
 }
 
 // `second`: may be null.
@@ -162,9 +168,21 @@ void tell_events(ServoTick& servo, bool has_force, const char* whose, std::strin
   }
 }
 
-// Until the person, the device or the time ends it, or the disk refuses. `window`, `second`: may be null.
+// Gives the session more of its deformable body where the needle aims, and says so.
+void keep_corridors(CorridorKeeper& keeper, HandSession& session, std::string& said, Console& console) {
+  const HandMoment& now = session.moment();
+  if (now.ticks == 0) return;
+  CorridorKeeper::News news = keeper.look(now.needle, now.ticks - 1);
+  if (news.ready) session.add_corridor(*news.ready);
+  if (!news.sentence) return;
+  said = *news.sentence;
+  console.clear_bar();
+  console.note(said);
+}
+
+// Until the person, the device or the time ends it, or the disk refuses. `window`, `second`, `keeper`: may be null.
 RunResult perform(HandSession& session, SecondHand* second, const PerformArguments& arguments, const Case& patient,
-                  const HasForce& has_force, MouseWindow* window, Console& console) {
+                  const HasForce& has_force, MouseWindow* window, CorridorKeeper* keeper, Console& console) {
   RunResult result;
   Keys keys;
   const EndOnSignal signals;
@@ -197,6 +215,7 @@ RunResult perform(HandSession& session, SecondHand* second, const PerformArgumen
     }
     tell_events(servo, has_force.first, "", said, console);
     if (second != nullptr) tell_events(second->servo().tick(), has_force.second, "second hand: ", said, console);
+    if (keeper != nullptr) keep_corridors(*keeper, session, said, console);
     const ServoSnapshot& now = servo.snapshot();
     if (now.device.ended()) asked_to_end.store(true);
     const bool faulted = now.state == GuardState::faulted;
@@ -271,10 +290,13 @@ void run_perform(const PerformArguments& arguments, const CommandContext& contex
                     "case with --entry and --target",
                     arguments.folder));
   }
-  prepare_body(patient, arguments.folder, console.progress(), [&](const std::string& text) { console.note(text); });
+  const std::shared_ptr<const BodyDescription> body = prepare_body(
+      patient, arguments.folder, {}, console.progress(), [&](const std::string& text) { console.note(text); });
   const NeedlePath path = *patient.description.procedure.path;
   const std::unique_ptr<MouseWindow> window =
       chosen.is_mouse() ? std::make_unique<MouseWindow>(patient.description.name) : nullptr;
+  std::unique_ptr<BodyView> view;
+  if (window != nullptr && body != nullptr) view = std::make_unique<BodyView>(patient, *body, console.progress());
   DevicePort port(*chosen.driver, chosen.identity, settings_along(path, chosen, arguments.device));
   DeviceAbilities device = port.abilities();
   complete_from_table(device);
@@ -318,11 +340,18 @@ void run_perform(const PerformArguments& arguments, const CommandContext& contex
   if (second_device) header.second = second_device->header();
   const auto kept = std::make_shared<const Case>(patient);
   const Case& whole = *kept;
+  std::optional<CorridorKeeper> keeper;
+  if (body != nullptr) keeper.emplace(kept, body, path.length(), HapticTick::most_corridors - 1);
   const std::unique_ptr<SecondHand> second = second_device ? second_device->hand(kept) : nullptr;
   HandSession session(std::move(patient), header, arguments.output, arguments.overwrite, std::move(port), device,
                       settings, second_device ? second_device->link() : nullptr);
+  if (view) {
+    session.show_on(view->display());
+    window->show_body(std::move(view));
+  }
   const HasForce has_force{device.peak_force > 0.0, second_device && second_device->has_force()};
-  RunResult result = perform(session, second.get(), arguments, whole, has_force, window.get(), console);
+  RunResult result =
+      perform(session, second.get(), arguments, whole, has_force, window.get(), keeper ? &*keeper : nullptr, console);
   if (result.ticks == 0) throw SystemError("the device did not answer once; is it switched on?");
   const double rate = static_cast<double>(result.ticks) / result.wall_time;
   if (std::abs(rate - settings.rate) > 0.05 * settings.rate) {

@@ -11,11 +11,13 @@
 #include "cli/console.h"
 #include "cli/force_options.h"
 #include "cli/json_values.h"
+#include "core/error.h"
 #include "core/files.h"
 #include "io/case_folder.h"
 #include "training/crossings.h"
 #include "training/force_plot.h"
 #include "training/prepared_body.h"
+#include "training/straight_motion.h"
 
 namespace bodkin {
 
@@ -28,6 +30,7 @@ struct ProfileArguments {
   std::string entry, target;
   std::string output;
   ProfileOptions options;
+  bool deformation = false;
   ForceOptions forces;
 };
 
@@ -36,6 +39,7 @@ constexpr const char* profile_footer = R"(Examples:
   bodkin profile patient --entry 0,95,3 --target 2,45,10         along another one
   bodkin profile patient --speed 2 --pause 1 --withdraw -o out/slow
   bodkin profile patient --resistance "tracking_wall catch_up_s=0.3" --constraint "rail torsion_N_mm_per_rad=500"
+  bodkin profile patient --resistance embedded_needle --deformation              with the tissue as it gives way
 
 Writes BASE.csv (a row per tick) and BASE.svg (force against depth with the tissues as bands).
 A path that starts with a minus sign needs an equals sign: --entry=-5,95,3)";
@@ -91,9 +95,16 @@ void run_profile(const ProfileArguments& arguments, const CommandContext& contex
   if (!arguments.target.empty()) options.target = parse_point(arguments.target, "--target");
   const std::string base = arguments.output.empty() ? "profile" : arguments.output;
   for (const char* ending : {".csv", ".svg"}) require_writable(base + ending, "--output");
+  if (arguments.deformation) require_writable(base + "-deformation.svg", "--output");
   Case patient = load_case(arguments.folder, console.progress());
   apply(arguments.forces, patient.description.haptics);
-  prepare_body(patient, arguments.folder, console.progress(), [&](const std::string& text) { console.note(text); });
+  if (arguments.deformation && body_of(patient.description.haptics.resistance) == nullptr) {
+    throw InputError(fmt::format("--deformation: {} has no deformable body; add --resistance embedded_needle",
+                                 name_of(patient.description.haptics.resistance)));
+  }
+  const std::shared_ptr<const BodyDescription> body =
+      prepare_body(patient, arguments.folder, straight_way(patient, options.entry, options.target).path,
+                   console.progress(), [&](const std::string& text) { console.note(text); });
   const Profile profile = insert_at_constant_speed(patient, options, console.progress());
   for (const std::string& note : profile.notes) console.note(note);
 
@@ -104,16 +115,23 @@ void run_profile(const ProfileArguments& arguments, const CommandContext& contex
                            name_of(patient.description.haptics.resistance));
   const std::string picture = plot_svg(plot);  // before any file is written: what fails leaves nothing behind
 
+  std::string deformation;
+  if (arguments.deformation && profile.strongest.forces.count > 0)
+    deformation = deformation_picture(patient, *body, profile.strongest, console.progress());
+
   write_file(base + ".csv", profile_csv(profile, patient.library));
+  if (!deformation.empty()) write_file(base + "-deformation.svg", deformation);
   write_file(base + ".svg", picture);
   print_table(console, crossings, events, patient.library);
   console.line("\n" + profile.outcome);
+  if (!deformation.empty()) console.line("\n" + fs::absolute(base + "-deformation.svg").string());
   console.line(fmt::format("\n{}\n{}", fs::absolute(base + ".svg").string(), fs::absolute(base + ".csv").string()));
   nlohmann::json result = json_of(profile, crossings, events, patient.library);
   result["resistance"] = name_of(patient.description.haptics.resistance);
   result["constraint"] = name_of(patient.description.haptics.constraint);
   result["csv"] = fs::absolute(base + ".csv").string();
   result["svg"] = fs::absolute(base + ".svg").string();
+  if (!deformation.empty()) result["deformation_svg"] = fs::absolute(base + "-deformation.svg").string();
   console.json(result.dump(2));
 }
 
@@ -131,6 +149,8 @@ void add_profile_command(CLI::App& app, CommandContext& context) {
   add_number(*command, "--pause", arguments->options.pause, 0.0, 60.0, "s at the deepest point, 0 to 60");
   add_switch(*command, "--withdraw", arguments->options.withdraw, "Pull the needle out again at the same speed");
   add_text(*command, "-o,--output", arguments->output, "BASE of BASE.csv and BASE.svg (default: profile)");
+  add_switch(*command, "--deformation", arguments->deformation,
+             "Of a deformable body: also BASE-deformation.svg, the patient at rest and where it resisted most");
   add_force_options(*command, arguments->forces);
   on_run(*command, [arguments, &context] { run_profile(*arguments, context); });
 }

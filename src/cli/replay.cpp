@@ -36,8 +36,9 @@ int run_replay(const ReplayArguments& arguments, const CommandContext& context) 
   Case patient = load_case(folder, console.progress());
   check_same_case(session, patient, folder);
   patient.description.haptics = session.header.haptics;
-  prepare_body(patient, folder, console.progress(), [&](const std::string& text) { console.note(text); });
-  const ReplayResult result = replay_session(session, std::move(patient), console.progress());
+  const std::shared_ptr<const BodyDescription> body = prepare_body(
+      patient, folder, session.header.path, console.progress(), [&](const std::string& text) { console.note(text); });
+  const ReplayResult result = replay_session(session, std::move(patient), console.progress(), body.get());
   console.clear_bar();
   if (!session.finished) console.note("the session was not finished; what was saved is replayed");
   nlohmann::ordered_json json = {{"identical", !result.difference},

@@ -78,8 +78,9 @@ void run_scripted(RunArguments arguments, const CommandContext& context) {
   settings.script = load_operator(arguments.operator_name);
   Case patient = load_case(arguments.folder, console.progress());
   apply(arguments.forces, patient.description.haptics);
-  prepare_body(patient, arguments.folder, console.progress(), [&](const std::string& text) { console.note(text); });
   settings.path = path_of(arguments, patient);
+  prepare_body(patient, arguments.folder, settings.path, console.progress(),
+               [&](const std::string& text) { console.note(text); });
   settings.output = arguments.output.empty()
                         ? free_name(patient.description.name, settings.script.name, settings.seed, settings.overwrite)
                         : fs::path(arguments.output);

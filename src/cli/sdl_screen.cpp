@@ -239,11 +239,35 @@ struct SdlScreen::Impl {
     video->ttf_quit();
   }
 
+  void add_line(const Eigen::Vector2f& from, const Eigen::Vector2f& to, Colour colour) {
+    const Eigen::Vector2f way = to - from;
+    if (!(way.norm() > 0.0F)) return;
+    const Eigen::Vector2f across = Eigen::Vector2f(-way.y(), way.x()).normalized();
+    const auto corner = [&](const Eigen::Vector2f& at, float aside, Uint8 alpha) {
+      const Eigen::Vector2f place = at + aside * across;
+      return SDL_Vertex{{place.x(), place.y()}, {colour.red, colour.green, colour.blue, alpha}, {0.0F, 0.0F}};
+    };
+    const auto strip = [&](float near, Uint8 near_alpha, float far, Uint8 far_alpha) {
+      const SDL_Vertex a = corner(from, near, near_alpha), b = corner(to, near, near_alpha);
+      const SDL_Vertex c = corner(from, far, far_alpha), d = corner(to, far, far_alpha);
+      corners.insert(corners.end(), {a, b, c, b, d, c});
+    };
+    constexpr float edge = half_width + soft_edge;
+    strip(-edge, 0, -half_width, 255);
+    strip(-half_width, 255, half_width, 255);
+    strip(half_width, 255, edge, 0);
+  }
+
+  void draw_lines() {
+    if (corners.empty()) return;
+    video->geometry(renderer, nullptr, corners.data(), static_cast<int>(corners.size()), nullptr, 0);
+  }
+
   Video video;
   std::array<TTF_Font*, font_pixels.size()> fonts{};
   SDL_Window* window = nullptr;
   SDL_Renderer* renderer = nullptr;
-  std::vector<SDL_Vertex> corners;  // of a line's pieces
+  std::vector<SDL_Vertex> corners;  // of the pieces of lines
 };
 
 SdlScreen::SdlScreen(const std::string& title, int width, int height)
@@ -286,28 +310,15 @@ void SdlScreen::fill(double x, double y, double width, double height, Colour col
 
 // Each piece is three strips side by side: a soft edge, the core, the other soft edge.
 void SdlScreen::line(std::span<const Eigen::Vector2f> points, Colour colour) {
-  std::vector<SDL_Vertex>& corners = impl_->corners;
-  corners.clear();
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const Eigen::Vector2f way = points[i] - points[i - 1];
-    if (!(way.norm() > 0.0F)) continue;
-    const Eigen::Vector2f across = Eigen::Vector2f(-way.y(), way.x()).normalized();
-    const auto corner = [&](const Eigen::Vector2f& at, float aside, Uint8 alpha) {
-      const Eigen::Vector2f place = at + aside * across;
-      return SDL_Vertex{{place.x(), place.y()}, {colour.red, colour.green, colour.blue, alpha}, {0.0F, 0.0F}};
-    };
-    const auto strip = [&](float from, Uint8 from_alpha, float to, Uint8 to_alpha) {
-      const SDL_Vertex a = corner(points[i - 1], from, from_alpha), b = corner(points[i], from, from_alpha);
-      const SDL_Vertex c = corner(points[i - 1], to, to_alpha), d = corner(points[i], to, to_alpha);
-      corners.insert(corners.end(), {a, b, c, b, d, c});
-    };
-    constexpr float edge = half_width + soft_edge;
-    strip(-edge, 0, -half_width, 255);
-    strip(-half_width, 255, half_width, 255);
-    strip(half_width, 255, edge, 0);
-  }
-  if (corners.empty()) return;
-  impl_->video->geometry(impl_->renderer, nullptr, corners.data(), static_cast<int>(corners.size()), nullptr, 0);
+  impl_->corners.clear();
+  for (std::size_t i = 1; i < points.size(); ++i) impl_->add_line(points[i - 1], points[i], colour);
+  impl_->draw_lines();
+}
+
+void SdlScreen::segments(std::span<const Eigen::Vector2f> ends, Colour colour) {
+  impl_->corners.clear();
+  for (std::size_t i = 0; i + 1 < ends.size(); i += 2) impl_->add_line(ends[i], ends[i + 1], colour);
+  impl_->draw_lines();
 }
 
 void SdlScreen::text(double x, double y, const std::string& words, Size size, Colour colour, Align align) {

@@ -51,6 +51,8 @@ class SdlScreen {
   void fill(double x, double y, double width, double height, Colour colour);
   // Two pixels wide, with smooth edges.
   void line(std::span<const Eigen::Vector2f> points, Colour colour);
+  // The same of lines that do not hang together: two points each.
+  void segments(std::span<const Eigen::Vector2f> ends, Colour colour);
   // `x` is where the text begins, ends or has its middle, `y` its upper edge.
   void text(double x, double y, const std::string& words, Size size, Colour colour, Align align = Align::left);
   // Shows what was drawn.

@@ -43,6 +43,10 @@ ClosestNodeContact::ClosestNodeContact(const CondensedBody& body, const ContactT
   limits_.resize(static_cast<std::size_t>(std::ceil(settings.longest / settings.layer)) + 1);
 }
 
+void ClosestNodeContact::take_punctures(const ClosestNodeContact& other) noexcept {
+  take_marks(body_, punctured_, other.body_, other.punctured_);
+}
+
 void ClosestNodeContact::reset() noexcept {
   std::fill(punctured_.begin(), punctured_.end(), std::uint8_t{0});
   begin(Vec3::Zero(), Vec3::UnitZ());

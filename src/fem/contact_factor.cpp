@@ -18,8 +18,9 @@ constexpr double least_pivot = 1e-10;   // of the diagonal of S, below which a c
 
 }  // namespace
 
-ContactFactor::ContactFactor(const Eigen::MatrixXd& compliance, std::size_t most_nodes)
-    : compliance_(compliance), most_rows_(3 * most_nodes), stride_(triangle::padded(3 * most_nodes)) {
+ContactFactor::ContactFactor(const Eigen::MatrixXd& compliance, std::size_t most_nodes,
+                             const std::optional<NeedleBeam>& beam)
+    : compliance_(compliance), beam_(beam), most_rows_(3 * most_nodes), stride_(triangle::padded(3 * most_nodes)) {
   if (compliance.rows() != compliance.cols() || compliance.rows() % 3 != 0 || compliance.rows() == 0) {
     throw InputError("contact: the compliance of the corridor is " + std::to_string(compliance.rows()) + " x " +
                      std::to_string(compliance.cols()) + ", expected 3 rows and columns for each of its nodes");
@@ -39,15 +40,25 @@ ContactFactor::ContactFactor(const Eigen::MatrixXd& compliance, std::size_t most
 void ContactFactor::solve(std::span<double> values) noexcept {
   double* d = scratch_.data();
   std::copy_n(values.data(), rows_, d);
-  triangle::solve_transposed({factor_.data(), stride_, rows_}, d, 1);
-  triangle::solve({factor_.data(), stride_, rows_}, d);
+  forward(d, 1);
+  backward(d);
   std::copy_n(d, rows_, values.data());
 }
 
-// What is left of S for the last constraint by what stands above it; `scratch_` holds those columns of U.
+void ContactFactor::forward(double* columns, std::size_t count) noexcept {
+  triangle::solve_transposed({factor_.data(), stride_, rows_}, columns, count);
+}
+
+void ContactFactor::backward(double* values) noexcept {
+  triangle::solve({factor_.data(), stride_, rows_}, values);
+}
+
+// What is left of S and F for the last constraint by what stands above it; `scratch_` holds those columns of U.
 void ContactFactor::find_corner(std::size_t first, std::size_t count) noexcept {
   corner_.setZero();
   const auto node = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(row_of_[first].node);
+  const double depth = row_of_[first].depth;
+  const double bent = beam_ && depth >= 0.0 ? beam_->flexibility(depth, depth) : 0.0;
   for (std::size_t a = 0; a < count; ++a) {
     const Vec3 moved = compliance_.block<3, 3>(node, node) * row_of_[first + a].direction;
     const double* left = scratch_.data() + a * stride_;
@@ -56,7 +67,7 @@ void ContactFactor::find_corner(std::size_t first, std::size_t count) noexcept {
       double sum = 0.0;
       for (std::size_t i = 0; i < first; ++i) sum += left[i] * right[i];
       const double here = row_of_[first + b].direction.dot(moved);
-      corner_(static_cast<int>(b), static_cast<int>(a)) = here - sum;
+      corner_(static_cast<int>(b), static_cast<int>(a)) = here + (a == b ? bent : 0.0) - sum;
       if (a == b) whole_(static_cast<int>(a)) = here;
     }
   }
@@ -85,10 +96,12 @@ bool ContactFactor::finish(std::size_t first, std::size_t count, double softness
   return true;
 }
 
-bool ContactFactor::append(std::uint32_t node, const HeldDirections& directions, double softness) noexcept {
+bool ContactFactor::append(std::uint32_t node, const HeldDirections& directions, double softness,
+                           double depth) noexcept {
   const auto count = static_cast<std::size_t>(directions.cols());
   const auto place = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(node);
   if (count == 0 || rows_ + count > most_rows_ || place + 3 > compliance_.rows() || !(softness >= 0.0)) return false;
+  const bool bends = beam_ && depth >= 0.0;
   double* columns = scratch_.data();
   for (std::size_t i = 0; i < rows_; ++i) {
     if (i + prefetched < rows_) {  // the compliance is scattered over much memory
@@ -96,7 +109,8 @@ bool ContactFactor::append(std::uint32_t node, const HeldDirections& directions,
       for (Eigen::Index a = 0; a < 3; ++a) __builtin_prefetch(&compliance_(later, place + a));
     }
     const auto at = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(row_of_[i].node);
-    const Vec3 moved = compliance_.block<3, 3>(at, place).transpose() * row_of_[i].direction;
+    Vec3 moved = compliance_.block<3, 3>(at, place).transpose() * row_of_[i].direction;
+    if (bends && row_of_[i].depth >= 0.0) moved += beam_->flexibility(row_of_[i].depth, depth) * row_of_[i].direction;
     for (std::size_t a = 0; a < count; ++a) {
       columns[a * stride_ + i] = moved.dot(directions.col(static_cast<Eigen::Index>(a)));
     }
@@ -106,7 +120,7 @@ bool ContactFactor::append(std::uint32_t node, const HeldDirections& directions,
     for (std::size_t a = 0; a < count; ++a) row(i)[rows_ + a] = columns[a * stride_ + i];
   }
   for (std::size_t a = 0; a < count; ++a) {
-    row_of_[rows_ + a] = {node, directions.col(static_cast<Eigen::Index>(a))};
+    row_of_[rows_ + a] = {node, directions.col(static_cast<Eigen::Index>(a)), depth};
   }
   find_corner(rows_, count);
   if (!finish(rows_, count, softness)) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -16,7 +18,28 @@ constexpr std::size_t columns_at_once = 6;
 
 }  // namespace
 
-DisplayField::DisplayField(Eigen::MatrixXf columns) : columns_(std::move(columns)) {
+DisplayField::DisplayField(Eigen::MatrixXf columns) : columns_(std::move(columns)), places_(nodes()) {
+  std::iota(places_.begin(), places_.end(), 0U);
+  check();
+}
+
+DisplayField::DisplayField(Eigen::MatrixXf columns, const std::vector<std::uint32_t>& nodes, std::size_t all)
+    : columns_(std::move(columns)), places_(all, none) {
+  check();
+  if (nodes.size() != this->nodes()) {
+    throw InputError("display field: " + std::to_string(nodes.size()) + " nodes, but columns of " +
+                     std::to_string(this->nodes()));
+  }
+  for (std::uint32_t place = 0; place < nodes.size(); ++place) {
+    if (nodes[place] >= all || places_[nodes[place]] != none) {
+      throw InputError("display field: node " + std::to_string(nodes[place]) +
+                       " is named twice or is not one of the " + std::to_string(all) + " that there are");
+    }
+    places_[nodes[place]] = place;
+  }
+}
+
+void DisplayField::check() const {
   if (columns_.size() > 0 && columns_.rows() % 3 == 0 && columns_.cols() % 3 == 0) return;
   throw InputError("display field: columns of " + std::to_string(columns_.rows()) + " x " +
                    std::to_string(columns_.cols()) + ", expected 3 rows a visible point and 3 columns a node");
@@ -29,9 +52,10 @@ void DisplayField::evaluate(const NodeForces& forces, std::span<float> displacem
   std::size_t used = 0;
   for (std::size_t i = 0; i < std::min(forces.count, NodeForces::capacity); ++i) {
     const NodeForce& here = forces.nodes[i];
-    if (here.node >= nodes()) continue;
+    const std::uint32_t place = place_of(here.node);
+    if (place == none) continue;
     for (std::size_t c = 0; c < 3; ++c) {
-      column[used] = columns_.data() + (3 * here.node + c) * static_cast<std::size_t>(columns_.rows());
+      column[used] = columns_.data() + (3 * std::size_t{place} + c) * static_cast<std::size_t>(columns_.rows());
       factor[used++] = here.force[c];
     }
   }
@@ -58,6 +82,15 @@ void DisplayField::evaluate(const NodeForces& forces, std::span<float> displacem
       }
     }
   }
+}
+
+double DisplayField::left_out(const NodeForces& forces) const noexcept {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < std::min(forces.count, NodeForces::capacity); ++i) {
+    const auto& [node, force] = forces.nodes[i];
+    if (place_of(node) == none) sum += static_cast<double>(std::hypot(force[0], force[1], force[2]));
+  }
+  return sum;
 }
 
 }  // namespace bodkin

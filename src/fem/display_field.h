@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -17,16 +19,25 @@ class DisplayField {
   // `columns`: 3 x points rows and 3 columns a node of the corridor, mm/N, single precision: displacement of every
   // point (x y z in turn) by 1 N on the node. Throws InputError when rows or columns are not in threes, or none.
   explicit DisplayField(Eigen::MatrixXf columns);
+  // The same of some nodes only: 3 columns for each of `nodes` (each once), whose names are below `all`.
+  DisplayField(Eigen::MatrixXf columns, const std::vector<std::uint32_t>& nodes, std::size_t all);
 
   std::size_t points() const noexcept { return static_cast<std::size_t>(columns_.rows()) / 3; }
   std::size_t nodes() const noexcept { return static_cast<std::size_t>(columns_.cols()) / 3; }
 
-  // mm, 3 x points() values, all of them written; forces on nodes that are not in the corridor count nothing. Never
-  // throws, allocates or locks; several threads may call it at once.
+  // mm, 3 x points() values, all of them written; forces on nodes without columns count nothing. Never throws,
+  // allocates or locks; several threads may call it at once.
   void evaluate(const NodeForces& forces, std::span<float> displacements) const noexcept;
+  // N, the sum of the forces on nodes without columns: what the picture leaves out.
+  double left_out(const NodeForces& forces) const noexcept;
 
  private:
-  Eigen::MatrixXf columns_;  // 3 points x 3 nodes
+  static constexpr std::uint32_t none = 0xffffffff;
+  void check() const;
+  std::uint32_t place_of(std::uint32_t node) const noexcept { return node < places_.size() ? places_[node] : none; }
+
+  Eigen::MatrixXf columns_;            // 3 points x 3 nodes
+  std::vector<std::uint32_t> places_;  // by node: where its columns are, or none
 };
 
 }  // namespace bodkin

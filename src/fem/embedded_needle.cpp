@@ -10,16 +10,12 @@ namespace bodkin {
 
 namespace {
 
-constexpr double farthest_pose = 1e4;          // mm; beyond, a sensor failed
-constexpr double least_cosine = 0.2;           // between needle and line; a needle that lies across is no insertion
-constexpr double slip_tolerance = 1e-9;        // mm that rounding may move a node that slides
-constexpr double force_tolerance = 1e-9;       // N and relative, above a limit
-constexpr double least_grip = 1e-6;            // part of its length from which on a node is held across
-constexpr int most_captures = 2;               // a tick; the others wait for the next
-constexpr int most_rounds = 6;                 // of sticking and slipping a tick
-constexpr int slip_rounds = 1;                 // the first of them, in which nodes may begin to slide
-constexpr int few_turns = 6;                   // nodes that are made to stick one by one
-constexpr std::size_t release_budget = 50000;  // numbers of the factor to be turned a tick, beyond the first release
+constexpr double farthest_pose = 1e4;    // mm; beyond, a sensor failed
+constexpr double least_cosine = 0.2;     // between needle and line; a needle that lies across is no insertion
+constexpr double least_friction = 1e-9;  // N; below, there is none
+constexpr double least_grip = 1e-6;      // part of its length from which on a node is held across
+constexpr std::size_t last_cuts = 4;     // nodes behind the tip whose hole a bevel may move aside
+constexpr int most_captures = 2;         // a tick; the others wait for the next
 
 void check_contact_setting(double value, double low, double high, const char* name, const char* unit) {
   if (value >= low && value <= high) return;
@@ -50,13 +46,15 @@ std::size_t checked_room(const EmbeddedNeedleSettings& settings) {
 }  // namespace
 
 EmbeddedNeedle::EmbeddedNeedle(const CondensedBody& body, const ContactTissues& tissues,
-                               const EmbeddedNeedleSettings& settings, double dt)
+                               const EmbeddedNeedleSettings& settings, double dt,
+                               const std::optional<NeedleBeam>& beam)
     : body_(checked_body(body)),
       tissues_(tissues),
       settings_(settings),
       dt_(dt),
+      beam_(beam),
       stations_(body, settings.capture_radius, settings.spacing),
-      constraints_(body.compliance, checked_room(settings)),
+      constraints_(body.compliance, checked_room(settings), beam_),
       coupling_(body.compliance, settings.most_nodes + 1),
       holds_(settings.most_nodes + 1),
       displacements_(3 * settings.most_nodes + 3, 0.0),
@@ -64,6 +62,10 @@ EmbeddedNeedle::EmbeddedNeedle(const CondensedBody& body, const ContactTissues& 
       punctured_(body.nodes.size(), 0) {
   check_contact_tissues(tissues);
   check_contact_setting(dt, 1e-6, 0.1, "tick", "s");
+}
+
+void EmbeddedNeedle::take_punctures(const EmbeddedNeedle& other) noexcept {
+  take_marks(body_, punctured_, other.body_, other.punctured_);
 }
 
 void EmbeddedNeedle::reset() noexcept {
@@ -83,6 +85,8 @@ void EmbeddedNeedle::begin(const Vec3& entry, const Vec3& direction) noexcept {
   constraints_.begin(frame_);
   coupling_.begin(frame_);
   std::fill(forces_.begin(), forces_.end(), 0.0);
+  turn_.setZero();
+  spare_ = 0.0;
   held_ = 0;
   begun_ = fresh_ = true;
   if (!line().empty()) coupling_.push(line()[0].node);
@@ -127,14 +131,14 @@ bool EmbeddedNeedle::take(std::size_t index) noexcept {
   Hold& hold = holds_[index];
   const Vec3 moved = displacement(station.node);
   if (index > 0 && holds_[index - 1].softness != 0.0) soften(0.0);
-  if (!constraints_.push(station.node)) return false;
+  if (!constraints_.push(station.node, station.depth)) return false;
   const auto place = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(station.node);
   const Mat3 own = frame_.transpose() * body_.compliance.block<3, 3>(place, place) * frame_;
   hold = {};
   hold.compliance = 0.5 * (own(1, 1) + own(2, 2));
   hold.moved = moved(0);
   hold.slip = tip_ - moved(0);
-  hold.anchor = axis_offset(station.depth) - moved.tail<2>();
+  hold.anchor = shaft_offset(station.depth) - moved.tail<2>();
   held_ = index + 1;
   if (held_ < line().size() && held_ < holds_.size()) {
     coupling_.push(line()[held_].node);
@@ -154,7 +158,7 @@ void EmbeddedNeedle::capture() noexcept {
     }
     // One that the tip has left behind while tissue held it back sticks where it is; a fresh one slides, with as
     // little friction as there is shaft in it.
-    const bool rubs = tissues_[station.tissue].friction * station.length > force_tolerance;
+    const bool rubs = tissues_[station.tissue].friction * station.length > least_friction;
     if (rubs && tip_ >= station.depth + station.length) constraints_.hold_along(held_ - 1);
   }
 }
@@ -171,7 +175,7 @@ void EmbeddedNeedle::soften(double softness) noexcept {
     const Eigen::Vector2d force(forces_[3 * held_ - 2], forces_[3 * held_ - 1]);
     if (hold.softness < 0.0) {
       const Vec3 moved = displacement(line()[held_ - 1].node);
-      hold.anchor = axis_offset(line()[held_ - 1].depth) - moved.tail<2>();
+      hold.anchor = shaft_offset(line()[held_ - 1].depth) - moved.tail<2>();
     } else if (softness < hold.softness) {
       hold.anchor += (hold.softness - softness) * force;
     }
@@ -196,101 +200,23 @@ void EmbeddedNeedle::grip() noexcept {
   soften(part < least_grip ? -1.0 : holds_[held_ - 1].compliance * (1.0 / part - 1.0));
 }
 
-void EmbeddedNeedle::solve() noexcept {
-  const std::size_t known = coupling_.size();
-  double* d = displacements_.data();
-  for (std::size_t i = 0; i < known; ++i) {
-    const double depth = line()[i].depth;
-    d[3 * i] = tip_ - holds_[i].slip;
-    Eigen::Map<Eigen::Vector2d>(d + 3 * i + 1) = axis_offset(depth) - holds_[i].anchor;
-    if (!constraints_.held_along(i)) forces_[3 * i] = i < held_ ? holds_[i].sense * holds_[i].limit : 0.0;
-  }
-  // What slides is a load: the others are held as far from where it would leave them.
-  std::vector<double>& loads = displacements_;
-  for (std::size_t i = 0; i < held_; ++i) {
-    if (!constraints_.held_along(i) && forces_[3 * i] != 0.0) coupling_.add(i, -forces_[3 * i], loads);
-  }
-  constraints_.solve(displacements_, forces_);
-  for (std::size_t i = 0; i < known; ++i) {
-    holds_[i].moved = constraints_.held_along(i) ? tip_ - holds_[i].slip : coupling_.displacement(i, forces_);
-  }
-}
-
-// Nodes that would slide against the friction that drives them stick where they were at the last tick.
-bool EmbeddedNeedle::stick_where_slip_turned(bool last_round) noexcept {
-  std::size_t turned = 0;
-  const auto turns = [this](std::size_t i) {
-    const Hold& hold = holds_[i];
-    return hold.limit > force_tolerance && hold.sense * (tip_ - hold.moved - hold.slip) < -slip_tolerance &&
-           !constraints_.held_along(i);
-  };
-  for (std::size_t i = 0; i < held_; ++i) turned += turns(i) ? 1 : 0;
-  if (turned == 0) return false;
-  if (turned > few_turns || last_round) {
-    constraints_.hold_all_along();
-    return true;
-  }
-  for (std::size_t i = 0; i < held_; ++i) {
-    if (turns(i)) constraints_.hold_along(i);
-  }
-  return true;
-}
-
-// Nodes that are held by more than their friction begin to slide, the worst first and as many as the tick can bear.
-// One that waits is held a little longer: that is elastic and gives no energy.
-bool EmbeddedNeedle::slip_where_friction_ends(std::size_t& budget) noexcept {
-  double worst = 0.0;
-  const auto excess = [this](std::size_t i) {
-    return std::abs(forces_[3 * i]) - holds_[i].limit * (1.0 + force_tolerance) - force_tolerance;
-  };
-  for (std::size_t i = 0; i < held_; ++i) {
-    if (constraints_.held_along(i)) worst = std::max(worst, excess(i));
-  }
-  if (worst <= 0.0) return false;
-  bool released = false;
-  for (std::size_t i = held_; i > 0;) {
-    --i;
-    if (!constraints_.held_along(i) || excess(i) < 0.25 * worst) continue;
-    const std::size_t cost = constraints_.release_cost(i);
-    if (budget < cost && released) continue;
-    if (budget == 0) break;
-    budget -= std::min(budget, cost);
-    holds_[i].sense = forces_[3 * i] < 0.0 ? -1.0 : 1.0;
-    constraints_.let_slide(i);
-    released = true;
-  }
-  return released;
-}
-
-// The tip and the tissue before it touch where they would overlap, and part where they would pull.
-bool EmbeddedNeedle::meet_tip() noexcept {
-  if (constraints_.held_along(held_)) {
-    if (forces_[3 * held_] >= 0.0) return false;
-    constraints_.let_slide(held_);
-    return true;
-  }
-  if (!blocked() || coupling_.size() <= held_) return false;
-  if (!(tip_ > holds_[held_].slip + holds_[held_].moved)) return false;
-  return constraints_.hold_before_tip(line()[held_].node);
-}
-
-void EmbeddedNeedle::settle() noexcept {
-  std::size_t budget = release_budget;
-  for (int round = 1;; ++round) {
-    solve();
-    if (round == most_rounds) break;
-    const bool last = round + 1 == most_rounds;
-    bool changed = stick_where_slip_turned(last);
-    if (!changed && round <= slip_rounds) changed = slip_where_friction_ends(budget);
-    if (meet_tip()) changed = true;
-    if (!changed) break;
-  }
-  for (std::size_t i = 0; i < held_; ++i) {
-    if (!constraints_.held_along(i)) holds_[i].slip = tip_ - holds_[i].moved;
-  }
-  if (coupling_.size() > held_ && !constraints_.held_along(held_)) {
-    Hold& next = holds_[held_];
-    next.slip = std::max(line()[held_].depth, std::min(next.slip, tip_ - next.moved));
+// The bevel: the hole of a node that is firmly held moves aside while the tip goes through the part of the next, as
+// far as friction has paid for it.
+void EmbeddedNeedle::cut_aside(double advance) noexcept {
+  if (!beam_ || beam_->settings().cut_offset == 0.0 || !(advance > 0.0)) return;
+  double used = 0.0;
+  for (std::size_t i = held_ - std::min(held_, last_cuts); i + 1 < held_; ++i) {
+    Hold& hold = holds_[i];
+    const InsertionStation& next = line()[i + 1];
+    const double whole = std::min(next.length, settings_.capture_radius);
+    const double cut = std::clamp((tip_ - next.depth) / whole, hold.cut, 1.0);
+    const Eigen::Vector2d aside = beam_->settings().cut_offset * (cut - hold.cut) * side_;
+    const double force = Eigen::Vector2d(forces_[3 * i + 1], forces_[3 * i + 2]).norm();
+    used += force * aside.norm() + 2.0 * aside.squaredNorm() / hold.compliance;
+    if (used > spare_) continue;
+    hold.anchor += aside;
+    hold.aside = aside;
+    hold.cut = cut;
   }
 }
 
@@ -312,7 +238,7 @@ void EmbeddedNeedle::puncture() noexcept {
   force_.puncture = TissuePuncture{station.tissue, tip_, force};
 }
 
-const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle) noexcept {
+const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle, double pressed) noexcept {
   force_.fault = false;
   force_.puncture.reset();
   const Vec3 axis = needle.linear().col(2);
@@ -327,59 +253,28 @@ const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle) noexcept {
   }
   const Vec3 place = frame_.transpose() * from_entry;
   const Vec3 lean = frame_.transpose() * axis;
+  const double advance = fresh_ ? 0.0 : place(0) - tip_;
   tip_ = place(0);
   offset_ = place.tail<2>();
   slope_ = lean.tail<2>() / lean(0);
+  if (beam_) {
+    root_ = beam_->root(tip_ + pressed);
+    const Vec3 across = needle.linear().col(1);
+    const bool known = std::abs(across.squaredNorm() - 1.0) < 1e-6;
+    side_ = known ? Eigen::Vector2d(-(frame_.transpose() * across).tail<2>()) : Eigen::Vector2d(0.0, 0.0);
+  }
   if (begun_) {
     if (fresh_ && !line().empty()) face_next(0.0);
     fresh_ = false;
     let_go();
     capture();
     grip();
+    cut_aside(advance);
     settle();
     puncture();
   }
   report();
   return force_;
-}
-
-void EmbeddedNeedle::report() noexcept {
-  const std::size_t known = coupling_.size();
-  Vec3 pushed = Vec3::Zero(), torque = Vec3::Zero();  // of the tissue, about the tip, in the frame
-  published_.count = 0;
-  force_.nodes = static_cast<std::uint32_t>(held_);
-  force_.sticking = 0;
-  for (std::size_t i = 0; i < known; ++i) {
-    const Vec3 force = Eigen::Map<const Vec3>(forces_.data() + 3 * i);
-    if (i < held_ && constraints_.held_along(i)) ++force_.sticking;
-    // A force along the line acts where the line says, one across it at the needle's axis and square to it: that is
-    // how the constraints move when the needle does.
-    const double reach = line()[i].depth - tip_;
-    const Vec3 at(reach, slope_(0) * reach, slope_(1) * reach);
-    const Vec3 square(-(force(1) * slope_(0) + force(2) * slope_(1)), force(1), force(2));
-    pushed += Vec3(force(0), 0.0, 0.0) + square;
-    torque += at.cross(square);
-    if (force == Vec3::Zero()) continue;
-    const Vec3 there = frame_ * force;
-    published_.nodes[published_.count++] = {
-        line()[i].node,
-        {static_cast<float>(there.x()), static_cast<float>(there.y()), static_cast<float>(there.z())}};
-  }
-  force_.resistance = pushed(0);
-  force_.tip_force = known > held_ ? forces_[3 * held_] : 0.0;
-  force_.on_hand = {-(frame_ * pushed), -(frame_ * torque)};
-  force_.beyond = begun_ && (line().empty() || tip_ > line().back().depth + 2.0 * std::max(settings_.spacing,
-                                                                                           settings_.capture_radius));
-}
-
-double EmbeddedNeedle::stored_energy() const noexcept {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < coupling_.size(); ++i) {
-    const Vec3 force = Eigen::Map<const Vec3>(forces_.data() + 3 * i);
-    sum += 0.5 * force.dot(displacement(line()[i].node));
-    if (i < held_ && holds_[i].softness > 0.0) sum += 0.5 * holds_[i].softness * force.tail<2>().squaredNorm();
-  }
-  return sum;
 }
 
 }  // namespace bodkin

@@ -4,11 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "anatomy/condensed_body.h"
+
 namespace bodkin {
 
-// What a needle does to one node of the corridor.
+// What a needle does to one node: of the corridor, or of the mesh, as who gives it says.
 struct NodeForce {
-  std::uint32_t node = 0;        // of the corridor
+  std::uint32_t node = 0;
   std::array<float, 3> force{};  // N on the tissue, LPS
 };
 
@@ -20,5 +22,11 @@ struct NodeForces {
   std::size_t count = 0;
   std::array<NodeForce, capacity> nodes{};  // capacity; the first `count` are in use
 };
+
+// Forces on nodes of a corridor, by the nodes of its mesh.
+inline NodeForces of_mesh(NodeForces forces, const CondensedBody& corridor) noexcept {
+  for (std::size_t i = 0; i < forces.count; ++i) forces.nodes[i].node = corridor.mesh_nodes[forces.nodes[i].node];
+  return forces;
+}
 
 }  // namespace bodkin

@@ -19,7 +19,8 @@ enum class EventKind : std::uint8_t {
   withdrawn,           // the needle left the body
   force_limited,       // the governor had to intervene; value = force asked for, N
   fault,               // a value was not finite or a device failed; force ramps to zero
-  corridor_left        // the needle is where no node of the deformable body was prepared; value = 0
+  corridor_left,       // the needle is where no node of the deformable body was prepared; value = 0
+  corridor_taken       // another corridor than before; value = the tick that it was aimed at, -1 the session's first
 };
 
 struct Event {

@@ -115,10 +115,19 @@ void each_attribute(DeformableBodySettings& s, const auto& visit) {
   visit("fix_beyond_mm", s.fix_beyond);
 }
 
+void each_attribute(NeedleBendingSettings& s, const auto& visit) {
+  visit("flexible", s.flexible);
+  visit("modulus_MPa", s.modulus);
+  visit("stylet", s.stylet);
+  visit("hold", s.hold);
+  visit("cut_offset_mm", s.cut_offset);
+}
+
 void each_attribute(EmbeddedNeedleSettings& s, const auto& visit) {
   visit("capture_radius_mm", s.capture_radius);
   visit("spacing_mm", s.spacing);
   visit("puncture_time_s", s.puncture_time);
+  each_attribute(s.bending, visit);
   each_attribute(s.body, visit);
 }
 

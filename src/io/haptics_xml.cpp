@@ -30,6 +30,9 @@ struct TakeAttribute {
   void operator()(const char* name, ProxyVariant& value) const {
     value = element.string(name) == "viscous" ? ProxyVariant::viscous : ProxyVariant::drag;
   }
+  void operator()(const char* name, NeedleHold& value) const {
+    value = element.string(name) == "pinned" ? NeedleHold::pinned : NeedleHold::clamped;
+  }
 };
 
 template <typename Settings>

@@ -20,6 +20,9 @@ struct GiveAttribute {
   void operator()(const char* name, ProxyVariant value) const {
     xml.attribute(name, value == ProxyVariant::viscous ? "viscous" : "drag");
   }
+  void operator()(const char* name, NeedleHold value) const {
+    xml.attribute(name, value == NeedleHold::pinned ? "pinned" : "clamped");
+  }
 };
 
 template <typename Settings>

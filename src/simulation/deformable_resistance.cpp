@@ -1,20 +1,23 @@
 #include "simulation/deformable_resistance.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "core/error.h"
 #include "fem/shaft_stiffness.h"
+#include "forces/beam.h"
 
 namespace bodkin {
 
 namespace {
 
 constexpr double least_friction_share = 0.1;  // of the device's stiffness, left to the friction's spring
+constexpr double least_cosine = 0.2;          // between needle and line, as EmbeddedNeedle takes it
 constexpr double least_presliding = 0.01;     // N/mm, that ClosestNodeContact takes
 
-const std::shared_ptr<const CondensedBody>& body_in(const Case& patient) {
-  if (patient.body != nullptr) return patient.body;
+const std::shared_ptr<const CondensedBody>& body_in(const PreparedCorridor& corridor, const Case& patient) {
+  if (corridor.body != nullptr) return corridor.body;
   throw InputError(
       std::string(name_of(patient.description.haptics.resistance)) +
       " needs the deformable body of the case, and none was prepared; make a mesh with: bodkin case mesh");
@@ -30,26 +33,46 @@ ContactTissues tissues_in(const Case& patient) {
   return tissues;
 }
 
-double stiffness_on_path(const Case& patient, const EmbeddedNeedleSettings& settings) {
-  const auto& path = patient.description.procedure.path;
-  if (!path) return 0.0;
-  return shaft_stiffness(*body_in(patient), path->entry, path->direction(),
-                         path->length() + settings.body.corridor_beyond, settings.capture_radius, settings.spacing,
-                         settings.most_nodes);
+double stiffness_on_path(const CondensedBody& body, const NeedlePath& path, const EmbeddedNeedleSettings& settings) {
+  return shaft_stiffness(body, path.entry, path.direction(), path.length() + settings.body.corridor_beyond,
+                         settings.capture_radius, settings.spacing, settings.most_nodes);
 }
 
-// The body on a spring: a shaft in it that has the stiffness `found` then has `rendered`. Moving all nodes alike is
-// what the hand does, so to every pair of them the spring's compliance is added.
-std::shared_ptr<const CondensedBody> on_spring(const std::shared_ptr<const CondensedBody>& body, double found,
-                                               double rendered) {
-  if (rendered >= found) return body;
+// The body on a spring: moving all nodes alike is what the hand does, so to every pair of them the spring's
+// compliance is added.
+std::shared_ptr<const CondensedBody> on_spring(const std::shared_ptr<const CondensedBody>& body, double compliance) {
+  if (compliance == 0.0) return body;
   auto softer = std::make_shared<CondensedBody>(*body);
-  const double compliance = 1.0 / rendered - 1.0 / found;
   for (Eigen::Index column = 0; column < softer->compliance.cols(); ++column) {
     for (Eigen::Index row = column % 3; row < softer->compliance.rows(); row += 3)
       softer->compliance(row, column) += compliance;
   }
   return softer;
+}
+
+bool is_bevelled(NeedleTip tip) {
+  return tip == NeedleTip::quincke || tip == NeedleTip::tuohy || tip == NeedleTip::chiba;
+}
+
+// The needle of the case as a beam; none when it is to be rigid.
+std::optional<NeedleBeam> beam_in(const Case& patient, const NeedleBendingSettings& settings) {
+  const Needle& needle = patient.description.needle;
+  if (settings.cut_offset > 0.0 && !settings.flexible) {
+    throw InputError("embedded_needle: cut_offset_mm is " + std::to_string(settings.cut_offset) +
+                     " for a needle that does not bend; give flexible=true as well, or leave it out");
+  }
+  if (settings.cut_offset > 0.0 && !is_bevelled(needle.tip)) {
+    throw InputError(
+        "embedded_needle: cut_offset_mm is " + std::to_string(settings.cut_offset) + ", but a " +
+        to_string(needle.tip) +
+        " needle has no bevel and cuts straight; leave it out, or take a quincke, tuohy or chiba needle");
+  }
+  if (!settings.flexible) return {};
+  const double bore = settings.stylet ? 0.0 : needle.inner_diameter;
+  return NeedleBeam({.rigidity = bending_stiffness(settings.modulus, needle.outer_diameter, bore),
+                     .length = needle.length,
+                     .hold = settings.hold,
+                     .cut_offset = settings.cut_offset});
 }
 
 // What a tissue that gave way is told as.
@@ -62,13 +85,17 @@ void tell(const std::optional<TissuePuncture>& puncture, TickEvents& events) noe
 
 }  // namespace
 
-DeformableShaft::DeformableShaft(const Case& patient, const EmbeddedNeedleSettings& settings, double dt)
+DeformableShaft::DeformableShaft(const Case& patient, const PreparedCorridor& corridor,
+                                 const EmbeddedNeedleSettings& settings, double dt)
     : bone_(patient) {
-  const double found = stiffness_on_path(patient, settings);
+  const std::shared_ptr<const CondensedBody>& body = body_in(corridor, patient);
+  const double found = stiffness_on_path(*body, corridor.path, settings);
   const double rendered = std::min(found, patient.description.device.stiffness);
   if (rendered < found) scale_ = rendered / found;
-  body_ = on_spring(body_in(patient), found, rendered);
-  needle_ = std::make_unique<EmbeddedNeedle>(*body_, tissues_in(patient), settings, dt);
+  if (rendered < found) spring_ = 1.0 / rendered - 1.0 / found;
+  body_ = on_spring(body, spring_);
+  needle_ =
+      std::make_unique<EmbeddedNeedle>(*body_, tissues_in(patient), settings, dt, beam_in(patient, settings.bending));
 }
 
 void DeformableShaft::begin(const Vec3& entry, const Vec3& direction) noexcept {
@@ -86,23 +113,32 @@ void DeformableShaft::reset() noexcept {
 
 ResistanceForce DeformableShaft::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
   const double bone = bone_.step(needle.motion.depth, needle.tissue, events);
+  // At bone the needle in the body ends where the hand's line meets the depth of the bone.
+  const double cosine = needle.axis.dot(direction_);
+  const Vec3 line = cosine > least_cosine ? Vec3(needle.axis / cosine) : direction_;
+  const Vec3 short_of = -bone_.behind() * line;
   Pose pose = Pose::Identity();
-  pose.translation() = needle.tip - bone_.behind() * direction_;
+  pose.translation() = needle.tip + short_of;
   pose.linear().col(0) = needle.side;
   pose.linear().col(1) = needle.axis.cross(needle.side);
   pose.linear().col(2) = needle.axis;
-  const EmbeddedNeedleForce& found = needle_->step(pose);
+  const EmbeddedNeedleForce& found = needle_->step(pose, bone_.behind());
+  ahead_ = -short_of - spring_ * found.on_hand.force;
   tell(found.puncture, events);
   if (found.beyond && !beyond_ && !bone_.met())  // at bone the nodes end, for it does not move
     events.push({EventKind::corridor_left, needle.tissue, needle.motion.depth, 0.0});
   beyond_ = found.beyond;
+  const Vec3 across = found.on_hand.force + found.resistance * direction_;
+  const Vec3 square = across - across.dot(line) * direction_;  // to the needle; what turns it
   return {.along = found.resistance + bone,
-          .across = found.on_hand.force + found.resistance * direction_,
-          .torque = found.on_hand.torque,
+          .across = across,
+          .torque = found.on_hand.torque + short_of.cross(square),
           .in_contact = needle.motion.depth > 0.0};
 }
 
-DeformableTip::DeformableTip(const Case& patient, const ClosestNodeSettings& settings, double dt) : bone_(patient) {
+DeformableTip::DeformableTip(const Case& patient, const PreparedCorridor& corridor,
+                             const ClosestNodeSettings& settings, double dt)
+    : body_(body_in(corridor, patient)), bone_(patient) {
   const double device = patient.description.device.stiffness;
   ContactTissues tissues = tissues_in(patient);
   double firm = 0.0;
@@ -114,7 +150,7 @@ DeformableTip::DeformableTip(const Case& patient, const ClosestNodeSettings& set
   ClosestNodeSettings possible = settings;
   possible.presliding =
       std::min(settings.presliding, std::max({device - firm, least_friction_share * device, least_presliding}));
-  contact_ = std::make_unique<ClosestNodeContact>(*body_in(patient), tissues, possible, dt);
+  contact_ = std::make_unique<ClosestNodeContact>(*body_, tissues, possible, dt);
 }
 
 void DeformableTip::begin(const Vec3& entry, const Vec3& direction) noexcept {

@@ -10,24 +10,36 @@
 
 namespace bodkin {
 
-// The resistances of a deformable body (docs/fem-contact.md) in the tick. The patient must have a body and outlive
-// them; its library says what a needle meets in each tissue. Throw InputError when there is no body, or for settings
-// or tissues out of range.
+// The resistances of a deformable body (docs/fem-contact.md) in the tick, in one of its corridors. The patient must
+// outlive them; its library says what a needle meets in each tissue. Throw InputError when the corridor has no body,
+// or for settings or tissues out of range.
 
 // `embedded_needle`: all nodes along the shaft. Where these are stiffer along the planned path than the device can
 // render, the hand feels the body through a spring, which leaves stiffness_scale() of that stiffness and every force.
+// With `bending.flexible` the needle of the case bends: its tube and length are those of the description. Throws
+// InputError for a needle that is no beam (NeedleBeam), and for a cut_offset of one that does not bend or has no
+// bevel.
 class DeformableShaft {
  public:
-  DeformableShaft(const Case& patient, const EmbeddedNeedleSettings& settings, double dt);
+  DeformableShaft(const Case& patient, const PreparedCorridor& corridor, const EmbeddedNeedleSettings& settings,
+                  double dt);
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   void reset() noexcept;
   ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
+  // mm by which the hand's needle is ahead of the one in the body: the spring between them, and bone.
+  Vec3 ahead() const noexcept { return ahead_; }
+  // What gave way in another corridor.
+  void take_punctures(const DeformableShaft& other) noexcept { needle_->take_punctures(*other.needle_); }
+  // Forces on the tissue in the last tick, by node of the mesh.
+  NodeForces node_forces() const noexcept { return of_mesh(needle_->node_forces(), *body_); }
   double stiffness_scale() const noexcept { return scale_; }
 
  private:
   double scale_ = 1.0;
   std::shared_ptr<const CondensedBody> body_;
+  double spring_ = 0.0;  // mm/N, compliance of the spring that the body stands on
+  Vec3 ahead_ = Vec3::Zero();
   std::unique_ptr<EmbeddedNeedle> needle_;  // refers to the body
   BoneWall bone_;
   Vec3 direction_ = Vec3::UnitZ();
@@ -38,15 +50,20 @@ class DeformableShaft {
 // stiff as it can; stiffness_scale() tells by how much.
 class DeformableTip {
  public:
-  DeformableTip(const Case& patient, const ClosestNodeSettings& settings, double dt);
+  DeformableTip(const Case& patient, const PreparedCorridor& corridor, const ClosestNodeSettings& settings,
+                double dt);
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   void reset() noexcept;
   ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
+  Vec3 ahead() const noexcept { return bone_.behind() * direction_; }
+  void take_punctures(const DeformableTip& other) noexcept { contact_->take_punctures(*other.contact_); }
+  NodeForces node_forces() const noexcept { return of_mesh(contact_->node_forces(), *body_); }
   double stiffness_scale() const noexcept { return scale_; }
 
  private:
   double scale_ = 1.0;
+  std::shared_ptr<const CondensedBody> body_;
   BoneWall bone_;
   std::unique_ptr<ClosestNodeContact> contact_;
   Vec3 direction_ = Vec3::UnitZ();

@@ -191,6 +191,18 @@ double HapticTick::dt() const noexcept {
   return state_->dt;
 }
 
+bool HapticTick::add_corridor(const PreparedCorridor& corridor) {
+  return state_->resistance.add_corridor(corridor);
+}
+
+NodeForces HapticTick::node_forces() const noexcept {
+  return state_->last.in_contact ? state_->resistance.node_forces() : NodeForces{};
+}
+
+Vec3 HapticTick::needle_ahead() const noexcept {
+  return state_->last.in_contact ? state_->resistance.ahead() : Vec3::Zero();
+}
+
 double HapticTick::stiffness_scale() const noexcept {
   return state_->resistance.stiffness_scale();
 }

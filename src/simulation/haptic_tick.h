@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 
 #include "anatomy/case.h"
+#include "fem/node_forces.h"
 #include "simulation/tick_record.h"
 
 namespace bodkin {
@@ -19,6 +21,16 @@ class HapticTick {
   HapticTick& operator=(HapticTick&&) noexcept;
 
   TickOutput step(const TickInput& input) noexcept;
+  // Another corridor of a deformable body, for the next time that the needle touches the body. Beside step(), but not
+  // for two threads at once. False: there are `most_corridors`, or the resistance needs none.
+  static constexpr std::size_t most_corridors = 8;
+  bool add_corridor(const PreparedCorridor& corridor);
+  // What the needle did to a deformable body in the last step, by node of its mesh; nothing for other resistances.
+  NodeForces node_forces() const noexcept;
+  // mm by which the hand's needle was ahead of the one in that body, where the body is stiffer than the device
+  // renders or bone is in the way: what is drawn is the needle less this.
+  Vec3 needle_ahead() const noexcept;
+
   // s; 1 / rate of the case.
   double dt() const noexcept;
   // The smallest factor by which a tissue's stiffness had to be reduced for the device; 1 = none.

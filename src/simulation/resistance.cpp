@@ -22,6 +22,7 @@
 #include "forces/tracking_wall.h"
 #include "forces/tracking_wall_leash.h"
 #include "forces/volume_proxy.h"
+#include "simulation/corridors.h"
 #include "simulation/deformable_resistance.h"
 #include "simulation/device_stability.h"
 
@@ -169,8 +170,11 @@ struct Layers {
   const TissueVolume* volume;
 };
 
+using Shafts = Corridors<DeformableShaft, EmbeddedNeedleSettings>;
+using Tips = Corridors<DeformableTip, ClosestNodeSettings>;
+
 using Model = std::variant<Layers, Wall, Axial<TrackingWall>, Leash, Axial<DepthProfile>, Proxy,
-                           Axial<ThreeComponent>, Axial<Fracture>, Friction, DeformableShaft, DeformableTip>;
+                           Axial<ThreeComponent>, Axial<Fracture>, Friction, Shafts, Tips>;
 
 // Builds the model that the settings ask for, after checks that need the device.
 struct Maker {
@@ -223,8 +227,8 @@ struct Maker {
     return Axial<Fracture>{std::move(model)};
   }
   Model operator()(const ShaftFrictionSettings& settings) const { return Friction(patient, settings, 0.0); }
-  Model operator()(const EmbeddedNeedleSettings& settings) const { return DeformableShaft(patient, settings, dt); }
-  Model operator()(const ClosestNodeSettings& settings) const { return DeformableTip(patient, settings, dt); }
+  Model operator()(const EmbeddedNeedleSettings& settings) const { return Shafts(patient, settings, dt); }
+  Model operator()(const ClosestNodeSettings& settings) const { return Tips(patient, settings, dt); }
 };
 
 // The stiffness along the line that a friction part has to share the device with.
@@ -354,13 +358,31 @@ void Resistance::reset() noexcept {
 
 double Resistance::stiffness_scale() const noexcept {
   if (const auto* layers = std::get_if<Layers>(&state_->model)) return layers->model.stiffness_scale();
-  if (const auto* shaft = std::get_if<DeformableShaft>(&state_->model)) return shaft->stiffness_scale();
-  if (const auto* tip = std::get_if<DeformableTip>(&state_->model)) return tip->stiffness_scale();
+  if (const auto* shafts = std::get_if<Shafts>(&state_->model)) return shafts->model().stiffness_scale();
+  if (const auto* tips = std::get_if<Tips>(&state_->model)) return tips->model().stiffness_scale();
   return 1.0;
 }
 
+bool Resistance::add_corridor(const PreparedCorridor& corridor) {
+  if (auto* shafts = std::get_if<Shafts>(&state_->model)) return shafts->add(corridor);
+  if (auto* tips = std::get_if<Tips>(&state_->model)) return tips->add(corridor);
+  return false;
+}
+
+NodeForces Resistance::node_forces() const noexcept {
+  if (const auto* shafts = std::get_if<Shafts>(&state_->model)) return shafts->model().node_forces();
+  if (const auto* tips = std::get_if<Tips>(&state_->model)) return tips->model().node_forces();
+  return {};
+}
+
+Vec3 Resistance::ahead() const noexcept {
+  if (const auto* shafts = std::get_if<Shafts>(&state_->model)) return shafts->model().ahead();
+  if (const auto* tips = std::get_if<Tips>(&state_->model)) return tips->model().ahead();
+  return Vec3::Zero();
+}
+
 bool Resistance::holds_laterally() const noexcept {
-  return std::holds_alternative<Proxy>(state_->model) || std::holds_alternative<DeformableShaft>(state_->model);
+  return std::holds_alternative<Proxy>(state_->model) || std::holds_alternative<Shafts>(state_->model);
 }
 
 }  // namespace bodkin

@@ -5,6 +5,7 @@
 #include "anatomy/case.h"
 #include "core/axial_motion.h"
 #include "core/geometry.h"
+#include "fem/node_forces.h"
 #include "forces/events.h"
 #include "forces/rail.h"
 
@@ -46,6 +47,14 @@ class Resistance {
   ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
   // Forgets channels too.
   void reset() noexcept;
+
+  // Another corridor of the deformable body, for a needle that begins after this. Not for two threads at once, but
+  // beside the tick. False, and nothing done, where there is no room for more, or the model has none.
+  bool add_corridor(const PreparedCorridor& corridor);
+  // What the needle does to a deformable body, by node of its mesh; nothing for other models.
+  NodeForces node_forces() const noexcept;
+  // mm by which the hand's needle is ahead of the one that such a body shows; 0 for other models.
+  Vec3 ahead() const noexcept;
 
   // The smallest factor by which a tissue's stiffness had to be reduced for the device; 1 = none.
   double stiffness_scale() const noexcept;

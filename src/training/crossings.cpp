@@ -66,6 +66,8 @@ std::string event_text(const Event& event, const TissueLibrary& library) {
       return fmt::format("force limited, {:.1f} N were asked for", event.value);
     case EventKind::corridor_left:
       return "the needle leaves the corridor that the deformable body was prepared for";
+    case EventKind::corridor_taken:
+      return "the needle begins in another corridor of the deformable body";
     case EventKind::fault:
       break;
   }
@@ -74,7 +76,8 @@ std::string event_text(const Event& event, const TissueLibrary& library) {
 
 bool is_notable(EventKind kind) {
   return kind == EventKind::puncture || kind == EventKind::loss_of_resistance || kind == EventKind::bone_contact ||
-         kind == EventKind::force_limited || kind == EventKind::fault || kind == EventKind::corridor_left;
+         kind == EventKind::force_limited || kind == EventKind::fault || kind == EventKind::corridor_left ||
+         kind == EventKind::corridor_taken;
 }
 
 std::vector<PlotBand> bands_of(std::span<const TissueCrossing> crossings, const TissueLibrary& library) {

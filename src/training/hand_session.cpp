@@ -46,11 +46,16 @@ struct HandSession::Shared {
     record.tick = ticks;
     record.input.needle = input.needle;
     record.output = tick.step(record.input);
+    if (display) display->tell(tick.node_forces());
     if (!closed.load(std::memory_order_acquire)) recorder.push(record);
     // After the tick itself, so that whatever is recorded of this moment has its tick before it.
     if (second) second->needle.write({static_cast<double>(ticks) * tick.dt(), record.output.tissue});
     ++ticks;
-    HandMoment now{ticks, record.output};
+    for (const Event& event : record.output.events) {
+      if (event.kind == EventKind::contact || event.kind == EventKind::withdrawn) corridor_left = false;
+      if (event.kind == EventKind::corridor_left) corridor_left = true;
+    }
+    HandMoment now{ticks, input.needle, tick.needle_ahead(), record.output, corridor_left};
     now.output.events.clear();
     moment.write(now);
     return {record.output.applied, 0.0};
@@ -58,9 +63,11 @@ struct HandSession::Shared {
 
   Case patient;
   HapticTick tick;
-  std::shared_ptr<SecondLink> second;  // may be null
+  std::shared_ptr<SecondLink> second;      // may be null
+  std::shared_ptr<DisplayThread> display;  // may be null
   Recorder recorder;
   std::uint64_t ticks = 0;
+  bool corridor_left = false;
   LatestValue<HandMoment> moment;
   std::atomic<bool> closed{false};  // the recording has ended, though the loop may not have
 };
@@ -75,12 +82,20 @@ HandSession::HandSession(Case patient, const SessionHeader& header, const std::f
 
 HandSession::~HandSession() = default;
 
+void HandSession::show_on(std::shared_ptr<DisplayThread> display) {
+  shared_->display = std::move(display);
+}
+
 void HandSession::start() {
   servo_->start();
 }
 
 const HandMoment& HandSession::moment() noexcept {
   return shared_->moment.read();
+}
+
+bool HandSession::add_corridor(const PreparedCorridor& corridor) {
+  return shared_->tick.add_corridor(corridor);
 }
 
 bool HandSession::failed() const noexcept {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "haptics/device_servo.h"
+#include "simulation/display_thread.h"
 #include "training/second_link.h"
 #include "training/session_file.h"
 
@@ -23,7 +24,10 @@ WorkspaceSettings workspace_about(const NeedlePath& path);
 // What a screen shows of the newest tick.
 struct HandMoment {
   std::uint64_t ticks = 0;
-  TickOutput output;  // without events
+  Pose needle = Pose::Identity();
+  Vec3 needle_ahead = Vec3::Zero();  // see HapticTick
+  TickOutput output;                 // without events
+  bool corridor_left = false;  // the needle is where its deformable body was not prepared: the force is not true
 };
 
 // A person's hand on a device performs a procedure on a patient, and every tick is recorded. The constructor opens
@@ -39,10 +43,14 @@ class HandSession {
   HandSession(const HandSession&) = delete;
   HandSession& operator=(const HandSession&) = delete;
 
+  // Every tick tells it the forces on the deformable body; before start().
+  void show_on(std::shared_ptr<DisplayThread> display);
   void start();
   DeviceServo& servo() noexcept { return *servo_; }
   // One observer's thread.
   const HandMoment& moment() noexcept;
+  // See HapticTick::add_corridor.
+  bool add_corridor(const PreparedCorridor& corridor);
   // The disk refuses; finish() says why.
   bool failed() const noexcept;
 

@@ -1,22 +1,37 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 
 #include "anatomy/case.h"
 #include "core/progress.h"
+#include "fem/solid/elastic_body.h"
 
 namespace bodkin {
 
 // The condensed body lies beside the mesh that it was made from, in the case folder.
 inline constexpr const char* body_file_name = "body.condensed";
 
-// Gives a case the deformable body that its resistance needs, from the mesh in `folder` and the settings of the
-// resistance: condensed now, or read back when that was done before. Does nothing when the resistance needs none.
-// `note` hears what was assumed, and what memory the work takes, before it takes it. Throws InputError, one sentence,
-// when there is no mesh, and for everything that describe_body() and condense() refuse.
-void prepare_body(Case& patient, const std::filesystem::path& folder, const Progress& progress,
-                  const std::function<void(const std::string&)>& note);
+// Gives a case the deformable body that its resistance needs, with a corridor about `path` (the planned one where
+// there is none), from the mesh in `folder` and the settings of the resistance: condensed now or, about the planned
+// path, read back when that was done before. Returns what the body was made from, for more corridors; nullptr, and
+// nothing done, when the resistance needs no body. `note` hears what was assumed, and what memory the work takes,
+// before it takes it. Throws InputError, one sentence, when there is no path or no mesh, and for everything that
+// describe_body() and condense() refuse.
+std::shared_ptr<const BodyDescription> prepare_body(Case& patient, const std::filesystem::path& folder,
+                                                    const std::optional<NeedlePath>& path, const Progress& progress,
+                                                    const std::function<void(const std::string&)>& note);
+
+// Another corridor of the same body. `aimed_at`: the tick whose needle goes along `path`. Throws like prepare_body().
+PreparedCorridor another_corridor(const BodyDescription& body, const Case& patient, const NeedlePath& path,
+                                  std::uint64_t aimed_at, const Progress& progress = {});
+
+// The path that a needle outside the body would take: from where it would meet the skin, as deep as `length` mm.
+// Nothing when it is in the body already, or when there is none within 150 mm before its tip.
+std::optional<NeedlePath> aimed_path(const Pose& needle, const TissueVolume& tissues, double length);
 
 }  // namespace bodkin

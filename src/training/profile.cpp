@@ -31,6 +31,12 @@ Profile insert_at_constant_speed(const Case& patient, const ProfileOptions& opti
     record.tick = profile.ticks.size();
     record.input.needle = way.needle_at(place);
     record.output = haptics.step(record.input);
+    if (record.output.resistance > profile.strongest.resistance) {
+      Pose needle = record.input.needle;
+      needle.translation() -= haptics.needle_ahead();
+      profile.strongest = {haptics.node_forces(), needle, haptics.needle_ahead().norm(), record.output.depth,
+                           record.output.resistance};
+    }
     profile.ticks.push_back(record);
     if (progress && record.tick % 2048 == 0) {
       progress("Inserting the needle",

@@ -8,6 +8,7 @@
 #include "anatomy/case.h"
 #include "core/progress.h"
 #include "simulation/tick_record.h"
+#include "training/deformation_picture.h"
 
 namespace bodkin {
 
@@ -26,6 +27,7 @@ struct Profile {
   ProfileOptions options;
   double dt = 0.001;                      // s
   std::vector<TickRecord> ticks;          // in order; events stand in them
+  DeformedMoment strongest;               // where a deformable body resisted most; without forces for other models
   std::optional<double> stopped_by_bone;  // mm; the depth at which bone held more than the device's peak force
   std::string outcome;                    // how far the needle came, one sentence
   std::vector<std::string> notes;         // what was assumed, one sentence each
@@ -40,8 +42,5 @@ Profile insert_at_constant_speed(const Case& patient, const ProfileOptions& opti
 // The table of a profile, a row per tick: time_s, depth_mm, velocity_mm_s, resistance_N, what the models ask for and
 // what the governor lets through as LPS components in N, the tissue at the tip.
 std::string profile_csv(const Profile& profile, const TissueLibrary& library);
-
-// Force against depth with the tissues as bands and the events as numbers, an SVG document.
-std::string profile_svg(const Profile& profile, const Case& patient);
 
 }  // namespace bodkin

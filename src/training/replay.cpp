@@ -1,12 +1,17 @@
 #include "training/replay.h"
 
+#include <algorithm>
 #include <bit>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "core/error.h"
 #include "io/resources.h"
 #include "simulation/haptic_tick.h"
+#include "training/prepared_body.h"
 #include "training/session_run.h"
 #include "training/session_schema.h"
 #include "training/tick_codec.h"
@@ -61,9 +66,50 @@ ReplayDifference difference_of(const TickRecord& recorded, const TickRecord& rec
   return difference;
 }
 
+// The corridors of a deformable body that were prepared while the session ran: each is there from the tick on in
+// which the needle took it.
+class CorridorsTaken {
+ public:
+  CorridorsTaken(const Session& session, const Case& patient, const BodyDescription* body, const Progress& progress)
+      : session_(session), patient_(patient), body_(body), progress_(progress) {}
+
+  void prepare_for(std::span<const Event> events, HapticTick& haptics) {
+    for (const Event& event : events) {
+      const bool is_another = event.value >= 0.0 && event.value < static_cast<double>(session_.ticks.size());
+      if (event.kind != EventKind::corridor_taken || !is_another) continue;
+      const auto aimed_at = static_cast<std::uint64_t>(event.value);
+      if (std::find(there_.begin(), there_.end(), aimed_at) != there_.end()) continue;
+      if (!haptics.add_corridor(made(aimed_at))) {
+        throw InputError(fmt::format("the session takes more corridors than the {} that there is room for",
+                                     HapticTick::most_corridors));
+      }
+      there_.push_back(aimed_at);
+    }
+  }
+
+ private:
+  PreparedCorridor made(std::uint64_t aimed_at) const {
+    const NeedlePath& planned = session_.header.path;
+    std::optional<NeedlePath> path;
+    if (body_ != nullptr)
+      path = aimed_path(session_.ticks[aimed_at].input.needle, patient_.tissues, planned.length());
+    if (path) return another_corridor(*body_, patient_, *path, aimed_at, progress_);
+    throw InputError(
+        fmt::format("the session takes a corridor that the needle aimed along in tick {}, but {}; record it again",
+                    aimed_at, body_ == nullptr ? "its resistance has no deformable body" : "it aims nowhere there"));
+  }
+
+  const Session& session_;
+  const Case& patient_;
+  const BodyDescription* body_;
+  const Progress& progress_;
+  std::vector<std::uint64_t> there_;
+};
+
 }  // namespace
 
-ReplayResult replay_session(const Session& session, Case patient, const Progress& progress) {
+ReplayResult replay_session(const Session& session, Case patient, const Progress& progress,
+                            const BodyDescription* body) {
   if (session.ticks.empty()) throw InputError("the session holds no ticks, there is nothing to replay");
   patient.description.haptics = session.header.haptics;
   if (session.header.device) patient.description.device = *session.header.device;
@@ -76,12 +122,17 @@ ReplayResult replay_session(const Session& session, Case patient, const Progress
   ReplayResult result;
   std::vector<std::uint8_t> was, is, all_events;
   std::uint64_t chain = 0;
+  CorridorsTaken corridors(session, patient, body, progress);
   auto event = session.events.begin();
   for (const TickRecord& recorded : session.ticks) {
     if (recorded.tick != result.ticks) {
       throw InputError(
           fmt::format("tick {} is missing from the session, a replay needs every tick from the first", result.ticks));
     }
+    std::vector<Event> recorded_events;
+    for (; event != session.events.end() && event->tick == recorded.tick; ++event)
+      recorded_events.push_back(event->event);
+    corridors.prepare_for(recorded_events, haptics);
     TickRecord recomputed{recorded.tick, recorded.input, haptics.step(recorded.input)};
     was.clear();
     is.clear();
@@ -91,9 +142,6 @@ ReplayResult replay_session(const Session& session, Case patient, const Progress
       result.difference = difference_of(recorded, recomputed, session.header.dt);
       return result;
     }
-    std::vector<Event> recorded_events;
-    for (; event != session.events.end() && event->tick == recorded.tick; ++event)
-      recorded_events.push_back(event->event);
     const std::span<const Event> found(recomputed.output.events.begin(), recomputed.output.events.end());
     const std::vector<std::uint8_t> found_bytes = events_bytes(found);
     if (events_bytes(recorded_events) != found_bytes) {

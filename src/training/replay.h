@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/progress.h"
+#include "fem/solid/elastic_body.h"
 #include "training/session_file.h"
 
 namespace bodkin {
@@ -26,9 +27,12 @@ struct ReplayResult {
 
 // Feeds the recorded needle poses to a new haptic tick on `patient`, with the force models that the session used
 // instead of the case's, and compares every number, flag and event with the recording, bit by bit. Stops at the first
-// difference. Throws InputError when the session cannot be replayed: it holds no ticks, ticks are missing, or its
-// tick is not that of its force models.
-ReplayResult replay_session(const Session& session, Case patient, const Progress& progress = {});
+// difference. `body`: what the patient's deformable body was made of, from which the corridors are prepared that the
+// session took in addition; may be null for a session that took none. Throws InputError when the session cannot be
+// replayed: it holds no ticks, ticks are missing, its tick is not that of its force models, or a corridor that it
+// took cannot be prepared.
+ReplayResult replay_session(const Session& session, Case patient, const Progress& progress = {},
+                            const BodyDescription* body = nullptr);
 
 // Throws InputError unless `patient`, read from `case_folder`, is the one that the session was recorded on.
 void check_same_case(const Session& session, const Case& patient, const std::string& case_folder);

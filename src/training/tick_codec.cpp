@@ -37,9 +37,9 @@ constexpr std::array<std::string_view, 29> number_names = {"needle_x_axis_x",
                                                            "constraint",
                                                            "energy"};
 
-constexpr std::array<std::string_view, 10> kind_names = {
-    "contact",        "puncture",  "loss_of_resistance", "bone_contact", "bone_left",
-    "tissue_entered", "withdrawn", "force_limited",      "fault",        "corridor_left"};
+constexpr std::array<std::string_view, 11> kind_names = {
+    "contact",       "puncture", "loss_of_resistance", "bone_contact",  "bone_left", "tissue_entered", "withdrawn",
+    "force_limited", "fault",    "corridor_left",      "corridor_taken"};
 
 // Visits every number of a record in the order of `number_names`; `Record` may be const.
 template <typename Record, typename Visit>

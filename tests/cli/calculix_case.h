@@ -24,7 +24,8 @@ inline void expect_same_as_calculix(const std::filesystem::path& folder) {
   ASSERT_TRUE(mesh.has_value());
   ::bodkin::DeformableBodySettings settings;
   settings.corridor_nodes = 300;
-  ::bodkin::checks::expect_what_calculix_says(::bodkin::describe_body(mesh->mesh, patient, settings).body, 60);
+  ::bodkin::checks::expect_what_calculix_says(
+      ::bodkin::describe_body(mesh->mesh, patient, settings, *patient.description.procedure.path).body, 60);
 }
 
 }  // namespace bodkin_test

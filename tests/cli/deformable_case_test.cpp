@@ -15,6 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 class DeformableCase : public PatientCommand {};
@@ -60,6 +61,25 @@ TEST_F(DeformableCase, a_patient_is_felt_through_its_mesh) {
   const Outcome again = bodkin("--json profile patient --beyond 10" + embedded + "-o again");
   EXPECT_EQ(again.errors.find("preparing a deformable body"), std::string::npos);  // from the cache
   EXPECT_EQ(text_of("paper.csv"), text_of("again.csv"));
+
+  const Outcome seen = bodkin("-q profile patient --deformation" + embedded + "-o seen");
+  ASSERT_EQ(seen.exit_code, 0) << seen.errors;
+  EXPECT_THAT(text_of("seen-deformation.svg"), AllOf(HasSubstr("at rest"), HasSubstr("tissue moved ")));
+
+  // Beside the planned path the corridor is another one, and what was cached stays.
+  const auto cached = fs::last_write_time(folder_ / "patient" / ::bodkin::body_file_name);
+  const auto moved = [&said](const char* end) {
+    const json& at = said.at(end);
+    return std::to_string(at[0].get<double>() + 35.0) + "," + std::to_string(at[1].get<double>()) + "," +
+           std::to_string(at[2].get<double>());
+  };
+  const std::string beside = " --entry=" + moved("entry_mm") + " --target=" + moved("target_mm");
+  const std::string coarse =
+      " --resistance 'embedded_needle corridor_nodes=600 capture_radius_mm=8' --constraint none ";
+  const Outcome elsewhere = bodkin("--json profile patient" + beside + coarse + "-o elsewhere");
+  ASSERT_EQ(elsewhere.exit_code, 0) << elsewhere.errors;
+  EXPECT_FALSE(texts_in(json::parse(elsewhere.output), "skin gives way at 1.5").empty()) << elsewhere.output;
+  EXPECT_EQ(fs::last_write_time(folder_ / "patient" / ::bodkin::body_file_name), cached);
 
   ASSERT_EQ(bodkin("-q run patient --operator expert" + embedded + "-o session.bodkin").exit_code, 0);
   const Outcome replayed = bodkin("replay session.bodkin");

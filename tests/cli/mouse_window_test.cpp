@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tests/cli/bodkin_command.h"
+#include "tests/cli/mesher_rig.h"
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -16,7 +17,7 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 
 // Opens a display and the window in the background, does what `person` says, and waits for the end of the program.
-std::string script(const std::string& person) {
+std::string script(const std::string& person, const std::string& options) {
   return R"(set -u
 Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp 3> display > xvfb.log 2>&1 &
 xvfb=$!
@@ -24,7 +25,8 @@ trap 'kill $xvfb' EXIT
 for wait in $(seq 100); do [ -s display ] && break; sleep 0.1; done
 export DISPLAY=:$(cat display)
 export ASAN_OPTIONS=${ASAN_OPTIONS:-}:detect_leaks=0  # of libraries that SDL loads, some gone again at the end
-')" BODKIN_BUILD R"(/bin/bodkin' --json -q perform patient mouse --max-time 90 -o mouse.bodkin > said 2> errors &
+')" BODKIN_BUILD R"(/bin/bodkin' --json -q perform patient mouse )" +
+         options + R"( --max-time 90 -o mouse.bodkin > said 2> errors &
 window=$(timeout 60 xdotool search --sync --name '^Bodkin: ' | head -n 1)
 sleep 2.5
 )" + person +
@@ -45,8 +47,8 @@ class MouseWindow : public PatientCommand {
       std::filesystem::remove(folder_ / left);
     }
   }
-  static ::bodkin::Session session_of(const std::string& person) {
-    write("person.sh", script(person));
+  static ::bodkin::Session session_of(const std::string& person, const std::string& options = "") {
+    write("person.sh", script(person, options));
     const std::string command = "cd '" + folder_.string() + "' && bash person.sh > log 2>&1";
     EXPECT_EQ(std::system(command.c_str()), 0) << text_of("log");
     EXPECT_EQ(text_of("code"), "0\n") << text_of("errors") << text_of("log");
@@ -125,6 +127,30 @@ TEST_F(MouseWindow, without_a_display_is_one_sentence) {
     EXPECT_THAT(content_of(errors), HasSubstr("display"));
     EXPECT_FALSE(std::filesystem::exists(folder_ / "session-by-hand.bodkin"));
   }
+}
+
+TEST_F(MouseWindow, a_deformable_body_is_seen_and_felt_while_the_needle_goes_in) {
+  BODKIN_NEEDS_MESHER();
+  ASSERT_EQ(bodkin("-q case mesh patient --nodes 2000").exit_code, 0);
+  const ::bodkin::Session session =
+      session_of(R"(
+import -window root seen.png
+convert seen.png -crop 324x280+492+392 +repage before.png
+xdotool click --repeat 45 --delay 40 4
+sleep 1
+import -window root seen.png
+convert seen.png -crop 324x280+492+392 +repage after.png
+compare -metric AE before.png after.png moved.png 2> difference
+identify -format '%k' before.png > colours
+xdotool key Escape)",
+                 "--resistance 'embedded_needle capture_radius_mm=6' --constraint none");
+  EXPECT_TRUE(session.finished);
+  EXPECT_GT(std::stoi(text_of("colours")), 10);        // the tissues' borders are there
+  EXPECT_GT(std::stod(text_of("difference")), 100.0);  // needle and skin have moved
+  double peak = 0.0;
+  for (const ::bodkin::TickRecord& tick : session.ticks) peak = std::max(peak, tick.output.resistance);
+  EXPECT_GT(peak, 0.5);
+  EXPECT_EQ(bodkin("-q replay mouse.bodkin").exit_code, 0);
 }
 
 }  // namespace

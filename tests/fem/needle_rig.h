@@ -3,6 +3,7 @@
 // A needle that goes along z into a body of kelvin_body(), and what its hand feels.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "tests/fem/dense_body.h"
 
@@ -27,8 +28,8 @@ inline EmbeddedNeedleSettings narrow_settings() {
 class NeedleRig {
  public:
   NeedleRig(const CondensedBody& body, const ContactTissues& tissues,
-            const EmbeddedNeedleSettings& settings = narrow_settings())
-      : model(body, tissues, settings, 1e-3) {
+            const EmbeddedNeedleSettings& settings = narrow_settings(), const std::optional<NeedleBeam>& beam = {})
+      : model(body, tissues, settings, 1e-3, beam) {
     begin();
   }
   void begin() {

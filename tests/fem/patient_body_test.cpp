@@ -1,6 +1,8 @@
 #include "fem/solid/patient_body.h"
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 
 #include "tests/fem/lattice_body.h"
 #include "tests/io/scratch_folder.h"
@@ -14,6 +16,8 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+
+const NeedlePath block_path{Vec3(20.0, 20.0, 0.0), Vec3(20.0, 20.0, 20.0)};
 
 // A block of 40 mm in a volume of 60: skin from z = 0 to 2, muscle to 40; air before it, more muscle behind it, and
 // air beside it but for x > 40.
@@ -38,7 +42,7 @@ Case block_patient() {
       for (int i = 10; i < 60; ++i) patient.tissues.at(i, j, k) = k < 12 ? tissue::skin : tissue::muscle;
     }
   }
-  patient.description.procedure.path = NeedlePath{Vec3(20.0, 20.0, 0.0), Vec3(20.0, 20.0, 20.0)};
+  patient.description.procedure.path = block_path;
   return patient;
 }
 
@@ -54,7 +58,7 @@ bool is_fixed(const BodyDescription& body, const Vec3& at) {
 }
 
 TEST(PatientBody, faces_behind_which_the_patient_goes_on_are_held) {
-  const BodyDescription body = describe_body(block_of_muscle(), block_patient(), {}).body;
+  const BodyDescription body = describe_body(block_of_muscle(), block_patient(), {}, block_path).body;
   EXPECT_TRUE(is_fixed(body, {20, 20, 40}));   // the far side
   EXPECT_TRUE(is_fixed(body, {40, 20, 20}));   // the side on which there is more muscle
   EXPECT_FALSE(is_fixed(body, {0, 20, 20}));   // air
@@ -63,7 +67,7 @@ TEST(PatientBody, faces_behind_which_the_patient_goes_on_are_held) {
   DeformableBodySettings settings;
   settings.fix_cut = false;
   settings.fix_beyond = 34.0;
-  const BodyDescription other = describe_body(block_of_muscle(), block_patient(), settings).body;
+  const BodyDescription other = describe_body(block_of_muscle(), block_patient(), settings, block_path).body;
   EXPECT_FALSE(is_fixed(other, {40, 20, 20}));
   EXPECT_TRUE(is_fixed(other, {0, 0, 35}));
   EXPECT_FALSE(is_fixed(other, {0, 0, 30}));
@@ -77,16 +81,16 @@ TEST(PatientBody, bone_is_held_unless_the_case_says_otherwise) {
         std::all_of(corners.begin(), corners.end(), [&](std::uint32_t node) { return mesh.nodes[node].x() < 5.1; });
     if (low) mesh.tissues[e] = tissue::cortical_bone;
   }
-  EXPECT_TRUE(is_fixed(describe_body(mesh, block_patient(), {}).body, {5, 20, 20}));
+  EXPECT_TRUE(is_fixed(describe_body(mesh, block_patient(), {}, block_path).body, {5, 20, 20}));
   DeformableBodySettings settings;
   settings.fix_bone = false;
-  EXPECT_FALSE(is_fixed(describe_body(mesh, block_patient(), settings).body, {5, 20, 20}));
+  EXPECT_FALSE(is_fixed(describe_body(mesh, block_patient(), settings, block_path).body, {5, 20, 20}));
 }
 
 TEST(PatientBody, the_corridor_is_what_lies_nearest_to_the_path) {
   DeformableBodySettings settings;
   settings.corridor_radius = 7.5;
-  const PatientBody all = describe_body(block_of_muscle(), block_patient(), settings);
+  const PatientBody all = describe_body(block_of_muscle(), block_patient(), settings, block_path);
   EXPECT_TRUE(all.notes.empty());
   for (std::uint32_t node = 0; node < all.body.mesh.nodes.size(); ++node) {
     const Vec3& at = all.body.mesh.nodes[node];
@@ -95,7 +99,7 @@ TEST(PatientBody, the_corridor_is_what_lies_nearest_to_the_path) {
     EXPECT_EQ(in, beside <= 7.5 && !is_fixed(all.body, at)) << at.transpose();
   }
   settings.corridor_nodes = 10;
-  const PatientBody some = describe_body(block_of_muscle(), block_patient(), settings);
+  const PatientBody some = describe_body(block_of_muscle(), block_patient(), settings, block_path);
   EXPECT_EQ(some.body.corridor.size(), 10U);
   ASSERT_EQ(some.notes.size(), 1U);
   EXPECT_THAT(some.notes[0], AllOf(HasSubstr("10 nodes at most"), HasSubstr("corridor_nodes")));
@@ -104,7 +108,7 @@ TEST(PatientBody, the_corridor_is_what_lies_nearest_to_the_path) {
 TEST(PatientBody, moduli_are_those_of_the_library_times_the_scale) {
   DeformableBodySettings settings;
   settings.stiffness_scale = 2.0;
-  const BodyDescription body = describe_body(block_of_muscle(), block_patient(), settings).body;
+  const BodyDescription body = describe_body(block_of_muscle(), block_patient(), settings, block_path).body;
   ASSERT_NE(body.materials.find(tissue::muscle), nullptr);
   EXPECT_DOUBLE_EQ(body.materials.find(tissue::muscle)->young, 0.06);
   EXPECT_DOUBLE_EQ(body.materials.find(tissue::muscle)->poisson, 0.4);
@@ -113,7 +117,7 @@ TEST(PatientBody, moduli_are_those_of_the_library_times_the_scale) {
 
 TEST(PatientBody, thin_layers_that_the_mesh_has_merged_are_felt) {
   const Case patient = block_patient();
-  CondensedBody body = condense(describe_body(block_of_muscle(), patient, {}).body);
+  CondensedBody body = condense(describe_body(block_of_muscle(), patient, {}, block_path).body);
   EXPECT_EQ(std::count(body.tissues.begin(), body.tissues.end(), tissue::skin), 0);
   body.nodes.front() = Vec3(20.0, 20.0, -1.4);  // a little outside, as the surface of a mesh is here and there
   take_tissues_of_voxels(body, patient);
@@ -124,15 +128,33 @@ TEST(PatientBody, thin_layers_that_the_mesh_has_merged_are_felt) {
 
 TEST(PatientBody, what_cannot_be_a_body_is_refused) {
   Case patient = block_patient();
-  patient.description.procedure.path.reset();
-  EXPECT_THAT(refusal([&] { describe_body(block_of_muscle(), patient, {}); }), HasSubstr("no planned path"));
-  patient = block_patient();
+  EXPECT_THAT(refusal([&] {
+                describe_body(block_of_muscle(), patient, {}, {block_path.entry, block_path.entry});
+              }),
+              HasSubstr("ends where it begins"));
   TetrahedralMesh mesh = block_of_muscle();
   mesh.tissues[7] = tissue::fat;
-  EXPECT_THAT(refusal([&] { describe_body(mesh, patient, {}); }),
+  EXPECT_THAT(refusal([&] { describe_body(mesh, patient, {}, block_path); }),
               AllOf(HasSubstr("element 7"), HasSubstr("tissue 2"), HasSubstr("<deformable>")));
-  patient.description.procedure.path = NeedlePath{Vec3(500.0, 0.0, 0.0), Vec3(500.0, 0.0, 20.0)};
-  EXPECT_THAT(refusal([&] { describe_body(block_of_muscle(), patient, {}); }), HasSubstr("within 25 mm"));
+  const NeedlePath elsewhere{Vec3(500.0, 0.0, 0.0), Vec3(500.0, 0.0, 20.0)};
+  EXPECT_THAT(refusal([&] { describe_body(block_of_muscle(), patient, {}, elsewhere); }), HasSubstr("within 25 mm"));
+}
+
+TEST(PatientBody, a_corridor_covers_the_paths_between_its_nodes) {
+  DeformableBodySettings settings;
+  settings.corridor_radius = 8.0;
+  settings.corridor_nodes = 5000;
+  const BodyDescription body = describe_body(block_of_muscle(), block_patient(), settings, block_path).body;
+  const PreparedCorridor corridor{std::make_shared<const CondensedBody>(condense(body)), block_path, {}};
+  EXPECT_NEAR(corridor_reach(corridor, settings), 5.0 * std::sqrt(2.0), 1e-9);  // nodes are 5 mm apart
+  const auto moved = [](const Vec3& entry, const Vec3& target) {
+    return NeedlePath{block_path.entry + entry, block_path.target + target};
+  };
+  EXPECT_TRUE(covers(corridor, block_path, settings));
+  EXPECT_TRUE(covers(corridor, moved({5, 0, 0}, {-5, 0, 0}), settings));
+  EXPECT_FALSE(covers(corridor, moved({8, 0, 0}, {0, 0, 0}), settings));
+  EXPECT_FALSE(covers(corridor, moved({0, 0, 0}, {0, 8, 0}), settings));
+  EXPECT_FALSE(covers(corridor, moved({0, 0, 0}, {0, 0, 40}), settings));
 }
 
 }  // namespace

@@ -84,6 +84,18 @@ TEST(HapticsXml, every_setting_of_every_resistance_arrives) {
   EXPECT_EQ(
       resistance_of<ShaftFrictionSettings>("<shaft_friction stribeck_velocity_mm_per_s='6'/>").stribeck_velocity,
       6.0);
+  EXPECT_TRUE(same_bits(
+      resistance_of<EmbeddedNeedleSettings>(
+          "<embedded_needle capture_radius_mm='1' spacing_mm='0.8' puncture_time_s='0.02' flexible='true' "
+          "modulus_MPa='2e5' stylet='true' hold='pinned' cut_offset_mm='0.1' corridor_radius_mm='20' "
+          "corridor_beyond_mm='10' corridor_nodes='500' stiffness_scale='2' fix_bone='false' fix_cut='false' "
+          "fix_beyond_mm='60'/>"),
+      {1.0,
+       0.8,
+       0.02,
+       EmbeddedNeedleSettings{}.most_nodes,
+       {20.0, 10.0, 500.0, 2.0, false, false, 60.0},
+       {true, 2e5, true, NeedleHold::pinned, 0.1}}));
 }
 
 TEST(HapticsXml, every_setting_of_every_constraint_arrives) {

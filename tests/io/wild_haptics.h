@@ -75,9 +75,13 @@ inline auto members(const DeformableBodySettings& s) {
   const auto& [a, b, c, d, e, f, g] = s;
   return std::tie(a, b, c, d, e, f, g);
 }
-inline auto members(const EmbeddedNeedleSettings& s) {
+inline auto members(const NeedleBendingSettings& s) {
   const auto& [a, b, c, d, e] = s;
   return std::tie(a, b, c, d, e);
+}
+inline auto members(const EmbeddedNeedleSettings& s) {
+  const auto& [a, b, c, d, e, f] = s;
+  return std::tie(a, b, c, d, e, f);
 }
 inline auto members(const ClosestNodeSettings& s) {
   const auto& [a, b, c, d, e, f] = s;
@@ -233,7 +237,13 @@ inline ResistanceSettings wild_resistance(Random& random) {
           number(1.0, 200.0), number(0.0, 200.0), number(10.0, 5000.0), number(1e-3, 1e3), coin(), coin(),
           number(1.0, 1000.0)};
       if (coin())
-        return EmbeddedNeedleSettings{number(0.05, 20.0), number(0.05, 20.0), number(0.001, 1.0), 150, body};
+        return EmbeddedNeedleSettings{
+            number(0.05, 20.0),
+            number(0.05, 20.0),
+            number(0.001, 1.0),
+            150,
+            body,
+            {coin(), number(1e3, 5e5), coin(), coin() ? NeedleHold::pinned : NeedleHold::clamped, number(0.0, 2.0)}};
       return ClosestNodeSettings{number(0.05, 50.0), number(0.01, 100.0), number(0.001, 1.0),
                                  number(0.1, 10.0),  number(1.0, 1000.0), body};
     }

@@ -128,7 +128,7 @@ Placement straight(double depth) {
 
 TEST_P(AllModels, is_passive_on_closed_paths) {
   if (resistance().active) GTEST_SKIP() << resistance().name << " is documented as active";
-  const int paths = closed_paths / static_cast<int>(pairs().size()) + 1;
+  const int paths = static_cast<int>(closed_paths * resistance().paths) / static_cast<int>(pairs().size()) + 1;
   const Case body = patient();
   Player player(body);
   Random random(23);

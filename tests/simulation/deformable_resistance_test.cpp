@@ -2,6 +2,8 @@
 #include "simulation/deformable_resistance.h"
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "tests/fem/dense_body.h"
 #include "tests/one_tick.h"
@@ -50,11 +52,10 @@ Case deformable_patient(const ResistanceSettings& resistance, double device = 10
       checks::kelvin_body(3, 1 + static_cast<int>(deformable_bone_from / apart), apart, modulus));
   for (std::size_t node = 0; node < body->nodes.size(); ++node)
     body->tissues[node] = deformable_tissue_at(body->nodes[node].z() + 0.01);
-  patient.body = std::move(body);
+  patient.corridor = {std::move(body), NeedlePath{Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 30.0)}, {}};
   patient.description.device = {"strong", 100.0, 50.0, 1e6, device, 0.0};
   patient.description.haptics.resistance = resistance;
   patient.description.haptics.constraint = NoConstraint{};
-  patient.description.procedure.path = NeedlePath{Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 30.0)};
   return patient;
 }
 
@@ -114,7 +115,7 @@ TEST(DeformableResistance, is_what_the_embedded_needle_says) {
     const DeformableTissue& here = tissue.deformable;
     tissues[tissue.id] = {here.friction, here.puncture_force, here.stiffness};
   }
-  EmbeddedNeedle needle(*patient.body, tissues, settings, one_tick);
+  EmbeddedNeedle needle(*patient.corridor.body, tissues, settings, one_tick);
   bool begun = false;
   for (double place = -1.0; place < 30.0; place += 0.05) {
     const Pose pose = needle_pose(Vec3(0.0005 * place, 0.0, place), Vec3::UnitZ());
@@ -138,6 +139,92 @@ TEST(DeformableResistance, holds_the_needle_sideways_with_force_and_torque) {
   EXPECT_GT(felt.torque, 0.01);
 }
 
+// A 27G needle that bends as much as steel does, its bevel towards -y.
+Case patient_with_a_thin_needle(double cut_offset, NeedleHold hold = NeedleHold::clamped) {
+  EmbeddedNeedleSettings settings;
+  settings.bending = {.flexible = true, .hold = hold, .cut_offset = cut_offset};
+  Case patient = deformable_patient(settings, 10.0, 0.2);
+  const GaugeSize size = *gauge_size(27);
+  patient.description.needle = {size.gauge, size.outer_diameter, size.inner_diameter, 90.0, NeedleTip::quincke};
+  return patient;
+}
+
+// What the hand feels at every tick of a way to 40 mm at 20 mm/s, with the needle turned by `roll` from half-way on.
+std::vector<Wrench> steered_in(const Case& patient, double roll_before, double roll_after) {
+  HapticTick tick(patient);
+  std::vector<Wrench> felt;
+  for (double place = -2.0; place < 40.0; place += 0.02) {
+    Pose pose = along_z(place);
+    pose.linear() =
+        pose.linear() * Eigen::AngleAxisd(place < 20.0 ? roll_before : roll_after, Vec3::UnitZ()).toRotationMatrix();
+    felt.push_back(tick.step({pose}).requested);
+  }
+  return felt;
+}
+
+TEST(DeformableResistance, a_bevelled_needle_that_bends_leans_on_the_hand_and_a_rigid_one_does_not) {
+  Case rigid = patient_with_a_thin_needle(0.0);
+  std::get<EmbeddedNeedleSettings>(rigid.description.haptics.resistance).bending = {};
+  const Wrench straight = steered_in(rigid, 0.0, 0.0).back();
+  EXPECT_LT(straight.force.head<2>().norm(), 1e-6);
+  EXPECT_LT(straight.torque.norm(), 1e-4);
+  const Wrench symmetric = steered_in(patient_with_a_thin_needle(0.0), 0.0, 0.0).back();
+  EXPECT_LT(symmetric.force.head<2>().norm(), 1e-6);
+
+  for (const NeedleHold hold : {NeedleHold::clamped, NeedleHold::pinned}) {
+    const Case patient = patient_with_a_thin_needle(0.2, hold);
+    const Vec3 away = along_z(0.0).linear().col(1);  // from the bevel
+    const std::vector<Wrench> steered = steered_in(patient, 0.0, 0.0);
+    // First the tip draws the hand after it. Deeper, the curve that it has cut bows the shaft towards the bevel, the
+    // skin keeps it from doing so, and that is felt the other way.
+    EXPECT_LT(steered[300].force.dot(away), -0.001);  // 4 mm deep
+    EXPECT_GT(steered.back().force.dot(away), 0.005);
+    EXPECT_GT(steered.back().torque.norm(), 0.5);
+    const double at_hub = (steered.back().torque + (90.0 * Vec3::UnitZ()).cross(steered.back().force)).norm();
+    if (hold == NeedleHold::clamped) {
+      EXPECT_GT(at_hub, 0.1);
+    } else {
+      EXPECT_LT(at_hub, 1e-6);
+    }
+    // Turned by 180 degrees it is the mirror image; 10 mm after it was turned it leans less.
+    const Wrench mirrored = steered_in(patient, 180.0 * degree, 180.0 * degree).back();
+    EXPECT_LT((mirrored.force + steered.back().force).head<2>().norm(), 1e-6);
+    const Wrench turned = steered_in(patient, 0.0, 180.0 * degree)[1600];
+    EXPECT_LT(turned.force.dot(away), 0.96 * steered[1600].force.dot(away));
+  }
+}
+
+TEST(DeformableResistance, a_steered_needle_is_replayed_to_the_bit) {
+  const Case patient = patient_with_a_thin_needle(0.2);
+  const std::vector<Wrench> first = steered_in(patient, 0.0, 100.0 * degree);
+  const std::vector<Wrench> again = steered_in(patient, 0.0, 100.0 * degree);
+  ASSERT_EQ(first.size(), again.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    ASSERT_EQ(first[i].force, again[i].force) << i;
+    ASSERT_EQ(first[i].torque, again[i].torque) << i;
+  }
+}
+
+TEST(DeformableResistance, a_needle_that_cannot_bend_or_steer_is_refused_with_a_way_out) {
+  const auto refused = [](const Case& patient) {
+    try {
+      const HapticTick tick(patient);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  Case patient = patient_with_a_thin_needle(0.2);
+  EXPECT_EQ(refused(patient), "");
+  patient.description.needle.tip = NeedleTip::whitacre;
+  EXPECT_THAT(refused(patient), HasSubstr("a whitacre needle has no bevel"));
+  patient = patient_with_a_thin_needle(0.2);
+  patient.description.needle.length = 900.0;
+  EXPECT_THAT(refused(patient), HasSubstr("length"));
+  std::get<EmbeddedNeedleSettings>(patient.description.haptics.resistance).bending.flexible = false;
+  EXPECT_THAT(refused(patient), HasSubstr("flexible=true"));
+}
+
 TEST(DeformableResistance, a_body_too_stiff_for_the_device_is_softened_and_says_so) {
   const Case strong = deformable_patient(EmbeddedNeedleSettings{}, 1e6, 0.5);
   EXPECT_EQ(HapticTick(strong).stiffness_scale(), 1.0);
@@ -148,6 +235,20 @@ TEST(DeformableResistance, a_body_too_stiff_for_the_device_is_softened_and_says_
   const Case tip = deformable_patient(ClosestNodeSettings{}, 0.6);
   HapticTick by_tip(tip);
   EXPECT_NEAR(by_tip.stiffness_scale(), 0.6, 1e-12);  // 1 N/mm of the ligament
+}
+
+TEST(DeformableResistance, the_needle_in_the_body_is_behind_the_hand_by_the_spring_between_them) {
+  const Case strong = deformable_patient(EmbeddedNeedleSettings{}, 1e6, 0.5);
+  HapticTick firm(strong);
+  push_in(firm, 15.0);
+  EXPECT_EQ(firm.needle_ahead().norm(), 0.0);
+  const Case weak = deformable_patient(EmbeddedNeedleSettings{}, 0.6, 0.5);
+  HapticTick soft(weak);
+  EXPECT_EQ(soft.needle_ahead().norm(), 0.0);
+  const Felt felt = push_in(soft, 15.0);
+  const double spring = (1.0 - soft.stiffness_scale()) / 0.6;  // mm/N: 1/0.6 less the body's own compliance
+  EXPECT_NEAR(soft.needle_ahead().z(), spring * felt.end, 1e-9);
+  EXPECT_GT(soft.needle_ahead().z(), 0.2);
 }
 
 TEST(DeformableResistance, bone_stops_the_needle_and_lets_go_without_giving_energy) {
@@ -175,6 +276,48 @@ TEST(DeformableResistance, bone_stops_the_needle_and_lets_go_without_giving_ener
   EXPECT_EQ(count(EventKind::corridor_left), 0);  // bone has no nodes and needs none
 }
 
+// Bent aside while it leans on bone, drawn back from there, and straightened: what the bent shaft pushes back with is
+// paid for by the hand on the way in.
+TEST(DeformableResistance, a_needle_that_is_bent_on_bone_gives_no_work) {
+  for (const double slope : {0.0, 0.05, -0.05}) {
+    Case patient = patient_with_a_thin_needle(0.0);
+    patient.description.device.stiffness = 1.0;
+    patient.description.needle.length = 55.0;
+    HapticTick tick(patient);
+    push_in(tick, deformable_bone_from - 1.0);
+    Vec3 place(0.0, 0.0, deformable_bone_from - 1.0);
+    double lean = 0.0, work = 0.0;
+    Wrench before = tick.step({along_z(place.z())}).requested;
+    const auto go = [&](const Vec3& goal, double lean_there) {
+      const Vec3 start = place;
+      const double lean_before = lean;
+      for (int i = 1; i <= 1000; ++i) {
+        const Vec3 next = start + (goal - start) * (i / 1000.0);
+        const double turned = (lean_before + (lean_there - lean_before) * (i / 1000.0)) - lean;
+        lean += turned;
+        Pose pose = along_z(0.0);
+        pose.translation() = next;
+        pose.linear() = Eigen::AngleAxisd(lean, Vec3::UnitY()).toRotationMatrix() * pose.linear();
+        const Wrench now = tick.step({pose}).requested;
+        work -= 0.5 * ((now.force + before.force).dot(next - place) + (now.torque + before.torque).y() * turned);
+        before = now;
+        place = next;
+      }
+    };
+    const double above = deformable_bone_from - 1.0, on_bone = deformable_bone_from + 3.0;
+    for (int round = 0; round < 2; ++round) {  // the first sets what slides
+      work = 0.0;
+      for (const double side : {3.0, -3.0}) {
+        go(Vec3(0.0, 0.0, on_bone), 0.0);
+        go(Vec3(side, 0.0, on_bone), slope);
+        go(Vec3(side, 0.0, above), slope);
+        go(Vec3(0.0, 0.0, above), 0.0);
+      }
+    }
+    EXPECT_GT(work, -1e-3) << slope;
+  }
+}
+
 TEST(DeformableResistance, a_needle_beside_the_corridor_is_told) {
   const Case patient = deformable_patient(EmbeddedNeedleSettings{});
   HapticTick tick(patient);
@@ -190,8 +333,10 @@ TEST(DeformableResistance, a_needle_beside_the_corridor_is_told) {
 
 TEST(DeformableResistance, a_tick_allocates_and_locks_nothing) {
   if (!RealTimeGuard::available()) GTEST_SKIP() << "a sanitizer owns malloc and the locks in this build";
+  const EmbeddedNeedleSettings bending{.bending = {.flexible = true, .cut_offset = 0.1}};
   for (const ResistanceSettings& settings :
-       {ResistanceSettings(EmbeddedNeedleSettings{}), ResistanceSettings(ClosestNodeSettings{})}) {
+       {ResistanceSettings(EmbeddedNeedleSettings{}), ResistanceSettings(bending),
+        ResistanceSettings(ClosestNodeSettings{})}) {
     const Case patient = deformable_patient(settings);
     HapticTick tick(patient);
     std::size_t heap = 0, locks = 0;
@@ -214,7 +359,7 @@ TEST(DeformableResistance, without_a_body_or_with_a_second_friction_it_is_refuse
   patient.description.haptics.parts.shaft_friction = ShaftFrictionSettings{};
   EXPECT_THROW(HapticTick{patient}, InputError);
   patient.description.haptics.parts.shaft_friction.reset();
-  patient.body.reset();
+  patient.corridor.body.reset();
   try {
     const HapticTick tick(patient);
     FAIL();

@@ -26,7 +26,9 @@ Case strong_patient() {
   patient.ct = CtVolume(grid, 45);
   patient.description.device = {"strong", 1e3, 1e3, 1e6, 1e9, 0.0};
   patient.description.procedure.path = NeedlePath{Vec3::Zero(), Vec3(0.0, 0.0, 4.0)};
-  patient.body = std::make_shared<CondensedBody>(checks::kelvin_body(3, 4, 1.5));
+  patient.corridor = {std::make_shared<CondensedBody>(checks::kelvin_body(3, 4, 1.5)),
+                      NeedlePath{Vec3::Zero(), Vec3(0.0, 0.0, 5.0)},
+                      {}};
   return patient;
 }
 
@@ -67,6 +69,7 @@ std::string beside(const std::string& model, const Range& range, bool at_low) {
   if (range.attribute == "field_lowest_HU" && !at_low) return pair("field_highest_HU", "4000");
   if (range.attribute == "cutting_force_N" && !at_low) return pair("puncture_force_N", "50");
   if (range.attribute == "puncture_force_N" && at_low) return pair("cutting_force_N", "0.01");
+  if (range.attribute == "cut_offset_mm" && !at_low) return pair("flexible", "true");
   if (range.attribute == "two_way" && !at_low) return pair("one_way", "10");
   if (range.attribute == "one_way" && at_low) return pair("two_way", "0");
   return {};

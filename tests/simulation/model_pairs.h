@@ -19,6 +19,7 @@ struct NamedResistance {
   ResistanceSettings settings;
   ForceParts parts;
   bool active = false;  // documented: may give energy on closed paths
+  double paths = 1.0;   // part of the usual number of closed paths that is enough
 };
 
 inline void PrintTo(const NamedResistance& resistance, std::ostream* out) {
@@ -52,6 +53,11 @@ inline std::vector<NamedResistance> all_resistances() {
           {"fracture_rubbing", FractureSettings{}, rubbing},
           {"shaft_friction", ShaftFrictionSettings{}, {}},
           {"embedded_needle", EmbeddedNeedleSettings{}, {}},
+          {"embedded_needle_bending",
+           EmbeddedNeedleSettings{.bending = {.flexible = true, .cut_offset = 0.1}},
+           {},
+           false,
+           0.05},
           // Half of the 11 mm that its nodes are apart; taking over from a stiff node is active.
           {"closest_node", ClosestNodeSettings{.capture_radius = 5.5}, {}, true}};
 }
@@ -111,8 +117,9 @@ inline Case patient_for(const NamedResistance& resistance, const NamedConstraint
   if (body_of(resistance.settings) != nullptr) {
     static const std::shared_ptr<const CondensedBody> fine = slab_body(patient.tissues, 5, 22, 2.0);
     static const std::shared_ptr<const CondensedBody> coarse = slab_body(patient.tissues, 3, 4, 11.0);
-    patient.body = std::holds_alternative<ClosestNodeSettings>(resistance.settings) ? coarse : fine;
-    patient.description.procedure.path = NeedlePath{Vec3::Zero(), Vec3(0.0, 0.0, 40.0)};
+    patient.corridor = {std::holds_alternative<ClosestNodeSettings>(resistance.settings) ? coarse : fine,
+                        NeedlePath{Vec3::Zero(), Vec3(0.0, 0.0, 40.0)},
+                        {}};
   }
   return patient;
 }

@@ -2,6 +2,7 @@
 //
 //   model_plots docs/models
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <iostream>
@@ -11,6 +12,7 @@
 
 #include "core/files.h"
 #include "core/random.h"
+#include "fem/embedded_needle.h"
 #include "forces/beam.h"
 #include "forces/bevel_tip.h"
 #include "forces/csf_flow.h"
@@ -222,6 +224,50 @@ Plot bevel_tip() {
               std::move(series));
 }
 
+// Nodes on the z axis on springs of their own: Winkler's foundation, N/mm^2.
+CondensedBody winkler_line(int count, double spacing, double foundation) {
+  CondensedBody body;
+  for (int i = 0; i < count; ++i) {
+    body.mesh_nodes.push_back(static_cast<std::uint32_t>(i));
+    body.nodes.emplace_back(0.0, 0.0, spacing * i);
+    body.tissues.push_back(tissue::soft);
+  }
+  body.compliance = Eigen::MatrixXd::Identity(3 * count, 3 * count) / (foundation * spacing);
+  return body;
+}
+
+Plot flexible_needle() {
+  const CondensedBody body = winkler_line(150, 0.5, 0.5);
+  ContactTissues tissues;
+  tissues.fill({.friction = 0.02});
+  EmbeddedNeedleSettings settings;
+  settings.capture_radius = settings.spacing = 0.45;
+  std::vector<PlotSeries> series;
+  struct Way {
+    const char* name;
+    double rigidity, flip;
+    std::uint32_t colour;
+  };
+  for (const Way& way : {Way{"24G", 877.94, 1e9, green}, Way{"27G", 256.8, 1e9, blue},
+                         Way{"27G, turned at 30 mm", 256.8, 30.0, orange}}) {
+    EmbeddedNeedle needle(body, tissues, settings, dt,
+                          NeedleBeam({.rigidity = way.rigidity, .length = 120.0, .cut_offset = 0.1}));
+    needle.begin(Vec3::Zero(), Vec3::UnitZ());
+    PlotSeries path = line(way.name, way.colour);
+    for (int i = 0; i < 3000; ++i) {
+      const double depth = 0.024 * i;
+      Pose pose = Pose::Identity();
+      pose.translation().z() = depth;
+      if (depth > way.flip) pose.linear() = Eigen::AngleAxisd(std::numbers::pi, Vec3::UnitZ()).toRotationMatrix();
+      const EmbeddedNeedleForce& force = needle.step(pose);
+      if (i % 20 == 0) add(path, depth, -force.tip_deflection.y());
+    }
+    series.push_back(std::move(path));
+  }
+  return plot("Where the tip of a bevelled needle goes in even tissue, pushed straight in", "depth, mm",
+              "tip beside the hand's line, mm", std::move(series));
+}
+
 Plot syringe(const TissueLibrary& library) {
   std::vector<PlotSeries> series;
   for (const auto& [name, filling, colour] :
@@ -349,6 +395,7 @@ int main(int argc, char** argv) {
                                                            {"shaft_friction", shaft_friction()},
                                                            {"prony_relaxation", prony_relaxation()},
                                                            {"bevel_tip", bevel_tip()},
+                                                           {"flexible_needle", flexible_needle()},
                                                            {"syringe", syringe(library)},
                                                            {"csf_flow", csf_flow()},
                                                            {"needle_grasp", needle_grasp()},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -45,6 +46,10 @@ class ElasticBody {
   ElasticBody(const BodyDescription& body, BodyPlan plan, const FactorOptions& options = {},
               const Progress& progress = {});
 
+  // How many nodes the mesh has.
+  std::size_t mesh_nodes() const noexcept { return plan_.system.free_nodes.size(); }
+  // The nodes of the corridor, as the mesh calls them.
+  const std::vector<std::uint32_t>& corridor() const noexcept { return plan_.corridor.mesh_nodes; }
   // Takes the memory of one more compliance.
   CondensedBody condensed() const;
 

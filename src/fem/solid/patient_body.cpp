@@ -116,36 +116,9 @@ double distance_to_segment(const Vec3& point, const Vec3& from, const Vec3& to) 
   return (point - (from + share * along)).norm();
 }
 
-std::vector<std::uint32_t> corridor_nodes(const BodyDescription& body, const NeedlePath& path,
-                                          const DeformableBodySettings& settings, std::vector<std::string>& notes) {
-  const Vec3 from = path.entry - before_skin * path.direction();
-  const Vec3 to = path.target + settings.corridor_beyond * path.direction();
-  std::vector<bool> fixed(body.mesh.nodes.size(), false);
-  for (const std::uint32_t node : body.fixed) fixed[node] = true;
-  std::vector<std::pair<double, std::uint32_t>> near;
-  for (std::uint32_t node = 0; node < body.mesh.nodes.size(); ++node) {
-    const double away = distance_to_segment(body.mesh.nodes[node], from, to);
-    if (!fixed[node] && away <= settings.corridor_radius) near.emplace_back(away, node);
-  }
-  if (near.empty()) {
-    throw InputError(fmt::format(
-        "no node of the mesh that can move lies within {:g} mm of the planned path; mesh the patient anew "
-        "about this path, or give a larger corridor_radius_mm",
-        settings.corridor_radius));
-  }
-  const auto most = static_cast<std::size_t>(settings.corridor_nodes);
-  if (near.size() > most) {
-    std::sort(near.begin(), near.end());
-    notes.push_back(fmt::format(
-        "the corridor reaches {:.1f} mm from the planned path, for it has {} nodes at most, and {} lie within "
-        "{:g} mm; give a larger corridor_nodes where the needle is to be free to enter",
-        near[most - 1].first, most, near.size(), settings.corridor_radius));
-    near.resize(most);
-  }
-  std::vector<std::uint32_t> nodes;
-  for (const auto& [away, node] : near) nodes.push_back(node);
-  std::sort(nodes.begin(), nodes.end());
-  return nodes;
+// The planned path and what lies before and behind it, of which the corridor is prepared.
+std::pair<Vec3, Vec3> corridor_line(const NeedlePath& path, const DeformableBodySettings& settings) {
+  return {path.entry - before_skin * path.direction(), path.target + settings.corridor_beyond * path.direction()};
 }
 
 // Tissue of the closest voxel that is no air, within closest_voxel; air when there is none.
@@ -179,19 +152,62 @@ TissueId tissue_beside(const TissueVolume& tissues, const Vec3& point) {
 
 }  // namespace
 
-PatientBody describe_body(TetrahedralMesh mesh, const Case& patient, const DeformableBodySettings& settings) {
-  const auto& path = patient.description.procedure.path;
-  if (!path) {
+std::vector<std::uint32_t> corridor_about(const BodyDescription& body, const NeedlePath& path,
+                                          const DeformableBodySettings& settings, std::vector<std::string>& notes) {
+  if (!(path.length() > 0.0)) {
     throw InputError(
-        "the case has no planned path, about which the deformable body is prepared; make the case with --entry and "
-        "--target");
+        "the path about which the deformable body is prepared ends where it begins; give another target");
   }
+  const auto [from, to] = corridor_line(path, settings);
+  std::vector<bool> fixed(body.mesh.nodes.size(), false);
+  for (const std::uint32_t node : body.fixed) fixed[node] = true;
+  std::vector<std::pair<double, std::uint32_t>> near;
+  for (std::uint32_t node = 0; node < body.mesh.nodes.size(); ++node) {
+    const double away = distance_to_segment(body.mesh.nodes[node], from, to);
+    if (!fixed[node] && away <= settings.corridor_radius) near.emplace_back(away, node);
+  }
+  if (near.empty()) {
+    throw InputError(
+        fmt::format("no node of the mesh that can move lies within {:g} mm of the path; mesh the patient anew "
+                    "about this path, or give a larger corridor_radius_mm",
+                    settings.corridor_radius));
+  }
+  const auto most = static_cast<std::size_t>(settings.corridor_nodes);
+  if (near.size() > most) {
+    std::sort(near.begin(), near.end());
+    notes.push_back(
+        fmt::format("the corridor reaches {:.1f} mm from the path, for it has {} nodes at most, and {} lie within "
+                    "{:g} mm; give a larger corridor_nodes where the needle is to be free to enter",
+                    near[most - 1].first, most, near.size(), settings.corridor_radius));
+    near.resize(most);
+  }
+  std::vector<std::uint32_t> nodes;
+  for (const auto& [away, node] : near) nodes.push_back(node);
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+double corridor_reach(const PreparedCorridor& corridor, const DeformableBodySettings& settings) {
+  const auto [from, to] = corridor_line(corridor.path, settings);
+  double reach = 0.0;
+  for (const Vec3& node : corridor.body->nodes) reach = std::max(reach, distance_to_segment(node, from, to));
+  return reach;
+}
+
+bool covers(const PreparedCorridor& corridor, const NeedlePath& path, const DeformableBodySettings& settings) {
+  const auto [from, to] = corridor_line(corridor.path, settings);
+  const double reach = corridor_reach(corridor, settings);
+  return distance_to_segment(path.entry, from, to) < reach && distance_to_segment(path.target, from, to) < reach;
+}
+
+PatientBody describe_body(TetrahedralMesh mesh, const Case& patient, const DeformableBodySettings& settings,
+                          const NeedlePath& path) {
   PatientBody described;
   BodyDescription& body = described.body;
   body.mesh = std::move(mesh);
   body.materials = materials_of(body.mesh, patient.library, settings.stiffness_scale);
-  body.fixed = fixed_nodes(body.mesh, patient, *path, settings);
-  body.corridor = corridor_nodes(body, *path, settings, described.notes);
+  body.fixed = fixed_nodes(body.mesh, patient, patient.description.procedure.path.value_or(path), settings);
+  body.corridor = corridor_about(body, path, settings, described.notes);
   return described;
 }
 

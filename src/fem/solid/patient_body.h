@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,13 +15,25 @@ struct PatientBody {
   std::vector<std::string> notes;
 };
 
-// What `settings` make of a patient's mesh. Materials are those of the tissue library, Young's modulus times
-// stiffness_scale. Fixed are, as the settings say, bone and metal (tissues that are rigid in `layered`), the faces
-// where the mesh ends but the patient does not (behind them lies tissue, or the edge of the volume), and what lies
-// beyond a depth along the planned path. The corridor are the free nodes that are closest to the planned path. Throws
-// InputError when there is no planned path, when a tissue of the mesh has no material, or when no node lies in the
-// corridor.
-PatientBody describe_body(TetrahedralMesh mesh, const Case& patient, const DeformableBodySettings& settings);
+// What `settings` make of a patient's mesh, with the corridor about `path`. Materials are those of the tissue
+// library, Young's modulus times stiffness_scale. Fixed are, as the settings say, bone and metal (tissues that are
+// rigid in `layered`), the faces where the mesh ends but the patient does not (behind them lies tissue, or the edge
+// of the volume), and what lies beyond a depth along the planned path (`path` where there is none). Throws InputError
+// when a tissue of the mesh has no material, and what corridor_about() does.
+PatientBody describe_body(TetrahedralMesh mesh, const Case& patient, const DeformableBodySettings& settings,
+                          const NeedlePath& path);
+
+// The nodes of a body that make the corridor about a path: the free ones that are closest to it, in ascending order.
+// `notes` is told when there is no room for all of them. Throws InputError when the path has no length or no node
+// lies near it.
+std::vector<std::uint32_t> corridor_about(const BodyDescription& body, const NeedlePath& path,
+                                          const DeformableBodySettings& settings, std::vector<std::string>& notes);
+
+// mm from a corridor's path within which its nodes lie.
+double corridor_reach(const PreparedCorridor& corridor, const DeformableBodySettings& settings);
+
+// Whether a needle that goes along `path` stays within the reach of a corridor.
+bool covers(const PreparedCorridor& corridor, const NeedlePath& path, const DeformableBodySettings& settings);
 
 // The tissue that a needle meets at each node of a condensed body: that of the voxel there or, where that is air, of
 // the closest one within 3 mm that is not, so that thin layers which the mesh has merged are felt. Nodes beside rigid

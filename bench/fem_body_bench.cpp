@@ -1,0 +1,228 @@
+// The table of docs/fem.md: a body of so many nodes from its mesh to the tick and to the eyes. Boxes of 100 mm with a
+// slab of ligament, a corridor of 1,000 nodes, one thread. 2,197 nodes are what Sutherland et al. 2013 had in their
+// haptic loop. Sizes above 20,000 come when BODKIN_LARGE_BODIES is set.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tests/fem/lattice_body.h"
+#include <benchmark/benchmark.h>
+
+#include "fem/embedded_needle.h"
+#include "fem/solid/condensed_cache.h"
+#include "fem/solid/display_columns.h"
+#include "fem/solid/elastic_body.h"
+
+namespace {
+
+using namespace bodkin;
+
+constexpr std::size_t corridor_size = 1000;        // nodes
+constexpr double side = 100.0;                     // mm
+constexpr std::size_t seen_nodes = 160;            // of the corridor, whose columns the eyes have: a whole shaft
+constexpr int grid_points = 32, skin_points = 46;  // along each axis
+
+double wall_time() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// us of this thread: what other jobs take of the machine is not counted, what they take of the caches is.
+double processor_time() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
+}
+
+// MB, the most that this program has held since the last reset.
+double peak_memory() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) / 1000.0;
+  return 0.0;
+}
+
+struct Preparation {
+  double seconds = 0.0, peak_MB = 0.0;
+};
+
+struct BoxBody {
+  BodyDescription description;
+  std::unique_ptr<ElasticBody> elastic;  // with the whole factor
+  CondensedBody condensed;
+  Preparation preparation;  // of the condensed body alone
+};
+
+// Prepared once for all rows of a size; only the last size is kept.
+const BoxBody& box_of(std::uint32_t along) {
+  static std::uint32_t kept = 0;
+  static std::unique_ptr<BoxBody> box;
+  if (kept == along) return *box;
+  box = std::make_unique<BoxBody>();
+  kept = along;
+  box->description = lattice_body(along, side, 0.1, corridor_size);
+  std::ofstream("/proc/self/clear_refs") << "5";
+  const double before = peak_memory(), start = wall_time();
+  box->condensed = condense(box->description);
+  box->preparation = {wall_time() - start, peak_memory() - before};
+  box->elastic = std::make_unique<ElasticBody>(box->description, plan_body(box->description));
+  return *box;
+}
+
+void report(benchmark::State& state, std::vector<double>& times) {
+  std::sort(times.begin(), times.end());
+  const auto at = [&times](double part) {
+    return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
+  };
+  state.counters["median_us"] = at(0.5);
+  state.counters["p99_us"] = at(0.99);
+  state.counters["p99.9_us"] = at(0.999);
+}
+
+template <typename Work>
+void every_one_on_its_own(benchmark::State& state, Work&& work) {
+  std::vector<double> times;
+  times.reserve(static_cast<std::size_t>(state.max_iterations));
+  int number = 0;
+  for (auto _ : state) {
+    const double start = processor_time();
+    work(number++);
+    times.push_back(processor_time() - start);
+  }
+  report(state, times);
+}
+
+void prepare(benchmark::State& state) {
+  const BoxBody& box = box_of(static_cast<std::uint32_t>(state.range(0)));
+  for (auto _ : state) state.SetIterationTime(box.preparation.seconds);
+  state.counters["nodes"] = static_cast<double>(box.description.mesh.nodes.size());
+  state.counters["peak_MB"] = box.preparation.peak_MB;
+}
+
+// The same again, from the cache: digest of the mesh and the file.
+void prepare_from_cache(benchmark::State& state) {
+  const BoxBody& box = box_of(static_cast<std::uint32_t>(state.range(0)));
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "bodkin-fem-body-bench.condensed";
+  save_condensed(file, box.condensed, digest_of(box.description));
+  for (auto _ : state) benchmark::DoNotOptimize(condensed_with_cache(file, box.description));
+  std::filesystem::remove(file);
+}
+
+// A needle that holds about k nodes of the body goes to and fro by 5 mm and sways: a node comes or goes every 20
+// ticks or so, friction slides and turns round every 200.
+void needle_tick(benchmark::State& state) {
+  const BoxBody& box = box_of(static_cast<std::uint32_t>(state.range(0)));
+  const auto wanted = static_cast<std::uint32_t>(state.range(1));
+  ContactTissues tissues;
+  tissues.fill({.friction = 0.005});
+  EmbeddedNeedleSettings settings;
+  settings.capture_radius = 20.0;
+  settings.spacing = wanted > 60 ? 0.45 : 1.4;
+  settings.most_nodes = 160;
+  EmbeddedNeedle needle(box.condensed, tissues, settings, 1e-3);
+  const Vec3 entry(0.5 * side, 0.5 * side, side), along(0.0, 0.0, -1.0);
+  needle.begin(entry, along);
+  double depth = -1.0;
+  for (; depth < 0.8 * side && needle.step(needle_pose(entry + depth * along, along)).nodes < wanted;) depth += 0.02;
+  std::vector<Pose> motion;
+  for (int tick = 0; tick < 2000; ++tick) {
+    const double swing = std::abs(static_cast<double>(tick % 400) - 200.0) / 200.0;  // 1 to 0 to 1
+    const double angle = 2.0 * 3.14159265358979323846 * tick / 2000.0;
+    const Vec3 aside(0.5 * std::sin(angle), 0.3 * std::sin(2.0 * angle), 0.0);
+    motion.push_back(needle_pose(entry + aside + (depth - 4.0 + 5.0 * swing) * along,
+                                 (along + Vec3(0.01 * std::sin(3.0 * angle), 0.0, 0.0)).normalized()));
+  }
+  for (int warm = 0; warm < 2000; ++warm) needle.step(motion[static_cast<std::size_t>(warm)]);
+  double nodes = 0.0, changes = 0.0;
+  std::uint32_t before = 0;
+  every_one_on_its_own(state, [&](int tick) {
+    const std::uint32_t held = needle.step(motion[static_cast<std::size_t>(tick) % motion.size()]).nodes;
+    nodes += held;
+    changes += held != before ? 1.0 : 0.0;
+    before = held;
+  });
+  state.counters["held"] = nodes / static_cast<double>(state.iterations());
+  state.counters["ticks_a_change"] = static_cast<double>(state.iterations()) / std::max(changes, 1.0);
+}
+
+// What the eyes see: a grid by which ultrasound and re-slices are warped, and a face of skin.
+std::vector<Vec3> seen_points() {
+  std::vector<Vec3> points;
+  const double step = side / (grid_points - 1), skin_step = side / (skin_points - 1);
+  for (int k = 0; k < grid_points; ++k)
+    for (int j = 0; j < grid_points; ++j)
+      for (int i = 0; i < grid_points; ++i) points.emplace_back(step * i, step * j, step * k);
+  for (int j = 0; j < skin_points; ++j)
+    for (int i = 0; i < skin_points; ++i) points.emplace_back(skin_step * i, skin_step * j, side);
+  return points;
+}
+
+void field_for_the_eyes(benchmark::State& state) {
+  const BoxBody& box = box_of(static_cast<std::uint32_t>(state.range(0)));
+  const auto pushed = static_cast<std::size_t>(state.range(1));
+  static std::map<std::uint32_t, std::pair<std::unique_ptr<DisplayField>, double>> fields;
+  auto& [field, seconds] = fields[static_cast<std::uint32_t>(state.range(0))];
+  const std::vector<std::uint32_t> nodes(box.elastic->corridor().begin(),
+                                         box.elastic->corridor().begin() + seen_nodes);
+  const std::vector<Vec3> points = seen_points();
+  if (!field) {
+    const double start = wall_time();
+    field = std::make_unique<DisplayField>(
+        display_columns(*box.elastic, find_points(box.description.mesh, points), nodes));
+    seconds = wall_time() - start;
+  }
+  NodeForces forces;
+  forces.count = pushed;
+  std::vector<float> moved(3 * points.size());
+  every_one_on_its_own(state, [&](int picture) {
+    for (std::size_t i = 0; i < pushed; ++i) {
+      forces.nodes[i] = {nodes[(i + static_cast<std::size_t>(picture) / 4) % seen_nodes], {0.01F, 0.02F, 0.03F}};
+    }
+    field->evaluate(forces, moved);
+    benchmark::DoNotOptimize(moved.data());
+  });
+  state.counters["columns_s"] = seconds;
+  state.counters["columns_MB"] = static_cast<double>(display_bytes(points.size(), nodes.size())) * 1e-6;
+}
+
+std::vector<std::int64_t> sizes() {
+  std::vector<std::int64_t> along = {13, 27};
+  if (std::getenv("BODKIN_LARGE_BODIES") != nullptr) along.push_back(46);
+  return along;
+}
+
+// Size by size, for a body is prepared once.
+const bool registered = [] {
+  for (const std::int64_t along : sizes()) {
+    benchmark::RegisterBenchmark("prepare", prepare)
+        ->Arg(along)
+        ->UseManualTime()
+        ->Iterations(1)
+        ->Unit(benchmark::kSecond);
+    benchmark::RegisterBenchmark("prepare_from_cache", prepare_from_cache)
+        ->Arg(along)
+        ->UseRealTime()
+        ->Iterations(3)
+        ->Unit(benchmark::kSecond);
+    for (const std::int64_t k : {1, 10, 50, 150})
+      benchmark::RegisterBenchmark("needle_tick", needle_tick)
+          ->ArgNames({"along", "k"})
+          ->Args({along, k})
+          ->Iterations(50000);
+    for (const std::int64_t k : {10, 50, 150})
+      benchmark::RegisterBenchmark("field_for_the_eyes", field_for_the_eyes)
+          ->ArgNames({"along", "k"})
+          ->Args({along, k})
+          ->Iterations(500);
+  }
+  return true;
+}();
+
+}  // namespace

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/geometry.h"
+
+namespace bodkin {
+
+// A straight needle path, LPS mm.
+struct NeedlePath {
+  Vec3 entry = Vec3::Zero();   // on the skin
+  Vec3 target = Vec3::Zero();  // where the tip should end
+
+  double length() const { return (target - entry).norm(); }
+  Vec3 direction() const { return (target - entry).normalized(); }
+};
+
+}  // namespace bodkin

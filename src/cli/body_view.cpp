@@ -1,0 +1,133 @@
+#include "cli/body_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "fem/solid/display_columns.h"
+#include "imaging/mesh_cut.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr double seen = 110.0;           // mm of the plane that are shown
+constexpr double shaft_around = 4.0;     // mm from the planned path, within which nodes have columns
+constexpr std::size_t most_nodes = 600;  // that have columns, those nearest to the path
+constexpr double shown_needle = 60.0;    // mm from the tip
+constexpr Colour needle_colour{232, 238, 245};
+
+using Corner = std::array<long, 3>;  // um
+using Edge = std::pair<Corner, Corner>;
+
+Corner corner_of(const Vec3& point) {
+  return {std::lround(1e3 * point.x()), std::lround(1e3 * point.y()), std::lround(1e3 * point.z())};
+}
+
+Colour colour_of_tissue(const TissueLibrary& library, TissueId id) {
+  const TissueProperties* tissue = library.find(id);
+  const std::uint32_t colour = tissue == nullptr ? 0x808080U : tissue->colour;
+  const auto part = [colour](unsigned shift) { return static_cast<std::uint8_t>((colour >> shift) & 0xFFU); };
+  return {part(16), part(8), part(0)};
+}
+
+// The lines of the plane on whose two sides the tissue is not the same, by the tissue with the higher number there.
+std::map<TissueId, std::vector<Vec3>> borders_in(const TetrahedralMesh& mesh, const SlicePlane& plane) {
+  struct Sides {
+    Vec3 from, to;
+    std::multiset<TissueId> tissues;
+  };
+  std::map<Edge, Sides> edges;
+  for (const CutElement& element : cut_mesh(mesh, plane)) {
+    for (int i = 0; i < element.corners; ++i) {
+      const Vec3& from = element.points[static_cast<std::size_t>(i)];
+      const Vec3& to = element.points[static_cast<std::size_t>((i + 1) % element.corners)];
+      if (std::abs(plane.place(from).x()) > 2.0 * plane.width || std::abs(plane.place(from).y()) > 2.0 * plane.height)
+        continue;
+      Edge edge{corner_of(from), corner_of(to)};
+      if (edge.second < edge.first) std::swap(edge.first, edge.second);
+      Sides& sides = edges.try_emplace(edge, Sides{from, to, {}}).first->second;
+      sides.tissues.insert(element.tissue);
+    }
+  }
+  std::map<TissueId, std::vector<Vec3>> borders;
+  for (const auto& [edge, sides] : edges) {
+    if (sides.tissues.size() == 2 && *sides.tissues.begin() == *sides.tissues.rbegin()) continue;
+    std::vector<Vec3>& lines = borders[*sides.tissues.rbegin()];
+    lines.push_back(sides.from);
+    lines.push_back(sides.to);
+  }
+  return borders;
+}
+
+// The nodes of the corridor that a needle along the path can hold, as the mesh calls them.
+std::vector<std::uint32_t> nodes_of_shaft(const ElasticBody& elastic, const TetrahedralMesh& mesh,
+                                          const NeedlePath& path) {
+  std::vector<std::pair<double, std::uint32_t>> near;
+  const Vec3 along = path.direction();
+  for (const std::uint32_t node : elastic.corridor()) {
+    const Vec3 from = mesh.nodes[node] - path.entry;
+    near.emplace_back((from - from.dot(along) * along).norm(), node);
+  }
+  std::sort(near.begin(), near.end());
+  std::vector<std::uint32_t> nodes;
+  for (const auto& [away, node] : near) {
+    if (nodes.size() == most_nodes || (away > shaft_around && !nodes.empty())) break;
+    nodes.push_back(node);
+  }
+  return nodes;
+}
+
+}  // namespace
+
+BodyView::BodyView(const Case& patient, const BodyDescription& body, const Progress& progress) {
+  const NeedlePath& path = patient.corridor.path;
+  plane_ = sagittal_plane_along(path, 0.5 * (path.entry + path.target), seen, seen, 1.0);
+  std::vector<Vec3> points;
+  for (auto& [tissue, lines] : borders_in(body.mesh, plane_)) {
+    points.insert(points.end(), lines.begin(), lines.end());
+    borders_.emplace_back(colour_of_tissue(patient.library, tissue), std::move(lines));
+  }
+  const ElasticBody elastic(body, plan_body(body, progress), {}, progress);
+  display_ = std::make_shared<DisplayThread>(
+      display_columns(elastic, find_points(body.mesh, points), nodes_of_shaft(elastic, body.mesh, path), progress));
+}
+
+void BodyView::draw(SdlScreen& screen, double x, double y, double size, const Pose& needle) {
+  const DisplayMoment& now = display_->moment();
+  const double scale = size / std::max(plane_.width - 1, plane_.height - 1);
+  const auto pixel = [&](const Vec3& point) {
+    return Eigen::Vector2f((Eigen::Vector2d(x, y) + scale * plane_.place(point)).cast<float>());
+  };
+  const auto inside = [&](const Eigen::Vector2f& at) {
+    return static_cast<double>(at.x()) >= x && static_cast<double>(at.x()) <= x + size &&
+           static_cast<double>(at.y()) >= y && static_cast<double>(at.y()) <= y + size;
+  };
+  std::size_t number = 0;
+  const auto draw_line = [&](const Vec3& from, const Vec3& to) {
+    const Eigen::Vector2f a = pixel(from), b = pixel(to);
+    if (!inside(a) || !inside(b)) return;
+    drawn_.push_back(a);
+    drawn_.push_back(b);
+  };
+  const auto moved = [&](const Vec3& rest) {
+    const float* const by = now.displacements.data() + 3 * number++;
+    return Vec3(rest + Eigen::Map<const Eigen::Vector3f>(by).cast<double>());
+  };
+  for (const auto& [colour, lines] : borders_) {
+    drawn_.clear();
+    for (std::size_t i = 0; i + 1 < lines.size(); i += 2) {
+      const Vec3 from = moved(lines[i]), to = moved(lines[i + 1]);
+      draw_line(from, to);
+    }
+    screen.segments(drawn_, colour);
+  }
+  drawn_.clear();
+  const Vec3 tip = needle.translation(), along = needle_axis(needle);
+  for (double back = 0.0; back < shown_needle; back += 2.0) draw_line(tip - back * along, tip - (back + 2.0) * along);
+  screen.segments(drawn_, needle_colour);
+}
+
+}  // namespace bodkin

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "anatomy/case.h"
+#include "cli/sdl_screen.h"
+#include "core/progress.h"
+#include "fem/solid/elastic_body.h"
+#include "imaging/slice.h"
+#include "simulation/display_thread.h"
+
+namespace bodkin {
+
+// The borders of the tissues in the plane of the planned path, as lines that move with the deformable body: skin that
+// dimples and springs back while the needle goes in. Their displacement is found on a thread of its own, sixty times
+// a second; drawing never waits for it.
+class BodyView {
+ public:
+  // Factorises the body with the displacement of all its nodes. Throws InputError when that does not fit into memory.
+  BodyView(const Case& patient, const BodyDescription& body, const Progress& progress = {});
+
+  // What the tick tells its forces to.
+  const std::shared_ptr<DisplayThread>& display() const noexcept { return display_; }
+
+  // Into a square of the screen, `size` pixels wide.
+  void draw(SdlScreen& screen, double x, double y, double size, const Pose& needle);
+
+ private:
+  SlicePlane plane_;
+  std::vector<std::pair<Colour, std::vector<Vec3>>> borders_;  // by colour; two points a line, mm at rest
+  std::shared_ptr<DisplayThread> display_;                     // knows all the points, in their order
+  std::vector<Eigen::Vector2f> drawn_;                         // of one colour, pixels
+};
+
+}  // namespace bodkin

@@ -1,0 +1,71 @@
+// What an EmbeddedNeedle tells: the hand's force, its own shape, and what it has stored.
+#include <algorithm>
+
+#include "fem/embedded_needle.h"
+
+namespace bodkin {
+
+void EmbeddedNeedle::report() noexcept {
+  const std::size_t known = coupling_.size();
+  Vec3 pushed = Vec3::Zero(), torque = Vec3::Zero();  // of the tissue, about the tip, in the frame
+  Eigen::Vector2d across = Eigen::Vector2d::Zero(), moment = Eigen::Vector2d::Zero();  // on the tissue; at the hub
+  published_.count = 0;
+  force_.nodes = static_cast<std::uint32_t>(held_);
+  force_.sticking = 0;
+  for (std::size_t i = 0; i < known; ++i) {
+    const Vec3 force = Eigen::Map<const Vec3>(forces_.data() + 3 * i);
+    if (i < held_ && constraints_.held_along(i)) ++force_.sticking;
+    // A force along the line acts where the line says, one across it at the needle's axis and square to it: that is
+    // how the constraints move when the needle does.
+    const double reach = line()[i].depth - tip_;
+    const Vec3 at(reach, slope_(0) * reach, slope_(1) * reach);
+    const Vec3 square(-(force(1) * slope_(0) + force(2) * slope_(1)), force(1), force(2));
+    pushed += Vec3(force(0), 0.0, 0.0) + square;
+    torque += at.cross(square);
+    across += force.tail<2>();
+    moment += (root_.outside + line()[i].depth) * force.tail<2>();
+    if (force == Vec3::Zero()) continue;
+    const Vec3 there = frame_ * force;
+    published_.nodes[published_.count++] = {
+        line()[i].node,
+        {static_cast<float>(there.x()), static_cast<float>(there.y()), static_cast<float>(there.z())}};
+  }
+  if (beam_) {
+    for (int i = 0; i < 2; ++i) pushed(0) += beam_->push_back(root_, across(i), moment(i), turn_(i));
+    force_.tip_deflection = shaft_deflection(0.0);
+  }
+  force_.resistance = pushed(0);
+  force_.tip_force = known > held_ ? forces_[3 * held_] : 0.0;
+  force_.on_hand = {-(frame_ * pushed), -(frame_ * torque)};
+  force_.beyond = begun_ && (line().empty() || tip_ > line().back().depth + 2.0 * std::max(settings_.spacing,
+                                                                                           settings_.capture_radius));
+}
+
+// How far the shaft is from the straight needle: a beam under -f, on a hub that may have turned.
+Eigen::Vector2d EmbeddedNeedle::bent(double from_hub) const noexcept {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  if (!beam_) return sum;
+  for (std::size_t i = 0; i < coupling_.size(); ++i) {
+    const double by = beam_->flexibility(from_hub, root_.outside + line()[i].depth);
+    sum -= by * Eigen::Vector2d(forces_[3 * i + 1], forces_[3 * i + 2]);
+  }
+  return sum + from_hub * turn_;
+}
+
+Vec3 EmbeddedNeedle::shaft_deflection(double from_tip) const noexcept {
+  const Eigen::Vector2d across = bent(std::max(0.0, root_.outside + tip_ - from_tip));
+  return frame_ * Vec3(0.0, across(0), across(1));
+}
+
+double EmbeddedNeedle::stored_energy() const noexcept {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < coupling_.size(); ++i) {
+    const Vec3 force = Eigen::Map<const Vec3>(forces_.data() + 3 * i);
+    sum += 0.5 * force.dot(displacement(line()[i].node));
+    sum -= 0.5 * force.tail<2>().dot(bent(root_.outside + line()[i].depth));
+    if (i < held_ && holds_[i].softness > 0.0) sum += 0.5 * holds_[i].softness * force.tail<2>().squaredNorm();
+  }
+  return sum;
+}
+
+}  // namespace bodkin

@@ -1,0 +1,52 @@
+#include "fem/needle_beam.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/error.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr double freest_hub = 1e11;  // 1/(N mm): a pinned hub turns by 1 rad for 1e-11 N mm
+
+void check_beam_setting(double value, double low, double high, const char* name, const char* unit) {
+  if (value >= low && value <= high) return;
+  throw InputError("needle beam: the " + std::string(name) + " is " + std::to_string(value) + " " + unit +
+                   ", expected " + std::to_string(low) + " to " + std::to_string(high));
+}
+
+}  // namespace
+
+NeedleBeam::NeedleBeam(const NeedleBeamSettings& settings)
+    : settings_(settings),
+      compliance_(1.0 / settings.rigidity),
+      turning_(settings.hold == NeedleHold::pinned ? freest_hub : 0.0) {
+  if (!std::isinf(settings.rigidity) || settings.rigidity < 0.0)
+    check_beam_setting(settings.rigidity, 0.1, 1e9, "bending stiffness", "N mm^2");
+  check_beam_setting(settings.length, 5.0, 500.0, "length", "mm");
+  check_beam_setting(settings.cut_offset, 0.0, 2.0, "offset of the cut", "mm");
+}
+
+double NeedleBeam::flexibility(double a, double b) const noexcept {
+  const double n = std::min(a, b), m = std::max(a, b);
+  return compliance_ / 6.0 * n * n * (3.0 * m - n);
+}
+
+ShaftRoot NeedleBeam::root(double depth) const noexcept {
+  ShaftRoot here;
+  const double a = here.outside = std::clamp(settings_.length - depth, 0.0, settings_.length);
+  // A cantilever: [a^3/3, a^2/2; a^2/2, a] / (E I), and a hub that turns: [a; 1] [a; 1]^T turning.
+  const double slope = std::sqrt(a * compliance_), hub = std::sqrt(turning_);
+  here.root << 0.5 * a * slope, a * slope / std::sqrt(12.0), a * hub, slope, 0.0, hub;
+  return here;
+}
+
+double NeedleBeam::push_back(const ShaftRoot& root, double force, double moment, double turn) const noexcept {
+  if (root.outside <= 0.0 || root.outside >= settings_.length) return 0.0;
+  return 0.5 * compliance_ * moment * moment - force * turn;
+}
+
+}  // namespace bodkin

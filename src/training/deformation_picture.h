@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "anatomy/case.h"
+#include "core/progress.h"
+#include "fem/node_forces.h"
+#include "fem/solid/elastic_body.h"
+
+namespace bodkin {
+
+// What a needle did to a deformable body at one moment.
+struct DeformedMoment {
+  NodeForces forces;               // by node of the mesh
+  Pose needle = Pose::Identity();  // in the body
+  double ahead = 0.0;              // mm by which the hand is ahead of it
+  double depth = 0.0;              // mm
+  double resistance = 0.0;         // N
+};
+
+// The patient in the plane of the path, at rest and as the needle deforms it, side by side with the needle: an SVG
+// document. `body`: what the patient's corridor was made of (prepare_body); it is factorised anew, for the
+// displacement of all of it. Throws InputError when that does not fit into memory.
+std::string deformation_picture(const Case& patient, const BodyDescription& body, const DeformedMoment& moment,
+                                const Progress& progress = {});
+
+}  // namespace bodkin

@@ -1,0 +1,231 @@
+// A needle that goes from one corridor of a deformable body to another.
+#include "simulation/corridors.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "tests/fem/dense_body.h"
+#include "tests/simulation/real_time_guard.h"
+#include <gtest/gtest.h>
+
+#include "io/tissue_library_file.h"
+#include "simulation/haptic_tick.h"
+
+namespace bodkin {
+namespace {
+
+constexpr double apart = 10.0;  // mm between the two lines
+
+// Three by three lines of nodes about (x, 0), with the numbers of a mesh in which both corridors lie: those at x = 5
+// belong to both.
+PreparedCorridor corridor_at(double x, std::optional<std::uint64_t> aimed_at = {}) {
+  auto body = std::make_shared<CondensedBody>(checks::kelvin_body(3, 12, 2.5, 0.2));
+  for (std::size_t node = 0; node < body->nodes.size(); ++node) {
+    Vec3& place = body->nodes[node];
+    place.x() = place.x() * 2.0 + x;
+    body->mesh_nodes[node] = static_cast<std::uint32_t>(std::lround(place.x() + 100.0) * 10000 +
+                                                        std::lround(place.y() + 50.0) * 100 + std::lround(place.z()));
+  }
+  std::vector<std::size_t> order(body->nodes.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t one, std::size_t other) { return body->mesh_nodes[one] < body->mesh_nodes[other]; });
+  CondensedBody sorted = *body;
+  for (std::size_t to = 0; to < order.size(); ++to) {
+    sorted.nodes[to] = body->nodes[order[to]];
+    sorted.mesh_nodes[to] = body->mesh_nodes[order[to]];
+    sorted.tissues[to] = sorted.nodes[to].z() < 2.0 ? tissue::skin : tissue::muscle;
+    for (std::size_t column = 0; column < order.size(); ++column) {
+      sorted.compliance.block<3, 3>(3 * static_cast<Eigen::Index>(to), 3 * static_cast<Eigen::Index>(column)) =
+          body->compliance.block<3, 3>(3 * static_cast<Eigen::Index>(order[to]),
+                                       3 * static_cast<Eigen::Index>(order[column]));
+    }
+  }
+  return {std::make_shared<const CondensedBody>(std::move(sorted)), NeedlePath{Vec3(x, 0.0, 0.0), Vec3(x, 0.0, 20.0)},
+          aimed_at};
+}
+
+Case patient_of_corridors(const ResistanceSettings& settings) {
+  Case patient;
+  // Firmer than it comes, so that skin gives way to `closest_node` before the tip is at the next node.
+  std::vector<TissueProperties> tissues = default_tissue_library().tissues();
+  for (TissueProperties& tissue : tissues) tissue.deformable.stiffness = 2.0;
+  patient.library = TissueLibrary(tissues);
+  Grid grid;
+  grid.size = {60, 30, 60};
+  grid.origin = Vec3(-20.0, -14.5, -19.5);
+  patient.tissues = TissueVolume(grid, tissue::air);
+  for (int k = 20; k < 60; ++k)
+    for (int j = 0; j < 30; ++j)
+      for (int i = 0; i < 60; ++i) patient.tissues.at(i, j, k) = k < 22 ? tissue::skin : tissue::muscle;
+  patient.ct = CtVolume(grid, 40);
+  patient.corridor = corridor_at(0.0);
+  patient.description.device = {"strong", 100.0, 50.0, 1e6, 100.0, 0.0};
+  patient.description.haptics.resistance = settings;
+  patient.description.haptics.constraint = NoConstraint{};
+  return patient;
+}
+
+struct Insertion {
+  double greatest = 0.0, before_greatest_rise = 0.0, largest_jump = 0.0;
+  std::vector<Event> events;
+  int count(EventKind kind) const {
+    return static_cast<int>(
+        std::count_if(events.begin(), events.end(), [kind](const Event& event) { return event.kind == kind; }));
+  }
+  double value(EventKind kind) const {
+    const auto found = std::find_if(events.begin(), events.end(), [kind](const Event& e) { return e.kind == kind; });
+    return found == events.end() ? -99.0 : found->value;
+  }
+};
+
+// In along z by `depth` mm at (x, 0), and out again.
+Insertion put_in(HapticTick& tick, double x, double depth) {
+  Insertion found;
+  double before = 0.0;
+  const int ticks = static_cast<int>((depth + 3.0) / 0.02);
+  for (int i = 0; i <= 2 * ticks; ++i) {
+    const double place = -3.0 + 0.02 * (i <= ticks ? i : 2 * ticks - i);
+    const TickOutput output = tick.step({needle_pose(Vec3(x, 0.0, place), Vec3::UnitZ())});
+    found.greatest = std::max(found.greatest, output.resistance);
+    if (output.events.size() == 0) found.largest_jump = std::max(found.largest_jump, output.resistance - before);
+    before = output.resistance;
+    found.events.insert(found.events.end(), output.events.begin(), output.events.end());
+  }
+  return found;
+}
+
+EmbeddedNeedleSettings shaft_settings() {
+  EmbeddedNeedleSettings settings;
+  settings.spacing = 2.0;
+  return settings;
+}
+
+TEST(Corridors, the_needle_takes_the_one_about_the_nearest_line_and_says_so) {
+  const Case patient = patient_of_corridors(shaft_settings());
+  HapticTick tick(patient);
+  const Insertion beside = put_in(tick, apart, 15.0);
+  EXPECT_EQ(beside.count(EventKind::corridor_left), 1);
+  EXPECT_EQ(beside.count(EventKind::corridor_taken), 0);
+  EXPECT_EQ(beside.greatest, 0.0);
+  ASSERT_TRUE(tick.add_corridor(corridor_at(apart, 1234)));
+  const Insertion there = put_in(tick, apart, 15.0);
+  EXPECT_EQ(there.count(EventKind::corridor_left), 0);
+  EXPECT_EQ(there.count(EventKind::corridor_taken), 1);
+  EXPECT_EQ(there.value(EventKind::corridor_taken), 1234.0);
+  EXPECT_GT(there.greatest, 1.4);
+  EXPECT_EQ(put_in(tick, apart, 15.0).count(EventKind::corridor_taken), 0);  // the same as before
+  const Insertion back = put_in(tick, 0.0, 15.0);
+  EXPECT_EQ(back.value(EventKind::corridor_taken), -1.0);
+  EXPECT_GT(back.greatest, 1.4);
+}
+
+TEST(Corridors, a_corridor_feels_the_same_whenever_it_was_prepared) {
+  Case later = patient_of_corridors(shaft_settings());
+  Case first = later;
+  first.corridor = corridor_at(apart);
+  HapticTick of_later(later), of_first(first);
+  of_later.add_corridor(corridor_at(apart, 7));
+  for (double place = -2.0; place < 20.0; place += 0.03) {
+    const TickInput input{needle_pose(Vec3(apart + 0.01 * place, 0.0, place), Vec3(0.01, 0.0, 1.0).normalized())};
+    ASSERT_EQ(of_later.step(input).resistance, of_first.step(input).resistance) << place;
+  }
+}
+
+TEST(Corridors, what_gave_way_in_one_has_given_way_in_the_next) {
+  for (const ResistanceSettings& settings :
+       {ResistanceSettings(shaft_settings()), ResistanceSettings(ClosestNodeSettings{.capture_radius = 2.0})}) {
+    const Case patient = patient_of_corridors(settings);
+    HapticTick tick(patient);
+    const auto skin_gives_way = [&](HapticTick& by, double x) {
+      const Insertion found = put_in(by, x, 1.8);
+      return std::any_of(found.events.begin(), found.events.end(), [](const Event& event) {
+        return event.kind == EventKind::puncture && event.tissue == tissue::skin;
+      });
+    };
+    EXPECT_TRUE(skin_gives_way(tick, 5.0)) << name_of(settings);  // along the nodes that both corridors have
+    tick.add_corridor(corridor_at(apart, 3));
+    HapticTick fresh(patient);
+    fresh.add_corridor(corridor_at(apart, 3));
+    EXPECT_FALSE(skin_gives_way(tick, 5.1)) << name_of(settings);
+    EXPECT_TRUE(skin_gives_way(fresh, 5.1)) << name_of(settings);
+  }
+}
+
+TEST(Corridors, there_is_room_for_some_and_reset_goes_back_to_the_first) {
+  const Case patient = patient_of_corridors(shaft_settings());
+  HapticTick tick(patient);
+  for (std::size_t i = 1; i < HapticTick::most_corridors; ++i)
+    EXPECT_TRUE(tick.add_corridor(corridor_at(apart, i))) << i;
+  EXPECT_FALSE(tick.add_corridor(corridor_at(apart, 99)));
+  put_in(tick, apart, 15.0);
+  tick.reset();
+  const Insertion again = put_in(tick, 0.0, 15.0);
+  EXPECT_EQ(again.count(EventKind::corridor_taken), 0);
+  EXPECT_EQ(again.count(EventKind::puncture), put_in(tick, apart, 15.0).count(EventKind::puncture));
+
+  Case rigid = patient;
+  rigid.description.haptics.resistance = LayeredSettings{};
+  HapticTick other(rigid);
+  EXPECT_FALSE(other.add_corridor(corridor_at(apart, 1)));
+  EXPECT_EQ(other.node_forces().count, 0U);
+}
+
+TEST(Corridors, forces_on_nodes_are_told_while_the_needle_is_in_and_not_after) {
+  const Case patient = patient_of_corridors(shaft_settings());
+  HapticTick tick(patient);
+  for (double place = -1.0; place < 12.0; place += 0.05) tick.step({needle_pose(Vec3(0, 0, place), Vec3::UnitZ())});
+  double along = 0.0;
+  for (std::size_t i = 0; i < tick.node_forces().count; ++i)
+    along += static_cast<double>(tick.node_forces().nodes[i].force[2]);
+  const TickOutput now = tick.step({needle_pose(Vec3(0, 0, 12.0), Vec3::UnitZ())});
+  EXPECT_GT(now.resistance, 0.1);
+  EXPECT_NEAR(along, now.resistance, 0.1 * now.resistance);
+  put_in(tick, 0.0, 0.0);
+  EXPECT_EQ(tick.node_forces().count, 0U);
+}
+
+TEST(Corridors, one_is_added_beside_the_tick) {
+  const Case patient = patient_of_corridors(shaft_settings());
+  HapticTick tick(patient);
+  std::atomic<bool> taken{false};
+  std::jthread hand([&](const std::stop_token& stop) {
+    while (!stop.stop_requested() && !taken.load()) {
+      if (put_in(tick, apart, 2.0).count(EventKind::corridor_taken) > 0) taken.store(true);
+    }
+  });
+  EXPECT_TRUE(tick.add_corridor(corridor_at(2.0 * apart, 2)));
+  EXPECT_TRUE(tick.add_corridor(corridor_at(apart, 3)));
+  for (int tries = 0; tries < 3000 && !taken.load(); ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_TRUE(taken.load());
+}
+
+TEST(Corridors, taking_another_one_allocates_and_locks_nothing) {
+  if (!RealTimeGuard::available()) GTEST_SKIP() << "a sanitizer owns malloc and the locks in this build";
+  const Case patient = patient_of_corridors(shaft_settings());
+  HapticTick tick(patient);
+  tick.add_corridor(corridor_at(apart, 5));
+  std::size_t heap = 0, locks = 0;
+  int taken = 0;
+  {
+    const RealTimeGuard guard;
+    for (int i = 0; i < 4000; ++i) {
+      const double place = 8.0 * std::sin(EIGEN_PI * i / 500.0);
+      const double x = i / 1000 % 2 == 0 ? 0.0 : apart;
+      const TickOutput output = tick.step({needle_pose(Vec3(x, 0.0, place), Vec3::UnitZ())});
+      for (const Event& event : output.events) taken += event.kind == EventKind::corridor_taken ? 1 : 0;
+    }
+    heap = RealTimeGuard::heap_calls();
+    locks = RealTimeGuard::lock_calls();
+  }
+  EXPECT_GE(taken, 3);
+  EXPECT_EQ(heap, 0U);
+  EXPECT_EQ(locks, 0U);
+}
+
+}  // namespace
+}  // namespace bodkin
