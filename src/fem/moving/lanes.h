@@ -10,7 +10,7 @@ namespace bodkin {
 inline constexpr std::size_t lane_count = 4;
 using Lanes = double __attribute__((vector_size(32), aligned(32)));
 using LaneMask = long long __attribute__((vector_size(32), aligned(32)));
-static_assert(sizeof(Lanes) == lane_count * sizeof(double) && alignof(Lanes) == sizeof(Lanes));
+static_assert(sizeof(Lanes) == lane_count * sizeof(double));
 
 // Vectors and matrices of lanes; a matrix is its columns.
 struct LaneVector {
