@@ -96,6 +96,7 @@ const std::vector<CommandRow>& table() {
         {"--beyond", Kind::number, {"-1", "201"}},
         {"--pause", Kind::number, {"-1", "61"}},
         {"--withdraw", Kind::toggle},
+        {"--deformation", Kind::toggle},
         {"--resistance", Kind::text},
         {"--constraint", Kind::text},
         {"--part", Kind::texts},
