@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/sanitized.h"
 #include <gtest/gtest.h>
 
 #include "core/error.h"
@@ -108,12 +109,8 @@ TEST(LumbarSynthesis, the_planned_path_keeps_clear_of_bone_for_every_flexed_pati
 TEST(LumbarSynthesis, voxels_along_the_planned_path_hold_no_bone_and_end_in_the_fluid) {
   const TissueLibrary library = default_tissue_library();
   Random random(21);
-#ifdef BODKIN_ADDRESS_SANITIZER
-  constexpr int coarse = 5,
-                fine = 1;  // the plain build looks at the anatomy of many, this one at the memory of a few
-#else
-  constexpr int coarse = 30, fine = 3;
-#endif
+  // The plain build looks at the anatomy of many, a sanitizer at the memory of a few.
+  constexpr int coarse = sanitized ? 3 : 30, fine = sanitized ? 0 : 3;
   for (int n = 0; n < coarse + fine; ++n) {
     LumbarParameters parameters = random_parameters(random);
     parameters.spacing = n < coarse ? 2.5 : 1.0;
