@@ -1,6 +1,7 @@
 #include <numbers>
 
 #include "tests/forces/layered_rig.h"
+#include "tests/sanitized.h"
 #include <gtest/gtest.h>
 
 #include "core/random.h"
@@ -41,7 +42,7 @@ struct ClosedWay {
 TEST(LayeredEnergy, no_closed_way_gains_work) {
   Random random(4);
   double least = 1e9;
-  for (int body = 0; body < 100; ++body) {
+  for (int body = 0; body < (sanitized ? 10 : 100); ++body) {
     const std::vector<Slab> slabs = random_body(random);
     const double device_stiffness = body % 2 == 0 ? 1e9 : 1.0;
     LayeredRig rig(slabs, rig_library(), {}, device_stiffness);
@@ -64,7 +65,7 @@ TEST(LayeredEnergy, no_closed_way_gains_work) {
 // The same in a body that was punctured before, from a depth and back to it, with the same tissues gripping.
 TEST(LayeredEnergy, no_cycle_in_a_punctured_channel_gains_work) {
   Random random(8);
-  for (int trial = 0; trial < 2000; ++trial) {
+  for (int trial = 0; trial < (sanitized ? 100 : 2000); ++trial) {
     LayeredRig rig(random_body(random));
     rig.move(45.0, 40.0);
     const double start = random.uniform(0.0, 40.0);

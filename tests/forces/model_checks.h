@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "tests/sanitized.h"
 #include <gtest/gtest.h>
 
 #include "core/axial_motion.h"
@@ -76,7 +77,8 @@ inline std::vector<double> random_closed_path(Random& random, double deepest, do
 // Net work that the hand does on random closed paths is never negative. `slope` is the model's largest stiffness
 // (N/mm): where a force law has a corner inside a tick the trapezium rule errs by at most slope dx^2.
 template <typename Make>
-void passive_on_random_closed_paths(Make&& make, double deepest, double fastest, double slope, int paths = 400) {
+void passive_on_random_closed_paths(Make&& make, double deepest, double fastest, double slope,
+                                    int paths = sanitized ? 40 : 400) {
   Random random(17);
   auto step = make();
   for (int path = 0; path < paths; ++path) {

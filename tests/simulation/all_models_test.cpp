@@ -19,8 +19,8 @@ namespace bodkin {
 namespace {
 
 // Under a sanitizer every model once is enough.
-constexpr int closed_paths = sanitized ? 1000 : 100000;  // in all
-constexpr int reversals = sanitized ? 1500 : 10000;
+constexpr int closed_paths = sanitized ? 300 : 100000;  // in all
+constexpr int reversals = sanitized ? 300 : 10000;
 
 constexpr double deepest = 42.0;   // mm, in the epidural space
 constexpr double in_bone = 50.0;   // mm

@@ -15,7 +15,7 @@
 namespace bodkin {
 namespace {
 
-constexpr std::uint64_t short_ticks = sanitized ? 60'000 : 1'500'000;
+constexpr std::uint64_t short_ticks = sanitized ? 30'000 : 1'500'000;
 constexpr double bone = 44.0;  // mm
 
 std::uint64_t wanted_ticks() {
