@@ -200,7 +200,7 @@ Eigen::Vector2d ShaftConstraints::solve(std::span<const double> displacements, s
     }
   }
   factor_.forward(values_.data(), 1);
-  const Eigen::Vector2d turn = bends_ ? bend_outside(root) : Eigen::Vector2d(0.0, 0.0);
+  Eigen::Vector2d turn = bends_ ? bend_outside(root) : Eigen::Vector2d(0.0, 0.0);
   factor_.backward(values_.data());
   value = values_.data();
   for (std::size_t i = 0; i < held; ++i) {

@@ -34,7 +34,7 @@ CorridorKeeper::~CorridorKeeper() {
 }
 
 std::optional<NeedlePath> CorridorKeeper::uncovered(const Pose& needle) const {
-  const std::optional<NeedlePath> path = aimed_path(needle, patient_->tissues, length_);
+  std::optional<NeedlePath> path = aimed_path(needle, patient_->tissues, length_);
   if (!path) return {};
   const DeformableBodySettings& settings = *body_of(patient_->description.haptics.resistance);
   for (const PreparedCorridor& corridor : corridors_)
