@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "anatomy/acoustic_tissue.h"
 #include "anatomy/tissue_forces.h"
 
 namespace bodkin {
@@ -57,6 +58,7 @@ struct TissueProperties {
   ShaftFrictionTissue shaft_friction;
   SyringeTissue syringe;
   DeformableTissue deformable;
+  AcousticTissue acoustic;
   std::string source;  // where the numbers come from, one line for people
 };
 

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "anatomy/acoustic_tissue.h"
+#include "anatomy/case.h"
+#include "core/progress.h"
+
+namespace bodkin {
+
+// Impedance of soft tissue from its HU, MRayl: density by the fit to Schneider, Pedroni and Lomax 1996, speed by Mast
+// 2000. Held between 0.0004 (air) and 8.
+double impedance_of_hounsfield(double hounsfield);
+// Speed of sound of a medium from its impedance, m/s, by the same two relations. For impedances from 1 to 8 MRayl.
+double speed_of_impedance(double impedance);
+
+// A patient as sound meets it: on the lattice of its tissues, so that nothing but two arrays is read while a line
+// runs.
+struct AcousticVolume {
+  static constexpr double unit = 1.0 / 4096.0;  // MRayl of one step of `impedance`
+
+  Grid grid;
+  std::vector<std::int16_t> impedance;    // in `unit`, voxel by voxel: the tissue's own, varied by the HU there
+  std::vector<std::uint8_t> tissues;      // tissue ids
+  std::array<AcousticTissue, 256> media;  // by tissue id
+  std::array<double, 256> young{};  // MPa by tissue id, for tissue under the probe; 0 where the library says nothing
+};
+
+// The acoustic volume of a case. Bone (cortical or cancellous) has its own impedance whatever its HU, all else its
+// tissue's, plus what impedance_of_hounsfield says of the difference between the voxel's HU, smoothed against the
+// noise of the CT, and the HU typical of the tissue. Throws InputError when the CT is not in HU or nothing but air.
+std::shared_ptr<const AcousticVolume> acoustic_volume(const Case& patient, const Progress& progress);
+
+}  // namespace bodkin

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+
+namespace bodkin {
+
+// What a sonographer sets on a machine.
+struct UltrasoundSettings {
+  double depth = 80.0;          // mm shown; 10 to 400
+  double gain = 0.0;            // dB, of everything; -40 to 40
+  double dynamic_range = 60.0;  // dB from black to white; 20 to 120
+  double focus = 40.0;          // mm, where the beam is narrowest; 5 to 400
+  double frequency = 0.0;       // MHz within the probe's band; 0 = its centre
+  // dB of the eight sliders of the time-gain compensation, from the face to the depth; -20 to 20. The machine adds
+  // what soft tissue takes away (0.5 dB/cm/MHz, there and back) by itself.
+  std::array<double, 8> sliders{};
+  bool gel = true;  // fills gaps of up to 5 mm between the face and the skin
+};
+
+// How finely a picture is computed, and which parts of the physics are.
+struct UltrasoundDetail {
+  int lines = 300;      // scanlines; 16 to 2048, computed 16 at a time
+  int samples = 300;    // along a line; 32 to 4096
+  int width = 300;      // pixels of the picture; 16 to 4096
+  int height = 300;     // pixels; 16 to 4096
+  int slices = 3;       // rays across the thickness of the slice: 1 (infinitely thin), 3, 5 or 7
+  bool speckle = true;  // and with it the pulse's length and the beam's width
+  bool reverberation = true;
+  bool clutter = true;  // noise of the near field
+  int threads = 1;      // 1 to 64
+};
+
+// The feature set of Sutherland et al. 2013: reflection, attenuation, shadow, bone edges, log compression, scan
+// conversion.
+UltrasoundDetail paper_detail();
+
+}  // namespace bodkin

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "anatomy/needle.h"
+#include "core/geometry.h"
+#include "imaging/ultrasound/acoustic_volume.h"
+#include "imaging/ultrasound/frame.h"
+#include "imaging/ultrasound/probe.h"
+#include "imaging/ultrasound/processor_path.h"
+#include "imaging/ultrasound/settings.h"
+
+namespace bodkin {
+
+// A needle as sound sees it.
+struct NeedleInSound {
+  Pose pose = Pose::Identity();  // tip and axis, patient
+  Needle needle;
+};
+
+// How tissue has moved, on a plane of points through the scan plane: u(x), mm, of the place that now is at x. Row by
+// row, x y z of each point in turn. The same before and behind the plane.
+struct ScanDisplacement {
+  Vec3 corner = Vec3::Zero();  // mm, the first point in the probe's frame; z is not looked at
+  double spacing = 2.0;        // mm between points, along the probe's x (columns) and y (rows)
+  int columns = 0, rows = 0;
+  std::span<const float>
+      moved;  // 3 x rows x columns, mm, patient axes: x - X, with X the place at rest of what is now at x
+};
+
+// An ultrasound machine: a probe on a patient. Everything is prepared at construction and when a setting changes;
+// image() takes no memory after its first call, throws nothing and reads no clock. A picture depends on nothing but
+// patient, probe, settings and the arguments: the same bits on every processor path and for any number of threads.
+class Ultrasound {
+ public:
+  // Throws InputError when the probe, a setting or a detail is out of range.
+  Ultrasound(std::shared_ptr<const AcousticVolume> patient, UltrasoundProbe probe, UltrasoundSettings settings = {},
+             UltrasoundDetail detail = {}, ProcessorPath path = best_processor_path());
+  Ultrasound(Ultrasound&&) noexcept;
+  Ultrasound& operator=(Ultrasound&&) noexcept;
+  ~Ultrasound();
+
+  const UltrasoundProbe& probe() const;
+  const UltrasoundSettings& settings() const;
+  const UltrasoundDetail& detail() const;
+  // Throws InputError as the constructor does, and leaves everything as it was then.
+  void set(const UltrasoundSettings& settings);
+
+  // The picture with the probe at `pose` (probe to patient). Valid until the next call.
+  const UltrasoundFrame& image(const Pose& pose, const std::optional<NeedleInSound>& needle = std::nullopt,
+                               const std::optional<ScanDisplacement>& displacement = std::nullopt) noexcept;
+
+ private:
+  struct Machine;
+  std::unique_ptr<Machine> machine_;
+};
+
+}  // namespace bodkin
