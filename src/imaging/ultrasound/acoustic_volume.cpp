@@ -99,13 +99,42 @@ class HounsfieldSlices {
     const double value = linear_at_index(ct_, index, std::numeric_limits<double>::quiet_NaN());
     return std::isnan(value) ? typical_[tissues_.voxels[position]] : static_cast<float>(value);
   }
+  // The same of all voxels of slice k.
   void read(int k, std::vector<float>& slice) const {
-    std::size_t position = 0;
-    for (int j = 0; j < tissues_.grid.size[1]; ++j)
-      for (int i = 0; i < tissues_.grid.size[0]; ++i) slice[position++] = at(i, j, k);
+    const Grid& grid = tissues_.grid;
+    float* row = slice.data();
+    for (int j = 0; j < grid.size[1]; ++j, row += grid.size[0]) {
+      const Vec3 first = ct_.grid.to_index(grid.to_patient(Vec3(0, j, k)));
+      const Vec3 step = ct_.grid.to_index(grid.to_patient(Vec3(1, j, k))) - first;
+      for (int i = 0; i < grid.size[0]; ++i) {
+        const Vec3 index = first + i * step;
+        row[i] = !same_ && well_inside(index) ? between(index) : at(i, j, k);
+      }
+    }
   }
 
  private:
+  bool well_inside(const Vec3& index) const {
+    return index.x() >= 0.0 && index.y() >= 0.0 && index.z() >= 0.0 && index.x() < ct_.grid.size[0] - 1 &&
+           index.y() < ct_.grid.size[1] - 1 && index.z() < ct_.grid.size[2] - 1;
+  }
+  // linear_at_index where all eight neighbours exist.
+  float between(const Vec3& index) const {
+    const int i = static_cast<int>(index.x()), j = static_cast<int>(index.y()), k = static_cast<int>(index.z());
+    const auto u = static_cast<float>(index.x() - i), v = static_cast<float>(index.y() - j),
+               w = static_cast<float>(index.z() - k);
+    const auto columns = static_cast<std::size_t>(ct_.grid.size[0]);
+    const std::int16_t* const near = ct_.voxels.data() + ct_.grid.offset(i, j, k);
+    const std::int16_t* const far = near + columns * static_cast<std::size_t>(ct_.grid.size[1]);
+    const auto along = [u](const std::int16_t* pair) {
+      return static_cast<float>(pair[0]) + u * static_cast<float>(pair[1] - pair[0]);
+    };
+    const float low = along(near), high = along(far);
+    const float low_side = low + v * (along(near + columns) - low),
+                high_side = high + v * (along(far + columns) - high);
+    return low_side + w * (high_side - low_side);
+  }
+
   const CtVolume& ct_;
   const TissueVolume& tissues_;
   std::array<float, 256> typical_{};
