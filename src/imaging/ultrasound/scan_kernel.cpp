@@ -43,6 +43,8 @@ struct State {
   alignas(64) float previous[lanes];   // impedance of the last sample
   alignas(64) float reflected[lanes];  // amplitude thrown back by the present ramp so far
   alignas(64) float before[lanes];     // amplitude, there and back, before the present ramp
+  alignas(64) float steep[lanes];      // squared gradient where the present ramp is steepest
+  alignas(64) float cosine2[lanes];    // of the angle of incidence there
   alignas(64) float strong_at[lanes];
   alignas(64) float strong_echo[lanes];
 };
@@ -62,7 +64,9 @@ struct Sample {
   alignas(64) std::uint32_t scatterer[lanes];
   alignas(64) std::int32_t fibre[lanes];
   alignas(64) float impedance[lanes];
-  alignas(64) float cosine2[lanes];  // of the angle of incidence on what the impedance's gradient says is the surface
+  alignas(64) float steep[lanes];  // the impedance's gradient, squared
+  alignas(
+      64) float cosine2[lanes];  // of the angle of incidence on what the gradient says is the surface; 1 without any
 };
 
 // Where the samples of row k lie.
@@ -201,7 +205,8 @@ inline void meet(const March& __restrict in, int line, Sample& __restrict s) noe
     const float gz = (cd - ab) * in.per_mm[2];
     const float along = gx * in.direction.x[line + l] + gy * in.direction.y[line + l] + gz * in.direction.z[line + l];
     const float steep = gx * gx + gy * gy + gz * gz + 1e-6F;
-    const float cosine2 = along * along / steep;  // of the angle of incidence, squared
+    const float cosine2 = (along * along + 1e-6F) / steep;  // of the angle of incidence, squared
+    s.steep[l] = steep;
     s.cosine2[l] = cosine2 > 1.0F ? 1.0F : cosine2;
     s.impedance[l] = inside;
   }
@@ -209,7 +214,8 @@ inline void meet(const March& __restrict in, int line, Sample& __restrict s) noe
 
 // Surfaces: reflection, refraction, and what is left of the sound. The impedance rises or falls over some samples (a
 // "ramp") from `start`; the whole ramp throws back what the sharp surface between its two ends would (Fresnel's law
-// for pressure), each sample its part, and transmission is what that leaves.
+// for pressure), each sample its part, and transmission is what that leaves. Its direction is that of its steepest
+// sample, the one before it included: the last one often lies behind it, where the gradient says nothing.
 inline void reflect(const March& __restrict in, int k, const Sample& __restrict s, State& __restrict state,
                     float* __restrict echo, float* __restrict reaches) noexcept {
   constexpr float flat = 0.004F;  // relative change in a sample below which a ramp has ended
@@ -218,7 +224,8 @@ inline void reflect(const March& __restrict in, int k, const Sample& __restrict 
               surface = in.surface;
   for (int l = 0; l < lanes; ++l) {
     const bool in_gel = s.medium[l] == gel;
-    const float impedance = s.impedance[l], sharp = s.cosine2[l];
+    const float impedance = s.impedance[l], here = in_gel ? 0.0F : s.steep[l], sharp = in_gel ? 1.0F : s.cosine2[l];
+    const float last_steep = state.steep[l], last_cosine2 = state.cosine2[l];
     const float last_start = state.start[l], last_reflected = state.reflected[l], last_before = state.before[l];
     const float last_echo = state.strong_echo[l];
     const float z = in_gel ? matched : impedance;
@@ -231,8 +238,13 @@ inline void reflect(const March& __restrict in, int k, const Sample& __restrict 
     const float so_far = going_on ? last_reflected : 0.0F;
     const float settled = last_before * (1.0F - last_reflected * last_reflected);
     const float before = going_on ? last_before : settled;
-    const float met = in_gel ? 1.0F : sharp;
-    const float cosine2 = size < flat * z ? 1.0F : met;
+    const bool steepest = here >= last_steep;
+    const float met = steepest ? sharp : last_cosine2;
+    const float most = steepest ? here : last_steep;
+    const bool level = size < flat * z;
+    const float cosine2 = level ? 1.0F : met;
+    state.steep[l] = level ? here : most;
+    state.cosine2[l] = level ? sharp : met;
 
     // Speeds of sound: 1040 m/s + 310 m/s per MRayl holds for soft tissue within 2 % and for cortical bone within its
     // spread.
@@ -287,7 +299,8 @@ void march(const March& in, int block) noexcept {
   State state;
   for (int l = 0; l < lanes; ++l) {
     state.start[l] = state.previous[l] = in.matched;
-    state.reflected[l] = 0.0F;
+    state.reflected[l] = state.steep[l] = 0.0F;
+    state.cosine2[l] = 1.0F;
     state.before[l] = in.gel_samples[line + l] <= static_cast<float>(in.samples) ? 1.0F : 0.0F;
     state.strong_at[l] = -1.0F;
     state.strong_echo[l] = 0.0F;
