@@ -10,8 +10,8 @@
 
 namespace bodkin::checks {
 
-// Sixteen lines through a patient, marched by the kernel alone: echoes and what is left of the sound at every sample,
-// before anything is done with them.
+// As many lines as the kernel takes at once, through a patient, marched by the kernel alone: echoes and what is left
+// of the sound at every sample, before anything is done with them.
 struct MarchedLines {
   int samples = 0;
   std::vector<float> in_phase, quadrature, amplitude, strong_at, strong_echo;
@@ -123,7 +123,7 @@ inline double fresnel(double before, double behind, double cosine = 1.0) {
 
 // How much of it the probe receives: a mirror's lobe and what leaves in all directions.
 inline double received(double mirror, double cosine) {
-  return mirror * std::pow(cosine, 16.0) + (1.0 - mirror) * cosine;
+  return mirror * std::pow(cosine, 16.0) + (1.0 - mirror) * cosine * cosine;
 }
 
 }  // namespace bodkin::checks

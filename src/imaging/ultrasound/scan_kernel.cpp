@@ -43,8 +43,8 @@ struct State {
   alignas(64) float previous[lanes];   // impedance of the last sample
   alignas(64) float reflected[lanes];  // amplitude thrown back by the present ramp so far
   alignas(64) float before[lanes];     // amplitude, there and back, before the present ramp
-  alignas(64) float steep[lanes];      // squared gradient where the present ramp is steepest
-  alignas(64) float cosine2[lanes];    // of the angle of incidence there
+  alignas(64) float along[lanes];      // slopes as in Sample, where the present ramp is steepest
+  alignas(64) float steep[lanes];
   alignas(64) float strong_at[lanes];
   alignas(64) float strong_echo[lanes];
 };
@@ -64,9 +64,8 @@ struct Sample {
   alignas(64) std::uint32_t scatterer[lanes];
   alignas(64) std::int32_t fibre[lanes];
   alignas(64) float impedance[lanes];
-  alignas(64) float steep[lanes];  // the impedance's gradient, squared
-  alignas(
-      64) float cosine2[lanes];  // of the angle of incidence on what the gradient says is the surface; 1 without any
+  alignas(64) float along[lanes];  // the impedance's change in a mm along the line
+  alignas(64) float steep[lanes];  // where it is steepest, squared
 };
 
 // Where the samples of row k lie.
@@ -132,26 +131,17 @@ inline void surround(const March& __restrict in, int line, int k, Sample& __rest
 // Which cells of the scatterer and the fibre volume hold them. Both volumes go on for ever; each time one starts anew
 // it is shifted, so that no pattern repeats along a line.
 inline void find_cells(const March& __restrict in, Sample& __restrict s) noexcept {
-  constexpr float middle = 65536.0F;  // cells: makes all numbers positive, for truncation to be rounding down
   for (int l = 0; l < lanes; ++l) {
     const float x = s.x[l], y = s.y[l], z = s.z[l];
-    const auto i = static_cast<std::int32_t>(in.cell_of[0][0] * x + in.cell_of[0][1] * y + in.cell_of[0][2] * z +
-                                             (in.cell_of[0][3] + middle));
-    const auto j = static_cast<std::int32_t>(in.cell_of[1][0] * x + in.cell_of[1][1] * y + in.cell_of[1][2] * z +
-                                             (in.cell_of[1][3] + middle));
-    const auto k = static_cast<std::int32_t>(in.cell_of[2][0] * x + in.cell_of[2][1] * y + in.cell_of[2][2] * z +
-                                             (in.cell_of[2][3] + middle));
-    const std::int32_t jj = j + 23 * (i >> 6);
-    const std::int32_t kk = k + 37 * (jj >> 6) + 11 * (i >> 6);
-    s.cell[l] = (i & (cells - 1)) | (jj & (cells - 1)) << 6 | (kk & (cells - 1)) << 12;
-    const auto a = static_cast<std::int32_t>(in.bundle_of[0][0] * x + in.bundle_of[0][1] * y +
-                                             in.bundle_of[0][2] * z + (in.bundle_of[0][3] + middle));
-    const auto b = static_cast<std::int32_t>(in.bundle_of[1][0] * x + in.bundle_of[1][1] * y +
-                                             in.bundle_of[1][2] * z + (in.bundle_of[1][3] + middle));
-    const auto c = static_cast<std::int32_t>(in.bundle_of[2][0] * x + in.bundle_of[2][1] * y +
-                                             in.bundle_of[2][2] * z + (in.bundle_of[2][3] + middle));
-    s.bundle[l] =
-        (a & (bundles - 1)) | ((b + 7 * (a >> 5)) & (bundles - 1)) << 5 | ((c + 13 * (b >> 5)) & (bundles - 1)) << 10;
+    const auto i = static_cast<std::int32_t>(in.cells_per_voxel[0] * x + in.first_cell[0]);
+    const auto j = static_cast<std::int32_t>(in.cells_per_voxel[1] * y + in.first_cell[1]) + 23 * (i >> 6);
+    const auto k =
+        static_cast<std::int32_t>(in.cells_per_voxel[2] * z + in.first_cell[2]) + 37 * (j >> 6) + 11 * (i >> 6);
+    s.cell[l] = (i & (cells - 1)) | (j & (cells - 1)) << 6 | (k & (cells - 1)) << 12;
+    const auto a = static_cast<std::int32_t>(in.bundles_per_voxel[0] * x + in.first_bundle[0]);
+    const auto b = static_cast<std::int32_t>(in.bundles_per_voxel[1] * y + in.first_bundle[1]) + 7 * (a >> 5);
+    const auto c = static_cast<std::int32_t>(in.bundles_per_voxel[2] * z + in.first_bundle[2]) + 13 * (b >> 5);
+    s.bundle[l] = (a & (bundles - 1)) | (b & (bundles - 1)) << 5 | (c & (bundles - 1)) << 10;
   }
 }
 
@@ -204,18 +194,17 @@ inline void meet(const March& __restrict in, int line, Sample& __restrict s) noe
     const float gy = ((b - a) + fz * ((d - c) - (b - a))) * in.per_mm[1];
     const float gz = (cd - ab) * in.per_mm[2];
     const float along = gx * in.direction.x[line + l] + gy * in.direction.y[line + l] + gz * in.direction.z[line + l];
-    const float steep = gx * gx + gy * gy + gz * gz + 1e-6F;
-    const float cosine2 = (along * along + 1e-6F) / steep;  // of the angle of incidence, squared
+    const float steep = gx * gx + gy * gy + gz * gz;
+    s.along[l] = along < 0.0F ? -along : along;
     s.steep[l] = steep;
-    s.cosine2[l] = cosine2 > 1.0F ? 1.0F : cosine2;
     s.impedance[l] = inside;
   }
 }
 
 // Surfaces: reflection, refraction, and what is left of the sound. The impedance rises or falls over some samples (a
 // "ramp") from `start`; the whole ramp throws back what the sharp surface between its two ends would (Fresnel's law
-// for pressure), each sample its part, and transmission is what that leaves. Its direction is that of its steepest
-// sample, the one before it included: the last one often lies behind it, where the gradient says nothing.
+// for pressure), each sample its part, and transmission is what that leaves. Its angle is that of its steepest
+// sample, the one before it included: the last one often lies behind it, where the slope says nothing.
 inline void reflect(const March& __restrict in, int k, const Sample& __restrict s, State& __restrict state,
                     float* __restrict echo, float* __restrict reaches) noexcept {
   constexpr float flat = 0.004F;  // relative change in a sample below which a ramp has ended
@@ -224,8 +213,8 @@ inline void reflect(const March& __restrict in, int k, const Sample& __restrict 
               surface = in.surface;
   for (int l = 0; l < lanes; ++l) {
     const bool in_gel = s.medium[l] == gel;
-    const float impedance = s.impedance[l], here = in_gel ? 0.0F : s.steep[l], sharp = in_gel ? 1.0F : s.cosine2[l];
-    const float last_steep = state.steep[l], last_cosine2 = state.cosine2[l];
+    const float impedance = s.impedance[l], here_along = s.along[l], here_at_all = s.steep[l];
+    const float last_along = state.along[l], last_at_all = state.steep[l];
     const float last_start = state.start[l], last_reflected = state.reflected[l], last_before = state.before[l];
     const float last_echo = state.strong_echo[l];
     const float z = in_gel ? matched : impedance;
@@ -238,28 +227,33 @@ inline void reflect(const March& __restrict in, int k, const Sample& __restrict 
     const float so_far = going_on ? last_reflected : 0.0F;
     const float settled = last_before * (1.0F - last_reflected * last_reflected);
     const float before = going_on ? last_before : settled;
-    const bool steepest = here >= last_steep;
-    const float met = steepest ? sharp : last_cosine2;
-    const float most = steepest ? here : last_steep;
-    const bool level = size < flat * z;
-    const float cosine2 = level ? 1.0F : met;
-    state.steep[l] = level ? here : most;
-    state.cosine2[l] = level ? sharp : met;
+    // With `normal` the squared slope and `along` the slope along the line, along^2 / normal is the squared cosine of
+    // the angle of incidence. Where nothing has a slope the line counts as perpendicular.
+    const bool steepest = here_at_all >= last_at_all;
+    const float slope_at_all = steepest ? here_at_all : last_at_all, slope_along = steepest ? here_along : last_along;
+    const bool level = slope_at_all < 1.0F;
+    const float within = level ? 1.0F : slope_at_all, beside = level ? 1.0F : slope_along;
+    const float normal = in_gel ? 1.0F : within, along = in_gel ? 1.0F : beside;
+    const bool ended = size < flat * z;
+    const float kept_along = ended ? here_along : slope_along, kept_at_all = ended ? here_at_all : slope_at_all;
+    state.along[l] = in_gel ? 0.0F : kept_along;
+    state.steep[l] = in_gel ? 0.0F : kept_at_all;
 
     // Speeds of sound: 1040 m/s + 310 m/s per MRayl holds for soft tissue within 2 % and for cortical bone within its
     // spread.
-    constexpr float slope = 310.0F / 4096.0F / 1040.0F;
-    const float ratio = (1.0F + slope * z) / (1.0F + slope * start);
-    const float bent = 1.0F - ratio * ratio * (1.0F - cosine2);  // squared cosine behind the surface
-    const float cosine = root(cosine2);
-    const float behind = root(bent > 0.0F ? bent : 0.0F);  // 0: total reflection
-    const float reflected = (z * cosine - start * behind) / (z * cosine + start * behind + 1e-3F);
+    constexpr float faster = 310.0F / 4096.0F / 1040.0F;
+    const float speed = 1.0F + faster * z, speed_before = 1.0F + faster * start;
+    const float bent = speed_before * speed_before * normal - speed * speed * (normal - along * along);
+    const float behind = start * root(bent > 0.0F ? bent : 0.0F);  // 0: total reflection
+    const float ahead = z * speed_before * along;
+    const float reflected = (ahead - behind) / (ahead + behind + 1e-3F);
+    const float cosine2 = along * along / normal;
 
     const float dense = z >= bone_from ? 1.0F : 0.0F;
     const float bone = change > 0.0F ? dense : 0.0F;
     const float mirror = bone > 0.0F ? bone_mirror : soft_mirror;
-    const float lobe2 = cosine2 * cosine2, lobe4 = lobe2 * lobe2;
-    const float received = mirror * (lobe4 * lobe4) + (1.0F - mirror) * cosine;
+    const float fourth = cosine2 * cosine2, eighth = fourth * fourth;
+    const float received = mirror * (eighth * eighth) + (1.0F - mirror) * cosine2;
     echo[l] = before * (reflected - so_far) * received * (1.0F + bone_edge * bone) * surface;
 
     const float left = before * s.fall[l];
@@ -299,8 +293,7 @@ void march(const March& in, int block) noexcept {
   State state;
   for (int l = 0; l < lanes; ++l) {
     state.start[l] = state.previous[l] = in.matched;
-    state.reflected[l] = state.steep[l] = 0.0F;
-    state.cosine2[l] = 1.0F;
+    state.reflected[l] = state.along[l] = state.steep[l] = 0.0F;
     state.before[l] = in.gel_samples[line + l] <= static_cast<float>(in.samples) ? 1.0F : 0.0F;
     state.strong_at[l] = -1.0F;
     state.strong_echo[l] = 0.0F;
