@@ -43,6 +43,8 @@ struct State {
   alignas(64) float previous[lanes];   // impedance of the last sample
   alignas(64) float reflected[lanes];  // amplitude thrown back by the present ramp so far
   alignas(64) float before[lanes];     // amplitude, there and back, before the present ramp
+  alignas(64) float along[lanes];      // slopes as in Sample, where the present ramp is steepest
+  alignas(64) float steep[lanes];
   alignas(64) float strong_at[lanes];
   alignas(64) float strong_echo[lanes];
 };
@@ -209,7 +211,8 @@ inline void meet(const March& __restrict in, int line, Sample& __restrict s) noe
 
 // Surfaces: reflection, refraction, and what is left of the sound. The impedance rises or falls over some samples (a
 // "ramp") from `start`; the whole ramp throws back what the sharp surface between its two ends would (Fresnel's law
-// for pressure), each sample its part, and transmission is what that leaves.
+// for pressure), each sample its part, and transmission is what that leaves. Its angle is that of its steepest
+// sample, the one before it included: the last one often lies behind it, where the slope says nothing.
 // `coupled`: there may still be gel. `leads`: this is the ray that tells of strong surfaces.
 template <bool coupled, bool leads>
 inline void reflect(const March& __restrict in, int line, int k, const Sample& __restrict s, State& __restrict state,
@@ -220,7 +223,8 @@ inline void reflect(const March& __restrict in, int line, int k, const Sample& _
               surface = in.surface;
   for (int l = 0; l < lanes; ++l) {
     const bool in_gel = coupled && depth < in.gel_samples[line + l];
-    const float impedance = s.impedance[l], slope_along = s.along[l], slope_at_all = s.steep[l];
+    const float impedance = s.impedance[l], here_along = s.along[l], here_at_all = s.steep[l];
+    const float last_along = state.along[l], last_at_all = state.steep[l];
     const float last_start = state.start[l], last_reflected = state.reflected[l], last_before = state.before[l];
     const float z = in_gel ? matched : impedance;
     const float previous = state.previous[l];
@@ -234,9 +238,15 @@ inline void reflect(const March& __restrict in, int line, int k, const Sample& _
     const float before = going_on ? last_before : settled;
     // With `normal` the squared slope and `along` the slope along the line, along^2 / normal is the squared cosine of
     // the angle of incidence. Where nothing has a slope the line counts as perpendicular.
+    const bool steepest = here_at_all >= last_at_all;
+    const float slope_at_all = steepest ? here_at_all : last_at_all, slope_along = steepest ? here_along : last_along;
     const bool level = slope_at_all < 1.0F;
     const float within = level ? 1.0F : slope_at_all, beside = level ? 1.0F : slope_along;
     const float normal = in_gel ? 1.0F : within, along = in_gel ? 1.0F : beside;
+    const bool ended = size < flat * z;
+    const float kept_along = ended ? here_along : slope_along, kept_at_all = ended ? here_at_all : slope_at_all;
+    state.along[l] = in_gel ? 0.0F : kept_along;
+    state.steep[l] = in_gel ? 0.0F : kept_at_all;
 
     // Speeds of sound: 1040 m/s + 310 m/s per MRayl holds for soft tissue within 2 % and for cortical bone within its
     // spread.
@@ -299,7 +309,7 @@ void march_block(const March& in, int block) noexcept {
   State state;
   for (int l = 0; l < lanes; ++l) {
     state.start[l] = state.previous[l] = in.matched;
-    state.reflected[l] = 0.0F;
+    state.reflected[l] = state.along[l] = state.steep[l] = 0.0F;
     state.before[l] = in.gel_samples[line + l] <= static_cast<float>(in.samples) ? 1.0F : 0.0F;
     state.strong_at[l] = -1.0F;
     state.strong_echo[l] = 0.0F;

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include <fmt/format.h>
+
+#include "core/error.h"
 #include "imaging/ultrasound/crew.h"
 #include "imaging/ultrasound/echo_rows.h"
 #include "imaging/ultrasound/face_contact.h"
@@ -41,8 +45,36 @@ Vec3 displacement_at(const ScanDisplacement& field, const Vec3& point) noexcept 
 }
 
 bool sound(const ScanDisplacement& field) noexcept {
-  return field.columns >= 1 && field.rows >= 1 && field.spacing > 0.0 && field.corner.allFinite() &&
-         field.moved.size() >= 3 * static_cast<std::size_t>(field.columns) * static_cast<std::size_t>(field.rows);
+  constexpr float farthest = 1000.0F;  // mm; nothing of a patient moves as far
+  const bool shaped =
+      field.columns >= 1 && field.rows >= 1 && field.spacing > 0.0 && field.corner.allFinite() &&
+      field.moved.size() >= 3 * static_cast<std::size_t>(field.columns) * static_cast<std::size_t>(field.rows);
+  // Also false of what is not a number.
+  return shaped &&
+         std::all_of(field.moved.begin(), field.moved.end(), [](float u) { return std::abs(u) <= farthest; });
+}
+
+// Refuses what the inner loops could not walk through.
+void check(const AcousticVolume* patient) {
+  if (patient == nullptr)
+    throw InputError("ultrasound has no patient, expected an acoustic volume; make one of a case");
+  const std::array<int, 3>& size = patient->grid.size;
+  if (size[0] < 2 || size[1] < 2 || size[2] < 2) {
+    throw InputError(fmt::format(
+        "the patient has {} x {} x {} voxels, expected at least two along each axis for ultrasound; import "
+        "more of the CT",
+        size[0], size[1], size[2]));
+  }
+  const std::size_t voxels = patient->grid.voxel_count();
+  if (voxels > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
+    throw InputError(fmt::format(
+        "the patient has {} voxels, expected less than 2^31 for ultrasound; import less of the CT", voxels));
+  }
+  if (patient->impedance.size() != voxels || patient->tissues.size() != voxels) {
+    throw InputError(
+        fmt::format("the acoustic volume has {} impedances and {} tissues, expected {} of both; make it of a case",
+                    patient->impedance.size(), patient->tissues.size(), voxels));
+  }
 }
 
 }  // namespace
@@ -265,6 +297,7 @@ void Ultrasound::Machine::draw(const Pose& pose, const std::optional<NeedleInSou
 
 Ultrasound::Ultrasound(std::shared_ptr<const AcousticVolume> patient, UltrasoundProbe probe,
                        UltrasoundSettings settings, UltrasoundDetail detail, ProcessorPath path) {
+  check(patient.get());
   check(probe, "the probe");
   check(detail);
   machine_ = std::make_unique<Machine>(std::move(patient), std::move(probe), detail, path);
