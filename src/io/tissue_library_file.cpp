@@ -106,6 +106,25 @@ void read_tissue_forces(const XmlElement& element, const std::string& origin, Ti
 
 namespace {
 
+constexpr double least_impedance = 0.0001;  // MRayl, a quarter of air's; 0 leaves it to the HU
+
+AcousticTissue acoustic_from(const XmlElement& element, const std::string& origin) {
+  AcousticTissue acoustic;
+  acoustic.impedance = element.number("impedance_MRayl", acoustic.impedance);
+  acoustic.attenuation = element.number("attenuation_dB_per_cm_MHz", acoustic.attenuation);
+  acoustic.power = element.number("attenuation_power", acoustic.power);
+  acoustic.echo = element.number("echo_dB", acoustic.echo);
+  acoustic.density = element.number("scatterer_density", acoustic.density);
+  acoustic.variation = element.number("fibre_variation_dB", acoustic.variation);
+  acoustic.mirror = element.number("mirror", acoustic.mirror);
+  if (acoustic.impedance != 0.0 && acoustic.impedance < least_impedance) {
+    fail_at(origin, element.line,
+            fmt::format("acoustic impedance_MRayl is {}, expected {} to 100, or 0 to take it from the HU",
+                        acoustic.impedance, least_impedance));
+  }
+  return acoustic;
+}
+
 TissueProperties tissue_from(const XmlElement& element, const std::string& origin) {
   TissueProperties entry;
   entry.id = static_cast<TissueId>(element.integer("id", 0));
@@ -115,6 +134,8 @@ TissueProperties tissue_from(const XmlElement& element, const std::string& origi
   entry.hounsfield = element.number("hounsfield_HU", 0.0);
   entry.hounsfield_noise = element.number("hounsfield_noise_HU", 0.0);
   read_tissue_forces(element, origin, entry);
+  if (const XmlElement* acoustic = element.child("acoustic"); acoustic != nullptr)
+    entry.acoustic = acoustic_from(*acoustic, origin);
   entry.source = one_line(element.child("source")->text);
   return entry;
 }

@@ -176,7 +176,82 @@ TEST(TissueLibraryFile, faults_of_the_other_models_are_refused_with_line_field_f
     EXPECT_EQ(others_refused(from, to), std::string("tissues.xml, line ") + sentence);
   EXPECT_EQ(others_refused("<syringe", "<tracking_wall stiffness_N_per_mm='1' force_N='1'/><syringe"),
             "tissues.xml, line 12: the element <tracking_wall> is not allowed here, expected <syringe>, "
-            "<deformable> or <source>");
+            "<deformable>, <acoustic> or <source>");
+}
+
+TEST(TissueLibraryFile, what_a_tissue_is_to_sound_arrives) {
+  const auto acoustic = [](const std::string& element) {
+    return parse(replaced(library, "<source>measured", element + "<source>measured")).find(TissueId{32})->acoustic;
+  };
+  const AcousticTissue whole = acoustic(
+      "<acoustic impedance_MRayl='1.7' attenuation_dB_per_cm_MHz='0.9' attenuation_power='1.1' echo_dB='-40' "
+      "scatterer_density='0.25' fibre_variation_dB='6' mirror='0.75'/>");
+  EXPECT_EQ(whole.impedance, 1.7);
+  EXPECT_EQ(whole.attenuation, 0.9);
+  EXPECT_EQ(whole.power, 1.1);
+  EXPECT_EQ(whole.echo, -40.0);
+  EXPECT_EQ(whole.density, 0.25);
+  EXPECT_EQ(whole.variation, 6.0);
+  EXPECT_EQ(whole.mirror, 0.75);
+  const AcousticTissue neutral;
+  const AcousticTissue brief =
+      acoustic("<acoustic impedance_MRayl='0' attenuation_dB_per_cm_MHz='0' echo_dB='-200'/>");
+  EXPECT_EQ(brief.impedance, 0.0);
+  EXPECT_EQ(brief.power, neutral.power);
+  EXPECT_EQ(brief.density, neutral.density);
+  EXPECT_EQ(brief.variation, neutral.variation);
+  EXPECT_EQ(brief.mirror, neutral.mirror);
+  const AcousticTissue silent = acoustic("");
+  EXPECT_EQ(silent.impedance, 0.0) << "that of its HU";
+  EXPECT_EQ(silent.attenuation, neutral.attenuation);
+  EXPECT_EQ(silent.echo, neutral.echo);
+}
+
+TEST(TissueLibraryFile, faults_of_sound_are_refused_with_line_field_found_and_expected) {
+  const std::string whole =
+      "<acoustic impedance_MRayl='1.7' attenuation_dB_per_cm_MHz='0.9' attenuation_power='1.1' echo_dB='-40' "
+      "scatterer_density='0.25' fibre_variation_dB='6' mirror='0.75'/>\n";
+  const std::string sounding = replaced(library, "<source>measured", whole + "<source>measured");
+  const std::array<std::array<const char*, 3>, 8> faults = {{
+      {"'1.7'", "'101'", "impedance_MRayl is '101', expected a number from 0 to 100"},
+      {"'1.7'", "'0.00005'", "impedance_MRayl is 5e-05, expected 0.0001 to 100, or 0 to take it from the HU"},
+      {"'0.9'", "'-1'", "attenuation_dB_per_cm_MHz is '-1', expected a number from 0 to 100"},
+      {"'1.1'", "'2.1'", "attenuation_power is '2.1', expected a number from 0.5 to 2"},
+      {"'-40'", "'1'", "echo_dB is '1', expected a number from -200 to 0"},
+      {"'0.25'", "'NaN'", "scatterer_density is 'NaN', expected a number from 0 to 1"},
+      {"'6'", "'21'", "fibre_variation_dB is '21', expected a number from 0 to 20"},
+      {"'0.75'", "'1.5'", "mirror is '1.5', expected a number from 0 to 1"},
+  }};
+  for (const auto& [from, to, sentence] : faults) {
+    EXPECT_EQ(refusal([&, from = from, to = to] { parse(replaced(sounding, from, to)); }),
+              std::string("tissues.xml, line 8: acoustic ") + sentence);
+  }
+}
+
+TEST(TissueLibraryFile, the_library_sounds_as_a_sonographer_knows_it) {
+  const TissueLibrary read = default_tissue_library();
+  const auto of = [&read](TissueId id) -> const AcousticTissue& { return read.find(id)->acoustic; };
+  for (const TissueProperties& entry : read.tissues()) EXPECT_GT(entry.acoustic.impedance, 0.0) << entry.name;
+  EXPECT_EQ(of(tissue::cortical_bone).impedance, 7.8) << "segmented bone has an impedance of its own";
+  EXPECT_EQ(of(tissue::fat).impedance, 1.38);
+  for (const TissueId airy : {tissue::air, tissue::lung, tissue::gas}) EXPECT_EQ(of(airy).impedance, 0.0004);
+  for (const TissueId solid :
+       {tissue::cortical_bone, tissue::cancellous_bone, tissue::metal, tissue::lung, tissue::gas})
+    EXPECT_LE(of(solid).echo, -150.0) << read.title(solid) << ": a clean shadow";
+  for (const TissueId clear : {tissue::cerebrospinal_fluid, tissue::vessel})
+    EXPECT_LE(of(clear).echo, -90.0) << read.title(clear) << ": black";
+  for (const TissueId grey :
+       {tissue::skin, tissue::fat, tissue::muscle, tissue::soft, tissue::disc, tissue::interspinous_ligament,
+        tissue::ligamentum_flavum, tissue::dura, tissue::organ}) {
+    EXPECT_GE(of(grey).echo, -46.0) << read.title(grey);
+    EXPECT_LE(of(grey).echo, -30.0) << read.title(grey);
+  }
+  EXPECT_LT(of(tissue::fat).echo, of(tissue::muscle).echo) << "fat under the skin is dark";
+  EXPECT_GT(of(tissue::epidural_fat).echo, of(tissue::muscle).echo) << "epidural fat is bright";
+  EXPECT_GT(of(tissue::dura).echo, of(tissue::epidural_fat).echo);
+  EXPECT_LT(of(tissue::mass).echo, of(tissue::organ).echo) << "a lesion shows";
+  EXPECT_GT(of(tissue::muscle).variation, 3.0) << "fibres";
+  EXPECT_EQ(of(tissue::cerebrospinal_fluid).power, 2.0) << "as water";
 }
 
 TEST(TissueLibraryFile, faults_are_refused_with_line_field_found_and_expected) {

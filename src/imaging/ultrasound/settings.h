@@ -4,6 +4,8 @@
 
 namespace bodkin {
 
+struct UltrasoundProbe;
+
 // What a sonographer sets on a machine.
 struct UltrasoundSettings {
   double depth = 80.0;          // mm shown; 10 to 400
@@ -33,5 +35,11 @@ struct UltrasoundDetail {
 // The feature set of Sutherland et al. 2013: reflection, attenuation, shadow, bone edges, log compression, scan
 // conversion.
 UltrasoundDetail paper_detail();
+
+// Throws InputError naming the field, what it is and what is expected, when a setting is out of range, not a number,
+// or a frequency that the probe has not.
+void check(const UltrasoundSettings& settings, const UltrasoundProbe& probe);
+// The same of a detail.
+void check(const UltrasoundDetail& detail);
 
 }  // namespace bodkin

@@ -53,6 +53,7 @@ class Ultrasound {
                                const std::optional<ScanDisplacement>& displacement = std::nullopt) noexcept;
 
  private:
+  struct Lines;
   struct Machine;
   std::unique_ptr<Machine> machine_;
 };

@@ -1,0 +1,21 @@
+// Ultrasound probes from anybody: refused with a sentence, or probes that could exist.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "core/error.h"
+#include "io/probe_library_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    const auto probes = bodkin::parse_probes({reinterpret_cast<const char*>(data), size}, "probes.xml");
+    for (const bodkin::UltrasoundProbe& probe : probes) {
+      const bool sound =
+          probe.lowest <= probe.frequency && probe.frequency <= probe.highest && probe.aperture() > 0.0;
+      if (!sound) std::abort();
+    }
+  } catch (const bodkin::InputError&) {
+  }
+  return 0;
+}

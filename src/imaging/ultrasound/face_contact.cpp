@@ -1,0 +1,85 @@
+#include "imaging/ultrasound/face_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bodkin {
+
+namespace {
+
+constexpr double face_step = 0.25;  // mm
+constexpr double touching = 0.5;    // mm of air that count as contact without gel: the CT knows the skin no better
+
+// A point that moves along a line, in voxels.
+struct Feeler {
+  const AcousticVolume& patient;
+  Vec3 start, step;  // voxels, voxels per mm
+
+  bool in_air(double distance) const noexcept {
+    const Vec3 index = (start + distance * step).array() + 0.5;
+    const auto& size = patient.grid.size;
+    const bool within = index.x() >= 0.0 && index.y() >= 0.0 && index.z() >= 0.0 && index.x() < size[0] &&
+                        index.y() < size[1] && index.z() < size[2];
+    if (!within) return true;
+    return patient.tissues[patient.grid.offset(static_cast<int>(index.x()), static_cast<int>(index.y()),
+                                               static_cast<int>(index.z()))] == tissue::air;
+  }
+};
+
+struct Touch {
+  double gap = 0.0, press = 0.0;
+};
+
+Touch touch(const Feeler& feeler, double reach) noexcept {
+  if (feeler.in_air(0.0)) {
+    for (double ahead = face_step; ahead <= reach; ahead += face_step)
+      if (!feeler.in_air(ahead)) return {ahead, 0.0};
+    return {2.0 * thickest_gel, 0.0};
+  }
+  double behind = face_step;
+  while (behind <= deepest_press && !feeler.in_air(-behind)) behind += face_step;
+  return {0.0, behind - face_step};
+}
+
+}  // namespace
+
+FaceContact face_contact(const AcousticVolume& patient, const ScanLines& lines, const Pose& pose, bool gel,
+                         std::span<float> gap, std::span<float> press) noexcept {
+  FaceContact contact;
+  if (!pose.matrix().allFinite()) {
+    contact.why = NoImage::broken_pose;
+    return contact;
+  }
+  const Grid& grid = patient.grid;
+  const Mat3 into_voxels = grid.spacing.cwiseInverse().asDiagonal() * grid.direction.transpose();
+  const double reach = gel ? thickest_gel : touching;
+  const auto feel = [&](double line) {
+    const Vec3 start = grid.to_index(pose * lines.origin(line));
+    return touch({patient, start, into_voxels * (pose.linear() * lines.direction(line))}, reach);
+  };
+
+  const Vec3 face = grid.to_index(pose.translation());
+  const Vec3 margin = grid.spacing.cwiseInverse() * deepest_press;  // air that a CT does not show is still air
+  for (int axis = 0; axis < 3; ++axis) {
+    if (face[axis] < -margin[axis] || face[axis] > grid.size[static_cast<std::size_t>(axis)] - 1 + margin[axis])
+      contact.why = NoImage::outside_volume;
+  }
+  if (contact.why != NoImage::none) return contact;
+  contact.press = feel(0.5 * (lines.lines - 1)).press;
+  if (contact.press >= deepest_press) {
+    contact.why = NoImage::inside_body;
+    return contact;
+  }
+  int reached = 0;
+  for (int line = 0; line < lines.lines; ++line) {
+    const Touch found = feel(line);
+    gap[static_cast<std::size_t>(line)] = static_cast<float>(found.gap);
+    press[static_cast<std::size_t>(line)] = static_cast<float>(found.press);
+    reached += found.gap <= thickest_gel ? 1 : 0;
+  }
+  contact.share = static_cast<double>(reached) / lines.lines;
+  if (reached == 0) contact.why = NoImage::no_contact;
+  return contact;
+}
+
+}  // namespace bodkin

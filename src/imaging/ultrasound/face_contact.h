@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+
+#include "imaging/ultrasound/acoustic_volume.h"
+#include "imaging/ultrasound/frame.h"
+#include "imaging/ultrasound/scan_lines.h"
+
+namespace bodkin {
+
+inline constexpr double thickest_gel = 5.0;    // mm
+inline constexpr double deepest_press = 40.0;  // mm; a face further below the skin is inside the body
+
+// How the face of a probe lies on a patient.
+struct FaceContact {
+  NoImage why = NoImage::none;
+  double share = 0.0;  // of the lines that reach the patient
+  double press = 0.0;  // mm that the middle of the face is below the resting skin; >= 0
+};
+
+// Feels along every line of a probe at `pose` for the skin: out of the face through gel where there is air, back from
+// the face where it has been pressed in. `gap` and `press` (one value a line, mm) receive how far before the face the
+// skin is (more than thickest_gel: no contact) and how far behind.
+FaceContact face_contact(const AcousticVolume& patient, const ScanLines& lines, const Pose& pose, bool gel,
+                         std::span<float> gap, std::span<float> press) noexcept;
+
+}  // namespace bodkin

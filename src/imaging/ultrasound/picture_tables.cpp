@@ -1,0 +1,188 @@
+#include "imaging/ultrasound/picture_tables.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "imaging/ultrasound/scatterers.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr double machine_compensates = 0.5;   // dB/cm/MHz, of soft tissue
+constexpr double most_compensation = 60.0;    // dB: beyond, there would be noise alone
+constexpr double matched_impedance = 1.6;     // MRayl
+constexpr double rayleigh_mean = 0.88622693;  // of a complex normal number of variance 1
+constexpr double press_reaches = 60.0;        // mm below the face
+
+double from_decibels(double decibels) {
+  return std::pow(10.0, decibels / 20.0);
+}
+
+// The upper half of a float, rounded.
+std::uint32_t upper_half(double value) {
+  const auto bits = __builtin_bit_cast(std::uint32_t, static_cast<float>(value));
+  return (bits + 0x8000U) & 0xFFFF0000U;
+}
+
+std::uint32_t byte_share(double share) {
+  return static_cast<std::uint32_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
+}
+
+void set_media(PictureTables& tables, const AcousticVolume& patient, double frequency, double spacing) {
+  tables.fall.assign(scan::media, 1.0F);
+  tables.texture.assign(scan::media, 0);
+  for (std::size_t id = 0; id < patient.media.size(); ++id) {
+    const AcousticTissue& medium = patient.media[id];
+    const double both_ways = 2.0 * medium.attenuation * std::pow(frequency, medium.power) * spacing / 10.0;
+    tables.fall[id] = static_cast<float>(from_decibels(-both_ways));
+    const double density = std::max(medium.density, 1e-3);
+    const double level = from_decibels(medium.echo) / rayleigh_mean / std::sqrt(density);
+    tables.texture[id] =
+        upper_half(level) | byte_share(medium.density) << 8 | byte_share(1.0 - from_decibels(-medium.variation));
+  }
+  tables.fall[scan::outside] = 0.0F;
+}
+
+// Rows of a map from voxels to cells: turned out of every axis of the patient, so that no row of cells lies along
+// one.
+std::array<float, 12> cells_of(const Grid& grid, const Mat3& turn, const Vec3& size) {
+  const Mat3 from_voxels = size.cwiseInverse().asDiagonal() * turn * grid.direction * grid.spacing.asDiagonal();
+  const Vec3 shift = size.cwiseInverse().asDiagonal() * turn * grid.origin;
+  std::array<float, 12> rows{};
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column)
+      rows[static_cast<std::size_t>(4 * row + column)] = static_cast<float>(from_voxels(row, column));
+    // Only where within the endless pattern the patient lies: kept small, for floats to be exact.
+    rows[static_cast<std::size_t>(4 * row + 3)] = static_cast<float>(std::remainder(shift[row], 4096.0));
+  }
+  return rows;
+}
+
+void set_widths(PictureTables& tables, const UltrasoundDetail& detail, const ScanLines& lines, const SoundBeam& beam,
+                const std::vector<SliceRay>& rays, double cell) {
+  const auto samples = static_cast<std::size_t>(lines.samples);
+  const double pulse = beam.pulse * deviation_of_width / lines.spacing;  // samples
+  const int axial_half = detail.speckle ? std::clamp(static_cast<int>(std::ceil(3.0 * pulse)), 1, 64) : 0;
+  const std::vector<double> one_side = half_gaussian(detail.speckle ? pulse : 0.0, axial_half);
+  std::vector<double> axial;
+  for (int tap = -axial_half; tap <= axial_half; ++tap)
+    axial.push_back(one_side[static_cast<std::size_t>(std::abs(tap))]);
+  tables.axial.assign(axial.begin(), axial.end());
+  const double axial_left = variance_left(axial, lines.spacing / cell);
+
+  tables.lateral.assign(samples * (scan::edge + 1), 0.0F);
+  tables.lateral_half.assign(samples, 0);
+  tables.speckle_gain.assign(samples, 0.0F);
+  tables.offsets.assign(rays.size(), std::vector<float>(samples, 0.0F));
+  for (int k = 0; k < lines.samples; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const double depth = k * lines.spacing, apart = lines.apart(depth);
+    const double width = detail.speckle ? beam.lateral(depth) * deviation_of_width / std::max(apart, 1e-3) : 0.0;
+    const int half = detail.speckle ? std::clamp(static_cast<int>(std::ceil(2.5 * width)), 1, scan::edge) : 0;
+    const std::vector<double> side = half_gaussian(width, half);
+    for (std::size_t tap = 0; tap < side.size(); ++tap)
+      tables.lateral[i * (scan::edge + 1) + tap] = static_cast<float>(side[tap]);
+    tables.lateral_half[i] = half;
+    std::vector<double> lateral;
+    for (int tap = -half; tap <= half; ++tap) lateral.push_back(side[static_cast<std::size_t>(std::abs(tap))]);
+
+    const double thick = beam.elevation(depth) * deviation_of_width;
+    double slice_left = 0.0;
+    for (std::size_t a = 0; a < rays.size(); ++a) {
+      tables.offsets[a][i] = static_cast<float>(rays[a].off * thick);
+      for (const SliceRay& b : rays) {
+        const double cells = std::abs(rays[a].off - b.off) * thick / cell;
+        slice_left += rays[a].weight * b.weight * std::max(0.0, 1.0 - cells);
+      }
+    }
+    const double left = axial_left * variance_left(lateral, apart / cell) * slice_left;
+    tables.speckle_gain[i] = static_cast<float>(1.0 / std::sqrt(left));
+  }
+}
+
+void set_gain(PictureTables& tables, const UltrasoundSettings& settings, const ScanLines& lines, double frequency) {
+  tables.gain.clear();
+  for (int k = 0; k < lines.samples; ++k) {
+    const double depth = k * lines.spacing;
+    const double machine = std::min(most_compensation, 2.0 * machine_compensates * frequency * depth / 10.0);
+    const double at = (static_cast<double>(settings.sliders.size()) - 1.0) * k / (lines.samples - 1);
+    const auto slider = std::min(static_cast<std::size_t>(at), settings.sliders.size() - 2);
+    const double part = at - static_cast<double>(slider);
+    const double chosen = (1.0 - part) * settings.sliders[slider] + part * settings.sliders[slider + 1];
+    tables.gain.push_back(static_cast<float>(from_decibels(settings.gain + machine + chosen)));
+  }
+}
+
+// The ringing of the face, and beyond it a haze that the nearest layers throw to and fro; at the same place in every
+// picture, for it belongs to the probe.
+void set_clutter(PictureTables& tables, const ScanLines& lines) {
+  constexpr double bang = 0.5, bang_length = 0.5;  // amplitude, mm
+  constexpr double haze = 0.012, haze_length = 3.0;
+  const auto& cells = scatterers().cells;
+  const auto stride = static_cast<std::size_t>(tables.stride);
+  for (std::vector<float>& rows : tables.clutter) rows.assign(stride * static_cast<std::size_t>(lines.samples), 0.0F);
+  for (int k = 0; k < lines.samples; ++k) {
+    const double depth = k * lines.spacing;
+    const double level = haze * std::exp(-depth / haze_length);
+    const double ring = bang * std::exp(-depth / bang_length);
+    if (level + ring < 1e-6) break;
+    for (std::size_t l = 0; l < stride; ++l) {
+      const std::size_t at = static_cast<std::size_t>(k) * stride + l;
+      const std::uint32_t cell = cells[(at * 7919) % cells.size()];
+      tables.clutter[0][at] = static_cast<float>(ring + level / 64.0 * static_cast<std::int8_t>(cell & 0xFFU));
+      tables.clutter[1][at] = static_cast<float>(level / 64.0 * static_cast<std::int8_t>(cell >> 8 & 0xFFU));
+    }
+  }
+}
+
+}  // namespace
+
+double PictureTables::pressed_share(double depth) const {
+  return std::max(0.0, 1.0 - depth / press_reaches);
+}
+
+void PictureTables::describe(int sample, scan::Row& described) const noexcept {
+  const auto k = static_cast<std::size_t>(sample);
+  described.row = sample;
+  described.axial = axial.data();
+  described.axial_half = static_cast<int>(axial.size() / 2);
+  described.lateral = lateral.data() + k * (scan::edge + 1);
+  described.lateral_half = lateral_half[k];
+  described.clutter_in_phase = clutter[0].empty() ? nullptr : clutter[0].data();
+  described.clutter_quadrature = clutter[1].empty() ? nullptr : clutter[1].data();
+  described.gain = gain[k];
+}
+
+PictureTables picture_tables(const AcousticVolume& patient, const UltrasoundProbe& probe,
+                             const UltrasoundSettings& settings, const UltrasoundDetail& detail,
+                             const ScanLines& lines, const SoundBeam& beam, const std::vector<SliceRay>& rays) {
+  PictureTables tables;
+  tables.stride = (lines.lines + scan::lanes - 1) / scan::lanes * scan::lanes;
+  tables.matched = static_cast<float>(matched_impedance / AcousticVolume::unit);
+  const double frequency = settings.frequency > 0.0 ? settings.frequency : probe.frequency;
+  set_media(tables, patient, frequency, lines.spacing);
+
+  const double cell = std::clamp(0.5 * beam.pulse, 0.08, 0.5);  // mm: finer than any width of the picture
+  const Mat3 turn = (Eigen::AngleAxisd(0.46, Vec3::UnitX()) * Eigen::AngleAxisd(0.71, Vec3::UnitY()) *
+                     Eigen::AngleAxisd(1.13, Vec3::UnitZ()))
+                        .toRotationMatrix();
+  tables.cell_of = cells_of(patient.grid, turn, Vec3::Constant(cell));
+  const Vec3 bundle(1.3, 1.3, 16.0);  // mm: bundles of fibres run from head to foot, as those of the back do
+  const Mat3 aslant =
+      (Eigen::AngleAxisd(0.08, Vec3::UnitX()) * Eigen::AngleAxisd(0.05, Vec3::UnitY())).toRotationMatrix();
+  tables.bundle_of = cells_of(patient.grid, aslant, bundle);
+  set_widths(tables, detail, lines, beam, rays, cell);
+  set_gain(tables, settings, lines, frequency);
+  if (detail.clutter) set_clutter(tables, lines);
+
+  tables.row.samples = lines.samples;
+  tables.row.stride = tables.stride;
+  tables.row.lines = lines.lines;
+  constexpr double decibels_per_octave = 6.0205999;
+  tables.row.white = 255.0F;
+  tables.row.levels_per_octave = static_cast<float>(255.0 * decibels_per_octave / settings.dynamic_range);
+  return tables;
+}
+
+}  // namespace bodkin

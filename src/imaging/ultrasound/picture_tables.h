@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "imaging/ultrasound/acoustic_volume.h"
+#include "imaging/ultrasound/probe.h"
+#include "imaging/ultrasound/scan_kernel.h"
+#include "imaging/ultrasound/scan_lines.h"
+#include "imaging/ultrasound/settings.h"
+#include "imaging/ultrasound/slice_rays.h"
+#include "imaging/ultrasound/sound_beam.h"
+
+namespace bodkin {
+
+// What a picture looks up, computed when a setting changes.
+struct PictureTables {
+  int stride = 0;        // lines, up to a whole number of scan::lanes
+  float matched = 0.0F;  // AcousticVolume::unit
+
+  std::vector<float> fall;                  // scan::media
+  std::vector<std::uint32_t> texture;       // scan::media
+  std::array<float, 12> cell_of{};          // 3 x 4: voxels to cells of the scatterer volume
+  std::array<float, 12> bundle_of{};        // 3 x 4
+  std::vector<float> speckle_gain;          // by sample: undoes what the widths take away from the speckle's level
+  std::vector<std::vector<float>> offsets;  // by ray of the slice, by sample: mm across the slice
+
+  scan::Row row{};                // what all rows share
+  std::vector<float> axial;       // weights of the pulse
+  std::vector<float> lateral;     // by sample: (scan::edge + 1) weights of the beam
+  std::vector<int> lateral_half;  // by sample
+  std::vector<float> gain;        // by sample: amplitude of gain and time-gain compensation
+  std::vector<float> clutter[2];  // samples x stride: noise of the face and what is next to it
+
+  // Share of the probe's press by which tissue at a depth below the face has moved.
+  double pressed_share(double depth) const;
+  // The fields of a row that are its own, but for `grey` and `work`.
+  void describe(int sample, scan::Row& described) const noexcept;
+};
+
+PictureTables picture_tables(const AcousticVolume& patient, const UltrasoundProbe& probe,
+                             const UltrasoundSettings& settings, const UltrasoundDetail& detail,
+                             const ScanLines& lines, const SoundBeam& beam, const std::vector<SliceRay>& rays);
+
+}  // namespace bodkin

@@ -1,0 +1,398 @@
+// Compiled once for each processor path (BODKIN_PATH names it), from this one source and with strict floating point,
+// so that all of them give the same bits. Loops over the lanes are kept short and plain: what loads from scattered
+// places stands in loops of its own, and the rest turns into vectors.
+#include "imaging/ultrasound/scan_kernel.h"
+
+#include <cstring>
+
+#define BODKIN_JOIN_(a, b) a##b
+#define BODKIN_JOIN(a, b) BODKIN_JOIN_(a, b)
+
+namespace bodkin::scan {
+
+namespace {
+
+// sqrt of the processor: exact, without what <cmath> does for errno.
+inline float root(float x) noexcept {
+  return __builtin_sqrtf(x);
+}
+
+inline float bounded(float x, float low, float high) noexcept {
+  const float above = x < low ? low : x;
+  return above > high ? high : above;
+}
+
+inline float float_of(std::uint32_t bits) noexcept {
+  return __builtin_bit_cast(float, bits);
+}
+
+// log2 of a positive normal number, to 1e-5: the exponent, and a polynomial through the mantissa's logarithm that is
+// exact at both ends.
+inline float log2_of(float x) noexcept {
+  const auto bits = __builtin_bit_cast(std::uint32_t, x);
+  const auto exponent = static_cast<float>(static_cast<std::int32_t>(bits >> 23) - 127);
+  const float m = float_of((bits & 0x007FFFFFU) | 0x3F800000U) - 1.0F;
+  const float p =
+      1.4426804F + m * (-0.7202988F + m * (0.4681255F + m * (-0.2999927F + m * (0.1424179F + m * -0.0329323F))));
+  return exponent + m * p;
+}
+
+// What travels with a line.
+struct State {
+  alignas(64) float start[lanes];      // impedance where the present ramp began
+  alignas(64) float previous[lanes];   // impedance of the last sample
+  alignas(64) float reflected[lanes];  // amplitude thrown back by the present ramp so far
+  alignas(64) float before[lanes];     // amplitude, there and back, before the present ramp
+  alignas(64) float strong_at[lanes];
+  alignas(64) float strong_echo[lanes];
+};
+
+// What the present sample of each line is.
+struct Sample {
+  alignas(64) std::int32_t corner[lanes];   // position of the lowest of its eight voxels
+  alignas(64) std::int32_t nearest[lanes];  // position of the nearest voxel
+  alignas(64) std::int32_t medium[lanes];   // gel, outside, or below: take the tissue's
+  alignas(64) std::int32_t cell[lanes];
+  alignas(64) std::int32_t bundle[lanes];
+  alignas(64) float x[lanes], y[lanes], z[lanes];     // voxels
+  alignas(64) float fx[lanes], fy[lanes], fz[lanes];  // between the voxels
+  alignas(64) std::uint32_t pair[4][lanes];           // neighbours along i, at (j, k), (j+1, k), (j, k+1), (j+1, k+1)
+  alignas(64) float fall[lanes];
+  alignas(64) std::uint32_t texture[lanes];
+  alignas(64) std::uint32_t scatterer[lanes];
+  alignas(64) std::int32_t fibre[lanes];
+  alignas(64) float impedance[lanes];
+  alignas(64) float cosine2[lanes];  // of the angle of incidence on what the impedance's gradient says is the surface
+};
+
+// Where the samples of row k lie.
+inline void place(const March& __restrict in, int line, int k, Sample& __restrict s) noexcept {
+  const float depth = static_cast<float>(k);
+  for (int l = 0; l < lanes; ++l) {
+    s.x[l] = in.origin.x[line + l] + in.step.x[line + l] * depth;
+    s.y[l] = in.origin.y[line + l] + in.step.y[line + l] * depth;
+    s.z[l] = in.origin.z[line + l] + in.step.z[line + l] * depth;
+  }
+  if (in.moved[0] != nullptr) {
+    const int row = k / coarse;
+    const float part = static_cast<float>(k % coarse) * (1.0F / coarse);
+    const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(row) * in.stride + line;
+    const std::ptrdiff_t next = at + in.stride;
+    for (int l = 0; l < lanes; ++l) {
+      s.x[l] -= in.moved[0][at + l] + part * (in.moved[0][next + l] - in.moved[0][at + l]);
+      s.y[l] -= in.moved[1][at + l] + part * (in.moved[1][next + l] - in.moved[1][at + l]);
+      s.z[l] -= in.moved[2][at + l] + part * (in.moved[2][next + l] - in.moved[2][at + l]);
+    }
+  }
+  if (in.offset != nullptr) {
+    const float off = in.offset[k];
+    const float ax = in.across[0] * off, ay = in.across[1] * off, az = in.across[2] * off;
+    for (int l = 0; l < lanes; ++l) {
+      s.x[l] += ax;
+      s.y[l] += ay;
+      s.z[l] += az;
+    }
+  }
+}
+
+// Which voxels surround them.
+inline void surround(const March& __restrict in, int line, int k, Sample& __restrict s) noexcept {
+  const float depth = static_cast<float>(k);
+  const auto last_x = static_cast<float>(in.size[0] - 1), last_y = static_cast<float>(in.size[1] - 1),
+             last_z = static_cast<float>(in.size[2] - 1);
+  const std::int32_t row = in.size[0], slice = in.size[0] * in.size[1];
+  const std::int32_t most_i = in.size[0] - 2, most_j = in.size[1] - 2, most_k = in.size[2] - 2;
+  for (int l = 0; l < lanes; ++l) {
+    const float x = bounded(s.x[l], 0.0F, last_x), y = bounded(s.y[l], 0.0F, last_y),
+                z = bounded(s.z[l], 0.0F, last_z);
+    const float out_x = x - s.x[l], out_y = y - s.y[l], out_z = z - s.z[l];  // none of them is more than half a voxel
+    const float far_x = out_x * out_x, far_y = out_y * out_y, far_z = out_z * out_z;
+    const float far_xy = far_x > far_y ? far_x : far_y;
+    const float far = far_xy > far_z ? far_xy : far_z;
+    std::int32_t i = static_cast<std::int32_t>(x), j = static_cast<std::int32_t>(y), m = static_cast<std::int32_t>(z);
+    i = i > most_i ? most_i : i;
+    j = j > most_j ? most_j : j;
+    m = m > most_k ? most_k : m;
+    s.fx[l] = x - static_cast<float>(i);
+    s.fy[l] = y - static_cast<float>(j);
+    s.fz[l] = z - static_cast<float>(m);
+    s.corner[l] = i + row * j + slice * m;
+    s.nearest[l] = s.corner[l] + static_cast<std::int32_t>(s.fx[l] + 0.5F) +
+                   row * static_cast<std::int32_t>(s.fy[l] + 0.5F) +
+                   slice * static_cast<std::int32_t>(s.fz[l] + 0.5F);
+    const std::int32_t medium = depth < in.gel_samples[line + l] ? gel : -1;
+    s.medium[l] = far <= 0.25F ? medium : outside;
+  }
+}
+
+// Which cells of the scatterer and the fibre volume hold them. Both volumes go on for ever; each time one starts anew
+// it is shifted, so that no pattern repeats along a line.
+inline void find_cells(const March& __restrict in, Sample& __restrict s) noexcept {
+  constexpr float middle = 65536.0F;  // cells: makes all numbers positive, for truncation to be rounding down
+  for (int l = 0; l < lanes; ++l) {
+    const float x = s.x[l], y = s.y[l], z = s.z[l];
+    const auto i = static_cast<std::int32_t>(in.cell_of[0][0] * x + in.cell_of[0][1] * y + in.cell_of[0][2] * z +
+                                             (in.cell_of[0][3] + middle));
+    const auto j = static_cast<std::int32_t>(in.cell_of[1][0] * x + in.cell_of[1][1] * y + in.cell_of[1][2] * z +
+                                             (in.cell_of[1][3] + middle));
+    const auto k = static_cast<std::int32_t>(in.cell_of[2][0] * x + in.cell_of[2][1] * y + in.cell_of[2][2] * z +
+                                             (in.cell_of[2][3] + middle));
+    const std::int32_t jj = j + 23 * (i >> 6);
+    const std::int32_t kk = k + 37 * (jj >> 6) + 11 * (i >> 6);
+    s.cell[l] = (i & (cells - 1)) | (jj & (cells - 1)) << 6 | (kk & (cells - 1)) << 12;
+    const auto a = static_cast<std::int32_t>(in.bundle_of[0][0] * x + in.bundle_of[0][1] * y +
+                                             in.bundle_of[0][2] * z + (in.bundle_of[0][3] + middle));
+    const auto b = static_cast<std::int32_t>(in.bundle_of[1][0] * x + in.bundle_of[1][1] * y +
+                                             in.bundle_of[1][2] * z + (in.bundle_of[1][3] + middle));
+    const auto c = static_cast<std::int32_t>(in.bundle_of[2][0] * x + in.bundle_of[2][1] * y +
+                                             in.bundle_of[2][2] * z + (in.bundle_of[2][3] + middle));
+    s.bundle[l] =
+        (a & (bundles - 1)) | ((b + 7 * (a >> 5)) & (bundles - 1)) << 5 | ((c + 13 * (b >> 5)) & (bundles - 1)) << 10;
+  }
+}
+
+// Everything that comes from scattered places.
+inline void load(const March& __restrict in, Sample& __restrict s) noexcept {
+  const std::ptrdiff_t row = in.size[0], slice = row * in.size[1];
+  for (int l = 0; l < lanes; ++l) {
+    const std::int16_t* corner = in.impedance + s.corner[l];
+    std::memcpy(&s.pair[0][l], corner, 4);
+    std::memcpy(&s.pair[1][l], corner + row, 4);
+    std::memcpy(&s.pair[2][l], corner + slice, 4);
+    std::memcpy(&s.pair[3][l], corner + slice + row, 4);
+    const std::int32_t tissue = in.tissues[s.nearest[l]];
+    const std::int32_t medium = s.medium[l] < 0 ? tissue : s.medium[l];
+    s.medium[l] = medium;
+    s.fall[l] = in.fall[medium];
+    s.texture[l] = in.texture[medium];
+  }
+}
+
+inline void load_scatterers(const March& __restrict in, Sample& __restrict s) noexcept {
+  for (int l = 0; l < lanes; ++l) {
+    s.scatterer[l] = in.scatterers[s.cell[l]];
+    s.fibre[l] = in.fibres[s.bundle[l]];
+  }
+}
+
+inline float low_half(std::uint32_t pair) noexcept {
+  return static_cast<float>(static_cast<std::int32_t>(pair << 16) >> 16);
+}
+
+inline float high_half(std::uint32_t pair) noexcept {
+  return static_cast<float>(static_cast<std::int32_t>(pair) >> 16);
+}
+
+// The impedance there, linear between the voxels, and how steeply the line meets its surfaces.
+inline void meet(const March& __restrict in, int line, Sample& __restrict s) noexcept {
+  for (int l = 0; l < lanes; ++l) {
+    const float a0 = low_half(s.pair[0][l]), a1 = high_half(s.pair[0][l]);
+    const float b0 = low_half(s.pair[1][l]), b1 = high_half(s.pair[1][l]);
+    const float c0 = low_half(s.pair[2][l]), c1 = high_half(s.pair[2][l]);
+    const float d0 = low_half(s.pair[3][l]), d1 = high_half(s.pair[3][l]);
+    const float fx = s.fx[l], fy = s.fy[l], fz = s.fz[l];
+    const float da = a1 - a0, db = b1 - b0, dc = c1 - c0, dd = d1 - d0;
+    const float a = a0 + fx * da, b = b0 + fx * db, c = c0 + fx * dc, d = d0 + fx * dd;
+    const float ab = a + fy * (b - a), cd = c + fy * (d - c);
+    const float inside = ab + fz * (cd - ab);
+    const float dab = da + fy * (db - da), dcd = dc + fy * (dd - dc);
+    const float gx = (dab + fz * (dcd - dab)) * in.per_mm[0];
+    const float gy = ((b - a) + fz * ((d - c) - (b - a))) * in.per_mm[1];
+    const float gz = (cd - ab) * in.per_mm[2];
+    const float along = gx * in.direction.x[line + l] + gy * in.direction.y[line + l] + gz * in.direction.z[line + l];
+    const float steep = gx * gx + gy * gy + gz * gz + 1e-6F;
+    const float cosine2 = along * along / steep;  // of the angle of incidence, squared
+    s.cosine2[l] = cosine2 > 1.0F ? 1.0F : cosine2;
+    s.impedance[l] = inside;
+  }
+}
+
+// Surfaces: reflection, refraction, and what is left of the sound. The impedance rises or falls over some samples (a
+// "ramp") from `start`; the whole ramp throws back what the sharp surface between its two ends would (Fresnel's law
+// for pressure), each sample its part, and transmission is what that leaves.
+inline void reflect(const March& __restrict in, int k, const Sample& __restrict s, State& __restrict state,
+                    float* __restrict echo, float* __restrict reaches) noexcept {
+  constexpr float flat = 0.004F;  // relative change in a sample below which a ramp has ended
+  const float depth = static_cast<float>(k);
+  const float matched = in.matched, soft_mirror = in.mirror, bone_mirror = in.bone_mirror, bone_edge = in.bone_edge,
+              surface = in.surface;
+  for (int l = 0; l < lanes; ++l) {
+    const bool in_gel = s.medium[l] == gel;
+    const float impedance = s.impedance[l], sharp = s.cosine2[l];
+    const float last_start = state.start[l], last_reflected = state.reflected[l], last_before = state.before[l];
+    const float last_echo = state.strong_echo[l];
+    const float z = in_gel ? matched : impedance;
+    const float previous = state.previous[l];
+    const float change = z - previous;
+    const float size = change < 0.0F ? -change : change;
+    const float grows = size < flat * z ? -1.0F : change * (previous - last_start);
+    const bool going_on = grows >= 0.0F;
+    const float start = going_on ? last_start : previous;
+    const float so_far = going_on ? last_reflected : 0.0F;
+    const float settled = last_before * (1.0F - last_reflected * last_reflected);
+    const float before = going_on ? last_before : settled;
+    const float met = in_gel ? 1.0F : sharp;
+    const float cosine2 = size < flat * z ? 1.0F : met;
+
+    // Speeds of sound: 1040 m/s + 310 m/s per MRayl holds for soft tissue within 2 % and for cortical bone within its
+    // spread.
+    constexpr float slope = 310.0F / 4096.0F / 1040.0F;
+    const float ratio = (1.0F + slope * z) / (1.0F + slope * start);
+    const float bent = 1.0F - ratio * ratio * (1.0F - cosine2);  // squared cosine behind the surface
+    const float cosine = root(cosine2);
+    const float behind = root(bent > 0.0F ? bent : 0.0F);  // 0: total reflection
+    const float reflected = (z * cosine - start * behind) / (z * cosine + start * behind + 1e-3F);
+
+    const float dense = z >= bone_from ? 1.0F : 0.0F;
+    const float bone = change > 0.0F ? dense : 0.0F;
+    const float mirror = bone > 0.0F ? bone_mirror : soft_mirror;
+    const float lobe2 = cosine2 * cosine2, lobe4 = lobe2 * lobe2;
+    const float received = mirror * (lobe4 * lobe4) + (1.0F - mirror) * cosine;
+    echo[l] = before * (reflected - so_far) * received * (1.0F + bone_edge * bone) * surface;
+
+    const float left = before * s.fall[l];
+    const float total = reflected < 0.0F ? -reflected : reflected;
+    const float at = state.strong_at[l];
+    float strong = total > 0.35F ? 1.0F : 0.0F;  // steep enough, still heard, and the first on its line
+    strong = cosine2 > 0.5F ? strong : 0.0F;
+    strong = before > 1e-4F ? strong : 0.0F;
+    strong = at < 0.0F ? strong : 0.0F;
+    state.strong_at[l] = strong > 0.0F ? depth : at;
+    state.strong_echo[l] = strong > 0.0F ? total * before * received : last_echo;
+    reaches[l] = before * (1.0F - reflected * reflected);
+    state.start[l] = start;
+    state.previous[l] = z;
+    state.reflected[l] = reflected;
+    state.before[l] = left;
+  }
+}
+
+inline void scatter(const March& __restrict in, int k, const Sample& __restrict s, const float* __restrict reaches,
+                    float* __restrict in_phase, float* __restrict quadrature) noexcept {
+  const float gain = in.speckle_gain[k] * (1.0F / 64.0F);
+  for (int l = 0; l < lanes; ++l) {
+    const std::uint32_t texture = s.texture[l], scatterer = s.scatterer[l];
+    const float variation = static_cast<float>(static_cast<std::int32_t>(texture & 0xFFU)) * (1.0F / 255.0F);
+    const float bundle = 1.0F + variation * (static_cast<float>(s.fibre[l]) * (1.0F / 128.0F));
+    const bool there = (scatterer >> 16 & 0xFFU) < (texture >> 8 & 0xFFU);
+    const float full = float_of(texture & 0xFFFF0000U) * reaches[l] * gain * bundle;
+    const float level = there ? full : 0.0F;
+    in_phase[l] = level * static_cast<float>(static_cast<std::int32_t>(scatterer << 24) >> 24);
+    quadrature[l] = level * static_cast<float>(static_cast<std::int32_t>(scatterer << 16) >> 24);
+  }
+}
+
+void march(const March& in, int block) noexcept {
+  const int line = block * lanes;
+  State state;
+  for (int l = 0; l < lanes; ++l) {
+    state.start[l] = state.previous[l] = in.matched;
+    state.reflected[l] = 0.0F;
+    state.before[l] = in.gel_samples[line + l] <= static_cast<float>(in.samples) ? 1.0F : 0.0F;
+    state.strong_at[l] = -1.0F;
+    state.strong_echo[l] = 0.0F;
+  }
+  Sample s;
+  alignas(64) float echo[lanes], reaches[lanes], in_phase[lanes], quadrature[lanes];
+  for (int k = 0; k < in.samples; ++k) {
+    place(in, line, k, s);
+    surround(in, line, k, s);
+    load(in, s);
+    meet(in, line, s);
+    reflect(in, k, s, state, echo, reaches);
+    float* const sum_in_phase = in.in_phase + static_cast<std::ptrdiff_t>(k) * in.stride + line;
+    float* const sum_quadrature = in.quadrature + static_cast<std::ptrdiff_t>(k) * in.stride + line;
+    if (in.scatterers != nullptr) {
+      find_cells(in, s);
+      load_scatterers(in, s);
+      scatter(in, k, s, reaches, in_phase, quadrature);
+      for (int l = 0; l < lanes; ++l) in_phase[l] += echo[l];
+    } else {
+      for (int l = 0; l < lanes; ++l) in_phase[l] = echo[l];
+      for (int l = 0; l < lanes; ++l) quadrature[l] = 0.0F;
+    }
+    if (in.first) {
+      float* const amplitude = in.amplitude + static_cast<std::ptrdiff_t>(k) * in.stride + line;
+      for (int l = 0; l < lanes; ++l) sum_in_phase[l] = in.weight * in_phase[l];
+      for (int l = 0; l < lanes; ++l) sum_quadrature[l] = in.weight * quadrature[l];
+      for (int l = 0; l < lanes; ++l) amplitude[l] = reaches[l];
+    } else {
+      for (int l = 0; l < lanes; ++l) sum_in_phase[l] += in.weight * in_phase[l];
+      for (int l = 0; l < lanes; ++l) sum_quadrature[l] += in.weight * quadrature[l];
+    }
+  }
+  if (!in.first) return;
+  for (int l = 0; l < lanes; ++l) in.strong_at[line + l] = state.strong_at[l];
+  for (int l = 0; l < lanes; ++l) in.strong_echo[line + l] = state.strong_echo[l];
+}
+
+// The pulse's length, row upon row, into `out`.
+void spread_axially(const Row& __restrict row, const float* __restrict rows, const float* __restrict clutter,
+                    float* __restrict out) noexcept {
+  for (int l = 0; l < row.stride; ++l) out[l] = 0.0F;
+  for (int tap = -row.axial_half; tap <= row.axial_half; ++tap) {
+    const int from = row.row + tap;
+    if (from < 0 || from >= row.samples) continue;
+    const float weight = row.axial[tap + row.axial_half];
+    const float* const source = rows + static_cast<std::ptrdiff_t>(from) * row.stride;
+    for (int l = 0; l < row.stride; ++l) out[l] += weight * source[l];
+  }
+  if (clutter == nullptr) return;
+  const float* const source = clutter + static_cast<std::ptrdiff_t>(row.row) * row.stride;
+  for (int l = 0; l < row.stride; ++l) out[l] += source[l];
+}
+
+// The beam's width, line beside line. `in` goes on by `edge` on both sides with what its outermost lines are.
+void spread_laterally(const Row& __restrict row, const float* __restrict in, float* __restrict out) noexcept {
+  for (int l = 0; l < row.stride; ++l) out[l] = row.lateral[0] * in[l];
+  for (int tap = 1; tap <= row.lateral_half; ++tap) {
+    const float weight = row.lateral[tap];
+    const float* const left = in - tap;
+    const float* const right = in + tap;
+    for (int l = 0; l < row.stride; ++l) out[l] += weight * (left[l] + right[l]);
+  }
+}
+
+void continue_edges(const Row& row, float* line) noexcept {
+  for (int l = row.lines; l < row.stride + edge; ++l) line[l] = line[row.lines - 1];
+  for (int l = -edge; l < 0; ++l) line[l] = line[0];
+}
+
+void compress(const Row& row) noexcept {
+  const std::ptrdiff_t length = row.stride + 2 * edge;
+  float* const in_phase = row.work + edge;
+  float* const quadrature = in_phase + length;
+  float* const wide_in_phase = quadrature + length;
+  float* const wide_quadrature = wide_in_phase + length;
+  spread_axially(row, row.in_phase, row.clutter_in_phase, in_phase);
+  spread_axially(row, row.quadrature, row.clutter_quadrature, quadrature);
+  continue_edges(row, in_phase);
+  continue_edges(row, quadrature);
+  spread_laterally(row, in_phase, wide_in_phase);
+  spread_laterally(row, quadrature, wide_quadrature);
+  const float gain = row.gain * row.gain, half = 0.5F * row.levels_per_octave;
+  for (int l = 0; l < row.stride; ++l) {
+    const float energy = (wide_in_phase[l] * wide_in_phase[l] + wide_quadrature[l] * wide_quadrature[l]) * gain;
+    const float grey = row.white + half * log2_of(energy > 1e-30F ? energy : 1e-30F);
+    wide_in_phase[l] = bounded(grey, 0.0F, 255.0F) + 0.5F;
+  }
+  for (int l = 0; l < row.stride; ++l)
+    row.grey[l] = static_cast<std::uint8_t>(static_cast<std::int32_t>(wide_in_phase[l]));
+}
+
+void convert(const Conversion& in, std::size_t first, std::size_t last) noexcept {
+  for (std::size_t i = first; i < last; ++i) {
+    const std::uint8_t* const at = in.grey + in.place[i];
+    const int line = in.weights[2 * i], sample = in.weights[2 * i + 1];
+    const int near = at[0] * (256 - line) + at[1] * line;
+    const int far = at[in.stride] * (256 - line) + at[in.stride + 1] * line;
+    in.pixels[i] = static_cast<std::uint8_t>((near * (256 - sample) + far * sample + 32768) >> 16);
+  }
+}
+
+}  // namespace
+
+extern const Kernel BODKIN_JOIN(kernel_, BODKIN_PATH);
+const Kernel BODKIN_JOIN(kernel_, BODKIN_PATH) = {march, compress, convert};
+
+}  // namespace bodkin::scan

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "imaging/ultrasound/processor_path.h"
+
+// The inner loops of an ultrasound picture, compiled once for each processor path. Plain arrays and nothing inline
+// from anywhere else, so that code for one processor cannot be linked into what another one runs.
+
+namespace bodkin::scan {
+
+inline constexpr int lanes = 16;     // scanlines side by side
+inline constexpr int coarse = 8;     // samples between two rows of the displacement table
+inline constexpr int cells = 64;     // of the scatterer volume along each axis
+inline constexpr int bundles = 32;   // of the fibre volume along each axis
+inline constexpr int gel = 256;      // media beyond the tissues': what couples the probe
+inline constexpr int outside = 257;  // beyond the patient's volume: swallows everything
+inline constexpr int media = 258;
+inline constexpr float bone_from =
+    10240.0F;  // AcousticVolume::unit of impedance (2.5 MRayl): from here a surface is bone's
+
+// A place, a direction or a displacement of each line, in voxels.
+struct LineVectors {
+  const float* x;
+  const float* y;
+  const float* z;
+};
+
+// What all rays of one slice need. Every array of lines is padded to a whole number of `lanes`, every row of one is
+// `stride` floats long.
+struct March {
+  // patient
+  const std::int16_t* impedance;  // AcousticVolume::unit
+  const std::uint8_t* tissues;
+  std::int32_t size[3];
+  float per_mm[3];  // voxels in a mm
+  // media
+  const float* fall;  // by medium: what a step leaves of an amplitude, there and back
+  const std::uint32_t*
+      texture;                // by medium: amplitude of its speckle (bfloat16) << 16 | density << 8 | fibre variation
+  float mirror, bone_mirror;  // share of a surface's echo that leaves as from a mirror
+  float bone_edge;            // by which bone's surface is brighter
+  float surface;              // of all surfaces' echoes; 0 leaves the speckle alone
+  float matched;              // AcousticVolume::unit, impedance of the probe's face and the gel
+  // scatterers
+  const std::uint32_t*
+      scatterers;             // cells^3: in-phase, quadrature (signed bytes), chance (unsigned), unused; null: none
+  float cell_of[3][4];        // voxels to cells
+  const std::int8_t* fibres;  // bundles^3
+  float bundle_of[3][4];      // voxels to bundles
+  const float* speckle_gain;  // by sample
+  // lines
+  int samples, stride;
+  LineVectors origin;        // voxels
+  LineVectors step;          // voxels per sample
+  LineVectors direction;     // unit, along the lattice's axes
+  const float* gel_samples;  // by line: samples before the skin; more than there are samples: no contact
+  float across[3];           // voxels per mm across the slice
+  const float* offset;       // by sample: mm across the slice; null: in its middle
+  const float* moved[3];  // rows of `stride` every `coarse` samples: voxels by which tissue has moved; null: at rest
+  // results, rows of `stride`
+  float weight;  // of this slice in the sum
+  bool first;    // overwrites the sums, and keeps what only the middle slice has to tell
+  float* in_phase;
+  float* quadrature;
+  float* amplitude;    // there and back, of what reaches a sample
+  float* strong_at;    // by line: sample of the first surface that throws most of the sound back; < 0: none
+  float* strong_echo;  // by line: its echo's amplitude
+};
+
+// One row of the picture before scan conversion.
+struct Row {
+  const float* in_phase;
+  const float* quadrature;
+  int samples, stride, lines;
+  int row;
+  const float* axial;             // weights from -axial_half to axial_half
+  int axial_half;                 // samples
+  const float* lateral;           // weights from 0 to lateral_half, both sides alike
+  int lateral_half;               // lines
+  const float* clutter_in_phase;  // rows as above, or null
+  const float* clutter_quadrature;
+  float gain;                      // amplitude
+  float levels_per_octave, white;  // grey = white + levels_per_octave * log2(amplitude)
+  float* work;                     // 4 x (stride + 2 x edge)
+  std::uint8_t* grey;              // stride bytes
+};
+inline constexpr int edge = 64;  // floats of padding at both ends of a row at work; lateral_half is at most that
+
+// Where the pixels of a picture lie among the samples.
+struct Conversion {
+  const std::uint8_t* grey;  // rows of `stride`
+  int stride;
+  const std::int32_t* place;    // by pixel: position of the sample before it; a black one where there is none
+  const std::uint8_t* weights;  // 2 by pixel: 256ths towards the next line, towards the next sample
+  std::uint8_t* pixels;
+};
+
+// The functions of one processor path.
+struct Kernel {
+  void (*march)(const March& march, int block) noexcept;  // the 16 lines from 16 x block on
+  void (*compress)(const Row& row) noexcept;
+  void (*convert)(const Conversion& conversion, std::size_t first, std::size_t last) noexcept;
+};
+
+const Kernel& kernel(ProcessorPath path);
+
+}  // namespace bodkin::scan

@@ -1,0 +1,46 @@
+#include "imaging/ultrasound/sound_beam.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bodkin {
+
+namespace {
+
+constexpr double speed_in_tissue = 1.540;  // mm/us
+constexpr double diffraction = 1.21;       // -6 dB width of a uniform aperture's main lobe, in lambda z / a
+constexpr double sending_f_number = 2.5;
+constexpr double nearest = 1.0;  // mm; the formula of diffraction vanishes at the face
+
+double one_way(double wavelength, double aperture, double focus, double depth) {
+  const double z = std::max(depth, nearest);
+  return std::hypot(diffraction * wavelength * z / aperture, aperture * (1.0 - z / focus));
+}
+
+}  // namespace
+
+double SoundBeam::lateral(double depth) const {
+  const double sending = one_way(wavelength, sent, focus, depth);
+  const double z = std::max(depth, nearest);
+  const double open = std::min(aperture, z / f_number);
+  const double listening = diffraction * wavelength * z / open;
+  return sending * listening / std::hypot(sending, listening);
+}
+
+double SoundBeam::elevation(double depth) const {
+  return one_way(wavelength, height, lens, depth) / std::sqrt(2.0);
+}
+
+SoundBeam sound_beam(const UltrasoundProbe& probe, const UltrasoundSettings& settings) {
+  SoundBeam beam;
+  beam.wavelength = speed_in_tissue / (settings.frequency > 0.0 ? settings.frequency : probe.frequency);
+  beam.pulse = 0.5 * probe.cycles * beam.wavelength;
+  beam.aperture = probe.aperture();
+  beam.focus = settings.focus;
+  beam.sent = std::min(beam.aperture, settings.focus / sending_f_number);
+  beam.height = probe.height;
+  beam.lens = probe.lens;
+  return beam;
+}
+
+}  // namespace bodkin

@@ -1,0 +1,306 @@
+#include "imaging/ultrasound/ultrasound.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "imaging/ultrasound/crew.h"
+#include "imaging/ultrasound/echo_rows.h"
+#include "imaging/ultrasound/face_contact.h"
+#include "imaging/ultrasound/needle_echo.h"
+#include "imaging/ultrasound/picture_tables.h"
+#include "imaging/ultrasound/reverberation.h"
+#include "imaging/ultrasound/scan_kernel.h"
+#include "imaging/ultrasound/scan_lines.h"
+#include "imaging/ultrasound/scatterers.h"
+#include "imaging/ultrasound/sound_beam.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr double least_press = 0.1;  // mm; less moves no tissue
+constexpr int rows_a_turn = 8;
+
+// u at a point of the scan plane (mm, probe's frame), linear between the points of the grid, its border beyond them.
+Vec3 displacement_at(const ScanDisplacement& field, const Vec3& point) noexcept {
+  const double column = std::clamp((point.x() - field.corner.x()) / field.spacing, 0.0, field.columns - 1.0);
+  const double row = std::clamp((point.y() - field.corner.y()) / field.spacing, 0.0, field.rows - 1.0);
+  const int left = std::min(static_cast<int>(column), std::max(0, field.columns - 2));
+  const int above = std::min(static_cast<int>(row), std::max(0, field.rows - 2));
+  const double fx = column - left, fy = row - above;
+  Vec3 sum = Vec3::Zero();
+  for (int corner = 0; corner < 4; ++corner) {
+    const int c = std::min(left + (corner & 1), field.columns - 1),
+              r = std::min(above + (corner >> 1), field.rows - 1);
+    const double weight = ((corner & 1) != 0 ? fx : 1.0 - fx) * ((corner >> 1) != 0 ? fy : 1.0 - fy);
+    const float* const u = field.moved.data() + 3 * (static_cast<std::ptrdiff_t>(r) * field.columns + c);
+    sum += weight * Vec3(static_cast<double>(u[0]), static_cast<double>(u[1]), static_cast<double>(u[2]));
+  }
+  return sum;
+}
+
+bool sound(const ScanDisplacement& field) noexcept {
+  return field.columns >= 1 && field.rows >= 1 && field.spacing > 0.0 && field.corner.allFinite() &&
+         field.moved.size() >= 3 * static_cast<std::size_t>(field.columns) * static_cast<std::size_t>(field.rows);
+}
+
+}  // namespace
+
+// Vectors of lines, three rows of floats.
+struct Ultrasound::Lines {
+  std::vector<float> x, y, z;
+
+  void resize(std::size_t count) {
+    for (std::vector<float>* part : {&x, &y, &z}) part->assign(count, 0.0F);
+  }
+  void set(std::size_t i, const Vec3& value) noexcept {
+    x[i] = static_cast<float>(value.x());
+    y[i] = static_cast<float>(value.y());
+    z[i] = static_cast<float>(value.z());
+  }
+  scan::LineVectors view() const { return {x.data(), y.data(), z.data()}; }
+};
+
+struct Ultrasound::Machine {
+  Machine(std::shared_ptr<const AcousticVolume> volume, UltrasoundProbe used, UltrasoundDetail asked,
+          ProcessorPath path)
+      : patient(std::move(volume)),
+        probe(std::move(used)),
+        detail(asked),
+        kernel(scan::kernel(path)),
+        rays(slice_rays(asked.slices)),
+        crew(asked.threads) {}
+
+  void prepare(const UltrasoundSettings& wanted);
+  void aim(const Pose& pose) noexcept;
+  void move(const Pose& pose, const std::optional<ScanDisplacement>& displacement) noexcept;
+  void draw(const Pose& pose, const std::optional<NeedleInSound>& needle) noexcept;
+  scan::March marching(std::size_t ray) const noexcept;
+
+  std::shared_ptr<const AcousticVolume> patient;
+  UltrasoundProbe probe;
+  UltrasoundSettings settings;
+  UltrasoundDetail detail;
+  const scan::Kernel& kernel;
+  std::vector<SliceRay> rays;
+  Crew crew;
+
+  ScanLines lines;
+  SoundBeam beam;
+  PictureTables tables;
+  ScanConversion conversion;
+  UltrasoundFrame frame;
+
+  Lines origin, step, direction, moved;
+  Vec3 across = Vec3::Zero();  // voxels per mm
+  bool is_moved = false;
+  std::vector<float> gap, press, gel_samples, strong_at, strong_echo;
+  std::vector<float> in_phase, quadrature, amplitude, work;
+  std::vector<std::uint8_t> grey;
+};
+
+void Ultrasound::Machine::prepare(const UltrasoundSettings& wanted) {
+  check(wanted, probe);
+  settings = wanted;
+  lines = scan_lines(probe, settings, detail);
+  beam = sound_beam(probe, settings);
+  tables = picture_tables(*patient, probe, settings, detail, lines, beam, rays);
+  conversion = scan_conversion(lines, detail.width, detail.height, tables.stride);
+
+  const auto stride = static_cast<std::size_t>(tables.stride), samples = static_cast<std::size_t>(detail.samples);
+  for (Lines* vectors : {&origin, &step, &direction}) vectors->resize(stride);
+  moved.resize(stride * (samples / scan::coarse + 2));
+  for (std::vector<float>* row : {&gap, &press, &gel_samples, &strong_at, &strong_echo}) row->assign(stride, 0.0F);
+  for (std::vector<float>* rows : {&in_phase, &quadrature, &amplitude}) rows->assign(stride * samples, 0.0F);
+  work.assign(4 * (stride + 2 * scan::edge) * static_cast<std::size_t>(detail.threads), 0.0F);
+  grey.assign(stride * (samples + 2), 0);  // two black rows more, for pixels outside the field of view
+
+  frame.width = detail.width;
+  frame.height = detail.height;
+  frame.pixel = conversion.pixel;
+  frame.corner = conversion.corner;
+  frame.pixels.assign(conversion.place.size(), 0);
+}
+
+void Ultrasound::Machine::aim(const Pose& pose) noexcept {
+  const Grid& grid = patient->grid;
+  const Mat3 into_lattice = grid.direction.transpose() * pose.linear();
+  const Vec3 per_mm = grid.spacing.cwiseInverse();
+  for (int line = 0; line < tables.stride; ++line) {
+    const double at = std::min(line, lines.lines - 1);  // lanes that nobody needs go along with the last line
+    const auto i = static_cast<std::size_t>(line);
+    const Vec3 along = into_lattice * lines.direction(at);
+    origin.set(i, grid.to_index(pose * lines.origin(at)));
+    direction.set(i, along);
+    step.set(i, lines.spacing * along.cwiseProduct(per_mm));
+    const auto used = static_cast<std::size_t>(at);
+    const bool reached = static_cast<double>(gap[used]) <= thickest_gel;
+    gel_samples[i] =
+        reached ? gap[used] / static_cast<float>(lines.spacing) : 2.0F * static_cast<float>(lines.samples);
+  }
+  across = (into_lattice * Vec3::UnitZ()).cwiseProduct(per_mm);
+}
+
+// How far the tissue at the samples has moved, in voxels, every `coarse` samples.
+void Ultrasound::Machine::move(const Pose& pose, const std::optional<ScanDisplacement>& displacement) noexcept {
+  is_moved = false;
+  const bool pressed = frame.press >= least_press;
+  const bool given = displacement && sound(*displacement);
+  if (!given && !pressed) return;
+  is_moved = true;
+  const Grid& grid = patient->grid;
+  const Mat3 into_voxels = grid.spacing.cwiseInverse().asDiagonal() * grid.direction.transpose();
+  const int rows = lines.samples / scan::coarse + 2;
+  for (int row = 0; row < rows; ++row) {
+    const double depth = row * scan::coarse * lines.spacing;
+    const double share = given ? 0.0 : tables.pressed_share(depth);
+    for (int line = 0; line < tables.stride; ++line) {
+      const int used = std::min(line, lines.lines - 1);
+      const Vec3 along = lines.direction(used);
+      const Vec3 u =
+          given ? displacement_at(*displacement, lines.origin(used) + depth * along)
+                : Vec3(share * static_cast<double>(press[static_cast<std::size_t>(used)]) * (pose.linear() * along));
+      moved.set(
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(tables.stride) + static_cast<std::size_t>(line),
+          into_voxels * u);
+    }
+  }
+}
+
+scan::March Ultrasound::Machine::marching(std::size_t ray) const noexcept {
+  const Grid& grid = patient->grid;
+  scan::March march{};
+  march.impedance = patient->impedance.data();
+  march.tissues = patient->tissues.data();
+  for (int axis = 0; axis < 3; ++axis) {
+    march.size[axis] = grid.size[static_cast<std::size_t>(axis)];
+    march.per_mm[axis] = static_cast<float>(1.0 / grid.spacing[axis]);
+    march.across[axis] = static_cast<float>(across[axis]);
+    for (int column = 0; column < 4; ++column) {
+      march.cell_of[axis][column] = tables.cell_of[static_cast<std::size_t>(4 * axis + column)];
+      march.bundle_of[axis][column] = tables.bundle_of[static_cast<std::size_t>(4 * axis + column)];
+    }
+  }
+  march.fall = tables.fall.data();
+  march.texture = tables.texture.data();
+  march.mirror = 0.6F;
+  march.bone_mirror = 0.75F;
+  march.bone_edge = 0.8F;
+  march.surface = 1.0F;
+  march.matched = tables.matched;
+  march.scatterers = detail.speckle ? scatterers().cells.data() : nullptr;
+  march.fibres = scatterers().bundles.data();
+  march.speckle_gain = tables.speckle_gain.data();
+  march.samples = lines.samples;
+  march.stride = tables.stride;
+  march.origin = origin.view();
+  march.step = step.view();
+  march.direction = direction.view();
+  march.gel_samples = gel_samples.data();
+  march.offset = rays[ray].off == 0.0 ? nullptr : tables.offsets[ray].data();
+  if (is_moved) {
+    march.moved[0] = moved.x.data();
+    march.moved[1] = moved.y.data();
+    march.moved[2] = moved.z.data();
+  }
+  march.weight = static_cast<float>(rays[ray].weight);
+  march.first = ray == 0;
+  return march;
+}
+
+void Ultrasound::Machine::draw(const Pose& pose, const std::optional<NeedleInSound>& needle) noexcept {
+  // Blocks of lines: all rays of a block by the same thread, in order, so that sums do not depend on who computes
+  // them.
+  auto march_block = [this](int block) noexcept {
+    for (std::size_t ray = 0; ray < rays.size(); ++ray) {
+      scan::March march = marching(ray);
+      march.in_phase = in_phase.data();
+      march.quadrature = quadrature.data();
+      march.amplitude = amplitude.data();
+      march.strong_at = strong_at.data();
+      march.strong_echo = strong_echo.data();
+      kernel.march(march, block);
+    }
+  };
+  crew.share(tables.stride / scan::lanes, march_block);
+
+  const EchoRows rows{lines.lines, lines.samples, tables.stride, in_phase, quadrature, amplitude};
+  if (detail.reverberation) add_reverberation(rows, strong_at, strong_echo, lines.spacing);
+  if (needle) {
+    NeedleInSound seen = *needle;
+    seen.pose = pose.inverse(Eigen::Isometry) * needle->pose;
+    add_needle(rows, lines, beam, seen);
+  }
+
+  auto compress_rows = [this](int turn) noexcept {
+    scan::Row row = tables.row;
+    row.in_phase = in_phase.data();
+    row.quadrature = quadrature.data();
+    const std::size_t length = 4 * (static_cast<std::size_t>(tables.stride) + 2 * scan::edge);
+    row.work = work.data() + length * static_cast<std::size_t>(turn % detail.threads);
+    for (int k = turn * rows_a_turn; k < std::min(lines.samples, (turn + 1) * rows_a_turn); ++k) {
+      tables.describe(k, row);
+      row.grey = grey.data() + static_cast<std::ptrdiff_t>(k) * tables.stride;
+      kernel.compress(row);
+    }
+  };
+  crew.share((lines.samples + rows_a_turn - 1) / rows_a_turn, compress_rows);
+
+  auto convert_rows = [this](int turn) noexcept {
+    const scan::Conversion all{grey.data(), tables.stride, conversion.place.data(), conversion.weights.data(),
+                               frame.pixels.data()};
+    const auto width = static_cast<std::size_t>(frame.width);
+    const auto first = static_cast<std::size_t>(turn * rows_a_turn);
+    const std::size_t last = std::min(first + rows_a_turn, static_cast<std::size_t>(frame.height));
+    kernel.convert(all, first * width, last * width);
+  };
+  crew.share((frame.height + rows_a_turn - 1) / rows_a_turn, convert_rows);
+}
+
+Ultrasound::Ultrasound(std::shared_ptr<const AcousticVolume> patient, UltrasoundProbe probe,
+                       UltrasoundSettings settings, UltrasoundDetail detail, ProcessorPath path) {
+  check(probe, "the probe");
+  check(detail);
+  machine_ = std::make_unique<Machine>(std::move(patient), std::move(probe), detail, path);
+  machine_->prepare(settings);
+}
+
+Ultrasound::Ultrasound(Ultrasound&&) noexcept = default;
+Ultrasound& Ultrasound::operator=(Ultrasound&&) noexcept = default;
+Ultrasound::~Ultrasound() = default;
+
+const UltrasoundProbe& Ultrasound::probe() const {
+  return machine_->probe;
+}
+
+const UltrasoundSettings& Ultrasound::settings() const {
+  return machine_->settings;
+}
+
+const UltrasoundDetail& Ultrasound::detail() const {
+  return machine_->detail;
+}
+
+void Ultrasound::set(const UltrasoundSettings& settings) {
+  machine_->prepare(settings);
+}
+
+const UltrasoundFrame& Ultrasound::image(const Pose& pose, const std::optional<NeedleInSound>& needle,
+                                         const std::optional<ScanDisplacement>& displacement) noexcept {
+  Machine& machine = *machine_;
+  const FaceContact contact =
+      face_contact(*machine.patient, machine.lines, pose, machine.settings.gel, machine.gap, machine.press);
+  machine.frame.why = contact.why;
+  machine.frame.contact = contact.share;
+  machine.frame.press = contact.press;
+  if (contact.why != NoImage::none) {
+    std::fill(machine.frame.pixels.begin(), machine.frame.pixels.end(), std::uint8_t{0});
+    return machine.frame;
+  }
+  machine.aim(pose);
+  machine.move(pose, displacement);
+  machine.draw(pose, needle);
+  return machine.frame;
+}
+
+}  // namespace bodkin

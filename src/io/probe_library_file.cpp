@@ -1,0 +1,95 @@
+#include "io/probe_library_file.h"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "io/resources.h"
+#include "io/xml_document.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr std::size_t largest_probe_library = 4 << 20;  // bytes
+
+// Names differ in more than capitals.
+std::string small_letters(std::string_view name) {
+  std::string small(name);
+  for (char& letter : small) {
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  }
+  return small;
+}
+
+ProbeKind probe_kind_from(const std::string& name) {
+  for (const ProbeKind kind : {ProbeKind::curvilinear, ProbeKind::phased})
+    if (name == to_string(kind)) return kind;
+  return ProbeKind::linear;
+}
+
+UltrasoundProbe probe_from(const XmlElement& element, const std::string& origin) {
+  UltrasoundProbe probe;
+  probe.name = element.string("name");
+  probe.title = element.string("title");
+  probe.kind = probe_kind_from(element.string("kind"));
+  probe.frequency = element.number("frequency_MHz", probe.frequency);
+  probe.lowest = element.number("lowest_MHz", probe.lowest);
+  probe.highest = element.number("highest_MHz", probe.highest);
+  probe.elements = element.integer("elements", probe.elements);
+  probe.pitch = element.number("pitch_mm", probe.pitch);
+  probe.radius = element.number("radius_mm", probe.radius);
+  probe.sector = element.number("sector_deg", probe.sector);
+  probe.height = element.number("height_mm", probe.height);
+  probe.lens = element.number("lens_mm", probe.lens);
+  probe.cycles = element.number("cycles", probe.cycles);
+  probe.depth = element.number("depth_mm", probe.depth);
+  probe.source = one_line(element.child("source")->text);
+  check(probe, fmt::format("{}, line {}", origin, element.line));
+  return probe;
+}
+
+}  // namespace
+
+std::vector<UltrasoundProbe> parse_probes(std::string_view document, const std::string& origin) {
+  const XmlElement root = XmlSchema("probes.xsd").read(document, origin, {.root = "probe_library"});
+  std::vector<UltrasoundProbe> probes;
+  std::map<std::string, int> line_of_name;
+  for (const XmlElement& element : root.children) {
+    probes.push_back(probe_from(element, origin));
+    const std::string& name = probes.back().name;
+    if (const auto [first, fresh] = line_of_name.emplace(small_letters(name), element.line); !fresh) {
+      fail_at(origin, element.line,
+              fmt::format("probe name is '{}', which line {} uses already; capitals do not tell probes apart", name,
+                          first->second));
+    }
+  }
+  return probes;
+}
+
+std::vector<UltrasoundProbe> read_probes(const std::filesystem::path& file) {
+  return parse_probes(read_text_file(file, largest_probe_library), file.string());
+}
+
+std::vector<UltrasoundProbe> default_probes() {
+  return read_probes(shared_file("probes.xml"));
+}
+
+const UltrasoundProbe& find_probe(std::span<const UltrasoundProbe> probes, std::string_view name) {
+  const std::string wanted = small_letters(name);
+  const auto found = std::find_if(probes.begin(), probes.end(), [&wanted](const UltrasoundProbe& probe) {
+    return small_letters(probe.name) == wanted;
+  });
+  if (found != probes.end()) return *found;
+  std::string names;
+  for (const UltrasoundProbe& probe : probes) names += (names.empty() ? "" : ", ") + probe.name;
+  throw InputError(fmt::format("there is no ultrasound probe {}, expected one of: {}", in_quotes(name), names));
+}
+
+UltrasoundProbe find_probe(std::string_view name) {
+  return find_probe(default_probes(), name);
+}
+
+}  // namespace bodkin

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "anatomy/ultrasound_probe.h"
+
+namespace bodkin {
+
+// Reads ultrasound probes (share/bodkin/probes.xml has the format and those that come with Bodkin, with their
+// sources). At least one; every one passes check(). Throws InputError naming file, line, attribute, what was found
+// and what was expected.
+std::vector<UltrasoundProbe> read_probes(const std::filesystem::path& file);
+
+// The same from a document already in memory; `origin` names it in messages.
+std::vector<UltrasoundProbe> parse_probes(std::string_view document, const std::string& origin);
+
+// The probes that come with Bodkin. Throws SystemError when the installation lacks them.
+std::vector<UltrasoundProbe> default_probes();
+
+// The probe of that name, in capitals or not. Throws InputError, which lists the names, when there is none.
+const UltrasoundProbe& find_probe(std::span<const UltrasoundProbe> probes, std::string_view name);
+// The same among the probes that come with Bodkin.
+UltrasoundProbe find_probe(std::string_view name);
+
+}  // namespace bodkin
