@@ -32,6 +32,8 @@ class LiveScan {
   // In the patient; nothing where it is out or the case has no path.
   std::optional<NeedleInSound> needle() const;
   std::string needle_words() const;
+  // mm of the needle beyond its entry; negative where it is out.
+  double needle_depth() const { return needle_in_ ? needle_depth_ : -1.0; }
   UltrasoundScreen& screen() { return screen_; }
   const UltrasoundScreen& screen() const { return screen_; }
 

@@ -22,7 +22,7 @@ using ScanClock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds scan_interval{16};
 
-double seconds_since(ScanClock::time_point begin) {
+double scan_seconds_since(ScanClock::time_point begin) {
   return std::chrono::duration<double>(ScanClock::now() - begin).count();
 }
 
@@ -53,14 +53,14 @@ std::string save_picture(const LiveScan& scan, const Case& patient, MarkSide mar
 
 // What the newest picture depends on.
 struct Shown {
-  Pose pose = Pose::Identity();
+  Eigen::Matrix4d pose = Eigen::Matrix4d::Zero();  // no pose at all: nothing is shown yet
   UltrasoundSettings settings;
-  std::optional<Vec3> tip;
+  double needle = -1.0;  // mm beyond its entry
 
   bool same(const Shown& other) const {
     const UltrasoundSettings &a = settings, &b = other.settings;
-    return pose.matrix() == other.pose.matrix() && a.depth == b.depth && a.gain == b.gain &&
-           a.dynamic_range == b.dynamic_range && a.focus == b.focus && a.frequency == b.frequency && tip == other.tip;
+    return pose == other.pose && a.depth == b.depth && a.gain == b.gain && a.dynamic_range == b.dynamic_range &&
+           a.focus == b.focus && a.frequency == b.frequency && needle == other.needle;
   }
 };
 
@@ -78,29 +78,30 @@ std::vector<std::string> scan_live(const Case& patient, const UltrasoundChoice& 
   LiveScan scan(patient, choice, hand, needle, ScanWindow::machine_place());
   std::vector<std::string> saved;
   ScanPace pace;
-  std::optional<Shown> shown;
+  Shown shown;
   auto before = ScanClock::now();
   while (!scan.ended()) {
     const auto begin = ScanClock::now();
     ScreenEvent event;
     while (window.next(event)) scan.take(event);
-    const double passed = seconds_since(before);
+    const double passed = scan_seconds_since(before);
     before = begin;
     scan.advance(passed);
     if (passed > 0.0) pace.frames += 0.1 * (1.0 / passed - pace.frames);
 
     const std::optional<NeedleInSound> in = scan.needle();
-    const Shown next{scan.pose(), scan.settings(), in ? std::optional<Vec3>(in->pose.translation()) : std::nullopt};
-    if (!scan.screen().frozen() && (!shown || !shown->same(next))) {
+    const Pose pose = scan.pose();
+    const Shown next{pose.matrix(), scan.settings(), scan.needle_depth()};
+    if (!scan.screen().frozen() && !shown.same(next)) {
       try {
         machine.set(scan.settings());
       } catch (const InputError& refused) {
         scan.say(refused.what());
       }
       const auto start = ScanClock::now();
-      const UltrasoundFrame& frame = machine.image(next.pose, in);
-      pace.picture = 1000.0 * seconds_since(start);
-      scan.screen().take({frame, next.pose, choice.probe, machine.settings(), scan.needle_words()});
+      const UltrasoundFrame& frame = machine.image(pose, in);
+      pace.picture = 1000.0 * scan_seconds_since(start);
+      scan.screen().take({frame, pose, choice.probe, machine.settings(), scan.needle_words()});
       shown = next;
     }
     if (scan.take_save() && !scan.screen().empty()) {
