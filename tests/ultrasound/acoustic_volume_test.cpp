@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "io/synthetic/lumbar.h"
 #include "io/tissue_library_file.h"
 
 namespace bodkin {
@@ -212,6 +213,29 @@ TEST(AcousticVolume, what_is_no_patient_is_refused) {
                 std::fill(patient.tissues.voxels.begin(), patient.tissues.voxels.end(), tissue::air);
               }),
               HasSubstr("nothing but air"));
+}
+
+TEST(AcousticVolume, a_synthetic_patient_sounds_like_its_tissues) {
+  LumbarParameters parameters;
+  parameters.spacing = 2.5;
+  SyntheticPatient lumbar = synthesize_lumbar(parameters, acoustic_library());
+  Case patient;
+  patient.library = acoustic_library();
+  patient.ct = std::move(lumbar.ct);
+  patient.tissues = std::move(lumbar.tissues);
+  const auto volume = acoustic_volume(patient, {});
+  std::array<double, 256> sum{}, count{};
+  for (std::size_t voxel = 0; voxel < volume->tissues.size(); ++voxel) {
+    const std::size_t id = volume->tissues[voxel];
+    const double own = own_impedance(static_cast<TissueId>(id)),
+                 found = volume->impedance[voxel] * AcousticVolume::unit;
+    ASSERT_GT(volume->impedance[voxel], 0);
+    ASSERT_NEAR(found, own, 0.0801 * own + AcousticVolume::unit) << volume->tissues[voxel];
+    sum[id] += found;
+    count[id] += 1.0;
+  }
+  for (const TissueId id : {tissue::fat, tissue::muscle, tissue::cerebrospinal_fluid, tissue::cortical_bone})
+    EXPECT_NEAR(sum[id] / count[id], own_impedance(id), 0.015 * own_impedance(id)) << acoustic_library().title(id);
 }
 
 TEST(AcousticVolume, reports_where_it_is) {

@@ -10,10 +10,10 @@ namespace {
 constexpr double speed_in_tissue = 1.540;  // mm/us
 constexpr double diffraction = 1.21;       // -6 dB width of a uniform aperture's main lobe, in lambda z / a
 constexpr double sending_f_number = 2.5;
-constexpr double nearest = 1.0;  // mm; the formula of diffraction vanishes at the face
+constexpr double shallowest = 1.0;  // mm; the formula of diffraction vanishes at the face
 
 double one_way(double wavelength, double aperture, double focus, double depth) {
-  const double z = std::max(depth, nearest);
+  const double z = std::max(depth, shallowest);
   return std::hypot(diffraction * wavelength * z / aperture, aperture * (1.0 - z / focus));
 }
 
@@ -21,7 +21,7 @@ double one_way(double wavelength, double aperture, double focus, double depth) {
 
 double SoundBeam::lateral(double depth) const {
   const double sending = one_way(wavelength, sent, focus, depth);
-  const double z = std::max(depth, nearest);
+  const double z = std::max(depth, shallowest);
   const double open = std::min(aperture, z / f_number);
   const double listening = diffraction * wavelength * z / open;
   return sending * listening / std::hypot(sending, listening);
