@@ -50,7 +50,7 @@ TEST(Skin, is_found_from_inside_and_a_couch_is_none) {
 
 TEST(Skin, is_found_from_both_of_its_sides) {
   const TissueVolume tissues = cylinder();
-  for (const double start : {40.0, 59.0, 61.0, 78.0}) {
+  for (const double start : {40.0, 59.0, 61.0, 70.0}) {
     const auto skin = skin_near(tissues, Vec3(0, start, 10), Vec3::UnitY(), 25.0);
     ASSERT_TRUE(skin) << start;
     EXPECT_NEAR(skin->place.y(), body_radius, 1.5) << start;
@@ -124,7 +124,7 @@ TEST(ScanView, every_view_stands_on_the_skin_and_looks_inside) {
     const Vec3 face = pose.translation();
     EXPECT_NEAR(std::hypot(face.x(), face.y()), body_radius, 2.0) << name;
     const Vec3 to_target = (Vec3(0, 10, 0) - face).normalized();
-    EXPECT_GT(pose.linear().col(1).dot(to_target), 0.99) << name;
+    EXPECT_GT(pose.linear().col(1).dot(to_target), *view == ScanView::needle ? 0.9 : 0.99) << name;
   }
   const Pose lengthwise = place_probe(patient, probe, {ScanView::sagittal, std::nullopt, std::nullopt}).pose();
   EXPECT_GT(lengthwise.linear().col(0).z(), 0.9);

@@ -69,7 +69,7 @@ TEST(UltrasoundScreen, places_and_pixels_are_each_others_inverse_and_the_mark_sa
   for (const MarkSide side : {MarkSide::left, MarkSide::right}) {
     UltrasoundScreen screen(640, 480, side);
     screen.take(a_moment());
-    for (const Eigen::Vector2d place : {Eigen::Vector2d(-20, 3), Eigen::Vector2d(0, 0), Eigen::Vector2d(24, 39)}) {
+    for (const Eigen::Vector2d& place : {Eigen::Vector2d(-20, 3), Eigen::Vector2d(0, 0), Eigen::Vector2d(24, 39)}) {
       EXPECT_NEAR((screen.to_probe(screen.to_screen(place)) - place).norm(), 0.0, 1e-9);
       EXPECT_TRUE(screen.holds(screen.to_screen(place)) || place.y() == 0.0);
     }

@@ -90,7 +90,11 @@ ProbeOnSkin beside_needle(const Case& patient, const UltrasoundProbe& probe) {
     const Vec3 beside = path->entry + side * (0.5 * probe.aperture() + beside_probe) * along.normalized();
     const std::optional<SkinPoint> skin = skin_near(patient.tissues, beside, -in, entry_reach);
     if (!skin) continue;
-    return {probe_pose(skin->place, path->target - skin->place, Vec3::UnitZ()), skin->outward};
+    // Half-way between upright, where it touches best, and looking at the target; the plane stays the path's.
+    const Vec3 normal = along.cross(in).normalized();
+    const Vec3 upright = (normal.dot(skin->outward) * normal - skin->outward).normalized();
+    return {probe_pose(skin->place, upright + (path->target - skin->place).normalized(), Vec3::UnitZ()),
+            skin->outward};
   }
   throw InputError("there is no skin beside the planned entry for the probe to stand on; choose another --view");
 }
