@@ -18,19 +18,21 @@ namespace {
 using Size = SdlScreen::Size;
 using Align = SdlScreen::Align;
 
-constexpr int scan_width = 1240, scan_height = 720;  // pixels
-constexpr double machine_x = 12.0, machine_y = 52.0, ct_x = 726.0, ct_y = 86.0;
-constexpr int machine_wide = 702, machine_high = 616;
-constexpr double ct_wide = 502.0, ct_high = 560.0;
+constexpr int scan_width = 1280, scan_height = 660;  // pixels
+constexpr double machine_x = 12.0, machine_y = 52.0, ct_x = 824.0, ct_y = 88.0;
+constexpr int machine_wide = 800, machine_high = 556;
+constexpr double ct_wide = 444.0, ct_high = 333.0;
+constexpr double key_row = 17.0;
 constexpr double ct_pixel_most = 1.0;  // mm; twice the ultrasound's is fine enough
 
 constexpr Colour scan_black{0, 0, 0}, scan_panel{16, 20, 27}, scan_ink{232, 238, 245}, scan_faint{142, 156, 174},
     scan_warn{245, 185, 66}, scan_yellow{255, 216, 77}, scan_blue{76, 194, 255}, scan_teal{55, 224, 200};
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 17> scan_help = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 18> scan_help = {{
     {"drag", "slide the probe over the skin"},
     {"wheel", "press it in, lift it off"},
-    {"shift-wheel, D", "depth (shift-D: less)"},
+    {"shift-wheel", "depth"},
+    {"D  shift-D", "depth"},
     {"left, right", "rotate the probe on the spot"},
     {"up, down", "tilt: the slice fans"},
     {"shift-left, shift-right", "rock within the slice"},
@@ -45,6 +47,24 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 17> scan_hel
     {"M", "mark the place under the pointer"},
     {"X", "clear calipers and marks"},
     {"S", "save the picture"},
+}};
+
+// The same in few words, always in sight.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 14> scan_keys = {{
+    {"drag", "slide"},
+    {"wheel", "press"},
+    {"left right", "rotate"},
+    {"up down", "tilt"},
+    {"shift-left right", "rock"},
+    {"N, page keys", "needle"},
+    {"F", "freeze"},
+    {"D", "depth"},
+    {"G", "gain"},
+    {"R", "dynamic range"},
+    {"O", "focus"},
+    {"Q", "frequency"},
+    {"C, M, X", "measure, mark, clear"},
+    {"S", "save"},
 }};
 
 Colour colour_of(ScreenWords::Role role) {
@@ -90,6 +110,7 @@ void ScanWindow::draw(const LiveScan& scan, const ScanPace& pace) {
   screen_.text(24.0, 14.0, patient_.description.name, Size::large, scan_ink);
   draw_machine(scan.screen());
   draw_ct(scan);
+  draw_keys();
   draw_foot(scan, pace);
   if (scan.help()) draw_help();
   screen_.present();
@@ -157,18 +178,28 @@ void ScanWindow::draw_ct_lines(const LiveScan& scan) {
                Align::middle);
 }
 
+void ScanWindow::draw_keys() {
+  constexpr double top = ct_y + ct_high + 22.0;
+  constexpr std::size_t rows = scan_keys.size() / 2;
+  for (std::size_t i = 0; i < scan_keys.size(); ++i) {
+    const double x = ct_x + (i < rows ? 16.0 : 236.0), y = top + key_row * static_cast<double>(i % rows);
+    screen_.text(x, y, std::string(scan_keys[i].first), Size::small, scan_ink);
+    screen_.text(x + (i < rows ? 128.0 : 68.0), y, std::string(scan_keys[i].second), Size::small, scan_faint);
+  }
+}
+
 void ScanWindow::draw_foot(const LiveScan& scan, const ScanPace& pace) {
-  constexpr double y = scan_height - 38.0;
+  constexpr double y = scan_height - 36.0;
   const std::string words = !scan.message().empty() ? scan.message()
                             : scan.measuring()      ? "Calipers: click two places; C again to move the probe"
-                                                    : "drag: slide   wheel: press   arrows: turn   ? help";
+                                               : "? explains the keys, Escape ends; with shift a knob turns back";
   screen_.text(24.0, y, words, Size::normal, scan.message().empty() ? scan_faint : scan_warn);
   screen_.text(scan_width - 24.0, y, fmt::format("{:.1f} ms a picture, {:.0f} frames/s", pace.picture, pace.frames),
                Size::normal, scan_faint, Align::right);
 }
 
 void ScanWindow::draw_help() {
-  constexpr double x = 330.0, y = 96.0, wide = 580.0, row = 27.0;
+  constexpr double x = 350.0, y = 70.0, wide = 580.0, row = 27.0;
   screen_.fill(x, y, wide, 70.0 + row * static_cast<double>(scan_help.size()), {30, 38, 50});
   screen_.text(x + 24.0, y + 16.0, "Keys", Size::large, scan_ink);
   double at = y + 58.0;

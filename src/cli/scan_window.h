@@ -30,6 +30,7 @@ class ScanWindow {
   void draw_machine(const UltrasoundScreen& machine);
   void draw_ct(const LiveScan& scan);
   void draw_ct_lines(const LiveScan& scan);
+  void draw_keys();
   void draw_foot(const LiveScan& scan, const ScanPace& pace);
   void draw_help();
 

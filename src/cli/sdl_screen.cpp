@@ -167,8 +167,6 @@ ScreenKey key_of(SDL_Keycode code) {
       return ScreenKey::g;
     case SDLK_h:
       return ScreenKey::h;
-    case SDLK_l:
-      return ScreenKey::l;
     case SDLK_m:
       return ScreenKey::m;
     case SDLK_n:

@@ -15,18 +15,18 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-constexpr const char* quick = " --lines 64 --samples 96 --size 160x120 --slices 1";  // a picture that takes no time
+constexpr const char* scan_roughly = " --lines 64 --samples 96 --size 160x120 --slices 1";  // a picture that takes no time
 
 class UltrasoundCommand : public PatientCommand {
  protected:
   static json said(const std::string& arguments) {
-    const Outcome outcome = bodkin("-q --json ultrasound " + patient() + quick + " " + arguments);
+    const Outcome outcome = bodkin("-q --json ultrasound " + patient() + scan_roughly + " " + arguments);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
     return outcome.exit_code == 0 ? json::parse(outcome.output) : json();
   }
   static void expect_refusal(const std::string& arguments, const std::string& words) {
     const auto before = listing();
-    const Outcome outcome = bodkin("-q ultrasound " + patient() + quick + " " + arguments);
+    const Outcome outcome = bodkin("-q ultrasound " + patient() + scan_roughly + " " + arguments);
     EXPECT_EQ(outcome.exit_code, 2) << arguments;
     EXPECT_EQ(lines_of(outcome.errors), 1) << outcome.errors;
     EXPECT_THAT(outcome.errors, HasSubstr(words));
@@ -53,7 +53,7 @@ TEST_F(UltrasoundCommand, without_options_it_shows_the_planned_target_from_the_s
   EXPECT_GT(image.height, 600);
   EXPECT_GT(brightness(image), 5.0);
   // The same again from the pose that it prints.
-  const Outcome text = bodkin("-q ultrasound " + patient() + quick + " -o text.png");
+  const Outcome text = bodkin("-q ultrasound " + patient() + scan_roughly + " -o text.png");
   std::smatch match;
   ASSERT_TRUE(std::regex_search(text.output, match, std::regex("--pose=(\\S+)"))) << text.output;
   const json again = said("-o again.png --pose=" + match[1].str());
@@ -112,7 +112,7 @@ TEST_F(UltrasoundCommand, a_sweep_becomes_a_tracked_sequence) {
 }
 
 TEST_F(UltrasoundCommand, poses_from_a_file_become_a_folder_of_pictures) {
-  const Outcome text = bodkin("-q ultrasound " + patient() + quick + " -o text.png");
+  const Outcome text = bodkin("-q ultrasound " + patient() + scan_roughly + " -o text.png");
   std::smatch match;
   ASSERT_TRUE(std::regex_search(text.output, match, std::regex("--pose=(\\S+)")));
   const std::string pose = match[1].str();
@@ -136,7 +136,7 @@ TEST_F(UltrasoundCommand, poses_from_a_file_become_a_folder_of_pictures) {
 TEST_F(UltrasoundCommand, a_video_needs_ffmpeg_and_says_so) {
   const Outcome without =
       run_bodkin(folder_, "--version > /dev/null; PATH=/nowhere '" BODKIN_BUILD "/bin/bodkin' -q ultrasound " +
-                              patient() + quick + " --tilt=-9,9 --frames 3 -o sweep.mp4");
+                              patient() + scan_roughly + " --tilt=-9,9 --frames 3 -o sweep.mp4");
   EXPECT_EQ(without.exit_code, 1);
   EXPECT_EQ(lines_of(without.errors), 1) << without.errors;
   EXPECT_THAT(without.errors, HasSubstr("apt-get install ffmpeg"));
