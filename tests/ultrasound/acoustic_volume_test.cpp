@@ -102,6 +102,15 @@ TEST(AcousticVolume, hu_vary_soft_tissue_as_far_as_a_twelfth_and_bone_not_at_all
   EXPECT_NEAR(impedance_at(*acoustic_volume(bone, {}), 4, 4, 4), own_impedance(tissue::cancellous_bone), 0.001);
 }
 
+TEST(AcousticVolume, tissues_too_thin_for_a_ct_keep_their_own) {
+  for (const TissueId id : {tissue::skin, tissue::ligamentum_flavum, tissue::dura, tissue::cerebrospinal_fluid}) {
+    Case patient = acoustic_block(id);
+    for (std::size_t voxel = 72; voxel < patient.ct.voxels.size(); ++voxel) patient.ct.voxels[voxel] = -60;
+    EXPECT_NEAR(impedance_at(*acoustic_volume(patient, {}), 4, 4, 4), own_impedance(id), 0.001)
+        << acoustic_library().title(id);
+  }
+}
+
 TEST(AcousticVolume, a_tissue_without_impedance_has_that_of_its_hu) {
   Case patient = acoustic_block(tissue::muscle);
   std::vector<TissueProperties> tissues = patient.library.tissues();

@@ -52,6 +52,21 @@ bool is_bone(std::size_t id) {
   return id == tissue::cortical_bone || id == tissue::cancellous_bone;
 }
 
+// Tissues too thin for a CT: they are constructed where anatomy puts them, and the HU there are of their neighbours.
+constexpr std::array<TissueId, 8> constructed = {tissue::skin,
+                                                 tissue::supraspinous_ligament,
+                                                 tissue::interspinous_ligament,
+                                                 tissue::ligamentum_flavum,
+                                                 tissue::epidural_fat,
+                                                 tissue::dura,
+                                                 tissue::cerebrospinal_fluid,
+                                                 tissue::nerve};
+
+bool hounsfield_tell(std::size_t id, double impedance) {
+  return !is_bone(id) && impedance >= softest && impedance <= hardest &&
+         std::find(constructed.begin(), constructed.end(), id) == constructed.end();
+}
+
 // How the impedance of one tissue comes about: own + (map(HU) - typical), held within own +- most.
 struct ImpedanceRule {
   float own = 0.0F;      // MRayl
@@ -71,8 +86,7 @@ std::array<ImpedanceRule, 256> impedance_rules(const TissueLibrary& library) {
     }
     rules[id].own = static_cast<float>(own);
     rules[id].typical = static_cast<float>(impedance_of_hounsfield(entry->hounsfield));
-    if (!is_bone(id) && own >= softest && own <= hardest)
-      rules[id].most = static_cast<float>(largest_variation * own);
+    if (hounsfield_tell(id, own)) rules[id].most = static_cast<float>(largest_variation * own);
   }
   rules[tissue::air] = {.own = static_cast<float>(air_impedance)};
   return rules;

@@ -43,8 +43,9 @@ Touch touch(const Feeler& feeler, double reach) noexcept {
 
 }  // namespace
 
-FaceContact face_contact(const AcousticVolume& patient, const ScanLines& lines, const Pose& pose, bool gel,
-                         std::span<float> gap, std::span<float> press) noexcept {
+FaceContact face_contact(const AcousticVolume& patient, std::span<const Vec3> origins,
+                         std::span<const Vec3> directions, const Pose& pose, bool gel, std::span<float> gap,
+                         std::span<float> press) noexcept {
   FaceContact contact;
   if (!pose.matrix().allFinite()) {
     contact.why = NoImage::broken_pose;
@@ -53,11 +54,7 @@ FaceContact face_contact(const AcousticVolume& patient, const ScanLines& lines, 
   const Grid& grid = patient.grid;
   const Mat3 into_voxels = grid.spacing.cwiseInverse().asDiagonal() * grid.direction.transpose();
   const double reach = gel ? thickest_gel : touching;
-  const auto feel = [&](double line) {
-    const Vec3 start = grid.to_index(pose * lines.origin(line));
-    return touch({patient, start, into_voxels * (pose.linear() * lines.direction(line))}, reach);
-  };
-
+  const Mat3 turned = into_voxels * pose.linear();
   const Vec3 face = grid.to_index(pose.translation());
   const Vec3 margin = grid.spacing.cwiseInverse() * deepest_press;  // air that a CT does not show is still air
   for (int axis = 0; axis < 3; ++axis) {
@@ -65,19 +62,19 @@ FaceContact face_contact(const AcousticVolume& patient, const ScanLines& lines, 
       contact.why = NoImage::outside_volume;
   }
   if (contact.why != NoImage::none) return contact;
-  contact.press = feel(0.5 * (lines.lines - 1)).press;
+  contact.press = touch({patient, face, turned.col(1)}, reach).press;
   if (contact.press >= deepest_press) {
     contact.why = NoImage::inside_body;
     return contact;
   }
   int reached = 0;
-  for (int line = 0; line < lines.lines; ++line) {
-    const Touch found = feel(line);
-    gap[static_cast<std::size_t>(line)] = static_cast<float>(found.gap);
-    press[static_cast<std::size_t>(line)] = static_cast<float>(found.press);
+  for (std::size_t line = 0; line < origins.size(); ++line) {
+    const Touch found = touch({patient, face + turned * origins[line], turned * directions[line]}, reach);
+    gap[line] = static_cast<float>(found.gap);
+    press[line] = static_cast<float>(found.press);
     reached += found.gap <= thickest_gel ? 1 : 0;
   }
-  contact.share = static_cast<double>(reached) / lines.lines;
+  contact.share = static_cast<double>(reached) / static_cast<double>(origins.size());
   if (reached == 0) contact.why = NoImage::no_contact;
   return contact;
 }

@@ -4,7 +4,6 @@
 
 #include "imaging/ultrasound/acoustic_volume.h"
 #include "imaging/ultrasound/frame.h"
-#include "imaging/ultrasound/scan_lines.h"
 
 namespace bodkin {
 
@@ -18,10 +17,12 @@ struct FaceContact {
   double press = 0.0;  // mm that the middle of the face is below the resting skin; >= 0
 };
 
-// Feels along every line of a probe at `pose` for the skin: out of the face through gel where there is air, back from
-// the face where it has been pressed in. `gap` and `press` (one value a line, mm) receive how far before the face the
-// skin is (more than thickest_gel: no contact) and how far behind.
-FaceContact face_contact(const AcousticVolume& patient, const ScanLines& lines, const Pose& pose, bool gel,
-                         std::span<float> gap, std::span<float> press) noexcept;
+// Feels along every line of a probe at `pose` (`origins` on the face and unit `directions` in the probe's frame) for
+// the skin: out of the face through gel where there is air, back from the face where it has been pressed in. `gap`
+// and `press` (one value a line, mm) receive how far before the face the skin is (more than thickest_gel: no contact)
+// and how far behind.
+FaceContact face_contact(const AcousticVolume& patient, std::span<const Vec3> origins,
+                         std::span<const Vec3> directions, const Pose& pose, bool gel, std::span<float> gap,
+                         std::span<float> press) noexcept;
 
 }  // namespace bodkin

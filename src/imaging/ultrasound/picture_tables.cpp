@@ -13,7 +13,6 @@ constexpr double machine_compensates = 0.5;   // dB/cm/MHz, of soft tissue
 constexpr double most_compensation = 60.0;    // dB: beyond, there would be noise alone
 constexpr double matched_impedance = 1.6;     // MRayl
 constexpr double rayleigh_mean = 0.88622693;  // of a complex normal number of variance 1
-constexpr double press_reaches = 60.0;        // mm below the face
 
 double from_decibels(double decibels) {
   return std::pow(10.0, decibels / 20.0);
@@ -44,19 +43,29 @@ void set_media(PictureTables& tables, const AcousticVolume& patient, double freq
   tables.fall[scan::outside] = 0.0F;
 }
 
-// Rows of a map from voxels to cells: turned out of every axis of the patient, so that no row of cells lies along
-// one.
-std::array<float, 12> cells_of(const Grid& grid, const Mat3& turn, const Vec3& size) {
-  const Mat3 from_voxels = size.cwiseInverse().asDiagonal() * turn * grid.direction * grid.spacing.asDiagonal();
-  const Vec3 shift = size.cwiseInverse().asDiagonal() * turn * grid.origin;
-  std::array<float, 12> rows{};
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column)
-      rows[static_cast<std::size_t>(4 * row + column)] = static_cast<float>(from_voxels(row, column));
-    // Only where within the endless pattern the patient lies: kept small, for floats to be exact.
-    rows[static_cast<std::size_t>(4 * row + 3)] = static_cast<float>(std::remainder(shift[row], 4096.0));
+// Cells of `size` mm along the lattice's axes. They are counted from the patient's origin, so that a part cut out of
+// a CT has the speckle of the whole.
+PictureTables::Cells cells_of(const Grid& grid, const Vec3& size) {
+  constexpr double middle = 32768.0;  // a multiple of every period: only for the numbers to be positive
+  PictureTables::Cells cells;
+  const Vec3 start = grid.direction.transpose() * grid.origin;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    cells.per_voxel[i] = static_cast<float>(grid.spacing[axis] / size[axis]);
+    cells.first[i] = static_cast<float>(middle + std::remainder(start[axis] / size[axis], 4096.0));
   }
-  return rows;
+  return cells;
+}
+
+// The same for bundles of fibres, which run from head to foot, as those of the back do: along the lattice's axis that
+// is nearest to it.
+PictureTables::Cells bundles_of(const Grid& grid) {
+  constexpr double thick = 1.3, long_ = 16.0;  // mm
+  Vec3 size = Vec3::Constant(thick);
+  int along = 0;
+  grid.direction.row(2).cwiseAbs().maxCoeff(&along);
+  size[along] = long_;
+  return cells_of(grid, size);
 }
 
 void set_widths(PictureTables& tables, const UltrasoundDetail& detail, const ScanLines& lines, const SoundBeam& beam,
@@ -138,10 +147,6 @@ void set_clutter(PictureTables& tables, const ScanLines& lines) {
 
 }  // namespace
 
-double PictureTables::pressed_share(double depth) const {
-  return std::max(0.0, 1.0 - depth / press_reaches);
-}
-
 void PictureTables::describe(int sample, scan::Row& described) const noexcept {
   const auto k = static_cast<std::size_t>(sample);
   described.row = sample;
@@ -159,19 +164,17 @@ PictureTables picture_tables(const AcousticVolume& patient, const UltrasoundProb
                              const ScanLines& lines, const SoundBeam& beam, const std::vector<SliceRay>& rays) {
   PictureTables tables;
   tables.stride = (lines.lines + scan::lanes - 1) / scan::lanes * scan::lanes;
+  for (int line = 0; line < lines.lines; ++line) {
+    tables.line_origin.push_back(lines.origin(line));
+    tables.line_direction.push_back(lines.direction(line));
+  }
   tables.matched = static_cast<float>(matched_impedance / AcousticVolume::unit);
   const double frequency = settings.frequency > 0.0 ? settings.frequency : probe.frequency;
   set_media(tables, patient, frequency, lines.spacing);
 
   const double cell = std::clamp(0.5 * beam.pulse, 0.08, 0.5);  // mm: finer than any width of the picture
-  const Mat3 turn = (Eigen::AngleAxisd(0.46, Vec3::UnitX()) * Eigen::AngleAxisd(0.71, Vec3::UnitY()) *
-                     Eigen::AngleAxisd(1.13, Vec3::UnitZ()))
-                        .toRotationMatrix();
-  tables.cell_of = cells_of(patient.grid, turn, Vec3::Constant(cell));
-  const Vec3 bundle(1.3, 1.3, 16.0);  // mm: bundles of fibres run from head to foot, as those of the back do
-  const Mat3 aslant =
-      (Eigen::AngleAxisd(0.08, Vec3::UnitX()) * Eigen::AngleAxisd(0.05, Vec3::UnitY())).toRotationMatrix();
-  tables.bundle_of = cells_of(patient.grid, aslant, bundle);
+  tables.cells = cells_of(patient.grid, Vec3::Constant(cell));
+  tables.bundles = bundles_of(patient.grid);
   set_widths(tables, detail, lines, beam, rays, cell);
   set_gain(tables, settings, lines, frequency);
   if (detail.clutter) set_clutter(tables, lines);

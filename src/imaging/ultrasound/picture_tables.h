@@ -19,10 +19,14 @@ struct PictureTables {
   int stride = 0;        // lines, up to a whole number of scan::lanes
   float matched = 0.0F;  // AcousticVolume::unit
 
-  std::vector<float> fall;                  // scan::media
-  std::vector<std::uint32_t> texture;       // scan::media
-  std::array<float, 12> cell_of{};          // 3 x 4: voxels to cells of the scatterer volume
-  std::array<float, 12> bundle_of{};        // 3 x 4
+  std::vector<Vec3> line_origin, line_direction;  // by line, probe's frame
+  std::vector<float> fall;                        // scan::media
+  std::vector<std::uint32_t> texture;             // scan::media
+  struct Cells {
+    std::array<float, 3> per_voxel{};  // along the lattice's axes
+    std::array<float, 3> first{};      // of the lattice's first voxel
+  };
+  Cells cells, bundles;
   std::vector<float> speckle_gain;          // by sample: undoes what the widths take away from the speckle's level
   std::vector<std::vector<float>> offsets;  // by ray of the slice, by sample: mm across the slice
 
@@ -33,8 +37,6 @@ struct PictureTables {
   std::vector<float> gain;        // by sample: amplitude of gain and time-gain compensation
   std::vector<float> clutter[2];  // samples x stride: noise of the face and what is next to it
 
-  // Share of the probe's press by which tissue at a depth below the face has moved.
-  double pressed_share(double depth) const;
   // The fields of a row that are its own, but for `grey` and `work`.
   void describe(int sample, scan::Row& described) const noexcept;
 };

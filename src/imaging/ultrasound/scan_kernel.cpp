@@ -62,7 +62,8 @@ struct Sample {
   alignas(64) std::uint32_t scatterer[lanes];
   alignas(64) std::int32_t fibre[lanes];
   alignas(64) float impedance[lanes];
-  alignas(64) float cosine2[lanes];  // of the angle of incidence on what the impedance's gradient says is the surface
+  alignas(64) float along[lanes];  // the impedance's change in a mm along the line
+  alignas(64) float steep[lanes];  // where it is steepest, squared
 };
 
 // Where the samples of row k lie.
@@ -128,26 +129,17 @@ inline void surround(const March& __restrict in, int line, int k, Sample& __rest
 // Which cells of the scatterer and the fibre volume hold them. Both volumes go on for ever; each time one starts anew
 // it is shifted, so that no pattern repeats along a line.
 inline void find_cells(const March& __restrict in, Sample& __restrict s) noexcept {
-  constexpr float middle = 65536.0F;  // cells: makes all numbers positive, for truncation to be rounding down
   for (int l = 0; l < lanes; ++l) {
     const float x = s.x[l], y = s.y[l], z = s.z[l];
-    const auto i = static_cast<std::int32_t>(in.cell_of[0][0] * x + in.cell_of[0][1] * y + in.cell_of[0][2] * z +
-                                             (in.cell_of[0][3] + middle));
-    const auto j = static_cast<std::int32_t>(in.cell_of[1][0] * x + in.cell_of[1][1] * y + in.cell_of[1][2] * z +
-                                             (in.cell_of[1][3] + middle));
-    const auto k = static_cast<std::int32_t>(in.cell_of[2][0] * x + in.cell_of[2][1] * y + in.cell_of[2][2] * z +
-                                             (in.cell_of[2][3] + middle));
-    const std::int32_t jj = j + 23 * (i >> 6);
-    const std::int32_t kk = k + 37 * (jj >> 6) + 11 * (i >> 6);
-    s.cell[l] = (i & (cells - 1)) | (jj & (cells - 1)) << 6 | (kk & (cells - 1)) << 12;
-    const auto a = static_cast<std::int32_t>(in.bundle_of[0][0] * x + in.bundle_of[0][1] * y +
-                                             in.bundle_of[0][2] * z + (in.bundle_of[0][3] + middle));
-    const auto b = static_cast<std::int32_t>(in.bundle_of[1][0] * x + in.bundle_of[1][1] * y +
-                                             in.bundle_of[1][2] * z + (in.bundle_of[1][3] + middle));
-    const auto c = static_cast<std::int32_t>(in.bundle_of[2][0] * x + in.bundle_of[2][1] * y +
-                                             in.bundle_of[2][2] * z + (in.bundle_of[2][3] + middle));
-    s.bundle[l] =
-        (a & (bundles - 1)) | ((b + 7 * (a >> 5)) & (bundles - 1)) << 5 | ((c + 13 * (b >> 5)) & (bundles - 1)) << 10;
+    const auto i = static_cast<std::int32_t>(in.cells_per_voxel[0] * x + in.first_cell[0]);
+    const auto j = static_cast<std::int32_t>(in.cells_per_voxel[1] * y + in.first_cell[1]) + 23 * (i >> 6);
+    const auto k =
+        static_cast<std::int32_t>(in.cells_per_voxel[2] * z + in.first_cell[2]) + 37 * (j >> 6) + 11 * (i >> 6);
+    s.cell[l] = (i & (cells - 1)) | (j & (cells - 1)) << 6 | (k & (cells - 1)) << 12;
+    const auto a = static_cast<std::int32_t>(in.bundles_per_voxel[0] * x + in.first_bundle[0]);
+    const auto b = static_cast<std::int32_t>(in.bundles_per_voxel[1] * y + in.first_bundle[1]) + 7 * (a >> 5);
+    const auto c = static_cast<std::int32_t>(in.bundles_per_voxel[2] * z + in.first_bundle[2]) + 13 * (b >> 5);
+    s.bundle[l] = (a & (bundles - 1)) | (b & (bundles - 1)) << 5 | (c & (bundles - 1)) << 10;
   }
 }
 
@@ -200,9 +192,9 @@ inline void meet(const March& __restrict in, int line, Sample& __restrict s) noe
     const float gy = ((b - a) + fz * ((d - c) - (b - a))) * in.per_mm[1];
     const float gz = (cd - ab) * in.per_mm[2];
     const float along = gx * in.direction.x[line + l] + gy * in.direction.y[line + l] + gz * in.direction.z[line + l];
-    const float steep = gx * gx + gy * gy + gz * gz + 1e-6F;
-    const float cosine2 = along * along / steep;  // of the angle of incidence, squared
-    s.cosine2[l] = cosine2 > 1.0F ? 1.0F : cosine2;
+    const float steep = gx * gx + gy * gy + gz * gz;
+    s.along[l] = along < 0.0F ? -along : along;
+    s.steep[l] = steep;
     s.impedance[l] = inside;
   }
 }
@@ -218,7 +210,7 @@ inline void reflect(const March& __restrict in, int k, const Sample& __restrict 
               surface = in.surface;
   for (int l = 0; l < lanes; ++l) {
     const bool in_gel = s.medium[l] == gel;
-    const float impedance = s.impedance[l], sharp = s.cosine2[l];
+    const float impedance = s.impedance[l], slope_along = s.along[l], slope_at_all = s.steep[l];
     const float last_start = state.start[l], last_reflected = state.reflected[l], last_before = state.before[l];
     const float last_echo = state.strong_echo[l];
     const float z = in_gel ? matched : impedance;
@@ -231,23 +223,27 @@ inline void reflect(const March& __restrict in, int k, const Sample& __restrict 
     const float so_far = going_on ? last_reflected : 0.0F;
     const float settled = last_before * (1.0F - last_reflected * last_reflected);
     const float before = going_on ? last_before : settled;
-    const float met = in_gel ? 1.0F : sharp;
-    const float cosine2 = size < flat * z ? 1.0F : met;
+    // With `normal` the squared slope and `along` the slope along the line, along^2 / normal is the squared cosine of
+    // the angle of incidence. Where nothing has a slope the line counts as perpendicular.
+    const bool level = slope_at_all < 1.0F;
+    const float within = level ? 1.0F : slope_at_all, beside = level ? 1.0F : slope_along;
+    const float normal = in_gel ? 1.0F : within, along = in_gel ? 1.0F : beside;
 
     // Speeds of sound: 1040 m/s + 310 m/s per MRayl holds for soft tissue within 2 % and for cortical bone within its
     // spread.
-    constexpr float slope = 310.0F / 4096.0F / 1040.0F;
-    const float ratio = (1.0F + slope * z) / (1.0F + slope * start);
-    const float bent = 1.0F - ratio * ratio * (1.0F - cosine2);  // squared cosine behind the surface
-    const float cosine = root(cosine2);
-    const float behind = root(bent > 0.0F ? bent : 0.0F);  // 0: total reflection
-    const float reflected = (z * cosine - start * behind) / (z * cosine + start * behind + 1e-3F);
+    constexpr float faster = 310.0F / 4096.0F / 1040.0F;
+    const float speed = 1.0F + faster * z, speed_before = 1.0F + faster * start;
+    const float bent = speed_before * speed_before * normal - speed * speed * (normal - along * along);
+    const float behind = start * root(bent > 0.0F ? bent : 0.0F);  // 0: total reflection
+    const float ahead = z * speed_before * along;
+    const float reflected = (ahead - behind) / (ahead + behind + 1e-3F);
+    const float cosine2 = along * along / normal;
 
     const float dense = z >= bone_from ? 1.0F : 0.0F;
     const float bone = change > 0.0F ? dense : 0.0F;
     const float mirror = bone > 0.0F ? bone_mirror : soft_mirror;
-    const float lobe2 = cosine2 * cosine2, lobe4 = lobe2 * lobe2;
-    const float received = mirror * (lobe4 * lobe4) + (1.0F - mirror) * cosine;
+    const float fourth = cosine2 * cosine2, eighth = fourth * fourth;
+    const float received = mirror * (eighth * eighth) + (1.0F - mirror) * cosine2;
     echo[l] = before * (reflected - so_far) * received * (1.0F + bone_edge * bone) * surface;
 
     const float left = before * s.fall[l];

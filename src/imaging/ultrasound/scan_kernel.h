@@ -10,7 +10,7 @@
 
 namespace bodkin::scan {
 
-inline constexpr int lanes = 16;     // scanlines side by side
+inline constexpr int lanes = 32;     // scanlines side by side
 inline constexpr int coarse = 8;     // samples between two rows of the displacement table
 inline constexpr int cells = 64;     // of the scatterer volume along each axis
 inline constexpr int bundles = 32;   // of the fibre volume along each axis
@@ -45,10 +45,10 @@ struct March {
   float matched;              // AcousticVolume::unit, impedance of the probe's face and the gel
   // scatterers
   const std::uint32_t*
-      scatterers;             // cells^3: in-phase, quadrature (signed bytes), chance (unsigned), unused; null: none
-  float cell_of[3][4];        // voxels to cells
-  const std::int8_t* fibres;  // bundles^3
-  float bundle_of[3][4];      // voxels to bundles
+      scatterers;  // cells^3: in-phase, quadrature (signed bytes), chance (unsigned), unused; null: none
+  float cells_per_voxel[3], first_cell[3];  // voxels to cells; far from 0, for truncation to be rounding down
+  const std::int8_t* fibres;                // bundles^3
+  float bundles_per_voxel[3], first_bundle[3];
   const float* speckle_gain;  // by sample
   // lines
   int samples, stride;

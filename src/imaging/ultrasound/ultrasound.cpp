@@ -6,6 +6,7 @@
 #include "imaging/ultrasound/crew.h"
 #include "imaging/ultrasound/echo_rows.h"
 #include "imaging/ultrasound/face_contact.h"
+#include "imaging/ultrasound/layered_compression.h"
 #include "imaging/ultrasound/needle_echo.h"
 #include "imaging/ultrasound/picture_tables.h"
 #include "imaging/ultrasound/reverberation.h"
@@ -85,6 +86,7 @@ struct Ultrasound::Machine {
   std::vector<SliceRay> rays;
   Crew crew;
 
+  LayeredCompression compression;
   ScanLines lines;
   SoundBeam beam;
   PictureTables tables;
@@ -126,14 +128,16 @@ void Ultrasound::Machine::aim(const Pose& pose) noexcept {
   const Grid& grid = patient->grid;
   const Mat3 into_lattice = grid.direction.transpose() * pose.linear();
   const Vec3 per_mm = grid.spacing.cwiseInverse();
+  const Mat3 face_into_voxels = per_mm.asDiagonal() * into_lattice;
+  const Vec3 face = grid.to_index(pose.translation());
   for (int line = 0; line < tables.stride; ++line) {
-    const double at = std::min(line, lines.lines - 1);  // lanes that nobody needs go along with the last line
+    const int at = std::min(line, lines.lines - 1);  // lanes that nobody needs go along with the last line
     const auto i = static_cast<std::size_t>(line);
-    const Vec3 along = into_lattice * lines.direction(at);
-    origin.set(i, grid.to_index(pose * lines.origin(at)));
+    const auto used = static_cast<std::size_t>(at);
+    const Vec3 along = into_lattice * tables.line_direction[used];
+    origin.set(i, face + face_into_voxels * tables.line_origin[used]);
     direction.set(i, along);
     step.set(i, lines.spacing * along.cwiseProduct(per_mm));
-    const auto used = static_cast<std::size_t>(at);
     const bool reached = static_cast<double>(gap[used]) <= thickest_gel;
     gel_samples[i] =
         reached ? gap[used] / static_cast<float>(lines.spacing) : 2.0F * static_cast<float>(lines.samples);
@@ -148,17 +152,19 @@ void Ultrasound::Machine::move(const Pose& pose, const std::optional<ScanDisplac
   const bool given = displacement && sound(*displacement);
   if (!given && !pressed) return;
   is_moved = true;
+  if (!given) compression.settle(*patient, pose, frame.press);
   const Grid& grid = patient->grid;
   const Mat3 into_voxels = grid.spacing.cwiseInverse().asDiagonal() * grid.direction.transpose();
   const int rows = lines.samples / scan::coarse + 2;
   for (int row = 0; row < rows; ++row) {
     const double depth = row * scan::coarse * lines.spacing;
-    const double share = given ? 0.0 : tables.pressed_share(depth);
+    // Lines beside the middle one, which are pressed more or less deep, give way as that one does.
+    const double share = given ? 0.0 : compression.moved(depth) / frame.press;
     for (int line = 0; line < tables.stride; ++line) {
       const int used = std::min(line, lines.lines - 1);
-      const Vec3 along = lines.direction(used);
+      const Vec3& along = tables.line_direction[static_cast<std::size_t>(used)];
       const Vec3 u =
-          given ? displacement_at(*displacement, lines.origin(used) + depth * along)
+          given ? displacement_at(*displacement, tables.line_origin[static_cast<std::size_t>(used)] + depth * along)
                 : Vec3(share * static_cast<double>(press[static_cast<std::size_t>(used)]) * (pose.linear() * along));
       moved.set(
           static_cast<std::size_t>(row) * static_cast<std::size_t>(tables.stride) + static_cast<std::size_t>(line),
@@ -176,10 +182,11 @@ scan::March Ultrasound::Machine::marching(std::size_t ray) const noexcept {
     march.size[axis] = grid.size[static_cast<std::size_t>(axis)];
     march.per_mm[axis] = static_cast<float>(1.0 / grid.spacing[axis]);
     march.across[axis] = static_cast<float>(across[axis]);
-    for (int column = 0; column < 4; ++column) {
-      march.cell_of[axis][column] = tables.cell_of[static_cast<std::size_t>(4 * axis + column)];
-      march.bundle_of[axis][column] = tables.bundle_of[static_cast<std::size_t>(4 * axis + column)];
-    }
+    const auto i = static_cast<std::size_t>(axis);
+    march.cells_per_voxel[axis] = tables.cells.per_voxel[i];
+    march.first_cell[axis] = tables.cells.first[i];
+    march.bundles_per_voxel[axis] = tables.bundles.per_voxel[i];
+    march.first_bundle[axis] = tables.bundles.first[i];
   }
   march.fall = tables.fall.data();
   march.texture = tables.texture.data();
@@ -289,7 +296,8 @@ const UltrasoundFrame& Ultrasound::image(const Pose& pose, const std::optional<N
                                          const std::optional<ScanDisplacement>& displacement) noexcept {
   Machine& machine = *machine_;
   const FaceContact contact =
-      face_contact(*machine.patient, machine.lines, pose, machine.settings.gel, machine.gap, machine.press);
+      face_contact(*machine.patient, machine.tables.line_origin, machine.tables.line_direction, pose,
+                   machine.settings.gel, machine.gap, machine.press);
   machine.frame.why = contact.why;
   machine.frame.contact = contact.share;
   machine.frame.press = contact.press;
