@@ -63,7 +63,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 14> scan_key
     {"R", "dynamic range"},
     {"O", "focus"},
     {"Q", "frequency"},
-    {"C, M, X", "measure, mark, clear"},
+    {"C M X", "measure"},
     {"S", "save"},
 }};
 
@@ -169,13 +169,15 @@ void ScanWindow::draw_ct_lines(const LiveScan& scan) {
     const std::array<Eigen::Vector2f, 2> there = {spot(path->entry), spot(needle->pose.translation())};
     screen_.line(there, scan_teal);
   }
-  screen_.text(left + 6.0, ct_y + 0.5 * high - 9.0, direction_letters(-ct_plane_.right), Size::normal, scan_ink);
-  screen_.text(left + wide - 6.0, ct_y + 0.5 * high - 9.0, direction_letters(ct_plane_.right), Size::normal, scan_ink,
-               Align::right);
-  screen_.text(left + 0.5 * wide, ct_y + 4.0, direction_letters(-ct_plane_.down), Size::normal, scan_ink,
-               Align::middle);
-  screen_.text(left + 0.5 * wide, ct_y + high - 24.0, direction_letters(ct_plane_.down), Size::normal, scan_ink,
-               Align::middle);
+  // On a dark ground, for bone is white.
+  const auto letters = [&](double x, double y, const Vec3& direction) {
+    screen_.fill(x - 14.0, y, 28.0, 20.0, scan_panel);
+    screen_.text(x, y, direction_letters(direction), Size::normal, scan_ink, Align::middle);
+  };
+  letters(left + 16.0, ct_y + 0.5 * high - 10.0, -ct_plane_.right);
+  letters(left + wide - 16.0, ct_y + 0.5 * high - 10.0, ct_plane_.right);
+  letters(left + 0.5 * wide, ct_y + 2.0, -ct_plane_.down);
+  letters(left + 0.5 * wide, ct_y + high - 22.0, ct_plane_.down);
 }
 
 void ScanWindow::draw_keys() {

@@ -15,11 +15,33 @@ struct Colour {
   std::uint8_t red = 0, green = 0, blue = 0;
 };
 
-// clang-format off
 enum class ScreenKey {
-  other, space, escape, question, up, down, left, right, page_up, page_down, a, c, d, e, f, g, h, m, n, o, q, r, s, w, x
+  other,
+  space,
+  escape,
+  question,
+  up,
+  down,
+  left,
+  right,
+  page_up,
+  page_down,
+  a,
+  c,
+  d,
+  e,
+  f,
+  g,
+  h,
+  m,
+  n,
+  o,
+  q,
+  r,
+  s,
+  w,
+  x
 };
-// clang-format on
 
 // What a person did in the window. Pixels, right and down.
 struct ScreenEvent {

@@ -28,6 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t largest_sweep_file = std::size_t{64} << 20U;  // bytes
+constexpr std::size_t largest_sweep = std::size_t{3} << 30U;       // bytes of pixels that are held in memory
 constexpr std::array<const char*, 4> video_endings = {".mp4", ".webm", ".avi", ".gif"};
 
 SweepAngle parse_angle(const std::string& text, const std::string& option) {
@@ -64,6 +65,14 @@ void require_ffmpeg() {
   if (run_tool({"ffmpeg", "-hide_banner", "-version"}, "", "ffmpeg").exit_code != 0) {
     throw SystemError("the program 'ffmpeg' does not run; install it anew with: apt-get install --reinstall ffmpeg");
   }
+}
+
+void require_memory(std::size_t frames, std::size_t bytes_a_frame) {
+  if (frames <= largest_sweep / bytes_a_frame) return;
+  throw InputError(
+      fmt::format("a sweep of {} frames of this size does not fit into one file, expected at most {}; choose fewer "
+                  "--frames, a smaller --size, or a folder of pictures",
+                  frames, largest_sweep / bytes_a_frame));
 }
 
 double number_in(const CsvRow& row, std::size_t field, const std::string& file) {
@@ -252,6 +261,7 @@ SweepMade write_sweep(const SweepScene& scene, Ultrasound& machine, const SweepT
     if (frame.why != NoImage::none && made.black++ == 0) made.why = reason(frame.why);
     if (target.kind == SweepKind::sequence) {
       if (i == 0) {
+        require_memory(scene.poses.size(), frame.pixels.size());
         sequence = {frame.width,
                     frame.height,
                     frame.pixel,
@@ -271,6 +281,7 @@ SweepMade write_sweep(const SweepScene& scene, Ultrasound& machine, const SweepT
       write_file(made.files.back(), encode_png(image));
       continue;
     }
+    if (i == 0) require_memory(scene.poses.size(), sizeof(Rgb) * image.pixels.size());
     width = image.width;
     height = image.height;
     append_pixels(video, image);

@@ -133,8 +133,8 @@ TEST_F(LiveHand, wheel_and_knobs_stay_in_their_ranges) {
   wheel.shift = true;
   scan_->take(wheel);
   EXPECT_NEAR(scan_->settings().depth, 80.0, 1e-9);
-  for (int i = 0; i < 100; ++i) {
-    for (const Key knob : {Key::d, Key::g, Key::r, Key::o, Key::q}) key(knob, i >= 50);
+  for (int i = 0; i < 300; ++i) {
+    for (const Key knob : {Key::d, Key::g, Key::r, Key::o, Key::q}) key(knob, i >= 100);
   }
   EXPECT_EQ(scan_->settings().depth, 10.0);
   EXPECT_EQ(scan_->settings().gain, -40.0);
