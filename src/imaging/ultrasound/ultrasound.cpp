@@ -243,6 +243,7 @@ scan::March Ultrasound::Machine::marching(std::size_t ray) const noexcept {
   march.scatterers = detail.speckle ? scatterers().cells.data() : nullptr;
   march.fibres = scatterers().bundles.data();
   march.speckle_gain = tables.speckle_gain.data();
+  march.lines = lines.lines;
   march.samples = lines.samples;
   march.stride = tables.stride;
   march.origin = origin.view();
