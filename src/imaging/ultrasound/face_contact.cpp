@@ -8,6 +8,7 @@ namespace bodkin {
 namespace {
 
 constexpr double face_step = 0.25;  // mm
+constexpr double rigid = 1e-3;      // error of a rotation's products
 constexpr double touching = 0.5;    // mm of air that count as contact without gel: the CT knows the skin no better
 
 // A point that moves along a line, in voxels.
@@ -24,21 +25,48 @@ struct Feeler {
     return patient.tissues[patient.grid.offset(static_cast<int>(index.x()), static_cast<int>(index.y()),
                                                static_cast<int>(index.z()))] == tissue::air;
   }
+  // Whether air has a share in what is interpolated between the voxels there.
+  bool partly_air(double distance) const noexcept {
+    constexpr double negligible = 0.02;  // of a voxel
+    const Vec3 index = start + distance * step;
+    const Vec3 low = (index.array() + negligible).floor(), high = (index.array() - negligible).ceil();
+    for (int corner = 0; corner < 8; ++corner) {
+      const int i = static_cast<int>((corner & 1) != 0 ? high.x() : low.x()),
+                j = static_cast<int>((corner & 2) != 0 ? high.y() : low.y()),
+                k = static_cast<int>((corner & 4) != 0 ? high.z() : low.z());
+      if (!patient.grid.contains(i, j, k) || patient.tissues[patient.grid.offset(i, j, k)] == tissue::air)
+        return true;
+    }
+    return false;
+  }
+  // mm from `distance` on to where that has ended, for the voxel of the skin seems to be half air; 0 where it does
+  // not end within a few voxels.
+  double to_whole_tissue(double distance) const noexcept {
+    constexpr double farthest = 2.0;  // mm
+    for (double further = 0.0; further <= farthest; further += face_step)
+      if (!partly_air(distance + further)) return further;
+    return 0.0;
+  }
 };
 
 struct Touch {
-  double gap = 0.0, press = 0.0;
+  double gap = 0.0, press = 0.0;  // mm from the face to the skin, before and behind it
+  double gel = 0.0;               // mm from the face to where nothing but tissue is, before it
+  double tissue = 0.0;            // and behind it
 };
 
 Touch touch(const Feeler& feeler, double reach) noexcept {
   if (feeler.in_air(0.0)) {
-    for (double ahead = face_step; ahead <= reach; ahead += face_step)
-      if (!feeler.in_air(ahead)) return {ahead, 0.0};
-    return {2.0 * thickest_gel, 0.0};
+    for (double ahead = face_step; ahead <= reach; ahead += face_step) {
+      if (!feeler.in_air(ahead))
+        return {ahead, 0.0, std::min(thickest_gel, ahead + feeler.to_whole_tissue(ahead)), 0.0};
+    }
+    return {2.0 * thickest_gel, 0.0, 2.0 * thickest_gel, 0.0};
   }
   double behind = face_step;
   while (behind <= deepest_press && !feeler.in_air(-behind)) behind += face_step;
-  return {0.0, behind - face_step};
+  const double press = behind - face_step, left = press - feeler.to_whole_tissue(-press);
+  return {0.0, press, std::max(0.0, -left), std::max(0.0, left)};
 }
 
 }  // namespace
@@ -47,7 +75,8 @@ FaceContact face_contact(const AcousticVolume& patient, std::span<const Vec3> or
                          std::span<const Vec3> directions, const Pose& pose, bool gel, std::span<float> gap,
                          std::span<float> press) noexcept {
   FaceContact contact;
-  if (!pose.matrix().allFinite()) {
+  if (!pose.matrix().allFinite() || !(pose.linear().transpose() * pose.linear()).isIdentity(rigid) ||
+      pose.linear().determinant() < 0.0) {
     contact.why = NoImage::broken_pose;
     return contact;
   }
@@ -70,8 +99,8 @@ FaceContact face_contact(const AcousticVolume& patient, std::span<const Vec3> or
   int reached = 0;
   for (std::size_t line = 0; line < origins.size(); ++line) {
     const Touch found = touch({patient, face + turned * origins[line], turned * directions[line]}, reach);
-    gap[line] = static_cast<float>(found.gap);
-    press[line] = static_cast<float>(found.press);
+    gap[line] = static_cast<float>(found.gel);
+    press[line] = static_cast<float>(found.tissue);
     reached += found.gap <= thickest_gel ? 1 : 0;
   }
   contact.share = static_cast<double>(reached) / static_cast<double>(origins.size());

@@ -19,8 +19,8 @@ struct FaceContact {
 
 // Feels along every line of a probe at `pose` (`origins` on the face and unit `directions` in the probe's frame) for
 // the skin: out of the face through gel where there is air, back from the face where it has been pressed in. `gap`
-// and `press` (one value a line, mm) receive how far before the face the skin is (more than thickest_gel: no contact)
-// and how far behind.
+// and `press` (one value a line, mm) receive how far before the face there is whole tissue, beyond the voxels that
+// the skin shares with air (more than thickest_gel: no contact), and how far behind it.
 FaceContact face_contact(const AcousticVolume& patient, std::span<const Vec3> origins,
                          std::span<const Vec3> directions, const Pose& pose, bool gel, std::span<float> gap,
                          std::span<float> press) noexcept;

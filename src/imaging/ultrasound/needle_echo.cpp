@@ -67,8 +67,8 @@ void add_needle(const EchoRows& rows, const ScanLines& lines, const SoundBeam& b
     draw_shaft(rows, beam, lines.spacing, depth, line, met.z(), 1.0 - cosine * cosine, diameter);
   }
   const Eigen::Vector2d at = lines.place(Vec3(tip.x(), tip.y(), 0.0));
-  const int near = static_cast<int>(std::floor(at.x()));
-  if (near < 0 || near >= rows.lines - 1 || !(at.y() >= 0.0) || at.y() >= rows.samples - 1) return;
+  if (!(at.x() >= 0.0) || at.x() >= rows.lines - 1 || !(at.y() >= 0.0) || at.y() >= rows.samples - 1) return;
+  const int near = static_cast<int>(at.x());
   const double seen = gauss(tip.z(), beam.elevation(at.y() * lines.spacing));
   // A point is drawn as wide as the beam, whose weights add up to 1: it needs their number to be as bright as a line.
   const double spread = std::max(1.0, beam.lateral(at.y() * lines.spacing) / lines.apart(at.y() * lines.spacing));

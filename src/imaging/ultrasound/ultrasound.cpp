@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include <fmt/format.h>
+
+#include "core/error.h"
 #include "imaging/ultrasound/crew.h"
 #include "imaging/ultrasound/echo_rows.h"
 #include "imaging/ultrasound/face_contact.h"
@@ -41,8 +45,36 @@ Vec3 displacement_at(const ScanDisplacement& field, const Vec3& point) noexcept 
 }
 
 bool sound(const ScanDisplacement& field) noexcept {
-  return field.columns >= 1 && field.rows >= 1 && field.spacing > 0.0 && field.corner.allFinite() &&
-         field.moved.size() >= 3 * static_cast<std::size_t>(field.columns) * static_cast<std::size_t>(field.rows);
+  constexpr float farthest = 1000.0F;  // mm; nothing of a patient moves as far
+  const bool shaped =
+      field.columns >= 1 && field.rows >= 1 && field.spacing > 0.0 && field.corner.allFinite() &&
+      field.moved.size() >= 3 * static_cast<std::size_t>(field.columns) * static_cast<std::size_t>(field.rows);
+  // Also false of what is not a number.
+  return shaped &&
+         std::all_of(field.moved.begin(), field.moved.end(), [](float u) { return std::abs(u) <= farthest; });
+}
+
+// Refuses what the inner loops could not walk through.
+void check(const AcousticVolume* patient) {
+  if (patient == nullptr)
+    throw InputError("ultrasound has no patient, expected an acoustic volume; make one of a case");
+  const std::array<int, 3>& size = patient->grid.size;
+  if (size[0] < 2 || size[1] < 2 || size[2] < 2) {
+    throw InputError(fmt::format(
+        "the patient has {} x {} x {} voxels, expected at least two along each axis for ultrasound; import "
+        "more of the CT",
+        size[0], size[1], size[2]));
+  }
+  const std::size_t voxels = patient->grid.voxel_count();
+  if (voxels > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
+    throw InputError(fmt::format(
+        "the patient has {} voxels, expected less than 2^31 for ultrasound; import less of the CT", voxels));
+  }
+  if (patient->impedance.size() != voxels || patient->tissues.size() != voxels) {
+    throw InputError(
+        fmt::format("the acoustic volume has {} impedances and {} tissues, expected {} of both; make it of a case",
+                    patient->impedance.size(), patient->tissues.size(), voxels));
+  }
 }
 
 }  // namespace
@@ -115,7 +147,7 @@ void Ultrasound::Machine::prepare(const UltrasoundSettings& wanted) {
   for (std::vector<float>* row : {&gap, &press, &gel_samples, &strong_at, &strong_echo}) row->assign(stride, 0.0F);
   for (std::vector<float>* rows : {&in_phase, &quadrature, &amplitude}) rows->assign(stride * samples, 0.0F);
   work.assign(4 * (stride + 2 * scan::edge) * static_cast<std::size_t>(detail.threads), 0.0F);
-  grey.assign(stride * (samples + 2), 0);  // two black rows more, for pixels outside the field of view
+  grey.assign(stride * samples, 0);
 
   frame.width = detail.width;
   frame.height = detail.height;
@@ -188,8 +220,7 @@ scan::March Ultrasound::Machine::marching(std::size_t ray) const noexcept {
     march.bundles_per_voxel[axis] = tables.bundles.per_voxel[i];
     march.first_bundle[axis] = tables.bundles.first[i];
   }
-  march.fall = tables.fall.data();
-  march.texture = tables.texture.data();
+  march.media = tables.media.data();
   march.mirror = 0.6F;
   march.bone_mirror = 0.75F;
   march.bone_edge = 0.8F;
@@ -256,16 +287,17 @@ void Ultrasound::Machine::draw(const Pose& pose, const std::optional<NeedleInSou
   auto convert_rows = [this](int turn) noexcept {
     const scan::Conversion all{grey.data(), tables.stride, conversion.place.data(), conversion.weights.data(),
                                frame.pixels.data()};
-    const auto width = static_cast<std::size_t>(frame.width);
-    const auto first = static_cast<std::size_t>(turn * rows_a_turn);
-    const std::size_t last = std::min(first + rows_a_turn, static_cast<std::size_t>(frame.height));
-    kernel.convert(all, first * width, last * width);
+    const int last_row = std::min(frame.height, (turn + 1) * rows_a_turn);
+    const std::size_t last = conversion.row_of_runs[static_cast<std::size_t>(last_row)];
+    for (std::size_t run = conversion.row_of_runs[static_cast<std::size_t>(turn * rows_a_turn)]; run < last; ++run)
+      kernel.convert(all, conversion.runs[run].first, conversion.runs[run].last);
   };
   crew.share((frame.height + rows_a_turn - 1) / rows_a_turn, convert_rows);
 }
 
 Ultrasound::Ultrasound(std::shared_ptr<const AcousticVolume> patient, UltrasoundProbe probe,
                        UltrasoundSettings settings, UltrasoundDetail detail, ProcessorPath path) {
+  check(patient.get());
   check(probe, "the probe");
   check(detail);
   machine_ = std::make_unique<Machine>(std::move(patient), std::move(probe), detail, path);

@@ -35,7 +35,8 @@ struct ScanDisplacement {
 // patient, probe, settings and the arguments: the same bits on every processor path and for any number of threads.
 class Ultrasound {
  public:
-  // Throws InputError when the probe, a setting or a detail is out of range.
+  // Throws InputError when the probe, a setting or a detail is out of range, or the patient has fewer than two voxels
+  // along an axis.
   Ultrasound(std::shared_ptr<const AcousticVolume> patient, UltrasoundProbe probe, UltrasoundSettings settings = {},
              UltrasoundDetail detail = {}, ProcessorPath path = best_processor_path());
   Ultrasound(Ultrasound&&) noexcept;
@@ -48,7 +49,8 @@ class Ultrasound {
   // Throws InputError as the constructor does, and leaves everything as it was then.
   void set(const UltrasoundSettings& settings);
 
-  // The picture with the probe at `pose` (probe to patient). Valid until the next call.
+  // The picture with the probe at `pose` (probe to patient). Valid until the next call. A displacement that is not
+  // finite or too small for its rows and columns is left out.
   const UltrasoundFrame& image(const Pose& pose, const std::optional<NeedleInSound>& needle = std::nullopt,
                                const std::optional<ScanDisplacement>& displacement = std::nullopt) noexcept;
 
