@@ -13,6 +13,6 @@ packages_to_run=(
 packages_to_test=(
   git libgtest-dev libgmock-dev libbenchmark-dev
   clang clang-format clang-tidy libclang-rt-14-dev llvm libxml2-utils
-  xvfb xauth xdotool imagemagick
+  xvfb xauth xdotool imagemagick ffmpeg
   libsuitesparse-dev calculix-ccx
 )

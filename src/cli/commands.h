@@ -34,5 +34,6 @@ void add_export_command(CLI::App& app, CommandContext& context);
 void add_report_command(CLI::App& app, CommandContext& context);
 void add_fit_command(CLI::App& app, CommandContext& context);
 void add_figures_command(CLI::App& app, CommandContext& context);
+void add_ultrasound_command(CLI::App& app, CommandContext& context);
 
 }  // namespace bodkin

@@ -26,6 +26,7 @@ constexpr const char* main_footer = R"(Examples:
   bodkin report session.bodkin                   what happened, as one HTML file
   bodkin fit layered skin.csv                    parameters of a force model from a measured curve
   bodkin perform patient openhaptics             your own hand performs it on a haptic device
+  bodkin ultrasound patient --ct                 what an ultrasound probe shows, beside the CT
   bodkin devices list                            haptic devices that are connected
   bodkin figures figures                         published experiments, played again and plotted
 
@@ -69,6 +70,7 @@ int main(int argc, char** argv) {
   bodkin::add_report_command(app, context);
   bodkin::add_fit_command(app, context);
   bodkin::add_figures_command(app, context);
+  bodkin::add_ultrasound_command(app, context);
 
   try {
     app.parse(argc, argv);

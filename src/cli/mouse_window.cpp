@@ -84,6 +84,8 @@ void MouseWindow::take(const ScreenEvent& event) {
       input_.move(way.x(), -way.y(), turning);
       break;
     }
+    case Kind::button:  // a motion says whether one is held
+      break;
     case Kind::leave:
       pointer_.reset();
       break;
@@ -138,7 +140,7 @@ void MouseWindow::press(ScreenKey key, bool down) {
     case ScreenKey::escape:
       if (down) input_.end();
       return command('q');
-    case ScreenKey::other:
+    default:
       return;
   }
 }

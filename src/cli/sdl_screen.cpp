@@ -51,6 +51,7 @@ struct Sdl {
   decltype(&SDL_CreateTextureFromSurface) texture{};
   decltype(&SDL_DestroyTexture) destroy_texture{};
   decltype(&SDL_FreeSurface) free_surface{};
+  decltype(&SDL_CreateRGBSurfaceWithFormatFrom) surface_from{};
   decltype(&SDL_PollEvent) poll{};
   decltype(&SDL_GetModState) modifiers{};
   decltype(&TTF_Init) ttf_init{};
@@ -80,6 +81,7 @@ struct Sdl {
     sdl.need(texture, "SDL_CreateTextureFromSurface");
     sdl.need(destroy_texture, "SDL_DestroyTexture");
     sdl.need(free_surface, "SDL_FreeSurface");
+    sdl.need(surface_from, "SDL_CreateRGBSurfaceWithFormatFrom");
     sdl.need(poll, "SDL_PollEvent");
     sdl.need(modifiers, "SDL_GetModState");
     ttf.need(ttf_init, "TTF_Init");
@@ -136,6 +138,9 @@ ScreenKey key_of(SDL_Keycode code) {
       return ScreenKey::space;
     case SDLK_ESCAPE:
       return ScreenKey::escape;
+    case SDLK_QUESTION:
+    case SDLK_SLASH:  // the same key without shift
+      return ScreenKey::question;
     case SDLK_UP:
       return ScreenKey::up;
     case SDLK_DOWN:
@@ -156,12 +161,28 @@ ScreenKey key_of(SDL_Keycode code) {
       return ScreenKey::d;
     case SDLK_e:
       return ScreenKey::e;
+    case SDLK_f:
+      return ScreenKey::f;
+    case SDLK_g:
+      return ScreenKey::g;
+    case SDLK_h:
+      return ScreenKey::h;
+    case SDLK_m:
+      return ScreenKey::m;
+    case SDLK_n:
+      return ScreenKey::n;
+    case SDLK_o:
+      return ScreenKey::o;
     case SDLK_q:
       return ScreenKey::q;
+    case SDLK_r:
+      return ScreenKey::r;
     case SDLK_s:
       return ScreenKey::s;
     case SDLK_w:
       return ScreenKey::w;
+    case SDLK_x:
+      return ScreenKey::x;
     default:
       return ScreenKey::other;
   }
@@ -177,6 +198,14 @@ std::optional<ScreenEvent> translated(const SDL_Event& from) {
     event.x = from.motion.x;
     event.y = from.motion.y;
     event.button = from.motion.state != 0;
+    return event;
+  }
+  if (from.type == SDL_MOUSEBUTTONDOWN || from.type == SDL_MOUSEBUTTONUP) {
+    if (from.button.button != SDL_BUTTON_LEFT) return std::nullopt;
+    event.kind = Kind::button;
+    event.x = from.button.x;
+    event.y = from.button.y;
+    event.down = from.type == SDL_MOUSEBUTTONDOWN;
     return event;
   }
   if (from.type == SDL_MOUSEWHEEL) {
@@ -332,6 +361,21 @@ void SdlScreen::text(double x, double y, const std::string& words, Size size, Co
   SDL_Texture* const texture = impl_->video->texture(impl_->renderer, surface);
   impl_->video->free_surface(surface);
   if (texture == nullptr) return;
+  impl_->video->copy(impl_->renderer, texture, nullptr, &place);
+  impl_->video->destroy_texture(texture);
+}
+
+void SdlScreen::picture(double x, double y, double width, double height, const ImageRgb& image) {
+  if (image.pixels.empty()) return;
+  ImageRgb& pixels = const_cast<ImageRgb&>(image);  // NOLINT: SDL only reads them
+  SDL_Surface* const surface = impl_->video->surface_from(pixels.pixels.data(), image.width, image.height, 24,
+                                                          3 * image.width, SDL_PIXELFORMAT_RGB24);
+  if (surface == nullptr) return;
+  SDL_Texture* const texture = impl_->video->texture(impl_->renderer, surface);
+  impl_->video->free_surface(surface);
+  if (texture == nullptr) return;
+  const SDL_FRect place{static_cast<float>(x), static_cast<float>(y), static_cast<float>(width),
+                        static_cast<float>(height)};
   impl_->video->copy(impl_->renderer, texture, nullptr, &place);
   impl_->video->destroy_texture(texture);
 }

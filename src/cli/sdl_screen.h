@@ -7,22 +7,50 @@
 
 #include <Eigen/Core>
 
+#include "imaging/image_rgb.h"
+
 namespace bodkin {
 
 struct Colour {
   std::uint8_t red = 0, green = 0, blue = 0;
 };
 
-enum class ScreenKey { other, space, escape, up, down, left, right, page_up, page_down, a, c, d, e, q, s, w };
+enum class ScreenKey {
+  other,
+  space,
+  escape,
+  question,
+  up,
+  down,
+  left,
+  right,
+  page_up,
+  page_down,
+  a,
+  c,
+  d,
+  e,
+  f,
+  g,
+  h,
+  m,
+  n,
+  o,
+  q,
+  r,
+  s,
+  w,
+  x
+};
 
 // What a person did in the window. Pixels, right and down.
 struct ScreenEvent {
-  enum class Kind { motion, leave, wheel, key, focus_lost, close };
+  enum class Kind { motion, button, leave, wheel, key, focus_lost, close };
   Kind kind = Kind::close;
-  double x = 0.0, y = 0.0;  // motion: where the pointer is
+  double x = 0.0, y = 0.0;  // motion, button: where the pointer is
   double steps = 0.0;       // wheel: forwards
   ScreenKey key = ScreenKey::other;
-  bool down = false;    // key: pressed, not let go
+  bool down = false;    // key, button: pressed, not let go
   bool shift = false;   // is held
   bool button = false;  // motion: a button of the mouse is held
 };
@@ -55,6 +83,8 @@ class SdlScreen {
   void segments(std::span<const Eigen::Vector2f> ends, Colour colour);
   // `x` is where the text begins, ends or has its middle, `y` its upper edge.
   void text(double x, double y, const std::string& words, Size size, Colour colour, Align align = Align::left);
+  // A picture, stretched to the place.
+  void picture(double x, double y, double width, double height, const ImageRgb& image);
   // Shows what was drawn.
   void present();
 

@@ -24,6 +24,7 @@ constexpr double near_plane = 2.0;     // mm: a line further away is dashed
 constexpr const char* background = "#10151a";
 constexpr const char* path_colour = "#ffd84d";
 constexpr const char* travelled_colour = "#37e0c8";
+constexpr const char* outline_colour = "#4cc2ff";
 
 using Place = Eigen::Vector2d;
 
@@ -43,6 +44,7 @@ class PanelArtist {
     } else {
       elements(library);
     }
+    outline();
     if (panel_.path) planned(*panel_.path);
     travelled();
     if (panel_.path) ends(*panel_.path);
@@ -176,6 +178,16 @@ class PanelArtist {
          travelled_colour);
   }
 
+  void outline() {
+    if (panel_.outline.empty()) return;
+    std::string points;
+    for (const Vec3& point : panel_.outline) {
+      const Place at = place(point);
+      fmt::format_to(std::back_inserter(points), "{:.2f},{:.2f} ", at.x(), at.y());
+    }
+    emit("<polygon points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.2\"/>\n", points, outline_colour);
+  }
+
   void letters() {
     const SlicePlane& plane = panel_.slice.plane;
     const double w = width(), h = height();
@@ -220,6 +232,9 @@ std::vector<LegendEntry> legend_of(const std::vector<SlicePanel>& panels, const 
       std::any_of(panels.begin(), panels.end(), [](const auto& p) { return p.travelled.size() > 1; });
   if (any_path) entries.push_back({"planned path", stroke(path_colour)});
   if (any_travelled) entries.push_back({"path of the tip", stroke(travelled_colour)});
+  if (std::any_of(panels.begin(), panels.end(), [](const auto& p) { return !p.outline.empty(); })) {
+    entries.push_back({"what the probe sees", stroke(outline_colour)});
+  }
   std::vector<TissueId> seen;
   for (const SlicePanel& panel : panels) {
     for (const TissueId id : tissues_present(panel.slice)) {
@@ -271,7 +286,7 @@ SlicesDrawn draw_slices(const std::vector<SlicePanel>& panels, const TissueLibra
         column, row, entry.sign, escape_markup(entry.text));
     column += wide;
   }
-  return {content, x, row + 16.0};
+  return {content, x, row + 16.0, top};
 }
 
 std::string slice_picture(const std::vector<SlicePanel>& panels, const TissueLibrary& library,

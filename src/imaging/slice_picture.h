@@ -17,12 +17,14 @@ struct SlicePanel {
   std::optional<NeedlePath> path;         // planned: entry dot, line, depth ticks every 10 mm, target cross
   std::vector<Vec3> travelled;            // LPS mm, where the tip really went, in order
   std::vector<CutElement> elements = {};  // of a mesh; where there are any, they are drawn instead of the pixels
+  std::vector<Vec3> outline = {};         // LPS mm, a closed line: what an ultrasound probe sees
 };
 
 // Slices side by side as SVG, without a document around it.
 struct SlicesDrawn {
   std::string svg;
   double width = 0.0, height = 0.0;  // px
+  double top = 0.0;                  // px, of the slices themselves
 };
 
 // Slices side by side, all `height` px high, with orientation letters, millimetre bars and the names of the tissues

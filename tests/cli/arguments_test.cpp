@@ -127,6 +127,46 @@ const std::vector<CommandRow>& table() {
         {"--free", Kind::texts},
         {"--output", Kind::text}}},
       {"figures", "made", "DIR", {{"--experiment", Kind::texts}}},
+      {"ultrasound",
+       "somewhere",
+       "CASE",
+       {{"--probe", Kind::text},
+        {"--probes", Kind::text},
+        {"--view", Kind::text},
+        {"--at", Kind::text},
+        {"--from", Kind::text},
+        {"--face", Kind::point},
+        {"--look", Kind::point},
+        {"--marked", Kind::point},
+        {"--pose", Kind::text},
+        {"--press", Kind::number, {"-61", "41"}},
+        {"--depth", Kind::number, {"9", "401", "-80"}},
+        {"--gain", Kind::number, {"-41", "41"}},
+        {"--dynamic-range", Kind::number, {"19", "121", "-60"}},
+        {"--focus", Kind::number, {"4", "401", "-40"}},
+        {"--frequency", Kind::number, {"0", "31", "-5"}},
+        {"--tgc", Kind::text},
+        {"--no-gel", Kind::toggle},
+        {"--lines", Kind::whole, {"15", "2049", "-1"}},
+        {"--samples", Kind::whole, {"31", "4097", "-1"}},
+        {"--size", Kind::text},
+        {"--slices", Kind::whole, {"0", "8", "-1"}},
+        {"--threads", Kind::whole, {"0", "65", "-1"}},
+        {"--mark", Kind::text},
+        {"--needle", Kind::toggle},
+        {"--needle-depth", Kind::number, {"-1", "301"}},
+        {"--output", Kind::text},
+        {"--plain", Kind::toggle},
+        {"--ct", Kind::toggle},
+        {"--sweep", Kind::text},
+        {"--sweep-to", Kind::point},
+        {"--on-skin", Kind::toggle},
+        {"--tilt", Kind::text},
+        {"--rock", Kind::text},
+        {"--rotate", Kind::text},
+        {"--frames", Kind::whole, {"0", "100001", "-1"}},
+        {"--rate", Kind::number, {"0", "0.9", "201", "-1"}},
+        {"--live", Kind::toggle}}},
       {"perform",
        "somewhere force_dimension",
        "CASE",
@@ -293,6 +333,12 @@ TEST_F(Arguments, places_that_cannot_be_written_are_refused_before_the_work) {
   expect_refusal("export session.bodkin --csv session.bodkin", {"--csv is 'session.bodkin', which is read from"});
   expect_refusal("export session.bodkin --csv no/such/t.csv", {"--csv is 'no/such/t.csv'"});
   expect_refusal("export session.bodkin --csv a.csv --events a.csv", {"both 'a.csv'"});
+  expect_refusal("ultrasound somewhere -o no/such/p.png",
+                 {"--output is 'no/such/p.png'; expected a file in a folder"});
+  expect_refusal("ultrasound somewhere -o folder.png", {"which is a folder"});
+  expect_refusal("ultrasound somewhere --tilt=-9,9 -o no/such/s.mha", {"--output is 'no/such/s.mha'"});
+  expect_refusal("ultrasound somewhere --tilt=-9,9 -o session.bodkin",
+                 {"--output is 'session.bodkin'; a sweep becomes"});
   EXPECT_EQ(text_of("session.bodkin"), "what must not be lost");
 }
 

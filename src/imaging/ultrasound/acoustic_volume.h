@@ -31,9 +31,9 @@ struct AcousticVolume {
 
 // The acoustic volume of a case. Bone (cortical or cancellous) has its own impedance whatever its HU, and so have the
 // thin tissues that a CT does not show (skin, ligaments, what the spinal canal holds) and what is no soft tissue; all
-// else its tissue's, plus what impedance_of_hounsfield says of the difference between the voxel's HU, smoothed against
-// the noise of the CT, and the HU typical of the tissue, within 8 %. Throws InputError when the CT is not in HU or
-// nothing but air.
+// else its tissue's, plus what impedance_of_hounsfield says of the difference between the voxel's HU, smoothed
+// against the noise of the CT, and the HU typical of the tissue, within 8 %. Throws InputError when the CT is not in
+// HU or nothing but air.
 std::shared_ptr<const AcousticVolume> acoustic_volume(const Case& patient, const Progress& progress);
 
 }  // namespace bodkin

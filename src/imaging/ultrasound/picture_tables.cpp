@@ -9,7 +9,7 @@ namespace bodkin {
 
 namespace {
 
-constexpr double machine_compensates = 0.5;   // dB/cm/MHz, of soft tissue
+constexpr double machine_compensates = 0.7;   // dB/cm/MHz, of soft tissue
 constexpr double most_compensation = 60.0;    // dB: beyond, there would be noise alone
 constexpr double matched_impedance = 1.6;     // MRayl
 constexpr double rayleigh_mean = 0.88622693;  // of a complex normal number of variance 1
@@ -29,18 +29,17 @@ std::uint32_t byte_share(double share) {
 }
 
 void set_media(PictureTables& tables, const AcousticVolume& patient, double frequency, double spacing) {
-  tables.fall.assign(scan::media, 1.0F);
-  tables.texture.assign(scan::media, 0);
+  tables.media.assign(scan::media, 0);
   for (std::size_t id = 0; id < patient.media.size(); ++id) {
     const AcousticTissue& medium = patient.media[id];
     const double both_ways = 2.0 * medium.attenuation * std::pow(frequency, medium.power) * spacing / 10.0;
-    tables.fall[id] = static_cast<float>(from_decibels(-both_ways));
+    const auto fall = __builtin_bit_cast(std::uint32_t, static_cast<float>(from_decibels(-both_ways)));
     const double density = std::max(medium.density, 1e-3);
     const double level = from_decibels(medium.echo) / rayleigh_mean / std::sqrt(density);
-    tables.texture[id] =
+    const std::uint32_t texture =
         upper_half(level) | byte_share(medium.density) << 8 | byte_share(1.0 - from_decibels(-medium.variation));
+    tables.media[id] = static_cast<std::uint64_t>(texture) << 32 | fall;
   }
-  tables.fall[scan::outside] = 0.0F;
 }
 
 // Cells of `size` mm along the lattice's axes. They are counted from the patient's origin, so that a part cut out of

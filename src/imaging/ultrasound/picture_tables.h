@@ -20,8 +20,7 @@ struct PictureTables {
   float matched = 0.0F;  // AcousticVolume::unit
 
   std::vector<Vec3> line_origin, line_direction;  // by line, probe's frame
-  std::vector<float> fall;                        // scan::media
-  std::vector<std::uint32_t> texture;             // scan::media
+  std::vector<std::uint64_t> media;               // scan::media, as scan::March has them
   struct Cells {
     std::array<float, 3> per_voxel{};  // along the lattice's axes
     std::array<float, 3> first{};      // of the lattice's first voxel

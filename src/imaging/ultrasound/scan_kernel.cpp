@@ -53,14 +53,13 @@ struct State {
 struct Sample {
   alignas(64) std::int32_t corner[lanes];   // position of the lowest of its eight voxels
   alignas(64) std::int32_t nearest[lanes];  // position of the nearest voxel
-  alignas(64) std::int32_t medium[lanes];   // gel, outside, or below: take the tissue's
+  alignas(64) float gone[lanes];            // half a voxel squared or less: within the patient's volume
   alignas(64) std::int32_t cell[lanes];
   alignas(64) std::int32_t bundle[lanes];
   alignas(64) float x[lanes], y[lanes], z[lanes];     // voxels
   alignas(64) float fx[lanes], fy[lanes], fz[lanes];  // between the voxels
   alignas(64) std::uint32_t pair[4][lanes];           // neighbours along i, at (j, k), (j+1, k), (j, k+1), (j+1, k+1)
-  alignas(64) float fall[lanes];
-  alignas(64) std::uint32_t texture[lanes];
+  alignas(64) std::uint64_t medium[lanes];            // as March::media
   alignas(64) std::uint32_t scatterer[lanes];
   alignas(64) std::int32_t fibre[lanes];
   alignas(64) float impedance[lanes];
@@ -99,8 +98,7 @@ inline void place(const March& __restrict in, int line, int k, Sample& __restric
 }
 
 // Which voxels surround them.
-inline void surround(const March& __restrict in, int line, int k, Sample& __restrict s) noexcept {
-  const float depth = static_cast<float>(k);
+inline void surround(const March& __restrict in, Sample& __restrict s) noexcept {
   const auto last_x = static_cast<float>(in.size[0] - 1), last_y = static_cast<float>(in.size[1] - 1),
              last_z = static_cast<float>(in.size[2] - 1);
   const std::int32_t row = in.size[0], slice = in.size[0] * in.size[1];
@@ -123,8 +121,7 @@ inline void surround(const March& __restrict in, int line, int k, Sample& __rest
     s.nearest[l] = s.corner[l] + static_cast<std::int32_t>(s.fx[l] + 0.5F) +
                    row * static_cast<std::int32_t>(s.fy[l] + 0.5F) +
                    slice * static_cast<std::int32_t>(s.fz[l] + 0.5F);
-    const std::int32_t medium = depth < in.gel_samples[line + l] ? gel : -1;
-    s.medium[l] = far <= 0.25F ? medium : outside;
+    s.gone[l] = far;
   }
 }
 
@@ -134,10 +131,10 @@ inline void find_cells(const March& __restrict in, Sample& __restrict s) noexcep
   for (int l = 0; l < lanes; ++l) {
     const float x = s.x[l], y = s.y[l], z = s.z[l];
     const auto i = static_cast<std::int32_t>(in.cells_per_voxel[0] * x + in.first_cell[0]);
-    const auto j = static_cast<std::int32_t>(in.cells_per_voxel[1] * y + in.first_cell[1]) + 23 * (i >> 6);
+    const auto j = static_cast<std::int32_t>(in.cells_per_voxel[1] * y + in.first_cell[1]) + 23 * (i >> 5);
     const auto k =
-        static_cast<std::int32_t>(in.cells_per_voxel[2] * z + in.first_cell[2]) + 37 * (j >> 6) + 11 * (i >> 6);
-    s.cell[l] = (i & (cells - 1)) | (j & (cells - 1)) << 6 | (k & (cells - 1)) << 12;
+        static_cast<std::int32_t>(in.cells_per_voxel[2] * z + in.first_cell[2]) + 37 * (j >> 5) + 11 * (i >> 5);
+    s.cell[l] = (i & (cells - 1)) | (j & (cells - 1)) << 5 | (k & (cells - 1)) << 10;
     const auto a = static_cast<std::int32_t>(in.bundles_per_voxel[0] * x + in.first_bundle[0]);
     const auto b = static_cast<std::int32_t>(in.bundles_per_voxel[1] * y + in.first_bundle[1]) + 7 * (a >> 5);
     const auto c = static_cast<std::int32_t>(in.bundles_per_voxel[2] * z + in.first_bundle[2]) + 13 * (b >> 5);
@@ -145,36 +142,47 @@ inline void find_cells(const March& __restrict in, Sample& __restrict s) noexcep
   }
 }
 
-// Everything that comes from scattered places.
+// Everything that comes from scattered places. Four lines a turn, for the loop itself costs as much as a load.
+inline void load_line(const March& __restrict in, std::ptrdiff_t row, std::ptrdiff_t slice, Sample& __restrict s,
+                      int l) noexcept {
+  const std::int16_t* const corner = in.impedance + s.corner[l];
+  std::memcpy(&s.pair[0][l], corner, 4);
+  std::memcpy(&s.pair[1][l], corner + row, 4);
+  std::memcpy(&s.pair[2][l], corner + slice, 4);
+  std::memcpy(&s.pair[3][l], corner + slice + row, 4);
+  s.medium[l] = in.media[in.tissues[s.nearest[l]]];
+}
+
 inline void load(const March& __restrict in, Sample& __restrict s) noexcept {
   const std::ptrdiff_t row = in.size[0], slice = row * in.size[1];
-  for (int l = 0; l < lanes; ++l) {
-    const std::int16_t* corner = in.impedance + s.corner[l];
-    std::memcpy(&s.pair[0][l], corner, 4);
-    std::memcpy(&s.pair[1][l], corner + row, 4);
-    std::memcpy(&s.pair[2][l], corner + slice, 4);
-    std::memcpy(&s.pair[3][l], corner + slice + row, 4);
-    const std::int32_t tissue = in.tissues[s.nearest[l]];
-    const std::int32_t medium = s.medium[l] < 0 ? tissue : s.medium[l];
-    s.medium[l] = medium;
-    s.fall[l] = in.fall[medium];
-    s.texture[l] = in.texture[medium];
+  for (int l = 0; l < lanes; l += 4) {
+    load_line(in, row, slice, s, l);
+    load_line(in, row, slice, s, l + 1);
+    load_line(in, row, slice, s, l + 2);
+    load_line(in, row, slice, s, l + 3);
   }
 }
 
 inline void load_scatterers(const March& __restrict in, Sample& __restrict s) noexcept {
-  for (int l = 0; l < lanes; ++l) {
+  for (int l = 0; l < lanes; l += 4) {
     s.scatterer[l] = in.scatterers[s.cell[l]];
     s.fibre[l] = in.fibres[s.bundle[l]];
+    s.scatterer[l + 1] = in.scatterers[s.cell[l + 1]];
+    s.fibre[l + 1] = in.fibres[s.bundle[l + 1]];
+    s.scatterer[l + 2] = in.scatterers[s.cell[l + 2]];
+    s.fibre[l + 2] = in.fibres[s.bundle[l + 2]];
+    s.scatterer[l + 3] = in.scatterers[s.cell[l + 3]];
+    s.fibre[l + 3] = in.fibres[s.bundle[l + 3]];
   }
 }
 
+// Impedances are not negative.
 inline float low_half(std::uint32_t pair) noexcept {
-  return static_cast<float>(static_cast<std::int32_t>(pair << 16) >> 16);
+  return static_cast<float>(static_cast<std::int32_t>(pair & 0xFFFFU));
 }
 
 inline float high_half(std::uint32_t pair) noexcept {
-  return static_cast<float>(static_cast<std::int32_t>(pair) >> 16);
+  return static_cast<float>(static_cast<std::int32_t>(pair >> 16));
 }
 
 // The impedance there, linear between the voxels, and how steeply the line meets its surfaces.
@@ -205,18 +213,19 @@ inline void meet(const March& __restrict in, int line, Sample& __restrict s) noe
 // "ramp") from `start`; the whole ramp throws back what the sharp surface between its two ends would (Fresnel's law
 // for pressure), each sample its part, and transmission is what that leaves. Its angle is that of its steepest
 // sample, the one before it included: the last one often lies behind it, where the slope says nothing.
-inline void reflect(const March& __restrict in, int k, const Sample& __restrict s, State& __restrict state,
+// `coupled`: there may still be gel. `leads`: this is the ray that tells of strong surfaces.
+template <bool coupled, bool leads>
+inline void reflect(const March& __restrict in, int line, int k, const Sample& __restrict s, State& __restrict state,
                     float* __restrict echo, float* __restrict reaches) noexcept {
   constexpr float flat = 0.004F;  // relative change in a sample below which a ramp has ended
   const float depth = static_cast<float>(k);
   const float matched = in.matched, soft_mirror = in.mirror, bone_mirror = in.bone_mirror, bone_edge = in.bone_edge,
               surface = in.surface;
   for (int l = 0; l < lanes; ++l) {
-    const bool in_gel = s.medium[l] == gel;
+    const bool in_gel = coupled && depth < in.gel_samples[line + l];
     const float impedance = s.impedance[l], here_along = s.along[l], here_at_all = s.steep[l];
     const float last_along = state.along[l], last_at_all = state.steep[l];
     const float last_start = state.start[l], last_reflected = state.reflected[l], last_before = state.before[l];
-    const float last_echo = state.strong_echo[l];
     const float z = in_gel ? matched : impedance;
     const float previous = state.previous[l];
     const float change = z - previous;
@@ -256,16 +265,21 @@ inline void reflect(const March& __restrict in, int k, const Sample& __restrict 
     const float received = mirror * (eighth * eighth) + (1.0F - mirror) * cosine2;
     echo[l] = before * (reflected - so_far) * received * (1.0F + bone_edge * bone) * surface;
 
-    const float left = before * s.fall[l];
-    const float total = reflected < 0.0F ? -reflected : reflected;
-    const float at = state.strong_at[l];
-    float strong = total > 0.35F ? 1.0F : 0.0F;  // steep enough, still heard, and the first on its line
-    strong = cosine2 > 0.5F ? strong : 0.0F;
-    strong = before > 1e-4F ? strong : 0.0F;
-    strong = at < 0.0F ? strong : 0.0F;
-    state.strong_at[l] = strong > 0.0F ? depth : at;
-    state.strong_echo[l] = strong > 0.0F ? total * before * received : last_echo;
-    reaches[l] = before * (1.0F - reflected * reflected);
+    const float fall = float_of(static_cast<std::uint32_t>(s.medium[l]));
+    const float kept = s.gone[l] <= 0.25F ? fall : 0.0F;  // beyond the volume everything is swallowed
+    const float left = before * (in_gel ? 1.0F : kept);
+    if constexpr (leads) {
+      const float total = reflected < 0.0F ? -reflected : reflected;
+      const float at = state.strong_at[l], last_echo = state.strong_echo[l];
+      float strong = total > 0.35F ? 1.0F : 0.0F;  // steep enough, still heard, and the first on its line
+      strong = cosine2 > 0.5F ? strong : 0.0F;
+      strong = before > 1e-4F ? strong : 0.0F;
+      strong = at < 0.0F ? strong : 0.0F;
+      state.strong_at[l] = strong > 0.0F ? depth : at;
+      state.strong_echo[l] = strong > 0.0F ? total * before * received : last_echo;
+    }
+    const float through = before * (1.0F - reflected * reflected);
+    reaches[l] = in_gel ? 0.0F : through;
     state.start[l] = start;
     state.previous[l] = z;
     state.reflected[l] = reflected;
@@ -277,7 +291,8 @@ inline void scatter(const March& __restrict in, int k, const Sample& __restrict 
                     float* __restrict in_phase, float* __restrict quadrature) noexcept {
   const float gain = in.speckle_gain[k] * (1.0F / 64.0F);
   for (int l = 0; l < lanes; ++l) {
-    const std::uint32_t texture = s.texture[l], scatterer = s.scatterer[l];
+    const auto texture = static_cast<std::uint32_t>(s.medium[l] >> 32);
+    const std::uint32_t scatterer = s.scatterer[l];
     const float variation = static_cast<float>(static_cast<std::int32_t>(texture & 0xFFU)) * (1.0F / 255.0F);
     const float bundle = 1.0F + variation * (static_cast<float>(s.fibre[l]) * (1.0F / 128.0F));
     const bool there = (scatterer >> 16 & 0xFFU) < (texture >> 8 & 0xFFU);
@@ -288,7 +303,8 @@ inline void scatter(const March& __restrict in, int k, const Sample& __restrict 
   }
 }
 
-void march(const March& in, int block) noexcept {
+template <bool leads>
+void march_block(const March& in, int block) noexcept {
   const int line = block * lanes;
   State state;
   for (int l = 0; l < lanes; ++l) {
@@ -298,14 +314,22 @@ void march(const March& in, int block) noexcept {
     state.strong_at[l] = -1.0F;
     state.strong_echo[l] = 0.0F;
   }
+  float thickest = 0.0F;
+  for (int l = 0; l < lanes; ++l)
+    thickest = in.gel_samples[line + l] > thickest ? in.gel_samples[line + l] : thickest;
+  const int gel_rows = static_cast<int>(thickest) + 1;
   Sample s;
   alignas(64) float echo[lanes], reaches[lanes], in_phase[lanes], quadrature[lanes];
   for (int k = 0; k < in.samples; ++k) {
     place(in, line, k, s);
-    surround(in, line, k, s);
+    surround(in, s);
     load(in, s);
     meet(in, line, s);
-    reflect(in, k, s, state, echo, reaches);
+    if (k < gel_rows) {
+      reflect<true, leads>(in, line, k, s, state, echo, reaches);
+    } else {
+      reflect<false, leads>(in, line, k, s, state, echo, reaches);
+    }
     float* const sum_in_phase = in.in_phase + static_cast<std::ptrdiff_t>(k) * in.stride + line;
     float* const sum_quadrature = in.quadrature + static_cast<std::ptrdiff_t>(k) * in.stride + line;
     if (in.scatterers != nullptr) {
@@ -317,7 +341,7 @@ void march(const March& in, int block) noexcept {
       for (int l = 0; l < lanes; ++l) in_phase[l] = echo[l];
       for (int l = 0; l < lanes; ++l) quadrature[l] = 0.0F;
     }
-    if (in.first) {
+    if constexpr (leads) {
       float* const amplitude = in.amplitude + static_cast<std::ptrdiff_t>(k) * in.stride + line;
       for (int l = 0; l < lanes; ++l) sum_in_phase[l] = in.weight * in_phase[l];
       for (int l = 0; l < lanes; ++l) sum_quadrature[l] = in.weight * quadrature[l];
@@ -327,9 +351,18 @@ void march(const March& in, int block) noexcept {
       for (int l = 0; l < lanes; ++l) sum_quadrature[l] += in.weight * quadrature[l];
     }
   }
-  if (!in.first) return;
-  for (int l = 0; l < lanes; ++l) in.strong_at[line + l] = state.strong_at[l];
-  for (int l = 0; l < lanes; ++l) in.strong_echo[line + l] = state.strong_echo[l];
+  if constexpr (leads) {
+    for (int l = 0; l < lanes; ++l) in.strong_at[line + l] = state.strong_at[l];
+    for (int l = 0; l < lanes; ++l) in.strong_echo[line + l] = state.strong_echo[l];
+  }
+}
+
+void march(const March& in, int block) noexcept {
+  if (in.first) {
+    march_block<true>(in, block);
+  } else {
+    march_block<false>(in, block);
+  }
 }
 
 // The pulse's length, row upon row, into `out`.
@@ -364,26 +397,40 @@ void continue_edges(const Row& row, float* line) noexcept {
   for (int l = -edge; l < 0; ++l) line[l] = line[0];
 }
 
+// Grey of an echo, 0 to 255, by the logarithm of its amplitude.
+void grade(const Row& __restrict row, const float* __restrict in_phase, const float* __restrict quadrature,
+           float* __restrict grey) noexcept {
+  const float gain = row.gain * row.gain, half = 0.5F * row.levels_per_octave, white = row.white;
+  for (int l = 0; l < row.stride; ++l) {
+    const float energy = (in_phase[l] * in_phase[l] + quadrature[l] * quadrature[l]) * gain;
+    const float heard = energy > 1e-30F ? energy : 1e-30F;
+    grey[l] = bounded(white + half * log2_of(heard), 0.0F, 255.0F) + 0.5F;
+  }
+}
+
+void round(const float* __restrict from, int count, std::uint8_t* __restrict to) noexcept {
+  for (int l = 0; l < count; ++l) to[l] = static_cast<std::uint8_t>(static_cast<std::int32_t>(from[l]));
+}
+
 void compress(const Row& row) noexcept {
   const std::ptrdiff_t length = row.stride + 2 * edge;
   float* const in_phase = row.work + edge;
   float* const quadrature = in_phase + length;
   float* const wide_in_phase = quadrature + length;
   float* const wide_quadrature = wide_in_phase + length;
-  spread_axially(row, row.in_phase, row.clutter_in_phase, in_phase);
-  spread_axially(row, row.quadrature, row.clutter_quadrature, quadrature);
-  continue_edges(row, in_phase);
-  continue_edges(row, quadrature);
-  spread_laterally(row, in_phase, wide_in_phase);
-  spread_laterally(row, quadrature, wide_quadrature);
-  const float gain = row.gain * row.gain, half = 0.5F * row.levels_per_octave;
-  for (int l = 0; l < row.stride; ++l) {
-    const float energy = (wide_in_phase[l] * wide_in_phase[l] + wide_quadrature[l] * wide_quadrature[l]) * gain;
-    const float grey = row.white + half * log2_of(energy > 1e-30F ? energy : 1e-30F);
-    wide_in_phase[l] = bounded(grey, 0.0F, 255.0F) + 0.5F;
+  const std::ptrdiff_t here = static_cast<std::ptrdiff_t>(row.row) * row.stride;
+  const bool spread = row.axial_half > 0 || row.lateral_half > 0 || row.clutter_in_phase != nullptr;
+  if (spread) {
+    spread_axially(row, row.in_phase, row.clutter_in_phase, in_phase);
+    spread_axially(row, row.quadrature, row.clutter_quadrature, quadrature);
+    continue_edges(row, in_phase);
+    continue_edges(row, quadrature);
+    spread_laterally(row, in_phase, wide_in_phase);
+    spread_laterally(row, quadrature, wide_quadrature);
   }
-  for (int l = 0; l < row.stride; ++l)
-    row.grey[l] = static_cast<std::uint8_t>(static_cast<std::int32_t>(wide_in_phase[l]));
+  grade(row, spread ? wide_in_phase : row.in_phase + here, spread ? wide_quadrature : row.quadrature + here,
+        in_phase);
+  round(in_phase, row.stride, row.grey);
 }
 
 void convert(const Conversion& in, std::size_t first, std::size_t last) noexcept {

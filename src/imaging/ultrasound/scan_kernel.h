@@ -12,7 +12,7 @@ namespace bodkin::scan {
 
 inline constexpr int lanes = 32;     // scanlines side by side
 inline constexpr int coarse = 8;     // samples between two rows of the displacement table
-inline constexpr int cells = 64;     // of the scatterer volume along each axis
+inline constexpr int cells = 32;     // of the scatterer volume along each axis
 inline constexpr int bundles = 32;   // of the fibre volume along each axis
 inline constexpr int gel = 256;      // media beyond the tissues': what couples the probe
 inline constexpr int outside = 257;  // beyond the patient's volume: swallows everything
@@ -35,10 +35,9 @@ struct March {
   const std::uint8_t* tissues;
   std::int32_t size[3];
   float per_mm[3];  // voxels in a mm
-  // media
-  const float* fall;  // by medium: what a step leaves of an amplitude, there and back
-  const std::uint32_t*
-      texture;                // by medium: amplitude of its speckle (bfloat16) << 16 | density << 8 | fibre variation
+  // By tissue id: in the lower half, as a float, what a step leaves of an amplitude, there and back; in the upper
+  // half the amplitude of its speckle (bfloat16) << 16 | density << 8 | fibre variation.
+  const std::uint64_t* media;
   float mirror, bone_mirror;  // share of a surface's echo that leaves as from a mirror
   float bone_edge;            // by which bone's surface is brighter
   float surface;              // of all surfaces' echoes; 0 leaves the speckle alone

@@ -63,16 +63,21 @@ ScanConversion scan_conversion(const ScanLines& lines, int width, int height, in
   picture.corner = {0.5 * (low_x + high_x) - 0.5 * picture.pixel * (width - 1), low_y, 0.0};
 
   const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  picture.place.assign(pixels, lines.samples * stride);
+  picture.place.assign(pixels, 0);
   picture.weights.assign(2 * pixels, 0);
   constexpr double slack = 1e-6;  // lines, samples: the outermost pixels lie on the outermost lines
   std::size_t at = 0;
   for (int row = 0; row < height; ++row) {
+    picture.row_of_runs.push_back(picture.runs.size());
+    bool running = false;
     for (int column = 0; column < width; ++column, ++at) {
       const Eigen::Vector2d place = lines.place(picture.corner + picture.pixel * Vec3(column, row, 0.0));
       const bool seen = place.x() >= -slack && place.x() <= lines.lines - 1 + slack && place.y() >= -slack &&
                         place.y() <= lines.samples - 1 + slack;
+      if (seen && !running) picture.runs.push_back({at, at});
+      running = seen;
       if (!seen) continue;
+      picture.runs.back().last = at + 1;
       const double line = std::clamp(place.x(), 0.0, lines.lines - 1.0);
       const double sample = std::clamp(place.y(), 0.0, lines.samples - 1.0);
       const int near_line = std::min(static_cast<int>(line), lines.lines - 2);
@@ -83,6 +88,7 @@ ScanConversion scan_conversion(const ScanLines& lines, int width, int height, in
           static_cast<std::uint8_t>(std::min(255.0, std::round(256.0 * (sample - near_sample))));
     }
   }
+  picture.row_of_runs.push_back(picture.runs.size());
   return picture;
 }
 

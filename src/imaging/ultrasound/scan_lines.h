@@ -38,6 +38,11 @@ struct ScanConversion {
   int width = 0, height = 0;
   double pixel = 0.0;          // mm
   Vec3 corner = Vec3::Zero();  // mm, centre of the top left pixel, probe's frame
+  struct Run {
+    std::size_t first = 0, last = 0;  // pixels, `last` is the one after
+  };
+  std::vector<Run> runs;                 // of pixels in the field of view, each within a row, in order
+  std::vector<std::size_t> row_of_runs;  // height + 1: the first run of each row
   std::vector<std::int32_t> place;
   std::vector<std::uint8_t> weights;
 };

@@ -14,7 +14,7 @@ struct UltrasoundSettings {
   double focus = 40.0;          // mm, where the beam is narrowest; 5 to 400
   double frequency = 0.0;       // MHz within the probe's band; 0 = its centre
   // dB of the eight sliders of the time-gain compensation, from the face to the depth; -20 to 20. The machine adds
-  // what soft tissue takes away (0.5 dB/cm/MHz, there and back) by itself.
+  // what soft tissue takes away (0.7 dB/cm/MHz, there and back) by itself.
   std::array<double, 8> sliders{};
   bool gel = true;  // fills gaps of up to 5 mm between the face and the skin
 };

@@ -147,7 +147,7 @@ void Ultrasound::Machine::prepare(const UltrasoundSettings& wanted) {
   for (std::vector<float>* row : {&gap, &press, &gel_samples, &strong_at, &strong_echo}) row->assign(stride, 0.0F);
   for (std::vector<float>* rows : {&in_phase, &quadrature, &amplitude}) rows->assign(stride * samples, 0.0F);
   work.assign(4 * (stride + 2 * scan::edge) * static_cast<std::size_t>(detail.threads), 0.0F);
-  grey.assign(stride * (samples + 2), 0);  // two black rows more, for pixels outside the field of view
+  grey.assign(stride * samples, 0);
 
   frame.width = detail.width;
   frame.height = detail.height;
@@ -220,8 +220,7 @@ scan::March Ultrasound::Machine::marching(std::size_t ray) const noexcept {
     march.bundles_per_voxel[axis] = tables.bundles.per_voxel[i];
     march.first_bundle[axis] = tables.bundles.first[i];
   }
-  march.fall = tables.fall.data();
-  march.texture = tables.texture.data();
+  march.media = tables.media.data();
   march.mirror = 0.6F;
   march.bone_mirror = 0.75F;
   march.bone_edge = 0.8F;
@@ -288,10 +287,10 @@ void Ultrasound::Machine::draw(const Pose& pose, const std::optional<NeedleInSou
   auto convert_rows = [this](int turn) noexcept {
     const scan::Conversion all{grey.data(), tables.stride, conversion.place.data(), conversion.weights.data(),
                                frame.pixels.data()};
-    const auto width = static_cast<std::size_t>(frame.width);
-    const auto first = static_cast<std::size_t>(turn * rows_a_turn);
-    const std::size_t last = std::min(first + rows_a_turn, static_cast<std::size_t>(frame.height));
-    kernel.convert(all, first * width, last * width);
+    const int last_row = std::min(frame.height, (turn + 1) * rows_a_turn);
+    const std::size_t last = conversion.row_of_runs[static_cast<std::size_t>(last_row)];
+    for (std::size_t run = conversion.row_of_runs[static_cast<std::size_t>(turn * rows_a_turn)]; run < last; ++run)
+      kernel.convert(all, conversion.runs[run].first, conversion.runs[run].last);
   };
   crew.share((frame.height + rows_a_turn - 1) / rows_a_turn, convert_rows);
 }

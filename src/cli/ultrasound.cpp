@@ -1,0 +1,278 @@
+#include "imaging/ultrasound/ultrasound.h"
+
+#include <cctype>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/json_values.h"
+#include "cli/ultrasound_live.h"
+#include "cli/ultrasound_options.h"
+#include "cli/ultrasound_sweep.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "imaging/png_file.h"
+#include "imaging/svg.h"
+#include "imaging/ultrasound_screen/machine_picture.h"
+#include "io/case_folder.h"
+
+namespace bodkin {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct UltrasoundArguments {
+  std::string folder, output;
+  UltrasoundOptions options;
+  SweepOptions sweep;
+  bool plain = false, ct = false, live = false;
+};
+
+constexpr const char* ultrasound_footer = R"(Examples:
+  bodkin ultrasound patient                                  beside the midline, towards the planned target
+  bodkin ultrasound patient --view transverse --at L3_L4 --ct                with the CT in the same plane
+  bodkin ultrasound patient --at kidney_left --from left --depth 140 -o kidney.png
+  bodkin ultrasound patient --probe L14-5 --view needle --needle --needle-depth 40
+  bodkin ultrasound patient --face 15,92,10 --look=-0.1,-1,0 --marked 0,0,1 --press 4
+  bodkin ultrasound patient --tilt=-20,20 --frames 80 -o fan.igs.mha         a tracked sequence for 3D Slicer
+  bodkin ultrasound patient --sweep-to 15,92,60 --on-skin -o sweep.mp4       a video (needs ffmpeg)
+  bodkin ultrasound patient --sweep poses.csv -o frames                      a folder of pictures
+  bodkin ultrasound patient --live                                           the probe in your hand, in a window
+
+Coordinates are LPS, mm. A value that starts with a minus sign needs an equals sign: --at=-5,95,3)";
+
+// The name of a case as the beginning of a file's name.
+std::string scan_file_name(const std::string& name) {
+  std::string safe;
+  for (const char c : name) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_';
+    safe += plain ? c : '_';
+  }
+  return (safe.empty() ? "case" : safe) + "-ultrasound";
+}
+
+std::string needle_words(const NeedleInSound& needle, const NeedlePath& path) {
+  const double depth = path.direction().dot(needle.pose.translation() - path.entry);
+  return fmt::format("{} G {:.0f} mm", needle.needle.gauge, depth);
+}
+
+// Everything that is wrong with the command line is said before a file is opened.
+void check_combinations(const UltrasoundArguments& arguments) {
+  const SweepOptions& sweep = arguments.sweep;
+  if (arguments.live && (sweep.any() || arguments.plain || arguments.ct)) {
+    throw InputError("--live opens a window; leave out --plain, --ct and the options of a sweep");
+  }
+  if (sweep.any() && arguments.ct) throw InputError("--ct is for a single picture; leave it out of a sweep");
+  if (arguments.plain && arguments.ct) throw InputError("--plain writes the pixels alone; leave out --ct");
+  const bool motion = !sweep.to.empty() || !sweep.tilt.empty() || !sweep.rock.empty() || !sweep.rotate.empty();
+  if (!sweep.file.empty() && (motion || sweep.frames_given.given() || sweep.on_skin)) {
+    throw InputError(
+        "--sweep takes its poses from the file; leave out --sweep-to, --on-skin, --tilt, --rock, --rotate and "
+        "--frames");
+  }
+  if (sweep.on_skin && sweep.to.empty()) throw InputError("--on-skin is for the way of --sweep-to, which is missing");
+  if (!sweep.any() && (sweep.frames_given.given() || sweep.rate_given.given())) {
+    throw InputError("--frames and --rate are of a sweep; say which with --sweep-to, --tilt, --rock or --rotate");
+  }
+  if (arguments.options.needle_depth_given.given() && !arguments.options.needle) {
+    throw InputError("--needle-depth is the depth of a needle; add --needle");
+  }
+}
+
+void check_picture_name(const UltrasoundArguments& arguments) {
+  if (arguments.output.empty()) return;
+  const fs::path file(arguments.output);
+  const bool drawing = file.extension() == ".svg" && !arguments.plain;
+  if (file.extension() != ".png" && !drawing) {
+    throw InputError(fmt::format("--output is '{}'; expected a picture, .png{}", arguments.output,
+                                 arguments.plain ? "" : " or .svg"));
+  }
+  require_writable(file, "--output");
+}
+
+// The pixels of the written picture to LPS mm: column, row, 0, 1.
+nlohmann::json image_to_patient(const SlicePlane& plane) {
+  nlohmann::json rows = nlohmann::json::array();
+  const Vec3 across = plane.pixel * plane.right, down = plane.pixel * plane.down;
+  const Vec3 through = plane.pixel * plane.normal();
+  for (int row = 0; row < 3; ++row) rows.push_back({across[row], down[row], through[row], plane.corner[row]});
+  rows.push_back({0, 0, 0, 1});
+  return rows;
+}
+
+nlohmann::json json_of(const UltrasoundChoice& choice) {
+  const UltrasoundSettings& set = choice.settings;
+  return {{"probe", choice.probe.name},
+          {"frequency_MHz", set.frequency > 0.0 ? set.frequency : choice.probe.frequency},
+          {"depth_mm", set.depth},
+          {"gain_dB", set.gain},
+          {"dynamic_range_dB", set.dynamic_range},
+          {"focus_mm", set.focus},
+          {"tgc_dB", set.sliders},
+          {"gel", set.gel},
+          {"lines", choice.detail.lines},
+          {"samples", choice.detail.samples},
+          {"size", {choice.detail.width, choice.detail.height}},
+          {"slices", choice.detail.slices}};
+}
+
+struct ScanScene {
+  const Case& patient;
+  const UltrasoundChoice& choice;
+  Pose pose;
+  std::optional<NeedleInSound> needle;
+  std::string needle_words;
+};
+
+void scan_once(const UltrasoundArguments& arguments, const ScanScene& scene, Ultrasound& machine, Console& console) {
+  const UltrasoundChoice& choice = scene.choice;
+  machine.image(scene.pose, scene.needle);  // the first one takes memory
+  const auto begin = std::chrono::steady_clock::now();
+  const UltrasoundFrame& frame = machine.image(scene.pose, scene.needle);
+  const double milliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  if (frame.why != NoImage::none) console.note(reason(frame.why));
+
+  const fs::path file = arguments.output.empty() ? fs::path(scan_file_name(scene.patient.description.name) + ".png")
+                                                 : fs::path(arguments.output);
+  MachinePicture picture;
+  picture.moment = {frame, scene.pose, choice.probe, choice.settings, scene.needle_words};
+  picture.mark = choice.mark;
+  picture.patient = scene.patient.description.name;
+  if (arguments.plain) {
+    write_file(file, encode_png(grey_picture(frame, choice.mark)));
+  } else {
+    if (arguments.ct) {
+      std::vector<Vec3> needle;
+      if (scene.needle) {
+        needle = {scene.patient.description.procedure.path->entry, scene.needle->pose.translation()};
+      }
+      picture.ct = ct_panel(scene.patient, picture.moment, choice.mark, needle);
+    }
+    const MachineDrawn drawn = machine_picture(picture, scene.patient.library);
+    write_file(file, file.extension() == ".svg" ? drawn.svg : svg_to_png(drawn.svg, 1.0));
+  }
+
+  const Vec3 face = scene.pose.translation(), look = scene.pose.linear().col(1);
+  console.line(fmt::format("probe     {}, {}", choice.probe.name, choice.probe.title));
+  console.line(fmt::format("face      {:.1f}, {:.1f}, {:.1f} (LPS mm), looking to {}, marked side to {}", face.x(),
+                           face.y(), face.z(), direction_letters(look),
+                           direction_letters(scene.pose.linear().col(0))));
+  if (frame.why == NoImage::none) {
+    console.line(fmt::format("contact   {:.0f} %, pressed in {:.1f} mm", 100.0 * frame.contact, frame.press));
+  } else {
+    console.line(fmt::format("no image  {}", reason(frame.why)));
+  }
+  console.line(fmt::format("time      {:.2f} ms a picture", milliseconds));
+  console.line(fmt::format("again     --pose={}", pose_text(scene.pose)));
+  console.line(fmt::format("\n{}", fs::absolute(file).string()));
+  nlohmann::json result = json_of(choice);
+  result["picture"] = fs::absolute(file).string();
+  result["face_mm"] = json_point(face);
+  result["pose"] = pose_text(scene.pose);
+  result["pixel_mm"] = frame.pixel;
+  result["image_to_patient"] = image_to_patient(plane_of(frame, scene.pose, choice.mark));
+  result["contact"] = frame.contact;
+  result["press_mm"] = frame.press;
+  result["no_image"] = std::string(reason(frame.why));
+  result["milliseconds"] = milliseconds;
+  console.json(result.dump(2));
+}
+
+void scan_sweep(const UltrasoundArguments& arguments, const ScanScene& scene, std::vector<SweepPose> poses,
+                const SweepTarget& target, Ultrasound& machine, Console& console) {
+  SweepScene sweep;
+  sweep.patient = &scene.patient;
+  sweep.choice = &scene.choice;
+  if (poses.empty()) poses = sweep_of(scene.pose, motion_of(arguments.sweep), scene.patient.tissues);
+  sweep.poses = std::move(poses);
+  sweep.needle = scene.needle;
+  sweep.needle_words = scene.needle_words;
+  sweep.plain = arguments.plain;
+  sweep.rate = arguments.sweep.rate;
+  const SweepMade made = write_sweep(sweep, machine, target, console.progress());
+  if (made.black > 0) {
+    console.note(fmt::format("{} of {} frames have no picture: {}", made.black, sweep.poses.size(), made.why));
+  }
+  console.line(
+      fmt::format("{} frames, {:.2f} s", sweep.poses.size(), sweep.poses.back().time - sweep.poses.front().time));
+  const std::string first = fs::absolute(made.files.front()).string();
+  console.line(made.files.size() > 1 ? fmt::format("\n{}\nto {}", first, fs::absolute(made.files.back()).string())
+                                     : "\n" + first);
+  nlohmann::json result = json_of(scene.choice);
+  result["frames"] = sweep.poses.size();
+  result["frames_without_image"] = made.black;
+  result["files"] = nlohmann::json::array();
+  for (const std::string& file : made.files) result["files"].push_back(fs::absolute(file).string());
+  console.json(result.dump(2));
+}
+
+void run_ultrasound(const UltrasoundArguments& arguments, const CommandContext& context) {
+  Console console(context);
+  check_combinations(arguments);
+  const UltrasoundChoice choice = choose_ultrasound(arguments.options);
+  const bool sweeping = arguments.sweep.any();
+  std::optional<SweepTarget> target;
+  std::vector<SweepPose> poses;
+  if (sweeping) {
+    motion_of(arguments.sweep);  // for its complaints
+    target = sweep_target(arguments.output.empty() ? "sweep.igs.mha" : arguments.output);
+    if (!arguments.sweep.file.empty()) poses = read_sweep(arguments.sweep.file);
+  } else {
+    check_picture_name(arguments);
+  }
+  if (arguments.live) require_window();
+
+  const Case patient = load_case(arguments.folder, console.progress());
+  std::optional<NeedleInSound> needle;
+  if (arguments.options.needle) {
+    const bool deep = arguments.options.needle_depth_given.given();
+    needle = needle_on_path(patient, deep ? std::optional(arguments.options.needle_depth) : std::nullopt);
+  }
+  const ProbeOnSkin hand = hold_probe(choice, patient);
+  const std::string said = needle ? needle_words(*needle, *patient.description.procedure.path) : "";
+  Ultrasound machine(acoustic_volume(patient, console.progress()), choice.probe, choice.settings, choice.detail);
+  console.clear_bar();
+  if (arguments.live) {
+    const std::string base = arguments.output.empty() ? scan_file_name(patient.description.name)
+                                                      : fs::path(arguments.output).replace_extension().string();
+    const std::vector<std::string> saved = scan_live(patient, choice, hand, needle, machine, base);
+    for (const std::string& file : saved) console.line(fs::absolute(file).string());
+    nlohmann::json result = json_of(choice);
+    result["pictures"] = saved;
+    console.json(result.dump(2));
+    return;
+  }
+  const ScanScene scene{patient, choice, hand.pose(), needle, said};
+  if (sweeping) {
+    scan_sweep(arguments, scene, std::move(poses), *target, machine, console);
+  } else {
+    scan_once(arguments, scene, machine, console);
+  }
+}
+
+}  // namespace
+
+void add_ultrasound_command(CLI::App& app, CommandContext& context) {
+  auto arguments = std::make_shared<UltrasoundArguments>();
+  CLI::App* command =
+      add_command(app, "ultrasound", "What an ultrasound probe shows of a patient", ultrasound_footer);
+  add_text(*command, "CASE", arguments->folder, "Folder of the case").required();
+  add_ultrasound_options(*command, arguments->options);
+  add_text(*command, "-o,--output", arguments->output,
+           "The picture, .png or .svg (default: NAME-ultrasound.png); of a sweep .mha, a video or a folder");
+  add_switch(*command, "--plain", arguments->plain, "The pixels alone, nothing around them");
+  add_switch(*command, "--ct", arguments->ct, "The same plane of the CT beside it");
+  add_sweep_options(*command, arguments->sweep);
+  add_switch(*command, "--live", arguments->live, "The probe in your hand: a window for mouse and keyboard");
+  on_run(*command, [arguments, &context] { run_ultrasound(*arguments, context); });
+}
+
+}  // namespace bodkin

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "anatomy/tissue.h"
+#include "imaging/slice_picture.h"
+#include "imaging/ultrasound_screen/screen.h"
+
+namespace bodkin {
+
+// A moment as the picture that a machine would store.
+struct MachinePicture {
+  ScanMoment moment;
+  MarkSide mark = MarkSide::left;
+  std::string patient;  // its name
+  std::vector<Caliper> calipers;
+  std::vector<ImageMarker> markers;
+  std::optional<SlicePanel> ct;  // the same plane of the CT, beside it
+  bool touch = true;             // says how the probe touches the patient
+};
+
+// The picture as SVG, and where the frame lies in it, px, for whoever pastes other frames of the same size.
+struct MachineDrawn {
+  std::string svg;
+  double width = 0.0, height = 0.0;
+  double frame_x = 0.0, frame_y = 0.0, frame_scale = 1.0;  // px; px per pixel of the frame
+};
+
+MachineDrawn machine_picture(const MachinePicture& picture, const TissueLibrary& library);
+
+// The CT in the plane of a frame with the border of what the probe sees; `path` and `needle` (places from its entry
+// to its tip, LPS mm) are drawn where there are any.
+SlicePanel ct_panel(const Case& patient, const ScanMoment& moment, MarkSide mark, const std::vector<Vec3>& needle);
+
+}  // namespace bodkin

@@ -1,0 +1,60 @@
+#include "imaging/ultrasound_screen/probe_on_skin.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "imaging/ultrasound_screen/skin.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr double skin_reach = 25.0;                        // mm up or down to the skin after a step
+constexpr double most_pressed = 40.0, most_lifted = 60.0;  // mm
+
+}  // namespace
+
+ProbeOnSkin::ProbeOnSkin(const Pose& pose) : ProbeOnSkin(pose, -pose.linear().col(1)) {}
+
+ProbeOnSkin::ProbeOnSkin(const Pose& pose, const Vec3& outward) : pose_(pose), outward_(outward) {}
+
+Pose ProbeOnSkin::pose() const {
+  Pose pressed = pose_;
+  pressed.translation() += press_ * pose_.linear().col(1);
+  return pressed;
+}
+
+void ProbeOnSkin::press(double millimetres) {
+  press_ = std::clamp(millimetres, -most_lifted, most_pressed);
+}
+
+bool ProbeOnSkin::slide(const TissueVolume& tissues, double along, double across) {
+  Vec3 way = along * pose_.linear().col(0) + across * pose_.linear().col(2);
+  const double length = way.norm();
+  way -= way.dot(outward_) * outward_;
+  if (!(way.norm() > 0.0)) return false;
+  way *= length / way.norm();
+  const std::optional<SkinPoint> skin = skin_near(tissues, pose_.translation() + way, outward_, skin_reach);
+  if (!skin) return false;
+  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(outward_, skin->outward);
+  // A step that would turn the probe over has come to another side of something thin.
+  if (outward_.dot(skin->outward) < 0.0) return false;
+  pose_.linear() = Eigen::Quaterniond(turn * Eigen::Quaterniond(pose_.linear())).normalized().toRotationMatrix();
+  pose_.translation() = skin->place;
+  outward_ = skin->outward;
+  return true;
+}
+
+void ProbeOnSkin::rotate(double angle) {
+  pose_.rotate(Eigen::AngleAxisd(angle, Vec3::UnitY()));
+}
+
+void ProbeOnSkin::tilt(double angle) {
+  pose_.rotate(Eigen::AngleAxisd(angle, Vec3::UnitX()));
+}
+
+void ProbeOnSkin::rock(double angle) {
+  pose_.rotate(Eigen::AngleAxisd(angle, Vec3::UnitZ()));
+}
+
+}  // namespace bodkin

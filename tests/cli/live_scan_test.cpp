@@ -1,0 +1,271 @@
+// The window of `bodkin ultrasound --live` on a display that nobody sees (Xvfb), driven as a person would (xdotool);
+// and what a person's hand does to the probe, without a window.
+#include "cli/live_scan.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "tests/cli/bodkin_command.h"
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "imaging/png_file.h"
+#include "imaging/ultrasound/probe.h"
+
+namespace bodkin_test {
+namespace {
+
+using ::testing::HasSubstr;
+
+// Skin at y = 0, air behind it, a path straight in.
+::bodkin::Case flat_patient() {
+  ::bodkin::Case patient;
+  ::bodkin::Grid grid;
+  grid.size = {101, 61, 101};
+  grid.spacing = ::bodkin::Vec3::Constant(2.0);
+  grid.origin = ::bodkin::Vec3(-100, -81, -100);
+  patient.tissues = ::bodkin::TissueVolume(grid, ::bodkin::tissue::muscle);
+  for (int k = 0; k < 101; ++k) {
+    for (int j = 41; j < 61; ++j) {
+      for (int i = 0; i < 101; ++i) patient.tissues.at(i, j, k) = ::bodkin::tissue::air;
+    }
+  }
+  patient.description.procedure.path = ::bodkin::NeedlePath{{0, 0, 0}, {0, -50, 0}};
+  return patient;
+}
+
+class LiveHand : public ::testing::Test {
+ protected:
+  LiveHand() {
+    choice_.settings.depth = 60.0;
+    scan_.emplace(
+        patient_, choice_,
+        ::bodkin::ProbeOnSkin(::bodkin::probe_pose({0, 0, 0}, -::bodkin::Vec3::UnitY(), ::bodkin::Vec3::UnitZ()),
+                              ::bodkin::Vec3::UnitY()),
+        std::nullopt, ::bodkin::LiveScan::Place{10.0, 20.0, 700, 600});
+    ::bodkin::ScanMoment moment;
+    moment.frame.width = moment.frame.height = 100;
+    moment.frame.pixel = 0.6;
+    moment.frame.corner = ::bodkin::Vec3(-29.7, 0.3, 0.0);
+    moment.frame.pixels.assign(10000, 7);
+    moment.settings = choice_.settings;
+    scan_->screen().take(moment);
+  }
+  void key(::bodkin::ScreenKey key, bool shift = false) {
+    ::bodkin::ScreenEvent event;
+    event.kind = ::bodkin::ScreenEvent::Kind::key;
+    event.key = key;
+    event.shift = shift;
+    event.down = true;
+    scan_->take(event);
+    event.down = false;
+    scan_->take(event);
+  }
+  void pointer(const Eigen::Vector2d& place, bool button) {
+    ::bodkin::ScreenEvent event;
+    event.kind = ::bodkin::ScreenEvent::Kind::motion;
+    event.x = place.x();
+    event.y = place.y();
+    event.button = button;
+    scan_->take(event);
+  }
+  void click(const Eigen::Vector2d& place) {
+    ::bodkin::ScreenEvent event;
+    event.kind = ::bodkin::ScreenEvent::Kind::button;
+    event.x = place.x();
+    event.y = place.y();
+    event.down = true;
+    scan_->take(event);
+  }
+  // Pixels of the window.
+  Eigen::Vector2d at(double x, double y) const {
+    return scan_->screen().to_screen({x, y}) + Eigen::Vector2d(10.0, 20.0);
+  }
+  void hold(::bodkin::ScreenKey key, double seconds, bool shift = false) {
+    ::bodkin::ScreenEvent event;
+    event.kind = ::bodkin::ScreenEvent::Kind::key;
+    event.key = key;
+    event.shift = shift;
+    event.down = true;
+    scan_->take(event);
+    for (double gone = 0.0; gone < seconds - 1e-9; gone += 0.05) scan_->advance(0.05);
+    event.down = false;
+    scan_->take(event);
+  }
+
+  ::bodkin::Case patient_ = flat_patient();
+  ::bodkin::UltrasoundChoice choice_;
+  std::optional<::bodkin::LiveScan> scan_;
+};
+
+TEST_F(LiveHand, a_drag_moves_the_probe_with_the_pointer) {
+  pointer(at(0.0, 30.0), false);
+  pointer(at(10.0, 30.0), true);  // 10 mm towards the marked side
+  EXPECT_NEAR((scan_->pose().translation() - ::bodkin::Vec3(0, 0, 10)).norm(), 0.0, 0.5);
+  pointer(at(10.0, 35.0), true);  // 5 mm across
+  EXPECT_NEAR(std::abs(scan_->pose().translation().x()), 5.0, 0.5);
+  EXPECT_NEAR(scan_->pose().translation().y(), 0.0, 1.0);
+  pointer(at(0.0, 30.0), false);  // no button, no motion
+  EXPECT_NEAR(std::abs(scan_->pose().translation().x()), 5.0, 0.5);
+}
+
+TEST_F(LiveHand, beyond_the_skin_the_reason_is_said_and_nothing_stops) {
+  for (int i = 0; i < 60; ++i) {
+    pointer(at(0.0, 30.0), false);
+    pointer(at(10.0, 30.0), true);
+  }
+  EXPECT_THAT(scan_->message(), HasSubstr("no skin"));
+  EXPECT_LT(scan_->pose().translation().z(), 103.0);
+  pointer(at(0.0, 30.0), false);
+  pointer(at(-10.0, 30.0), true);
+  EXPECT_EQ(scan_->message(), "");
+}
+
+TEST_F(LiveHand, wheel_and_knobs_stay_in_their_ranges) {
+  using Key = ::bodkin::ScreenKey;
+  ::bodkin::ScreenEvent wheel;
+  wheel.kind = ::bodkin::ScreenEvent::Kind::wheel;
+  wheel.steps = 4.0;
+  scan_->take(wheel);
+  EXPECT_NEAR(scan_->pose().translation().y(), -2.0, 1e-9);
+  wheel.shift = true;
+  scan_->take(wheel);
+  EXPECT_NEAR(scan_->settings().depth, 80.0, 1e-9);
+  for (int i = 0; i < 300; ++i) {
+    for (const Key knob : {Key::d, Key::g, Key::r, Key::o, Key::q}) key(knob, i >= 100);
+  }
+  EXPECT_EQ(scan_->settings().depth, 10.0);
+  EXPECT_EQ(scan_->settings().gain, -40.0);
+  EXPECT_EQ(scan_->settings().dynamic_range, 20.0);
+  EXPECT_EQ(scan_->settings().focus, 5.0);
+  EXPECT_EQ(scan_->settings().frequency, choice_.probe.lowest);
+  check(scan_->settings(), choice_.probe);
+}
+
+TEST_F(LiveHand, arrows_turn_the_probe_while_they_are_held) {
+  using Key = ::bodkin::ScreenKey;
+  hold(Key::up, 1.0);
+  EXPECT_NEAR(std::acos(-scan_->pose().linear()(1, 1)) / ::bodkin::degree, 30.0, 1.0);
+  hold(Key::down, 1.0);
+  hold(Key::right, 1.0);
+  EXPECT_NEAR(std::acos(scan_->pose().linear()(2, 0)) / ::bodkin::degree, 30.0, 1.0);
+  EXPECT_NEAR(scan_->pose().linear()(1, 1), -1.0, 1e-9);
+  hold(Key::left, 1.0);
+  hold(Key::right, 1.0, true);
+  EXPECT_NEAR(std::acos(-scan_->pose().linear()(1, 1)) / ::bodkin::degree, 30.0, 1.0);
+  scan_->advance(1.0);
+  EXPECT_NEAR(std::acos(-scan_->pose().linear()(1, 1)) / ::bodkin::degree, 30.0, 1.0);
+}
+
+TEST_F(LiveHand, calipers_and_marks_are_set_where_the_pointer_is) {
+  using Key = ::bodkin::ScreenKey;
+  key(Key::c);
+  EXPECT_TRUE(scan_->screen().frozen());
+  click(at(-10.0, 20.0));
+  click(at(10.0, 20.0));
+  ASSERT_EQ(scan_->screen().calipers().size(), 1U);
+  EXPECT_NEAR(scan_->screen().calipers()[0].length(), 20.0, 1e-9);
+  pointer(at(3.0, 9.0), true);  // no motion of the probe while somebody measures
+  EXPECT_EQ(scan_->pose().translation(), ::bodkin::Vec3::Zero());
+  key(Key::m);
+  ASSERT_EQ(scan_->screen().markers().size(), 1U);
+  EXPECT_NEAR((scan_->screen().markers()[0].place - Eigen::Vector2d(3.0, 9.0)).norm(), 0.0, 1e-9);
+  key(Key::x);
+  EXPECT_TRUE(scan_->screen().calipers().empty());
+  key(Key::f);
+  EXPECT_FALSE(scan_->screen().frozen());
+}
+
+TEST_F(LiveHand, the_needle_goes_in_and_out) {
+  using Key = ::bodkin::ScreenKey;
+  EXPECT_FALSE(scan_->needle());
+  key(Key::n);
+  ASSERT_TRUE(scan_->needle());
+  EXPECT_NEAR(scan_->needle()->pose.translation().y(), -25.0, 1e-9);
+  hold(Key::page_down, 1.0);
+  EXPECT_NEAR(scan_->needle()->pose.translation().y(), -40.0, 0.5);
+  EXPECT_THAT(scan_->needle_words(), HasSubstr("40 mm"));
+  key(Key::n);
+  EXPECT_FALSE(scan_->needle());
+  key(Key::s);
+  EXPECT_TRUE(scan_->take_save());
+  EXPECT_FALSE(scan_->take_save());
+  key(Key::question);
+  EXPECT_TRUE(scan_->help());
+  key(Key::escape);
+  EXPECT_FALSE(scan_->help());
+  EXPECT_FALSE(scan_->ended());
+  key(Key::escape);
+  EXPECT_TRUE(scan_->ended());
+}
+
+class LiveWindow : public PatientCommand {
+ protected:
+  void SetUp() override {
+    PatientCommand::SetUp();
+    if (std::system(
+            "command -v Xvfb > /dev/null && command -v xdotool > /dev/null && command -v import > /dev/null") != 0) {
+      GTEST_SKIP() << "Xvfb, xdotool or ImageMagick is not installed";
+    }
+  }
+};
+
+TEST_F(LiveWindow, is_driven_by_mouse_and_keys_and_saves_a_picture) {
+  write("person.sh",
+        R"(set -u
+Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp 3> display > xvfb.log 2>&1 &
+xvfb=$!
+trap 'kill $xvfb' EXIT
+for wait in $(seq 100); do [ -s display ] && break; sleep 0.1; done
+export DISPLAY=:$(cat display)
+export ASAN_OPTIONS=${ASAN_OPTIONS:-}:detect_leaks=0  # of libraries that SDL loads, some gone again at the end
+')" BODKIN_BUILD
+        R"(/bin/bodkin' --json -q ultrasound patient --live --lines 128 --samples 256 -o snap.png > said 2> errors &
+window=$(timeout 60 xdotool search --sync --name '^Bodkin: ' | head -n 1)
+sleep 2
+import -window root first.png
+xdotool mousemove --window $window 400 300
+xdotool mousedown 1
+for i in $(seq 15); do xdotool mousemove_relative 4 0; sleep 0.02; done
+xdotool mouseup 1
+xdotool keydown Up; sleep 0.4; xdotool keyup Up
+xdotool click --repeat 4 --delay 40 4
+sleep 1
+import -window root second.png
+compare -metric AE first.png second.png moved.png 2> difference
+xdotool key c
+xdotool mousemove --window $window 380 300 click 1
+xdotool mousemove --window $window 480 300 click 1
+xdotool key s
+for wait in $(seq 100); do [ -s snap-1.png ] && break; sleep 0.1; done
+xdotool key Escape
+wait %2
+echo $? > code
+)");
+  const std::string command = "cd '" + folder_.string() + "' && bash person.sh > log 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0) << text_of("log");
+  EXPECT_EQ(text_of("code"), "0\n") << text_of("errors") << text_of("log");
+  EXPECT_GT(std::stod(text_of("difference")), 5000.0);  // the picture and the CT have moved
+  const auto said = nlohmann::json::parse(text_of("said"));
+  ASSERT_EQ(said.at("pictures").size(), 1U);
+  const ::bodkin::ImageRgb image = ::bodkin::decode_png(text_of("snap-1.png"), "snap-1.png");
+  EXPECT_GT(image.width, 1200);
+  bool yellow = false;  // the caliper
+  for (const ::bodkin::Rgb& pixel : image.pixels) yellow = yellow || pixel == ::bodkin::Rgb{255, 216, 77};
+  EXPECT_TRUE(yellow);
+}
+
+TEST_F(LiveWindow, without_a_display_is_one_sentence) {
+  const Outcome outcome =
+      run_bodkin(folder_,
+                 "--version > /dev/null; DISPLAY= WAYLAND_DISPLAY= "
+                 "ASAN_OPTIONS=detect_leaks=0 '" BODKIN_BUILD "/bin/bodkin' -q ultrasound patient --live");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(lines_of(outcome.errors), 1) << outcome.errors;
+  EXPECT_THAT(outcome.errors, HasSubstr("display"));
+}
+
+}  // namespace
+}  // namespace bodkin_test
