@@ -107,9 +107,12 @@ inline UltrasoundDetail plain_detail(double depth, double spacing = 0.25, double
   return detail;
 }
 
+// dB/cm/MHz, one way, for which the machine compensates by itself.
+inline constexpr double compensated = 0.7;
+
 // dB of the machine's own compensation at a depth.
 inline double compensation(double frequency, double depth) {
-  return std::min(60.0, 2.0 * 0.5 * frequency * depth / 10.0);
+  return std::min(60.0, 2.0 * compensated * frequency * depth / 10.0);
 }
 
 // A pixel's level in dB below white; what is black or white is out of range.
