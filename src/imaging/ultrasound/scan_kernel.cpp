@@ -53,7 +53,6 @@ struct State {
 struct Sample {
   alignas(64) std::int32_t corner[lanes];   // position of the lowest of its eight voxels
   alignas(64) std::int32_t nearest[lanes];  // position of the nearest voxel
-  alignas(64) float gone[lanes];            // half a voxel squared or less: within the patient's volume
   alignas(64) std::int32_t cell[lanes];
   alignas(64) std::int32_t bundle[lanes];
   alignas(64) float x[lanes], y[lanes], z[lanes];     // voxels
@@ -106,10 +105,6 @@ inline void surround(const March& __restrict in, Sample& __restrict s) noexcept 
   for (int l = 0; l < lanes; ++l) {
     const float x = bounded(s.x[l], 0.0F, last_x), y = bounded(s.y[l], 0.0F, last_y),
                 z = bounded(s.z[l], 0.0F, last_z);
-    const float out_x = x - s.x[l], out_y = y - s.y[l], out_z = z - s.z[l];  // none of them is more than half a voxel
-    const float far_x = out_x * out_x, far_y = out_y * out_y, far_z = out_z * out_z;
-    const float far_xy = far_x > far_y ? far_x : far_y;
-    const float far = far_xy > far_z ? far_xy : far_z;
     std::int32_t i = static_cast<std::int32_t>(x), j = static_cast<std::int32_t>(y), m = static_cast<std::int32_t>(z);
     i = i > most_i ? most_i : i;
     j = j > most_j ? most_j : j;
@@ -121,7 +116,6 @@ inline void surround(const March& __restrict in, Sample& __restrict s) noexcept 
     s.nearest[l] = s.corner[l] + static_cast<std::int32_t>(s.fx[l] + 0.5F) +
                    row * static_cast<std::int32_t>(s.fy[l] + 0.5F) +
                    slice * static_cast<std::int32_t>(s.fz[l] + 0.5F);
-    s.gone[l] = far;
   }
 }
 
@@ -266,7 +260,7 @@ inline void reflect(const March& __restrict in, int line, int k, const Sample& _
     echo[l] = before * (reflected - so_far) * received * (1.0F + bone_edge * bone) * surface;
 
     const float fall = float_of(static_cast<std::uint32_t>(s.medium[l]));
-    const float kept = s.gone[l] <= 0.25F ? fall : 0.0F;  // beyond the volume everything is swallowed
+    const float kept = depth < in.leaves[line + l] ? fall : 0.0F;  // beyond the volume everything is swallowed
     const float left = before * (in_gel ? 1.0F : kept);
     if constexpr (leads) {
       const float total = reflected < 0.0F ? -reflected : reflected;
@@ -293,8 +287,8 @@ inline void scatter(const March& __restrict in, int k, const Sample& __restrict 
   for (int l = 0; l < lanes; ++l) {
     const auto texture = static_cast<std::uint32_t>(s.medium[l] >> 32);
     const std::uint32_t scatterer = s.scatterer[l];
-    const float variation = static_cast<float>(static_cast<std::int32_t>(texture & 0xFFU)) * (1.0F / 255.0F);
-    const float bundle = 1.0F + variation * (static_cast<float>(s.fibre[l]) * (1.0F / 128.0F));
+    const float variation = static_cast<float>(static_cast<std::int32_t>(texture & 0xFFU)) * (1.0F / 255.0F / 128.0F);
+    const float bundle = 1.0F + variation * static_cast<float>(s.fibre[l]);
     const bool there = (scatterer >> 16 & 0xFFU) < (texture >> 8 & 0xFFU);
     const float full = float_of(texture & 0xFFFF0000U) * reaches[l] * gain * bundle;
     const float level = there ? full : 0.0F;

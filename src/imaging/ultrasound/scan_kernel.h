@@ -55,6 +55,7 @@ struct March {
   LineVectors step;          // voxels per sample
   LineVectors direction;     // unit, along the lattice's axes
   const float* gel_samples;  // by line: samples before the skin; more than there are samples: no contact
+  const float* leaves;       // by line: sample where it leaves the patient's volume
   float across[3];           // voxels per mm across the slice
   const float* offset;       // by sample: mm across the slice; null: in its middle
   const float* moved[3];  // rows of `stride` every `coarse` samples: voxels by which tissue has moved; null: at rest
