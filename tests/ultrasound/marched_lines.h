@@ -65,6 +65,7 @@ inline MarchedLines march_lines(const AcousticVolume& patient, const std::array<
     rows[9][l] = static_cast<float>(starts[l].gel);
   }
   std::vector<float> gain(samples, 1.0F);
+  const std::vector<float> leaves(scan::lanes, 1e6F);  // never: lines stay in the patient
   std::vector<std::uint64_t> media(scan::media, 0);  // no texture: nothing but the fall
   for (std::size_t id = 0; id < patient.media.size(); ++id) {
     const AcousticTissue& medium = patient.media[id];
@@ -93,6 +94,7 @@ inline MarchedLines march_lines(const AcousticVolume& patient, const std::array<
   march.step = {rows[3].data(), rows[4].data(), rows[5].data()};
   march.direction = {rows[6].data(), rows[7].data(), rows[8].data()};
   march.gel_samples = rows[9].data();
+  march.leaves = leaves.data();
   march.weight = 1.0F;
   march.first = true;
   march.in_phase = lines.in_phase.data();
