@@ -97,6 +97,27 @@ TEST(Face, pressed_in_it_says_how_far_and_what_lies_deep_comes_nearer) {
   }
 }
 
+TEST(Face, its_clutter_is_the_probes_own_and_stays_near) {
+  UltrasoundDetail detail = checks::plain_detail(50.0);
+  detail.clutter = true;
+  Ultrasound machine(surface_at_depth(45.0, 1.8), checks::flat_probe(), face_settings(), detail);
+  const UltrasoundFrame here = machine.image(Pose::Identity());
+  const UltrasoundFrame there = machine.image(checks::moved_to(Vec3(2.3, 0.0, 0.2)));
+  const auto rows = [](const UltrasoundFrame& frame, int from, int to) {
+    return std::vector<std::uint8_t>(frame.pixels.begin() + from * frame.width,
+                                     frame.pixels.begin() + to * frame.width);
+  };
+  EXPECT_EQ(rows(here, 0, 150), rows(there, 0, 150)) << "it moves with the probe";
+  double last = 1.0;
+  for (const double depth : {0.0, 1.0, 3.0, 8.0, 20.0}) {
+    const double level = brightest_of(here, 80, depth, depth + 0.7).level;
+    EXPECT_LT(level, last) << depth;
+    last = level;
+  }
+  EXPECT_GT(brightest_of(here, 80, 0.0, 0.5).level, -10.0);
+  EXPECT_LT(last, -60.0);
+}
+
 TEST(Reverberation, echoes_come_again_at_multiples_of_the_depth) {
   // An echo of 0.4: strong, but not that of gas, behind which a haze would lie.
   const auto volume = surface_at_depth(10.0, 1.6 * 0.6 / 1.4);

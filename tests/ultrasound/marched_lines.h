@@ -66,7 +66,7 @@ inline MarchedLines march_lines(const AcousticVolume& patient, const std::array<
   }
   std::vector<float> gain(samples, 1.0F);
   const std::vector<float> leaves(scan::lanes, 1e6F);  // never: lines stay in the patient
-  std::vector<std::uint64_t> media(scan::media, 0);  // no texture: nothing but the fall
+  std::vector<std::uint64_t> media(scan::media, 0);    // no texture: nothing but the fall
   for (std::size_t id = 0; id < patient.media.size(); ++id) {
     const AcousticTissue& medium = patient.media[id];
     const double both_ways =

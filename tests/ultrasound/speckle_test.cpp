@@ -96,6 +96,30 @@ TEST(Speckle, keeps_its_level_however_finely_it_is_sampled) {
   }
 }
 
+// Cells of scatterers lie along the patient's lattice; lines may run aslant of it.
+TEST(Speckle, is_the_same_whichever_way_the_lattice_lies) {
+  const Mat3 turns[] = {Eigen::AngleAxisd(0.7, Vec3::UnitZ()).toRotationMatrix(),
+                        (Eigen::AngleAxisd(0.6, Vec3::UnitX()) * Eigen::AngleAxisd(0.6, Vec3::UnitZ()) *
+                         Eigen::AngleAxisd(0.5, Vec3::UnitY()))
+                            .toRotationMatrix()};
+  for (const Mat3& turn : turns) {
+    const auto patient = checks::hand_made(
+        {.half_width = 60.0, .above = 45.0, .depth = 95.0, .half_thickness = 60.0, .voxel = 1.0, .direction = turn},
+        scattering(-30.0));
+    for (const double spacing : {0.1, 0.25}) {
+      Ultrasound machine(patient, checks::flat_probe(), speckle_settings(), speckle_detail(3, spacing));
+      Envelope all;
+      for (int number = 2; number < 6; ++number) {
+        const UltrasoundFrame& frame = machine.image(speckle_pose(number));
+        ASSERT_EQ(frame.contact, 1.0);
+        all.add(frame, 5.0, 45.0);
+      }
+      EXPECT_NEAR(all.mean_level(), -30.0, 0.7) << spacing << " mm";
+      EXPECT_NEAR(all.ratio(), 1.913, 0.025 * 1.913) << spacing << " mm";
+    }
+  }
+}
+
 TEST(Speckle, few_scatterers_make_it_uneven_and_leave_its_energy) {
   double last = 1.95;
   for (const double density : {1.0, 0.2, 0.05}) {
