@@ -125,10 +125,10 @@ template <int count>
 inline void find_cells(const March& __restrict in, Sample& __restrict s) noexcept {
   for (int l = 0; l < count; ++l) {
     const float x = s.x[l], y = s.y[l], z = s.z[l];
-    const auto i = static_cast<std::int32_t>(in.cells_per_voxel[0] * x + in.first_cell[0]);
+    const auto depth = static_cast<std::int32_t>(in.cells_per_voxel[2] * z + in.first_cell[2]);
+    const auto i = static_cast<std::int32_t>(in.cells_per_voxel[0] * x + in.first_cell[0]) + 19 * (depth >> 5);
     const auto j = static_cast<std::int32_t>(in.cells_per_voxel[1] * y + in.first_cell[1]) + 23 * (i >> 5);
-    const auto k =
-        static_cast<std::int32_t>(in.cells_per_voxel[2] * z + in.first_cell[2]) + 37 * (j >> 5) + 11 * (i >> 5);
+    const std::int32_t k = depth + 37 * (j >> 5) + 11 * (i >> 5);
     s.cell[l] = (i & (cells - 1)) | (j & (cells - 1)) << 5 | (k & (cells - 1)) << 10;
     const auto a = static_cast<std::int32_t>(in.bundles_per_voxel[0] * x + in.first_bundle[0]);
     const auto b = static_cast<std::int32_t>(in.bundles_per_voxel[1] * y + in.first_bundle[1]) + 7 * (a >> 5);
