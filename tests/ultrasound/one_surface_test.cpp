@@ -114,6 +114,26 @@ TEST(OneSurface, bone_reflects_totally_beyond_its_critical_angle) {
   }
 }
 
+// Reverberation needs the whole echo of a strong surface, however many samples its ramp takes.
+TEST(OneSurface, the_first_strong_one_is_known_with_all_its_echo) {
+  for (const double behind : {0.0004, 0.5, 4.0}) {
+    const auto volume = two_media(1.6, behind);
+    const double r = checks::fresnel(1.6, behind);
+    for (const double spacing : {0.07, 0.13, 0.25, 0.4}) {
+      for (const double phase : {0.0, 0.05, 0.11}) {
+        checks::LineStart start;
+        start.origin.y() = phase;
+        const auto lines =
+            march_one(*volume, start, {.spacing = spacing, .samples = static_cast<int>(20.0 / spacing)});
+        EXPECT_NEAR(static_cast<double>(lines.strong_echo[0]), std::abs(r), 0.01) << behind << " MRayl, " << spacing;
+        EXPECT_NEAR(lines.strong_at[0] * spacing + phase, surface_at - 0.25, 0.25 + spacing);
+      }
+    }
+  }
+  const auto lines = march_one(*two_media(1.6, 1.8), {}, {});
+  EXPECT_LT(lines.strong_at[0], 0.0F);
+}
+
 TEST(OneSurface, air_lets_nothing_through) {
   const auto volume = two_media(1.6, 0.0004);
   const auto lines = march_one(*volume, {}, {});

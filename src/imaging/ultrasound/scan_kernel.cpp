@@ -47,6 +47,7 @@ struct State {
   alignas(64) float steep[lanes];
   alignas(64) float strong_at[lanes];
   alignas(64) float strong_echo[lanes];
+  alignas(64) float strong_now[lanes];  // 1 on the ramp of that surface
 };
 
 // What the present sample of each line is.
@@ -273,8 +274,11 @@ inline void reflect(const March& __restrict in, int line, int k, const Sample& _
       strong = cosine2 > 0.5F ? strong : 0.0F;
       strong = before > 1e-4F ? strong : 0.0F;
       strong = at < 0.0F ? strong : 0.0F;
+      const float still = going_on ? state.strong_now[l] : 0.0F;  // its ramp goes on, and its echo grows
+      const float now = strong > 0.0F ? 1.0F : still;
+      state.strong_now[l] = now;
       state.strong_at[l] = strong > 0.0F ? depth : at;
-      state.strong_echo[l] = strong > 0.0F ? total * before * received : last_echo;
+      state.strong_echo[l] = now > 0.0F ? total * before * received : last_echo;
     }
     const float through = before * (1.0F - reflected * reflected);
     reaches[l] = in_gel ? 0.0F : through;
@@ -310,7 +314,7 @@ void march_lines(const March& in, int line) noexcept {
     state.reflected[l] = state.along[l] = state.steep[l] = 0.0F;
     state.before[l] = in.gel_samples[line + l] <= static_cast<float>(in.samples) ? 1.0F : 0.0F;
     state.strong_at[l] = -1.0F;
-    state.strong_echo[l] = 0.0F;
+    state.strong_echo[l] = state.strong_now[l] = 0.0F;
   }
   float thickest = 0.0F;
   for (int l = 0; l < count; ++l)
