@@ -63,6 +63,7 @@ std::shared_ptr<const CondensedBody> PressedBody::make_corridor() {
   last_corridor_ = moving_.places();
   FactorOptions options;
   options.keep_field = false;
+  options.threads = 1;  // beside a tick and pictures
   options.memory_limit = settings_.memory_limit;
   for (const StressStiffness stress : {StressStiffness::exact, StressStiffness::positive}) {
     try {
