@@ -11,7 +11,7 @@
 #include "fem/solid/block_matrix.h"
 #include "fem/solid/dense_team.h"
 #include "fem/solid/symbolic_factor.h"
-#include "fem/solid/zero_pages.h"
+#include "fem/zero_pages.h"
 
 namespace bodkin {
 

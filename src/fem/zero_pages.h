@@ -18,6 +18,8 @@ class ZeroPages {
   ZeroPages& operator=(const ZeroPages&) = delete;
 
   double* data() const noexcept { return numbers_; }
+  // The same memory for numbers of single precision, twice as many.
+  float* singles() const noexcept { return reinterpret_cast<float*>(numbers_); }
 
  private:
   double* numbers_ = nullptr;
