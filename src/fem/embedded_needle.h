@@ -38,7 +38,7 @@ struct EmbeddedNeedleForce {
 // A straight needle in a deformable body (CondensedBody), its shaft as many constrained nodes. It is rigid, or bends
 // as a beam (NeedleBeam).
 //
-//   S f = u                             all nodes at once, exactly (ContactFactor)
+//   S f = u                             all nodes at once, exactly (ShaftConstraints)
 //   across the needle   u_i = offset of the needle's axis from the line at depth_i - what it was when i was taken
 //                             + w_i, what bends the needle there: by -f and nothing else; 0 of a rigid one
 //   along, sticking     u_i = s - z_i                      while |f_i| <= mu_t l_i

@@ -148,18 +148,17 @@ bool ShaftConstraints::push(std::uint32_t node, double depth) noexcept {
 
 void ShaftConstraints::pop() noexcept {
   if (count_ == 0) return;
+  if (count_ > 1) {  // before the rest, so that nodes need not be turned out of a triangle that is made anew
+    along_.pop_rows();
+    across_.remove_last();
+  }
   if (known() > count_) {
     along_.pop_node();
     compliance_.pop();
   }
   along_.let_go(count_ - 1);
   --count_;
-  last_softness_ = -1.0;
-  if (count_ > 0) {
-    along_.pop_rows();
-    across_.remove_last();
-    last_softness_ = 0.0;
-  }
+  last_softness_ = count_ > 0 ? 0.0 : -1.0;
   border_known_ = false;
 }
 

@@ -1,12 +1,15 @@
 #include "fem/solid/dense_team.h"
 
-#include <algorithm>
+#include <system_error>
 
 namespace bodkin {
 
 DenseTeam::DenseTeam(int threads) {
   if (threads == 0) threads = static_cast<int>(std::thread::hardware_concurrency());
-  for (int i = 1; i < threads; ++i) helpers_.emplace_back([this] { help(); });
+  try {
+    for (int i = 1; i < threads; ++i) helpers_.emplace_back([this] { help(); });
+  } catch (const std::system_error&) {  // the machine gives no more: so many do it too
+  }
 }
 
 DenseTeam::~DenseTeam() {

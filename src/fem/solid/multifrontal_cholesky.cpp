@@ -117,6 +117,7 @@ Eigen::MatrixXd MultifrontalCholesky::last_compliance() const {
   use_one_thread_each();
   DenseTeam team(options_.threads);
   Eigen::MatrixXd compliance(size, size);
+  prefer_large_pages(compliance.data(), sizeof(double) * static_cast<std::size_t>(compliance.size()));
   invert_from_lower(team, static_cast<std::size_t>(size), panel(symbolic_.supernodes.size() - 1), compliance.data());
   return compliance;
 }
