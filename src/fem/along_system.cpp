@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fem/triangle.h"
+#include "fem/zero_pages.h"
 
 namespace bodkin {
 
@@ -30,6 +31,8 @@ AlongSystem::AlongSystem(std::size_t most_nodes, std::size_t always)
     level_at_.push_back(size);
     size += (always + level + 2) * level_stride(level);
   }
+  sigma_.reserve(size);
+  prefer_large_pages(sigma_.data(), size * sizeof(double));
   sigma_.assign(size, 0.0);
   begin();
 }

@@ -26,7 +26,7 @@ ShaftConstraints::ShaftConstraints(const Eigen::MatrixXd& compliance, std::size_
     : bends_(beam.has_value()),
       beam_(beam),
       compliance_(compliance, most_nodes + 1),
-      across_(compliance, most_nodes + 1, beam),
+      across_(compliance, (2 * most_nodes + 2) / 3 + 1, beam),  // two rows a node, not three
       along_(most_nodes + 1, bends_ ? 4 : 0),
       nodes_(most_nodes + 1),
       depths_(most_nodes + 1),
