@@ -23,6 +23,8 @@ constexpr double machine_x = 12.0, machine_y = 52.0, ct_x = 824.0, ct_y = 88.0;
 constexpr int machine_wide = 800, machine_high = 556;
 constexpr double ct_wide = 444.0, ct_high = 333.0;
 constexpr double key_row = 17.0;
+constexpr int way_pieces = 24;         // of a needle's way
+constexpr double near_ct_plane = 2.0;  // mm
 constexpr double ct_pixel_most = 1.0;  // mm; twice the ultrasound's is fine enough
 
 constexpr Colour scan_black{0, 0, 0}, scan_panel{16, 20, 27}, scan_ink{232, 238, 245}, scan_faint{142, 156, 174},
@@ -160,14 +162,20 @@ void ScanWindow::draw_ct_lines(const LiveScan& scan) {
   }
   points.push_back(points.front());
   screen_.line(points, scan_blue);
-  const std::optional<NeedlePath>& path = patient_.description.procedure.path;
-  if (path) {
-    const std::array<Eigen::Vector2f, 2> planned = {spot(path->entry), spot(path->target)};
-    screen_.line(planned, scan_yellow);
-  }
-  if (const std::optional<NeedleInSound> needle = scan.needle(); needle && path) {
-    const std::array<Eigen::Vector2f, 2> there = {spot(path->entry), spot(needle->pose.translation())};
-    screen_.line(there, scan_teal);
+  // Solid where it is near the plane, dashed elsewhere.
+  const auto way = [&](const Vec3& from, const Vec3& to, Colour colour) {
+    std::vector<Eigen::Vector2f> pieces;
+    for (int i = 0; i < way_pieces; ++i) {
+      const Vec3 begin = from + (to - from) * i / way_pieces, end = from + (to - from) * (i + 1) / way_pieces;
+      if (i % 2 != 0 && std::abs(ct_plane_.distance(begin)) > near_ct_plane) continue;
+      pieces.push_back(spot(begin));
+      pieces.push_back(spot(end));
+    }
+    screen_.segments(pieces, colour);
+  };
+  if (const std::optional<NeedlePath>& path = patient_.description.procedure.path) {
+    way(path->entry, path->target, scan_yellow);
+    if (const auto needle = scan.needle()) way(path->entry, needle->pose.translation(), scan_teal);
   }
   // On a dark ground, for bone is white.
   const auto letters = [&](double x, double y, const Vec3& direction) {
@@ -176,8 +184,8 @@ void ScanWindow::draw_ct_lines(const LiveScan& scan) {
   };
   letters(left + 16.0, ct_y + 0.5 * high - 10.0, -ct_plane_.right);
   letters(left + wide - 16.0, ct_y + 0.5 * high - 10.0, ct_plane_.right);
-  letters(left + 0.5 * wide, ct_y + 2.0, -ct_plane_.down);
-  letters(left + 0.5 * wide, ct_y + high - 22.0, ct_plane_.down);
+  letters(left + wide - 16.0, ct_y + 2.0, -ct_plane_.down);
+  letters(left + wide - 16.0, ct_y + high - 22.0, ct_plane_.down);
 }
 
 void ScanWindow::draw_keys() {

@@ -236,7 +236,8 @@ void run_ultrasound(const UltrasoundArguments& arguments, const CommandContext& 
     const bool deep = arguments.options.needle_depth_given.given();
     needle = needle_on_path(patient, deep ? std::optional(arguments.options.needle_depth) : std::nullopt);
   }
-  const ProbeOnSkin hand = hold_probe(choice, patient);
+  // A file of poses needs no place to begin from, which a crop of a CT may not have.
+  const ProbeOnSkin hand = poses.empty() ? hold_probe(choice, patient) : ProbeOnSkin(poses.front().pose);
   const std::string said = needle ? needle_words(*needle, *patient.description.procedure.path) : "";
   Ultrasound machine(acoustic_volume(patient, console.progress()), choice.probe, choice.settings, choice.detail);
   console.clear_bar();

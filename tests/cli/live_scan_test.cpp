@@ -224,17 +224,23 @@ export ASAN_OPTIONS=${ASAN_OPTIONS:-}:detect_leaks=0  # of libraries that SDL lo
 ')" BODKIN_BUILD
         R"(/bin/bodkin' --json -q ultrasound patient --live --lines 128 --samples 256 -o snap.png > said 2> errors &
 window=$(timeout 60 xdotool search --sync --name '^Bodkin: ' | head -n 1)
-sleep 2
-import -window root first.png
+for wait in $(seq 100); do  # until it shows something
+  import -window root first.png
+  [ $(identify -format '%k' first.png) -gt 100 ] && break
+  sleep 0.3
+done
 xdotool mousemove --window $window 400 300
 xdotool mousedown 1
 for i in $(seq 15); do xdotool mousemove_relative 4 0; sleep 0.02; done
 xdotool mouseup 1
 xdotool keydown Up; sleep 0.4; xdotool keyup Up
 xdotool click --repeat 4 --delay 40 4
-sleep 1
-import -window root second.png
-compare -metric AE first.png second.png moved.png 2> difference
+for wait in $(seq 60); do  # until it shows something else
+  sleep 0.3
+  import -window root second.png
+  compare -metric AE first.png second.png moved.png 2> difference
+  [ $(cat difference) -gt 5000 ] && break
+done
 xdotool key c
 xdotool mousemove --window $window 380 300 click 1
 xdotool mousemove --window $window 480 300 click 1

@@ -59,7 +59,7 @@ TEST(PointSpread, is_as_wide_as_the_probes_beam) {
     const SoundBeam beam = sound_beam(probe, settings);
     for (const double wanted : depths) {
       const double at = std::round(wanted / depth * 800.0) * depth / 800.0;
-      settings.gain = 10.0 - checks::compensation(probe.frequency, at);
+      settings.gain = -checks::compensation(probe.frequency, at);
       machine.set(settings);
       const UltrasoundFrame& frame = machine.image(Pose::Identity(), point_at(Vec3(0.0, at, 0.0)));
       ASSERT_EQ(frame.why, NoImage::none);

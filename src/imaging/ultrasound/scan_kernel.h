@@ -50,7 +50,7 @@ struct March {
   float bundles_per_voxel[3], first_bundle[3];
   const float* speckle_gain;  // by sample
   // lines
-  int samples, stride;
+  int lines, samples, stride;
   LineVectors origin;        // voxels
   LineVectors step;          // voxels per sample
   LineVectors direction;     // unit, along the lattice's axes
@@ -99,7 +99,7 @@ struct Conversion {
 
 // The functions of one processor path.
 struct Kernel {
-  void (*march)(const March& march, int block) noexcept;  // the 16 lines from 16 x block on
+  void (*march)(const March& march, int block) noexcept;  // `lanes` lines from lanes x block on
   void (*compress)(const Row& row) noexcept;
   void (*convert)(const Conversion& conversion, std::size_t first, std::size_t last) noexcept;
 };

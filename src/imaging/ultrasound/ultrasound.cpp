@@ -237,12 +237,13 @@ scan::March Ultrasound::Machine::marching(std::size_t ray) const noexcept {
   march.media = tables.media.data();
   march.mirror = 0.6F;
   march.bone_mirror = 0.75F;
-  march.bone_edge = 0.8F;
+  march.bone_edge = 1.5F;
   march.surface = 1.0F;
   march.matched = tables.matched;
   march.scatterers = detail.speckle ? scatterers().cells.data() : nullptr;
   march.fibres = scatterers().bundles.data();
   march.speckle_gain = tables.speckle_gain.data();
+  march.lines = lines.lines;
   march.samples = lines.samples;
   march.stride = tables.stride;
   march.origin = origin.view();
