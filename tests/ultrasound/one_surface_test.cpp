@@ -2,6 +2,8 @@
 #include "tests/ultrasound/marched_lines.h"
 #include <gtest/gtest.h>
 
+#include "core/random.h"
+
 namespace bodkin {
 namespace {
 
@@ -132,6 +134,32 @@ TEST(OneSurface, the_first_strong_one_is_known_with_all_its_echo) {
   }
   const auto lines = march_one(*two_media(1.6, 1.8), {}, {});
   EXPECT_LT(lines.strong_at[0], 0.0F);
+}
+
+// Whatever is on its way, no line ends with more sound than it began with.
+TEST(OneSurface, many_of_them_make_no_sound) {
+  Random random(3);
+  std::vector<AcousticTissue> media;
+  for (const double impedance : {0.0004, 1.38, 1.6, 1.7, 1.9, 3.0, 7.8})
+    media.push_back(checks::clear_medium(impedance));
+  for (int round = 0; round < 10; ++round) {
+    const auto volume =
+        checks::hand_made({.half_width = 8.0, .depth = 30.0, .half_thickness = 8.0, .voxel = 1.0}, media,
+                          [&random](const Vec3&) { return 1 + static_cast<int>(random.next() % 7); });
+    std::array<checks::LineStart, scan::lanes> starts;
+    for (checks::LineStart& start : starts) {
+      start.origin = {random.uniform(-4.0, 4.0), 0.0, random.uniform(-4.0, 4.0)};
+      start.direction = Vec3(0.15 * random.normal(), 1.0, 0.15 * random.normal()).normalized();
+    }
+    const auto lines = checks::march_lines(*volume, starts, {.spacing = 0.2, .samples = 140});
+    for (int line = 0; line < scan::lanes; ++line) {
+      for (int k = 0; k < 140; ++k) {
+        ASSERT_GE(lines.reaches(line, k), 0.0);
+        ASSERT_LE(lines.reaches(line, k), 1.0);
+        ASSERT_LE(std::abs(lines.echo(line, k)), 3.6);  // at most from -1 to 1, on entering bone
+      }
+    }
+  }
 }
 
 TEST(OneSurface, air_lets_nothing_through) {

@@ -2,6 +2,7 @@
 #include "tests/ultrasound/hand_made_patient.h"
 #include <gtest/gtest.h>
 
+#include "core/random.h"
 #include "imaging/ultrasound/slice_rays.h"
 #include "imaging/ultrasound/sound_beam.h"
 
@@ -71,6 +72,37 @@ TEST(PointSpread, is_as_wide_as_the_probes_beam) {
       EXPECT_NEAR(axial, beam.pulse, std::max(0.05 * beam.pulse, frame.pixel)) << to_string(probe.kind) << ' ' << at;
       EXPECT_NEAR(lateral, beam.lateral(at), std::max(0.05 * beam.lateral(at), 0.5 * frame.pixel))
           << to_string(probe.kind) << " at " << at << " mm";
+    }
+  }
+}
+
+// Where a point of the patient is in the picture, image_to_patient says, however the probe is held.
+TEST(PointSpread, a_point_is_where_the_pictures_pose_says) {
+  const auto volume = checks::hand_made({.half_width = 60.0, .depth = 90.0, .half_thickness = 60.0, .voxel = 2.0},
+                                        checks::clear_medium());
+  Random random(21);
+  for (const UltrasoundProbe& probe : {checks::flat_probe(), checks::curved_probe(), checks::phased_probe()}) {
+    UltrasoundDetail detail = paper_detail();
+    detail.speckle = true;
+    UltrasoundSettings settings;
+    settings.gain = -30.0;
+    Ultrasound machine(volume, probe, settings, detail);
+    for (int number = 0; number < 5; ++number) {
+      const Pose pose = probe_pose(Vec3(random.uniform(-20.0, 20.0), 1.0, random.uniform(-20.0, 20.0)),
+                                   Vec3(random.uniform(-0.05, 0.05), 1.0, random.uniform(-0.05, 0.05)),
+                                   Vec3(random.normal(), 0.0, random.normal()));
+      const Vec3 in_probe(random.uniform(-10.0, 10.0), random.uniform(25.0, 60.0), 0.0);
+      NeedleInSound needle = point_at(in_probe);
+      needle.pose = pose * needle.pose;
+      const UltrasoundFrame& frame = machine.image(pose, needle);
+      ASSERT_EQ(frame.why, NoImage::none);
+      const auto brightest = std::max_element(frame.pixels.begin(), frame.pixels.end());
+      ASSERT_GT(*brightest, 30);
+      ASSERT_LT(*brightest, 255);
+      const auto at = static_cast<int>(brightest - frame.pixels.begin());
+      const Vec3 pixel(at % frame.width, at / frame.width, 0.0);
+      const Vec3 found = frame.image_to_patient(pose) * (frame.pixel * pixel);
+      EXPECT_LT((found - pose * in_probe).norm(), 2.5 * frame.pixel) << to_string(probe.kind);
     }
   }
 }
