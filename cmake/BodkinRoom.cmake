@@ -61,3 +61,28 @@ function(bodkin_room name)
     target_compile_options(bodkin_${name} PRIVATE -fsanitize=fuzzer-no-link)
   endif()
 endfunction()
+
+# bodkin_rooms_beneath(RESULT target...): these rooms and all that they link, as targets.
+function(bodkin_rooms_beneath result)
+  set(found "")
+  foreach(target IN LISTS ARGN)
+    if(target MATCHES "^bodkin(::|_)(.+)$")
+      set(target bodkin_${CMAKE_MATCH_2})
+      get_target_property(linked ${target} LINK_LIBRARIES)
+      bodkin_rooms_beneath(beneath ${linked})
+      list(APPEND found ${target} ${beneath})
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES found)
+  set(${result} ${found} PARENT_SCOPE)
+endfunction()
+
+# bodkin_libraries_first(PROGRAM target...): for a program that is optimised less than the rooms that it links. Of an
+# inline function that both use the linker keeps the first copy: let it be the one of the room.
+function(bodkin_libraries_first program)
+  bodkin_rooms_beneath(rooms ${ARGN})
+  list(REMOVE_ITEM rooms bodkin_cli)  # it is not optimised either
+  list(TRANSFORM rooms REPLACE "(.+)" "$<TARGET_FILE:\\1>")
+  list(JOIN rooms "," rooms)
+  target_link_options(${program} PRIVATE "LINKER:--whole-archive,${rooms},--no-whole-archive")
+endfunction()

@@ -82,21 +82,49 @@ std::vector<std::uint32_t> nodes_of_shaft(const ElasticBody& elastic, const Tetr
 
 }  // namespace
 
-BodyView::BodyView(const Case& patient, const BodyDescription& body, const Progress& progress) {
+// The ends of the lines, in their order.
+std::vector<Vec3> BodyView::find_borders(const Case& patient, const TetrahedralMesh& mesh) {
   const NeedlePath& path = patient.corridor.path;
   plane_ = sagittal_plane_along(path, 0.5 * (path.entry + path.target), seen, seen, 1.0);
   std::vector<Vec3> points;
-  for (auto& [tissue, lines] : borders_in(body.mesh, plane_)) {
+  for (auto& [tissue, lines] : borders_in(mesh, plane_)) {
     points.insert(points.end(), lines.begin(), lines.end());
     borders_.emplace_back(colour_of_tissue(patient.library, tissue), std::move(lines));
   }
+  return points;
+}
+
+BodyView::BodyView(const Case& patient, const BodyDescription& body, std::shared_ptr<PressedPatient> pressed)
+    : pressed_(std::move(pressed)) {
+  points_ = find_points(body.mesh, find_borders(patient, body.mesh));
+  moved_.assign(3 * points_.size(), 0.0F);
+}
+
+BodyView::BodyView(const Case& patient, const BodyDescription& body, const Progress& progress) {
+  const NeedlePath& path = patient.corridor.path;
+  const std::vector<Vec3> points = find_borders(patient, body.mesh);
   const ElasticBody elastic(body, plan_body(body, progress), {}, progress);
   display_ = std::make_shared<DisplayThread>(
       display_columns(elastic, find_points(body.mesh, points), nodes_of_shaft(elastic, body.mesh, path), progress));
 }
 
+// mm, of every point in turn.
+std::span<const float> BodyView::displacements() {
+  if (pressed_ == nullptr) return display_->moment().displacements;
+  const std::vector<float>& nodes = pressed_->picture().displacements;
+  for (std::size_t point = 0; point < points_.size(); ++point) {
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      sum += static_cast<float>(points_[point].weights[corner]) *
+             Eigen::Map<const Eigen::Vector3f>(nodes.data() + 3 * std::size_t{points_[point].nodes[corner]});
+    }
+    Eigen::Map<Eigen::Vector3f>(moved_.data() + 3 * point) = sum;
+  }
+  return moved_;
+}
+
 void BodyView::draw(SdlScreen& screen, double x, double y, double size, const Pose& needle) {
-  const DisplayMoment& now = display_->moment();
+  const std::span<const float> by_point = displacements();
   const double scale = size / std::max(plane_.width - 1, plane_.height - 1);
   const auto pixel = [&](const Vec3& point) {
     return Eigen::Vector2f((Eigen::Vector2d(x, y) + scale * plane_.place(point)).cast<float>());
@@ -113,7 +141,7 @@ void BodyView::draw(SdlScreen& screen, double x, double y, double size, const Po
     drawn_.push_back(b);
   };
   const auto moved = [&](const Vec3& rest) {
-    const float* const by = now.displacements.data() + 3 * number++;
+    const float* const by = by_point.data() + 3 * number++;
     return Vec3(rest + Eigen::Map<const Eigen::Vector3f>(by).cast<double>());
   };
   for (const auto& [colour, lines] : borders_) {

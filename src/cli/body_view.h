@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -11,8 +12,10 @@
 #include "cli/sdl_screen.h"
 #include "core/progress.h"
 #include "fem/solid/elastic_body.h"
+#include "fem/solid/points_in_mesh.h"
 #include "imaging/slice.h"
 #include "simulation/display_thread.h"
+#include "training/pressed_patient.h"
 
 namespace bodkin {
 
@@ -23,18 +26,26 @@ class BodyView {
  public:
   // Factorises the body with the displacement of all its nodes. Throws InputError when that does not fit into memory.
   BodyView(const Case& patient, const BodyDescription& body, const Progress& progress = {});
+  // Of a body that moves by itself: what is drawn is its newest picture.
+  BodyView(const Case& patient, const BodyDescription& body, std::shared_ptr<PressedPatient> pressed);
 
-  // What the tick tells its forces to.
+  // What the tick tells its forces to; none with a body that moves by itself.
   const std::shared_ptr<DisplayThread>& display() const noexcept { return display_; }
 
   // Into a square of the screen, `size` pixels wide.
   void draw(SdlScreen& screen, double x, double y, double size, const Pose& needle);
 
  private:
+  std::vector<Vec3> find_borders(const Case& patient, const TetrahedralMesh& mesh);
+  std::span<const float> displacements();
+
   SlicePlane plane_;
   std::vector<std::pair<Colour, std::vector<Vec3>>> borders_;  // by colour; two points a line, mm at rest
   std::shared_ptr<DisplayThread> display_;                     // knows all the points, in their order
-  std::vector<Eigen::Vector2f> drawn_;                         // of one colour, pixels
+  std::shared_ptr<PressedPatient> pressed_;                    // or this, with where the points lie in its mesh
+  std::vector<PointInMesh> points_;
+  std::vector<float> moved_;            // mm, of these points
+  std::vector<Eigen::Vector2f> drawn_;  // of one colour, pixels
 };
 
 }  // namespace bodkin

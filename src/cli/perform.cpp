@@ -22,6 +22,7 @@
 #include "cli/force_options.h"
 #include "cli/keys.h"
 #include "cli/mouse_window.h"
+#include "cli/moving_patient.h"
 #include "cli/outcome.h"
 #include "cli/second_device.h"
 #include "core/error.h"
@@ -54,6 +55,7 @@ struct PerformArguments {
   bool no_calibration = false;
   SecondOptions second;
   ForceOptions forces;
+  std::string body;  // "": static
 };
 
 constexpr const char* perform_footer = R"(Examples:
@@ -66,6 +68,7 @@ constexpr const char* perform_footer = R"(Examples:
   bodkin perform patient ./my_driver.so -o mine.bodkin
   bodkin perform patient force_dimension:104 --second openhaptics                  the other hand on the plunger
   bodkin perform patient force_dimension:104 --second force_dimension:105 --second-as probe
+  bodkin perform patient simulated --second openhaptics --second-as probe --resistance embedded_needle --body moving
 
 The patient lies prone, the head away from you, the skin below the middle of the workspace. Keys: space holds the
 needle where it is and takes it up again; c presses and releases the clutch; a arms after a fault; d takes the force
@@ -180,9 +183,15 @@ void keep_corridors(CorridorKeeper& keeper, HandSession& session, std::string& s
   console.note(said);
 }
 
-// Until the person, the device or the time ends it, or the disk refuses. `window`, `second`, `keeper`: may be null.
+// What looks after the deformable body: one of both, or none.
+struct BodyKeepers {
+  CorridorKeeper* corridors = nullptr;
+  MovingPatient* moving = nullptr;
+};
+
+// Until the person, the device or the time ends it, or the disk refuses. `window`, `second`: may be null.
 RunResult perform(HandSession& session, SecondHand* second, const PerformArguments& arguments, const Case& patient,
-                  const HasForce& has_force, MouseWindow* window, CorridorKeeper* keeper, Console& console) {
+                  const HasForce& has_force, MouseWindow* window, const BodyKeepers& keepers, Console& console) {
   RunResult result;
   Keys keys;
   const EndOnSignal signals;
@@ -215,7 +224,8 @@ RunResult perform(HandSession& session, SecondHand* second, const PerformArgumen
     }
     tell_events(servo, has_force.first, "", said, console);
     if (second != nullptr) tell_events(second->servo().tick(), has_force.second, "second hand: ", said, console);
-    if (keeper != nullptr) keep_corridors(*keeper, session, said, console);
+    if (keepers.corridors != nullptr) keep_corridors(*keepers.corridors, session, said, console);
+    if (keepers.moving != nullptr) keepers.moving->look(session, said, console);
     const ServoSnapshot& now = servo.snapshot();
     if (now.device.ended()) asked_to_end.store(true);
     const bool faulted = now.state == GuardState::faulted;
@@ -290,13 +300,21 @@ void run_perform(const PerformArguments& arguments, const CommandContext& contex
                     "case with --entry and --target",
                     arguments.folder));
   }
+  const std::optional<ProbeFace> probe =
+      choose_body(arguments.body, chosen_second, patient.description.haptics.resistance);
   const std::shared_ptr<const BodyDescription> body = prepare_body(
       patient, arguments.folder, {}, console.progress(), [&](const std::string& text) { console.note(text); });
   const NeedlePath path = *patient.description.procedure.path;
   const std::unique_ptr<MouseWindow> window =
       chosen.is_mouse() ? std::make_unique<MouseWindow>(patient.description.name) : nullptr;
+  std::optional<MovingPatient> moving;
+  if (probe) moving.emplace(patient, *body, *probe, console);
   std::unique_ptr<BodyView> view;
-  if (window != nullptr && body != nullptr) view = std::make_unique<BodyView>(patient, *body, console.progress());
+  if (window != nullptr && moving) {
+    view = std::make_unique<BodyView>(patient, *body, moving->body());
+  } else if (window != nullptr && body != nullptr) {
+    view = std::make_unique<BodyView>(patient, *body, console.progress());
+  }
   DevicePort port(*chosen.driver, chosen.identity, settings_along(path, chosen, arguments.device));
   DeviceAbilities device = port.abilities();
   complete_from_table(device);
@@ -338,20 +356,24 @@ void run_perform(const PerformArguments& arguments, const CommandContext& contex
           .dump();
   header.device = limits;
   if (second_device) header.second = second_device->header();
+  if (probe) header.moving_body = text_of(*probe, body->mesh.nodes.size());
   const auto kept = std::make_shared<const Case>(patient);
   const Case& whole = *kept;
   std::optional<CorridorKeeper> keeper;
-  if (body != nullptr) keeper.emplace(kept, body, path.length(), HapticTick::most_corridors - 1);
-  const std::unique_ptr<SecondHand> second = second_device ? second_device->hand(kept) : nullptr;
+  // Elsewhere than about the planned path a body that moves has no corridor: it would be one at rest.
+  if (body != nullptr && !moving) keeper.emplace(kept, body, path.length(), HapticTick::most_corridors - 1);
+  const std::unique_ptr<SecondHand> second =
+      second_device ? second_device->hand(kept, moving ? moving->body() : nullptr) : nullptr;
   HandSession session(std::move(patient), header, arguments.output, arguments.overwrite, std::move(port), device,
                       settings, second_device ? second_device->link() : nullptr);
+  if (moving) session.press(moving->body());
   if (view) {
     session.show_on(view->display());
     window->show_body(std::move(view));
   }
   const HasForce has_force{device.peak_force > 0.0, second_device && second_device->has_force()};
-  RunResult result =
-      perform(session, second.get(), arguments, whole, has_force, window.get(), keeper ? &*keeper : nullptr, console);
+  RunResult result = perform(session, second.get(), arguments, whole, has_force, window.get(),
+                             {keeper ? &*keeper : nullptr, moving ? &*moving : nullptr}, console);
   if (result.ticks == 0) throw SystemError("the device did not answer once; is it switched on?");
   const double rate = static_cast<double>(result.ticks) / result.wall_time;
   if (std::abs(rate - settings.rate) > 0.05 * settings.rate) {
@@ -363,6 +385,7 @@ void run_perform(const PerformArguments& arguments, const CommandContext& contex
     console.note(fmt::format("{} samples of the second hand were lost, because the disk was too slow",
                              second_device->link()->lost.load()));
   }
+  if (moving) moving->tell(static_cast<double>(result.ticks) / settings.rate, console);
   const Outcome outcome = read_outcome(arguments.output, whole, std::move(result));
   for (const std::string& note : outcome.run.notes) console.note(note);
   console.note(fmt::format("{} of {} ticks were late (by {:.2f} ms at worst)", outcome.run.missed_deadlines,
@@ -391,6 +414,7 @@ void add_perform_command(CLI::App& app, CommandContext& context) {
   add_number(*command, "--max-time", arguments->longest, 1.0, 3600.0, "s after which it ends, 1 to 3600");
   add_second_options(*command, arguments->second);
   add_force_options(*command, arguments->forces);
+  add_body_option(*command, arguments->body);
   on_run(*command, [arguments, &context] { run_perform(*arguments, context); });
 }
 

@@ -32,6 +32,7 @@ Exit code 0: identical to the last bit. 3: something differs; the first differen
 int run_replay(const ReplayArguments& arguments, const CommandContext& context) {
   Console console(context);
   const Session session = read_session(arguments.session);
+  check_recomputable(session);  // before the body is prepared in vain
   const std::string folder = arguments.case_folder.empty() ? session.header.case_folder : arguments.case_folder;
   Case patient = load_case(folder, console.progress());
   check_same_case(session, patient, folder);

@@ -80,8 +80,10 @@ SecondHeader OpenSecond::header() const {
               .dump()};
 }
 
-std::unique_ptr<SecondHand> OpenSecond::hand(std::shared_ptr<const Case> patient) {
-  return std::make_unique<SecondHand>(chosen_.role, std::move(port_), device_, settings_, std::move(patient), link_);
+std::unique_ptr<SecondHand> OpenSecond::hand(std::shared_ptr<const Case> patient,
+                                             std::shared_ptr<PressedPatient> pressed) {
+  return std::make_unique<SecondHand>(chosen_.role, std::move(port_), device_, settings_, std::move(patient), link_,
+                                      std::move(pressed));
 }
 
 std::string text_of(SecondRole role, const SecondSample& moment) {

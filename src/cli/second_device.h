@@ -40,8 +40,8 @@ class OpenSecond {
   const std::string& calibrated_at() const noexcept { return calibration_.measured_at; }  // "": never
   bool has_force() const noexcept { return device_.peak_force > 0.0; }
   std::shared_ptr<SecondLink> link() const noexcept { return link_; }
-  // Once only: the hand takes the device along.
-  std::unique_ptr<SecondHand> hand(std::shared_ptr<const Case> patient);
+  // Once only: the hand takes the device along. `pressed`: see SecondHand.
+  std::unique_ptr<SecondHand> hand(std::shared_ptr<const Case> patient, std::shared_ptr<PressedPatient> pressed = {});
 
  private:
   ChosenSecond chosen_;

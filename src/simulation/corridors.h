@@ -3,10 +3,12 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <utility>
 
 #include "anatomy/case.h"
+#include "core/hand_over.h"
 #include "forces/events.h"
 #include "simulation/resistance.h"
 
@@ -17,6 +19,9 @@ namespace bodkin {
 // tick takes another one only where a needle begins, outside the body, so that no force jumps. Of those that are
 // there it takes the one that was prepared about the nearest line, and says so where it is another than before.
 // Tissue that gave way in one has given way in the others.
+//
+// In place of the first corridor there can be one about another state of the body, pressed by a probe, of which the
+// newest is taken; it too where a needle begins.
 //
 // Model is made from (const Case&, const PreparedCorridor&, const Settings&, double dt), and can begin(), step(),
 // reset() and take_punctures(other).
@@ -29,31 +34,56 @@ class Corridors {
   Corridors(const Case& patient, const Settings& settings, double dt)
       : patient_(&patient), settings_(settings), dt_(dt), shelf_(std::make_unique<Shelf>()) {
     add(patient.corridor);
+    taken_ = &shelf_->places[0];
   }
 
   // Not for two threads at once, but beside the tick. False: there are as many as can be.
   bool add(const PreparedCorridor& corridor) {
     const std::size_t at = shelf_->count.load(std::memory_order_relaxed);
     if (at == most) return false;
-    shelf_->places[at] = {std::make_unique<Model>(*patient_, corridor, settings_, dt_), corridor.path,
-                          corridor.aimed_at ? static_cast<double>(*corridor.aimed_at) : -1.0};
+    shelf_->places[at] = {.model = std::make_unique<Model>(*patient_, corridor, settings_, dt_),
+                          .path = corridor.path,
+                          .aimed_at = corridor.aimed_at ? static_cast<double>(*corridor.aimed_at) : -1.0};
     shelf_->count.store(at + 1, std::memory_order_release);
     return true;
   }
 
+  // As add(), from the same thread: the first corridor about the newest state of the body. One that no needle has
+  // taken yet is dropped.
+  void refresh(const PreparedCorridor& corridor) {
+    auto place = std::make_unique<Place>();
+    place->model = std::make_unique<Model>(*patient_, corridor, settings_, dt_);
+    place->path = corridor.path;
+    place->state = corridor.state;
+    shelf_->refreshed.offer(std::move(place));
+  }
+  // The tick only: needles that begin from now on find the first corridor at rest again, until reset().
+  void stay_at_rest() noexcept { at_rest_ = true; }
+
   void begin(const Vec3& entry, const Vec3& direction) noexcept {
-    const std::size_t before = taken_;
-    taken_ = nearest_to(entry, direction);
+    std::unique_ptr<Place> left;  // is not destroyed here: the maker of corridors does that
+    const std::size_t at = nearest_to(entry, direction);
+    if (at == 0 && !at_rest_) {
+      if (std::unique_ptr<Place> newest = shelf_->refreshed.take()) {
+        left = std::move(refreshed_);
+        refreshed_ = std::move(newest);
+      }
+    }
+    Place* const before = taken_;
+    taken_ = at == 0 && !at_rest_ && refreshed_ != nullptr ? refreshed_.get() : &shelf_->places[at];
     if (taken_ != before) {
-      model().take_punctures(*shelf_->places[before].model);
+      taken_->model->take_punctures(*before->model);
       told_ = false;
     }
-    model().begin(entry, direction);
+    if (left != nullptr) shelf_->refreshed.give_back(std::move(left));
+    taken_->model->begin(entry, direction);
   }
 
   ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept {
     if (!told_) {
-      events.push({EventKind::corridor_taken, needle.tissue, needle.motion.depth, shelf_->places[taken_].aimed_at});
+      const bool at_rest = taken_->state == 0;
+      events.push({at_rest ? EventKind::corridor_taken : EventKind::corridor_refreshed, needle.tissue,
+                   needle.motion.depth, at_rest ? taken_->aimed_at : static_cast<double>(taken_->state)});
       told_ = true;
     }
     return model().step(needle, events);
@@ -62,23 +92,27 @@ class Corridors {
   void reset() noexcept {
     const std::size_t count = shelf_->count.load(std::memory_order_acquire);
     for (std::size_t i = 0; i < count; ++i) shelf_->places[i].model->reset();
-    taken_ = 0;
+    if (refreshed_ != nullptr) shelf_->refreshed.give_back(std::move(refreshed_));
+    taken_ = &shelf_->places[0];
+    at_rest_ = false;
     told_ = true;
   }
 
   // The one that the needle took last.
-  Model& model() noexcept { return *shelf_->places[taken_].model; }
-  const Model& model() const noexcept { return *shelf_->places[taken_].model; }
+  Model& model() noexcept { return *taken_->model; }
+  const Model& model() const noexcept { return *taken_->model; }
 
  private:
   struct Place {
     std::unique_ptr<Model> model;
     NeedlePath path;
-    double aimed_at = -1.0;  // tick, -1: the patient came with it
+    double aimed_at = -1.0;   // tick, -1: the patient came with it
+    std::uint32_t state = 0;  // of the body, 0: at rest
   };
   struct Shelf {
     std::array<Place, most> places;
     std::atomic<std::size_t> count{0};  // of places that the tick may look at
+    HandOver<Place> refreshed;          // on its way to the tick
   };
 
   static double distance(const Vec3& point, const Vec3& entry, const Vec3& direction) noexcept {
@@ -104,7 +138,9 @@ class Corridors {
   Settings settings_;
   double dt_;
   std::unique_ptr<Shelf> shelf_;
-  std::size_t taken_ = 0;
+  std::unique_ptr<Place> refreshed_;  // the newest of those that the tick took
+  Place* taken_ = nullptr;            // by the needle
+  bool at_rest_ = false;
   bool told_ = true;
 };
 

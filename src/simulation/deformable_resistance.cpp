@@ -1,6 +1,7 @@
 #include "simulation/deformable_resistance.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -76,11 +77,26 @@ std::optional<NeedleBeam> beam_in(const Case& patient, const NeedleBendingSettin
 }
 
 // What a tissue that gave way is told as.
-void tell(const std::optional<TissuePuncture>& puncture, TickEvents& events) noexcept {
+void tell(const std::optional<TissuePuncture>& puncture, double sunk, TickEvents& events) noexcept {
   if (!puncture) return;
-  events.push({EventKind::puncture, puncture->tissue, puncture->depth, puncture->force});
+  const double depth = puncture->depth + sunk;
+  events.push({EventKind::puncture, puncture->tissue, depth, puncture->force});
   if (puncture->tissue == tissue::ligamentum_flavum)
-    events.push({EventKind::loss_of_resistance, puncture->tissue, puncture->depth, puncture->force});
+    events.push({EventKind::loss_of_resistance, puncture->tissue, depth, puncture->force});
+}
+
+// mm along `direction` by which the node has sunk that lay nearest to `entry`; one that rose counts as none, for the
+// tick knows of no contact before the surface at rest.
+double sunk_at(const Vec3& entry, const Vec3& direction, const CondensedBody& at_rest,
+               const CondensedBody& now) noexcept {
+  double nearest = std::numeric_limits<double>::infinity(), sunk = 0.0;
+  for (std::size_t node = 0; node < at_rest.nodes.size(); ++node) {
+    const double away = (at_rest.nodes[node] - entry).squaredNorm();
+    if (!(away < nearest)) continue;
+    nearest = away;
+    sunk = (now.nodes[node] - at_rest.nodes[node]).dot(direction);
+  }
+  return std::max(0.0, sunk);
 }
 
 }  // namespace
@@ -96,10 +112,15 @@ DeformableShaft::DeformableShaft(const Case& patient, const PreparedCorridor& co
   body_ = on_spring(body, spring_);
   needle_ =
       std::make_unique<EmbeddedNeedle>(*body_, tissues_in(patient), settings, dt, beam_in(patient, settings.bending));
+  if (corridor.state == 0) return;
+  at_rest_ = body_in(patient.corridor, patient);
+  if (at_rest_->mesh_nodes != body->mesh_nodes)
+    throw InputError("a corridor of the pressed body has other nodes than the one that it began with");
 }
 
 void DeformableShaft::begin(const Vec3& entry, const Vec3& direction) noexcept {
-  needle_->begin(entry, direction);
+  sunk_ = at_rest_ != nullptr ? sunk_at(entry, direction, *at_rest_, *body_) : 0.0;
+  needle_->begin(entry + sunk_ * direction, direction);
   bone_.reset();
   direction_ = direction;
   beyond_ = false;
@@ -124,7 +145,7 @@ ResistanceForce DeformableShaft::step(const NeedleInTissue& needle, TickEvents& 
   pose.linear().col(2) = needle.axis;
   const EmbeddedNeedleForce& found = needle_->step(pose, bone_.behind());
   ahead_ = -short_of - spring_ * found.on_hand.force;
-  tell(found.puncture, events);
+  tell(found.puncture, sunk_, events);
   if (found.beyond && !beyond_ && !bone_.met())  // at bone the nodes end, for it does not move
     events.push({EventKind::corridor_left, needle.tissue, needle.motion.depth, 0.0});
   beyond_ = found.beyond;
@@ -167,7 +188,7 @@ void DeformableTip::reset() noexcept {
 ResistanceForce DeformableTip::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
   const double bone = bone_.step(needle.motion.depth, needle.tissue, events);
   const ClosestNodeForce found = contact_->step(needle.tip - bone_.behind() * direction_);
-  tell(found.puncture, events);
+  tell(found.puncture, 0.0, events);
   return {.along = found.resistance + bone, .in_contact = needle.motion.depth > 0.0};
 }
 

@@ -19,6 +19,10 @@ namespace bodkin {
 // With `bending.flexible` the needle of the case bends: its tube and length are those of the description. Throws
 // InputError for a needle that is no beam (NeedleBeam), and for a cut_offset of one that does not bend or has no
 // bevel.
+//
+// In a corridor about a state in which the body is pressed (PreparedCorridor::state) the needle meets the surface
+// where it is now: as far along the line as the node has sunk that lay nearest to the entry. Depths stay those of the
+// body at rest, as the voxels are.
 class DeformableShaft {
  public:
   DeformableShaft(const Case& patient, const PreparedCorridor& corridor, const EmbeddedNeedleSettings& settings,
@@ -44,6 +48,9 @@ class DeformableShaft {
   BoneWall bone_;
   Vec3 direction_ = Vec3::UnitZ();
   bool beyond_ = false;  // the needle has left the corridor
+  // Of a body that is pressed: its nodes at rest, by which its surface is found again; else nullptr.
+  std::shared_ptr<const CondensedBody> at_rest_;
+  double sunk_ = 0.0;  // mm along the line by which the surface lies deeper than at rest
 };
 
 // `closest_node`: the paper's scheme, one node at the tip. Tissues that are stiffer than the device can render are as

@@ -195,6 +195,14 @@ bool HapticTick::add_corridor(const PreparedCorridor& corridor) {
   return state_->resistance.add_corridor(corridor);
 }
 
+bool HapticTick::refresh_corridor(const PreparedCorridor& corridor) {
+  return state_->resistance.refresh_corridor(corridor);
+}
+
+void HapticTick::stay_at_rest() noexcept {
+  state_->resistance.stay_at_rest();
+}
+
 NodeForces HapticTick::node_forces() const noexcept {
   return state_->last.in_contact ? state_->resistance.node_forces() : NodeForces{};
 }

@@ -25,6 +25,13 @@ class HapticTick {
   // for two threads at once. False: there are `most_corridors`, or the resistance needs none.
   static constexpr std::size_t most_corridors = 8;
   bool add_corridor(const PreparedCorridor& corridor);
+  // The corridor that the patient came with, about another state of the body (PreparedCorridor::state): of
+  // `embedded_needle` alone, for the next time that the needle touches the body. From the thread that adds corridors.
+  // False: the resistance has none that can change. Throws InputError.
+  bool refresh_corridor(const PreparedCorridor& corridor);
+  // From the thread of step(): the next time that the needle touches the body it finds it at rest, whatever was or
+  // will be refreshed.
+  void stay_at_rest() noexcept;
   // What the needle did to a deformable body in the last step, by node of its mesh; nothing for other resistances.
   NodeForces node_forces() const noexcept;
   // mm by which the hand's needle was ahead of the one in that body, where the body is stiffer than the device

@@ -369,6 +369,16 @@ bool Resistance::add_corridor(const PreparedCorridor& corridor) {
   return false;
 }
 
+bool Resistance::refresh_corridor(const PreparedCorridor& corridor) {
+  auto* shafts = std::get_if<Shafts>(&state_->model);
+  if (shafts != nullptr) shafts->refresh(corridor);
+  return shafts != nullptr;
+}
+
+void Resistance::stay_at_rest() noexcept {
+  if (auto* shafts = std::get_if<Shafts>(&state_->model)) shafts->stay_at_rest();
+}
+
 NodeForces Resistance::node_forces() const noexcept {
   if (const auto* shafts = std::get_if<Shafts>(&state_->model)) return shafts->model().node_forces();
   if (const auto* tips = std::get_if<Tips>(&state_->model)) return tips->model().node_forces();

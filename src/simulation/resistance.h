@@ -51,6 +51,11 @@ class Resistance {
   // Another corridor of the deformable body, for a needle that begins after this. Not for two threads at once, but
   // beside the tick. False, and nothing done, where there is no room for more, or the model has none.
   bool add_corridor(const PreparedCorridor& corridor);
+  // The first corridor about another state of the body, likewise: PreparedCorridor::state. False where the model has
+  // none that can change. Throws InputError for one in which there is nothing to feel.
+  bool refresh_corridor(const PreparedCorridor& corridor);
+  // From the tick: needles that begin from now on find the body at rest.
+  void stay_at_rest() noexcept;
   // What the needle does to a deformable body, by node of its mesh; nothing for other models.
   NodeForces node_forces() const noexcept;
   // mm by which the hand's needle is ahead of the one that such a body shows; 0 for other models.

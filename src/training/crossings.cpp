@@ -68,6 +68,10 @@ std::string event_text(const Event& event, const TissueLibrary& library) {
       return "the needle leaves the corridor that the deformable body was prepared for";
     case EventKind::corridor_taken:
       return "the needle begins in another corridor of the deformable body";
+    case EventKind::corridor_refreshed:
+      return "the needle begins in the body as the probe presses it";
+    case EventKind::moving_body_failed:
+      return "the moving body failed: the probe lost its force, the needle finds the body at rest";
     case EventKind::fault:
       break;
   }
@@ -77,7 +81,8 @@ std::string event_text(const Event& event, const TissueLibrary& library) {
 bool is_notable(EventKind kind) {
   return kind == EventKind::puncture || kind == EventKind::loss_of_resistance || kind == EventKind::bone_contact ||
          kind == EventKind::force_limited || kind == EventKind::fault || kind == EventKind::corridor_left ||
-         kind == EventKind::corridor_taken;
+         kind == EventKind::corridor_taken || kind == EventKind::corridor_refreshed ||
+         kind == EventKind::moving_body_failed;
 }
 
 std::vector<PlotBand> bands_of(std::span<const TissueCrossing> crossings, const TissueLibrary& library) {

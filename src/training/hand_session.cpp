@@ -47,6 +47,7 @@ struct HandSession::Shared {
     record.input.needle = input.needle;
     record.output = tick.step(record.input);
     if (display) display->tell(tick.node_forces());
+    if (pressed) tell_pressed(record.output);
     if (!closed.load(std::memory_order_acquire)) recorder.push(record);
     // After the tick itself, so that whatever is recorded of this moment has its tick before it.
     if (second) second->needle.write({static_cast<double>(ticks) * tick.dt(), record.output.tissue});
@@ -61,10 +62,20 @@ struct HandSession::Shared {
     return {record.output.applied, 0.0};
   }
 
+  void tell_pressed(TickOutput& output) noexcept {
+    pressed->tell(static_cast<double>(ticks) * tick.dt(), tick.node_forces());
+    if (pressed_failed || !pressed->failed()) return;
+    pressed_failed = true;
+    tick.stay_at_rest();
+    output.events.push({EventKind::moving_body_failed, output.tissue, output.depth, 0.0});
+  }
+
   Case patient;
   HapticTick tick;
-  std::shared_ptr<SecondLink> second;      // may be null
-  std::shared_ptr<DisplayThread> display;  // may be null
+  std::shared_ptr<SecondLink> second;       // may be null
+  std::shared_ptr<DisplayThread> display;   // may be null
+  std::shared_ptr<PressedPatient> pressed;  // may be null
+  bool pressed_failed = false;
   Recorder recorder;
   std::uint64_t ticks = 0;
   bool corridor_left = false;
@@ -86,6 +97,10 @@ void HandSession::show_on(std::shared_ptr<DisplayThread> display) {
   shared_->display = std::move(display);
 }
 
+void HandSession::press(std::shared_ptr<PressedPatient> body) {
+  shared_->pressed = std::move(body);
+}
+
 void HandSession::start() {
   servo_->start();
 }
@@ -96,6 +111,10 @@ const HandMoment& HandSession::moment() noexcept {
 
 bool HandSession::add_corridor(const PreparedCorridor& corridor) {
   return shared_->tick.add_corridor(corridor);
+}
+
+bool HandSession::refresh_corridor(const PreparedCorridor& corridor) {
+  return shared_->tick.refresh_corridor(corridor);
 }
 
 bool HandSession::failed() const noexcept {

@@ -8,6 +8,7 @@
 
 #include "haptics/device_servo.h"
 #include "simulation/display_thread.h"
+#include "training/pressed_patient.h"
 #include "training/second_link.h"
 #include "training/session_file.h"
 
@@ -49,8 +50,11 @@ class HandSession {
   DeviceServo& servo() noexcept { return *servo_; }
   // One observer's thread.
   const HandMoment& moment() noexcept;
-  // See HapticTick::add_corridor.
+  // Every tick tells it the time and what the needle does to it, and asks whether it has failed; before start().
+  void press(std::shared_ptr<PressedPatient> body);
+  // See HapticTick::add_corridor and refresh_corridor.
   bool add_corridor(const PreparedCorridor& corridor);
+  bool refresh_corridor(const PreparedCorridor& corridor);
   // The disk refuses; finish() says why.
   bool failed() const noexcept;
 

@@ -108,9 +108,22 @@ class CorridorsTaken {
 
 }  // namespace
 
+void check_recomputable(const Session& session) {
+  for (const SessionEvent& event : session.events) {
+    if (event.event.kind != EventKind::corridor_refreshed && event.event.kind != EventKind::moving_body_failed)
+      continue;
+    throw InputError(fmt::format(
+        "the session cannot be recomputed: at {:.3f} s its needle met a body that moved on a thread of its "
+        "own (--body moving), of which only what was felt is kept; 'bodkin report' and 'bodkin export' "
+        "show that",
+        static_cast<double>(event.tick) * session.header.dt));
+  }
+}
+
 ReplayResult replay_session(const Session& session, Case patient, const Progress& progress,
                             const BodyDescription* body) {
   if (session.ticks.empty()) throw InputError("the session holds no ticks, there is nothing to replay");
+  check_recomputable(session);
   patient.description.haptics = session.header.haptics;
   if (session.header.device) patient.description.device = *session.header.device;
   HapticTick haptics(patient);

@@ -25,12 +25,16 @@ struct ReplayResult {
   std::optional<ReplayDifference> difference;  // nothing: identical to the last bit
 };
 
+// Throws InputError for a session whose needle was in a body that a probe pressed on a thread of its own: what that
+// thread came to by then is not kept. Only ticks in the body at rest can be recomputed.
+void check_recomputable(const Session& session);
+
 // Feeds the recorded needle poses to a new haptic tick on `patient`, with the force models that the session used
 // instead of the case's, and compares every number, flag and event with the recording, bit by bit. Stops at the first
 // difference. `body`: what the patient's deformable body was made of, from which the corridors are prepared that the
 // session took in addition; may be null for a session that took none. Throws InputError when the session cannot be
-// replayed: it holds no ticks, ticks are missing, its tick is not that of its force models, or a corridor that it
-// took cannot be prepared.
+// replayed: it holds no ticks, ticks are missing, its tick is not that of its force models, a corridor that it took
+// cannot be prepared, or check_recomputable() refuses it.
 ReplayResult replay_session(const Session& session, Case patient, const Progress& progress = {},
                             const BodyDescription* body = nullptr);
 

@@ -252,6 +252,7 @@ class Page {
     if (header.second) {
       row("second hand", fmt::format("{} {}", name_of(header.second->role), header.second->device));
     }
+    if (!header.moving_body.empty()) row("body that moved on its own time", header.moving_body);
     row("seed", std::to_string(header.seed));
     row("recorded", header.started_at);
     row("length", fmt::format("{} ticks of {:g} ms", session_.ticks.size(), 1000.0 * header.dt));

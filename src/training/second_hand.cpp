@@ -1,5 +1,6 @@
 #include "training/second_hand.h"
 
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -7,6 +8,7 @@
 #include "training/hand_session.h"
 #include "training/plunger.h"
 #include "training/probe_contact.h"
+#include "training/probe_reaction.h"
 
 namespace bodkin {
 
@@ -16,10 +18,13 @@ constexpr double to_the_left = 60.0;      // mm from the needle's workspace to t
 constexpr double sample_interval = 0.01;  // s
 constexpr double rounding = 1e-9;         // s
 
-std::variant<Plunger, ProbeContact> model_for(SecondRole role, const Case& patient, const DeviceAbilities& device,
-                                              double dt) {
+using SecondModel = std::variant<Plunger, ProbeContact, ProbeReaction>;
+
+SecondModel model_for(SecondRole role, const Case& patient, const DeviceAbilities& device, double dt,
+                      bool is_pressed) {
   const GuardSettings stable = guard_settings(device, 1.0 / dt);
   if (role == SecondRole::plunger) return Plunger(patient.library, dt, stable.stiffness, stable.damping);
+  if (is_pressed) return ProbeReaction(dt, stable.stiffness);
   return ProbeContact(patient.tissues, dt, device.resolution, stable.stiffness, stable.damping);
 }
 
@@ -34,11 +39,12 @@ WorkspaceSettings second_workspace(SecondRole role, const NeedlePath& path) {
 
 struct SecondHand::Shared {
   Shared(SecondRole wanted, std::shared_ptr<const Case> from, const DeviceAbilities& device, double dt,
-         std::shared_ptr<SecondLink> through)
+         std::shared_ptr<SecondLink> through, std::shared_ptr<PressedPatient> body)
       : role(wanted),
         patient(std::move(from)),
         link(std::move(through)),
-        model(model_for(role, *patient, device, dt)) {}
+        pressed(std::move(body)),
+        model(model_for(role, *patient, device, dt, pressed != nullptr)) {}
 
   Control step(const ControlInput& input) noexcept {
     const NeedleMoment& needle = link->needle.read();
@@ -47,8 +53,8 @@ struct SecondHand::Shared {
     now.position = input.needle.translation();
     now.rotation = Eigen::Quaterniond(input.needle.linear()).normalized();
     Control control;
+    const bool armed = input.guard != GuardState::disarmed && input.guard != GuardState::faulted;
     if (Plunger* const plunger = std::get_if<Plunger>(&model)) {
-      const bool armed = input.guard != GuardState::disarmed && input.guard != GuardState::faulted;
       control.wrench.force = plunger->step(now.position, needle.tissue, armed);
       now.force = plunger->force();
       now.pressure = plunger->pressure();
@@ -56,6 +62,12 @@ struct SecondHand::Shared {
     } else if (ProbeContact* const probe = std::get_if<ProbeContact>(&model)) {
       control.wrench.force = probe->step(input.needle);
       now.force = probe->force();
+    } else if (ProbeReaction* const reaction = std::get_if<ProbeReaction>(&model)) {
+      // A hand that cannot feel the body does not press it.
+      const bool presses = armed && !pressed->failed();
+      control.wrench.force = reaction->step(input.needle, pressed->reading(), presses);
+      pressed->move_probe(presses ? std::optional<Pose>(reaction->probe()) : std::nullopt);
+      now.force = reaction->force();
     }
     moment.write(now);
     // By the needle's time, so that a sample and the ticks of the session share one clock and no two samples a
@@ -70,14 +82,17 @@ struct SecondHand::Shared {
   SecondRole role;
   std::shared_ptr<const Case> patient;
   std::shared_ptr<SecondLink> link;
-  std::variant<Plunger, ProbeContact> model;
+  std::shared_ptr<PressedPatient> pressed;  // may be null
+  SecondModel model;
   double next_sample = 0.0;  // s of the session
   LatestValue<SecondSample> moment;
 };
 
 SecondHand::SecondHand(SecondRole role, DevicePort port, const DeviceAbilities& device, const ServoSettings& settings,
-                       std::shared_ptr<const Case> patient, std::shared_ptr<SecondLink> link)
-    : shared_(std::make_shared<Shared>(role, std::move(patient), device, 1.0 / settings.rate, std::move(link))),
+                       std::shared_ptr<const Case> patient, std::shared_ptr<SecondLink> link,
+                       std::shared_ptr<PressedPatient> pressed)
+    : shared_(std::make_shared<Shared>(role, std::move(patient), device, 1.0 / settings.rate, std::move(link),
+                                       std::move(pressed))),
       servo_(std::make_unique<DeviceServo>(
           std::move(port), device, settings,
           [shared = shared_](const ControlInput& input) { return shared->step(input); })) {}

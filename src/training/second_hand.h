@@ -4,6 +4,7 @@
 
 #include "anatomy/case.h"
 #include "haptics/device_servo.h"
+#include "training/pressed_patient.h"
 #include "training/second_link.h"
 #include "training/second_sample.h"
 
@@ -19,10 +20,12 @@ WorkspaceSettings second_workspace(SecondRole role, const NeedlePath& path);
 // ends its own force only. What it knows of the needle, and what it tells the recording, passes through a SecondLink.
 class SecondHand {
  public:
-  // `settings.workspace` is that of second_workspace(). Throws InputError for a device or a tissue library that make
+  // `settings.workspace` is that of second_workspace(). `pressed`: the body that a probe presses; null where it feels
+  // the skin at rest (ProbeContact), and for a plunger. Throws InputError for a device or a tissue library that make
   // the model impossible.
   SecondHand(SecondRole role, DevicePort port, const DeviceAbilities& device, const ServoSettings& settings,
-             std::shared_ptr<const Case> patient, std::shared_ptr<SecondLink> link);
+             std::shared_ptr<const Case> patient, std::shared_ptr<SecondLink> link,
+             std::shared_ptr<PressedPatient> pressed = nullptr);
   ~SecondHand();
   SecondHand(const SecondHand&) = delete;
   SecondHand& operator=(const SecondHand&) = delete;

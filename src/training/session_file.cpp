@@ -44,6 +44,7 @@ std::vector<std::pair<std::string, std::string>> header_rows(const SessionHeader
     rows.emplace_back("second_device", header.second->device);
     rows.emplace_back("second_role", name_of(header.second->role));
   }
+  if (!header.moving_body.empty()) rows.emplace_back("moving_body", header.moving_body);
   // In the order of the keys, in which the checksum takes them.
   std::sort(rows.begin(), rows.end());
   return rows;

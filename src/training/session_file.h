@@ -36,7 +36,8 @@ struct SessionHeader {
   HapticSettings haptics;              // that were used: those of the case, or others in their place
   std::optional<DeviceLimits> device;  // that was held, in place of the case's
   std::optional<SecondHeader> second;  // a second hand, where there was one
-  std::vector<TissueName> tissues;     // of the case's library, in the order of their ids
+  std::string moving_body;          // JSON: of a body that moved on its own time (--body moving); "": it was static
+  std::vector<TissueName> tissues;  // of the case's library, in the order of their ids
 };
 
 // An event with its place in the session.

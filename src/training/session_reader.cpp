@@ -220,6 +220,7 @@ void Reader::read_header(SQLite::Database& database, Session& session) {
     if (!role) fail(fmt::format("the second hand is a '{}', expected plunger or probe", text("second_role")));
     header.second = SecondHeader{*role, text("second_device")};
   }
+  if (header_.contains("moving_body")) header.moving_body = text("moving_body");
   session.finished = header_.contains("finished_after_ticks");
 }
 

@@ -180,6 +180,7 @@ const std::vector<CommandRow>& table() {
         {"--second", Kind::text},
         {"--second-as", Kind::text},
         {"--second-settings", Kind::text},
+        {"--body", Kind::text},
         {"--resistance", Kind::text},
         {"--constraint", Kind::text},
         {"--part", Kind::texts}}},

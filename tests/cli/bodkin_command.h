@@ -9,6 +9,7 @@
 #include <iterator>
 #include <set>
 #include <string>
+#include <system_error>
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -81,12 +82,34 @@ class BodkinCommand : public ::testing::Test {
   static inline std::filesystem::path folder_;
 };
 
-// The same with a small synthetic patient in it, "patient".
+// A small synthetic patient, made once for all the tests of this process: under a sanitizer that takes seconds.
+struct SyntheticPatient {
+  SyntheticPatient() {
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    made = run_bodkin(folder, "--quiet case synthesize lumbar patient --spacing 1.5");
+  }
+  ~SyntheticPatient() {
+    std::error_code ignored;  // what cannot be removed is in the folder of temporary files
+    std::filesystem::remove_all(folder, ignored);
+  }
+  SyntheticPatient(const SyntheticPatient&) = delete;
+  SyntheticPatient& operator=(const SyntheticPatient&) = delete;
+
+  std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("bodkin_patient_" + std::to_string(getpid()));
+  Outcome made;
+};
+
+// The same as BodkinCommand with a copy of that patient in its folder, "patient".
 class PatientCommand : public BodkinCommand {
  protected:
   static void SetUpTestSuite() {
     BodkinCommand::SetUpTestSuite();
-    made_ = bodkin("--quiet case synthesize lumbar patient --spacing 1.5");
+    static const SyntheticPatient original;
+    made_ = original.made;
+    if (made_.exit_code != 0) return;
+    std::filesystem::copy(original.folder / "patient", folder_ / "patient", std::filesystem::copy_options::recursive);
   }
   void SetUp() override { ASSERT_EQ(made_.exit_code, 0) << made_.errors; }
 

@@ -11,6 +11,7 @@
 #include "tests/simulation/real_time_guard.h"
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "io/tissue_library_file.h"
 #include "simulation/haptic_tick.h"
 
@@ -202,6 +203,89 @@ TEST(Corridors, one_is_added_beside_the_tick) {
   for (int tries = 0; tries < 3000 && !taken.load(); ++tries)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   EXPECT_TRUE(taken.load());
+}
+
+// The first corridor as a probe would press it: `sunk` mm deeper.
+PreparedCorridor pressed_corridor(double sunk, std::uint32_t state) {
+  PreparedCorridor corridor = corridor_at(0.0);
+  CondensedBody body = *corridor.body;
+  for (Vec3& node : body.nodes) node.z() += sunk;
+  corridor.body = std::make_shared<const CondensedBody>(std::move(body));
+  corridor.state = state;
+  return corridor;
+}
+
+TEST(Corridors, a_pressed_body_is_met_where_it_is_and_only_by_a_needle_that_begins) {
+  const Case patient = patient_of_corridors(shaft_settings());
+  HapticTick tick(patient), at_rest(patient);
+  const auto step = [](HapticTick& by, double place) {
+    return by.step({needle_pose(Vec3(0.1, 0.0, place), Vec3::UnitZ())});
+  };
+  for (double place = -3.0; place < 12.0; place += 0.02) step(tick, place);
+  ASSERT_TRUE(tick.refresh_corridor(pressed_corridor(9.0, 1)));  // never taken
+  ASSERT_TRUE(tick.refresh_corridor(pressed_corridor(3.0, 2)));
+  EXPECT_EQ(step(tick, 12.0).events.size(), 0U);
+  EXPECT_GT(step(tick, 12.0).resistance, 0.1) << "a needle that is in keeps what it has";
+  step(tick, -1.0);
+  tick.reset();
+  ASSERT_TRUE(tick.refresh_corridor(pressed_corridor(3.0, 2)));
+  int told = 0;
+  std::vector<double> sunk, rest;
+  for (int i = 0; i < 700; ++i) {
+    const TickOutput output = step(tick, -0.5 + 0.02 * i);
+    for (const Event& event : output.events) {
+      told += event.kind == EventKind::corridor_refreshed ? 1 : 0;
+      const bool as_the_voxels_count = std::abs(event.depth - (-0.5 + 0.02 * i)) < 0.05;
+      EXPECT_TRUE(event.kind != EventKind::corridor_refreshed || event.value == 2.0);
+      EXPECT_TRUE(event.kind != EventKind::puncture || as_the_voxels_count) << event.depth;
+    }
+    sunk.push_back(output.resistance);
+    rest.push_back(step(at_rest, -3.5 + 0.02 * i).resistance);
+  }
+  EXPECT_EQ(told, 1);
+  EXPECT_GT(*std::max_element(rest.begin(), rest.end()), 1.4);
+  // But for the tick in which the body at rest was met, 0.02 mm, and the tick by which skin gives way earlier for it.
+  int apart_by_more = 0;
+  for (std::size_t i = 0; i < rest.size(); ++i) apart_by_more += std::abs(sunk[i] - rest[i]) > 0.12 ? 1 : 0;
+  EXPECT_LE(apart_by_more, 5);
+
+  tick.stay_at_rest();
+  ASSERT_TRUE(tick.refresh_corridor(pressed_corridor(3.0, 3)));
+  const Insertion after = put_in(tick, 0.0, 15.0);
+  EXPECT_EQ(after.count(EventKind::corridor_refreshed), 0);
+  EXPECT_EQ(after.value(EventKind::corridor_taken), -1.0);
+}
+
+TEST(Corridors, only_the_body_that_the_session_began_with_is_refreshed) {
+  Case patient = patient_of_corridors(shaft_settings());
+  HapticTick tick(patient);
+  PreparedCorridor other = corridor_at(apart);
+  other.state = 1;
+  EXPECT_THROW(tick.refresh_corridor(other), InputError);
+  patient.description.haptics.resistance = ClosestNodeSettings{.capture_radius = 2.0};
+  HapticTick closest(patient);
+  EXPECT_FALSE(closest.refresh_corridor(pressed_corridor(1.0, 1)));
+  closest.stay_at_rest();
+}
+
+TEST(Corridors, taking_a_refreshed_one_allocates_and_locks_nothing) {
+  if (!RealTimeGuard::available()) GTEST_SKIP() << "a sanitizer owns malloc and the locks in this build";
+  const Case patient = patient_of_corridors(shaft_settings());
+  HapticTick tick(patient);
+  int taken = 0;
+  for (std::uint32_t state = 1; state <= 6; ++state) {
+    tick.refresh_corridor(pressed_corridor(0.2 * state, state));
+    if (state % 3 == 0) tick.refresh_corridor(pressed_corridor(0.1 * state, state));
+    const RealTimeGuard guard;
+    for (int i = 0; i < 1000; ++i) {
+      const double place = 8.0 * std::sin(EIGEN_PI * i / 500.0 - 0.5 * EIGEN_PI);
+      const TickOutput output = tick.step({needle_pose(Vec3(0.0, 0.0, place), Vec3::UnitZ())});
+      for (const Event& event : output.events) taken += event.kind == EventKind::corridor_refreshed ? 1 : 0;
+    }
+    EXPECT_EQ(RealTimeGuard::heap_calls(), 0U);
+    EXPECT_EQ(RealTimeGuard::lock_calls(), 0U);
+  }
+  EXPECT_EQ(taken, 6);
 }
 
 TEST(Corridors, taking_another_one_allocates_and_locks_nothing) {

@@ -16,11 +16,12 @@ namespace bodkin::checks {
 // A box of voxels about the middle of a face at (0, 0, 0) that looks along y: pose identity lays the probe on a skin
 // at y = 0.
 struct Block {
-  double half_width = 25.0;     // mm along x, both sides
-  double above = 5.0;           // mm of air before the skin
-  double depth = 52.0;          // mm behind it
-  double half_thickness = 2.0;  // mm along z, both sides
-  double voxel = 0.5;           // mm
+  double half_width = 25.0;           // mm along x, both sides
+  double above = 5.0;                 // mm of air before the skin
+  double depth = 52.0;                // mm behind it
+  double half_thickness = 2.0;        // mm along z, both sides
+  double voxel = 0.5;                 // mm
+  Mat3 direction = Mat3::Identity();  // of the lattice, turned about the box's middle
 };
 
 // Soft tissue that matches the probe, neither attenuates nor scatters: echoes are what is put into it.
@@ -45,7 +46,10 @@ std::shared_ptr<AcousticVolume> hand_made(const Block& block, const std::vector<
   Grid& grid = volume->grid;
   grid.size = {count(2.0 * block.half_width), count(block.above + block.depth), count(2.0 * block.half_thickness)};
   grid.spacing = Vec3::Constant(block.voxel);
-  grid.origin = {-block.half_width, -block.above, -block.half_thickness};
+  grid.direction = block.direction;
+  const Vec3 middle(0.0, 0.5 * (block.depth - block.above), 0.0);
+  grid.origin = middle - block.direction *
+                             (Vec3(0.0, middle.y(), 0.0) + Vec3(block.half_width, block.above, block.half_thickness));
   volume->media[0] = clear_medium(0.0004, 12.0);
   for (std::size_t n = 0; n < media.size(); ++n) volume->media[n + 1] = media[n];
   volume->tissues.reserve(grid.voxel_count());
@@ -107,9 +111,12 @@ inline UltrasoundDetail plain_detail(double depth, double spacing = 0.25, double
   return detail;
 }
 
+// dB/cm/MHz, one way, for which the machine compensates by itself.
+inline constexpr double compensated = 0.7;
+
 // dB of the machine's own compensation at a depth.
 inline double compensation(double frequency, double depth) {
-  return std::min(60.0, 2.0 * 0.5 * frequency * depth / 10.0);
+  return std::min(60.0, 2.0 * compensated * frequency * depth / 10.0);
 }
 
 // A pixel's level in dB below white; what is black or white is out of range.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <limits>
 #include <vector>
 
@@ -63,15 +64,15 @@ inline MarchedLines march_lines(const AcousticVolume& patient, const std::array<
     }
     rows[9][l] = static_cast<float>(starts[l].gel);
   }
-  std::vector<float> fall(scan::media, 1.0F), gain(samples, 1.0F);
+  std::vector<float> gain(samples, 1.0F);
+  const std::vector<float> leaves(scan::lanes, 1e6F);  // never: lines stay in the patient
+  std::vector<std::uint64_t> media(scan::media, 0);    // no texture: nothing but the fall
   for (std::size_t id = 0; id < patient.media.size(); ++id) {
     const AcousticTissue& medium = patient.media[id];
     const double both_ways =
         2.0 * medium.attenuation * std::pow(settings.frequency, medium.power) * settings.spacing / 10.0;
-    fall[id] = static_cast<float>(std::pow(10.0, -both_ways / 20.0));
+    media[id] = std::bit_cast<std::uint32_t>(static_cast<float>(std::pow(10.0, -both_ways / 20.0)));
   }
-  fall[scan::outside] = 0.0F;
-  const std::vector<std::uint32_t> texture(scan::media, 0);
 
   scan::March march{};
   march.impedance = patient.impedance.data();
@@ -80,8 +81,7 @@ inline MarchedLines march_lines(const AcousticVolume& patient, const std::array<
     march.size[axis] = patient.grid.size[static_cast<std::size_t>(axis)];
     march.per_mm[axis] = static_cast<float>(1.0 / patient.grid.spacing[axis]);
   }
-  march.fall = fall.data();
-  march.texture = texture.data();
+  march.media = media.data();
   march.mirror = static_cast<float>(settings.mirror);
   march.bone_mirror = static_cast<float>(settings.bone_mirror);
   march.bone_edge = static_cast<float>(settings.bone_edge);
@@ -94,6 +94,7 @@ inline MarchedLines march_lines(const AcousticVolume& patient, const std::array<
   march.step = {rows[3].data(), rows[4].data(), rows[5].data()};
   march.direction = {rows[6].data(), rows[7].data(), rows[8].data()};
   march.gel_samples = rows[9].data();
+  march.leaves = leaves.data();
   march.weight = 1.0F;
   march.first = true;
   march.in_phase = lines.in_phase.data();

@@ -2,6 +2,8 @@
 
 #include <chrono>
 #include <exception>
+#include <new>
+#include <string_view>
 #include <utility>
 
 namespace bodkin {
@@ -10,6 +12,9 @@ namespace {
 
 constexpr double pace_without_time = 1.0 / 60.0;  // s of a step of a body that has none of its own
 constexpr std::chrono::milliseconds look_for_time{1};
+constexpr std::chrono::milliseconds look_for_work{3};
+
+struct Ended : std::exception {};  // the body is no longer wanted, nor is the corridor that is being made
 
 BodyPicture empty_picture(std::size_t nodes) {
   BodyPicture picture;
@@ -25,6 +30,7 @@ MovingBody::MovingBody(const BodyDescription& body, const PressedBodySettings& s
       pace_(settings.motion.dt > 0.0 ? settings.motion.dt : pace_without_time),
       next_(empty_picture(body.mesh.nodes.size())),
       picture_(next_),
+      maker_([this](const std::stop_token& stop) { make_corridors(stop); }),
       thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
 void MovingBody::run(const std::stop_token& stop) noexcept {
@@ -38,22 +44,59 @@ void MovingBody::run(const std::stop_token& stop) noexcept {
     }
     done = now - done < 2.0 * pace_ ? done + pace_ : now;
     make_step();
-    show();
-    if (!pressed_.corridor_is_due()) continue;
-    next_.corridor_failed = !make_corridor();
-    if (!next_.corridor_failed) ++next_.corridors;
+    ask_for_corridor();
     show();
   }
 }
 
-void MovingBody::make_step() noexcept {
-  if (pressed_.step(probe_.read(), needle_.read()).fault) ++next_.faults;
-  ++next_.steps;
+void MovingBody::make_corridors(const std::stop_token& stop) noexcept {
+  while (!stop.stop_requested()) {
+    if (corridor_.load(std::memory_order_acquire) == Corridor::wanted) {
+      const bool made = make_corridor(stop);
+      corridor_.store(made ? Corridor::made : Corridor::failed, std::memory_order_release);
+    }
+    std::this_thread::sleep_for(look_for_work);
+  }
 }
 
-bool MovingBody::make_corridor() noexcept {
+void MovingBody::make_step() noexcept {
+  const std::optional<Pose>& probe = probe_.read();
+  const bool fault = pressed_.step(probe, needle_.read()).fault;
+  ++next_.steps;
+  ProbeReading reading;
+  reading.on_probe = pressed_.press().on_probe(pressed_.body());
+  if (probe) reading.probe = probe->translation();
+  reading.nodes = static_cast<std::uint32_t>(pressed_.press().held());
+  reading.steps = next_.steps;
+  reading_.write(reading);
+  next_.on_probe = reading.on_probe;
+  next_.probe_nodes = reading.nodes;
+  if (fault) faults_.store(++next_.faults, std::memory_order_release);
+}
+
+// Hears of the corridor that was asked for before, and asks for the next when one is due.
+void MovingBody::ask_for_corridor() noexcept {
+  const Corridor now = corridor_.load(std::memory_order_acquire);
+  if (now == Corridor::wanted) return;
+  if (now != Corridor::idle) {
+    next_.corridor_failed = now == Corridor::failed;
+    if (now == Corridor::made) ++next_.corridors;
+    corridor_.store(Corridor::idle, std::memory_order_relaxed);
+  }
+  if (!pressed_.corridor_is_due()) return;
   try {
-    std::shared_ptr<const CondensedBody> corridor = pressed_.make_corridor();
+    pressed_.take_state(state_);
+    corridor_.store(Corridor::wanted, std::memory_order_release);
+  } catch (const std::bad_alloc&) {
+    next_.corridor_failed = true;
+  }
+}
+
+bool MovingBody::make_corridor(const std::stop_token& stop) noexcept {
+  try {
+    std::shared_ptr<CondensedBody> corridor = pressed_.make_corridor(state_, [&stop](std::string_view, double) {
+      if (stop.stop_requested()) throw Ended();
+    });
     if (corridor == nullptr) return false;
     take_corridor_(std::move(corridor));
     return true;
@@ -69,8 +112,6 @@ void MovingBody::show() noexcept {
     for (std::size_t i = 0; i < 3; ++i)
       next_.displacements[3 * node + i] = static_cast<float>(moved[static_cast<Eigen::Index>(i)]);
   }
-  next_.on_probe = pressed_.press().on_probe(body);
-  next_.probe_nodes = static_cast<std::uint32_t>(pressed_.press().held());
   next_.settled = pressed_.settled();
   picture_.write(next_);
 }

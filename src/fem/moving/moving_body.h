@@ -25,17 +25,25 @@ struct BodyPicture {
   bool corridor_failed = false;  // the last corridor could not be made: the one before it stays
 };
 
+// What a probe meets, small enough for every tick of whoever holds it.
+struct ProbeReading {
+  Wrench on_probe;            // N and N mm, about the probe's origin
+  Vec3 probe = Vec3::Zero();  // mm: where the probe was in that step
+  std::uint32_t nodes = 0;    // that the probe holds; 0: it touches nothing, and the rest is of no use
+  std::uint64_t steps = 0;    // made so far
+};
+
 // A body that moves on its own time, on a thread of its own (PressedBody). Time is told from outside, by the haptic
 // tick or by whoever has it: the thread reads no clock, makes a step whenever the time of one has passed, and looks
 // for it about a thousand times a second. Where it falls behind it leaves steps out: the body then moves in slow
-// motion. While a corridor is being made, no steps are.
+// motion. Corridors are made on a second thread, one at a time, while the body goes on.
 //
 // Every function below is wait-free and belongs to one thread each, as said. The thread ends with the object.
 class MovingBody {
  public:
-  // Hears of every new corridor, on the body's thread: CorridorExchange::offer, say. What it throws is
+  // Hears of every new corridor, on the thread that makes them: CorridorExchange::offer, say. What it throws is
   // corridor_failed.
-  using CorridorTaker = std::function<void(std::shared_ptr<const CondensedBody>)>;
+  using CorridorTaker = std::function<void(std::shared_ptr<CondensedBody>)>;
 
   // Checks all and starts, at rest: the corridor is that of condense(). Throws InputError. The names of the
   // corridor's nodes (CondensedBody::mesh_nodes) are the same in all corridors, and in the same order.
@@ -49,11 +57,21 @@ class MovingBody {
   void press_needle(const NodeForces& forces) noexcept { needle_.write(forces); }
   // Whoever draws: the newest picture, which stays as it is until the next call.
   const BodyPicture& picture() noexcept { return picture_.read(); }
+  // Whoever holds the probe: the newest reading, which stays as it is until the next call.
+  const ProbeReading& reading() noexcept { return reading_.read(); }
+  // Any thread: how many steps failed so far.
+  std::uint32_t faults() const noexcept { return faults_.load(std::memory_order_acquire); }
 
  private:
+  // Who has the state and what is to be done with it: the body's thread in `idle`, `made` and `failed`, the maker's
+  // in `wanted`.
+  enum class Corridor : std::uint8_t { idle, wanted, made, failed };
+
   void run(const std::stop_token& stop) noexcept;
+  void make_corridors(const std::stop_token& stop) noexcept;
   void make_step() noexcept;
-  bool make_corridor() noexcept;
+  void ask_for_corridor() noexcept;
+  bool make_corridor(const std::stop_token& stop) noexcept;
   void show() noexcept;
 
   PressedBody pressed_;
@@ -64,7 +82,12 @@ class MovingBody {
   LatestValue<NodeForces> needle_;
   BodyPicture next_;  // of the thread
   LatestValue<BodyPicture> picture_;
-  std::jthread thread_;  // last: it is the first to end
+  LatestValue<ProbeReading> reading_;
+  std::atomic<std::uint32_t> faults_{0};
+  PressedState state_;  // of the corridor that is being made
+  std::atomic<Corridor> corridor_{Corridor::idle};
+  std::jthread maker_;  // the last two: they are the first to end
+  std::jthread thread_;
 };
 
 }  // namespace bodkin

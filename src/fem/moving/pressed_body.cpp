@@ -58,19 +58,32 @@ void PressedBody::judge(const NodeForces& needle) noexcept {
     due_ = (moving_.places().col(node) - last_corridor_.col(node)).squaredNorm() > worth;
 }
 
-std::shared_ptr<const CondensedBody> PressedBody::make_corridor() {
+void PressedBody::take_state(PressedState& state) {
   due_ = false;
   last_corridor_ = moving_.places();
+  state.places = moving_.places();
+  state.held.assign(moving_.all_held().begin(), moving_.all_held().end());
+}
+
+std::shared_ptr<CondensedBody> PressedBody::make_corridor() {
+  PressedState state;
+  take_state(state);
+  return make_corridor(state);
+}
+
+// Beside step(): of what that uses, this one reads what never changes and writes the plan's equations alone.
+std::shared_ptr<CondensedBody> PressedBody::make_corridor(const PressedState& state, const Progress& progress) {
   FactorOptions options;
   options.keep_field = false;
   options.memory_limit = settings_.memory_limit;
   for (const StressStiffness stress : {StressStiffness::exact, StressStiffness::positive}) {
     try {
-      assemble_tangent(description_, moving_.places(), moving_.all_held(), stress, plan_.system);
+      assemble_tangent(description_, state.places, state.held, stress, plan_.system);
       auto corridor = std::make_shared<CondensedBody>(plan_.corridor);
-      corridor->compliance = MultifrontalCholesky(plan_.system.stiffness, plan_.symbolic, options).last_compliance();
+      corridor->compliance =
+          MultifrontalCholesky(plan_.system.stiffness, plan_.symbolic, options, progress).last_compliance();
       for (std::size_t i = 0; i < corridor->nodes.size(); ++i)
-        corridor->nodes[i] = moving_.position(corridor->mesh_nodes[i]);
+        corridor->nodes[i] = state.places.col(corridor->mesh_nodes[i]).head<3>();
       return corridor;
     } catch (const NotPositiveDefinite&) {
       if (stress == StressStiffness::positive) return nullptr;

@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "anatomy/condensed_body.h"
+#include "core/progress.h"
 #include "fem/moving/corotational_body.h"
 #include "fem/moving/corotational_tangent.h"
 #include "fem/moving/probe_press.h"
@@ -24,6 +26,12 @@ struct PressedBodySettings {
   std::size_t memory_limit = 0;  // as of FactorOptions
 };
 
+// What a corridor about a state of the body is made from.
+struct PressedState {
+  NodeVectors places;              // mm, a column a node of the mesh
+  std::vector<std::uint8_t> held;  // by node of the mesh: CorotationalBody::all_held
+};
+
 // A body, the probe that presses it, the needle's forces on it, and the corridor about the state that it has come to:
 // everything that MovingBody does on its thread, in one thread and step by step.
 class PressedBody {
@@ -41,7 +49,12 @@ class PressedBody {
   // The corridor's nodes where they are now and their compliance about it, those under the probe held a thousand
   // times as firmly as the stiffest node; null when it does not fit into memory. Should the state be one that
   // buckles, the stiffness by compressive stress is left out (StressStiffness::positive).
-  std::shared_ptr<const CondensedBody> make_corridor();
+  std::shared_ptr<CondensedBody> make_corridor();
+  // The same in two parts, of which the second may be done by one other thread while this one goes on stepping: the
+  // present state, after which no corridor is due until the body has moved on, and the corridor about such a state.
+  // `progress` is called from the work and may give it up by throwing.
+  void take_state(PressedState& state);
+  std::shared_ptr<CondensedBody> make_corridor(const PressedState& state, const Progress& progress = {});
 
   const CorotationalBody& body() const noexcept { return moving_; }
   const ProbePress& press() const noexcept { return press_; }

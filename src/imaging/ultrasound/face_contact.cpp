@@ -27,7 +27,7 @@ struct Feeler {
   }
   // Whether air has a share in what is interpolated between the voxels there.
   bool partly_air(double distance) const noexcept {
-    constexpr double negligible = 0.02;  // of a voxel
+    constexpr double negligible = 0.002;  // of a voxel
     const Vec3 index = start + distance * step;
     const Vec3 low = (index.array() + negligible).floor(), high = (index.array() - negligible).ceil();
     for (int corner = 0; corner < 8; ++corner) {

@@ -75,7 +75,7 @@ void set_widths(PictureTables& tables, const UltrasoundDetail& detail, const Sca
   const std::vector<double> one_side = half_gaussian(detail.speckle ? pulse : 0.0, axial_half);
   std::vector<double> axial;
   for (int tap = -axial_half; tap <= axial_half; ++tap)
-    axial.push_back(one_side[static_cast<std::size_t>(std::abs(tap))]);
+    axial.push_back(one_side[static_cast<std::size_t>(std::abs(tap))] / one_side[0]);  // a sharp echo keeps its level
   tables.axial.assign(axial.begin(), axial.end());
   const double axial_left = variance_left(axial, lines.spacing / cell);
 

@@ -53,7 +53,6 @@ struct State {
 struct Sample {
   alignas(64) std::int32_t corner[lanes];   // position of the lowest of its eight voxels
   alignas(64) std::int32_t nearest[lanes];  // position of the nearest voxel
-  alignas(64) float gone[lanes];            // half a voxel squared or less: within the patient's volume
   alignas(64) std::int32_t cell[lanes];
   alignas(64) std::int32_t bundle[lanes];
   alignas(64) float x[lanes], y[lanes], z[lanes];     // voxels
@@ -68,9 +67,10 @@ struct Sample {
 };
 
 // Where the samples of row k lie.
+template <int count>
 inline void place(const March& __restrict in, int line, int k, Sample& __restrict s) noexcept {
   const float depth = static_cast<float>(k);
-  for (int l = 0; l < lanes; ++l) {
+  for (int l = 0; l < count; ++l) {
     s.x[l] = in.origin.x[line + l] + in.step.x[line + l] * depth;
     s.y[l] = in.origin.y[line + l] + in.step.y[line + l] * depth;
     s.z[l] = in.origin.z[line + l] + in.step.z[line + l] * depth;
@@ -80,7 +80,7 @@ inline void place(const March& __restrict in, int line, int k, Sample& __restric
     const float part = static_cast<float>(k % coarse) * (1.0F / coarse);
     const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(row) * in.stride + line;
     const std::ptrdiff_t next = at + in.stride;
-    for (int l = 0; l < lanes; ++l) {
+    for (int l = 0; l < count; ++l) {
       s.x[l] -= in.moved[0][at + l] + part * (in.moved[0][next + l] - in.moved[0][at + l]);
       s.y[l] -= in.moved[1][at + l] + part * (in.moved[1][next + l] - in.moved[1][at + l]);
       s.z[l] -= in.moved[2][at + l] + part * (in.moved[2][next + l] - in.moved[2][at + l]);
@@ -89,7 +89,7 @@ inline void place(const March& __restrict in, int line, int k, Sample& __restric
   if (in.offset != nullptr) {
     const float off = in.offset[k];
     const float ax = in.across[0] * off, ay = in.across[1] * off, az = in.across[2] * off;
-    for (int l = 0; l < lanes; ++l) {
+    for (int l = 0; l < count; ++l) {
       s.x[l] += ax;
       s.y[l] += ay;
       s.z[l] += az;
@@ -98,42 +98,37 @@ inline void place(const March& __restrict in, int line, int k, Sample& __restric
 }
 
 // Which voxels surround them.
+template <int count>
 inline void surround(const March& __restrict in, Sample& __restrict s) noexcept {
-  const auto last_x = static_cast<float>(in.size[0] - 1), last_y = static_cast<float>(in.size[1] - 1),
-             last_z = static_cast<float>(in.size[2] - 1);
+  constexpr float hair = 1.0F / 1024.0F;  // voxels: the outermost places still have a voxel behind them
+  const float last_x = static_cast<float>(in.size[0] - 1) - hair, last_y = static_cast<float>(in.size[1] - 1) - hair,
+              last_z = static_cast<float>(in.size[2] - 1) - hair;
   const std::int32_t row = in.size[0], slice = in.size[0] * in.size[1];
-  const std::int32_t most_i = in.size[0] - 2, most_j = in.size[1] - 2, most_k = in.size[2] - 2;
-  for (int l = 0; l < lanes; ++l) {
+  for (int l = 0; l < count; ++l) {
     const float x = bounded(s.x[l], 0.0F, last_x), y = bounded(s.y[l], 0.0F, last_y),
                 z = bounded(s.z[l], 0.0F, last_z);
-    const float out_x = x - s.x[l], out_y = y - s.y[l], out_z = z - s.z[l];  // none of them is more than half a voxel
-    const float far_x = out_x * out_x, far_y = out_y * out_y, far_z = out_z * out_z;
-    const float far_xy = far_x > far_y ? far_x : far_y;
-    const float far = far_xy > far_z ? far_xy : far_z;
-    std::int32_t i = static_cast<std::int32_t>(x), j = static_cast<std::int32_t>(y), m = static_cast<std::int32_t>(z);
-    i = i > most_i ? most_i : i;
-    j = j > most_j ? most_j : j;
-    m = m > most_k ? most_k : m;
-    s.fx[l] = x - static_cast<float>(i);
-    s.fy[l] = y - static_cast<float>(j);
-    s.fz[l] = z - static_cast<float>(m);
-    s.corner[l] = i + row * j + slice * m;
-    s.nearest[l] = s.corner[l] + static_cast<std::int32_t>(s.fx[l] + 0.5F) +
-                   row * static_cast<std::int32_t>(s.fy[l] + 0.5F) +
-                   slice * static_cast<std::int32_t>(s.fz[l] + 0.5F);
-    s.gone[l] = far;
+    const auto i = static_cast<std::int32_t>(x), j = static_cast<std::int32_t>(y), m = static_cast<std::int32_t>(z);
+    const float fx = x - static_cast<float>(i), fy = y - static_cast<float>(j), fz = z - static_cast<float>(m);
+    const std::int32_t corner = i + row * j + slice * m;
+    s.fx[l] = fx;
+    s.fy[l] = fy;
+    s.fz[l] = fz;
+    s.corner[l] = corner;
+    const std::int32_t along_x = fx < 0.5F ? 0 : 1, along_y = fy < 0.5F ? 0 : row, along_z = fz < 0.5F ? 0 : slice;
+    s.nearest[l] = corner + along_x + along_y + along_z;
   }
 }
 
 // Which cells of the scatterer and the fibre volume hold them. Both volumes go on for ever; each time one starts anew
 // it is shifted, so that no pattern repeats along a line.
+template <int count>
 inline void find_cells(const March& __restrict in, Sample& __restrict s) noexcept {
-  for (int l = 0; l < lanes; ++l) {
+  for (int l = 0; l < count; ++l) {
     const float x = s.x[l], y = s.y[l], z = s.z[l];
-    const auto i = static_cast<std::int32_t>(in.cells_per_voxel[0] * x + in.first_cell[0]);
+    const auto depth = static_cast<std::int32_t>(in.cells_per_voxel[2] * z + in.first_cell[2]);
+    const auto i = static_cast<std::int32_t>(in.cells_per_voxel[0] * x + in.first_cell[0]) + 19 * (depth >> 5);
     const auto j = static_cast<std::int32_t>(in.cells_per_voxel[1] * y + in.first_cell[1]) + 23 * (i >> 5);
-    const auto k =
-        static_cast<std::int32_t>(in.cells_per_voxel[2] * z + in.first_cell[2]) + 37 * (j >> 5) + 11 * (i >> 5);
+    const std::int32_t k = depth + 37 * (j >> 5) + 11 * (i >> 5);
     s.cell[l] = (i & (cells - 1)) | (j & (cells - 1)) << 5 | (k & (cells - 1)) << 10;
     const auto a = static_cast<std::int32_t>(in.bundles_per_voxel[0] * x + in.first_bundle[0]);
     const auto b = static_cast<std::int32_t>(in.bundles_per_voxel[1] * y + in.first_bundle[1]) + 7 * (a >> 5);
@@ -153,9 +148,10 @@ inline void load_line(const March& __restrict in, std::ptrdiff_t row, std::ptrdi
   s.medium[l] = in.media[in.tissues[s.nearest[l]]];
 }
 
+template <int count>
 inline void load(const March& __restrict in, Sample& __restrict s) noexcept {
   const std::ptrdiff_t row = in.size[0], slice = row * in.size[1];
-  for (int l = 0; l < lanes; l += 4) {
+  for (int l = 0; l < count; l += 4) {
     load_line(in, row, slice, s, l);
     load_line(in, row, slice, s, l + 1);
     load_line(in, row, slice, s, l + 2);
@@ -163,8 +159,9 @@ inline void load(const March& __restrict in, Sample& __restrict s) noexcept {
   }
 }
 
+template <int count>
 inline void load_scatterers(const March& __restrict in, Sample& __restrict s) noexcept {
-  for (int l = 0; l < lanes; l += 4) {
+  for (int l = 0; l < count; l += 4) {
     s.scatterer[l] = in.scatterers[s.cell[l]];
     s.fibre[l] = in.fibres[s.bundle[l]];
     s.scatterer[l + 1] = in.scatterers[s.cell[l + 1]];
@@ -186,8 +183,9 @@ inline float high_half(std::uint32_t pair) noexcept {
 }
 
 // The impedance there, linear between the voxels, and how steeply the line meets its surfaces.
+template <int count>
 inline void meet(const March& __restrict in, int line, Sample& __restrict s) noexcept {
-  for (int l = 0; l < lanes; ++l) {
+  for (int l = 0; l < count; ++l) {
     const float a0 = low_half(s.pair[0][l]), a1 = high_half(s.pair[0][l]);
     const float b0 = low_half(s.pair[1][l]), b1 = high_half(s.pair[1][l]);
     const float c0 = low_half(s.pair[2][l]), c1 = high_half(s.pair[2][l]);
@@ -214,14 +212,14 @@ inline void meet(const March& __restrict in, int line, Sample& __restrict s) noe
 // for pressure), each sample its part, and transmission is what that leaves. Its angle is that of its steepest
 // sample, the one before it included: the last one often lies behind it, where the slope says nothing.
 // `coupled`: there may still be gel. `leads`: this is the ray that tells of strong surfaces.
-template <bool coupled, bool leads>
+template <int count, bool coupled, bool leads>
 inline void reflect(const March& __restrict in, int line, int k, const Sample& __restrict s, State& __restrict state,
                     float* __restrict echo, float* __restrict reaches) noexcept {
   constexpr float flat = 0.004F;  // relative change in a sample below which a ramp has ended
   const float depth = static_cast<float>(k);
   const float matched = in.matched, soft_mirror = in.mirror, bone_mirror = in.bone_mirror, bone_edge = in.bone_edge,
               surface = in.surface;
-  for (int l = 0; l < lanes; ++l) {
+  for (int l = 0; l < count; ++l) {
     const bool in_gel = coupled && depth < in.gel_samples[line + l];
     const float impedance = s.impedance[l], here_along = s.along[l], here_at_all = s.steep[l];
     const float last_along = state.along[l], last_at_all = state.steep[l];
@@ -266,7 +264,7 @@ inline void reflect(const March& __restrict in, int line, int k, const Sample& _
     echo[l] = before * (reflected - so_far) * received * (1.0F + bone_edge * bone) * surface;
 
     const float fall = float_of(static_cast<std::uint32_t>(s.medium[l]));
-    const float kept = s.gone[l] <= 0.25F ? fall : 0.0F;  // beyond the volume everything is swallowed
+    const float kept = depth < in.leaves[line + l] ? fall : 0.0F;  // beyond the volume everything is swallowed
     const float left = before * (in_gel ? 1.0F : kept);
     if constexpr (leads) {
       const float total = reflected < 0.0F ? -reflected : reflected;
@@ -287,14 +285,15 @@ inline void reflect(const March& __restrict in, int line, int k, const Sample& _
   }
 }
 
+template <int count>
 inline void scatter(const March& __restrict in, int k, const Sample& __restrict s, const float* __restrict reaches,
                     float* __restrict in_phase, float* __restrict quadrature) noexcept {
   const float gain = in.speckle_gain[k] * (1.0F / 64.0F);
-  for (int l = 0; l < lanes; ++l) {
+  for (int l = 0; l < count; ++l) {
     const auto texture = static_cast<std::uint32_t>(s.medium[l] >> 32);
     const std::uint32_t scatterer = s.scatterer[l];
-    const float variation = static_cast<float>(static_cast<std::int32_t>(texture & 0xFFU)) * (1.0F / 255.0F);
-    const float bundle = 1.0F + variation * (static_cast<float>(s.fibre[l]) * (1.0F / 128.0F));
+    const float variation = static_cast<float>(static_cast<std::int32_t>(texture & 0xFFU)) * (1.0F / 255.0F / 128.0F);
+    const float bundle = 1.0F + variation * static_cast<float>(s.fibre[l]);
     const bool there = (scatterer >> 16 & 0xFFU) < (texture >> 8 & 0xFFU);
     const float full = float_of(texture & 0xFFFF0000U) * reaches[l] * gain * bundle;
     const float level = there ? full : 0.0F;
@@ -303,11 +302,10 @@ inline void scatter(const March& __restrict in, int k, const Sample& __restrict 
   }
 }
 
-template <bool leads>
-void march_block(const March& in, int block) noexcept {
-  const int line = block * lanes;
+template <int count, bool leads>
+void march_lines(const March& in, int line) noexcept {
   State state;
-  for (int l = 0; l < lanes; ++l) {
+  for (int l = 0; l < count; ++l) {
     state.start[l] = state.previous[l] = in.matched;
     state.reflected[l] = state.along[l] = state.steep[l] = 0.0F;
     state.before[l] = in.gel_samples[line + l] <= static_cast<float>(in.samples) ? 1.0F : 0.0F;
@@ -315,53 +313,63 @@ void march_block(const March& in, int block) noexcept {
     state.strong_echo[l] = 0.0F;
   }
   float thickest = 0.0F;
-  for (int l = 0; l < lanes; ++l)
+  for (int l = 0; l < count; ++l)
     thickest = in.gel_samples[line + l] > thickest ? in.gel_samples[line + l] : thickest;
   const int gel_rows = static_cast<int>(thickest) + 1;
   Sample s;
   alignas(64) float echo[lanes], reaches[lanes], in_phase[lanes], quadrature[lanes];
   for (int k = 0; k < in.samples; ++k) {
-    place(in, line, k, s);
-    surround(in, s);
-    load(in, s);
-    meet(in, line, s);
+    place<count>(in, line, k, s);
+    surround<count>(in, s);
+    load<count>(in, s);
+    meet<count>(in, line, s);
     if (k < gel_rows) {
-      reflect<true, leads>(in, line, k, s, state, echo, reaches);
+      reflect<count, true, leads>(in, line, k, s, state, echo, reaches);
     } else {
-      reflect<false, leads>(in, line, k, s, state, echo, reaches);
+      reflect<count, false, leads>(in, line, k, s, state, echo, reaches);
     }
     float* const sum_in_phase = in.in_phase + static_cast<std::ptrdiff_t>(k) * in.stride + line;
     float* const sum_quadrature = in.quadrature + static_cast<std::ptrdiff_t>(k) * in.stride + line;
     if (in.scatterers != nullptr) {
-      find_cells(in, s);
-      load_scatterers(in, s);
-      scatter(in, k, s, reaches, in_phase, quadrature);
-      for (int l = 0; l < lanes; ++l) in_phase[l] += echo[l];
+      find_cells<count>(in, s);
+      load_scatterers<count>(in, s);
+      scatter<count>(in, k, s, reaches, in_phase, quadrature);
+      for (int l = 0; l < count; ++l) in_phase[l] += echo[l];
     } else {
-      for (int l = 0; l < lanes; ++l) in_phase[l] = echo[l];
-      for (int l = 0; l < lanes; ++l) quadrature[l] = 0.0F;
+      for (int l = 0; l < count; ++l) in_phase[l] = echo[l];
+      for (int l = 0; l < count; ++l) quadrature[l] = 0.0F;
     }
     if constexpr (leads) {
       float* const amplitude = in.amplitude + static_cast<std::ptrdiff_t>(k) * in.stride + line;
-      for (int l = 0; l < lanes; ++l) sum_in_phase[l] = in.weight * in_phase[l];
-      for (int l = 0; l < lanes; ++l) sum_quadrature[l] = in.weight * quadrature[l];
-      for (int l = 0; l < lanes; ++l) amplitude[l] = reaches[l];
+      for (int l = 0; l < count; ++l) sum_in_phase[l] = in.weight * in_phase[l];
+      for (int l = 0; l < count; ++l) sum_quadrature[l] = in.weight * quadrature[l];
+      for (int l = 0; l < count; ++l) amplitude[l] = reaches[l];
     } else {
-      for (int l = 0; l < lanes; ++l) sum_in_phase[l] += in.weight * in_phase[l];
-      for (int l = 0; l < lanes; ++l) sum_quadrature[l] += in.weight * quadrature[l];
+      for (int l = 0; l < count; ++l) sum_in_phase[l] += in.weight * in_phase[l];
+      for (int l = 0; l < count; ++l) sum_quadrature[l] += in.weight * quadrature[l];
     }
   }
   if constexpr (leads) {
-    for (int l = 0; l < lanes; ++l) in.strong_at[line + l] = state.strong_at[l];
-    for (int l = 0; l < lanes; ++l) in.strong_echo[line + l] = state.strong_echo[l];
+    for (int l = 0; l < count; ++l) in.strong_at[line + l] = state.strong_at[l];
+    for (int l = 0; l < count; ++l) in.strong_echo[line + l] = state.strong_echo[l];
+  }
+}
+
+// All lines of a block, or the first half of them where there are no more.
+template <bool leads>
+void march_block(const March& in, int line) noexcept {
+  if (in.lines - line > lanes / 2) {
+    march_lines<lanes, leads>(in, line);
+  } else {
+    march_lines<lanes / 2, leads>(in, line);
   }
 }
 
 void march(const March& in, int block) noexcept {
   if (in.first) {
-    march_block<true>(in, block);
+    march_block<true>(in, block * lanes);
   } else {
-    march_block<false>(in, block);
+    march_block<false>(in, block * lanes);
   }
 }
 

@@ -50,11 +50,12 @@ struct March {
   float bundles_per_voxel[3], first_bundle[3];
   const float* speckle_gain;  // by sample
   // lines
-  int samples, stride;
+  int lines, samples, stride;
   LineVectors origin;        // voxels
   LineVectors step;          // voxels per sample
   LineVectors direction;     // unit, along the lattice's axes
   const float* gel_samples;  // by line: samples before the skin; more than there are samples: no contact
+  const float* leaves;       // by line: sample where it leaves the patient's volume
   float across[3];           // voxels per mm across the slice
   const float* offset;       // by sample: mm across the slice; null: in its middle
   const float* moved[3];  // rows of `stride` every `coarse` samples: voxels by which tissue has moved; null: at rest
@@ -98,7 +99,7 @@ struct Conversion {
 
 // The functions of one processor path.
 struct Kernel {
-  void (*march)(const March& march, int block) noexcept;  // the 16 lines from 16 x block on
+  void (*march)(const March& march, int block) noexcept;  // `lanes` lines from lanes x block on
   void (*compress)(const Row& row) noexcept;
   void (*convert)(const Conversion& conversion, std::size_t first, std::size_t last) noexcept;
 };

@@ -21,7 +21,7 @@ struct UltrasoundSettings {
 
 // How finely a picture is computed, and which parts of the physics are.
 struct UltrasoundDetail {
-  int lines = 300;      // scanlines; 16 to 2048, computed 16 at a time
+  int lines = 300;      // scanlines; 16 to 2048, computed 32 at a time
   int samples = 300;    // along a line; 32 to 4096
   int width = 300;      // pixels of the picture; 16 to 4096
   int height = 300;     // pixels; 16 to 4096

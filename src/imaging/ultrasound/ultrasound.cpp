@@ -44,6 +44,16 @@ Vec3 displacement_at(const ScanDisplacement& field, const Vec3& point) noexcept 
   return sum;
 }
 
+// Steps after which a line leaves a lattice, its outermost voxels included.
+double samples_within(const Grid& grid, const Vec3& start, const Vec3& step) noexcept {
+  double least = 1e6;  // more than any line has
+  for (int axis = 0; axis < 3; ++axis) {
+    const double far = step[axis] > 0.0 ? grid.size[static_cast<std::size_t>(axis)] - 0.5 : -0.5;
+    if (step[axis] != 0.0) least = std::min(least, (far - start[axis]) / step[axis]);
+  }
+  return least;
+}
+
 bool sound(const ScanDisplacement& field) noexcept {
   constexpr float farthest = 1000.0F;  // mm; nothing of a patient moves as far
   const bool shaped =
@@ -128,7 +138,7 @@ struct Ultrasound::Machine {
   Lines origin, step, direction, moved;
   Vec3 across = Vec3::Zero();  // voxels per mm
   bool is_moved = false;
-  std::vector<float> gap, press, gel_samples, strong_at, strong_echo;
+  std::vector<float> gap, press, gel_samples, leaves, strong_at, strong_echo;
   std::vector<float> in_phase, quadrature, amplitude, work;
   std::vector<std::uint8_t> grey;
 };
@@ -144,7 +154,8 @@ void Ultrasound::Machine::prepare(const UltrasoundSettings& wanted) {
   const auto stride = static_cast<std::size_t>(tables.stride), samples = static_cast<std::size_t>(detail.samples);
   for (Lines* vectors : {&origin, &step, &direction}) vectors->resize(stride);
   moved.resize(stride * (samples / scan::coarse + 2));
-  for (std::vector<float>* row : {&gap, &press, &gel_samples, &strong_at, &strong_echo}) row->assign(stride, 0.0F);
+  for (std::vector<float>* row : {&gap, &press, &gel_samples, &leaves, &strong_at, &strong_echo})
+    row->assign(stride, 0.0F);
   for (std::vector<float>* rows : {&in_phase, &quadrature, &amplitude}) rows->assign(stride * samples, 0.0F);
   work.assign(4 * (stride + 2 * scan::edge) * static_cast<std::size_t>(detail.threads), 0.0F);
   grey.assign(stride * samples, 0);
@@ -167,9 +178,12 @@ void Ultrasound::Machine::aim(const Pose& pose) noexcept {
     const auto i = static_cast<std::size_t>(line);
     const auto used = static_cast<std::size_t>(at);
     const Vec3 along = into_lattice * tables.line_direction[used];
-    origin.set(i, face + face_into_voxels * tables.line_origin[used]);
+    const Vec3 start = face + face_into_voxels * tables.line_origin[used];
+    origin.set(i, start);
     direction.set(i, along);
-    step.set(i, lines.spacing * along.cwiseProduct(per_mm));
+    const Vec3 stride_in_voxels = lines.spacing * along.cwiseProduct(per_mm);
+    step.set(i, stride_in_voxels);
+    leaves[i] = static_cast<float>(samples_within(grid, start, stride_in_voxels));
     const bool reached = static_cast<double>(gap[used]) <= thickest_gel;
     gel_samples[i] =
         reached ? gap[used] / static_cast<float>(lines.spacing) : 2.0F * static_cast<float>(lines.samples);
@@ -223,18 +237,20 @@ scan::March Ultrasound::Machine::marching(std::size_t ray) const noexcept {
   march.media = tables.media.data();
   march.mirror = 0.6F;
   march.bone_mirror = 0.75F;
-  march.bone_edge = 0.8F;
+  march.bone_edge = 1.5F;
   march.surface = 1.0F;
   march.matched = tables.matched;
   march.scatterers = detail.speckle ? scatterers().cells.data() : nullptr;
   march.fibres = scatterers().bundles.data();
   march.speckle_gain = tables.speckle_gain.data();
+  march.lines = lines.lines;
   march.samples = lines.samples;
   march.stride = tables.stride;
   march.origin = origin.view();
   march.step = step.view();
   march.direction = direction.view();
   march.gel_samples = gel_samples.data();
+  march.leaves = leaves.data();
   march.offset = rays[ray].off == 0.0 ? nullptr : tables.offsets[ray].data();
   if (is_moved) {
     march.moved[0] = moved.x.data();

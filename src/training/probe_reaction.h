@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/geometry.h"
+#include "fem/moving/moving_body.h"
+
+namespace bodkin {
+
+// An ultrasound probe on a body that moves by itself some sixty times a second (MovingBody), as the hand that holds
+// it feels it a thousand times a second.
+//
+//   F = K (p - x),   p where the probe is in the body, x where the hand holds it
+//
+// The hand drags the probe along by a spring K that the device renders. After every step of the body p moves towards
+// the place where the body's force f on it is the spring's:
+//
+//   p <- p + (x + f / K - p) / (1 + k / K),   k no less than the body's stiffness, as it was found out so far
+//
+// At rest F = f. A body of stiffness k is felt with k K / (k + K): every force, as in DeformableShaft, and less of
+// the stiffness the stiffer it is. What is felt at once is K, and later less, never more, so that a body which is
+// late takes energy from the hand rather than giving any. In between p glides, the more slowly the rarer the steps
+// are. Where the body yields, so that the probe leaves it while the hand is still beyond, p goes on likewise with f =
+// 0.
+//
+// F pushes the probe out along its axis, at most 15 N, and drags it sideways by at most as much (dry skin, see
+// ProbePress); there is no torque. Nothing throws, allocates or reads a clock.
+class ProbeReaction {
+ public:
+  // `dt`: s of a tick. `device_stiffness`: N/mm that the device renders stably.
+  ProbeReaction(double dt, double device_stiffness) noexcept;
+
+  // One tick: the force on the hand (N, LPS) that holds the probe at `hand` (LPS, third axis out of its face).
+  // `presses` false: the force goes to zero within 0.3 s, and stays there until it is true again.
+  Vec3 step(const Pose& hand, const ProbeReading& reading, bool presses) noexcept;
+
+  // Where the body is to have the probe from now on.
+  const Pose& probe() const noexcept { return probe_; }
+  double force() const noexcept { return force_; }  // N out of the body, along the axis
+
+ private:
+  void take(const Vec3& hand, const Vec3& axis, const ProbeReading& reading) noexcept;
+  void find_stiffness(const Vec3& axis, const ProbeReading& reading) noexcept;
+
+  double dt_, stiffness_;
+  double glide_;         // part of the way that is left to p which it goes in a tick
+  double body_ = 0.0;    // k, N/mm
+  double waited_ = 0.0;  // s since the last reading
+  Pose probe_ = Pose::Identity();
+  Vec3 goal_ = Vec3::Zero(), felt_ = Vec3::Zero();  // p after the last step, and as it glides there
+  Vec3 met_ = Vec3::Zero();                         // p when the body was met
+  Vec3 last_ = Vec3::Zero();                        // p of the last reading
+  double last_force_ = 0.0;                         // N, likewise
+  bool touches_ = false;                            // or did, and the hand has not come out since
+  double share_ = 0.0;                              // of the force, 0 to 1: it comes and goes in 20 ms
+  double force_ = 0.0;
+  std::uint64_t steps_ = 0;
+};
+
+}  // namespace bodkin
