@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t largest_sweep_file = std::size_t{64} << 20U;  // bytes
-constexpr std::size_t largest_sweep = std::size_t{3} << 30U;       // bytes of pixels that are held in memory
+constexpr std::size_t largest_sweep = std::size_t{3} << 30U;        // bytes of pixels that are held in memory
 constexpr std::array<const char*, 4> video_endings = {".mp4", ".webm", ".avi", ".gif"};
 
 SweepAngle parse_angle(const std::string& text, const std::string& option) {

@@ -8,7 +8,7 @@ namespace bodkin {
 namespace {
 
 constexpr double steel_reflects = 0.93;    // pressure, 46.3 against 1.63 MRayl
-constexpr double roughness = 0.06;         // share of the shaft's echo that leaves in all directions
+constexpr double roughness = 0.12;         // share of the shaft's echo that leaves in all directions
 constexpr double entering = 0.35;          // of the echo: the first that has been inside
 constexpr double ringing = 0.75;           // of an inner echo, in the next one
 constexpr double steel_to_tissue = 0.266;  // 1540 / 5790 m/s: how much nearer inner echoes seem than they are

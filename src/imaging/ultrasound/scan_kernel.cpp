@@ -5,36 +5,18 @@
 
 #include <cstring>
 
-#define BODKIN_JOIN_(a, b) a##b
-#define BODKIN_JOIN(a, b) BODKIN_JOIN_(a, b)
+#include "imaging/ultrasound/scan_arithmetic.h"
 
 namespace bodkin::scan {
+
+void BODKIN_JOIN(compress_, BODKIN_PATH)(const Row& row) noexcept;
+void BODKIN_JOIN(convert_, BODKIN_PATH)(const Conversion& in, std::size_t first, std::size_t last) noexcept;
 
 namespace {
 
 // sqrt of the processor: exact, without what <cmath> does for errno.
 inline float root(float x) noexcept {
   return __builtin_sqrtf(x);
-}
-
-inline float bounded(float x, float low, float high) noexcept {
-  const float above = x < low ? low : x;
-  return above > high ? high : above;
-}
-
-inline float float_of(std::uint32_t bits) noexcept {
-  return __builtin_bit_cast(float, bits);
-}
-
-// log2 of a positive normal number, to 1e-5: the exponent, and a polynomial through the mantissa's logarithm that is
-// exact at both ends.
-inline float log2_of(float x) noexcept {
-  const auto bits = __builtin_bit_cast(std::uint32_t, x);
-  const auto exponent = static_cast<float>(static_cast<std::int32_t>(bits >> 23) - 127);
-  const float m = float_of((bits & 0x007FFFFFU) | 0x3F800000U) - 1.0F;
-  const float p =
-      1.4426804F + m * (-0.7202988F + m * (0.4681255F + m * (-0.2999927F + m * (0.1424179F + m * -0.0329323F))));
-  return exponent + m * p;
 }
 
 // What travels with a line.
@@ -377,87 +359,10 @@ void march(const March& in, int block) noexcept {
   }
 }
 
-// The pulse's length, row upon row, into `out`.
-void spread_axially(const Row& __restrict row, const float* __restrict rows, const float* __restrict clutter,
-                    float* __restrict out) noexcept {
-  for (int l = 0; l < row.stride; ++l) out[l] = 0.0F;
-  for (int tap = -row.axial_half; tap <= row.axial_half; ++tap) {
-    const int from = row.row + tap;
-    if (from < 0 || from >= row.samples) continue;
-    const float weight = row.axial[tap + row.axial_half];
-    const float* const source = rows + static_cast<std::ptrdiff_t>(from) * row.stride;
-    for (int l = 0; l < row.stride; ++l) out[l] += weight * source[l];
-  }
-  if (clutter == nullptr) return;
-  const float* const source = clutter + static_cast<std::ptrdiff_t>(row.row) * row.stride;
-  for (int l = 0; l < row.stride; ++l) out[l] += source[l];
-}
-
-// The beam's width, line beside line. `in` goes on by `edge` on both sides with what its outermost lines are.
-void spread_laterally(const Row& __restrict row, const float* __restrict in, float* __restrict out) noexcept {
-  for (int l = 0; l < row.stride; ++l) out[l] = row.lateral[0] * in[l];
-  for (int tap = 1; tap <= row.lateral_half; ++tap) {
-    const float weight = row.lateral[tap];
-    const float* const left = in - tap;
-    const float* const right = in + tap;
-    for (int l = 0; l < row.stride; ++l) out[l] += weight * (left[l] + right[l]);
-  }
-}
-
-void continue_edges(const Row& row, float* line) noexcept {
-  for (int l = row.lines; l < row.stride + edge; ++l) line[l] = line[row.lines - 1];
-  for (int l = -edge; l < 0; ++l) line[l] = line[0];
-}
-
-// Grey of an echo, 0 to 255, by the logarithm of its amplitude.
-void grade(const Row& __restrict row, const float* __restrict in_phase, const float* __restrict quadrature,
-           float* __restrict grey) noexcept {
-  const float gain = row.gain * row.gain, half = 0.5F * row.levels_per_octave, white = row.white;
-  for (int l = 0; l < row.stride; ++l) {
-    const float energy = (in_phase[l] * in_phase[l] + quadrature[l] * quadrature[l]) * gain;
-    const float heard = energy > 1e-30F ? energy : 1e-30F;
-    grey[l] = bounded(white + half * log2_of(heard), 0.0F, 255.0F) + 0.5F;
-  }
-}
-
-void round(const float* __restrict from, int count, std::uint8_t* __restrict to) noexcept {
-  for (int l = 0; l < count; ++l) to[l] = static_cast<std::uint8_t>(static_cast<std::int32_t>(from[l]));
-}
-
-void compress(const Row& row) noexcept {
-  const std::ptrdiff_t length = row.stride + 2 * edge;
-  float* const in_phase = row.work + edge;
-  float* const quadrature = in_phase + length;
-  float* const wide_in_phase = quadrature + length;
-  float* const wide_quadrature = wide_in_phase + length;
-  const std::ptrdiff_t here = static_cast<std::ptrdiff_t>(row.row) * row.stride;
-  const bool spread = row.axial_half > 0 || row.lateral_half > 0 || row.clutter_in_phase != nullptr;
-  if (spread) {
-    spread_axially(row, row.in_phase, row.clutter_in_phase, in_phase);
-    spread_axially(row, row.quadrature, row.clutter_quadrature, quadrature);
-    continue_edges(row, in_phase);
-    continue_edges(row, quadrature);
-    spread_laterally(row, in_phase, wide_in_phase);
-    spread_laterally(row, quadrature, wide_quadrature);
-  }
-  grade(row, spread ? wide_in_phase : row.in_phase + here, spread ? wide_quadrature : row.quadrature + here,
-        in_phase);
-  round(in_phase, row.stride, row.grey);
-}
-
-void convert(const Conversion& in, std::size_t first, std::size_t last) noexcept {
-  for (std::size_t i = first; i < last; ++i) {
-    const std::uint8_t* const at = in.grey + in.place[i];
-    const int line = in.weights[2 * i], sample = in.weights[2 * i + 1];
-    const int near = at[0] * (256 - line) + at[1] * line;
-    const int far = at[in.stride] * (256 - line) + at[in.stride + 1] * line;
-    in.pixels[i] = static_cast<std::uint8_t>((near * (256 - sample) + far * sample + 32768) >> 16);
-  }
-}
-
 }  // namespace
 
 extern const Kernel BODKIN_JOIN(kernel_, BODKIN_PATH);
-const Kernel BODKIN_JOIN(kernel_, BODKIN_PATH) = {march, compress, convert};
+const Kernel BODKIN_JOIN(kernel_, BODKIN_PATH) = {march, BODKIN_JOIN(compress_, BODKIN_PATH),
+                                                  BODKIN_JOIN(convert_, BODKIN_PATH)};
 
 }  // namespace bodkin::scan
