@@ -1,6 +1,6 @@
 // From a mesh to a condensed body: time and memory over the number of nodes, with a corridor of 1,000 nodes. The
 // meshes are boxes of 100 mm. The largest takes half a minute a run and comes only when BODKIN_LARGE_BODIES is set;
-// more threads than one with BODKIN_FEM_THREADS.
+// as many threads as there are cores, or as BODKIN_FEM_THREADS says.
 #include <cstdlib>
 #include <fstream>
 #include <string>

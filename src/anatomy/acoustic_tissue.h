@@ -10,7 +10,6 @@ struct AcousticTissue {
   double echo = -38.0;       // dB, mean level of its speckle below a perfect mirror's echo; -200 (none) to 0
   double density = 1.0;      // share of the cells of the scatterer volume that scatter, 0 to 1; 1: fully developed
   double variation = 0.0;    // dB by which bundles along the fibres (here: head to foot) differ; 0 to 20
-  double mirror = 0.5;       // share of its surface's echo that leaves as from a mirror, the rest in all directions
 };
 
 }  // namespace bodkin

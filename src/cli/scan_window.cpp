@@ -168,6 +168,8 @@ void ScanWindow::draw_ct_lines(const LiveScan& scan) {
     for (int i = 0; i < way_pieces; ++i) {
       const Vec3 begin = from + (to - from) * i / way_pieces, end = from + (to - from) * (i + 1) / way_pieces;
       if (i % 2 != 0 && std::abs(ct_plane_.distance(begin)) > near_ct_plane) continue;
+      const Eigen::Vector2d place = ct_plane_.place(begin);
+      if (place.minCoeff() < 0.0 || place.x() > ct_plane_.width || place.y() > ct_plane_.height) continue;
       pieces.push_back(spot(begin));
       pieces.push_back(spot(end));
     }

@@ -29,7 +29,7 @@ double scan_seconds_since(ScanClock::time_point begin) {
 // The first name of its kind that no file has yet.
 std::string free_name(const std::string& base) {
   for (int number = 1;; ++number) {
-    const std::string name = fmt::format("{}-{}.png", base, number);
+    std::string name = fmt::format("{}-{}.png", base, number);
     if (!std::filesystem::exists(name)) return name;
   }
 }
@@ -46,7 +46,7 @@ std::string save_picture(const LiveScan& scan, const Case& patient, MarkSide mar
     needle = {patient.description.procedure.path->entry, in->pose.translation()};
   }
   picture.ct = ct_panel(patient, picture.moment, mark, needle);
-  const std::string name = free_name(base);
+  std::string name = free_name(base);
   write_file(name, svg_to_png(machine_picture(picture, patient.library).svg, 1.0));
   return name;
 }

@@ -221,10 +221,9 @@ std::vector<double> parse_numbers(const std::string& text, std::size_t count, co
 
 Pose parse_pose(const std::vector<double>& numbers, const std::string& origin) {
   Pose pose = Pose::Identity();
+  std::size_t next = 0;
   for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 4; ++column) {
-      pose.matrix()(row, column) = numbers.at(static_cast<std::size_t>(4 * row + column));
-    }
+    for (int column = 0; column < 4; ++column) pose.matrix()(row, column) = numbers.at(next++);
   }
   const bool last_row =
       numbers.size() != 16 || (numbers[12] == 0.0 && numbers[13] == 0.0 && numbers[14] == 0.0 && numbers[15] == 1.0);

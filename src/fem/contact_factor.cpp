@@ -64,8 +64,7 @@ void ContactFactor::find_corner(std::size_t first, std::size_t count) noexcept {
     const double* left = scratch_.data() + a * stride_;
     for (std::size_t b = 0; b <= a; ++b) {
       const double* right = scratch_.data() + b * stride_;
-      double sum = 0.0;
-      for (std::size_t i = 0; i < first; ++i) sum += left[i] * right[i];
+      const double sum = triangle::product(left, right, first);
       const double here = row_of_[first + b].direction.dot(moved);
       corner_(static_cast<int>(b), static_cast<int>(a)) = here + (a == b ? bent : 0.0) - sum;
       if (a == b) whole_(static_cast<int>(a)) = here;
@@ -96,11 +95,21 @@ bool ContactFactor::finish(std::size_t first, std::size_t count, double softness
   return true;
 }
 
+bool ContactFactor::fits(std::uint32_t node, std::size_t count, double softness) const noexcept {
+  const auto place = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(node);
+  return count > 0 && rows_ + count <= most_rows_ && place + 3 <= compliance_.rows() && softness >= 0.0;
+}
+
 bool ContactFactor::append(std::uint32_t node, const HeldDirections& directions, double softness,
                            double depth) noexcept {
   const auto count = static_cast<std::size_t>(directions.cols());
   const auto place = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(node);
-  if (count == 0 || rows_ + count > most_rows_ || place + 3 > compliance_.rows() || !(softness >= 0.0)) return false;
+  if (!fits(node, count, softness)) return false;
+  if (!beam_ && softness == 0.0) {  // a fourth direction says what three say; no need to work that out
+    const auto same = [node](const Row& row) { return row.firm && row.node == node; };
+    const auto end = row_of_.begin() + static_cast<std::ptrdiff_t>(rows_);
+    if (static_cast<std::size_t>(std::count_if(row_of_.begin(), end, same)) + count > 3) return false;
+  }
   const bool bends = beam_ && depth >= 0.0;
   double* columns = scratch_.data();
   for (std::size_t i = 0; i < rows_; ++i) {
@@ -116,11 +125,27 @@ bool ContactFactor::append(std::uint32_t node, const HeldDirections& directions,
     }
   }
   triangle::solve_transposed({factor_.data(), stride_, rows_}, columns, count);
+  return border(node, directions, softness, depth);
+}
+
+bool ContactFactor::append_solved(std::uint32_t node, const HeldDirections& directions, const double* columns,
+                                  double softness, double depth) noexcept {
+  const auto count = static_cast<std::size_t>(directions.cols());
+  if (!fits(node, count, softness)) return false;
+  for (std::size_t a = 0; a < count; ++a) std::copy_n(columns + a * stride_, rows_, scratch_.data() + a * stride_);
+  return border(node, directions, softness, depth);
+}
+
+// U with the columns in `scratch_` beside it and a corner below them.
+bool ContactFactor::border(std::uint32_t node, const HeldDirections& directions, double softness,
+                           double depth) noexcept {
+  const auto count = static_cast<std::size_t>(directions.cols());
+  const double* const columns = scratch_.data();
   for (std::size_t i = 0; i < rows_; ++i) {
     for (std::size_t a = 0; a < count; ++a) row(i)[rows_ + a] = columns[a * stride_ + i];
   }
   for (std::size_t a = 0; a < count; ++a) {
-    row_of_[rows_ + a] = {node, directions.col(static_cast<Eigen::Index>(a)), depth};
+    row_of_[rows_ + a] = {node, directions.col(static_cast<Eigen::Index>(a)), depth, softness == 0.0};
   }
   find_corner(rows_, count);
   if (!finish(rows_, count, softness)) {
@@ -152,7 +177,9 @@ bool ContactFactor::soften_last(double softness) noexcept {
     }
     find_corner(first, rows_ - first);
   }
-  return finish(first, rows_ - first, softness);
+  if (!finish(first, rows_ - first, softness)) return false;
+  for (std::size_t i = first; i < rows_; ++i) row_of_[i].firm = softness == 0.0;
+  return true;
 }
 
 std::size_t ContactFactor::removal_cost(std::size_t constraint) const noexcept {

@@ -44,6 +44,9 @@ class ContactFactor {
   // `depth`: mm, >= 0, of a constraint across a needle that bends; negative: one along it.
   bool append(std::uint32_t node, const HeldDirections& directions, double softness = 0.0,
               double depth = -1.0) noexcept;
+  // The same when U^-T times its columns of B^T S B + F are known already: stride() apart, room for stride() in each.
+  bool append_solved(std::uint32_t node, const HeldDirections& directions, const double* columns, double softness,
+                     double depth) noexcept;
   // Takes away the last constraint, if there is one.
   void remove_last() noexcept;
   // Takes away any constraint; those after it move up by one.
@@ -65,6 +68,8 @@ class ContactFactor {
   std::size_t constraints() const noexcept { return held_; }
   std::size_t rows() const noexcept { return rows_; }
   std::size_t most_rows() const noexcept { return most_rows_; }
+  // A number of U, column >= row.
+  double entry(std::size_t at, std::size_t column) const noexcept { return row(at)[column]; }
   // How many numbers of U lie behind a constraint: what its removal costs.
   std::size_t removal_cost(std::size_t constraint) const noexcept;
 
@@ -73,10 +78,13 @@ class ContactFactor {
     std::uint32_t node = 0;
     Vec3 direction = Vec3::Zero();
     double depth = -1.0;  // mm; negative: it does not bend
+    bool firm = true;     // without softness
   };
 
   double* row(std::size_t index) noexcept { return factor_.data() + index * stride_; }
   const double* row(std::size_t index) const noexcept { return factor_.data() + index * stride_; }
+  bool fits(std::uint32_t node, std::size_t count, double softness) const noexcept;
+  bool border(std::uint32_t node, const HeldDirections& directions, double softness, double depth) noexcept;
   bool finish(std::size_t first, std::size_t count, double softness) noexcept;
   void find_corner(std::size_t first, std::size_t count) noexcept;
 

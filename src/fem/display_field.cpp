@@ -5,31 +5,56 @@
 #include <cmath>
 #include <numeric>
 #include <string>
-#include <utility>
 
 #include "core/error.h"
+#include "fem/processor_clones.h"
 
 namespace bodkin {
 
 namespace {
 
-constexpr std::size_t strip = 2048;  // floats that stay in the first-level cache while the columns pass by
+constexpr std::size_t longest_strip = 4096;  // floats that stay in the first-level cache while the columns pass by
 constexpr std::size_t columns_at_once = 6;
+
+std::vector<std::uint32_t> all_names(Eigen::Index columns) {
+  std::vector<std::uint32_t> names(static_cast<std::size_t>(columns) / 3);
+  std::iota(names.begin(), names.end(), 0U);
+  return names;
+}
+
+std::size_t in_threes(const Eigen::MatrixXf& columns) {
+  if (columns.size() > 0 && columns.rows() % 3 == 0 && columns.cols() % 3 == 0) {
+    return static_cast<std::size_t>(columns.rows()) / 3;
+  }
+  throw InputError("display field: columns of " + std::to_string(columns.rows()) + " x " +
+                   std::to_string(columns.cols()) + ", expected 3 rows a visible point and 3 columns a node");
+}
+
+// sum[i] += what six columns say.
+BODKIN_PROCESSOR_CLONES
+void add_columns(const std::array<const float*, columns_at_once>& columns, const float* factors, std::size_t count,
+                 float* __restrict sum) noexcept {
+  const float* __restrict a = columns[0];
+  const float* __restrict b = columns[1];
+  const float* __restrict c = columns[2];
+  const float* __restrict d = columns[3];
+  const float* __restrict e = columns[4];
+  const float* __restrict f = columns[5];
+  const float fa = factors[0], fb = factors[1], fc = factors[2], fd = factors[3], fe = factors[4], ff = factors[5];
+  for (std::size_t i = 0; i < count; ++i) {
+    sum[i] += ((fa * a[i] + fb * b[i]) + (fc * c[i] + fd * d[i])) + (fe * e[i] + ff * f[i]);
+  }
+}
 
 }  // namespace
 
-DisplayField::DisplayField(Eigen::MatrixXf columns) : columns_(std::move(columns)), places_(nodes()) {
-  std::iota(places_.begin(), places_.end(), 0U);
-  check();
-}
-
-DisplayField::DisplayField(Eigen::MatrixXf columns, const std::vector<std::uint32_t>& nodes, std::size_t all)
-    : columns_(std::move(columns)), places_(all, none) {
-  check();
-  if (nodes.size() != this->nodes()) {
-    throw InputError("display field: " + std::to_string(nodes.size()) + " nodes, but columns of " +
-                     std::to_string(this->nodes()));
-  }
+DisplayField::DisplayField(std::size_t points, const std::vector<std::uint32_t>& nodes, std::size_t all)
+    : points_(points),
+      nodes_(nodes.size()),
+      strips_((3 * points + longest_strip - 1) / longest_strip),
+      strip_length_(strips_ == 0 ? 0 : (3 * points / strips_ + 16) / 16 * 16),
+      columns_((strips_ * strip_length_ * 3 * nodes_ + 1) / 2),
+      places_(all, none) {
   for (std::uint32_t place = 0; place < nodes.size(); ++place) {
     if (nodes[place] >= all || places_[nodes[place]] != none) {
       throw InputError("display field: node " + std::to_string(nodes[place]) +
@@ -39,15 +64,30 @@ DisplayField::DisplayField(Eigen::MatrixXf columns, const std::vector<std::uint3
   }
 }
 
-void DisplayField::check() const {
-  if (columns_.size() > 0 && columns_.rows() % 3 == 0 && columns_.cols() % 3 == 0) return;
-  throw InputError("display field: columns of " + std::to_string(columns_.rows()) + " x " +
-                   std::to_string(columns_.cols()) + ", expected 3 rows a visible point and 3 columns a node");
+DisplayField::DisplayField(const Eigen::MatrixXf& columns, const std::vector<std::uint32_t>& nodes, std::size_t all)
+    : DisplayField(in_threes(columns), nodes, all) {
+  if (3 * nodes.size() != static_cast<std::size_t>(columns.cols())) {
+    throw InputError("display field: " + std::to_string(nodes.size()) + " nodes, but columns of " +
+                     std::to_string(columns.cols() / 3));
+  }
+  for (Eigen::Index i = 0; i < columns.cols(); ++i) {
+    set_column(static_cast<std::size_t>(i), {columns.col(i).data(), static_cast<std::size_t>(columns.rows())});
+  }
+}
+
+DisplayField::DisplayField(const Eigen::MatrixXf& columns)
+    : DisplayField(columns, all_names(columns.cols()), static_cast<std::size_t>(columns.cols()) / 3) {}
+
+void DisplayField::set_column(std::size_t index, std::span<const float> column) noexcept {
+  for (std::size_t strip = 0, from = 0; from < column.size(); ++strip, from += strip_length_) {
+    std::copy_n(column.data() + from, std::min(strip_length_, column.size() - from),
+                columns_.singles() + (strip * 3 * nodes_ + index) * strip_length_);
+  }
 }
 
 void DisplayField::evaluate(const NodeForces& forces, std::span<float> displacements) const noexcept {
   // Columns and their factors; the last group is filled up with factors of zero.
-  std::array<const float*, 3 * NodeForces::capacity + columns_at_once> column;
+  std::array<std::size_t, 3 * NodeForces::capacity + columns_at_once> column;
   std::array<float, 3 * NodeForces::capacity + columns_at_once> factor;
   std::size_t used = 0;
   for (std::size_t i = 0; i < std::min(forces.count, NodeForces::capacity); ++i) {
@@ -55,31 +95,23 @@ void DisplayField::evaluate(const NodeForces& forces, std::span<float> displacem
     const std::uint32_t place = place_of(here.node);
     if (place == none) continue;
     for (std::size_t c = 0; c < 3; ++c) {
-      column[used] = columns_.data() + (3 * std::size_t{place} + c) * static_cast<std::size_t>(columns_.rows());
+      column[used] = 3 * std::size_t{place} + c;
       factor[used++] = here.force[c];
     }
   }
   for (; used % columns_at_once != 0; ++used) {
-    column[used] = columns_.data();
+    column[used] = 0;
     factor[used] = 0.0F;
   }
-  const std::size_t rows = std::min(displacements.size(), static_cast<std::size_t>(columns_.rows()));
-  for (std::size_t from = 0; from < rows; from += strip) {
-    const std::size_t count = std::min(strip, rows - from);
-    float* __restrict sum = displacements.data() + from;
+  const std::size_t rows = std::min(displacements.size(), 3 * points_);
+  for (std::size_t strip = 0, from = 0; from < rows; ++strip, from += strip_length_) {
+    const std::size_t count = std::min(strip_length_, rows - from);
+    float* const sum = displacements.data() + from;
     std::fill_n(sum, count, 0.0F);
     for (std::size_t group = 0; group < used; group += columns_at_once) {
-      const float* __restrict a = column[group] + from;
-      const float* __restrict b = column[group + 1] + from;
-      const float* __restrict c = column[group + 2] + from;
-      const float* __restrict d = column[group + 3] + from;
-      const float* __restrict e = column[group + 4] + from;
-      const float* __restrict f = column[group + 5] + from;
-      const float fa = factor[group], fb = factor[group + 1], fc = factor[group + 2];
-      const float fd = factor[group + 3], fe = factor[group + 4], ff = factor[group + 5];
-      for (std::size_t i = 0; i < count; ++i) {
-        sum[i] += ((fa * a[i] + fb * b[i]) + (fc * c[i] + fd * d[i])) + (fe * e[i] + ff * f[i]);
-      }
+      std::array<const float*, columns_at_once> pieces{};
+      for (std::size_t i = 0; i < columns_at_once; ++i) pieces[i] = piece(strip, column[group + i]);
+      add_columns(pieces, factor.data() + group, count, sum);
     }
   }
 }

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "fem/node_forces.h"
+#include "fem/zero_pages.h"
 
 namespace bodkin {
 
@@ -18,12 +19,17 @@ class DisplayField {
  public:
   // `columns`: 3 x points rows and 3 columns a node of the corridor, mm/N, single precision: displacement of every
   // point (x y z in turn) by 1 N on the node. Throws InputError when rows or columns are not in threes, or none.
-  explicit DisplayField(Eigen::MatrixXf columns);
+  explicit DisplayField(const Eigen::MatrixXf& columns);
   // The same of some nodes only: 3 columns for each of `nodes` (each once), whose names are below `all`.
-  DisplayField(Eigen::MatrixXf columns, const std::vector<std::uint32_t>& nodes, std::size_t all);
+  DisplayField(const Eigen::MatrixXf& columns, const std::vector<std::uint32_t>& nodes, std::size_t all);
+  // The same with columns that are zero until set_column().
+  DisplayField(std::size_t points, const std::vector<std::uint32_t>& nodes, std::size_t all);
 
-  std::size_t points() const noexcept { return static_cast<std::size_t>(columns_.rows()) / 3; }
-  std::size_t nodes() const noexcept { return static_cast<std::size_t>(columns_.cols()) / 3; }
+  // Column `index`, 0 to 3 x nodes() - 1; 3 x points() values. Not beside evaluate().
+  void set_column(std::size_t index, std::span<const float> column) noexcept;
+
+  std::size_t points() const noexcept { return points_; }
+  std::size_t nodes() const noexcept { return nodes_; }
 
   // mm, 3 x points() values, all of them written; forces on nodes without columns count nothing. Never throws,
   // allocates or locks; several threads may call it at once.
@@ -33,10 +39,15 @@ class DisplayField {
 
  private:
   static constexpr std::uint32_t none = 0xffffffff;
-  void check() const;
   std::uint32_t place_of(std::uint32_t node) const noexcept { return node < places_.size() ? places_[node] : none; }
 
-  Eigen::MatrixXf columns_;            // 3 points x 3 nodes
+  const float* piece(std::size_t strip, std::size_t column) const noexcept {
+    return columns_.singles() + (strip * 3 * nodes_ + column) * strip_length_;
+  }
+
+  std::size_t points_, nodes_;
+  std::size_t strips_, strip_length_;
+  ZeroPages columns_;                  // strip by strip, in each all columns
   std::vector<std::uint32_t> places_;  // by node: where its columns are, or none
 };
 

@@ -55,7 +55,6 @@ EmbeddedNeedle::EmbeddedNeedle(const CondensedBody& body, const ContactTissues& 
       beam_(beam),
       stations_(body, settings.capture_radius, settings.spacing),
       constraints_(body.compliance, checked_room(settings), beam_),
-      coupling_(body.compliance, settings.most_nodes + 1),
       holds_(settings.most_nodes + 1),
       displacements_(3 * settings.most_nodes + 3, 0.0),
       forces_(3 * settings.most_nodes + 3, 0.0),
@@ -83,13 +82,12 @@ void EmbeddedNeedle::begin(const Vec3& entry, const Vec3& direction) noexcept {
   frame_.col(2) = direction.cross(frame_.col(1));
   stations_.begin(entry, direction, tissues_);
   constraints_.begin(frame_);
-  coupling_.begin(frame_);
   std::fill(forces_.begin(), forces_.end(), 0.0);
   turn_.setZero();
   spare_ = 0.0;
   held_ = 0;
   begun_ = fresh_ = true;
-  if (!line().empty()) coupling_.push(line()[0].node);
+  if (!line().empty()) constraints_.face(line()[0].node);
   force_ = {};
   published_.count = 0;
 }
@@ -99,23 +97,11 @@ bool EmbeddedNeedle::blocked() const noexcept {
   return held_ < line().size() && line()[held_].resists && punctured_[line()[held_].node] == 0;
 }
 
-Vec3 EmbeddedNeedle::displacement(std::uint32_t node) const noexcept {
-  Vec3 sum = Vec3::Zero();
-  const auto at = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(node);
-  for (std::size_t i = 0; i < coupling_.size(); ++i) {
-    const auto from = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(line()[i].node);
-    const Vec3 force = frame_ * Eigen::Map<const Vec3>(forces_.data() + 3 * i);
-    sum += body_.compliance.block<3, 3>(from, at).transpose() * force;
-  }
-  return frame_.transpose() * sum;
-}
-
 // Nodes that the tip has drawn back beyond.
 void EmbeddedNeedle::let_go() noexcept {
   while (held_ > 0 && tip_ < line()[held_ - 1].depth) {
     std::fill_n(forces_.begin() + static_cast<std::ptrdiff_t>(3 * held_ - 3), 6, 0.0);
-    if (coupling_.size() > held_) coupling_.pop();  // it is before the tip again
-    constraints_.pop();
+    constraints_.pop();  // it is before the tip again
     --held_;
   }
 }
@@ -129,7 +115,7 @@ void EmbeddedNeedle::face_next(double moved) noexcept {
 bool EmbeddedNeedle::take(std::size_t index) noexcept {
   const InsertionStation& station = line()[index];
   Hold& hold = holds_[index];
-  const Vec3 moved = displacement(station.node);
+  const Vec3 moved = displacement(index);
   if (index > 0 && holds_[index - 1].softness != 0.0) soften(0.0);
   if (!constraints_.push(station.node, station.depth)) return false;
   const auto place = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(station.node);
@@ -141,8 +127,8 @@ bool EmbeddedNeedle::take(std::size_t index) noexcept {
   hold.anchor = shaft_offset(station.depth) - moved.tail<2>();
   held_ = index + 1;
   if (held_ < line().size() && held_ < holds_.size()) {
-    coupling_.push(line()[held_].node);
-    face_next(coupling_.displacement(held_, forces_));
+    constraints_.face(line()[held_].node);
+    face_next(displacement(held_)(0));
   }
   return true;
 }
@@ -174,7 +160,7 @@ void EmbeddedNeedle::soften(double softness) noexcept {
   } else {
     const Eigen::Vector2d force(forces_[3 * held_ - 2], forces_[3 * held_ - 1]);
     if (hold.softness < 0.0) {
-      const Vec3 moved = displacement(line()[held_ - 1].node);
+      const Vec3 moved = displacement(held_ - 1);
       hold.anchor = shaft_offset(line()[held_ - 1].depth) - moved.tail<2>();
     } else if (softness < hold.softness) {
       hold.anchor += (hold.softness - softness) * force;

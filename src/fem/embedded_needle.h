@@ -7,7 +7,6 @@
 #include "anatomy/condensed_body.h"
 #include "anatomy/force_settings.h"
 #include "core/geometry.h"
-#include "fem/axial_coupling.h"
 #include "fem/contact_tissues.h"
 #include "fem/insertion_stations.h"
 #include "fem/node_forces.h"
@@ -39,7 +38,7 @@ struct EmbeddedNeedleForce {
 // A straight needle in a deformable body (CondensedBody), its shaft as many constrained nodes. It is rigid, or bends
 // as a beam (NeedleBeam).
 //
-//   S f = u                             all nodes at once, exactly (ContactFactor)
+//   S f = u                             all nodes at once, exactly (ShaftConstraints)
 //   across the needle   u_i = offset of the needle's axis from the line at depth_i - what it was when i was taken
 //                             + w_i, what bends the needle there: by -f and nothing else; 0 of a rigid one
 //   along, sticking     u_i = s - z_i                      while |f_i| <= mu_t l_i
@@ -124,13 +123,16 @@ class EmbeddedNeedle {
   void soften(double softness) noexcept;
   void cut_aside(double advance) noexcept;
   void settle() noexcept;
+  void place() noexcept;
   void solve() noexcept;
   bool stick_where_slip_turned(bool last_round) noexcept;
   bool slip_where_friction_ends(std::size_t& budget) noexcept;
   bool meet_tip() noexcept;
   void puncture() noexcept;
   void report() noexcept;
-  Vec3 displacement(std::uint32_t node) const noexcept;
+  Vec3 displacement(std::size_t index) const noexcept {
+    return constraints_.compliance().displacement(index, forces_);
+  }
 
   const CondensedBody& body_;
   ContactTissues tissues_;
@@ -139,7 +141,6 @@ class EmbeddedNeedle {
   std::optional<NeedleBeam> beam_;
   InsertionStations stations_;
   ShaftConstraints constraints_;
-  AxialCoupling coupling_;
   std::vector<Hold> holds_;              // most_nodes + 1: the shaft's nodes and the one before the tip
   std::vector<double> displacements_;    // 3 x (most_nodes + 1), mm: along, across, across
   std::vector<double> forces_;           // likewise, N on the tissue

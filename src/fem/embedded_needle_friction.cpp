@@ -17,23 +17,24 @@ constexpr std::size_t release_budget = 50000;  // numbers of the factor to be tu
 
 }  // namespace
 
-void EmbeddedNeedle::solve() noexcept {
-  const std::size_t known = coupling_.size();
+void EmbeddedNeedle::place() noexcept {
   double* d = displacements_.data();
-  for (std::size_t i = 0; i < known; ++i) {
-    const double depth = line()[i].depth;
+  for (std::size_t i = 0; i < constraints_.known(); ++i) {
     d[3 * i] = tip_ - holds_[i].slip;
-    Eigen::Map<Eigen::Vector2d>(d + 3 * i + 1) = axis_offset(depth) - holds_[i].anchor;
+    Eigen::Map<Eigen::Vector2d>(d + 3 * i + 1) = axis_offset(line()[i].depth) - holds_[i].anchor;
+  }
+  constraints_.place(displacements_, root_);
+}
+
+// What slides is a load: the others are held as far from where it would leave them.
+void EmbeddedNeedle::solve() noexcept {
+  const std::size_t known = constraints_.known();
+  for (std::size_t i = 0; i < known; ++i) {
     if (!constraints_.held_along(i)) forces_[3 * i] = i < held_ ? holds_[i].sense * holds_[i].limit : 0.0;
   }
-  // What slides is a load: the others are held as far from where it would leave them.
-  std::vector<double>& loads = displacements_;
-  for (std::size_t i = 0; i < held_; ++i) {
-    if (!constraints_.held_along(i) && forces_[3 * i] != 0.0) coupling_.add(i, -forces_[3 * i], loads);
-  }
-  turn_ = constraints_.solve(displacements_, forces_, root_);
+  constraints_.solve_along(forces_);
   for (std::size_t i = 0; i < known; ++i) {
-    holds_[i].moved = constraints_.held_along(i) ? tip_ - holds_[i].slip : coupling_.displacement(i, forces_);
+    holds_[i].moved = constraints_.held_along(i) ? tip_ - holds_[i].slip : constraints_.moved(i);
   }
 }
 
@@ -90,13 +91,14 @@ bool EmbeddedNeedle::meet_tip() noexcept {
     constraints_.let_slide(held_);
     return true;
   }
-  if (!blocked() || coupling_.size() <= held_) return false;
+  if (!blocked() || constraints_.known() <= held_) return false;
   if (!(tip_ > holds_[held_].slip + holds_[held_].moved)) return false;
-  return constraints_.hold_before_tip(line()[held_].node);
+  return constraints_.hold_before_tip();
 }
 
 void EmbeddedNeedle::settle() noexcept {
   std::size_t budget = release_budget;
+  place();
   for (int round = 1;; ++round) {
     solve();
     if (round == most_rounds) break;
@@ -106,6 +108,7 @@ void EmbeddedNeedle::settle() noexcept {
     if (meet_tip()) changed = true;
     if (!changed) break;
   }
+  turn_ = constraints_.solve_across(forces_);
   for (std::size_t i = 0; i < held_; ++i) {
     Hold& hold = holds_[i];
     spare_ -= std::max(0.0, -Eigen::Vector2d(forces_[3 * i + 1], forces_[3 * i + 2]).dot(hold.aside));
@@ -115,7 +118,7 @@ void EmbeddedNeedle::settle() noexcept {
     spare_ += forces_[3 * i] * (slip - hold.slip);
     hold.slip = slip;
   }
-  if (coupling_.size() > held_ && !constraints_.held_along(held_)) {
+  if (constraints_.known() > held_ && !constraints_.held_along(held_)) {
     Hold& next = holds_[held_];
     next.slip = std::max(line()[held_].depth, std::min(next.slip, tip_ - next.moved));
   }

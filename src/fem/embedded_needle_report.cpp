@@ -6,7 +6,7 @@
 namespace bodkin {
 
 void EmbeddedNeedle::report() noexcept {
-  const std::size_t known = coupling_.size();
+  const std::size_t known = constraints_.known();
   Vec3 pushed = Vec3::Zero(), torque = Vec3::Zero();  // of the tissue, about the tip, in the frame
   Eigen::Vector2d across = Eigen::Vector2d::Zero(), moment = Eigen::Vector2d::Zero();  // on the tissue; at the hub
   published_.count = 0;
@@ -45,7 +45,7 @@ void EmbeddedNeedle::report() noexcept {
 Eigen::Vector2d EmbeddedNeedle::bent(double from_hub) const noexcept {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   if (!beam_) return sum;
-  for (std::size_t i = 0; i < coupling_.size(); ++i) {
+  for (std::size_t i = 0; i < constraints_.known(); ++i) {
     const double by = beam_->flexibility(from_hub, root_.outside + line()[i].depth);
     sum -= by * Eigen::Vector2d(forces_[3 * i + 1], forces_[3 * i + 2]);
   }
@@ -59,9 +59,9 @@ Vec3 EmbeddedNeedle::shaft_deflection(double from_tip) const noexcept {
 
 double EmbeddedNeedle::stored_energy() const noexcept {
   double sum = 0.0;
-  for (std::size_t i = 0; i < coupling_.size(); ++i) {
+  for (std::size_t i = 0; i < constraints_.known(); ++i) {
     const Vec3 force = Eigen::Map<const Vec3>(forces_.data() + 3 * i);
-    sum += 0.5 * force.dot(displacement(line()[i].node));
+    sum += 0.5 * force.dot(displacement(i));
     sum -= 0.5 * force.tail<2>().dot(bent(root_.outside + line()[i].depth));
     if (i < held_ && holds_[i].softness > 0.0) sum += 0.5 * holds_[i].softness * force.tail<2>().squaredNorm();
   }

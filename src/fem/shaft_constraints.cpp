@@ -1,218 +1,360 @@
 #include "fem/shaft_constraints.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <Eigen/Cholesky>
 
+#include "fem/triangle.h"
+
 namespace bodkin {
+
+namespace {
+
+constexpr double least_corner = 1e-10;  // of a node's own compliance (as ContactFactor's)
+
+// (L L^T)^-1 x, in place.
+void solve_by_lower(const Eigen::Matrix2d& lower, Eigen::Vector2d& x) {
+  lower.triangularView<Eigen::Lower>().solveInPlace(x);
+  lower.transpose().triangularView<Eigen::Upper>().solveInPlace(x);
+}
+
+}  // namespace
 
 ShaftConstraints::ShaftConstraints(const Eigen::MatrixXd& compliance, std::size_t most_nodes,
                                    const std::optional<NeedleBeam>& beam)
     : bends_(beam.has_value()),
-      factor_(compliance, most_nodes + 1, beam),
-      all_held_(compliance, most_nodes + 1, beam),
-      names_(2 * most_nodes + 2),
-      held_(2 * most_nodes + 2, 0),
+      beam_(beam),
+      compliance_(compliance, most_nodes + 1),
+      across_(compliance, (2 * most_nodes + 2) / 3 + 1, beam),  // two rows a node, not three
+      along_(most_nodes + 1, bends_ ? 4 : 0),
       nodes_(most_nodes + 1),
       depths_(most_nodes + 1),
-      values_(factor_.stride()),
-      modes_(beam ? 4 * factor_.stride() : 0) {
+      lasts_(most_nodes + 1),
+      above_(2 * (most_nodes + 1) * across_.stride(), 0.0),
+      left_(2 * (most_nodes + 1) * along_.stride(), 0.0),
+      across_values_(across_.stride(), 0.0),
+      products_(across_.stride(), 0.0),
+      given_(most_nodes + 1, 0.0),
+      carried_(along_.stride(), 0.0),
+      moved_(along_.stride(), 0.0),
+      loads_(along_.stride(), 0.0),
+      found_(along_.stride(), 0.0),
+      held_values_(along_.stride(), 0.0),
+      border_(6 * along_.stride(), 0.0) {
   begin(Mat3::Identity());
 }
 
 void ShaftConstraints::begin(const Mat3& frame) noexcept {
-  along_ = frame.leftCols<1>();
-  across_ = frame.rightCols<2>();
-  factor_.clear();
-  all_held_.clear();
-  std::fill(held_.begin(), held_.end(), std::uint8_t{0});
+  across_directions_ = frame.rightCols<2>();
+  compliance_.begin(frame);
+  across_.clear();
+  along_.begin();
+  std::fill(moved_.begin(), moved_.end(), 0.0);
   count_ = 0;
   last_softness_ = -1.0;
-  modes_known_ = false;
+  border_known_ = false;
 }
 
-std::size_t ShaftConstraints::place(Name name) const noexcept {
-  const auto end = names_.begin() + static_cast<std::ptrdiff_t>(factor_.constraints());
-  return static_cast<std::size_t>(std::find(names_.begin(), end, name) - names_.begin());
-}
-
-bool ShaftConstraints::append(Name name, std::uint32_t node, double softness) noexcept {
-  modes_known_ = false;
-  const bool is_along = name % 2 == 0;
-  if (!factor_.append(node, is_along ? along_ : across_, softness, is_along ? -1.0 : depths_[name / 2])) return false;
-  names_[factor_.constraints() - 1] = name;
-  held_[name] = 1;
+bool ShaftConstraints::face(std::uint32_t node) noexcept {
+  const std::size_t index = known();
+  if (index != count_ || !compliance_.push(node)) return false;
+  nodes_[index] = node;
+  const double* const row = compliance_.row(index, 0);
+  double* const column = across_values_.data();
+  for (std::size_t i = 0; i < firm(); ++i) {
+    column[2 * i] = row[3 * i + 1];
+    column[2 * i + 1] = row[3 * i + 2];
+  }
+  across_.forward(column, 1);
+  double* const own = loads_.data();
+  for (std::size_t i = 0; i <= index; ++i) own[i] = row[3 * i];
+  along_.push_node({column, 2 * firm()}, {own, index + 1});
+  for (std::size_t c = 0; c < 2 && count_ > 0; ++c) {
+    left(count_ - 1, c)[always() + index] =
+        row[3 * (count_ - 1) + 1 + c] - triangle::product(above(count_ - 1, c), column, 2 * firm());
+  }
+  border_known_ = false;
   return true;
 }
 
-void ShaftConstraints::remove(Name name) noexcept {
-  if (held_[name] == 0) return;
-  held_[name] = 0;
-  modes_known_ = false;
-  const std::size_t at = place(name);
-  std::copy(names_.begin() + static_cast<std::ptrdiff_t>(at) + 1,
-            names_.begin() + static_cast<std::ptrdiff_t>(factor_.constraints()),
-            names_.begin() + static_cast<std::ptrdiff_t>(at));
-  factor_.remove(at);
+// A node that was the last is held across like those before it.
+bool ShaftConstraints::make_firm(std::size_t index) noexcept {
+  if (!across_.append_solved(nodes_[index], across_directions_, above(index, 0), 0.0, depths_[index])) return false;
+  const double a = across_.entry(2 * index, 2 * index), b = across_.entry(2 * index, 2 * index + 1);
+  const double c = across_.entry(2 * index + 1, 2 * index + 1);
+  double* const first = loads_.data();
+  double* const second = moved_.data();
+  for (std::size_t i = 0; i < along_.columns(); ++i) {
+    first[i] = left(index, 0)[i] / a;
+    second[i] = (left(index, 1)[i] - b * first[i]) / c;
+  }
+  along_.push_rows({first, along_.columns()}, {second, along_.columns()});
+  return true;
+}
+
+// What a new last node has to do with those before it.
+void ShaftConstraints::begin_last(std::size_t index) noexcept {
+  Last& last = lasts_[index];
+  const std::size_t before = 2 * firm();
+  for (std::size_t d = 0; d < 2; ++d) {
+    const double* const row = compliance_.row(index, 1 + d);
+    double* const column = above(index, d);
+    for (std::size_t i = 0; i < firm(); ++i) {
+      column[2 * i] = row[3 * i + 1];
+      column[2 * i + 1] = row[3 * i + 2];
+      if (bends_) column[2 * i + d] += beam_->flexibility(depths_[i], depths_[index]);
+    }
+  }
+  across_.forward(above(index, 0), 2);
+  for (std::size_t d = 0; d < 2; ++d) {
+    const double* const row = compliance_.row(index, 1 + d);
+    const double* const column = above(index, d);
+    double* const beside = left(index, d);
+    std::fill_n(beside, along_.stride(), 0.0);
+    along_.add_transposed(column, beside);
+    for (std::size_t i = 0; i < along_.columns(); ++i) beside[i] = -beside[i];
+    for (std::size_t i = 0; i <= index; ++i) beside[always() + i] += row[3 * i];
+    if (bends_) {
+      beside[2 * d] += 1.0;
+      beside[2 * d + 1] += depths_[index];
+    }
+    const auto here = static_cast<Eigen::Index>(d);
+    last.whole(here) = row[3 * index + 1 + d];
+    for (std::size_t c = 0; c <= d; ++c) {
+      const auto there = static_cast<Eigen::Index>(c);
+      const double own =
+          row[3 * index + 1 + c] + (bends_ && c == d ? beam_->flexibility(depths_[index], depths_[index]) : 0.0);
+      last.corner(here, there) = last.corner(there, here) = own - triangle::product(column, above(index, c), before);
+    }
+  }
 }
 
 bool ShaftConstraints::push(std::uint32_t node, double depth) noexcept {
-  if (count_ + 1 >= nodes_.size()) return false;
+  if (count_ + 1 >= nodes_.size() || (known() > count_ && nodes_[count_] != node)) return false;
   if (count_ > 0) {
     if (last_softness_ != 0.0 && !hold_last_across(0.0)) return false;
-    if (!all_held_.append(nodes_[count_ - 1], along_)) return false;
-    if (!all_held_.append(nodes_[count_ - 1], across_, 0.0, depths_[count_ - 1])) {
-      all_held_.remove_last();
-      return false;
-    }
+    if (known() == count_ && !face(node)) return false;
+    if (!make_firm(count_ - 1)) return false;
+  } else if (known() == 0 && !face(node)) {
+    return false;
   }
-  depths_[count_] = depth;
-  nodes_[count_++] = node;
+  depths_[count_++] = depth;
   last_softness_ = -1.0;
+  border_known_ = false;
+  begin_last(count_ - 1);
   return true;
 }
 
 void ShaftConstraints::pop() noexcept {
   if (count_ == 0) return;
-  remove(along(count_));  // the node before the tip
-  remove(across(count_ - 1));
-  remove(along(count_ - 1));
+  if (count_ > 1) {  // before the rest, so that nodes need not be turned out of a triangle that is made anew
+    along_.pop_rows();
+    across_.remove_last();
+  }
+  if (known() > count_) {
+    along_.pop_node();
+    compliance_.pop();
+  }
+  along_.let_go(count_ - 1);
   --count_;
   last_softness_ = count_ > 0 ? 0.0 : -1.0;
-  all_held_.remove_last();
-  all_held_.remove_last();
-}
-
-bool ShaftConstraints::hold_along(std::size_t index) noexcept {
-  return !held_along(index) && append(along(index), nodes_[index], 0.0);
-}
-
-bool ShaftConstraints::hold_before_tip(std::uint32_t node) noexcept {
-  nodes_[count_] = node;
-  return hold_along(count_);
-}
-
-void ShaftConstraints::let_slide(std::size_t index) noexcept {
-  remove(along(index));
+  border_known_ = false;
 }
 
 void ShaftConstraints::hold_all_along() noexcept {
-  if (count_ == 0) return;
-  const bool before_tip = held_along(count_);
-  modes_known_ = false;
-  factor_.copy(all_held_);
-  for (std::size_t i = 0; i + 1 < count_; ++i) {
-    names_[2 * i] = along(i);
-    names_[2 * i + 1] = across(i);
-  }
-  std::fill(held_.begin(), held_.end(), std::uint8_t{0});
-  std::fill_n(held_.begin(), 2 * count_ - 2, std::uint8_t{1});
-  append(along(count_ - 1), nodes_[count_ - 1], 0.0);
-  if (last_softness_ >= 0.0) append(across(count_ - 1), nodes_[count_ - 1], last_softness_);
-  if (before_tip) append(along(count_), nodes_[count_], 0.0);
+  const bool before_tip = known() > count_ && held_along(count_);
+  along_.hold_first(count_ + (before_tip ? 1 : 0));
 }
 
 bool ShaftConstraints::hold_last_across(double softness) noexcept {
-  if (count_ == 0) return false;
-  const Name name = across(count_ - 1);
-  const std::size_t held = factor_.constraints();
-  const bool is_last = last_softness_ >= 0.0 && held > 0 && names_[held - 1] == name;
-  if (is_last && factor_.soften_last(softness)) {
-    modes_known_ = false;
-    last_softness_ = softness;
-    return true;
+  if (count_ == 0 || !(softness >= 0.0)) return false;
+  const Last& last = lasts_[count_ - 1];
+  const double first = last.corner(0, 0) + softness;
+  const double second = last.corner(1, 1) + softness - last.corner(1, 0) * last.corner(1, 0) / first;
+  const bool sound = first > least_corner * last.whole(0) && second > least_corner * last.whole(1);
+  if (softness != last_softness_) border_known_ = false;
+  last_softness_ = sound ? softness : -1.0;
+  return sound;
+}
+
+// The border of T: the last node across and the ways in which a needle bends outside.
+void ShaftConstraints::find_border() noexcept {
+  if (along_.refresh()) border_known_ = false;
+  if (border_known_) return;
+  border_known_ = true;
+  const auto sticking = along_.sticking();
+  const auto rows = static_cast<Eigen::Index>(sticking.size()), stride = static_cast<Eigen::Index>(along_.stride());
+  last_sound_ = last_held();
+  for (std::size_t c = 0; c < 2; ++c) {
+    for (std::size_t k = 0; k < sticking.size(); ++k)
+      border_[c * along_.stride() + k] = last_sound_ ? left(count_ - 1, c)[always() + sticking[k]] : 0.0;
   }
-  if (last_softness_ >= 0.0) remove(name);
-  const bool done = append(name, nodes_[count_ - 1], softness);
-  last_softness_ = done ? softness : -1.0;
-  return done;
-}
-
-void ShaftConstraints::release_last_across() noexcept {
-  if (count_ > 0 && last_softness_ >= 0.0) remove(across(count_ - 1));
-  last_softness_ = -1.0;
-}
-
-std::size_t ShaftConstraints::release_cost(std::size_t index) const noexcept {
-  return factor_.removal_cost(place(along(index)));
-}
-
-// How each constraint is moved when the shaft, as if rigid, is moved across or turned at the surface.
-void ShaftConstraints::find_rigid_modes() noexcept {
-  const std::size_t stride = factor_.stride();
-  std::fill(modes_.begin(), modes_.end(), 0.0);
-  std::size_t row = 0;
-  for (std::size_t i = 0; i < factor_.constraints(); ++i) {
-    if (names_[i] % 2 == 0) {
-      ++row;
-      continue;
-    }
-    for (std::size_t plane = 0; plane < 2; ++plane, ++row) {
-      modes_[2 * plane * stride + row] = 1.0;
-      modes_[(2 * plane + 1) * stride + row] = depths_[names_[i] / 2];
-    }
+  for (std::size_t m = 0; m < always(); ++m) {
+    for (std::size_t k = 0; k < sticking.size(); ++k)
+      border_[(2 + m) * along_.stride() + k] = along_.sigma(always() + sticking[k], m);
   }
-  factor_.forward(modes_.data(), 4);
-  modes_known_ = true;
-}
-
-// The factor is that of a beam clamped at the surface, A_0. With P the rigid modes, A = A_0 + (P R) (P R)^T, R R^T
-// the flexibility of the piece outside: two or three columns a plane. `values_` holds U^-T d; what is added to it
-// makes U^-1 of it the solution for A (Woodbury), and the matrix to be solved for that, 1 + R^T P^T A_0^-1 P R, is
-// never worse than the unit matrix.
-Eigen::Vector2d ShaftConstraints::bend_outside(const ShaftRoot& root) noexcept {
-  if (!modes_known_) find_rigid_modes();
-  const auto rows = static_cast<Eigen::Index>(factor_.rows());
-  const auto stride = static_cast<Eigen::Index>(factor_.stride());
-  const auto mode = [&](Eigen::Index i) {
-    return Eigen::Map<const Eigen::VectorXd>(modes_.data() + i * stride, rows);
+  if (last_sound_ || bends_) along_.forward(border_.data(), 2 + always());
+  const auto vector = [&](Eigen::Index i) {
+    return Eigen::Map<const Eigen::VectorXd>(border_.data() + i * stride, rows);
   };
-  Eigen::Map<Eigen::VectorXd> values(values_.data(), rows);
-  Eigen::Matrix4d stiffness;  // P^T A_0^-1 P
-  Eigen::Vector4d load;       // P^T A_0^-1 d
-  for (Eigen::Index i = 0; i < 4; ++i) {
-    load(i) = mode(i).dot(values);
-    for (Eigen::Index j = 0; j <= i; ++j) stiffness(i, j) = stiffness(j, i) = mode(i).dot(mode(j));
+  if (last_sound_) {
+    const Last& last = lasts_[count_ - 1];
+    Eigen::Matrix2d corner = last.corner + last_softness_ * Eigen::Matrix2d::Identity();
+    for (Eigen::Index i = 0; i < 2; ++i) {
+      for (Eigen::Index j = 0; j <= i; ++j) {
+        corner(i, j) -= vector(i).dot(vector(j));
+      }
+    }
+    const double rest = corner(1, 1) - corner(1, 0) * corner(1, 0) / corner(0, 0);
+    last_sound_ = corner(0, 0) > least_corner * last.whole(0) && rest > least_corner * last.whole(1);
+    last_factor_ << std::sqrt(corner(0, 0)), 0.0, corner(1, 0) / std::sqrt(corner(0, 0)), std::sqrt(rest);
   }
+  if (!bends_) return;
+  last_bends_.setZero();
+  for (Eigen::Index m = 0; m < 4; ++m) {
+    for (Eigen::Index n = 0; n < 4; ++n) {
+      stiffness_(m, n) =
+          vector(2 + m).dot(vector(2 + n)) - along_.sigma(static_cast<std::size_t>(m), static_cast<std::size_t>(n));
+    }
+    for (Eigen::Index c = 0; c < 2 && last_sound_; ++c) {
+      last_bends_(c, m) = left(count_ - 1, static_cast<std::size_t>(c))[m] - vector(c).dot(vector(2 + m));
+    }
+  }
+  if (!last_sound_) return;
+  const Eigen::Matrix<double, 2, 4> turned = last_factor_.triangularView<Eigen::Lower>().solve(last_bends_);
+  stiffness_ += turned.transpose() * turned;
+}
+
+void ShaftConstraints::place(std::span<const double> displacements, const ShaftRoot& root) noexcept {
+  root_ = root;
+  double* const value = across_values_.data();
+  for (std::size_t i = 0; i < firm(); ++i) {
+    value[2 * i] = displacements[3 * i + 1];
+    value[2 * i + 1] = displacements[3 * i + 2];
+  }
+  across_.forward(value, 1);
+  std::fill(carried_.begin(), carried_.end(), 0.0);
+  along_.add_transposed(value, carried_.data());
+  for (std::size_t i = 0; i < known(); ++i) given_[i] = displacements[3 * i];
+  if (!last_held()) return;
+  for (std::size_t c = 0; c < 2; ++c) {
+    last_wanted_(static_cast<Eigen::Index>(c)) =
+        displacements[3 * count_ - 2 + c] - triangle::product(above(count_ - 1, c), value, 2 * firm());
+  }
+}
+
+// By what outside the body makes the shaft bend: with P the rigid modes of what holds it across and A_0 all other
+// equations, A = A_0 + (P R) (P R)^T, R R^T the flexibility of the piece outside: two or three columns a plane. The
+// matrix to be solved for that (Woodbury), 1 + R^T P^T A_0^-1 P R, is never worse than the unit matrix. `pulled`: the
+// modes by all forces but these.
+Eigen::Vector4d ShaftConstraints::bend_outside(const Eigen::Vector4d& pulled) noexcept {
   Eigen::Matrix<double, 4, 6> roots = Eigen::Matrix<double, 4, 6>::Zero();
-  roots.topLeftCorner<2, 3>() = roots.bottomRightCorner<2, 3>() = root.root;
-  const Eigen::Matrix<double, 4, 6> pulled = stiffness * roots;
+  roots.topLeftCorner<2, 3>() = roots.bottomRightCorner<2, 3>() = root_.root;
+  const Eigen::Matrix<double, 4, 6> stiff = stiffness_ * roots;
   Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Identity();
-  matrix += roots.transpose() * pulled;
-  Eigen::Matrix<double, 6, 1> strain = roots.transpose() * load;
+  matrix += roots.transpose() * stiff;
+  Eigen::Matrix<double, 6, 1> strain = roots.transpose() * pulled;
   Eigen::LLT<Eigen::Ref<Eigen::Matrix<double, 6, 6>>>(matrix).solveInPlace(strain);
-  const Eigen::Vector4d moved = roots * strain;
-  for (Eigen::Index i = 0; i < 4; ++i) values -= mode(i) * moved(i);
-  return {-root.root(1, 2) * strain(2), -root.root(1, 2) * strain(5)};
+  turn_ = {-root_.root(1, 2) * strain(2), -root_.root(1, 2) * strain(5)};
+  return roots * strain;
+}
+
+void ShaftConstraints::solve_along(std::span<double> forces) noexcept {
+  find_border();
+  const auto sticking = along_.sticking();
+  const std::size_t rows = sticking.size(), stride = along_.stride();
+  std::fill(loads_.begin(), loads_.end(), 0.0);
+  std::fill(moved_.begin(), moved_.end(), 0.0);
+  for (std::size_t i = 0; i < known(); ++i) {
+    if (!held_along(i)) loads_[always() + i] = forces[3 * i];
+  }
+  along_.add_displacements(loads_.data(), moved_.data());
+  double* const held = held_values_.data();
+  for (std::size_t k = 0; k < rows; ++k) {
+    const std::size_t column = always() + sticking[k];
+    held[k] = given_[sticking[k]] - carried_[column] - moved_[column];
+  }
+  along_.forward(held, 1);
+  last_force_.setZero();
+  turn_.setZero();
+  Eigen::Vector4d bent = Eigen::Vector4d::Zero();
+  if (last_sound_) {
+    for (std::size_t c = 0; c < 2; ++c) {
+      last_force_(static_cast<Eigen::Index>(c)) =
+          last_wanted_(static_cast<Eigen::Index>(c)) -
+          triangle::product(left(count_ - 1, c), loads_.data(), along_.columns()) -
+          triangle::product(border_.data() + c * stride, held, rows);
+    }
+    solve_by_lower(last_factor_, last_force_);
+  }
+  if (bends_) {
+    Eigen::Vector4d pulled = last_bends_.transpose() * last_force_;
+    for (std::size_t m = 0; m < 4; ++m) {
+      pulled(static_cast<Eigen::Index>(m)) +=
+          carried_[m] + moved_[m] + triangle::product(border_.data() + (2 + m) * stride, held, rows);
+    }
+    bent = bend_outside(pulled);
+    if (last_sound_) {
+      Eigen::Vector2d less = last_bends_ * bent;
+      solve_by_lower(last_factor_, less);
+      last_force_ -= less;
+    }
+  }
+  const std::array<double, 6> border{-last_force_(0), -last_force_(1), -bent(0), -bent(1), -bent(2), -bent(3)};
+  std::array<const double*, 6> vectors{};
+  for (std::size_t i = 0; i < 6; ++i) vectors[i] = border_.data() + i * stride;
+  triangle::add_rows(vectors.data(), border.data(), bends_ ? 6 : 2, held, rows);
+  along_.backward(held);
+  finish_along(forces, bent);
+}
+
+// With the forces of what is held: how far the others are moved by all of it.
+void ShaftConstraints::finish_along(std::span<double> forces, const Eigen::Vector4d& bent) noexcept {
+  const auto sticking = along_.sticking();
+  double* const found = found_.data();
+  std::fill(found_.begin(), found_.end(), 0.0);
+  for (std::size_t m = 0; m < always(); ++m) found[m] = bent(static_cast<Eigen::Index>(m));
+  for (std::size_t k = 0; k < sticking.size(); ++k) {
+    found[always() + sticking[k]] = forces[3 * std::size_t{sticking[k]}] = held_values_[k];
+  }
+  along_.add_displacements(found, moved_.data());
+  for (std::size_t i = 0; i < along_.columns(); ++i) {
+    moved_[i] += carried_[i];
+    loads_[i] += found[i];
+  }
+  if (count_ == 0) return;
+  for (std::size_t c = 0; c < 2; ++c) {
+    const double force = last_force_(static_cast<Eigen::Index>(c));
+    forces[3 * count_ - 2 + c] = force;
+    const double* const by_last = left(count_ - 1, c);
+    for (std::size_t i = 0; i < along_.columns() && last_sound_; ++i) moved_[i] += by_last[i] * force;
+  }
+}
+
+Eigen::Vector2d ShaftConstraints::solve_across(std::span<double> forces) noexcept {
+  const std::size_t rows = 2 * firm();
+  double* const value = across_values_.data();
+  along_.multiply(loads_.data(), products_.data());
+  for (std::size_t r = 0; r < rows; ++r) value[r] -= products_[r];
+  if (last_sound_) {
+    for (std::size_t r = 0; r < rows; ++r) {
+      value[r] -= above(count_ - 1, 0)[r] * last_force_(0) + above(count_ - 1, 1)[r] * last_force_(1);
+    }
+  }
+  across_.backward(value);
+  for (std::size_t i = 0; i < firm(); ++i) {
+    forces[3 * i + 1] = value[2 * i];
+    forces[3 * i + 2] = value[2 * i + 1];
+  }
+  return turn_;
 }
 
 Eigen::Vector2d ShaftConstraints::solve(std::span<const double> displacements, std::span<double> forces,
                                         const ShaftRoot& root) noexcept {
-  double* value = values_.data();
-  const std::size_t held = factor_.constraints();
-  for (std::size_t i = 0; i < held; ++i) {
-    const double* at = displacements.data() + 3 * (names_[i] / 2);
-    if (names_[i] % 2 == 0) {
-      *value++ = at[0];
-    } else {
-      *value++ = at[1];
-      *value++ = at[2];
-    }
-  }
-  factor_.forward(values_.data(), 1);
-  Eigen::Vector2d turn = bends_ ? bend_outside(root) : Eigen::Vector2d(0.0, 0.0);
-  factor_.backward(values_.data());
-  value = values_.data();
-  for (std::size_t i = 0; i < held; ++i) {
-    double* at = forces.data() + 3 * (names_[i] / 2);
-    if (names_[i] % 2 == 0) {
-      at[0] = *value++;
-    } else {
-      at[1] = *value++;
-      at[2] = *value++;
-    }
-  }
-  return turn;
+  place(displacements, root);
+  solve_along(forces);
+  return solve_across(forces);
 }
 
 }  // namespace bodkin

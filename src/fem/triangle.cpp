@@ -47,6 +47,25 @@ constexpr std::size_t block = 8;
   sums[3] = (d[0] + d[1]) + (d[2] + d[3]);
 }
 
+// Rows first to first + 4 of a matrix that is being factorised, columns j to j + 8: takes from them what the `first`
+// rows above, at `above`, say of them; `pivots` is where these columns of theirs begin.
+[[gnu::always_inline]] inline void subtract_above(double* rows, const double* above, std::size_t pivots,
+                                                  std::size_t stride, std::size_t count, std::size_t j) noexcept {
+  Lanes sums[4][2] = {};
+  for (std::size_t k = 0; k < count; ++k) {
+    const double* const row = above + k * stride;
+    const Lanes left = *reinterpret_cast<const Lanes*>(row + j), right = *reinterpret_cast<const Lanes*>(row + j + 4);
+    for (std::size_t r = 0; r < 4; ++r) {
+      sums[r][0] += left * row[pivots + r];
+      sums[r][1] += right * row[pivots + r];
+    }
+  }
+  for (std::size_t r = 0; r < 4; ++r) {
+    *reinterpret_cast<Lanes*>(rows + r * stride + j) -= sums[r][0];
+    *reinterpret_cast<Lanes*>(rows + r * stride + j + 4) -= sums[r][1];
+  }
+}
+
 }  // namespace
 
 BODKIN_PROCESSOR_CLONES
@@ -111,6 +130,89 @@ void rotate(const double* from, double* other, double* to, std::size_t count) no
     const double here = from[j], there = other[j];
     to[j] = here * cosine + there * sine;
     other[j] = there * cosine - here * sine;
+  }
+}
+
+BODKIN_PROCESSOR_CLONES
+std::size_t factorise(double* numbers, std::size_t stride, std::size_t rows, const double* least) noexcept {
+  const std::size_t end = padded(rows);
+  for (std::size_t first = 0; first < rows; first += block) {
+    double* const here = numbers + first * stride;
+    for (std::size_t j = first; j < end; j += block) {
+      subtract_above(here, numbers, first, stride, first, j);
+      subtract_above(here + 4 * stride, numbers, first + 4, stride, first, j);
+    }
+    for (std::size_t r = 0; r < std::min(block, rows - first); ++r) {
+      double* const row = here + r * stride;
+      const std::size_t from = first + r / lanes * lanes;
+      for (std::size_t above = 0; above < r; ++above) {
+        const double* const other = here + above * stride;
+        const double factor = other[first + r];
+        for (std::size_t j = from; j < end; j += lanes)
+          *reinterpret_cast<Lanes*>(row + j) -= *reinterpret_cast<const Lanes*>(other + j) * factor;
+      }
+      const double pivot = row[first + r];
+      if (!(pivot > least[first + r]) || !std::isfinite(pivot)) return first + r;
+      const double inverse = 1.0 / std::sqrt(pivot);
+      for (std::size_t j = from; j < end; j += lanes) *reinterpret_cast<Lanes*>(row + j) *= inverse;
+    }
+  }
+  return rows;
+}
+
+BODKIN_PROCESSOR_CLONES
+double product(const double* a, const double* b, std::size_t count) noexcept {
+  Lanes even = {}, odd = {};
+  std::size_t j = 0;
+  for (; j + 2 * lanes <= count; j += 2 * lanes) {
+    even += *reinterpret_cast<const Lanes*>(a + j) * *reinterpret_cast<const Lanes*>(b + j);
+    odd += *reinterpret_cast<const Lanes*>(a + j + lanes) * *reinterpret_cast<const Lanes*>(b + j + lanes);
+  }
+  double rest = 0.0;
+  for (; j < count; ++j) rest += a[j] * b[j];
+  const Lanes sum = even + odd;
+  return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + rest;
+}
+
+BODKIN_PROCESSOR_CLONES
+void add_rows(const double* const* rows, const double* factors, std::size_t count, double* values,
+              std::size_t columns) noexcept {
+  const std::size_t end = padded(columns);
+  std::size_t r = 0;
+  for (; r + 4 <= count; r += 4) {
+    const double *a = rows[r], *b = rows[r + 1], *c = rows[r + 2], *d = rows[r + 3];
+    const double fa = factors[r], fb = factors[r + 1], fc = factors[r + 2], fd = factors[r + 3];
+    for (std::size_t j = 0; j < end; j += lanes) {
+      *reinterpret_cast<Lanes*>(values + j) +=
+          (*reinterpret_cast<const Lanes*>(a + j) * fa + *reinterpret_cast<const Lanes*>(b + j) * fb) +
+          (*reinterpret_cast<const Lanes*>(c + j) * fc + *reinterpret_cast<const Lanes*>(d + j) * fd);
+    }
+  }
+  for (; r < count; ++r) {
+    for (std::size_t j = 0; j < end; j += lanes)
+      *reinterpret_cast<Lanes*>(values + j) += *reinterpret_cast<const Lanes*>(rows[r] + j) * factors[r];
+  }
+}
+
+BODKIN_PROCESSOR_CLONES
+void multiply(const double* rows, std::size_t stride, std::size_t count, const double* values, std::size_t columns,
+              double* products) noexcept {
+  const std::size_t end = padded(columns);
+  for (std::size_t r = 0; r < count; r += 4) four_products(rows + r * stride, stride, values, 0, end, products + r);
+}
+
+BODKIN_PROCESSOR_CLONES
+void subtract_squares(const double* from, std::size_t from_stride, const double* a, const double* b, std::size_t size,
+                      double* to, std::size_t to_stride) noexcept {
+  const std::size_t end = padded(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    const double* const row = from + i * from_stride;
+    double* const result = to + i * to_stride;
+    for (std::size_t j = 0; j < end; j += lanes) {
+      *reinterpret_cast<Lanes*>(result + j) =
+          *reinterpret_cast<const Lanes*>(row + j) -
+          (*reinterpret_cast<const Lanes*>(a + j) * a[i] + *reinterpret_cast<const Lanes*>(b + j) * b[i]);
+    }
   }
 }
 

@@ -116,7 +116,6 @@ AcousticTissue acoustic_from(const XmlElement& element, const std::string& origi
   acoustic.echo = element.number("echo_dB", acoustic.echo);
   acoustic.density = element.number("scatterer_density", acoustic.density);
   acoustic.variation = element.number("fibre_variation_dB", acoustic.variation);
-  acoustic.mirror = element.number("mirror", acoustic.mirror);
   if (acoustic.impedance != 0.0 && acoustic.impedance < least_impedance) {
     fail_at(origin, element.line,
             fmt::format("acoustic impedance_MRayl is {}, expected {} to 100, or 0 to take it from the HU",

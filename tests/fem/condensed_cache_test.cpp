@@ -88,7 +88,7 @@ TEST(CondensedCache, refuses_files_that_are_damaged_or_of_something_else) {
   EXPECT_THAT(answer(sound.substr(0, sound.size() - 8)), HasSubstr("is damaged"));
   EXPECT_THAT(answer(sound + "more"), HasSubstr("is damaged"));
   std::string bytes = sound;
-  bytes[8] = 2;
+  bytes[8] = '\x7F';
   EXPECT_THAT(answer(bytes), HasSubstr("another version of Bodkin"));
   bytes = sound;
   bytes[32] = '\xFF';

@@ -86,6 +86,14 @@ TEST(ProbeOnSkin, stops_where_there_is_no_skin) {
   EXPECT_FALSE(hand.slide(tissues, 0.0, 0.0));
 }
 
+TEST(ProbeOnSkin, far_from_the_skin_it_moves_freely_and_finds_back) {
+  const TissueVolume tissues = cylinder();
+  ProbeOnSkin hand(probe_pose(Vec3(-90, 58, 0), -Vec3::UnitY(), Vec3::UnitX()));
+  for (int step = 0; step < 30; ++step) ASSERT_TRUE(hand.slide(tissues, 3.0, 0.0)) << step;
+  const Vec3 face = hand.pose().translation();
+  EXPECT_NEAR(std::hypot(face.x(), face.y()), body_radius, 2.0);
+}
+
 TEST(ProbeOnSkin, is_pressed_along_its_depth_and_turned_on_the_spot) {
   ProbeOnSkin hand(probe_pose(Vec3(1, 2, 3), -Vec3::UnitY(), Vec3::UnitZ()));
   hand.press(5.0);

@@ -185,14 +185,13 @@ TEST(TissueLibraryFile, what_a_tissue_is_to_sound_arrives) {
   };
   const AcousticTissue whole = acoustic(
       "<acoustic impedance_MRayl='1.7' attenuation_dB_per_cm_MHz='0.9' attenuation_power='1.1' echo_dB='-40' "
-      "scatterer_density='0.25' fibre_variation_dB='6' mirror='0.75'/>");
+      "scatterer_density='0.25' fibre_variation_dB='6'/>");
   EXPECT_EQ(whole.impedance, 1.7);
   EXPECT_EQ(whole.attenuation, 0.9);
   EXPECT_EQ(whole.power, 1.1);
   EXPECT_EQ(whole.echo, -40.0);
   EXPECT_EQ(whole.density, 0.25);
   EXPECT_EQ(whole.variation, 6.0);
-  EXPECT_EQ(whole.mirror, 0.75);
   const AcousticTissue neutral;
   const AcousticTissue brief =
       acoustic("<acoustic impedance_MRayl='0' attenuation_dB_per_cm_MHz='0' echo_dB='-200'/>");
@@ -200,7 +199,6 @@ TEST(TissueLibraryFile, what_a_tissue_is_to_sound_arrives) {
   EXPECT_EQ(brief.power, neutral.power);
   EXPECT_EQ(brief.density, neutral.density);
   EXPECT_EQ(brief.variation, neutral.variation);
-  EXPECT_EQ(brief.mirror, neutral.mirror);
   const AcousticTissue silent = acoustic("");
   EXPECT_EQ(silent.impedance, 0.0) << "that of its HU";
   EXPECT_EQ(silent.attenuation, neutral.attenuation);
@@ -210,9 +208,9 @@ TEST(TissueLibraryFile, what_a_tissue_is_to_sound_arrives) {
 TEST(TissueLibraryFile, faults_of_sound_are_refused_with_line_field_found_and_expected) {
   const std::string whole =
       "<acoustic impedance_MRayl='1.7' attenuation_dB_per_cm_MHz='0.9' attenuation_power='1.1' echo_dB='-40' "
-      "scatterer_density='0.25' fibre_variation_dB='6' mirror='0.75'/>\n";
+      "scatterer_density='0.25' fibre_variation_dB='6'/>\n";
   const std::string sounding = replaced(library, "<source>measured", whole + "<source>measured");
-  const std::array<std::array<const char*, 3>, 8> faults = {{
+  const std::array<std::array<const char*, 3>, 7> faults = {{
       {"'1.7'", "'101'", "impedance_MRayl is '101', expected a number from 0 to 100"},
       {"'1.7'", "'0.00005'", "impedance_MRayl is 5e-05, expected 0.0001 to 100, or 0 to take it from the HU"},
       {"'0.9'", "'-1'", "attenuation_dB_per_cm_MHz is '-1', expected a number from 0 to 100"},
@@ -220,7 +218,6 @@ TEST(TissueLibraryFile, faults_of_sound_are_refused_with_line_field_found_and_ex
       {"'-40'", "'1'", "echo_dB is '1', expected a number from -200 to 0"},
       {"'0.25'", "'NaN'", "scatterer_density is 'NaN', expected a number from 0 to 1"},
       {"'6'", "'21'", "fibre_variation_dB is '21', expected a number from 0 to 20"},
-      {"'0.75'", "'1.5'", "mirror is '1.5', expected a number from 0 to 1"},
   }};
   for (const auto& [from, to, sentence] : faults) {
     EXPECT_EQ(refusal([&, from = from, to = to] { parse(replaced(sounding, from, to)); }),

@@ -75,6 +75,7 @@ std::shared_ptr<CondensedBody> PressedBody::make_corridor() {
 std::shared_ptr<CondensedBody> PressedBody::make_corridor(const PressedState& state, const Progress& progress) {
   FactorOptions options;
   options.keep_field = false;
+  options.threads = 1;  // beside a tick and pictures
   options.memory_limit = settings_.memory_limit;
   for (const StressStiffness stress : {StressStiffness::exact, StressStiffness::positive}) {
     try {

@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "fem/solid/dense_kernels.h"
+#include "fem/zero_pages.h"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -23,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<char, 8> file_magic = {'B', 'O', 'D', 'K', 'I', 'N', 'C', 'B'};
-constexpr std::uint32_t file_version = 1;  // of the file and of the computation behind it
+constexpr std::uint32_t file_version = 2;  // of the file and of the computation behind it
 constexpr std::uint32_t byte_order = 0x01020304;
 constexpr std::uint64_t most_nodes = 1U << 20U;
 
@@ -176,6 +177,7 @@ CondensedBody load_condensed(const fs::path& file, const BodyDigest& digest) {
   stream.read_and_hash(body.tissues.data(), body.tissues.size() * sizeof(TissueId));
   const auto size = static_cast<Eigen::Index>(3 * header.nodes);
   body.compliance.resize(size, size);
+  prefer_large_pages(body.compliance.data(), sizeof(double) * static_cast<std::size_t>(body.compliance.size()));
   for (Eigen::Index column = 0; column < size; ++column)
     stream.read_and_hash(&body.compliance(column, column), static_cast<std::size_t>(size - column) * sizeof(double));
   if (stream.hash.value().low64 != checksum) {

@@ -4,15 +4,16 @@
 
 #include <cblas-openblas.h>
 
-// LAPACK as OpenBLAS has it; Debian's package brings no header for these. Arguments as in the Fortran reference.
+// LAPACK as OpenBLAS has it; Debian's package brings no header for it. Arguments as in the Fortran reference.
 extern "C" {
 void dpotrf_(const char* triangle, const int* n, double* a, const int* lead, int* info, std::size_t triangle_length);
-void dpotri_(const char* triangle, const int* n, double* a, const int* lead, int* info, std::size_t triangle_length);
 }
 
 namespace bodkin {
 
 namespace {
+
+constexpr std::size_t mirror_tile = 32;  // rows and columns that stay in the cache together
 
 int as_int(std::size_t value) {
   return static_cast<int>(value);
@@ -20,12 +21,8 @@ int as_int(std::size_t value) {
 
 }  // namespace
 
-DenseThreads::DenseThreads(int threads) : before_(openblas_get_num_threads()) {
-  openblas_set_num_threads(threads);
-}
-
-DenseThreads::~DenseThreads() {
-  openblas_set_num_threads(before_);
+void use_one_thread_each() {
+  if (openblas_get_num_threads() != 1) openblas_set_num_threads(1);
 }
 
 std::size_t cholesky(std::size_t size, double* a, std::size_t lead) {
@@ -88,20 +85,33 @@ void subtract_transposed_product(std::size_t rows, std::size_t size, std::size_t
               as_int(lead), x, as_int(lead_x), 1.0, y, as_int(lead_y));
 }
 
+void subtract_product_transposed(std::size_t rows, std::size_t size, std::size_t columns, const double* a,
+                                 std::size_t lead_a, const double* b, std::size_t lead_b, double* c,
+                                 std::size_t lead_c) {
+  cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, as_int(rows), as_int(columns), as_int(size), -1.0, a,
+              as_int(lead_a), b, as_int(lead_b), 1.0, c, as_int(lead_c));
+}
+
+void multiply_transposed(std::size_t size, std::size_t rows, std::size_t columns, const double* a, std::size_t lead_a,
+                         const double* b, std::size_t lead_b, double* c, std::size_t lead_c) {
+  cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, as_int(rows), as_int(columns), as_int(size), 1.0, a,
+              as_int(lead_a), b, as_int(lead_b), 0.0, c, as_int(lead_c));
+}
+
 void mirror_lower(std::size_t size, double* a, std::size_t lead) {
-  constexpr std::size_t tile = 32;  // rows and columns that stay in the cache together
-  for (std::size_t left = 0; left < size; left += tile)
-    for (std::size_t top = left; top < size; top += tile)
-      for (std::size_t column = left; column < std::min(left + tile, size); ++column)
-        for (std::size_t row = std::max(top, column + 1); row < std::min(top + tile, size); ++row)
+  for (std::size_t left = 0; left < size; left += mirror_tile)
+    for (std::size_t top = left; top < size; top += mirror_tile)
+      for (std::size_t column = left; column < std::min(left + mirror_tile, size); ++column)
+        for (std::size_t row = std::max(top, column + 1); row < std::min(top + mirror_tile, size); ++row)
           a[row * lead + column] = a[column * lead + row];
 }
 
-void invert_from_cholesky(std::size_t size, double* l, std::size_t lead) {
-  const int n = as_int(size), distance = as_int(lead);
-  int info = 0;
-  dpotri_("L", &n, l, &distance, &info, 1);  // cannot fail: a factor's diagonal is positive
-  mirror_lower(size, l, lead);
+void mirror_upper(std::size_t size, double* a, std::size_t lead, std::size_t from, std::size_t to) {
+  for (std::size_t left = from; left < to; left += mirror_tile)
+    for (std::size_t top = left; top < size; top += mirror_tile)
+      for (std::size_t column = left; column < std::min(left + mirror_tile, to); ++column)
+        for (std::size_t row = std::max(top, column + 1); row < std::min(top + mirror_tile, size); ++row)
+          a[column * lead + row] = a[row * lead + column];
 }
 
 }  // namespace bodkin

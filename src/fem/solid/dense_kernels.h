@@ -7,18 +7,9 @@ namespace bodkin {
 // The dense linear algebra of the factorisation, by OpenBLAS. Matrices are column-major; `lead` is the distance
 // between columns. Only the lower triangle of a symmetric or triangular matrix is read or written.
 
-// How many threads OpenBLAS uses while this lives; the number before is restored after. OpenBLAS has one such number
-// for the whole program.
-class DenseThreads {
- public:
-  explicit DenseThreads(int threads);
-  ~DenseThreads();
-  DenseThreads(const DenseThreads&) = delete;
-  DenseThreads& operator=(const DenseThreads&) = delete;
-
- private:
-  int before_;
-};
+// Every call below runs on the thread that makes it. OpenBLAS has one number of threads for the whole program, and it
+// stays at one from here on: its own threads wait by spinning, and would make the bits depend on how many they are.
+void use_one_thread_each();
 
 // a := L with a = L L^T. Returns size, or the first column that has no positive pivot.
 std::size_t cholesky(std::size_t size, double* a, std::size_t lead);
@@ -44,10 +35,17 @@ void subtract_transposed_product(std::size_t rows, std::size_t size, std::size_t
                                  std::size_t lead, const double* x, std::size_t lead_x, double* y,
                                  std::size_t lead_y);
 
+// c := c - a b^T, c is rows x columns, a rows x size, b columns x size; and c := a^T b, c is rows x columns, a
+// size x rows, b size x columns.
+void subtract_product_transposed(std::size_t rows, std::size_t size, std::size_t columns, const double* a,
+                                 std::size_t lead_a, const double* b, std::size_t lead_b, double* c,
+                                 std::size_t lead_c);
+void multiply_transposed(std::size_t size, std::size_t rows, std::size_t columns, const double* a, std::size_t lead_a,
+                         const double* b, std::size_t lead_b, double* c, std::size_t lead_c);
+
 // The upper triangle becomes the mirror of the lower.
 void mirror_lower(std::size_t size, double* a, std::size_t lead);
-
-// l := (L L^T)^-1, both triangles.
-void invert_from_cholesky(std::size_t size, double* l, std::size_t lead);
+// Columns `from` to `to` of the lower triangle become the mirror of the upper one, whatever stands in the others.
+void mirror_upper(std::size_t size, double* a, std::size_t lead, std::size_t from, std::size_t to);
 
 }  // namespace bodkin

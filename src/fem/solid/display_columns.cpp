@@ -43,7 +43,8 @@ DisplayField display_columns(const ElasticBody& body, std::span<const PointInMes
                     "points, or fewer nodes of the corridor",
                     points.size(), nodes.size(), bytes >> 20U, available_memory() >> 20U));
   }
-  Eigen::MatrixXf columns(3 * static_cast<Eigen::Index>(points.size()), 3 * static_cast<Eigen::Index>(nodes.size()));
+  DisplayField field(points.size(), nodes, body.mesh_nodes());
+  Eigen::VectorXf column(3 * static_cast<Eigen::Index>(points.size()));
   for (std::size_t from = 0; from < nodes.size(); from += nodes_at_once) {
     if (progress)
       progress("preparing the picture of the body", static_cast<double>(from) / static_cast<double>(nodes.size()));
@@ -53,17 +54,17 @@ DisplayField display_columns(const ElasticBody& body, std::span<const PointInMes
     for (std::size_t i = 0; i < count; ++i)
       forces.block<3, 3>(rows[from + i], 3 * static_cast<Eigen::Index>(i)).setIdentity();
     const Eigen::MatrixXd moved = body.displacement_by_corridor(forces);
-    for (Eigen::Index column = 0; column < moved.cols(); ++column) {
+    for (Eigen::Index i = 0; i < moved.cols(); ++i) {
       for (std::size_t p = 0; p < points.size(); ++p) {
         Vec3 here = Vec3::Zero();
         for (std::size_t corner = 0; corner < 4; ++corner)
-          here += points[p].weights[corner] * moved.col(column).segment<3>(3 * Eigen::Index{points[p].nodes[corner]});
-        columns.col(3 * static_cast<Eigen::Index>(from) + column).segment<3>(3 * static_cast<Eigen::Index>(p)) =
-            here.cast<float>();
+          here += points[p].weights[corner] * moved.col(i).segment<3>(3 * Eigen::Index{points[p].nodes[corner]});
+        column.segment<3>(3 * static_cast<Eigen::Index>(p)) = here.cast<float>();
       }
+      field.set_column(3 * from + static_cast<std::size_t>(i), {column.data(), 3 * points.size()});
     }
   }
-  return {std::move(columns), nodes, body.mesh_nodes()};
+  return field;
 }
 
 }  // namespace bodkin

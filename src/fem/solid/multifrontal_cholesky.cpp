@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "fem/solid/available_memory.h"
+#include "fem/solid/dense_front.h"
 #include "fem/solid/dense_kernels.h"
 #include "fem/solid/front_assembly.h"
 
@@ -17,6 +18,7 @@ namespace {
 
 // A pivot that rounding alone can leave of a diagonal entry. Bone in fat, ten million times as stiff, leaves 1e-8.
 constexpr double no_pivot = 1e-12;
+constexpr std::size_t columns_at_once = 256;  // of an update that is emptied; the machine gives its pages then
 
 // The whole update `full` as its lower triangle, packed, further down in the same memory.
 void pack(const double* full, std::size_t height, double* packed) {
@@ -45,8 +47,9 @@ MultifrontalCholesky::MultifrontalCholesky(const BlockMatrix& matrix, SymbolicFa
                     matrix.nodes, symbolic_.last, needed, static_cast<double>(needed) * 1e-9, limit,
                     static_cast<double>(limit) * 1e-9));
   }
-  const DenseThreads threads(options_.threads);
-  factorise(matrix, progress);
+  use_one_thread_each();
+  DenseTeam team(options_.threads);
+  factorise(matrix, team, progress);
 }
 
 bool MultifrontalCholesky::is_last(std::size_t supernode) const noexcept {
@@ -58,7 +61,7 @@ double* MultifrontalCholesky::panel(std::size_t supernode) const noexcept {
   return is_last(supernode) ? last_.data() : panels_.data();
 }
 
-void MultifrontalCholesky::factorise(const BlockMatrix& matrix, const Progress& progress) {
+void MultifrontalCholesky::factorise(const BlockMatrix& matrix, DenseTeam& team, const Progress& progress) {
   panels_ = ZeroPages(options_.keep_field ? symbolic_.factor_size : symbolic_.largest_panel);
   if (!options_.keep_field) last_ = ZeroPages(symbolic_.last_size());
   const ZeroPages stack(symbolic_.stack_size);
@@ -71,7 +74,11 @@ void MultifrontalCholesky::factorise(const BlockMatrix& matrix, const Progress& 
     const Front front{panel(s), top, &supernode};
     const std::size_t height = front.height(), width = front.width(), below = front.update_height();
     if (!options_.keep_field && !is_last(s)) std::fill_n(front.panel, supernode.panel_size(), 0.0);
-    for (std::size_t j = 0; j < below; ++j) std::fill_n(front.update + j * below + j, below - j, 0.0);
+    team.run((below + columns_at_once - 1) / columns_at_once, [&](std::size_t piece) {
+      const std::size_t first = piece * columns_at_once;
+      for (std::size_t j = first; j < std::min(below, first + columns_at_once); ++j)
+        std::fill_n(front.update + j * below + j, below - j, 0.0);
+    });
     assembly.add_matrix(front);
     for (std::uint32_t child = 0; child < supernode.children; ++child) {
       const Supernode& from = symbolic_.supernodes[waiting.back()];
@@ -84,16 +91,13 @@ void MultifrontalCholesky::factorise(const BlockMatrix& matrix, const Progress& 
       const Mat3& block = matrix.block[matrix.start[symbolic_.order[supernode.first + k]]];
       for (Eigen::Index i = 0; i < 3; ++i) diagonal.push_back(block(i, i));
     }
-    const std::size_t sound = cholesky(width, front.panel, height);
+    const std::size_t sound = factorise_front(team, width, height, front.panel, front.update);
     for (std::size_t i = 0; i < width; ++i) {
       const double pivot = front.panel[i * height + i];
       if (i < sound && pivot * pivot > no_pivot * diagonal[i]) continue;
       throw NotPositiveDefinite(symbolic_.order[supernode.first + i / 3]);
     }
     if (below > 0) {
-      double* const under = front.panel + width;
-      solve_right_transposed(below, width, front.panel, height, under, height);
-      subtract_outer_product(below, width, under, height, front.update, below);
       pack(front.update, below, top);
       waiting.push_back(s);
       top += supernode.update_size();
@@ -110,9 +114,11 @@ void MultifrontalCholesky::factorise(const BlockMatrix& matrix, const Progress& 
 Eigen::MatrixXd MultifrontalCholesky::last_compliance() const {
   const auto size = 3 * Eigen::Index{symbolic_.last};
   if (size == 0) return {};
-  const DenseThreads threads(options_.threads);
-  Eigen::MatrixXd compliance = Eigen::Map<const Eigen::MatrixXd>(panel(symbolic_.supernodes.size() - 1), size, size);
-  invert_from_cholesky(static_cast<std::size_t>(size), compliance.data(), static_cast<std::size_t>(size));
+  use_one_thread_each();
+  DenseTeam team(options_.threads);
+  Eigen::MatrixXd compliance(size, size);
+  prefer_large_pages(compliance.data(), sizeof(double) * static_cast<std::size_t>(compliance.size()));
+  invert_from_lower(team, static_cast<std::size_t>(size), panel(symbolic_.supernodes.size() - 1), compliance.data());
   return compliance;
 }
 
@@ -155,7 +161,7 @@ Eigen::MatrixXd MultifrontalCholesky::substitute_back(Eigen::MatrixXd& x) const 
 
 Eigen::MatrixXd MultifrontalCholesky::solve(const Eigen::MatrixXd& forces) const {
   if (!options_.keep_field) throw std::logic_error("the factor was not kept");
-  const DenseThreads threads(options_.threads);
+  use_one_thread_each();
   Eigen::MatrixXd x(forces.rows(), forces.cols()), work(forces.rows(), forces.cols());
   for (Eigen::Index node = 0; node < static_cast<Eigen::Index>(symbolic_.order.size()); ++node)
     x.middleRows<3>(3 * node) =
@@ -166,7 +172,7 @@ Eigen::MatrixXd MultifrontalCholesky::solve(const Eigen::MatrixXd& forces) const
 
 Eigen::MatrixXd MultifrontalCholesky::respond(const Eigen::MatrixXd& forces_on_last) const {
   if (!options_.keep_field) throw std::logic_error("the factor was not kept");
-  const DenseThreads threads(options_.threads);
+  use_one_thread_each();
   const auto size = static_cast<Eigen::Index>(3 * symbolic_.order.size());
   Eigen::MatrixXd x = Eigen::MatrixXd::Zero(size, forces_on_last.cols()), work;
   x.bottomRows(forces_on_last.rows()) = forces_on_last;

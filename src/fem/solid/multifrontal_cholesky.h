@@ -9,8 +9,9 @@
 #include "core/error.h"
 #include "core/progress.h"
 #include "fem/solid/block_matrix.h"
+#include "fem/solid/dense_team.h"
 #include "fem/solid/symbolic_factor.h"
-#include "fem/solid/zero_pages.h"
+#include "fem/zero_pages.h"
 
 namespace bodkin {
 
@@ -22,9 +23,8 @@ class NotPositiveDefinite : public InputError {
 };
 
 struct FactorOptions {
-  // Threads for the dense parts, 1 or more. More than the machine has idle are slower than one: they wait for each
-  // other.
-  int threads = 1;
+  // Threads for the dense parts; 0: as many as the machine has cores. The bits do not depend on them.
+  int threads = 0;
   // Bytes that the factorisation may take; 0: what available_memory() says. It is known, and refused, beforehand.
   std::size_t memory_limit = 0;
   // Keep the whole factor, for solve() and respond(), or only that of the last nodes, in a fraction of the memory.
@@ -35,7 +35,7 @@ struct FactorOptions {
 // multifrontal method for sparse matrix solution, 1992): every supernode is a dense matrix that is assembled from the
 // matrix and from what its children leave over, factorised, and leaves an update for its parent. With the corridor
 // last, its block of L is the Cholesky factor of the corridor's condensed stiffness. The same numbers for the same
-// input, as far as OpenBLAS gives the same on the machine and with the number of threads.
+// input and any number of threads, as far as OpenBLAS gives the same on the machine.
 class MultifrontalCholesky {
  public:
   // `symbolic` must come from graph_of(matrix). Throws InputError when the memory needed is above the limit, and
@@ -57,7 +57,7 @@ class MultifrontalCholesky {
  private:
   double* panel(std::size_t supernode) const noexcept;
   bool is_last(std::size_t supernode) const noexcept;
-  void factorise(const BlockMatrix& matrix, const Progress& progress);
+  void factorise(const BlockMatrix& matrix, DenseTeam& team, const Progress& progress);
   void substitute_forward(std::size_t supernode, Eigen::MatrixXd& x, Eigen::MatrixXd& work) const;
   Eigen::MatrixXd substitute_back(Eigen::MatrixXd& x) const;
 

@@ -35,7 +35,12 @@ bool ProbeOnSkin::slide(const TissueVolume& tissues, double along, double across
   if (!(way.norm() > 0.0)) return false;
   way *= length / way.norm();
   const std::optional<SkinPoint> skin = skin_near(tissues, pose_.translation() + way, outward_, skin_reach);
-  if (!skin) return false;
+  if (!skin) {
+    // A probe that is nowhere near the skin moves freely, so that it finds back.
+    if (skin_near(tissues, pose_.translation(), outward_, skin_reach) || !way.allFinite()) return false;
+    pose_.translation() += way;
+    return true;
+  }
   const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(outward_, skin->outward);
   // A step that would turn the probe over has come to another side of something thin.
   if (outward_.dot(skin->outward) < 0.0) return false;

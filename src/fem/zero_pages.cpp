@@ -1,22 +1,29 @@
-#include "fem/solid/zero_pages.h"
+#include "fem/zero_pages.h"
 
+#include <memory>
+#include <string>
 #include <utility>
 
-#include <fmt/format.h>
 #include <sys/mman.h>
 
 #include "core/error.h"
 
 namespace bodkin {
 
+void prefer_large_pages(void* begin, std::size_t bytes) noexcept {
+  constexpr std::size_t page = 4096;  // madvise() wants whole ones
+  std::size_t room = bytes;
+  if (std::align(page, page, begin, room) != nullptr) madvise(begin, room / page * page, MADV_HUGEPAGE);
+}
+
 ZeroPages::ZeroPages(std::size_t count) : bytes_(count * sizeof(double)) {
   if (bytes_ == 0) return;
   void* const pages = mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (pages == MAP_FAILED) {
-    throw SystemError(
-        fmt::format("the machine refused {} bytes of memory; end other programs, or take a smaller body", bytes_));
+    throw SystemError("the machine refused " + std::to_string(bytes_) +
+                      " bytes of memory; end other programs, or take a smaller body");
   }
-  madvise(pages, bytes_, MADV_HUGEPAGE);  // where that is not possible nothing is lost
+  prefer_large_pages(pages, bytes_);
   numbers_ = static_cast<double*>(pages);
 }
 

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/geometry.h"
+
+namespace bodkin {
+
+// How the nodes along a needle move by forces on one another, in the frame of the insertion: along the needle and two
+// directions across it, 3 numbers a node. A part of the corridor's compliance, kept together because in the whole
+// matrix it is scattered over much memory; each pair of nodes is fetched once.
+class ShaftCompliance {
+ public:
+  // `compliance` is kept by reference and must outlive this.
+  ShaftCompliance(const Eigen::MatrixXd& compliance, std::size_t most_nodes);
+
+  // Forgets all nodes. `frame`: columns along the needle and across it.
+  void begin(const Mat3& frame) noexcept;
+  // Adds a node. False, and nothing changed, when there is no room or no such node in the corridor. Takes away the
+  // last.
+  bool push(std::uint32_t node) noexcept;
+  void pop() noexcept { --count_; }
+  std::size_t size() const noexcept { return count_; }
+
+  // mm/N: row c of node `index`, its displacement along direction c by 1 N on each node up to itself; of node j along
+  // direction d at 3 j + d. The compliance is symmetric: these are also the displacements of those nodes by it.
+  const double* row(std::size_t index, std::size_t c) const noexcept {
+    return rows_.data() + (3 * index + c) * stride_;
+  }
+  // mm, of node `index` by `forces`, N; 3 x size().
+  Vec3 displacement(std::size_t index, std::span<const double> forces) const noexcept;
+
+ private:
+  const Eigen::MatrixXd& compliance_;
+  std::size_t most_nodes_, stride_;
+  std::vector<double> rows_;          // 3 most_nodes x stride_
+  std::vector<std::uint32_t> nodes_;  // most_nodes
+  std::size_t count_ = 0;
+  Mat3 frame_ = Mat3::Identity();
+};
+
+}  // namespace bodkin

@@ -1,0 +1,99 @@
+#include "fem/solid/dense_front.h"
+
+#include <atomic>
+#include <limits>
+#include <vector>
+
+#include "tests/fem/lattice_body.h"
+#include "tests/sanitized.h"
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+namespace bodkin {
+namespace {
+
+Eigen::MatrixXd random_positive(Eigen::Index size, std::uint64_t seed) {
+  Random random(seed);
+  const Eigen::MatrixXd any = Eigen::MatrixXd::NullaryExpr(size, size, [&random] { return random.normal(); });
+  return any * any.transpose() + 0.1 * static_cast<double>(size) * Eigen::MatrixXd::Identity(size, size);
+}
+
+// Widths and heights below, at and above the tiles.
+TEST(DenseFront, agrees_with_the_factor_of_the_whole_matrix) {
+  struct Size {
+    Eigen::Index width, height;
+  };
+  for (const auto& [width, height] : {Size{3, 3}, Size{30, 90}, Size{192, 192}, Size{400, 400}, Size{250, 1300}}) {
+    if (sanitized && height > 400) continue;
+    const Eigen::MatrixXd whole = random_positive(height, 1);
+    const Eigen::Index below = height - width;
+    const Eigen::MatrixXd expected = whole.llt().matrixL();
+    const Eigen::MatrixXd expected_rest =
+        whole.bottomRightCorner(below, below) -
+        expected.bottomLeftCorner(below, width) * expected.bottomLeftCorner(below, width).transpose();
+    DenseTeam team(3);
+    Eigen::MatrixXd panel = whole.leftCols(width), update = whole.bottomRightCorner(below, below);
+    ASSERT_EQ(factorise_front(team, static_cast<std::size_t>(width), static_cast<std::size_t>(height), panel.data(),
+                              update.data()),
+              static_cast<std::size_t>(width));
+    const Eigen::MatrixXd found = panel.triangularView<Eigen::Lower>();
+    EXPECT_LT((found - expected.leftCols(width)).cwiseAbs().maxCoeff(), 1e-12 * expected.maxCoeff()) << height;
+    const Eigen::MatrixXd rest = (update - expected_rest).triangularView<Eigen::Lower>();
+    if (below > 0) {
+      EXPECT_LT(rest.cwiseAbs().maxCoeff(), 1e-12 * whole.maxCoeff()) << height;
+    }
+  }
+}
+
+TEST(DenseFront, names_the_column_without_a_pivot) {
+  for (const Eigen::Index size : {40, 500}) {
+    Eigen::MatrixXd matrix = random_positive(size, 2);
+    const Eigen::Index bad = size - 7;
+    matrix(bad, bad) = -1.0;
+    DenseTeam team(2);
+    EXPECT_EQ(
+        factorise_front(team, static_cast<std::size_t>(size), static_cast<std::size_t>(size), matrix.data(), nullptr),
+        static_cast<std::size_t>(bad));
+  }
+}
+
+TEST(DenseFront, inverts_from_the_lower_triangle_alone) {
+  for (const Eigen::Index size : {1, 191, 192, 193, 600}) {
+    if (sanitized && size > 200) continue;
+    const Eigen::MatrixXd matrix = random_positive(size, 3);
+    Eigen::MatrixXd lower = matrix.llt().matrixL();
+    lower.triangularView<Eigen::StrictlyUpper>().setConstant(std::numeric_limits<double>::quiet_NaN());
+    Eigen::MatrixXd inverse = Eigen::MatrixXd::Constant(size, size, std::numeric_limits<double>::quiet_NaN());
+    DenseTeam team(3);
+    invert_from_lower(team, static_cast<std::size_t>(size), lower.data(), inverse.data());
+    EXPECT_EQ((inverse - inverse.transpose()).cwiseAbs().maxCoeff(), 0.0);
+    const Eigen::MatrixXd identity = inverse * matrix - Eigen::MatrixXd::Identity(size, size);
+    EXPECT_LT(identity.cwiseAbs().maxCoeff(), 1e-12) << size;
+  }
+}
+
+TEST(DenseTeam, does_every_piece_once) {
+  for (const int threads : {1, 2, 5}) {
+    DenseTeam team(threads);
+    for (const std::size_t count : {0U, 1U, 2U, 1000U}) {
+      std::vector<std::atomic<int>> done(count);
+      team.run(count, [&done](std::size_t piece) { ++done[piece]; });
+      for (const std::atomic<int>& times : done) EXPECT_EQ(times, 1);
+    }
+  }
+}
+
+// The corridor's front and those next to it are cut into several tiles.
+TEST(DenseTeam, a_body_has_the_same_bits_for_any_number_of_threads) {
+  const BodyDescription body = lattice_body(sanitized ? 9 : 14, 80.0, 0.1, sanitized ? 150 : 300);
+  FactorOptions options;
+  options.threads = 1;
+  const Eigen::MatrixXd alone = condense(body, options).compliance;
+  for (const int threads : {0, 2, 3, 8}) {
+    options.threads = threads;
+    EXPECT_EQ(condense(body, options).compliance, alone) << threads;
+  }
+}
+
+}  // namespace
+}  // namespace bodkin
