@@ -133,6 +133,7 @@ TEST(PointSpread, the_slice_is_as_thick_as_the_probes_beam) {
         checks::hand_made(block, {checks::clear_medium(), checks::clear_medium(1.7)},
                           [&](const Vec3& p) { return p.y() >= strip_at && std::abs(p.z()) < 0.3 ? 2 : 1; });
     for (const int slices : {1, 3, 5, 7}) {
+      if (sanitized && slices != 3) continue;
       UltrasoundSettings settings;
       settings.depth = 46.0;
       settings.gain = 20.0 - checks::compensation(3.5, strip_at);
@@ -147,7 +148,7 @@ TEST(PointSpread, the_slice_is_as_thick_as_the_probes_beam) {
       probe.pitch = 0.0625;
       Ultrasound machine(volume, probe, settings, detail);
       double sum = 0.0, variance = 0.0;
-      for (double z = -8.0; z < 8.05; z += sanitized ? 0.8 : 0.2) {
+      for (double z = -8.0; z < 8.05; z += 0.2) {
         const UltrasoundFrame& frame = machine.image(checks::moved_to(Vec3(0.0, 0.0, z)));
         ASSERT_EQ(frame.why, NoImage::none);
         double echo = 0.0;
