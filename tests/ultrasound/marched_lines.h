@@ -53,7 +53,7 @@ inline MarchedLines march_lines(const AcousticVolume& patient, const std::array<
   lines.strong_at.assign(scan::lanes, 0.0F);
   lines.strong_echo.assign(scan::lanes, 0.0F);
 
-  std::array<std::array<float, scan::lanes>, 11> rows{};
+  std::array<std::array<float, scan::lanes>, 10> rows{};
   for (std::size_t l = 0; l < scan::lanes; ++l) {
     const Vec3 origin = patient.grid.to_index(starts[l].origin);
     const Vec3 step = settings.spacing * starts[l].direction.cwiseQuotient(patient.grid.spacing);
@@ -63,7 +63,6 @@ inline MarchedLines march_lines(const AcousticVolume& patient, const std::array<
       rows[static_cast<std::size_t>(axis + 6)][l] = static_cast<float>(starts[l].direction[axis]);
     }
     rows[9][l] = static_cast<float>(starts[l].gel);
-    rows[10][l] = 1e6F;  // no line leaves the patient
   }
   std::vector<float> gain(samples, 1.0F);
   const std::vector<float> leaves(scan::lanes, 1e6F);  // never: lines stay in the patient
@@ -96,7 +95,6 @@ inline MarchedLines march_lines(const AcousticVolume& patient, const std::array<
   march.direction = {rows[6].data(), rows[7].data(), rows[8].data()};
   march.lines = scan::lanes;
   march.gel_samples = rows[9].data();
-  march.leaves = rows[10].data();
   march.leaves = leaves.data();
   march.weight = 1.0F;
   march.first = true;

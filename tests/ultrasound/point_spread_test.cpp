@@ -1,4 +1,5 @@
 // How wide a point is drawn, along the line, across it and across the slice.
+#include "tests/sanitized.h"
 #include "tests/ultrasound/hand_made_patient.h"
 #include <gtest/gtest.h>
 
@@ -85,7 +86,7 @@ TEST(PointSpread, a_point_is_where_the_pictures_pose_says) {
     UltrasoundDetail detail = paper_detail();
     detail.speckle = true;
     UltrasoundSettings settings;
-    settings.gain = -30.0;
+    settings.gain = -40.0;
     Ultrasound machine(volume, probe, settings, detail);
     for (int number = 0; number < 5; ++number) {
       const Pose pose = probe_pose(Vec3(random.uniform(-20.0, 20.0), 1.0, random.uniform(-20.0, 20.0)),
@@ -132,6 +133,7 @@ TEST(PointSpread, the_slice_is_as_thick_as_the_probes_beam) {
         checks::hand_made(block, {checks::clear_medium(), checks::clear_medium(1.7)},
                           [&](const Vec3& p) { return p.y() >= strip_at && std::abs(p.z()) < 0.3 ? 2 : 1; });
     for (const int slices : {1, 3, 5, 7}) {
+      if (sanitized && slices != 3) continue;
       UltrasoundSettings settings;
       settings.depth = 46.0;
       settings.gain = 20.0 - checks::compensation(3.5, strip_at);

@@ -82,5 +82,27 @@ TEST(Slab, a_picture_shows_both_surfaces_at_their_levels) {
   }
 }
 
+// The pulse and the beam draw a surface out, and leave its level: also where its ramp takes several samples.
+TEST(Slab, pulse_and_beam_leave_a_surface_its_level) {
+  for (const double voxel : {0.1, 0.25}) {
+    const auto volume = checks::hand_made({.half_width = 22.0, .depth = 32.0, .half_thickness = 0.5, .voxel = voxel},
+                                          {checks::clear_medium(), checks::clear_medium(1.8)},
+                                          [](const Vec3& p) { return p.y() < 15.0 ? 1 : 2; });
+    UltrasoundSettings settings;
+    settings.depth = 30.0;
+    settings.frequency = 2.5;
+    UltrasoundDetail detail = checks::plain_detail(30.0, 0.1);
+    detail.speckle = true;
+    Ultrasound machine(volume, checks::flat_probe(), settings, detail);
+    for (const double gap : {0.0, 0.53, 1.08}) {
+      const UltrasoundFrame& frame = machine.image(checks::moved_to(Vec3(0.0, -gap, 0.0)));
+      double level = -60.0;
+      for (int row = 130; row < 180; ++row) level = std::max(level, checks::decibels(frame, 60.0, 200, row));
+      EXPECT_NEAR(level, checks::in_decibels(0.2 / 3.4) + checks::compensation(2.5, 15.0 + gap), 0.7)
+          << voxel << " mm voxels, " << gap << " mm of gel";
+    }
+  }
+}
+
 }  // namespace
 }  // namespace bodkin

@@ -1,6 +1,7 @@
 // The statistics of speckle: its distribution, its level, its size, and that it belongs to the patient.
 #include <array>
 
+#include "tests/sanitized.h"
 #include "tests/ultrasound/hand_made_patient.h"
 #include <gtest/gtest.h>
 
@@ -98,6 +99,7 @@ TEST(Speckle, keeps_its_level_however_finely_it_is_sampled) {
 
 // Cells of scatterers lie along the patient's lattice; lines may run aslant of it.
 TEST(Speckle, is_the_same_whichever_way_the_lattice_lies) {
+  if (sanitized) GTEST_SKIP() << "many pictures for one number";
   const Mat3 turns[] = {Eigen::AngleAxisd(0.7, Vec3::UnitZ()).toRotationMatrix(),
                         (Eigen::AngleAxisd(0.6, Vec3::UnitX()) * Eigen::AngleAxisd(0.6, Vec3::UnitZ()) *
                          Eigen::AngleAxisd(0.5, Vec3::UnitY()))
@@ -177,6 +179,7 @@ double correlation_width(const std::vector<double>& correlation) {
 }
 
 TEST(Speckle, is_as_large_as_the_point_spread_function) {
+  if (sanitized) GTEST_SKIP() << "many pictures for one number";
   constexpr double spacing = 0.1;
   for (const int slices : {1, 3}) {
     const UltrasoundSettings settings = speckle_settings();
