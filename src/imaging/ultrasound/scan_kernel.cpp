@@ -233,9 +233,14 @@ inline void reflect(const March& __restrict in, int line, int k, const Sample& _
     // spread.
     constexpr float faster = 310.0F / 4096.0F / 1040.0F;
     const float speed = 1.0F + faster * z, speed_before = 1.0F + faster * start;
-    const float bent = speed_before * speed_before * normal - speed * speed * (normal - along * along);
+    // A beam is wider than the stairs that voxels make of a soft surface: along one, less than 60 degrees are not
+    // believed.
+    const float hard = z > start ? z : start;
+    const float least = hard < bone_from ? 0.25F * normal : 0.0F;
+    const float squared = along * along > least ? along * along : least;
+    const float bent = speed_before * speed_before * normal - speed * speed * (normal - squared);
     const float behind = start * root(bent > 0.0F ? bent : 0.0F);  // 0: total reflection
-    const float ahead = z * speed_before * along;
+    const float ahead = z * speed_before * root(squared);
     const float reflected = (ahead - behind) / (ahead + behind + 1e-3F);
     const float cosine2 = along * along / normal;
 
