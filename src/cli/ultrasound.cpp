@@ -1,5 +1,6 @@
 #include "imaging/ultrasound/ultrasound.h"
 
+#include <algorithm>
 #include <cctype>
 #include <chrono>
 #include <filesystem>
@@ -12,6 +13,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/json_values.h"
+#include "cli/ultrasound_deformed.h"
 #include "cli/ultrasound_live.h"
 #include "cli/ultrasound_options.h"
 #include "cli/ultrasound_sweep.h"
@@ -32,7 +34,7 @@ struct UltrasoundArguments {
   std::string folder, output;
   UltrasoundOptions options;
   SweepOptions sweep;
-  bool plain = false, ct = false, live = false;
+  bool plain = false, ct = false, live = false, deformed = false;
 };
 
 constexpr const char* ultrasound_footer = R"(Examples:
@@ -40,6 +42,7 @@ constexpr const char* ultrasound_footer = R"(Examples:
   bodkin ultrasound patient --view transverse --at L3_L4 --ct                with the CT in the same plane
   bodkin ultrasound patient --at kidney_left --from left --depth 140 -o kidney.png
   bodkin ultrasound patient --probe L14-5 --view needle --needle --needle-depth 40
+  bodkin ultrasound patient --view needle --needle --deformed                tissue as the needle draws it along
   bodkin ultrasound patient --face 15,92,10 --look=-0.1,-1,0 --marked 0,0,1 --press 4
   bodkin ultrasound patient --tilt=-20,20 --frames 80 -o fan.igs.mha         a tracked sequence for 3D Slicer
   bodkin ultrasound patient --sweep-to 15,92,60 --on-skin -o sweep.mp4       a video (needs ffmpeg)
@@ -80,6 +83,14 @@ void check_combinations(const UltrasoundArguments& arguments) {
   if (sweep.on_skin && sweep.to.empty()) throw InputError("--on-skin is for the way of --sweep-to, which is missing");
   if (!sweep.any() && (sweep.frames_given.given() || sweep.rate_given.given())) {
     throw InputError("--frames and --rate are of a sweep; say which with --sweep-to, --tilt, --rock or --rotate");
+  }
+  if (arguments.deformed && !arguments.options.needle)
+    throw InputError("--deformed is a needle's work; add --needle");
+  if (arguments.deformed && (arguments.live || sweep.any())) {
+    throw InputError("--deformed is for a single picture; leave out --live and the options of a sweep");
+  }
+  if (arguments.deformed && arguments.options.press_given.given() && arguments.options.press > 0.0) {
+    throw InputError("--deformed shows what the needle does to tissue, not the probe; leave out --press");
   }
   if (arguments.options.needle_depth_given.given() && !arguments.options.needle) {
     throw InputError("--needle-depth is the depth of a needle; add --needle");
@@ -129,13 +140,16 @@ struct ScanScene {
   Pose pose;
   std::optional<NeedleInSound> needle;
   std::string needle_words;
+  std::optional<DeformedScan> deformed;
 };
 
 void scan_once(const UltrasoundArguments& arguments, const ScanScene& scene, Ultrasound& machine, Console& console) {
   const UltrasoundChoice& choice = scene.choice;
-  machine.image(scene.pose, scene.needle);  // the first one takes memory
+  const std::optional<ScanDisplacement> moved =
+      scene.deformed ? std::optional(scene.deformed->field()) : std::nullopt;
+  machine.image(scene.pose, scene.needle, moved);  // the first one takes memory
   const auto begin = std::chrono::steady_clock::now();
-  const UltrasoundFrame& frame = machine.image(scene.pose, scene.needle);
+  const UltrasoundFrame& frame = machine.image(scene.pose, scene.needle, moved);
   const double milliseconds =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   if (frame.why != NoImage::none) console.note(reason(frame.why));
@@ -170,6 +184,10 @@ void scan_once(const UltrasoundArguments& arguments, const ScanScene& scene, Ult
   } else {
     console.line(fmt::format("no image  {}", reason(frame.why)));
   }
+  if (scene.deformed) {
+    console.line(fmt::format("tissue    moved {:.1f} mm at most in this plane, {:.2f} N on the needle",
+                             scene.deformed->most, scene.deformed->force));
+  }
   console.line(fmt::format("time      {:.2f} ms a picture", milliseconds));
   console.line(fmt::format("again     --pose={}", pose_text(scene.pose)));
   console.line(fmt::format("\n{}", fs::absolute(file).string()));
@@ -182,6 +200,10 @@ void scan_once(const UltrasoundArguments& arguments, const ScanScene& scene, Ult
   result["contact"] = frame.contact;
   result["press_mm"] = frame.press;
   result["no_image"] = std::string(reason(frame.why));
+  if (scene.deformed) {
+    result["tissue_moved_mm"] = scene.deformed->most;
+    result["needle_force_N"] = scene.deformed->force;
+  }
   result["milliseconds"] = milliseconds;
   console.json(result.dump(2));
 }
@@ -217,7 +239,8 @@ void scan_sweep(const UltrasoundArguments& arguments, const ScanScene& scene, st
 void run_ultrasound(const UltrasoundArguments& arguments, const CommandContext& context) {
   Console console(context);
   check_combinations(arguments);
-  const UltrasoundChoice choice = choose_ultrasound(arguments.options);
+  UltrasoundChoice choice = choose_ultrasound(arguments.options);
+  if (arguments.deformed) choice.press = std::min(choice.press, 0.0);  // the needle's work alone
   const bool sweeping = arguments.sweep.any();
   std::optional<SweepTarget> target;
   std::vector<SweepPose> poses;
@@ -251,7 +274,14 @@ void run_ultrasound(const UltrasoundArguments& arguments, const CommandContext& 
     console.json(result.dump(2));
     return;
   }
-  const ScanScene scene{patient, choice, hand.pose(), needle, said};
+  std::optional<DeformedScan> deformed;
+  if (arguments.deformed) {
+    const UltrasoundFrame& frame = machine.image(hand.pose());
+    deformed = deform_scan(patient, arguments.folder, needle->pose.translation(), frame, hand.pose(), console);
+    needle = deformed->needle;
+    console.clear_bar();
+  }
+  const ScanScene scene{patient, choice, hand.pose(), needle, said, std::move(deformed)};
   if (sweeping) {
     scan_sweep(arguments, scene, std::move(poses), *target, machine, console);
   } else {
@@ -269,6 +299,8 @@ void add_ultrasound_command(CLI::App& app, CommandContext& context) {
   add_ultrasound_options(*command, arguments->options);
   add_text(*command, "-o,--output", arguments->output,
            "The picture, .png or .svg (default: NAME-ultrasound.png); of a sweep .mha, a video or a folder");
+  add_switch(*command, "--deformed", arguments->deformed,
+             "With --needle, of a case with a mesh: the tissue as the needle has moved it");
   add_switch(*command, "--plain", arguments->plain, "The pixels alone, nothing around them");
   add_switch(*command, "--ct", arguments->ct, "The same plane of the CT beside it");
   add_sweep_options(*command, arguments->sweep);

@@ -31,6 +31,19 @@ Vec3 displacement_at(const Vec3& place, const SlicePlane& grid, std::span<const 
   return sum;
 }
 
+// Where at rest that was which now is at `place`.
+Vec3 rest_place(const Vec3& place, const SlicePlane& grid, std::span<const float> displacements) {
+  Vec3 rest = place;
+  for (int i = 0; i < iterations; ++i) {
+    // Half steps: where tissue is stretched by more than its length whole ones would not settle.
+    const Vec3 next = 0.5 * rest + 0.5 * (place - displacement_at(rest, grid, displacements));
+    const bool settled = (next - rest).squaredNorm() < 1e-6;
+    rest = next;
+    if (settled) break;
+  }
+  return rest;
+}
+
 }  // namespace
 
 SlicePlane warp_grid(const SlicePlane& plane, double spacing) {
@@ -57,18 +70,21 @@ Slice cut_deformed(const SlicePlane& plane, const CtVolume& ct, const TissueVolu
   Slice slice;
   slice.plane = plane;
   for (const Vec3& pixel : points_of(plane)) {
-    Vec3 rest = pixel;
-    for (int i = 0; i < iterations; ++i) {
-      // Half steps: where tissue is stretched by more than its length whole ones would not settle.
-      const Vec3 next = 0.5 * rest + 0.5 * (pixel - displacement_at(rest, grid, displacements));
-      const bool settled = (next - rest).squaredNorm() < 1e-6;
-      rest = next;
-      if (settled) break;
-    }
+    const Vec3 rest = rest_place(pixel, grid, displacements);
     slice.hounsfield.push_back(static_cast<float>(linear(ct, rest, std::numeric_limits<double>::quiet_NaN())));
     slice.tissues.push_back(nearest(tissues, rest, Slice::outside));
   }
   return slice;
+}
+
+std::vector<float> displacements_of_places(const SlicePlane& grid, std::span<const float> displacements) {
+  std::vector<float> moved;
+  moved.reserve(displacements.size());
+  for (const Vec3& place : points_of(grid)) {
+    const Vec3 here = place - rest_place(place, grid, displacements);
+    for (Eigen::Index axis = 0; axis < 3; ++axis) moved.push_back(static_cast<float>(here[axis]));
+  }
+  return moved;
 }
 
 }  // namespace bodkin

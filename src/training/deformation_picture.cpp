@@ -54,14 +54,18 @@ std::string title_of(const DeformedMoment& moment, double most) {
 
 }  // namespace
 
+std::vector<float> displacements_at(const BodyDescription& body, const NodeForces& forces,
+                                    const std::vector<Vec3>& points, const Progress& progress) {
+  return moved_points(body, points, displacement(body, forces, progress));
+}
+
 std::string deformation_picture(const Case& patient, const BodyDescription& body, const DeformedMoment& moment,
                                 const Progress& progress) {
   const NeedlePath& path = patient.corridor.path;
   const Vec3 tip = moment.needle.translation(), along = needle_axis(moment.needle);
   const SlicePlane plane = sagittal_plane_along(path, tip - 0.25 * side * along, side, side, side / pixels_across);
   const SlicePlane grid = warp_grid(plane, warp_spacing);
-  const std::vector<float> displacements =
-      moved_points(body, points_of(grid), displacement(body, moment.forces, progress));
+  const std::vector<float> displacements = displacements_at(body, moment.forces, points_of(grid), progress);
   double most = 0.0;
   for (std::size_t i = 0; i + 2 < displacements.size(); i += 3)
     most =

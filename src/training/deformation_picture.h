@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "anatomy/case.h"
 #include "core/progress.h"
@@ -17,6 +18,12 @@ struct DeformedMoment {
   double depth = 0.0;              // mm
   double resistance = 0.0;         // N
 };
+
+// How a body at rest moves under forces, mm, x y z at each point (LPS mm) in turn; nothing outside its mesh. `body`:
+// what a corridor was made of (prepare_body); it is factorised anew, for the displacement of all of it. Throws
+// InputError when that does not fit into memory.
+std::vector<float> displacements_at(const BodyDescription& body, const NodeForces& forces,
+                                    const std::vector<Vec3>& points, const Progress& progress = {});
 
 // The patient in the plane of the path, at rest and as the needle deforms it, side by side with the needle: an SVG
 // document. `body`: what the patient's corridor was made of (prepare_body); it is factorised anew, for the

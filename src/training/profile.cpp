@@ -26,17 +26,18 @@ Profile insert_at_constant_speed(const Case& patient, const ProfileOptions& opti
   const double peak_force = patient.description.device.peak_force;
   const auto expected = static_cast<std::size_t>((way.end - way.start) / step);
   profile.ticks.reserve(expected * (options.withdraw ? 2 : 1) + 16);
+  const auto moment = [&haptics](const TickRecord& record) {
+    Pose needle = record.input.needle;
+    needle.translation() -= haptics.needle_ahead();
+    return DeformedMoment{haptics.node_forces(), needle, haptics.needle_ahead().norm(), record.output.depth,
+                          record.output.resistance};
+  };
   const auto tick = [&](double place) -> const TickOutput& {
     TickRecord record;
     record.tick = profile.ticks.size();
     record.input.needle = way.needle_at(place);
     record.output = haptics.step(record.input);
-    if (record.output.resistance > profile.strongest.resistance) {
-      Pose needle = record.input.needle;
-      needle.translation() -= haptics.needle_ahead();
-      profile.strongest = {haptics.node_forces(), needle, haptics.needle_ahead().norm(), record.output.depth,
-                           record.output.resistance};
-    }
+    if (record.output.resistance > profile.strongest.resistance) profile.strongest = moment(record);
     profile.ticks.push_back(record);
     if (progress && record.tick % 2048 == 0) {
       progress("Inserting the needle",
@@ -65,6 +66,7 @@ Profile insert_at_constant_speed(const Case& patient, const ProfileOptions& opti
       break;
     }
   }
+  profile.last = moment(profile.ticks.back());
   const auto rests = static_cast<std::size_t>(std::lround(options.pause / profile.dt));
   for (std::size_t n = 0; n < rests; ++n) tick(deepest);
   if (options.withdraw) {

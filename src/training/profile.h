@@ -28,6 +28,7 @@ struct Profile {
   double dt = 0.001;                      // s
   std::vector<TickRecord> ticks;          // in order; events stand in them
   DeformedMoment strongest;               // where a deformable body resisted most; without forces for other models
+  DeformedMoment last;                    // at the end of the insertion, likewise
   std::optional<double> stopped_by_bone;  // mm; the depth at which bone held more than the device's peak force
   std::string outcome;                    // how far the needle came, one sentence
   std::vector<std::string> notes;         // what was assumed, one sentence each

@@ -155,6 +155,7 @@ const std::vector<CommandRow>& table() {
         {"--mark", Kind::text},
         {"--needle", Kind::toggle},
         {"--needle-depth", Kind::number, {"-1", "301"}},
+        {"--deformed", Kind::toggle},
         {"--output", Kind::text},
         {"--plain", Kind::toggle},
         {"--ct", Kind::toggle},

@@ -66,6 +66,19 @@ TEST_F(DeformableCase, a_patient_is_felt_through_its_mesh) {
   ASSERT_EQ(seen.exit_code, 0) << seen.errors;
   EXPECT_THAT(text_of("seen-deformation.svg"), AllOf(HasSubstr("at rest"), HasSubstr("tissue moved ")));
 
+  // Ultrasound of the same tissue: it has moved where the needle is, and not far below.
+  const std::string scan =
+      "-q --json ultrasound patient --view needle --probe L14-5 --needle --needle-depth 35 --plain ";
+  const Outcome straight = bodkin(scan + "--press 0 -o straight.png");
+  ASSERT_EQ(straight.exit_code, 0) << straight.errors;
+  const Outcome drawn = bodkin(scan + "--deformed -o drawn.png");
+  ASSERT_EQ(drawn.exit_code, 0) << drawn.errors;
+  const json tissue = json::parse(drawn.output);
+  EXPECT_GT(tissue.at("tissue_moved_mm").get<double>(), 0.2);
+  EXPECT_LT(tissue.at("tissue_moved_mm").get<double>(), 20.0);
+  EXPECT_GT(tissue.at("needle_force_N").get<double>(), 0.05);
+  EXPECT_NE(content_of(folder_ / "straight.png"), content_of(folder_ / "drawn.png"));
+
   // Beside the planned path the corridor is another one, and what was cached stays.
   const auto cached = fs::last_write_time(folder_ / "patient" / ::bodkin::body_file_name);
   const auto moved = [&said](const char* end) {

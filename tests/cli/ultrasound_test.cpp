@@ -183,6 +183,10 @@ TEST_F(UltrasoundCommand, what_cannot_be_is_one_sentence) {
   expect_refusal("--sweep a.csv --tilt 1,2", "leave out");
   expect_refusal("--sweep a.csv", "a.csv");
   expect_refusal("--live --plain", "--live");
+  expect_refusal("--deformed", "add --needle");
+  expect_refusal("--needle --deformed --press 2", "leave out --press");
+  expect_refusal("--needle --deformed --tilt 1,2", "--deformed is for a single picture");
+  expect_refusal("--needle --deformed", "make one with: bodkin case mesh");
 }
 
 }  // namespace

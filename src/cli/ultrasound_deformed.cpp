@@ -1,0 +1,61 @@
+#include "cli/ultrasound_deformed.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "imaging/warped_slice.h"
+#include "training/deformation_picture.h"
+#include "training/prepared_body.h"
+#include "training/profile.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr double grid_spacing = 1.0;  // mm
+
+}  // namespace
+
+DeformedScan deform_scan(Case patient, const std::string& folder, const Vec3& tip, const UltrasoundFrame& frame,
+                         const Pose& probe, Console& console) {
+  ResistanceSettings& resistance = patient.description.haptics.resistance;
+  if (body_of(resistance) == nullptr) resistance = EmbeddedNeedleSettings{};
+  const std::shared_ptr<const BodyDescription> body =
+      prepare_body(patient, folder, patient.description.procedure.path, console.progress(),
+                   [&console](const std::string& text) { console.note(text); });
+  ProfileOptions options;
+  options.target = tip;
+  const Profile profile = insert_at_constant_speed(patient, options, console.progress());
+  if (profile.stopped_by_bone) console.note(profile.outcome);
+
+  SlicePlane plane;
+  plane.corner = probe * frame.corner;
+  plane.right = probe.linear().col(0);
+  plane.down = probe.linear().col(1);
+  plane.pixel = frame.pixel;
+  plane.width = frame.width;
+  plane.height = frame.height;
+  const SlicePlane grid = warp_grid(plane, grid_spacing);
+  const std::vector<float> at_rest =
+      displacements_at(*body, profile.last.forces, points_of(grid), console.progress());
+
+  DeformedScan scan;
+  scan.needle = {profile.last.needle, patient.description.needle};
+  scan.force = profile.last.resistance;
+  scan.moved = displacements_of_places(grid, at_rest);
+  for (std::size_t i = 0; i + 2 < scan.moved.size(); i += 3) {
+    const Vec3 here(static_cast<double>(scan.moved[i]), static_cast<double>(scan.moved[i + 1]),
+                    static_cast<double>(scan.moved[i + 2]));
+    scan.most = std::max(scan.most, here.norm());
+  }
+  scan.corner = frame.corner;
+  scan.spacing = grid.pixel;
+  scan.columns = grid.width;
+  scan.rows = grid.height;
+  return scan;
+}
+
+}  // namespace bodkin
