@@ -31,8 +31,6 @@ struct UltrasoundProbe {
 
   // mm along the face, from the first element to the last.
   double aperture() const { return elements * pitch; }
-  // mm of a wave in soft tissue (1540 m/s).
-  double wavelength() const { return 1.540 / frequency; }
 };
 
 // Throws InputError naming `origin`, the field, what it is and what is expected, when the probe could not exist.

@@ -30,7 +30,6 @@ TEST(Probe, one_of_each_kind_exists) {
   for (const UltrasoundProbe& probe : {UltrasoundProbe{.name = "L"}, curved(), sectored()})
     EXPECT_NO_THROW(check(probe, "here"));
   EXPECT_NEAR(UltrasoundProbe{.elements = 128}.aperture(), 38.4, 1e-12);
-  EXPECT_NEAR(UltrasoundProbe{.frequency = 7.7}.wavelength(), 0.2, 1e-12);
 }
 
 TEST(Probe, what_could_not_exist_is_refused_with_field_found_and_expected) {

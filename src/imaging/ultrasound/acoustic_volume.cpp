@@ -305,11 +305,6 @@ double impedance_of_hounsfield(double hounsfield) {
   return std::clamp(1e-6 * density * (density + mast_offset) / mast_slope, air_impedance, greatest_impedance);
 }
 
-double speed_of_impedance(double impedance) {
-  // slope c^2 - offset c - impedance = 0, as impedance = density c
-  return (mast_offset + std::sqrt(mast_offset * mast_offset + 4e6 * mast_slope * impedance)) / (2.0 * mast_slope);
-}
-
 std::shared_ptr<const AcousticVolume> acoustic_volume(const Case& patient, const Progress& progress) {
   const HounsfieldSlices hounsfield(patient);
   check_hounsfield(patient, hounsfield);

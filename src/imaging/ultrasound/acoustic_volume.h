@@ -14,8 +14,6 @@ namespace bodkin {
 // Impedance of soft tissue from its HU, MRayl: density by the fit to Schneider, Pedroni and Lomax 1996, speed by Mast
 // 2000. Held between 0.0004 (air) and 8.
 double impedance_of_hounsfield(double hounsfield);
-// Speed of sound of a medium from its impedance, m/s, by the same two relations. For impedances from 1 to 8 MRayl.
-double speed_of_impedance(double impedance);
 
 // A patient as sound meets it: on the lattice of its tissues, so that nothing but two arrays is read while a line
 // runs.
