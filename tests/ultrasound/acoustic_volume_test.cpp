@@ -46,7 +46,7 @@ double own_impedance(TissueId id) {
 }
 
 TEST(ImpedanceOfHounsfield, follows_the_published_map) {
-  // HU, kg/m^3 (not seen from outside), m/s and MRayl as computed from Schneider 1996 and Mast 2000
+  // HU and MRayl, as computed from Schneider 1996 and Mast 2000
   const std::array<std::array<double, 2>, 12> table = {{{-100, 1.301},
                                                         {-50, 1.424},
                                                         {0, 1.542},
