@@ -245,7 +245,8 @@ class TissueSmoother {
   // Adds neighbour number d of `count` voxels from `begin` on: those whose tissue is the voxel's.
   void add(int d, const std::uint8_t* here, const std::uint8_t* there, const float* value, std::size_t begin,
            std::size_t count) {
-    const float share = gaussian[static_cast<std::size_t>(d + gaussian_reach)];
+    const int neighbour = d + gaussian_reach;
+    const float share = gaussian[static_cast<std::size_t>(neighbour)];
     float* const sum = smooth_.data() + begin;
     float* const weight = weight_.data() + begin;
     for (std::size_t i = 0; i < count; ++i) {

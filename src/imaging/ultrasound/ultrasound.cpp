@@ -303,9 +303,9 @@ void Ultrasound::Machine::draw(const Pose& pose, const std::optional<NeedleInSou
   auto convert_rows = [this](int turn) noexcept {
     const scan::Conversion all{grey.data(), tables.stride, conversion.place.data(), conversion.weights.data(),
                                frame.pixels.data()};
-    const int last_row = std::min(frame.height, (turn + 1) * rows_a_turn);
+    const int first_row = turn * rows_a_turn, last_row = std::min(frame.height, (turn + 1) * rows_a_turn);
     const std::size_t last = conversion.row_of_runs[static_cast<std::size_t>(last_row)];
-    for (std::size_t run = conversion.row_of_runs[static_cast<std::size_t>(turn * rows_a_turn)]; run < last; ++run)
+    for (std::size_t run = conversion.row_of_runs[static_cast<std::size_t>(first_row)]; run < last; ++run)
       kernel.convert(all, conversion.runs[run].first, conversion.runs[run].last);
   };
   crew.share((frame.height + rows_a_turn - 1) / rows_a_turn, convert_rows);
