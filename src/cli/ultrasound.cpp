@@ -185,7 +185,7 @@ void scan_once(const UltrasoundArguments& arguments, const ScanScene& scene, Ult
     console.line(fmt::format("no image  {}", reason(frame.why)));
   }
   if (scene.deformed) {
-    console.line(fmt::format("tissue    moved {:.1f} mm at most in this plane, {:.2f} N on the needle",
+    console.line(fmt::format("tissue    moved {:.2f} mm at most in this plane, {:.2f} N on the needle",
                              scene.deformed->most, scene.deformed->force));
   }
   console.line(fmt::format("time      {:.2f} ms a picture", milliseconds));
