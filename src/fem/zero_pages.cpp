@@ -1,6 +1,5 @@
 #include "fem/zero_pages.h"
 
-#include <memory>
 #include <string>
 #include <utility>
 
@@ -9,12 +8,6 @@
 #include "core/error.h"
 
 namespace bodkin {
-
-void prefer_large_pages(void* begin, std::size_t bytes) noexcept {
-  constexpr std::size_t page = 4096;  // madvise() wants whole ones
-  std::size_t room = bytes;
-  if (std::align(page, page, begin, room) != nullptr) madvise(begin, room / page * page, MADV_HUGEPAGE);
-}
 
 ZeroPages::ZeroPages(std::size_t count) : bytes_(count * sizeof(double)) {
   if (bytes_ == 0) return;

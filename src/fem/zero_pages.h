@@ -2,11 +2,9 @@
 
 #include <cstddef>
 
-namespace bodkin {
+#include "core/large_pages.h"
 
-// Asks for large pages (2 MiB) where these bytes, which nothing has been written to yet, span any: what is read here
-// and there then needs no page looked up each time. Where that is not possible nothing is lost.
-void prefer_large_pages(void* begin, std::size_t bytes) noexcept;
+namespace bodkin {
 
 // Many numbers, all zero at first. The machine gives the pages when they are first written to, large ones (2 MiB)
 // where it has them, and takes them back at the end.

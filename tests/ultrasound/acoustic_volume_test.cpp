@@ -38,7 +38,7 @@ Case acoustic_block(TissueId id, std::array<int, 3> size = {9, 8, 7}) {
 }
 
 double impedance_at(const AcousticVolume& volume, int i, int j, int k) {
-  return volume.impedance[volume.grid.offset(i, j, k)] * AcousticVolume::unit;
+  return volume.impedance(volume.grid.offset(i, j, k)) * AcousticVolume::unit;
 }
 
 double own_impedance(TissueId id) {
@@ -81,7 +81,7 @@ TEST(AcousticVolume, a_tissue_at_its_typical_hu_has_its_own_impedance) {
                 0.51 * AcousticVolume::unit)
         << entry.name;
     EXPECT_NEAR(impedance_at(*volume, 4, 4, 0), 0.0004, AcousticVolume::unit) << "air above " << entry.name;
-    EXPECT_GT(volume->impedance[0], 0) << "no impedance is zero";
+    EXPECT_GT(volume->impedance(0), 0) << "no impedance is zero";
     EXPECT_EQ(volume->media[entry.id].echo, entry.acoustic.echo);
     EXPECT_EQ(volume->young[entry.id], entry.deformable.young);
   }
@@ -233,12 +233,12 @@ TEST(AcousticVolume, a_synthetic_patient_sounds_like_its_tissues) {
   patient.tissues = std::move(lumbar.tissues);
   const auto volume = acoustic_volume(patient, {});
   std::array<double, 256> sum{}, count{};
-  for (std::size_t voxel = 0; voxel < volume->tissues.size(); ++voxel) {
-    const std::size_t id = volume->tissues[voxel];
+  for (std::size_t voxel = 0; voxel < volume->voxels.size(); ++voxel) {
+    const std::size_t id = volume->tissue(voxel);
     const double own = own_impedance(static_cast<TissueId>(id)),
-                 found = volume->impedance[voxel] * AcousticVolume::unit;
-    ASSERT_GT(volume->impedance[voxel], 0);
-    ASSERT_NEAR(found, own, 0.0801 * own + AcousticVolume::unit) << volume->tissues[voxel];
+                 found = volume->impedance(voxel) * AcousticVolume::unit;
+    ASSERT_GT(volume->impedance(voxel), 0);
+    ASSERT_NEAR(found, own, 0.0801 * own + AcousticVolume::unit) << volume->tissue(voxel);
     sum[id] += found;
     count[id] += 1.0;
   }

@@ -190,8 +190,8 @@ TEST(BadInput, patients_that_cannot_be_walked_through_are_refused) {
   thin->grid.size = {thin->grid.size[0] * thin->grid.size[1], 1, thin->grid.size[2]};
   EXPECT_THAT(made(thin), HasSubstr("expected at least two along each axis"));
   auto bare = small_patient();
-  bare->tissues.clear();
-  EXPECT_THAT(made(bare), HasSubstr("and 0 tissues"));
+  bare->voxels.clear();
+  EXPECT_THAT(made(bare), HasSubstr("the acoustic volume has 0 voxels, expected "));
 }
 
 }  // namespace

@@ -26,9 +26,10 @@ std::shared_ptr<AcousticVolume> lumpy_patient() {
         const double waves = std::sin(0.31 * p.x()) + std::sin(0.23 * p.y() + 0.1 * p.z()) + std::cos(0.2 * p.z());
         return p.y() < 6.0 ? 1 : waves > 1.6 ? 3 : waves < -1.9 ? 4 : waves > 0.0 ? 2 : 1;
       });
-  for (std::size_t at = 0; at < volume->impedance.size(); ++at)
-    volume->impedance[at] = static_cast<std::int16_t>(volume->impedance[at] *
-                                                      (1.0 + 0.01 * hash_noise(7, static_cast<std::int64_t>(at))));
+  for (std::size_t at = 0; at < volume->voxels.size(); ++at) {
+    const double varied = volume->impedance(at) * (1.0 + 0.01 * hash_noise(7, static_cast<std::int64_t>(at)));
+    volume->voxels[at] = AcousticVolume::voxel(static_cast<std::int16_t>(varied), volume->tissue(at));
+  }
   return volume;
 }
 

@@ -52,18 +52,16 @@ std::shared_ptr<AcousticVolume> hand_made(const Block& block, const std::vector<
                              (Vec3(0.0, middle.y(), 0.0) + Vec3(block.half_width, block.above, block.half_thickness));
   volume->media[0] = clear_medium(0.0004, 12.0);
   for (std::size_t n = 0; n < media.size(); ++n) volume->media[n + 1] = media[n];
-  volume->tissues.reserve(grid.voxel_count());
+  volume->voxels.reserve(grid.voxel_count());
   for (int k = 0; k < grid.size[2]; ++k) {
     for (int j = 0; j < grid.size[1]; ++j) {
       for (int i = 0; i < grid.size[0]; ++i) {
         const Vec3 point = grid.to_patient(Vec3(i, j, k));
-        const int id = point.y() < -1e-6 ? 0 : where(point);
-        volume->tissues.push_back(static_cast<std::uint8_t>(id));
+        const auto id = static_cast<TissueId>(point.y() < -1e-6 ? 0 : where(point));
+        volume->voxels.push_back(AcousticVolume::voxel(impedance_steps(volume->media[id].impedance), id));
       }
     }
   }
-  for (const std::uint8_t id : volume->tissues)
-    volume->impedance.push_back(impedance_steps(volume->media[id].impedance));
   return volume;
 }
 

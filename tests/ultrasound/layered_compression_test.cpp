@@ -128,13 +128,14 @@ AcousticVolume layered_patient() {
   volume.grid.origin = {1.0, -4.0, -4.0};
   volume.young[tissue::fat] = soft_young;
   volume.young[tissue::muscle] = firm_young;
-  volume.tissues.resize(volume.grid.voxel_count());
-  for (std::size_t voxel = 0; voxel < volume.tissues.size(); ++voxel) {
+  volume.voxels.resize(volume.grid.voxel_count());
+  for (std::size_t voxel = 0; voxel < volume.voxels.size(); ++voxel) {
     const double x = 2.0 * static_cast<double>(voxel % 40) + 1.0;
-    volume.tissues[voxel] = x < 10.0   ? tissue::air
-                            : x < 30.0 ? tissue::fat
-                            : x < 50.0 ? tissue::muscle
-                                       : tissue::cortical_bone;
+    const TissueId id = x < 10.0   ? tissue::air
+                        : x < 30.0 ? tissue::fat
+                        : x < 50.0 ? tissue::muscle
+                                   : tissue::cortical_bone;
+    volume.voxels[voxel] = AcousticVolume::voxel(0, id);
   }
   return volume;
 }

@@ -75,8 +75,7 @@ inline MarchedLines march_lines(const AcousticVolume& patient, const std::array<
   }
 
   scan::March march{};
-  march.impedance = patient.impedance.data();
-  march.tissues = patient.tissues.data();
+  march.voxels = patient.voxels.data();
   for (int axis = 0; axis < 3; ++axis) {
     march.size[axis] = patient.grid.size[static_cast<std::size_t>(axis)];
     march.per_mm[axis] = static_cast<float>(1.0 / patient.grid.spacing[axis]);

@@ -17,12 +17,13 @@ std::shared_ptr<AcousticVolume> two_media(double before, double behind, int ramp
   const auto volume = checks::hand_made(block, {checks::clear_medium(before), checks::clear_medium(behind)},
                                         [](const Vec3& p) { return p.y() < surface_at ? 1 : 2; });
   const Grid& grid = volume->grid;
-  for (std::size_t at = 0; at < volume->impedance.size(); ++at) {
-    if (volume->tissues[at] == tissue::air) continue;
+  for (std::size_t at = 0; at < volume->voxels.size(); ++at) {
+    if (volume->tissue(at) == tissue::air) continue;
     const auto row = static_cast<int>(at / static_cast<std::size_t>(grid.size[0])) % grid.size[1];
     const double y = grid.to_patient(Vec3(0, row, 0)).y();
     const double part = std::clamp((y - surface_at + 0.25) / (0.5 * ramp) + 0.5, 0.0, 1.0);
-    volume->impedance[at] = checks::impedance_steps(before + part * (behind - before));
+    volume->voxels[at] =
+        AcousticVolume::voxel(checks::impedance_steps(before + part * (behind - before)), volume->tissue(at));
   }
   return volume;
 }

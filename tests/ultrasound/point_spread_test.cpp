@@ -3,7 +3,6 @@
 #include "tests/ultrasound/hand_made_patient.h"
 #include <gtest/gtest.h>
 
-#include "core/random.h"
 #include "imaging/ultrasound/slice_rays.h"
 #include "imaging/ultrasound/sound_beam.h"
 
@@ -183,6 +182,23 @@ TEST(PointSpread, rays_of_a_slice_have_the_variance_of_the_beam) {
     EXPECT_NEAR(sum, 1.0, 1e-12);
     EXPECT_NEAR(mean, 0.0, 1e-12);
     EXPECT_NEAR(variance, count == 1 ? 0.0 : 1.0, 1e-12);
+  }
+}
+
+// On average over two neighbouring lines, passes are the rays.
+TEST(PointSpread, rays_that_take_turns_have_the_variance_of_the_beam) {
+  for (const int count : {1, 3, 5, 7}) {
+    const std::vector<SlicePass> passes = slice_passes(slice_rays(count), true);
+    EXPECT_EQ(passes.size(), static_cast<std::size_t>(1 + count / 2));
+    double sum = 0.0, variance = 0.0;
+    for (const SlicePass& pass : passes) {
+      EXPECT_EQ(pass.alternates, pass.off != 0.0);
+      sum += pass.weight;
+      variance += pass.weight * pass.off * pass.off;
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-12);
+    EXPECT_NEAR(variance, count == 1 ? 0.0 : 1.0, 1e-12);
+    EXPECT_EQ(slice_passes(slice_rays(count), false).size(), static_cast<std::size_t>(count));
   }
 }
 

@@ -311,10 +311,10 @@ std::shared_ptr<const AcousticVolume> acoustic_volume(const Case& patient, const
   check_hounsfield(patient, hounsfield);
   auto volume = std::make_shared<AcousticVolume>();
   volume->grid = patient.tissues.grid;
-  volume->tissues = patient.tissues.voxels;
   volume->media = patient.library.by_id(&TissueProperties::acoustic);
   for (const TissueProperties& entry : patient.library.tissues()) volume->young[entry.id] = entry.deformable.young;
-  volume->impedance.resize(volume->tissues.size());
+  const auto& tissues = patient.tissues.voxels;
+  volume->voxels.reserve(tissues.size());
 
   const HounsfieldTable map;
   const std::array<ImpedanceRule, 256> rules = impedance_rules(patient.library);
@@ -327,10 +327,11 @@ std::shared_ptr<const AcousticVolume> acoustic_volume(const Case& patient, const
     if (progress && k % (slices / progress_reports + 1) == 0)
       progress("acoustic volume", static_cast<double>(k) / slices);
     for (const float value : smoother.slice(k)) {
-      const ImpedanceRule& rule = rules[volume->tissues[position]];
+      const TissueId id = tissues[position++];
+      const ImpedanceRule& rule = rules[id];
       const float change = std::clamp(map(value) - rule.typical, -rule.most, rule.most);
-      volume->impedance[position++] =
-          static_cast<std::int16_t>(std::min((rule.own + change) * steps + 0.5F, highest));
+      const auto impedance = static_cast<std::int16_t>(std::min((rule.own + change) * steps + 0.5F, highest));
+      volume->voxels.push_back(AcousticVolume::voxel(impedance, id));
     }
   }
   if (progress) progress("acoustic volume", 1.0);

@@ -3,10 +3,10 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "anatomy/acoustic_tissue.h"
 #include "anatomy/case.h"
+#include "core/large_pages.h"
 #include "core/progress.h"
 
 namespace bodkin {
@@ -15,16 +15,25 @@ namespace bodkin {
 // 2000. Held between 0.0004 (air) and 8.
 double impedance_of_hounsfield(double hounsfield);
 
-// A patient as sound meets it: on the lattice of its tissues, so that nothing but two arrays is read while a line
+// A patient as sound meets it: on the lattice of its tissues, so that nothing but one array is read while a line
 // runs.
 struct AcousticVolume {
-  static constexpr double unit = 1.0 / 4096.0;  // MRayl of one step of `impedance`
+  static constexpr double unit = 1.0 / 4096.0;  // MRayl of one step of an impedance
 
   Grid grid;
-  std::vector<std::int16_t> impedance;    // in `unit`, voxel by voxel: the tissue's own, varied by the HU there
-  std::vector<std::uint8_t> tissues;      // tissue ids
+  // Voxel by voxel: the impedance in `unit`, 0 to 32767, the tissue's own, varied by the HU there; and from bit 16 on
+  // the tissue's id.
+  LargePageVector<std::uint32_t> voxels;
   std::array<AcousticTissue, 256> media;  // by tissue id
   std::array<double, 256> young{};  // MPa by tissue id, for tissue under the probe; 0 where the library says nothing
+
+  static std::uint32_t voxel(std::int16_t impedance, TissueId id) noexcept {
+    return static_cast<std::uint32_t>(impedance) | static_cast<std::uint32_t>(id) << 16;
+  }
+  std::int16_t impedance(std::size_t position) const noexcept {
+    return static_cast<std::int16_t>(voxels[position] & 0xFFFFU);
+  }
+  TissueId tissue(std::size_t position) const noexcept { return static_cast<TissueId>(voxels[position] >> 16); }
 };
 
 // The acoustic volume of a case. Bone (cortical or cancellous) has its own impedance whatever its HU, and so have the

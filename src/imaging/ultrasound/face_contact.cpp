@@ -22,8 +22,8 @@ struct Feeler {
     const bool within = index.x() >= 0.0 && index.y() >= 0.0 && index.z() >= 0.0 && index.x() < size[0] &&
                         index.y() < size[1] && index.z() < size[2];
     if (!within) return true;
-    return patient.tissues[patient.grid.offset(static_cast<int>(index.x()), static_cast<int>(index.y()),
-                                               static_cast<int>(index.z()))] == tissue::air;
+    return patient.tissue(patient.grid.offset(static_cast<int>(index.x()), static_cast<int>(index.y()),
+                                              static_cast<int>(index.z()))) == tissue::air;
   }
   // Whether air has a share in what is interpolated between the voxels there.
   bool partly_air(double distance) const noexcept {
@@ -34,8 +34,7 @@ struct Feeler {
       const int i = static_cast<int>((corner & 1) != 0 ? high.x() : low.x()),
                 j = static_cast<int>((corner & 2) != 0 ? high.y() : low.y()),
                 k = static_cast<int>((corner & 4) != 0 ? high.z() : low.z());
-      if (!patient.grid.contains(i, j, k) || patient.tissues[patient.grid.offset(i, j, k)] == tissue::air)
-        return true;
+      if (!patient.grid.contains(i, j, k) || patient.tissue(patient.grid.offset(i, j, k)) == tissue::air) return true;
     }
     return false;
   }

@@ -27,7 +27,7 @@ double modulus_at(const AcousticVolume& patient, const Vec3& point) noexcept {
   if (!inside) return LayeredCompression::soft_modulus;
   const std::size_t voxel = patient.grid.offset(static_cast<int>(rounded.x()), static_cast<int>(rounded.y()),
                                                 static_cast<int>(rounded.z()));
-  const TissueId id = patient.tissues[voxel];
+  const TissueId id = patient.tissue(voxel);
   const bool bone = id == tissue::cortical_bone || id == tissue::cancellous_bone || id == tissue::metal;
   return std::max(patient.young[id], bone ? LayeredCompression::rigid_modulus : 0.0);
 }

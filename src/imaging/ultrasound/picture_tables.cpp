@@ -68,7 +68,7 @@ PictureTables::Cells bundles_of(const Grid& grid) {
 }
 
 void set_widths(PictureTables& tables, const UltrasoundDetail& detail, const ScanLines& lines, const SoundBeam& beam,
-                const std::vector<SliceRay>& rays, double cell) {
+                const std::vector<SliceRay>& rays, const std::vector<SlicePass>& passes, double cell) {
   const auto samples = static_cast<std::size_t>(lines.samples);
   const double pulse = beam.pulse * deviation_of_width / lines.spacing;  // samples
   const int axial_half = detail.speckle ? std::clamp(static_cast<int>(std::ceil(3.0 * pulse)), 1, 64) : 0;
@@ -82,7 +82,7 @@ void set_widths(PictureTables& tables, const UltrasoundDetail& detail, const Sca
   tables.lateral.assign(samples * (scan::edge + 1), 0.0F);
   tables.lateral_half.assign(samples, 0);
   tables.speckle_gain.assign(samples, 0.0F);
-  tables.offsets.assign(rays.size(), std::vector<float>(samples, 0.0F));
+  tables.offsets.assign(passes.size(), std::vector<float>(samples, 0.0F));
   for (int k = 0; k < lines.samples; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const double depth = k * lines.spacing, apart = lines.apart(depth);
@@ -96,13 +96,12 @@ void set_widths(PictureTables& tables, const UltrasoundDetail& detail, const Sca
     for (int tap = -half; tap <= half; ++tap) lateral.push_back(side[static_cast<std::size_t>(std::abs(tap))]);
 
     const double thick = beam.elevation(depth) * deviation_of_width;
+    for (std::size_t pass = 0; pass < passes.size(); ++pass)
+      tables.offsets[pass][i] = static_cast<float>(passes[pass].off * thick);
     double slice_left = 0.0;
-    for (std::size_t a = 0; a < rays.size(); ++a) {
-      tables.offsets[a][i] = static_cast<float>(rays[a].off * thick);
-      for (const SliceRay& b : rays) {
-        const double cells = std::abs(rays[a].off - b.off) * thick / cell;
-        slice_left += rays[a].weight * b.weight * std::max(0.0, 1.0 - cells);
-      }
+    for (const SliceRay& a : rays) {
+      for (const SliceRay& b : rays)
+        slice_left += a.weight * b.weight * std::max(0.0, 1.0 - std::abs(a.off - b.off) * thick / cell);
     }
     const double left = axial_left * variance_left(lateral, apart / cell) * slice_left;
     tables.speckle_gain[i] = static_cast<float>(1.0 / std::sqrt(left));
@@ -160,7 +159,8 @@ void PictureTables::describe(int sample, scan::Row& described) const noexcept {
 
 PictureTables picture_tables(const AcousticVolume& patient, const UltrasoundProbe& probe,
                              const UltrasoundSettings& settings, const UltrasoundDetail& detail,
-                             const ScanLines& lines, const SoundBeam& beam, const std::vector<SliceRay>& rays) {
+                             const ScanLines& lines, const SoundBeam& beam, const std::vector<SliceRay>& rays,
+                             const std::vector<SlicePass>& passes) {
   PictureTables tables;
   tables.stride = (lines.lines + scan::lanes - 1) / scan::lanes * scan::lanes;
   for (int line = 0; line < lines.lines; ++line) {
@@ -174,7 +174,7 @@ PictureTables picture_tables(const AcousticVolume& patient, const UltrasoundProb
   const double cell = std::clamp(0.5 * beam.pulse, 0.08, 0.5);  // mm: finer than any width of the picture
   tables.cells = cells_of(patient.grid, Vec3::Constant(cell));
   tables.bundles = bundles_of(patient.grid);
-  set_widths(tables, detail, lines, beam, rays, cell);
+  set_widths(tables, detail, lines, beam, rays, passes, cell);
   set_gain(tables, settings, lines, frequency);
   if (detail.clutter) set_clutter(tables, lines);
 

@@ -27,7 +27,7 @@ struct PictureTables {
   };
   Cells cells, bundles;
   std::vector<float> speckle_gain;          // by sample: undoes what the widths take away from the speckle's level
-  std::vector<std::vector<float>> offsets;  // by ray of the slice, by sample: mm across the slice
+  std::vector<std::vector<float>> offsets;  // by pass of the slice, by sample: mm across the slice
 
   scan::Row row{};                // what all rows share
   std::vector<float> axial;       // weights of the pulse
@@ -42,6 +42,7 @@ struct PictureTables {
 
 PictureTables picture_tables(const AcousticVolume& patient, const UltrasoundProbe& probe,
                              const UltrasoundSettings& settings, const UltrasoundDetail& detail,
-                             const ScanLines& lines, const SoundBeam& beam, const std::vector<SliceRay>& rays);
+                             const ScanLines& lines, const SoundBeam& beam, const std::vector<SliceRay>& rays,
+                             const std::vector<SlicePass>& passes);
 
 }  // namespace bodkin

@@ -11,8 +11,8 @@
 namespace bodkin::scan {
 
 static inline float bounded(float x, float low, float high) noexcept {
-  const float above = x < low ? low : x;
-  return above > high ? high : above;
+  const float above = low > x ? low : x;
+  return high < above ? high : above;
 }
 
 static inline float float_of(std::uint32_t bits) noexcept {

@@ -14,6 +14,8 @@ void BODKIN_JOIN(convert_, BODKIN_PATH)(const Conversion& in, std::size_t first,
 
 namespace {
 
+constexpr int half = lanes / 2;  // lines that have a register of the widest processor path
+
 // sqrt of the processor: exact, without what <cmath> does for errno.
 inline float root(float x) noexcept {
   return __builtin_sqrtf(x);
@@ -32,103 +34,101 @@ struct State {
   alignas(64) float strong_now[lanes];  // 1 on the ramp of that surface
 };
 
-// What the present sample of each line is.
-struct Sample {
-  alignas(64) std::int32_t corner[lanes];   // position of the lowest of its eight voxels
-  alignas(64) std::int32_t nearest[lanes];  // position of the nearest voxel
+// Which scatterer and which bundle of fibres are there.
+struct Scatterer {
   alignas(64) std::int32_t cell[lanes];
   alignas(64) std::int32_t bundle[lanes];
+  alignas(64) std::uint32_t parts[lanes];
+  alignas(64) std::int32_t fibre[lanes];
+};
+
+// What the present sample of each line is.
+struct Sample {
+  alignas(64) std::int32_t corner[lanes];             // position of the lowest of its eight voxels
+  alignas(64) std::int32_t tissue[lanes];             // of the nearest of them
   alignas(64) float x[lanes], y[lanes], z[lanes];     // voxels
   alignas(64) float fx[lanes], fy[lanes], fz[lanes];  // between the voxels
-  alignas(64) std::uint32_t pair[4][lanes];           // neighbours along i, at (j, k), (j+1, k), (j, k+1), (j+1, k+1)
+  alignas(64) std::uint64_t pair[4][lanes];           // neighbours along i, at (j, k), (j+1, k), (j, k+1), (j+1, k+1)
   alignas(64) std::uint64_t medium[lanes];            // as March::media
-  alignas(64) std::uint32_t scatterer[lanes];
-  alignas(64) std::int32_t fibre[lanes];
+  Scatterer here, opposite;                           // `opposite`: on the other side of the slice's middle
   alignas(64) float impedance[lanes];
   alignas(64) float along[lanes];  // the impedance's change in a mm along the line
   alignas(64) float steep[lanes];  // where it is steepest, squared
 };
 
-// Where the samples of row k lie.
-template <int count>
+// Where the samples of row k lie, and which voxels surround them. `moved`: the tissue has moved; `aside`: this ray is
+// not in the middle of the slice.
+template <int count, bool moved, bool aside>
 inline void place(const March& __restrict in, int line, int k, Sample& __restrict s) noexcept {
-  const float depth = static_cast<float>(k);
-  for (int l = 0; l < count; ++l) {
-    s.x[l] = in.origin.x[line + l] + in.step.x[line + l] * depth;
-    s.y[l] = in.origin.y[line + l] + in.step.y[line + l] * depth;
-    s.z[l] = in.origin.z[line + l] + in.step.z[line + l] * depth;
-  }
-  if (in.moved[0] != nullptr) {
-    const int row = k / coarse;
-    const float part = static_cast<float>(k % coarse) * (1.0F / coarse);
-    const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(row) * in.stride + line;
-    const std::ptrdiff_t next = at + in.stride;
-    for (int l = 0; l < count; ++l) {
-      s.x[l] -= in.moved[0][at + l] + part * (in.moved[0][next + l] - in.moved[0][at + l]);
-      s.y[l] -= in.moved[1][at + l] + part * (in.moved[1][next + l] - in.moved[1][at + l]);
-      s.z[l] -= in.moved[2][at + l] + part * (in.moved[2][next + l] - in.moved[2][at + l]);
-    }
-  }
-  if (in.offset != nullptr) {
-    const float off = in.offset[k];
-    const float ax = in.across[0] * off, ay = in.across[1] * off, az = in.across[2] * off;
-    for (int l = 0; l < count; ++l) {
-      s.x[l] += ax;
-      s.y[l] += ay;
-      s.z[l] += az;
-    }
-  }
-}
-
-// Which voxels surround them.
-template <int count>
-inline void surround(const March& __restrict in, Sample& __restrict s) noexcept {
   constexpr float hair = 1.0F / 1024.0F;  // voxels: the outermost places still have a voxel behind them
   const float last_x = static_cast<float>(in.size[0] - 1) - hair, last_y = static_cast<float>(in.size[1] - 1) - hair,
               last_z = static_cast<float>(in.size[2] - 1) - hair;
   const std::int32_t row = in.size[0], slice = in.size[0] * in.size[1];
+  const float depth = static_cast<float>(k), part = static_cast<float>(k % coarse) * (1.0F / coarse);
+  const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(k / coarse) * in.stride + line, next = at + in.stride;
+  const float off = aside ? in.offset[k] : 0.0F;
+  const float ax = in.across[0] * off, ay = in.across[1] * off, az = in.across[2] * off;
   for (int l = 0; l < count; ++l) {
-    const float x = bounded(s.x[l], 0.0F, last_x), y = bounded(s.y[l], 0.0F, last_y),
-                z = bounded(s.z[l], 0.0F, last_z);
-    const auto i = static_cast<std::int32_t>(x), j = static_cast<std::int32_t>(y), m = static_cast<std::int32_t>(z);
-    const float fx = x - static_cast<float>(i), fy = y - static_cast<float>(j), fz = z - static_cast<float>(m);
-    const std::int32_t corner = i + row * j + slice * m;
-    s.fx[l] = fx;
-    s.fy[l] = fy;
-    s.fz[l] = fz;
-    s.corner[l] = corner;
-    const std::int32_t along_x = fx < 0.5F ? 0 : 1, along_y = fy < 0.5F ? 0 : row, along_z = fz < 0.5F ? 0 : slice;
-    s.nearest[l] = corner + along_x + along_y + along_z;
+    float x = in.origin.x[line + l] + in.step.x[line + l] * depth;
+    float y = in.origin.y[line + l] + in.step.y[line + l] * depth;
+    float z = in.origin.z[line + l] + in.step.z[line + l] * depth;
+    if constexpr (moved) {
+      x -= in.moved[0][at + l] + part * (in.moved[0][next + l] - in.moved[0][at + l]);
+      y -= in.moved[1][at + l] + part * (in.moved[1][next + l] - in.moved[1][at + l]);
+      z -= in.moved[2][at + l] + part * (in.moved[2][next + l] - in.moved[2][at + l]);
+    }
+    if constexpr (aside) {
+      x += ax * in.sides[l];
+      y += ay * in.sides[l];
+      z += az * in.sides[l];
+    }
+    s.x[l] = x;
+    s.y[l] = y;
+    s.z[l] = z;
+    const float bx = bounded(x, 0.0F, last_x), by = bounded(y, 0.0F, last_y), bz = bounded(z, 0.0F, last_z);
+    const auto i = static_cast<std::int32_t>(bx), j = static_cast<std::int32_t>(by),
+               m = static_cast<std::int32_t>(bz);
+    s.fx[l] = bx - static_cast<float>(i);
+    s.fy[l] = by - static_cast<float>(j);
+    s.fz[l] = bz - static_cast<float>(m);
+    s.corner[l] = i + row * j + slice * m;
   }
 }
 
 // Which cells of the scatterer and the fibre volume hold them. Both volumes go on for ever; each time one starts anew
 // it is shifted, so that no pattern repeats along a line.
-template <int count>
-inline void find_cells(const March& __restrict in, Sample& __restrict s) noexcept {
+template <int count, bool opposite>
+inline void find_cells(const March& __restrict in, int k, const Sample& __restrict s,
+                       Scatterer& __restrict found) noexcept {
+  const float off = opposite ? -2.0F * in.offset[k] : 0.0F;
+  const float ax = in.across[0] * off, ay = in.across[1] * off, az = in.across[2] * off;
   for (int l = 0; l < count; ++l) {
-    const float x = s.x[l], y = s.y[l], z = s.z[l];
+    float x = s.x[l], y = s.y[l], z = s.z[l];
+    if constexpr (opposite) {
+      x += ax * in.sides[l];
+      y += ay * in.sides[l];
+      z += az * in.sides[l];
+    }
     const auto depth = static_cast<std::int32_t>(in.cells_per_voxel[2] * z + in.first_cell[2]);
     const auto i = static_cast<std::int32_t>(in.cells_per_voxel[0] * x + in.first_cell[0]) + 19 * (depth >> 5);
     const auto j = static_cast<std::int32_t>(in.cells_per_voxel[1] * y + in.first_cell[1]) + 23 * (i >> 5);
-    const std::int32_t k = depth + 37 * (j >> 5) + 11 * (i >> 5);
-    s.cell[l] = (i & (cells - 1)) | (j & (cells - 1)) << 5 | (k & (cells - 1)) << 10;
+    const std::int32_t m = depth + 37 * (j >> 5) + 11 * (i >> 5);
+    found.cell[l] = (i & (cells - 1)) | (j & (cells - 1)) << 5 | (m & (cells - 1)) << 10;
     const auto a = static_cast<std::int32_t>(in.bundles_per_voxel[0] * x + in.first_bundle[0]);
     const auto b = static_cast<std::int32_t>(in.bundles_per_voxel[1] * y + in.first_bundle[1]) + 7 * (a >> 5);
     const auto c = static_cast<std::int32_t>(in.bundles_per_voxel[2] * z + in.first_bundle[2]) + 13 * (b >> 5);
-    s.bundle[l] = (a & (bundles - 1)) | (b & (bundles - 1)) << 5 | (c & (bundles - 1)) << 10;
+    found.bundle[l] = (a & (bundles - 1)) | (b & (bundles - 1)) << 5 | (c & (bundles - 1)) << 10;
   }
 }
 
 // Everything that comes from scattered places. Four lines a turn, for the loop itself costs as much as a load.
 inline void load_line(const March& __restrict in, std::ptrdiff_t row, std::ptrdiff_t slice, Sample& __restrict s,
                       int l) noexcept {
-  const std::int16_t* const corner = in.impedance + s.corner[l];
-  std::memcpy(&s.pair[0][l], corner, 4);
-  std::memcpy(&s.pair[1][l], corner + row, 4);
-  std::memcpy(&s.pair[2][l], corner + slice, 4);
-  std::memcpy(&s.pair[3][l], corner + slice + row, 4);
-  s.medium[l] = in.media[in.tissues[s.nearest[l]]];
+  const std::uint32_t* const corner = in.voxels + s.corner[l];
+  std::memcpy(&s.pair[0][l], corner, 8);
+  std::memcpy(&s.pair[1][l], corner + row, 8);
+  std::memcpy(&s.pair[2][l], corner + slice, 8);
+  std::memcpy(&s.pair[3][l], corner + slice + row, 8);
 }
 
 template <int count>
@@ -143,37 +143,54 @@ inline void load(const March& __restrict in, Sample& __restrict s) noexcept {
 }
 
 template <int count>
-inline void load_scatterers(const March& __restrict in, Sample& __restrict s) noexcept {
+inline void load_scatterers(const March& __restrict in, Scatterer& __restrict at) noexcept {
   for (int l = 0; l < count; l += 4) {
-    s.scatterer[l] = in.scatterers[s.cell[l]];
-    s.fibre[l] = in.fibres[s.bundle[l]];
-    s.scatterer[l + 1] = in.scatterers[s.cell[l + 1]];
-    s.fibre[l + 1] = in.fibres[s.bundle[l + 1]];
-    s.scatterer[l + 2] = in.scatterers[s.cell[l + 2]];
-    s.fibre[l + 2] = in.fibres[s.bundle[l + 2]];
-    s.scatterer[l + 3] = in.scatterers[s.cell[l + 3]];
-    s.fibre[l + 3] = in.fibres[s.bundle[l + 3]];
+    at.parts[l] = in.scatterers[at.cell[l]];
+    at.fibre[l] = in.fibres[at.bundle[l]];
+    at.parts[l + 1] = in.scatterers[at.cell[l + 1]];
+    at.fibre[l + 1] = in.fibres[at.bundle[l + 1]];
+    at.parts[l + 2] = in.scatterers[at.cell[l + 2]];
+    at.fibre[l + 2] = in.fibres[at.bundle[l + 2]];
+    at.parts[l + 3] = in.scatterers[at.cell[l + 3]];
+    at.fibre[l + 3] = in.fibres[at.bundle[l + 3]];
   }
 }
 
-// Impedances are not negative.
-inline float low_half(std::uint32_t pair) noexcept {
-  return static_cast<float>(static_cast<std::int32_t>(pair & 0xFFFFU));
+template <int count>
+inline void load_speckle(const March& __restrict in, Sample& __restrict s) noexcept {
+  load_scatterers<count>(in, s.here);
+  if (in.both_sides) load_scatterers<count>(in, s.opposite);
 }
 
-inline float high_half(std::uint32_t pair) noexcept {
-  return static_cast<float>(static_cast<std::int32_t>(pair >> 16));
+template <int count>
+inline void load_media(const March& __restrict in, Sample& __restrict s) noexcept {
+  for (int l = 0; l < count; l += 4) {
+    s.medium[l] = in.media[s.tissue[l]];
+    s.medium[l + 1] = in.media[s.tissue[l + 1]];
+    s.medium[l + 2] = in.media[s.tissue[l + 2]];
+    s.medium[l + 3] = in.media[s.tissue[l + 3]];
+  }
+}
+
+inline float impedance_of(std::uint32_t voxel) noexcept {
+  return static_cast<float>(static_cast<std::int32_t>(voxel & 0xFFFFU));
 }
 
 // The impedance there, linear between the voxels, and how steeply the line meets its surfaces.
 template <int count>
 inline void meet(const March& __restrict in, int line, Sample& __restrict s) noexcept {
   for (int l = 0; l < count; ++l) {
-    const float a0 = low_half(s.pair[0][l]), a1 = high_half(s.pair[0][l]);
-    const float b0 = low_half(s.pair[1][l]), b1 = high_half(s.pair[1][l]);
-    const float c0 = low_half(s.pair[2][l]), c1 = high_half(s.pair[2][l]);
-    const float d0 = low_half(s.pair[3][l]), d1 = high_half(s.pair[3][l]);
+    const auto va0 = static_cast<std::uint32_t>(s.pair[0][l]), va1 = static_cast<std::uint32_t>(s.pair[0][l] >> 32);
+    const auto vb0 = static_cast<std::uint32_t>(s.pair[1][l]), vb1 = static_cast<std::uint32_t>(s.pair[1][l] >> 32);
+    const auto vc0 = static_cast<std::uint32_t>(s.pair[2][l]), vc1 = static_cast<std::uint32_t>(s.pair[2][l] >> 32);
+    const auto vd0 = static_cast<std::uint32_t>(s.pair[3][l]), vd1 = static_cast<std::uint32_t>(s.pair[3][l] >> 32);
     const float fx = s.fx[l], fy = s.fy[l], fz = s.fz[l];
+    const std::uint32_t va = fx < 0.5F ? va0 : va1, vb = fx < 0.5F ? vb0 : vb1, vc = fx < 0.5F ? vc0 : vc1,
+                        vd = fx < 0.5F ? vd0 : vd1;
+    const std::uint32_t vab = fy < 0.5F ? va : vb, vcd = fy < 0.5F ? vc : vd;
+    s.tissue[l] = static_cast<std::int32_t>((fz < 0.5F ? vab : vcd) >> 16);
+    const float a0 = impedance_of(va0), a1 = impedance_of(va1), b0 = impedance_of(vb0), b1 = impedance_of(vb1);
+    const float c0 = impedance_of(vc0), c1 = impedance_of(vc1), d0 = impedance_of(vd0), d1 = impedance_of(vd1);
     const float da = a1 - a0, db = b1 - b0, dc = c1 - c0, dd = d1 - d0;
     const float a = a0 + fx * da, b = b0 + fx * db, c = c0 + fx * dc, d = d0 + fx * dd;
     const float ab = a + fy * (b - a), cd = c + fy * (d - c);
@@ -276,21 +293,46 @@ inline void reflect(const March& __restrict in, int line, int k, const Sample& _
   }
 }
 
-template <int count>
-inline void scatter(const March& __restrict in, int k, const Sample& __restrict s, const float* __restrict reaches,
-                    float* __restrict in_phase, float* __restrict quadrature) noexcept {
-  const float gain = in.speckle_gain[k] * (1.0F / 64.0F);
+// What scatterers return, of the amplitude that `reaches` them. `more`: in addition to what is there already.
+template <int count, bool more>
+inline void scatter(const March& __restrict in, int k, const Sample& __restrict s, const Scatterer& __restrict at,
+                    const float* __restrict reaches, float* __restrict in_phase,
+                    float* __restrict quadrature) noexcept {
+  const float gain = in.speckle_gain[k] * (in.both_sides ? 0.5F / 64.0F : 1.0F / 64.0F);
   for (int l = 0; l < count; ++l) {
     const auto texture = static_cast<std::uint32_t>(s.medium[l] >> 32);
-    const std::uint32_t scatterer = s.scatterer[l];
+    const std::uint32_t scatterer = at.parts[l];
     const float variation = static_cast<float>(static_cast<std::int32_t>(texture & 0xFFU)) * (1.0F / 255.0F / 128.0F);
-    const float bundle = 1.0F + variation * static_cast<float>(s.fibre[l]);
+    const float bundle = 1.0F + variation * static_cast<float>(at.fibre[l]);
     const bool there = (scatterer >> 16 & 0xFFU) < (texture >> 8 & 0xFFU);
     const float full = float_of(texture & 0xFFFF0000U) * reaches[l] * gain * bundle;
     const float level = there ? full : 0.0F;
-    in_phase[l] = level * static_cast<float>(static_cast<std::int32_t>(scatterer << 24) >> 24);
-    quadrature[l] = level * static_cast<float>(static_cast<std::int32_t>(scatterer << 16) >> 24);
+    const float real = level * static_cast<float>(static_cast<std::int32_t>(scatterer << 24) >> 24);
+    const float imaginary = level * static_cast<float>(static_cast<std::int32_t>(scatterer << 16) >> 24);
+    in_phase[l] = more ? in_phase[l] + real : real;
+    quadrature[l] = more ? quadrature[l] + imaginary : imaginary;
   }
+}
+
+// Where sample k of every line is, and the voxels about it.
+template <int count>
+inline void approach(const March& __restrict in, int line, int k, Sample& __restrict s) noexcept {
+  if (in.moved[0] != nullptr) {
+    if (in.offset != nullptr) {
+      place<count, true, true>(in, line, k, s);
+    } else {
+      place<count, true, false>(in, line, k, s);
+    }
+  } else if (in.offset != nullptr) {
+    place<count, false, true>(in, line, k, s);
+  } else {
+    place<count, false, false>(in, line, k, s);
+  }
+  if (in.scatterers != nullptr) {
+    find_cells<count, false>(in, k, s, s.here);
+    if (in.both_sides) find_cells<count, true>(in, k, s, s.opposite);
+  }
+  load<count>(in, s);
 }
 
 template <int count, bool leads>
@@ -309,11 +351,16 @@ void march_lines(const March& in, int line) noexcept {
   const int gel_rows = static_cast<int>(thickest) + 1;
   Sample s;
   alignas(64) float echo[lanes], reaches[lanes], in_phase[lanes], quadrature[lanes];
+  // What the next sample loads is on its way while this one is worked on: numbers that were stored one by one and are
+  // read as a whole right afterwards would have to be waited for.
+  const bool speckled = in.scatterers != nullptr;
+  approach<count>(in, line, 0, s);
+  if (speckled) load_speckle<count>(in, s);
+  meet<count>(in, line, s);
   for (int k = 0; k < in.samples; ++k) {
-    place<count>(in, line, k, s);
-    surround<count>(in, s);
-    load<count>(in, s);
-    meet<count>(in, line, s);
+    const bool more = k + 1 < in.samples;
+    load_media<count>(in, s);
+    if (more) approach<count>(in, line, k + 1, s);
     if (k < gel_rows) {
       reflect<count, true, leads>(in, line, k, s, state, echo, reaches);
     } else {
@@ -321,15 +368,16 @@ void march_lines(const March& in, int line) noexcept {
     }
     float* const sum_in_phase = in.in_phase + static_cast<std::ptrdiff_t>(k) * in.stride + line;
     float* const sum_quadrature = in.quadrature + static_cast<std::ptrdiff_t>(k) * in.stride + line;
-    if (in.scatterers != nullptr) {
-      find_cells<count>(in, s);
-      load_scatterers<count>(in, s);
-      scatter<count>(in, k, s, reaches, in_phase, quadrature);
+    if (speckled) {
+      scatter<count, false>(in, k, s, s.here, reaches, in_phase, quadrature);
+      if (in.both_sides) scatter<count, true>(in, k, s, s.opposite, reaches, in_phase, quadrature);
       for (int l = 0; l < count; ++l) in_phase[l] += echo[l];
+      if (more) load_speckle<count>(in, s);
     } else {
       for (int l = 0; l < count; ++l) in_phase[l] = echo[l];
       for (int l = 0; l < count; ++l) quadrature[l] = 0.0F;
     }
+    if (more) meet<count>(in, line, s);
     if constexpr (leads) {
       float* const amplitude = in.amplitude + static_cast<std::ptrdiff_t>(k) * in.stride + line;
       for (int l = 0; l < count; ++l) sum_in_phase[l] = in.weight * in_phase[l];
@@ -346,13 +394,44 @@ void march_lines(const March& in, int line) noexcept {
   }
 }
 
-// All lines of a block, or the first half of them where there are no more.
+// Lines whose face has no contact hear nothing.
+template <bool leads>
+void leave_silent(const March& in, int line) noexcept {
+  if constexpr (leads) {
+    for (int k = 0; k < in.samples; ++k) {
+      const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(k) * in.stride + line;
+      for (int l = 0; l < half; ++l) in.in_phase[at + l] = in.quadrature[at + l] = in.amplitude[at + l] = 0.0F;
+    }
+    for (int l = 0; l < half; ++l) {
+      in.strong_at[line + l] = -1.0F;
+      in.strong_echo[line + l] = 0.0F;
+    }
+  }
+}
+
+bool any_contact(const March& in, int line) noexcept {
+  bool any = false;
+  for (int l = 0; l < half; ++l) any = any || in.gel_samples[line + l] <= static_cast<float>(in.samples);
+  return any && line < in.lines;
+}
+
+// The lines of a block, together or by halves.
 template <bool leads>
 void march_block(const March& in, int line) noexcept {
-  if (in.lines - line > lanes / 2) {
+  const bool first = any_contact(in, line), second = any_contact(in, line + half);
+  if (first && second) {
     march_lines<lanes, leads>(in, line);
+    return;
+  }
+  if (first) {
+    march_lines<half, leads>(in, line);
   } else {
-    march_lines<lanes / 2, leads>(in, line);
+    leave_silent<leads>(in, line);
+  }
+  if (second) {
+    march_lines<half, leads>(in, line + half);
+  } else {
+    leave_silent<leads>(in, line + half);
   }
 }
 

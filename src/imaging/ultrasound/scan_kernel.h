@@ -31,8 +31,7 @@ struct LineVectors {
 // `stride` floats long.
 struct March {
   // patient
-  const std::int16_t* impedance;  // AcousticVolume::unit
-  const std::uint8_t* tissues;
+  const std::uint32_t* voxels;  // as in AcousticVolume
   std::int32_t size[3];
   float per_mm[3];  // voxels in a mm
   // By tissue id: in the lower half, as a float, what a step leaves of an amplitude, there and back; in the upper
@@ -58,10 +57,12 @@ struct March {
   const float* leaves;       // by line: sample where it leaves the patient's volume
   float across[3];           // voxels per mm across the slice
   const float* offset;       // by sample: mm across the slice; null: in its middle
+  const float* sides;        // `lanes`: by line of a block, 1 or -1: on which side of the middle
+  bool both_sides;           // scatterers are those of both sides, half of each
   const float* moved[3];  // rows of `stride` every `coarse` samples: voxels by which tissue has moved; null: at rest
   // results, rows of `stride`
-  float weight;  // of this slice in the sum
-  bool first;    // overwrites the sums, and keeps what only the middle slice has to tell
+  float weight;  // of this ray in the sum
+  bool first;    // overwrites the sums, and keeps what only the middle ray has to tell
   float* in_phase;
   float* quadrature;
   float* amplitude;    // there and back, of what reaches a sample

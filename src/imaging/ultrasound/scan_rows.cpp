@@ -1,4 +1,6 @@
 // The inner loops of rows and pixels, compiled once for each processor path as scan_kernel.cpp is.
+#include <cstring>
+
 #include "imaging/ultrasound/scan_arithmetic.h"
 #include "imaging/ultrasound/scan_kernel.h"
 
@@ -90,13 +92,26 @@ void BODKIN_JOIN(compress_, BODKIN_PATH)(const Row& row) noexcept {
   round(in_phase, row.stride, row.grey);
 }
 
+// What is loaded from scattered places is gathered for some pixels first; the arithmetic on it then turns into
+// vectors.
 void BODKIN_JOIN(convert_, BODKIN_PATH)(const Conversion& in, std::size_t first, std::size_t last) noexcept {
-  for (std::size_t i = first; i < last; ++i) {
-    const std::uint8_t* const at = in.grey + in.place[i];
-    const int line = in.weights[2 * i], sample = in.weights[2 * i + 1];
-    const int near = at[0] * (256 - line) + at[1] * line;
-    const int far = at[in.stride] * (256 - line) + at[in.stride + 1] * line;
-    in.pixels[i] = static_cast<std::uint8_t>((near * (256 - sample) + far * sample + 32768) >> 16);
+  constexpr std::size_t turn = 64;                               // pixels
+  alignas(64) std::uint16_t near[turn], far[turn], parts[turn];  // two neighbours each, the first in the lower byte
+  for (std::size_t from = first; from < last; from += turn) {
+    const std::size_t count = last - from < turn ? last - from : turn;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint8_t* const at = in.grey + in.place[from + i];
+      std::memcpy(&near[i], at, 2);
+      std::memcpy(&far[i], at + in.stride, 2);
+    }
+    std::memcpy(parts, in.weights + 2 * from, 2 * count);
+    std::uint8_t* const pixels = in.pixels + from;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint32_t line = parts[i] & 0xFFU, sample = parts[i] >> 8U;
+      const std::uint32_t above = (near[i] & 0xFFU) * (256U - line) + (near[i] >> 8U) * line;
+      const std::uint32_t below = (far[i] & 0xFFU) * (256U - line) + (far[i] >> 8U) * line;
+      pixels[i] = static_cast<std::uint8_t>((above * (256U - sample) + below * sample + 32768U) >> 16U);
+    }
   }
 }
 

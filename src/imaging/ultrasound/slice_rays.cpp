@@ -35,6 +35,18 @@ double variance_left(const std::vector<double>& weights, double apart) {
   return variance;
 }
 
+std::vector<SlicePass> slice_passes(const std::vector<SliceRay>& rays, bool blended) {
+  std::vector<SlicePass> passes;
+  for (const SliceRay& ray : rays) {
+    if (!blended || ray.off == 0.0) {
+      passes.push_back({ray.off, ray.weight, false});
+    } else if (ray.off > 0.0) {
+      passes.push_back({ray.off, 2.0 * ray.weight, true});
+    }
+  }
+  return passes;
+}
+
 std::vector<double> half_gaussian(double deviation, int half) {
   std::vector<double> weights;
   double sum = 0.0;

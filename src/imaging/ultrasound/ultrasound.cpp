@@ -1,6 +1,7 @@
 #include "imaging/ultrasound/ultrasound.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -25,6 +26,18 @@ namespace {
 
 constexpr double least_press = 0.1;  // mm; less moves no tissue
 constexpr int rows_a_turn = 8;
+
+// On which side of the slice a ray beside its middle runs, by line.
+constexpr std::array<float, scan::lanes> one_side = [] {
+  std::array<float, scan::lanes> sides{};
+  sides.fill(1.0F);
+  return sides;
+}();
+constexpr std::array<float, scan::lanes> sides_by_turns = [] {
+  std::array<float, scan::lanes> sides{};
+  for (std::size_t line = 0; line < sides.size(); ++line) sides[line] = line % 2 == 0 ? 1.0F : -1.0F;
+  return sides;
+}();
 
 // u at a point of the scan plane (mm, probe's frame), linear between the points of the grid, its border beyond them.
 Vec3 displacement_at(const ScanDisplacement& field, const Vec3& point) noexcept {
@@ -80,10 +93,9 @@ void check(const AcousticVolume* patient) {
     throw InputError(fmt::format(
         "the patient has {} voxels, expected less than 2^31 for ultrasound; import less of the CT", voxels));
   }
-  if (patient->impedance.size() != voxels || patient->tissues.size() != voxels) {
-    throw InputError(
-        fmt::format("the acoustic volume has {} impedances and {} tissues, expected {} of both; make it of a case",
-                    patient->impedance.size(), patient->tissues.size(), voxels));
+  if (patient->voxels.size() != voxels) {
+    throw InputError(fmt::format("the acoustic volume has {} voxels, expected {}; make it of a case",
+                                 patient->voxels.size(), voxels));
   }
 }
 
@@ -112,13 +124,14 @@ struct Ultrasound::Machine {
         detail(asked),
         kernel(scan::kernel(path)),
         rays(slice_rays(asked.slices)),
+        passes(slice_passes(rays, asked.speckle)),
         crew(asked.threads) {}
 
   void prepare(const UltrasoundSettings& wanted);
   void aim(const Pose& pose) noexcept;
   void move(const Pose& pose, const std::optional<ScanDisplacement>& displacement) noexcept;
   void draw(const Pose& pose, const std::optional<NeedleInSound>& needle) noexcept;
-  scan::March marching(std::size_t ray) const noexcept;
+  scan::March marching(std::size_t pass) const noexcept;
 
   std::shared_ptr<const AcousticVolume> patient;
   UltrasoundProbe probe;
@@ -126,6 +139,7 @@ struct Ultrasound::Machine {
   UltrasoundDetail detail;
   const scan::Kernel& kernel;
   std::vector<SliceRay> rays;
+  std::vector<SlicePass> passes;
   Crew crew;
 
   LayeredCompression compression;
@@ -148,7 +162,7 @@ void Ultrasound::Machine::prepare(const UltrasoundSettings& wanted) {
   settings = wanted;
   lines = scan_lines(probe, settings, detail);
   beam = sound_beam(probe, settings);
-  tables = picture_tables(*patient, probe, settings, detail, lines, beam, rays);
+  tables = picture_tables(*patient, probe, settings, detail, lines, beam, rays, passes);
   conversion = scan_conversion(lines, detail.width, detail.height, tables.stride);
 
   const auto stride = static_cast<std::size_t>(tables.stride), samples = static_cast<std::size_t>(detail.samples);
@@ -219,11 +233,10 @@ void Ultrasound::Machine::move(const Pose& pose, const std::optional<ScanDisplac
   }
 }
 
-scan::March Ultrasound::Machine::marching(std::size_t ray) const noexcept {
+scan::March Ultrasound::Machine::marching(std::size_t pass) const noexcept {
   const Grid& grid = patient->grid;
   scan::March march{};
-  march.impedance = patient->impedance.data();
-  march.tissues = patient->tissues.data();
+  march.voxels = patient->voxels.data();
   for (int axis = 0; axis < 3; ++axis) {
     march.size[axis] = grid.size[static_cast<std::size_t>(axis)];
     march.per_mm[axis] = static_cast<float>(1.0 / grid.spacing[axis]);
@@ -251,23 +264,25 @@ scan::March Ultrasound::Machine::marching(std::size_t ray) const noexcept {
   march.direction = direction.view();
   march.gel_samples = gel_samples.data();
   march.leaves = leaves.data();
-  march.offset = rays[ray].off == 0.0 ? nullptr : tables.offsets[ray].data();
+  march.offset = passes[pass].off == 0.0 ? nullptr : tables.offsets[pass].data();
+  march.both_sides = passes[pass].alternates;
+  march.sides = passes[pass].alternates ? sides_by_turns.data() : one_side.data();
   if (is_moved) {
     march.moved[0] = moved.x.data();
     march.moved[1] = moved.y.data();
     march.moved[2] = moved.z.data();
   }
-  march.weight = static_cast<float>(rays[ray].weight);
-  march.first = ray == 0;
+  march.weight = static_cast<float>(passes[pass].weight);
+  march.first = pass == 0;
   return march;
 }
 
 void Ultrasound::Machine::draw(const Pose& pose, const std::optional<NeedleInSound>& needle) noexcept {
-  // Blocks of lines: all rays of a block by the same thread, in order, so that sums do not depend on who computes
+  // Blocks of lines: all passes of a block by the same thread, in order, so that sums do not depend on who computes
   // them.
   auto march_block = [this](int block) noexcept {
-    for (std::size_t ray = 0; ray < rays.size(); ++ray) {
-      scan::March march = marching(ray);
+    for (std::size_t pass = 0; pass < passes.size(); ++pass) {
+      scan::March march = marching(pass);
       march.in_phase = in_phase.data();
       march.quadrature = quadrature.data();
       march.amplitude = amplitude.data();
