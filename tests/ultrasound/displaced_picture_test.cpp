@@ -108,5 +108,26 @@ TEST(DisplacedPicture, between_its_points_a_field_is_linear) {
   EXPECT_NEAR(brightest * frame.pixel, 25.0, 0.26);
 }
 
+// A face 6 mm below the skin: what gives way stays before it, what does not is passed.
+TEST(DisplacedPicture, tissue_under_a_pressed_face_yields_if_asked_to) {
+  const auto volume = checks::hand_made({.half_width = 22.0, .half_thickness = 1.0, .voxel = 0.25},
+                                        {checks::clear_medium(), checks::clear_medium(1.8)},
+                                        [](const Vec3& p) { return p.y() < 20.0 ? 1 : 2; });
+  const auto surface_at = [&](bool yielding) {
+    UltrasoundDetail detail = checks::plain_detail(40.0);
+    detail.yielding = yielding;
+    Ultrasound machine(volume, checks::flat_probe(), {.depth = 40.0}, detail);
+    const UltrasoundFrame& frame = machine.image(checks::moved_to(Vec3(0.0, 6.0, 0.0)));
+    EXPECT_NEAR(frame.press, 6.0, 0.3);
+    int brightest = 0;
+    const auto grey = [&](int row) { return frame.pixels[static_cast<std::size_t>(row * frame.width + 80)]; };
+    for (int row = 0; row < frame.height; ++row) brightest = grey(row) > grey(brightest) ? row : brightest;
+    return brightest * frame.pixel;
+  };
+  EXPECT_NEAR(surface_at(false), 14.0, 0.5);
+  EXPECT_GT(surface_at(true), 14.5);
+  EXPECT_LT(surface_at(true), 20.0);
+}
+
 }  // namespace
 }  // namespace bodkin

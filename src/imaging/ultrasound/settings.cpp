@@ -32,6 +32,7 @@ UltrasoundDetail paper_detail() {
   detail.speckle = false;
   detail.reverberation = false;
   detail.clutter = false;
+  detail.yielding = false;
   return detail;
 }
 

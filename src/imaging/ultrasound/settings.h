@@ -28,8 +28,9 @@ struct UltrasoundDetail {
   int slices = 3;       // rays across the thickness of the slice: 1 (infinitely thin), 3, 5 or 7
   bool speckle = true;  // and with it the pulse's length and the beam's width
   bool reverberation = true;
-  bool clutter = true;  // noise of the near field
-  int threads = 1;      // 1 to 64
+  bool clutter = true;   // noise of the near field
+  bool yielding = true;  // tissue gives way under a face that is pressed in; false: the face is where it is in the CT
+  int threads = 1;       // 1 to 64
 };
 
 // The feature set of Sutherland et al. 2013: reflection, attenuation, shadow, bone edges, log compression, scan

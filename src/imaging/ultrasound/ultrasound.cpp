@@ -208,7 +208,7 @@ void Ultrasound::Machine::aim(const Pose& pose) noexcept {
 // How far the tissue at the samples has moved, in voxels, every `coarse` samples.
 void Ultrasound::Machine::move(const Pose& pose, const std::optional<ScanDisplacement>& displacement) noexcept {
   is_moved = false;
-  const bool pressed = frame.press >= least_press;
+  const bool pressed = detail.yielding && frame.press >= least_press;
   const bool given = displacement && sound(*displacement);
   if (!given && !pressed) return;
   is_moved = true;
