@@ -1,13 +1,12 @@
 // What a needle in a deformable body costs: a corridor of 1000 nodes, k of which the needle holds. The motion is
 // recorded beforehand and the state is warm.
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <ctime>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "bench/tick_times.h"
 #include "tests/fem/dense_body.h"
 #include <benchmark/benchmark.h>
 
@@ -24,40 +23,6 @@ const CondensedBody& corridor() {
   return body;
 }
 
-// Least, median and high quantiles of times, us.
-void report(benchmark::State& state, std::vector<double>& times) {
-  std::sort(times.begin(), times.end());
-  const auto at = [&times](double part) {
-    return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
-  };
-  state.counters["min_us"] = times.front();
-  state.counters["median_us"] = at(0.5);
-  state.counters["p99_us"] = at(0.99);
-  state.counters["p99.9_us"] = at(0.999);
-}
-
-// Processor time of this thread, us: what other jobs take of the machine is not counted, what they take of the caches
-// is. Reading it takes about 0.3 us.
-double processor_time() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
-}
-
-template <typename Tick>
-void every_tick_on_its_own(benchmark::State& state, Tick&& tick) {
-  std::vector<double> times;
-  times.reserve(static_cast<std::size_t>(state.max_iterations));
-  for (int warm = 0; warm < 200; ++warm) tick(warm);
-  int number = 0;
-  for (auto _ : state) {
-    const double start = processor_time();
-    tick(number++);
-    times.push_back(processor_time() - start);
-  }
-  report(state, times);
-}
-
 // The factor alone: a solve every tick; every 20 ticks a node comes or goes at the end, as at a needle's tip, or
 // (second argument 1) one leaves from anywhere.
 void factor_tick(benchmark::State& state) {
@@ -72,7 +37,7 @@ void factor_tick(benchmark::State& state) {
   while (factor.constraints() < nodes) grow();
   std::vector<double> values(3 * 170);
   bool more = true;
-  every_tick_on_its_own(state, [&](int tick) {
+  time_every_tick(state, 0, [&](int tick) {
     if (tick % 20 == 0) {
       if (more) {
         grow();
@@ -138,7 +103,7 @@ void needle_tick(benchmark::State& state) {
     contact.step(needle_pose(Vec3(0.0, 0.0, tip), Vec3::UnitZ()));
   double nodes = 0.0, sticking = 0.0;
   std::int64_t ticks = 0;
-  every_tick_on_its_own(state, [&](int tick) {
+  time_every_tick(state, motion.size(), [&](int tick) {
     const EmbeddedNeedleForce& force = contact.step(motion[static_cast<std::size_t>(tick) % motion.size()]);
     nodes += force.nodes;
     sticking += force.sticking;
@@ -160,7 +125,7 @@ void display_field(benchmark::State& state) {
   NodeForces forces;
   forces.count = static_cast<std::size_t>(state.range(0));
   std::vector<float> moved(3 * points);
-  every_tick_on_its_own(state, [&](int tick) {
+  time_every_tick(state, 0, [&](int tick) {
     for (std::size_t i = 0; i < forces.count; ++i) {
       forces.nodes[i] = {static_cast<std::uint32_t>((i * 7 + static_cast<std::size_t>(tick) / 4) % 400),
                          {0.1F, 0.2F, 0.3F}};
@@ -170,6 +135,7 @@ void display_field(benchmark::State& state) {
   });
 }
 
+BENCHMARK(machine_itself)->Iterations(50000);
 BENCHMARK(needle_tick)->ArgNames({"k", "bends"})->ArgsProduct({{1, 10, 50, 100, 150}, {0, 1}})->Iterations(50000);
 BENCHMARK(display_field)->ArgName("k")->Arg(10)->Arg(50)->Arg(150)->Iterations(500)->Unit(benchmark::kMillisecond);
 
