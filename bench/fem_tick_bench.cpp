@@ -79,7 +79,8 @@ const CondensedBody& way_of_the_needle() {
 
 // A needle that holds k nodes and is pushed and drawn by 5 mm at 25 mm/s, a node every 20 ticks, while it sways:
 // nodes come and go, friction slides, and turns round every 200 ticks. Second argument 1: it bends (27G, clamped,
-// with a bevel).
+// with a bevel). Third argument 1: an unsteady hand, which sways by 3 mm at 2 Hz and trembles by 0.2 mm at 10 Hz
+// along the needle; 2: 125 mm/s, 4 ticks a node; 3: 500 mm/s, a node a tick.
 void needle_tick(benchmark::State& state) {
   ContactTissues tissues;
   tissues.fill({.friction = 0.005});
@@ -92,12 +93,18 @@ void needle_tick(benchmark::State& state) {
   EmbeddedNeedle contact(way_of_the_needle(), tissues, settings, 1e-3, beam);
   contact.begin(Vec3::Zero(), Vec3::UnitZ());
   const double depth = 0.5 * static_cast<double>(state.range(0)) - 0.25;
+  const bool unsteady = state.range(2) == 1;
+  const int faster = state.range(2) == 2 ? 5 : state.range(2) == 3 ? 20 : 1;
   std::vector<Pose> motion;
-  for (int tick = 0; tick < 2000; ++tick) {
+  for (int i = 0; i < 2000; ++i) {
+    const int tick = i * faster % 2000;
     const double swing = std::abs(static_cast<double>(tick % 400) - 200.0) / 200.0;  // 1 to 0 to 1
-    const double angle = 2.0 * 3.14159265358979323846 * tick / 2000.0;
-    motion.push_back(needle_pose(Vec3(0.5 * std::sin(angle), 0.3 * std::sin(2.0 * angle), depth - 2.5 + 5.0 * swing),
-                                 Vec3(0.01 * std::sin(3.0 * angle), 0.0, 1.0)));
+    const double turn = 2.0 * 3.14159265358979323846, angle = turn * tick / 2000.0;
+    const double sway = unsteady ? 3.0 * std::sin(turn * 0.002 * i) : 0.0;
+    const double tremor = unsteady ? 0.2 * std::sin(turn * 0.010 * i) : 0.0;
+    motion.push_back(needle_pose(
+        Vec3(sway + 0.5 * std::sin(angle), 0.3 * std::sin(2.0 * angle), tremor + depth - 2.5 + 5.0 * swing),
+        Vec3(0.01 * std::sin(3.0 * angle), 0.0, 1.0)));
   }
   for (double tip = -1.0; tip < depth + 2.5; tip += 0.02)
     contact.step(needle_pose(Vec3(0.0, 0.0, tip), Vec3::UnitZ()));
@@ -136,7 +143,11 @@ void display_field(benchmark::State& state) {
 }
 
 BENCHMARK(machine_itself)->Iterations(50000);
-BENCHMARK(needle_tick)->ArgNames({"k", "bends"})->ArgsProduct({{1, 10, 50, 100, 150}, {0, 1}})->Iterations(50000);
+BENCHMARK(needle_tick)
+    ->ArgNames({"k", "bends", "hand"})
+    ->ArgsProduct({{1, 10, 50, 100, 150}, {0, 1}, {0}})
+    ->ArgsProduct({{50, 150}, {0, 1}, {1, 2, 3}})
+    ->Iterations(50000);
 BENCHMARK(display_field)->ArgName("k")->Arg(10)->Arg(50)->Arg(150)->Iterations(500)->Unit(benchmark::kMillisecond);
 
 }  // namespace
