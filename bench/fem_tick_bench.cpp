@@ -1,13 +1,12 @@
 // What a needle in a deformable body costs: a corridor of 1000 nodes, k of which the needle holds. The motion is
 // recorded beforehand and the state is warm.
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <ctime>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "bench/tick_times.h"
 #include "tests/fem/dense_body.h"
 #include <benchmark/benchmark.h>
 
@@ -24,40 +23,6 @@ const CondensedBody& corridor() {
   return body;
 }
 
-// Least, median and high quantiles of times, us.
-void report(benchmark::State& state, std::vector<double>& times) {
-  std::sort(times.begin(), times.end());
-  const auto at = [&times](double part) {
-    return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
-  };
-  state.counters["min_us"] = times.front();
-  state.counters["median_us"] = at(0.5);
-  state.counters["p99_us"] = at(0.99);
-  state.counters["p99.9_us"] = at(0.999);
-}
-
-// Processor time of this thread, us: what other jobs take of the machine is not counted, what they take of the caches
-// is. Reading it takes about 0.3 us.
-double processor_time() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
-}
-
-template <typename Tick>
-void every_tick_on_its_own(benchmark::State& state, Tick&& tick) {
-  std::vector<double> times;
-  times.reserve(static_cast<std::size_t>(state.max_iterations));
-  for (int warm = 0; warm < 200; ++warm) tick(warm);
-  int number = 0;
-  for (auto _ : state) {
-    const double start = processor_time();
-    tick(number++);
-    times.push_back(processor_time() - start);
-  }
-  report(state, times);
-}
-
 // The factor alone: a solve every tick; every 20 ticks a node comes or goes at the end, as at a needle's tip, or
 // (second argument 1) one leaves from anywhere.
 void factor_tick(benchmark::State& state) {
@@ -72,7 +37,7 @@ void factor_tick(benchmark::State& state) {
   while (factor.constraints() < nodes) grow();
   std::vector<double> values(3 * 170);
   bool more = true;
-  every_tick_on_its_own(state, [&](int tick) {
+  time_every_tick(state, 0, [&](int tick) {
     if (tick % 20 == 0) {
       if (more) {
         grow();
@@ -114,7 +79,8 @@ const CondensedBody& way_of_the_needle() {
 
 // A needle that holds k nodes and is pushed and drawn by 5 mm at 25 mm/s, a node every 20 ticks, while it sways:
 // nodes come and go, friction slides, and turns round every 200 ticks. Second argument 1: it bends (27G, clamped,
-// with a bevel).
+// with a bevel). Third argument 1: an unsteady hand, which sways by 3 mm at 2 Hz and trembles by 0.2 mm at 10 Hz
+// along the needle; 2: 125 mm/s, 4 ticks a node; 3: 500 mm/s, a node a tick.
 void needle_tick(benchmark::State& state) {
   ContactTissues tissues;
   tissues.fill({.friction = 0.005});
@@ -127,18 +93,24 @@ void needle_tick(benchmark::State& state) {
   EmbeddedNeedle contact(way_of_the_needle(), tissues, settings, 1e-3, beam);
   contact.begin(Vec3::Zero(), Vec3::UnitZ());
   const double depth = 0.5 * static_cast<double>(state.range(0)) - 0.25;
+  const bool unsteady = state.range(2) == 1;
+  const int faster = state.range(2) == 2 ? 5 : state.range(2) == 3 ? 20 : 1;
   std::vector<Pose> motion;
-  for (int tick = 0; tick < 2000; ++tick) {
+  for (int i = 0; i < 2000; ++i) {
+    const int tick = i * faster % 2000;
     const double swing = std::abs(static_cast<double>(tick % 400) - 200.0) / 200.0;  // 1 to 0 to 1
-    const double angle = 2.0 * 3.14159265358979323846 * tick / 2000.0;
-    motion.push_back(needle_pose(Vec3(0.5 * std::sin(angle), 0.3 * std::sin(2.0 * angle), depth - 2.5 + 5.0 * swing),
-                                 Vec3(0.01 * std::sin(3.0 * angle), 0.0, 1.0)));
+    const double turn = 2.0 * 3.14159265358979323846, angle = turn * tick / 2000.0;
+    const double sway = unsteady ? 3.0 * std::sin(turn * 0.002 * i) : 0.0;
+    const double tremor = unsteady ? 0.2 * std::sin(turn * 0.010 * i) : 0.0;
+    motion.push_back(needle_pose(
+        Vec3(sway + 0.5 * std::sin(angle), 0.3 * std::sin(2.0 * angle), tremor + depth - 2.5 + 5.0 * swing),
+        Vec3(0.01 * std::sin(3.0 * angle), 0.0, 1.0)));
   }
   for (double tip = -1.0; tip < depth + 2.5; tip += 0.02)
     contact.step(needle_pose(Vec3(0.0, 0.0, tip), Vec3::UnitZ()));
   double nodes = 0.0, sticking = 0.0;
   std::int64_t ticks = 0;
-  every_tick_on_its_own(state, [&](int tick) {
+  time_every_tick(state, motion.size(), [&](int tick) {
     const EmbeddedNeedleForce& force = contact.step(motion[static_cast<std::size_t>(tick) % motion.size()]);
     nodes += force.nodes;
     sticking += force.sticking;
@@ -160,7 +132,7 @@ void display_field(benchmark::State& state) {
   NodeForces forces;
   forces.count = static_cast<std::size_t>(state.range(0));
   std::vector<float> moved(3 * points);
-  every_tick_on_its_own(state, [&](int tick) {
+  time_every_tick(state, 0, [&](int tick) {
     for (std::size_t i = 0; i < forces.count; ++i) {
       forces.nodes[i] = {static_cast<std::uint32_t>((i * 7 + static_cast<std::size_t>(tick) / 4) % 400),
                          {0.1F, 0.2F, 0.3F}};
@@ -170,7 +142,12 @@ void display_field(benchmark::State& state) {
   });
 }
 
-BENCHMARK(needle_tick)->ArgNames({"k", "bends"})->ArgsProduct({{1, 10, 50, 100, 150}, {0, 1}})->Iterations(50000);
+BENCHMARK(machine_itself)->Iterations(50000);
+BENCHMARK(needle_tick)
+    ->ArgNames({"k", "bends", "hand"})
+    ->ArgsProduct({{1, 10, 50, 100, 150}, {0, 1}, {0}})
+    ->ArgsProduct({{50, 150}, {0, 1}, {1, 2, 3}})
+    ->Iterations(50000);
 BENCHMARK(display_field)->ArgName("k")->Arg(10)->Arg(50)->Arg(150)->Iterations(500)->Unit(benchmark::kMillisecond);
 
 }  // namespace

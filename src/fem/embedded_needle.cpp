@@ -112,7 +112,15 @@ void EmbeddedNeedle::face_next(double moved) noexcept {
   holds_[held_].moved = moved;
 }
 
+// The next node comes before the tip. One that does not resist is not needed there until it is taken: it waits for
+// the tick after that in which another was taken, which had enough to do.
+void EmbeddedNeedle::face_ahead() noexcept {
+  if (constraints_.known() > held_ || held_ >= line().size() || held_ >= holds_.size()) return;
+  if (constraints_.face(line()[held_].node)) face_next(displacement(held_)(0));
+}
+
 bool EmbeddedNeedle::take(std::size_t index) noexcept {
+  face_ahead();
   const InsertionStation& station = line()[index];
   Hold& hold = holds_[index];
   const Vec3 moved = displacement(index);
@@ -126,10 +134,7 @@ bool EmbeddedNeedle::take(std::size_t index) noexcept {
   hold.slip = tip_ - moved(0);
   hold.anchor = shaft_offset(station.depth) - moved.tail<2>();
   held_ = index + 1;
-  if (held_ < line().size() && held_ < holds_.size()) {
-    constraints_.face(line()[held_].node);
-    face_next(displacement(held_)(0));
-  }
+  if (blocked()) face_ahead();
   return true;
 }
 
@@ -253,6 +258,7 @@ const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle, double press
     if (fresh_ && !line().empty()) face_next(0.0);
     fresh_ = false;
     let_go();
+    face_ahead();
     capture();
     grip();
     cut_aside(advance);

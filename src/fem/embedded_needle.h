@@ -118,6 +118,7 @@ class EmbeddedNeedle {
   void let_go() noexcept;
   void capture() noexcept;
   void face_next(double moved) noexcept;
+  void face_ahead() noexcept;
   bool take(std::size_t index) noexcept;
   void grip() noexcept;
   void soften(double softness) noexcept;

@@ -83,11 +83,8 @@ inline std::vector<std::uint32_t> nodes_around_middle(const BodyDescription& bod
   return nodes;
 }
 
-// A box of soft tissue with a slab of ligament across it, held at its bottom, z = 0, and a corridor down its middle.
-inline BodyDescription lattice_body(std::uint32_t n, double side, double jitter, std::size_t corridor,
-                                    std::uint64_t seed = 1) {
-  BodyDescription body;
-  body.mesh = kuhn_lattice(n, side, jitter, seed);
+// What a box of `side` mm is made of and held by: soft tissue with a slab of ligament across it, its bottom, z = 0.
+inline void layers_of_ligament(BodyDescription& body, double side) {
   for (std::size_t element = 0; element < body.mesh.elements.size(); ++element) {
     double z = 0.0;
     for (const std::uint32_t node : body.mesh.elements[element]) z += 0.25 * body.mesh.nodes[node].z() / side;
@@ -95,6 +92,14 @@ inline BodyDescription lattice_body(std::uint32_t n, double side, double jitter,
   }
   body.materials = soft_and_ligament();
   body.fixed = nodes_beyond(body.mesh, Vec3::Zero(), Vec3(0.0, 0.0, -1.0));
+}
+
+// A box of soft tissue with a slab of ligament across it, held at its bottom, z = 0, and a corridor down its middle.
+inline BodyDescription lattice_body(std::uint32_t n, double side, double jitter, std::size_t corridor,
+                                    std::uint64_t seed = 1) {
+  BodyDescription body;
+  body.mesh = kuhn_lattice(n, side, jitter, seed);
+  layers_of_ligament(body, side);
   body.corridor = nodes_around_middle(body, side, corridor);
   return body;
 }
