@@ -82,9 +82,10 @@ TEST(Slab, a_picture_shows_both_surfaces_at_their_levels) {
   }
 }
 
-// The pulse and the beam draw a surface out, and leave its level: also where its ramp takes several samples.
+// The pulse and the beam draw a surface out, and leave its level: also where its ramp takes several samples, or is
+// longer than the pulse because the voxels are.
 TEST(Slab, pulse_and_beam_leave_a_surface_its_level) {
-  for (const double voxel : {0.1, 0.25}) {
+  for (const double voxel : {0.1, 0.25, 0.5, 1.0}) {
     const auto volume = checks::hand_made({.half_width = 22.0, .depth = 32.0, .half_thickness = 0.5, .voxel = voxel},
                                           {checks::clear_medium(), checks::clear_medium(1.8)},
                                           [](const Vec3& p) { return p.y() < 15.0 ? 1 : 2; });

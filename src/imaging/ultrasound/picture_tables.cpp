@@ -145,6 +145,17 @@ void set_clutter(PictureTables& tables, const ScanLines& lines) {
 
 }  // namespace
 
+double PictureTables::ramp_loss(double length) const noexcept {
+  double heard = 0.0;
+  const auto half = static_cast<int>(axial.size() / 2);
+  for (int tap = -half; tap <= half; ++tap) {
+    const double covered = std::clamp(0.5 * length - (std::abs(tap) - 0.5), 0.0, 1.0);
+    heard += static_cast<double>(axial[static_cast<std::size_t>(tap + half)]) *
+             (tap == 0 ? std::min(1.0, length) : covered);
+  }
+  return length / heard;
+}
+
 void PictureTables::describe(int sample, scan::Row& described) const noexcept {
   const auto k = static_cast<std::size_t>(sample);
   described.row = sample;

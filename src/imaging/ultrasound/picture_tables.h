@@ -36,6 +36,9 @@ struct PictureTables {
   std::vector<float> gain;        // by sample: amplitude of gain and time-gain compensation
   std::vector<float> clutter[2];  // samples x stride: noise of the face and what is next to it
 
+  // By how much the pulse leaves less of an echo that is spread evenly over `length` samples than of one in a single
+  // sample; 1 and more.
+  double ramp_loss(double length) const noexcept;
   // The fields of a row that are its own, but for `grey` and `work`.
   void describe(int sample, scan::Row& described) const noexcept;
 };

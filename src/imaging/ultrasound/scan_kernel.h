@@ -40,6 +40,7 @@ struct March {
   float mirror, bone_mirror;  // share of a surface's echo that leaves as from a mirror
   float bone_edge;            // by which bone's surface is brighter
   float surface;              // of all surfaces' echoes; 0 leaves the speckle alone
+  float sharpness;            // by how much a surface's echo is stronger for being drawn out over a voxel
   float matched;              // AcousticVolume::unit, impedance of the probe's face and the gel
   // scatterers
   const std::uint32_t*

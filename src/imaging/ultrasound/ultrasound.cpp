@@ -151,6 +151,7 @@ struct Ultrasound::Machine {
 
   Lines origin, step, direction, moved;
   Vec3 across = Vec3::Zero();  // voxels per mm
+  float sharpness = 0.0F;      // as in scan::March
   bool is_moved = false;
   std::vector<float> gap, press, gel_samples, leaves, strong_at, strong_echo;
   std::vector<float> in_phase, quadrature, amplitude, work;
@@ -203,6 +204,8 @@ void Ultrasound::Machine::aim(const Pose& pose) noexcept {
         reached ? gap[used] / static_cast<float>(lines.spacing) : 2.0F * static_cast<float>(lines.samples);
   }
   across = (into_lattice * Vec3::UnitZ()).cwiseProduct(per_mm);
+  const double voxel = 1.0 / (into_lattice * Vec3::UnitY()).cwiseProduct(per_mm).cwiseAbs().maxCoeff();
+  sharpness = detail.speckle ? static_cast<float>(tables.ramp_loss(voxel / lines.spacing) - 1.0) : 0.0F;
 }
 
 // How far the tissue at the samples has moved, in voxels, every `coarse` samples.
@@ -252,6 +255,7 @@ scan::March Ultrasound::Machine::marching(std::size_t pass) const noexcept {
   march.bone_mirror = 0.75F;
   march.bone_edge = 1.5F;
   march.surface = 1.0F;
+  march.sharpness = sharpness;
   march.matched = tables.matched;
   march.scatterers = detail.speckle ? scatterers().cells.data() : nullptr;
   march.fibres = scatterers().bundles.data();
