@@ -119,7 +119,7 @@ std::vector<Scene> scenes() {
   Scene& both = add("needle and displaced");
   both.needle = needle;
   both.displaced = true;
-  Scene& aslant = add("aslant, other settings");
+  Scene& aslant = add("aslant with other settings");
   aslant.pose = probe_pose(Vec3(10.0, 9.0, -5.0), Vec3(-0.3, 1.0, 0.2), Vec3(0.3, 0.0, 1.0));
   aslant.settings.gain = 6.0;
   aslant.settings.dynamic_range = 75.0;
