@@ -219,6 +219,11 @@ void add_beside_options(CLI::App& command, BesideOptions& options) {
 
 RealPicture read_real_picture(const BesideOptions& options, const UltrasoundProbe& probe, MarkSide mark) {
   const auto [file, frame] = file_and_frame(options.file);
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored)) {
+    throw InputError(
+        fmt::format("--beside is '{}', which is a folder; expected a picture or a sequence", options.file));
+  }
   std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });

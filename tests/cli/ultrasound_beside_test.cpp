@@ -66,14 +66,14 @@ class UltrasoundBeside : public PatientCommand {
 
 TEST_F(UltrasoundBeside, noise_of_known_width_has_it_in_millimetres) {
   write("noise.png", ::bodkin::encode_png(averaged_noise(600, 500, 10, 6)));
-  const json result = beside("--beside noise.png --beside-pixel 0.1 --beside-window 5,25,40,40 -o noise-beside.svg");
+  const json result = beside("--beside noise.png --beside-pixel 0.1 --beside-window 5,20,40,40 -o noise-beside.svg");
   const json& real = result.at("beside").at("real");
   EXPECT_NEAR(real.at("half_width_across_mm").get<double>(), 0.5, 0.04);  // half of 10 pixels
   EXPECT_NEAR(real.at("half_width_along_mm").get<double>(), 0.3, 0.03);
   const std::array<double, 5> normal = {-1.6449, -0.6745, 0.0, 0.6745, 1.6449};
   for (std::size_t i = 0; i < normal.size(); ++i)
     EXPECT_NEAR(real.at("grey_percentiles")[i].get<double>(), 120.0 + 25.0 * normal[i], 5.0);
-  EXPECT_EQ(real.at("window_mm"), json::array({5.0, 25.0, 40.0, 40.0}));
+  EXPECT_EQ(real.at("window_mm"), json::array({5.0, 20.0, 40.0, 40.0}));
   // The file says nothing of depth and probe: the depth is the picture's, as deep as the curved face allows.
   EXPECT_GT(result.at("depth_mm").get<double>(), 30.0);
   EXPECT_LT(result.at("depth_mm").get<double>(), 50.0);
@@ -167,6 +167,7 @@ TEST_F(UltrasoundBeside, what_cannot_be_is_one_sentence) {
   expect_refused("--beside wide.mha", "has the value 12336, expected the greys of a picture, 0 to 255");
   expect_refused("--beside torn.mha", "torn.mha");
   expect_refused("--beside text.png --beside-pixel 0.3", "text.png is not a usable PNG");
+  expect_refused("--beside .", "which is a folder; expected a picture");
   expect_refused("--beside nothing.mha", "nothing.mha");
   expect_refused("--beside nothing.png", "nothing.png");
   expect_refused("--beside small.mha", "mm deep, expected 10 or more");
