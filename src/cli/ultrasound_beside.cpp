@@ -246,20 +246,29 @@ RealPicture read_real_picture(const BesideOptions& options, const UltrasoundProb
 }
 
 void match_real_picture(const UltrasoundOptions& options, const RealPicture& real, UltrasoundChoice& choice) {
-  if (!options.size_given.given()) {
-    choice.detail.width = std::clamp(real.picture.width, 16, 4096);
-    choice.detail.height = std::clamp(real.picture.height, 16, 4096);
+  const double pixel = real.picture.pixel;
+  if (!options.depth_given.given()) {
+    const double depth = bottom_of(real.picture) - pixel;  // of the last row's centres
+    if (!(depth >= 10.0)) {
+      throw InputError(
+          fmt::format("{}: the picture is {:.1f} mm deep, expected 10 or more; say the size of its pixels with "
+                      "--beside-pixel, or the depth to be simulated with --depth",
+                      real.caption, depth));
+    }
+    choice.settings.depth = depth;
+    if (!options.focus_given.given()) choice.settings.focus = std::max(5.0, 0.5 * depth);
   }
-  if (options.depth_given.given()) return;
-  const double depth = bottom_of(real.picture) - real.picture.pixel;  // of the last row's centres
-  if (!(depth >= 10.0)) {
-    throw InputError(
-        fmt::format("{}: the picture is {:.1f} mm deep, expected 10 or more; say the size of its pixels "
-                    "with --beside-pixel, or the depth to be simulated with --depth",
-                    real.caption, depth));
+  if (options.size_given.given()) return;
+  Eigen::Vector2d low = Eigen::Vector2d::Zero(), high = low;
+  for (const Eigen::Vector2d& corner : field_of_view(choice.probe, choice.settings.depth)) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
   }
-  choice.settings.depth = depth;
-  if (!options.focus_given.given()) choice.settings.focus = std::max(5.0, 0.5 * depth);
+  const auto pixels = [pixel](double side) {
+    return static_cast<int>(std::lround(std::clamp(side / pixel + 1.0, 16.0, 4096.0)));
+  };
+  choice.detail.width = pixels(high.x() - low.x());
+  choice.detail.height = pixels(high.y() - low.y());
 }
 
 BesideCompared compare_greys(const BesideOptions& options, const GreyPicture& simulated, const GreyPicture& real) {

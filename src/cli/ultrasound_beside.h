@@ -29,8 +29,8 @@ void add_beside_options(CLI::App& command, BesideOptions& options);
 // is where the field of view of `probe` begins. Throws InputError naming the file or the option.
 RealPicture read_real_picture(const BesideOptions& options, const UltrasoundProbe& probe, MarkSide mark);
 
-// Depth and size of the simulated picture are those of the real one, as far as the command line does not say them.
-// Throws InputError when there is no such depth.
+// The simulated picture gets the depth and the size of pixels of the real one, as far as the command line does not
+// say otherwise. Throws InputError when there is no such depth.
 void match_real_picture(const UltrasoundOptions& options, const RealPicture& real, UltrasoundChoice& choice);
 
 // The windows of the two pictures and their greys.

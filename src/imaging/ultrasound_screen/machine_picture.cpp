@@ -15,7 +15,8 @@ namespace {
 
 constexpr double machine_left = 124.0, machine_right = 62.0, machine_top = 58.0, machine_bottom = 24.0;  // px
 constexpr double least_height = 600.0, most_height = 1200.0;                                             // px
-constexpr double words_height = 40.0, least_caption = 220.0;  // px, of what is said of a window; of a real picture
+constexpr double words_height = 40.0, least_caption = 320.0,
+                 caption_letter = 9.0;  // px, of what is said of a window; of a real picture
 constexpr const char* plain_colour = "#e8eef5";
 constexpr const char* faint_colour = "#96a0ac";
 constexpr const char* warning_colour = "#f5b942";
@@ -87,7 +88,10 @@ class MachineArtist {
   }
   double per_millimetre() const { return scale_ / frame_.pixel; }                          // px
   double real_pixel() const { return per_millimetre() * picture_.beside->picture.pixel; }  // px
-  double real_wide() const { return std::max(least_caption, real_pixel() * picture_.beside->picture.width); }
+  double real_wide() const {
+    const double caption = caption_letter * static_cast<double>(picture_.beside->caption.size());
+    return std::max({least_caption, caption, real_pixel() * picture_.beside->picture.width});
+  }
   double real_bottom() const { return machine_top + real_pixel() * picture_.beside->picture.height; }
 
   void words(double x, double y, const std::string& text, const char* colour, double size,
