@@ -15,4 +15,5 @@ packages_to_test=(
   clang clang-format clang-tidy libclang-rt-14-dev llvm libxml2-utils
   xvfb xauth xdotool imagemagick ffmpeg
   libsuitesparse-dev calculix-ccx
+  g++-aarch64-linux-gnu qemu-user
 )

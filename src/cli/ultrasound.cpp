@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/json_values.h"
+#include "cli/ultrasound_beside.h"
 #include "cli/ultrasound_deformed.h"
 #include "cli/ultrasound_live.h"
 #include "cli/ultrasound_options.h"
@@ -34,6 +36,7 @@ struct UltrasoundArguments {
   std::string folder, output;
   UltrasoundOptions options;
   SweepOptions sweep;
+  BesideOptions beside;
   bool plain = false, ct = false, live = false, deformed = false;
 };
 
@@ -47,6 +50,7 @@ constexpr const char* ultrasound_footer = R"(Examples:
   bodkin ultrasound patient --tilt=-20,20 --frames 80 -o fan.igs.mha         a tracked sequence for 3D Slicer
   bodkin ultrasound patient --sweep-to 15,92,60 --on-skin -o sweep.mp4       a video (needs ffmpeg)
   bodkin ultrasound patient --sweep poses.csv -o frames                      a folder of pictures
+  bodkin ultrasound patient --probe L14-5 --beside real.mha:3 --beside-pixel 0.08   a real picture beside it
   bodkin ultrasound patient --live                                           the probe in your hand, in a window
 
 Coordinates are LPS, mm. A value that starts with a minus sign needs an equals sign: --at=-5,95,3)";
@@ -72,7 +76,13 @@ void check_combinations(const UltrasoundArguments& arguments) {
   if (arguments.live && (sweep.any() || arguments.plain || arguments.ct)) {
     throw InputError("--live opens a window; leave out --plain, --ct and the options of a sweep");
   }
-  if (sweep.any() && arguments.ct) throw InputError("--ct is for a single picture; leave it out of a sweep");
+  if (arguments.beside.any() && (arguments.live || sweep.any() || arguments.plain)) {
+    throw InputError("--beside is for a single picture; leave out --live, --plain and the options of a sweep");
+  }
+  if (!arguments.beside.any() && arguments.beside.more()) {
+    throw InputError(
+        "--beside-pixel, --beside-crop, --beside-window and --window are for a real picture; add --beside FILE");
+  }
   if (arguments.plain && arguments.ct) throw InputError("--plain writes the pixels alone; leave out --ct");
   const bool motion = !sweep.to.empty() || !sweep.tilt.empty() || !sweep.rock.empty() || !sweep.rotate.empty();
   if (!sweep.file.empty() && (motion || sweep.frames_given.given() || sweep.on_skin)) {
@@ -141,7 +151,18 @@ struct ScanScene {
   std::optional<NeedleInSound> needle;
   std::string needle_words;
   std::optional<DeformedScan> deformed;
+  std::optional<RealPicture> real;
 };
+
+nlohmann::json json_of(const GreyWindow& window, const GreyStatistics& greys) {
+  const auto width = [](const std::optional<double>& value) {
+    return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
+  };
+  return {{"window_mm", {window.across, window.depth, window.width, window.height}},
+          {"grey_percentiles", greys.percentiles},
+          {"half_width_across_mm", width(greys.across)},
+          {"half_width_along_mm", width(greys.along)}};
+}
 
 void scan_once(const UltrasoundArguments& arguments, const ScanScene& scene, Ultrasound& machine, Console& console) {
   const UltrasoundChoice& choice = scene.choice;
@@ -160,6 +181,13 @@ void scan_once(const UltrasoundArguments& arguments, const ScanScene& scene, Ult
   picture.moment = {frame, scene.pose, choice.probe, choice.settings, scene.needle_words};
   picture.mark = choice.mark;
   picture.patient = scene.patient.description.name;
+  std::optional<BesideCompared> compared;
+  if (scene.real) {
+    compared = compare_greys(arguments.beside, grey_of(frame, choice.mark), scene.real->picture);
+    picture.beside = scene.real;
+    picture.window = {compared->simulated_window, statistics_words(compared->simulated)};
+    picture.beside->window = {compared->real_window, statistics_words(compared->real)};
+  }
   if (arguments.plain) {
     write_file(file, encode_png(grey_picture(frame, choice.mark)));
   } else {
@@ -188,6 +216,12 @@ void scan_once(const UltrasoundArguments& arguments, const ScanScene& scene, Ult
     console.line(fmt::format("tissue    moved {:.2f} mm at most in this plane, {:.2f} N on the needle",
                              scene.deformed->most, scene.deformed->force));
   }
+  if (compared) {
+    for (const auto& [which, greys] :
+         {std::pair("simulated", &compared->simulated), std::pair("real", &compared->real)}) {
+      for (const std::string& line : statistics_words(*greys)) console.line(fmt::format("{:<10}{}", which, line));
+    }
+  }
   console.line(fmt::format("time      {:.2f} ms a picture", milliseconds));
   console.line(fmt::format("again     --pose={}", pose_text(scene.pose)));
   console.line(fmt::format("\n{}", fs::absolute(file).string()));
@@ -204,6 +238,12 @@ void scan_once(const UltrasoundArguments& arguments, const ScanScene& scene, Ult
     result["tissue_moved_mm"] = scene.deformed->most;
     result["needle_force_N"] = scene.deformed->force;
   }
+  if (compared) {
+    result["beside"] = {{"picture", scene.real->caption},
+                        {"pixel_mm", scene.real->picture.pixel},
+                        {"simulated", json_of(compared->simulated_window, compared->simulated)},
+                        {"real", json_of(compared->real_window, compared->real)}};
+  }
   result["milliseconds"] = milliseconds;
   console.json(result.dump(2));
 }
@@ -218,6 +258,7 @@ void scan_sweep(const UltrasoundArguments& arguments, const ScanScene& scene, st
   sweep.needle = scene.needle;
   sweep.needle_words = scene.needle_words;
   sweep.plain = arguments.plain;
+  sweep.ct = arguments.ct;
   sweep.rate = arguments.sweep.rate;
   const SweepMade made = write_sweep(sweep, machine, target, console.progress());
   if (made.black > 0) {
@@ -247,11 +288,22 @@ void run_ultrasound(const UltrasoundArguments& arguments, const CommandContext& 
   if (sweeping) {
     motion_of(arguments.sweep);  // for its complaints
     target = sweep_target(arguments.output.empty() ? "sweep.igs.mha" : arguments.output);
+    if (arguments.ct && target->kind == SweepKind::sequence) {
+      throw InputError(
+          fmt::format("--ct is for pictures and videos, and {} is a sequence of the ultrasound alone; say -o "
+                      "NAME.mp4 or a folder",
+                      target->file));
+    }
     if (!arguments.sweep.file.empty()) poses = read_sweep(arguments.sweep.file);
   } else {
     check_picture_name(arguments);
   }
   if (arguments.live) require_window();
+  std::optional<RealPicture> real;
+  if (arguments.beside.any()) {
+    real = read_real_picture(arguments.beside, choice.probe, choice.mark);
+    match_real_picture(arguments.options, *real, choice);
+  }
 
   const Case patient = load_case(arguments.folder, console.progress());
   std::optional<NeedleInSound> needle;
@@ -281,7 +333,7 @@ void run_ultrasound(const UltrasoundArguments& arguments, const CommandContext& 
     needle = deformed->needle;
     console.clear_bar();
   }
-  const ScanScene scene{patient, choice, hand.pose(), needle, said, std::move(deformed)};
+  const ScanScene scene{patient, choice, hand.pose(), needle, said, std::move(deformed), std::move(real)};
   if (sweeping) {
     scan_sweep(arguments, scene, std::move(poses), *target, machine, console);
   } else {
@@ -303,6 +355,7 @@ void add_ultrasound_command(CLI::App& app, CommandContext& context) {
              "With --needle, of a case with a mesh: the tissue as the needle has moved it");
   add_switch(*command, "--plain", arguments->plain, "The pixels alone, nothing around them");
   add_switch(*command, "--ct", arguments->ct, "The same plane of the CT beside it");
+  add_beside_options(*command, arguments->beside);
   add_sweep_options(*command, arguments->sweep);
   add_switch(*command, "--live", arguments->live, "The probe in your hand: a window for mouse and keyboard");
   on_run(*command, [arguments, &context] { run_ultrasound(*arguments, context); });

@@ -138,7 +138,7 @@ void add_ultrasound_options(CLI::App& command, UltrasoundOptions& options) {
   add_switch(command, "--no-gel", options.no_gel, "Nothing fills the gaps between face and skin");
   add_whole_number(command, "--lines", options.lines, 16, 2048, "Scanlines, 16 to 2048");
   add_whole_number(command, "--samples", options.samples, 32, 4096, "Samples along a line, 32 to 4096");
-  add_text(command, "--size", options.size, "Pixels of the picture, WIDTHxHEIGHT");
+  options.size_given = add_text(command, "--size", options.size, "Pixels of the picture, WIDTHxHEIGHT");
   add_whole_number(command, "--slices", options.slices, 1, 7, "Rays across the thickness of the slice: 1, 3, 5 or 7");
   add_whole_number(command, "--threads", options.threads, 1, 64, "Threads, 1 to 64");
   add_text(command, "--mark", options.mark, "Where the marked side stands in the picture: left, right");

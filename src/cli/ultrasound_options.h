@@ -24,7 +24,7 @@ struct UltrasoundOptions {
   bool no_gel = false;
   bool needle = false;
   double needle_depth = 0.0;
-  Argument press_given, depth_given, focus_given, frequency_given, needle_depth_given;
+  Argument press_given, depth_given, focus_given, frequency_given, size_given, needle_depth_given;
 };
 
 void add_ultrasound_options(CLI::App& command, UltrasoundOptions& options);

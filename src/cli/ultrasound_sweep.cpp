@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -89,7 +90,7 @@ bool is_header(const CsvRow& row) {
 }
 
 // The pictures of a sweep. What stands around the frame is drawn once and again only when it changes: letters take a
-// hundred times as long as sound.
+// hundred times as long as sound. A CT beside it changes with every pose.
 class SweepPictures {
  public:
   explicit SweepPictures(const SweepScene& scene) : scene_(scene) {}
@@ -103,7 +104,9 @@ class SweepPictures {
     around.patient = scene_.patient->description.name;
     around.touch = false;
     std::fill(around.moment.frame.pixels.begin(), around.moment.frame.pixels.end(), std::uint8_t{0});
+    if (scene_.ct) add_ct(around);
     const MachineDrawn drawn = machine_picture(around, scene_.patient->library);
+    if (scene_.ct) drawn_.clear();
     auto known = drawn_.find(drawn.svg);
     if (known == drawn_.end()) {
       if (drawn_.size() > most_known) drawn_.clear();
@@ -119,8 +122,29 @@ class SweepPictures {
  private:
   static constexpr std::size_t most_known = 64;
 
+  void add_ct(MachinePicture& picture) {
+    const MarkSide mark = picture.mark;
+    std::vector<Vec3> needle;
+    if (scene_.needle) {
+      needle = {scene_.patient->description.procedure.path->entry, scene_.needle->pose.translation()};
+    }
+    picture.ct = ct_panel(*scene_.patient, picture.moment, mark, needle);
+    if (named_.empty()) {
+      std::set<TissueId> seen;
+      for (const SweepPose& at : scene_.poses) {
+        const SlicePlane plane = plane_of(picture.moment.frame, at.pose, mark);
+        for (const TissueId id : tissues_present(cut(plane, scene_.patient->ct, scene_.patient->tissues))) {
+          seen.insert(id);
+        }
+      }
+      named_.assign(seen.begin(), seen.end());
+    }
+    picture.ct->named = named_;
+  }
+
   const SweepScene& scene_;
   std::map<std::string, ImageRgb> drawn_;
+  std::vector<TissueId> named_;  // the tissues of every CT of the sweep
 };
 
 static_assert(sizeof(Rgb) == 3, "the pixels of a picture are what ffmpeg calls rgb24");

@@ -51,6 +51,7 @@ struct SweepScene {
   std::optional<NeedleInSound> needle;
   std::string needle_words;
   bool plain = false;  // the pixels alone
+  bool ct = false;     // the same plane of the CT beside them; not in a sequence
   double rate = 25.0;  // pictures a second of a video
 };
 

@@ -240,6 +240,9 @@ std::vector<LegendEntry> legend_of(const std::vector<SlicePanel>& panels, const 
     for (const TissueId id : tissues_present(panel.slice)) {
       if (std::find(seen.begin(), seen.end(), id) == seen.end()) seen.push_back(id);
     }
+    for (const TissueId id : panel.named) {
+      if (std::find(seen.begin(), seen.end(), id) == seen.end()) seen.push_back(id);
+    }
     for (const CutElement& cut : panel.elements) {
       if (std::find(seen.begin(), seen.end(), cut.tissue) == seen.end()) seen.push_back(cut.tissue);
     }

@@ -18,6 +18,7 @@ struct SlicePanel {
   std::vector<Vec3> travelled;            // LPS mm, where the tip really went, in order
   std::vector<CutElement> elements = {};  // of a mesh; where there are any, they are drawn instead of the pixels
   std::vector<Vec3> outline = {};         // LPS mm, a closed line: what an ultrasound probe sees
+  std::vector<TissueId> named = {};       // in the legend, seen here or not: pictures of a series get one of one size
 };
 
 // Slices side by side as SVG, without a document around it.

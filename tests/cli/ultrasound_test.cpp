@@ -135,6 +135,45 @@ TEST_F(UltrasoundCommand, poses_from_a_file_become_a_folder_of_pictures) {
   expect_refusal("--sweep bad.csv", "there is no pose in it");
 }
 
+TEST_F(UltrasoundCommand, a_sweep_with_the_ct_is_pictures_of_one_size_with_the_plane_of_each) {
+  const std::string turning = "--rotate 0,90 --frames 3 --needle ";
+  const json alone = said(turning + "-o alone"), both = said(turning + "--ct -o both-%02d.png");
+  ASSERT_EQ(both.at("files").size(), 3U);
+  const ::bodkin::ImageRgb first = picture("both-00.png"), narrow = picture("alone/frame-0000.png");
+  EXPECT_GT(first.width, narrow.width + 500) << "the CT is as wide as the ultrasound";
+  for (int number = 0; number < 3; ++number) {
+    const ::bodkin::ImageRgb image = picture("both-0" + std::to_string(number) + ".png");
+    EXPECT_EQ(image.width, first.width);
+    EXPECT_EQ(image.height, first.height);
+    // On the left it is the picture without the CT.
+    const ::bodkin::ImageRgb left = picture("alone/frame-000" + std::to_string(number) + ".png");
+    std::ptrdiff_t differing = 0;
+    for (int row = 0; row < left.height; ++row) {
+      for (int column = 0; column < left.width; ++column) {
+        differing += image.at(column, row) == left.at(column, row) ? 0 : 1;
+      }
+    }
+    EXPECT_EQ(differing, 0) << number;
+    // On the right it is what a single picture of the same pose shows, whose legend names fewer tissues.
+    if (number > 0) continue;
+    said("--needle --ct -o single.png");
+    const ::bodkin::ImageRgb single = picture("single.png");
+    ASSERT_EQ(single.width, image.width);
+    differing = 0;
+    for (int row = 90; row < 500; ++row) {
+      for (int column = narrow.width + 40; column < image.width - 40; ++column) {
+        differing += image.at(column, row) == single.at(column, row) ? 0 : 1;
+      }
+    }
+    EXPECT_EQ(differing, 0);
+  }
+  const ::bodkin::ImageRgb last = picture("both-02.png");
+  std::ptrdiff_t moved = 0;
+  for (int column = narrow.width + 40; column < first.width - 40; ++column)
+    moved += first.at(column, 300) == last.at(column, 300) ? 0 : 1;
+  EXPECT_GT(moved, 100) << "the plane turns, and the CT with it";
+}
+
 TEST_F(UltrasoundCommand, a_video_needs_ffmpeg_and_says_so) {
   const Outcome without =
       run_bodkin(folder_, "--version > /dev/null; PATH=/nowhere '" BODKIN_BUILD "/bin/bodkin' -q ultrasound " +
@@ -148,6 +187,8 @@ TEST_F(UltrasoundCommand, a_video_needs_ffmpeg_and_says_so) {
     EXPECT_GT(std::filesystem::file_size(folder_ / ("sweep" + ending)), 1000U) << ending;
     EXPECT_FALSE(std::filesystem::exists(folder_ / (".part-sweep" + ending)));
   }
+  said("--tilt=-9,9 --frames 3 --ct -o with-ct.mp4");
+  EXPECT_GT(std::filesystem::file_size(folder_ / "with-ct.mp4"), std::filesystem::file_size(folder_ / "sweep.mp4"));
 }
 
 TEST_F(UltrasoundCommand, what_cannot_be_is_one_sentence) {
@@ -173,6 +214,9 @@ TEST_F(UltrasoundCommand, what_cannot_be_is_one_sentence) {
   expect_refusal("--frequency 25", "band");
   expect_refusal("--needle-depth 20", "--needle");
   expect_refusal("--plain --ct", "--plain");
+  expect_refusal("--tilt 1,2 --ct",
+                 "sweep.igs.mha is a sequence of the ultrasound alone; say -o NAME.mp4 or a folder");
+  expect_refusal("--live --ct", "--live");
   expect_refusal("-o picture.jpg", "expected a picture, .png or .svg");
   expect_refusal("--plain -o picture.svg", "expected a picture, .png");
   expect_refusal("--frames 20", "--frames");

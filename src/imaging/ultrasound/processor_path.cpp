@@ -41,7 +41,11 @@ std::string_view name_of(ProcessorPath path) {
     case ProcessorPath::avx512:
       return "AVX-512";
     default:
+#ifdef __x86_64__
       return "SSE2";
+#else
+      return "vectors";
+#endif
   }
 }
 

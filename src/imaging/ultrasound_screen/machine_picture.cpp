@@ -15,6 +15,8 @@ namespace {
 
 constexpr double machine_left = 124.0, machine_right = 62.0, machine_top = 58.0, machine_bottom = 24.0;  // px
 constexpr double least_height = 600.0, most_height = 1200.0;                                             // px
+constexpr double words_height = 40.0, least_caption = 320.0,
+                 caption_letter = 9.0;  // px, of what is said of a window; of a real picture
 constexpr const char* plain_colour = "#e8eef5";
 constexpr const char* faint_colour = "#96a0ac";
 constexpr const char* warning_colour = "#f5b942";
@@ -42,6 +44,16 @@ class MachineArtist {
     measurements();
     if (frame_.why != NoImage::none) why();
     double width = right() + machine_right, height = bottom() + machine_bottom;
+    if (picture_.window) {
+      window(
+          *picture_.window, [this](const Spot& place) { return spot_shown(place); }, machine_left, bottom());
+      height += words_height;
+    }
+    if (picture_.beside) {
+      height = std::max(height, real_bottom() + machine_bottom + words_height);
+      real(*picture_.beside, width);
+      width += real_wide() + machine_right;
+    }
     if (picture_.ct) {
       const SlicesDrawn slices = draw_slices({*picture_.ct}, library, "", high());
       emit("<g transform=\"translate({:.1f} {:.1f})\">{}</g>\n", width, machine_top - slices.top, slices.svg);
@@ -68,6 +80,19 @@ class MachineArtist {
     if (picture_.mark == MarkSide::left) at.x() = frame_.width - 1 - at.x();
     return Spot(machine_left, machine_top) + scale_ * (at + Spot::Constant(0.5));
   }
+
+  // px of a place as the picture shows it: mm to the right of its middle and below the face.
+  Spot spot_shown(const Spot& place) const {
+    return {machine_left + 0.5 * wide() + per_millimetre() * place.x(),
+            machine_top + scale_ * ((place.y() - frame_.corner.y()) / frame_.pixel + 0.5)};
+  }
+  double per_millimetre() const { return scale_ / frame_.pixel; }                          // px
+  double real_pixel() const { return per_millimetre() * picture_.beside->picture.pixel; }  // px
+  double real_wide() const {
+    const double caption = caption_letter * static_cast<double>(picture_.beside->caption.size());
+    return std::max({least_caption, caption, real_pixel() * picture_.beside->picture.width});
+  }
+  double real_bottom() const { return machine_top + real_pixel() * picture_.beside->picture.height; }
 
   void words(double x, double y, const std::string& text, const char* colour, double size,
              const char* anchor = "start") {
@@ -118,30 +143,84 @@ class MachineArtist {
   void depth_scale() {
     const UltrasoundSettings& set = picture_.moment.settings;
     const double x = right() + 8.0;
-    const int between = centimetres_between_numbers(set.depth);
-    words(x, machine_top - 8.0, "cm", faint_colour, 11);
-    for (int half = 0; 5.0 * half <= set.depth + 1e-9; ++half) {
-      const double y = spot({0.0, 5.0 * half}).y();
-      if (y > bottom() + 1.0) break;
-      const bool numbered = half % (2 * between) == 0;
-      if (half % 2 != 0 && set.depth > 120.0) continue;
-      emit("<path d=\"M{:.1f} {:.1f}h{}\" stroke=\"{}\"/>\n", x, y, numbered ? 10 : (half % 2 == 0 ? 7 : 4),
-           faint_colour);
-      if (numbered && half > 0) words(x + 15.0, y + 4.5, std::to_string(half / 2), faint_colour, 12);
-    }
+    centimetres(
+        x, set.depth,
+        [this](double depth) {
+          return spot({0.0, depth}).y();
+        },
+        bottom());
     const double focus = spot({0.0, set.focus}).y();
     if (focus > machine_top && focus < bottom()) {
       emit("<path d=\"M{0:.1f} {1:.1f}l9 -5v10z\" fill=\"{2}\"/>\n", x - 2.0, focus, warning_colour);
     }
   }
 
-  void marked_side() {
-    const bool left = picture_.mark == MarkSide::left;
-    const double x = left ? machine_left + 10.0 : right() - 10.0;
+  // Marks at every half centimetre down to `depth` mm, as far as `last` px.
+  template <typename Height>
+  void centimetres(double x, double depth, Height&& height, double last) {
+    const int between = centimetres_between_numbers(depth);
+    words(x, machine_top - 8.0, "cm", faint_colour, 11);
+    for (int half = 0; 5.0 * half <= depth + 1e-9; ++half) {
+      const double y = height(5.0 * half);
+      if (y > last + 1.0) break;
+      const bool numbered = half % (2 * between) == 0;
+      if (half % 2 != 0 && depth > 120.0) continue;
+      emit("<path d=\"M{:.1f} {:.1f}h{}\" stroke=\"{}\"/>\n", x, y, numbered ? 10 : (half % 2 == 0 ? 7 : 4),
+           faint_colour);
+      if (numbered && half > 0) words(x + 15.0, y + 4.5, std::to_string(half / 2), faint_colour, 12);
+    }
+  }
+
+  void marked_dot(double x) {
     emit(
         "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"8\" fill=\"#46c878\"/><text x=\"{0:.1f}\" y=\"{2:.1f}\" "
         "fill=\"#000\" font-size=\"11\" font-weight=\"bold\" text-anchor=\"middle\">B</text>\n",
         x, machine_top - 14.0, machine_top - 10.0);
+  }
+
+  // The window in a picture whose places `to_px` gives, and what is said of it below the picture.
+  template <typename ToPx>
+  void window(const WindowSaid& said, ToPx&& to_px, double left, double below) {
+    const Spot middle(said.window.across, said.window.depth), half(0.5 * said.window.width, 0.5 * said.window.height);
+    const Spot from = to_px(middle - half), to = to_px(middle + half);
+    emit(
+        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" stroke=\"{}\" "
+        "stroke-dasharray=\"4 3\"/>\n",
+        from.x(), from.y(), to.x() - from.x(), to.y() - from.y(), caliper_colour);
+    for (const std::string& line : said.words) words(left, below += 18.0, line, caliper_colour, 13);
+  }
+
+  // The real picture with its left margin at `x`, its scale, its marked side and where it comes from.
+  void real(const RealPicture& real, double x) {
+    const GreyPicture& grey = real.picture;
+    const double across = real_pixel() * grey.width, down = real_pixel() * grey.height;
+    ImageRgb image(grey.width, grey.height);
+    std::transform(grey.pixels.begin(), grey.pixels.end(), image.pixels.begin(), [](std::uint8_t value) {
+      return Rgb{value, value, value};
+    });
+    emit(
+        "<image x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" preserveAspectRatio=\"none\" "
+        "xlink:href=\"{}\"/>\n",
+        x, machine_top, across, down, data_uri("image/png", encode_png(image)));
+    words(x, 26.0, real.caption, plain_colour, 15);
+    words(real.mark ? x + 26.0 : x, machine_top - 9.0, "real", faint_colour, 12);
+    const auto to_px = [&](const Spot& place) {
+      return Spot(x + 0.5 * across + per_millimetre() * place.x(),
+                  machine_top + real_pixel() * (grey.row(place.y()) + 0.5));
+    };
+    centimetres(
+        x + across + 8.0, grey.top + grey.pixel * grey.height,
+        [&to_px](double depth) {
+          return to_px({0.0, depth}).y();
+        },
+        machine_top + down);
+    if (real.mark) marked_dot(*real.mark == MarkSide::left ? x + 10.0 : x + across - 10.0);
+    if (real.window) window(*real.window, to_px, x, machine_top + down);
+  }
+
+  void marked_side() {
+    const bool left = picture_.mark == MarkSide::left;
+    marked_dot(left ? machine_left + 10.0 : right() - 10.0);
     const Vec3 to_right = (left ? -1.0 : 1.0) * picture_.moment.pose.linear().col(0);
     if (!to_right.allFinite()) return;
     words(machine_left + (left ? 26.0 : 4.0), machine_top - 9.0, direction_letters(-to_right), plain_colour, 14);
