@@ -223,6 +223,22 @@ TEST(AcousticVolume, what_is_no_patient_is_refused) {
               HasSubstr("nothing but air"));
 }
 
+// Whether bone and something else are among the 27 voxels about one.
+bool beside_border_of_bone(const AcousticVolume& volume, std::size_t voxel) {
+  const Grid& grid = volume.grid;
+  const auto row = static_cast<std::size_t>(grid.size[0]), slice = row * static_cast<std::size_t>(grid.size[1]);
+  const auto i = static_cast<int>(voxel % row), j = static_cast<int>(voxel % slice / row),
+             k = static_cast<int>(voxel / slice);
+  bool bone = false, other = false;
+  for (int n = 0; n < 27; ++n) {
+    const int x = i + n % 3 - 1, y = j + n / 3 % 3 - 1, z = k + n / 9 - 1;
+    if (!grid.contains(x, y, z)) continue;
+    const TissueId id = volume.tissue(grid.offset(x, y, z));
+    (id == tissue::cortical_bone || id == tissue::cancellous_bone ? bone : other) = true;
+  }
+  return bone && other;
+}
+
 TEST(AcousticVolume, a_synthetic_patient_sounds_like_its_tissues) {
   LumbarParameters parameters;
   parameters.spacing = 2.5;
@@ -238,6 +254,7 @@ TEST(AcousticVolume, a_synthetic_patient_sounds_like_its_tissues) {
     const double own = own_impedance(static_cast<TissueId>(id)),
                  found = volume->impedance(voxel) * AcousticVolume::unit;
     ASSERT_GT(volume->impedance(voxel), 0);
+    if (beside_border_of_bone(*volume, voxel)) continue;  // worn there (bone_surface.h)
     ASSERT_NEAR(found, own, 0.0801 * own + AcousticVolume::unit) << volume->tissue(voxel);
     sum[id] += found;
     count[id] += 1.0;

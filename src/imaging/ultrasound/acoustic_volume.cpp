@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "imaging/ultrasound/bone_surface.h"
 
 namespace bodkin {
 
@@ -334,6 +335,7 @@ std::shared_ptr<const AcousticVolume> acoustic_volume(const Case& patient, const
       volume->voxels.push_back(AcousticVolume::voxel(impedance, id));
     }
   }
+  smooth_bone_surface(*volume);
   if (progress) progress("acoustic volume", 1.0);
   return volume;
 }

@@ -209,10 +209,10 @@ inline void meet(const March& __restrict in, int line, Sample& __restrict s) noe
 
 // What a surface's echo is made of its reflection r so that it has its level though it is drawn out over a voxel.
 // Weak ones, which may be the CT's noise, stay as they are: the factor grows with r^2 to its whole at 0.03. Of strong
-// ones no more than 0.1 gets it: bone is bright anyway, and the stairs of its voxels would shine.
+// ones no more than 0.3 gets it: bone is bright anyway, and the stairs of its voxels would shine.
 inline float drawn_out(float reflected, float sharpness) noexcept {
   constexpr float from = 1.0F / (0.03F * 0.03F);
-  const float soft = bounded(reflected, -0.1F, 0.1F), sure = soft * soft * from;
+  const float soft = bounded(reflected, -0.3F, 0.3F), sure = soft * soft * from;
   return reflected + sharpness * soft * (1.0F < sure ? 1.0F : sure);
 }
 
