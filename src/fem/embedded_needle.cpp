@@ -61,6 +61,10 @@ EmbeddedNeedle::EmbeddedNeedle(const CondensedBody& body, const ContactTissues& 
       punctured_(body.nodes.size(), 0) {
   check_contact_tissues(tissues);
   check_contact_setting(dt, 1e-6, 0.1, "tick", "s");
+  if (body.mesh_nodes.size() != body.nodes.size()) return;  // nameless: it can follow no other
+  for (const std::uint32_t name : body.mesh_nodes)
+    names_.emplace_back(name, static_cast<std::uint32_t>(names_.size()));
+  std::sort(names_.begin(), names_.end());
 }
 
 void EmbeddedNeedle::take_punctures(const EmbeddedNeedle& other) noexcept {

@@ -18,6 +18,12 @@ struct InsertionStation {
   bool resists = false;  // it is the first of a tissue that takes more force to puncture than the one before
 };
 
+// Where it begins, and its unit vector; mm, LPS.
+struct InsertionLine {
+  Vec3 entry = Vec3::Zero();
+  Vec3 direction = Vec3::UnitZ();
+};
+
 // The nodes that a needle will meet along a frozen line, in the order in which it meets them: of every `spacing` mm
 // the one closest to the line, if any is within `radius`.
 class InsertionStations {
@@ -28,10 +34,17 @@ class InsertionStations {
   // Goes through the whole corridor. Never throws or allocates.
   void begin(const Vec3& entry, const Vec3& direction, const ContactTissues& tissues) noexcept;
   void clear() noexcept { count_ = 0; }
+  // One more, behind the others; false when there is no room.
+  bool add(const InsertionStation& station) noexcept;
+  // Keeps the first `kept` (1 at least) and takes what lies behind them and deeper than `depth` from the corridor.
+  void go_on(std::size_t kept, double depth, const InsertionLine& line, const ContactTissues& tissues) noexcept;
 
   std::span<const InsertionStation> along() const noexcept { return {stations_.data(), count_}; }
 
  private:
+  std::size_t find(const InsertionLine& line) noexcept;
+  void append(std::size_t found, const ContactTissues& tissues) noexcept;
+
   struct Candidate {
     std::uint32_t node;
     std::int64_t cell;  // of the line, `spacing` long

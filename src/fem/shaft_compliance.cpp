@@ -60,4 +60,17 @@ Vec3 ShaftCompliance::displacement(std::size_t index, std::span<const double> fo
   return sum;
 }
 
+// Each row is gone through once: below the diagonal as it is, above it turned over.
+void ShaftCompliance::displace(std::span<const double> forces, std::span<double> displacements) const noexcept {
+  double* const sum = displacements.data();
+  for (std::size_t i = 0; i < count_; ++i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double* const here = row(i, c);
+      const double force = forces[3 * i + c];
+      for (std::size_t j = 0; j < 3 * i; ++j) sum[j] += here[j] * force;
+      sum[3 * i + c] = triangle::product(here, forces.data(), 3 * i + 3);
+    }
+  }
+}
+
 }  // namespace bodkin
