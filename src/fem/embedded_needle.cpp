@@ -126,6 +126,7 @@ bool EmbeddedNeedle::take(std::size_t index) noexcept {
   const Mat3 own = frame_.transpose() * body_.compliance.block<3, 3>(place, place) * frame_;
   hold = {};
   hold.compliance = 0.5 * (own(1, 1) + own(2, 2));
+  hold.whole = std::min(station.length, settings_.capture_radius);
   hold.moved = moved(0);
   hold.slip = tip_ - moved(0);
   hold.anchor = shaft_offset(station.depth) - moved.tail<2>();
@@ -185,8 +186,7 @@ void EmbeddedNeedle::grip() noexcept {
   }
   if (held_ == 0) return;
   const InsertionStation& last = line()[held_ - 1];
-  const double whole = std::min(last.length, settings_.capture_radius);
-  const double part = std::clamp((tip_ - last.depth) / whole, 0.0, 1.0);
+  const double part = std::clamp((tip_ - last.depth) / holds_[held_ - 1].whole, 0.0, 1.0);
   soften(part < least_grip ? -1.0 : holds_[held_ - 1].compliance * (1.0 / part - 1.0));
 }
 

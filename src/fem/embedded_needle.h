@@ -120,6 +120,7 @@ class EmbeddedNeedle {
     Eigen::Vector2d anchor = Eigen::Vector2d::Zero();  // mm, across
     double softness = -1.0;                            // mm/N, across; negative: not held
     double compliance = 0.0;                           // mm/N across, by its own force
+    double whole = 1.0;                                // mm from its depth on, to where it is held firmly
     double cut = 0.0;                                  // part of cut_offset by which its hole is aside
     Eigen::Vector2d aside = Eigen::Vector2d::Zero();   // mm, what was added to that in this tick
   };

@@ -59,9 +59,15 @@ ContactTissues rubbing_tissues(double puncture_force = 0.15) {
   return tissues;
 }
 
+EmbeddedNeedleSettings few_nodes() {
+  EmbeddedNeedleSettings settings = checks::narrow_settings();
+  settings.most_nodes = 24;
+  return settings;
+}
+
 struct BegunExchange : CorridorExchange {
   BegunExchange(SharedBody first, const ContactTissues& tissues)
-      : CorridorExchange(std::move(first), tissues, checks::narrow_settings(), 1e-3) {
+      : CorridorExchange(std::move(first), tissues, few_nodes(), 1e-3) {
     begin(Vec3::Zero(), Vec3::UnitZ());
   }
 };
@@ -100,7 +106,7 @@ TEST(CorridorTakeOver, to_a_corridor_that_is_the_same_changes_nothing) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const SharedBody body = pressed_column(0.05);
     BegunExchange exchange(body, rubbing_tissues());
-    EmbeddedNeedle alone(*body, rubbing_tissues(), checks::narrow_settings(), 1e-3);
+    EmbeddedNeedle alone(*body, rubbing_tissues(), few_nodes(), 1e-3);
     alone.begin(Vec3::Zero(), Vec3::UnitZ());
     const WanderingHand hand(seed);
     int taken = 0;
@@ -121,8 +127,8 @@ TEST(CorridorTakeOver, to_a_corridor_that_is_the_same_changes_nothing) {
 TEST(CorridorTakeOver, a_needle_that_bends_keeps_its_shape_and_its_force) {
   const SharedBody body = pressed_column(0.05);
   const NeedleBeam beam({.rigidity = 200.0, .length = 90.0, .hold = NeedleHold::clamped, .cut_offset = 0.02});
-  EmbeddedNeedle alone(*body, rubbing_tissues(), checks::narrow_settings(), 1e-3, beam);
-  auto now = std::make_unique<EmbeddedNeedle>(*body, rubbing_tissues(), checks::narrow_settings(), 1e-3, beam);
+  EmbeddedNeedle alone(*body, rubbing_tissues(), few_nodes(), 1e-3, beam);
+  auto now = std::make_unique<EmbeddedNeedle>(*body, rubbing_tissues(), few_nodes(), 1e-3, beam);
   std::unique_ptr<EmbeddedNeedle> next;
   alone.begin(Vec3::Zero(), Vec3::UnitZ());
   now->begin(Vec3::Zero(), Vec3::UnitZ());
@@ -133,7 +139,7 @@ TEST(CorridorTakeOver, a_needle_that_bends_keeps_its_shape_and_its_force) {
     ASSERT_LT((now->step(hand.at(tick)).on_hand.force - expected).norm(), 1e-9) << tick;
     ASSERT_LT((now->shaft_deflection(0.0) - alone.shaft_deflection(0.0)).norm(), 1e-9) << tick;
     if (next == nullptr && tick % 100 == 0) {
-      next = std::make_unique<EmbeddedNeedle>(*body, rubbing_tissues(), checks::narrow_settings(), 1e-3, beam);
+      next = std::make_unique<EmbeddedNeedle>(*body, rubbing_tissues(), few_nodes(), 1e-3, beam);
       if (!next->begin_to_follow(*now)) next.reset();
     }
     const FollowState state = next == nullptr ? FollowState::impossible : next->follow(*now);
@@ -149,27 +155,29 @@ TEST(CorridorTakeOver, no_force_jumps_whatever_the_needle_does) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     BegunExchange exchange(pressed_column(0.05), rubbing_tissues());
     const WanderingHand hand(seed);
-    double at_take_over = 0.0, elsewhere = 0.0;
-    Vec3 before = Vec3::Zero();
-    bool took = false, gave_way = false;
-    int taken = 0;
+    double elsewhere = 0.0;
+    EmbeddedNeedleForce before;
+    int taken = 0, still = 0, waits = 0;
+    bool took = false;
     for (int tick = 0; tick < 12000; ++tick) {
-      const EmbeddedNeedleForce found = exchange.needle().step(hand.at(tick));
-      const double change = (found.on_hand.force - before).norm();
-      if (!gave_way) {
-        double& largest = took ? at_take_over : elsewhere;
-        largest = std::max(largest, change);
+      waits += took && taken % 2 == 0 ? 1 : 0;  // every other time the hand rests in the next tick
+      const EmbeddedNeedleForce found = exchange.needle().step(hand.at(tick - waits));
+      const double change = (found.on_hand.force - before.on_hand.force).norm();
+      if (took && taken % 2 == 0) {
+        // A node that the tick before had no time to let slide may do so now, as in any tick.
+        EXPECT_LT(change, found.sticking == before.sticking ? 1e-9 : 1e-3) << seed << ' ' << tick;
+        ++still;
+      } else if (!before.puncture) {
+        elsewhere = std::max(elsewhere, change);
       }
-      gave_way = found.puncture.has_value();
-      before = found.on_hand.force;
+      before = found;
       if (tick % 97 == 0)
         exchange.offer(pressed_column(0.03 + 0.05 * (tick % 3), 0.2 * (tick % 4), 0.2 * (tick % 5)));
       took = exchange.go_on_in_newest();
       taken += took ? 1 : 0;
     }
-    EXPECT_GT(taken, 60) << seed;
-    EXPECT_LT(at_take_over, elsewhere) << seed;
-    EXPECT_LT(elsewhere, 0.05) << seed;
+    EXPECT_GT(still, 50) << seed;
+    EXPECT_LT(elsewhere, 0.1) << seed;  // take-overs of a hand that moves among them
   }
 }
 
@@ -228,7 +236,7 @@ TEST(CorridorTakeOver, a_needle_that_is_in_feels_the_new_corridors_stiffness_at_
 TEST(CorridorTakeOver, a_sticking_shaft_goes_on_as_the_dense_solve_of_the_new_corridor_says) {
   const SharedBody soft = pressed_column(0.05), firm = pressed_column(0.08, 0.3, 0.0);
   BegunExchange exchange(soft, checks::plain_tissues(5.0));
-  const auto at = [](const Vec3& moved) { return needle_pose(Vec3(Vec3(0.0, 0.0, 9.6) + moved), Vec3::UnitZ()); };
+  const auto at = [](const Vec3& moved) { return needle_pose(Vec3(Vec3(0.0, 0.0, 9.7) + moved), Vec3::UnitZ()); };
   for (double depth = -1.0; depth < 0.0; depth += 0.005) exchange.needle().step(at(Vec3(0.0, 0.0, depth)));
   for (int i = 0; i < 50; ++i) exchange.needle().step(at(Vec3::Zero()));
   const std::uint32_t nodes = exchange.needle().step(at(Vec3::Zero())).nodes;
