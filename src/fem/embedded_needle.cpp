@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "fem/triangle.h"
 
 namespace bodkin {
 
@@ -56,7 +57,7 @@ EmbeddedNeedle::EmbeddedNeedle(const CondensedBody& body, const ContactTissues& 
       stations_(body, settings.capture_radius, settings.spacing),
       constraints_(body.compliance, checked_room(settings), beam_),
       holds_(settings.most_nodes + 1),
-      displacements_(3 * settings.most_nodes + 3, 0.0),
+      displacements_(triangle::padded(3 * settings.most_nodes + 3), 0.0),
       forces_(3 * settings.most_nodes + 3, 0.0),
       punctured_(body.nodes.size(), 0) {
   check_contact_tissues(tissues);
@@ -256,6 +257,10 @@ const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle, double press
   if (begun_) {
     if (fresh_ && !line().empty()) face_next(0.0);
     fresh_ = false;
+    // After a take-over nothing is before the tip yet.
+    if (held_ > 0 && held_ < std::min(line().size(), holds_.size()) && constraints_.known() == held_ &&
+        constraints_.face(line()[held_].node))
+      face_next(displacement(held_)(0));
     let_go();
     capture();
     grip();

@@ -28,6 +28,7 @@ bool EmbeddedNeedle::begin_to_follow(const EmbeddedNeedle& other) noexcept {
   frame_ = other.frame_;
   constraints_.begin(frame_);
   stations_.clear();
+  stations_.look_along(entry_, frame_.col(0));
   for (const InsertionStation& station : other.line()) {
     const std::uint32_t name = other.body_.mesh_nodes[station.node];
     const auto found = std::lower_bound(names_.begin(), names_.end(), std::pair(name, std::uint32_t{0}));
@@ -50,8 +51,8 @@ FollowState EmbeddedNeedle::follow(const EmbeddedNeedle& other) noexcept {
     if (held_ >= line().size() || !constraints_.push(line()[held_].node, line()[held_].depth))
       return FollowState::impossible;
     ++held_;
+    return FollowState::under_way;
   }
-  if (held_ < other.held_) return FollowState::under_way;
   return take_state_of(other) ? FollowState::done : FollowState::impossible;
 }
 
@@ -61,13 +62,13 @@ bool EmbeddedNeedle::take_line_of(const EmbeddedNeedle& other) noexcept {
                        (other.tip_ >= other.line()[held_].depth || other.constraints_.held_along(held_));
   if (reached && held_ >= line().size()) return false;
   const std::size_t kept = held_ + (reached ? 1 : 0);
-  stations_.go_on(kept, other.tip_, {entry_, frame_.col(0)}, tissues_);
+  stations_.go_on(kept, other.tip_, tissues_);
   if (constraints_.known() > held_ && !reached) {  // a node that was let go on the way: it need not be the next
     constraints_.pop();
     if (!constraints_.push(line()[held_ - 1].node, line()[held_ - 1].depth)) return false;
   }
-  if (held_ < line().size() && held_ < holds_.size() && constraints_.known() == held_)
-    constraints_.face(line()[held_].node);
+  // One that the tip has not reached has no force yet: step() sees to it, so that this tick has less to do.
+  if (reached && held_ < holds_.size() && constraints_.known() == held_) constraints_.face(line()[held_].node);
   return true;
 }
 
@@ -102,9 +103,8 @@ bool EmbeddedNeedle::take_state_of(const EmbeddedNeedle& other) noexcept {
     const Eigen::Map<const Vec3> moved(displacements_.data() + 3 * i), force(forces_.data() + 3 * i);
     Hold& hold = holds_[i];
     hold = other.holds_[i];
-    const auto place = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(station.node);
-    const Mat3 own = frame_.transpose() * body_.compliance.block<3, 3>(place, place) * frame_;
-    hold.compliance = 0.5 * (own(1, 1) + own(2, 2));
+    const ShaftCompliance& shaft = constraints_.compliance();
+    hold.compliance = 0.5 * (shaft.row(i, 1)[3 * i + 1] + shaft.row(i, 2)[3 * i + 2]);
     if (hold.softness > 0.0) hold.softness *= hold.compliance / other.holds_[i].compliance;
     hold.moved = moved(0);
     hold.slip = tip_ - moved(0);

@@ -11,12 +11,14 @@ InsertionStations::InsertionStations(const CondensedBody& body, double radius, d
     : body_(body), radius_(radius), spacing_(spacing), candidates_(body.nodes.size()), stations_(body.nodes.size()) {}
 
 // The nodes near a line, of every cell the closest one first.
-std::size_t InsertionStations::find(const InsertionLine& line) noexcept {
+void InsertionStations::look_along(const Vec3& entry, const Vec3& direction) noexcept {
+  entry_ = entry;
+  direction_ = direction;
   std::size_t found = 0;
   for (std::size_t node = 0; node < body_.nodes.size(); ++node) {
-    const Vec3 from_entry = body_.nodes[node] - line.entry;
-    const double depth = from_entry.dot(line.direction);
-    const double distance = (from_entry - depth * line.direction).squaredNorm();
+    const Vec3 from_entry = body_.nodes[node] - entry;
+    const double depth = from_entry.dot(direction);
+    const double distance = (from_entry - depth * direction).squaredNorm();
     if (!(distance <= radius_ * radius_) || !(depth > -radius_)) continue;
     const double place = std::max(depth, 0.0);
     candidates_[found++] = {static_cast<std::uint32_t>(node), std::llround(std::floor(place / spacing_)), distance,
@@ -26,7 +28,7 @@ std::size_t InsertionStations::find(const InsertionLine& line) noexcept {
   std::sort(candidates_.begin(), end, [](const Candidate& a, const Candidate& b) {
     return std::tie(a.cell, a.distance, a.node) < std::tie(b.cell, b.distance, b.node);
   });
-  return found;
+  found_ = found;
 }
 
 void InsertionStations::append(std::size_t found, const ContactTissues& tissues) noexcept {
@@ -46,9 +48,9 @@ void InsertionStations::append(std::size_t found, const ContactTissues& tissues)
 }
 
 void InsertionStations::begin(const Vec3& entry, const Vec3& direction, const ContactTissues& tissues) noexcept {
-  const std::size_t found = find({entry, direction});
+  look_along(entry, direction);
   count_ = 0;
-  append(found, tissues);
+  append(found_, tissues);
 }
 
 bool InsertionStations::add(const InsertionStation& station) noexcept {
@@ -57,24 +59,23 @@ bool InsertionStations::add(const InsertionStation& station) noexcept {
   return true;
 }
 
-void InsertionStations::go_on(std::size_t kept, double depth, const InsertionLine& line,
-                              const ContactTissues& tissues) noexcept {
+void InsertionStations::go_on(std::size_t kept, double depth, const ContactTissues& tissues) noexcept {
   count_ = std::min(kept, count_);
   InsertionStation& last = stations_[count_ - 1];
   last.length = std::numeric_limits<double>::infinity();
   const double beyond = std::max(depth, last.depth);
-  const double place = (body_.nodes[last.node] - line.entry).dot(line.direction);
+  const double place = (body_.nodes[last.node] - entry_).dot(direction_);
   const auto begun = std::llround(std::floor(std::max(place, 0.0) / spacing_));  // has its station
-  const std::size_t found = find(line);
   const auto is_kept = [&](std::uint32_t node) {
     const auto end = stations_.begin() + static_cast<std::ptrdiff_t>(count_);
     return std::any_of(stations_.begin(), end, [node](const InsertionStation& here) { return here.node == node; });
   };
   std::size_t left = 0;
-  for (std::size_t i = 0; i < found; ++i) {
+  for (std::size_t i = 0; i < found_; ++i) {
     const Candidate here = candidates_[i];
     if (here.depth > beyond && here.cell > begun && !is_kept(here.node)) candidates_[left++] = here;
   }
+  found_ = left;
   append(left, tissues);
 }
 

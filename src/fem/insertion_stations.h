@@ -18,12 +18,6 @@ struct InsertionStation {
   bool resists = false;  // it is the first of a tissue that takes more force to puncture than the one before
 };
 
-// Where it begins, and its unit vector; mm, LPS.
-struct InsertionLine {
-  Vec3 entry = Vec3::Zero();
-  Vec3 direction = Vec3::UnitZ();
-};
-
 // The nodes that a needle will meet along a frozen line, in the order in which it meets them: of every `spacing` mm
 // the one closest to the line, if any is within `radius`.
 class InsertionStations {
@@ -36,13 +30,14 @@ class InsertionStations {
   void clear() noexcept { count_ = 0; }
   // One more, behind the others; false when there is no room.
   bool add(const InsertionStation& station) noexcept;
-  // Keeps the first `kept` (1 at least) and takes what lies behind them and deeper than `depth` from the corridor.
-  void go_on(std::size_t kept, double depth, const InsertionLine& line, const ContactTissues& tissues) noexcept;
+  // Looks for what lies along a line, which go_on() will use; changes no station.
+  void look_along(const Vec3& entry, const Vec3& direction) noexcept;
+  // Keeps the first `kept` (1 at least) and takes what lies behind them and deeper than `depth` along that line.
+  void go_on(std::size_t kept, double depth, const ContactTissues& tissues) noexcept;
 
   std::span<const InsertionStation> along() const noexcept { return {stations_.data(), count_}; }
 
  private:
-  std::size_t find(const InsertionLine& line) noexcept;
   void append(std::size_t found, const ContactTissues& tissues) noexcept;
 
   struct Candidate {
@@ -56,7 +51,8 @@ class InsertionStations {
   double radius_, spacing_;
   std::vector<Candidate> candidates_;       // as many as the corridor has nodes
   std::vector<InsertionStation> stations_;  // likewise
-  std::size_t count_ = 0;
+  std::size_t count_ = 0, found_ = 0;
+  Vec3 entry_ = Vec3::Zero(), direction_ = Vec3::UnitZ();  // of the line that was looked along last
 };
 
 }  // namespace bodkin

@@ -1,5 +1,7 @@
 #include "fem/shaft_compliance.h"
 
+#include <array>
+
 #include "fem/triangle.h"
 
 namespace bodkin {
@@ -64,12 +66,10 @@ Vec3 ShaftCompliance::displacement(std::size_t index, std::span<const double> fo
 void ShaftCompliance::displace(std::span<const double> forces, std::span<double> displacements) const noexcept {
   double* const sum = displacements.data();
   for (std::size_t i = 0; i < count_; ++i) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double* const here = row(i, c);
-      const double force = forces[3 * i + c];
-      for (std::size_t j = 0; j < 3 * i; ++j) sum[j] += here[j] * force;
-      sum[3 * i + c] = triangle::product(here, forces.data(), 3 * i + 3);
-    }
+    // Of what stands behind the diagonal, up to seven numbers are added too, and overwritten below.
+    const std::array<const double*, 3> rows{row(i, 0), row(i, 1), row(i, 2)};
+    triangle::add_rows(rows.data(), forces.data() + 3 * i, 3, sum, 3 * i);
+    for (std::size_t c = 0; c < 3; ++c) sum[3 * i + c] = triangle::product(rows[c], forces.data(), 3 * i + 3);
   }
 }
 

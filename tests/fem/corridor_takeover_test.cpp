@@ -221,7 +221,7 @@ TEST(CorridorTakeOver, a_needle_that_is_in_feels_the_new_corridors_stiffness_at_
   const Vec3 of_soft = stiffness();
   const Vec3 before = exchange.needle().step(at(0.2, 8.99)).on_hand.force;
   exchange.offer(firm);
-  EXPECT_EQ(go_over(exchange, at(0.2, 8.99)), static_cast<int>(nodes) + 1);
+  EXPECT_EQ(go_over(exchange, at(0.2, 8.99)), static_cast<int>(nodes) + 2);
   EXPECT_EQ(&exchange.body(), firm.get());
   const Vec3 after = exchange.needle().step(at(0.2, 8.99)).on_hand.force;
   EXPECT_LT((after - before).norm(), 1e-9);
