@@ -77,11 +77,7 @@ const CondensedBody& way_of_the_needle() {
   return body;
 }
 
-// A needle that holds k nodes and is pushed and drawn by 5 mm at 25 mm/s, a node every 20 ticks, while it sways:
-// nodes come and go, friction slides, and turns round every 200 ticks. Second argument 1: it bends (27G, clamped,
-// with a bevel). Third argument 1: an unsteady hand, which sways by 3 mm at 2 Hz and trembles by 0.2 mm at 10 Hz
-// along the needle; 2: 125 mm/s, 4 ticks a node; 3: 500 mm/s, a node a tick.
-void needle_tick(benchmark::State& state) {
+EmbeddedNeedle needle_on_its_way(const CondensedBody& body, bool bends) {
   ContactTissues tissues;
   tissues.fill({.friction = 0.005});
   EmbeddedNeedleSettings settings;
@@ -89,12 +85,20 @@ void needle_tick(benchmark::State& state) {
   settings.spacing = 0.45;
   settings.most_nodes = 160;
   std::optional<NeedleBeam> beam;
-  if (state.range(1) != 0) beam = NeedleBeam({.rigidity = 257.0, .length = 90.0, .cut_offset = 0.1});
-  EmbeddedNeedle contact(way_of_the_needle(), tissues, settings, 1e-3, beam);
-  contact.begin(Vec3::Zero(), Vec3::UnitZ());
-  const double depth = 0.5 * static_cast<double>(state.range(0)) - 0.25;
-  const bool unsteady = state.range(2) == 1;
-  const int faster = state.range(2) == 2 ? 5 : state.range(2) == 3 ? 20 : 1;
+  if (bends) beam = NeedleBeam({.rigidity = 257.0, .length = 90.0, .cut_offset = 0.1});
+  EmbeddedNeedle needle(body, tissues, settings, 1e-3, beam);
+  needle.begin(Vec3::Zero(), Vec3::UnitZ());
+  return needle;
+}
+
+// How the hand moves: at 25 mm/s; unsteadily, which sways by 3 mm at 2 Hz and trembles by 0.2 mm at 10 Hz along the
+// needle; at 125 mm/s, 4 ticks a node; at 500 mm/s, a node a tick.
+enum class Hand { steady, unsteady, fast, fastest };
+
+// Pushed and drawn by 5 mm about `depth`, swaying: 2000 ticks.
+std::vector<Pose> pushing_and_swaying(double depth, Hand hand = Hand::steady) {
+  const bool unsteady = hand == Hand::unsteady;
+  const int faster = hand == Hand::fast ? 5 : hand == Hand::fastest ? 20 : 1;
   std::vector<Pose> motion;
   for (int i = 0; i < 2000; ++i) {
     const int tick = i * faster % 2000;
@@ -106,6 +110,16 @@ void needle_tick(benchmark::State& state) {
         Vec3(sway + 0.5 * std::sin(angle), 0.3 * std::sin(2.0 * angle), tremor + depth - 2.5 + 5.0 * swing),
         Vec3(0.01 * std::sin(3.0 * angle), 0.0, 1.0)));
   }
+  return motion;
+}
+
+// A needle that holds k nodes and is pushed and drawn by 5 mm at 25 mm/s, a node every 20 ticks, while it sways:
+// nodes come and go, friction slides, and turns round every 200 ticks. Second argument 1: it bends (27G, clamped,
+// with a bevel). Third argument: the hand.
+void needle_tick(benchmark::State& state) {
+  EmbeddedNeedle contact = needle_on_its_way(way_of_the_needle(), state.range(1) != 0);
+  const double depth = 0.5 * static_cast<double>(state.range(0)) - 0.25;
+  const std::vector<Pose> motion = pushing_and_swaying(depth, static_cast<Hand>(state.range(2)));
   for (double tip = -1.0; tip < depth + 2.5; tip += 0.02)
     contact.step(needle_pose(Vec3(0.0, 0.0, tip), Vec3::UnitZ()));
   double nodes = 0.0, sticking = 0.0;
@@ -118,6 +132,47 @@ void needle_tick(benchmark::State& state) {
   });
   state.counters["nodes"] = nodes / static_cast<double>(ticks);
   state.counters["sticking"] = sticking / static_cast<double>(ticks);
+}
+
+// The same needle, which goes over into another corridor of as many nodes every 300 ticks: the ticks on the way, the
+// one in which it takes over the state, and the one after that.
+void needle_take_over(benchmark::State& state) {
+  static const CondensedBody other = [] {
+    CondensedBody firmer = way_of_the_needle();
+    firmer.compliance *= 0.8;
+    return firmer;
+  }();
+  EmbeddedNeedle first = needle_on_its_way(way_of_the_needle(), state.range(1) != 0);
+  EmbeddedNeedle second = needle_on_its_way(other, state.range(1) != 0);
+  EmbeddedNeedle *now = &first, *next = &second;
+  const double depth = 0.5 * static_cast<double>(state.range(0)) - 0.25;
+  const std::vector<Pose> motion = pushing_and_swaying(depth);
+  for (double tip = -1.0; tip < depth + 2.5; tip += 0.02) first.step(needle_pose(Vec3(0.0, 0.0, tip), Vec3::UnitZ()));
+  std::vector<double> on_the_way, last, after;
+  bool follows = false, done = false;
+  int tick = 0;
+  for (auto _ : state) {
+    std::vector<double>& times = done ? after : on_the_way;
+    const bool begins = !follows && tick % 300 == 0;
+    const bool counts = follows || begins || done;
+    const double start = processor_time();
+    now->step(motion[static_cast<std::size_t>(tick) % motion.size()]);
+    done = follows && next->follow(*now) == FollowState::done;
+    if (begins) follows = next->begin_to_follow(*now);
+    const double time = processor_time() - start;
+    if (counts) (done ? last : times).push_back(time);
+    if (done) std::swap(now, next);
+    if (done) follows = false;
+    ++tick;
+  }
+  report_times(state, on_the_way);
+  std::sort(last.begin(), last.end());
+  std::sort(after.begin(), after.end());
+  state.counters["times"] = static_cast<double>(last.size());
+  state.counters["taking_median_us"] = last[last.size() / 2];
+  state.counters["taking_most_us"] = last.back();
+  state.counters["after_median_us"] = after[after.size() / 2];
+  state.counters["after_most_us"] = after.back();
 }
 
 // The field for the eyes: a grid of 32^3 points and 2116 points of skin.
@@ -148,6 +203,7 @@ BENCHMARK(needle_tick)
     ->ArgsProduct({{1, 10, 50, 100, 150}, {0, 1}, {0}})
     ->ArgsProduct({{50, 150}, {0, 1}, {1, 2, 3}})
     ->Iterations(50000);
+BENCHMARK(needle_take_over)->ArgNames({"k", "bends"})->ArgsProduct({{10, 50, 150}, {0, 1}})->Iterations(50000);
 BENCHMARK(display_field)->ArgName("k")->Arg(10)->Arg(50)->Arg(150)->Iterations(500)->Unit(benchmark::kMillisecond);
 
 }  // namespace

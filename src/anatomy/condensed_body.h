@@ -29,9 +29,11 @@ struct PreparedCorridor {
   NeedlePath path;                            // that it was prepared about
   // The tick of the session whose needle aimed along `path`; nothing for the corridor that the session began with.
   std::optional<std::uint64_t> aimed_at;
-  // 0: the body at rest, as it was prepared. Else that of the session's beginning about another state of the body,
-  // with the nodes where they are in that state: the number of that state.
+  // 0: the body at rest, as it was prepared. Else the number of another state of the body, in which its nodes are
+  // where they are in that state.
   std::uint32_t state = 0;
+  // Of another state: where the same nodes are at rest. Empty: they are those of the session's first corridor.
+  std::vector<Vec3> at_rest = {};
 };
 
 // Marks the nodes of a corridor that are marked in another one of the same mesh. The mesh nodes of both must ascend;

@@ -115,7 +115,7 @@ void MovingPatient::say(const std::string& sentence, std::string& said, Console&
   console.note(sentence);
 }
 
-void MovingPatient::look(HandSession& session, std::string& said, Console& console) {
+void MovingPatient::look(HandSession& session, const Case& patient, std::string& said, Console& console) {
   const BodyPicture& now = body_->picture();
   steps_ = now.steps;
   most_met_ = std::max(most_met_, now.probe_nodes);
@@ -126,12 +126,18 @@ void MovingPatient::look(HandSession& session, std::string& said, Console& conso
   }
   if (now.corridor_failed && !std::exchange(corridor_failed_, true))
     say("the corridor of the pressed body could not be made: the needle feels the one before", said, console);
+  const HandMoment& moment = session.moment();
+  if (moment.ticks > 0) {
+    if (const std::optional<std::string> sentence = body_->look(moment.needle, patient))
+      say(*sentence, said, console);
+  }
   const std::optional<PreparedCorridor> corridor = body_->next_corridor();
   if (!corridor) return;
   try {
     session.refresh_corridor(*corridor);
     if (corridors_++ == 0)
-      say("the body is pressed: the needle feels that the next time it enters, as after every press", said, console);
+      say("the body is pressed: the needle feels that, whether it is in or enters, as after every press", said,
+          console);
   } catch (const InputError& error) {
     say(fmt::format("the needle cannot enter the body as it is pressed: {}", error.what()), said, console);
   }

@@ -32,8 +32,8 @@ class MovingPatient {
   MovingPatient(const Case& patient, const BodyDescription& body, const ProbeFace& face, Console& console);
 
   const std::shared_ptr<PressedPatient>& body() const noexcept { return body_; }
-  // Some times a second; `said`: the newest sentence, where there is one.
-  void look(HandSession& session, std::string& said, Console& console);
+  // Some times a second; `said`: the newest sentence, where there is one. `patient`: of the constructor.
+  void look(HandSession& session, const Case& patient, std::string& said, Console& console);
   // What there is to say of it at the end of `time` seconds of the session.
   void tell(double time, Console& console) const;
 

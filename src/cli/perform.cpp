@@ -225,7 +225,7 @@ RunResult perform(HandSession& session, SecondHand* second, const PerformArgumen
     tell_events(servo, has_force.first, "", said, console);
     if (second != nullptr) tell_events(second->servo().tick(), has_force.second, "second hand: ", said, console);
     if (keepers.corridors != nullptr) keep_corridors(*keepers.corridors, session, said, console);
-    if (keepers.moving != nullptr) keepers.moving->look(session, said, console);
+    if (keepers.moving != nullptr) keepers.moving->look(session, patient, said, console);
     const ServoSnapshot& now = servo.snapshot();
     if (now.device.ended()) asked_to_end.store(true);
     const bool faulted = now.state == GuardState::faulted;
@@ -360,7 +360,7 @@ void run_perform(const PerformArguments& arguments, const CommandContext& contex
   const auto kept = std::make_shared<const Case>(patient);
   const Case& whole = *kept;
   std::optional<CorridorKeeper> keeper;
-  // Elsewhere than about the planned path a body that moves has no corridor: it would be one at rest.
+  // A body that moves leads its own corridor to where the needle aims.
   if (body != nullptr && !moving) keeper.emplace(kept, body, path.length(), HapticTick::most_corridors - 1);
   const std::unique_ptr<SecondHand> second =
       second_device ? second_device->hand(kept, moving ? moving->body() : nullptr) : nullptr;

@@ -38,16 +38,17 @@ class HandOver {
   std::unique_ptr<Value> take() noexcept {
     return std::unique_ptr<Value>(waits() ? waiting_.exchange(nullptr, std::memory_order_acq_rel) : nullptr);
   }
-  // Taker only: what it does not need any more, not null: one for each that it took, before it takes another.
+  // Taker only: what it does not need any more, not null. Of those that it took it keeps two at most when it takes
+  // another.
   void give_back(std::unique_ptr<Value> value) noexcept { left_.push(value.release()); }
 
   // Whether one waits that was not taken. Of what the other thread does meanwhile it may hear later.
   bool waits() const noexcept { return waiting_.load(std::memory_order_relaxed) != nullptr; }
 
  private:
-  // One that comes back when the maker has just looked, and those that come back for its offer and for its next one,
+  // Those that the taker keeps when the maker has just looked, and those of its offer then and of its next one,
   // before it looks again.
-  static constexpr std::size_t most_left = 3;
+  static constexpr std::size_t most_left = 4;
 
   std::atomic<Value*> waiting_{nullptr};
   SingleProducerRing<Value*> left_;

@@ -51,17 +51,45 @@ void CorridorExchange::remember_punctures(const NeedleInCorridor& from, NeedleIn
   }
 }
 
+void CorridorExchange::leave(std::unique_ptr<NeedleInCorridor> left) noexcept {
+  if (left != nullptr) waiting_.give_back(std::move(left));
+}
+
 bool CorridorExchange::exchange() noexcept {
+  follows_ = false;
   std::unique_ptr<NeedleInCorridor> taken = waiting_.take();
+  if (taken == nullptr) {
+    taken = std::move(coming_);
+  } else {
+    leave(std::move(coming_));
+  }
   if (taken == nullptr) return false;
   remember_punctures(*held_, *taken);
   held_.swap(taken);
-  waiting_.give_back(std::move(taken));
+  leave(std::move(taken));
   return true;
 }
 
 bool CorridorExchange::take_newest() noexcept {
   return !held_->needle.touches() && exchange();
+}
+
+bool CorridorExchange::go_on_in_newest() noexcept {
+  if (!follows_) {
+    if (!held_->needle.holds() || !waiting_.waits()) return false;
+    std::unique_ptr<NeedleInCorridor> taken = waiting_.take();
+    if (taken == nullptr) return false;
+    leave(std::move(coming_));
+    coming_ = std::move(taken);
+    follows_ = coming_->needle.begin_to_follow(held_->needle);
+    return false;
+  }
+  const FollowState state = coming_->needle.follow(held_->needle);
+  follows_ = state == FollowState::under_way;
+  if (state != FollowState::done) return false;
+  held_.swap(coming_);
+  leave(std::move(coming_));
+  return true;
 }
 
 void CorridorExchange::begin(const Vec3& entry, const Vec3& direction) noexcept {

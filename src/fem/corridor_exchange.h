@@ -16,9 +16,10 @@ namespace bodkin {
 // ready to go, whatever the number of its nodes, so that the haptic end exchanges a pointer: wait-free, and without
 // copying, allocating or freeing anything.
 //
-// A needle keeps the corridor that it has entered. The triangle of ContactFactor belongs to one compliance, and all
-// constraints would have to be added anew for another: too long for a tick, and the force would jump. Therefore a new
-// corridor is taken only while the needle touches nothing, when it has the same force in both: none.
+// A needle that touches nothing takes a new corridor at once. One that is in goes over to it node by node, one a
+// tick, for the triangle of ContactFactor belongs to one compliance and all constraints have to be added anew: too
+// much for one tick. Then it holds the same nodes with the same forces (EmbeddedNeedle::follow), so that no force
+// jumps.
 //
 // What has been punctured stays so, by the nodes' names in the mesh (CondensedBody::mesh_nodes), as long as the new
 // corridor has them.
@@ -41,10 +42,14 @@ class CorridorExchange {
   const EmbeddedNeedle& needle() const noexcept { return held_->needle; }
   const CondensedBody& body() const noexcept { return *held_->body; }
   std::uint32_t number() const noexcept { return held_->number; }
-  bool newer_waits() const noexcept { return waiting_.waits(); }
+  bool newer_waits() const noexcept { return coming_ != nullptr || waiting_.waits(); }
   // Between two ticks: takes the newest corridor, if there is one and the needle touches nothing. True when it did;
   // the needle then has to begin() before it touches anything.
   bool take_newest() noexcept;
+  // After every tick of a needle: when it touches something and there is a newer corridor that has all nodes that it
+  // holds, it goes over to that, which takes as many ticks as it holds nodes. True in the tick in which it has: then
+  // needle() is another object, with the forces that the last step() found.
+  bool go_on_in_newest() noexcept;
   // A new insertion, as EmbeddedNeedle::begin(), in the newest corridor. It ends the one before, wherever the needle
   // is.
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
@@ -61,13 +66,16 @@ class CorridorExchange {
   };
 
   bool exchange() noexcept;
+  void leave(std::unique_ptr<NeedleInCorridor> left) noexcept;
   static void remember_punctures(const NeedleInCorridor& from, NeedleInCorridor& to) noexcept;
 
   ContactTissues tissues_;
   EmbeddedNeedleSettings settings_;
   double dt_;
   std::uint32_t offered_ = 0;
-  std::unique_ptr<NeedleInCorridor> held_;  // of the haptic thread
+  std::unique_ptr<NeedleInCorridor> held_;    // of the haptic thread
+  std::unique_ptr<NeedleInCorridor> coming_;  // likewise: newer, and not yet the needle's
+  bool follows_ = false;                      // the needle in it is on the way
   HandOver<NeedleInCorridor> waiting_;
 };
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "fem/triangle.h"
 
 namespace bodkin {
 
@@ -56,11 +57,15 @@ EmbeddedNeedle::EmbeddedNeedle(const CondensedBody& body, const ContactTissues& 
       stations_(body, settings.capture_radius, settings.spacing),
       constraints_(body.compliance, checked_room(settings), beam_),
       holds_(settings.most_nodes + 1),
-      displacements_(3 * settings.most_nodes + 3, 0.0),
+      displacements_(triangle::padded(3 * settings.most_nodes + 3), 0.0),
       forces_(3 * settings.most_nodes + 3, 0.0),
       punctured_(body.nodes.size(), 0) {
   check_contact_tissues(tissues);
   check_contact_setting(dt, 1e-6, 0.1, "tick", "s");
+  if (body.mesh_nodes.size() != body.nodes.size()) return;  // nameless: it can follow no other
+  for (const std::uint32_t name : body.mesh_nodes)
+    names_.emplace_back(name, static_cast<std::uint32_t>(names_.size()));
+  std::sort(names_.begin(), names_.end());
 }
 
 void EmbeddedNeedle::take_punctures(const EmbeddedNeedle& other) noexcept {
@@ -130,6 +135,7 @@ bool EmbeddedNeedle::take(std::size_t index) noexcept {
   const Mat3 own = frame_.transpose() * body_.compliance.block<3, 3>(place, place) * frame_;
   hold = {};
   hold.compliance = 0.5 * (own(1, 1) + own(2, 2));
+  hold.whole = std::min(station.length, settings_.capture_radius);
   hold.moved = moved(0);
   hold.slip = tip_ - moved(0);
   hold.anchor = shaft_offset(station.depth) - moved.tail<2>();
@@ -186,8 +192,7 @@ void EmbeddedNeedle::grip() noexcept {
   }
   if (held_ == 0) return;
   const InsertionStation& last = line()[held_ - 1];
-  const double whole = std::min(last.length, settings_.capture_radius);
-  const double part = std::clamp((tip_ - last.depth) / whole, 0.0, 1.0);
+  const double part = std::clamp((tip_ - last.depth) / holds_[held_ - 1].whole, 0.0, 1.0);
   soften(part < least_grip ? -1.0 : holds_[held_ - 1].compliance * (1.0 / part - 1.0));
 }
 
@@ -257,6 +262,10 @@ const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle, double press
   if (begun_) {
     if (fresh_ && !line().empty()) face_next(0.0);
     fresh_ = false;
+    // After a take-over nothing is before the tip yet.
+    if (held_ > 0 && held_ < std::min(line().size(), holds_.size()) && constraints_.known() == held_ &&
+        constraints_.face(line()[held_].node))
+      face_next(displacement(held_)(0));
     let_go();
     face_ahead();
     capture();

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "anatomy/condensed_body.h"
@@ -34,6 +35,9 @@ struct EmbeddedNeedleForce {
   bool beyond = false;  // the tip is further in than the corridor reaches: its force is that of the nodes before
   bool fault = false;   // the pose is not one of a needle in a hand: zero force, state unchanged
 };
+
+// How far a needle is on its way into another corridor.
+enum class FollowState : std::uint8_t { under_way, done, impossible };
 
 // A straight needle in a deformable body (CondensedBody), its shaft as many constrained nodes. It is rigid, or bends
 // as a beam (NeedleBeam).
@@ -81,10 +85,22 @@ class EmbeddedNeedle {
   // Punctured is also what was so in another corridor of the same mesh. The mesh nodes of both must ascend.
   void take_punctures(const EmbeddedNeedle& other) noexcept;
 
+  // Goes on where `other` is, a needle with the same settings that is in, in another corridor of the same mesh. The
+  // first: once, which keeps what was done before if it says no: then `other` holds nothing, or a node that this
+  // corridor does not have. The second: after every step() of `other` from then on, until it is done or impossible
+  // (`other` has come out, or reached what this corridor lacks); each call takes over one node, and the last one the
+  // state, so that no tick has much to do. From then on this is the needle: it holds the same nodes with the same
+  // forces, which change with its motion as this corridor's compliance says. Nodes before the tip are met where this
+  // corridor has them. In between this one touches nothing. docs/corotational.md
+  bool begin_to_follow(const EmbeddedNeedle& other) noexcept;
+  FollowState follow(const EmbeddedNeedle& other) noexcept;
+
   // Forces of the last tick, by node.
   const NodeForces& node_forces() const noexcept { return published_; }
   // Whether it holds a node, or its tip is beyond the entry of an insertion that has begun, as of the last tick.
   bool touches() const noexcept { return begun_ && (held_ > 0 || tip_ > 0.0); }
+  // Whether it holds a node.
+  bool holds() const noexcept { return begun_ && held_ > 0; }
   // Of a node of the corridor: whether a needle has punctured it, and that one has.
   bool punctured(std::uint32_t node) const noexcept { return punctured_[node] != 0; }
   void remember_puncture(std::uint32_t node) noexcept { punctured_[node] = 1; }
@@ -104,6 +120,7 @@ class EmbeddedNeedle {
     Eigen::Vector2d anchor = Eigen::Vector2d::Zero();  // mm, across
     double softness = -1.0;                            // mm/N, across; negative: not held
     double compliance = 0.0;                           // mm/N across, by its own force
+    double whole = 1.0;                                // mm from its depth on, to where it is held firmly
     double cut = 0.0;                                  // part of cut_offset by which its hole is aside
     Eigen::Vector2d aside = Eigen::Vector2d::Zero();   // mm, what was added to that in this tick
   };
@@ -131,6 +148,10 @@ class EmbeddedNeedle {
   bool meet_tip() noexcept;
   void puncture() noexcept;
   void report() noexcept;
+  void take_punctures_by_name(const EmbeddedNeedle& other) noexcept;
+  bool take_line_of(const EmbeddedNeedle& other) noexcept;
+  void take_sticking_of(const EmbeddedNeedle& other) noexcept;
+  bool take_state_of(const EmbeddedNeedle& other) noexcept;
   Vec3 displacement(std::size_t index) const noexcept {
     return constraints_.compliance().displacement(index, forces_);
   }
@@ -146,6 +167,7 @@ class EmbeddedNeedle {
   std::vector<double> displacements_;    // 3 x (most_nodes + 1), mm: along, across, across
   std::vector<double> forces_;           // likewise, N on the tissue
   std::vector<std::uint8_t> punctured_;  // by node of the corridor
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> names_;  // of the nodes in the mesh, ascending, and the nodes
   std::size_t held_ = 0;
   bool begun_ = false, fresh_ = true;
   Vec3 entry_ = Vec3::Zero();

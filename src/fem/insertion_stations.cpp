@@ -10,7 +10,10 @@ namespace bodkin {
 InsertionStations::InsertionStations(const CondensedBody& body, double radius, double spacing)
     : body_(body), radius_(radius), spacing_(spacing), candidates_(body.nodes.size()), stations_(body.nodes.size()) {}
 
-void InsertionStations::begin(const Vec3& entry, const Vec3& direction, const ContactTissues& tissues) noexcept {
+// The nodes near a line, of every cell the closest one first.
+void InsertionStations::look_along(const Vec3& entry, const Vec3& direction) noexcept {
+  entry_ = entry;
+  direction_ = direction;
   std::size_t found = 0;
   for (std::size_t node = 0; node < body_.nodes.size(); ++node) {
     const Vec3 from_entry = body_.nodes[node] - entry;
@@ -25,20 +28,55 @@ void InsertionStations::begin(const Vec3& entry, const Vec3& direction, const Co
   std::sort(candidates_.begin(), end, [](const Candidate& a, const Candidate& b) {
     return std::tie(a.cell, a.distance, a.node) < std::tie(b.cell, b.distance, b.node);
   });
-  count_ = 0;
+  found_ = found;
+}
+
+void InsertionStations::append(std::size_t found, const ContactTissues& tissues) noexcept {
   for (std::size_t i = 0; i < found; ++i) {
     const Candidate& here = candidates_[i];
     if (i > 0 && here.cell == candidates_[i - 1].cell) continue;
     const TissueId at = body_.tissues[here.node];
     const double before = count_ == 0 ? 0.0 : tissues[stations_[count_ - 1].tissue].puncture_force;
     if (count_ > 0) stations_[count_ - 1].length = here.depth - stations_[count_ - 1].depth;
-    stations_[count_] = {.node = here.node,
-                         .tissue = at,
-                         .depth = count_ == 0 ? 0.0 : here.depth,
-                         .length = std::numeric_limits<double>::infinity(),
-                         .resists = tissues[at].puncture_force > before};
-    ++count_;
+    if (!add({.node = here.node,
+              .tissue = at,
+              .depth = count_ == 0 ? 0.0 : here.depth,
+              .length = std::numeric_limits<double>::infinity(),
+              .resists = tissues[at].puncture_force > before}))
+      return;
   }
+}
+
+void InsertionStations::begin(const Vec3& entry, const Vec3& direction, const ContactTissues& tissues) noexcept {
+  look_along(entry, direction);
+  count_ = 0;
+  append(found_, tissues);
+}
+
+bool InsertionStations::add(const InsertionStation& station) noexcept {
+  if (count_ == stations_.size()) return false;
+  stations_[count_++] = station;
+  return true;
+}
+
+void InsertionStations::go_on(std::size_t kept, double depth, const ContactTissues& tissues) noexcept {
+  count_ = std::min(kept, count_);
+  InsertionStation& last = stations_[count_ - 1];
+  last.length = std::numeric_limits<double>::infinity();
+  const double beyond = std::max(depth, last.depth);
+  const double place = (body_.nodes[last.node] - entry_).dot(direction_);
+  const auto begun = std::llround(std::floor(std::max(place, 0.0) / spacing_));  // has its station
+  const auto is_kept = [&](std::uint32_t node) {
+    const auto end = stations_.begin() + static_cast<std::ptrdiff_t>(count_);
+    return std::any_of(stations_.begin(), end, [node](const InsertionStation& here) { return here.node == node; });
+  };
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < found_; ++i) {
+    const Candidate here = candidates_[i];
+    if (here.depth > beyond && here.cell > begun && !is_kept(here.node)) candidates_[left++] = here;
+  }
+  found_ = left;
+  append(left, tissues);
 }
 
 }  // namespace bodkin

@@ -28,10 +28,18 @@ class InsertionStations {
   // Goes through the whole corridor. Never throws or allocates.
   void begin(const Vec3& entry, const Vec3& direction, const ContactTissues& tissues) noexcept;
   void clear() noexcept { count_ = 0; }
+  // One more, behind the others; false when there is no room.
+  bool add(const InsertionStation& station) noexcept;
+  // Looks for what lies along a line, which go_on() will use; changes no station.
+  void look_along(const Vec3& entry, const Vec3& direction) noexcept;
+  // Keeps the first `kept` (1 at least) and takes what lies behind them and deeper than `depth` along that line.
+  void go_on(std::size_t kept, double depth, const ContactTissues& tissues) noexcept;
 
   std::span<const InsertionStation> along() const noexcept { return {stations_.data(), count_}; }
 
  private:
+  void append(std::size_t found, const ContactTissues& tissues) noexcept;
+
   struct Candidate {
     std::uint32_t node;
     std::int64_t cell;  // of the line, `spacing` long
@@ -43,7 +51,8 @@ class InsertionStations {
   double radius_, spacing_;
   std::vector<Candidate> candidates_;       // as many as the corridor has nodes
   std::vector<InsertionStation> stations_;  // likewise
-  std::size_t count_ = 0;
+  std::size_t count_ = 0, found_ = 0;
+  Vec3 entry_ = Vec3::Zero(), direction_ = Vec3::UnitZ();  // of the line that was looked along last
 };
 
 }  // namespace bodkin

@@ -1,5 +1,7 @@
 #include "fem/shaft_compliance.h"
 
+#include <array>
+
 #include "fem/triangle.h"
 
 namespace bodkin {
@@ -58,6 +60,17 @@ Vec3 ShaftCompliance::displacement(std::size_t index, std::span<const double> fo
     }
   }
   return sum;
+}
+
+// Each row is gone through once: below the diagonal as it is, above it turned over.
+void ShaftCompliance::displace(std::span<const double> forces, std::span<double> displacements) const noexcept {
+  double* const sum = displacements.data();
+  for (std::size_t i = 0; i < count_; ++i) {
+    // Of what stands behind the diagonal, up to seven numbers are added too, and overwritten below.
+    const std::array<const double*, 3> rows{row(i, 0), row(i, 1), row(i, 2)};
+    triangle::add_rows(rows.data(), forces.data() + 3 * i, 3, sum, 3 * i);
+    for (std::size_t c = 0; c < 3; ++c) sum[3 * i + c] = triangle::product(rows[c], forces.data(), 3 * i + 3);
+  }
 }
 
 }  // namespace bodkin

@@ -9,6 +9,7 @@
 
 #include "anatomy/case.h"
 #include "core/hand_over.h"
+#include "fem/embedded_needle.h"
 #include "forces/events.h"
 #include "simulation/resistance.h"
 
@@ -20,11 +21,12 @@ namespace bodkin {
 // there it takes the one that was prepared about the nearest line, and says so where it is another than before.
 // Tissue that gave way in one has given way in the others.
 //
-// In place of the first corridor there can be one about another state of the body, pressed by a probe, of which the
-// newest is taken; it too where a needle begins.
+// In place of the first corridor there can be one about another state of the body, pressed by a probe, or about
+// another line in it, of which the newest is taken: where a needle begins or, by a Model that can follow another one,
+// while it is in, with the forces that it has (EmbeddedNeedle::follow).
 //
 // Model is made from (const Case&, const PreparedCorridor&, const Settings&, double dt), and can begin(), step(),
-// reset() and take_punctures(other).
+// reset() and take_punctures(other); it may be able to holds(), begin_to_follow(other) and follow(other).
 template <typename Model, typename Settings>
 class Corridors {
  public:
@@ -63,10 +65,12 @@ class Corridors {
   void begin(const Vec3& entry, const Vec3& direction) noexcept {
     std::unique_ptr<Place> left;  // is not destroyed here: the maker of corridors does that
     const std::size_t at = nearest_to(entry, direction);
+    follows_ = false;
     if (at == 0 && !at_rest_) {
-      if (std::unique_ptr<Place> newest = shelf_->refreshed.take()) {
+      take_newest();
+      if (coming_ != nullptr) {
         left = std::move(refreshed_);
-        refreshed_ = std::move(newest);
+        refreshed_ = std::move(coming_);
       }
     }
     Place* const before = taken_;
@@ -75,7 +79,7 @@ class Corridors {
       taken_->model->take_punctures(*before->model);
       told_ = false;
     }
-    if (left != nullptr) shelf_->refreshed.give_back(std::move(left));
+    give_back(std::move(left));
     taken_->model->begin(entry, direction);
   }
 
@@ -86,13 +90,17 @@ class Corridors {
                    needle.motion.depth, at_rest ? taken_->aimed_at : static_cast<double>(taken_->state)});
       told_ = true;
     }
-    return model().step(needle, events);
+    const ResistanceForce force = model().step(needle, events);
+    if constexpr (requires(Model & one, const Model& other) { one.begin_to_follow(other); }) go_on_in_newest();
+    return force;
   }
 
   void reset() noexcept {
     const std::size_t count = shelf_->count.load(std::memory_order_acquire);
     for (std::size_t i = 0; i < count; ++i) shelf_->places[i].model->reset();
-    if (refreshed_ != nullptr) shelf_->refreshed.give_back(std::move(refreshed_));
+    give_back(std::move(refreshed_));
+    give_back(std::move(coming_));
+    follows_ = false;
     taken_ = &shelf_->places[0];
     at_rest_ = false;
     told_ = true;
@@ -114,6 +122,35 @@ class Corridors {
     std::atomic<std::size_t> count{0};  // of places that the tick may look at
     HandOver<Place> refreshed;          // on its way to the tick
   };
+
+  void give_back(std::unique_ptr<Place> left) noexcept {
+    if (left != nullptr) shelf_->refreshed.give_back(std::move(left));
+  }
+
+  bool take_newest() noexcept {
+    std::unique_ptr<Place> newest = shelf_->refreshed.take();
+    if (newest == nullptr) return false;
+    give_back(std::move(coming_));
+    coming_ = std::move(newest);
+    return true;
+  }
+
+  // A needle that is in, in the first corridor, whatever state of the body that is of.
+  void go_on_in_newest() noexcept {
+    if (at_rest_ || (taken_ != refreshed_.get() && taken_ != &shelf_->places[0])) return;
+    if (!follows_) {
+      if (model().holds() && take_newest()) follows_ = coming_->model->begin_to_follow(model());
+      return;
+    }
+    const FollowState state = coming_->model->follow(model());
+    follows_ = state == FollowState::under_way;
+    if (state != FollowState::done) return;
+    std::unique_ptr<Place> left = std::move(refreshed_);
+    refreshed_ = std::move(coming_);
+    taken_ = refreshed_.get();
+    told_ = false;
+    give_back(std::move(left));
+  }
 
   static double distance(const Vec3& point, const Vec3& entry, const Vec3& direction) noexcept {
     const Vec3 from = point - entry;
@@ -138,7 +175,9 @@ class Corridors {
   Settings settings_;
   double dt_;
   std::unique_ptr<Shelf> shelf_;
-  std::unique_ptr<Place> refreshed_;  // the newest of those that the tick took
+  std::unique_ptr<Place> refreshed_;  // the newest of those that a needle was in
+  std::unique_ptr<Place> coming_;     // a newer one
+  bool follows_ = false;              // the needle is on its way into it
   Place* taken_ = nullptr;            // by the needle
   bool at_rest_ = false;
   bool told_ = true;

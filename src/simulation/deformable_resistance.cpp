@@ -87,14 +87,14 @@ void tell(const std::optional<TissuePuncture>& puncture, double sunk, TickEvents
 
 // mm along `direction` by which the node has sunk that lay nearest to `entry`; one that rose counts as none, for the
 // tick knows of no contact before the surface at rest.
-double sunk_at(const Vec3& entry, const Vec3& direction, const CondensedBody& at_rest,
+double sunk_at(const Vec3& entry, const Vec3& direction, const std::vector<Vec3>& at_rest,
                const CondensedBody& now) noexcept {
   double nearest = std::numeric_limits<double>::infinity(), sunk = 0.0;
-  for (std::size_t node = 0; node < at_rest.nodes.size(); ++node) {
-    const double away = (at_rest.nodes[node] - entry).squaredNorm();
+  for (std::size_t node = 0; node < at_rest.size(); ++node) {
+    const double away = (at_rest[node] - entry).squaredNorm();
     if (!(away < nearest)) continue;
     nearest = away;
-    sunk = (now.nodes[node] - at_rest.nodes[node]).dot(direction);
+    sunk = (now.nodes[node] - at_rest[node]).dot(direction);
   }
   return std::max(0.0, sunk);
 }
@@ -113,13 +113,19 @@ DeformableShaft::DeformableShaft(const Case& patient, const PreparedCorridor& co
   needle_ =
       std::make_unique<EmbeddedNeedle>(*body_, tissues_in(patient), settings, dt, beam_in(patient, settings.bending));
   if (corridor.state == 0) return;
-  at_rest_ = body_in(patient.corridor, patient);
-  if (at_rest_->mesh_nodes != body->mesh_nodes)
-    throw InputError("a corridor of the pressed body has other nodes than the one that it began with");
+  at_rest_ = corridor.at_rest;
+  if (at_rest_.size() == body->nodes.size()) return;
+  const CondensedBody& first = *body_in(patient.corridor, patient);
+  if (!at_rest_.empty() || first.mesh_nodes != body->mesh_nodes) {
+    throw InputError(
+        "a corridor of the pressed body has other nodes than the one that it began with, and does not say where they "
+        "are at rest");
+  }
+  at_rest_ = first.nodes;
 }
 
 void DeformableShaft::begin(const Vec3& entry, const Vec3& direction) noexcept {
-  sunk_ = at_rest_ != nullptr ? sunk_at(entry, direction, *at_rest_, *body_) : 0.0;
+  sunk_ = at_rest_.empty() ? 0.0 : sunk_at(entry, direction, at_rest_, *body_);
   needle_->begin(entry + sunk_ * direction, direction);
   bone_.reset();
   direction_ = direction;
@@ -130,6 +136,17 @@ void DeformableShaft::reset() noexcept {
   needle_->reset();
   bone_.reset();
   beyond_ = false;
+}
+
+FollowState DeformableShaft::follow(const DeformableShaft& other) noexcept {
+  const FollowState state = needle_->follow(*other.needle_);
+  if (state != FollowState::done) return state;
+  bone_ = other.bone_;
+  direction_ = other.direction_;
+  ahead_ = other.ahead_;
+  beyond_ = other.beyond_;
+  sunk_ = other.sunk_;
+  return state;
 }
 
 ResistanceForce DeformableShaft::step(const NeedleInTissue& needle, TickEvents& events) noexcept {

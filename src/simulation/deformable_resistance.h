@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "anatomy/case.h"
 #include "fem/closest_node.h"
@@ -35,6 +36,10 @@ class DeformableShaft {
   Vec3 ahead() const noexcept { return ahead_; }
   // What gave way in another corridor.
   void take_punctures(const DeformableShaft& other) noexcept { needle_->take_punctures(*other.needle_); }
+  // See EmbeddedNeedle: goes on where another one is that is in. Bone stays where that met it.
+  bool holds() const noexcept { return needle_->holds(); }
+  bool begin_to_follow(const DeformableShaft& other) noexcept { return needle_->begin_to_follow(*other.needle_); }
+  FollowState follow(const DeformableShaft& other) noexcept;
   // Forces on the tissue in the last tick, by node of the mesh.
   NodeForces node_forces() const noexcept { return of_mesh(needle_->node_forces(), *body_); }
   double stiffness_scale() const noexcept { return scale_; }
@@ -48,8 +53,8 @@ class DeformableShaft {
   BoneWall bone_;
   Vec3 direction_ = Vec3::UnitZ();
   bool beyond_ = false;  // the needle has left the corridor
-  // Of a body that is pressed: its nodes at rest, by which its surface is found again; else nullptr.
-  std::shared_ptr<const CondensedBody> at_rest_;
+  // Of a body that is pressed: its nodes at rest, by which its surface is found again; else none.
+  std::vector<Vec3> at_rest_;
   double sunk_ = 0.0;  // mm along the line by which the surface lies deeper than at rest
 };
 

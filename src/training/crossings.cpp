@@ -69,7 +69,7 @@ std::string event_text(const Event& event, const TissueLibrary& library) {
     case EventKind::corridor_taken:
       return "the needle begins in another corridor of the deformable body";
     case EventKind::corridor_refreshed:
-      return "the needle begins in the body as the probe presses it";
+      return "the needle is in the body as the probe presses it";
     case EventKind::moving_body_failed:
       return "the moving body failed: the probe lost its force, the needle finds the body at rest";
     case EventKind::fault:

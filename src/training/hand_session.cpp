@@ -53,7 +53,9 @@ struct HandSession::Shared {
     if (second) second->needle.write({static_cast<double>(ticks) * tick.dt(), record.output.tissue});
     ++ticks;
     for (const Event& event : record.output.events) {
-      if (event.kind == EventKind::contact || event.kind == EventKind::withdrawn) corridor_left = false;
+      if (event.kind == EventKind::contact || event.kind == EventKind::withdrawn ||
+          event.kind == EventKind::corridor_refreshed)
+        corridor_left = false;
       if (event.kind == EventKind::corridor_left) corridor_left = true;
     }
     HandMoment now{ticks, input.needle, tick.needle_ahead(), record.output, corridor_left};

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 #include <thread>
+#include <vector>
 
 #include "tests/fem/lattice_body.h"
 #include "tests/fem/needle_rig.h"
@@ -109,7 +110,7 @@ TEST(MovingBody, a_force_that_cannot_be_is_a_fault_that_is_told_and_leaves_the_l
   double time = 0.0;
   NodeForces senseless;
   senseless.count = 1;
-  senseless.nodes[0] = {0, {3e38F, 3e38F, 0.0F}};
+  senseless.nodes[0] = {stage.corridors.body().mesh_nodes[0], {3e38F, 3e38F, 0.0F}};
   moving.press_needle(senseless);
   ASSERT_TRUE(runs_until(moving, time, [](const BodyPicture& picture) { return picture.faults > 0; }));
   for (const float moved : moving.picture().displacements) ASSERT_LT(std::abs(moved), 1e-6F);
@@ -122,12 +123,31 @@ TEST(MovingBody, a_force_that_cannot_be_is_a_fault_that_is_told_and_leaves_the_l
   EXPECT_EQ(moving.picture().faults, faults);
 }
 
+TEST(MovingBody, leads_its_corridor_elsewhere_though_nothing_presses_it) {
+  Stage stage;
+  MovingBody& moving = stage.moving;
+  const BodyDescription box = small_box();
+  std::vector<std::uint32_t> aside;
+  for (std::uint32_t node = 0; node < box.mesh.nodes.size(); ++node) {
+    if ((box.mesh.nodes[node] - Vec3(30.0, 10.0, 30.0)).norm() < 11.0) aside.push_back(node);
+  }
+  double time = 0.0;
+  moving.lead_corridor(aside);
+  ASSERT_TRUE(runs_until(moving, time, [](const BodyPicture& picture) { return picture.corridors > 0; }));
+  EXPECT_FALSE(moving.lead_failed());
+  ASSERT_TRUE(stage.corridors.take_newest());
+  EXPECT_EQ(stage.corridors.body().mesh_nodes, aside);
+  moving.lead_corridor({1000000});
+  ASSERT_TRUE(runs_until(moving, time, [](const BodyPicture& picture) { return picture.corridor_failed; }));
+  EXPECT_TRUE(moving.lead_failed());
+}
+
 // The haptic thread inserts and withdraws a needle while the probe comes and goes on another thread.
 TEST(MovingBody, needle_probe_and_picture_on_threads_of_their_own_never_wait_and_the_force_never_jumps) {
   Stage stage;
   MovingBody& moving = stage.moving;
   std::atomic<bool> done{false};
-  std::atomic<int> taken{0};
+  std::atomic<int> taken{0}, taken_inside{0};
   std::atomic<double> largest{0.0};
   std::thread haptic([&] {
     Vec3 before = Vec3::Zero();
@@ -138,16 +158,17 @@ TEST(MovingBody, needle_probe_and_picture_on_threads_of_their_own_never_wait_and
       moving.tell_time(1e-3 * tick);
       {
         const RealTimeGuard guard;
-        if (stage.corridors.take_newest()) {
+        if (tick % 1000 > 900 && stage.corridors.take_newest()) {
           stage.corridors.begin(entry, -Vec3::UnitZ());
           ++taken;
         }
         const double depth = -5.0 + 10.0 * (1.0 - std::cos(2.0 * std::numbers::pi * tick / 1000.0));
         EmbeddedNeedle& needle = stage.corridors.needle();
         const Vec3 force = needle.step(needle_pose(entry - Vec3(0.0, 0.0, depth), -Vec3::UnitZ())).on_hand.force;
-        moving.press_needle(needle.node_forces());
+        moving.press_needle(of_mesh(needle.node_forces(), stage.corridors.body()));
         largest = std::max(largest.load(), (force - before).norm());
         before = force;
+        if (stage.corridors.go_on_in_newest()) ++taken_inside;
         heap += RealTimeGuard::heap_calls();
         locks += RealTimeGuard::lock_calls();
       }
@@ -170,12 +191,12 @@ TEST(MovingBody, needle_probe_and_picture_on_threads_of_their_own_never_wait_and
       ++turns;
       moving.move_probe(down ? std::optional<Pose>(probe_down(6.0)) : std::nullopt);
     }
-    if (turns > 2 && taken > 0) done = true;
+    if (turns > 2 && taken + taken_inside > 1) done = true;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   done = true;
   haptic.join();
-  EXPECT_GT(taken.load(), 0);
+  EXPECT_GT(taken + taken_inside, 0);
   EXPECT_LT(largest.load(), 0.1);
   EXPECT_EQ(moving.picture().faults, 0U);
 }

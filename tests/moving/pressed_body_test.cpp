@@ -62,10 +62,10 @@ TEST(PressedBody, says_when_a_new_corridor_is_due_and_makes_it) {
   EXPECT_FALSE(pressed.corridor_is_due());  // not there yet
   NodeForces needle;
   needle.count = 1;
-  needle.nodes[0] = {3, {0.0F, 0.0F, -0.01F}};
+  needle.nodes[0] = {at_rest->mesh_nodes[3], {0.0F, 0.0F, -0.01F}};
   for (int step = 0; step < 40; ++step) pressed.step(probe_beside(8.0), needle);
   EXPECT_TRUE(pressed.settled());
-  EXPECT_FALSE(pressed.corridor_is_due());  // a needle is in it
+  EXPECT_TRUE(pressed.corridor_is_due()) << "though a needle is in it";
   for (int step = 0; step < 40; ++step) pressed.step(probe_beside(8.0), {});
   ASSERT_TRUE(pressed.corridor_is_due());
   const auto corridor = pressed.make_corridor();
@@ -81,15 +81,66 @@ TEST(PressedBody, forces_of_the_needle_move_it_and_those_on_no_node_do_nothing) 
   PressedBody pressed(box_beside_probe(), beside_needle());
   NodeForces needle;
   needle.count = 2;
-  needle.nodes[0] = {2, {0.0F, 0.001F, 0.0F}};
-  needle.nodes[1] = {20, {1.0F, 1.0F, 1.0F}};
-  for (int step = 0; step < 20; ++step) pressed.step(std::nullopt, needle);
   const CondensedBody linear = condense(box_beside_probe());
+  needle.nodes[0] = {linear.mesh_nodes[2], {0.0F, 0.001F, 0.0F}};
+  needle.nodes[1] = {static_cast<std::uint32_t>(box_beside_probe().mesh.nodes.size()), {1.0F, 1.0F, 1.0F}};
+  for (int step = 0; step < 20; ++step) pressed.step(std::nullopt, needle);
   for (std::size_t i = 0; i < linear.nodes.size(); ++i) {
     const Vec3 moved = pressed.body().position(linear.mesh_nodes[i]) - linear.nodes[i];
     const Vec3 expected = 0.001 * linear.compliance.block<3, 1>(3 * static_cast<Eigen::Index>(i), 7);
     EXPECT_LT((moved - expected).norm(), 0.03 * expected.norm() + 1e-5);
   }
+}
+
+// What the needle does to it is no part of the corridor, however it strains the tissue.
+TEST(PressedBody, a_corridor_made_while_a_needle_is_in_is_that_of_the_body_without_it) {
+  PressedBody alone(box_beside_probe(), beside_needle()), with_needle(box_beside_probe(), beside_needle());
+  NodeForces needle;
+  needle.count = 2;
+  needle.nodes[0] = {alone.corridor_at_rest().mesh_nodes[3], {0.02F, 0.0F, -0.05F}};
+  needle.nodes[1] = {alone.corridor_at_rest().mesh_nodes[5], {0.03F, 0.0F, -0.05F}};
+  for (int step = 0; step < 60; ++step) {
+    alone.step(probe_beside(8.0), {});
+    with_needle.step(probe_beside(8.0), needle);
+  }
+  ASSERT_TRUE(with_needle.corridor_is_due());
+  const std::uint32_t node = needle.nodes[1].node;
+  EXPECT_GT((with_needle.body().position(node) - alone.body().position(node)).norm(), 0.2);
+  const auto expected = alone.make_corridor(), found = with_needle.make_corridor();
+  ASSERT_NE(found, nullptr);
+  // The tolerance of `settled`; and nothing of the needle's own motion is worth another corridor.
+  EXPECT_LT((found->compliance - expected->compliance).norm(), 1e-4 * expected->compliance.norm());
+  for (std::size_t i = 0; i < found->nodes.size(); ++i)
+    EXPECT_LT((found->nodes[i] - expected->nodes[i]).norm(), 1e-3);
+  needle.nodes[1].force[0] = 0.06F;
+  for (int step = 0; step < 60; ++step) with_needle.step(probe_beside(8.0), needle);
+  EXPECT_TRUE(with_needle.settled());
+  EXPECT_FALSE(with_needle.corridor_is_due());
+  for (int step = 0; step < 60; ++step) with_needle.step(std::nullopt, needle);
+  EXPECT_TRUE(with_needle.corridor_is_due()) << "the probe has gone";
+}
+
+TEST(PressedBody, a_corridor_that_is_led_elsewhere_is_that_of_a_body_that_had_it_from_the_beginning) {
+  BodyDescription other = box_beside_probe();
+  other.corridor.clear();
+  for (std::uint32_t node = 0; node < other.mesh.nodes.size(); ++node) {
+    if ((other.mesh.nodes[node] - Vec3(30.0, 10.0, 30.0)).norm() < 11.0) other.corridor.push_back(node);
+  }
+  PressedBody led(box_beside_probe(), beside_needle()), there(other, beside_needle());
+  for (int step = 0; step < 60; ++step) {
+    led.step(probe_beside(6.0), {});
+    there.step(probe_beside(6.0), {});
+  }
+  PressedState state;
+  led.take_state(state);
+  const auto found = led.make_corridor(state, {}, other.corridor), expected = there.make_corridor();
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->mesh_nodes, expected->mesh_nodes);
+  EXPECT_EQ(found->tissues, expected->tissues);
+  EXPECT_LT((found->compliance - expected->compliance).norm(), 1e-9 * expected->compliance.norm());
+  EXPECT_EQ(led.make_corridor(state)->mesh_nodes, expected->mesh_nodes) << "it stays there";
+  EXPECT_EQ(led.make_corridor(state, {}, {3000000}), nullptr);
+  EXPECT_EQ(led.make_corridor(state)->mesh_nodes, expected->mesh_nodes) << "for it cannot be led where nothing is";
 }
 
 TEST(PressedBody, a_step_takes_no_memory_and_no_lock) {

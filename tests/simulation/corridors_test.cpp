@@ -215,19 +215,13 @@ PreparedCorridor pressed_corridor(double sunk, std::uint32_t state) {
   return corridor;
 }
 
-TEST(Corridors, a_pressed_body_is_met_where_it_is_and_only_by_a_needle_that_begins) {
+TEST(Corridors, a_pressed_body_is_met_where_it_is_by_a_needle_that_begins) {
   const Case patient = patient_of_corridors(shaft_settings());
   HapticTick tick(patient), at_rest(patient);
   const auto step = [](HapticTick& by, double place) {
     return by.step({needle_pose(Vec3(0.1, 0.0, place), Vec3::UnitZ())});
   };
-  for (double place = -3.0; place < 12.0; place += 0.02) step(tick, place);
   ASSERT_TRUE(tick.refresh_corridor(pressed_corridor(9.0, 1)));  // never taken
-  ASSERT_TRUE(tick.refresh_corridor(pressed_corridor(3.0, 2)));
-  EXPECT_EQ(step(tick, 12.0).events.size(), 0U);
-  EXPECT_GT(step(tick, 12.0).resistance, 0.1) << "a needle that is in keeps what it has";
-  step(tick, -1.0);
-  tick.reset();
   ASSERT_TRUE(tick.refresh_corridor(pressed_corridor(3.0, 2)));
   int told = 0;
   std::vector<double> sunk, rest;
@@ -254,6 +248,77 @@ TEST(Corridors, a_pressed_body_is_met_where_it_is_and_only_by_a_needle_that_begi
   const Insertion after = put_in(tick, 0.0, 15.0);
   EXPECT_EQ(after.count(EventKind::corridor_refreshed), 0);
   EXPECT_EQ(after.value(EventKind::corridor_taken), -1.0);
+}
+
+// The first corridor as it is when its body is firmer by `times`.
+PreparedCorridor firmer_corridor(double times, std::uint32_t state) {
+  PreparedCorridor corridor = corridor_at(0.0);
+  CondensedBody body = *corridor.body;
+  body.compliance /= times;
+  corridor.body = std::make_shared<const CondensedBody>(std::move(body));
+  corridor.state = state;
+  return corridor;
+}
+
+TEST(Corridors, a_needle_that_is_in_goes_on_in_the_body_as_it_is_pressed_now) {
+  const Case patient = patient_of_corridors(shaft_settings());
+  HapticTick tick(patient), alone(patient);
+  const auto at = [](double x, double place) { return TickInput{needle_pose(Vec3(x, 0.0, place), Vec3::UnitZ())}; };
+  for (double place = -3.0; place < 13.0; place += 0.02) {
+    tick.step(at(0.1, place));
+    alone.step(at(0.1, place));
+  }
+  const auto sideways = [&](HapticTick& by) {  // N by 0.1 mm
+    const double before = by.step(at(0.1, 13.0)).requested.force.x();
+    const double there = by.step(at(0.2, 13.0)).requested.force.x();
+    by.step(at(0.1, 13.0));
+    return before - there;
+  };
+  const double first = sideways(tick);
+  const Vec3 force = tick.step(at(0.1, 13.0)).requested.force;
+  ASSERT_TRUE(tick.refresh_corridor(firmer_corridor(2.0, 7)));
+  int told = 0;
+  for (int i = 0; i < 50; ++i) {
+    const TickOutput output = tick.step(at(0.1, 13.0));
+    EXPECT_LT((output.requested.force - force).norm(), 1e-9) << i;
+    for (const Event& event : output.events) {
+      EXPECT_EQ(event.kind, EventKind::corridor_refreshed);
+      EXPECT_EQ(event.value, 7.0);
+      EXPECT_NEAR(event.depth, 13.0, 0.01);
+      ++told;
+    }
+  }
+  EXPECT_EQ(told, 1);
+  EXPECT_NEAR(sideways(tick), 2.0 * first, 1e-6);
+  EXPECT_EQ(tick.node_forces().count, alone.node_forces().count);
+  EXPECT_EQ(tick.node_forces().nodes[0].node, alone.node_forces().nodes[0].node);
+  // A body that has failed is left as it is until the needle is out.
+  tick.stay_at_rest();
+  ASSERT_TRUE(tick.refresh_corridor(firmer_corridor(4.0, 8)));
+  for (int i = 0; i < 50; ++i) EXPECT_EQ(tick.step(at(0.1, 13.0)).events.size(), 0U);
+  EXPECT_NEAR(sideways(tick), 2.0 * first, 1e-6);
+}
+
+TEST(Corridors, a_pressed_body_has_its_corridor_where_the_needle_aims) {
+  const Case patient = patient_of_corridors(shaft_settings());
+  HapticTick tick(patient);
+  EXPECT_EQ(put_in(tick, apart, 12.0).count(EventKind::corridor_left), 1);
+  PreparedCorridor there = corridor_at(apart);
+  CondensedBody body = *there.body;
+  there.at_rest = body.nodes;
+  for (Vec3& node : body.nodes) node.z() += 2.0;
+  there.body = std::make_shared<const CondensedBody>(std::move(body));
+  there.state = 1;
+  ASSERT_TRUE(tick.refresh_corridor(there));
+  const Insertion found = put_in(tick, apart, 12.0);
+  EXPECT_EQ(found.count(EventKind::corridor_left), 0);
+  EXPECT_EQ(found.value(EventKind::corridor_refreshed), 1.0);
+  EXPECT_GT(found.greatest, 1.0);
+  for (const Event& event : found.events) {
+    EXPECT_TRUE(event.kind != EventKind::puncture || event.depth > 2.0) << "it is met where it has sunk to";
+  }
+  there.at_rest.pop_back();
+  EXPECT_THROW(tick.refresh_corridor(there), InputError);
 }
 
 TEST(Corridors, only_the_body_that_the_session_began_with_is_refreshed) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <thread>
 
 #include "tests/fem/lattice_body.h"
@@ -14,7 +16,9 @@
 #include "fem/solid/patient_body.h"
 #include "haptics/drivers/simulated.h"
 #include "io/tissue_library_file.h"
+#include "simulation/haptic_tick.h"
 #include "training/hand_session.h"
+#include "training/prepared_body.h"
 #include "training/replay.h"
 #include "training/second_hand.h"
 
@@ -153,6 +157,109 @@ TEST(PressedPatient, the_probes_hand_feels_the_bodys_force_and_the_needle_enters
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("cannot be recomputed"));
   }
+}
+
+Pose straight_down(double x, double depth) {
+  return needle_pose(Vec3(x, -depth, 0.0), -Vec3::UnitY());
+}
+
+Pose flat_probe(double x, double depth) {
+  Pose pose = Pose::Identity();
+  pose.linear().col(0) = Vec3::UnitX();
+  pose.linear().col(1) = Vec3::UnitZ();
+  pose.linear().col(2) = -Vec3::UnitY();
+  pose.translation() = Vec3(x, -depth, 0.0);
+  return pose;
+}
+
+// The test is the needle's thread, and whoever watches.
+struct NeedleInBlock {
+  explicit NeedleInBlock(const PressedBlock& made)
+      : block(made), pressed(block.patient, *block.body, block.settings), tick(block.patient) {}
+
+  TickOutput step(const Pose& needle) {
+    const TickOutput output = tick.step({needle});
+    pressed.tell(time += tick.dt(), tick.node_forces());
+    return output;
+  }
+  // Goes on until a corridor comes; the pose stays.
+  std::optional<PreparedCorridor> wait_for_corridor(const Pose& needle) {
+    for (int look = 0; look < 20000; ++look) {
+      for (int i = 0; i < 4; ++i) step(needle);
+      if (std::optional<PreparedCorridor> corridor = pressed.next_corridor()) return corridor;
+      std::this_thread::sleep_for(std::chrono::microseconds(500));
+    }
+    return {};
+  }
+
+  const PressedBlock& block;
+  PressedPatient pressed;
+  HapticTick tick;
+  double time = 0.0;
+};
+
+TEST(PressedPatient, a_needle_that_is_in_feels_that_the_probe_presses_beside_it) {
+  const PressedBlock block = pressed_block();
+  NeedleInBlock rig(block);
+  for (double depth = -2.0; depth < 22.0; depth += 0.05) rig.step(straight_down(-30.0, depth));
+  const auto sideways = [&] {  // N by 0.5 mm
+    const double before = rig.step(straight_down(-30.0, 22.0)).requested.force.x();
+    const double there = rig.step(straight_down(-29.5, 22.0)).requested.force.x();
+    rig.step(straight_down(-30.0, 22.0));
+    return before - there;
+  };
+  const double at_rest = sideways();
+  ASSERT_GT(at_rest, 0.001);
+  rig.pressed.move_probe(flat_probe(-5.0, 14.0));
+  const Vec3 force = rig.step(straight_down(-30.0, 22.0)).requested.force;
+  bool told = false;
+  for (int corridors = 0; corridors < 20 && !told; ++corridors) {
+    const std::optional<PreparedCorridor> corridor = rig.wait_for_corridor(straight_down(-30.0, 22.0));
+    ASSERT_TRUE(corridor);
+    EXPECT_EQ(corridor->body->mesh_nodes, block.patient.corridor.body->mesh_nodes);
+    ASSERT_TRUE(rig.tick.refresh_corridor(*corridor));
+    for (int i = 0; i < 100; ++i) {
+      const TickOutput output = rig.step(straight_down(-30.0, 22.0));
+      EXPECT_LT((output.requested.force - force).norm(), 1e-9);
+      for (const Event& event : output.events) told = told || event.kind == EventKind::corridor_refreshed;
+    }
+  }
+  EXPECT_TRUE(told);
+  EXPECT_GT(std::abs(sideways() - at_rest), 0.02 * at_rest);
+  EXPECT_FALSE(rig.pressed.failed());
+}
+
+TEST(PressedPatient, leads_the_corridor_to_where_the_needle_aims_and_says_so) {
+  const PressedBlock block = pressed_block();
+  NeedleInBlock rig(block);
+  EXPECT_FALSE(rig.pressed.look(straight_down(-28.0, -10.0), block.patient)) << "that is covered";
+  EXPECT_FALSE(rig.pressed.look(straight_down(200.0, -10.0), block.patient)) << "there is no patient";
+  const std::optional<std::string> sentence = rig.pressed.look(straight_down(30.0, -10.0), block.patient);
+  ASSERT_TRUE(sentence);
+  EXPECT_THAT(*sentence, HasSubstr("aims where the deformable body is not prepared"));
+  EXPECT_FALSE(rig.pressed.look(straight_down(30.0, -10.0), block.patient)) << "it is said once";
+  const std::optional<PreparedCorridor> corridor = rig.wait_for_corridor(straight_down(30.0, -10.0));
+  ASSERT_TRUE(corridor);
+  EXPECT_THAT(rig.pressed.look(straight_down(30.0, -10.0), block.patient).value_or(""),
+              HasSubstr("is prepared where the needle aimed"));
+  EXPECT_NEAR(corridor->path.entry.x(), 30.0, 1e-9);
+  for (const Vec3& node : corridor->at_rest) EXPECT_NEAR(node.x(), 30.0, 16.0);
+  // As a static body would have it there.
+  const PreparedCorridor expected = another_corridor(*block.body, block.patient, corridor->path, 0);
+  EXPECT_EQ(corridor->body->mesh_nodes, expected.body->mesh_nodes);
+  EXPECT_EQ(corridor->body->tissues, expected.body->tissues);
+  EXPECT_EQ(corridor->at_rest, expected.body->nodes);
+  EXPECT_LT((corridor->body->compliance - expected.body->compliance).norm(), 1e-9 * expected.body->compliance.norm());
+  ASSERT_TRUE(rig.tick.refresh_corridor(*corridor));
+  std::uint32_t most = 0;
+  for (double depth = -2.0; depth < 12.0; depth += 0.05) {
+    const TickOutput output = rig.step(straight_down(30.0, depth));
+    for (const Event& event : output.events) EXPECT_NE(event.kind, EventKind::corridor_left);
+    most = std::max(most, static_cast<std::uint32_t>(rig.tick.node_forces().count));
+  }
+  EXPECT_GE(most, 2U);
+  // And back, once it is out again.
+  EXPECT_THAT(rig.pressed.look(straight_down(-30.0, -10.0), block.patient).value_or(""), HasSubstr("not prepared"));
 }
 
 // The test is the needle here, and does to the body what no needle does.

@@ -83,9 +83,11 @@ void MovingBody::ask_for_corridor() noexcept {
     if (now == Corridor::made) ++next_.corridors;
     corridor_.store(Corridor::idle, std::memory_order_relaxed);
   }
-  if (!pressed_.corridor_is_due()) return;
+  const bool led = pressed_.settled() && led_.load(std::memory_order_acquire);
+  if (!led && !pressed_.corridor_is_due()) return;
   try {
     pressed_.take_state(state_);
+    led_.store(false, std::memory_order_relaxed);  // the maker sees the nodes: who has led it waits for none of us
     corridor_.store(Corridor::wanted, std::memory_order_release);
   } catch (const std::bad_alloc&) {
     next_.corridor_failed = true;
@@ -93,16 +95,33 @@ void MovingBody::ask_for_corridor() noexcept {
 }
 
 bool MovingBody::make_corridor(const std::stop_token& stop) noexcept {
+  bool led = false;
   try {
-    std::shared_ptr<CondensedBody> corridor = pressed_.make_corridor(state_, [&stop](std::string_view, double) {
+    std::vector<std::uint32_t> nodes;
+    {
+      const std::lock_guard lock(leading_);
+      nodes.swap(led_to_);
+    }
+    led = !nodes.empty();
+    const auto go_on = [&stop](std::string_view, double) {
       if (stop.stop_requested()) throw Ended();
-    });
-    if (corridor == nullptr) return false;
-    take_corridor_(std::move(corridor));
-    return true;
+    };
+    std::shared_ptr<CondensedBody> corridor = pressed_.make_corridor(state_, go_on, std::move(nodes));
+    if (corridor != nullptr) {
+      take_corridor_(std::move(corridor));
+      return true;
+    }
   } catch (const std::exception&) {
-    return false;
   }
+  if (led) lead_failed_.store(true, std::memory_order_release);
+  return false;
+}
+
+void MovingBody::lead_corridor(std::vector<std::uint32_t> nodes) {
+  const std::lock_guard lock(leading_);
+  led_to_ = std::move(nodes);
+  lead_failed_.store(false, std::memory_order_release);
+  led_.store(true, std::memory_order_release);
 }
 
 void MovingBody::show() noexcept {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <thread>
 #include <vector>
@@ -46,15 +47,23 @@ class MovingBody {
   using CorridorTaker = std::function<void(std::shared_ptr<CondensedBody>)>;
 
   // Checks all and starts, at rest: the corridor is that of condense(). Throws InputError. The names of the
-  // corridor's nodes (CondensedBody::mesh_nodes) are the same in all corridors, and in the same order.
+  // corridor's nodes (CondensedBody::mesh_nodes) are the same in all corridors, and in the same order, until others
+  // are asked for (lead_corridor).
   MovingBody(const BodyDescription& body, const PressedBodySettings& settings, CorridorTaker take_corridor);
 
   // Whoever keeps the time: s, since any moment.
   void tell_time(double seconds) noexcept { time_.store(seconds, std::memory_order_relaxed); }
   // Whoever tracks the probe; empty: it is away.
   void move_probe(const std::optional<Pose>& probe) noexcept { probe_.write(probe); }
-  // Haptic thread: what the needle does to the nodes of its corridor (EmbeddedNeedle::node_forces), after every tick.
+  // Haptic thread: what the needle does to nodes of the mesh (of_mesh() of EmbeddedNeedle::node_forces), after every
+  // tick.
   void press_needle(const NodeForces& forces) noexcept { needle_.write(forces); }
+  // Any one thread: other nodes of the mesh are the corridor from now on, where a needle aims, say; a corridor of
+  // them is made as soon as the body has settled, whether it was pressed or not. Where that cannot be it stays as it
+  // was, which is corridor_failed.
+  void lead_corridor(std::vector<std::uint32_t> nodes);
+  // Any thread: whether the corridor that was made last was led elsewhere and could not be.
+  bool lead_failed() const noexcept { return lead_failed_.load(std::memory_order_acquire); }
   // Whoever draws: the newest picture, which stays as it is until the next call.
   const BodyPicture& picture() noexcept { return picture_.read(); }
   // Whoever holds the probe: the newest reading, which stays as it is until the next call.
@@ -86,6 +95,10 @@ class MovingBody {
   std::atomic<std::uint32_t> faults_{0};
   PressedState state_;  // of the corridor that is being made
   std::atomic<Corridor> corridor_{Corridor::idle};
+  std::mutex leading_;                 // of who leads corridors and who makes them, which both may wait
+  std::vector<std::uint32_t> led_to_;  // of both: nodes not yet taken up
+  std::atomic<bool> led_{false};       // a corridor of them has not been asked for
+  std::atomic<bool> lead_failed_{false};
   std::jthread maker_;  // the last two: they are the first to end
   std::jthread thread_;
 };

@@ -37,8 +37,8 @@ void check_corridor(const BodyDescription& body) {
   }
 }
 
-// For every node the tissue of the stiffest element that it belongs to.
-std::vector<TissueId> stiffest_tissues(const BodyDescription& body) {
+// For every node of the mesh.
+std::vector<TissueId> all_stiffest_tissues(const BodyDescription& body) {
   std::vector<TissueId> tissues(body.mesh.nodes.size());
   std::vector<double> young(body.mesh.nodes.size(), 0.0);
   for (std::size_t element = 0; element < body.mesh.elements.size(); ++element) {
@@ -77,12 +77,19 @@ std::vector<std::string> check_body(const BodyDescription& body) {
   return warnings;
 }
 
+std::vector<TissueId> stiffest_tissues(const BodyDescription& body, const std::vector<std::uint32_t>& nodes) {
+  const std::vector<TissueId> all = all_stiffest_tissues(body);
+  std::vector<TissueId> tissues;
+  for (const std::uint32_t node : nodes) tissues.push_back(all[node]);
+  return tissues;
+}
+
 BodyPlan plan_body(const BodyDescription& body, const Progress& progress) {
   if (progress) progress("assembling the body", 0.0);
   BodyPlan plan;
   plan.system = assemble(body.mesh, body.materials, body.fixed);
   if (progress) progress("ordering the body", 0.0);
-  const std::vector<TissueId> tissues = stiffest_tissues(body);
+  const std::vector<TissueId> tissues = all_stiffest_tissues(body);
   std::vector<std::uint32_t> last;
   for (const std::uint32_t node : body.corridor) {
     if (plan.system.free_nodes[node] == ElasticSystem::fixed) continue;
