@@ -167,6 +167,14 @@ ScreenKey key_of(SDL_Keycode code) {
       return ScreenKey::g;
     case SDLK_h:
       return ScreenKey::h;
+    case SDLK_i:
+      return ScreenKey::i;
+    case SDLK_j:
+      return ScreenKey::j;
+    case SDLK_k:
+      return ScreenKey::k;
+    case SDLK_l:
+      return ScreenKey::l;
     case SDLK_m:
       return ScreenKey::m;
     case SDLK_n:
@@ -179,10 +187,32 @@ ScreenKey key_of(SDL_Keycode code) {
       return ScreenKey::r;
     case SDLK_s:
       return ScreenKey::s;
+    case SDLK_t:
+      return ScreenKey::t;
+    case SDLK_u:
+      return ScreenKey::u;
     case SDLK_w:
       return ScreenKey::w;
     case SDLK_x:
       return ScreenKey::x;
+    case SDLK_0:
+      return ScreenKey::zero;
+    case SDLK_1:
+      return ScreenKey::one;
+    case SDLK_2:
+      return ScreenKey::two;
+    case SDLK_3:
+      return ScreenKey::three;
+    case SDLK_4:
+      return ScreenKey::four;
+    case SDLK_5:
+      return ScreenKey::five;
+    case SDLK_6:
+      return ScreenKey::six;
+    case SDLK_7:
+      return ScreenKey::seven;
+    case SDLK_8:
+      return ScreenKey::eight;
     default:
       return ScreenKey::other;
   }
