@@ -301,7 +301,7 @@ DeviceLimits limits_of(const ChosenDevice& chosen, const DeviceAbilities& device
 void run_perform(const PerformArguments& arguments, const CommandContext& context) {
   Console console(context);
   require_writable(arguments.output, "--output");
-  if (!arguments.ultrasound.empty()) choose_pane(arguments.ultrasound, false);  // for its complaints
+  if (!arguments.ultrasound.empty()) choose_pane(arguments.ultrasound);  // for its complaints
   const ChosenDevice chosen = choose_device(arguments.device);
   const std::optional<ChosenSecond> chosen_second = choose_second(arguments.second, chosen);
   Case patient = load_case(arguments.folder, console.progress());
@@ -318,7 +318,7 @@ void run_perform(const PerformArguments& arguments, const CommandContext& contex
       patient, arguments.folder, {}, console.progress(), [&](const std::string& text) { console.note(text); });
   const NeedlePath path = *patient.description.procedure.path;
   std::optional<UltrasoundChoice> ultrasound;
-  if (!arguments.ultrasound.empty()) ultrasound = choose_pane(arguments.ultrasound, body != nullptr);
+  if (!arguments.ultrasound.empty()) ultrasound = choose_pane(arguments.ultrasound);
   const bool has_ultrasound = ultrasound.has_value();
   const std::unique_ptr<MouseWindow> window =
       chosen.is_mouse() || has_ultrasound

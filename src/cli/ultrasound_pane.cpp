@@ -111,7 +111,7 @@ LiveScan::Place pane_place(double x, double y) {
 
 }  // namespace
 
-UltrasoundChoice choose_pane(const std::string& words, bool moves) {
+UltrasoundChoice choose_pane(const std::string& words) {
   UltrasoundOptions options;
   options.view = "needle";
   options.size = fmt::format("{}x{}", frame_width, frame_height);
@@ -164,7 +164,7 @@ UltrasoundChoice choose_pane(const std::string& words, bool moves) {
   }
   UltrasoundChoice choice = named_pane([&] { return choose_ultrasound(options); });
   UltrasoundSettings& settings = choice.settings;
-  choice.press = numbers[0].value.value_or(moves ? 0.0 : choice.press);
+  choice.press = numbers[0].value.value_or(choice.press);
   settings.depth = numbers[1].value.value_or(settings.depth);
   settings.gain = numbers[2].value.value_or(settings.gain);
   settings.dynamic_range = numbers[3].value.value_or(settings.dynamic_range);
@@ -185,8 +185,9 @@ UltrasoundPane::UltrasoundPane(const Case& patient, const UltrasoundChoice& choi
       y_(y),
       scan_(patient, choice, named_pane([&] { return hold_probe(choice, patient); }), std::nullopt, pane_place(x, y)),
       moves_(body.mesh != nullptr) {
-  Ultrasound machine(acoustic_volume(patient, progress), choice.probe, choice.settings, choice.detail);
-  thread_ = std::make_shared<ScanThread>(std::move(machine), needle_, std::move(body),
+  const std::shared_ptr<const AcousticVolume> sounding = acoustic_volume(patient, progress);
+  Ultrasound machine(sounding, choice.probe, choice.settings, choice.detail);
+  thread_ = std::make_shared<ScanThread>(sounding, std::move(machine), needle_, std::move(body),
                                          ScanOrder{scan_.pose(), scan_.settings()});
 }
 

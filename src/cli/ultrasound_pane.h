@@ -12,9 +12,8 @@
 
 namespace bodkin {
 
-// What --ultrasound of `bodkin perform` says: "PROBE SETTING=VALUE ...". `moves`: the body is shown as it moves, so
-// that a probe is not pressed in unless that is asked for. Throws InputError naming --ultrasound.
-UltrasoundChoice choose_pane(const std::string& words, bool moves);
+// What --ultrasound of `bodkin perform` says: "PROBE SETTING=VALUE ...". Throws InputError naming --ultrasound.
+UltrasoundChoice choose_pane(const std::string& words);
 
 // The ultrasound beside a needle that somebody holds: the newest picture of a ScanThread, and the keys of the
 // machine. All of it for one thread.

@@ -16,7 +16,7 @@ namespace {
 
 using PictureClock = std::chrono::steady_clock;
 
-constexpr double field_spacing = 1.5;  // mm between the points at which tissue's motion is known
+constexpr double field_spacing = 2.0;  // mm between the points at which tissue's motion is known
 
 double checked_scan_rate(double rate) {
   if (rate >= 1.0 && rate <= 1000.0) return rate;
@@ -44,11 +44,15 @@ double farthest(std::span<const float> moved) {
 
 }  // namespace
 
-ScanThread::ScanThread(Ultrasound machine, Needle needle, ScanBody body, const ScanOrder& first, double rate)
+ScanThread::ScanThread(std::shared_ptr<const AcousticVolume> patient, Ultrasound machine, Needle needle,
+                       ScanBody body, const ScanOrder& first, double rate)
     : machine_(std::move(machine)),
       needle_(std::move(needle)),
       body_(std::move(body)),
       slice_(body_.mesh == nullptr ? nullptr : std::make_unique<SliceField>(body_.mesh)),
+      layers_(body_.by_forces == nullptr
+                  ? std::nullopt
+                  : std::optional<PressedLayers>(std::in_place, std::move(patient), machine_.probe())),
       orders_(first),
       thread_([this, pace = checked_scan_rate(rate)](const std::stop_token& stop) { run(stop, pace); }) {}
 
@@ -105,6 +109,19 @@ void ScanThread::make(LivePicture& now) {
   now.frame = machine_.image(now.order.probe, needle, displacement);
 }
 
+// What the probe does on top of what the needle does: both are small.
+void ScanThread::add_layers(LivePicture& now, const SlicePlane& grid) {
+  layers_->settle(now.order.probe, now.order.settings.depth, now.order.settings.gel);
+  if (!layers_->pressed()) return;
+  float* moved = now.moved.data();
+  for (int row = 0; row < grid.height; ++row) {
+    for (int column = 0; column < grid.width; ++column, moved += 3) {
+      const Vec3 place = now.frame.corner + grid.pixel * Vec3(column, row, 0.0);
+      Eigen::Map<Eigen::Vector3f>{moved} += layers_->moved(place).cast<float>();
+    }
+  }
+}
+
 void ScanThread::move_tissue(LivePicture& now, const NodeForces& forces) {
   const SlicePlane grid = warp_grid(plane_of_frame(now.frame, now.order.probe), field_spacing);
   std::span<const float> nodes;
@@ -120,6 +137,7 @@ void ScanThread::move_tissue(LivePicture& now, const NodeForces& forces) {
   } else {  // nothing was told yet
     now.moved.assign(3 * static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height), 0.0F);
   }
+  if (layers_) add_layers(now, grid);
   now.grid = {now.frame.corner, grid.pixel, grid.width, grid.height, {}};
   now.most = farthest(now.moved);
 }

@@ -11,6 +11,7 @@
 #include "fem/node_forces.h"
 #include "imaging/ultrasound/ultrasound.h"
 #include "training/node_field.h"
+#include "training/pressed_layers.h"
 #include "training/slice_field.h"
 
 namespace bodkin {
@@ -38,15 +39,19 @@ struct LivePicture {
 // The deformable body as a picture needs it: either of both, or neither.
 struct ScanBody {
   std::shared_ptr<const BodyDescription> mesh;  // null: nothing moves but what a probe presses, layer by layer
-  std::unique_ptr<NodeField> by_forces;         // null: how nodes have moved is told (tell_nodes)
+  // Null: how nodes have moved is told (tell_nodes), by a body that feels the probe, too. Otherwise what the probe
+  // presses is added layer by layer.
+  std::unique_ptr<NodeField> by_forces;
 };
 
 // Makes an ultrasound picture again and again on a thread of its own, from the newest needle and forces that the tick
 // has told it, and the newest place of the probe. Nobody waits for anybody: all exchange values through LatestValue.
 class ScanThread {
  public:
-  // `rate`: pictures a second, 1 to 1000, where they can be made as fast. Throws InputError when it is not.
-  ScanThread(Ultrasound machine, Needle needle, ScanBody body, const ScanOrder& first, double rate = 60.0);
+  // `machine` is of `patient`. `rate`: pictures a second, 1 to 1000, where they can be made as fast. Throws
+  // InputError when it is not.
+  ScanThread(std::shared_ptr<const AcousticVolume> patient, Ultrasound machine, Needle needle, ScanBody body,
+             const ScanOrder& first, double rate = 60.0);
 
   // The tick's thread only; wait-free. Forces by node of the mesh; the needle as it is in the body.
   void tell(const NodeForces& forces, const Pose& needle) noexcept { ticks_.write({forces, needle, true}); }
@@ -66,12 +71,14 @@ class ScanThread {
   };
   void run(const std::stop_token& stop, double rate);
   void make(LivePicture& now);
+  void add_layers(LivePicture& now, const SlicePlane& grid);
   void move_tissue(LivePicture& now, const NodeForces& forces);
 
   Ultrasound machine_;
   Needle needle_;
   ScanBody body_;
   std::unique_ptr<SliceField> slice_;
+  std::optional<PressedLayers> layers_;
   LatestValue<Tick> ticks_;
   LatestValue<ScanOrder> orders_;
   LatestValue<std::vector<float>> nodes_;
