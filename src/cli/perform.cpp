@@ -191,14 +191,6 @@ struct BodyKeepers {
   MovingPatient* moving = nullptr;
 };
 
-// Tells the ultrasound of the window, where there is one, who holds its probe and how a moving body has moved.
-void follow_probe(MouseWindow& window, SecondHand* second, const BodyKeepers& keepers) {
-  UltrasoundPane* const pane = window.ultrasound();
-  if (pane == nullptr) return;
-  if (second != nullptr && second->role() == SecondRole::probe) pane->hold(second->tool());
-  if (keepers.moving != nullptr) pane->thread()->tell_nodes(keepers.moving->body()->picture().displacements);
-}
-
 // Until the person, the device or the time ends it, or the disk refuses. `window`, `second`: may be null.
 RunResult perform(HandSession& session, SecondHand* second, const PerformArguments& arguments, const Case& patient,
                   const HasForce& has_force, MouseWindow* window, const BodyKeepers& keepers, Console& console) {
@@ -245,7 +237,8 @@ RunResult perform(HandSession& session, SecondHand* second, const PerformArgumen
       console.note("the second hand is disarmed too, because the needle's device is at fault; press a to arm both");
     }
     was_faulted = faulted;
-    if (window != nullptr) follow_probe(*window, second, keepers);
+    if (window != nullptr && window->ultrasound() != nullptr)
+      window->ultrasound()->follow(second, keepers.moving == nullptr ? nullptr : keepers.moving->body().get());
     if (window != nullptr) window->show(scene_of(now, session.moment(), patient, elapsed(), said));
     if (progress) {
       std::string line = screen(now, session.moment(), patient.library);
@@ -406,6 +399,7 @@ void run_perform(const PerformArguments& arguments, const CommandContext& contex
         fmt::format("the device ran at {:.0f} Hz instead of {:g}; the tissue's time was {:.2f} times the clock's",
                     rate, settings.rate, rate / settings.rate));
   }
+  if (ultrasound) console.note(window->ultrasound()->tell(result.wall_time));
   if (second_device && second_device->link()->lost.load() > 0) {
     console.note(fmt::format("{} samples of the second hand were lost, because the disk was too slow",
                              second_device->link()->lost.load()));

@@ -202,6 +202,16 @@ bool UltrasoundPane::take(const ScreenEvent& event) {
   return true;
 }
 
+void UltrasoundPane::follow(SecondHand* second, PressedPatient* moving) {
+  if (second != nullptr && second->role() == SecondRole::probe) hold(second->tool());
+  if (moving != nullptr) thread_->tell_nodes(moving->picture().displacements);
+}
+
+std::string UltrasoundPane::tell(double seconds) const {
+  return fmt::format("{} ultrasound pictures, {:.0f} a second", made_, static_cast<double>(made_) / seconds);
+}
+
+// Third axis out of its face, LPS.
 void UltrasoundPane::hold(const Pose& tool) {
   // The tool's third axis is the machine's second; both have the array along the first.
   Pose probe = tool;
@@ -239,9 +249,14 @@ void UltrasoundPane::draw(SdlScreen& screen) const {
               PaneSize::small, pane_faint, SdlScreen::Align::right);
   const LiveScan::Place place = pane_place(x_, y_);
   draw_machine(screen, place, scan_.screen());
-  if (scan_.sliders_shown()) draw_sliders(screen, place, scan_.settings().sliders, scan_.settings().depth);
+  if (scan_.sliders_shown()) {
+    constexpr double aside = 92.0, above = 8.0;  // pixels
+    screen.fill(place.sliders_x - aside, place.sliders_y - above, place.sliders_width + 2.0 * aside,
+                8.0 * LiveScan::slider_row + 2.0 * above, pane_ground);
+    draw_sliders(screen, place, scan_.settings().sliders, scan_.settings().depth);
+  }
   std::string words = !moves_ ? "This resistance moves no tissue in the picture"
-                              : fmt::format("Tissue in the picture moved {:.1f} mm at most", most_);
+                              : fmt::format("Tissue in the picture has moved by up to {:.1f} mm", most_);
   if (left_out_ > worth_a_word) words += fmt::format("; {:.1f} N of the needle are not shown", left_out_);
   if (!scan_.message().empty()) words = scan_.message();
   const bool warn = left_out_ > worth_a_word || !scan_.message().empty();

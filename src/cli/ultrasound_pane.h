@@ -9,6 +9,7 @@
 #include "cli/sdl_screen.h"
 #include "cli/ultrasound_options.h"
 #include "training/scan_thread.h"
+#include "training/second_hand.h"
 
 namespace bodkin {
 
@@ -30,16 +31,18 @@ class UltrasoundPane {
 
   // Whether the key is one of the pane's; then it has been taken.
   bool take(const ScreenEvent& event);
-  // A hand holds the probe, third axis out of its face (LPS), instead of the keys.
-  void hold(const Pose& tool);
+  // Asks a second hand that holds the probe where it is, instead of the keys, and a body that moves by itself how it
+  // has moved. Both may be null.
+  void follow(SecondHand* second, PressedPatient* moving);
   // Sends what was done to the machine, and takes its newest picture; some sixty times a second.
   void look();
   void draw(SdlScreen& screen) const;
-  // Pictures that were shown, and the mean of their second, for people.
-  double rate() const noexcept { return rate_; }
-  std::uint64_t made() const noexcept { return made_; }
+  // How many pictures there were in `seconds`, in one sentence.
+  std::string tell(double seconds) const;
 
  private:
+  void hold(const Pose& tool);
+
   UltrasoundProbe probe_;
   Needle needle_;
   double x_, y_;

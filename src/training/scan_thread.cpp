@@ -137,9 +137,9 @@ void ScanThread::move_tissue(LivePicture& now, const NodeForces& forces) {
   } else {  // nothing was told yet
     now.moved.assign(3 * static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height), 0.0F);
   }
+  now.most = farthest(now.moved);
   if (layers_) add_layers(now, grid);
   now.grid = {now.frame.corner, grid.pixel, grid.width, grid.height, {}};
-  now.most = farthest(now.moved);
 }
 
 }  // namespace bodkin

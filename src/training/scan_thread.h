@@ -30,7 +30,7 @@ struct LivePicture {
   std::optional<Pose> needle;  // in it; none before the first tick
   ScanDisplacement grid;       // of `moved`, whose `moved` is not set; no columns where the tissue is at rest
   std::vector<float> moved;    // mm, as ScanDisplacement has it
-  double most = 0.0;           // mm, the farthest that anything in the picture has moved
+  double most = 0.0;           // mm, the farthest that the body has moved anything in the picture, layers apart
   double left_out = 0.0;       // N of the needle's forces that the picture does not show
   double milliseconds = 0.0;   // that it took
   bool refused = false;        // the settings of the order cannot be: those of the last picture stayed
