@@ -164,6 +164,7 @@ TEST_F(MouseWindow, ultrasound_shows_needle_and_tissue_while_the_needle_goes_in)
   BODKIN_NEEDS_MESHER();
   ASSERT_EQ(bodkin("-q case mesh patient --nodes 2000").exit_code, 0);
   const ::bodkin::Session session = session_of(R"(
+sleep 3
 import -window $window seen.png
 convert seen.png -crop 420x400+1060+50 +repage before.png
 xdotool click --repeat 38 --delay 40 4

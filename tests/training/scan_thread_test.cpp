@@ -42,7 +42,10 @@ SeenBlock seen_block() {
   for (int k = 0; k < 40; ++k)
     for (int j = 0; j < 50; ++j)
       for (int i = 0; i < 40; ++i) patient.tissues.at(i, j, k) = j % 10 < 5 ? tissue::muscle : tissue::fat;
-  patient.ct = CtVolume(grid, 40);
+  patient.ct = CtVolume(grid, -1000);
+  for (int k = 0; k < 40; ++k)
+    for (int j = 0; j < 50; ++j)
+      for (int i = 0; i < 40; ++i) patient.ct.at(i, j, k) = j % 10 < 5 ? 50 : -100;
   patient.description.procedure.path = NeedlePath{Vec3::Zero(), Vec3(0.0, -30.0, 0.0)};
   DeformableBodySettings settings;
   settings.corridor_radius = 15.0;
