@@ -256,8 +256,8 @@ void UltrasoundPane::draw(SdlScreen& screen) const {
     draw_sliders(screen, place, scan_.settings().sliders, scan_.settings().depth);
   }
   std::string words = !moves_ ? "This resistance moves no tissue in the picture"
-                              : fmt::format("Tissue in the picture has moved by up to {:.1f} mm", most_);
-  if (left_out_ > worth_a_word) words += fmt::format("; {:.1f} N of the needle are not shown", left_out_);
+                              : fmt::format("Tissue here moved by up to {:.1f} mm", most_);
+  if (left_out_ > worth_a_word) words += fmt::format("; {:.1f} N of the needle, off the path, not shown", left_out_);
   if (!scan_.message().empty()) words = scan_.message();
   const bool warn = left_out_ > worth_a_word || !scan_.message().empty();
   screen.text(x_ + margin, y_ + foot_top - 8.0, words, PaneSize::small, warn ? pane_warn : pane_ink);
