@@ -410,7 +410,9 @@ void run_perform(const PerformArguments& arguments, const CommandContext& contex
   console.note(fmt::format("{} of {} ticks were late (by {:.2f} ms at worst)", outcome.run.missed_deadlines,
                            outcome.run.ticks, 1e3 * outcome.run.worst_lateness));
   print(console, outcome, whole);
-  console.json(json_of(outcome, whole).dump(2));
+  nlohmann::ordered_json json = json_of(outcome, whole);
+  if (ultrasound) json["ultrasound_pictures"] = window->ultrasound()->pictures();
+  console.json(json.dump(2));
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ class UltrasoundPane {
   // Sends what was done to the machine, and takes its newest picture; some sixty times a second.
   void look();
   void draw(SdlScreen& screen) const;
+  std::uint64_t pictures() const noexcept { return made_; }
   // How many pictures there were in `seconds`, in one sentence.
   std::string tell(double seconds) const;
 

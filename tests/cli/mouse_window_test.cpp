@@ -187,10 +187,9 @@ xdotool key Escape)",
   EXPECT_GT(std::stoi(text_of("colours")), 100);  // of grey
   EXPECT_GT(std::stod(text_of("difference")), 500.0) << "needle and tissue have not moved";
   EXPECT_GT(std::stod(text_of("brighter")), 300.0) << "a slider did nothing";
-  const std::string errors = text_of("errors");
-  const auto at = errors.find(" ultrasound pictures, ");
-  ASSERT_NE(at, std::string::npos) << errors;
-  EXPECT_GT(std::stod(errors.substr(at + 22)), 8.0) << errors;
+  // Two cores that others use, too, make 40 to 60 a second.
+  const double seconds = static_cast<double>(session.ticks.size()) / 1000.0;
+  EXPECT_GT(json::parse(text_of("said")).at("ultrasound_pictures").get<double>(), 8.0 * seconds);
   // What is seen changes nothing that is felt.
   EXPECT_EQ(bodkin("-q replay mouse.bodkin").exit_code, 0);
 }
@@ -200,7 +199,7 @@ TEST_F(MouseWindow, ultrasound_beside_a_device_and_in_the_second_hand) {
                                                "simulated --settings 'depth_mm=5 wait_s=1' --second simulated "
                                                "--second-as probe --second-settings 'depth_mm=3 wait_s=30'");
   EXPECT_TRUE(session.finished);
-  EXPECT_NE(text_of("errors").find(" ultrasound pictures, "), std::string::npos) << text_of("errors");
+  EXPECT_GT(json::parse(text_of("said")).at("ultrasound_pictures").get<int>(), 10);
 }
 
 TEST_F(MouseWindow, words_that_say_no_ultrasound_are_one_sentence) {

@@ -177,7 +177,8 @@ TEST(ScanThread, a_probe_that_moves_sees_the_body_where_it_is) {
   });
   ASSERT_NE(picture, nullptr);
   expect_field_of(seen, *picture, forces);
-  EXPECT_LT(picture->grid.spacing * (picture->grid.rows - 1), 34.0);
+  // 45 mm before; no less than the array is long, for the picture is square.
+  EXPECT_LT(picture->grid.spacing * (picture->grid.rows - 1), 42.0);
 }
 
 TEST(ScanThread, settings_that_cannot_be_leave_the_last_ones) {
@@ -271,10 +272,10 @@ TEST(ScanThread, what_is_told_of_the_nodes_of_a_moving_body_moves_the_picture) {
   for (std::size_t point = 0; point < points.size(); ++point) {
     if (points[point].y() > -4.0 || points[point].y() < -44.0 || std::abs(points[point].z()) > 35.0) continue;
     ++inside;
-    EXPECT_NEAR(
-        (Eigen::Map<const Eigen::Vector3f>(picture->moved.data() + 3 * point) - Eigen::Vector3f(0.5F, -2.0F, 1.0F))
-            .norm(),
-        0.0F, 2e-3F);
+    // Where tissue comes from is found in eight halvings.
+    const Eigen::Vector3f expected(0.5F, -2.0F, 1.0F);
+    ASSERT_LT((Eigen::Map<const Eigen::Vector3f>(picture->moved.data() + 3 * point) - expected).norm(),
+              1.1F / 256.0F * expected.norm());
   }
   EXPECT_GT(inside, 100);
 }
