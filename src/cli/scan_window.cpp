@@ -110,8 +110,8 @@ void ScanWindow::draw(const LiveScan& scan, const ScanPace& pace) {
 }
 
 void ScanWindow::draw_gain(const LiveScan& scan) {
-  screen_.text(ct_x + 16.0, keys_y, "Time-gain compensation: 1 to 8, mouse, wheel; 0 to the middle; T away",
-               Size::small, scan_faint);
+  screen_.text(ct_x + 16.0, keys_y, "Time-gain compensation: 1 to 8, mouse, wheel; T closes", Size::small,
+               scan_faint);
   draw_sliders(screen_, machine_place(), scan.settings().sliders, scan.settings().depth);
 }
 
