@@ -349,7 +349,10 @@ bool SdlScreen::next(ScreenEvent& event) {
     const std::optional<ScreenEvent> found = translated(from);
     if (!found) continue;
     event = *found;
-    event.shift = (impl_->video->modifiers() & KMOD_SHIFT) != 0;
+    // With a key comes what was held when it was pressed, which may be let go by now.
+    const bool is_key = from.type == SDL_KEYDOWN || from.type == SDL_KEYUP;
+    const int held = is_key ? int{from.key.keysym.mod} : static_cast<int>(impl_->video->modifiers());
+    event.shift = (held & KMOD_SHIFT) != 0;
     return true;
   }
   return false;
