@@ -117,7 +117,7 @@ Argument& Argument::separated_by_commas(const std::string& type_name) {
 }
 
 bool Argument::given() const {
-  return option_->count() > 0;
+  return option_ != nullptr && option_->count() > 0;
 }
 
 CLI::App* add_command(CLI::App& parent, const std::string& name, const std::string& help, const std::string& footer) {

@@ -27,7 +27,7 @@ class Argument {
   Argument& without_default();
   // "a,b" is two values; --help shows `type_name` in their place.
   Argument& separated_by_commas(const std::string& type_name);
-  // It stands on the command line that was read.
+  // It stands on the command line that was read; an option that there is not stands nowhere.
   bool given() const;
 
  private:

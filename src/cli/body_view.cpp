@@ -8,15 +8,14 @@
 
 #include "fem/solid/display_columns.h"
 #include "imaging/mesh_cut.h"
+#include "training/node_field.h"
 
 namespace bodkin {
 
 namespace {
 
-constexpr double seen = 110.0;           // mm of the plane that are shown
-constexpr double shaft_around = 4.0;     // mm from the planned path, within which nodes have columns
-constexpr std::size_t most_nodes = 600;  // that have columns, those nearest to the path
-constexpr double shown_needle = 60.0;    // mm from the tip
+constexpr double seen = 110.0;         // mm of the plane that are shown
+constexpr double shown_needle = 60.0;  // mm from the tip
 constexpr Colour needle_colour{232, 238, 245};
 
 using Corner = std::array<long, 3>;  // um
@@ -62,24 +61,6 @@ std::map<TissueId, std::vector<Vec3>> borders_in(const TetrahedralMesh& mesh, co
   return borders;
 }
 
-// The nodes of the corridor that a needle along the path can hold, as the mesh calls them.
-std::vector<std::uint32_t> nodes_of_shaft(const ElasticBody& elastic, const TetrahedralMesh& mesh,
-                                          const NeedlePath& path) {
-  std::vector<std::pair<double, std::uint32_t>> near;
-  const Vec3 along = path.direction();
-  for (const std::uint32_t node : elastic.corridor()) {
-    const Vec3 from = mesh.nodes[node] - path.entry;
-    near.emplace_back((from - from.dot(along) * along).norm(), node);
-  }
-  std::sort(near.begin(), near.end());
-  std::vector<std::uint32_t> nodes;
-  for (const auto& [away, node] : near) {
-    if (nodes.size() == most_nodes || (away > shaft_around && !nodes.empty())) break;
-    nodes.push_back(node);
-  }
-  return nodes;
-}
-
 }  // namespace
 
 // The ends of the lines, in their order.
@@ -100,10 +81,10 @@ BodyView::BodyView(const Case& patient, const BodyDescription& body, std::shared
   moved_.assign(3 * points_.size(), 0.0F);
 }
 
-BodyView::BodyView(const Case& patient, const BodyDescription& body, const Progress& progress) {
+BodyView::BodyView(const Case& patient, const BodyDescription& body, const ElasticBody& elastic,
+                   const Progress& progress) {
   const NeedlePath& path = patient.corridor.path;
   const std::vector<Vec3> points = find_borders(patient, body.mesh);
-  const ElasticBody elastic(body, plan_body(body, progress), {}, progress);
   display_ = std::make_shared<DisplayThread>(
       display_columns(elastic, find_points(body.mesh, points), nodes_of_shaft(elastic, body.mesh, path), progress));
 }

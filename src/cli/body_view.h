@@ -24,8 +24,10 @@ namespace bodkin {
 // a second; drawing never waits for it.
 class BodyView {
  public:
-  // Factorises the body with the displacement of all its nodes. Throws InputError when that does not fit into memory.
-  BodyView(const Case& patient, const BodyDescription& body, const Progress& progress = {});
+  // `elastic`: the body's, with its whole factor. Throws InputError when what is precomputed does not fit into
+  // memory.
+  BodyView(const Case& patient, const BodyDescription& body, const ElasticBody& elastic,
+           const Progress& progress = {});
   // Of a body that moves by itself: what is drawn is its newest picture.
   BodyView(const Case& patient, const BodyDescription& body, std::shared_ptr<PressedPatient> pressed);
 

@@ -12,6 +12,8 @@ namespace {
 
 constexpr double turn_speed = 30.0 * degree;  // a second
 constexpr double needle_speed = 15.0;         // mm/s
+constexpr double slide_speed = 20.0;          // mm/s
+constexpr double slider_step = 2.0;           // dB a key
 constexpr double wheel_press = 0.5;           // mm a step
 constexpr double wheel_depth = 5.0;           // mm a step
 constexpr double longest_slide = 4.0;         // mm at once: a longer way is gone in steps, so that no fold is missed
@@ -52,17 +54,28 @@ void LiveScan::take(const ScreenEvent& event) {
   shift_ = event.shift;
   switch (event.kind) {
     case Kind::motion:
-      if (event.button && !calipers_) drag(event.x, event.y);
+      if (!event.button) held_slider_.reset();
+      if (held_slider_) {
+        set_slider(*held_slider_, slider_most * (2.0 * (event.x - place_.sliders_x) / place_.sliders_width - 1.0));
+      } else if (event.button && !calipers_) {
+        drag(event.x, event.y);
+      }
       pointer_ = Eigen::Vector2d(event.x, event.y);
       break;
     case Kind::button: {
       pointer_ = Eigen::Vector2d(event.x, event.y);
       const Eigen::Vector2d at = *pointer_ - Eigen::Vector2d(place_.x, place_.y);
-      if (event.down && calipers_ && screen_.holds(at)) screen_.measure(screen_.to_probe(at));
+      held_slider_ = event.down ? slider_at(*pointer_) : std::nullopt;
+      if (held_slider_) {
+        set_slider(*held_slider_, slider_most * (2.0 * (event.x - place_.sliders_x) / place_.sliders_width - 1.0));
+      } else if (event.down && calipers_ && screen_.holds(at))
+        screen_.measure(screen_.to_probe(at));
       break;
     }
     case Kind::wheel:
-      if (event.shift) {
+      if (const auto slider = pointer_ ? slider_at(*pointer_) : std::nullopt) {
+        turn_slider(*slider, event.steps);
+      } else if (event.shift) {
         settings_.depth = std::clamp(settings_.depth + wheel_depth * event.steps, 10.0, 400.0);
       } else {
         hand_.press(hand_.press() + wheel_press * event.steps);
@@ -80,6 +93,7 @@ void LiveScan::take(const ScreenEvent& event) {
     case Kind::focus_lost:
       held_.clear();
       pointer_.reset();
+      held_slider_.reset();
       break;
     case Kind::close:
       ended_ = true;
@@ -96,6 +110,9 @@ void LiveScan::advance(double seconds) {
   if (aside != 0.0 && shift_) hand_.rock(angle * aside);
   if (aside != 0.0 && !shift_) hand_.rotate(angle * aside);
   if (fan != 0.0) hand_.tilt(turn_speed * share * fan);
+  const double right = held(ScreenKey::l) - held(ScreenKey::j), down = held(ScreenKey::k) - held(ScreenKey::i);
+  const double way = slide_speed * share;
+  if (right != 0.0 || down != 0.0) slide((mark_ == MarkSide::left ? -way : way) * right, way * down);
   const double in = held(ScreenKey::page_down) - held(ScreenKey::page_up);
   if (in != 0.0 && needle_in_) {
     needle_depth_ = std::clamp(needle_depth_ + needle_speed * share * in, 0.0, patient_.description.needle.length);
@@ -108,6 +125,11 @@ void LiveScan::drag(double x, double y) {
   const Eigen::Vector2d way = Eigen::Vector2d(x, y) - *pointer_;
   const double scale = (screen_.to_probe({0.0, 1.0}) - screen_.to_probe({0.0, 0.0})).norm();  // mm a pixel
   const double along = (mark_ == MarkSide::left ? -1.0 : 1.0) * way.x() * scale, across = way.y() * scale;
+  slide(along, across);
+}
+
+// mm over the skin.
+void LiveScan::slide(double along, double across) {
   const double length = std::hypot(along, across);
   if (!(length < hand_room)) return;
   message_.clear();
@@ -117,6 +139,22 @@ void LiveScan::drag(double x, double y) {
     message_ = "There is no skin further on: the CT ends here, or the body does.";
     return;
   }
+}
+
+// Half a row above and below each belongs to it, and some more to its left and right.
+std::optional<std::size_t> LiveScan::slider_at(const Eigen::Vector2d& at) const {
+  constexpr double beside = 12.0;  // pixels
+  if (!sliders_ || at.x() < place_.sliders_x - beside || at.x() > place_.sliders_x + place_.sliders_width + beside)
+    return std::nullopt;
+  const double row = std::floor((at.y() - place_.sliders_y) / slider_row);
+  if (!(row >= 0.0 && row < static_cast<double>(settings_.sliders.size()))) return std::nullopt;
+  return static_cast<std::size_t>(row);
+}
+
+// To half a dB, so that the middle is found again.
+void LiveScan::set_slider(std::size_t slider, double decibels) {
+  settings_.sliders[slider] = std::clamp(0.5 * std::round(2.0 * decibels), -slider_most, slider_most);
+  sliders_ = true;
 }
 
 void LiveScan::turn_knob(double& value, double step, bool shift, double low, double high) {
@@ -169,6 +207,23 @@ void LiveScan::press(ScreenKey key, bool shift) {
       return;
     case ScreenKey::s:
       save_ = true;
+      return;
+    case ScreenKey::t:
+      sliders_ = !sliders_;
+      return;
+    case ScreenKey::zero:
+      settings_.sliders = {};
+      return;
+    case ScreenKey::one:
+    case ScreenKey::two:
+    case ScreenKey::three:
+    case ScreenKey::four:
+    case ScreenKey::five:
+    case ScreenKey::six:
+    case ScreenKey::seven:
+    case ScreenKey::eight:
+      turn_slider(static_cast<std::size_t>(key) - static_cast<std::size_t>(ScreenKey::one),
+                  shift ? -slider_step : slider_step);
       return;
     case ScreenKey::h:
     case ScreenKey::question:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <set>
 #include <string>
@@ -19,7 +20,12 @@ class LiveScan {
   struct Place {
     double x = 0.0, y = 0.0;
     int width = 700, height = 600;
+    // Where the sliders of the time-gain compensation lie, row below row, while they are shown; the middle of a row
+    // is 0 dB, its ends are the ends of a slider's range.
+    double sliders_x = 0.0, sliders_y = 0.0, sliders_width = 0.0;
   };
+  static constexpr double slider_row = 18.0;   // pixels from one slider to the next
+  static constexpr double slider_most = 20.0;  // dB, up and down
   LiveScan(const Case& patient, const UltrasoundChoice& choice, const ProbeOnSkin& hand,
            const std::optional<NeedleInSound>& needle, const Place& place);
 
@@ -39,6 +45,7 @@ class LiveScan {
 
   bool ended() const { return ended_; }
   bool help() const { return help_; }
+  bool sliders_shown() const { return sliders_; }
   bool measuring() const { return calipers_; }  // a click sets a caliper instead of moving the probe
   // The last word to the person; empty when there is none.
   const std::string& message() const { return message_; }
@@ -49,6 +56,10 @@ class LiveScan {
  private:
   void press(ScreenKey key, bool shift);
   void drag(double x, double y);
+  void slide(double along, double across);
+  std::optional<std::size_t> slider_at(const Eigen::Vector2d& at) const;
+  void set_slider(std::size_t slider, double decibels);
+  void turn_slider(std::size_t slider, double decibels) { set_slider(slider, settings_.sliders[slider] + decibels); }
   void turn_knob(double& value, double step, bool shift, double low, double high);
 
   const Case& patient_;
@@ -60,11 +71,12 @@ class LiveScan {
   bool needle_in_ = false;
   double needle_depth_ = 0.0;  // mm
   MarkSide mark_;
-  bool ended_ = false, help_ = false, calipers_ = false, save_ = false;
+  bool ended_ = false, help_ = false, calipers_ = false, save_ = false, sliders_ = false;
   std::string message_;
   std::set<ScreenKey> held_;
   bool shift_ = false;
   std::optional<Eigen::Vector2d> pointer_;  // pixels of the window
+  std::optional<std::size_t> held_slider_;  // by the mouse
 };
 
 }  // namespace bodkin

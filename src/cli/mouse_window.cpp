@@ -17,7 +17,8 @@ using Size = SdlScreen::Size;
 using Align = SdlScreen::Align;
 
 constexpr int width = 960, height = 600;  // pixels
-constexpr std::chrono::milliseconds frame{33};
+constexpr int width_with_ultrasound = static_cast<int>(MouseWindow::ultrasound_x + UltrasoundPane::width);
+constexpr std::chrono::microseconds frame{33000}, quick_frame{16667};
 constexpr double curve_time = 10.0;                                              // s
 constexpr std::array<double, 6> curve_tops = {1.0, 2.0, 5.0, 10.0, 20.0, 50.0};  // N
 
@@ -61,7 +62,10 @@ Colour colour_of(double force) {
 
 }  // namespace
 
-MouseWindow::MouseWindow(std::string title) : title_(std::move(title)), screen_("Bodkin: " + title_, width, height) {
+MouseWindow::MouseWindow(std::string title, bool with_ultrasound, bool has_mouse)
+    : title_(std::move(title)),
+      screen_("Bodkin: " + title_, with_ultrasound ? width_with_ultrasound : width, height),
+      has_mouse_(has_mouse) {
   connect_mouse(feed_);
   show({});
 }
@@ -74,6 +78,7 @@ void MouseWindow::take() {
 
 void MouseWindow::take(const ScreenEvent& event) {
   using Kind = ScreenEvent::Kind;
+  if (pane_ && pane_->take(event)) return;
   const bool turning = event.kind == Kind::motion && event.shift && event.button;
   input_.fine(event.shift && !turning);
   switch (event.kind) {
@@ -154,8 +159,11 @@ std::optional<char> MouseWindow::next_key() {
 
 void MouseWindow::show(const WindowScene& scene) {
   const auto now = std::chrono::steady_clock::now();
-  if (now - shown_ < frame) return;
-  shown_ = now;
+  const std::chrono::microseconds interval = pane_ ? quick_frame : frame;
+  if (now - shown_ < interval) return;
+  // In step, unless a beat was missed altogether.
+  shown_ = now - shown_ < 2 * interval ? shown_ + interval : now;
+  if (pane_) pane_->look();
   history_.push_back({scene.time, scene.force});
   while (history_.front().time < scene.time - curve_time) history_.pop_front();
   draw(scene);
@@ -176,6 +184,7 @@ void MouseWindow::draw(const WindowScene& scene) {
   draw_curve();
   if (body_) draw_body(scene);
   draw_side(scene);
+  if (pane_) pane_->draw(screen_);
   screen_.present();
 }
 
@@ -253,7 +262,9 @@ void MouseWindow::draw_side(const WindowScene& scene) {
   row(side_box.y + 218.0, "Time", fmt::format("{:.0f} s", scene.time));
   double y = side_box.y + 264.0;
   screen_.fill(left, y - 12.0, right - left, 1.0, grid);
-  for (const auto& [keys, what] : help) {
+  constexpr std::size_t of_the_mouse = 5;  // of the help's rows, the first ones
+  for (std::size_t i = has_mouse_ ? 0 : of_the_mouse; i < help.size(); ++i) {
+    const auto& [keys, what] = help[i];
     screen_.text(left, y, std::string(keys), Size::small, ink);
     screen_.text(right, y, std::string(what), Size::small, faint, Align::right);
     y += 25.0;

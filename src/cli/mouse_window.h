@@ -10,6 +10,7 @@
 #include "cli/body_view.h"
 #include "cli/mouse_driver.h"
 #include "cli/sdl_screen.h"
+#include "cli/ultrasound_pane.h"
 
 namespace bodkin {
 
@@ -34,9 +35,16 @@ struct WindowScene {
 class MouseWindow {
  public:
   // Throws InputError where there is no display, SystemError where SDL is not installed.
-  explicit MouseWindow(std::string title);
+  // `with_ultrasound`: leaves room for show_ultrasound(). `has_mouse`: the mouse is the device, and its help is
+  // shown.
+  explicit MouseWindow(std::string title, bool with_ultrasound = false, bool has_mouse = true);
   // A deformable body that is shown beside the curve, from now on; may be null.
   void show_body(std::unique_ptr<BodyView> body) { body_ = std::move(body); }
+  // The ultrasound beside all that, from now on, at ultrasound_x, 0; the window is then drawn 60 times a second.
+  void show_ultrasound(std::unique_ptr<UltrasoundPane> pane) { pane_ = std::move(pane); }
+  static constexpr double ultrasound_x = 948.0;
+  // May be null.
+  UltrasoundPane* ultrasound() noexcept { return pane_.get(); }
 
   // Why no window can be opened here, in one sentence; empty where one can.
   static std::string obstacle() { return SdlScreen::obstacle(); }
@@ -45,7 +53,7 @@ class MouseWindow {
   void take();
   // A key that is a command, as the terminal's Keys give it: space, 'a', 'c', 'd', or 'q' for Escape and for closing.
   std::optional<char> next_key();
-  // Draws, 30 times a second at most.
+  // Draws, 30 times a second at most; 60 times with an ultrasound.
   void show(const WindowScene& scene);
 
  private:
@@ -69,6 +77,8 @@ class MouseWindow {
   std::deque<char> keys_;
   std::deque<Sample> history_;
   std::unique_ptr<BodyView> body_;
+  std::unique_ptr<UltrasoundPane> pane_;
+  bool has_mouse_;
   std::chrono::steady_clock::time_point shown_{};
 };
 

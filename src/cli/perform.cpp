@@ -42,7 +42,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::chrono::milliseconds look_interval{100};
-constexpr std::chrono::milliseconds quick_look_interval{8};  // with a window, whose pointer must not wait
+constexpr std::chrono::milliseconds quick_look_interval{4};  // with a window, whose pointer must not wait
 
 struct PerformArguments {
   std::string folder;
@@ -55,7 +55,8 @@ struct PerformArguments {
   bool no_calibration = false;
   SecondOptions second;
   ForceOptions forces;
-  std::string body;  // "": static
+  std::string body;        // "": static
+  std::string ultrasound;  // "": none
 };
 
 constexpr const char* perform_footer = R"(Examples:
@@ -66,6 +67,7 @@ constexpr const char* perform_footer = R"(Examples:
   bodkin perform patient recorded:mine.bodkin             the hand of a session
   bodkin perform patient force_dimension --force-scale 0.5
   bodkin perform patient ./my_driver.so -o mine.bodkin
+  bodkin perform patient mouse --ultrasound C5-2 --resistance embedded_needle      what a probe sees of it, live
   bodkin perform patient force_dimension:104 --second openhaptics                  the other hand on the plunger
   bodkin perform patient force_dimension:104 --second force_dimension:105 --second-as probe
   bodkin perform patient simulated --second openhaptics --second-as probe --resistance embedded_needle --body moving
@@ -235,6 +237,8 @@ RunResult perform(HandSession& session, SecondHand* second, const PerformArgumen
       console.note("the second hand is disarmed too, because the needle's device is at fault; press a to arm both");
     }
     was_faulted = faulted;
+    if (window != nullptr && window->ultrasound() != nullptr)
+      window->ultrasound()->follow(second, keepers.moving == nullptr ? nullptr : keepers.moving->body().get());
     if (window != nullptr) window->show(scene_of(now, session.moment(), patient, elapsed(), said));
     if (progress) {
       std::string line = screen(now, session.moment(), patient.library);
@@ -290,6 +294,7 @@ DeviceLimits limits_of(const ChosenDevice& chosen, const DeviceAbilities& device
 void run_perform(const PerformArguments& arguments, const CommandContext& context) {
   Console console(context);
   require_writable(arguments.output, "--output");
+  if (!arguments.ultrasound.empty()) choose_pane(arguments.ultrasound);  // for its complaints
   const ChosenDevice chosen = choose_device(arguments.device);
   const std::optional<ChosenSecond> chosen_second = choose_second(arguments.second, chosen);
   Case patient = load_case(arguments.folder, console.progress());
@@ -305,15 +310,23 @@ void run_perform(const PerformArguments& arguments, const CommandContext& contex
   const std::shared_ptr<const BodyDescription> body = prepare_body(
       patient, arguments.folder, {}, console.progress(), [&](const std::string& text) { console.note(text); });
   const NeedlePath path = *patient.description.procedure.path;
+  std::optional<UltrasoundChoice> ultrasound;
+  if (!arguments.ultrasound.empty()) ultrasound = choose_pane(arguments.ultrasound);
+  const bool has_ultrasound = ultrasound.has_value();
   const std::unique_ptr<MouseWindow> window =
-      chosen.is_mouse() ? std::make_unique<MouseWindow>(patient.description.name) : nullptr;
+      chosen.is_mouse() || has_ultrasound
+          ? std::make_unique<MouseWindow>(patient.description.name, has_ultrasound, chosen.is_mouse())
+          : nullptr;
   std::optional<MovingPatient> moving;
   if (probe) moving.emplace(patient, *body, *probe, console);
   std::unique_ptr<BodyView> view;
+  std::unique_ptr<NodeField> field;
   if (window != nullptr && moving) {
     view = std::make_unique<BodyView>(patient, *body, moving->body());
   } else if (window != nullptr && body != nullptr) {
-    view = std::make_unique<BodyView>(patient, *body, console.progress());
+    const ElasticBody elastic(*body, plan_body(*body, console.progress()), {}, console.progress());
+    view = std::make_unique<BodyView>(patient, *body, elastic, console.progress());
+    if (ultrasound) field = std::make_unique<NodeField>(elastic, *body, path, console.progress());
   }
   DevicePort port(*chosen.driver, chosen.identity, settings_along(path, chosen, arguments.device));
   DeviceAbilities device = port.abilities();
@@ -362,11 +375,16 @@ void run_perform(const PerformArguments& arguments, const CommandContext& contex
   std::optional<CorridorKeeper> keeper;
   // A body that moves leads its own corridor to where the needle aims.
   if (body != nullptr && !moving) keeper.emplace(kept, body, path.length(), HapticTick::most_corridors - 1);
+  if (ultrasound) {
+    window->show_ultrasound(std::make_unique<UltrasoundPane>(whole, *ultrasound, ScanBody{body, std::move(field)},
+                                                             MouseWindow::ultrasound_x, 0.0, console.progress()));
+  }
   const std::unique_ptr<SecondHand> second =
       second_device ? second_device->hand(kept, moving ? moving->body() : nullptr) : nullptr;
   HandSession session(std::move(patient), header, arguments.output, arguments.overwrite, std::move(port), device,
                       settings, second_device ? second_device->link() : nullptr);
   if (moving) session.press(moving->body());
+  if (ultrasound) session.show_on(window->ultrasound()->thread());
   if (view) {
     session.show_on(view->display());
     window->show_body(std::move(view));
@@ -381,6 +399,7 @@ void run_perform(const PerformArguments& arguments, const CommandContext& contex
         fmt::format("the device ran at {:.0f} Hz instead of {:g}; the tissue's time was {:.2f} times the clock's",
                     rate, settings.rate, rate / settings.rate));
   }
+  if (ultrasound) console.note(window->ultrasound()->tell(result.wall_time));
   if (second_device && second_device->link()->lost.load() > 0) {
     console.note(fmt::format("{} samples of the second hand were lost, because the disk was too slow",
                              second_device->link()->lost.load()));
@@ -391,7 +410,9 @@ void run_perform(const PerformArguments& arguments, const CommandContext& contex
   console.note(fmt::format("{} of {} ticks were late (by {:.2f} ms at worst)", outcome.run.missed_deadlines,
                            outcome.run.ticks, 1e3 * outcome.run.worst_lateness));
   print(console, outcome, whole);
-  console.json(json_of(outcome, whole).dump(2));
+  nlohmann::ordered_json json = json_of(outcome, whole);
+  if (ultrasound) json["ultrasound_pictures"] = window->ultrasound()->pictures();
+  console.json(json.dump(2));
 }
 
 }  // namespace
@@ -415,6 +436,9 @@ void add_perform_command(CLI::App& app, CommandContext& context) {
   add_second_options(*command, arguments->second);
   add_force_options(*command, arguments->forces);
   add_body_option(*command, arguments->body);
+  add_text(*command, "--ultrasound", arguments->ultrasound,
+           "\"PROBE SETTING=VALUE ...\": its picture live in a window, with the needle and the tissue that it drags; "
+           "view, at, from, press_mm, depth_mm, gain_dB, dynamic_range_dB, focus_mm, frequency_MHz");
   on_run(*command, [arguments, &context] { run_perform(*arguments, context); });
 }
 

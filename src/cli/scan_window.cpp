@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/machine_view.h"
 #include "imaging/ultrasound_screen/scan_field.h"
 
 namespace bodkin {
@@ -23,6 +24,8 @@ constexpr double machine_x = 12.0, machine_y = 52.0, ct_x = 824.0, ct_y = 88.0;
 constexpr int machine_wide = 800, machine_high = 556;
 constexpr double ct_wide = 444.0, ct_high = 333.0;
 constexpr double key_row = 17.0;
+constexpr double keys_y = ct_y + ct_high + 22.0;  // or the sliders in their place
+constexpr double sliders_left = ct_x + 130.0, sliders_wide = 220.0;
 constexpr int way_pieces = 24;         // of a needle's way
 constexpr double near_ct_plane = 2.0;  // mm
 constexpr double ct_pixel_most = 1.0;  // mm; twice the ultrasound's is fine enough
@@ -30,8 +33,9 @@ constexpr double ct_pixel_most = 1.0;  // mm; twice the ultrasound's is fine eno
 constexpr Colour scan_black{0, 0, 0}, scan_panel{16, 20, 27}, scan_ink{232, 238, 245}, scan_faint{142, 156, 174},
     scan_warn{245, 185, 66}, scan_yellow{255, 216, 77}, scan_blue{76, 194, 255}, scan_teal{55, 224, 200};
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 18> scan_help = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 22> scan_help = {{
     {"drag", "slide the probe over the skin"},
+    {"I J K L", "slide it too"},
     {"wheel", "press it in, lift it off"},
     {"shift-wheel", "depth"},
     {"D  shift-D", "depth"},
@@ -42,6 +46,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 18> scan_hel
     {"R  shift-R", "dynamic range"},
     {"O  shift-O", "focus"},
     {"Q  shift-Q", "frequency"},
+    {"T", "sliders of the time-gain compensation"},
+    {"1 to 8, with shift", "a slider up, down; so do mouse and wheel"},
+    {"0", "all sliders to the middle"},
     {"N", "needle in or out of the patient"},
     {"page down, page up", "needle deeper, shallower"},
     {"F, space", "freeze"},
@@ -52,44 +59,24 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 18> scan_hel
 }};
 
 // The same in few words, always in sight.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 14> scan_keys = {{
-    {"drag", "slide"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 16> scan_keys = {{
+    {"drag, I J K L", "slide"},
     {"wheel", "press"},
     {"left right", "rotate"},
     {"up down", "tilt"},
     {"shift-left right", "rock"},
     {"N, page keys", "needle"},
     {"F", "freeze"},
+    {"?", "all keys"},
     {"D", "depth"},
     {"G", "gain"},
     {"R", "dynamic range"},
     {"O", "focus"},
     {"Q", "frequency"},
+    {"T, 1 to 8", "TGC sliders"},
     {"C M X", "measure"},
     {"S", "save"},
 }};
-
-Colour colour_of(ScreenWords::Role role) {
-  switch (role) {
-    case ScreenWords::Role::plain:
-      return scan_ink;
-    case ScreenWords::Role::warning:
-      return scan_warn;
-    case ScreenWords::Role::caliper:
-      return scan_yellow;
-    case ScreenWords::Role::marker:
-      return scan_blue;
-    case ScreenWords::Role::faint:
-      break;
-  }
-  return scan_faint;
-}
-
-Align align_of(ScreenWords::Align align) {
-  return align == ScreenWords::Align::left     ? Align::left
-         : align == ScreenWords::Align::middle ? Align::middle
-                                               : Align::right;
-}
 
 bool same_plane(const SlicePlane& a, const SlicePlane& b) {
   return a.corner == b.corner && a.right == b.right && a.down == b.down && a.pixel == b.pixel && a.width == b.width &&
@@ -104,26 +91,28 @@ ScanWindow::ScanWindow(const Case& patient, MarkSide mark)
       screen_("Bodkin: ultrasound of " + patient.description.name, scan_width, scan_height) {}
 
 LiveScan::Place ScanWindow::machine_place() {
-  return {machine_x, machine_y, machine_wide, machine_high};
+  return {machine_x, machine_y, machine_wide, machine_high, sliders_left, keys_y + 22.0, sliders_wide};
 }
 
 void ScanWindow::draw(const LiveScan& scan, const ScanPace& pace) {
   screen_.clear(scan_panel);
   screen_.text(24.0, 14.0, patient_.description.name, Size::large, scan_ink);
-  draw_machine(scan.screen());
+  draw_machine(screen_, machine_place(), scan.screen());
   draw_ct(scan);
-  draw_keys();
+  if (scan.sliders_shown()) {
+    draw_gain(scan);
+  } else {
+    draw_keys();
+  }
   draw_foot(scan, pace);
   if (scan.help()) draw_help();
   screen_.present();
 }
 
-void ScanWindow::draw_machine(const UltrasoundScreen& machine) {
-  screen_.picture(machine_x, machine_y, machine_wide, machine_high, machine.compose());
-  for (const ScreenWords& words : machine.words()) {
-    screen_.text(machine_x + words.x, machine_y + words.y, words.words, Size::small, colour_of(words.role),
-                 align_of(words.align));
-  }
+void ScanWindow::draw_gain(const LiveScan& scan) {
+  screen_.text(ct_x + 16.0, keys_y, "Time-gain compensation: 1 to 8, mouse, wheel; T closes", Size::small,
+               scan_faint);
+  draw_sliders(screen_, machine_place(), scan.settings().sliders, scan.settings().depth);
 }
 
 void ScanWindow::draw_ct(const LiveScan& scan) {
@@ -191,7 +180,7 @@ void ScanWindow::draw_ct_lines(const LiveScan& scan) {
 }
 
 void ScanWindow::draw_keys() {
-  constexpr double top = ct_y + ct_high + 22.0;
+  constexpr double top = keys_y;
   constexpr std::size_t rows = scan_keys.size() / 2;
   for (std::size_t i = 0; i < scan_keys.size(); ++i) {
     const double x = ct_x + (i < rows ? 16.0 : 236.0), y = top + key_row * static_cast<double>(i % rows);
@@ -211,7 +200,7 @@ void ScanWindow::draw_foot(const LiveScan& scan, const ScanPace& pace) {
 }
 
 void ScanWindow::draw_help() {
-  constexpr double x = 350.0, y = 70.0, wide = 580.0, row = 27.0;
+  constexpr double x = 330.0, y = 22.0, wide = 620.0, row = 25.0;
   screen_.fill(x, y, wide, 70.0 + row * static_cast<double>(scan_help.size()), {30, 38, 50});
   screen_.text(x + 24.0, y + 16.0, "Keys", Size::large, scan_ink);
   double at = y + 58.0;

@@ -27,7 +27,7 @@ class ScanWindow {
   void draw(const LiveScan& scan, const ScanPace& pace);
 
  private:
-  void draw_machine(const UltrasoundScreen& machine);
+  void draw_gain(const LiveScan& scan);
   void draw_ct(const LiveScan& scan);
   void draw_ct_lines(const LiveScan& scan);
   void draw_keys();

@@ -167,6 +167,14 @@ ScreenKey key_of(SDL_Keycode code) {
       return ScreenKey::g;
     case SDLK_h:
       return ScreenKey::h;
+    case SDLK_i:
+      return ScreenKey::i;
+    case SDLK_j:
+      return ScreenKey::j;
+    case SDLK_k:
+      return ScreenKey::k;
+    case SDLK_l:
+      return ScreenKey::l;
     case SDLK_m:
       return ScreenKey::m;
     case SDLK_n:
@@ -179,10 +187,32 @@ ScreenKey key_of(SDL_Keycode code) {
       return ScreenKey::r;
     case SDLK_s:
       return ScreenKey::s;
+    case SDLK_t:
+      return ScreenKey::t;
+    case SDLK_u:
+      return ScreenKey::u;
     case SDLK_w:
       return ScreenKey::w;
     case SDLK_x:
       return ScreenKey::x;
+    case SDLK_0:
+      return ScreenKey::zero;
+    case SDLK_1:
+      return ScreenKey::one;
+    case SDLK_2:
+      return ScreenKey::two;
+    case SDLK_3:
+      return ScreenKey::three;
+    case SDLK_4:
+      return ScreenKey::four;
+    case SDLK_5:
+      return ScreenKey::five;
+    case SDLK_6:
+      return ScreenKey::six;
+    case SDLK_7:
+      return ScreenKey::seven;
+    case SDLK_8:
+      return ScreenKey::eight;
     default:
       return ScreenKey::other;
   }
@@ -319,7 +349,10 @@ bool SdlScreen::next(ScreenEvent& event) {
     const std::optional<ScreenEvent> found = translated(from);
     if (!found) continue;
     event = *found;
-    event.shift = (impl_->video->modifiers() & KMOD_SHIFT) != 0;
+    // With a key comes what was held when it was pressed, which may be let go by now.
+    const bool is_key = from.type == SDL_KEYDOWN || from.type == SDL_KEYUP;
+    const int held = is_key ? int{from.key.keysym.mod} : static_cast<int>(impl_->video->modifiers());
+    event.shift = (held & KMOD_SHIFT) != 0;
     return true;
   }
   return false;

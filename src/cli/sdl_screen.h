@@ -33,14 +33,29 @@ enum class ScreenKey {
   f,
   g,
   h,
+  i,
+  j,
+  k,
+  l,
   m,
   n,
   o,
   q,
   r,
   s,
+  t,
+  u,
   w,
-  x
+  x,
+  zero,
+  one,
+  two,
+  three,
+  four,
+  five,
+  six,
+  seven,
+  eight
 };
 
 // What a person did in the window. Pixels, right and down.

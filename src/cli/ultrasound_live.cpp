@@ -58,9 +58,7 @@ struct Shown {
   double needle = -1.0;  // mm beyond its entry
 
   bool same(const Shown& other) const {
-    const UltrasoundSettings &a = settings, &b = other.settings;
-    return pose == other.pose && a.depth == b.depth && a.gain == b.gain && a.dynamic_range == b.dynamic_range &&
-           a.focus == b.focus && a.frequency == b.frequency && needle == other.needle;
+    return pose == other.pose && settings == other.settings && needle == other.needle;
   }
 };
 

@@ -47,6 +47,11 @@ struct HandSession::Shared {
     record.input.needle = input.needle;
     record.output = tick.step(record.input);
     if (display) display->tell(tick.node_forces());
+    if (scan) {
+      Pose drawn = input.needle;
+      drawn.translation() -= tick.needle_ahead();
+      scan->tell(tick.node_forces(), drawn);
+    }
     if (pressed) tell_pressed(record.output);
     if (!closed.load(std::memory_order_acquire)) recorder.push(record);
     // After the tick itself, so that whatever is recorded of this moment has its tick before it.
@@ -76,6 +81,7 @@ struct HandSession::Shared {
   HapticTick tick;
   std::shared_ptr<SecondLink> second;       // may be null
   std::shared_ptr<DisplayThread> display;   // may be null
+  std::shared_ptr<ScanThread> scan;         // may be null
   std::shared_ptr<PressedPatient> pressed;  // may be null
   bool pressed_failed = false;
   Recorder recorder;
@@ -97,6 +103,10 @@ HandSession::~HandSession() = default;
 
 void HandSession::show_on(std::shared_ptr<DisplayThread> display) {
   shared_->display = std::move(display);
+}
+
+void HandSession::show_on(std::shared_ptr<ScanThread> scan) {
+  shared_->scan = std::move(scan);
 }
 
 void HandSession::press(std::shared_ptr<PressedPatient> body) {

@@ -9,6 +9,7 @@
 #include "haptics/device_servo.h"
 #include "simulation/display_thread.h"
 #include "training/pressed_patient.h"
+#include "training/scan_thread.h"
 #include "training/second_link.h"
 #include "training/session_file.h"
 
@@ -46,6 +47,8 @@ class HandSession {
 
   // Every tick tells it the forces on the deformable body; before start().
   void show_on(std::shared_ptr<DisplayThread> display);
+  // Every tick tells it the needle too, as it is in the body; before start().
+  void show_on(std::shared_ptr<ScanThread> scan);
   void start();
   DeviceServo& servo() noexcept { return *servo_; }
   // One observer's thread.

@@ -53,6 +53,7 @@ struct SecondHand::Shared {
     now.position = input.needle.translation();
     now.rotation = Eigen::Quaterniond(input.needle.linear()).normalized();
     Control control;
+    Pose tool = input.needle;
     const bool armed = input.guard != GuardState::disarmed && input.guard != GuardState::faulted;
     if (Plunger* const plunger = std::get_if<Plunger>(&model)) {
       control.wrench.force = plunger->step(now.position, needle.tissue, armed);
@@ -67,9 +68,11 @@ struct SecondHand::Shared {
       const bool presses = armed && !pressed->failed();
       control.wrench.force = reaction->step(input.needle, pressed->reading(), presses);
       pressed->move_probe(presses ? std::optional<Pose>(reaction->probe()) : std::nullopt);
+      if (presses) tool = reaction->probe();
       now.force = reaction->force();
     }
     moment.write(now);
+    tools.write(tool);
     // By the needle's time, so that a sample and the ticks of the session share one clock and no two samples a
     // moment.
     if (needle.time >= next_sample - rounding) {
@@ -86,6 +89,7 @@ struct SecondHand::Shared {
   SecondModel model;
   double next_sample = 0.0;  // s of the session
   LatestValue<SecondSample> moment;
+  LatestValue<Pose> tools{Pose::Identity()};
 };
 
 SecondHand::SecondHand(SecondRole role, DevicePort port, const DeviceAbilities& device, const ServoSettings& settings,
@@ -123,6 +127,10 @@ SecondRole SecondHand::role() const noexcept {
 
 const SecondSample& SecondHand::moment() noexcept {
   return shared_->moment.read();
+}
+
+const Pose& SecondHand::tool() noexcept {
+  return shared_->tools.read();
 }
 
 }  // namespace bodkin

@@ -43,6 +43,9 @@ class SecondHand {
   DeviceServo& servo() noexcept { return *servo_; }
   // One observer's thread: the newest moment.
   const SecondSample& moment() noexcept;
+  // Likewise: where the tool is, third axis out of its tip (patient, LPS, for a probe). On a body that it presses a
+  // probe is held back by that body, and this is where it is there.
+  const Pose& tool() noexcept;
 
  private:
   struct Shared;

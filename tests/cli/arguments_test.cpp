@@ -187,6 +187,7 @@ const std::vector<CommandRow>& table() {
         {"--second-as", Kind::text},
         {"--second-settings", Kind::text},
         {"--body", Kind::text},
+        {"--ultrasound", Kind::text},
         {"--resistance", Kind::text},
         {"--constraint", Kind::text},
         {"--part", Kind::texts}}},

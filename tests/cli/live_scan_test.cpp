@@ -2,6 +2,7 @@
 // and what a person's hand does to the probe, without a window.
 #include "cli/live_scan.h"
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -44,7 +45,7 @@ class LiveHand : public ::testing::Test {
         patient_, choice_,
         ::bodkin::ProbeOnSkin(::bodkin::probe_pose({0, 0, 0}, -::bodkin::Vec3::UnitY(), ::bodkin::Vec3::UnitZ()),
                               ::bodkin::Vec3::UnitY()),
-        std::nullopt, ::bodkin::LiveScan::Place{10.0, 20.0, 700, 600});
+        std::nullopt, ::bodkin::LiveScan::Place{10.0, 20.0, 700, 600, 800.0, 100.0, 200.0});
     ::bodkin::ScanMoment moment;
     moment.frame.width = moment.frame.height = 100;
     moment.frame.pixel = 0.6;
@@ -159,6 +160,63 @@ TEST_F(LiveHand, arrows_turn_the_probe_while_they_are_held) {
   EXPECT_NEAR(std::acos(-scan_->pose().linear()(1, 1)) / ::bodkin::degree, 30.0, 1.0);
 }
 
+TEST_F(LiveHand, letters_slide_the_probe_while_they_are_held) {
+  using Key = ::bodkin::ScreenKey;
+  hold(Key::j, 0.5);  // to the left of the picture, where the marked side is
+  EXPECT_NEAR((scan_->pose().translation() - ::bodkin::Vec3(0, 0, 10)).norm(), 0.0, 0.5);
+  hold(Key::l, 0.5);
+  hold(Key::k, 0.25);
+  EXPECT_NEAR(std::abs(scan_->pose().translation().x()), 5.0, 0.5);
+  hold(Key::i, 0.25);
+  EXPECT_NEAR(scan_->pose().translation().norm(), 0.0, 0.5);
+}
+
+TEST_F(LiveHand, sliders_are_moved_by_keys) {
+  using Key = ::bodkin::ScreenKey;
+  EXPECT_FALSE(scan_->sliders_shown());
+  key(Key::three);
+  key(Key::three);
+  key(Key::eight, true);
+  EXPECT_TRUE(scan_->sliders_shown());
+  const std::array<double, 8> expected = {0.0, 0.0, 4.0, 0.0, 0.0, 0.0, 0.0, -2.0};
+  EXPECT_EQ(scan_->settings().sliders, expected);
+  for (int i = 0; i < 30; ++i) key(Key::one);
+  for (int i = 0; i < 30; ++i) key(Key::two, true);
+  EXPECT_EQ(scan_->settings().sliders[0], 20.0);
+  EXPECT_EQ(scan_->settings().sliders[1], -20.0);
+  check(scan_->settings(), choice_.probe);
+  key(Key::zero);
+  EXPECT_EQ(scan_->settings().sliders, (std::array<double, 8>{}));
+  key(Key::t);
+  EXPECT_FALSE(scan_->sliders_shown());
+}
+
+// Their rows are 18 pixels high, from (800, 100) on; 200 pixels are -20 to 20 dB.
+TEST_F(LiveHand, sliders_are_moved_by_the_mouse) {
+  click({850.0, 145.0});  // while they are not shown, this is no slider
+  EXPECT_EQ(scan_->settings().sliders, (std::array<double, 8>{}));
+  key(::bodkin::ScreenKey::t);
+  click({850.0, 145.0});
+  EXPECT_EQ(scan_->settings().sliders[2], -10.0);
+  const ::bodkin::Pose before = scan_->pose();
+  pointer({925.0, 220.0}, true);  // the third one is held still, wherever the pointer goes
+  EXPECT_EQ(scan_->settings().sliders[2], 5.0);
+  pointer({2000.0, 220.0}, true);
+  EXPECT_EQ(scan_->settings().sliders[2], 20.0);
+  EXPECT_TRUE(scan_->pose().isApprox(before)) << "the probe went along";
+  pointer({900.0, 109.0}, false);
+  pointer({950.0, 109.0}, true);  // pressed elsewhere, it is not held
+  EXPECT_EQ(scan_->settings().sliders[2], 20.0);
+  EXPECT_EQ(scan_->settings().sliders[0], 0.0);
+  ::bodkin::ScreenEvent wheel;
+  wheel.kind = ::bodkin::ScreenEvent::Kind::wheel;
+  wheel.steps = -3.0;
+  pointer({900.0, 100.0 + 7.5 * 18.0}, false);
+  scan_->take(wheel);
+  EXPECT_EQ(scan_->settings().sliders[7], -3.0);
+  EXPECT_EQ(scan_->pose().translation().y(), before.translation().y());
+}
+
 TEST_F(LiveHand, calipers_and_marks_are_set_where_the_pointer_is) {
   using Key = ::bodkin::ScreenKey;
   key(Key::c);
@@ -234,6 +292,10 @@ xdotool mousedown 1
 for i in $(seq 15); do xdotool mousemove_relative 4 0; sleep 0.02; done
 xdotool mouseup 1
 xdotool keydown Up; sleep 0.4; xdotool keyup Up
+xdotool key 3 3 shift+6
+sleep 0.5
+import -window $window sliders.png  # the two that were moved are blue
+convert sliders.png -crop 444x165+824+443 +repage -fill black +opaque 'rgb(76,194,255)' -format '%[fx:mean*w*h]' info: > blue
 xdotool click --repeat 4 --delay 40 4
 for wait in $(seq 60); do  # until it shows something else
   sleep 0.3
@@ -261,6 +323,7 @@ echo $? > code
   bool yellow = false;  // the caliper
   for (const ::bodkin::Rgb& pixel : image.pixels) yellow = yellow || pixel == ::bodkin::Rgb{255, 216, 77};
   EXPECT_TRUE(yellow);
+  EXPECT_GT(std::stod(text_of("blue")), 50.0) << "the sliders are not shown";
 }
 
 TEST_F(LiveWindow, without_a_display_is_one_sentence) {

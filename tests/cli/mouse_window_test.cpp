@@ -2,6 +2,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/cli/bodkin_command.h"
 #include "tests/cli/mesher_rig.h"
@@ -17,16 +19,18 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 
 // Opens a display and the window in the background, does what `person` says, and waits for the end of the program.
-std::string script(const std::string& person, const std::string& options) {
+std::string script(const std::string& person, const std::string& options, const std::string& display,
+                   const std::string& device) {
   return R"(set -u
-Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp 3> display > xvfb.log 2>&1 &
+)" + ("Xvfb -displayfd 3 -screen 0 " + display) +
+         R"( -nolisten tcp 3> display > xvfb.log 2>&1 &
 xvfb=$!
 trap 'kill $xvfb' EXIT
 for wait in $(seq 100); do [ -s display ] && break; sleep 0.1; done
 export DISPLAY=:$(cat display)
 export ASAN_OPTIONS=${ASAN_OPTIONS:-}:detect_leaks=0  # of libraries that SDL loads, some gone again at the end
-')" BODKIN_BUILD R"(/bin/bodkin' --json -q perform patient mouse )" +
-         options + R"( --max-time 90 -o mouse.bodkin > said 2> errors &
+')" BODKIN_BUILD R"(/bin/bodkin' --json -q perform patient )" +
+         device + " " + options + R"( --max-time 90 -o mouse.bodkin > said 2> errors &
 window=$(timeout 60 xdotool search --sync --name '^Bodkin: ' | head -n 1)
 sleep 2.5
 )" + person +
@@ -47,8 +51,10 @@ class MouseWindow : public PatientCommand {
       std::filesystem::remove(folder_ / left);
     }
   }
-  static ::bodkin::Session session_of(const std::string& person, const std::string& options = "") {
-    write("person.sh", script(person, options));
+  static ::bodkin::Session session_of(const std::string& person, const std::string& options = "",
+                                      const std::string& display = "1280x800x24",
+                                      const std::string& device = "mouse") {
+    write("person.sh", script(person, options, display, device));
     const std::string command = "cd '" + folder_.string() + "' && bash person.sh > log 2>&1";
     EXPECT_EQ(std::system(command.c_str()), 0) << text_of("log");
     EXPECT_EQ(text_of("code"), "0\n") << text_of("errors") << text_of("log");
@@ -151,6 +157,69 @@ xdotool key Escape)",
   for (const ::bodkin::TickRecord& tick : session.ticks) peak = std::max(peak, tick.output.resistance);
   EXPECT_GT(peak, 0.5);
   EXPECT_EQ(bodkin("-q replay mouse.bodkin").exit_code, 0);
+}
+
+// The pane of the ultrasound begins 948 pixels to the right; the window is 1508 wide in the middle of the screen.
+TEST_F(MouseWindow, ultrasound_shows_needle_and_tissue_while_the_needle_goes_in) {
+  BODKIN_NEEDS_MESHER();
+  ASSERT_EQ(bodkin("-q case mesh patient --nodes 2000").exit_code, 0);
+  const ::bodkin::Session session = session_of(R"(
+sleep 3
+import -window $window seen.png
+convert seen.png -crop 420x400+1060+50 +repage before.png
+xdotool click --repeat 38 --delay 40 4
+sleep 1.5
+import -window $window seen.png
+convert seen.png -crop 420x400+1060+50 +repage after.png
+compare -metric AE -fuzz 5% before.png after.png moved.png 2> difference
+identify -format '%k' before.png > colours
+xdotool key 4 4 4 4 4
+sleep 1
+import -window $window seen.png
+convert seen.png -crop 420x300+1060+50 +repage sliders.png
+convert after.png -crop 420x300+0+0 +repage top.png
+compare -metric AE -fuzz 5% top.png sliders.png moved.png 2> brighter
+xdotool key Escape)",
+                                               "--resistance 'embedded_needle capture_radius_mm=6' --constraint none "
+                                               "--ultrasound 'C5-2 view=transverse depth_mm=60'",
+                                               "1600x900x24");
+  EXPECT_TRUE(session.finished);
+  EXPECT_GT(std::stoi(text_of("colours")), 100);  // of grey
+  EXPECT_GT(std::stod(text_of("difference")), 500.0) << "needle and tissue have not moved";
+  EXPECT_GT(std::stod(text_of("brighter")), 300.0) << "a slider did nothing";
+  // Two cores that others use, too, make 40 to 60 a second.
+  const double seconds = static_cast<double>(session.ticks.size()) / 1000.0;
+  EXPECT_GT(json::parse(text_of("said")).at("ultrasound_pictures").get<double>(), 8.0 * seconds);
+  // What is seen changes nothing that is felt.
+  EXPECT_EQ(bodkin("-q replay mouse.bodkin").exit_code, 0);
+}
+
+TEST_F(MouseWindow, ultrasound_beside_a_device_and_in_the_second_hand) {
+  const ::bodkin::Session session = session_of("", "--ultrasound L14-5", "1600x900x24",
+                                               "simulated --settings 'depth_mm=5 wait_s=1' --second simulated "
+                                               "--second-as probe --second-settings 'depth_mm=3 wait_s=30'");
+  EXPECT_TRUE(session.finished);
+  EXPECT_GT(json::parse(text_of("said")).at("ultrasound_pictures").get<int>(), 10);
+}
+
+TEST_F(MouseWindow, words_that_say_no_ultrasound_are_one_sentence) {
+  const std::vector<std::pair<std::string, std::string>> refused = {
+      {"C9-9", "--ultrasound: "},
+      {"C5-2 L14-5", "'L14-5' after the probe C5-2, expected SETTING=VALUE"},
+      {"depth=5", "there is no setting 'depth', expected view, at, from, press_mm, depth_mm"},
+      {"depth_mm=deep", "depth_mm is 'deep', expected a number of mm"},
+      {"depth_mm=", "depth_mm is '', expected a number of mm"},
+      {"gain_dB=50", "gain_dB is '50', expected -40 to 40"},
+      {"gain_dB=nan", "gain_dB is 'nan', expected a number of dB"},
+      {"C5-2 view=upside", "--view is 'upside'; expected "},
+      {"C5-2 frequency_MHz=29", "--ultrasound: "}};
+  for (const auto& [words, sentence] : refused) {
+    const Outcome outcome = bodkin("-q perform patient simulated --ultrasound '" + words + "' -o refused.bodkin");
+    EXPECT_EQ(outcome.exit_code, 2) << words << '\n' << outcome.text();
+    EXPECT_THAT(outcome.errors, HasSubstr(sentence));
+    EXPECT_EQ(lines_of(outcome.errors), 1) << outcome.errors;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "refused.bodkin"));
+  }
 }
 
 }  // namespace

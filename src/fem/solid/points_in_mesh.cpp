@@ -43,10 +43,12 @@ std::array<double, 3> closest_in_triangle(const Vec3& a, const Vec3& b, const Ve
   return {over_bc / whole, over_ac / whole, over_ab / whole};
 }
 
+}  // namespace
+
 // A regular grid over the mesh; every cell knows the elements whose boxes reach into it.
-class ElementGrid {
+class PointFinder::Grid {
  public:
-  explicit ElementGrid(const TetrahedralMesh& mesh) : mesh_(mesh) {
+  explicit Grid(const TetrahedralMesh& mesh) : mesh_(mesh) {
     low_ = high_ = mesh.nodes.front();
     for (const Vec3& node : mesh.nodes) {
       low_ = low_.cwiseMin(node);
@@ -77,6 +79,8 @@ class ElementGrid {
       for (std::size_t at = first_[cell]; at < first_[cell + 1]; ++at) look(elements_[at]);
     });
   }
+
+  PointInMesh closest_place(const Vec3& point, double reach) const;
 
  private:
   template <typename Visit>
@@ -116,16 +120,16 @@ class ElementGrid {
 };
 
 // The closest place of the closest element, for a point that lies in none.
-PointInMesh closest_place(const TetrahedralMesh& mesh, const ElementGrid& grid, const Vec3& point, double reach) {
+PointInMesh PointFinder::Grid::closest_place(const Vec3& point, double reach) const {
   PointInMesh found;
   double closest = reach * reach;
-  grid.near(point, reach, [&](std::uint32_t element) {
-    const ElementNodes& corners = mesh.elements[element];
+  near(point, reach, [&](std::uint32_t element) {
+    const ElementNodes& corners = mesh_.elements[element];
     for (std::size_t left_out = 0; left_out < 4; ++left_out) {
       std::array<std::size_t, 3> face{};
       for (std::size_t i = 0; i < 3; ++i) face[i] = (left_out + 1 + i) % 4;
-      const Vec3 &a = mesh.nodes[corners[face[0]]], &b = mesh.nodes[corners[face[1]]],
-                 &c = mesh.nodes[corners[face[2]]];
+      const Vec3 &a = mesh_.nodes[corners[face[0]]], &b = mesh_.nodes[corners[face[1]]],
+                 &c = mesh_.nodes[corners[face[2]]];
       const std::array<double, 3> shares = closest_in_triangle(a, b, c, point);
       const double away = (shares[0] * a + shares[1] * b + shares[2] * c - point).squaredNorm();
       if (away >= closest) continue;
@@ -138,24 +142,30 @@ PointInMesh closest_place(const TetrahedralMesh& mesh, const ElementGrid& grid, 
   return found;
 }
 
-}  // namespace
+PointFinder::PointFinder(const TetrahedralMesh& mesh)
+    : mesh_(mesh), grid_(mesh.elements.empty() ? nullptr : std::make_unique<const Grid>(mesh)) {}
+
+PointFinder::~PointFinder() = default;
+
+PointInMesh PointFinder::find(const Vec3& point, double reach) const {
+  PointInMesh found;
+  if (grid_ == nullptr) return found;
+  bool met = false;
+  grid_->near(point, 0.0, [&](std::uint32_t element) {
+    if (met) return;
+    const CornerWeights weights = weights_in(mesh_, mesh_.elements[element], point);
+    if (*std::min_element(weights.begin(), weights.end()) < inside) return;
+    met = true;
+    found = {mesh_.elements[element], weights};
+  });
+  return met ? found : grid_->closest_place(point, reach);
+}
 
 std::vector<PointInMesh> find_points(const TetrahedralMesh& mesh, std::span<const Vec3> points, double reach) {
-  std::vector<PointInMesh> found(points.size());
-  if (mesh.elements.empty()) return found;
-  const ElementGrid grid(mesh);
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    double best = inside;
-    bool met = false;
-    grid.near(points[p], 0.0, [&](std::uint32_t element) {
-      const CornerWeights weights = weights_in(mesh, mesh.elements[element], points[p]);
-      const double least = *std::min_element(weights.begin(), weights.end());
-      if (least < best || met) return;
-      met = true;
-      found[p] = {mesh.elements[element], weights};
-    });
-    if (!met) found[p] = closest_place(mesh, grid, points[p], reach);
-  }
+  const PointFinder finder(mesh);
+  std::vector<PointInMesh> found;
+  found.reserve(points.size());
+  for (const Vec3& point : points) found.push_back(finder.find(point, reach));
   return found;
 }
 

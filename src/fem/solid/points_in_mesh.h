@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -23,5 +24,21 @@ struct PointInMesh {
 // with the closest place of the closest element within `reach` mm; one further away does not move. The mesh must be
 // sound (check_mesh).
 std::vector<PointInMesh> find_points(const TetrahedralMesh& mesh, std::span<const Vec3> points, double reach = 5.0);
+
+// The same for points that are asked for again and again: it keeps what it knows of the mesh, which must outlive it.
+class PointFinder {
+ public:
+  explicit PointFinder(const TetrahedralMesh& mesh);
+  ~PointFinder();
+  PointFinder(const PointFinder&) = delete;
+  PointFinder& operator=(const PointFinder&) = delete;
+
+  PointInMesh find(const Vec3& point, double reach = 5.0) const;
+
+ private:
+  class Grid;
+  const TetrahedralMesh& mesh_;
+  std::unique_ptr<const Grid> grid_;  // none of a mesh without elements
+};
 
 }  // namespace bodkin

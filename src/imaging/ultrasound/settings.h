@@ -17,6 +17,8 @@ struct UltrasoundSettings {
   // what soft tissue takes away (0.7 dB/cm/MHz, there and back) by itself.
   std::array<double, 8> sliders{};
   bool gel = true;  // fills gaps of up to 5 mm between the face and the skin
+
+  bool operator==(const UltrasoundSettings&) const = default;
 };
 
 // How finely a picture is computed, and which parts of the physics are.
