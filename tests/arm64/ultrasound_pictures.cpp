@@ -160,7 +160,8 @@ int take_pictures(const char* file) {
   std::ofstream output(file, std::ios::binary);
   // The patient itself comes first: impedances are computed, too.
   std::vector<std::uint8_t> bytes;
-  for (const std::int16_t impedance : volume->impedance) bytes.push_back(static_cast<std::uint8_t>(impedance >> 6));
+  for (std::size_t at = 0; at < volume->voxels.size(); ++at)
+    bytes.push_back(static_cast<std::uint8_t>(volume->impedance(at) >> 6));
   output << "impedances," << bytes.size() << ",1\n";
   output.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   bool equal = true;
