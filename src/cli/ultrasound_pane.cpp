@@ -264,7 +264,8 @@ void UltrasoundPane::draw(SdlScreen& screen) const {
   constexpr std::size_t columns = 4;
   for (std::size_t i = 0; i < pane_keys.size(); ++i) {
     const double x = x_ + margin + 134.0 * static_cast<double>(i % columns);
-    const double y = y_ + foot_top + 16.0 + 20.0 * static_cast<double>(i / columns);
+    const std::size_t row = i / columns;
+    const double y = y_ + foot_top + 16.0 + 20.0 * static_cast<double>(row);
     screen.text(x, y, std::string(pane_keys[i].first), PaneSize::small, pane_ink);
     screen.text(x + 66.0, y, std::string(pane_keys[i].second), PaneSize::small, pane_faint);
   }

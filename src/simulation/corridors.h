@@ -90,7 +90,7 @@ class Corridors {
                    needle.motion.depth, at_rest ? taken_->aimed_at : static_cast<double>(taken_->state)});
       told_ = true;
     }
-    const ResistanceForce force = model().step(needle, events);
+    ResistanceForce force = model().step(needle, events);
     if constexpr (requires(Model & one, const Model& other) { one.begin_to_follow(other); }) go_on_in_newest();
     return force;
   }

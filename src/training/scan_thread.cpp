@@ -44,10 +44,10 @@ double farthest(std::span<const float> moved) {
 
 }  // namespace
 
-ScanThread::ScanThread(std::shared_ptr<const AcousticVolume> patient, Ultrasound machine, Needle needle,
+ScanThread::ScanThread(std::shared_ptr<const AcousticVolume> patient, Ultrasound machine, const Needle& needle,
                        ScanBody body, const ScanOrder& first, double rate)
     : machine_(std::move(machine)),
-      needle_(std::move(needle)),
+      needle_(needle),
       body_(std::move(body)),
       slice_(body_.mesh == nullptr ? nullptr : std::make_unique<SliceField>(body_.mesh)),
       layers_(body_.by_forces == nullptr

@@ -50,7 +50,7 @@ class ScanThread {
  public:
   // `machine` is of `patient`. `rate`: pictures a second, 1 to 1000, where they can be made as fast. Throws
   // InputError when it is not.
-  ScanThread(std::shared_ptr<const AcousticVolume> patient, Ultrasound machine, Needle needle, ScanBody body,
+  ScanThread(std::shared_ptr<const AcousticVolume> patient, Ultrasound machine, const Needle& needle, ScanBody body,
              const ScanOrder& first, double rate = 60.0);
 
   // The tick's thread only; wait-free. Forces by node of the mesh; the needle as it is in the body.

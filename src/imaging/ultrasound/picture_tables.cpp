@@ -146,12 +146,11 @@ void set_clutter(PictureTables& tables, const ScanLines& lines) {
 }  // namespace
 
 double PictureTables::ramp_loss(double length) const noexcept {
-  double heard = 0.0;
-  const auto half = static_cast<int>(axial.size() / 2);
-  for (int tap = -half; tap <= half; ++tap) {
-    const double covered = std::clamp(0.5 * length - (std::abs(tap) - 0.5), 0.0, 1.0);
-    heard += static_cast<double>(axial[static_cast<std::size_t>(tap + half)]) *
-             (tap == 0 ? std::min(1.0, length) : covered);
+  const std::size_t middle = axial.size() / 2;
+  double heard = static_cast<double>(axial[middle]) * std::min(1.0, length);
+  for (std::size_t tap = 1; tap <= middle; ++tap) {
+    const double covered = std::clamp(0.5 * length - (static_cast<double>(tap) - 0.5), 0.0, 1.0);
+    heard += 2.0 * covered * static_cast<double>(axial[middle + tap]);
   }
   return length / heard;
 }
