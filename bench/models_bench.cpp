@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "patient/synthetic/lumbar.h"
+#include "session/operator_file.h"
 #include <benchmark/benchmark.h>
 
 #include "anatomy/tissue_surface.h"
@@ -32,10 +34,8 @@
 #include "forces/tracking_wall.h"
 #include "forces/tracking_wall_leash.h"
 #include "forces/volume_proxy.h"
-#include "io/synthetic/lumbar.h"
 #include "io/tissue_library_file.h"
 #include "simulation/closed_loop.h"
-#include "training/operator_file.h"
 
 namespace {
 

@@ -4,14 +4,14 @@
 #include <filesystem>
 #include <string>
 
+#include "patient/synthetic/lumbar.h"
+#include "session/operator_file.h"
+#include "session/session_run.h"
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 
-#include "io/synthetic/lumbar.h"
 #include "io/tissue_library_file.h"
 #include "simulation/closed_loop.h"
-#include "training/operator_file.h"
-#include "training/session_run.h"
 
 namespace {
 

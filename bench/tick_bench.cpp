@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
+#include "patient/synthetic/lumbar.h"
 #include "tests/simulation/slab_patient.h"
 #include <benchmark/benchmark.h>
 
-#include "io/synthetic/lumbar.h"
 #include "io/tissue_library_file.h"
 #include "simulation/haptic_tick.h"
 

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "patient/synthetic/lumbar.h"
 #include <benchmark/benchmark.h>
 
 #include "imaging/ultrasound/ultrasound.h"
 #include "io/probe_library_file.h"
-#include "io/synthetic/lumbar.h"
 #include "io/tissue_library_file.h"
 
 namespace {

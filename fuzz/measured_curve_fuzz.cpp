@@ -5,8 +5,9 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "study/fitting/measured_curve.h"
+
 #include "core/error.h"
-#include "fitting/measured_curve.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

@@ -4,9 +4,10 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "session/operator_file.h"
+
 #include "core/error.h"
 #include "simulation/operator.h"
-#include "training/operator_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view document(reinterpret_cast<const char*>(data), size);

@@ -8,11 +8,11 @@
 #include <span>
 #include <string>
 
+#include "session/session_file.h"
+#include "session/tick_codec.h"
 #include <unistd.h>
 
 #include "core/error.h"
-#include "training/session_file.h"
-#include "training/tick_codec.h"
 
 namespace {
 

@@ -1,13 +1,13 @@
 #include "cli/all_drivers.h"
 
+#include "desktop/mouse_driver.h"
+#include "station/recorded_hand.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/mouse_driver.h"
 #include "core/error.h"
 #include "haptics/drivers/drivers.h"
 #include "haptics/plugin.h"
-#include "training/recorded_hand.h"
 
 namespace bodkin {
 

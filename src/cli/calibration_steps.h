@@ -5,9 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include "desktop/keys.h"
+
 #include "cli/console.h"
-#include "cli/keys.h"
-#include "core/device_calibration.h"
+#include "haptics/device_calibration.h"
 #include "haptics/device_servo.h"
 #include "haptics/weighing.h"
 

@@ -2,6 +2,9 @@
 #include <filesystem>
 #include <memory>
 
+#include "patient/meshing/mesh_record.h"
+#include "patient/meshing/mesh_regions.h"
+#include "patient/meshing/mesher.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -17,9 +20,6 @@
 #include "io/case_folder.h"
 #include "io/label_scheme.h"
 #include "io/mesh/foreign_mesh.h"
-#include "io/mesh/mesh_record.h"
-#include "io/mesh/mesh_regions.h"
-#include "io/mesh/mesher.h"
 #include "io/resources.h"
 
 namespace bodkin {

@@ -2,12 +2,12 @@
 #include <limits>
 #include <memory>
 
+#include "patient/synthetic/lumbar.h"
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/new_case_options.h"
-#include "io/synthetic/lumbar.h"
 
 namespace bodkin {
 namespace {

@@ -1,4 +1,4 @@
-#include "training/compare.h"
+#include "study/compare.h"
 
 #include <algorithm>
 #include <array>
@@ -6,6 +6,9 @@
 #include <filesystem>
 #include <memory>
 
+#include "patient/prepared_body.h"
+#include "report/compare_plot.h"
+#include "study/straight_motion.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -17,9 +20,6 @@
 #include "core/files.h"
 #include "io/case_folder.h"
 #include "io/force_choice.h"
-#include "training/compare_plot.h"
-#include "training/prepared_body.h"
-#include "training/straight_motion.h"
 
 namespace bodkin {
 

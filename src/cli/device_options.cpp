@@ -4,21 +4,21 @@
 #include <cmath>
 #include <numbers>
 
+#include "desktop/mouse_driver.h"
+#include "station/hand_session.h"
+#include "station/recorded_hand.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "cli/all_drivers.h"
 #include "cli/arguments.h"
 #include "cli/driver_inquiry.h"
-#include "cli/mouse_driver.h"
 #include "core/error.h"
 #include "haptics/device_profiles.h"
 #include "haptics/driver_folder.h"
 #include "haptics/drivers/simulated.h"
 #include "io/calibrations_file.h"
 #include "io/device_profiles_file.h"
-#include "training/hand_session.h"
-#include "training/recorded_hand.h"
 
 namespace bodkin {
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "anatomy/case.h"
-#include "core/device_calibration.h"
 #include "haptics/bodkin_driver.h"
 #include "haptics/device.h"
+#include "haptics/device_calibration.h"
 
 namespace CLI {
 class App;

@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "desktop/mouse_window.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -14,7 +15,6 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/device_options.h"
-#include "cli/mouse_window.h"
 #include "haptics/device_servo.h"
 
 namespace bodkin {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "session/session_export.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -15,7 +16,6 @@
 #include "cli/console.h"
 #include "cli/force_options.h"
 #include "core/error.h"
-#include "training/session_export.h"
 
 namespace bodkin {
 

@@ -2,6 +2,8 @@
 #include <memory>
 #include <set>
 
+#include "report/experiment_page.h"
+#include "report/experiment_plot.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -10,8 +12,6 @@
 #include "cli/console.h"
 #include "core/error.h"
 #include "core/files.h"
-#include "training/experiment_page.h"
-#include "training/experiment_plot.h"
 
 namespace bodkin {
 

@@ -1,10 +1,11 @@
-#include "fitting/fit.h"
+#include "study/fitting/fit.h"
 
 #include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 
+#include "report/plot.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -13,7 +14,6 @@
 #include "cli/console.h"
 #include "core/error.h"
 #include "core/files.h"
-#include "training/plot.h"
 
 namespace bodkin {
 

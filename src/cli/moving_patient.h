@@ -5,11 +5,12 @@
 #include <optional>
 #include <string>
 
+#include "station/hand_session.h"
+#include "station/pressed_patient.h"
+
 #include "anatomy/case.h"
 #include "cli/console.h"
 #include "cli/second_device.h"
-#include "training/hand_session.h"
-#include "training/pressed_patient.h"
 
 namespace bodkin {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "report/crossings.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/force_options.h"
-#include "training/crossings.h"
 
 namespace bodkin {
 

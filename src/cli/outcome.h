@@ -2,12 +2,12 @@
 
 #include <filesystem>
 
+#include "report/session_summary.h"
+#include "session/session_file.h"
+#include "session/session_run.h"
 #include <nlohmann/json_fwd.hpp>
 
 #include "cli/console.h"
-#include "training/session_file.h"
-#include "training/session_run.h"
-#include "training/session_summary.h"
 
 namespace bodkin {
 

@@ -11,29 +11,30 @@
 #include <thread>
 #include <utility>
 
+#include "desktop/body_view.h"
+#include "desktop/keys.h"
+#include "desktop/mouse_window.h"
+#include "patient/prepared_body.h"
+#include "station/corridor_keeper.h"
+#include "station/hand_session.h"
+#include "station/recorded_hand.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.h"
-#include "cli/body_view.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/device_options.h"
 #include "cli/force_options.h"
-#include "cli/keys.h"
-#include "cli/mouse_window.h"
 #include "cli/moving_patient.h"
 #include "cli/outcome.h"
+#include "cli/pane_options.h"
 #include "cli/second_device.h"
 #include "core/error.h"
 #include "haptics/calibration.h"
 #include "io/calibrations_file.h"
 #include "io/case_folder.h"
 #include "simulation/haptic_tick.h"
-#include "training/corridor_keeper.h"
-#include "training/hand_session.h"
-#include "training/prepared_body.h"
-#include "training/recorded_hand.h"
 
 namespace bodkin {
 

@@ -1,8 +1,12 @@
-#include "training/profile.h"
+#include "study/profile.h"
 
 #include <filesystem>
 #include <memory>
 
+#include "patient/prepared_body.h"
+#include "report/crossings.h"
+#include "report/force_plot.h"
+#include "study/straight_motion.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -14,10 +18,6 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "io/case_folder.h"
-#include "training/crossings.h"
-#include "training/force_plot.h"
-#include "training/prepared_body.h"
-#include "training/straight_motion.h"
 
 namespace bodkin {
 

@@ -1,8 +1,9 @@
-#include "training/replay.h"
+#include "session/replay.h"
 
 #include <memory>
 #include <utility>
 
+#include "patient/prepared_body.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -10,7 +11,6 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "io/case_folder.h"
-#include "training/prepared_body.h"
 
 namespace bodkin {
 

@@ -1,4 +1,4 @@
-#include "training/report.h"
+#include "report/report.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -6,6 +6,9 @@
 #include <iterator>
 #include <memory>
 
+#include "report/session_summary.h"
+#include "session/session_file.h"
+#include "session/session_run.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -17,9 +20,6 @@
 #include "core/files.h"
 #include "imaging/tool.h"
 #include "io/case_folder.h"
-#include "training/session_file.h"
-#include "training/session_run.h"
-#include "training/session_summary.h"
 
 namespace bodkin {
 

@@ -4,6 +4,9 @@
 #include <limits>
 #include <memory>
 
+#include "patient/prepared_body.h"
+#include "session/operator_file.h"
+#include "session/session_run.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -14,9 +17,6 @@
 #include "cli/outcome.h"
 #include "core/error.h"
 #include "io/case_folder.h"
-#include "training/operator_file.h"
-#include "training/prepared_body.h"
-#include "training/session_run.h"
 
 namespace bodkin {
 

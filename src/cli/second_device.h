@@ -4,8 +4,9 @@
 #include <optional>
 #include <string>
 
+#include "station/second_hand.h"
+
 #include "cli/device_options.h"
-#include "training/second_hand.h"
 
 namespace bodkin {
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "patient/prepared_body.h"
+#include "study/deformation_picture.h"
+#include "study/profile.h"
 #include <fmt/format.h>
 
 #include "core/error.h"
 #include "imaging/warped_slice.h"
-#include "training/deformation_picture.h"
-#include "training/prepared_body.h"
-#include "training/profile.h"
 
 namespace bodkin {
 

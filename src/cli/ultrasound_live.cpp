@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <thread>
 
+#include "desktop/live_scan.h"
+#include "desktop/scan_window.h"
 #include <fmt/format.h>
 
-#include "cli/live_scan.h"
-#include "cli/scan_window.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "imaging/svg.h"

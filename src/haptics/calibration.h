@@ -2,9 +2,9 @@
 
 #include <span>
 
-#include "core/device_calibration.h"
 #include "core/geometry.h"
 #include "haptics/device.h"
+#include "haptics/device_calibration.h"
 #include "haptics/servo_tick.h"
 
 namespace bodkin {

@@ -3,8 +3,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/device_profile.h"
 #include "haptics/device.h"
+#include "haptics/device_profile.h"
 
 namespace bodkin {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/device_calibration.h"
+#include "haptics/device_calibration.h"
 
 namespace bodkin {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/device_profile.h"
+#include "haptics/device_profile.h"
 
 namespace bodkin {
 

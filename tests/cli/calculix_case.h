@@ -3,11 +3,11 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "patient/meshing/mesh_record.h"
 #include "tests/fem/calculix.h"
 
 #include "fem/solid/patient_body.h"
 #include "io/case_folder.h"
-#include "io/mesh/mesh_record.h"
 
 namespace bodkin_test {
 

@@ -2,13 +2,12 @@
 #include <cmath>
 #include <filesystem>
 
+#include "patient/prepared_body.h"
 #include "tests/cli/bodkin_command.h"
 #include "tests/cli/calculix_case.h"
 #include "tests/cli/mesher_rig.h"
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
-
-#include "training/prepared_body.h"
 
 namespace bodkin_test {
 namespace {

@@ -1,6 +1,6 @@
 // The window of `bodkin ultrasound --live` on a display that nobody sees (Xvfb), driven as a person would (xdotool);
 // and what a person's hand does to the probe, without a window.
-#include "cli/live_scan.h"
+#include "desktop/live_scan.h"
 
 #include <array>
 #include <cmath>

@@ -1,5 +1,5 @@
 // The meshing worker on bodies whose shape is known.
-#include "io/mesh/mesher.h"
+#include "patient/meshing/mesher.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,8 @@
 // Mouse and keyboard, under driver_contract.cpp: the device behind the window (mouse_window_test.cpp has the window).
 #include <cstdlib>
 
+#include "desktop/mouse_driver.h"
 #include "tests/haptics/driver_contract.h"
-
-#include "cli/mouse_driver.h"
 
 namespace bodkin {
 

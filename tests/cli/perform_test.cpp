@@ -5,11 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "session/session_file.h"
 #include "tests/cli/bodkin_command.h"
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
-
-#include "training/session_file.h"
 
 namespace bodkin_test {
 namespace {

@@ -1,10 +1,9 @@
 #include <bit>
 
+#include "session/session_file.h"
 #include "tests/cli/bodkin_command.h"
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
-
-#include "training/session_file.h"
 
 namespace bodkin_test {
 namespace {

@@ -1,12 +1,11 @@
 #include <chrono>
 #include <thread>
 
+#include "session/session_file.h"
 #include "tests/cli/bodkin_command.h"
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <signal.h>
-
-#include "training/session_file.h"
 
 namespace bodkin_test {
 namespace {

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <functional>
 
+#include "patient/synthetic/lumbar.h"
 #include <gtest/gtest.h>
 
 #include "imaging/png_file.h"
 #include "imaging/svg.h"
 #include "imaging/tool.h"
-#include "io/synthetic/lumbar.h"
 #include "io/tissue_library_file.h"
 
 namespace bodkin {

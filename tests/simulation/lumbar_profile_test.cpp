@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "patient/synthetic/lumbar.h"
 #include <gtest/gtest.h>
 
-#include "io/synthetic/lumbar.h"
 #include "io/tissue_library_file.h"
 #include "simulation/haptic_tick.h"
 

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <vector>
 
+#include "patient/synthetic/lumbar.h"
 #include <gtest/gtest.h>
 
 #include "anatomy/tissue_surface.h"
 #include "core/random.h"
 #include "forces/surface_proxy.h"
-#include "io/synthetic/lumbar.h"
 #include "io/tissue_library_file.h"
 
 namespace bodkin {

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "report/plot.h"
+
 #include "core/files.h"
 #include "core/random.h"
 #include "fem/embedded_needle.h"
@@ -30,7 +32,6 @@
 #include "forces/three_component.h"
 #include "forces/tracking_wall.h"
 #include "io/tissue_library_file.h"
-#include "training/plot.h"
 
 namespace {
 

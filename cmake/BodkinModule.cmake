@@ -1,0 +1,105 @@
+# bodkin_module(NAME [PARSES] [FOLDERS dir...] [LINK target...] [PRIVATE_LINK target...])
+#
+# Makes the static library bodkin_NAME (alias bodkin::NAME) from every source file of the calling folder, or of the
+# FOLDERS below it. LINK is for what public headers need, PRIVATE_LINK for what only source files need. PARSES: the
+# module reads foreign bytes, so the fuzzers want to see which of its branches they have reached.
+
+set(BODKIN_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wcast-qual -Wimplicit-fallthrough
+    $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor> $<$<COMPILE_LANGUAGE:CXX>:-Wold-style-cast>
+    $<$<COMPILE_LANGUAGE:CXX>:-Woverloaded-virtual>
+    -Wno-missing-field-initializers)  # designated initialisers name what differs from the defaults
+
+# Compiler settings that every Bodkin target shares. Floating point is kept strict (no contraction into fused
+# multiply-add) so that a recording replays to the same bits whatever the compiler and the machine.
+function(bodkin_settings target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PRIVATE ${BODKIN_WARNINGS} -ffp-contract=off)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  if(CMAKE_UNITY_BUILD)
+    # What a neighbour in the unit calls something is no fault, nor that a unit includes what was a file of its own.
+    target_compile_options(${target} PRIVATE -Wno-shadow
+      $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local> $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
+  endif()
+  if(BODKIN_WERROR)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(BODKIN_SANITIZERS MATCHES address)
+    target_compile_definitions(${target} PRIVATE BODKIN_ADDRESS_SANITIZER)
+  elseif(BODKIN_SANITIZERS MATCHES thread)
+    target_compile_definitions(${target} PRIVATE BODKIN_THREAD_SANITIZER)
+  endif()
+  if(BODKIN_SANITIZERS)
+    target_compile_options(${target} PUBLIC -fsanitize=${BODKIN_SANITIZERS} -fno-omit-frame-pointer
+                           -fno-sanitize-recover=all)
+    if(BODKIN_SANITIZERS MATCHES undefined)
+      # Two checks that stand at every access to an object, and lengthen the build: what they find, a null pointer and an
+      # access beyond an object, the address sanitizer finds too.
+      target_compile_options(${target} PUBLIC -fno-sanitize=null,object-size)
+    endif()
+    target_link_options(${target} PUBLIC -fsanitize=${BODKIN_SANITIZERS})
+  endif()
+endfunction()
+
+function(bodkin_module name)
+  cmake_parse_arguments(ARG "PARSES" "" "FOLDERS;LINK;PRIVATE_LINK" ${ARGN})
+  if(NOT ARG_FOLDERS)
+    set(ARG_FOLDERS ".")
+  endif()
+  set(patterns "")
+  foreach(folder IN LISTS ARG_FOLDERS)
+    list(APPEND patterns "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.h")
+  endforeach()
+  file(GLOB sources CONFIGURE_DEPENDS ${patterns})
+  add_library(bodkin_${name} STATIC ${sources})
+  add_library(bodkin::${name} ALIAS bodkin_${name})
+  set_target_properties(bodkin_${name} PROPERTIES EXPORT_NAME ${name} LINKER_LANGUAGE CXX)
+  target_include_directories(bodkin_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/bodkin>)
+  target_link_libraries(bodkin_${name} PUBLIC ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK})
+  bodkin_settings(bodkin_${name})
+  if(BODKIN_PRECOMPILED)
+    bodkin_precompiled(bodkin_${name})
+  endif()
+  if(BODKIN_FUZZERS AND ARG_PARSES)
+    target_compile_options(bodkin_${name} PRIVATE -fsanitize=fuzzer-no-link)
+  endif()
+endfunction()
+
+# bodkin_uses_itk(TARGET): what sources that include ITK need.
+function(bodkin_uses_itk target)
+  target_include_directories(${target} SYSTEM PRIVATE ${ITK_INCLUDE_DIRS})
+  # ITK's headers bring an older Eigen of their own under the same include guards: ours must come first, and whole.
+  target_compile_options(${target} PRIVATE "SHELL:-include Eigen/Dense")
+  if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+    target_compile_options(${target} PRIVATE "SHELL:-include ${PROJECT_SOURCE_DIR}/cmake/itk_compiled_by_clang.h")
+  endif()
+  if(BODKIN_SANITIZERS MATCHES undefined)
+    # ITK's neighbourhood iterators step back from a null pointer that they never read.
+    target_compile_options(${target} PRIVATE -fno-sanitize=pointer-overflow)
+  endif()
+endfunction()
+
+# bodkin_modules_below(RESULT target...): these modules and all that they link, as targets.
+function(bodkin_modules_below result)
+  set(found "")
+  foreach(target IN LISTS ARGN)
+    if(target MATCHES "^bodkin(::|_)(.+)$")
+      set(target bodkin_${CMAKE_MATCH_2})
+      get_target_property(linked ${target} LINK_LIBRARIES)
+      bodkin_modules_below(beneath ${linked})
+      list(APPEND found ${target} ${beneath})
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES found)
+  set(${result} ${found} PARENT_SCOPE)
+endfunction()
+
+# bodkin_libraries_first(PROGRAM target...): for a program that is optimised less than the modules that it links. Of an
+# inline function that both use the linker keeps the first copy: let it be the one of the module.
+function(bodkin_libraries_first program)
+  bodkin_modules_below(modules ${ARGN})
+  list(REMOVE_ITEM modules bodkin_cli)  # it is not optimised either
+  list(TRANSFORM modules REPLACE "(.+)" "$<TARGET_FILE:\\1>")
+  list(JOIN modules "," modules)
+  target_link_options(${program} PRIVATE "LINKER:--whole-archive,${modules},--no-whole-archive")
+endfunction()

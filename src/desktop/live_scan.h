@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "desktop/sdl_screen.h"
+#include "station/ultrasound_choice.h"
+
+#include "anatomy/case.h"
+#include "imaging/ultrasound_screen/screen.h"
+
+namespace bodkin {
+
+// What somebody does with a probe and a machine, from events of mouse and keyboard: where the probe is, how the knobs
+// stand, where the needle is, what is measured. Knows no window.
+class LiveScan {
+ public:
+  // The picture of the machine is `width` x `height` pixels with its corner at (x, y) of the window.
+  struct Place {
+    double x = 0.0, y = 0.0;
+    int width = 700, height = 600;
+    // Where the sliders of the time-gain compensation lie, row below row, while they are shown; the middle of a row
+    // is 0 dB, its ends are the ends of a slider's range.
+    double sliders_x = 0.0, sliders_y = 0.0, sliders_width = 0.0;
+  };
+  static constexpr double slider_row = 18.0;   // pixels from one slider to the next
+  static constexpr double slider_most = 20.0;  // dB, up and down
+  LiveScan(const Case& patient, const UltrasoundChoice& choice, const ProbeOnSkin& hand,
+           const std::optional<NeedleInSound>& needle, const Place& place);
+
+  void take(const ScreenEvent& event);
+  // What held keys do in `seconds`.
+  void advance(double seconds);
+
+  Pose pose() const { return hand_.pose(); }
+  const UltrasoundSettings& settings() const { return settings_; }
+  // In the patient; nothing where it is out or the case has no path.
+  std::optional<NeedleInSound> needle() const;
+  std::string needle_words() const;
+  // mm of the needle beyond its entry; negative where it is out.
+  double needle_depth() const { return needle_in_ ? needle_depth_ : -1.0; }
+  UltrasoundScreen& screen() { return screen_; }
+  const UltrasoundScreen& screen() const { return screen_; }
+
+  bool ended() const { return ended_; }
+  bool help() const { return help_; }
+  bool sliders_shown() const { return sliders_; }
+  bool measuring() const { return calipers_; }  // a click sets a caliper instead of moving the probe
+  // The last word to the person; empty when there is none.
+  const std::string& message() const { return message_; }
+  void say(std::string message) { message_ = std::move(message); }
+  // Somebody asked for a picture since the last call.
+  bool take_save();
+
+ private:
+  void press(ScreenKey key, bool shift);
+  void drag(double x, double y);
+  void slide(double along, double across);
+  std::optional<std::size_t> slider_at(const Eigen::Vector2d& at) const;
+  void set_slider(std::size_t slider, double decibels);
+  void turn_slider(std::size_t slider, double decibels) { set_slider(slider, settings_.sliders[slider] + decibels); }
+  void turn_knob(double& value, double step, bool shift, double low, double high);
+
+  const Case& patient_;
+  UltrasoundProbe probe_;
+  ProbeOnSkin hand_;
+  UltrasoundSettings settings_;
+  UltrasoundScreen screen_;
+  Place place_;
+  bool needle_in_ = false;
+  double needle_depth_ = 0.0;  // mm
+  MarkSide mark_;
+  bool ended_ = false, help_ = false, calipers_ = false, save_ = false, sliders_ = false;
+  std::string message_;
+  std::set<ScreenKey> held_;
+  bool shift_ = false;
+  std::optional<Eigen::Vector2d> pointer_;  // pixels of the window
+  std::optional<std::size_t> held_slider_;  // by the mouse
+};
+
+}  // namespace bodkin

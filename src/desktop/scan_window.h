@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+
+#include "desktop/live_scan.h"
+#include "desktop/sdl_screen.h"
+
+#include "imaging/slice.h"
+
+namespace bodkin {
+
+// How long it took, for people.
+struct ScanPace {
+  double picture = 0.0;  // ms for the newest ultrasound picture
+  double frames = 0.0;   // of the window a second
+};
+
+// The window of `bodkin ultrasound --live`: the machine's screen, beside it the CT in the same plane. For one thread.
+class ScanWindow {
+ public:
+  // Throws as SdlScreen does.
+  ScanWindow(const Case& patient, MarkSide mark);
+
+  // Where the machine's screen lies in it.
+  static LiveScan::Place machine_place();
+
+  bool next(ScreenEvent& event) { return screen_.next(event); }
+  void draw(const LiveScan& scan, const ScanPace& pace);
+
+ private:
+  void draw_gain(const LiveScan& scan);
+  void draw_ct(const LiveScan& scan);
+  void draw_ct_lines(const LiveScan& scan);
+  void draw_keys();
+  void draw_foot(const LiveScan& scan, const ScanPace& pace);
+  void draw_help();
+
+  const Case& patient_;
+  MarkSide mark_;
+  SdlScreen screen_;
+  SlicePlane ct_plane_;  // that was cut last
+  ImageRgb ct_;
+};
+
+}  // namespace bodkin

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "patient/synthetic/lumbar.h"
+
+#include "anatomy/case.h"
+#include "core/progress.h"
+
+namespace bodkin {
+
+// What every new case needs to know.
+struct NewCase {
+  std::filesystem::path folder;  // made here; must not exist unless `overwrite`
+  bool overwrite = false;        // replace a case folder that is there
+  std::string name;              // of the patient; empty = the folder's name
+  int needle_gauge = 22;
+  std::optional<NeedlePath> path;  // the planned path; without it one is planned where a lumbar spine is found
+};
+
+// A case from foreign images.
+struct ImportOptions {
+  std::filesystem::path ct;                 // DICOM folder, NIfTI, NRRD or MetaImage
+  std::filesystem::path labels;             // the same, or empty
+  std::string scheme = "totalsegmentator";  // what the labels mean; see read_label_scheme
+  std::filesystem::path tissues;            // tissue library of the case, or empty for the one that comes with Bodkin
+  std::optional<int> series;                // which series of a DICOM folder, from 1
+  bool resample_labels = false;             // take the nearest label where the lattices differ
+  bool fill_missing = false;                // interpolate missing slices
+  bool assume_hounsfield = false;           // do not ask whether the values can be HU
+};
+
+struct TissueAmount {
+  std::string title;
+  double millilitres = 0.0;
+};
+
+// What was made, for people.
+struct CaseSummary {
+  CaseDescription description;
+  Grid ct, tissues;
+  std::vector<TissueAmount> amounts;  // by amount, largest first; air is left out
+};
+
+// Builds a case folder: ct.nrrd, structures.nrrd (only with labels), tissues.nrrd, case.xml, and
+// tissues.xml, the tissue library, when one is given. It is written under
+// another name beside its place (DIR.partial-PID) and renamed when it is complete, so a folder that is there is
+// whole. Throws InputError when the input is at fault, SystemError when the disk is; nothing is left behind then.
+CaseSummary build_imported_case(const NewCase& wanted, const ImportOptions& options, const Progress& progress = {});
+CaseSummary build_synthetic_case(const NewCase& wanted, const LumbarParameters& parameters,
+                                 const Progress& progress = {});
+
+}  // namespace bodkin

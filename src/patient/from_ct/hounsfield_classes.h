@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "patient/from_ct/body_surface.h"
+#include "patient/from_ct/tissue_lattice.h"
+
+#include "anatomy/case.h"
+#include "core/progress.h"
+
+namespace bodkin {
+
+// Thickness of the skin of the waist, 1.91 mm (Laurent et al. 2007, reference/layer_thickness.csv), to the nearest
+// half millimetre of the lattices it is drawn on.
+inline constexpr double skin_thickness = 2.0;
+
+// Fills `lattice` with tissues: outside the body air; inside it what the labels say, and where they say nothing what
+// the HU say. A label's tissue holds except where it cannot be: no bone in clear fat at a label's border, no muscle
+// in cortical bone, nothing but gas in gas. Voxels of the structures "spinal_canal" are left to HU here. No skin yet.
+// `structures` lies on the lattice of `ct` or is empty. Structures name tissues of
+// Bodkin or of `library`; throws InputError when one names another.
+TissueVolume classify_tissues(const CtVolume& ct, const LabelVolume& structures, const std::vector<Structure>& table,
+                              const TissueLibrary& library, const TissueLattice& lattice, const BodySurface& body,
+                              const Progress& progress);
+
+// Turns the outermost `skin_thickness` of the body into skin where it meets air; faces where the image cuts the body
+// meet nothing.
+void draw_skin(TissueVolume& tissues);
+
+// True for tissues that stop a needle as bone does.
+bool is_bone(TissueId id);
+
+}  // namespace bodkin

@@ -1,0 +1,158 @@
+#include "patient/meshing/mesh_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+
+namespace bodkin {
+namespace {
+
+// [D] How edges grow with the distance from where they are fine.
+constexpr double growth_from_corridor = 0.30;  // mm of edge per mm, inside a tissue
+constexpr double border_growth = 0.20;         // the same at a border between tissues
+constexpr double voxels_per_edge = 2.5;        // the lattice need not be finer than that
+constexpr std::size_t most_voxels = 40'000'000;
+
+struct Box {
+  std::array<int, 3> low, high;  // voxels, both included
+};
+
+Box whole(const Grid& grid) {
+  return {{0, 0, 0}, {grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1}};
+}
+
+// The voxels within `reach` of the corridor; nothing when it runs beside the lattice.
+std::optional<Box> around(const Grid& grid, const NeedlePath& path, const MeshSettings& settings) {
+  const double reach = settings.corridor_radius + settings.reach;
+  const Vec3 end = path.target + settings.corridor_beyond * path.direction();
+  Box box = whole(grid);
+  const Vec3 a = grid.to_index(path.entry), b = grid.to_index(end);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    const double room = reach / grid.spacing[i];
+    const double low = std::floor(std::min(a[i], b[i]) - room), high = std::ceil(std::max(a[i], b[i]) + room);
+    if (high < 0.0 || low > box.high[axis]) return std::nullopt;
+    box.low[axis] = static_cast<int>(std::clamp<double>(low, 0, box.high[axis]));
+    box.high[axis] = static_cast<int>(std::clamp<double>(high, 0, box.high[axis]));
+  }
+  return box;
+}
+
+// The part of a box that holds tissue; nothing when there is none.
+std::optional<Box> with_tissue(const TissueVolume& tissues, const Box& box) {
+  Box found{box.high, box.low};
+  bool any = false;
+  for (int k = box.low[2]; k <= box.high[2]; ++k) {
+    for (int j = box.low[1]; j <= box.high[1]; ++j) {
+      for (int i = box.low[0]; i <= box.high[0]; ++i) {
+        if (tissues.at(i, j, k) == tissue::air) continue;
+        any = true;
+        const std::array<int, 3> voxel = {i, j, k};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          found.low[axis] = std::min(found.low[axis], voxel[axis]);
+          found.high[axis] = std::max(found.high[axis], voxel[axis]);
+        }
+      }
+    }
+  }
+  if (!any) return std::nullopt;
+  return found;
+}
+
+std::array<int, 3> stride_of(const Grid& grid, const Box& box, double fine) {
+  std::array<int, 3> stride{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double spacing = grid.spacing[static_cast<Eigen::Index>(axis)];
+    stride[axis] = std::max(1, static_cast<int>(fine / voxels_per_edge / spacing));
+  }
+  const auto count = [&] {
+    double voxels = 1.0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      voxels *= static_cast<double>(box.high[axis] - box.low[axis] + 1) / stride[axis];
+    return voxels;
+  };
+  while (count() > static_cast<double>(most_voxels)) {
+    std::size_t finest = 0;
+    const auto length = [&](std::size_t axis) {
+      return stride[axis] * grid.spacing[static_cast<Eigen::Index>(axis)];
+    };
+    for (std::size_t axis = 1; axis < 3; ++axis) finest = length(axis) < length(finest) ? axis : finest;
+    ++stride[finest];
+  }
+  return stride;
+}
+
+// Every `stride`-th voxel of a box, in one layer of air.
+TissueVolume take_out(const TissueVolume& tissues, const Box& box, const std::array<int, 3>& stride) {
+  Grid grid = tissues.grid;
+  Vec3 first;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    grid.size[axis] = (box.high[axis] - box.low[axis]) / stride[axis] + 3;
+    grid.spacing[i] *= stride[axis];
+    first[i] = box.low[axis] - stride[axis];
+  }
+  grid.origin = tissues.grid.to_patient(first);
+  TissueVolume part(grid, tissue::air);
+  for (int k = 1; k + 1 < grid.size[2]; ++k) {
+    for (int j = 1; j + 1 < grid.size[1]; ++j) {
+      for (int i = 1; i + 1 < grid.size[0]; ++i) {
+        part.at(i, j, k) = tissues.at(box.low[0] + (i - 1) * stride[0], box.low[1] + (j - 1) * stride[1],
+                                      box.low[2] + (k - 1) * stride[2]);
+      }
+    }
+  }
+  return part;
+}
+
+void wish_edges(const std::optional<NeedlePath>& path, const MeshSettings& settings, MeshPlan& plan) {
+  const Grid& grid = plan.tissues.grid;
+  plan.border_edges.reserve(grid.voxel_count());
+  plan.inner_edges.reserve(grid.voxel_count());
+  for (int k = 0; k < grid.size[2]; ++k) {
+    for (int j = 0; j < grid.size[1]; ++j) {
+      for (int i = 0; i < grid.size[0]; ++i) {
+        const double away = path ? distance_to_corridor(grid.to_patient(Vec3(i, j, k)), *path, settings) : 0.0;
+        const double inner = path ? settings.fine + growth_from_corridor * away : settings.coarse;
+        plan.border_edges.push_back(
+            static_cast<float>(std::min(settings.fine + border_growth * away, settings.coarse)));
+        plan.inner_edges.push_back(static_cast<float>(std::min(inner, settings.coarse)));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+double distance_to_corridor(const Vec3& point, const NeedlePath& path, const MeshSettings& settings) {
+  const Vec3 axis = path.direction();
+  const double along = axis.dot(point - path.entry);
+  const double across = (point - path.entry - along * axis).norm();
+  const double lengthwise =
+      std::max({-settings.corridor_radius - along, along - path.length() - settings.corridor_beyond, 0.0});
+  return std::hypot(lengthwise, std::max(0.0, across - settings.corridor_radius));
+}
+
+MeshPlan plan_mesh(const TissueVolume& tissues, const std::optional<NeedlePath>& path, const MeshSettings& settings) {
+  const Box all = whole(tissues.grid);
+  const std::optional<Box> box = path ? around(tissues.grid, *path, settings) : all;
+  const std::optional<Box> body = box ? with_tissue(tissues, *box) : std::nullopt;
+  if (!body) {
+    throw InputError(
+        path ? fmt::format("there is no tissue within {:g} mm of the planned path; plan it through the body",
+                           settings.corridor_radius + settings.reach)
+             : std::string("there is nothing but air in the tissue volume"));
+  }
+  MeshPlan plan;
+  plan.tissues = take_out(tissues, *body, stride_of(tissues.grid, *body, settings.fine));
+  const std::optional<Box> everything = with_tissue(tissues, all);
+  plan.boxed = everything->low != body->low || everything->high != body->high;
+  wish_edges(path, settings, plan);
+  return plan;
+}
+
+}  // namespace bodkin

@@ -1,0 +1,177 @@
+#include "patient/meshing/mesher.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "patient/meshing/meshable_tissues.h"
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "anatomy/mesh_parts.h"
+#include "core/error.h"
+#include "io/shared_memory.h"
+#include "io/worker_program.h"
+
+namespace bodkin {
+namespace {
+
+using nlohmann::json;
+
+const WorkerProgram mesh_program{"bodkin-mesher", "BODKIN_MESHER_WORKER", "BODKIN_MESHER"};
+
+constexpr int guesses = 1;  // of the scale, before anything is meshed
+constexpr int most_rounds = 5;
+constexpr double close_enough = 0.10;  // of the wanted number of nodes
+constexpr double nodes_power = 2.6;    // nodes go with the edge to minus this, between a surface and a volume
+constexpr double widest_scale = 50.0;  // beyond this there is no sense in a scale
+constexpr double mostly_gone = 0.5;    // share of a tissue that is said to have been merged
+constexpr std::size_t bytes_per_node = 3 * sizeof(double), bytes_per_element = 4 * sizeof(std::uint32_t) + 1;
+
+struct Attempt {
+  std::size_t refined_nodes = 0;
+  TetrahedralMesh mesh;  // empty when the number of nodes was missed
+};
+
+ChildLimits mesher_limits() {
+  ChildLimits limits;
+#ifndef BODKIN_ADDRESS_SANITIZER  // its shadow memory alone is larger
+  limits.memory = 8ULL << 30U;
+#endif
+  return limits;
+}
+
+[[noreturn]] void fail_worker(const WorkerTalk& talk) {
+  if (talk.kind == "memory") throw SystemError("the mesh needs more memory than there is; ask for fewer nodes");
+  if (!talk.error.empty()) throw SystemError(fmt::format("bodkin-mesher failed: {}", talk.error));
+  if (talk.child.end == ChildEnd::out_of_time) {
+    throw SystemError("meshing took more than ten minutes and was given up; ask for fewer nodes");
+  }
+  throw SystemError("bodkin-mesher ended without a word; ask for fewer nodes");
+}
+
+// The mesh that the worker left in shared memory, in patient coordinates.
+TetrahedralMesh take_mesh(const SharedMemory& memory, const json& result, const Grid& grid) {
+  const std::size_t nodes = result.value("nodes", std::size_t{0}),
+                    elements = result.value("elements", std::size_t{0});
+  TetrahedralMesh mesh;
+  if (nodes > memory.size() / bytes_per_node || elements > memory.size() / bytes_per_element ||
+      memory.size() != nodes * bytes_per_node + elements * bytes_per_element) {
+    throw SystemError("bodkin-mesher returned no sound mesh; it is another version than the program that called it");
+  }
+  std::vector<std::array<double, 3>> places(nodes);
+  mesh.elements.resize(elements);
+  mesh.tissues.resize(elements);
+  memory.copy_to(places.data(), nodes * bytes_per_node);
+  memory.copy_to(mesh.elements.data(), elements * 4 * sizeof(std::uint32_t), nodes * bytes_per_node);
+  memory.copy_to(mesh.tissues.data(), elements, nodes * bytes_per_node + elements * 4 * sizeof(std::uint32_t));
+  mesh.nodes.reserve(nodes);
+  for (const auto& place : places) {
+    mesh.nodes.push_back(grid.origin + grid.direction * Vec3(place[0], place[1], place[2]));
+  }
+  for (const auto& element : mesh.elements) {
+    if (*std::max_element(element.begin(), element.end()) >= nodes)
+      throw SystemError("bodkin-mesher returned no sound mesh");
+  }
+  return mesh;
+}
+
+Attempt run_mesher(const MeshableTissues& meshable, const json& wish, const Progress& progress) {
+  SharedMemory memory("bodkin-mesh");
+  memory.append(meshable.tissues.voxels.data(), meshable.tissues.voxels.size());
+  memory.append(meshable.edges.data(), meshable.edges.size() * sizeof(float));
+  json request = wish;
+  const Grid& grid = meshable.tissues.grid;
+  request["size"] = grid.size;
+  request["spacing"] = {grid.spacing.x(), grid.spacing.y(), grid.spacing.z()};
+  const WorkerTalk talk =
+      run_worker(mesh_program, "mesh", request.dump(), memory.descriptor(), mesher_limits(), progress);
+  if (!talk.succeeded()) fail_worker(talk);
+  const json result = json::parse(talk.result, nullptr, false);
+  return {result.value("refined_nodes", std::size_t{0}), take_mesh(memory, result, grid)};
+}
+
+// Which tissues lost half of their voxels or more to their neighbours, and what was cut off.
+std::vector<std::string> merge_notes(const MeshPlan& plan, const MeshableTissues& merged,
+                                     const TissueLibrary& library) {
+  std::vector<std::string> notes;
+  std::string names;
+  for (std::size_t id = 0; id < merged.before.size(); ++id) {
+    const double left = static_cast<double>(merged.after[id]);
+    if (merged.before[id] == 0 || left > mostly_gone * static_cast<double>(merged.before[id])) continue;
+    names += fmt::format("{}{}{}", names.empty() ? "" : ", ", library.title(static_cast<TissueId>(id)),
+                         merged.after[id] == 0 ? "" : " (in part)");
+  }
+  if (!names.empty()) {
+    notes.push_back(fmt::format("Too thin for the elements there, and so meshed as the tissue beside: {}.", names));
+  }
+  if (plan.boxed) {
+    notes.push_back("The body goes on beyond the mesh, which ends where it is far from the planned path.");
+  }
+  if (merged.dropped > 0) {
+    const double volume = static_cast<double>(merged.dropped) * plan.tissues.grid.spacing.prod() / 1000.0;
+    notes.push_back(fmt::format("{:.2g} ml of tissue were left out: too thin, or apart from the rest.", volume));
+  }
+  return notes;
+}
+
+}  // namespace
+
+bool mesher_present() {
+  try {
+    std::error_code ignored;
+    return std::filesystem::exists(find_worker(mesh_program), ignored);
+  } catch (const SystemError&) {
+    return false;
+  }
+}
+
+MeshedBody mesh_tissues(const TissueVolume& tissues, const std::optional<NeedlePath>& path,
+                        const TissueLibrary& library, const MeshSettings& settings, const Progress& progress) {
+  find_worker(mesh_program);
+  const auto tell = [&](std::string_view stage, double fraction) {
+    if (progress) progress(stage, fraction);
+  };
+  tell("planning the mesh", 0.0);
+  const MeshPlan plan = plan_mesh(tissues, path, settings);
+  const double wanted = static_cast<double>(settings.nodes);
+  const auto nonsense = [](double scale) { return !(scale < widest_scale && scale > 1.0 / widest_scale); };
+  double scale = 1.0;
+  MeshableTissues meshable = meshable_tissues(plan, scale);
+  for (int guess = 0; guess < guesses; ++guess) {
+    scale *= std::cbrt(expected_nodes(meshable) / wanted);
+    if (nonsense(scale)) break;
+    meshable = meshable_tissues(plan, scale);
+  }
+  for (int round = 1;; ++round) {
+    if (nonsense(scale)) {
+      throw InputError(
+          fmt::format("{} nodes ask for edges of {:.3g} mm in the corridor, which makes no sense here; "
+                      "ask for another number of nodes, or other --fine and --coarse",
+                      settings.nodes, scale * settings.fine));
+    }
+    const bool last = round == most_rounds;
+    const json wish = {{"fewest", last ? 0.0 : std::floor((1.0 - close_enough) * wanted)},
+                       {"most", last ? 1e12 : std::ceil((1.0 + close_enough) * wanted)},
+                       {"expected", wanted}};
+    Attempt made = run_mesher(meshable, wish, [&](std::string_view stage, double fraction) {
+      tell(fmt::format("{}, round {}", stage, round), fraction);
+    });
+    if (made.refined_nodes == 0) {
+      throw InputError("no tissue is thick enough for elements of this size; ask for more nodes");
+    }
+    if (made.mesh.elements.empty()) {
+      scale *= std::pow(static_cast<double>(made.refined_nodes) / wanted, 1.0 / nodes_power);
+      if (!nonsense(scale)) meshable = meshable_tissues(plan, scale);
+      continue;
+    }
+    MeshedBody body{std::move(made.mesh), scale, merge_notes(plan, meshable, library)};
+    orient_elements(body.mesh);
+    if (const std::size_t removed = keep_largest_part(body.mesh); removed > 0) {
+      body.notes.push_back(fmt::format("{} elements that hung on nothing by a face were left out.", removed));
+    }
+    return body;
+  }
+}
+
+}  // namespace bodkin

@@ -1,0 +1,80 @@
+#include "patient/prepared_body.h"
+
+#include <utility>
+#include <vector>
+
+#include "patient/meshing/mesh_record.h"
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "fem/solid/condensed_cache.h"
+#include "fem/solid/patient_body.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr double farthest_skin = 150.0;  // mm before the tip
+constexpr double skin_step = 0.5;        // mm
+
+bool same(const NeedlePath& one, const NeedlePath& other) {
+  return one.entry == other.entry && one.target == other.target;
+}
+
+}  // namespace
+
+std::shared_ptr<const BodyDescription> prepare_body(Case& patient, const std::filesystem::path& folder,
+                                                    const std::optional<NeedlePath>& path, const Progress& progress,
+                                                    const std::function<void(const std::string&)>& note) {
+  const ResistanceSettings& resistance = patient.description.haptics.resistance;
+  const DeformableBodySettings* settings = body_of(resistance);
+  if (settings == nullptr) return nullptr;
+  const std::optional<NeedlePath>& planned = patient.description.procedure.path;
+  const std::optional<NeedlePath> about = path ? path : planned;
+  if (!about) {
+    throw InputError(
+        fmt::format("{}: the case has no planned path, about which the deformable body is prepared; give --entry and "
+                    "--target, or make the case with them",
+                    folder.string()));
+  }
+  if (progress) progress("Reading the mesh", 0.0);
+  std::optional<CaseMesh> mesh = read_case_mesh(folder, patient.library);
+  if (!mesh) {
+    throw InputError(fmt::format("{}: the case has no mesh, which {} needs; make one with: bodkin case mesh {}",
+                                 folder.string(), name_of(resistance), folder.string()));
+  }
+  PatientBody described = describe_body(std::move(mesh->mesh), patient, *settings, *about);
+  if (note) {
+    for (const std::string& sentence : described.notes) note(sentence);
+  }
+  const bool is_planned = planned && same(*about, *planned);
+  CondensedBody body = is_planned ? condensed_with_cache(folder / body_file_name, described.body, {}, progress, note)
+                                  : condense(described.body, {}, progress, note);
+  take_tissues_of_voxels(body, patient);
+  patient.corridor = {std::make_shared<const CondensedBody>(std::move(body)), *about, {}};
+  return std::make_shared<const BodyDescription>(std::move(described.body));
+}
+
+PreparedCorridor another_corridor(const BodyDescription& body, const Case& patient, const NeedlePath& path,
+                                  std::uint64_t aimed_at, const Progress& progress) {
+  std::vector<std::string> notes;
+  BodyDescription described = body;
+  described.corridor = corridor_about(body, path, *body_of(patient.description.haptics.resistance), notes);
+  CondensedBody condensed = condense(described, {}, progress);
+  take_tissues_of_voxels(condensed, patient);
+  return {std::make_shared<const CondensedBody>(std::move(condensed)), path, aimed_at};
+}
+
+std::optional<NeedlePath> aimed_path(const Pose& needle, const TissueVolume& tissues, double length) {
+  const Vec3 tip = needle.translation(), along = needle_axis(needle).normalized();
+  if (!tip.allFinite() || !along.allFinite()) return {};
+  if (nearest<TissueId>(tissues, tip, tissue::air) != tissue::air) return {};
+  for (double ahead = skin_step; ahead <= farthest_skin; ahead += skin_step) {
+    const Vec3 place = tip + ahead * along;
+    if (nearest<TissueId>(tissues, place, tissue::air) != tissue::air)
+      return NeedlePath{place, place + length * along};
+  }
+  return {};
+}
+
+}  // namespace bodkin

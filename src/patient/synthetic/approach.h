@@ -1,0 +1,18 @@
+#pragma once
+
+#include "patient/synthetic/model.h"
+
+namespace bodkin {
+
+// A midline lumbar puncture between the spinous processes of vertebra `upper` and the next one.
+struct Approach {
+  NeedlePath path;
+  double clearance = 0.0;  // mm from the path to the nearest bone; negative: it passes through bone
+  double angle = 0.0;      // rad that the needle points towards the head
+};
+
+// The path to the middle of the dural sac that keeps furthest from bone, up to 5 mm; among equals the one closest to
+// the usual slight angle towards the head.
+Approach plan_approach(const LumbarModel& model, int upper);
+
+}  // namespace bodkin

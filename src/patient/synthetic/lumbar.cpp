@@ -1,0 +1,94 @@
+#include "patient/synthetic/lumbar.h"
+
+#include <cmath>
+
+#include "patient/synthetic/approach.h"
+#include "patient/synthetic/painter.h"
+#include "patient/synthetic/slices.h"
+
+namespace bodkin {
+namespace {
+
+constexpr double kMargin = 9.0;  // mm of air around the body
+constexpr double kAbove = 14.0;  // mm of the spine above the highest point of L1
+
+// An axial volume from a little below S1 to a part of T12; the frame is the patient's (LPS).
+Grid make_grid(const LumbarModel& model, double spacing) {
+  const Spine& spine = model.spine();
+  const double bottom = spine.bottom(), top = spine.top() + kAbove;
+  double back = -1e6;
+  for (double z = bottom; z < top; z += 2.0) {
+    const SpineSection section = spine.section(z);
+    back = std::max(back, model.torso().section(z, section).skin.back);
+  }
+  const double half_width = model.torso().half_width() + kMargin;
+  const double front = model.torso().front() - kMargin;
+  back += kMargin;
+  Grid grid;
+  grid.spacing = Vec3::Constant(spacing);
+  const auto voxels = [&](double length) { return static_cast<int>(std::ceil(length / spacing)); };
+  grid.size = {2 * voxels(half_width), voxels(back - front), voxels(top - bottom)};
+  grid.origin = Vec3(-spacing * (voxels(half_width) - 0.5), front, bottom);
+  return grid;
+}
+
+std::vector<Landmark> make_landmarks(const LumbarModel& model) {
+  static constexpr std::array<const char*, 5> kNames = {"L1_L2", "L2_L3", "L3_L4", "L4_L5", "L5_S1"};
+  std::vector<Landmark> landmarks;
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    const int upper = level::l1 + static_cast<int>(i);
+    landmarks.push_back({kNames[i], model.spine().interspace(upper)});
+    landmarks.push_back({std::string(kNames[i]) + "_skin", plan_approach(model, upper).path.entry});
+  }
+  return landmarks;
+}
+
+// The path with its target in the middle of the fluid behind the roots, as the voxels have it.
+NeedlePath aim_at_fluid(const NeedlePath& path, const TissueVolume& tissues) {
+  const Vec3 direction = path.direction();
+  double begin = -1.0, end = -1.0;
+  for (double depth = 0.0; depth < path.length() + 12.0; depth += 0.25) {
+    const TissueId id = nearest(tissues, Vec3(path.entry + depth * direction), tissue::air);
+    if (id == tissue::cerebrospinal_fluid) {
+      if (begin < 0.0) begin = depth;
+      end = depth;
+    } else if (begin >= 0.0) {
+      break;
+    }
+  }
+  if (begin < 0.0) return path;  // voxels too coarse to hold fluid on this line
+  return {path.entry, path.entry + 0.5 * (begin + end) * direction};
+}
+
+}  // namespace
+
+SyntheticPatient synthesize_lumbar(const LumbarParameters& parameters, const TissueLibrary& library,
+                                   const Progress& progress) {
+  check_parameters(parameters);
+  const LumbarSizes sizes = lumbar_sizes(parameters);
+  const LumbarModel model(sizes, parameters.seed);
+
+  SyntheticPatient patient;
+  patient.landmarks = make_landmarks(model);
+  const Grid grid = make_grid(model, parameters.spacing);
+  patient.tissues = TissueVolume(grid);
+  patient.structures = LabelVolume(grid);
+  for_each_slice(grid.size[2], "anatomy", progress, [&](int k) {
+    const double z = grid.to_patient(Vec3(0.0, 0.0, k)).z();
+    const LumbarModel::Slice slice = model.slice(z, parameters.spacing);
+    std::size_t at = grid.offset(0, 0, k);
+    for (int j = 0; j < grid.size[1]; ++j) {
+      for (int i = 0; i < grid.size[0]; ++i, ++at) {
+        const Material material = model.at(grid.to_patient(Vec3(i, j, k)), slice);
+        patient.tissues.voxels[at] = material.tissue;
+        patient.structures.voxels[at] = material.label;
+      }
+    }
+  });
+  patient.path = aim_at_fluid(plan_approach(model, level::l3).path, patient.tissues);
+  patient.structure_table = lumbar_structures(patient.structures);
+  patient.ct = paint_ct(patient.tissues, library, sizes, parameters.seed, progress);
+  return patient;
+}
+
+}  // namespace bodkin

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "patient/synthetic/torso.h"
+
+namespace bodkin {
+
+// The whole synthetic patient as a function of position. Constant once made: many threads may ask at once.
+class LumbarModel {
+ public:
+  LumbarModel(const LumbarSizes& sizes, std::uint64_t seed);
+
+  // Everything that depends on height alone: sections at z - spacing, z and z + spacing.
+  struct Slice {
+    std::array<SpineSection, 3> spine;
+    TorsoSection torso;
+    unsigned bones = 0;
+    double spacing = 1.0;
+    const SpineSection& here() const { return spine[1]; }
+  };
+  Slice slice(double z, double spacing) const;
+
+  // What the voxel at p, whose height is the slice's, is made of. The dura is at least one voxel thick everywhere,
+  // corners included: real dura is 0.4 mm.
+  Material at(const Vec3& p, const Slice& slice) const;
+
+  const Spine& spine() const { return spine_; }
+  const Torso& torso() const { return torso_; }
+  // Signed distance to the skin at any point.
+  double skin_distance(const Vec3& p) const;
+  // Distance to the nearest bone at any point.
+  double bone_clearance(const Vec3& p) const;
+
+ private:
+  Material bone(const Vec3& p, const BoneHit& hit, const Slice& slice) const;
+  Material sac(const Vec3& p, const Slice& slice, double distance) const;
+  Material ligament(const Vec3& p, const Slice& slice, double canal) const;
+
+  Spine spine_;
+  Torso torso_;
+};
+
+// What the labels mean, for the structures that `labels` holds.
+std::vector<Structure> lumbar_structures(const LabelVolume& labels);
+
+}  // namespace bodkin

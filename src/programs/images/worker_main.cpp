@@ -1,0 +1,211 @@
+// bodkin-images: the image worker (see io/image_worker.h). `bodkin-images VERB` reads one JSON object from standard
+// input and writes one JSON object per line to standard output: {"progress", "fraction"}, {"note"}, {"error",
+// "kind"},
+// {"result"}. It is started by Bodkin, not by people.
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <iterator>
+#include <mutex>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "patient/from_ct/case_builder.h"
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "core/error.h"
+#include "io/images/image_source.h"
+
+namespace bodkin {
+namespace {
+
+using nlohmann::json;
+
+constexpr int voxel_descriptor = 3;  // inherited shared memory that takes the voxels of `read`
+
+void say(const json& message) {
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
+  std::cout << message.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
+}
+
+void report_progress(std::string_view stage, double fraction) {
+  say({{"progress", std::string(stage)}, {"fraction", fraction}});
+}
+
+json point(const Vec3& p) {
+  return {p.x(), p.y(), p.z()};
+}
+
+// Doubles in JSON come back to the bit: nlohmann writes the shortest text that does.
+json grid_json(const Grid& grid) {
+  std::vector<double> numbers(grid.spacing.data(), grid.spacing.data() + 3);
+  numbers.insert(numbers.end(), grid.direction.data(), grid.direction.data() + 9);
+  numbers.insert(numbers.end(), grid.origin.data(), grid.origin.data() + 3);
+  return {{"size", grid.size}, {"numbers", numbers}};
+}
+
+template <typename Voxel>
+void hand_over(const Volume<Voxel>& volume) {
+  const char* bytes = reinterpret_cast<const char*>(volume.voxels.data());
+  std::size_t left = volume.voxels.size() * sizeof(Voxel);
+  while (left > 0) {
+    const ssize_t count = write(voxel_descriptor, bytes, left);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) throw SystemError("the voxels cannot be handed over: no memory");
+    bytes += count;
+    left -= static_cast<std::size_t>(count);
+  }
+  say({{"result", grid_json(volume.grid)}});
+}
+
+void read_image(const json& request) {
+  const std::filesystem::path path = request.at("path").get<std::string>();
+  const std::string kind = request.at("kind");
+  if (kind == "ct") {
+    const CtImage image = read_ct(path, {}, report_progress);
+    for (const std::string& note : image.notes) say({{"note", note}});
+    hand_over(image.ct);
+  } else if (kind == "labels") {
+    hand_over(read_labels(path, report_progress));
+  } else {
+    hand_over(read_tissues(path));
+  }
+}
+
+Vec3 point_from(const json& value) {
+  const auto numbers = value.get<std::array<double, 3>>();
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+NewCase new_case(const json& request) {
+  NewCase wanted;
+  wanted.folder = request.at("folder").get<std::string>();
+  wanted.overwrite = request.value("overwrite", false);
+  wanted.name = request.value("name", "");
+  wanted.needle_gauge = request.value("needle_gauge", wanted.needle_gauge);
+  if (request.contains("entry")) {
+    wanted.path = NeedlePath{point_from(request.at("entry")), point_from(request.at("target"))};
+  }
+  return wanted;
+}
+
+json summary_json(const CaseSummary& summary) {
+  json tissues = json::array();
+  for (const TissueAmount& amount : summary.amounts) {
+    tissues.push_back({{"tissue", amount.title}, {"volume_ml", amount.millilitres}});
+  }
+  json landmarks = json::array();
+  for (const Landmark& landmark : summary.description.landmarks) {
+    landmarks.push_back({{"name", landmark.name}, {"position_mm", point(landmark.position)}});
+  }
+  json result = {{"name", summary.description.name},
+                 {"size", summary.ct.size},
+                 {"spacing_mm", point(summary.ct.spacing)},
+                 {"axes", summary.ct.axes()},
+                 {"origin_mm", point(summary.ct.origin)},
+                 {"tissue_spacing_mm", point(summary.tissues.spacing)},
+                 {"structures", summary.description.structures.size()},
+                 {"tissues", tissues},
+                 {"landmarks", landmarks},
+                 {"notes", summary.description.notes}};
+  if (const auto& path = summary.description.procedure.path) {
+    result["path"] = {
+        {"entry_mm", point(path->entry)}, {"target_mm", point(path->target)}, {"length_mm", path->length()}};
+  }
+  return result;
+}
+
+void finish_case(const CaseSummary& summary) {
+  for (const std::string& note : summary.description.notes) say({{"note", note}});
+  say({{"result", summary_json(summary)}});
+}
+
+void make_imported_case(const json& request) {
+  ImportOptions options;
+  options.ct = request.at("ct").get<std::string>();
+  options.labels = request.value("labels", "");
+  options.scheme = request.value("scheme", options.scheme);
+  options.tissues = request.value("tissues", "");
+  if (request.contains("series")) options.series = request.at("series").get<int>();
+  options.resample_labels = request.value("resample_labels", false);
+  options.fill_missing = request.value("fill_missing", false);
+  options.assume_hounsfield = request.value("assume_hu", false);
+  finish_case(build_imported_case(new_case(request), options, report_progress));
+}
+
+void make_synthetic_case(const json& request) {
+  LumbarParameters parameters;
+  parameters.seed = request.value("seed", parameters.seed);
+  parameters.age = request.value("age", parameters.age);
+  parameters.height = request.value("height", parameters.height);
+  parameters.weight = request.value("weight", parameters.weight);
+  parameters.flexion = request.value("flexion", parameters.flexion);
+  parameters.spacing = request.value("spacing", parameters.spacing);
+  finish_case(build_synthetic_case(new_case(request), parameters, report_progress));
+}
+
+void list_series(const json& request) {
+  const DicomFolder folder = scan_dicom(request.at("path").get<std::string>(), report_progress);
+  json series = json::array();
+  for (const DicomSeries& one : folder.series) {
+    series.push_back({{"number", one.number},
+                      {"description", one.description},
+                      {"modality", one.modality},
+                      {"slices", one.slices.size()},
+                      {"columns", one.columns},
+                      {"rows", one.rows}});
+  }
+  say({{"result", {{"series", series}, {"other_objects", folder.other_objects}}}});
+}
+
+int run(const std::string& verb) {
+  const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
+  const json request = json::parse(text);
+  if (verb == "read") {
+    read_image(request);
+  } else if (verb == "case-new") {
+    make_imported_case(request);
+  } else if (verb == "case-synthesize") {
+    make_synthetic_case(request);
+  } else if (verb == "list-series") {
+    list_series(request);
+  } else {
+    throw SystemError("bodkin-images does not know '" + verb +
+                      "'; it is another version than the program that called it");
+  }
+  return 0;
+}
+
+int fail(const std::string& sentence, const char* kind) {
+  say({{"error", sentence}, {"kind", kind}});
+  return kind == std::string("system") ? 1 : 2;
+}
+
+}  // namespace
+}  // namespace bodkin
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fputs("bodkin-images is started by bodkin; run 'bodkin case new --help'\n", stderr);
+    return 1;
+  }
+  try {
+    return bodkin::run(argv[1]);
+  } catch (const bodkin::InputError& error) {
+    return bodkin::fail(error.what(), "input");
+  } catch (const bodkin::SystemError& error) {
+    return bodkin::fail(error.what(), "system");
+  } catch (const std::bad_alloc&) {
+    return bodkin::fail("out of memory", "memory");
+  } catch (const std::length_error&) {
+    return bodkin::fail("out of memory", "memory");
+  } catch (const std::exception& error) {
+    return bodkin::fail(error.what(), "system");
+  }
+}

@@ -1,0 +1,98 @@
+#include "report/crossings.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace bodkin {
+
+std::vector<TissueCrossing> tissues_crossed(std::span<const TickRecord> ticks, double dt) {
+  std::vector<TissueCrossing> crossings;
+  double deepest = 0.0;
+  for (const TickRecord& record : ticks) {
+    const TickOutput& output = record.output;
+    if (!output.in_contact || output.depth < deepest || output.tissue == tissue::air) continue;
+    const double advance = output.depth - deepest;
+    if (crossings.empty() || crossings.back().tissue != output.tissue) {
+      // The face lies between the last tick in the old tissue and this one.
+      const double face = crossings.empty() ? 0.0 : deepest + 0.5 * advance;
+      if (!crossings.empty()) crossings.back().to = face;
+      crossings.push_back({output.tissue, face, output.depth, output.resistance, output.depth, 0.0});
+    }
+    TissueCrossing& here = crossings.back();
+    here.to = output.depth;
+    here.time += dt;
+    if (output.resistance > here.peak_force) {
+      here.peak_force = output.resistance;
+      here.peak_depth = output.depth;
+    }
+    deepest = output.depth;
+  }
+  return crossings;
+}
+
+std::vector<Insertion> insertions(std::span<const TickRecord> ticks) {
+  std::vector<Insertion> found;
+  bool inside = false;
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    const TickOutput& output = ticks[i].output;
+    if (output.in_contact && !inside) found.push_back({i, i, 0.0});
+    inside = output.in_contact;
+    if (!inside) continue;
+    found.back().last = i;
+    found.back().deepest = std::max(found.back().deepest, output.depth);
+  }
+  return found;
+}
+
+std::string event_text(const Event& event, const TissueLibrary& library) {
+  const std::string title = library.title(event.tissue);
+  switch (event.kind) {
+    case EventKind::contact:
+      return "the tip touches the body";
+    case EventKind::puncture:
+      return fmt::format("{} gives way at {:.2f} N", title, event.value);
+    case EventKind::loss_of_resistance:
+      return fmt::format("loss of resistance, {:.2f} N fall away", event.value);
+    case EventKind::bone_contact:
+      return fmt::format("the tip meets bone ({})", title);
+    case EventKind::bone_left:
+      return "the tip comes off the bone";
+    case EventKind::tissue_entered:
+      return fmt::format("the tip enters {}", title);
+    case EventKind::withdrawn:
+      return "the needle has left the body";
+    case EventKind::force_limited:
+      return fmt::format("force limited, {:.1f} N were asked for", event.value);
+    case EventKind::corridor_left:
+      return "the needle leaves the corridor that the deformable body was prepared for";
+    case EventKind::corridor_taken:
+      return "the needle begins in another corridor of the deformable body";
+    case EventKind::corridor_refreshed:
+      return "the needle is in the body as the probe presses it";
+    case EventKind::moving_body_failed:
+      return "the moving body failed: the probe lost its force, the needle finds the body at rest";
+    case EventKind::fault:
+      break;
+  }
+  return "fault: the force was ramped to zero";
+}
+
+bool is_notable(EventKind kind) {
+  return kind == EventKind::puncture || kind == EventKind::loss_of_resistance || kind == EventKind::bone_contact ||
+         kind == EventKind::force_limited || kind == EventKind::fault || kind == EventKind::corridor_left ||
+         kind == EventKind::corridor_taken || kind == EventKind::corridor_refreshed ||
+         kind == EventKind::moving_body_failed;
+}
+
+std::vector<PlotBand> bands_of(std::span<const TissueCrossing> crossings, const TissueLibrary& library) {
+  std::vector<PlotBand> bands;
+  for (const TissueCrossing& crossing : crossings) {
+    const TissueProperties* properties = library.find(crossing.tissue);
+    bands.push_back({crossing.from, crossing.to, properties != nullptr ? properties->colour : 0x808080U,
+                     library.title(crossing.tissue)});
+  }
+  return bands;
+}
+
+}  // namespace bodkin

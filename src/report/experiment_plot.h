@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "report/plot.h"
+#include "study/experiment.h"
+
+namespace bodkin {
+
+// The panels of an experiment below each other. Published numbers are drawn as dashed lines over their windows, in
+// the panels that show their quantity over time or depth.
+std::vector<Plot> plots_of(const Experiment& experiment, const ExperimentRun& run);
+
+}  // namespace bodkin

@@ -1,0 +1,283 @@
+#include "report/report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "report/crossings.h"
+#include "report/force_plot.h"
+#include "report/report_style.h"
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "imaging/slice_picture.h"
+#include "imaging/svg.h"
+#include "io/force_choice.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr double travel_step = 0.2;            // mm between the points of the drawn path
+constexpr double shown_before_contact = 12.0;  // mm of the path in air that is drawn
+constexpr std::size_t most_events = 300;       // rows of the table of events
+
+// The name of a procedure or structure as people write it: "lumbar_puncture" becomes "Lumbar puncture".
+std::string spoken(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  if (!name.empty() && name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
+  return name;
+}
+
+// JSON on lines of its own; what is no JSON stays as it is.
+std::string indented(const std::string& text) {
+  const auto json = nlohmann::ordered_json::parse(text, nullptr, false);
+  return json.is_discarded() ? text : json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+// "median 0.4 us, 99 % within 1.2 us, longest 33.0 us"
+std::string spread(std::span<const TimeBin> bins) {
+  return fmt::format("median {:.1f} us, 99 % within {:.1f} us, longest {:.1f} us", 1e6 * percentile(bins, 0.5),
+                     1e6 * percentile(bins, 0.99), 1e6 * percentile(bins, 1.0));
+}
+
+class Page {
+ public:
+  Page(const Session& session, const Case& patient, const SessionSummary& summary, bool case_changed)
+      : session_(session), patient_(patient), summary_(summary), case_changed_(case_changed) {}
+
+  std::string write() {
+    const std::string title = spoken(patient_.description.procedure.name) + ", " + patient_.description.name;
+    emit(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{}</title>\n"
+        "<style>{}</style>\n</head>\n<body>\n<main>\n",
+        escape_markup(title), report_style());
+    emit("<h1>{}</h1>\n<p class=\"under\">operator {} · {} · {:.1f} s</p>\n", escape_markup(title),
+         escape_markup(session_.header.operator_name), escape_markup(session_.header.started_at), summary_.duration);
+    verdict();
+    tiles();
+    force();
+    pictures();
+    course();
+    second_hand();
+    tissues();
+    events();
+    provenance();
+    emit("</main>\n</body>\n</html>\n");
+    return std::move(html_);
+  }
+
+ private:
+  template <typename... Arguments>
+  void emit(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
+    fmt::format_to(std::back_inserter(html_), text, std::forward<Arguments>(arguments)...);
+  }
+
+  void figure(const std::string& svg, const char* kind, const char* description) {
+    emit("<figure{}><img alt=\"{}\" src=\"{}\"/></figure>\n", kind, description, data_uri("image/svg+xml", svg));
+  }
+
+  void verdict() {
+    const Verdict verdict = judge(summary_, session_, patient_);
+    emit("<div class=\"verdict{}\"><strong>{}</strong>\n", verdict.reached ? " good" : "",
+         escape_markup(verdict.headline));
+    if (!verdict.remarks.empty()) {
+      emit("<ul>\n");
+      for (const std::string& remark : verdict.remarks) emit("<li>{}</li>\n", escape_markup(remark));
+      emit("</ul>\n");
+    }
+    emit("</div>\n");
+    if (case_changed_) {
+      emit(
+          "<p class=\"under\">The case on disk has changed since the recording; slices and tissues show what it is "
+          "now."
+          "</p>\n");
+    }
+  }
+
+  void tile(const std::string& value, const char* what) {
+    emit("<div class=\"tile\"><b>{}</b><span>{}</span></div>\n", value, what);
+  }
+
+  void tiles() {
+    const SessionSummary& s = summary_;
+    emit("<div class=\"tiles\">\n");
+    tile(fmt::format("{:.1f} mm", s.final_error.distance), "from the target at the end");
+    tile(fmt::format("{:.1f} mm", s.closest_distance), "from the target at the closest");
+    tile(s.time_to_target ? fmt::format("{:.1f} s", *s.time_to_target) : "never", "from skin to target");
+    tile(fmt::format("{:.1f} s", s.time_in_body), "in the body");
+    tile(fmt::format("{:.1f} mm", s.deviation_max), "off the planned path at most");
+    tile(fmt::format("{:.1f} mm", s.deviation_rms), "off the planned path, RMS");
+    tile(fmt::format("{:.1f}°", s.angle_at_contact), "off the planned axis at the skin");
+    tile(fmt::format("{:.1f}°", s.angle_at_end), "off the planned axis at the end");
+    tile(std::to_string(s.insertions), s.insertions == 1 ? "insertion" : "insertions");
+    tile(std::to_string(s.redirections), s.redirections == 1 ? "redirection" : "redirections");
+    tile(std::to_string(s.bone_contacts), s.bone_contacts == 1 ? "contact with bone" : "contacts with bone");
+    tile(fmt::format("{:.2f} N", s.peak_force), "largest resistance");
+    tile(fmt::format("{:.0f} mJ", s.work), "work done by the hand");
+    tile(fmt::format("{:.0f} mm", s.path_length), "travelled in the body");
+    tile(std::to_string(s.interventions), "times that the force was limited");
+    emit("</div>\n");
+  }
+
+  void force() {
+    emit("<h2>What the needle felt</h2>\n");
+    if (summary_.insertions == 0) {
+      emit("<p class=\"none\">Nothing: it never touched the body.</p>\n");
+      return;
+    }
+    figure(plot_svg(force_against_depth(session_.ticks, session_.events, session_.header.dt, patient_)), "",
+           "Resistance against depth, with the tissues as coloured bands");
+  }
+
+  std::vector<Vec3> travelled() const {
+    std::vector<Vec3> points;
+    for (const TickRecord& record : session_.ticks) {
+      const Vec3 tip = record.input.needle.translation();
+      const bool shown = record.output.in_contact || (tip - session_.header.path.entry).norm() < shown_before_contact;
+      if (shown && (points.empty() || (tip - points.back()).norm() >= travel_step)) points.push_back(tip);
+    }
+    return points;
+  }
+
+  void pictures() {
+    constexpr double panel_height = 455.0, closest = 80.0, furthest = 260.0, pixels = 620.0;
+    const NeedlePath& path = session_.header.path;
+    if (path.length() <= 0.0 || patient_.ct.empty()) return;
+    emit("<h2>Where it went</h2>\n");
+    const double side = std::clamp(1.35 * path.length(), closest, furthest);
+    const Vec3 middle = 0.5 * (path.entry + path.target);
+    const Vec3 level(middle.x(), middle.y(), path.target.z());
+    const std::vector<Vec3> tip = travelled();
+    std::vector<SlicePanel> panels;
+    panels.push_back(
+        {cut(sagittal_plane_along(path, middle, side, side, side / pixels), patient_.ct, patient_.tissues),
+         "sagittal, along the planned path", path, tip});
+    panels.push_back({cut(view_plane(View::axial, level, side, side, side / pixels), patient_.ct, patient_.tissues),
+                      "axial, at the level of the target", path, tip});
+    figure(slice_picture(panels, patient_.library, "", panel_height), " class=\"dark\"",
+           "Sagittal and axial slices with the planned path and the path of the tip");
+  }
+
+  void course() {
+    emit("<h2>In the course of time</h2>\n");
+    figure(plot_svg(force_and_depth_against_time(session_.ticks, session_.header.dt)), "",
+           "Resistance and depth against time");
+    figure(plot_svg(energy_against_time(session_.ticks, session_.header.dt)), "",
+           "Energy that the hand has given to the tissue, against time");
+  }
+
+  void second_hand() {
+    if (session_.second.empty()) return;
+    const bool is_plunger = session_.header.second->role == SecondRole::plunger;
+    emit("<h2>The second hand: {}</h2>\n", is_plunger ? "the plunger" : "the ultrasound probe");
+    figure(plot_svg(second_hand_against_time(session_)), "",
+           is_plunger ? "Pressure in the syringe and force on the thumb against time, with the needle's depth"
+                      : "Force of the probe on the skin against time");
+  }
+
+  std::string swatch(TissueId id) const {
+    const TissueProperties* properties = patient_.library.find(id);
+    return fmt::format("<i class=\"swatch\" style=\"background:{}\"></i>{}",
+                       css_colour(properties != nullptr ? properties->colour : 0x808080U),
+                       escape_markup(patient_.library.title(id)));
+  }
+
+  void tissues() {
+    emit("<h2>Tissues that the tip was in</h2>\n");
+    if (summary_.tissues.empty()) {
+      emit("<p class=\"none\">None.</p>\n");
+      return;
+    }
+    emit(
+        "<table class=\"whole\">\n<thead><tr><th>tissue</th><th class=\"n\">from, mm</th><th class=\"n\">to, "
+        "mm</th><th "
+        "class=\"n\">time, "
+        "s</th>"
+        "<th class=\"n\">peak resistance, N</th><th class=\"n\">at, mm</th></tr></thead>\n<tbody>\n");
+    for (const TissueTotal& total : summary_.tissues) {
+      emit(
+          "<tr><td>{}</td><td class=\"n\">{:.1f}</td><td class=\"n\">{:.1f}</td><td class=\"n\">{:.2f}</td>"
+          "<td class=\"n\">{:.2f}</td><td class=\"n\">{:.1f}</td></tr>\n",
+          swatch(total.tissue), total.from, total.to, total.time, total.peak_force, total.peak_depth);
+    }
+    emit("</tbody>\n</table>\n");
+  }
+
+  void events() {
+    emit("<h2>Events</h2>\n");
+    if (session_.events.empty()) {
+      emit("<p class=\"none\">None.</p>\n");
+      return;
+    }
+    emit(
+        "<table>\n<thead><tr><th class=\"n\">time, s</th><th class=\"n\">depth, mm</th><th>what "
+        "happened</th><th>tissue</th>"
+        "</tr></thead>\n<tbody>\n");
+    const std::size_t rows = std::min(session_.events.size(), most_events);
+    for (std::size_t i = 0; i < rows; ++i) {
+      const SessionEvent& event = session_.events[i];
+      emit("<tr><td class=\"n\">{:.3f}</td><td class=\"n\">{:.1f}</td><td>{}</td><td>{}</td></tr>\n",
+           static_cast<double>(event.tick) * session_.header.dt, event.event.depth,
+           escape_markup(event_text(event.event, patient_.library)),
+           event.event.tissue == tissue::air ? std::string() : swatch(event.event.tissue));
+    }
+    emit("</tbody>\n</table>\n");
+    if (rows < session_.events.size()) {
+      emit("<p class=\"none\">{} more events are in the session file.</p>\n", session_.events.size() - rows);
+    }
+  }
+
+  void row(const char* what, const std::string& value) {
+    emit("<tr><th>{}</th><td class=\"long\">{}</td></tr>\n", what, escape_markup(value));
+  }
+
+  void provenance() {
+    const SessionHeader& header = session_.header;
+    emit("<h2>Where this comes from</h2>\n<table class=\"whole\">\n");
+    row("case", header.case_folder);
+    row("fingerprint of the case", header.case_digest);
+    const ForceTexts forces = force_texts(header.haptics);
+    row("resistance", forces.resistance);
+    row("constraint", forces.constraint);
+    for (const std::string& part : forces.parts) row("with the part", part);
+    row("operator", header.operator_name);
+    if (!header.operator_settings.empty()) {
+      emit(
+          "<tr><th>its settings</th><td class=\"long\"><details><summary>all that makes this operator</summary>"
+          "<pre>{}</pre></details></td></tr>\n",
+          escape_markup(indented(header.operator_settings)));
+    }
+    if (header.second) {
+      row("second hand", fmt::format("{} {}", name_of(header.second->role), header.second->device));
+    }
+    if (!header.moving_body.empty()) row("body that moved on its own time", header.moving_body);
+    row("seed", std::to_string(header.seed));
+    row("recorded", header.started_at);
+    row("length", fmt::format("{} ticks of {:g} ms", session_.ticks.size(), 1000.0 * header.dt));
+    if (session_.timings) {
+      const SessionTimings& timings = *session_.timings;
+      row("kept its time", fmt::format("{} of {} rounds late; lateness {}; a round took {}", timings.overruns,
+                                       count_of(timings.compute), spread(timings.lateness), spread(timings.compute)));
+    }
+    row("complete", session_.finished ? "yes" : "no, the recording broke off; this is what was saved");
+    row("Bodkin", header.bodkin_version);
+    emit("</table>\n");
+  }
+
+  const Session& session_;
+  const Case& patient_;
+  const SessionSummary& summary_;
+  bool case_changed_;
+  std::string html_;
+};
+
+}  // namespace
+
+std::string report_html(const Session& session, const Case& patient, const SessionSummary& summary,
+                        bool case_changed) {
+  return Page(session, patient, summary, case_changed).write();
+}
+
+}  // namespace bodkin

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "report/session_summary.h"
+#include "session/session_file.h"
+
+#include "anatomy/case.h"
+
+namespace bodkin {
+
+// A session as one HTML page that stands alone: verdict, measures, plots, slices with the planned path and the one
+// really taken, tissues, events, provenance. Style and pictures lie inside; it refers to nothing outside. All text
+// from files is escaped. `case_changed`: the case on disk is not the one that was recorded, which the page then says.
+// Throws SystemError when gnuplot is missing.
+std::string report_html(const Session& session, const Case& patient, const SessionSummary& summary,
+                        bool case_changed);
+
+}  // namespace bodkin

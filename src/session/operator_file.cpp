@@ -1,0 +1,194 @@
+#include "session/operator_file.h"
+
+#include <filesystem>
+#include <map>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "io/resources.h"
+#include "io/xml_document.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr std::size_t largest_file = 1 << 20;  // bytes
+
+HandParameters hand_from(const XmlElement& element) {
+  HandParameters hand;
+  hand.mass = element.number("mass_kg", hand.mass);
+  hand.stiffness = element.number("stiffness_N_per_mm", hand.stiffness);
+  hand.damping = element.number("damping_N_s_per_mm", hand.damping);
+  hand.inertia = element.number("inertia_kg_mm2", hand.inertia);
+  hand.rotation_stiffness = element.number("rotation_stiffness_N_mm_per_rad", hand.rotation_stiffness);
+  hand.rotation_damping = element.number("rotation_damping_N_mm_s_per_rad", hand.rotation_damping);
+  hand.tremor = element.number("tremor_mm", 0.0);
+  hand.tremor_angle = element.number("tremor_deg", 0.0) * degree;
+  return hand;
+}
+
+// Turns the names of phases into their positions.
+class PhaseNames {
+ public:
+  PhaseNames(const XmlElement& root, const std::string& origin) : origin_(origin) {
+    for (const XmlElement& element : root.children) {
+      if (element.name != "phase") continue;
+      const std::string name = element.string("name");
+      if (name == "end")
+        fail_at(origin, element.line, "a phase is called 'end', expected another name: 'end' ends the script");
+      const auto [earlier, is_new] = positions_.emplace(name, static_cast<int>(positions_.size()));
+      if (!is_new)
+        fail_at(origin, element.line, fmt::format("there is a second phase '{}', expected every name once", name));
+    }
+  }
+
+  int position(const XmlElement& element, const char* attribute) const {
+    const std::string name = element.string(attribute, "end");
+    if (name == "end") return OperatorCondition::end;
+    const auto found = positions_.find(name);
+    if (found != positions_.end()) return found->second;
+    fail_at(origin_, element.line,
+            fmt::format("{} is '{}', expected the name of a phase of this file or 'end'", attribute, name));
+  }
+
+ private:
+  const std::string& origin_;
+  std::map<std::string, int> positions_;
+};
+
+OperatorCondition condition_from(const XmlElement& element, const PhaseNames& names, const std::string& origin) {
+  OperatorCondition condition;
+  bool any = false;
+  const auto read = [&](const char* attribute, std::optional<double>& value) {
+    if (element.find(attribute) == nullptr) return;
+    value = element.number(attribute, 0.0);
+    any = true;
+  };
+  read("time_s", condition.time);
+  read("travel_mm", condition.travel);
+  read("depth_above_mm", condition.depth_above);
+  read("depth_below_mm", condition.depth_below);
+  read("remaining_below_mm", condition.remaining_below);
+  read("force_above_N", condition.force_above);
+  read("force_below_N", condition.force_below);
+  read("force_drop_N", condition.force_drop);
+  read("hardness_above_N_per_mm", condition.hardness_above);
+  if (!any)
+    fail_at(origin, element.line, "this 'until' says nothing to wait for, expected at least one of its conditions");
+  condition.next = names.position(element, "then");
+  return condition;
+}
+
+OperatorPhase phase_from(const XmlElement& element, const PhaseNames& names, const std::string& origin) {
+  OperatorPhase phase;
+  phase.name = element.string("name");
+  phase.speed = element.number("speed_mm_per_s", 0.0);
+  phase.acceleration = element.number("acceleration_mm_per_s2", phase.acceleration);
+  phase.step = element.number("step_mm", 0.0);
+  phase.pause = element.number("pause_s", 0.0);
+  phase.tilt = element.number("tilt_cephalad_deg", 0.0) * degree;
+  phase.aim_again = element.boolean("aim_again", false);
+  phase.at_most = element.integer("at_most", 0);
+  phase.otherwise = names.position(element, "otherwise");
+  for (const XmlElement& until : element.children) phase.until.push_back(condition_from(until, names, origin));
+  return phase;
+}
+
+nlohmann::ordered_json condition_json(const OperatorCondition& condition, const OperatorScript& script) {
+  nlohmann::ordered_json json;
+  const auto put = [&](const char* key, const std::optional<double>& value) {
+    if (value) json[key] = *value;
+  };
+  put("time_s", condition.time);
+  put("travel_mm", condition.travel);
+  put("depth_above_mm", condition.depth_above);
+  put("depth_below_mm", condition.depth_below);
+  put("remaining_below_mm", condition.remaining_below);
+  put("force_above_N", condition.force_above);
+  put("force_below_N", condition.force_below);
+  put("force_drop_N", condition.force_drop);
+  put("hardness_above_N_per_mm", condition.hardness_above);
+  json["then"] = condition.next < 0 ? "end" : script.phases[static_cast<std::size_t>(condition.next)].name;
+  return json;
+}
+
+nlohmann::ordered_json phase_json(const OperatorPhase& phase, const OperatorScript& script) {
+  nlohmann::ordered_json json = {
+      {"name", phase.name},           {"speed_mm_per_s", phase.speed}, {"acceleration_mm_per_s2", phase.acceleration},
+      {"step_mm", phase.step},        {"pause_s", phase.pause},        {"tilt_cephalad_deg", phase.tilt / degree},
+      {"aim_again", phase.aim_again}, {"at_most", phase.at_most}};
+  json["otherwise"] = phase.otherwise < 0 ? "end" : script.phases[static_cast<std::size_t>(phase.otherwise)].name;
+  for (const OperatorCondition& condition : phase.until) json["until"].push_back(condition_json(condition, script));
+  return json;
+}
+
+}  // namespace
+
+OperatorScript parse_operator(std::string_view text, const std::string& origin) {
+  static const XmlSchema schema("operator.xsd");
+  const XmlElement root = schema.read(text, origin);
+  const PhaseNames names(root, origin);
+  OperatorScript script;
+  script.name = root.string("name");
+  for (const XmlElement& element : root.children) {
+    if (element.name == "description") {
+      script.description = one_line(element.text);
+    } else if (element.name == "hand") {
+      script.hand = hand_from(element);
+    } else if (element.name == "accuracy") {
+      script.aim_position = element.number("entry_mm", 0.0);
+      script.aim_angle = element.number("direction_deg", 0.0) * degree;
+      script.wander = element.number("wander_mm", 0.0);
+      script.wander_angle = element.number("wander_deg", 0.0) * degree;
+      script.unsteadiness = element.number("unsteadiness", 0.0);
+    } else if (element.name == "reaction") {
+      script.reaction = element.number("time_s", 0.0);
+      script.reaction_spread = element.number("spread_s", 0.0);
+    } else if (element.name == "start") {
+      script.start_distance = element.number("distance_mm", 0.0);
+    } else if (element.name == "phase") {
+      script.phases.push_back(phase_from(element, names, origin));
+    }
+  }
+  check(script, origin);
+  return script;
+}
+
+OperatorScript load_operator(const std::string& name) {
+  const bool bundled = name == "expert" || name == "novice";
+  const std::filesystem::path file =
+      bundled ? shared_file("operators/" + name + ".xml") : std::filesystem::path(name);
+  if (!bundled && !std::filesystem::exists(file)) {
+    throw InputError(
+        fmt::format("--operator is '{}', expected 'expert', 'novice' or the name of an operator file", name));
+  }
+  return parse_operator(read_text_file(file, largest_file), file.string());
+}
+
+std::string operator_json(const OperatorScript& script) {
+  nlohmann::ordered_json json = {{"name", script.name},
+                                 {"description", script.description},
+                                 {"hand",
+                                  {{"mass_kg", script.hand.mass},
+                                   {"stiffness_N_per_mm", script.hand.stiffness},
+                                   {"damping_N_s_per_mm", script.hand.damping},
+                                   {"inertia_kg_mm2", script.hand.inertia},
+                                   {"rotation_stiffness_N_mm_per_rad", script.hand.rotation_stiffness},
+                                   {"rotation_damping_N_mm_s_per_rad", script.hand.rotation_damping},
+                                   {"tremor_mm", script.hand.tremor},
+                                   {"tremor_deg", script.hand.tremor_angle / degree}}},
+                                 {"accuracy",
+                                  {{"entry_mm", script.aim_position},
+                                   {"direction_deg", script.aim_angle / degree},
+                                   {"wander_mm", script.wander},
+                                   {"wander_deg", script.wander_angle / degree},
+                                   {"unsteadiness", script.unsteadiness}}},
+                                 {"reaction", {{"time_s", script.reaction}, {"spread_s", script.reaction_spread}}},
+                                 {"start", {{"distance_mm", script.start_distance}}}};
+  for (const OperatorPhase& phase : script.phases) json["phases"].push_back(phase_json(phase, script));
+  return json.dump();
+}
+
+}  // namespace bodkin

@@ -1,0 +1,73 @@
+#include "session/recorder.h"
+
+#include <chrono>
+#include <utility>
+
+namespace bodkin {
+
+namespace {
+
+constexpr auto nap = std::chrono::milliseconds(5);
+constexpr auto save_interval = std::chrono::milliseconds(250);
+
+}  // namespace
+
+Recorder::Recorder(SessionWriter writer, Observer observer, std::size_t capacity, std::shared_ptr<SecondLink> second)
+    : writer_(std::move(writer)),
+      observer_(std::move(observer)),
+      ring_(capacity),
+      second_(std::move(second)),
+      thread_([this] { work(); }) {}
+
+Recorder::~Recorder() {
+  stop();
+}
+
+void Recorder::push(const TickRecord& record) noexcept {
+  if (!ring_.push(record)) ++lost_;
+}
+
+void Recorder::take_samples() {
+  if (!second_) return;
+  SecondSample sample;
+  while (second_->samples.pop(sample)) writer_.append(sample);
+}
+
+void Recorder::work() {
+  try {
+    TickRecord record;
+    auto saved = std::chrono::steady_clock::now();
+    for (bool last = false; !last;) {
+      // Asked before the ring is emptied: whatever was pushed before the request is still taken.
+      last = stopping_.load(std::memory_order_acquire);
+      while (ring_.pop(record)) {
+        writer_.append(record);
+        if (observer_) observer_(record);
+      }
+      take_samples();
+      const auto now = std::chrono::steady_clock::now();
+      if (now - saved >= save_interval) {
+        writer_.commit();
+        saved = now;
+      }
+      if (!last) std::this_thread::sleep_for(nap);
+    }
+    writer_.commit();
+  } catch (...) {
+    failure_ = std::current_exception();
+    failed_.store(true, std::memory_order_release);
+  }
+}
+
+void Recorder::stop() {
+  stopping_.store(true, std::memory_order_release);
+  if (thread_.joinable()) thread_.join();
+}
+
+void Recorder::finish(const std::optional<SessionTimings>& timings) {
+  stop();
+  if (failure_) std::rethrow_exception(failure_);
+  writer_.finish(timings);
+}
+
+}  // namespace bodkin

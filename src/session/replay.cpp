@@ -1,0 +1,186 @@
+#include "session/replay.h"
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "patient/prepared_body.h"
+#include "session/session_run.h"
+#include "session/session_schema.h"
+#include "session/tick_codec.h"
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "io/resources.h"
+#include "simulation/haptic_tick.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr std::uint64_t progress_interval = 4096;  // ticks
+
+std::string bits_text(double value) {
+  return fmt::format("{} (bits {:016x})", value, std::bit_cast<std::uint64_t>(value));
+}
+
+std::string events_text(std::span<const Event> events) {
+  std::string text;
+  for (const Event& event : events) {
+    text += fmt::format("{}{} in tissue {} at {} with {}", text.empty() ? "" : "; ", event_kind_name(event.kind),
+                        event.tissue, bits_text(event.depth), bits_text(event.value));
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::vector<std::uint8_t> events_bytes(std::span<const Event> events) {
+  std::vector<std::uint8_t> bytes;
+  for (const Event& event : events) encode_event(0, event, bytes);
+  return bytes;
+}
+
+// What differs between two ticks that are not equal.
+ReplayDifference difference_of(const TickRecord& recorded, const TickRecord& recomputed, double dt) {
+  ReplayDifference difference{recorded.tick, static_cast<double>(recorded.tick) * dt, {}, {}, {}};
+  std::vector<double> before, after;
+  tick_numbers(recorded, before);
+  tick_numbers(recomputed, after);
+  for (std::size_t column = 0; column < before.size(); ++column) {
+    if (std::bit_cast<std::uint64_t>(before[column]) == std::bit_cast<std::uint64_t>(after[column])) continue;
+    difference.field = tick_number_names()[column];
+    difference.recorded = bits_text(before[column]);
+    difference.recomputed = bits_text(after[column]);
+    return difference;
+  }
+  const auto differs = [&](const char* field, int was, int is) {
+    if (was == is || !difference.field.empty()) return;
+    difference.field = field;
+    difference.recorded = std::to_string(was);
+    difference.recomputed = std::to_string(is);
+  };
+  differs("tissue", recorded.output.tissue, recomputed.output.tissue);
+  differs("in_contact", recorded.output.in_contact ? 1 : 0, recomputed.output.in_contact ? 1 : 0);
+  differs("limits", recorded.output.limits, recomputed.output.limits);
+  return difference;
+}
+
+// The corridors of a deformable body that were prepared while the session ran: each is there from the tick on in
+// which the needle took it.
+class CorridorsTaken {
+ public:
+  CorridorsTaken(const Session& session, const Case& patient, const BodyDescription* body, const Progress& progress)
+      : session_(session), patient_(patient), body_(body), progress_(progress) {}
+
+  void prepare_for(std::span<const Event> events, HapticTick& haptics) {
+    for (const Event& event : events) {
+      const bool is_another = event.value >= 0.0 && event.value < static_cast<double>(session_.ticks.size());
+      if (event.kind != EventKind::corridor_taken || !is_another) continue;
+      const auto aimed_at = static_cast<std::uint64_t>(event.value);
+      if (std::find(there_.begin(), there_.end(), aimed_at) != there_.end()) continue;
+      if (!haptics.add_corridor(made(aimed_at))) {
+        throw InputError(fmt::format("the session takes more corridors than the {} that there is room for",
+                                     HapticTick::most_corridors));
+      }
+      there_.push_back(aimed_at);
+    }
+  }
+
+ private:
+  PreparedCorridor made(std::uint64_t aimed_at) const {
+    const NeedlePath& planned = session_.header.path;
+    std::optional<NeedlePath> path;
+    if (body_ != nullptr)
+      path = aimed_path(session_.ticks[aimed_at].input.needle, patient_.tissues, planned.length());
+    if (path) return another_corridor(*body_, patient_, *path, aimed_at, progress_);
+    throw InputError(
+        fmt::format("the session takes a corridor that the needle aimed along in tick {}, but {}; record it again",
+                    aimed_at, body_ == nullptr ? "its resistance has no deformable body" : "it aims nowhere there"));
+  }
+
+  const Session& session_;
+  const Case& patient_;
+  const BodyDescription* body_;
+  const Progress& progress_;
+  std::vector<std::uint64_t> there_;
+};
+
+}  // namespace
+
+void check_recomputable(const Session& session) {
+  for (const SessionEvent& event : session.events) {
+    if (event.event.kind != EventKind::corridor_refreshed && event.event.kind != EventKind::moving_body_failed)
+      continue;
+    throw InputError(fmt::format(
+        "the session cannot be recomputed: at {:.3f} s its needle met a body that moved on a thread of its "
+        "own (--body moving), of which only what was felt is kept; 'bodkin report' and 'bodkin export' "
+        "show that",
+        static_cast<double>(event.tick) * session.header.dt));
+  }
+}
+
+ReplayResult replay_session(const Session& session, Case patient, const Progress& progress,
+                            const BodyDescription* body) {
+  if (session.ticks.empty()) throw InputError("the session holds no ticks, there is nothing to replay");
+  check_recomputable(session);
+  patient.description.haptics = session.header.haptics;
+  if (session.header.device) patient.description.device = *session.header.device;
+  HapticTick haptics(patient);
+  if (haptics.dt() != session.header.dt) {
+    throw InputError(
+        fmt::format("the session has a tick of {} s, but its force models ran with one of {} s; record it again",
+                    session.header.dt, haptics.dt()));
+  }
+  ReplayResult result;
+  std::vector<std::uint8_t> was, is, all_events;
+  std::uint64_t chain = 0;
+  CorridorsTaken corridors(session, patient, body, progress);
+  auto event = session.events.begin();
+  for (const TickRecord& recorded : session.ticks) {
+    if (recorded.tick != result.ticks) {
+      throw InputError(
+          fmt::format("tick {} is missing from the session, a replay needs every tick from the first", result.ticks));
+    }
+    std::vector<Event> recorded_events;
+    for (; event != session.events.end() && event->tick == recorded.tick; ++event)
+      recorded_events.push_back(event->event);
+    corridors.prepare_for(recorded_events, haptics);
+    TickRecord recomputed{recorded.tick, recorded.input, haptics.step(recorded.input)};
+    was.clear();
+    is.clear();
+    encode_tick(recorded, was);
+    encode_tick(recomputed, is);
+    if (was != is) {
+      result.difference = difference_of(recorded, recomputed, session.header.dt);
+      return result;
+    }
+    const std::span<const Event> found(recomputed.output.events.begin(), recomputed.output.events.end());
+    const std::vector<std::uint8_t> found_bytes = events_bytes(found);
+    if (events_bytes(recorded_events) != found_bytes) {
+      result.difference = ReplayDifference{recorded.tick, static_cast<double>(recorded.tick) * session.header.dt,
+                                           "events", events_text(recorded_events), events_text(found)};
+      return result;
+    }
+    is.insert(is.end(), found_bytes.begin(), found_bytes.end());
+    chain = std::bit_cast<std::uint64_t>(chunk_checksum(chain, 1, 0, is));
+    ++result.ticks;
+    if (progress && result.ticks % progress_interval == 0) {
+      progress("replaying", static_cast<double>(result.ticks) / static_cast<double>(session.ticks.size()));
+    }
+  }
+  result.digest = fmt::format("{:016x}", chain);
+  return result;
+}
+
+void check_same_case(const Session& session, const Case& patient, const std::string& case_folder) {
+  const std::string xml = read_text_file(std::filesystem::path(case_folder) / "case.xml", largest_case_xml);
+  const std::string digest = case_digest(patient, xml);
+  if (digest == session.header.case_digest) return;
+  const char* what =
+      xml != session.header.case_xml ? "its case.xml is not the one" : "its voxels or tissues are not those";
+  throw InputError(fmt::format("{}: {} of the session (digest {}, recorded {}); give the case as it was with --case",
+                               case_folder, what, digest, session.header.case_digest));
+}
+
+}  // namespace bodkin

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "session/session_file.h"
+
+#include "core/progress.h"
+#include "fem/solid/elastic_body.h"
+
+namespace bodkin {
+
+// The first place where a recomputation differs from the recording.
+struct ReplayDifference {
+  std::uint64_t tick = 0;
+  double time = 0.0;     // s
+  std::string field;     // "applied_force_x", "tissue", "events", ...
+  std::string recorded;  // as text that tells every bit
+  std::string recomputed;
+};
+
+struct ReplayResult {
+  std::uint64_t ticks = 0;                     // recomputed
+  std::string digest;                          // of everything recomputed: XXH3, 16 hexadecimal digits
+  std::optional<ReplayDifference> difference;  // nothing: identical to the last bit
+};
+
+// Throws InputError for a session whose needle was in a body that a probe pressed on a thread of its own: what that
+// thread came to by then is not kept. Only ticks in the body at rest can be recomputed.
+void check_recomputable(const Session& session);
+
+// Feeds the recorded needle poses to a new haptic tick on `patient`, with the force models that the session used
+// instead of the case's, and compares every number, flag and event with the recording, bit by bit. Stops at the first
+// difference. `body`: what the patient's deformable body was made of, from which the corridors are prepared that the
+// session took in addition; may be null for a session that took none. Throws InputError when the session cannot be
+// replayed: it holds no ticks, ticks are missing, its tick is not that of its force models, a corridor that it took
+// cannot be prepared, or check_recomputable() refuses it.
+ReplayResult replay_session(const Session& session, Case patient, const Progress& progress = {},
+                            const BodyDescription* body = nullptr);
+
+// Throws InputError unless `patient`, read from `case_folder`, is the one that the session was recorded on.
+void check_same_case(const Session& session, const Case& patient, const std::string& case_folder);
+
+}  // namespace bodkin

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "session/second_sample.h"
+
+#include "anatomy/tissue.h"
+#include "core/latest_value.h"
+#include "core/single_producer_ring.h"
+
+namespace bodkin {
+
+// What a second hand needs to know of the needle.
+struct NeedleMoment {
+  double time = -1.0;             // s of the session; negative: the needle has had no tick yet
+  TissueId tissue = tissue::air;  // at the tip
+};
+
+// Everything that crosses between the needle's thread, the second hand's and the recorder's. Wait-free on both sides
+// of each: no hand waits for the other, and neither for the disk.
+struct SecondLink {
+  LatestValue<NeedleMoment> needle;                // written by the needle's thread, read by the second hand's
+  SingleProducerRing<SecondSample> samples{4096};  // pushed by the second hand's thread, popped by the recorder's
+  std::atomic<std::uint64_t> lost{0};              // samples that found the ring full
+};
+
+}  // namespace bodkin

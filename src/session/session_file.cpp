@@ -1,0 +1,283 @@
+#include "session/session_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "session/session_schema.h"
+#include "session/tick_codec.h"
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "io/case_xml.h"
+#include "io/haptics_xml.h"
+
+namespace bodkin {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double chunk_time = 0.25;      // s of simulated time in a chunk
+constexpr int page_size = 4096;          // bytes
+constexpr int checkpoint_pages = 16384;  // 64 MiB of log before SQLite tidies up
+
+std::string point_text(const Vec3& point) {
+  return fmt::format("{} {} {}", point.x(), point.y(), point.z());
+}
+
+std::vector<std::pair<std::string, std::string>> header_rows(const SessionHeader& header) {
+  std::vector<std::pair<std::string, std::string>> rows = {{"bodkin_version", header.bodkin_version},
+                                                           {"case_digest", header.case_digest},
+                                                           {"case_folder", header.case_folder},
+                                                           {"case_xml", header.case_xml},
+                                                           {"dt_s", fmt::format("{}", header.dt)},
+                                                           {"entry_mm", point_text(header.path.entry)},
+                                                           {"haptics_xml", haptics_xml(header.haptics)},
+                                                           {"operator_name", header.operator_name},
+                                                           {"operator_settings", header.operator_settings},
+                                                           {"seed", fmt::format("{}", header.seed)},
+                                                           {"started_at", header.started_at},
+                                                           {"target_mm", point_text(header.path.target)}};
+  if (header.device) rows.emplace_back("device_xml", device_xml(*header.device));
+  if (header.second) {
+    rows.emplace_back("second_device", header.second->device);
+    rows.emplace_back("second_role", name_of(header.second->role));
+  }
+  if (!header.moving_body.empty()) rows.emplace_back("moving_body", header.moving_body);
+  // In the order of the keys, in which the checksum takes them.
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
+
+}  // namespace
+
+struct SessionWriter::Impl {
+  Impl(const fs::path& path, const SessionHeader& header);
+
+  void flush();
+  void put_chunk();
+  void put_samples();
+  void put_header(const std::string& key, const std::string& value);
+  void put_timings(const SessionTimings& timings);
+  // What a failure of the database means for the person at the terminal.
+  [[noreturn]] void fail(const SQLite::Exception& error) const {
+    throw SystemError(fmt::format("cannot write the session {}: {}", file.string(), error.what()));
+  }
+
+  fs::path file;
+  SQLite::Database database;
+  std::unique_ptr<SQLite::Statement> insert_chunk;
+  std::unique_ptr<SQLite::Statement> insert_event;
+  std::unique_ptr<SQLite::Statement> insert_sample;
+  std::uint32_t chunk_ticks;      // ticks of a full chunk
+  std::uint64_t first_tick = 0;   // of the chunk being filled
+  std::uint64_t total_ticks = 0;  // written or waiting
+  std::uint32_t ticks = 0;        // in the chunk being filled
+  std::vector<std::uint8_t> data;
+  std::vector<SessionEvent> events;
+  bool has_second;
+  bool pressure_is_kept = false;      // of a plunger
+  std::uint64_t total_samples = 0;    // of the second hand, written
+  std::vector<SecondSample> samples;  // waiting
+  bool finished = false;
+};
+
+SessionWriter::Impl::Impl(const fs::path& path, const SessionHeader& header)
+    : file(path),
+      database(path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE),
+      chunk_ticks(static_cast<std::uint32_t>(
+          std::clamp(std::round(chunk_time / header.dt), 1.0, double{session_schema::most_ticks_of_a_chunk}))),
+      has_second(header.second.has_value()) {
+  database.exec(fmt::format("PRAGMA page_size={}", page_size));
+  database.exec("PRAGMA synchronous=OFF");  // an empty session is worth no waiting for the disk
+  {
+    SQLite::Transaction transaction(database);
+    // In the main file before the log begins, so that a reader knows the file by its first bytes at any time.
+    database.exec(fmt::format("PRAGMA application_id={}", session_schema::application_id));
+    database.exec(fmt::format("PRAGMA user_version={}", session_schema::version));
+    for (const auto& table : session_schema::tables) database.exec(table.sql);
+    std::string all;
+    for (const auto& [key, value] : header_rows(header)) {
+      put_header(key, value);
+      all += key + '\n' + value + '\n';
+    }
+    SQLite::Statement insert_tissue(database, "INSERT INTO tissues VALUES(?, ?, ?)");
+    for (const TissueName& tissue : header.tissues) {
+      insert_tissue.bind(1, static_cast<int>(tissue.id));
+      insert_tissue.bind(2, tissue.name);
+      insert_tissue.bind(3, tissue.title);
+      insert_tissue.exec();
+      insert_tissue.reset();
+      all += fmt::format("{}\n{}\n{}\n", tissue.id, tissue.name, tissue.title);
+    }
+    put_header("checksum", text_checksum(all));
+    transaction.commit();
+  }
+  database.exec("PRAGMA journal_mode=WAL");
+  database.exec("PRAGMA synchronous=NORMAL");
+  database.exec(fmt::format("PRAGMA wal_autocheckpoint={}", checkpoint_pages));
+  insert_chunk = std::make_unique<SQLite::Statement>(database, "INSERT INTO chunks VALUES(?, ?, ?, ?, ?)");
+  insert_event = std::make_unique<SQLite::Statement>(database, "INSERT INTO events VALUES(?, ?, ?, ?, ?)");
+  insert_sample = std::make_unique<SQLite::Statement>(
+      database, "INSERT INTO second_hand VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  pressure_is_kept = header.second && header.second->role == SecondRole::plunger;
+  data.reserve(chunk_ticks * encoded_tick_size() + 1024);
+}
+
+void SessionWriter::Impl::put_header(const std::string& key, const std::string& value) {
+  SQLite::Statement insert(database, "INSERT INTO header VALUES(?, ?)");
+  insert.bind(1, key);
+  insert.bind(2, value);
+  insert.exec();
+}
+
+void SessionWriter::Impl::put_timings(const SessionTimings& timings) {
+  SQLite::Transaction transaction(database);
+  SQLite::Statement insert(database, "INSERT INTO timings VALUES(?, ?, ?)");
+  const auto put = [&insert](const char* what, const TimeBin& bin) {
+    insert.bind(1, what);
+    insert.bind(2, bin.up_to);
+    insert.bind(3, static_cast<std::int64_t>(bin.count));
+    insert.exec();
+    insert.reset();
+  };
+  for (const TimeBin& bin : timings.lateness) put("lateness", bin);
+  for (const TimeBin& bin : timings.compute) put("compute", bin);
+  put("overruns", {0.0, timings.overruns});
+  transaction.commit();
+}
+
+void SessionWriter::Impl::flush() {
+  if (ticks == 0 && samples.empty()) return;
+  SQLite::Transaction transaction(database);
+  if (ticks > 0) put_chunk();
+  put_samples();
+  transaction.commit();
+  total_samples += samples.size();
+  samples.clear();
+  ticks = 0;
+  data.clear();
+  events.clear();
+}
+
+void SessionWriter::Impl::put_chunk() {
+  for (const SessionEvent& event : events) {
+    encode_event(static_cast<std::uint32_t>(event.tick - first_tick), event.event, data);
+  }
+  const auto event_count = static_cast<std::uint32_t>(events.size());
+  insert_chunk->reset();
+  insert_chunk->bind(1, static_cast<std::int64_t>(first_tick));
+  insert_chunk->bind(2, ticks);
+  insert_chunk->bind(3, event_count);
+  insert_chunk->bind(4, chunk_checksum(first_tick, ticks, event_count, data));
+  insert_chunk->bindNoCopy(5, data.data(), static_cast<int>(data.size()));
+  insert_chunk->exec();
+  for (const SessionEvent& event : events) {
+    insert_event->reset();
+    insert_event->bind(1, static_cast<std::int64_t>(event.tick));
+    insert_event->bind(2, std::string(event_kind_name(event.event.kind)));
+    insert_event->bind(3, static_cast<int>(event.event.tissue));
+    insert_event->bind(4, event.event.depth);
+    insert_event->bind(5, event.event.value);
+    insert_event->exec();
+  }
+}
+
+void SessionWriter::Impl::put_samples() {
+  auto number = static_cast<std::int64_t>(total_samples);
+  for (const SecondSample& sample : samples) {
+    const Eigen::Quaterniond& turn = sample.rotation;
+    insert_sample->reset();
+    insert_sample->bind(1, number++);
+    int column = 2;
+    for (const double value : {sample.time, sample.position.x(), sample.position.y(), sample.position.z(), turn.w(),
+                               turn.x(), turn.y(), turn.z(), sample.force, sample.pressure, sample.volume}) {
+      if (column > 10 && !pressure_is_kept) {
+        insert_sample->bind(column++);
+      } else {
+        insert_sample->bind(column++, value);
+      }
+    }
+    insert_sample->exec();
+  }
+}
+
+SessionWriter::SessionWriter(const fs::path& file, const SessionHeader& header, bool overwrite) {
+  if (!(header.dt > 0.0))
+    throw InputError(fmt::format("the tick of a session is {} s, expected more than 0", header.dt));
+  std::error_code ignored;
+  const bool exists = fs::exists(fs::symlink_status(file, ignored));
+  if (exists && !overwrite) {
+    throw InputError(
+        fmt::format("the session file {} exists already; give another --output, or --overwrite", file.string()));
+  }
+  if (exists && !fs::is_regular_file(file, ignored)) {
+    throw InputError(fmt::format("{} is not a file that a session could replace", file.string()));
+  }
+  // A log without its database would be taken for a part of the new file.
+  for (const char* ending : {"", "-wal", "-shm", "-journal"}) fs::remove(file.string() + ending, ignored);
+  try {
+    impl_ = std::make_unique<Impl>(file, header);
+  } catch (const SQLite::Exception& error) {
+    throw SystemError(fmt::format("cannot create the session file {}: {}", file.string(), error.what()));
+  }
+}
+
+SessionWriter::~SessionWriter() {
+  if (!impl_ || impl_->finished) return;
+  try {
+    impl_->flush();
+  } catch (const SQLite::Exception&) {
+    // Nothing more can be saved, and nobody is left to be told: commit() and finish() do the telling.
+  }
+}
+
+SessionWriter::SessionWriter(SessionWriter&&) noexcept = default;
+SessionWriter& SessionWriter::operator=(SessionWriter&&) noexcept = default;
+
+void SessionWriter::append(const TickRecord& record) {
+  Impl& writer = *impl_;
+  const bool gap = writer.ticks > 0 && record.tick != writer.first_tick + writer.ticks;
+  if (gap) commit();
+  if (writer.ticks == 0) writer.first_tick = record.tick;
+  encode_tick(record, writer.data);
+  for (const Event& event : record.output.events) writer.events.push_back({record.tick, event});
+  ++writer.ticks;
+  ++writer.total_ticks;
+  if (writer.ticks == writer.chunk_ticks) commit();
+}
+
+void SessionWriter::append(const SecondSample& sample) {
+  Impl& writer = *impl_;
+  if (writer.has_second && writer.total_samples + writer.samples.size() < session_schema::most_second_samples) {
+    writer.samples.push_back(sample);
+  }
+}
+
+void SessionWriter::commit() {
+  try {
+    impl_->flush();
+  } catch (const SQLite::Exception& error) {
+    impl_->fail(error);
+  }
+}
+
+void SessionWriter::finish(const std::optional<SessionTimings>& timings) {
+  commit();
+  try {
+    if (timings) impl_->put_timings(*timings);
+    impl_->put_header("finished_after_ticks", fmt::format("{}", impl_->total_ticks));
+    if (impl_->has_second) impl_->put_header("second_samples", fmt::format("{}", impl_->total_samples));
+    impl_->insert_chunk.reset();
+    impl_->insert_event.reset();
+    impl_->insert_sample.reset();
+    // Back to a single file: the log is carried over and removed.
+    impl_->database.exec("PRAGMA journal_mode=DELETE");
+    impl_->finished = true;
+  } catch (const SQLite::Exception& error) {
+    impl_->fail(error);
+  }
+}
+
+}  // namespace bodkin

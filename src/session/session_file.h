@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "session/second_sample.h"
+#include "session/session_timings.h"
+
+#include "anatomy/case.h"
+#include "simulation/tick_record.h"
+
+namespace bodkin {
+
+// What a tissue id of a recording means.
+struct TissueName {
+  TissueId id = tissue::air;
+  std::string name;   // "ligamentum_flavum"
+  std::string title;  // "ligamentum flavum"
+};
+
+// What a session is about; written once at its start.
+struct SessionHeader {
+  std::string bodkin_version;
+  std::string case_folder;        // absolute path at recording time
+  std::string case_digest;        // of case.xml and its volumes
+  std::string case_xml;           // the description as it was
+  std::string operator_name;      // "expert", "novice", or the script's name
+  std::string operator_settings;  // JSON: every parameter of the operator
+  std::uint64_t seed = 0;
+  double dt = 0.001;                   // s
+  std::string started_at;              // ISO 8601, UTC
+  NeedlePath path;                     // that the operator was given
+  HapticSettings haptics;              // that were used: those of the case, or others in their place
+  std::optional<DeviceLimits> device;  // that was held, in place of the case's
+  std::optional<SecondHeader> second;  // a second hand, where there was one
+  std::string moving_body;          // JSON: of a body that moved on its own time (--body moving); "": it was static
+  std::vector<TissueName> tissues;  // of the case's library, in the order of their ids
+};
+
+// An event with its place in the session.
+struct SessionEvent {
+  std::uint64_t tick = 0;
+  Event event;
+};
+
+// Records a session to one SQLite file (write-ahead log) while it runs. append() is called by one thread only and may
+// block on the disk: a servo thread hands its records over through a ring, see training/recorder.h.
+class SessionWriter {
+ public:
+  // Creates the file; throws InputError when it exists and `overwrite` is false, SystemError when it cannot be made.
+  SessionWriter(const std::filesystem::path& file, const SessionHeader& header, bool overwrite);
+  ~SessionWriter();
+  SessionWriter(SessionWriter&&) noexcept;
+  SessionWriter& operator=(SessionWriter&&) noexcept;
+
+  void append(const TickRecord& record);
+  // Of the second hand, which the header names; times rise strictly.
+  void append(const SecondSample& sample);
+  // Makes everything appended so far safe on disk.
+  void commit();
+  // Writes the closing entry: the session ended on purpose. Throws SystemError when the disk is full.
+  void finish(const std::optional<SessionTimings>& timings = {});
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+// A whole session in memory.
+struct Session {
+  SessionHeader header;
+  std::vector<TickRecord> ticks;  // events stand in `events`, not in the records
+  std::vector<SessionEvent> events;
+  std::vector<SecondSample> second;       // of the second hand
+  std::optional<SessionTimings> timings;  // of a finished session that ran on the clock
+  bool finished = false;                  // false: the recording process died; what is here is what was saved
+};
+
+// Throws InputError for anything that is not a sound session file of this version.
+Session read_session(const std::filesystem::path& file);
+
+}  // namespace bodkin

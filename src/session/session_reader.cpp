@@ -1,0 +1,372 @@
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <map>
+
+#include "session/session_file.h"
+#include "session/session_schema.h"
+#include "session/tick_codec.h"
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include "core/error.h"
+#include "io/case_xml.h"
+#include "io/haptics_xml.h"
+#include "io/xml_document.h"
+
+namespace bodkin {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int longest_value = 64 << 20;  // bytes of one cell; case.xml is the largest
+constexpr int patience = 2'000'000;      // thousands of steps of the database engine
+constexpr int busy_timeout = 3000;       // ms, for a session that is still being written
+constexpr std::uint64_t last_tick = std::uint64_t{1} << 53;
+constexpr std::size_t most_header_rows = 64;
+// What no second hand exceeds.
+constexpr double last_time = 1e6;          // s
+constexpr double furthest = 1e5;           // mm
+constexpr double strongest = 1e4;          // N
+constexpr double lowest_pressure = -0.2;   // MPa gauge
+constexpr double highest_pressure = 10.0;  // MPa
+constexpr double largest_volume = 1e6;     // mm^3
+constexpr double unit_tolerance = 1e-6;    // of a rotation's length
+
+// Keys that are written when a session ends, which the header's checksum cannot know.
+bool is_written_last(const std::string& key) {
+  return key == "checksum" || key == "finished_after_ticks" || key == "second_samples";
+}
+
+class Reader {
+ public:
+  explicit Reader(const fs::path& file) : file_(file) { check_first_bytes(); }
+
+  Session read();
+
+ private:
+  [[noreturn]] void fail(const std::string& fault) const {
+    throw InputError(fmt::format("{}: {}; give a session file that 'bodkin run' wrote", file_.string(), fault));
+  }
+  void check_first_bytes() const;
+  static void restrict_database(SQLite::Database& database);
+  void check_schema(SQLite::Database& database) const;
+  void read_header(SQLite::Database& database, Session& session);
+  void read_chunks(SQLite::Database& database, Session& session) const;
+  void read_chunk(std::uint64_t first_tick, std::uint32_t ticks, std::uint32_t events,
+                  std::span<const std::uint8_t> data, Session& session) const;
+  void read_second_hand(SQLite::Database& database, Session& session) const;
+  void read_timings(SQLite::Database& database, Session& session) const;
+  // A text of the header, which must be there.
+  const std::string& text(const std::string& key) const;
+  template <typename Number>
+  Number number(const std::string& key) const;
+  Vec3 point(const std::string& key) const;
+
+  fs::path file_;
+  std::map<std::string, std::string> header_;
+};
+
+std::uint32_t big_endian(const unsigned char* bytes) {
+  return std::uint32_t{bytes[0]} << 24 | std::uint32_t{bytes[1]} << 16 | std::uint32_t{bytes[2]} << 8 | bytes[3];
+}
+
+// SQLite's own header: the signature, then at 60 the user version and at 68 the application id, both big-endian.
+void Reader::check_first_bytes() const {
+  std::error_code error;
+  if (!fs::exists(file_, error)) fail("there is no such file");
+  if (!fs::is_regular_file(file_, error)) fail("this is not a file");
+  std::array<char, 100> bytes{};
+  std::ifstream stream(file_, std::ios::binary);
+  if (!stream) fail("the file cannot be read");
+  stream.read(bytes.data(), bytes.size());
+  const std::string_view signature("SQLite format 3\0", 16);
+  if (stream.gcount() != bytes.size() || std::string_view(bytes.data(), 16) != signature)
+    fail("this is not a session file");
+  std::array<unsigned char, 100> raw{};
+  for (std::size_t position = 0; position < raw.size(); ++position)
+    raw[position] = static_cast<unsigned char>(bytes[position]);
+  if (big_endian(&raw[68]) != static_cast<std::uint32_t>(session_schema::application_id)) {
+    fail("this is a database of another program, not a session");
+  }
+  // Without a log beside it the file must be as long as it says; with one, the rest may still be in the log.
+  const std::uint64_t page = raw[16] == 0 && raw[17] == 1 ? 65536 : std::uint64_t{raw[16]} << 8 | raw[17];
+  const bool has_log =
+      fs::exists(file_.string() + "-wal", error) && fs::file_size(file_.string() + "-wal", error) > 0;
+  if (!has_log && fs::file_size(file_, error) < page * big_endian(&raw[28])) fail("the end of the file is missing");
+  const std::uint32_t version = big_endian(&raw[60]);
+  if (version != static_cast<std::uint32_t>(session_schema::version)) {
+    fail(fmt::format("the session has format version {}, this Bodkin reads version {}", version,
+                     session_schema::version));
+  }
+}
+
+// The file may come from anywhere: nothing in it may run, and nothing may take for ever.
+void Reader::restrict_database(SQLite::Database& database) {
+  sqlite3* handle = database.getHandle();
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+  sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, longest_value);
+  sqlite3_limit(handle, SQLITE_LIMIT_ATTACHED, 0);
+  sqlite3_progress_handler(
+      handle, 1000,
+      [](void* steps) {
+        int& count = *static_cast<int*>(steps);
+        return ++count > patience ? 1 : 0;
+      },
+      [] {
+        thread_local int steps = 0;
+        steps = 0;
+        return &steps;
+      }());
+  database.exec("PRAGMA cell_size_check=ON");
+  database.exec("PRAGMA mmap_size=0");
+}
+
+// Exactly the tables that a writer makes, word for word: no view, trigger, index or generated column can hide there.
+void Reader::check_schema(SQLite::Database& database) const {
+  std::map<std::string, std::string> expected;
+  for (const auto& table : session_schema::tables) expected[table.name] = table.sql;
+  SQLite::Statement query(database, "SELECT type, name, sql FROM sqlite_schema");
+  while (query.executeStep()) {
+    const std::string type = query.getColumn(0).getString();
+    const std::string name = query.getColumn(1).getString();
+    const auto found = expected.find(name);
+    if (type != "table" || found == expected.end() || query.getColumn(2).getString() != found->second) {
+      fail("the tables in the file are not those of a session");
+    }
+    expected.erase(found);
+  }
+  if (!expected.empty()) fail(fmt::format("the table '{}' is missing", expected.begin()->first));
+}
+
+const std::string& Reader::text(const std::string& key) const {
+  const auto found = header_.find(key);
+  if (found == header_.end()) fail(fmt::format("the header lacks '{}'", key));
+  return found->second;
+}
+
+template <typename Number>
+Number Reader::number(const std::string& key) const {
+  const std::string& digits = text(key);
+  Number value{};
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size()) {
+    fail(fmt::format("'{}' of the header is not a number", key));
+  }
+  return value;
+}
+
+Vec3 Reader::point(const std::string& key) const {
+  const std::string& digits = text(key);
+  const char* cursor = digits.data();
+  const char* last = digits.data() + digits.size();
+  Vec3 value;
+  for (int axis = 0; axis < 3; ++axis) {
+    while (cursor != last && *cursor == ' ') ++cursor;
+    const auto [end, error] = std::from_chars(cursor, last, value[axis]);
+    if (error != std::errc() || !std::isfinite(value[axis]))
+      fail(fmt::format("'{}' of the header is not a point", key));
+    cursor = end;
+  }
+  return value;
+}
+
+void Reader::read_header(SQLite::Database& database, Session& session) {
+  SQLite::Statement rows(database, "SELECT key, value FROM header ORDER BY key");
+  std::string all;
+  while (rows.executeStep()) {
+    if (header_.size() >= most_header_rows) fail("the header has too many entries");
+    header_[rows.getColumn(0).getString()] = rows.getColumn(1).getString();
+  }
+  for (const auto& [key, value] : header_) {
+    if (!is_written_last(key)) all += key + '\n' + value + '\n';
+  }
+  SessionHeader& header = session.header;
+  SQLite::Statement tissues(database, "SELECT id, name, title FROM tissues ORDER BY id");
+  while (tissues.executeStep()) {
+    const std::int64_t id = tissues.getColumn(0).getInt64();
+    const bool in_order = header.tissues.empty() || header.tissues.back().id < id;
+    if (id < 0 || id > 254 || !in_order) fail("the list of tissues is damaged");
+    header.tissues.push_back(
+        {static_cast<TissueId>(id), tissues.getColumn(1).getString(), tissues.getColumn(2).getString()});
+    all += fmt::format("{}\n{}\n{}\n", id, header.tissues.back().name, header.tissues.back().title);
+  }
+  if (text("checksum") != text_checksum(all)) fail("the header is damaged, its checksum does not fit");
+  header.bodkin_version = text("bodkin_version");
+  header.case_folder = text("case_folder");
+  header.case_digest = text("case_digest");
+  header.case_xml = text("case_xml");
+  header.operator_name = text("operator_name");
+  header.operator_settings = text("operator_settings");
+  header.seed = number<std::uint64_t>("seed");
+  header.dt = number<double>("dt_s");
+  header.started_at = text("started_at");
+  header.path = {point("entry_mm"), point("target_mm")};
+  if (!(header.dt > 1e-5 && header.dt < 1.0)) fail(fmt::format("a tick of {} s is out of range", header.dt));
+  header.haptics = parse_haptics_xml(
+      text("haptics_xml"), fmt::format("{}: haptics_xml of the header", file_.string()), XmlSchema("case.xsd"));
+  if (header_.contains("device_xml")) {
+    header.device = parse_device_xml(text("device_xml"), fmt::format("{}: device_xml of the header", file_.string()),
+                                     XmlSchema("case.xsd"));
+  }
+  if (header_.contains("second_role")) {
+    const std::optional<SecondRole> role = second_role(text("second_role"));
+    if (!role) fail(fmt::format("the second hand is a '{}', expected plunger or probe", text("second_role")));
+    header.second = SecondHeader{*role, text("second_device")};
+  }
+  if (header_.contains("moving_body")) header.moving_body = text("moving_body");
+  session.finished = header_.contains("finished_after_ticks");
+}
+
+void Reader::read_chunks(SQLite::Database& database, Session& session) const {
+  SQLite::Statement query(database,
+                          "SELECT first_tick, ticks, events, checksum, data FROM chunks ORDER BY first_tick");
+  std::uint64_t next = 0;
+  while (query.executeStep()) {
+    const std::int64_t first = query.getColumn(0).getInt64();
+    const std::int64_t ticks = query.getColumn(1).getInt64();
+    const std::int64_t events = query.getColumn(2).getInt64();
+    const SQLite::Column data = query.getColumn(4);
+    const auto size = static_cast<std::size_t>(data.getBytes());
+    if (first < 0 || static_cast<std::uint64_t>(first) < next || static_cast<std::uint64_t>(first) > last_tick) {
+      fail("the chunks are not in order");
+    }
+    if (ticks < 1 || ticks > session_schema::most_ticks_of_a_chunk || events < 0 ||
+        events > ticks * static_cast<std::int64_t>(TickEvents::capacity) ||
+        size != static_cast<std::size_t>(ticks) * encoded_tick_size() +
+                    static_cast<std::size_t>(events) * encoded_event_size) {
+      fail(fmt::format("the chunk at tick {} has the wrong size", first));
+    }
+    const std::span<const std::uint8_t> bytes(static_cast<const std::uint8_t*>(data.getBlob()), size);
+    const auto tick_count = static_cast<std::uint32_t>(ticks);
+    const auto event_count = static_cast<std::uint32_t>(events);
+    const auto first_tick = static_cast<std::uint64_t>(first);
+    if (query.getColumn(3).getInt64() != chunk_checksum(first_tick, tick_count, event_count, bytes)) {
+      fail(fmt::format("the chunk at tick {} is damaged, its checksum does not fit", first));
+    }
+    read_chunk(first_tick, tick_count, event_count, bytes, session);
+    next = first_tick + tick_count;
+  }
+}
+
+void Reader::read_chunk(std::uint64_t first_tick, std::uint32_t ticks, std::uint32_t events,
+                        std::span<const std::uint8_t> data, Session& session) const {
+  const std::size_t tick_size = encoded_tick_size();
+  for (std::uint32_t tick = 0; tick < ticks; ++tick) {
+    TickRecord& record = session.ticks.emplace_back();
+    record.tick = first_tick + tick;
+    if (!decode_tick(data.subspan(tick * tick_size, tick_size), record)) {
+      fail(fmt::format("tick {} holds a value that no tick has", record.tick));
+    }
+  }
+  std::span<const std::uint8_t> rest = data.subspan(ticks * tick_size);
+  std::uint32_t earlier = 0;
+  for (std::uint32_t event = 0; event < events; ++event, rest = rest.subspan(encoded_event_size)) {
+    SessionEvent& found = session.events.emplace_back();
+    std::uint32_t tick_of_chunk = 0;
+    const bool sound = decode_event(rest.first(encoded_event_size), tick_of_chunk, found.event);
+    if (!sound || tick_of_chunk >= ticks || tick_of_chunk < earlier) {
+      fail(fmt::format("an event of the chunk at tick {} is not one", first_tick));
+    }
+    earlier = tick_of_chunk;
+    found.tick = first_tick + tick_of_chunk;
+  }
+}
+
+void Reader::read_second_hand(SQLite::Database& database, Session& session) const {
+  SQLite::Statement query(database,
+                          "SELECT sample, time_s, x_mm, y_mm, z_mm, qw, qx, qy, qz, force_N, pressure_MPa, "
+                          "volume_mm3 FROM second_hand ORDER BY sample");
+  const std::optional<SecondHeader>& second = session.header.second;
+  const bool is_plunger = second && second->role == SecondRole::plunger;
+  const auto within = [](double value, double low, double high) { return value >= low && value <= high; };  // no NaN
+  while (query.executeStep()) {
+    const std::size_t row = session.second.size();
+    if (!second) fail("there are samples of a second hand, but the header names none");
+    if (row >= session_schema::most_second_samples) fail("the second hand has too many samples");
+    std::array<double, 11> values{};  // in the order of the columns
+    bool sound = query.getColumn(0).getInt64() == static_cast<std::int64_t>(row);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const SQLite::Column column = query.getColumn(static_cast<int>(i) + 1);
+      const bool is_number = i < 9 || is_plunger;
+      sound = sound && (is_number ? column.isFloat() : column.isNull());
+      if (is_number) values[i] = column.getDouble();
+    }
+    SecondSample sample;
+    sample.time = values[0];
+    sample.position = Vec3(values[1], values[2], values[3]);
+    sample.rotation = Eigen::Quaterniond(values[4], values[5], values[6], values[7]);
+    sample.force = values[8];
+    sample.pressure = values[9];
+    sample.volume = values[10];
+    for (int axis = 0; axis < 3; ++axis) sound = sound && within(sample.position[axis], -furthest, furthest);
+    sound = sound && within(sample.time, 0.0, last_time) &&
+            within(sample.rotation.norm(), 1.0 - unit_tolerance, 1.0 + unit_tolerance) &&
+            within(sample.force, -strongest, strongest) &&
+            within(sample.pressure, lowest_pressure, highest_pressure) &&
+            within(sample.volume, 0.0, largest_volume) && (row == 0 || sample.time > session.second.back().time);
+    if (!sound) fail(fmt::format("sample {} of the second hand is damaged", row));
+    session.second.push_back(sample);
+  }
+  if (second && session.finished && number<std::uint64_t>("second_samples") != session.second.size()) {
+    fail("samples of the second hand are missing from a session that was finished");
+  }
+}
+
+void Reader::read_timings(SQLite::Database& database, Session& session) const {
+  SQLite::Statement query(database, "SELECT what, up_to_s, count FROM timings ORDER BY what, up_to_s");
+  SessionTimings timings;
+  bool any = false;
+  for (std::size_t rows = 0; query.executeStep(); ++rows) {
+    const std::string what = query.getColumn(0).getString();
+    const double up_to = query.getColumn(1).getDouble();
+    const std::int64_t count = query.getColumn(2).getInt64();
+    const bool known = what == "lateness" || what == "compute" || what == "overruns";
+    if (!known || rows > 2 * LatencyHistogram::bins || !(up_to >= 0.0) || !std::isfinite(up_to) || count < 0 ||
+        static_cast<std::uint64_t>(count) > last_tick) {
+      fail("the timings are damaged");
+    }
+    any = true;
+    if (what == "overruns") {
+      timings.overruns = static_cast<std::uint64_t>(count);
+    } else {
+      (what == "lateness" ? timings.lateness : timings.compute).push_back({up_to, static_cast<std::uint64_t>(count)});
+    }
+  }
+  if (any) session.timings = std::move(timings);
+}
+
+Session Reader::read() {
+  Session session;
+  try {
+    SQLite::Database database(file_.string(), SQLite::OPEN_READONLY, busy_timeout);
+    restrict_database(database);
+    // One transaction: a session that is still being written is seen as it is at this moment.
+    SQLite::Transaction moment(database);
+    check_schema(database);
+    read_header(database, session);
+    read_chunks(database, session);
+    read_second_hand(database, session);
+    read_timings(database, session);
+  } catch (const SQLite::Exception& error) {
+    fail(fmt::format("the file is damaged ({})", error.what()));
+  }
+  if (session.finished && number<std::uint64_t>("finished_after_ticks") != session.ticks.size()) {
+    fail("ticks are missing from a session that was finished");
+  }
+  return session;
+}
+
+}  // namespace
+
+Session read_session(const std::filesystem::path& file) {
+  return Reader(file).read();
+}
+
+}  // namespace bodkin

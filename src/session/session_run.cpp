@@ -1,0 +1,178 @@
+#include "session/session_run.h"
+
+#include <atomic>
+#include <chrono>
+
+#include "session/operator_file.h"
+#include "session/recorder.h"
+#include "session/session_schema.h"
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/utc_time.h"
+#include "haptics/deadline_clock.h"
+#include "haptics/tick_clock.h"
+#include "io/digest.h"
+#include "io/resources.h"
+#include "simulation/closed_loop.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr std::uint64_t show_interval = 512;  // ticks
+
+void add_tissue(const TissueProperties& tissue, std::string& text) {
+  const LayeredTissue& p = tissue.layered;
+  text += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", tissue.id, tissue.name,
+                      static_cast<int>(p.kind), p.stiffness, p.viscosity, p.element_spacing, p.break_force,
+                      p.break_force_rate, p.shaft_stiffness, p.shaft_viscosity, p.shaft_spacing, p.static_friction,
+                      p.dynamic_friction, p.roughness, p.drag, p.contact_stiffness, tissue.title);
+  const ProxyProperties& proxy = tissue.volume_proxy;
+  const ShaftFrictionTissue& friction = tissue.shaft_friction;
+  text += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", tissue.tracking_wall.stiffness,
+                      tissue.tracking_wall.force, static_cast<int>(tissue.depth_profile.kind),
+                      tissue.depth_profile.stiffness, tissue.depth_profile.slope, proxy.penetrability, proxy.friction,
+                      proxy.drag, proxy.viscosity, tissue.field_value, friction.coulomb, friction.static_force,
+                      friction.stiffness, friction.viscous, tissue.syringe.resistance, tissue.syringe.pressure);
+}
+
+// One run of the loop, told apart by what drives it: the processor's speed or the clock.
+class Run {
+ public:
+  Run(const Case& patient, const SessionHeader& header, const RunSettings& settings, const Progress& progress)
+      : settings_(settings),
+        progress_(progress),
+        loop_(patient, settings.script, settings.path, settings.seed),
+        writer_(settings.output, header, settings.overwrite),
+        most_ticks_(static_cast<std::uint64_t>(settings.longest / header.dt)) {}
+
+  // The present phase while there is one, the last one afterwards.
+  int last_phase() const { return last_phase_; }
+
+  RunResult perform() {
+    const auto begin = std::chrono::steady_clock::now();
+    if (settings_.realtime) {
+      on_the_clock();
+    } else {
+      at_full_speed();
+    }
+    result_.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    result_.operator_finished = loop_.finished();
+    return std::move(result_);
+  }
+
+ private:
+  void at_full_speed() {
+    TickRecord record;
+    for (std::uint64_t tick = 0; tick < most_ticks_ && !loop_.finished(); ++tick) {
+      note_phase(loop_.phase());
+      loop_.step(record);
+      writer_.append(record);
+      ++result_.ticks;
+      if (tick % show_interval == 0) show(loop_.phase());
+    }
+    writer_.finish();
+  }
+
+  void on_the_clock() {
+    std::atomic<int> phase{loop_.phase()};
+    Recorder recorder(std::move(writer_), [&](const TickRecord& record) {
+      if (record.tick % show_interval == 0) show(phase.load(std::memory_order_relaxed));
+    });
+    ServoTimings timings;
+    {
+      const RealTimePriority priority;
+      result_.notes = priority.refused();
+      DeadlineClock clock(loop_.dt());
+      const TickClock now = monotonic_clock();
+      TickRecord record;
+      clock.start();
+      for (std::uint64_t tick = 0; tick < most_ticks_ && !loop_.finished() && !recorder.failed(); ++tick) {
+        note_phase(loop_.phase());
+        phase.store(loop_.phase(), std::memory_order_relaxed);
+        clock.wait();
+        const std::int64_t began = now();
+        loop_.step(record);
+        recorder.push(record);
+        const double compute = static_cast<double>(now() - began) * 1e-9;
+        timings.lateness.record(clock.lateness());
+        timings.compute.record(compute);
+        timings.overruns += clock.lateness() > loop_.dt() || compute > loop_.dt() ? 1 : 0;
+        ++result_.ticks;
+      }
+      result_.missed_deadlines = timings.overruns;
+      result_.worst_lateness = clock.worst_lateness();
+    }
+    recorder.finish(timings_of(timings));
+    result_.records_lost = recorder.lost();
+  }
+
+  void note_phase(int phase) noexcept {
+    if (phase != OperatorCondition::end) last_phase_ = phase;
+  }
+
+  // On the clock a person watches each phase; at full speed they fly by.
+  void show(int phase) const {
+    if (!progress_ || phase == OperatorCondition::end) return;
+    const auto& phases = settings_.script.phases;
+    const std::string stage =
+        settings_.realtime ? "performing: " + phases[static_cast<std::size_t>(phase)].name : "performing";
+    progress_(stage, static_cast<double>(phase) / static_cast<double>(phases.size()));
+  }
+
+  const RunSettings& settings_;
+  const Progress& progress_;
+  ClosedLoop loop_;
+  SessionWriter writer_;
+  RunResult result_;
+  std::uint64_t most_ticks_;
+  int last_phase_ = 0;
+};
+
+}  // namespace
+
+std::string case_digest(const Case& patient, const std::string& case_xml) {
+  std::string all = case_xml + '\n' + volume_digest(patient.tissues) + '\n';
+  for (const TissueProperties& tissue : patient.library.tissues()) add_tissue(tissue, all);
+  return text_checksum(all);
+}
+
+SessionHeader session_header(const Case& patient, const std::filesystem::path& case_folder, const NeedlePath& path) {
+  SessionHeader header;
+  header.bodkin_version = BODKIN_VERSION;
+  header.case_folder = std::filesystem::absolute(case_folder).lexically_normal().string();
+  header.case_xml = read_text_file(case_folder / "case.xml", largest_case_xml);
+  header.case_digest = case_digest(patient, header.case_xml);
+  header.dt = 1.0 / patient.description.haptics.rate;
+  header.started_at = utc_now();
+  header.path = path;
+  header.haptics = patient.description.haptics;
+  for (int id = 0; id < 255; ++id) {
+    const TissueProperties* tissue = patient.library.find(static_cast<TissueId>(id));
+    if (tissue != nullptr) header.tissues.push_back({tissue->id, tissue->name, tissue->title});
+  }
+  return header;
+}
+
+SessionHeader session_header(const Case& patient, const std::filesystem::path& case_folder,
+                             const RunSettings& settings) {
+  SessionHeader header = session_header(patient, case_folder, settings.path);
+  header.operator_name = settings.script.name;
+  header.operator_settings = operator_json(settings.script);
+  header.seed = settings.seed;
+  return header;
+}
+
+RunResult run_session(const Case& patient, const SessionHeader& header, const RunSettings& settings,
+                      const Progress& progress) {
+  if (!(settings.longest >= 1.0 && settings.longest <= 3600.0)) {
+    throw InputError(fmt::format("the longest time is {} s, expected 1 to 3600", settings.longest));
+  }
+  Run run(patient, header, settings, progress);
+  RunResult result = run.perform();
+  result.last_phase = settings.script.phases[static_cast<std::size_t>(run.last_phase())].name;
+  return result;
+}
+
+}  // namespace bodkin

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "session/session_file.h"
+
+#include "core/progress.h"
+#include "simulation/operator_script.h"
+
+namespace bodkin {
+
+struct RunSettings {
+  OperatorScript script;
+  std::uint64_t seed = 1;
+  NeedlePath path;
+  double longest = 120.0;        // s of simulated time after which the run ends whatever the operator does; 1 to 3600
+  bool realtime = false;         // on the clock instead of as fast as it goes
+  std::filesystem::path output;  // the session file
+  bool overwrite = false;
+};
+
+struct RunResult {
+  std::uint64_t ticks = 0;
+  double wall_time = 0.0;              // s that the loop took
+  bool operator_finished = false;      // false: the longest time was over first
+  std::string last_phase;              // of the operator
+  std::uint64_t missed_deadlines = 0;  // realtime: ticks that began more than a tick late
+  double worst_lateness = 0.0;         // s
+  std::uint64_t records_lost = 0;      // realtime: ticks that the recorder could not take
+  std::vector<std::string> notes;      // what the system refused
+};
+
+inline constexpr std::size_t largest_case_xml = std::size_t{16} << 20;  // bytes
+
+// What a recording says about its case, the path and the moment; nothing about who performs.
+SessionHeader session_header(const Case& patient, const std::filesystem::path& case_folder, const NeedlePath& path);
+
+// What a recording says about its case and operator. `case_folder`: where the case lies; its case.xml is read.
+SessionHeader session_header(const Case& patient, const std::filesystem::path& case_folder,
+                             const RunSettings& settings);
+
+// A fingerprint of all of a case that the forces depend on: case.xml, the tissue voxels and the tissue library.
+std::string case_digest(const Case& patient, const std::string& case_xml);
+
+// Lets a simulated hand perform the script on the patient and records every tick. Without `realtime` nothing but the
+// case, the script, the path and the seed decides what happens. Throws InputError or SystemError.
+RunResult run_session(const Case& patient, const SessionHeader& header, const RunSettings& settings,
+                      const Progress& progress);
+
+}  // namespace bodkin

@@ -1,0 +1,24 @@
+#include "session/session_schema.h"
+
+#include <bit>
+
+#include <fmt/format.h>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+namespace bodkin {
+
+std::int64_t chunk_checksum(std::uint64_t first_tick, std::uint32_t ticks, std::uint32_t events,
+                            std::span<const std::uint8_t> data) {
+  // The place enters through the seed, so that chunks cannot change places unnoticed.
+  const std::uint64_t place = first_tick * 0x9E3779B97F4A7C15ULL + (std::uint64_t{ticks} << 32) + events;
+  return std::bit_cast<std::int64_t>(
+      static_cast<std::uint64_t>(XXH3_64bits_withSeed(data.data(), data.size(), place)));
+}
+
+std::string text_checksum(const std::string& text) {
+  return fmt::format("{:016x}", static_cast<std::uint64_t>(XXH3_64bits(text.data(), text.size())));
+}
+
+}  // namespace bodkin

@@ -1,0 +1,83 @@
+#include "station/corridor_keeper.h"
+
+#include <chrono>
+#include <exception>
+#include <string_view>
+#include <utility>
+
+#include "patient/prepared_body.h"
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "fem/solid/patient_body.h"
+
+namespace bodkin {
+
+namespace {
+
+struct GivenUp : std::exception {};
+
+constexpr double same_place = 5.0;  // mm, within which a path that was refused is not tried again
+
+}  // namespace
+
+CorridorKeeper::CorridorKeeper(std::shared_ptr<const Case> patient, std::shared_ptr<const BodyDescription> body,
+                               double length, std::size_t room)
+    : patient_(std::move(patient)),
+      body_(std::move(body)),
+      length_(length),
+      room_(room),
+      corridors_{patient_->corridor} {}
+
+CorridorKeeper::~CorridorKeeper() {
+  given_up_.store(true);
+}
+
+std::optional<NeedlePath> CorridorKeeper::uncovered(const Pose& needle) const {
+  std::optional<NeedlePath> path = aimed_path(needle, patient_->tissues, length_);
+  if (!path) return {};
+  const DeformableBodySettings& settings = *body_of(patient_->description.haptics.resistance);
+  for (const PreparedCorridor& corridor : corridors_)
+    if (covers(corridor, *path, settings)) return {};
+  const auto near = [](const Vec3& one, const Vec3& other) { return (one - other).norm() < same_place; };
+  if (refused_ && near(refused_->entry, path->entry) && near(refused_->target, path->target)) return {};
+  return path;
+}
+
+CorridorKeeper::News CorridorKeeper::look(const Pose& needle, std::uint64_t tick) {
+  News news;
+  if (making_.valid()) {
+    if (making_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return news;
+    try {
+      news.ready = making_.get();
+      corridors_.push_back(*news.ready);
+      news.sentence = "the deformable body is prepared where the needle aimed";
+    } catch (const InputError& error) {
+      refused_ = wanted_;
+      news.sentence = fmt::format("the deformable body cannot be prepared where the needle aims: {}", error.what());
+    }
+    return news;
+  }
+  const std::optional<NeedlePath> path = uncovered(needle);
+  if (!path) return news;
+  if (corridors_.size() > room_) {
+    if (!std::exchange(said_full_, true)) {
+      news.sentence = fmt::format(
+          "the needle aims where the deformable body is not prepared, and there is no room for more than {} "
+          "corridors: begin a new session there",
+          room_ + 1);
+    }
+    return news;
+  }
+  wanted_ = *path;
+  making_ = std::async(std::launch::async, [this, about = *path, tick] {
+    return another_corridor(*body_, *patient_, about, tick, [this](std::string_view, double) {
+      if (given_up_.load()) throw GivenUp();
+    });
+  });
+  news.sentence =
+      "the needle aims where the deformable body is not prepared: that is being done, wait outside until it is";
+  return news;
+}
+
+}  // namespace bodkin

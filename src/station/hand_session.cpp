@@ -1,0 +1,148 @@
+#include "station/hand_session.h"
+
+#include <algorithm>
+#include <atomic>
+#include <utility>
+
+#include "session/recorder.h"
+
+#include "core/latest_value.h"
+#include "simulation/haptic_tick.h"
+
+namespace bodkin {
+
+namespace {
+constexpr double room_above = 30.0;  // mm between the middle of the workspace and the skin
+}  // namespace
+
+DeviceLimits limits_of(const DeviceAbilities& device, DeviceLimits limits) {
+  if (!device.name.empty()) limits.profile = device.name;
+  if (device.peak_force > 0.0) {
+    limits.peak_force = device.peak_force;
+    limits.continuous_force = guard_settings(device, 1000.0).continuous_force;
+    limits.peak_torque = device.peak_torque;
+  }
+  if (device.stiffness > 0.0) limits.stiffness = device.stiffness;
+  limits.position_resolution = device.resolution;
+  return limits;
+}
+
+WorkspaceSettings workspace_about(const NeedlePath& path) {
+  WorkspaceSettings workspace;
+  workspace.rotation << -Vec3::UnitX(), Vec3::UnitZ(), Vec3::UnitY();  // right, away, up: right, head, back
+  workspace.centre = path.entry + room_above * Vec3::UnitY();
+  return workspace;
+}
+
+struct HandSession::Shared {
+  Shared(Case from, const SessionHeader& header, const std::filesystem::path& output, bool overwrite,
+         std::shared_ptr<SecondLink> link)
+      : patient(std::move(from)),
+        tick(patient),
+        second(std::move(link)),
+        recorder(SessionWriter(output, header, overwrite), {}, Recorder::usual_capacity, second) {}
+
+  Control step(const ControlInput& input) noexcept {
+    TickRecord record;
+    record.tick = ticks;
+    record.input.needle = input.needle;
+    record.output = tick.step(record.input);
+    if (display) display->tell(tick.node_forces());
+    if (scan) {
+      Pose drawn = input.needle;
+      drawn.translation() -= tick.needle_ahead();
+      scan->tell(tick.node_forces(), drawn);
+    }
+    if (pressed) tell_pressed(record.output);
+    if (!closed.load(std::memory_order_acquire)) recorder.push(record);
+    // After the tick itself, so that whatever is recorded of this moment has its tick before it.
+    if (second) second->needle.write({static_cast<double>(ticks) * tick.dt(), record.output.tissue});
+    ++ticks;
+    for (const Event& event : record.output.events) {
+      if (event.kind == EventKind::contact || event.kind == EventKind::withdrawn ||
+          event.kind == EventKind::corridor_refreshed)
+        corridor_left = false;
+      if (event.kind == EventKind::corridor_left) corridor_left = true;
+    }
+    HandMoment now{ticks, input.needle, tick.needle_ahead(), record.output, corridor_left};
+    now.output.events.clear();
+    moment.write(now);
+    return {record.output.applied, 0.0};
+  }
+
+  void tell_pressed(TickOutput& output) noexcept {
+    pressed->tell(static_cast<double>(ticks) * tick.dt(), tick.node_forces());
+    if (pressed_failed || !pressed->failed()) return;
+    pressed_failed = true;
+    tick.stay_at_rest();
+    output.events.push({EventKind::moving_body_failed, output.tissue, output.depth, 0.0});
+  }
+
+  Case patient;
+  HapticTick tick;
+  std::shared_ptr<SecondLink> second;       // may be null
+  std::shared_ptr<DisplayThread> display;   // may be null
+  std::shared_ptr<ScanThread> scan;         // may be null
+  std::shared_ptr<PressedPatient> pressed;  // may be null
+  bool pressed_failed = false;
+  Recorder recorder;
+  std::uint64_t ticks = 0;
+  bool corridor_left = false;
+  LatestValue<HandMoment> moment;
+  std::atomic<bool> closed{false};  // the recording has ended, though the loop may not have
+};
+
+HandSession::HandSession(Case patient, const SessionHeader& header, const std::filesystem::path& output,
+                         bool overwrite, DevicePort port, const DeviceAbilities& device,
+                         const ServoSettings& settings, std::shared_ptr<SecondLink> second)
+    : shared_(std::make_shared<Shared>(std::move(patient), header, output, overwrite, std::move(second))),
+      servo_(std::make_unique<DeviceServo>(
+          std::move(port), device, settings,
+          [shared = shared_](const ControlInput& input) { return shared->step(input); })) {}
+
+HandSession::~HandSession() = default;
+
+void HandSession::show_on(std::shared_ptr<DisplayThread> display) {
+  shared_->display = std::move(display);
+}
+
+void HandSession::show_on(std::shared_ptr<ScanThread> scan) {
+  shared_->scan = std::move(scan);
+}
+
+void HandSession::press(std::shared_ptr<PressedPatient> body) {
+  shared_->pressed = std::move(body);
+}
+
+void HandSession::start() {
+  servo_->start();
+}
+
+const HandMoment& HandSession::moment() noexcept {
+  return shared_->moment.read();
+}
+
+bool HandSession::add_corridor(const PreparedCorridor& corridor) {
+  return shared_->tick.add_corridor(corridor);
+}
+
+bool HandSession::refresh_corridor(const PreparedCorridor& corridor) {
+  return shared_->tick.refresh_corridor(corridor);
+}
+
+bool HandSession::failed() const noexcept {
+  return shared_->recorder.failed();
+}
+
+bool HandSession::finish() {
+  const bool answered = servo_->stop();
+  shared_->closed.store(true, std::memory_order_release);
+  shared_->recorder.finish(timings_of(servo_->tick().timings()));
+  return answered;
+}
+
+std::uint64_t HandSession::records_lost() const noexcept {
+  return shared_->recorder.lost();
+}
+
+}  // namespace bodkin

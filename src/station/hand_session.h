@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "session/second_link.h"
+#include "session/session_file.h"
+#include "station/pressed_patient.h"
+#include "station/scan_thread.h"
+
+#include "haptics/device_servo.h"
+#include "simulation/display_thread.h"
+
+namespace bodkin {
+
+// The limits that a case takes from the device that is held: the models are then made for it, and the recording says
+// so. What is not known of the device stays as it is in `limits`.
+DeviceLimits limits_of(const DeviceAbilities& device, DeviceLimits limits);
+
+// The patient lies prone in front of the operator, head away from him; the path's entry is 30 mm below the middle of
+// the workspace, so that there is room above the skin.
+WorkspaceSettings workspace_about(const NeedlePath& path);
+
+// What a screen shows of the newest tick.
+struct HandMoment {
+  std::uint64_t ticks = 0;
+  Pose needle = Pose::Identity();
+  Vec3 needle_ahead = Vec3::Zero();  // see HapticTick
+  TickOutput output;                 // without events
+  bool corridor_left = false;  // the needle is where its deformable body was not prepared: the force is not true
+};
+
+// A person's hand on a device performs a procedure on a patient, and every tick is recorded. The constructor opens
+// the recording; the force begins when the servo is told to arm (ServoTick::command).
+class HandSession {
+ public:
+  // `patient` has the device's limits already (limits_of), and so has `header`. `second`: to a second hand, which
+  // learns of the needle through it and is recorded; may be null. Throws InputError and SystemError.
+  HandSession(Case patient, const SessionHeader& header, const std::filesystem::path& output, bool overwrite,
+              DevicePort port, const DeviceAbilities& device, const ServoSettings& settings,
+              std::shared_ptr<SecondLink> second = nullptr);
+  ~HandSession();
+  HandSession(const HandSession&) = delete;
+  HandSession& operator=(const HandSession&) = delete;
+
+  // Every tick tells it the forces on the deformable body; before start().
+  void show_on(std::shared_ptr<DisplayThread> display);
+  // Every tick tells it the needle too, as it is in the body; before start().
+  void show_on(std::shared_ptr<ScanThread> scan);
+  void start();
+  DeviceServo& servo() noexcept { return *servo_; }
+  // One observer's thread.
+  const HandMoment& moment() noexcept;
+  // Every tick tells it the time and what the needle does to it, and asks whether it has failed; before start().
+  void press(std::shared_ptr<PressedPatient> body);
+  // See HapticTick::add_corridor and refresh_corridor.
+  bool add_corridor(const PreparedCorridor& corridor);
+  bool refresh_corridor(const PreparedCorridor& corridor);
+  // The disk refuses; finish() says why.
+  bool failed() const noexcept;
+
+  // Zero force, the end of the loop, and the recording closed. False: the device did not let itself be stopped.
+  // Throws what went wrong with the recording.
+  bool finish();
+  // Ticks that the disk was too slow for; after finish().
+  std::uint64_t records_lost() const noexcept;
+
+ private:
+  struct Shared;
+
+  std::shared_ptr<Shared> shared_;  // with a loop that may have to be left behind
+  std::unique_ptr<DeviceServo> servo_;
+};
+
+}  // namespace bodkin

@@ -1,0 +1,145 @@
+#include "station/scan_thread.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "imaging/warped_slice.h"
+
+namespace bodkin {
+
+namespace {
+
+using PictureClock = std::chrono::steady_clock;
+
+constexpr double field_spacing = 2.0;  // mm between the points at which tissue's motion is known
+
+double checked_scan_rate(double rate) {
+  if (rate >= 1.0 && rate <= 1000.0) return rate;
+  throw InputError(fmt::format("live ultrasound: {} pictures a second, expected 1 to 1000", rate));
+}
+
+// The plane that a frame shows, pixel by pixel, at rest.
+SlicePlane plane_of_frame(const UltrasoundFrame& frame, const Pose& probe) {
+  SlicePlane plane;
+  plane.corner = probe * frame.corner;
+  plane.right = probe.linear().col(0);
+  plane.down = probe.linear().col(1);
+  plane.pixel = frame.pixel;
+  plane.width = frame.width;
+  plane.height = frame.height;
+  return plane;
+}
+
+double farthest(std::span<const float> moved) {
+  double most = 0.0;
+  for (std::size_t i = 0; i + 2 < moved.size(); i += 3)
+    most = std::max(most, static_cast<double>(std::hypot(moved[i], moved[i + 1], moved[i + 2])));
+  return most;
+}
+
+}  // namespace
+
+ScanThread::ScanThread(std::shared_ptr<const AcousticVolume> patient, Ultrasound machine, const Needle& needle,
+                       ScanBody body, const ScanOrder& first, double rate)
+    : machine_(std::move(machine)),
+      needle_(needle),
+      body_(std::move(body)),
+      slice_(body_.mesh == nullptr ? nullptr : std::make_unique<SliceField>(body_.mesh)),
+      layers_(body_.by_forces == nullptr
+                  ? std::nullopt
+                  : std::optional<PressedLayers>(std::in_place, std::move(patient), machine_.probe())),
+      orders_(first),
+      thread_([this, pace = checked_scan_rate(rate)](const std::stop_token& stop) { run(stop, pace); }) {}
+
+void ScanThread::tell_nodes(std::span<const float> nodes) {
+  told_.assign(nodes.begin(), nodes.end());
+  nodes_.write(told_);
+}
+
+void ScanThread::run(const std::stop_token& stop, double rate) {
+  const auto interval = std::chrono::duration_cast<PictureClock::duration>(std::chrono::duration<double>(1.0 / rate));
+  LivePicture now;
+  auto next = PictureClock::now();
+  while (!stop.stop_requested()) {
+    const auto begin = PictureClock::now();
+    make(now);
+    now.milliseconds = std::chrono::duration<double, std::milli>(PictureClock::now() - begin).count();
+    ++now.number;
+    pictures_.write(now);
+    next += interval;
+    const auto time = PictureClock::now();
+    if (next < time) next = time;  // a machine that is too slow shows fewer pictures, not a queue of old ones
+    std::this_thread::sleep_until(next);
+  }
+}
+
+void ScanThread::make(LivePicture& now) {
+  now.order = orders_.read();
+  const Tick& tick = ticks_.read();
+  if (wanted_ != now.order.settings) {
+    wanted_ = now.order.settings;
+    now.refused = false;
+    try {
+      machine_.set(*wanted_);
+    } catch (const InputError&) {  // what a knob cannot be: the picture stays as it was set before
+      now.refused = true;
+    }
+  }
+  now.order.settings = machine_.settings();
+  std::optional<NeedleInSound> needle;
+  now.needle.reset();
+  if (tick.told) {
+    now.needle = tick.needle;
+    needle = NeedleInSound{tick.needle, needle_};
+  }
+  std::optional<ScanDisplacement> displacement;
+  if (slice_ != nullptr && now.order.probe.matrix().allFinite()) {
+    // How large a picture of these settings is, only a picture says.
+    if (now.order.settings.depth != depth_) now.frame = machine_.image(now.order.probe);
+    depth_ = now.order.settings.depth;
+    move_tissue(now, tick.forces);
+    displacement = now.grid;
+    displacement->moved = now.moved;
+  }
+  now.frame = machine_.image(now.order.probe, needle, displacement);
+}
+
+// What the probe does on top of what the needle does: both are small.
+void ScanThread::add_layers(LivePicture& now, const SlicePlane& grid) {
+  layers_->settle(now.order.probe, now.order.settings.depth, now.order.settings.gel);
+  if (!layers_->pressed()) return;
+  float* moved = now.moved.data();
+  for (int row = 0; row < grid.height; ++row) {
+    for (int column = 0; column < grid.width; ++column, moved += 3) {
+      const Vec3 place = now.frame.corner + grid.pixel * Vec3(column, row, 0.0);
+      Eigen::Map<Eigen::Vector3f>{moved} += layers_->moved(place).cast<float>();
+    }
+  }
+}
+
+void ScanThread::move_tissue(LivePicture& now, const NodeForces& forces) {
+  const SlicePlane grid = warp_grid(plane_of_frame(now.frame, now.order.probe), field_spacing);
+  std::span<const float> nodes;
+  now.left_out = 0.0;
+  if (body_.by_forces != nullptr) {
+    nodes = body_.by_forces->evaluate(forces);
+    now.left_out = body_.by_forces->left_out(forces);
+  } else {
+    nodes = nodes_.read();
+  }
+  if (nodes.size() == 3 * body_.mesh->mesh.nodes.size()) {
+    now.moved = displacements_of_places(grid, slice_->displacements(grid, nodes));
+  } else {  // nothing was told yet
+    now.moved.assign(3 * static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height), 0.0F);
+  }
+  now.most = farthest(now.moved);
+  if (layers_) add_layers(now, grid);
+  now.grid = {now.frame.corner, grid.pixel, grid.width, grid.height, {}};
+}
+
+}  // namespace bodkin

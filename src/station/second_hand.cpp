@@ -1,0 +1,137 @@
+#include "station/second_hand.h"
+
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "station/hand_session.h"
+#include "station/plunger.h"
+#include "station/probe_contact.h"
+#include "station/probe_reaction.h"
+
+#include "haptics/guard_settings.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr double to_the_left = 60.0;      // mm from the needle's workspace to the probe's
+constexpr double sample_interval = 0.01;  // s
+constexpr double rounding = 1e-9;         // s
+
+using SecondModel = std::variant<Plunger, ProbeContact, ProbeReaction>;
+
+SecondModel model_for(SecondRole role, const Case& patient, const DeviceAbilities& device, double dt,
+                      bool is_pressed) {
+  const GuardSettings stable = guard_settings(device, 1.0 / dt);
+  if (role == SecondRole::plunger) return Plunger(patient.library, dt, stable.stiffness, stable.damping);
+  if (is_pressed) return ProbeReaction(dt, stable.stiffness);
+  return ProbeContact(patient.tissues, dt, device.resolution, stable.stiffness, stable.damping);
+}
+
+}  // namespace
+
+WorkspaceSettings second_workspace(SecondRole role, const NeedlePath& path) {
+  if (role == SecondRole::plunger) return {};
+  WorkspaceSettings workspace = workspace_about(path);
+  workspace.centre -= to_the_left * workspace.rotation.col(0);
+  return workspace;
+}
+
+struct SecondHand::Shared {
+  Shared(SecondRole wanted, std::shared_ptr<const Case> from, const DeviceAbilities& device, double dt,
+         std::shared_ptr<SecondLink> through, std::shared_ptr<PressedPatient> body)
+      : role(wanted),
+        patient(std::move(from)),
+        link(std::move(through)),
+        pressed(std::move(body)),
+        model(model_for(role, *patient, device, dt, pressed != nullptr)) {}
+
+  Control step(const ControlInput& input) noexcept {
+    const NeedleMoment& needle = link->needle.read();
+    SecondSample now;
+    now.time = needle.time;
+    now.position = input.needle.translation();
+    now.rotation = Eigen::Quaterniond(input.needle.linear()).normalized();
+    Control control;
+    Pose tool = input.needle;
+    const bool armed = input.guard != GuardState::disarmed && input.guard != GuardState::faulted;
+    if (Plunger* const plunger = std::get_if<Plunger>(&model)) {
+      control.wrench.force = plunger->step(now.position, needle.tissue, armed);
+      now.force = plunger->force();
+      now.pressure = plunger->pressure();
+      now.volume = plunger->volume();
+    } else if (ProbeContact* const probe = std::get_if<ProbeContact>(&model)) {
+      control.wrench.force = probe->step(input.needle);
+      now.force = probe->force();
+    } else if (ProbeReaction* const reaction = std::get_if<ProbeReaction>(&model)) {
+      // A hand that cannot feel the body does not press it.
+      const bool presses = armed && !pressed->failed();
+      control.wrench.force = reaction->step(input.needle, pressed->reading(), presses);
+      pressed->move_probe(presses ? std::optional<Pose>(reaction->probe()) : std::nullopt);
+      if (presses) tool = reaction->probe();
+      now.force = reaction->force();
+    }
+    moment.write(now);
+    tools.write(tool);
+    // By the needle's time, so that a sample and the ticks of the session share one clock and no two samples a
+    // moment.
+    if (needle.time >= next_sample - rounding) {
+      next_sample = needle.time + sample_interval;
+      if (!link->samples.push(now)) link->lost.fetch_add(1, std::memory_order_relaxed);
+    }
+    return control;
+  }
+
+  SecondRole role;
+  std::shared_ptr<const Case> patient;
+  std::shared_ptr<SecondLink> link;
+  std::shared_ptr<PressedPatient> pressed;  // may be null
+  SecondModel model;
+  double next_sample = 0.0;  // s of the session
+  LatestValue<SecondSample> moment;
+  LatestValue<Pose> tools{Pose::Identity()};
+};
+
+SecondHand::SecondHand(SecondRole role, DevicePort port, const DeviceAbilities& device, const ServoSettings& settings,
+                       std::shared_ptr<const Case> patient, std::shared_ptr<SecondLink> link,
+                       std::shared_ptr<PressedPatient> pressed)
+    : shared_(std::make_shared<Shared>(role, std::move(patient), device, 1.0 / settings.rate, std::move(link),
+                                       std::move(pressed))),
+      servo_(std::make_unique<DeviceServo>(
+          std::move(port), device, settings,
+          [shared = shared_](const ControlInput& input) { return shared->step(input); })) {}
+
+SecondHand::~SecondHand() = default;
+
+void SecondHand::start() {
+  servo_->start();
+}
+
+bool SecondHand::stop() noexcept {
+  return servo_->stop();
+}
+
+void SecondHand::arm() noexcept {
+  ServoCommand command;
+  command.kind = ServoCommand::Kind::arm;
+  servo_->tick().command(command);
+}
+
+void SecondHand::disarm() noexcept {
+  servo_->tick().disarm();
+}
+
+SecondRole SecondHand::role() const noexcept {
+  return shared_->role;
+}
+
+const SecondSample& SecondHand::moment() noexcept {
+  return shared_->moment.read();
+}
+
+const Pose& SecondHand::tool() noexcept {
+  return shared_->tools.read();
+}
+
+}  // namespace bodkin

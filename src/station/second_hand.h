@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+
+#include "session/second_link.h"
+#include "session/second_sample.h"
+#include "station/pressed_patient.h"
+
+#include "anatomy/case.h"
+#include "haptics/device_servo.h"
+
+namespace bodkin {
+
+// Where the second hand works: the plunger in the operator's own frame; the probe in the patient as the needle does
+// (workspace_about), but the middle of its workspace lies 60 mm to the operator's left, so that two devices that
+// stand side by side do not meet.
+WorkspaceSettings second_workspace(SecondRole role, const NeedlePath& path);
+
+// A second device with a servo, a guard and a thread (or a vendor's loop) of its own, beside the one that holds the
+// needle. It feels the plunger of the needle's syringe, or an ultrasound probe on the skin. Whatever happens to it
+// ends its own force only. What it knows of the needle, and what it tells the recording, passes through a SecondLink.
+class SecondHand {
+ public:
+  // `settings.workspace` is that of second_workspace(). `pressed`: the body that a probe presses; null where it feels
+  // the skin at rest (ProbeContact), and for a plunger. Throws InputError for a device or a tissue library that make
+  // the model impossible.
+  SecondHand(SecondRole role, DevicePort port, const DeviceAbilities& device, const ServoSettings& settings,
+             std::shared_ptr<const Case> patient, std::shared_ptr<SecondLink> link,
+             std::shared_ptr<PressedPatient> pressed = nullptr);
+  ~SecondHand();
+  SecondHand(const SecondHand&) = delete;
+  SecondHand& operator=(const SecondHand&) = delete;
+
+  // Throws as DeviceServo::start.
+  void start();
+  // Zero force and the end of the loop. False: the device did not let itself be stopped.
+  bool stop() noexcept;
+
+  // One thread: arms or disarms, in order with what waits.
+  void arm() noexcept;
+  void disarm() noexcept;
+
+  SecondRole role() const noexcept;
+  DeviceServo& servo() noexcept { return *servo_; }
+  // One observer's thread: the newest moment.
+  const SecondSample& moment() noexcept;
+  // Likewise: where the tool is, third axis out of its tip (patient, LPS, for a probe). On a body that it presses a
+  // probe is held back by that body, and this is where it is there.
+  const Pose& tool() noexcept;
+
+ private:
+  struct Shared;
+
+  std::shared_ptr<Shared> shared_;  // with a loop that may have to be left behind
+  std::unique_ptr<DeviceServo> servo_;
+};
+
+}  // namespace bodkin

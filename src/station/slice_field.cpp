@@ -1,0 +1,38 @@
+#include "station/slice_field.h"
+
+#include <utility>
+
+#include "imaging/warped_slice.h"
+
+namespace bodkin {
+
+namespace {
+
+bool same_grid(const SlicePlane& a, const SlicePlane& b) {
+  return a.corner == b.corner && a.right == b.right && a.down == b.down && a.pixel == b.pixel && a.width == b.width &&
+         a.height == b.height;
+}
+
+}  // namespace
+
+SliceField::SliceField(std::shared_ptr<const BodyDescription> body) : body_(std::move(body)), finder_(body_->mesh) {}
+
+std::span<const float> SliceField::displacements(const SlicePlane& grid, std::span<const float> nodes) {
+  if (places_.empty() || !same_grid(grid, grid_)) {
+    grid_ = grid;
+    places_.clear();
+    for (const Vec3& point : points_of(grid)) places_.push_back(finder_.find(point));
+    moved_.resize(3 * places_.size());
+  }
+  for (std::size_t point = 0; point < places_.size(); ++point) {
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      sum += static_cast<float>(places_[point].weights[corner]) *
+             Eigen::Map<const Eigen::Vector3f>(nodes.data() + 3 * std::size_t{places_[point].nodes[corner]});
+    }
+    Eigen::Map<Eigen::Vector3f>(moved_.data() + 3 * point) = sum;
+  }
+  return moved_;
+}
+
+}  // namespace bodkin

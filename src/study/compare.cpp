@@ -1,0 +1,278 @@
+#include "study/compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <iterator>
+#include <utility>
+
+#include "study/straight_motion.h"
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/error.h"
+#include "io/force_choice.h"
+#include "simulation/haptic_tick.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr double most_ticks = 3e6;
+constexpr std::size_t block = 2048;  // ticks between looks at the clock
+constexpr double bone_search = 0.1;  // mm
+constexpr double least_bone = 1e-3;  // N/mm
+
+constexpr const char* option = "--models";
+constexpr std::array<std::string_view, 13> model_names = {
+    "layered",        "layered_sum",     "spring_damper_wall",   "tracking_wall",   "tracking_wall_leash",
+    "depth_profile",  "volume_proxy",    "volume_proxy_viscous", "three_component", "fracture",
+    "shaft_friction", "embedded_needle", "closest_node"};
+
+// The settings of one of `names`. Those of the case's own model are kept, but for what makes the variant.
+ResistanceSettings settings_of(std::string_view name, const ResistanceSettings& own) {
+  const bool sum = name.ends_with("_sum"), leash = name.ends_with("_leash"), viscous = name.ends_with("_viscous");
+  const std::string_view base = sum || leash || viscous ? name.substr(0, name.rfind('_')) : name;
+  ResistanceSettings settings = base == name_of(own) ? own : parse_resistance(base, option);
+  if (auto* layered = std::get_if<LayeredSettings>(&settings)) {
+    layered->law = sum ? LayeredLaw::sum : LayeredLaw::cubic;
+  } else if (auto* wall = std::get_if<TrackingWallSettings>(&settings)) {
+    wall->leash = leash;
+  } else if (auto* proxy = std::get_if<VolumeProxySettings>(&settings)) {
+    proxy->variant = viscous ? ProxyVariant::viscous : ProxyVariant::drag;
+  }
+  return settings;
+}
+
+// A name as a column of a table.
+std::string column_of(const std::string& name) {
+  std::string column;
+  for (const char c : name) {
+    const bool kept = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.';
+    if (kept || column.empty() || column.back() != '_') column += kept ? c : '_';
+  }
+  return column + "_N";
+}
+
+// Where the motion ends, mm from the entry: at the end of the way, or so deep in bone that the device has no more
+// force.
+double deepest_place(const StraightWay& way, const Case& patient, Comparison& result) {
+  const DeviceLimits& device = patient.description.device;
+  for (double place = way.surface; place < way.end; place += bone_search) {
+    const TissueId here = nearest<TissueId>(patient.tissues, way.needle_at(place).translation(), tissue::air);
+    const TissueProperties* properties = patient.library.find(here);
+    if (properties == nullptr || properties->layered.kind != LayeredKind::rigid) continue;
+    const double stiffness = std::max(least_bone, std::min(properties->layered.contact_stiffness, device.stiffness));
+    const double end = place + device.peak_force / stiffness;
+    if (end >= way.end) return way.end;
+    result.ends_in_bone = end - way.surface;
+    result.notes.push_back(fmt::format(
+        "{} lies in the way at a depth of {:.1f} mm; the needle stops {:.1f} mm deep, {:.1f} mm before the target",
+        properties->title, place - way.surface, *result.ends_in_bone, way.end - end));
+    return end;
+  }
+  return way.end;
+}
+
+// The poses of the motion, tick by tick; fills depth, tissue and first of `result`.
+std::vector<TickInput> motion_of(const StraightWay& way, const Case& patient, Comparison& result) {
+  const CompareOptions& options = result.options;
+  const double inwards = options.speed * result.dt;  // mm a tick
+  const double outwards = options.withdraw_speed.value_or(options.speed) * result.dt;
+  const double end = deepest_place(way, patient, result);
+  const double rests = std::round(options.pause / result.dt);
+  const double ticks = (end - way.start) / inwards + rests + (end - way.outside) / outwards +
+                       (options.reinsert ? (end - way.outside) / inwards : 0.0);
+  if (ticks > most_ticks) {
+    throw InputError(
+        fmt::format("the motion would take {:.1f} million ticks, expected at most {:.0f} million; give a "
+                    "larger --speed or a shorter path",
+                    1e-6 * ticks, 1e-6 * most_ticks));
+  }
+  std::vector<double> places = {way.start};
+  const auto go = [&](double from, double to, double step) {
+    const std::vector<double> part = places_between(from, to, step);
+    places.insert(places.end(), part.begin(), part.end());
+  };
+  go(way.start, end, inwards);
+  result.first[1] = places.size();
+  places.insert(places.end(), static_cast<std::size_t>(rests), end);
+  result.first[2] = places.size();
+  go(end, way.outside, outwards);
+  result.first[3] = places.size();
+  if (options.reinsert) go(way.outside, end, inwards);
+  result.first[4] = places.size();
+
+  std::vector<TickInput> motion;
+  motion.reserve(places.size());
+  for (const double place : places) {
+    motion.push_back({way.needle_at(place)});
+    result.depth.push_back(place - way.surface);
+    result.tissue.push_back(nearest<TissueId>(patient.tissues, motion.back().needle.translation(), tissue::air));
+  }
+  return motion;
+}
+
+// ns that this thread has computed: other work on the machine does not count.
+double processor_time() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
+}
+
+ModelRun play(const std::string& name, const Case& patient, const std::vector<TickInput>& motion,
+              const Comparison& result, const Progress& progress) {
+  ModelRun run;
+  run.name = name;
+  run.force.reserve(motion.size());
+  HapticTick haptics(patient);
+  double spent = 0.0;
+  for (std::size_t begin = 0; begin < motion.size(); begin += block) {
+    const std::size_t end = std::min(begin + block, motion.size());
+    const double started = processor_time();
+    for (std::size_t tick = begin; tick < end; ++tick) {
+      const TickOutput output = haptics.step(motion[tick]);
+      run.force.push_back(output.resistance);
+      for (const Event& event : output.events) {
+        if (event.kind != EventKind::puncture) continue;
+        ++run.punctures[static_cast<std::size_t>(result.phase_of(tick))];
+      }
+    }
+    spent += processor_time() - started;
+    if (progress) {
+      progress(fmt::format("Inserting with {}", name), static_cast<double>(end) / static_cast<double>(motion.size()));
+    }
+  }
+  run.nanoseconds = spent / static_cast<double>(motion.size());
+  return run;
+}
+
+// Everything that follows from the forces of one model alone.
+void measure(ModelRun& run, const Comparison& result) {
+  for (std::size_t tick = 0; tick < run.force.size(); ++tick) {
+    const MotionPhase phase = result.phase_of(tick);
+    if (phase == MotionPhase::insertion && run.force[tick] > run.peak) {
+      run.peak = run.force[tick];
+      run.peak_tick = tick;
+    }
+    if (phase == MotionPhase::reinsertion) run.peak_again = std::max(run.peak_again, run.force[tick]);
+    run.lowest = std::min(run.lowest, run.force[tick]);
+    if (tick == 0) continue;
+    const double advance = result.depth[tick] - result.depth[tick - 1];
+    run.work[static_cast<std::size_t>(phase)] += 0.5 * (run.force[tick] + run.force[tick - 1]) * advance;
+  }
+  run.end_of_stop = run.force[result.first[2] - 1];
+  run.closed_work = run.work[0] + run.work[1] + run.work[2];
+}
+
+void measure_difference(ModelRun& run, const ModelRun& reference, const std::vector<double>& depth) {
+  double sum = 0.0;
+  std::size_t inside = 0;
+  for (std::size_t tick = 0; tick < depth.size(); ++tick) {
+    if (depth[tick] <= 0.0) continue;
+    const double difference = std::abs(run.force[tick] - reference.force[tick]);
+    run.largest_difference = std::max(run.largest_difference, difference);
+    sum += difference * difference;
+    ++inside;
+  }
+  run.rms_difference = inside > 0 ? std::sqrt(sum / static_cast<double>(inside)) : 0.0;
+}
+
+// One sentence for many refusals; a reason that all share is said once.
+std::string nothing_ran(const std::vector<ModelRefused>& refused) {
+  const bool same = std::all_of(refused.begin(), refused.end(),
+                                [&](const ModelRefused& model) { return model.reason == refused[0].reason; });
+  if (same) return refused[0].reason;
+  std::string text = "none of the models can be run on this case";
+  for (const ModelRefused& model : refused) text += fmt::format("; {}: {}", model.name, model.reason);
+  return text;
+}
+
+}  // namespace
+
+std::span<const std::string_view> compared_names() {
+  return model_names;
+}
+
+std::vector<ComparedModel> models_of(const std::vector<std::string>& texts, const ResistanceSettings& own) {
+  std::vector<ComparedModel> models;
+  if (texts.empty()) {
+    for (const std::string_view name : model_names) models.push_back({std::string(name), settings_of(name, own)});
+  }
+  for (const std::string& text : texts) {
+    const auto is_text = [&](const ComparedModel& model) { return model.name == text; };
+    if (std::any_of(models.begin(), models.end(), is_text)) continue;
+    if (std::find(model_names.begin(), model_names.end(), text) != model_names.end()) {
+      models.push_back({text, settings_of(text, own)});
+      continue;
+    }
+    const std::string_view first = std::string_view(text).substr(0, text.find_first_of(" ;"));
+    if (std::find(resistance_names.begin(), resistance_names.end(), first) == resistance_names.end()) {
+      throw InputError(fmt::format("{}: there is no model '{}', expected 'all' or some of {}", option, text,
+                                   fmt::join(model_names, ", ")));
+    }
+    models.push_back({text, parse_resistance(text, option)});
+  }
+  return models;
+}
+
+MotionPhase Comparison::phase_of(std::size_t tick) const {
+  std::size_t phase = 0;
+  while (phase + 1 < motion_phases && tick >= first[phase + 1]) ++phase;
+  return static_cast<MotionPhase>(phase);
+}
+
+Comparison compare_models(Case patient, const CompareOptions& options, const Progress& progress,
+                          const std::function<void(Case&)>& prepare) {
+  check_option(options.speed, 0.5, 500.0, "--speed", "mm/s");
+  check_option(options.withdraw_speed.value_or(options.speed), 0.5, 500.0, "--withdraw-speed", "mm/s");
+  check_option(options.pause, 0.0, 60.0, "--pause", "s");
+  if (options.models.empty()) throw InputError("there is no model to compare");
+  HapticSettings& haptics = patient.description.haptics;
+  haptics.constraint = options.constraint.value_or(haptics.constraint);
+  haptics.parts = options.parts.value_or(haptics.parts);
+
+  Comparison result;
+  result.options = options;
+  result.constraint = name_of(haptics.constraint);
+  const StraightWay way = straight_way(patient, options.entry, options.target);
+  result.path = way.path;
+  result.notes = way.notes;
+  result.dt = 1.0 / haptics.rate;
+  const std::vector<TickInput> motion = motion_of(way, patient, result);
+
+  for (const ComparedModel& model : options.models) {
+    haptics.resistance = model.settings;
+    try {
+      if (prepare) prepare(patient);
+      result.models.push_back(play(model.name, patient, motion, result, progress));
+    } catch (const InputError& error) {
+      result.refused.push_back({model.name, error.what()});
+    }
+  }
+  if (result.models.empty()) throw InputError(nothing_ran(result.refused));
+  const auto layered = std::find_if(result.models.begin(), result.models.end(),
+                                    [](const ModelRun& run) { return run.name == "layered"; });
+  if (layered != result.models.end()) result.reference = static_cast<std::size_t>(layered - result.models.begin());
+  for (ModelRun& run : result.models) {
+    measure(run, result);
+    measure_difference(run, result.models[result.reference], result.depth);
+  }
+  return result;
+}
+
+std::string comparison_csv(const Comparison& comparison) {
+  std::string text = "time_s,depth_mm";
+  for (const ModelRun& run : comparison.models) text += ',' + column_of(run.name);
+  text += '\n';
+  for (std::size_t tick = 0; tick < comparison.depth.size(); ++tick) {
+    fmt::format_to(std::back_inserter(text), "{:.6f},{:.6f}", static_cast<double>(tick) * comparison.dt,
+                   comparison.depth[tick]);
+    for (const ModelRun& run : comparison.models)
+      fmt::format_to(std::back_inserter(text), ",{:.6f}", run.force[tick]);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace bodkin

@@ -1,0 +1,291 @@
+#include "study/experiment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "simulation/haptic_tick.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr double most_voxels = 60e6;
+constexpr double same_time = 1e-9;  // s; the time of a tick is a rounded product
+constexpr std::int16_t air_hounsfield = -1000;
+
+// Tissue at a depth below the surface, or along the radius of a half ball.
+TissueId tissue_at(const ExperimentBody& body, const std::vector<TissueId>& ids, double depth) {
+  double end = 0.0;
+  for (std::size_t i = 0; i < body.layers.size(); ++i) {
+    end += body.layers[i].thickness;
+    if (depth < end) return ids[i];
+  }
+  return body.hemisphere ? ids.back() : tissue::air;
+}
+
+TissueVolume tissues_of(const Experiment& experiment) {
+  const ExperimentBody& body = experiment.body;
+  std::vector<TissueId> ids;
+  double total = 0.0;
+  for (const ExperimentLayer& layer : body.layers) {
+    ids.push_back(experiment.library.find(layer.tissue)->id);
+    total += layer.thickness;
+  }
+  const double across = body.hemisphere ? 2.0 * body.radius : body.width;
+  const double along = body.hemisphere ? body.radius : total;
+  const auto voxels = [&body](double length) { return std::max(1.0, std::ceil(length / body.voxel - 1e-6)); };
+  const double count = voxels(across) * voxels(across) * voxels(along);
+  if (count > most_voxels) {
+    throw InputError(
+        fmt::format("{}: the body has {:.0f} million voxels, expected at most {:.0f}; make voxel_mm larger",
+                    experiment.name, count / 1e6, most_voxels / 1e6));
+  }
+  Grid grid;
+  grid.size = {static_cast<int>(voxels(across)), static_cast<int>(voxels(across)), static_cast<int>(voxels(along))};
+  grid.spacing = Vec3::Constant(body.voxel);
+  grid.origin = {-0.5 * body.voxel * (grid.size[0] - 1), -0.5 * body.voxel * (grid.size[1] - 1), 0.5 * body.voxel};
+  TissueVolume volume(grid, tissue::air);
+  const Vec3 centre = {0.0, 0.0, body.radius};
+  for (int k = 0; k < grid.size[2]; ++k) {
+    for (int j = 0; j < grid.size[1]; ++j) {
+      for (int i = 0; i < grid.size[0]; ++i) {
+        const Vec3 place = grid.to_patient(Vec3(i, j, k));
+        const double depth = body.hemisphere ? body.radius - (place - centre).norm() : place.z();
+        if (depth >= 0.0) volume.at(i, j, k) = tissue_at(body, ids, depth);
+      }
+    }
+  }
+  return volume;
+}
+
+CtVolume ct_of(const TissueVolume& tissues, const TissueLibrary& library) {
+  CtVolume ct(tissues.grid, air_hounsfield);
+  const auto hounsfield = library.by_id(&TissueProperties::hounsfield);
+  std::transform(tissues.voxels.begin(), tissues.voxels.end(), ct.voxels.begin(),
+                 [&](TissueId id) { return static_cast<std::int16_t>(std::lround(hounsfield[id])); });
+  return ct;
+}
+
+// Where the needle is at a time.
+class Mover {
+ public:
+  explicit Mover(const ExperimentMotion& motion) : motion_(motion) {}
+
+  // Times must not fall.
+  ExperimentPlace at(double time) {
+    const std::vector<ExperimentPlace>& places = motion_.places;
+    while (next_ + 1 < places.size() && places[next_].time < time) ++next_;
+    const ExperimentPlace &from = places[next_ - 1], &to = places[next_];
+    const double part = std::clamp((time - from.time) / (to.time - from.time), 0.0, 1.0);
+    const auto between = [part](double a, double b) { return part == 1.0 ? b : a + part * (b - a); };
+    return {time, between(from.depth, to.depth), between(from.aside, to.aside), between(from.tilt, to.tilt)};
+  }
+  Pose pose(const ExperimentPlace& place) const {
+    const Vec3& along = motion_.direction;
+    const Vec3 axis = std::cos(place.tilt) * along + std::sin(place.tilt) * motion_.across;
+    const Vec3 side = std::cos(place.tilt) * motion_.across - std::sin(place.tilt) * along;
+    const Vec3& forward = motion_.tilt_about_tip ? along : axis;
+    const Vec3& aside = motion_.tilt_about_tip ? motion_.across : side;
+    return needle_pose(motion_.entry + place.depth * forward + place.aside * aside, axis);
+  }
+
+ private:
+  const ExperimentMotion& motion_;
+  std::size_t next_ = 1;
+};
+
+PublishedComparison compare(const PublishedValue& published, const Experiment& experiment, const ExperimentRun& run) {
+  double sum = 0.0, highest = -std::numeric_limits<double>::infinity(), lowest = -highest, first = 0.0, last = 0.0;
+  std::size_t count = 0;
+  for (const ExperimentTick& tick : run.ticks) {
+    if (!is_inside(published.window, tick)) continue;
+    const double value = value_of(published.quantity, tick, experiment);
+    if (!std::isfinite(value)) continue;
+    if (count++ == 0) first = value;
+    last = value;
+    sum += value;
+    highest = std::max(highest, value);
+    lowest = std::min(lowest, value);
+  }
+  if (count == 0) {
+    throw InputError(
+        fmt::format("{}: the published value '{}' asks for a time or depth that the motion never reaches",
+                    experiment.name, published.what));
+  }
+  PublishedComparison comparison{published};
+  switch (published.take) {
+    case Take::mean:
+      comparison.found = sum / static_cast<double>(count);
+      break;
+    case Take::highest:
+      comparison.found = highest;
+      break;
+    case Take::lowest:
+      comparison.found = lowest;
+      break;
+    case Take::first:
+      comparison.found = first;
+      break;
+    case Take::last:
+      comparison.found = last;
+      break;
+  }
+  comparison.agrees = std::abs(comparison.found - published.value) <= published.tolerance;
+  return comparison;
+}
+
+// mm along the line: where the spring of a tracking wall ends on the tissue's side.
+double wall_of(const ExperimentTick& tick, const Experiment& experiment) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  const auto& settings = std::get<TrackingWallSettings>(experiment.haptics.resistance);
+  if (!tick.in_contact) return settings.surface;
+  if (!(tick.resistance > 0.0)) return unknown;
+  const TissueProperties* tissue = experiment.library.find(tick.tissue);
+  double stiffness = tissue == nullptr ? 0.0 : tissue->tracking_wall.stiffness;
+  for (const TrackingWallDepthLayer& layer : settings.layers) {
+    if (tick.depth - settings.surface >= layer.from) stiffness = layer.layer.stiffness;
+  }
+  return stiffness > 0.0 ? tick.depth - tick.resistance / stiffness : unknown;
+}
+
+Vec3 wall_place(const ExperimentTick& tick, const Experiment& experiment) {
+  if (!tick.in_contact) return experiment.motion.entry;
+  return tick.tip + (wall_of(tick, experiment) - tick.depth) * experiment.motion.direction;
+}
+
+Vec3 proxy_place(const ExperimentTick& tick, const Experiment& experiment) {
+  if (!tick.in_contact) return tick.tip;
+  return tick.tip + tick.requested.force / std::get<VolumeProxySettings>(experiment.haptics.resistance).stiffness;
+}
+
+}  // namespace
+
+Case experiment_case(const Experiment& experiment) {
+  Case patient;
+  patient.library = experiment.library;
+  patient.tissues = tissues_of(experiment);
+  if (std::holds_alternative<VolumeProxySettings>(experiment.haptics.resistance))
+    patient.ct = ct_of(patient.tissues, patient.library);
+  patient.description.name = experiment.name;
+  patient.description.needle = experiment.needle;
+  patient.description.device = experiment.device;
+  patient.description.haptics = experiment.haptics;
+  return patient;
+}
+
+ExperimentRun play(const Experiment& experiment, const Progress& progress) {
+  const Case patient = experiment_case(experiment);
+  HapticTick tick(patient);
+  Mover mover(experiment.motion);
+  ExperimentRun run;
+  run.dt = tick.dt();
+  const double duration = experiment.motion.places.back().time;
+  const auto count = static_cast<std::size_t>(std::floor(duration / run.dt + 1e-6)) + 1;
+  run.ticks.reserve(count);
+  for (std::size_t n = 0; n < count; ++n) {
+    const ExperimentPlace place = mover.at(static_cast<double>(n) * run.dt);
+    const Pose pose = mover.pose(place);
+    const TickOutput output = tick.step({pose});
+    run.ticks.push_back({.time = place.time,
+                         .depth = output.depth,
+                         .velocity = output.velocity,
+                         .resistance = output.resistance,
+                         .constraint = output.constraint,
+                         .aside = place.aside,
+                         .tilt = place.tilt,
+                         .tip = pose.translation(),
+                         .requested = output.requested,
+                         .applied = output.applied,
+                         .tissue = output.tissue,
+                         .in_contact = output.in_contact});
+    if (progress && n % (count / 16 + 1) == 0)
+      progress(experiment.name, static_cast<double>(n) / static_cast<double>(count));
+  }
+  for (const PublishedValue& value : experiment.values) run.comparisons.push_back(compare(value, experiment, run));
+  return run;
+}
+
+bool is_inside(const ExperimentWindow& window, const ExperimentTick& tick) {
+  const auto above = [](const std::optional<double>& low, double value) { return !low || value >= *low; };
+  const auto below = [](const std::optional<double>& high, double value) { return !high || value <= *high; };
+  const bool deep = window.depth_from || window.depth_to;
+  return above(window.time_from, tick.time + same_time) && below(window.time_to, tick.time - same_time) &&
+         (!deep || tick.in_contact) && above(window.depth_from, tick.depth) && below(window.depth_to, tick.depth);
+}
+
+double value_of(Quantity quantity, const ExperimentTick& tick, const Experiment& experiment) {
+  switch (quantity) {
+    case Quantity::time:
+      return tick.time;
+    case Quantity::depth:
+      return tick.depth;
+    case Quantity::position:
+      return (tick.tip - experiment.motion.entry).dot(experiment.motion.direction);
+    case Quantity::velocity:
+      return tick.velocity;
+    case Quantity::resistance:
+      return tick.resistance;
+    case Quantity::force:
+      return tick.requested.force.norm();
+    case Quantity::force_x:
+      return tick.requested.force.x();
+    case Quantity::force_y:
+      return tick.requested.force.y();
+    case Quantity::force_z:
+      return tick.requested.force.z();
+    case Quantity::applied_force:
+      return tick.applied.force.norm();
+    case Quantity::constraint:
+      return tick.constraint;
+    case Quantity::torque:
+      return tick.requested.torque.norm();
+    case Quantity::applied_torque:
+      return tick.applied.torque.norm();
+    case Quantity::tip_x:
+      return tick.tip.x();
+    case Quantity::tip_y:
+      return tick.tip.y();
+    case Quantity::tip_z:
+      return tick.tip.z();
+    case Quantity::aside:
+      return tick.aside;
+    case Quantity::tilt:
+      return tick.tilt / degree;
+    case Quantity::wall:
+      return wall_of(tick, experiment);
+    case Quantity::wall_x:
+      return wall_place(tick, experiment).x();
+    case Quantity::wall_y:
+      return wall_place(tick, experiment).y();
+    case Quantity::wall_z:
+      return wall_place(tick, experiment).z();
+    case Quantity::proxy_x:
+      return proxy_place(tick, experiment).x();
+    case Quantity::proxy_y:
+      return proxy_place(tick, experiment).y();
+    case Quantity::proxy_z:
+      return proxy_place(tick, experiment).z();
+  }
+  return 0.0;
+}
+
+std::string experiment_csv(const Experiment& experiment, const ExperimentRun& run) {
+  std::string text;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(Quantity::wall); ++i)
+    fmt::format_to(std::back_inserter(text), "{},", quantity_names[i].name);
+  text += "tissue\n";
+  for (const ExperimentTick& tick : run.ticks) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(Quantity::wall); ++i)
+      fmt::format_to(std::back_inserter(text), "{:.6f},", value_of(static_cast<Quantity>(i), tick, experiment) + 0.0);
+    const TissueProperties* tissue = experiment.library.find(tick.tissue);
+    fmt::format_to(std::back_inserter(text), "{}\n", tissue != nullptr ? tissue->name : std::to_string(tick.tissue));
+  }
+  return text;
+}
+
+}  // namespace bodkin

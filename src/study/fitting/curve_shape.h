@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "study/fitting/fit_model.h"
+#include "study/fitting/measured_curve.h"
+
+namespace bodkin {
+
+// mm, the depth at which the force begins to rise out of its noise.
+double contact_of(const MeasuredCurve& curve);
+
+// Samples at which the force falls on the way in, the steepest falls first: the tissue may give way between such a
+// sample and the one before. At most `most`.
+std::vector<std::size_t> falls_of(const MeasuredCurve& curve, std::size_t most);
+
+// N, standard deviation of the force from one sample to the next.
+double noise_of(const MeasuredCurve& curve);
+
+// What the curve looks like when the tissue gives way before sample `yield`; 0: it does not.
+CurveShape shape_of(const MeasuredCurve& curve, double contact, std::size_t yield);
+
+}  // namespace bodkin

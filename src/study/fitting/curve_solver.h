@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "study/fitting/fit_model.h"
+#include "study/fitting/least_squares.h"
+#include "study/fitting/measured_curve.h"
+#include "study/fitting/needle_history.h"
+namespace bodkin {
+
+// The values of a model that are looked for and those that are kept, and how well they describe the curve.
+struct CurveSolution {
+  std::vector<double> values;             // all of the model's parameters
+  std::optional<std::size_t> yield_tick;  // where the tissue gives way, if that is looked for; none: nowhere
+  double sum_of_squares = 0.0;            // N^2
+};
+
+// A place where the tissue may have given way, and what that would mean.
+struct YieldCandidate {
+  std::size_t tick = 0;
+  double sum_of_squares = 0.0;  // N^2, of the best values with it, to first order
+  std::vector<double> shift;    // of the smooth parameters, to first order
+};
+
+// Least squares of a model against a curve. The force jumps where the tissue gives way, so the sum of squares jumps
+// with the parameter that decides it; that parameter is looked for as a tick of the history, with all others, which
+// are smooth then, fitted for each.
+class CurveSolver {
+ public:
+  CurveSolver(const FitModel& model, const MeasuredCurve& curve, NeedleHistory history, std::vector<bool> counts);
+
+  // Which parameters are looked for, and within what. `start` has values that the user gave, none otherwise.
+  std::vector<bool> looked_for;
+  std::vector<double> low, high, kept;
+  std::vector<std::optional<double>> start;
+
+  // The best solution from several starts.
+  CurveSolution solve() const;
+  // The best solution near another one.
+  CurveSolution improve(CurveSolution solution) const;
+  // The other ticks at which the tissue may have given way as far as the data tell: those whose sum of squares is at
+  // most `allowed`, neighbours first; empty when the solution has no yield. `bounded`: false when they never end.
+  std::vector<YieldCandidate> alternatives(const CurveSolution& solution, double allowed, bool& bounded) const;
+
+  // Best solutions that begin where a parameter of the model's `jumpy` ones is a few of its standard errors away:
+  // `errors` of `parameters`, in the units of the parameters. The sum of squares may have a lower place there.
+  std::vector<CurveSolution> neighbours(const CurveSolution& solution, const std::vector<std::size_t>& parameters,
+                                        const std::vector<double>& errors) const;
+
+  // The parameters looked for that are smooth.
+  std::vector<std::size_t> smooth() const;
+  // d force / d parameter at the samples that count, for the given parameters.
+  Eigen::MatrixXd sensitivity(const CurveSolution& solution, const std::vector<std::size_t>& parameters) const;
+  // The yield parameter's value with which the tissue gives way at `tick`, and its derivatives.
+  double yield_value(const std::vector<double>& values, std::size_t tick) const;
+  Eigen::VectorXd yield_gradient(const CurveSolution& solution, const std::vector<std::size_t>& parameters,
+                                 std::size_t tick) const;
+
+  // N, at every sample of the curve.
+  std::vector<double> force_at_samples(const std::vector<double>& values) const;
+  const NeedleHistory& history() const noexcept { return history_; }
+  std::size_t counted() const noexcept { return rows_.size(); }
+  std::size_t grid_step() const noexcept { return grid_step_; }
+  double scale_of(std::size_t parameter, const std::vector<double>& values) const;
+
+ private:
+  LeastSquaresProblem problem(const std::vector<std::size_t>& parameters, const CurveSolution& around) const;
+  CurveSolution settle(CurveSolution solution, int steps = 60) const;
+  CurveSolution begin_with(std::size_t yield_sample) const;
+  void set_yield(CurveSolution& solution) const;
+  bool yields() const { return model_.yield && looked_for[*model_.yield]; }
+  // The tick `steps` places before (way -1) or after (1) the yield; none beyond the history.
+  std::optional<std::size_t> tick_beside(const CurveSolution& solution, int way, std::size_t steps) const;
+  Eigen::VectorXd residuals_with(const CurveSolution& solution, std::size_t tick) const;
+
+  const FitModel& model_;
+  const MeasuredCurve& curve_;
+  NeedleHistory history_;
+  std::vector<std::size_t> rows_;  // samples that count
+  std::size_t grid_step_ = 1;      // ticks between two places where the tissue may give way
+};
+
+}  // namespace bodkin

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "study/fitting/needle_history.h"
+
+#include "io/xml_document.h"
+
+namespace bodkin {
+
+// One number of a model that a curve may tell.
+struct FitParameter {
+  std::string name;
+  std::string unit;
+  double low = 0.0, high = 0.0;  // the model's own range
+  double usual = 0.0;            // value where nothing better is known; also its size for scaling, if the guess is 0
+  bool fitted = true;            // false: kept unless the user frees it
+};
+
+// What a look at a curve tells before anything is fitted.
+struct CurveShape {
+  double contact = 0.0;      // mm, where the force begins
+  double peak_depth = 0.0;   // mm, ...
+  double peak_force = 0.0;   // N, where the tissue gives way; the deepest point where it does not
+  double after_force = 0.0;  // N, when it has given way
+  double end_depth = 0.0;    // mm, ...
+  double end_force = 0.0;    // N, at the deepest point
+  double slope = 0.0;        // N/mm, straight line through the loaded part of the first way in ...
+  double intercept = 0.0;    // mm, ... and where it is zero
+};
+
+// Where the fitted values belong.
+struct FittedElements {
+  std::optional<XmlElement> tissue;      // in a <tissue> of the tissue library
+  std::optional<XmlElement> resistance;  // in the <resistance> of a case
+};
+
+// A force model as a function of a few numbers and the needle's history. `values` always are all of `parameters`, in
+// their order and within their ranges.
+struct FitModel {
+  std::string_view name;
+  std::vector<FitParameter> parameters;  // those first that are the last to be given up when data do not tell them
+  std::optional<std::size_t> yield;    // the parameter that decides where the tissue gives way: the force jumps there
+  std::optional<std::size_t> contact;  // depth at which the needle meets the tissue
+  std::vector<std::size_t> jumpy;      // parameters that move smaller jumps of the force along the curve
+  bool needs_time = false;             // the force depends on speed
+  // Fills the force of every tick, N.
+  void (*simulate)(std::span<const double> values, const NeedleHistory& history, std::span<double> force) = nullptr;
+  // The value of `yield` with which the tissue gives way in this motion; 0 where it cannot.
+  double (*yields_in)(std::span<const double> values, const AxialMotion& motion) = nullptr;
+  // Values to begin with.
+  void (*guess)(const CurveShape& shape, std::span<double> values) = nullptr;
+  FittedElements (*elements)(std::span<const double> values) = nullptr;
+};
+
+// All models that can be fitted, in the order of docs/fit.md.
+const std::vector<FitModel>& fit_models();
+
+// Throws InputError with the names that there are.
+const FitModel& fit_model(std::string_view name);
+
+// The models whose force has no law of its own for tissue along the shaft ...
+FitModel spring_damper_wall_fit();
+FitModel tracking_wall_fit();
+FitModel depth_profile_fit();
+// ... and those that have.
+FitModel layered_fit();
+FitModel three_component_fit();
+FitModel fracture_fit();
+FitModel shaft_friction_fit();
+
+}  // namespace bodkin

@@ -1,0 +1,59 @@
+#include <string>
+
+#include "study/fitting/fit.h"
+#include <fmt/format.h>
+
+#include "io/xml_writer.h"
+
+namespace bodkin {
+
+namespace {
+
+void write(const XmlElement& element, XmlWriter& writer) {
+  if (!element.text.empty()) return writer.text_element(element.name, element.text);
+  writer.open(element.name);
+  for (const auto& [name, value] : element.attributes) writer.attribute(name, value);
+  for (const XmlElement& child : element.children) write(child, writer);
+  writer.close();
+}
+
+// Where the numbers come from, for people.
+std::string source_of(const CurveFit& fit, const MeasuredCurve& curve) {
+  std::string kept;
+  for (const FittedParameter& one : fit.parameters) {
+    if (one.status != ParameterStatus::not_identified) continue;
+    kept += (kept.empty() ? "" : ", ") + one.name;
+  }
+  return fmt::format("{} fitted to {}: {} samples, R^2 {:.4f}, RMSE {:.3g} N.{}", fit.model, curve.name, fit.samples,
+                     fit.r_squared, fit.rmse,
+                     kept.empty() ? "" : fmt::format(" Not told by the data, kept at a usual value: {}.", kept));
+}
+
+}  // namespace
+
+std::string fitted_xml(const CurveFit& fit, const MeasuredCurve& curve) {
+  XmlElement root;
+  root.name = "fit";
+  root.attributes.emplace_back("model", fit.model);
+  if (fit.elements.tissue) {
+    XmlElement tissue, source;
+    tissue.name = "tissue";
+    source.name = "source";
+    source.text = source_of(fit, curve);
+    tissue.children = {*fit.elements.tissue, source};
+    root.children.push_back(std::move(tissue));
+  }
+  if (fit.elements.resistance) {
+    XmlElement haptics, resistance;
+    haptics.name = "haptics";
+    resistance.name = "resistance";
+    resistance.children = {*fit.elements.resistance};
+    haptics.children = {std::move(resistance)};
+    root.children.push_back(std::move(haptics));
+  }
+  XmlWriter writer;
+  write(root, writer);
+  return writer.finish();
+}
+
+}  // namespace bodkin

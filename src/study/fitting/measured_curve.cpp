@@ -1,0 +1,201 @@
+#include "study/fitting/measured_curve.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "io/csv_rows.h"
+#include "io/resources.h"
+#include "io/xml_document.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr std::size_t curve_limit = 32 << 20;  // bytes
+constexpr std::size_t fewest_samples = 10;
+constexpr std::size_t most_samples = 500000;
+constexpr double least_way = 0.2, greatest_way = 500.0;       // mm between the least and the greatest depth
+constexpr double least_force = 1e-3, greatest_force = 100.0;  // N, of the largest force
+constexpr double longest_time = 600.0;                        // s
+constexpr double fastest_needle = 2000.0;                     // mm/s
+constexpr double pulled_share = -0.5;                         // mean over largest force on the way in
+constexpr const char* expected_header = "time_s,depth_mm,force_N";
+
+struct Column {
+  const char* name;
+  const char* quantity;
+};
+constexpr std::array<Column, 3> columns = {{{"time_s", "time"}, {"depth_mm", "depth"}, {"force_N", "force"}}};
+
+// The separator of the first line that is not a comment: of the three, the one that stands in it.
+char separator_of(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    const std::string_view line = text.substr(0, end);
+    if (!line.empty() && line.front() != '#') {
+      for (const char separator : {';', '\t'}) {
+        if (line.find(separator) != std::string_view::npos) return separator;
+      }
+      return ',';
+    }
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return ',';
+}
+
+// Which of `columns` each column of the table is.
+std::vector<std::size_t> columns_of(const CsvRow& header, const std::string& origin) {
+  std::vector<std::size_t> order;
+  for (const std::string& field : header.fields) {
+    const auto same = std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return field == c.name; });
+    if (same == columns.end()) {
+      for (const Column& column : columns) {
+        if (!field.starts_with(column.quantity)) continue;
+        fail_at(origin, header.line,
+                fmt::format("the column {} is not in the unit that is expected, {}; convert its values and rename it",
+                            in_quotes(field), column.name));
+      }
+      fail_at(origin, header.line,
+              fmt::format("there is a column {}, expected the header {} (time_s may be missing)", in_quotes(field),
+                          expected_header));
+    }
+    const auto place = static_cast<std::size_t>(same - columns.begin());
+    if (std::find(order.begin(), order.end(), place) != order.end())
+      fail_at(origin, header.line, fmt::format("the column {} stands there twice", field));
+    order.push_back(place);
+  }
+  for (const std::size_t needed : {std::size_t{1}, std::size_t{2}}) {
+    if (std::find(order.begin(), order.end(), needed) == order.end())
+      fail_at(origin, header.line,
+              fmt::format("there is no column {}, expected the header {} (time_s may be missing)",
+                          columns[needed].name, expected_header));
+  }
+  return order;
+}
+
+double number_of(const std::string& field, const char* column, int line, const std::string& origin) {
+  double value = 0.0;
+  const auto [end, problem] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (problem != std::errc() || end != field.data() + field.size() || !std::isfinite(value)) {
+    fail_at(origin, line,
+            fmt::format("{} is {}, expected a finite number with a point as in 1.5", column, in_quotes(field)));
+  }
+  return value;
+}
+
+void check_units(const MeasuredCurve& curve) {
+  const auto [shallow, deep] = std::minmax_element(curve.depth.begin(), curve.depth.end());
+  const double way = *deep - *shallow;
+  if (way < least_way) {
+    throw InputError(
+        fmt::format("{}: the depths lie within {:.3g} mm, which is no insertion; depth_mm is expected in "
+                    "millimetres, perhaps these are metres or inches",
+                    curve.name, way));
+  }
+  if (way > greatest_way) {
+    throw InputError(
+        fmt::format("{}: the depths span {:.4g} mm, longer than any needle; depth_mm is expected in "
+                    "millimetres, perhaps these are micrometres",
+                    curve.name, way));
+  }
+  double largest = 0.0;
+  for (const double force : curve.force) largest = std::max(largest, std::abs(force));
+  if (largest > greatest_force) {
+    throw InputError(
+        fmt::format("{}: the largest force is {:.4g} N, more than a needle bears; force_N is expected in "
+                    "newtons, perhaps these are millinewtons or grams",
+                    curve.name, largest));
+  }
+  if (largest < least_force) {
+    throw InputError(
+        fmt::format("{}: the largest force is {:.3g} N, less than a sensor resolves; force_N is expected "
+                    "in newtons, perhaps these are kilonewtons",
+                    curve.name, largest));
+  }
+  double sum = 0.0;
+  std::size_t inwards = 0;
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    if (curve.depth[i] <= curve.depth[i - 1]) continue;
+    sum += curve.force[i];
+    ++inwards;
+  }
+  if (inwards > 0 && sum < pulled_share * largest * static_cast<double>(inwards)) {
+    throw InputError(
+        fmt::format("{}: the forces are negative while the needle goes in; a positive force_N is expected "
+                    "to push the needle out, so change their sign",
+                    curve.name));
+  }
+  if (!curve.time.empty() && curve.time.back() - curve.time.front() > longest_time) {
+    throw InputError(
+        fmt::format("{}: the times span {:.4g} s, expected at most {:g} s; time_s is expected in seconds, "
+                    "perhaps these are milliseconds",
+                    curve.name, curve.time.back() - curve.time.front(), longest_time));
+  }
+  for (std::size_t i = 1; i < curve.time.size(); ++i) {
+    const double speed = std::abs(curve.depth[i] - curve.depth[i - 1]) / (curve.time[i] - curve.time[i - 1]);
+    if (speed > fastest_needle) {
+      throw InputError(
+          fmt::format("{}: after {:.6g} s the needle moves at {:.4g} mm/s, expected at most {:g}; check "
+                      "the units of time_s and depth_mm",
+                      curve.name, curve.time[i - 1], speed, fastest_needle));
+    }
+  }
+}
+
+}  // namespace
+
+MeasuredCurve parse_measured_curve(std::string_view text, const std::string& origin) {
+  const std::vector<CsvRow> rows = read_csv_rows(text, origin, {.separator = separator_of(text), .comments = true});
+  if (rows.empty()) fail_at(origin, 1, fmt::format("the file is empty, expected the header {}", expected_header));
+  const std::vector<std::size_t> order = columns_of(rows.front(), origin);
+  if (rows.size() - 1 < fewest_samples || rows.size() - 1 > most_samples) {
+    throw InputError(fmt::format("{}: there are {} samples, expected {} to {}", origin, rows.size() - 1,
+                                 fewest_samples, most_samples));
+  }
+  MeasuredCurve curve;
+  curve.name = origin;
+  const std::array<std::vector<double>*, 3> values = {&curve.time, &curve.depth, &curve.force};
+  for (const CsvRow& row : std::span(rows).subspan(1)) {
+    if (row.fields.size() != order.size())
+      fail_at(origin, row.line,
+              fmt::format("there are {} columns, expected {} as in the header", row.fields.size(), order.size()));
+    for (std::size_t i = 0; i < order.size(); ++i)
+      values[order[i]]->push_back(number_of(row.fields[i], columns[order[i]].name, row.line, origin));
+    const std::size_t n = curve.time.size();
+    if (n > 1 && curve.time[n - 1] <= curve.time[n - 2]) {
+      fail_at(
+          origin, row.line,
+          fmt::format("time_s is {} after {}, expected times that increase", curve.time[n - 1], curve.time[n - 2]));
+    }
+  }
+  check_units(curve);
+  return curve;
+}
+
+MeasuredCurve read_measured_curve(const std::filesystem::path& file) {
+  return parse_measured_curve(read_text_file(file, curve_limit), file.string());
+}
+
+std::vector<double> sample_times(const MeasuredCurve& curve, std::optional<double> speed) {
+  if (!curve.time.empty()) return curve.time;
+  if (!speed) {
+    throw InputError(fmt::format(
+        "{}: there is no column time_s and the model depends on time; give --speed, the needle's mm/s", curve.name));
+  }
+  std::vector<double> times = {0.0};
+  for (std::size_t i = 1; i < curve.size(); ++i)
+    times.push_back(times.back() + std::abs(curve.depth[i] - curve.depth[i - 1]) / *speed);
+  if (times.back() > longest_time) {
+    throw InputError(fmt::format("{}: the way takes {:.4g} s at {:g} mm/s, expected at most {:g} s; check --speed",
+                                 curve.name, times.back(), *speed, longest_time));
+  }
+  return times;
+}
+
+}  // namespace bodkin

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "study/fitting/fit_model.h"
+
+#include "forces/events.h"
+
+namespace bodkin {
+
+// Drives a model through a history. `begin()` opens a line when the tip meets the tissue at `contact` (mm), as the
+// tick does; `step(motion, events)` returns the force, N, for depths below the contact; a line ends when the tip is
+// out.
+template <typename Begin, typename Step>
+void simulate_axial(const NeedleHistory& history, double contact, std::span<double> force, Begin begin, Step step) {
+  TickEvents events;
+  bool inside = false;
+  for (std::size_t n = 0; n < history.ticks.size(); ++n) {
+    AxialMotion motion = history.ticks[n];
+    motion.depth -= contact;
+    if (!inside && motion.depth > 0.0) begin();
+    events.clear();
+    force[n] = inside || motion.depth > 0.0 ? step(motion, events) : 0.0;
+    inside = motion.depth > 0.0;
+  }
+}
+
+// An element of numbers in the form of the tissue library and of case files: the shortest text that reads back alike.
+XmlElement numbers_element(const std::string& name, std::initializer_list<std::pair<const char*, double>> numbers);
+
+// What models do that have no limit of the device: it would bend the curve of the tissue.
+inline constexpr double no_limit = 100.0;  // N, the highest that a setting allows
+
+}  // namespace bodkin

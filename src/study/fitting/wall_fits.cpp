@@ -1,0 +1,149 @@
+#include <algorithm>
+#include <cmath>
+
+#include "study/fitting/fit_model.h"
+#include "study/fitting/simulate.h"
+
+#include "forces/depth_profile.h"
+#include "forces/spring_damper_wall.h"
+#include "forces/tracking_wall.h"
+
+namespace bodkin {
+
+namespace {
+
+namespace wall {
+enum : std::size_t { stiffness, wall, damping };
+
+void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> force) {
+  SpringDamperWall model({.stiffness = p[stiffness], .damping = p[damping], .wall = p[wall], .limit = no_limit});
+  TickEvents events;
+  for (std::size_t n = 0; n < history.ticks.size(); ++n)
+    force[n] = model.step(history.ticks[n], tissue::soft, events);
+}
+
+void guess(const CurveShape& shape, std::span<double> p) {
+  p[stiffness] = shape.slope;
+  p[wall] = std::min(shape.intercept, shape.contact);
+}
+
+FittedElements elements(std::span<const double> p) {
+  return {.resistance = numbers_element(
+              "spring_damper_wall",
+              {{"stiffness_N_per_mm", p[stiffness]}, {"damping_N_s_per_mm", p[damping]}, {"wall_mm", p[wall]}})};
+}
+}  // namespace wall
+
+namespace tracking {
+enum : std::size_t { stiffness, force, catch_up, contact };
+
+void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> forces) {
+  TrackingWallSettings settings;
+  settings.catch_up = p[catch_up];
+  settings.limit = no_limit;
+  settings.layers = {{.from = 0.0, .layer = {.stiffness = p[stiffness], .force = p[force]}}};
+  TrackingWall model(TissueLibrary(), settings, history.dt);
+  simulate_axial(
+      history, p[contact], forces, [&] { model.begin(Vec3::Zero(), Vec3::UnitZ()); },
+      [&](const AxialMotion& motion, TickEvents& events) { return model.step(motion, tissue::soft, events); });
+}
+
+void guess(const CurveShape& shape, std::span<double> p) {
+  p[force] = std::max(shape.peak_force, shape.end_force);
+  p[stiffness] = shape.slope;
+  p[contact] = shape.contact;
+}
+
+FittedElements elements(std::span<const double> p) {
+  return {.tissue = numbers_element("tracking_wall", {{"stiffness_N_per_mm", p[stiffness]}, {"force_N", p[force]}}),
+          .resistance = numbers_element("tracking_wall", {{"catch_up_s", p[catch_up]}})};
+}
+}  // namespace tracking
+
+namespace profile {
+enum : std::size_t { skin_stiffness, puncture_depth, stiffness, slope, trailing, contact };
+
+void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> force) {
+  DepthProfileSettings settings;
+  settings.skin_stiffness = p[skin_stiffness];
+  settings.puncture_depth = p[puncture_depth];
+  settings.trailing = std::min(p[trailing], p[puncture_depth]);
+  settings.limit = no_limit;
+  TissueProperties soft;
+  soft.id = tissue::soft;
+  soft.depth_profile = {.kind = DepthProfileKind::soft, .stiffness = p[stiffness], .slope = p[slope]};
+  DepthProfile model(TissueLibrary({soft}), settings, history.dt);
+  simulate_axial(
+      history, p[contact], force, [&] { model.begin(Vec3::Zero(), Vec3::UnitZ()); },
+      [&](const AxialMotion& motion, TickEvents& events) { return model.step(motion, tissue::soft, events); });
+}
+
+double yields_in(std::span<const double> p, const AxialMotion& motion) {
+  return motion.depth - p[contact];
+}
+
+void guess(const CurveShape& shape, std::span<double> p) {
+  const double depth = std::max(0.1, shape.peak_depth - shape.contact);
+  p[skin_stiffness] = shape.peak_force / depth;
+  p[contact] = shape.contact;
+  p[trailing] = std::min(p[trailing], depth);
+  const double way = std::max(0.1, shape.end_depth - shape.peak_depth);
+  p[slope] = (shape.end_force - shape.after_force) / p[trailing] / way;
+  p[stiffness] = std::max(0.01, shape.after_force / p[trailing] - p[slope] * depth);
+}
+
+FittedElements elements(std::span<const double> p) {
+  XmlElement tissue =
+      numbers_element("depth_profile", {{"stiffness_N_per_mm", p[stiffness]}, {"slope_N_per_mm2", p[slope]}});
+  tissue.attributes.insert(tissue.attributes.begin(), {"kind", "soft"});
+  return {
+      .tissue = tissue,
+      .resistance = numbers_element("depth_profile", {{"skin_stiffness_N_per_mm", p[skin_stiffness]},
+                                                      {"puncture_depth_mm", p[puncture_depth]},
+                                                      {"trailing_mm", std::min(p[trailing], p[puncture_depth])}})};
+}
+}  // namespace profile
+
+}  // namespace
+
+FitModel spring_damper_wall_fit() {
+  return {.name = "spring_damper_wall",
+          .parameters = {{"stiffness", "N/mm", 0.001, 100.0, 0.5},
+                         {"wall", "mm", -1000.0, 1000.0, 0.0},
+                         {"damping", "N s/mm", 0.0, 1.0, 0.002}},
+          .jumpy = {wall::wall},
+          .needs_time = true,
+          .simulate = wall::simulate,
+          .guess = wall::guess,
+          .elements = wall::elements};
+}
+
+FitModel tracking_wall_fit() {
+  return {.name = "tracking_wall",
+          .parameters = {{"stiffness", "N/mm", 0.01, 100.0, 0.5},
+                         {"force", "N", 0.0, 50.0, 1.0},
+                         {"catch_up", "s", 0.001, 1000.0, 0.5},
+                         {"contact", "mm", -1000.0, 1000.0, 0.0, false}},
+          .contact = tracking::contact,
+          .simulate = tracking::simulate,
+          .guess = tracking::guess,
+          .elements = tracking::elements};
+}
+
+FitModel depth_profile_fit() {
+  return {.name = "depth_profile",
+          .parameters = {{"skin_stiffness", "N/mm", 0.01, 10.0, 0.3},
+                         {"puncture_depth", "mm", 0.1, 50.0, 5.0},
+                         {"stiffness", "N/mm", 0.0, 10.0, 0.4},
+                         {"slope", "N/mm^2", -1.0, 1.0, 0.01},
+                         {"trailing", "mm", 0.01, 50.0, 2.0},
+                         {"contact", "mm", -1000.0, 1000.0, 0.0, false}},
+          .yield = profile::puncture_depth,
+          .contact = profile::contact,
+          .simulate = profile::simulate,
+          .yields_in = profile::yields_in,
+          .guess = profile::guess,
+          .elements = profile::elements};
+}
+
+}  // namespace bodkin

@@ -1,0 +1,96 @@
+#include "study/profile.h"
+
+#include <cmath>
+#include <iterator>
+
+#include "study/straight_motion.h"
+#include <fmt/format.h>
+
+#include "simulation/haptic_tick.h"
+
+namespace bodkin {
+
+Profile insert_at_constant_speed(const Case& patient, const ProfileOptions& options, const Progress& progress) {
+  check_option(options.speed, 0.5, 500.0, "--speed", "mm/s");
+  check_option(options.beyond, 0.0, 200.0, "--beyond", "mm");
+  check_option(options.pause, 0.0, 60.0, "--pause", "s");
+  const StraightWay way = straight_way(patient, options.entry, options.target, options.beyond);
+  Profile profile;
+  profile.options = options;
+  profile.path = way.path;
+  profile.notes = way.notes;
+
+  HapticTick haptics(patient);
+  profile.dt = haptics.dt();
+  const double step = options.speed * profile.dt;  // mm a tick
+  const double peak_force = patient.description.device.peak_force;
+  const auto expected = static_cast<std::size_t>((way.end - way.start) / step);
+  profile.ticks.reserve(expected * (options.withdraw ? 2 : 1) + 16);
+  const auto moment = [&haptics](const TickRecord& record) {
+    Pose needle = record.input.needle;
+    needle.translation() -= haptics.needle_ahead();
+    return DeformedMoment{haptics.node_forces(), needle, haptics.needle_ahead().norm(), record.output.depth,
+                          record.output.resistance};
+  };
+  const auto tick = [&](double place) -> const TickOutput& {
+    TickRecord record;
+    record.tick = profile.ticks.size();
+    record.input.needle = way.needle_at(place);
+    record.output = haptics.step(record.input);
+    if (record.output.resistance > profile.strongest.resistance) profile.strongest = moment(record);
+    profile.ticks.push_back(record);
+    if (progress && record.tick % 2048 == 0) {
+      progress("Inserting the needle",
+               static_cast<double>(record.tick) / static_cast<double>(profile.ticks.capacity()));
+    }
+    return profile.ticks.back().output;
+  };
+
+  tick(way.start);
+  double deepest = way.start;
+  for (const double place : places_between(way.start, way.end, step)) {
+    const TickOutput& output = tick(place);
+    deepest = place;
+    const TissueProperties* properties = patient.library.find(output.tissue);
+    const bool in_bone = properties != nullptr && properties->layered.kind == LayeredKind::rigid;
+    if (in_bone && output.resistance > peak_force) {
+      profile.stopped_by_bone = output.depth;
+      profile.outcome = fmt::format(
+          "stopped by {} at {:.1f} mm, {:.1f} mm before the end of the path: it asks for more than the "
+          "{:.1f} N of the device",
+          properties->title, output.depth, way.end - place, peak_force);
+      break;
+    }
+    if (place >= way.end) {
+      profile.outcome = fmt::format("the end of the path was reached at {:.1f} mm", output.depth);
+      break;
+    }
+  }
+  profile.last = moment(profile.ticks.back());
+  const auto rests = static_cast<std::size_t>(std::lround(options.pause / profile.dt));
+  for (std::size_t n = 0; n < rests; ++n) tick(deepest);
+  if (options.withdraw) {
+    for (const double place : places_between(deepest, way.outside, step)) tick(place);
+  }
+  return profile;
+}
+
+std::string profile_csv(const Profile& profile, const TissueLibrary& library) {
+  std::string text =
+      "time_s,depth_mm,velocity_mm_s,resistance_N,requested_L_N,requested_P_N,requested_S_N,applied_L_N,applied_P_N,"
+      "applied_S_N,tissue\n";
+  for (const TickRecord& record : profile.ticks) {
+    const TickOutput& output = record.output;
+    const Vec3& asked = output.requested.force;
+    const Vec3& given = output.applied.force;
+    const TissueProperties* properties = library.find(output.tissue);
+    fmt::format_to(std::back_inserter(text),
+                   "{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{}\n",
+                   static_cast<double>(record.tick) * profile.dt, output.depth, output.velocity, output.resistance,
+                   asked.x(), asked.y(), asked.z(), given.x(), given.y(), given.z(),
+                   properties != nullptr ? properties->name : std::to_string(output.tissue));
+  }
+  return text;
+}
+
+}  // namespace bodkin

@@ -1,0 +1,171 @@
+#include "patient/meshing/mesh_plan.h"
+
+#include <algorithm>
+
+#include "patient/meshing/meshable_tissues.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+
+namespace bodkin {
+namespace {
+
+constexpr double voxel = 1.0;  // mm
+
+// Muscle below y = 0, of 100 x 60 x 100 mm, with a skin of 2 mm towards positive y; a specimen of bone 20 mm deep.
+TissueVolume layered_block() {
+  Grid grid;
+  grid.size = {100, 80, 100};
+  grid.spacing = Vec3::Constant(voxel);
+  grid.origin = Vec3(-49.5, -59.5, -49.5);
+  TissueVolume tissues(grid, tissue::air);
+  for (int k = 0; k < 100; ++k) {
+    for (int j = 0; j < 60; ++j) {
+      for (int i = 0; i < 100; ++i) {
+        const Vec3 at = grid.to_patient(Vec3(i, j, k));
+        TissueId id = at.y() > -2.0 ? tissue::skin : tissue::muscle;
+        if (at.y() < -20.0 && at.y() > -24.0) id = tissue::cortical_bone;
+        tissues.at(i, j, k) = id;
+      }
+    }
+  }
+  return tissues;
+}
+
+const NeedlePath straight_in{Vec3::Zero(), Vec3(0.0, -40.0, 0.0)};
+
+TEST(MeshPlan, edges_are_fine_in_the_corridor_and_grow_steadily_away_from_it) {
+  const TissueVolume tissues = layered_block();
+  MeshSettings settings;
+  settings.corridor_radius = 15.0;
+  const MeshPlan plan = plan_mesh(tissues, straight_in, settings);
+  const Grid& grid = plan.tissues.grid;
+  const std::vector<float> edges = meshable_tissues(plan, 1.0).edges;
+  for (int k = 0; k < grid.size[2]; ++k) {
+    for (int j = 0; j < grid.size[1]; ++j) {
+      for (int i = 0; i < grid.size[0]; ++i) {
+        const float edge = edges[grid.offset(i, j, k)];
+        ASSERT_GE(edge, 2.0F);
+        ASSERT_LE(edge, 10.0F);
+        const double away = distance_to_corridor(grid.to_patient(Vec3(i, j, k)), straight_in, settings);
+        if (away <= 0.0) {
+          ASSERT_FLOAT_EQ(edge, 2.0F);
+        }
+        if (i > 0) {
+          ASSERT_LE(std::abs(edge - edges[grid.offset(i - 1, j, k)]), 0.83F);
+        }
+      }
+    }
+  }
+}
+
+TEST(MeshPlan, without_a_path_edges_are_fine_at_borders_only) {
+  const MeshableTissues meshable = meshable_tissues(plan_mesh(layered_block(), std::nullopt, {}), 1.0);
+  const Grid& grid = meshable.tissues.grid;
+  const auto edge_at = [&](double y) {
+    const Vec3 index = grid.to_index({0.5, y, 0.5}).array().round();
+    return meshable
+        .edges[grid.offset(static_cast<int>(index.x()), static_cast<int>(index.y()), static_cast<int>(index.z()))];
+  };
+  EXPECT_NEAR(edge_at(-19.5), 2.6F, 1e-5F);  // muscle beside the bone
+  EXPECT_NEAR(edge_at(-20.5), 2.6F, 1e-5F);  // the bone beside the muscle
+  EXPECT_NEAR(edge_at(-38.5), 10.0F, 1e-5F);
+}
+
+TEST(MeshPlan, the_box_ends_where_it_is_far_from_the_path) {
+  MeshSettings settings;
+  settings.corridor_radius = 5.0;
+  settings.reach = 20.0;
+  const TissueVolume tissues = layered_block();
+  const MeshPlan plan = plan_mesh(tissues, straight_in, settings);
+  EXPECT_TRUE(plan.boxed);
+  const Grid& grid = plan.tissues.grid;
+  EXPECT_LE(grid.size[0], 54);
+  EXPECT_GE(grid.size[0], 50);
+  // The tissues lie where they lay.
+  for (const Vec3& at : {Vec3(3, -1, 2), Vec3(-20, -22, 10), Vec3(0, -40, 0)}) {
+    EXPECT_EQ(nearest(plan.tissues, at, tissue::air), nearest(tissues, at, tissue::air));
+  }
+  settings.reach = 500.0;
+  EXPECT_FALSE(plan_mesh(tissues, straight_in, settings).boxed);
+  EXPECT_FALSE(plan_mesh(tissues, std::nullopt, settings).boxed);
+  // The outermost layer is air.
+  for (int j = 0; j < grid.size[1]; ++j) EXPECT_EQ(plan.tissues.at(0, j, grid.size[2] / 2), tissue::air);
+}
+
+TEST(MeshPlan, thin_skin_becomes_what_is_below_it_and_thick_bone_stays) {
+  MeshSettings settings;
+  settings.corridor_radius = 15.0;
+  const MeshPlan plan = plan_mesh(layered_block(), straight_in, settings);
+  const MeshableTissues merged = meshable_tissues(plan, 1.5);
+  const TissueVolume& coarse = merged.tissues;
+  EXPECT_EQ(merged.after[tissue::skin], 0U);
+  EXPECT_EQ(nearest(coarse, Vec3(0, -1, 0), tissue::air), tissue::muscle);          // there is no fat
+  EXPECT_EQ(nearest(coarse, Vec3(0, -22, 0), tissue::air), tissue::cortical_bone);  // 4 mm, edges of 3 mm
+  EXPECT_EQ(merged.dropped, 0U);
+  EXPECT_EQ(nearest(meshable_tissues(plan, 0.5).tissues, Vec3(0, -1, 0), tissue::air), tissue::skin);
+  std::size_t before = 0, after = 0;
+  for (std::size_t id = 1; id < 256; ++id) {
+    before += merged.before[id];
+    after += merged.after[id];
+  }
+  EXPECT_EQ(before, after + merged.dropped);
+}
+
+TEST(MeshPlan, a_thin_shell_of_bone_joins_the_bone_in_it_and_not_the_muscle_around) {
+  TissueVolume tissues = layered_block();
+  // Bone 4 mm deep becomes 1 mm of cortical, 2 mm of cancellous, 1 mm of cortical bone: one family, thick as a whole.
+  for (int k = 0; k < 100; ++k) {
+    for (int j = 0; j < 60; ++j) {
+      for (int i = 0; i < 100; ++i) {
+        const double y = tissues.grid.to_patient(Vec3(i, j, k)).y();
+        if (y < -21.0 && y > -23.0) tissues.at(i, j, k) = tissue::cancellous_bone;
+      }
+    }
+  }
+  MeshSettings settings;
+  settings.corridor_radius = 15.0;
+  const MeshableTissues merged = meshable_tissues(plan_mesh(tissues, straight_in, settings), 1.5);
+  for (const double y : {-20.5, -21.5, -22.5, -23.5}) {
+    const TissueId found = nearest(merged.tissues, Vec3(0, y, 0), tissue::air);
+    EXPECT_TRUE(found == tissue::cortical_bone || found == tissue::cancellous_bone) << y;
+    EXPECT_EQ(found, nearest(merged.tissues, Vec3(0, -20.5, 0), tissue::air));
+  }
+  EXPECT_EQ(nearest(merged.tissues, Vec3(0, -19.5, 0), tissue::air), tissue::muscle);
+  EXPECT_EQ(nearest(merged.tissues, Vec3(0, -24.5, 0), tissue::air), tissue::muscle);
+}
+
+TEST(MeshPlan, what_hangs_apart_from_the_body_is_dropped) {
+  TissueVolume tissues = layered_block();
+  for (int k = 40; k < 60; ++k) {
+    for (int j = 66; j < 78; ++j) {
+      for (int i = 40; i < 60; ++i) tissues.at(i, j, k) = tissue::muscle;  // a hand above the skin
+    }
+  }
+  MeshSettings settings;
+  const MeshableTissues left = meshable_tissues(plan_mesh(tissues, straight_in, settings), 1.0);
+  EXPECT_EQ(left.dropped, 20U * 12U * 20U);
+  EXPECT_EQ(nearest(left.tissues, Vec3(0, 12, 0), tissue::air), tissue::air);
+}
+
+TEST(MeshPlan, half_the_edges_mean_eight_times_the_nodes) {
+  const MeshPlan plan = plan_mesh(layered_block(), straight_in, {});
+  MeshableTissues meshable = meshable_tissues(plan, 1.0);
+  const double nodes = expected_nodes(meshable);
+  for (float& edge : meshable.edges) edge *= 0.5F;
+  EXPECT_NEAR(expected_nodes(meshable) / nodes, 8.0, 1e-9);
+}
+
+TEST(MeshPlan, a_path_far_from_the_body_is_refused) {
+  const NeedlePath astray{Vec3(900, 0, 0), Vec3(900, -40, 0)};
+  try {
+    plan_mesh(layered_block(), astray, {});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("no tissue within 85 mm of the planned path"));
+  }
+}
+
+}  // namespace
+}  // namespace bodkin

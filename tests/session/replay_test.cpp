@@ -1,0 +1,308 @@
+#include "session/replay.h"
+
+#include <bit>
+#include <charconv>
+#include <map>
+#include <sstream>
+
+#include "session/operator_file.h"
+#include "session/session_export.h"
+#include "session/session_run.h"
+#include "tests/session/session_samples.h"
+#include "tests/session/slab_case.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "simulation/closed_loop.h"
+
+namespace bodkin {
+namespace {
+
+RunSettings settings_for(const Case& patient, const std::string& name, const std::filesystem::path& output) {
+  RunSettings settings;
+  settings.script = load_operator(name);
+  settings.seed = 3;
+  settings.path = *patient.description.procedure.path;
+  settings.output = output;
+  settings.overwrite = true;
+  return settings;
+}
+
+SessionHeader header_for(const Case& patient, const RunSettings& settings) {
+  SessionHeader header = sample_header();
+  header.dt = 1.0 / patient.description.haptics.rate;
+  header.seed = settings.seed;
+  header.path = settings.path;
+  header.haptics = patient.description.haptics;
+  header.tissues.clear();
+  for (const TissueProperties& tissue : patient.library.tissues()) {
+    header.tissues.push_back({tissue.id, tissue.name, tissue.title});
+  }
+  return header;
+}
+
+// One recorded insertion, shared by the tests of this file.
+class Recorded : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    patient_ = new Case(slab_case(lumbar_slabs()));
+    const auto file =
+        std::filesystem::temp_directory_path() / ("bodkin_recorded_" + std::to_string(getpid()) + ".bodkin");
+    const RunSettings settings = settings_for(*patient_, "expert", file);
+    const RunResult result = run_session(*patient_, header_for(*patient_, settings), settings, {});
+    EXPECT_TRUE(result.operator_finished);
+    session_ = new Session(read_session(file));
+    std::filesystem::remove(file);
+    EXPECT_EQ(result.ticks, session_->ticks.size());
+  }
+  static void TearDownTestSuite() {
+    delete patient_;
+    delete session_;
+  }
+  static Case* patient_;
+  static Session* session_;
+};
+
+Case* Recorded::patient_ = nullptr;
+Session* Recorded::session_ = nullptr;
+
+using Replay = Recorded;
+using Export = Recorded;
+
+TEST_F(Replay, of_a_recorded_session_is_identical_to_the_bit) {
+  EXPECT_TRUE(session_->finished);
+  EXPECT_GT(session_->ticks.size(), 10000u);
+  EXPECT_GT(session_->events.size(), 10u);
+  const ReplayResult result = replay_session(*session_, *patient_);
+  EXPECT_FALSE(result.difference.has_value());
+  EXPECT_EQ(result.ticks, session_->ticks.size());
+  EXPECT_EQ(result.digest, replay_session(*session_, *patient_).digest);
+}
+
+TEST_F(Replay, finds_a_single_flipped_bit_and_says_where) {
+  Session tampered = *session_;
+  double& force = tampered.ticks[7777].output.applied.force[1];
+  force = std::bit_cast<double>(std::bit_cast<std::uint64_t>(force) ^ 1U);
+  const ReplayResult result = replay_session(tampered, *patient_);
+  ASSERT_TRUE(result.difference.has_value());
+  EXPECT_EQ(result.difference->tick, 7777u);
+  EXPECT_NEAR(result.difference->time, 7.777, 1e-12);
+  EXPECT_EQ(result.difference->field, "applied_force_y");
+  EXPECT_NE(result.difference->recorded, result.difference->recomputed);
+}
+
+TEST_F(Replay, finds_a_changed_event_a_missing_event_and_a_changed_flag) {
+  Session tampered = *session_;
+  tampered.events[2].event.value += 1e-12;
+  ASSERT_TRUE(replay_session(tampered, *patient_).difference.has_value());
+  EXPECT_EQ(replay_session(tampered, *patient_).difference->field, "events");
+  tampered = *session_;
+  tampered.events.pop_back();
+  ASSERT_TRUE(replay_session(tampered, *patient_).difference.has_value());
+  EXPECT_EQ(replay_session(tampered, *patient_).difference->field, "events");
+  tampered = *session_;
+  tampered.ticks[100].output.limits ^= 1;
+  EXPECT_EQ(replay_session(tampered, *patient_).difference->field, "limits");
+}
+
+TEST_F(Replay, a_different_patient_gives_a_difference) {
+  Case other = *patient_;
+  std::vector<TissueProperties> tissues = other.library.tissues();
+  for (TissueProperties& tissue : tissues) {
+    if (tissue.id == tissue::skin) tissue.layered.stiffness *= 1.0 + 1e-12;
+  }
+  other.library = TissueLibrary(tissues);
+  EXPECT_NE(case_digest(other, "<case/>"), case_digest(*patient_, "<case/>"));
+  EXPECT_TRUE(replay_session(*session_, other).difference.has_value());
+}
+
+TEST_F(Replay, every_number_of_a_tissue_is_in_the_fingerprint_of_the_case) {
+  const std::string digest = case_digest(*patient_, "<case/>");
+  const auto changed = [&](auto change) {
+    Case other = *patient_;
+    std::vector<TissueProperties> tissues = other.library.tissues();
+    change(tissues.back());
+    other.library = TissueLibrary(tissues);
+    return case_digest(other, "<case/>") != digest;
+  };
+  double TrackingWallTissue::*const walls[] = {&TrackingWallTissue::stiffness, &TrackingWallTissue::force};
+  for (const auto member : walls) EXPECT_TRUE(changed([&](TissueProperties& t) { t.tracking_wall.*member += 1e-9; }));
+  EXPECT_TRUE(changed([](TissueProperties& t) { t.depth_profile.kind = DepthProfileKind::organ; }));
+  EXPECT_TRUE(changed([](TissueProperties& t) { t.depth_profile.stiffness += 1e-9; }));
+  EXPECT_TRUE(changed([](TissueProperties& t) { t.depth_profile.slope += 1e-9; }));
+  double ProxyProperties::*const proxies[] = {&ProxyProperties::penetrability, &ProxyProperties::friction,
+                                              &ProxyProperties::drag, &ProxyProperties::viscosity};
+  for (const auto member : proxies)
+    EXPECT_TRUE(changed([&](TissueProperties& t) { t.volume_proxy.*member += 1e-9; }));
+  EXPECT_TRUE(changed([](TissueProperties& t) { t.field_value += 1e-9; }));
+  double ShaftFrictionTissue::*const frictions[] = {&ShaftFrictionTissue::coulomb, &ShaftFrictionTissue::static_force,
+                                                    &ShaftFrictionTissue::stiffness, &ShaftFrictionTissue::viscous};
+  for (const auto member : frictions)
+    EXPECT_TRUE(changed([&](TissueProperties& t) { t.shaft_friction.*member += 1e-9; }));
+  EXPECT_TRUE(changed([](TissueProperties& t) { t.syringe.resistance += 1e-9; }));
+  EXPECT_TRUE(changed([](TissueProperties& t) { t.syringe.pressure += 1e-9; }));
+  EXPECT_TRUE(changed([](TissueProperties& t) { t.layered.drag += 1e-9; }));
+  EXPECT_FALSE(changed([](TissueProperties& t) { t.colour ^= 1U; })) << "what the hand does not feel is not in it";
+}
+
+// The case may say one thing and the session have used another: the session's own settings are replayed.
+TEST(ReplayOfOtherModels, every_resistance_and_constraint_replays_on_the_case_as_it_is) {
+  const Case patient = slab_case({{tissue::skin, 2.0}, {tissue::muscle, 20.0}});
+  const ScratchSession file;
+  const std::pair<ResistanceSettings, ConstraintSettings> choices[] = {
+      {TrackingWallSettings{.catch_up = 0.1}, PivotSettings{}},
+      {TrackingWallSettings{.leash = true, .layers = {{0.0, {0.5, 1.0 / 3.0}}}}, NoConstraint{}},
+      {DepthProfileSettings{}, RailSettings{.torsion = 500.0}},
+      {VolumeProxySettings{.variant = ProxyVariant::viscous}, RailSettings{}},
+      {ThreeComponentSettings{}, BeamSettings{}},
+      {FractureSettings{}, LineSpringSettings{.stiffness = 0.3}},
+      {ShaftFrictionSettings{}, NoConstraint{}}};
+  for (const auto& [resistance, constraint] : choices) {
+    Case other = patient;
+    other.description.haptics.resistance = resistance;
+    other.description.haptics.constraint = constraint;
+    RunSettings settings = settings_for(other, "expert", file.path());
+    settings.longest = 4.0;
+    run_session(other, header_for(other, settings), settings, {});
+    const Session session = read_session(file.path());
+    EXPECT_EQ(name_of(session.header.haptics.resistance), name_of(resistance));
+    EXPECT_FALSE(replay_session(session, patient).difference.has_value()) << name_of(resistance);
+    Session forgotten = session;
+    forgotten.header.haptics = patient.description.haptics;
+    EXPECT_TRUE(replay_session(forgotten, patient).difference.has_value()) << name_of(resistance);
+  }
+}
+
+TEST_F(Replay, refuses_what_cannot_be_replayed) {
+  Session tampered = *session_;
+  tampered.ticks.erase(tampered.ticks.begin() + 50);
+  EXPECT_THROW(replay_session(tampered, *patient_), InputError);
+  tampered.ticks.clear();
+  EXPECT_THROW(replay_session(tampered, *patient_), InputError);
+  tampered = *session_;
+  tampered.header.dt = 0.002;
+  EXPECT_THROW(replay_session(tampered, *patient_), InputError);
+}
+
+// A small reader of RFC 4180, written for the test alone.
+std::vector<std::map<std::string, std::string>> parse_csv(const std::string& text) {
+  std::vector<std::vector<std::string>> rows(1, {""});
+  bool in_quotes = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_quotes) {
+      if (c != '"') {
+        rows.back().back() += c;
+      } else if (i + 1 < text.size() && text[i + 1] == '"') {
+        rows.back().back() += text[++i];
+      } else {
+        in_quotes = false;
+      }
+    } else if (c == '"') {
+      in_quotes = true;
+    } else if (c == ',') {
+      rows.back().emplace_back();
+    } else if (c == '\n') {
+      if (i + 1 < text.size()) rows.push_back({""});
+    } else {
+      rows.back().back() += c;
+    }
+  }
+  std::vector<std::map<std::string, std::string>> table;
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    EXPECT_EQ(rows[row].size(), rows[0].size());
+    auto& entry = table.emplace_back();
+    for (std::size_t column = 0; column < rows[0].size(); ++column) entry[rows[0][column]] = rows[row][column];
+  }
+  return table;
+}
+
+double number(const std::string& text) {
+  double value = 0.0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+TEST_F(Export, every_number_reads_back_to_the_same_bits) {
+  std::string text;
+  export_ticks(*session_, [&](std::string_view piece) { text += piece; });
+  EXPECT_EQ(text.find('\r'), std::string::npos);
+  const auto table = parse_csv(text);
+  ASSERT_EQ(table.size(), session_->ticks.size());
+  for (std::size_t row = 0; row < table.size(); row += 7) {
+    const TickRecord& record = session_->ticks[row];
+    const auto& line = table[row];
+    EXPECT_EQ(line.at("tick"), std::to_string(record.tick));
+    ASSERT_EQ(number(line.at("time_s")), static_cast<double>(record.tick) * 0.001);
+    ASSERT_EQ(number(line.at("tip_y_mm")), record.input.needle.translation().y());
+    ASSERT_EQ(number(line.at("axis_z")), needle_axis(record.input.needle).z());
+    ASSERT_EQ(number(line.at("depth_mm")), record.output.depth);
+    ASSERT_EQ(number(line.at("velocity_mm_per_s")), record.output.velocity);
+    ASSERT_EQ(number(line.at("resistance_N")), record.output.resistance);
+    ASSERT_EQ(number(line.at("requested_force_x_N")), record.output.requested.force.x());
+    ASSERT_EQ(number(line.at("applied_force_y_N")), record.output.applied.force.y());
+    EXPECT_EQ(line.at("tissue"), patient_->library.find(record.output.tissue)->name);
+    EXPECT_EQ(line.at("limits"), std::to_string(record.output.limits));
+  }
+}
+
+TEST_F(Export, events_stand_with_their_time_depth_and_kind) {
+  std::string text;
+  export_events(*session_, [&](std::string_view piece) { text += piece; });
+  const auto table = parse_csv(text);
+  ASSERT_EQ(table.size(), session_->events.size());
+  bool lost_resistance = false;
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    ASSERT_EQ(number(table[row].at("depth_mm")), session_->events[row].event.depth);
+    ASSERT_EQ(number(table[row].at("value")), session_->events[row].event.value);
+    lost_resistance = lost_resistance || table[row].at("kind") == "loss_of_resistance";
+  }
+  EXPECT_TRUE(lost_resistance);
+}
+
+TEST(ExportText, names_with_commas_and_quotes_are_quoted) {
+  Session session;
+  session.header = sample_header();
+  session.header.tissues = {{tissue::skin, "skin, \"thick\"", "skin"}};
+  session.ticks.emplace_back().output.tissue = tissue::skin;
+  std::string text;
+  export_ticks(session, [&](std::string_view piece) { text += piece; });
+  EXPECT_THAT(text, ::testing::HasSubstr(",\"skin, \"\"thick\"\"\",0,0\n"));
+  EXPECT_EQ(parse_csv(text).at(0).at("tissue"), "skin, \"thick\"");
+}
+
+TEST_F(Recorded, running_again_gives_the_same_session_and_another_seed_another) {
+  RunSettings settings = settings_for(*patient_, "expert", {});
+  ClosedLoop again(*patient_, settings.script, settings.path, settings.seed);
+  ClosedLoop other(*patient_, settings.script, settings.path, settings.seed + 1);
+  TickRecord record;
+  bool differs = false;
+  for (const TickRecord& recorded : session_->ticks) {
+    again.step(record);
+    ASSERT_EQ(bytes_of(record), bytes_of(recorded));
+    other.step(record);
+    differs = differs || bytes_of(record) != bytes_of(recorded);
+  }
+  EXPECT_TRUE(differs);
+}
+
+TEST_F(Recorded, on_the_clock_the_same_ticks_are_recorded) {
+  const ScratchSession scratch;
+  RunSettings settings = settings_for(*patient_, "expert", scratch.path());
+  settings.realtime = true;
+  settings.longest = 1.0;
+  const RunResult result = run_session(*patient_, header_for(*patient_, settings), settings, {});
+  EXPECT_GE(result.wall_time, 0.99);
+  EXPECT_FALSE(result.operator_finished);
+  EXPECT_EQ(result.last_phase, "approach");
+  EXPECT_EQ(result.records_lost, 0u);
+  const Session session = read_session(scratch.path());
+  ASSERT_EQ(session.ticks.size(), 1000u);
+  for (std::size_t tick = 0; tick < 1000; ++tick) {
+    ASSERT_EQ(bytes_of(session.ticks[tick]), bytes_of(session_->ticks[tick]))
+        << "the clock must not change what happens";
+  }
+}
+
+}  // namespace
+}  // namespace bodkin

@@ -1,0 +1,133 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include "session/session_file.h"
+#include "session/tick_codec.h"
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "core/error.h"
+#include "core/random.h"
+
+namespace bodkin {
+
+// A session file of a test's own, removed with its log when the test ends.
+class ScratchSession {
+ public:
+  ScratchSession()
+      : path_(std::filesystem::temp_directory_path() /
+              ("bodkin_" + std::to_string(getpid()) + "_" + test_name() + ".bodkin")) {
+    remove();
+  }
+  ~ScratchSession() { remove(); }
+  ScratchSession(const ScratchSession&) = delete;
+  ScratchSession& operator=(const ScratchSession&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  static std::string test_name() {
+    std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::replace(name.begin(), name.end(), '/', '_');
+    return name;
+  }
+  void remove() const {
+    std::error_code ignored;
+    for (const char* ending : {"", "-wal", "-shm", "-journal"})
+      std::filesystem::remove(path_.string() + ending, ignored);
+  }
+  std::filesystem::path path_;
+};
+
+inline SessionHeader sample_header() {
+  SessionHeader header;
+  header.bodkin_version = "9.9";
+  header.case_folder = "/somewhere/a patient";
+  header.case_digest = "0123456789abcdef";
+  header.case_xml = "<case name=\"ö\">\n  'quoted'\n</case>";
+  header.operator_name = "expert";
+  header.operator_settings = "{\"a\":1}";
+  header.seed = std::numeric_limits<std::uint64_t>::max();
+  header.dt = 0.001;
+  header.started_at = "2026-01-02T03:04:05Z";
+  header.path = {{0.1, -2.5e-7, 1e9}, {4, 5, 6}};
+  TrackingWallSettings wall;
+  wall.catch_up = 0.1;  // which has no finite binary form
+  wall.layers = {{0.0, {0.5, 1.0 / 3.0}}};
+  header.haptics.resistance = wall;
+  header.haptics.constraint = NoConstraint{};
+  header.haptics.parts.relaxation = {{0.3, 2.0}};
+  header.tissues = {
+      {tissue::air, "air", "air"}, {tissue::skin, "skin", "skin, \"thick\""}, {200, "own", "an own one"}};
+  return header;
+}
+
+// A record full of awkward numbers, different for every tick.
+inline TickRecord sample_record(std::uint64_t tick) {
+  Random random(tick + 1);
+  const auto number = [&] {
+    switch (random.next() % 12) {
+      case 0:
+        return -0.0;
+      case 1:
+        return std::numeric_limits<double>::infinity();
+      case 2:
+        return std::bit_cast<double>(0x7FF8000000000123ULL);  // a NaN with a payload
+      case 3:
+        return std::numeric_limits<double>::denorm_min();
+      default:
+        return random.normal();
+    }
+  };
+  TickRecord record;
+  record.tick = tick;
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 3; ++row) record.input.needle.matrix()(row, column) = number();
+  }
+  for (Wrench* wrench : {&record.output.requested, &record.output.applied}) {
+    wrench->force = Vec3(number(), number(), number());
+    wrench->torque = Vec3(number(), number(), number());
+  }
+  record.output.depth = number();
+  record.output.velocity = number();
+  record.output.resistance = number();
+  record.output.constraint = number();
+  record.output.energy = number();
+  record.output.tissue = static_cast<TissueId>(random.next() % 255);
+  record.output.in_contact = random.next() % 2 == 0;
+  record.output.limits = static_cast<std::uint8_t>(random.next());
+  for (std::uint64_t event = 0; event < tick % 3; ++event) {
+    record.output.events.push({static_cast<EventKind>(random.next() % 9), tissue::skin, number(), number()});
+  }
+  return record;
+}
+
+inline std::vector<std::uint8_t> bytes_of(const TickRecord& record) {
+  std::vector<std::uint8_t> bytes;
+  encode_tick(record, bytes);
+  return bytes;
+}
+
+inline std::vector<std::uint8_t> bytes_of(const Event& event) {
+  std::vector<std::uint8_t> bytes;
+  encode_event(0, event, bytes);
+  return bytes;
+}
+
+// The sentence with which a file is refused.
+inline std::string refusal_of(const std::filesystem::path& file) {
+  try {
+    read_session(file);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "it was accepted";
+}
+
+}  // namespace bodkin

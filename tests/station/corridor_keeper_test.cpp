@@ -1,0 +1,149 @@
+// A hand goes where no corridor of the deformable body was prepared.
+#include "station/corridor_keeper.h"
+
+#include <chrono>
+#include <thread>
+
+#include "patient/prepared_body.h"
+#include "session/replay.h"
+#include "tests/fem/lattice_body.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "fem/solid/patient_body.h"
+#include "io/tissue_library_file.h"
+#include "simulation/haptic_tick.h"
+
+namespace bodkin {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double block_side = 60.0;  // mm
+
+struct BlockOfTissue {
+  Case patient;
+  std::shared_ptr<const BodyDescription> body;
+};
+
+// A block of tissue, skin at z = 0, whose planned path runs at x = 15; the corridor reaches 8 mm.
+BlockOfTissue block_of_tissue() {
+  BlockOfTissue made;
+  Case& patient = made.patient;
+  patient.library = default_tissue_library();
+  Grid grid;
+  grid.size = {60, 60, 80};
+  grid.origin = Vec3(0.5, 0.5, -19.5);
+  patient.tissues = TissueVolume(grid, tissue::air);
+  for (int k = 20; k < 80; ++k)
+    for (int j = 0; j < 60; ++j)
+      for (int i = 0; i < 60; ++i) patient.tissues.at(i, j, k) = k < 22 ? tissue::skin : tissue::muscle;
+  patient.ct = CtVolume(grid, 40);
+  patient.description.device = {"strong", 100.0, 50.0, 1e6, 100.0, 0.0};
+  patient.description.haptics.constraint = NoConstraint{};
+  EmbeddedNeedleSettings settings;
+  settings.capture_radius = 4.0;
+  settings.spacing = 4.0;
+  settings.body.corridor_radius = 8.0;
+  settings.body.fix_cut = false;
+  settings.body.fix_beyond = 55.0;
+  patient.description.haptics.resistance = settings;
+  patient.description.procedure.path = NeedlePath{Vec3(15.0, 30.0, 0.0), Vec3(15.0, 30.0, 30.0)};
+  TetrahedralMesh mesh = kuhn_lattice(13, block_side);
+  std::fill(mesh.tissues.begin(), mesh.tissues.end(), tissue::muscle);
+  const NeedlePath& path = *patient.description.procedure.path;
+  made.body = std::make_shared<const BodyDescription>(describe_body(mesh, patient, settings.body, path).body);
+  patient.corridor = {std::make_shared<const CondensedBody>(condense(*made.body)), path, {}};
+  return made;
+}
+
+Pose needle_over_block(double x, double z) {
+  return needle_pose(Vec3(x, 30.0, z), Vec3::UnitZ());
+}
+
+// What the keeper gives when it is asked until it has something; nothing after 20 s.
+std::optional<PreparedCorridor> wait_for(CorridorKeeper& keeper, const Pose& needle, std::uint64_t tick) {
+  for (int tries = 0; tries < 2000; ++tries) {
+    CorridorKeeper::News news = keeper.look(needle, tick);
+    if (news.ready) return news.ready;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return {};
+}
+
+TEST(CorridorKeeper, prepares_where_the_needle_aims_and_nothing_else_covers_its_way) {
+  const BlockOfTissue block = block_of_tissue();
+  CorridorKeeper keeper(std::make_shared<const Case>(block.patient), block.body, 30.0, 2);
+  EXPECT_FALSE(keeper.look(needle_over_block(17.0, -10.0), 1).sentence);   // along the planned path
+  EXPECT_FALSE(keeper.look(needle_over_block(45.0, 5.0), 2).sentence);     // in the body
+  EXPECT_FALSE(keeper.look(needle_over_block(500.0, -10.0), 3).sentence);  // past the patient
+  EXPECT_FALSE(keeper.is_preparing());
+  const CorridorKeeper::News begun = keeper.look(needle_over_block(45.0, -10.0), 4);
+  ASSERT_TRUE(begun.sentence);
+  EXPECT_THAT(*begun.sentence, HasSubstr("wait outside"));
+  EXPECT_TRUE(keeper.is_preparing());
+  const std::optional<PreparedCorridor> made = wait_for(keeper, needle_over_block(20.0, -10.0), 5);
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->aimed_at, 4U);
+  EXPECT_NEAR(made->path.entry.x(), 45.0, 1e-12);
+  EXPECT_NEAR(made->path.length(), 30.0, 1e-12);
+  EXPECT_FALSE(keeper.look(needle_over_block(45.0, -10.0), 6).sentence);  // there now
+  ASSERT_TRUE(wait_for(keeper, needle_over_block(30.0, -10.0), 7));
+  EXPECT_THAT(keeper.look(needle_over_block(58.0, -10.0), 8).sentence.value_or(""), HasSubstr("no room"));
+  EXPECT_FALSE(keeper.look(needle_over_block(58.0, -10.0), 9).sentence);  // said once
+}
+
+TEST(CorridorKeeper, is_left_at_once_while_it_prepares) {
+  const BlockOfTissue block = block_of_tissue();
+  const auto before = std::chrono::steady_clock::now();
+  {
+    CorridorKeeper keeper(std::make_shared<const Case>(block.patient), block.body, 30.0, 2);
+    keeper.look(needle_over_block(45.0, -10.0), 4);
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(10));
+}
+
+// A session of two punctures, the second where the needle aimed in tick 100, and its replay.
+TEST(CorridorKeeper, a_session_that_took_another_corridor_replays_to_the_bit) {
+  BlockOfTissue block = block_of_tissue();
+  Session session;
+  session.header.path = *block.patient.description.procedure.path;
+  session.header.haptics = block.patient.description.haptics;
+  session.header.dt = 0.001;
+  HapticTick tick(block.patient);
+  CorridorKeeper keeper(std::make_shared<const Case>(block.patient), block.body, 30.0, 2);
+  double greatest = 0.0;
+  const auto step = [&](const Pose& needle) {
+    TickRecord record;
+    record.tick = session.ticks.size();
+    record.input.needle = needle;
+    record.output = tick.step(record.input);
+    greatest = std::max(greatest, record.output.resistance);
+    for (const Event& event : record.output.events) session.events.push_back({record.tick, event});
+    record.output.events.clear();
+    session.ticks.push_back(record);
+  };
+  for (int i = 0; i <= 100; ++i) step(needle_over_block(45.0, -10.0));
+  const std::optional<PreparedCorridor> made = wait_for(keeper, needle_over_block(45.0, -10.0), 100);
+  ASSERT_TRUE(made);
+  ASSERT_TRUE(tick.add_corridor(*made));
+  for (const double x : {15.0, 45.5}) {
+    greatest = 0.0;
+    for (double z = -10.0; z < 25.0; z += 0.1) step(needle_over_block(x, z));
+    EXPECT_GT(greatest, 0.5) << x;
+    for (double z = 25.0; z > -10.0; z -= 0.1) step(needle_over_block(x, z));
+  }
+  const auto taken = std::find_if(session.events.begin(), session.events.end(), [](const SessionEvent& event) {
+    return event.event.kind == EventKind::corridor_taken;
+  });
+  ASSERT_NE(taken, session.events.end());
+  EXPECT_EQ(taken->event.value, 100.0);
+  const ReplayResult same = replay_session(session, block.patient, {}, block.body.get());
+  EXPECT_FALSE(same.difference) << same.difference->field << " at tick " << same.difference->tick;
+  EXPECT_EQ(same.ticks, session.ticks.size());
+  EXPECT_THROW(replay_session(session, block.patient), InputError);  // without the body
+}
+
+}  // namespace
+}  // namespace bodkin

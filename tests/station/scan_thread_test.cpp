@@ -1,0 +1,324 @@
+// The picture of a probe beside a needle that somebody holds, with the tissue as it is moved: against displacements
+// that are solved for the whole body at once, and pictures that are made one by one.
+#include "station/scan_thread.h"
+
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <thread>
+
+#include "study/deformation_picture.h"
+#include "tests/fem/lattice_body.h"
+#include "tests/sanitized.h"
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "fem/solid/patient_body.h"
+#include "imaging/warped_slice.h"
+#include "io/probe_library_file.h"
+#include "io/tissue_library_file.h"
+
+namespace bodkin {
+namespace {
+
+struct SeenBlock {
+  Case patient;
+  std::shared_ptr<const BodyDescription> body;
+  std::shared_ptr<const AcousticVolume> sounding;
+  std::vector<std::uint32_t> shaft;  // nodes of the corridor about the path
+};
+
+// A block of muscle over fat, 80 x 50 x 80 mm below the plane y = 0, held at its bottom; the path goes straight down
+// from the origin.
+SeenBlock seen_block() {
+  SeenBlock made;
+  Case& patient = made.patient;
+  patient.library = default_tissue_library();
+  Grid grid;
+  grid.size = {40, 70, 40};
+  grid.spacing = Vec3(2.0, 1.0, 2.0);
+  grid.origin = Vec3(-39.0, -49.5, -39.0);
+  patient.tissues = TissueVolume(grid, tissue::air);
+  for (int k = 0; k < 40; ++k)
+    for (int j = 0; j < 50; ++j)
+      for (int i = 0; i < 40; ++i) patient.tissues.at(i, j, k) = j % 10 < 5 ? tissue::muscle : tissue::fat;
+  patient.ct = CtVolume(grid, -1000);
+  for (int k = 0; k < 40; ++k)
+    for (int j = 0; j < 50; ++j)
+      for (int i = 0; i < 40; ++i) patient.ct.at(i, j, k) = j % 10 < 5 ? 50 : -100;
+  patient.description.procedure.path = NeedlePath{Vec3::Zero(), Vec3(0.0, -30.0, 0.0)};
+  DeformableBodySettings settings;
+  settings.corridor_radius = 15.0;
+  settings.stiffness_scale = 1.0;
+  settings.fix_cut = false;
+  settings.fix_beyond = 45.0;
+  TetrahedralMesh mesh = kuhn_box({11, 8, 11}, Vec3(80.0, 50.0, 80.0));
+  for (Vec3& node : mesh.nodes) node -= Vec3(40.0, 50.0, 40.0);
+  std::fill(mesh.tissues.begin(), mesh.tissues.end(), tissue::muscle);
+  const NeedlePath& path = *patient.description.procedure.path;
+  made.body = std::make_shared<const BodyDescription>(describe_body(mesh, patient, settings, path).body);
+  made.sounding = acoustic_volume(patient, {});
+  return made;
+}
+
+UltrasoundDetail small_detail() {
+  UltrasoundDetail detail;
+  detail.lines = detail.samples = 96;
+  detail.width = detail.height = 120;
+  return detail;
+}
+
+UltrasoundSettings shallow() {
+  UltrasoundSettings settings;
+  settings.depth = 45.0;
+  settings.focus = 20.0;
+  return settings;
+}
+
+// On the skin at (x, 0, z), the array along z.
+Pose on_skin(double x, double z, double press = 0.0) {
+  return probe_pose(Vec3(x, -press, z), -Vec3::UnitY(), Vec3::UnitZ());
+}
+
+const Pose straight_in = needle_pose(Vec3(0.0, -20.0, 0.0), -Vec3::UnitY());
+
+// A push and a pull of some newtons on three nodes about the path.
+NodeForces forces_on(const ElasticBody& elastic, const SeenBlock& block, float scale = 1.0F) {
+  const std::vector<std::uint32_t> nodes =
+      nodes_of_shaft(elastic, block.body->mesh, *block.patient.description.procedure.path, 15.0, 3);
+  NodeForces forces;
+  for (const std::uint32_t node : nodes) {
+    const auto number = static_cast<float>(forces.count + 1);
+    forces.nodes[forces.count++] = {node, {0.3F * scale * number, -2.0F * scale, 0.5F * scale}};
+  }
+  return forces;
+}
+
+SlicePlane grid_of(const LivePicture& picture) {
+  SlicePlane grid;
+  grid.corner = picture.order.probe * picture.grid.corner;
+  grid.right = picture.order.probe.linear().col(0);
+  grid.down = picture.order.probe.linear().col(1);
+  grid.pixel = picture.grid.spacing;
+  grid.width = picture.grid.columns;
+  grid.height = picture.grid.rows;
+  return grid;
+}
+
+const LivePicture* picture_where(ScanThread& thread, const std::function<bool(const LivePicture&)>& holds) {
+  for (int tries = 0; tries < 4000; ++tries) {
+    const LivePicture& now = thread.picture();
+    if (now.number > 0 && holds(now)) return &now;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return nullptr;
+}
+
+struct SeenThread {
+  SeenBlock block = seen_block();
+  ElasticBody elastic{*block.body, plan_body(*block.body)};
+  UltrasoundProbe probe = find_probe("L14-5");
+
+  Ultrasound machine() const { return {block.sounding, probe, shallow(), small_detail()}; }
+  std::unique_ptr<ScanThread> start(const Pose& pose, double rate = 200.0) {
+    ScanBody body{block.body,
+                  std::make_unique<NodeField>(elastic, *block.body, *block.patient.description.procedure.path)};
+    return std::make_unique<ScanThread>(block.sounding, machine(), Needle(), std::move(body),
+                                        ScanOrder{pose, shallow()}, rate);
+  }
+};
+
+void expect_field_of(const SeenThread& seen, const LivePicture& picture, const NodeForces& forces) {
+  const SlicePlane grid = grid_of(picture);
+  const std::vector<float> expected =
+      displacements_of_places(grid, displacements_at(*seen.block.body, forces, points_of(grid)));
+  ASSERT_EQ(picture.moved.size(), expected.size());
+  double most = 0.0;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    ASSERT_NEAR(static_cast<double>(picture.moved[i]), static_cast<double>(expected[i]), 1e-4) << i;
+    most = std::max(most, std::abs(static_cast<double>(expected[i])));
+  }
+  EXPECT_GT(most, 0.5);
+  EXPECT_GE(picture.most, most);
+  EXPECT_LT(picture.most, 2.0 * most);
+}
+
+TEST(ScanThread, what_moves_the_picture_is_the_field_of_the_forces) {
+  SeenThread seen;
+  const auto thread = seen.start(on_skin(0.0, 5.0));
+  const NodeForces forces = forces_on(seen.elastic, seen.block);
+  ASSERT_EQ(forces.count, 3U);
+  thread->tell(forces, straight_in);
+  const LivePicture* const picture = picture_where(*thread, [](const LivePicture& now) { return now.most > 0.0; });
+  ASSERT_NE(picture, nullptr);
+  expect_field_of(seen, *picture, forces);
+  EXPECT_EQ(picture->left_out, 0.0);
+  // The picture is the one that the machine makes of it.
+  Ultrasound machine = seen.machine();
+  ScanDisplacement displacement = picture->grid;
+  displacement.moved = picture->moved;
+  const NeedleInSound needle{straight_in, Needle()};
+  EXPECT_EQ(machine.image(picture->order.probe, needle, displacement).pixels, picture->frame.pixels);
+  EXPECT_NE(machine.image(picture->order.probe, needle).pixels, picture->frame.pixels);
+}
+
+TEST(ScanThread, a_probe_that_moves_sees_the_body_where_it_is) {
+  SeenThread seen;
+  const auto thread = seen.start(on_skin(0.0, 5.0));
+  const NodeForces forces = forces_on(seen.elastic, seen.block);
+  thread->tell(forces, straight_in);
+  UltrasoundSettings deeper = shallow();
+  deeper.depth = 30.0;
+  Pose tilted = on_skin(4.0, -3.0);
+  tilted.rotate(Eigen::AngleAxisd(0.3, Vec3::UnitX()) * Eigen::AngleAxisd(0.5, Vec3::UnitY()));
+  thread->order({tilted, deeper});
+  const LivePicture* const picture = picture_where(*thread, [&](const LivePicture& now) {
+    return now.most > 0.0 && now.order.settings.depth == 30.0 && now.order.probe.matrix() == tilted.matrix();
+  });
+  ASSERT_NE(picture, nullptr);
+  expect_field_of(seen, *picture, forces);
+  // 45 mm before; no less than the array is long, for the picture is square.
+  EXPECT_LT(picture->grid.spacing * (picture->grid.rows - 1), 42.0);
+}
+
+TEST(ScanThread, settings_that_cannot_be_leave_the_last_ones) {
+  SeenThread seen;
+  const auto thread = seen.start(on_skin(0.0, 5.0));
+  UltrasoundSettings wrong = shallow();
+  wrong.gain = 1000.0;
+  thread->order({on_skin(0.0, 5.0), wrong});
+  const LivePicture* const picture = picture_where(*thread, [](const LivePicture& now) { return now.refused; });
+  ASSERT_NE(picture, nullptr);
+  EXPECT_EQ(picture->order.settings, shallow());
+  EXPECT_EQ(picture->frame.why, NoImage::none);
+}
+
+// Forces and needle are told as one: the field grows with the depth of the needle that is in the picture.
+TEST(ScanThread, every_picture_is_of_one_tick_and_the_tick_never_waits) {
+  SeenThread seen;
+  const auto thread = seen.start(on_skin(0.0, 5.0), 1000.0);
+  const NodeForces unit = forces_on(seen.elastic, seen.block, 0.1F);
+  thread->tell(unit, needle_pose(Vec3(0.0, -1.0, 0.0), -Vec3::UnitY()));
+  const LivePicture* const first = picture_where(*thread, [](const LivePicture& now) { return now.most > 0.0; });
+  ASSERT_NE(first, nullptr);
+  const double most = first->most;
+  std::jthread tick([&](const std::stop_token& stop) {
+    for (int round = 0; !stop.stop_requested(); ++round) {
+      const int depth = 1 + round % 4;
+      thread->tell(forces_on(seen.elastic, seen.block, 0.1F * static_cast<float>(depth)),
+                   needle_pose(Vec3(0.0, -depth, 0.0), -Vec3::UnitY()));
+    }
+  });
+  std::uint64_t last = 0;
+  for (int pictures = 0; pictures < (sanitized ? 5 : 60);) {
+    const LivePicture& now = thread->picture();
+    ASSERT_GE(now.number, last);
+    if (now.number > last) {
+      ++pictures;
+      ASSERT_TRUE(now.needle);
+      // In the plane of a small displacement the field is linear in the forces but for where it is looked up.
+      ASSERT_NEAR(now.most / most, -now.needle->translation().y(), 0.35);
+    }
+    last = now.number;
+    std::this_thread::sleep_for(std::chrono::microseconds(500));
+  }
+}
+
+TEST(ScanThread, keeps_up) {
+  SeenThread seen;
+  const auto thread = seen.start(on_skin(0.0, 5.0), 60.0);
+  ASSERT_NE(picture_where(*thread, [](const LivePicture&) { return true; }), nullptr);
+  const std::uint64_t before = thread->picture().number;
+  const auto begin = std::chrono::steady_clock::now();
+  for (int tick = 0; tick < 1000; ++tick) {
+    thread->tell(forces_on(seen.elastic, seen.block), straight_in);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  const double gone = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const std::uint64_t made = thread->picture().number - before;
+  EXPECT_GT(static_cast<double>(made) / gone, sanitized ? 0.5 : 15.0);
+  EXPECT_LT(static_cast<double>(made) / gone, 75.0);
+}
+
+TEST(ScanThread, without_a_body_the_picture_is_rigid) {
+  SeenThread seen;
+  ScanThread thread(seen.block.sounding, seen.machine(), Needle(), {}, {on_skin(0.0, 5.0, 2.0), shallow()}, 200.0);
+  thread.tell({}, straight_in);
+  const LivePicture* const picture =
+      picture_where(thread, [](const LivePicture& now) { return now.needle.has_value(); });
+  ASSERT_NE(picture, nullptr);
+  EXPECT_EQ(picture->grid.columns, 0);
+  Ultrasound machine = seen.machine();
+  EXPECT_EQ(machine.image(on_skin(0.0, 5.0, 2.0), NeedleInSound{straight_in, Needle()}).pixels,
+            picture->frame.pixels);
+}
+
+TEST(ScanThread, what_is_told_of_the_nodes_of_a_moving_body_moves_the_picture) {
+  SeenThread seen;
+  ScanThread thread(seen.block.sounding, seen.machine(), Needle(), {seen.block.body, nullptr},
+                    {on_skin(0.0, 0.0), shallow()}, 200.0);
+  ASSERT_NE(picture_where(thread, [](const LivePicture&) { return true; }), nullptr);
+  EXPECT_EQ(thread.picture().most, 0.0);
+  thread.tell_nodes(std::vector<float>(7, 1.0F));  // of another mesh
+  std::vector<float> nodes;
+  for (std::size_t node = 0; node < seen.block.body->mesh.nodes.size(); ++node)
+    nodes.insert(nodes.end(), {0.5F, -2.0F, 1.0F});
+  thread.tell_nodes(nodes);
+  const LivePicture* const picture = picture_where(thread, [](const LivePicture& now) { return now.most > 0.0; });
+  ASSERT_NE(picture, nullptr);
+  const SlicePlane grid = grid_of(*picture);
+  const std::vector<Vec3> points = points_of(grid);
+  int inside = 0;
+  for (std::size_t point = 0; point < points.size(); ++point) {
+    if (points[point].y() > -4.0 || points[point].y() < -44.0 || std::abs(points[point].z()) > 35.0) continue;
+    ++inside;
+    // Where tissue comes from is found in eight halvings.
+    const Eigen::Vector3f expected(0.5F, -2.0F, 1.0F);
+    ASSERT_LT((Eigen::Map<const Eigen::Vector3f>(picture->moved.data() + 3 * point) - expected).norm(),
+              1.1F / 256.0F * expected.norm());
+  }
+  EXPECT_GT(inside, 100);
+}
+
+// What the probe presses is added, as the machine has it where it is given no displacement.
+TEST(ScanThread, a_pressed_probe_presses_beside_the_needle) {
+  SeenThread seen;
+  const Pose pressed = on_skin(0.0, 0.0, 4.0);
+  const auto thread = seen.start(pressed);
+  const LivePicture* const picture = picture_where(*thread, [](const LivePicture&) { return true; });
+  ASSERT_NE(picture, nullptr);
+  EXPECT_EQ(picture->most, 0.0);
+  EXPECT_NEAR(picture->frame.press, 4.0, 0.6);
+  const auto columns = static_cast<std::size_t>(picture->grid.columns),
+             rows = static_cast<std::size_t>(picture->grid.rows);
+  const std::size_t middle = columns / 2;
+  EXPECT_NEAR(static_cast<double>(picture->moved[3 * middle + 1]), -picture->frame.press, 0.3);
+  double last = picture->frame.press + 1.0;
+  for (std::size_t row = 0; row < rows; ++row) {
+    const double down = -static_cast<double>(picture->moved[3 * (row * columns + middle) + 1]);
+    EXPECT_LE(down, last + 1e-3);
+    last = down;
+  }
+  EXPECT_LT(last, 0.5 * picture->frame.press);
+  Ultrasound machine = seen.machine();
+  const std::vector<std::uint8_t> with_layers = machine.image(pressed).pixels;
+  ScanDisplacement still = picture->grid;
+  const std::vector<float> nothing(picture->moved.size(), 0.0F);
+  still.moved = nothing;
+  const std::vector<std::uint8_t> without = machine.image(pressed, std::nullopt, still).pixels;
+  const auto apart = [&](const std::vector<std::uint8_t>& other) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < other.size(); ++i) sum += std::abs(int{other[i]} - int{picture->frame.pixels[i]});
+    return sum / static_cast<double>(other.size());
+  };
+  EXPECT_LT(apart(with_layers), 0.4 * apart(without));
+}
+
+TEST(ScanThread, refuses_rates_that_are_none) {
+  SeenThread seen;
+  for (const double rate : {0.0, -1.0, 2000.0, std::nan("")})
+    EXPECT_THROW(ScanThread(seen.block.sounding, seen.machine(), Needle(), {}, {}, rate), InputError);
+}
+
+}  // namespace
+}  // namespace bodkin
