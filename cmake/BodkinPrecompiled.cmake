@@ -1,24 +1,36 @@
 # bodkin_precompiled(TARGET [TESTS]): TARGET starts from headers that are already parsed: the standard library, Eigen and fmt;
-# with TESTS GoogleTest and JSON too. The first target of each kind compiles them, the others reuse them, so all of one kind
-# must have the same compiler options.
+# with TESTS GoogleTest and JSON too. Each kind is compiled once, by a target of its own, so all targets of a kind
+# must have the same compiler options and link fmt.
 include_guard(GLOBAL)
 
 function(bodkin_precompiled target)
   cmake_parse_arguments(ARG "TESTS" "" "" ${ARGN})
+  set(owner bodkin_precompiled_modules)
+  set(headers <algorithm> <array> <atomic> <cmath> <cstdint> <filesystem> <fstream> <functional> <limits> <map> <memory>
+              <optional> <random> <regex> <sstream> <stdexcept> <string> <thread> <utility> <variant> <vector>
+              <Eigen/Dense> <fmt/format.h>)
   if(ARG_TESTS)
-    set(kind tests)
-    set(more <fmt/format.h> <nlohmann/json.hpp> <gtest/gtest.h> <gmock/gmock.h>)
-  else()
-    set(kind modules)
-    set(more "")
+    set(owner bodkin_precompiled_tests)
+    list(APPEND headers <nlohmann/json.hpp> <gtest/gtest.h> <gmock/gmock.h>)
   endif()
-  get_property(owner GLOBAL PROPERTY bodkin_precompiled_${kind})
-  if(owner)
-    target_precompile_headers(${target} REUSE_FROM ${owner})
-    return()
+  if(NOT TARGET ${owner})
+    if(ARG_TESTS)  # a program, so that its code is compiled as the tests' is
+      file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/${owner}.cpp" CONTENT "int main() {}\n")
+      add_executable(${owner} "${CMAKE_BINARY_DIR}/${owner}.cpp")
+    else()
+      file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/${owner}.cpp" CONTENT "")
+      add_library(${owner} OBJECT "${CMAKE_BINARY_DIR}/${owner}.cpp")
+    endif()
+    bodkin_settings(${owner})
+    if(ARG_TESTS AND NOT BODKIN_SANITIZERS)
+      target_compile_options(${owner} PRIVATE -O1)
+    endif()
+    target_link_libraries(${owner} PRIVATE Eigen3::Eigen fmt::fmt Threads::Threads)
+    if(ARG_TESTS)
+      target_link_libraries(${owner} PRIVATE GTest::gmock nlohmann_json::nlohmann_json)
+    endif()
+    target_precompile_headers(${owner} PRIVATE ${headers})
   endif()
-  set_property(GLOBAL PROPERTY bodkin_precompiled_${kind} ${target})
-  target_precompile_headers(${target} PRIVATE
-    <algorithm> <array> <atomic> <cmath> <cstdint> <filesystem> <fstream> <functional> <limits> <map> <memory>
-    <optional> <random> <regex> <sstream> <stdexcept> <string> <thread> <utility> <variant> <vector> <Eigen/Dense> ${more})
+  target_precompile_headers(${target} REUSE_FROM ${owner})
+  target_compile_definitions(${target} PRIVATE FMT_SHARED)  # as the precompiled fmt was read
 endfunction()
