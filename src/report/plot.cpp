@@ -53,7 +53,7 @@ std::string gnuplot_text(const std::string& text) {
   return safe + "'";
 }
 
-struct Range {
+struct AxisRange {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
 
@@ -169,7 +169,7 @@ class Script {
       x_.include(band.from);
       x_.include(band.to);
     }
-    for (Range* range : {&x_, &y_, &right_}) {
+    for (AxisRange* range : {&x_, &y_, &right_}) {
       if (!(range->low < range->high))
         *range = {std::isfinite(range->low) ? range->low - 0.5 : 0.0,
                   std::isfinite(range->low) ? range->low + 0.5 : 1.0};
@@ -211,7 +211,7 @@ class Script {
     key_height_ = key_row * static_cast<double>(rows) + 16.0;
   }
 
-  static Range with_headroom(const Range& range) {
+  static AxisRange with_headroom(const AxisRange& range) {
     const double span = range.high - range.low;
     const bool from_zero = range.low >= 0.0 && range.low < 0.5 * span;
     return {from_zero ? 0.0 : range.low - 0.06 * span, range.high + 0.08 * span};
@@ -344,7 +344,7 @@ class Script {
 
   // Without the points on straight lines between others, as far as the eye can see.
   std::vector<std::size_t> without_straights(const PlotSeries& series, const std::vector<std::size_t>& points) const {
-    const Range& range = series.right_axis ? right_ : y_;
+    const AxisRange& range = series.right_axis ? right_ : y_;
     std::vector<std::array<double, 2>> places;
     for (const std::size_t i : points)
       places.push_back({px_x(series.x[i]), (series.y[i] - range.low) / (range.high - range.low) * plot_.height});
@@ -374,7 +374,7 @@ class Script {
   const Plot& plot_;
   std::vector<PlotBand> bands_;
   std::vector<PlotMark> groups_;
-  Range x_, y_, right_;
+  AxisRange x_, y_, right_;
   double top_ = 0.0, right_edge_ = 0.0, height_ = 0.0;  // px
   double above_ = 0.0, picture_ = 1.0;                  // px
   std::vector<const PlotSeries*> named_;                // in the key; empty: there is none

@@ -32,12 +32,12 @@ Case strong_patient() {
   return patient;
 }
 
-struct Range {
+struct ForceRange {
   std::string attribute, low, high;
 };
 
 // The numbers that an element's type may hold.
-std::vector<Range> ranges_of(const std::string& schema, const std::string& type) {
+std::vector<ForceRange> ranges_of(const std::string& schema, const std::string& type) {
   const auto piece = [&schema](const std::string& from, const std::string& to) {
     const auto begin = schema.find(from);
     EXPECT_NE(begin, std::string::npos) << from;
@@ -46,7 +46,7 @@ std::vector<Range> ranges_of(const std::string& schema, const std::string& type)
   const std::string text = piece("<xs:complexType name=\"" + type + "\">", "\n  </xs:complexType>");
   static const std::regex attribute("\n    <xs:attribute name=\"(\\w+)\" default=\"[^\"]*\" type=\"(\\w+)\"/>");
   static const std::regex low("minInclusive value=\"([^\"]+)\""), high("maxInclusive value=\"([^\"]+)\"");
-  std::vector<Range> ranges;
+  std::vector<ForceRange> ranges;
   for (std::sregex_iterator match(text.begin(), text.end(), attribute), last; match != last; ++match) {
     const std::string bounds = piece("<xs:simpleType name=\"" + (*match)[2].str() + "\">", "</xs:simpleType>");
     std::smatch from, to;
@@ -58,7 +58,7 @@ std::vector<Range> ranges_of(const std::string& schema, const std::string& type)
 }
 
 // What must be given beside an end of a range because one value bounds another.
-std::string beside(const std::string& model, const Range& range, bool at_low) {
+std::string beside(const std::string& model, const ForceRange& range, bool at_low) {
   const auto pair = [](const char* name, const char* value) {
     return std::string(" ").append(name).append("='").append(value).append("'");
   };
@@ -81,7 +81,7 @@ TEST(ForceRanges, both_ends_of_every_range_of_the_schema_can_be_simulated) {
   Case patient = strong_patient();
   int tried = 0;
   const auto attempt = [&](const std::string& model, const std::string& before, const std::string& after) {
-    for (const Range& range : ranges_of(text, model)) {
+    for (const ForceRange& range : ranges_of(text, model)) {
       for (const bool at_low : {true, false}) {
         if (range.attribute == "field_highest_HU" && at_low) continue;  // nothing lower is allowed for the lowest
         const std::string element = std::string("<").append(model).append(" ") + range.attribute + "='" +
