@@ -1,0 +1,175 @@
+#!/usr/bin/env bash
+# Measures how fast Bodkin is and writes docs/numbers.md: runs the programs of bench/ (preset release, built when out of
+# date) one after the other and makes one table of what they report. Run it on a machine that does nothing else; it takes
+# about ten minutes on 2 cores. With BODKIN_LARGE_BODIES=1 bodies of 100,000 nodes are measured too (an hour).
+#
+#   scripts/numbers.sh             build, measure, write the page
+#   scripts/numbers.sh --print     write the page again from the last measurement (build/numbers)
+source "$(dirname "$0")/setup.sh"
+
+programs=(tick_bench models_bench servo_bench haply_bench run_bench fem_tick_bench fem_body_bench fem_preparation_bench
+          corotational_bench ultrasound_bench)
+results=build/numbers
+
+if [ "${1:-}" != --print ]; then
+  build_preset release "${programs[@]}"
+  rm -rf "$results" && mkdir -p "$results"
+  for program in "${programs[@]}"; do
+    say "$program"
+    "build/release/bench/$program" --benchmark_out="$results/$program.json" --benchmark_out_format=json >&2
+  done
+  {
+    date -u +%Y-%m-%d
+    git describe --always --dirty --exclude '*'
+    sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -1
+    nproc
+    "$(command -v c++)" --version | head -1
+    cut -d' ' -f1-3 /proc/loadavg
+  } > "$results/machine"
+fi
+[ -s "$results/machine" ] || { say "no measurement in $results; run scripts/numbers.sh without --print"; exit 2; }
+
+# PROGRAM:BENCHMARK TEXT: what a row is called. A benchmark without a line here is named as in its program; one whose text
+# is "-" is left out.
+names() {
+  cat << 'NAMES'
+tick_bench:lumbar_single_tick tick on the synthetic lumbar patient, `layered`, tissue look-up and clock included
+tick_bench:lumbar_batch the same, without reading the clock
+tick_bench:slabs_single_tick tick through 17 layers of skin, fat and muscle
+tick_bench:slabs_batch the same, without reading the clock
+models_bench:all_models_together one tick of all models together
+models_bench:volume_proxy_with_rail `volume_proxy` with `rail`
+models_bench:surface_proxy `surface_proxy`
+models_bench:surface_proxy_stroking `surface_proxy`, stroking the skin
+servo_bench:servo_single_tick servo, governor and guard around a spring, clock included
+servo_bench:servo_batch the same, without reading the clock
+servo_bench:guard_alone guard alone
+servo_bench:newest_value `LatestValue`, one write and one read
+haply_bench:json_of_one_round Haply driver: JSON in and out of one exchange
+run_bench:expert_without_recording a whole procedure by the simulated expert
+run_bench:expert_recorded the same, recorded
+fem_tick_bench:machine_itself a fixed sum of about 6 us: what the machine adds
+fem_tick_bench:factor_tick constraint factor: solve and update, k constraints
+fem_tick_bench:needle_tick needle in the deformable body, k contact nodes
+fem_tick_bench:needle_take_over transfer of an inserted needle to an updated submodel, k contact nodes
+fem_tick_bench:display_field displacement field for the display, k contact nodes
+fem_body_bench:machine_itself -
+NAMES
+}
+
+page() {
+  local date commit processor cores compiler load
+  { read -r date; read -r commit; read -r processor; read -r cores; read -r compiler; read -r load; } < "$results/machine"
+  cat << PAGE
+# Measured numbers
+
+Written by \`scripts/numbers.sh\`; do not edit. Every other page links to this one instead of stating times.
+
+- Date: $date; commit: \`$commit\`
+- Machine: $processor, $cores cores; load average at the end: $load
+- Compiler: $compiler, preset \`release\`
+
+Times are of single calls: median, and the values that 99 % and 99.9 % of the calls stay below. A mean is given where a call is
+too short to be timed alone. One tick may take 1000 us at 1 kHz.
+PAGE
+  local program
+  for program in "${programs[@]}"; do
+    [ -s "$results/$program.json" ] && printf '\n## %s\n\n' "$(heading "$program")" && table "$program"
+  done
+}
+
+heading() {
+  case "$1" in
+    tick_bench) echo "Haptic tick" ;;
+    models_bench) echo "Force models alone" ;;
+    servo_bench) echo "Servo and guard" ;;
+    haply_bench) echo "Drivers" ;;
+    run_bench) echo "Whole procedures" ;;
+    fem_tick_bench) echo "Needle in a deformable body: 1,000 nodes" ;;
+    fem_body_bench) echo "Deformable body: preparation, tick and display by size" ;;
+    fem_preparation_bench) echo "Deformable body: the steps of its preparation" ;;
+    corotational_bench) echo "Moving body: one step, and one updated submodel" ;;
+    ultrasound_bench) echo "Ultrasound: one image" ;;
+  esac
+}
+
+# table PROGRAM: one row a benchmark, from the JSON of Google Benchmark (one key a line).
+table() {
+  printf '| `%s` | median or mean | p99 | p99.9 | also |\n|---|---|---|---|---|\n' "$1"
+  names | awk -v program="$1" '
+    function nanoseconds(value, unit) {
+      return value * (unit == "ns" ? 1 : unit == "us" ? 1e3 : unit == "ms" ? 1e6 : 1e9)
+    }
+    # Three digits and the unit that keeps them between 1 and 1000.
+    function shown(ns,    unit, value) {
+      if (ns == "") return ""
+      unit = "ns"; value = ns
+      if (value >= 999.5) { value /= 1e3; unit = "us" }
+      if (value >= 999.5) { value /= 1e3; unit = "ms" }
+      if (value >= 999.5) { value /= 1e3; unit = "s" }
+      return sprintf(value < 9.995 ? "%.2f %s" : value < 99.95 ? "%.1f %s" : "%.0f %s", value, unit)
+    }
+    function row(    base, parts, n, i, text, also, middle, p99, p999, key, unit, value) {
+      if (name == "" || failed) return
+      n = split(name, parts, "/")
+      base = parts[1]
+      text = (program ":" base) in texts ? texts[program ":" base] : known(base)
+      if (text == "-") return
+      for (i = 2; i <= n; ++i) if (parts[i] !~ /^(iterations|manual_time|real_time|repeats)/) {
+        sub(/:/, " = ", parts[i])
+        text = text ", " parts[i]
+      }
+      for (i = 1; i <= keys; ++i) {
+        key = order[i]; value = values[key]; unit = key
+        sub(/.*_/, "", unit)
+        if (key ~ /^(median|p50)_(ns|us|ms)$/) middle = nanoseconds(value, unit)
+        else if (key ~ /^p99_(ns|us|ms)$/) p99 = nanoseconds(value, unit)
+        else if (key ~ /^p99\.9_(ns|us|ms)$/) p999 = nanoseconds(value, unit)
+        else if (key == "per_tick") { if (middle == "") middle = nanoseconds(value, "s") }
+        else if (key ~ /^(real_time|cpu_time|iterations|threads|repetitions|repetition_index|family_index)$/) continue
+        else if (key ~ /^(per_family_instance_index|max_|min_)/) continue
+        else also = also (also == "" ? "" : "; ") label(key) " " number(key, value)
+      }
+      if (middle == "") middle = nanoseconds(values["real_time"], time_unit)
+      printf "| %s | %s | %s | %s | %s |\n", text, shown(middle), shown(p99), shown(p999), also
+    }
+    function known(base) {
+      if (program == "models_bench") return "`" base "`"
+      gsub(/_/, " ", base)
+      return base
+    }
+    function label(key) {
+      sub(/^tick_/, "of the tick itself, ", key)
+      sub(/_(us|ms|s|MB|N)$/, "", key)
+      gsub(/_/, " ", key)
+      return key
+    }
+    function number(key, value) {
+      if (key ~ /_(us|ms|s)$/) { sub(/.*_/, "", key); return shown(nanoseconds(value, key)) }
+      if (key == "flops") return sprintf("%.1f Gflop/s", value / 1e9)
+      if (key ~ /_MB$/) return sprintf("%.0f MB", value)
+      return value == int(value) || value >= 1000 ? sprintf("%.0f", value) : sprintf("%.3g", value)
+    }
+    FILENAME == "-" {
+      key = $1
+      sub(/^[^ ]+ /, "")
+      texts[key] = $0
+      next
+    }
+    /^    \{/ { name = ""; keys = 0; failed = 0; delete values }
+    /"error_occurred": true/ { failed = 1 }
+    match($0, /^      "[^"]+": /) {
+      key = substr($0, 8, RLENGTH - 10)
+      value = substr($0, RLENGTH + 1)
+      sub(/,$/, "", value)
+      if (value ~ /^"/) value = substr(value, 2, length(value) - 2)
+      if (key == "name") name = value
+      else if (key == "time_unit") time_unit = value
+      else if (value ~ /^[-+0-9.eE]+$/) { values[key] = value + 0; order[++keys] = key }
+    }
+    /^    \}/ { row() }
+  ' - "$results/$1.json"
+}
+
+page > docs/numbers.md
+say "docs/numbers.md is written"
