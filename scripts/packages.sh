@@ -11,7 +11,7 @@ packages_to_run=(
 )
 
 packages_to_test=(
-  git libgtest-dev libgmock-dev libbenchmark-dev
+  git libgtest-dev libgmock-dev libbenchmark-dev doxygen
   clang clang-format clang-tidy libclang-rt-14-dev llvm libxml2-utils
   xvfb xauth xdotool imagemagick ffmpeg
   libsuitesparse-dev calculix-ccx
