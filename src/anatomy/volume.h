@@ -26,6 +26,9 @@ using CtVolume = Volume<std::int16_t>;      // HU
 using LabelVolume = Volume<std::uint16_t>;  // structure labels, as a segmentation numbers them
 using TissueVolume = Volume<std::uint8_t>;  // tissue ids of the tissue library
 
+// HU; the lowest value of the CT scale as scanners store it.
+inline constexpr std::int16_t lowest_hounsfield = -1024;
+
 // The voxel whose cell holds `index` (continuous), or `outside` beyond the outermost cells. Never throws.
 template <typename Voxel>
 Voxel nearest_at_index(const Volume<Voxel>& volume, const Vec3& index, Voxel outside) noexcept {

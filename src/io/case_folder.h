@@ -16,8 +16,9 @@ CaseDescription read_case_description(const std::filesystem::path& folder);
 // The tissue library of a case: its own, or the one that comes with Bodkin. Throws InputError.
 TissueLibrary read_case_library(const std::filesystem::path& folder, const CaseDescription& description);
 
-// Reads a whole case: description, tissue library and volumes (through the image worker, which cannot take this
-// process down). Throws InputError when a file is missing, damaged, or does not agree with case.xml.
+// Reads a whole case: description, tissue library and volumes. Files that Bodkin wrote are read at the same time in
+// this process (nrrd_reader.h), others through the image worker, which cannot take this process down. Throws
+// InputError when a file is missing, damaged, or does not agree with case.xml.
 Case load_case(const std::filesystem::path& folder, const Progress& progress = {});
 
 // Reads the tissues alone, checked like those of load_case.

@@ -8,9 +8,6 @@
 
 namespace bodkin {
 
-// HU; the lowest value of the CT scale as scanners store it.
-inline constexpr std::int16_t lowest_hounsfield = -1024;
-
 // What happened to values on their way to HU, gathered over all voxels of an image.
 struct HounsfieldLosses {
   double largest_rounding = 0.0;  // HU

@@ -14,7 +14,7 @@
 
 #include "core/error.h"
 #include "core/geometry.h"
-#include "io/images/gzip_stream.h"
+#include "io/gzip_stream.h"
 #include "io/images/image_file.h"
 #include "io/images/image_format.h"
 #include "io/images/inflated_size.h"

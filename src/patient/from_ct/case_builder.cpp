@@ -14,8 +14,8 @@
 #include "io/images/image_source.h"
 #include "io/images/image_values.h"
 #include "io/images/label_placement.h"
-#include "io/images/nrrd_writer.h"
 #include "io/label_scheme.h"
+#include "io/nrrd_writer.h"
 #include "io/partial_folder.h"
 #include "io/tissue_library_file.h"
 

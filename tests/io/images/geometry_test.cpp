@@ -6,12 +6,14 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "core/random.h"
 #include "io/digest.h"
 #include "io/images/image_source.h"
 #include "io/images/image_values.h"
 #include "io/images/label_placement.h"
-#include "io/images/nrrd_writer.h"
 #include "io/images/slice_stack.h"
+#include "io/nrrd_reader.h"
+#include "io/nrrd_writer.h"
 
 namespace bodkin {
 namespace {
@@ -255,6 +257,27 @@ TEST(NrrdWriter, an_oblique_grid_keeps_its_digest_and_its_numbers_to_a_trilliont
   EXPECT_LT((read.grid.spacing - ct.grid.spacing).cwiseAbs().maxCoeff(), 1e-12);
   EXPECT_EQ(read.grid.origin, ct.grid.origin);
   EXPECT_EQ(volume_digest(read), volume_digest(ct));
+}
+
+// Sessions recorded with a case that the image worker read must replay when Bodkin reads it itself.
+TEST(NrrdReader, gives_the_bits_of_the_imaging_library) {
+  const test::ScratchFolder folder;
+  Random random(3);
+  for (int turn = 0; turn < 40; ++turn) {
+    CtVolume ct = test::small_ct(false);
+    const Vec3 axis(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
+    if (turn > 0)
+      ct.grid.direction = Eigen::AngleAxisd(random.uniform(0.0, 3.0), axis.normalized()).toRotationMatrix();
+    for (Eigen::Index i = 0; i < 3; ++i) ct.grid.spacing[i] = random.uniform(0.1, 5.0);
+    write_nrrd(ct, folder / "ct.nrrd");
+    const CtVolume library = read_ct(folder / "ct.nrrd").ct;
+    const auto own = read_nrrd<std::int16_t>(folder / "ct.nrrd");
+    ASSERT_TRUE(own.has_value());
+    EXPECT_EQ(own->voxels, library.voxels);
+    EXPECT_EQ(own->grid.spacing, library.grid.spacing) << turn;
+    EXPECT_EQ(own->grid.direction, library.grid.direction) << turn;
+    EXPECT_EQ(own->grid.origin, library.grid.origin) << turn;
+  }
 }
 
 TEST(Digest, one_voxel_or_a_micrometre_changes_it) {

@@ -9,7 +9,7 @@
 #include <sys/resource.h>
 
 #include "io/image_worker.h"
-#include "io/images/nrrd_writer.h"
+#include "io/nrrd_writer.h"
 #include "io/tissue_library_file.h"
 
 // The size of a clinical CT: 512 x 512 x 300 slices of DICOM with labels, imported as `bodkin case new` does it.

@@ -1,0 +1,131 @@
+#include "io/nrrd_reader.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <libdeflate.h>
+
+#include "core/error.h"
+#include "io/image_grid.h"
+#include "io/nrrd_header.h"
+
+namespace bodkin {
+namespace {
+
+// Of a gzip stream (RFC 1952), bytes: head and tail; the tail ends with the unpacked length modulo 2^32.
+constexpr std::size_t gzip_frame = 18;
+constexpr std::size_t gzip_length = 4;
+// A deflate stream (RFC 1951) unpacks to at most so many times its length: 258 bytes from two bits.
+constexpr double most_inflation = 1032.0;
+// Voxels that cannot be packed are stored, with 5 bytes for each block; a block of zlib holds at least 4 kB.
+constexpr double most_growth = 1.002;
+constexpr double growth_of_any = 1024.0;  // bytes
+
+struct FreeDecompressor {
+  void operator()(libdeflate_decompressor* decompressor) const { libdeflate_free_decompressor(decompressor); }
+};
+
+[[noreturn]] void refuse_packed(const std::string& name, std::string_view fault) {
+  throw InputError(fmt::format("{}: the packed voxels {}; restore the file or make the case again", name, fault));
+}
+
+// The bytes of an open file from where it stands, `size` of them.
+std::vector<std::uint8_t> read_bytes(std::ifstream& stream, std::size_t size, const std::string& name) {
+  std::vector<std::uint8_t> bytes(size);
+  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+  if (static_cast<std::size_t>(stream.gcount()) != size) {
+    throw InputError(fmt::format("{}: the file cannot be read to its end", name));
+  }
+  return bytes;
+}
+
+// The length of the packed voxels must be one that `unpacked` bytes can have, and name that length itself.
+void require_packed_length(const std::uint8_t* tail, std::size_t packed, std::size_t unpacked,
+                           const std::string& name) {
+  const auto length = static_cast<double>(unpacked);
+  if (static_cast<double>(packed) > length * most_growth + growth_of_any)
+    refuse_packed(name, "are followed by other bytes");
+  std::uint32_t claimed = 0;
+  std::memcpy(&claimed, tail, gzip_length);  // little endian, as nrrd_writer.cpp asserts of this machine
+  if (claimed != static_cast<std::uint32_t>(unpacked)) {
+    refuse_packed(name, "are truncated or damaged, or are not as many as the header declares");
+  }
+}
+
+Grid grid_of_header(const NrrdHeader& header, const std::string& name) {
+  Grid grid;
+  grid.size = header.size;
+  grid.origin = header.origin;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    // In the order in which teem computes it, for the same bits: a sum of squares, then a factor.
+    const Vec3 step = header.steps.col(axis);
+    const double spacing = std::sqrt(step.x() * step.x() + step.y() * step.y() + step.z() * step.z());
+    grid.spacing[axis] = spacing;
+    grid.direction.col(axis) = step * (1.0 / spacing);
+  }
+  return clean_grid(grid, name);
+}
+
+// Unpacks `packed` into the whole of `voxels`.
+template <typename Voxel>
+void unpack(const std::vector<std::uint8_t>& packed, std::vector<Voxel>& voxels, const std::string& name) {
+  const std::unique_ptr<libdeflate_decompressor, FreeDecompressor> decompressor(libdeflate_alloc_decompressor());
+  if (!decompressor) throw std::bad_alloc();
+  const std::size_t expected = voxels.size() * sizeof(Voxel);
+  std::size_t read = 0, written = 0;
+  const libdeflate_result result = libdeflate_gzip_decompress_ex(decompressor.get(), packed.data(), packed.size(),
+                                                                 voxels.data(), expected, &read, &written);
+  if (result == LIBDEFLATE_INSUFFICIENT_SPACE || (result == LIBDEFLATE_SUCCESS && written != expected)) {
+    refuse_packed(name, "are not as many as the header declares");
+  }
+  if (result != LIBDEFLATE_SUCCESS) refuse_packed(name, "are truncated or damaged");
+  if (read != packed.size()) refuse_packed(name, "are followed by other bytes");
+}
+
+}  // namespace
+
+template <typename Voxel>
+std::optional<Volume<Voxel>> read_nrrd(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  std::ifstream stream(file, std::ios::binary);
+  std::string head(longest_nrrd_header, '\0');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(stream.gcount()));
+  const std::optional<ParsedNrrdHeader> parsed = parse_nrrd_header(head);
+  if (!parsed || parsed->header.type != nrrd_type<Voxel>()) return std::nullopt;
+
+  // Everything that the header claims is checked before memory is taken for it.
+  stream.clear();
+  stream.seekg(0, std::ios::end);
+  const std::size_t length = static_cast<std::size_t>(stream.tellg());
+  if (length < parsed->bytes + gzip_frame) refuse_packed(name, "are truncated or damaged");
+  const std::size_t packed_length = length - parsed->bytes;
+  const std::array<int, 3>& size = parsed->header.size;
+  require_plausible_size(name, {size.begin(), size.end()}, sizeof(Voxel),
+                         static_cast<double>(packed_length) * most_inflation);
+  Volume<Voxel> volume;
+  volume.grid = grid_of_header(parsed->header, name);
+  const std::size_t count = volume.grid.voxel_count();
+  std::uint8_t tail[gzip_length];
+  stream.seekg(-static_cast<std::streamoff>(gzip_length), std::ios::end);
+  stream.read(reinterpret_cast<char*>(tail), gzip_length);
+  require_packed_length(tail, packed_length, count * sizeof(Voxel), name);
+
+  stream.seekg(static_cast<std::streamoff>(parsed->bytes));
+  const std::vector<std::uint8_t> packed = read_bytes(stream, packed_length, name);
+  volume.voxels.resize(count);
+  unpack(packed, volume.voxels, name);
+  return volume;
+}
+
+template std::optional<CtVolume> read_nrrd(const std::filesystem::path& file);
+template std::optional<LabelVolume> read_nrrd(const std::filesystem::path& file);
+template std::optional<TissueVolume> read_nrrd(const std::filesystem::path& file);
+
+}  // namespace bodkin
