@@ -286,7 +286,7 @@ void run_ultrasound(const UltrasoundArguments& arguments, const CommandContext& 
   std::optional<SweepTarget> target;
   std::vector<SweepPose> poses;
   if (sweeping) {
-    motion_of(arguments.sweep);  // for its complaints
+    motion_of(arguments.sweep);  // refuses what it cannot read before the case is loaded
     target = sweep_target(arguments.output.empty() ? "sweep.igs.mha" : arguments.output);
     if (arguments.ct && target->kind == SweepKind::sequence) {
       throw InputError(

@@ -68,10 +68,6 @@ EmbeddedNeedle::EmbeddedNeedle(const CondensedBody& body, const ContactTissues& 
   std::sort(names_.begin(), names_.end());
 }
 
-void EmbeddedNeedle::take_punctures(const EmbeddedNeedle& other) noexcept {
-  take_marks(body_, punctured_, other.body_, other.punctured_);
-}
-
 void EmbeddedNeedle::reset() noexcept {
   std::fill(punctured_.begin(), punctured_.end(), std::uint8_t{0});
   begin(Vec3::Zero(), Vec3::UnitZ());

@@ -82,16 +82,17 @@ class EmbeddedNeedle {
   const EmbeddedNeedleForce& step(const Pose& needle, double pressed = 0.0) noexcept;
   // As constructed: no contact, nothing punctured.
   void reset() noexcept;
-  // Punctured is also what was so in another corridor of the same mesh. The mesh nodes of both must ascend.
+  // Adds the punctures of a needle in another corridor of the same mesh: a mesh node is punctured in both corridors.
   void take_punctures(const EmbeddedNeedle& other) noexcept;
 
-  // Goes on where `other` is, a needle with the same settings that is in, in another corridor of the same mesh. The
-  // first: once, which keeps what was done before if it says no: then `other` holds nothing, or a node that this
-  // corridor does not have. The second: after every step() of `other` from then on, until it is done or impossible
-  // (`other` has come out, or reached what this corridor lacks); each call takes over one node, and the last one the
-  // state, so that no tick has much to do. From then on this is the needle: it holds the same nodes with the same
-  // forces, which change with its motion as this corridor's compliance says. Nodes before the tip are met where this
-  // corridor has them. In between this one touches nothing. docs/corotational.md
+  // Transfers an inserted needle from `other`, which has the same settings and is in another corridor of the same
+  // mesh, to this corridor without a force jump (docs/corotational.md).
+  // Call begin_to_follow() once. It returns false if `other` holds no node, or a node that this corridor lacks.
+  // Then call follow() after every step() of `other` until it returns done or impossible (`other` has left the
+  // tissue, or has reached a node that this corridor lacks). Each call adds one node, and the last call copies the
+  // state, so a tick's cost is bounded. Until then this needle touches nothing; afterwards it holds the same nodes
+  // with the same forces, and these change with its motion by this corridor's compliance. Nodes ahead of the tip lie
+  // where this corridor has them.
   bool begin_to_follow(const EmbeddedNeedle& other) noexcept;
   FollowState follow(const EmbeddedNeedle& other) noexcept;
 
@@ -101,9 +102,6 @@ class EmbeddedNeedle {
   bool touches() const noexcept { return begun_ && (held_ > 0 || tip_ > 0.0); }
   // Whether it holds a node.
   bool holds() const noexcept { return begun_ && held_ > 0; }
-  // Of a node of the corridor: whether a needle has punctured it, and that one has.
-  bool punctured(std::uint32_t node) const noexcept { return punctured_[node] != 0; }
-  void remember_puncture(std::uint32_t node) noexcept { punctured_[node] = 1; }
   // Elastic energy by these forces, N mm, in the body, the needle and what is soft. Goes through all pairs of nodes.
   double stored_energy() const noexcept;
   // mm, LPS: how far the shaft of a needle that bends is from the straight needle of the pose, at a point `from_tip`
@@ -148,7 +146,6 @@ class EmbeddedNeedle {
   bool meet_tip() noexcept;
   void puncture() noexcept;
   void report() noexcept;
-  void take_punctures_by_name(const EmbeddedNeedle& other) noexcept;
   bool take_line_of(const EmbeddedNeedle& other) noexcept;
   void take_sticking_of(const EmbeddedNeedle& other) noexcept;
   bool take_state_of(const EmbeddedNeedle& other) noexcept;

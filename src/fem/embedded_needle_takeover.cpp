@@ -1,11 +1,11 @@
-// How an EmbeddedNeedle goes on in another corridor while it is in the tissue.
+// How an inserted EmbeddedNeedle moves to another corridor.
 #include <algorithm>
 
 #include "fem/embedded_needle.h"
 
 namespace bodkin {
 
-void EmbeddedNeedle::take_punctures_by_name(const EmbeddedNeedle& other) noexcept {
+void EmbeddedNeedle::take_punctures(const EmbeddedNeedle& other) noexcept {
   auto old = other.names_.begin();
   for (const auto& [name, node] : names_) {
     while (old != other.names_.end() && old->first < name) ++old;
@@ -120,7 +120,7 @@ bool EmbeddedNeedle::take_state_of(const EmbeddedNeedle& other) noexcept {
     if (pushes) holds_[held_].slip = tip_ - moved;  // whatever its depth is: it touches the tip
   }
   take_sticking_of(other);
-  take_punctures_by_name(other);
+  take_punctures(other);
   begun_ = true;
   fresh_ = false;
   report();

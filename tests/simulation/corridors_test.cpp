@@ -333,6 +333,34 @@ TEST(Corridors, only_the_body_that_the_session_began_with_is_refreshed) {
   closest.stay_at_rest();
 }
 
+TEST(Corridors, beside_a_thread_that_refreshes_them_no_force_jumps) {
+  const Case patient = patient_of_corridors(shaft_settings());
+  HapticTick tick(patient);
+  std::jthread maker([&](const std::stop_token& stop) {
+    for (std::uint32_t state = 1; !stop.stop_requested(); ++state) {
+      tick.refresh_corridor(state % 2 == 0 ? firmer_corridor(1.0 + 0.2 * (state % 5), state)
+                                           : pressed_corridor(0.1 * (state % 3), state));
+    }
+  });
+  int taken = 0;
+  double largest = 0.0;
+  Vec3 before = Vec3::Zero();
+  bool gave_way = false;
+  for (int i = 0; i < 6000 || (taken < 5 && i < 1000000); ++i) {
+    const Vec3 tip(0.1 * std::sin(0.003 * i), 0.0, 5.0 - 8.0 * std::cos(EIGEN_PI * i / 1500.0));
+    const TickOutput output = tick.step({needle_pose(tip, Vec3::UnitZ())});
+    if (!gave_way) largest = std::max(largest, (output.requested.force - before).norm());
+    gave_way = false;
+    before = output.requested.force;
+    for (const Event& event : output.events) {
+      taken += event.kind == EventKind::corridor_refreshed ? 1 : 0;
+      gave_way = gave_way || event.kind == EventKind::puncture;
+    }
+  }
+  EXPECT_GE(taken, 5);
+  EXPECT_LT(largest, 0.1);
+}
+
 TEST(Corridors, taking_a_refreshed_one_allocates_and_locks_nothing) {
   if (!RealTimeGuard::available()) GTEST_SKIP() << "a sanitizer owns malloc and the locks in this build";
   const Case patient = patient_of_corridors(shaft_settings());

@@ -42,8 +42,7 @@ struct ProbeReading {
 // Every function below is wait-free and belongs to one thread each, as said. The thread ends with the object.
 class MovingBody {
  public:
-  // Hears of every new corridor, on the thread that makes them: CorridorExchange::offer, say. What it throws is
-  // corridor_failed.
+  // Receives every new corridor on the thread that makes them. If it throws, the picture says corridor_failed.
   using CorridorTaker = std::function<void(std::shared_ptr<CondensedBody>)>;
 
   // Checks all and starts, at rest: the corridor is that of condense(). Throws InputError. The names of the

@@ -95,7 +95,7 @@ std::optional<FoundSpine> find_spine(const CtVolume& ct, const LabelVolume& stru
                  half = std::max(35.0, 0.5 * (box.high.x() - box.low.x()) + 20.0);
     box.low.x() = middle - half, box.high.x() = middle + half;
     box.low.y() -= 10.0;
-    box.high.y() = std::max(box.high.y() + 70.0, bones ? bones->high.y() + 10.0 : 0.0 + box.high.y());
+    box.high.y() = std::max(box.high.y() + 70.0, bones ? bones->high.y() + 10.0 : box.high.y());
     SpineView view = view_spine(ct, structures, roles, tissues, box, spacing);
     canal = canal_from_label(view);
     if (canal) return found_in(std::move(view), std::move(*canal), "the labels of the spinal canal");

@@ -12,12 +12,12 @@
 #include <vector>
 
 #include "tests/fem/lattice_body.h"
+#include "tests/fem/needle_in_corridors.h"
 #include "tests/fem/needle_rig.h"
 #include "tests/simulation/real_time_guard.h"
 #include <gtest/gtest.h>
 
 #include "core/error.h"
-#include "fem/corridor_exchange.h"
 
 namespace bodkin {
 namespace {
@@ -44,8 +44,8 @@ EmbeddedNeedleSettings coarse_settings() {
 
 // A body on its thread, and the corridors that it hands to the haptic thread.
 struct Stage {
-  CorridorExchange corridors{std::make_shared<const CondensedBody>(condense(small_box())),
-                             checks::plain_tissues(0.02), coarse_settings(), 1e-3};
+  checks::NeedleInCorridors corridors{std::make_shared<const CondensedBody>(condense(small_box())),
+                                      checks::plain_tissues(0.02), coarse_settings()};
   MovingBody moving{small_box(), quick_settings(),
                     [this](std::shared_ptr<const CondensedBody> made) { corridors.offer(std::move(made)); }};
 };

@@ -1,19 +1,15 @@
-// A needle that is in the tissue and goes on in another corridor.
+// A needle that is in the tissue and moves to another corridor.
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <thread>
 #include <vector>
 
+#include "tests/fem/needle_in_corridors.h"
 #include "tests/fem/needle_rig.h"
-#include "tests/sanitized.h"
 #include "tests/simulation/real_time_guard.h"
 #include <gtest/gtest.h>
-
-#include "fem/corridor_exchange.h"
 
 namespace bodkin {
 namespace {
@@ -65,9 +61,9 @@ EmbeddedNeedleSettings few_nodes() {
   return settings;
 }
 
-struct BegunExchange : CorridorExchange {
-  BegunExchange(SharedBody first, const ContactTissues& tissues)
-      : CorridorExchange(std::move(first), tissues, few_nodes(), 1e-3) {
+struct BegunNeedle : checks::NeedleInCorridors {
+  BegunNeedle(SharedBody first, const ContactTissues& tissues)
+      : NeedleInCorridors(std::move(first), tissues, few_nodes()) {
     begin(Vec3::Zero(), Vec3::UnitZ());
   }
 };
@@ -93,38 +89,38 @@ class WanderingHand {
 };
 
 // Goes on until the needle is in the newest corridor; ticks that it took.
-int go_over(CorridorExchange& exchange, const Pose& pose) {
+int go_over(checks::NeedleInCorridors& corridors, const Pose& pose) {
   for (int ticks = 1; ticks < 100; ++ticks) {
-    exchange.needle().step(pose);
-    if (exchange.go_on_in_newest()) return ticks;
+    corridors.needle().step(pose);
+    if (corridors.go_on_in_newest()) return ticks;
   }
   ADD_FAILURE() << "the needle stays in its corridor";
   return 0;
 }
 
-TEST(CorridorTakeOver, to_a_corridor_that_is_the_same_changes_nothing) {
+TEST(EmbeddedNeedleTakeover, to_a_corridor_that_is_the_same_changes_nothing) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const SharedBody body = pressed_column(0.05);
-    BegunExchange exchange(body, rubbing_tissues());
+    BegunNeedle corridors(body, rubbing_tissues());
     EmbeddedNeedle alone(*body, rubbing_tissues(), few_nodes(), 1e-3);
     alone.begin(Vec3::Zero(), Vec3::UnitZ());
     const WanderingHand hand(seed);
     int taken = 0;
     for (int tick = 0; tick < 6000; ++tick) {
       const Pose pose = hand.at(tick);
-      const EmbeddedNeedleForce expected = alone.step(pose), found = exchange.needle().step(pose);
+      const EmbeddedNeedleForce expected = alone.step(pose), found = corridors.needle().step(pose);
       ASSERT_LT((found.on_hand.force - expected.on_hand.force).norm(), 1e-9) << seed << ' ' << tick;
       ASSERT_LT((found.on_hand.torque - expected.on_hand.torque).norm(), 1e-8) << seed << ' ' << tick;
       ASSERT_EQ(found.nodes, expected.nodes);
       ASSERT_EQ(found.puncture.has_value(), expected.puncture.has_value());
-      if (tick % 150 == 0) exchange.offer(tick % 300 == 0 ? in_other_order(*body) : body);
-      taken += exchange.go_on_in_newest() ? 1 : 0;
+      if (tick % 150 == 0) corridors.offer(tick % 300 == 0 ? in_other_order(*body) : body);
+      taken += corridors.go_on_in_newest() ? 1 : 0;
     }
     EXPECT_GT(taken, 20) << seed;
   }
 }
 
-TEST(CorridorTakeOver, a_needle_that_bends_keeps_its_shape_and_its_force) {
+TEST(EmbeddedNeedleTakeover, a_needle_that_bends_keeps_its_shape_and_its_force) {
   const SharedBody body = pressed_column(0.05);
   const NeedleBeam beam({.rigidity = 200.0, .length = 90.0, .hold = NeedleHold::clamped, .cut_offset = 0.02});
   EmbeddedNeedle alone(*body, rubbing_tissues(), few_nodes(), 1e-3, beam);
@@ -151,9 +147,9 @@ TEST(CorridorTakeOver, a_needle_that_bends_keeps_its_shape_and_its_force) {
 }
 
 // Corridors as different as a deep press makes them, taken at any moment of any motion.
-TEST(CorridorTakeOver, no_force_jumps_whatever_the_needle_does) {
+TEST(EmbeddedNeedleTakeover, no_force_jumps_whatever_the_needle_does) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    BegunExchange exchange(pressed_column(0.05), rubbing_tissues());
+    BegunNeedle corridors(pressed_column(0.05), rubbing_tissues());
     const WanderingHand hand(seed);
     double elsewhere = 0.0;
     EmbeddedNeedleForce before;
@@ -161,7 +157,7 @@ TEST(CorridorTakeOver, no_force_jumps_whatever_the_needle_does) {
     bool took = false;
     for (int tick = 0; tick < 12000; ++tick) {
       waits += took && taken % 2 == 0 ? 1 : 0;  // every other time the hand rests in the next tick
-      const EmbeddedNeedleForce found = exchange.needle().step(hand.at(tick - waits));
+      const EmbeddedNeedleForce found = corridors.needle().step(hand.at(tick - waits));
       const double change = (found.on_hand.force - before.on_hand.force).norm();
       if (took && taken % 2 == 0) {
         // A node that the tick before had no time to let slide may do so now, as in any tick.
@@ -172,8 +168,8 @@ TEST(CorridorTakeOver, no_force_jumps_whatever_the_needle_does) {
       }
       before = found;
       if (tick % 97 == 0)
-        exchange.offer(pressed_column(0.03 + 0.05 * (tick % 3), 0.2 * (tick % 4), 0.2 * (tick % 5)));
-      took = exchange.go_on_in_newest();
+        corridors.offer(pressed_column(0.03 + 0.05 * (tick % 3), 0.2 * (tick % 4), 0.2 * (tick % 5)));
+      took = corridors.go_on_in_newest();
       taken += took ? 1 : 0;
     }
     EXPECT_GT(still, 50) << seed;
@@ -206,24 +202,24 @@ Eigen::VectorXd dense_answer(const CondensedBody& body, std::size_t nodes, const
   return sum;
 }
 
-TEST(CorridorTakeOver, a_needle_that_is_in_feels_the_new_corridors_stiffness_at_its_side) {
+TEST(EmbeddedNeedleTakeover, a_needle_that_is_in_feels_the_new_corridors_stiffness_at_its_side) {
   const SharedBody soft = pressed_column(0.05), firm = pressed_column(0.08, 0.3, 0.4);
-  BegunExchange exchange(soft, checks::plain_tissues(0.0));
+  BegunNeedle corridors(soft, checks::plain_tissues(0.0));
   const auto at = [](double x, double depth) { return needle_pose(Vec3(x, 0.0, depth), Vec3::UnitZ()); };
-  for (double depth = -1.0; depth < 8.99; depth += 0.01) exchange.needle().step(at(0.0, depth));
+  for (double depth = -1.0; depth < 8.99; depth += 0.01) corridors.needle().step(at(0.0, depth));
   const auto stiffness = [&] {  // N per 0.1 mm sideways, from where it is
-    const Vec3 before = exchange.needle().step(at(0.2, 8.99)).on_hand.force;
-    const Vec3 after = exchange.needle().step(at(0.3, 8.99)).on_hand.force;
-    exchange.needle().step(at(0.2, 8.99));
+    const Vec3 before = corridors.needle().step(at(0.2, 8.99)).on_hand.force;
+    const Vec3 after = corridors.needle().step(at(0.3, 8.99)).on_hand.force;
+    corridors.needle().step(at(0.2, 8.99));
     return Vec3(before - after);
   };
-  const std::uint32_t nodes = exchange.needle().step(at(0.2, 8.99)).nodes;
+  const std::uint32_t nodes = corridors.needle().step(at(0.2, 8.99)).nodes;
   const Vec3 of_soft = stiffness();
-  const Vec3 before = exchange.needle().step(at(0.2, 8.99)).on_hand.force;
-  exchange.offer(firm);
-  EXPECT_EQ(go_over(exchange, at(0.2, 8.99)), static_cast<int>(nodes) + 2);
-  EXPECT_EQ(&exchange.body(), firm.get());
-  const Vec3 after = exchange.needle().step(at(0.2, 8.99)).on_hand.force;
+  const Vec3 before = corridors.needle().step(at(0.2, 8.99)).on_hand.force;
+  corridors.offer(firm);
+  EXPECT_EQ(go_over(corridors, at(0.2, 8.99)), static_cast<int>(nodes) + 2);
+  EXPECT_EQ(&corridors.body(), firm.get());
+  const Vec3 after = corridors.needle().step(at(0.2, 8.99)).on_hand.force;
   EXPECT_LT((after - before).norm(), 1e-9);
   EXPECT_GT(before.norm(), 0.05);
   const Vec3 of_firm = stiffness();
@@ -233,56 +229,56 @@ TEST(CorridorTakeOver, a_needle_that_is_in_feels_the_new_corridors_stiffness_at_
   EXPECT_NEAR(of_firm.x(), expected(0), 0.01 * expected(0));
 }
 
-TEST(CorridorTakeOver, a_sticking_shaft_goes_on_as_the_dense_solve_of_the_new_corridor_says) {
+TEST(EmbeddedNeedleTakeover, a_sticking_shaft_goes_on_as_the_dense_solve_of_the_new_corridor_says) {
   const SharedBody soft = pressed_column(0.05), firm = pressed_column(0.08, 0.3, 0.0);
-  BegunExchange exchange(soft, checks::plain_tissues(5.0));
+  BegunNeedle corridors(soft, checks::plain_tissues(5.0));
   const auto at = [](const Vec3& moved) { return needle_pose(Vec3(Vec3(0.0, 0.0, 9.7) + moved), Vec3::UnitZ()); };
-  for (double depth = -1.0; depth < 0.0; depth += 0.005) exchange.needle().step(at(Vec3(0.0, 0.0, depth)));
-  for (int i = 0; i < 50; ++i) exchange.needle().step(at(Vec3::Zero()));
-  const std::uint32_t nodes = exchange.needle().step(at(Vec3::Zero())).nodes;
+  for (double depth = -1.0; depth < 0.0; depth += 0.005) corridors.needle().step(at(Vec3(0.0, 0.0, depth)));
+  for (int i = 0; i < 50; ++i) corridors.needle().step(at(Vec3::Zero()));
+  const std::uint32_t nodes = corridors.needle().step(at(Vec3::Zero())).nodes;
   ASSERT_EQ(nodes, 10U);
-  exchange.offer(in_other_order(*firm));
-  go_over(exchange, at(Vec3::Zero()));
-  const EmbeddedNeedleForce before = exchange.needle().step(at(Vec3::Zero()));
+  corridors.offer(in_other_order(*firm));
+  go_over(corridors, at(Vec3::Zero()));
+  const EmbeddedNeedleForce before = corridors.needle().step(at(Vec3::Zero()));
   ASSERT_EQ(before.sticking, nodes);
   const Vec3 moved(0.002, -0.003, -0.001);
-  const EmbeddedNeedleForce after = exchange.needle().step(at(moved));
+  const EmbeddedNeedleForce after = corridors.needle().step(at(moved));
   ASSERT_EQ(after.sticking, nodes);
   const Eigen::VectorXd expected = dense_answer(*firm, nodes, Mat3::Identity(), 0, 3, moved);
   // The tip draws back by a micrometre: the softness of the last node, 0 beyond its radius, stays.
   EXPECT_LT((Vec3(before.on_hand.force - after.on_hand.force) - Vec3(expected)).norm(), 1e-9);
 }
 
-TEST(CorridorTakeOver, after_it_the_needle_goes_into_nodes_that_lie_where_the_new_corridor_has_them) {
+TEST(EmbeddedNeedleTakeover, after_it_the_needle_goes_into_nodes_that_lie_where_the_new_corridor_has_them) {
   const SharedBody first = pressed_column(0.05), sunk = pressed_column(0.05, 0.0, 0.5);
-  BegunExchange exchange(first, checks::plain_tissues(0.0));
+  BegunNeedle corridors(first, checks::plain_tissues(0.0));
   const auto nodes_at = [&](double depth) {
-    return exchange.needle().step(needle_pose(Vec3(0.0, 0.0, depth), Vec3::UnitZ())).nodes;
+    return corridors.needle().step(needle_pose(Vec3(0.0, 0.0, depth), Vec3::UnitZ())).nodes;
   };
   for (double depth = -1.0; depth < 5.2; depth += 0.01) nodes_at(depth);
   EXPECT_EQ(nodes_at(5.2), 6U);
-  exchange.offer(sunk);
-  go_over(exchange, needle_pose(Vec3(0.0, 0.0, 5.2), Vec3::UnitZ()));
+  corridors.offer(sunk);
+  go_over(corridors, needle_pose(Vec3(0.0, 0.0, 5.2), Vec3::UnitZ()));
   EXPECT_EQ(nodes_at(6.4), 6U);
   EXPECT_EQ(nodes_at(6.51), 7U);
   EXPECT_EQ(nodes_at(7.51), 8U);
   for (double depth = 7.5; depth > -0.5; depth -= 0.01) nodes_at(depth);
   EXPECT_EQ(nodes_at(-0.5), 0U);
-  EXPECT_FALSE(exchange.go_on_in_newest());
+  EXPECT_FALSE(corridors.go_on_in_newest());
 }
 
 // What a take-over gives or takes is known: half the work of the held forces on the difference of the compliances.
-TEST(CorridorTakeOver, changes_the_stored_energy_by_what_the_compliances_differ) {
+TEST(EmbeddedNeedleTakeover, changes_the_stored_energy_by_what_the_compliances_differ) {
   const SharedBody soft = pressed_column(0.05), firm = pressed_column(0.08, 0.3, 0.0);
-  BegunExchange exchange(soft, rubbing_tissues());
+  BegunNeedle corridors(soft, rubbing_tissues());
   for (double depth = -1.0; depth < 9.99; depth += 0.01)
-    exchange.needle().step(needle_pose(Vec3(0.02 * depth, 0.0, depth), Vec3::UnitZ()));
+    corridors.needle().step(needle_pose(Vec3(0.02 * depth, 0.0, depth), Vec3::UnitZ()));
   const Pose pose = needle_pose(Vec3(0.2, 0.0, 9.99), Vec3::UnitZ());
-  exchange.needle().step(pose);
-  exchange.offer(firm);
-  const double before = exchange.needle().stored_energy();
-  const NodeForces forces = exchange.needle().node_forces();
-  go_over(exchange, pose);
+  corridors.needle().step(pose);
+  corridors.offer(firm);
+  const double before = corridors.needle().stored_energy();
+  const NodeForces forces = corridors.needle().node_forces();
+  go_over(corridors, pose);
   double expected = 0.0;
   for (std::size_t i = 0; i < forces.count; ++i) {
     for (std::size_t j = 0; j < forces.count; ++j) {
@@ -296,14 +292,14 @@ TEST(CorridorTakeOver, changes_the_stored_energy_by_what_the_compliances_differ)
     }
   }
   EXPECT_LT(expected, -1e-4);
-  EXPECT_NEAR(exchange.needle().stored_energy() - before, expected, 1e-2 * std::abs(expected));
+  EXPECT_NEAR(corridors.needle().stored_energy() - before, expected, 1e-2 * std::abs(expected));
 }
 
 // Between two corridors that are the same there is nothing to be won, so often it changes.
-TEST(CorridorTakeOver, no_way_gives_work_by_taking_over) {
+TEST(EmbeddedNeedleTakeover, no_way_gives_work_by_taking_over) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const SharedBody body = pressed_column(0.05);
-    BegunExchange exchange(body, checks::plain_tissues(0.02));
+    BegunNeedle corridors(body, checks::plain_tissues(0.02));
     Random random(seed);
     Vec3 place(0.0, 0.0, -1.0);
     double work = 0.0, way = 0.0;
@@ -313,93 +309,57 @@ TEST(CorridorTakeOver, no_way_gives_work_by_taking_over) {
       const Vec3 stride = (goal - place) / ticks;
       for (int tick = 0; tick < ticks; ++tick) {
         place += stride;
-        work -= exchange.needle().step(needle_pose(place, Vec3::UnitZ())).on_hand.force.dot(stride);
+        work -= corridors.needle().step(needle_pose(place, Vec3::UnitZ())).on_hand.force.dot(stride);
         way += stride.norm();
-        if (!exchange.newer_waits()) exchange.offer(body);
-        exchange.go_on_in_newest();
+        if (!corridors.newer_waits()) corridors.offer(body);
+        corridors.go_on_in_newest();
       }
-      ASSERT_GT(work - exchange.needle().stored_energy(), -1e-9 * way) << seed;
+      ASSERT_GT(work - corridors.needle().stored_energy(), -1e-9 * way) << seed;
     }
   }
 }
 
-TEST(CorridorTakeOver, a_corridor_without_a_node_that_is_held_waits_until_the_needle_is_out) {
+TEST(EmbeddedNeedleTakeover, a_corridor_without_a_node_that_is_held_waits_until_the_needle_is_out) {
   const SharedBody whole = pressed_column(0.05);
   auto shallow = std::make_shared<CondensedBody>(checks::kelvin_body(3, 5, 1.0, 0.05));
-  BegunExchange exchange(whole, rubbing_tissues());
+  BegunNeedle corridors(whole, rubbing_tissues());
   const auto at = [](double depth) { return needle_pose(Vec3(0.0, 0.0, depth), Vec3::UnitZ()); };
-  for (double depth = -1.0; depth < 7.5; depth += 0.01) exchange.needle().step(at(depth));
-  exchange.offer(shallow);
+  for (double depth = -1.0; depth < 7.5; depth += 0.01) corridors.needle().step(at(depth));
+  corridors.offer(shallow);
   for (double depth = 7.5; depth > 5.0; depth -= 0.01) {
-    exchange.needle().step(at(depth));
-    EXPECT_FALSE(exchange.go_on_in_newest());
+    corridors.needle().step(at(depth));
+    EXPECT_FALSE(corridors.go_on_in_newest());
   }
-  EXPECT_EQ(&exchange.body(), whole.get());
-  EXPECT_TRUE(exchange.newer_waits());
+  EXPECT_EQ(&corridors.body(), whole.get());
+  EXPECT_TRUE(corridors.newer_waits());
   // A newer one that has them is taken nevertheless, and the other dropped.
   const SharedBody other = pressed_column(0.05, 0.1);
-  exchange.offer(other);
-  go_over(exchange, at(5.0));
-  EXPECT_EQ(&exchange.body(), other.get());
-  exchange.free_left();
-  EXPECT_EQ(shallow.use_count(), 1);
-  EXPECT_EQ(whole.use_count(), 1);
+  corridors.offer(other);
+  go_over(corridors, at(5.0));
+  EXPECT_EQ(&corridors.body(), other.get());
   // One that cannot be followed is there for the next insertion.
-  exchange.offer(shallow);
-  exchange.go_on_in_newest();
-  exchange.begin(Vec3::Zero(), Vec3::UnitZ());
-  EXPECT_EQ(&exchange.body(), shallow.get());
+  corridors.offer(shallow);
+  corridors.go_on_in_newest();
+  corridors.begin(Vec3::Zero(), Vec3::UnitZ());
+  EXPECT_EQ(&corridors.body(), shallow.get());
 }
 
-TEST(CorridorTakeOver, takes_no_memory_and_no_lock_in_the_tick) {
+TEST(EmbeddedNeedleTakeover, takes_no_memory_and_no_lock_in_the_tick) {
   if (!RealTimeGuard::available()) GTEST_SKIP() << "a sanitizer watches the heap";
-  BegunExchange exchange(pressed_column(0.05), rubbing_tissues());
+  BegunNeedle corridors(pressed_column(0.05), rubbing_tissues());
   const WanderingHand hand(3);
   int tick = 0, taken = 0;
   for (int round = 0; round < 30; ++round) {
-    exchange.offer(pressed_column(0.05, 0.05 * round));
+    corridors.offer(pressed_column(0.05, 0.05 * round));
     const RealTimeGuard guard;
     for (const int end = tick + 100; tick < end; ++tick) {
-      exchange.needle().step(hand.at(tick));
-      taken += exchange.go_on_in_newest() ? 1 : 0;
+      corridors.needle().step(hand.at(tick));
+      taken += corridors.go_on_in_newest() ? 1 : 0;
     }
     EXPECT_EQ(RealTimeGuard::heap_calls(), 0U);
     EXPECT_EQ(RealTimeGuard::lock_calls(), 0U);
   }
   EXPECT_GT(taken, 20);
-}
-
-TEST(CorridorTakeOver, beside_a_thread_that_makes_corridors_no_force_jumps) {
-  BegunExchange exchange(pressed_column(0.05), rubbing_tissues());
-  std::atomic<bool> done{false};
-  std::thread maker([&] {
-    for (int number = 0; !done; ++number) {
-      exchange.offer(pressed_column(0.05, 0.1 * (number % 5), 0.1 * (number % 3)));
-      if (number % 4 == 3) exchange.free_left();
-      std::this_thread::yield();
-    }
-  });
-  const WanderingHand hand(5);
-  int taken = 0;
-  double largest = 0.0;
-  Vec3 before = Vec3::Zero();
-  bool gave_way = false;
-  for (int tick = 0; tick < (sanitized ? 4000 : 20000) || (taken < 5 && tick < 10000000); ++tick) {
-    const EmbeddedNeedleForce found = exchange.needle().step(hand.at(tick));
-    if (!gave_way) largest = std::max(largest, (found.on_hand.force - before).norm());
-    gave_way = found.puncture.has_value();
-    before = found.on_hand.force;
-    const std::uint32_t number = exchange.number();
-    if (exchange.go_on_in_newest()) {
-      EXPECT_GT(exchange.number(), number);
-      ++taken;
-    }
-    if (tick % 500 == 499) exchange.take_newest();
-  }
-  done = true;
-  maker.join();
-  EXPECT_GE(taken, 5);
-  EXPECT_LT(largest, 0.05);
 }
 
 }  // namespace
