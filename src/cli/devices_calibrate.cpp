@@ -121,7 +121,7 @@ DeviceCalibration measure(DevicePort port, const DeviceAbilities& abilities,
   const auto weighing = std::make_shared<Weighing>();
   ServoSettings settings;
   settings.rate = std::clamp(abilities.rate, 200.0, 4000.0);
-  settings.guard.user_force = Weighing::most;
+  settings.guard.user_force = Weighing::force_limit;
   settings.guard.frozen_time = 0.0;  // a handle that nobody holds stands still under force
   DeviceServo servo(std::move(port), abilities, settings,
                     [weighing](const ControlInput& input) { return weighing->step(input); });

@@ -5,8 +5,8 @@
 
 namespace bodkin {
 
-// Writes a whole file so that nobody ever sees half of it: beside it first, then renamed. Missing parent folders are
-// made. Throws SystemError naming the file when that fails, and leaves nothing behind.
+// Writes a whole file atomically: to a temporary file in the same folder, which is then renamed. Missing parent
+// folders are made. Throws SystemError naming the file when that fails, and leaves nothing behind.
 void write_file(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace bodkin

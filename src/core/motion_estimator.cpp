@@ -78,7 +78,7 @@ AxialMotion MotionEstimator::step(double depth) noexcept {
   } else if (speed > threshold_) {
     direction_ = velocity > 0.0 ? 1 : -1;
   }
-  // A stop can fall between two ticks: then only the sign of the velocity tells of it.
+  // A stop can fall between two ticks: then only the sign of the velocity shows it.
   const bool turned = before * velocity < 0.0;
   return {.depth = depth, .velocity = velocity, .direction = direction_, .stopped = resting_ || turned};
 }

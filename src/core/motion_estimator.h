@@ -22,7 +22,7 @@ class MotionEstimator {
 
   // Takes the depth (mm) of this tick.
   AxialMotion step(double depth) noexcept;
-  // Moves the origin of depth so that the newest sample becomes `depth`; velocity and direction go on undisturbed.
+  // Moves the origin of depth so that the newest sample becomes `depth`; velocity and direction are unaffected.
   void rebase(double depth) noexcept;
   void reset() noexcept;
 

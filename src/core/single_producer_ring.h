@@ -39,7 +39,7 @@ class SingleProducerRing {
 
   std::size_t after(std::size_t position) const noexcept { return position + 1 == slots_.size() ? 0 : position + 1; }
 
-  std::vector<Value> slots_;                              // capacity + 1: one stays empty to tell full from empty
+  std::vector<Value> slots_;  // capacity + 1: one stays empty to distinguish full from empty
   alignas(cache_line) std::atomic<std::size_t> head_{0};  // next to write
   alignas(cache_line) std::atomic<std::size_t> tail_{0};  // next to read
 };

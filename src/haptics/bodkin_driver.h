@@ -63,10 +63,10 @@ typedef struct bodkin_abilities {
 typedef struct bodkin_state {
   double position[3]; /* mm */
   double rotation[9]; /* row by row, tool to operator's frame; its third column points along the needle, hub to tip */
-  double velocity[3]; /* mm/s; NaN: the device does not tell */
+  double velocity[3]; /* mm/s; NaN: not reported */
   double temperature; /* 0 cold to 1 hot */
   uint32_t buttons;   /* bit 0: the first button is pressed */
-  uint32_t held;      /* the dead-man's switch; 1 where there is none */
+  uint32_t held;      /* the dead-man's switch; 1 for a device without one */
   uint32_t fault;     /* one of the results above */
 } bodkin_state;
 
@@ -79,7 +79,7 @@ typedef struct bodkin_command {
 typedef void (*bodkin_found)(void* user, const char* identity, const char* title);
 
 /* One tick: the state goes in, the command comes out. dt: s by the clock since the tick before, the nominal period at
- * the first. Never blocks. A driver goes on calling it after a fault, for as long as it can. */
+ * the first. Never blocks. After a fault a driver keeps calling it for as long as it can. */
 typedef void (*bodkin_tick)(void* user, const bodkin_state* state, double dt, bodkin_command* command);
 
 typedef struct bodkin_driver {

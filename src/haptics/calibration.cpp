@@ -21,7 +21,7 @@ constexpr double smallest_side = 20.0;    // mm
 constexpr double smallest_swivel = 20.0;  // deg
 constexpr double largest_residual = 2.0;  // mm
 constexpr double largest_unrest = 5.0;    // deg
-constexpr double shortest_way = 40.0;     // mm
+constexpr double shortest_stroke = 40.0;  // mm
 constexpr double straightness = 4.0;      // times as long as wide
 constexpr double largest_weight = 5.0;    // N
 constexpr double smallest_weight = 0.02;  // N, below which it is none
@@ -137,23 +137,23 @@ Vec3 tool_axis_of(std::span<const Pose> readings) {
 
 double mounting_of(std::span<const Pose> readings) {
   require_readings(readings);
-  // The farthest reading from the first says where the way went, the others how wide it was.
+  // The farthest reading from the first gives the direction of the stroke, the others its width.
   const Vec3 begin = readings.front().translation();
   const auto flat = [&](const Pose& hand) { return Eigen::Vector2d((hand.translation() - begin).head<2>()); };
   const Pose& farthest = *std::max_element(readings.begin(), readings.end(), [&](const Pose& a, const Pose& b) {
     return flat(a).norm() < flat(b).norm();
   });
-  const Eigen::Vector2d way = flat(farthest);
-  if (way.norm() < shortest_way) {
-    refuse("the hand went ", way.norm(), " mm away, expected 40 mm or more; push it straight away from you");
+  const Eigen::Vector2d stroke = flat(farthest);
+  if (stroke.norm() < shortest_stroke) {
+    refuse("the hand went ", stroke.norm(), " mm away, expected 40 mm or more; push it straight away from you");
   }
-  const Eigen::Vector2d along = way.normalized();
+  const Eigen::Vector2d along = stroke.normalized();
   double width = 0.0;
   for (const Pose& hand : readings) {
     const Eigen::Vector2d here = flat(hand);
     width = std::max(width, std::abs(along.x() * here.y() - along.y() * here.x()));
   }
-  if (width * straightness > way.norm()) {
+  if (width * straightness > stroke.norm()) {
     refuse("the hand strayed by ", width, " mm to the side; push it straight away from you, without turning back");
   }
   return std::numbers::pi / 2.0 - std::atan2(along.y(), along.x());

@@ -9,7 +9,7 @@
 
 namespace bodkin {
 
-// What readings of a device tell about it. All throw InputError, in one sentence that says what to do differently,
+// Calibration of a device from its readings. All throw InputError, in one sentence that says what to do differently,
 // when the readings do not determine what is asked for. Poses and positions are those of DeviceState::hand.
 
 // The box that was reached. Every side must be 20 mm at least.
@@ -29,7 +29,7 @@ TipFit tip_of(std::span<const Pose> readings);
 Vec3 tool_axis_of(std::span<const Pose> readings);
 
 // The hand went straight away from the operator: the turn about +Z, rad, from where the device says it went to away.
-// The way must be 40 mm at least, and four times as long as it is wide.
+// The stroke must be at least 40 mm long, and four times as long as it is wide.
 double mounting_of(std::span<const Pose> readings);
 
 // A weak spring carried the handle alone and came to rest, first from below, then from above. The weight is the mean

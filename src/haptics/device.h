@@ -43,7 +43,7 @@ struct DeviceAbilities {
   double continuous_force = 0.0;       // N
   double peak_torque = 0.0;            // N mm; 0 = it renders no torque
   double stiffness = 0.0;              // N/mm that it renders stably
-  double damping = 0.0;                // N s/mm, likewise
+  double damping = 0.0;                // N s/mm that the device renders stably; 0 = unknown
   double resolution = 0.0;             // mm
   double rate = 1000.0;                // Hz
   Vec3 workspace_low = Vec3::Zero();   // mm, operator's frame; both zero = unknown
@@ -56,9 +56,9 @@ struct DeviceAbilities {
 // One reading of a device.
 struct DeviceState {
   Pose hand = Pose::Identity();  // the tool in the operator's frame, mm; third axis hub to tip
-  Vec3 velocity = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());  // mm/s; NaN = the device does not tell
+  Vec3 velocity = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());  // mm/s; NaN = not reported
   std::uint32_t buttons = 0;                                                 // bit n: button n is pressed
-  bool held = true;          // the dead-man's switch, true where there is none
+  bool held = true;          // the dead-man's switch, true for a device without one
   double temperature = 0.0;  // of the motors, 0 cold to 1 hot
   DeviceFault fault = DeviceFault::none;
 

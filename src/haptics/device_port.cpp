@@ -25,8 +25,8 @@ void must_succeed(const bodkin_driver& driver, int result, const Message& messag
   if (result == BODKIN_OK) return;
   const DeviceFault fault = fault_from(result);
   std::string text = std::string(driver.name) + ": ";
-  const std::string told = text_of(message);
-  text += told.empty() ? std::string(text_of(fault)) : told;
+  const std::string message_text = text_of(message);
+  text += message_text.empty() ? std::string(text_of(fault)) : message_text;
   if (result == BODKIN_BAD_SETTINGS) throw InputError(text);
   throw DeviceError(fault, text);
 }
@@ -76,8 +76,8 @@ struct DevicePort::Shared {
   Message message{};
   int result = BODKIN_OK;
 
-  // A gate before the tick and before the exchange: nobody passes once it is shut, and whoever shuts it can wait for
-  // the one who is inside.
+  // A gate before the tick and before the exchange: no call passes once it is shut, and the thread that shuts it can
+  // wait for the one who is inside.
   std::atomic<bool> shut{true};
   std::atomic<bool> inside{false};
   std::atomic<std::uint64_t> ticks{0};

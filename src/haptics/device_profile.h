@@ -14,7 +14,7 @@ enum class DeviceQuantity : std::uint8_t {
   continuous_force,  // N
   peak_torque,       // N mm
   stiffness,         // N/mm that it renders stably
-  damping,           // N s/mm, likewise
+  damping,           // N s/mm
   resolution,        // mm
   workspace_x,       // mm, side of the usable box: to the operator's right,
   workspace_y,       // away from the operator,

@@ -15,7 +15,7 @@ const DeviceProfile* find_profile(const std::vector<DeviceProfile>& profiles, st
 // What a device can do as far as its profile knows. The workspace is the box about its middle.
 DeviceAbilities abilities_of(const DeviceProfile& profile);
 
-// Puts what the profile knows where the device itself has told nothing (0). A continuous force is lowered to the
+// Fills what the device itself did not report (0) from its profile. A continuous force is lowered to the
 // device's own peak.
 void complete(DeviceAbilities& abilities, const DeviceProfile& profile);
 

@@ -12,10 +12,10 @@ fs::path driver_folder() {
   if (named != nullptr && *named == '/') return named;
   std::error_code error;
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  // An installation may have been moved as a whole: what lies beside the program comes first.
-  const fs::path beside = self.parent_path().parent_path() / BODKIN_LIBRARY_FOLDER / "bodkin" / "drivers";
+  // An installation may have been moved as a whole: the folder next to the program is tried first.
+  const fs::path relocated = self.parent_path().parent_path() / BODKIN_LIBRARY_FOLDER / "bodkin" / "drivers";
   const fs::path installed = fs::path(BODKIN_INSTALLED_LIBRARY_FOLDER) / "bodkin" / "drivers";
-  return fs::is_directory(beside, error) ? beside : installed;
+  return fs::is_directory(relocated, error) ? relocated : installed;
 }
 
 std::vector<std::string> driver_files() {

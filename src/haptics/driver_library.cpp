@@ -23,7 +23,7 @@ std::optional<std::string> expanded(const std::string& place) {
   return value + (slash == std::string::npos ? std::string() : place.substr(slash));
 }
 
-// "libdrd.so.*": the file of that folder with the greatest version; the place itself where there is none.
+// "libdrd.so.*": the file of that folder with the greatest version; the pattern itself when no file matches.
 std::string newest(const std::string& place) {
   if (!place.ends_with(".*")) return place;
   const fs::path pattern = place.substr(0, place.size() - 1);

@@ -9,7 +9,7 @@ namespace bodkin {
 
 namespace {
 
-// One tick of the way to zero in a straight line.
+// One tick of the linear ramp to zero.
 Vec3 fade(const Vec3& last, const Vec3& step) noexcept {
   return last.squaredNorm() > step.squaredNorm() ? Vec3(last - step) : Vec3::Zero();
 }

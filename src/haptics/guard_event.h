@@ -11,11 +11,11 @@ namespace bodkin {
 
 // What HandGuard is doing.
 enum class GuardState : std::uint8_t {
-  disarmed,  // no force until somebody arms
+  disarmed,  // no force until the user arms
   ramping,   // the force is being brought in
   active,
   holding,  // the simulation is late: the last force is held, then fades
-  faulted   // no force until somebody arms again
+  faulted   // no force until the user arms again
 };
 
 // "ramping"
@@ -24,7 +24,7 @@ std::string_view text_of(GuardState state) noexcept;
 // Why HandGuard changed its state or the force.
 enum class GuardReason : std::uint8_t {
   none,
-  // changes of state that somebody wanted
+  // changes of state on request
   armed,
   full_force,  // the ramp is over
   disarmed,
@@ -33,7 +33,7 @@ enum class GuardReason : std::uint8_t {
   tick_gap,     // no tick for too long: the force starts again from zero
   stale,        // the simulation is late: the force is held
   fresh_again,  // and has come back
-  // what ends the force until somebody arms again
+  // faults: no force until the user arms again
   not_finite,         // the controller asked for a force that is no number
   stale_fault,        // the simulation has been silent for too long
   controller_failed,  // the controller threw

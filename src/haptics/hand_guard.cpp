@@ -60,7 +60,8 @@ double HandGuard::bound() const noexcept {
   return std::min(settings_.user_force, peak_share * settings_.peak_force);
 }
 
-void HandGuard::tell(GuardReason reason, double value, double limit, GuardReason cause, DeviceFault fault) noexcept {
+void HandGuard::report(GuardReason reason, double value, double limit, GuardReason cause,
+                       DeviceFault fault) noexcept {
   events_.push({tick_, time_, reason, cause, fault, state_, value, limit});
 }
 
@@ -68,7 +69,7 @@ void HandGuard::tell(GuardReason reason, double value, double limit, GuardReason
 void HandGuard::limit_by(GuardReason reason, double value, double limit) noexcept {
   const auto index = static_cast<std::size_t>(reason);
   limits_ |= 1U << index;
-  if (time_ - limited_[index] > quiet_time) tell(reason, value, limit);
+  if (time_ - limited_[index] > quiet_time) report(reason, value, limit);
   limited_[index] = time_;
 }
 
@@ -88,14 +89,14 @@ void HandGuard::fail(GuardReason reason, double value, double limit, DeviceFault
   if (is_armed() || !sound) end_force(!sound);
   state_ = GuardState::faulted;
   fault_ = reason;
-  tell(reason, value, limit, GuardReason::none, fault);
+  report(reason, value, limit, GuardReason::none, fault);
 }
 
 void HandGuard::release(GuardReason reason) noexcept {
   end_force(false);
   state_ = GuardState::disarmed;
   fault_ = GuardReason::none;
-  tell(reason);
+  report(reason);
 }
 
 void HandGuard::ramp_from_zero() noexcept {
@@ -118,10 +119,10 @@ void HandGuard::watch_age(double age) noexcept {
   } else if (age > hold_after && state_ != GuardState::holding) {
     state_ = GuardState::holding;
     held_ = applied_;
-    tell(GuardReason::stale, age, hold_after);
+    report(GuardReason::stale, age, hold_after);
   } else if (age <= hold_after && state_ == GuardState::holding) {
     state_ = ramp_ < 1.0 ? GuardState::ramping : GuardState::active;
-    tell(GuardReason::fresh_again, age, hold_after);
+    report(GuardReason::fresh_again, age, hold_after);
   }
 }
 
@@ -177,7 +178,7 @@ void HandGuard::watch(const DeviceState& device, const GuardInput& input, double
   if (disarming_) return release(GuardReason::disarmed);
   if (!device.held) return release(GuardReason::released);
   if (dt > longest_gap) {
-    tell(GuardReason::tick_gap, dt, longest_gap);
+    report(GuardReason::tick_gap, dt, longest_gap);
     ramp_from_zero();
   }
   if (input.controller_failed) return fail(GuardReason::controller_failed);
@@ -205,13 +206,13 @@ void HandGuard::try_to_arm(const DeviceState& device, const GuardInput& input, d
   if (cause == GuardReason::none) {
     arming_for_ = -1.0;
     ramp_from_zero();
-    tell(GuardReason::armed);
+    report(GuardReason::armed);
     return;
   }
   arming_for_ += dt;
   if (arming_for_ <= settings_.arming_patience) return;
   arming_for_ = -1.0;
-  tell(GuardReason::refused, input.wanted.force.norm(), settings_.arming_force, cause, device.fault);
+  report(GuardReason::refused, input.wanted.force.norm(), settings_.arming_force, cause, device.fault);
 }
 
 // 1 inside the usable box, down to 0 ten millimetres outside.
@@ -247,7 +248,7 @@ void HandGuard::apply(const DeviceState& device, const GuardInput& input, double
     if (ramp_ >= 1.0) {
       ramp_ = 1.0;
       state_ = GuardState::active;
-      tell(GuardReason::full_force);
+      report(GuardReason::full_force);
     }
   }
   Wrench wanted;

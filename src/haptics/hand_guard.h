@@ -13,32 +13,32 @@
 
 namespace bodkin {
 
-// Whether a device can be there: finite, its rotation is one, and it is within 5 m of the workspace.
+// Whether the pose is plausible: finite, a proper rotation, and within 5 m of the workspace.
 bool is_possible(const Pose& hand) noexcept;
 
-// What goes into one tick.
+// Input of one tick.
 struct GuardInput {
   Wrench wanted;     // on the hand, operator's frame
   double age = 0.0;  // s since the simulation computed it
   double dt = 0.0;   // s since the tick before
   bool controller_failed = false;
-  Vec3 weight = Vec3::Zero();  // N that carry the device's handle: part of the force, not of what must be passive
+  Vec3 weight = Vec3::Zero();  // N, carries the device's handle: part of the force, left out of the passivity account
 };
 
 // The last exit to the motors of a real device, for as long as a hand holds it. It knows nothing of tissue: it takes
-// the wrench that a controller wants and what the device reports, and lets a wrench through that cannot hurt. Always
-// finite, never above the peaks; what leads towards zero is never delayed; every intervention is an event with its
-// reason. step() is noexcept, allocates nothing, locks nothing and reads no clock. ForceGovernor
-// (haptics/force_governor.h) stands before it, inside the simulation, and keeps passivity and the case's limits; its
+// the wrench that a controller wants and what the device reports, and passes on a wrench that cannot hurt. The result
+// is always finite and never above the peaks; a change towards zero is never delayed; every intervention is an event
+// with its reason. step() is noexcept, allocates nothing, locks nothing and reads no clock. ForceGovernor
+// (haptics/force_governor.h) acts before it, inside the simulation, and enforces passivity and the case's limits; its
 // header says how the two divide the work.
 //
 //   disarmed --arm(), hand at rest--> ramping --1 s--> active <--late, fresh again--> holding
 //   any of these --dead-man released, disarm()--> disarmed;  --anything wrong--> faulted --arm()--> ramping
 //
-// To zero at once where the device itself is in doubt (its own faults, a pose that is no number, a jump, too fast);
-// in 20 ms, in a straight line, where it is sound (dead-man, disarm(), a force that is no number, shaking, readings
-// that stand still). A simulation later than 5 ms is bridged by the last force, which fades from 15 to 45 ms of age;
-// at 50 ms it is a fault.
+// The force drops to zero at once when the device itself is in doubt (its own faults, a pose that is not finite, a
+// jump, excessive speed); it ramps linearly to zero in 20 ms when the device works (dead-man, disarm(), a force that
+// is not finite, oscillation, frozen readings). While the simulation is more than 5 ms late the last force is held;
+// it fades from 15 to 45 ms of age, and at 50 ms it is a fault.
 class HandGuard {
  public:
   // Throws InputError as check() does.
@@ -47,7 +47,7 @@ class HandGuard {
   // All functions are for the thread that calls step(), which others reach through ServoTick's commands.
   //
   // The user wants force. It begins at the first tick, within 2 s, at which the hand has been at rest for 50 ms,
-  // holds the dead-man's switch, and no force is waiting for it; otherwise the wish is refused.
+  // holds the dead-man's switch, and the wanted force is small; otherwise the request is refused.
   void arm() noexcept { arming_for_ = 0.0; }
   // The user wants no force any more.
   void disarm() noexcept { disarming_ = true; }
@@ -67,7 +67,7 @@ class HandGuard {
   double speed() const noexcept { return motion_.mean_speed(); }  // mm/s, over 10 ms
   // N mm that the hand has given to each axis of the operator's frame, see AxisPassivity.
   const Vec3& energy() const noexcept { return passivity_.energy(); }
-  // N, what no force exceeds, heat aside.
+  // N, the bound of every force, motor heat aside.
   double bound() const noexcept;
 
  private:
@@ -83,8 +83,8 @@ class HandGuard {
   double heat_share(double temperature) noexcept;
   void fade(double dt) noexcept;
 
-  void tell(GuardReason reason, double value = 0.0, double limit = 0.0, GuardReason cause = GuardReason::none,
-            DeviceFault fault = DeviceFault::none) noexcept;
+  void report(GuardReason reason, double value = 0.0, double limit = 0.0, GuardReason cause = GuardReason::none,
+              DeviceFault fault = DeviceFault::none) noexcept;
   void limit_by(GuardReason reason, double value, double limit) noexcept;
   void fail(GuardReason reason, double value = 0.0, double limit = 0.0,
             DeviceFault fault = DeviceFault::none) noexcept;
@@ -106,14 +106,14 @@ class HandGuard {
   AxisPassivity passivity_;
   Vec3 carried_ = Vec3::Zero();  // N, weight within the force of the last step
   Vec3 damped_ = Vec3::Zero();   // N, damping within it
-  Wrench held_;                  // what is bridged with while the simulation is late
-  Wrench fading_;                // where the way to zero began
-  double faded_ = 1.0;           // share of the way to zero
+  Wrench held_;                  // held while the simulation is late
+  Wrench fading_;                // where the ramp to zero began
+  double faded_ = 1.0;           // share of the ramp to zero that is done
   double ramp_ = 0.0;            // share of the force that is let through
-  double calm_ = 1.0;            // likewise, after the hand shook
+  double calm_ = 1.0;            // share of the force let through after an oscillation
   double calm_for_ = 0.0;        // s since it did
   double mean_square_ = 0.0;     // N^2
-  double arming_for_ = -1.0;     // s since the wish to arm; negative: there is none
+  double arming_for_ = -1.0;     // s since the request to arm; negative: none is pending
   bool disarming_ = false;
   double resting_for_ = 0.0;                      // s
   double still_for_ = 0.0;                        // s of unchanged readings under force

@@ -17,12 +17,12 @@ class LatencyHistogram {
   void reset() noexcept { *this = LatencyHistogram(); }
 
   std::uint64_t count() const noexcept { return count_; }
-  // s, the longest that was recorded, exactly; 0 when there is none.
+  // s, the longest that was recorded, exactly; 0 when it is empty.
   double maximum() const noexcept { return maximum_; }
-  // s; 0 when there is none.
+  // s; 0 when it is empty.
   double mean() const noexcept { return count_ == 0 ? 0.0 : sum_ / static_cast<double>(count_); }
   // s within which `share` (0 to 1) of all lie: the upper edge of the bin in which the last of them falls, but never
-  // more than the maximum. 0 when there is none.
+  // more than the maximum. 0 when it is empty.
   double percentile(double share) const noexcept;
   // How many took longer than the last bin reaches, 100 ms.
   std::uint64_t beyond() const noexcept { return bins_[last_bin]; }

@@ -8,8 +8,8 @@ namespace bodkin {
 namespace {
 constexpr double window_time = 0.010;   // s
 constexpr double recent_time = 0.003;   // s
-constexpr long most_readings = 63;      // that the ring holds beside the newest
-constexpr double jump_way = 5.0;        // mm
+constexpr long most_readings = 63;      // that the ring holds besides the newest
+constexpr double jump_distance = 5.0;   // mm
 constexpr double jump_speed = 3000.0;   // mm/s
 constexpr double shortest_share = 0.5;  // of the nominal period: readings closer together would look like speed
 
@@ -41,10 +41,10 @@ void MotionWatch::step(const Pose& hand, const Vec3& velocity, double dt) noexce
   last_ = hand;
   time_ += dt;
 
-  const double way = moved_.norm();
+  const double distance = moved_.norm();
   const double period = std::max(dt, shortest_share * dt_);
-  speed_ = velocity.allFinite() ? velocity.norm() : way / period;
-  jumped_ = way > jump_way && way > jump_speed * period;
+  speed_ = velocity.allFinite() ? velocity.norm() : distance / period;
+  jumped_ = distance > jump_distance && distance > jump_speed * period;
 
   readings_[seen_ & (capacity - 1)] = {position, time_};
   mean_speed_ = velocity_since(window_).norm();

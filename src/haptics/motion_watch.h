@@ -8,23 +8,23 @@
 namespace bodkin {
 
 // How a device's hand moves, as far as safety needs to know: speed, rest, jumps and readings that stand still. Makes
-// do with positions where the device tells no velocity. step() is noexcept and allocates nothing.
+// do with positions when the device reports no velocity. step() is noexcept and allocates nothing.
 class MotionWatch {
  public:
   // `dt`: s, the nominal period.
   explicit MotionWatch(double dt) noexcept;
 
-  // A finite pose (mm), the velocity that the device tells (mm/s, NaN = none), s since the last one.
+  // A finite pose (mm), the velocity that the device reports (mm/s, NaN = none), s since the last one.
   void step(const Pose& hand, const Vec3& velocity, double dt) noexcept;
   void reset() noexcept;
 
   // mm since the last reading.
   const Vec3& moved() const noexcept { return moved_; }
-  // mm/s of this tick: what the device tells, or else the way since the last reading.
+  // mm/s of this tick: as reported, or else from the change since the last reading.
   double speed() const noexcept { return speed_; }
   // mm/s over the last 10 ms, from positions alone, so that a coarse encoder at rest is not taken for motion.
   double mean_speed() const noexcept { return mean_speed_; }
-  // mm/s over the last 3 ms, likewise: early enough to damp with.
+  // mm/s, mean over the last 3 ms: early enough to damp with.
   const Vec3& recent_velocity() const noexcept { return recent_velocity_; }
   // No part of the pose has changed by a single bit since the last reading.
   bool is_still() const noexcept { return still_; }

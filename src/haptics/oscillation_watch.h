@@ -18,7 +18,7 @@ struct ShakingPattern {
 ShakingPattern fast_shaking(double swing) noexcept;
 
 // An unstable wall against a soft hand bounces at 12 to 25 Hz, because the slew and the peak of the force bound it; a
-// trembling hand comes near that. What tells them apart is who does the work. A wall of stiffness K, computed every
+// trembling hand comes near that. The criterion is who does the work. A wall of stiffness K, computed every
 // T, leaks K T/2 of negative damping (Colgate and Schenkel 1994), and a device that renders K stably swallows that; a
 // force that gives more, cycle after cycle, drives the hand. Above 10 Hz for 250 ms.
 ShakingPattern driven_shaking(double swing, double device_stiffness, double dt) noexcept;
@@ -30,7 +30,7 @@ class OscillationWatch {
   explicit OscillationWatch(const ShakingPattern& pattern) noexcept : pattern_(pattern) {}
 
   // `moved`: mm since the last tick; `force`: N that the hand was pushed with meanwhile. True at the tick at which
-  // the shaking has lasted long enough, and again after every such time that it goes on.
+  // the shaking has lasted long enough, and again after every such time while it continues.
   bool step(const Vec3& moved, const Vec3& force, double dt) noexcept;
   void reset() noexcept { *this = OscillationWatch(pattern_); }
 
@@ -47,7 +47,7 @@ class OscillationWatch {
   double shaking_ = 0.0;                     // s
   double turn_ = 0.0, turn_before_ = 0.0;    // mm, the last two turning points
   double given_ = 0.0, given_before_ = 0.0;  // N mm since the last turning point, and between the last two
-  double way_ = 0.0, way_before_ = 0.0;      // mm^2/s, time integral of the speed squared, likewise
+  double way_ = 0.0, way_before_ = 0.0;      // mm^2/s, time integral of the squared speed
 };
 
 }  // namespace bodkin

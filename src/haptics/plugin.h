@@ -6,7 +6,7 @@
 
 namespace bodkin {
 
-// Loads somebody else's driver, a shared library that exports bodkin_driver_entry (bodkin_driver.h; docs/devices.md
+// Loads a third-party driver, a shared library that exports bodkin_driver_entry (bodkin_driver.h; docs/devices.md
 // says how to write one). The library stays loaded. Throws SystemError: no such file, no driver, or an interface of
 // another version than ours.
 const bodkin_driver& load_plugin(const std::string& path);

@@ -11,7 +11,7 @@
 
 namespace bodkin {
 
-// What a servo tick takes and tells. All of it is plain data of fixed size.
+// Input and output records of a servo tick, plain data of fixed size.
 
 // What a person asks a running servo for.
 struct ServoCommand {

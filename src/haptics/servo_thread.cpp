@@ -97,7 +97,7 @@ void ServoThread::run(const std::shared_ptr<Shared>& shared) noexcept {
     shared->rounds.fetch_add(1, std::memory_order_relaxed);
     shared->last_round.store(clock(), std::memory_order_release);
   }
-  // One that hung until nobody waited any more leaves the device alone.
+  // A call that returns after it was abandoned leaves the device alone.
   std::unique_lock lock(shared->mutex);
   const bool awaited = shared->may_run && !shared->ended;
   lock.unlock();
@@ -138,7 +138,7 @@ bool ServoThread::stop() {
     shared_->changed.notify_all();
     stopped_in_time_ = shared_->changed.wait_for(lock, std::chrono::duration<double>(settings_.patience),
                                                  [this] { return shared_->ended; });
-    shared_->ended = true;  // whoever comes back later sees that nobody waits
+    shared_->ended = true;  // a call that returns later sees that it was abandoned
   }
   if (stopped_in_time_) {
     thread_.join();

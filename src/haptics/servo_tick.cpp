@@ -14,7 +14,7 @@ namespace {
 constexpr double bounce_time = 0.020;  // s
 constexpr int recent_ticks = 100;
 
-// The period, if a servo can keep it.
+// The period in s. Throws InputError for a rate outside the servo's range.
 double checked_period(double rate) {
   if (rate >= 200.0 && rate <= 4000.0) return 1.0 / rate;
   std::ostringstream text;
@@ -53,16 +53,16 @@ ServoTick::ServoTick(const ServoSettings& settings, Controller controller, TickC
       guard_(with_period(settings.guard, period_)),
       clutch_button_{.number = settings.clutch_button},
       freeze_button_{.number = settings.freeze_button} {
-  if (!controller_) throw InputError("servo: there is no controller, expected a function that gives the force");
+  if (!controller_) throw InputError("servo: the controller is empty, expected a function that returns the force");
   if (!(settings.weight >= 0.0 && settings.weight <= 5.0)) {
     std::ostringstream text;
     text << "servo: the weight of the handle is " << settings.weight << " N, expected 0 to 5 N";
     throw InputError(text.str());
   }
-  if (!(grasp_time_ > 0.0)) throw InputError("servo: the time of a grasp is not more than 0 s");
+  if (!(grasp_time_ > 0.0)) throw InputError("servo: the grasp time is 0 s or less, expected more than 0 s");
 }
 
-void ServoTick::obey() noexcept {
+void ServoTick::apply_commands() noexcept {
   ServoCommand command;
   while (commands_.pop(command)) {
     switch (command.kind) {
@@ -109,7 +109,7 @@ Control ServoTick::control(const ControlInput& input) noexcept {
   }
 }
 
-void ServoTick::keep(const ServoSample& sample) noexcept {
+void ServoTick::record_sample(const ServoSample& sample) noexcept {
   samples_[tick_ % samples_.size()] = sample;
   for (const GuardEvent& event : guard_.events()) {
     if (!events_.push(event)) lost_events_.fetch_add(1, std::memory_order_relaxed);
@@ -123,7 +123,7 @@ void ServoTick::keep(const ServoSample& sample) noexcept {
   }
 }
 
-void ServoTick::tell(const DeviceState& device, const Control& control) noexcept {
+void ServoTick::publish_snapshot(const DeviceState& device, const Control& control) noexcept {
   ServoSnapshot snapshot;
   snapshot.tick = tick_;
   snapshot.time = time_;
@@ -140,7 +140,7 @@ void ServoTick::tell(const DeviceState& device, const Control& control) noexcept
   snapshots_.write(snapshot);
 }
 
-void ServoTick::measure(double lateness, double compute) noexcept {
+void ServoTick::record_timing(double lateness, double compute) noexcept {
   const bool overrun = lateness > period_ || compute > period_;
   timings_.lateness.record(lateness);
   timings_.compute.record(compute);
@@ -159,17 +159,17 @@ Wrench ServoTick::step(const DeviceState& reported, double dt, double lateness) 
   if (std::isnan(lateness)) lateness = std::max(0.0, dt - period_);
   dt = std::min(dt, longest_dt);
 
-  obey();
+  apply_commands();
   DeviceState device = reported;
   if (dead_man_button_ >= 0) device.held = device.held && is_down(device.buttons, dead_man_button_);
-  const bool sound = device.fault == DeviceFault::none && is_possible(device.hand);
-  if (sound) {
+  const bool valid = device.fault == DeviceFault::none && is_possible(device.hand);
+  if (valid) {
     hand_ = device.hand;
     seen_ = true;
     follow_buttons(device, dt);
   }
 
-  // A device in trouble leaves the needle where it was.
+  // A device with a fault leaves the needle where it was.
   const Pose needle = seen_ ? map_.step(hand_, dt) : map_.needle();
   const Control answer = seen_ ? control({.needle = needle,
                                           .dt = dt,
@@ -186,21 +186,21 @@ Wrench ServoTick::step(const DeviceState& reported, double dt, double lateness) 
       {.wanted = wanted, .age = answer.age, .dt = dt, .controller_failed = controller_failed_, .weight = weight_});
 
   time_ += dt;
-  keep({.tick = tick_,
-        .dt = dt,
-        .lateness = lateness,
-        .compute = static_cast<double>(clock_() - began) * 1e-9,
-        .position = device.hand.translation(),
-        .wanted = wanted.force,
-        .applied = applied.force,
-        .temperature = device.temperature,
-        .buttons = device.buttons,
-        .state = guard_.state(),
-        .fault = device.fault,
-        .held = device.held});
-  tell(device, answer);
+  record_sample({.tick = tick_,
+                 .dt = dt,
+                 .lateness = lateness,
+                 .compute = static_cast<double>(clock_() - began) * 1e-9,
+                 .position = device.hand.translation(),
+                 .wanted = wanted.force,
+                 .applied = applied.force,
+                 .temperature = device.temperature,
+                 .buttons = device.buttons,
+                 .state = guard_.state(),
+                 .fault = device.fault,
+                 .held = device.held});
+  publish_snapshot(device, answer);
   ++tick_;
-  measure(lateness, static_cast<double>(clock_() - began) * 1e-9);
+  record_timing(lateness, static_cast<double>(clock_() - began) * 1e-9);
   return applied;
 }
 

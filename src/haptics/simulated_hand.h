@@ -9,8 +9,8 @@
 namespace bodkin {
 
 // A hand and forearm that hold the needle: at the tip a mass on a spring and a damper whose other end is where the
-// person means the needle to be (the equilibrium point that the muscles set). The needle's rotation yields likewise
-// to torques.
+// person means the needle to be (the equilibrium point that the muscles set). The needle's rotation yields in the
+// same way to torques.
 //
 //   m x'' = F + k (p - x) + c (p' - x')        F: force of the device on the hand, p: intended tip position
 //   J w'' = T - k_r w - c_r w'                 T: torque about the tip, w: rotation away from the intended

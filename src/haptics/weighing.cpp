@@ -15,14 +15,14 @@ Control Weighing::step(const ControlInput& input) noexcept {
   last_ = position;
   seen_ = true;
 
-  const Wish& wish = above_.read();
-  if (!wish.carry) return {};
+  const Target& target = above_.read();
+  if (!target.carry) return {};
   if (!carrying_) first_ = position;
   carrying_ = true;
-  const double way = speed * input.dt;
-  gliding_ += std::clamp(wish.above - gliding_, -way, way);
+  const double step = speed * input.dt;
+  gliding_ += std::clamp(target.above - gliding_, -step, step);
   Vec3 force = stiffness * (first_ + gliding_ * Vec3::UnitZ() - position) - damping * velocity_;
-  if (force.norm() > most) force *= most / force.norm();
+  if (force.norm() > force_limit) force *= force_limit / force.norm();
   return {{force, Vec3::Zero()}, 0.0};
 }
 

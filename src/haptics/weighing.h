@@ -8,15 +8,16 @@
 
 namespace bodkin {
 
-// A controller that carries the handle of a device which nobody holds, so that it can be weighed: a weak spring to a
-// place that glides, with some damping. One observer tells it where to go; step() belongs to the servo's thread, is
-// noexcept and allocates nothing. Frames as the device's: use it with a workspace that maps nothing.
+// A controller that carries the handle of a device that no hand holds, so that the handle's weight can be identified:
+// a weak, damped spring to a target that moves at constant speed. One observer sets the target; step() belongs to the
+// servo's thread, is noexcept and allocates nothing. Poses are in the device's frame: use it with an identity
+// workspace.
 class Weighing {
  public:
-  static constexpr double stiffness = 0.05;  // N/mm
-  static constexpr double damping = 0.002;   // N s/mm
-  static constexpr double speed = 20.0;      // mm/s of the place
-  static constexpr double most = 4.0;        // N
+  static constexpr double stiffness = 0.05;   // N/mm
+  static constexpr double damping = 0.002;    // N s/mm
+  static constexpr double speed = 20.0;       // mm/s of the target
+  static constexpr double force_limit = 4.0;  // N
 
   // From the next tick on, carry the handle, first where it is; then `above` mm over that.
   void carry(double above) noexcept { above_.write({above, true}); }
@@ -24,12 +25,12 @@ class Weighing {
   Control step(const ControlInput& input) noexcept;
 
  private:
-  struct Wish {
+  struct Target {
     double above = 0.0;  // mm
     bool carry = false;
   };
 
-  LatestValue<Wish> above_;
+  LatestValue<Target> above_;
   bool carrying_ = false;
   double gliding_ = 0.0;  // mm above the first place
   Vec3 first_ = Vec3::Zero();

@@ -62,9 +62,9 @@ TEST(HandOver, the_maker_destroys_what_was_not_taken_and_what_was_left) {
     held.swap(taken);
     hand_over.give_back(std::move(taken));
     EXPECT_EQ(Load::alive, 2);  // 0 was left, not destroyed
-    hand_over.free_left();
+    hand_over.free_returned();
     EXPECT_EQ(Load::alive, 1);
-    hand_over.free_left();
+    hand_over.free_returned();
     hand_over.offer(std::make_unique<Load>(3));
     taken = hand_over.take();
     EXPECT_EQ(taken->number, 3U);
@@ -87,7 +87,7 @@ TEST(HandOver, a_taker_beside_a_maker_gets_whole_ones_in_order_and_the_last_and_
       while (!started.load()) std::this_thread::yield();
       for (std::uint64_t number = 1; number <= offers; ++number) {
         hand_over.offer(std::make_unique<Load>(number));
-        if (number % 3 == 0) hand_over.free_left();
+        if (number % 3 == 0) hand_over.free_returned();
         if (number % 64 == 0) std::this_thread::yield();
       }
     });

@@ -65,8 +65,8 @@ TEST(Weighing, never_pulls_with_more_than_four_newton) {
   input.needle.translation() = Vec3(0.0, 0.0, -500.0);
   double most = 0.0;
   for (int tick = 0; tick < 100; ++tick) most = std::max(most, weighing.step(input).wrench.force.norm());
-  EXPECT_LE(most, Weighing::most + 1e-12);
-  EXPECT_GT(most, Weighing::most - 0.1);
+  EXPECT_LE(most, Weighing::force_limit + 1e-12);
+  EXPECT_GT(most, Weighing::force_limit - 0.1);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ constexpr unsigned char watchdog_steps = 160;  // 20 ms without a command, then 
 constexpr int status_every = 4;                // rounds between two looks at the status vector
 constexpr int stop_attempts = 10;
 
-// Of the models that the SDK numbers; what the device itself tells comes first. N, N mm, N/mm, N s/mm, mm.
+// Of the models that the SDK numbers; what the device itself reports takes precedence. N, N mm, N/mm, N s/mm, mm.
 struct Model {
   int first, last;  // system types
   double force, torque, stiffness, damping, radius, resolution;
@@ -258,7 +258,7 @@ class ForceDimensionDevice : public OpenDevice {
     }
   }
 
-  static constexpr int uncalibrated = 100;  // beside the vendor's causes
+  static constexpr int uncalibrated = 100;  // in addition to the vendor's causes
 
   std::unique_ptr<Handle> handle_;
   const ForceDimensionLibrary& sdk_;
@@ -298,11 +298,11 @@ struct ForceDimension {
     if (sdk.dhdSetGravityCompensation != nullptr) sdk.dhdSetGravityCompensation(gravity, id);
 
     const Model& model = model_of(sdk.dhdGetSystemType(id));
-    const double told = sdk.dhdGetMaxForce == nullptr ? 0.0 : sdk.dhdGetMaxForce(id);
+    const double reported = sdk.dhdGetMaxForce == nullptr ? 0.0 : sdk.dhdGetMaxForce(id);
     const bool wrist = sdk.dhdHasWrist(id), torques = sdk.dhdHasActiveWrist(id);
     copy_text(handle->name(), abilities.name, BODKIN_TEXT);
     copy_text(handle->serial(), abilities.serial, BODKIN_TEXT);
-    abilities.peak_force = std::min(least, told > 0.0 ? told : model.force);
+    abilities.peak_force = std::min(least, reported > 0.0 ? reported : model.force);
     abilities.peak_torque = torques ? model.torque : 0.0;
     abilities.stiffness = model.stiffness;
     abilities.damping = model.damping;

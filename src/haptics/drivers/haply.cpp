@@ -22,7 +22,7 @@ namespace {
 using Clock = HaplyConnection::Clock;
 using namespace std::chrono_literals;
 
-constexpr auto round_patience = 5ms;     // a round without an answer by then goes on with the state before
+constexpr auto round_patience = 5ms;     // a round without an answer by then repeats the last state
 constexpr auto refused_after = 100ms;    // of forces that the service lets go idle
 constexpr auto start_patience = 2000ms;  // for the answer to the first message
 constexpr auto stop_patience = 500ms;    // for each of the answers at the end
@@ -60,7 +60,7 @@ const char* words_of(Cause cause) noexcept {
     case Cause::unplugged:
       return "Haply's Inverse service no longer lists the device: plug its USB cable in and start again";
     case Cause::without_position:
-      return "Haply's Inverse service no longer tells where the device is: see what Haply Hub says, and start again";
+      return "Haply's Inverse service no longer reports the device's position: check Haply Hub, and start again";
     case Cause::damaged:
       return "Haply's Inverse service sent a message that cannot be read: restart haply-inverse-service";
     case Cause::uncalibrated:
@@ -90,7 +90,7 @@ HaplyForceKey force_key_of(const DriverSettings& settings, const HaplyVersion& v
   return newer ? HaplyForceKey::vector : HaplyForceKey::values;
 }
 
-// The bit of the button that must be held; 0 where there is none.
+// The bit of the button that must be held; 0 for none.
 std::uint32_t dead_man_of(const DriverSettings& settings) {
   const std::string name = settings.text("dead_man", "none");
   if (name == "none") return 0;
@@ -236,7 +236,7 @@ class InverseDevice : public OpenDevice {
     connection_ = std::move(session.connection);
   }
 
-  // The first message of a start, and its answer; false where nobody answers.
+  // The first message of a start, and its answer; false when no answer arrives.
   bool begin(std::size_t& size) {
     const std::string_view message = introduced_ ? writer_.force(Vec3::Zero()) : writer_.introduction();
     introduced_ = true;
@@ -251,7 +251,7 @@ class InverseDevice : public OpenDevice {
     return connection_->receive(reader_.buffer(), size, Clock::now() + patience);
   }
 
-  // One message out and its answer in. Never more than one is under way, so that no force waits in a queue.
+  // One message out and its answer in. At most one is in flight, so that no force waits in a queue.
   Cause round(const bodkin_command& command) noexcept {
     const Cause before = cause_.load();
     if (before == Cause::silent || before == Cause::refused) return before;

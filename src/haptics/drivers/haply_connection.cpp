@@ -150,7 +150,7 @@ class TimedSocket {
     const auto end = asio::buffer_sequence_end(buffers);
     for (auto at = asio::buffer_sequence_begin(buffers); at != end && message.msg_iovlen < most_pieces; ++at) {
       const auto piece = *at;
-      // iovec serves both ways and so knows no const.
+      // iovec serves both directions and so knows no const.
       if (piece.size() > 0) pieces[message.msg_iovlen++] = {const_cast<void*>(piece.data()), piece.size()};
     }
     error = {};

@@ -21,8 +21,8 @@ struct HttpAnswer {
   std::string body;
 };
 
-// One GET. Throws DriverFailure{BODKIN_NOT_INSTALLED} where nobody listens, {BODKIN_COMMUNICATION_LOST} where nobody
-// answers within the patience or what comes is not HTTP; the message says how it failed and nothing else.
+// One GET. Throws DriverFailure{BODKIN_NOT_INSTALLED} when the port is closed, {BODKIN_COMMUNICATION_LOST} where
+// nobody answers within the patience or what comes is not HTTP; the message says how it failed and nothing else.
 HttpAnswer http_get(const HaplyAddress& address, const std::string& path, std::chrono::milliseconds patience);
 
 // A WebSocket on which every call ends by its deadline. Once a call has failed the connection is of no use.

@@ -76,7 +76,7 @@ HaplyVersion parse_haply_version(std::string_view body) {
   const std::size_t skip = version.text.starts_with('v') ? 1 : 0;
   const char* const end = version.text.data() + version.text.size();
   const auto [dot, error] = std::from_chars(version.text.data() + skip, end, version.major);
-  if (error != std::errc()) throw DriverFailure(BODKIN_WRONG_VERSION, "it tells no version");
+  if (error != std::errc()) throw DriverFailure(BODKIN_WRONG_VERSION, "it reports no version");
   if (dot != end && *dot == '.') std::from_chars(dot + 1, end, version.minor);
   return version;
 }

@@ -6,7 +6,7 @@
 
 namespace bodkin {
 
-// What Haply's service tells about itself and about what is connected to it, before anything is driven.
+// What Haply's service reports about itself and the connected devices, before any is driven.
 
 struct HaplyVersion {
   int major = 0, minor = 0;
@@ -31,7 +31,7 @@ struct HaplyInventory {
 };
 
 // The first message of a session. Entries without an identity of letters, digits and . : _ - are left out. Throws
-// DriverFailure{BODKIN_BAD_DATA}, likewise, for what is no inventory.
+// DriverFailure{BODKIN_BAD_DATA} for text that is not an inventory.
 HaplyInventory parse_haply_inventory(std::string_view text);
 
 }  // namespace bodkin

@@ -29,7 +29,7 @@ bool members(Value value, Use use) noexcept {
   return true;
 }
 
-// Likewise for the elements of a list.
+// The same check for the elements of a list.
 template <typename Use>
 bool elements(json::value value, Use use) noexcept {
   json::array array;

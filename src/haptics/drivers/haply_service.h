@@ -15,8 +15,8 @@ struct HaplyService {
   HaplyVersion version;
 };
 
-// Asks at the port of the settings, or at the service's two usual ones. Throws DriverFailure: nobody listens there,
-// somebody else does, or the service is too old. One sentence says what to do.
+// Asks at the port of the settings, or at the service's two usual ones. Throws DriverFailure: the port is closed,
+// another service answers, or the service is too old. One sentence says what to do.
 HaplyService find_haply_service(const DriverSettings& settings);
 
 // A session with the service and what it said of the devices at its begin.
@@ -25,7 +25,7 @@ struct HaplySession {
   HaplyInventory inventory;
 };
 
-// Throws DriverFailure, likewise.
+// Throws DriverFailure for the same reasons.
 HaplySession open_haply_session(const HaplyService& service);
 
 }  // namespace bodkin

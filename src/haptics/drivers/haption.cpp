@@ -104,12 +104,12 @@ class Connection {
 
   std::string name() const {
     int type = 0, serial = 0;
-    must(api_->virtGetDeviceID(context_, &type, &serial), "to tell its type");
+    must(api_->virtGetDeviceID(context_, &type, &serial), "to report its type");
     return type == 3 ? "Virtuose 6D" : type == 4 ? "Virtuose 6D Desktop" : "Virtuose of type " + std::to_string(type);
   }
   std::string serial() const {
     int type = 0, serial = 0;
-    must(api_->virtGetDeviceID(context_, &type, &serial), "to tell its serial number");
+    must(api_->virtGetDeviceID(context_, &type, &serial), "to report its serial number");
     return std::to_string(serial);
   }
 
@@ -223,7 +223,7 @@ class HaptionDevice : public OpenDevice {
     return result_of_haption(error);
   }
 
-  int told(int result, const char* trouble) noexcept {
+  int report(int result, const char* trouble) noexcept {
     trouble_.store(trouble);
     return result;
   }
@@ -249,10 +249,10 @@ class HaptionDevice : public OpenDevice {
     frame_.put_velocity(Vec3(speed[0], speed[1], speed[2]), state_);
     const Eigen::Quaterniond turn(pose[6], pose[3], pose[4], pose[5]);
     frame_.put_rotation(turn.normalized().toRotationMatrix(), state_);
-    if (chain == 0) return told(BODKIN_EMERGENCY_STOP, "the emergency stop is open: close it and start again");
-    if (power == 0) return told(BODKIN_EMERGENCY_STOP, "the motors' power is off: switch it on and start again");
-    if ((alarm & alarm_overheated) != 0) return told(BODKIN_OVERHEATED, "the motors are hot: let the device cool");
-    if ((alarm & alarm_position) != 0) return told(BODKIN_BAD_DATA, "the device reports an error of its position");
+    if (chain == 0) return report(BODKIN_EMERGENCY_STOP, "the emergency stop is open: close it and start again");
+    if (power == 0) return report(BODKIN_EMERGENCY_STOP, "the motors' power is off: switch it on and start again");
+    if ((alarm & alarm_overheated) != 0) return report(BODKIN_OVERHEATED, "the motors are hot: let the device cool");
+    if ((alarm & alarm_position) != 0) return report(BODKIN_BAD_DATA, "the device reports an error of its position");
     return BODKIN_OK;
   }
 

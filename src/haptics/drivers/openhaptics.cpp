@@ -18,8 +18,8 @@ namespace {
 using namespace openhaptics;
 
 constexpr long calibration_every = 10;   // ticks between two looks
-constexpr long temperature_every = 100;  // likewise
-constexpr long fault_shown = 20;         // ticks for which a fault that passes is told
+constexpr long temperature_every = 100;  // ticks between readings of the temperature
+constexpr long fault_shown = 20;         // ticks for which a passing fault is reported
 constexpr int oldest_version = 3;
 
 // Of an error in the loop.
@@ -148,7 +148,7 @@ class OpenHapticsDevice : public OpenDevice {
       check_version(hd_);
       check_calibration(hd_);
       session_->newest_error(device->id());
-      // What a device does not tell is an error on the stack that the tick reads, so it is asked for once here.
+      // What a device does not report leaves an error on the stack that the tick reads, so it is asked for once here.
       double temperatures[6] = {};
       hd_.hdGetDoublev(motor_temperature, temperatures);
       has_temperature_ = session_->newest_error(device->id()) == success;
@@ -180,7 +180,7 @@ class OpenHapticsDevice : public OpenDevice {
       abilities.stiffness = number(hd_, nominal_max_stiffness);
       abilities.damping = number(hd_, nominal_max_damping);
       abilities.measures_rotation = whole(hd_, input_freedoms) >= 6 ? 1 : 0;
-      session_->newest_error(device_->id());  // of what this model does not tell
+      session_->newest_error(device_->id());  // left by what this model does not report
     });
     const Vec3 half = frame_.to_operator * (0.5 * (high_ - low_));
     Eigen::Map<Vec3>(abilities.workspace_low) = -half.cwiseAbs();
@@ -231,7 +231,7 @@ class OpenHapticsDevice : public OpenDevice {
   }
 
  private:
-  static constexpr unsigned uncalibrated = 0xFFFF0000;  // beside the vendor's errors
+  static constexpr unsigned uncalibrated = 0xFFFF0000;  // in addition to the vendor's errors
 
   static unsigned run(void* self) noexcept { return static_cast<OpenHapticsDevice*>(self)->round(); }
 

@@ -36,14 +36,14 @@ struct Plan {
   double peak = 10.0;  // N
   std::uint64_t seed = 1;
 
-  double way() const noexcept { return start + depth; }
+  double deepest() const noexcept { return start + depth; }
   // mm along the axis from the start, `time` s after the session began.
   double place(double time) const noexcept {
     const double inwards = speed * (time - before);
-    const double outwards = way() - speed * (time - before - way() / speed - wait);
-    return std::clamp(std::min(inwards, outwards), 0.0, way());
+    const double outwards = deepest() - speed * (time - before - deepest() / speed - wait);
+    return std::clamp(std::min(inwards, outwards), 0.0, deepest());
   }
-  double duration() const noexcept { return before + 2.0 * way() / speed + wait + after; }
+  double duration() const noexcept { return before + 2.0 * deepest() / speed + wait + after; }
 };
 
 double radians(double degrees) {
@@ -58,7 +58,7 @@ Plan plan_of(const char* text) {
   plan.speed = settings.number("speed_mm_s", plan.speed, 0.1, 500.0);
   plan.start = settings.number("start_mm", plan.start, 0.0, 200.0);
   plan.depth = settings.number("depth_mm", plan.depth, -200.0, 300.0);
-  if (plan.way() < 0.0) {
+  if (plan.deepest() < 0.0) {
     throw DriverFailure(BODKIN_BAD_SETTINGS,
                         "the setting depth_mm lies above the start, expected at least -start_mm");
   }

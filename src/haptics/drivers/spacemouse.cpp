@@ -174,7 +174,7 @@ class SpaceMouseDevice : public OpenDevice {
     if (gone_.load()) dt = 0.0;
     const Vec3 before = position_;
     position_ = (position_ + feel_.axes * pull_ * (feel_.speed * dt)).cwiseMax(-feel_.reach).cwiseMin(feel_.reach);
-    // Rotations turn the other way round when the axes are mirrored.
+    // Rotations change sign when the axes are mirrored.
     const Vec3 turn = feel_.axes.determinant() * (feel_.axes * twist_) * (feel_.turn * dt);
     if (const double angle = turn.norm(); angle > 0.0) {
       rotation_ = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() * rotation_;

@@ -5,8 +5,8 @@
 
 namespace bodkin {
 
-// A vendor's axes, unit of length and unit of torque, and the way into the operator's frame (X right, Y away, Z up;
-// mm, N mm). Forces are N everywhere.
+// A vendor's axes, unit of length and unit of torque, and the transform into the operator's frame (X right, Y away, Z
+// up; mm, N mm). Forces are N everywhere.
 struct VendorFrame {
   Mat3 to_operator;          // M: the vendor's axes in the operator's frame
   Mat3 tool;                 // the tool of Bodkin (third axis hub to tip) in the vendor's tool
@@ -25,7 +25,7 @@ struct VendorFrame {
   void put_rotation(const Mat3& vendor, bodkin_state& state) const noexcept {
     Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(state.rotation) = to_operator * vendor * tool;
   }
-  // What the vendor must be told so that the hand feels `force` (operator's frame).
+  // The command, in the vendor's units, for the hand to feel `force` (operator's frame).
   Vec3 force_of(const bodkin_command& command) const noexcept {
     return to_operator.transpose() * Eigen::Map<const Vec3>(command.force);
   }
