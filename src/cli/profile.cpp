@@ -5,6 +5,7 @@
 
 #include "patient/prepared_body.h"
 #include "report/crossings.h"
+#include "report/diagnostic_plot.h"
 #include "report/force_plot.h"
 #include "study/straight_motion.h"
 #include <fmt/format.h>
@@ -41,7 +42,8 @@ constexpr const char* profile_footer = R"(Examples:
   bodkin profile patient --resistance "tracking_wall catch_up_s=0.3" --constraint "rail torsion_N_mm_per_rad=500"
   bodkin profile patient --resistance embedded_needle --deformation              with the tissue as it gives way
 
-Writes BASE.csv (a row per tick) and BASE.svg (force against depth with the tissues as bands).
+Writes BASE.csv (a row per tick) and BASE.svg (force against depth with the tissues as bands;
+below it what the force models publish, such as the position of the tracking wall).
 A path that starts with a minus sign needs an equals sign: --entry=-5,95,3)";
 
 nlohmann::json json_of(const Profile& profile, const std::vector<TissueCrossing>& crossings,
@@ -113,7 +115,12 @@ void run_profile(const ProfileArguments& arguments, const CommandContext& contex
   Plot plot = force_against_depth(profile.ticks, events, profile.dt, patient);
   plot.title = fmt::format("{}, {:g} mm/s, {}", patient.description.name, options.speed,
                            name_of(patient.description.haptics.resistance));
-  const std::string picture = plot_svg(plot);  // before any file is written: what fails leaves nothing behind
+  std::vector<Plot> plots = {plot};
+  std::vector<RecordedDiagnostic> published;
+  for (const DiagnosticName& one : profile.diagnostics)
+    published.push_back({std::string(one.name), std::string(one.title)});
+  for (Plot& one : diagnostics_against_depth(profile.ticks, published)) plots.push_back(std::move(one));
+  const std::string picture = plot_svg(plots);  // before any file is written: what fails leaves nothing behind
 
   std::string deformation;
   if (arguments.deformation && profile.strongest.forces.count > 0)

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "forces/device_stability.h"
 #include "forces/model_input.h"
 
 namespace bodkin {
@@ -54,6 +55,11 @@ Vec3 Beam::step(const Vec3& tip, const Vec3& axis) noexcept {
   const double k = stiffness(outside_.step(std::clamp(length_ - depth, 0.0, length_)));
   if (distance == 0.0) return Vec3::Zero();
   return offset * (-std::min(k * distance, limit_) / distance);
+}
+
+Beam::Beam(const Case& patient, const BeamSettings& settings, double dt)
+    : Beam(settings, patient.description.needle, dt) {
+  require_stable("beam", "largest stiffness", settings.largest_stiffness, patient.description.device);
 }
 
 }  // namespace bodkin

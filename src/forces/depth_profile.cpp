@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "forces/device_stability.h"
 #include "forces/model_input.h"
 
 namespace bodkin {
@@ -171,6 +172,23 @@ double DepthProfile::step(const AxialMotion& motion, TissueId tissue, TickEvents
   }
   if (in_bone_) force = std::max(force, settings_.bone_stiffness * (d - bone_));
   return std::clamp(force, 0.0, settings_.limit);
+}
+
+DepthProfile::DepthProfile(const Case& patient, const DepthProfileSettings& settings, double dt)
+    : DepthProfile(patient.library, settings, dt) {
+  const DeviceLimits& device = patient.description.device;
+  require_stable("depth_profile", "skin stiffness", settings.skin_stiffness, device);
+  require_stable("depth_profile", "bone stiffness", settings.bone_stiffness, device);
+  firm_stiffness_ = std::max(settings.bone_stiffness, settings.skin_stiffness);
+  for (const TissueProperties& tissue : patient.library.tissues()) {
+    require_stable("depth_profile", "the spring of " + tissue.title, tissue.depth_profile.stiffness, device);
+    firm_stiffness_ = std::max(firm_stiffness_, tissue.depth_profile.stiffness);
+  }
+}
+
+ResistanceForce DepthProfile::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
+  const double force = step(needle.motion, needle.tissue, events);
+  return {.along = force, .in_contact = needle.motion.depth > 0.0};
 }
 
 }  // namespace bodkin

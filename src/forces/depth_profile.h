@@ -9,6 +9,7 @@
 #include "core/one_pole.h"
 #include "forces/channel_memory.h"
 #include "forces/events.h"
+#include "forces/resistance_model.h"
 
 namespace bodkin {
 
@@ -25,18 +26,30 @@ namespace bodkin {
 //
 // d depth mm, Xr reference mm, k N/mm. A rising k is paid for by moving Xr (F continuous), a falling one lowers F:
 // the stored energy k (d - Xr)^2 / 2 never grows by itself, so the model is passive.
-class DepthProfile {
+class DepthProfile : public ResistanceDefaults {
  public:
+  using Settings = DepthProfileSettings;
+  static constexpr ResistanceTraits traits = {
+      .name = "depth_profile",
+      .diagnostics = {{{"reference_mm", "depth Xr where the spring is slack"}}},
+  };
+
   // Throws InputError for a setting outside its range. `dt`: s, 1e-6 to 0.1.
   DepthProfile(const TissueLibrary& library, const DepthProfileSettings& settings, double dt);
+  // Of a patient: also refuses what the device cannot render stably.
+  DepthProfile(const Case& patient, const DepthProfileSettings& settings, double dt);
 
   // The needle meets the skin at `entry` along the unit `direction`; a puncture that it knows is gone through freely.
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   // R in N, 0 to `limit`. Events: contact, puncture (value = force), bone_contact, bone_left, tissue_entered
   // (an organ, once per entry), withdrawn, fault (unusable motion: R = 0, state unchanged).
   double step(const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept;
+  ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
   // Forgets everything, the punctures too.
   void reset() noexcept;
+
+  double firm_stiffness() const noexcept { return firm_stiffness_; }
+  ModelDiagnostics diagnostics() const noexcept { return {reference_}; }
 
  private:
   void settle(double depth, TissueId tissue) noexcept;
@@ -59,6 +72,9 @@ class DepthProfile {
   double reference_ = 0.0;           // Xr, mm
   double k_ = 0.0;                   // stiffness that Xr refers to, N/mm
   double releasing_ = 0.0;           // ticks of withdrawal so far
+  double firm_stiffness_ = 0.0;      // N/mm, of skin, bone and the stiffest tissue
 };
+
+static_assert(ResistanceModel<DepthProfile>);
 
 }  // namespace bodkin

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "forces/device_stability.h"
 #include "forces/model_input.h"
 
 namespace bodkin {
@@ -44,6 +45,7 @@ double Fracture::stiffness_at_rupture() const noexcept {
 
 double Fracture::step(const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept {
   const double x = motion.depth;
+  stored_ = 0.0;
   if (!usable(motion)) {
     events.push({EventKind::fault, tissue, edge_.wall(), 0.0});
     return 0.0;
@@ -61,10 +63,11 @@ double Fracture::step(const AxialMotion& motion, TissueId tissue, TickEvents& ev
   }
   if (!torn_) {
     const double force = membrane_.elastic(x);
-    if (stored_energy(settings_.stiffness, settings_.spacing, x) <
-        settings_.toughness * settings_.width * settings_.thickness) {
+    stored_ = stored_energy(settings_.stiffness, settings_.spacing, x);
+    if (stored_ < settings_.toughness * settings_.width * settings_.thickness) {
       return std::min(force, settings_.limit);
     }
+    stored_ = 0.0;
     torn_ = true;
     events.push({EventKind::puncture, tissue, x, force});
     edge_.start(x - std::min(edge_.reach(), force / settings_.cutting_stiffness));  // never more than before
@@ -72,6 +75,17 @@ double Fracture::step(const AxialMotion& motion, TissueId tissue, TickEvents& ev
   const double force = edge_.step(x);
   channels_.deepen(edge_.wall());
   return std::min(force, settings_.limit);
+}
+
+Fracture::Fracture(const Case& patient, const FractureSettings& settings, double) : Fracture(settings) {
+  const DeviceLimits& device = patient.description.device;
+  require_stable("fracture", "cutting stiffness", settings.cutting_stiffness, device);
+  require_stable("fracture", "the stiffness at which the membrane tears", stiffness_at_rupture(), device);
+}
+
+ResistanceForce Fracture::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
+  const double force = step(needle.motion, needle.tissue, events);
+  return {.along = force, .in_contact = needle.motion.depth > 0.0};
 }
 
 }  // namespace bodkin

@@ -6,6 +6,7 @@
 #include "forces/channel_memory.h"
 #include "forces/cutting_edge.h"
 #include "forces/events.h"
+#include "forces/resistance_model.h"
 #include "forces/voigt_law.h"
 
 namespace bodkin {
@@ -35,24 +36,38 @@ constexpr double rupture_force(double base, double rate, double slowest, double 
 //   after    R = J_behind w, where tissue is still whole (cutting_edge.h)
 //
 // No velocity is needed; the needle's toughness and width decide. Passive.
-class Fracture {
+class Fracture : public ResistanceDefaults {
  public:
+  using Settings = FractureSettings;
+  static constexpr ResistanceTraits traits = {
+      .name = "fracture",
+      .diagnostics = {{{"stored_N_mm", "energy stored in the membrane"}, {"wall_mm", "depth W to which it is cut"}}},
+  };
+
   // Throws InputError for a setting outside its range.
   explicit Fracture(const FractureSettings& settings);
+  // Of a patient: also refuses what the device cannot render stably.
+  Fracture(const Case& patient, const FractureSettings& settings, double dt);
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   // R in N, 0 to `limit`. Events: contact, puncture (value = force), withdrawn, fault.
   double step(const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept;
+  ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
   void reset() noexcept;
   // N/mm, the membrane's tangent where it tears.
   double stiffness_at_rupture() const noexcept;
+  double firm_stiffness() const noexcept { return settings_.cutting_stiffness; }
+  ModelDiagnostics diagnostics() const noexcept { return {stored_, torn_ ? edge_.wall() : 0.0}; }
 
  private:
   FractureSettings settings_;
   VoigtLaw membrane_;
   ChannelMemory channels_;  // depths of torn channels
   CuttingEdge edge_;
+  double stored_ = 0.0;  // N mm, in the membrane while it is whole
   bool inside_ = false, torn_ = false;
 };
+
+static_assert(ResistanceModel<Fracture>);
 
 }  // namespace bodkin

@@ -17,6 +17,7 @@ constexpr double furthest_tenting = -10.0;  // mm, beyond which the skin lets go
 constexpr double sliver = 1.0;              // mm, a thinner run inside one tissue is noise of the labels
 constexpr double rough_cell = 0.1;          // mm
 constexpr double bone_slack = 0.2;          // mm off the bone before that is an event
+constexpr double longest_path = 400.0;      // mm of a patient's line; deeper is as 400 mm
 constexpr double least_grip_budget = 0.1;   // of the device's stiffness
 constexpr std::uint64_t rough_seed = 0x6e65656c65;
 
@@ -97,11 +98,9 @@ void Layered::begin() noexcept {
   last_punctured_ = -1;
   bone_near_ = std::numeric_limits<double>::infinity();
   last_depth_ = 0.0;
-  last_resistance_ = 0.0;
   softening_ = 1.0;
   viscous_ = 1.0;
   bone_reported_ = false;
-  loss_behind_ = -1;
 }
 
 // Makes blocks of the layers that the tip has reached. A run thinner than 1 mm (the voxel of the paper) with the same
@@ -169,10 +168,6 @@ void Layered::press(Block& block, const Law& law, const AxialMotion& motion, Sum
     block.contact = std::min(x, length(block));
     sums.gripped = true;
     events.push({EventKind::puncture, block.tissue, motion.depth, force});
-    if (block.tissue == tissue::ligamentum_flavum) {
-      loss_behind_ = static_cast<int>(&block - blocks_.data());
-      force_before_loss_ = std::max(last_resistance_, force);
-    }
     return;
   }
   sums.resistance += force;
@@ -184,6 +179,7 @@ void Layered::hold(Block& block, const Law& law, const AxialMotion& motion, doub
   block.strain += softening_ * advance;
   const double friction = law.grip.grip(block.strain, motion.velocity * viscous_);  // eq. 4
   sums.resistance += grip_ * friction * block.contact;
+  sums.shaft += grip_ * friction * block.contact;
   sums.friction_stiffness += grip_ * law.breakaway_tangent * block.contact;
   sums.held_stiffness += softening_ * grip_ * law.grip.tangent(std::abs(block.strain)) * block.contact;
   sums.gripped = true;
@@ -215,6 +211,7 @@ void Layered::slide(Block& block, const Law& law, const AxialMotion& motion, Sum
   if (law.rough && (back > 0.0 || ends)) slip = law.grip.inverse(std::min(dynamic, law.static_friction));
   const double friction = back > 0.0 ? law.grip.grip(sense * (slip - back), 0.0) : sense * dynamic;
   sums.resistance += grip_ * friction * block.contact;
+  sums.shaft += grip_ * friction * block.contact;
   sums.friction_stiffness += grip_ * law.breakaway_tangent * block.contact;
   if (ends) {
     block.mode = Mode::held;
@@ -242,17 +239,6 @@ void Layered::report_bone(double depth, bool in_bone, TickEvents& events) noexce
   } else if (bone_reported_ && depth < bone_near_ - bone_slack) {
     bone_reported_ = false;
     events.push({EventKind::bone_left, blocks_[known_ - 1].tissue, depth, 0.0});
-  }
-}
-
-void Layered::report_loss(double depth, TissueId at_tip, int tip_layer, double resistance,
-                          TickEvents& events) noexcept {
-  if (loss_behind_ < 0 || tip_layer <= blocks_[static_cast<std::size_t>(loss_behind_)].last) return;
-  loss_behind_ = -1;
-  const bool in_canal = at_tip == tissue::epidural_fat || at_tip == tissue::dura ||
-                        at_tip == tissue::cerebrospinal_fluid || at_tip == tissue::nerve;
-  if (in_canal) {
-    events.push({EventKind::loss_of_resistance, at_tip, depth, std::max(0.0, force_before_loss_ - resistance)});
   }
 }
 
@@ -297,16 +283,29 @@ LayeredForce Layered::step(const AxialMotion& motion, std::span<const TissueId> 
   softening_ = sums.friction_stiffness > budget ? budget / sums.friction_stiffness : 1.0;
 
   report_bone(motion.depth, in_bone, events);
-  const TissueId at_tip = tip_layer >= 0 ? layers[static_cast<std::size_t>(tip_layer)] : tissue::air;
-  report_loss(motion.depth, at_tip, tip_layer, sums.resistance, events);
-  last_resistance_ = sums.resistance;
-
   const bool in_contact = motion.depth > 0.0 || (sums.gripped && motion.depth > furthest_tenting);
   if (!in_contact) return {};
   return {.resistance = sums.resistance,
           .stiffness = sums.firm_stiffness + sums.held_stiffness,
+          .shaft = sums.shaft,
           .in_contact = true,
           .in_bone = in_bone};
+}
+
+LayeredResistance::LayeredResistance(const Case& patient, const LayeredSettings& settings, double dt)
+    : model_(patient.library, settings, patient.description.device.stiffness, dt, longest_path),
+      path_(settings.layer, longest_path),
+      volume_(&patient.tissues) {}
+
+void LayeredResistance::begin(const Vec3& entry, const Vec3& direction) noexcept {
+  path_.restart(entry, direction);
+  model_.begin();
+}
+
+ResistanceForce LayeredResistance::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
+  path_.extend_to(std::min(needle.motion.depth + model_.look_ahead(), longest_path), *volume_);
+  found_ = model_.step(needle.motion, path_.layers(), events, needle.grip);
+  return {.along = found_.resistance, .stiffness = found_.stiffness, .in_contact = found_.in_contact};
 }
 
 }  // namespace bodkin

@@ -10,6 +10,8 @@
 #include "anatomy/tissue.h"
 #include "core/axial_motion.h"
 #include "forces/events.h"
+#include "forces/resistance_model.h"
+#include "forces/tissue_path.h"
 #include "forces/voigt_law.h"
 
 namespace bodkin {
@@ -18,6 +20,7 @@ namespace bodkin {
 struct LayeredForce {
   double resistance = 0.0;  // N, positive pushes the hand out
   double stiffness = 0.0;   // N/mm, tangent of everything elastic that is active
+  double shaft = 0.0;       // N of the resistance, by the friction of the shaft
   bool in_contact = false;  // false: the needle has left the body, the line can be released
   bool in_bone = false;     // the tip is inside bone
 };
@@ -83,6 +86,7 @@ class Layered {
 
   struct Sums {
     double resistance = 0.0;
+    double shaft = 0.0;               // N of the resistance, by friction
     double firm_stiffness = 0.0;      // of pressed faces and bone
     double held_stiffness = 0.0;      // of held shaft, now
     double friction_stiffness = 0.0;  // of all gripped shaft at break-away, before softening
@@ -99,7 +103,6 @@ class Layered {
   double length(const Block& block) const noexcept { return (block.last - block.first + 1) * layer_; }
   double roughness(double depth) noexcept;
   void report_bone(double depth, bool in_bone, TickEvents& events) noexcept;
-  void report_loss(double depth, TissueId at_tip, int tip_layer, double resistance, TickEvents& events) noexcept;
 
   double layer_, dt_, device_stiffness_;
   bool strict_;
@@ -112,15 +115,42 @@ class Layered {
   int revealed_ = -1;        // last layer that belongs to a block
   int last_punctured_ = -1;  // l_p, first layer of the deepest punctured block
   double bone_near_ = std::numeric_limits<double>::infinity();
-  double last_depth_ = 0.0, last_resistance_ = 0.0;
+  double last_depth_ = 0.0;
   double softening_ = 1.0;  // of held shaft, this tick
   double grip_ = 1.0;       // factor on the shaft's friction, this tick
   double viscous_ = 1.0;    // 0 in bone, fades back to 1
   bool bone_reported_ = false;
-  int loss_behind_ = -1;  // block: a punctured ligamentum flavum whose loss is still to come, or -1
-  double force_before_loss_ = 0.0;
   std::int64_t rough_cell_ = std::numeric_limits<std::int64_t>::min();
   double rough_low_ = 0.0, rough_high_ = 0.0;
 };
+
+// `layered` in the tissues of a patient along the frozen line.
+class LayeredResistance : public ResistanceDefaults {
+ public:
+  using Settings = LayeredSettings;
+  static constexpr ResistanceTraits traits = {
+      .name = "layered",
+      .has_shaft_friction = true,
+      .feels_grip = true,
+      .diagnostics = {{{"tip_N", "force at the tip"}, {"shaft_N", "friction of the shaft"}}},
+  };
+
+  LayeredResistance(const Case& patient, const LayeredSettings& settings, double dt);
+
+  void begin(const Vec3& entry, const Vec3& direction) noexcept;
+  ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
+  void reset() noexcept { model_.begin(); }
+
+  double stiffness_scale() const noexcept { return model_.stiffness_scale(); }
+  ModelDiagnostics diagnostics() const noexcept { return {found_.resistance - found_.shaft, found_.shaft}; }
+
+ private:
+  Layered model_;
+  TissuePath path_;
+  const TissueVolume* volume_;
+  LayeredForce found_;  // in the last tick
+};
+
+static_assert(ResistanceModel<LayeredResistance>);
 
 }  // namespace bodkin

@@ -3,6 +3,7 @@
 #include "anatomy/case.h"
 #include "core/geometry.h"
 #include "core/one_pole.h"
+#include "forces/constraint_model.h"
 
 namespace bodkin {
 
@@ -16,13 +17,21 @@ namespace bodkin {
 // (core/sampled_stability.h).
 class LineSpring {
  public:
+  using Settings = LineSpringSettings;
+  static constexpr ConstraintTraits traits = {.name = "line_spring"};
+
   // Throws InputError for values outside the ranges of LineSpringSettings. `device_stiffness`: N/mm, > 0.
   LineSpring(const LineSpringSettings& settings, double device_stiffness, double dt);
+  LineSpring(const Case& patient, const LineSpringSettings& settings, double dt)
+      : LineSpring(settings, patient.description.device.stiffness, dt) {}
 
   // Freezes the line through `entry` along the unit vector `direction`.
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   // Force on the hand, N, with the tip at `tip`.
   Vec3 step(const Vec3& tip) noexcept;
+
+  void begin(const Vec3& entry, const Vec3& direction, const Vec3&) noexcept { begin(entry, direction); }
+  Wrench step(const HeldNeedle& needle) noexcept { return {step(needle.tip), Vec3::Zero()}; }
 
   double stiffness() const noexcept { return stiffness_; }
   double damping() const noexcept { return damping_; }
@@ -34,5 +43,7 @@ class LineSpring {
   Vec3 offset_ = Vec3::Zero();  // w of the tick before
   Vec3 rate_ = Vec3::Zero();    // dw/dt, low pass of 50 Hz
 };
+
+static_assert(ConstraintModel<LineSpring>);
 
 }  // namespace bodkin

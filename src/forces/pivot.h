@@ -2,6 +2,7 @@
 
 #include "anatomy/force_settings.h"
 #include "core/geometry.h"
+#include "forces/constraint_model.h"
 
 namespace bodkin {
 
@@ -18,13 +19,21 @@ namespace bodkin {
 // (docs/models/pivot.md).
 class Pivot {
  public:
+  using Settings = PivotSettings;
+  static constexpr ConstraintTraits traits = {.name = "pivot"};
+
   // Throws InputError for a setting outside its range. `length`: mm, hub to tip, 10 to 500.
   Pivot(const PivotSettings& settings, double length);
+  Pivot(const Case& patient, const PivotSettings& settings, double)
+      : Pivot(settings, patient.description.needle.length) {}
 
   // Freezes the pivot at `entry` and the direction (unit).
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   // Force on the hand at the hub, LPS N. Zero for input that is not finite.
   Vec3 step(const Vec3& tip, const Vec3& axis) const noexcept;
+
+  void begin(const Vec3& entry, const Vec3& direction, const Vec3&) noexcept { begin(entry, direction); }
+  Wrench step(const HeldNeedle& needle) const noexcept { return from_hub(step(needle.tip, needle.axis), needle); }
 
  private:
   PivotSettings settings_;
@@ -32,5 +41,7 @@ class Pivot {
   Vec3 entry_ = Vec3::Zero();
   Vec3 direction_ = Vec3::UnitZ();
 };
+
+static_assert(ConstraintModel<Pivot>);
 
 }  // namespace bodkin

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "forces/device_stability.h"
 #include "forces/model_input.h"
 
 namespace bodkin {
@@ -47,6 +48,16 @@ Wrench Rail::step(const Vec3& tip, const Vec3& axis) const noexcept {
     wrench.force = aside * (-std::min(settings_.stiffness * distance, settings_.limit) / distance);
   }
   wrench.torque = torque(axis, depth);
+  return wrench;
+}
+
+Rail::Rail(const Case& patient, const RailSettings& settings, double) : Rail(settings) {
+  require_stable("rail", "stiffness", settings.stiffness, patient.description.device);
+}
+
+Wrench Rail::step(const HeldNeedle& needle) const noexcept {
+  Wrench wrench = step(needle.tip, needle.axis);
+  if (needle.resistance_holds_it) wrench.force.setZero();
   return wrench;
 }
 

@@ -2,6 +2,7 @@
 
 #include "anatomy/force_settings.h"
 #include "core/geometry.h"
+#include "forces/constraint_model.h"
 
 namespace bodkin {
 
@@ -17,8 +18,13 @@ namespace bodkin {
 // roll is free. g grows with depth at no cost along the needle, as in the paper: **active**, see docs/models/rail.md.
 class Rail {
  public:
+  using Settings = RailSettings;
+  static constexpr ConstraintTraits traits = {.name = "rail"};
+
   // Throws InputError for a setting outside its range.
   explicit Rail(const RailSettings& settings);
+  // Of a patient: also refuses what the device cannot render stably.
+  Rail(const Case& patient, const RailSettings& settings, double dt);
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   // The point of the line nearest to `proxy`.
@@ -26,6 +32,8 @@ class Rail {
   // Lateral force at the tip and torque, on the hand. Zero for input that is not finite. A resistance that has a
   // proxy of its own (`volume_proxy`) takes project() instead of the force, and only the torque from here.
   Wrench step(const Vec3& tip, const Vec3& axis) const noexcept;
+  void begin(const Vec3& entry, const Vec3& direction, const Vec3&) noexcept { begin(entry, direction); }
+  Wrench step(const HeldNeedle& needle) const noexcept;
   // The torque alone, N mm.
   Vec3 torque(const Vec3& axis, double depth) const noexcept;
 
@@ -34,5 +42,7 @@ class Rail {
   Vec3 entry_ = Vec3::Zero();
   Vec3 direction_ = Vec3::UnitZ();
 };
+
+static_assert(ConstraintModel<Rail>);
 
 }  // namespace bodkin

@@ -1,10 +1,19 @@
 #include "forces/shaft_friction.h"
 
 #include <algorithm>
+#include <string>
 
 #include "forces/model_input.h"
 
 namespace bodkin {
+
+namespace {
+
+constexpr double path_layer = 0.5;        // mm between tissue samples along the line
+constexpr double longest_path = 400.0;    // mm; deeper is as 400 mm
+constexpr double least_hold_share = 0.1;  // of the device's stiffness, left to the friction's spring
+
+}  // namespace
 
 ShaftContact shaft_contact(std::span<const TissueId> layers, double layer, double depth,
                            const std::array<ShaftFrictionTissue, 256>& tissues) noexcept {
@@ -50,6 +59,40 @@ double ShaftFriction::step(const AxialMotion& motion, const ShaftContact& contac
     stretch_ = steady + (stretch_ - steady) * std::exp(-contact.stiffness * std::abs(dx) / g);
   }
   return contact.stiffness * stretch_ + contact.viscous * motion.velocity;
+}
+
+ShaftFrictionResistance::ShaftFrictionResistance(const Case& patient, const ShaftFrictionSettings& settings, double,
+                                                 double firm)
+    : model_(settings),
+      tissues_(patient.library.by_id(&TissueProperties::shaft_friction)),
+      path_(path_layer, longest_path),
+      volume_(&patient.tissues),
+      budget_(std::max(patient.description.device.stiffness - firm,
+                       least_hold_share * patient.description.device.stiffness)) {
+  for (const TissueProperties& tissue : patient.library.tissues()) {
+    const ShaftFrictionTissue& here = tissue.shaft_friction;
+    const std::string of = " of " + tissue.title;
+    check_setting("shaft_friction", "Coulomb friction" + of, "N/mm", here.coulomb, 0.0, 10.0);
+    check_setting("shaft_friction", "static friction" + of, "N/mm", here.static_force, here.coulomb, 10.0);
+    check_setting("shaft_friction", "stiffness" + of, "N/mm^2", here.stiffness, 1e-6, 100.0);
+    check_setting("shaft_friction", "viscous friction" + of, "N s/mm^2", here.viscous, 0.0, 1.0);
+  }
+}
+
+void ShaftFrictionResistance::begin(const Vec3& entry, const Vec3& direction) noexcept {
+  path_.restart(entry, direction);
+  model_.begin();
+}
+
+ResistanceForce ShaftFrictionResistance::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
+  const double depth = std::min(needle.motion.depth, longest_path);
+  path_.extend_to(depth, *volume_);
+  ShaftContact contact = shaft_contact(path_.layers(), path_layer, depth, tissues_);
+  contact.coulomb *= needle.grip;
+  contact.static_force *= needle.grip;
+  // A long shaft stretches tissue over a longer way.
+  contact.stiffness = std::min(contact.stiffness * needle.grip, budget_);
+  return {.along = model_.step(needle.motion, contact, events), .in_contact = needle.motion.depth > 0.0};
 }
 
 }  // namespace bodkin

@@ -8,6 +8,8 @@
 #include "anatomy/tissue.h"
 #include "core/axial_motion.h"
 #include "forces/events.h"
+#include "forces/resistance_model.h"
+#include "forces/tissue_path.h"
 
 namespace bodkin {
 
@@ -56,5 +58,37 @@ class ShaftFriction {
   double last_depth_ = 0.0;  // mm
   bool fresh_ = true;
 };
+
+// The friction of the shaft in the tissues of a patient along the frozen line: as a resistance of its own, and as the
+// part that is added to resistances without one.
+class ShaftFrictionResistance : public ResistanceDefaults {
+ public:
+  using Settings = ShaftFrictionSettings;
+  static constexpr ResistanceTraits traits = {
+      .name = "shaft_friction",
+      .has_shaft_friction = true,
+      .feels_grip = true,
+      .diagnostics = {{{"stretch_mm", "stretch z of the tissue on the shaft"}}},
+  };
+
+  // Throws InputError for settings or tissues outside their ranges. `firm`: N/mm of the device's stiffness that
+  // another resistance has already, see ResistanceDefaults::firm_stiffness().
+  ShaftFrictionResistance(const Case& patient, const ShaftFrictionSettings& settings, double dt, double firm = 0.0);
+
+  void begin(const Vec3& entry, const Vec3& direction) noexcept;
+  ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
+  void reset() noexcept { model_.reset(); }
+
+  ModelDiagnostics diagnostics() const noexcept { return {model_.stretch()}; }
+
+ private:
+  ShaftFriction model_;
+  std::array<ShaftFrictionTissue, 256> tissues_;  // 256, by TissueId
+  TissuePath path_;
+  const TissueVolume* volume_;
+  double budget_;  // N/mm that the tissue's spring on the shaft may have
+};
+
+static_assert(ResistanceModel<ShaftFrictionResistance>);
 
 }  // namespace bodkin

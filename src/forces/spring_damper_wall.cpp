@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "forces/device_stability.h"
 #include "forces/model_input.h"
 
 namespace bodkin {
@@ -22,6 +23,20 @@ double SpringDamperWall::step(const AxialMotion& motion, TissueId tissue, TickEv
   if (motion.depth < settings_.wall) return 0.0;
   const double force = settings_.stiffness * (motion.depth - settings_.wall) + settings_.damping * motion.velocity;
   return std::clamp(force, 0.0, settings_.limit);  // eq. 2; a wall pushes, it never holds
+}
+
+SpringDamperWall::SpringDamperWall(const Case& patient, const SpringDamperWallSettings& settings, double dt)
+    : SpringDamperWall(settings) {
+  const DeviceLimits& device = patient.description.device;
+  require_stable("spring_damper_wall", "stiffness", settings.stiffness, device);
+  require_stable_damping("spring_damper_wall", settings.stiffness, settings.damping, device, dt);
+}
+
+ResistanceForce SpringDamperWall::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
+  const double force = step(needle.motion, needle.tissue, events);
+  penetration_ = std::max(0.0, needle.motion.depth - settings_.wall);
+  return {
+      .along = force, .stiffness = force > 0.0 ? settings_.stiffness : 0.0, .in_contact = needle.motion.depth > 0.0};
 }
 
 }  // namespace bodkin

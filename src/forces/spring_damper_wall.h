@@ -4,6 +4,7 @@
 #include "anatomy/tissue.h"
 #include "core/axial_motion.h"
 #include "forces/events.h"
+#include "forces/resistance_model.h"
 
 namespace bodkin {
 
@@ -13,17 +14,34 @@ namespace bodkin {
 //
 // x depth of the tip mm, v its speed mm/s, both positive inwards; R pushes the hand out. It has no memory of any
 // kind: no puncture, no relaxation, no channel. Entering at speed makes one bounded step B v. docs/models has more.
-class SpringDamperWall {
+class SpringDamperWall : public ResistanceDefaults {
  public:
+  using Settings = SpringDamperWallSettings;
+  static constexpr ResistanceTraits traits = {
+      .name = "spring_damper_wall",
+      .can_relax = true,
+      .diagnostics = {{{"penetration_mm", "depth behind the wall"}}},
+  };
+
   // Throws InputError for a setting outside its range.
   explicit SpringDamperWall(const SpringDamperWallSettings& settings);
+  // Of a patient: also refuses what the device cannot render stably.
+  SpringDamperWall(const Case& patient, const SpringDamperWallSettings& settings, double dt);
 
   // R in N, 0 to `limit`. Unusable motion (model_input.h): 0 and a `fault` event.
   double step(const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept;
+  ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
+  void begin(const Vec3&, const Vec3&) noexcept {}
   void reset() noexcept {}
+
+  double firm_stiffness() const noexcept { return settings_.stiffness; }
+  ModelDiagnostics diagnostics() const noexcept { return {penetration_}; }
 
  private:
   SpringDamperWallSettings settings_;
+  double penetration_ = 0.0;  // mm
 };
+
+static_assert(ResistanceModel<SpringDamperWall>);
 
 }  // namespace bodkin

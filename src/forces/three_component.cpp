@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "forces/device_stability.h"
 #include "forces/model_input.h"
 
 namespace bodkin {
@@ -56,6 +57,7 @@ double ThreeComponent::friction(const AxialMotion& motion) noexcept {
 
 double ThreeComponent::step(const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept {
   const double x = motion.depth;
+  cutting_ = friction_ = 0.0;
   if (!usable(motion)) {
     events.push({EventKind::fault, tissue, last_depth_, 0.0});
     return 0.0;
@@ -82,10 +84,27 @@ double ThreeComponent::step(const AxialMotion& motion, TissueId tissue, TickEven
     stretch_ = 0.0;
     last_depth_ = x;
   }
-  const double force = edge_.step(x) + friction(motion);
+  cutting_ = edge_.step(x);
+  friction_ = friction(motion);
+  const double force = cutting_ + friction_;
   channels_.deepen(edge_.wall());
   last_depth_ = x;
   return std::clamp(force, -settings_.limit, settings_.limit);
+}
+
+ThreeComponent::ThreeComponent(const Case& patient, const ThreeComponentSettings& settings, double)
+    : ThreeComponent(settings) {
+  const DeviceLimits& device = patient.description.device;
+  require_stable("three_component", "cutting stiffness", settings.cutting_stiffness, device);
+  // R = a1 x + a2 x^2 has its steepest slope where it breaks: dR/dx = sqrt(a1^2 + 4 a2 R).
+  require_stable("three_component", "the stiffness at which the capsule gives way",
+                 std::sqrt(settings.linear * settings.linear + 4.0 * settings.quadratic * settings.puncture_force),
+                 device);
+}
+
+ResistanceForce ThreeComponent::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
+  const double force = step(needle.motion, needle.tissue, events);
+  return {.along = force, .in_contact = needle.motion.depth > 0.0};
 }
 
 }  // namespace bodkin

@@ -6,6 +6,7 @@
 #include "forces/channel_memory.h"
 #include "forces/cutting_edge.h"
 #include "forces/events.h"
+#include "forces/resistance_model.h"
 
 namespace bodkin {
 
@@ -18,16 +19,28 @@ namespace bodkin {
 //
 // A simulator does not know the force that a hand applies, which Karnopp's band needs; inside it a Dahl spring (see
 // shaft_friction.h) holds with at most D. Cutting acts where tissue is still whole (cutting_edge.h). Passive.
-class ThreeComponent {
+class ThreeComponent : public ResistanceDefaults {
  public:
+  using Settings = ThreeComponentSettings;
+  static constexpr ResistanceTraits traits = {
+      .name = "three_component",
+      .has_shaft_friction = true,
+      .diagnostics = {{{"cutting_N", "cutting force"}, {"friction_N", "friction of the shaft"}}},
+  };
+
   // Throws InputError for a setting outside its range.
   explicit ThreeComponent(const ThreeComponentSettings& settings);
+  // Of a patient: also refuses what the device cannot render stably.
+  ThreeComponent(const Case& patient, const ThreeComponentSettings& settings, double dt);
 
   // Meets the capsule at `entry` along the unit `direction`; a punctured channel (1 mm, 3 degrees) stays so.
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   // R in N, -limit to limit. Events: contact, puncture (value = force), withdrawn, fault.
   double step(const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept;
+  ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
   void reset() noexcept;
+
+  ModelDiagnostics diagnostics() const noexcept { return {cutting_, friction_}; }
 
  private:
   double friction(const AxialMotion& motion) noexcept;
@@ -35,9 +48,12 @@ class ThreeComponent {
   ThreeComponentSettings settings_;
   ChannelMemory channels_;  // depths of punctured channels
   CuttingEdge edge_;
-  double stretch_ = 0.0;     // z, mm
-  double last_depth_ = 0.0;  // mm
+  double stretch_ = 0.0;                   // z, mm
+  double last_depth_ = 0.0;                // mm
+  double cutting_ = 0.0, friction_ = 0.0;  // N, of the last tick
   bool inside_ = false, punctured_ = false;
 };
+
+static_assert(ResistanceModel<ThreeComponent>);
 
 }  // namespace bodkin

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "forces/device_stability.h"
 #include "forces/model_input.h"
 
 namespace bodkin {
@@ -35,7 +36,8 @@ TrackingWall::TrackingWall(const TissueLibrary& library, const TrackingWallSetti
     : settings_(settings),
       tissues_(library.by_id(&TissueProperties::tracking_wall)),
       dt_(dt),
-      channels_(settings.channel_radius, settings.channel_tilt) {
+      channels_(settings.channel_radius, settings.channel_tilt),
+      firm_stiffness_(stiffest_wall(library)) {
   check_tracking_wall(library, settings, "tracking_wall");
   check_tick("tracking_wall", dt);
   reset();
@@ -125,6 +127,31 @@ double TrackingWall::step(const AxialMotion& motion, TissueId tissue, TickEvents
     wall_ = surface + channels_.deepest();
   }
   return std::min(force, settings_.limit);
+}
+
+void require_stable_walls(const Case& patient, const TrackingWallSettings& settings) {
+  const DeviceLimits& device = patient.description.device;
+  for (const TissueProperties& tissue : patient.library.tissues())
+    require_stable("tracking_wall", "the spring of " + tissue.title, tissue.tracking_wall.stiffness, device);
+  for (const TrackingWallDepthLayer& layer : settings.layers)
+    require_stable("tracking_wall", "the spring of a layer", layer.layer.stiffness, device);
+}
+
+double stiffest_wall(const TissueLibrary& library) {
+  double stiffest = 0.0;
+  for (const TissueProperties& tissue : library.tissues())
+    stiffest = std::max(stiffest, tissue.tracking_wall.stiffness);
+  return stiffest;
+}
+
+TrackingWall::TrackingWall(const Case& patient, const TrackingWallSettings& settings, double dt)
+    : TrackingWall(patient.library, settings, dt) {
+  require_stable_walls(patient, settings);
+}
+
+ResistanceForce TrackingWall::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
+  const double force = step(needle.motion, needle.tissue, events);
+  return {.along = force, .in_contact = needle.motion.depth > 0.0};
 }
 
 }  // namespace bodkin

@@ -9,11 +9,17 @@
 #include "core/axial_motion.h"
 #include "forces/channel_memory.h"
 #include "forces/events.h"
+#include "forces/resistance_model.h"
 
 namespace bodkin {
 
 // Throws InputError for settings or tissues outside their ranges; `model` names the culprit.
 void check_tracking_wall(const TissueLibrary& library, const TrackingWallSettings& settings, const char* model);
+
+// Throws InputError when a tissue or layer has a spring that the device of the patient cannot render stably.
+void require_stable_walls(const Case& patient, const TrackingWallSettings& settings);
+// The stiffest tissue, N/mm.
+double stiffest_wall(const TissueLibrary& library);
 
 // A spring whose wall W follows the tip at the distance D = f_R / K_t, so that the force stops growing at f_R; at
 // rest the wall catches up with the tip and the force fades; a channel that is cut already is free to its old depth.
@@ -28,22 +34,34 @@ void check_tracking_wall(const TissueLibrary& library, const TrackingWallSetting
 // only ever given up, so the wall is passive, except when `strict`.
 //
 // In three dimensions the scalar law runs along the frozen insertion line: F_hand = -R u, wall at entry + W u.
-class TrackingWall {
+class TrackingWall : public ResistanceDefaults {
  public:
+  using Settings = TrackingWallSettings;
+  static constexpr ResistanceTraits traits = {
+      .name = "tracking_wall",
+      .can_relax = true,
+      .diagnostics = {{{"wall_mm", "position W of the wall"}}},
+  };
+
   // Throws InputError for a setting outside its range. `dt`: s, 1e-6 to 0.1.
   TrackingWall(const TissueLibrary& library, const TrackingWallSettings& settings, double dt);
+  // Of a patient: also refuses what the device cannot render stably.
+  TrackingWall(const Case& patient, const TrackingWallSettings& settings, double dt);
 
   // The needle meets the skin at `entry` along the unit `direction`: opens a channel, or goes back to one.
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   // R in N, 0 to `limit`. `tissue` at the tip chooses the layer unless the settings give layers by depth.
   // Events: contact, withdrawn, fault (unusable motion: R = 0, state unchanged).
   double step(const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept;
+  ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
   // Forgets everything, the channels too.
   void reset() noexcept;
 
   // W, mm along the line.
   double wall() const noexcept { return wall_; }
   const ChannelMemory& channels() const noexcept { return channels_; }
+  double firm_stiffness() const noexcept { return firm_stiffness_; }
+  ModelDiagnostics diagnostics() const noexcept { return {wall_}; }
 
  private:
   enum class Mode : std::uint8_t { outside, free, insert, stop, unload };
@@ -62,6 +80,9 @@ class TrackingWall {
   double stop_depth_ = 0.0;  // x_s, mm
   double stop_ticks_ = 0.0;  // ticks since the stop
   double last_stop_ = 0.0;   // x_t0 of eq. 7, for `strict`, mm
+  double firm_stiffness_;    // of the stiffest tissue, N/mm
 };
+
+static_assert(ResistanceModel<TrackingWall>);
 
 }  // namespace bodkin

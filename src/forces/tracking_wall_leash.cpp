@@ -7,7 +7,10 @@
 namespace bodkin {
 
 TrackingWallLeash::TrackingWallLeash(const TissueLibrary& library, const TrackingWallSettings& settings, double dt)
-    : settings_(settings), tissues_(library.by_id(&TissueProperties::tracking_wall)), dt_(dt) {
+    : settings_(settings),
+      tissues_(library.by_id(&TissueProperties::tracking_wall)),
+      dt_(dt),
+      firm_stiffness_(stiffest_wall(library)) {
   check_tracking_wall(library, settings, "tracking_wall (leash)");
   check_tick("tracking_wall (leash)", dt);
 }
@@ -86,6 +89,17 @@ Vec3 TrackingWallLeash::step(const Vec3& tip, const AxialMotion& motion, TissueI
   const Vec3 force = -layer.stiffness * leash;
   const double size = force.norm();
   return size > settings_.limit ? Vec3(force * (settings_.limit / size)) : force;
+}
+
+TrackingWallLeash::TrackingWallLeash(const Case& patient, const TrackingWallSettings& settings, double dt)
+    : TrackingWallLeash(patient.library, settings, dt) {
+  require_stable_walls(patient, settings);
+}
+
+ResistanceForce TrackingWallLeash::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
+  const Vec3 force = step(needle.tip, needle.motion, needle.tissue, events);
+  const double along = -force.dot(direction_);
+  return {.along = along, .across = force + along * direction_, .in_contact = needle.motion.depth > 0.0};
 }
 
 }  // namespace bodkin

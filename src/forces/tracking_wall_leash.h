@@ -15,18 +15,30 @@ namespace bodkin {
 // When the tip has backed off until the leash no longer points inwards (d . u <= 0) the force is zero, until x passes
 // the deepest depth of this entry again. Without that rule the leash would be friction that pulls inwards on
 // withdrawal. Uses surface = 0 and ignores `strict` and the memory of channels: another entry begins anew.
-class TrackingWallLeash {
+class TrackingWallLeash : public ResistanceDefaults {
  public:
+  using Settings = TrackingWallSettings;
+  static constexpr ResistanceTraits traits = {
+      .name = "tracking_wall",
+      .diagnostics = {{{"wall_mm", "position W of the wall"}}},
+  };
+
   // Throws InputError for a setting outside its range. `dt`: s, 1e-6 to 0.1.
   TrackingWallLeash(const TissueLibrary& library, const TrackingWallSettings& settings, double dt);
+  // Of a patient: also refuses what the device cannot render stably.
+  TrackingWallLeash(const Case& patient, const TrackingWallSettings& settings, double dt);
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   // Force on the hand, LPS N, at most `limit`. `motion` is that of the depth x. Events: contact, withdrawn, fault.
   Vec3 step(const Vec3& tip, const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept;
+  ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
   void reset() noexcept;
 
   // W, LPS mm.
   const Vec3& wall() const noexcept { return wall_; }
+  double firm_stiffness() const noexcept { return firm_stiffness_; }
+  // W along the line.
+  ModelDiagnostics diagnostics() const noexcept { return {(wall_ - entry_).dot(direction_)}; }
 
  private:
   const TrackingWallTissue& layer_at(double depth, TissueId tissue) const noexcept;
@@ -42,6 +54,9 @@ class TrackingWallLeash {
   double stiffness_ = 0.0;  // K_t of the layer that W refers to, N/mm; 0 outside
   double deepest_ = 0.0;    // mm
   bool inside_ = false, free_ = false, stopped_ = false;
+  double firm_stiffness_;  // of the stiffest tissue, N/mm
 };
+
+static_assert(ResistanceModel<TrackingWallLeash>);
 
 }  // namespace bodkin

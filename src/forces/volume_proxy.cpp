@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "forces/device_stability.h"
 #include "forces/model_input.h"
 
 namespace bodkin {
@@ -106,6 +107,32 @@ Vec3 VolumeProxy::step(const Vec3& tip, const Rail* rail, TickEvents& events) no
   const Vec3 force = -settings_.stiffness * (tip - proxy_);  // eq. 1
   const double size = force.norm();
   return size > settings_.limit ? Vec3(force * (settings_.limit / size)) : force;
+}
+
+VolumeProxy::VolumeProxy(const Case& patient, const VolumeProxySettings& settings, std::unique_ptr<HapticField> field,
+                         double dt)
+    : VolumeProxy(patient.library, settings, *field, dt) {
+  own_field_ = std::move(field);
+}
+
+VolumeProxy::VolumeProxy(const Case& patient, const VolumeProxySettings& settings, double dt)
+    : VolumeProxy(patient, settings,
+                  std::make_unique<HapticField>(patient.ct, patient.tissues, patient.library, settings.field), dt) {
+  require_stable("volume_proxy", "stiffness", settings.stiffness, patient.description.device);
+}
+
+void VolumeProxy::begin(const Vec3&, const Vec3& direction) noexcept {
+  reset();
+  direction_ = direction;
+}
+
+ResistanceForce VolumeProxy::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
+  const Vec3 force = step(needle.tip, needle.rail, events);
+  const double along = -force.dot(direction_);
+  return {.along = along,
+          .across = force + along * direction_,
+          .stiffness = settings_.stiffness,
+          .in_contact = needle.motion.depth > 0.0};
 }
 
 }  // namespace bodkin

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "anatomy/force_settings.h"
@@ -8,6 +9,7 @@
 #include "forces/events.h"
 #include "forces/haptic_field.h"
 #include "forces/rail.h"
+#include "forces/resistance_model.h"
 
 namespace bodkin {
 
@@ -28,27 +30,46 @@ Vec3 advance_proxy(const Vec3& proxy, const Vec3& tip, const Vec3& normal, const
 // T_N is scaled by smoothstep(|grad V|/g_ref), so that walls fade with their gradient. Every move of the proxy
 // shortens d, so stored energy is only given up: passive. With a rail the proxy is projected onto the insertion line
 // before the force is taken. Readings: docs/models/volume_proxy.md.
-class VolumeProxy {
+class VolumeProxy : public ResistanceDefaults {
  public:
+  using Settings = VolumeProxySettings;
+  static constexpr ResistanceTraits traits = {
+      .name = "volume_proxy",
+      .holds_laterally = true,
+      .diagnostics = {{{"proxy_x_mm", "proxy, L"}, {"proxy_y_mm", "proxy, P"}, {"proxy_z_mm", "proxy, S"}}},
+  };
+
   // Throws InputError for a setting outside its range. `dt`: s, 1e-6 to 0.1. `field` must outlive the object.
   VolumeProxy(const TissueLibrary& library, const VolumeProxySettings& settings, const HapticField& field, double dt);
+  // Of a patient, whose field it makes and keeps: also refuses what the device cannot render stably.
+  VolumeProxy(const Case& patient, const VolumeProxySettings& settings, double dt);
 
   // Force on the hand, LPS N, at most `limit`. `rail`: nullptr = the tip is free. The first call puts the proxy at
   // the tip. A tip that is not finite or farther than 1e4 mm: zero, a `fault` event, state unchanged.
   Vec3 step(const Vec3& tip, const Rail* rail, TickEvents& events) noexcept;
+  void begin(const Vec3& entry, const Vec3& direction) noexcept;
+  ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
   void reset() noexcept { placed_ = false; }
 
   const Vec3& proxy() const noexcept { return proxy_; }
+  double firm_stiffness() const noexcept { return settings_.stiffness; }
+  ModelDiagnostics diagnostics() const noexcept { return {proxy_.x(), proxy_.y(), proxy_.z()}; }
 
  private:
+  VolumeProxy(const Case& patient, const VolumeProxySettings& settings, std::unique_ptr<HapticField> field,
+              double dt);
   ProxyProperties properties(const FieldSample& here) const noexcept;
 
   VolumeProxySettings settings_;
   std::array<ProxyProperties, 256> tissues_;  // 256, by TissueId
+  std::unique_ptr<HapticField> own_field_;    // of a patient
   const HapticField* field_;
   double dt_;
   Vec3 proxy_ = Vec3::Zero();
+  Vec3 direction_ = Vec3::UnitZ();  // of the frozen line
   bool placed_ = false;
 };
+
+static_assert(ResistanceModel<VolumeProxy>);
 
 }  // namespace bodkin

@@ -1,6 +1,7 @@
 #include "report/compare_plot.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "report/crossings.h"
 #include "report/force_plot.h"
@@ -8,6 +9,9 @@
 namespace bodkin {
 
 namespace {
+
+// Diagnostics that are a place on the needle's line, mm, to be compared with its depth.
+constexpr std::string_view places_on_line[] = {"wall_mm", "reference_mm"};
 
 struct Look {
   std::string_view name;
@@ -116,6 +120,10 @@ std::vector<Plot> comparison_plots(const Comparison& comparison, const TissueLib
       series.y.push_back(run.force[tick]);
     }
   };
+  Plot places = over_time;
+  places.y_label = "place on the line, mm";
+  places.height = 220.0;
+  places.series.push_back({.name = "tip", .x = time, .y = comparison.depth, .colour = 0x9AA7B1, .width = 1.0});
   double highest = 0.0;
   std::size_t others = 0;
   for (const ModelRun& run : comparison.models) {
@@ -129,8 +137,23 @@ std::vector<Plot> comparison_plots(const Comparison& comparison, const TissueLib
     over_depth.series.push_back(std::move(in));
     over_time.series.push_back(std::move(whole));
     highest = std::max(highest, run.peak);
+    for (std::size_t i = 0; i < run.diagnostics.size(); ++i) {
+      const auto* const end = std::end(places_on_line);
+      if (std::find(std::begin(places_on_line), end, run.diagnostics[i].name) == end) continue;
+      PlotSeries place{.name = run.name + ": " + std::string(run.diagnostics[i].title),
+                       .colour = look.colour,
+                       .width = 1.6,
+                       .dash = look.dash};
+      for (std::size_t tick = 0; tick < time.size(); ++tick) {
+        if (comparison.depth[tick] <= 0.0) continue;  // outside nothing is published
+        place.x.push_back(time[tick]);
+        place.y.push_back(run.published[tick * run.diagnostics.size() + i]);
+      }
+      places.series.push_back(std::move(place));
+    }
   }
   if (highest > highest_share * peak_force) over_depth.y_highest = over_time.y_highest = highest_share * peak_force;
+  if (places.series.size() > 1) return {over_depth, over_time, places};
   return {over_depth, over_time};
 }
 

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "report/crossings.h"
+#include "report/diagnostic_plot.h"
 #include "report/force_plot.h"
 #include "report/report_style.h"
 #include <fmt/format.h>
@@ -129,6 +130,8 @@ class Page {
     }
     figure(plot_svg(force_against_depth(session_.ticks, session_.events, session_.header.dt, patient_)), "",
            "Resistance against depth, with the tissues as coloured bands");
+    const std::vector<Plot> published = diagnostics_against_depth(session_.ticks, session_.header.diagnostics);
+    if (!published.empty()) figure(plot_svg(published), "", "What the force models published, against depth");
   }
 
   std::vector<Vec3> travelled() const {

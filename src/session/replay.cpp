@@ -35,14 +35,29 @@ std::string events_text(std::span<const Event> events) {
   return text.empty() ? "none" : text;
 }
 
+// Whether the recording has the diagnostics that the tick publishes, which is so unless a later version of a model
+// publishes others.
+bool has_same_diagnostics(const SessionHeader& header, std::span<const DiagnosticName> names) {
+  return std::equal(
+      header.diagnostics.begin(), header.diagnostics.end(), names.begin(), names.end(),
+      [](const RecordedDiagnostic& recorded, const DiagnosticName& name) { return recorded.name == name.name; });
+}
+
 std::vector<std::uint8_t> events_bytes(std::span<const Event> events) {
   std::vector<std::uint8_t> bytes;
   for (const Event& event : events) encode_event(0, event, bytes);
   return bytes;
 }
 
+// Until version 2 the force models told themselves when resistance was lost, some of them never and each by a rule of
+// its own; the simulation's rule (simulation/loss_of_resistance.h) says something else about the same forces.
+bool is_compared(const Event& event, const Session& session) {
+  return session.version >= 3 || event.kind != EventKind::loss_of_resistance;
+}
+
 // What differs between two ticks that are not equal.
-ReplayDifference difference_of(const TickRecord& recorded, const TickRecord& recomputed, double dt) {
+ReplayDifference difference_of(const TickRecord& recorded, const TickRecord& recomputed, double dt,
+                               std::span<const DiagnosticName> names) {
   ReplayDifference difference{recorded.tick, static_cast<double>(recorded.tick) * dt, {}, {}, {}};
   std::vector<double> before, after;
   tick_numbers(recorded, before);
@@ -63,6 +78,13 @@ ReplayDifference difference_of(const TickRecord& recorded, const TickRecord& rec
   differs("tissue", recorded.output.tissue, recomputed.output.tissue);
   differs("in_contact", recorded.output.in_contact ? 1 : 0, recomputed.output.in_contact ? 1 : 0);
   differs("limits", recorded.output.limits, recomputed.output.limits);
+  for (std::size_t i = 0; i < names.size() && difference.field.empty(); ++i) {
+    const double was = recorded.output.diagnostics[i], is = recomputed.output.diagnostics[i];
+    if (std::bit_cast<std::uint64_t>(was) == std::bit_cast<std::uint64_t>(is)) continue;
+    difference.field = names[i].name;
+    difference.recorded = bits_text(was);
+    difference.recomputed = bits_text(is);
+  }
   return difference;
 }
 
@@ -136,6 +158,8 @@ ReplayResult replay_session(const Session& session, Case patient, const Progress
   std::vector<std::uint8_t> was, is, all_events;
   std::uint64_t chain = 0;
   CorridorsTaken corridors(session, patient, body, progress);
+  const std::span<const DiagnosticName> published = haptics.diagnostic_names();
+  const auto names = has_same_diagnostics(session.header, published) ? published : published.first(0);
   auto event = session.events.begin();
   for (const TickRecord& recorded : session.ticks) {
     if (recorded.tick != result.ticks) {
@@ -144,18 +168,23 @@ ReplayResult replay_session(const Session& session, Case patient, const Progress
     }
     std::vector<Event> recorded_events;
     for (; event != session.events.end() && event->tick == recorded.tick; ++event)
-      recorded_events.push_back(event->event);
+      if (is_compared(event->event, session)) recorded_events.push_back(event->event);
     corridors.prepare_for(recorded_events, haptics);
     TickRecord recomputed{recorded.tick, recorded.input, haptics.step(recorded.input)};
     was.clear();
     is.clear();
     encode_tick(recorded, was);
     encode_tick(recomputed, is);
+    encode_diagnostics(recorded, names.size(), was);
+    encode_diagnostics(recomputed, names.size(), is);
     if (was != is) {
-      result.difference = difference_of(recorded, recomputed, session.header.dt);
+      result.difference = difference_of(recorded, recomputed, session.header.dt, names);
       return result;
     }
-    const std::span<const Event> found(recomputed.output.events.begin(), recomputed.output.events.end());
+    std::vector<Event> found;
+    for (const Event& one : recomputed.output.events) {
+      if (is_compared(one, session)) found.push_back(one);
+    }
     const std::vector<std::uint8_t> found_bytes = events_bytes(found);
     if (events_bytes(recorded_events) != found_bytes) {
       result.difference = ReplayDifference{recorded.tick, static_cast<double>(recorded.tick) * session.header.dt,

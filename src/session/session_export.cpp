@@ -18,7 +18,7 @@ constexpr std::string_view tick_columns =
     "requested_torque_x_N_mm,requested_torque_y_N_mm,requested_torque_z_N_mm,"
     "applied_force_x_N,applied_force_y_N,applied_force_z_N,"
     "applied_torque_x_N_mm,applied_torque_y_N_mm,applied_torque_z_N_mm,"
-    "tissue,in_contact,limits\n";
+    "tissue,in_contact,limits";
 
 // A field of RFC 4180: in quotes where it has to be.
 std::string field(const std::string& text) {
@@ -52,6 +52,9 @@ void append(const Vec3& vector, std::string& text) {
 void export_ticks(const Session& session, const TextSink& sink) {
   const TissueNames names(session.header);
   std::string text(tick_columns);
+  for (const RecordedDiagnostic& diagnostic : session.header.diagnostics) text += ',' + field(diagnostic.name);
+  text += '\n';
+  const std::size_t diagnostics = session.header.diagnostics.size();
   for (const TickRecord& record : session.ticks) {
     const TickOutput& output = record.output;
     fmt::format_to(std::back_inserter(text), "{},{}", record.tick,
@@ -64,8 +67,11 @@ void export_ticks(const Session& session, const TextSink& sink) {
     append(output.requested.torque, text);
     append(output.applied.force, text);
     append(output.applied.torque, text);
-    fmt::format_to(std::back_inserter(text), ",{},{},{}\n", names[output.tissue], output.in_contact ? 1 : 0,
+    fmt::format_to(std::back_inserter(text), ",{},{},{}", names[output.tissue], output.in_contact ? 1 : 0,
                    static_cast<int>(output.limits));
+    for (std::size_t i = 0; i < diagnostics; ++i)
+      fmt::format_to(std::back_inserter(text), ",{}", output.diagnostics[i]);
+    text += '\n';
     if (text.size() < piece) continue;
     sink(text);
     text.clear();

@@ -13,7 +13,8 @@ using TextSink = std::function<void(std::string_view)>;
 
 // The ticks of a session as CSV (RFC 4180 quoting, lines end in LF, '.' decimals): a line of column names with their
 // units, then one row per tick. Numbers have as many digits as it takes to read the same bits back; what is not a
-// number or not finite stands as nan, inf or -inf. docs/running.md lists the columns.
+// number or not finite stands as nan, inf or -inf. docs/running.md lists the columns. The
+// diagnostics that the force models published follow, each under its own name.
 void export_ticks(const Session& session, const TextSink& sink);
 
 // The events of a session, likewise: time, depth, kind, tissue, value.

@@ -26,6 +26,13 @@ std::string point_text(const Vec3& point) {
   return fmt::format("{} {} {}", point.x(), point.y(), point.z());
 }
 
+// A line for each: name, blank, title.
+std::string lines_of(const std::vector<RecordedDiagnostic>& diagnostics) {
+  std::string text;
+  for (const RecordedDiagnostic& one : diagnostics) text += one.name + ' ' + one.title + '\n';
+  return text;
+}
+
 std::vector<std::pair<std::string, std::string>> header_rows(const SessionHeader& header) {
   std::vector<std::pair<std::string, std::string>> rows = {{"bodkin_version", header.bodkin_version},
                                                            {"case_digest", header.case_digest},
@@ -45,6 +52,7 @@ std::vector<std::pair<std::string, std::string>> header_rows(const SessionHeader
     rows.emplace_back("second_role", name_of(header.second->role));
   }
   if (!header.moving_body.empty()) rows.emplace_back("moving_body", header.moving_body);
+  if (!header.diagnostics.empty()) rows.emplace_back("diagnostics", lines_of(header.diagnostics));
   // In the order of the keys, in which the checksum takes them.
   std::sort(rows.begin(), rows.end());
   return rows;
@@ -68,6 +76,7 @@ struct SessionWriter::Impl {
   fs::path file;
   SQLite::Database database;
   std::unique_ptr<SQLite::Statement> insert_chunk;
+  std::unique_ptr<SQLite::Statement> insert_diagnostics;
   std::unique_ptr<SQLite::Statement> insert_event;
   std::unique_ptr<SQLite::Statement> insert_sample;
   std::uint32_t chunk_ticks;      // ticks of a full chunk
@@ -75,6 +84,8 @@ struct SessionWriter::Impl {
   std::uint64_t total_ticks = 0;  // written or waiting
   std::uint32_t ticks = 0;        // in the chunk being filled
   std::vector<std::uint8_t> data;
+  std::size_t diagnostic_count;  // of a tick
+  std::vector<std::uint8_t> diagnostics;
   std::vector<SessionEvent> events;
   bool has_second;
   bool pressure_is_kept = false;      // of a plunger
@@ -88,6 +99,7 @@ SessionWriter::Impl::Impl(const fs::path& path, const SessionHeader& header)
       database(path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE),
       chunk_ticks(static_cast<std::uint32_t>(
           std::clamp(std::round(chunk_time / header.dt), 1.0, double{session_schema::most_ticks_of_a_chunk}))),
+      diagnostic_count(std::min(header.diagnostics.size(), most_diagnostics)),
       has_second(header.second.has_value()) {
   database.exec(fmt::format("PRAGMA page_size={}", page_size));
   database.exec("PRAGMA synchronous=OFF");  // an empty session is worth no waiting for the disk
@@ -118,6 +130,7 @@ SessionWriter::Impl::Impl(const fs::path& path, const SessionHeader& header)
   database.exec("PRAGMA synchronous=NORMAL");
   database.exec(fmt::format("PRAGMA wal_autocheckpoint={}", checkpoint_pages));
   insert_chunk = std::make_unique<SQLite::Statement>(database, "INSERT INTO chunks VALUES(?, ?, ?, ?, ?)");
+  insert_diagnostics = std::make_unique<SQLite::Statement>(database, "INSERT INTO diagnostics VALUES(?, ?, ?, ?)");
   insert_event = std::make_unique<SQLite::Statement>(database, "INSERT INTO events VALUES(?, ?, ?, ?, ?)");
   insert_sample = std::make_unique<SQLite::Statement>(
       database, "INSERT INTO second_hand VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
@@ -158,6 +171,7 @@ void SessionWriter::Impl::flush() {
   samples.clear();
   ticks = 0;
   data.clear();
+  diagnostics.clear();
   events.clear();
 }
 
@@ -173,6 +187,14 @@ void SessionWriter::Impl::put_chunk() {
   insert_chunk->bind(4, chunk_checksum(first_tick, ticks, event_count, data));
   insert_chunk->bindNoCopy(5, data.data(), static_cast<int>(data.size()));
   insert_chunk->exec();
+  if (diagnostic_count > 0) {
+    insert_diagnostics->reset();
+    insert_diagnostics->bind(1, static_cast<std::int64_t>(first_tick));
+    insert_diagnostics->bind(2, ticks);
+    insert_diagnostics->bind(3, chunk_checksum(first_tick, ticks, 0, diagnostics));
+    insert_diagnostics->bindNoCopy(4, diagnostics.data(), static_cast<int>(diagnostics.size()));
+    insert_diagnostics->exec();
+  }
   for (const SessionEvent& event : events) {
     insert_event->reset();
     insert_event->bind(1, static_cast<std::int64_t>(event.tick));
@@ -242,6 +264,7 @@ void SessionWriter::append(const TickRecord& record) {
   if (gap) commit();
   if (writer.ticks == 0) writer.first_tick = record.tick;
   encode_tick(record, writer.data);
+  encode_diagnostics(record, writer.diagnostic_count, writer.diagnostics);
   for (const Event& event : record.output.events) writer.events.push_back({record.tick, event});
   ++writer.ticks;
   ++writer.total_ticks;
@@ -270,6 +293,7 @@ void SessionWriter::finish(const std::optional<SessionTimings>& timings) {
     impl_->put_header("finished_after_ticks", fmt::format("{}", impl_->total_ticks));
     if (impl_->has_second) impl_->put_header("second_samples", fmt::format("{}", impl_->total_samples));
     impl_->insert_chunk.reset();
+    impl_->insert_diagnostics.reset();
     impl_->insert_event.reset();
     impl_->insert_sample.reset();
     // Back to a single file: the log is carried over and removed.

@@ -22,6 +22,12 @@ struct TissueName {
   std::string title;  // "ligamentum flavum"
 };
 
+// A number that the force models published each tick; see forces/diagnostics.h.
+struct RecordedDiagnostic {
+  std::string name;   // "wall_mm"
+  std::string title;  // "position of the wall"
+};
+
 // What a session is about; written once at its start.
 struct SessionHeader {
   std::string bodkin_version;
@@ -39,6 +45,7 @@ struct SessionHeader {
   std::optional<SecondHeader> second;  // a second hand, where there was one
   std::string moving_body;          // JSON: of a body that moved on its own time (--body moving); "": it was static
   std::vector<TissueName> tissues;  // of the case's library, in the order of their ids
+  std::vector<RecordedDiagnostic> diagnostics;  // in the order of TickOutput::diagnostics, at most most_diagnostics
 };
 
 // An event with its place in the session.
@@ -73,6 +80,8 @@ class SessionWriter {
 // A whole session in memory.
 struct Session {
   SessionHeader header;
+  // Of the file's format. Version 2 has no diagnostics, and its loss_of_resistance is what the force model told.
+  int version = 3;
   std::vector<TickRecord> ticks;  // events stand in `events`, not in the records
   std::vector<SessionEvent> events;
   std::vector<SecondSample> second;       // of the second hand

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <sstream>
 
 #include "session/session_file.h"
 #include "session/session_schema.h"
@@ -51,13 +52,15 @@ class Reader {
   [[noreturn]] void fail(const std::string& fault) const {
     throw InputError(fmt::format("{}: {}; give a session file that 'bodkin run' wrote", file_.string(), fault));
   }
-  void check_first_bytes() const;
+  void check_first_bytes();
   static void restrict_database(SQLite::Database& database);
   void check_schema(SQLite::Database& database) const;
   void read_header(SQLite::Database& database, Session& session);
   void read_chunks(SQLite::Database& database, Session& session) const;
   void read_chunk(std::uint64_t first_tick, std::uint32_t ticks, std::uint32_t events,
                   std::span<const std::uint8_t> data, Session& session) const;
+  std::vector<RecordedDiagnostic> diagnostics_of_header() const;
+  void read_diagnostics(SQLite::Database& database, Session& session) const;
   void read_second_hand(SQLite::Database& database, Session& session) const;
   void read_timings(SQLite::Database& database, Session& session) const;
   // A text of the header, which must be there.
@@ -67,6 +70,7 @@ class Reader {
   Vec3 point(const std::string& key) const;
 
   fs::path file_;
+  int version_ = 0;  // of the format
   std::map<std::string, std::string> header_;
 };
 
@@ -75,7 +79,7 @@ std::uint32_t big_endian(const unsigned char* bytes) {
 }
 
 // SQLite's own header: the signature, then at 60 the user version and at 68 the application id, both big-endian.
-void Reader::check_first_bytes() const {
+void Reader::check_first_bytes() {
   std::error_code error;
   if (!fs::exists(file_, error)) fail("there is no such file");
   if (!fs::is_regular_file(file_, error)) fail("this is not a file");
@@ -98,10 +102,12 @@ void Reader::check_first_bytes() const {
       fs::exists(file_.string() + "-wal", error) && fs::file_size(file_.string() + "-wal", error) > 0;
   if (!has_log && fs::file_size(file_, error) < page * big_endian(&raw[28])) fail("the end of the file is missing");
   const std::uint32_t version = big_endian(&raw[60]);
-  if (version != static_cast<std::uint32_t>(session_schema::version)) {
-    fail(fmt::format("the session has format version {}, this Bodkin reads version {}", version,
-                     session_schema::version));
+  if (version < static_cast<std::uint32_t>(session_schema::oldest_version) ||
+      version > static_cast<std::uint32_t>(session_schema::version)) {
+    fail(fmt::format("the session has format version {}, this Bodkin reads versions {} and {}", version,
+                     session_schema::oldest_version, session_schema::version));
   }
+  version_ = static_cast<int>(version);
 }
 
 // The file may come from anywhere: nothing in it may run, and nothing may take for ever.
@@ -132,6 +138,7 @@ void Reader::restrict_database(SQLite::Database& database) {
 void Reader::check_schema(SQLite::Database& database) const {
   std::map<std::string, std::string> expected;
   for (const auto& table : session_schema::tables) expected[table.name] = table.sql;
+  if (version_ < 3) expected.erase("diagnostics");
   SQLite::Statement query(database, "SELECT type, name, sql FROM sqlite_schema");
   while (query.executeStep()) {
     const std::string type = query.getColumn(0).getString();
@@ -221,7 +228,45 @@ void Reader::read_header(SQLite::Database& database, Session& session) {
     header.second = SecondHeader{*role, text("second_device")};
   }
   if (header_.contains("moving_body")) header.moving_body = text("moving_body");
+  if (version_ >= 3 && header_.contains("diagnostics")) header.diagnostics = diagnostics_of_header();
+  session.version = version_;
   session.finished = header_.contains("finished_after_ticks");
+}
+
+std::vector<RecordedDiagnostic> Reader::diagnostics_of_header() const {
+  std::vector<RecordedDiagnostic> all;
+  std::istringstream lines(text("diagnostics"));
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t blank = line.find(' ');
+    if (blank == 0 || blank == std::string::npos || all.size() == most_diagnostics)
+      fail("the header's list of diagnostics is damaged");
+    all.push_back({line.substr(0, blank), line.substr(blank + 1)});
+  }
+  return all;
+}
+
+void Reader::read_diagnostics(SQLite::Database& database, Session& session) const {
+  const std::size_t count = session.header.diagnostics.size();
+  if (count == 0) return;
+  SQLite::Statement query(database, "SELECT first_tick, ticks, checksum, data FROM diagnostics ORDER BY first_tick");
+  auto record = session.ticks.begin();
+  while (query.executeStep()) {
+    const std::int64_t first = query.getColumn(0).getInt64();
+    const std::int64_t ticks = query.getColumn(1).getInt64();
+    const SQLite::Column data = query.getColumn(3);
+    const auto size = static_cast<std::size_t>(data.getBytes());
+    const bool sound = ticks >= 1 && ticks <= session_schema::most_ticks_of_a_chunk &&
+                       session.ticks.end() - record >= ticks && first == static_cast<std::int64_t>(record->tick) &&
+                       size == static_cast<std::size_t>(ticks) * count * 8;
+    if (!sound) fail(fmt::format("the diagnostics at tick {} do not fit the ticks", first));
+    const std::span<const std::uint8_t> bytes(static_cast<const std::uint8_t*>(data.getBlob()), size);
+    if (query.getColumn(2).getInt64() != chunk_checksum(record->tick, static_cast<std::uint32_t>(ticks), 0, bytes)) {
+      fail(fmt::format("the diagnostics at tick {} are damaged, their checksum does not fit", first));
+    }
+    for (std::int64_t tick = 0; tick < ticks; ++tick, ++record)
+      decode_diagnostics(bytes.subspan(static_cast<std::size_t>(tick) * count * 8, count * 8), count, *record);
+  }
+  if (record != session.ticks.end()) fail(fmt::format("the diagnostics from tick {} on are missing", record->tick));
 }
 
 void Reader::read_chunks(SQLite::Database& database, Session& session) const {
@@ -352,6 +397,7 @@ Session Reader::read() {
     check_schema(database);
     read_header(database, session);
     read_chunks(database, session);
+    if (version_ >= 3) read_diagnostics(database, session);
     read_second_hand(database, session);
     read_timings(database, session);
   } catch (const SQLite::Exception& error) {

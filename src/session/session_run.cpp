@@ -15,6 +15,7 @@
 #include "io/digest.h"
 #include "io/resources.h"
 #include "simulation/closed_loop.h"
+#include "simulation/resistance_models.h"
 
 namespace bodkin {
 
@@ -148,6 +149,8 @@ SessionHeader session_header(const Case& patient, const std::filesystem::path& c
   header.started_at = utc_now();
   header.path = path;
   header.haptics = patient.description.haptics;
+  for (const DiagnosticName& one : diagnostic_names(header.haptics))
+    header.diagnostics.push_back({std::string(one.name), std::string(one.title)});
   for (int id = 0; id < 255; ++id) {
     const TissueProperties* tissue = patient.library.find(static_cast<TissueId>(id));
     if (tissue != nullptr) header.tissues.push_back({tissue->id, tissue->name, tissue->title});

@@ -7,20 +7,21 @@
 
 namespace bodkin {
 
-// The shape of a session file, version 2; docs/session-format.md explains it to people.
+// The shape of a session file, version 3; docs/session-format.md explains it to people.
 namespace session_schema {
 
 inline constexpr std::int32_t application_id = 0x42444B4E;  // "BDKN"
-inline constexpr std::int32_t version = 2;
+inline constexpr std::int32_t version = 3;
+inline constexpr std::int32_t oldest_version = 2;  // without the table `diagnostics`
 
 struct Table {
   const char* name;
   const char* sql;
 };
 
-// The authority is `header`, `tissues`, `chunks`, `second_hand` and `timings`; `events` repeats the events of the
-// chunks for those who ask in SQL.
-inline constexpr std::array<Table, 6> tables = {{
+// The authority is `header`, `tissues`, `chunks`, `diagnostics`, `second_hand` and `timings`; `events` repeats the
+// events of the chunks for those who ask in SQL.
+inline constexpr std::array<Table, 7> tables = {{
     {"header", "CREATE TABLE header(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID"},
     {"tissues", "CREATE TABLE tissues(id INTEGER PRIMARY KEY, name TEXT NOT NULL, title TEXT NOT NULL)"},
     {"chunks",
@@ -33,6 +34,9 @@ inline constexpr std::array<Table, 6> tables = {{
      "CREATE TABLE second_hand(sample INTEGER PRIMARY KEY, time_s REAL NOT NULL, x_mm REAL NOT NULL, y_mm REAL NOT "
      "NULL, z_mm REAL NOT NULL, qw REAL NOT NULL, qx REAL NOT NULL, qy REAL NOT NULL, qz REAL NOT NULL, force_N REAL "
      "NOT NULL, pressure_MPa REAL, volume_mm3 REAL)"},
+    {"diagnostics",
+     "CREATE TABLE diagnostics(first_tick INTEGER PRIMARY KEY, ticks INTEGER NOT NULL, checksum INTEGER NOT NULL, "
+     "data BLOB NOT NULL)"},
     {"timings", "CREATE TABLE timings(what TEXT NOT NULL, up_to_s REAL NOT NULL, count INTEGER NOT NULL)"},
 }};
 

@@ -126,6 +126,15 @@ bool decode_tick(std::span<const std::uint8_t> bytes, TickRecord& record) {
   return true;
 }
 
+void encode_diagnostics(const TickRecord& record, std::size_t count, std::vector<std::uint8_t>& bytes) {
+  std::uint8_t* cursor = grow(bytes, count * 8);
+  for (std::size_t i = 0; i < count; ++i) cursor = put_double(record.output.diagnostics[i], cursor);
+}
+
+void decode_diagnostics(std::span<const std::uint8_t> bytes, std::size_t count, TickRecord& record) {
+  for (std::size_t i = 0; i < count; ++i) record.output.diagnostics[i] = take_double(bytes.data() + 8 * i);
+}
+
 void encode_event(std::uint32_t tick_of_chunk, const Event& event, std::vector<std::uint8_t>& bytes) {
   std::uint8_t* cursor = grow(bytes, encoded_event_size);
   cursor = put(tick_of_chunk, 4, cursor);

@@ -28,6 +28,11 @@ void encode_tick(const TickRecord& record, std::vector<std::uint8_t>& bytes);
 // have.
 bool decode_tick(std::span<const std::uint8_t> bytes, TickRecord& record);
 
+// The first `count` diagnostics of a tick as doubles, 8 bytes each.
+void encode_diagnostics(const TickRecord& record, std::size_t count, std::vector<std::uint8_t>& bytes);
+// Reads them; `bytes` holds 8 `count` of them.
+void decode_diagnostics(std::span<const std::uint8_t> bytes, std::size_t count, TickRecord& record);
+
 // The bytes of one event: tick of the chunk (4 bytes), kind, tissue, two zero bytes, depth and value as doubles.
 inline constexpr std::size_t encoded_event_size = 24;
 void encode_event(std::uint32_t tick_of_chunk, const Event& event, std::vector<std::uint8_t>& bytes);

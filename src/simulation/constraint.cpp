@@ -1,60 +1,80 @@
 #include "simulation/constraint.h"
 
-#include "simulation/device_stability.h"
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+
+#include "core/error.h"
+#include "forces/beam.h"
+#include "forces/line_spring.h"
+#include "forces/pivot.h"
 
 namespace bodkin {
 
-Constraint::Model Constraint::make(const Case& patient, double dt) {
-  struct Maker {
-    const Case& patient;
-    double dt;
-    const DeviceLimits& device() const { return patient.description.device; }
+namespace {
 
-    Model operator()(const LineSpringSettings& settings) const {
-      return LineSpring(settings, device().stiffness, dt);
-    }
-    Model operator()(const PivotSettings& settings) const {
-      return Pivot(settings, patient.description.needle.length);
-    }
-    Model operator()(const RailSettings& settings) const {
-      require_stable("rail", "stiffness", settings.stiffness, device());
-      return Rail(settings);
-    }
-    Model operator()(const BeamSettings& settings) const {
-      require_stable("beam", "largest stiffness", settings.largest_stiffness, device());
-      return Beam(settings, patient.description.needle, dt);
-    }
-    Model operator()(const NoConstraint&) const { return NoConstraint{}; }
-  };
-  return std::visit(Maker{patient, dt}, patient.description.haptics.constraint);
+// The needle is free to leave its line.
+struct FreeNeedle {
+  using Settings = NoConstraint;
+  static constexpr ConstraintTraits traits = {.name = "none"};
+
+  FreeNeedle(const Case&, const NoConstraint&, double) {}
+  void begin(const Vec3&, const Vec3&, const Vec3&) noexcept {}
+  Wrench step(const HeldNeedle&) const noexcept { return {}; }
+};
+
+template <ConstraintModel Model>
+class ConstraintOf final : public AnyConstraint {
+ public:
+  ConstraintOf(const Case& patient, const typename Model::Settings& settings, double dt)
+      : model_(patient, settings, dt) {}
+
+  void begin(const Vec3& entry, const Vec3& direction, const Vec3& tip) noexcept override {
+    model_.begin(entry, direction, tip);
+  }
+  Wrench step(const HeldNeedle& needle) noexcept override { return model_.step(needle); }
+  const Rail* rail() const noexcept override {
+    if constexpr (std::is_same_v<Model, Rail>) return &model_;
+    return nullptr;
+  }
+
+ private:
+  Model model_;
+};
+
+struct ConstraintEntry {
+  std::string_view name;
+  std::unique_ptr<AnyConstraint> (*make)(const Case& patient, double dt);
+};
+
+template <ConstraintModel Model>
+constexpr ConstraintEntry entry_of() {
+  return {Model::traits.name, [](const Case& patient, double dt) -> std::unique_ptr<AnyConstraint> {
+            const auto& settings = std::get<typename Model::Settings>(patient.description.haptics.constraint);
+            return std::make_unique<ConstraintOf<Model>>(patient, settings, dt);
+          }};
 }
+
+constexpr ConstraintEntry models[] = {
+    entry_of<LineSpring>(), entry_of<Pivot>(), entry_of<Rail>(), entry_of<Beam>(), entry_of<FreeNeedle>(),
+};
+
+std::unique_ptr<AnyConstraint> make_constraint(const Case& patient, double dt) {
+  const std::string_view name = name_of(patient.description.haptics.constraint);
+  const auto* found = std::find_if(std::begin(models), std::end(models),
+                                   [&](const ConstraintEntry& entry) { return entry.name == name; });
+  if (found != std::end(models)) return found->make(patient, dt);
+  std::string names;
+  for (const ConstraintEntry& entry : models) names += (names.empty() ? "" : ", ") + std::string(entry.name);
+  throw InputError("there is no constraint '" + std::string(name) + "', expected one of " + names);
+}
+
+}  // namespace
 
 Constraint::Constraint(const Case& patient, double dt)
-    : model_(make(patient, dt)), length_(patient.description.needle.length) {}
-
-void Constraint::begin(const Vec3& entry, const Vec3& direction, const Vec3& tip) noexcept {
-  if (auto* spring = std::get_if<LineSpring>(&model_)) {
-    spring->begin(entry, direction);
-  } else if (auto* pivot = std::get_if<Pivot>(&model_)) {
-    pivot->begin(entry, direction);
-  } else if (auto* rail = std::get_if<Rail>(&model_)) {
-    rail->begin(entry, direction);
-  } else if (auto* beam = std::get_if<Beam>(&model_)) {
-    beam->begin(entry, direction, tip);
-  }
-}
-
-Wrench Constraint::step(const Vec3& tip, const Vec3& axis, bool torque_only) noexcept {
-  const auto at_hub = [&](const Vec3& force) { return Wrench{force, (-length_ * axis).cross(force)}; };
-  if (auto* spring = std::get_if<LineSpring>(&model_)) return {spring->step(tip), Vec3::Zero()};
-  if (const auto* pivot = std::get_if<Pivot>(&model_)) return at_hub(pivot->step(tip, axis));
-  if (auto* beam = std::get_if<Beam>(&model_)) return at_hub(beam->step(tip, axis));
-  if (const auto* rail = std::get_if<Rail>(&model_)) {
-    Wrench wrench = rail->step(tip, axis);
-    if (torque_only) wrench.force.setZero();
-    return wrench;
-  }
-  return {};
-}
+    : model_(make_constraint(patient, dt)), length_(patient.description.needle.length) {}
 
 }  // namespace bodkin

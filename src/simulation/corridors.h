@@ -11,7 +11,7 @@
 #include "core/hand_over.h"
 #include "fem/embedded_needle.h"
 #include "forces/events.h"
-#include "simulation/resistance.h"
+#include "forces/resistance_model.h"
 
 namespace bodkin {
 
@@ -27,9 +27,14 @@ namespace bodkin {
 //
 // Model is made from (const Case&, const PreparedCorridor&, const Settings&, double dt), and can begin(), step(),
 // reset() and take_punctures(other); it may be able to holds(), begin_to_follow(other) and follow(other).
-template <typename Model, typename Settings>
+template <typename Model>
 class Corridors {
  public:
+  using Settings = typename Model::Settings;
+  static constexpr ResistanceTraits traits = Model::traits;
+  // There can be one about another state of the body.
+  static constexpr bool is_refreshable = requires(Model & one, const Model& other) { one.begin_to_follow(other); };
+
   static constexpr std::size_t most = 8;
 
   // `patient` must outlive this and have a corridor.
@@ -91,7 +96,7 @@ class Corridors {
       told_ = true;
     }
     ResistanceForce force = model().step(needle, events);
-    if constexpr (requires(Model & one, const Model& other) { one.begin_to_follow(other); }) go_on_in_newest();
+    if constexpr (is_refreshable) go_on_in_newest();
     return force;
   }
 
@@ -105,6 +110,10 @@ class Corridors {
     at_rest_ = false;
     told_ = true;
   }
+
+  double firm_stiffness() const noexcept { return 0.0; }
+  double stiffness_scale() const noexcept { return model().stiffness_scale(); }
+  ModelDiagnostics diagnostics() const noexcept { return model().diagnostics(); }
 
   // The one that the needle took last.
   Model& model() noexcept { return *taken_->model; }

@@ -81,8 +81,6 @@ void tell(const std::optional<TissuePuncture>& puncture, double sunk, TickEvents
   if (!puncture) return;
   const double depth = puncture->depth + sunk;
   events.push({EventKind::puncture, puncture->tissue, depth, puncture->force});
-  if (puncture->tissue == tissue::ligamentum_flavum)
-    events.push({EventKind::loss_of_resistance, puncture->tissue, depth, puncture->force});
 }
 
 // mm along `direction` by which the node has sunk that lay nearest to `entry`; one that rose counts as none, for the
@@ -162,6 +160,8 @@ ResistanceForce DeformableShaft::step(const NeedleInTissue& needle, TickEvents& 
   pose.linear().col(2) = needle.axis;
   const EmbeddedNeedleForce& found = needle_->step(pose, bone_.behind());
   ahead_ = -short_of - spring_ * found.on_hand.force;
+  tip_force_ = found.tip_force;
+  nodes_ = static_cast<double>(found.nodes);
   tell(found.puncture, sunk_, events);
   if (found.beyond && !beyond_ && !bone_.met())  // at bone the nodes end, for it does not move
     events.push({EventKind::corridor_left, needle.tissue, needle.motion.depth, 0.0});

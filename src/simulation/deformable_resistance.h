@@ -6,8 +6,8 @@
 #include "anatomy/case.h"
 #include "fem/closest_node.h"
 #include "fem/embedded_needle.h"
+#include "forces/resistance_model.h"
 #include "simulation/bone_wall.h"
-#include "simulation/resistance.h"
 
 namespace bodkin {
 
@@ -26,6 +26,16 @@ namespace bodkin {
 // body at rest, as the voxels are.
 class DeformableShaft {
  public:
+  using Settings = EmbeddedNeedleSettings;
+  static constexpr ResistanceTraits traits = {
+      .name = "embedded_needle",
+      .holds_laterally = true,
+      .has_shaft_friction = true,
+      .diagnostics = {{{"tip_N", "force at the tip"},
+                       {"ahead_mm", "hand ahead of the needle in the body"},
+                       {"nodes", "nodes of the mesh on the shaft"}}},
+  };
+
   DeformableShaft(const Case& patient, const PreparedCorridor& corridor, const EmbeddedNeedleSettings& settings,
                   double dt);
 
@@ -43,12 +53,14 @@ class DeformableShaft {
   // Forces on the tissue in the last tick, by node of the mesh.
   NodeForces node_forces() const noexcept { return of_mesh(needle_->node_forces(), *body_); }
   double stiffness_scale() const noexcept { return scale_; }
+  ModelDiagnostics diagnostics() const noexcept { return {tip_force_, ahead_.norm(), nodes_}; }
 
  private:
   double scale_ = 1.0;
   std::shared_ptr<const CondensedBody> body_;
   double spring_ = 0.0;  // mm/N, compliance of the spring that the body stands on
   Vec3 ahead_ = Vec3::Zero();
+  double tip_force_ = 0.0, nodes_ = 0.0;    // N, count; of the last tick
   std::unique_ptr<EmbeddedNeedle> needle_;  // refers to the body
   BoneWall bone_;
   Vec3 direction_ = Vec3::UnitZ();
@@ -62,6 +74,13 @@ class DeformableShaft {
 // stiff as it can; stiffness_scale() tells by how much.
 class DeformableTip {
  public:
+  using Settings = ClosestNodeSettings;
+  static constexpr ResistanceTraits traits = {
+      .name = "closest_node",
+      .has_shaft_friction = true,
+      .diagnostics = {{{"ahead_mm", "hand ahead of the needle in the body"}}},
+  };
+
   DeformableTip(const Case& patient, const PreparedCorridor& corridor, const ClosestNodeSettings& settings,
                 double dt);
 
@@ -72,6 +91,7 @@ class DeformableTip {
   void take_punctures(const DeformableTip& other) noexcept { contact_->take_punctures(*other.contact_); }
   NodeForces node_forces() const noexcept { return of_mesh(contact_->node_forces(), *body_); }
   double stiffness_scale() const noexcept { return scale_; }
+  ModelDiagnostics diagnostics() const noexcept { return {ahead().norm()}; }
 
  private:
   double scale_ = 1.0;

@@ -9,6 +9,7 @@
 #include "forces/gravity_compensation.h"
 #include "haptics/force_governor.h"
 #include "simulation/constraint.h"
+#include "simulation/loss_of_resistance.h"
 #include "simulation/needle_contact.h"
 #include "simulation/resistance.h"
 
@@ -75,6 +76,7 @@ struct HapticTick::State {
   GravityCompensation compensation;
   ForceGovernor governor;
   NeedleContact contact;
+  LossOfResistance loss;
   Vec3 last_tip = Vec3::Zero();
   bool seen = false;                 // there was a tick before
   TissueId announced = tissue::air;  // tissue of the last tissue_entered
@@ -138,6 +140,7 @@ TickOutput HapticTick::State::step(const Vec3& tip, const Vec3& axis, const Vec3
   } else if (contact.touches(tip, axis, output.tissue, patient.tissues)) {
     resistance.begin(contact.entry(), contact.direction());
     constraint.begin(contact.entry(), contact.direction(), tip);
+    loss.begin();
     motion.rebase(contact.depth(tip) - advance);
     output.events.push({EventKind::contact, output.tissue, 0.0, 0.0});
   }
@@ -158,9 +161,11 @@ TickOutput HapticTick::State::step(const Vec3& tip, const Vec3& axis, const Vec3
         .motion = moving, .tip = tip, .tissue = output.tissue, .axis = axis, .side = side, .rail = constraint.rail()};
     const ResistanceForce tissue_force = resistance.step(needle, output.events);
     stiffness = tissue_force.stiffness;
+    output.diagnostics = resistance.diagnostics();
     if (tissue_force.in_contact) {
       request.in_contact = output.in_contact = true;
       request.resistance = output.resistance = tissue_force.along;
+      loss.step(moving, output.tissue, tissue_force.along, output.events);
       const Wrench held = constraint.step(tip, axis, resistance.holds_laterally());
       request.constraint = tissue_force.across + held.force;
       request.torque = output.requested.torque = tissue_force.torque + held.torque;
@@ -209,6 +214,10 @@ NodeForces HapticTick::node_forces() const noexcept {
 
 Vec3 HapticTick::needle_ahead() const noexcept {
   return state_->last.in_contact ? state_->resistance.ahead() : Vec3::Zero();
+}
+
+std::span<const DiagnosticName> HapticTick::diagnostic_names() const noexcept {
+  return state_->resistance.diagnostic_names();
 }
 
 double HapticTick::stiffness_scale() const noexcept {

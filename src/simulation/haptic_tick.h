@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 
 #include "anatomy/case.h"
 #include "fem/node_forces.h"
@@ -37,6 +38,9 @@ class HapticTick {
   // mm by which the hand's needle was ahead of the one in that body, where the body is stiffer than the device
   // renders or bone is in the way: what is drawn is the needle less this.
   Vec3 needle_ahead() const noexcept;
+
+  // Names of TickOutput::diagnostics; they live as long as this.
+  std::span<const DiagnosticName> diagnostic_names() const noexcept;
 
   // s; 1 / rate of the case.
   double dt() const noexcept;

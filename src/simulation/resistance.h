@@ -1,36 +1,15 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "anatomy/case.h"
-#include "core/axial_motion.h"
-#include "core/geometry.h"
 #include "fem/node_forces.h"
-#include "forces/events.h"
-#include "forces/rail.h"
+#include "forces/resistance_model.h"
 
 namespace bodkin {
 
-// Where the needle is, as far as a resistance needs to know.
-struct NeedleInTissue {
-  AxialMotion motion;             // along the frozen line
-  Vec3 tip = Vec3::Zero();        // LPS mm
-  TissueId tissue = tissue::air;  // at the tip
-  Vec3 axis = Vec3::UnitZ();      // unit, hub to tip
-  Vec3 side = Vec3::UnitX();      // unit, across the needle, turns with its shaft
-  const Rail* rail = nullptr;     // holds the proxy on the line, if that is the case's constraint
-};
-
-// What a resistance found in one tick.
-struct ResistanceForce {
-  double along = 0.0;          // N, along the frozen line, positive pushes the hand out
-  Vec3 across = Vec3::Zero();  // N on the hand, of models whose force may leave the line
-  Vec3 torque = Vec3::Zero();  // N mm on the hand, about the tip, of models that feel the whole shaft
-  double stiffness = 0.0;      // N/mm, elastic tangent where the model knows it; 0 otherwise
-  bool in_contact = false;     // false: the needle has left the body, the line can be released
-};
-
-// The resistance that a case chooses, with its parts: any of `resistance_names`. Deterministic; step() allocates
+// The resistance that a case chooses, with its parts: any of resistance_models(). Deterministic; step() allocates
 // nothing. The case must outlive the object.
 class Resistance {
  public:
@@ -63,8 +42,11 @@ class Resistance {
 
   // The smallest factor by which a tissue's stiffness had to be reduced for the device; 1 = none.
   double stiffness_scale() const noexcept;
-  // The model holds the needle laterally itself (`volume_proxy`, `embedded_needle`), so a rail adds only its torque.
+  // ResistanceTraits::holds_laterally of the model.
   bool holds_laterally() const noexcept;
+  // What model and parts publish each tick, by name; the values of the last tick, in the same order.
+  std::span<const DiagnosticName> diagnostic_names() const noexcept;
+  Diagnostics diagnostics() const noexcept;
 
  private:
   struct State;

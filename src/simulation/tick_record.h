@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "core/geometry.h"
+#include "forces/diagnostics.h"
 #include "forces/events.h"
 
 namespace bodkin {
@@ -23,7 +24,8 @@ struct TickOutput {
   double energy = 0.0;      // N mm that the hand has given to the tissue along the needle, as passivity counts it
   TissueId tissue = tissue::air;  // at the tip
   bool in_contact = false;
-  std::uint8_t limits = 0;  // governor flags, see haptics/force_governor.h
+  std::uint8_t limits = 0;    // governor flags, see haptics/force_governor.h
+  Diagnostics diagnostics{};  // of the resistance, in the order of HapticTick::diagnostic_names(); 0 outside
   TickEvents events;
 };
 

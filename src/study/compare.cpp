@@ -45,13 +45,13 @@ ResistanceSettings settings_of(std::string_view name, const ResistanceSettings& 
 }
 
 // A name as a column of a table.
-std::string column_of(const std::string& name) {
+std::string column_of(const std::string& name, std::string_view quantity) {
   std::string column;
   for (const char c : name) {
     const bool kept = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.';
     if (kept || column.empty() || column.back() != '_') column += kept ? c : '_';
   }
-  return column + "_N";
+  return column + '_' + std::string(quantity);
 }
 
 // Where the motion ends, mm from the entry: at the end of the way, or so deep in bone that the device has no more
@@ -126,6 +126,8 @@ ModelRun play(const std::string& name, const Case& patient, const std::vector<Ti
   run.name = name;
   run.force.reserve(motion.size());
   HapticTick haptics(patient);
+  run.diagnostics.assign(haptics.diagnostic_names().begin(), haptics.diagnostic_names().end());
+  run.published.reserve(motion.size() * run.diagnostics.size());
   double spent = 0.0;
   for (std::size_t begin = 0; begin < motion.size(); begin += block) {
     const std::size_t end = std::min(begin + block, motion.size());
@@ -133,6 +135,8 @@ ModelRun play(const std::string& name, const Case& patient, const std::vector<Ti
     for (std::size_t tick = begin; tick < end; ++tick) {
       const TickOutput output = haptics.step(motion[tick]);
       run.force.push_back(output.resistance);
+      run.published.insert(run.published.end(), output.diagnostics.begin(),
+                           output.diagnostics.begin() + static_cast<std::ptrdiff_t>(run.diagnostics.size()));
       for (const Event& event : output.events) {
         if (event.kind != EventKind::puncture) continue;
         ++run.punctures[static_cast<std::size_t>(result.phase_of(tick))];
@@ -263,13 +267,20 @@ Comparison compare_models(Case patient, const CompareOptions& options, const Pro
 
 std::string comparison_csv(const Comparison& comparison) {
   std::string text = "time_s,depth_mm";
-  for (const ModelRun& run : comparison.models) text += ',' + column_of(run.name);
+  for (const ModelRun& run : comparison.models) {
+    text += ',' + column_of(run.name, "N");
+    for (const DiagnosticName& diagnostic : run.diagnostics) text += ',' + column_of(run.name, diagnostic.name);
+  }
   text += '\n';
   for (std::size_t tick = 0; tick < comparison.depth.size(); ++tick) {
     fmt::format_to(std::back_inserter(text), "{:.6f},{:.6f}", static_cast<double>(tick) * comparison.dt,
                    comparison.depth[tick]);
-    for (const ModelRun& run : comparison.models)
+    for (const ModelRun& run : comparison.models) {
       fmt::format_to(std::back_inserter(text), ",{:.6f}", run.force[tick]);
+      const std::size_t count = run.diagnostics.size();
+      for (std::size_t i = 0; i < count; ++i)
+        fmt::format_to(std::back_inserter(text), ",{:.6f}", run.published[tick * count + i]);
+    }
     text += '\n';
   }
   return text;

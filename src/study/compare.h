@@ -11,6 +11,7 @@
 
 #include "anatomy/case.h"
 #include "core/progress.h"
+#include "forces/diagnostics.h"
 
 namespace bodkin {
 
@@ -55,7 +56,9 @@ inline constexpr std::array<std::string_view, motion_phases> phase_names = {"ins
 // pushes the hand out.
 struct ModelRun {
   std::string name;
-  std::vector<double> force;  // N; motion's ticks
+  std::vector<double> force;                // N; motion's ticks
+  std::vector<DiagnosticName> diagnostics;  // that the model publishes
+  std::vector<double> published;            // their values, tick by tick
 
   double peak = 0.0;          // N, the largest on the insertion; 0 when nothing pushed
   std::size_t peak_tick = 0;  // where that was first
@@ -106,8 +109,8 @@ struct Comparison {
 Comparison compare_models(Case patient, const CompareOptions& options, const Progress& progress = {},
                           const std::function<void(Case&)>& prepare = {});
 
-// A row per tick: time_s, depth_mm, and a column NAME_N per model, where characters of a name that are no letter,
-// digit or point become one underscore.
+// A row per tick: time_s, depth_mm, and per model a column NAME_N and one NAME_DIAGNOSTIC for each that it publishes,
+// where characters of a name that are no letter, digit or point become one underscore.
 std::string comparison_csv(const Comparison& comparison);
 
 }  // namespace bodkin

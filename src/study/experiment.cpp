@@ -139,18 +139,12 @@ PublishedComparison compare(const PublishedValue& published, const Experiment& e
   return comparison;
 }
 
-// mm along the line: where the spring of a tracking wall ends on the tissue's side.
+// mm along the line: W of a tracking wall, its only diagnostic. A wall whose spring is slack is not shown.
 double wall_of(const ExperimentTick& tick, const Experiment& experiment) {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  const auto& settings = std::get<TrackingWallSettings>(experiment.haptics.resistance);
-  if (!tick.in_contact) return settings.surface;
-  if (!(tick.resistance > 0.0)) return unknown;
-  const TissueProperties* tissue = experiment.library.find(tick.tissue);
-  double stiffness = tissue == nullptr ? 0.0 : tissue->tracking_wall.stiffness;
-  for (const TrackingWallDepthLayer& layer : settings.layers) {
-    if (tick.depth - settings.surface >= layer.from) stiffness = layer.layer.stiffness;
-  }
-  return stiffness > 0.0 ? tick.depth - tick.resistance / stiffness : unknown;
+  constexpr double slack = std::numeric_limits<double>::quiet_NaN();
+  if (!tick.in_contact) return std::get<TrackingWallSettings>(experiment.haptics.resistance).surface;
+  if (!(tick.resistance > 0.0)) return slack;
+  return tick.diagnostics[0];
 }
 
 Vec3 wall_place(const ExperimentTick& tick, const Experiment& experiment) {
@@ -158,9 +152,9 @@ Vec3 wall_place(const ExperimentTick& tick, const Experiment& experiment) {
   return tick.tip + (wall_of(tick, experiment) - tick.depth) * experiment.motion.direction;
 }
 
-Vec3 proxy_place(const ExperimentTick& tick, const Experiment& experiment) {
+Vec3 proxy_place(const ExperimentTick& tick) {
   if (!tick.in_contact) return tick.tip;
-  return tick.tip + tick.requested.force / std::get<VolumeProxySettings>(experiment.haptics.resistance).stiffness;
+  return {tick.diagnostics[0], tick.diagnostics[1], tick.diagnostics[2]};
 }
 
 }  // namespace
@@ -201,6 +195,7 @@ ExperimentRun play(const Experiment& experiment, const Progress& progress) {
                          .tip = pose.translation(),
                          .requested = output.requested,
                          .applied = output.applied,
+                         .diagnostics = output.diagnostics,
                          .tissue = output.tissue,
                          .in_contact = output.in_contact});
     if (progress && n % (count / 16 + 1) == 0)
@@ -265,11 +260,11 @@ double value_of(Quantity quantity, const ExperimentTick& tick, const Experiment&
     case Quantity::wall_z:
       return wall_place(tick, experiment).z();
     case Quantity::proxy_x:
-      return proxy_place(tick, experiment).x();
+      return proxy_place(tick).x();
     case Quantity::proxy_y:
-      return proxy_place(tick, experiment).y();
+      return proxy_place(tick).y();
     case Quantity::proxy_z:
-      return proxy_place(tick, experiment).z();
+      return proxy_place(tick).z();
   }
   return 0.0;
 }

@@ -5,6 +5,7 @@
 
 #include "anatomy/case.h"
 #include "core/progress.h"
+#include "forces/diagnostics.h"
 #include "io/experiment_file.h"
 
 namespace bodkin {
@@ -20,6 +21,7 @@ struct ExperimentTick {
   double tilt = 0.0;        // rad
   Vec3 tip = Vec3::Zero();  // mm
   Wrench requested, applied;
+  Diagnostics diagnostics{};  // of the resistance, see its ResistanceTraits
   TissueId tissue = tissue::air;
   bool in_contact = false;
 };
@@ -49,7 +51,7 @@ ExperimentRun play(const Experiment& experiment, const Progress& progress = {});
 // Whether a tick lies in a window; one that says a depth holds ticks in contact only.
 bool is_inside(const ExperimentWindow& window, const ExperimentTick& tick);
 
-// A quantity of one tick in its unit; NaN where it is not known (a wall whose spring is slack).
+// A quantity of one tick in its unit; NaN where there is none (a wall whose spring is slack).
 double value_of(Quantity quantity, const ExperimentTick& tick, const Experiment& experiment);
 
 // The table of a run, a row per tick.

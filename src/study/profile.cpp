@@ -22,6 +22,7 @@ Profile insert_at_constant_speed(const Case& patient, const ProfileOptions& opti
 
   HapticTick haptics(patient);
   profile.dt = haptics.dt();
+  profile.diagnostics.assign(haptics.diagnostic_names().begin(), haptics.diagnostic_names().end());
   const double step = options.speed * profile.dt;  // mm a tick
   const double peak_force = patient.description.device.peak_force;
   const auto expected = static_cast<std::size_t>((way.end - way.start) / step);
@@ -78,17 +79,23 @@ Profile insert_at_constant_speed(const Case& patient, const ProfileOptions& opti
 std::string profile_csv(const Profile& profile, const TissueLibrary& library) {
   std::string text =
       "time_s,depth_mm,velocity_mm_s,resistance_N,requested_L_N,requested_P_N,requested_S_N,applied_L_N,applied_P_N,"
-      "applied_S_N,tissue\n";
+      "applied_S_N,tissue";
+  for (const DiagnosticName& diagnostic : profile.diagnostics)
+    fmt::format_to(std::back_inserter(text), ",{}", diagnostic.name);
+  text += '\n';
   for (const TickRecord& record : profile.ticks) {
     const TickOutput& output = record.output;
     const Vec3& asked = output.requested.force;
     const Vec3& given = output.applied.force;
     const TissueProperties* properties = library.find(output.tissue);
     fmt::format_to(std::back_inserter(text),
-                   "{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{}\n",
+                   "{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{}",
                    static_cast<double>(record.tick) * profile.dt, output.depth, output.velocity, output.resistance,
                    asked.x(), asked.y(), asked.z(), given.x(), given.y(), given.z(),
                    properties != nullptr ? properties->name : std::to_string(output.tissue));
+    for (std::size_t i = 0; i < profile.diagnostics.size(); ++i)
+      fmt::format_to(std::back_inserter(text), ",{:.6f}", output.diagnostics[i]);
+    text += '\n';
   }
   return text;
 }

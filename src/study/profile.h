@@ -26,13 +26,14 @@ struct ProfileOptions {
 struct Profile {
   NeedlePath path;
   ProfileOptions options;
-  double dt = 0.001;                      // s
-  std::vector<TickRecord> ticks;          // in order; events stand in them
-  DeformedMoment strongest;               // where a deformable body resisted most; without forces for other models
-  DeformedMoment last;                    // at the end of the insertion, likewise
-  std::optional<double> stopped_by_bone;  // mm; the depth at which bone held more than the device's peak force
-  std::string outcome;                    // how far the needle came, one sentence
-  std::vector<std::string> notes;         // what was assumed, one sentence each
+  double dt = 0.001;                        // s
+  std::vector<TickRecord> ticks;            // in order; events stand in them
+  std::vector<DiagnosticName> diagnostics;  // that the force models publish in each tick
+  DeformedMoment strongest;                 // where a deformable body resisted most; without forces for other models
+  DeformedMoment last;                      // at the end of the insertion, likewise
+  std::optional<double> stopped_by_bone;    // mm; the depth at which bone held more than the device's peak force
+  std::string outcome;                      // how far the needle came, one sentence
+  std::vector<std::string> notes;           // what was assumed, one sentence each
 };
 
 // Drives the needle of `patient` along a path, from 10 mm before the skin, through the same tick that a hand would
@@ -42,7 +43,7 @@ struct Profile {
 Profile insert_at_constant_speed(const Case& patient, const ProfileOptions& options, const Progress& progress = {});
 
 // The table of a profile, a row per tick: time_s, depth_mm, velocity_mm_s, resistance_N, what the models ask for and
-// what the governor lets through as LPS components in N, the tissue at the tip.
+// what the governor lets through as LPS components in N, the tissue at the tip, then what the force models publish.
 std::string profile_csv(const Profile& profile, const TissueLibrary& library);
 
 }  // namespace bodkin

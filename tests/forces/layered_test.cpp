@@ -238,19 +238,6 @@ TEST(Layered, skin_pulled_outwards_tents_before_it_lets_go) {
   EXPECT_FALSE(rig.move(-10.1, 5.0).in_contact);
 }
 
-TEST(Layered, breaking_the_flavum_into_the_epidural_space_is_a_loss_of_resistance) {
-  LayeredRig rig({{muscle, 10}, {ligamentum_flavum, 3.5}, {epidural_fat, 8}});
-  rig.move(18.0, 5.0);
-  const auto loss = rig.seen(EventKind::loss_of_resistance);
-  ASSERT_EQ(loss.size(), 1u);
-  EXPECT_EQ(loss[0].tissue, epidural_fat);
-  EXPECT_NEAR(loss[0].value, 3.0, 0.3);
-  EXPECT_NEAR(loss[0].depth, 13.5, 0.01);
-  rig.move(12.0, 5.0);
-  rig.move(18.0, 5.0);
-  EXPECT_EQ(rig.seen(EventKind::loss_of_resistance).size(), 1u);  // once only
-}
-
 TEST(Layered, a_thin_flicker_of_the_labels_is_no_tissue_of_its_own) {
   LayeredRig rig({{muscle, 10}, {fat, 0.5}, {muscle, 10}, {fat, 0.5}, {muscle, 20}});
   rig.move(40.0, 5.0);

@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "simulation/closed_loop.h"
+#include "simulation/resistance_models.h"
 
 namespace bodkin {
 namespace {
@@ -34,6 +35,8 @@ SessionHeader header_for(const Case& patient, const RunSettings& settings) {
   header.seed = settings.seed;
   header.path = settings.path;
   header.haptics = patient.description.haptics;
+  for (const DiagnosticName& one : diagnostic_names(header.haptics))
+    header.diagnostics.push_back({std::string(one.name), std::string(one.title)});
   header.tissues.clear();
   for (const TissueProperties& tissue : patient.library.tissues()) {
     header.tissues.push_back({tissue.id, tissue.name, tissue.title});
@@ -103,6 +106,34 @@ TEST_F(Replay, finds_a_changed_event_a_missing_event_and_a_changed_flag) {
   tampered = *session_;
   tampered.ticks[100].output.limits ^= 1;
   EXPECT_EQ(replay_session(tampered, *patient_).difference->field, "limits");
+}
+
+TEST_F(Replay, compares_the_diagnostics_that_were_recorded_under_the_same_names) {
+  ASSERT_EQ(session_->header.diagnostics.size(), 2U);
+  EXPECT_EQ(session_->header.diagnostics[1].name, "shaft_N");
+  Session tampered = *session_;
+  tampered.ticks[7777].output.diagnostics[1] += 1e-9;
+  const ReplayResult result = replay_session(tampered, *patient_);
+  ASSERT_TRUE(result.difference.has_value());
+  EXPECT_EQ(result.difference->tick, 7777U);
+  EXPECT_EQ(result.difference->field, "shaft_N");
+  tampered.header.diagnostics[1].name = "another_N";
+  EXPECT_FALSE(replay_session(tampered, *patient_).difference.has_value());
+}
+
+TEST_F(Replay, of_a_session_of_version_2_compares_all_but_the_losses_of_resistance) {
+  Session old = *session_;
+  old.version = 2;
+  old.header.diagnostics.clear();
+  for (TickRecord& record : old.ticks) record.output.diagnostics = {};
+  std::erase_if(old.events, [](const SessionEvent& one) { return one.event.kind == EventKind::loss_of_resistance; });
+  ASSERT_LT(old.events.size(), session_->events.size());
+  EXPECT_FALSE(replay_session(old, *patient_).difference.has_value());
+  old.version = 3;
+  EXPECT_EQ(replay_session(old, *patient_).difference->field, "events");
+  old.version = 2;
+  old.events.pop_back();
+  EXPECT_EQ(replay_session(old, *patient_).difference->field, "events");
 }
 
 TEST_F(Replay, a_different_patient_gives_a_difference) {

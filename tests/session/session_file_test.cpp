@@ -150,6 +150,50 @@ TEST(SessionFile, an_existing_file_is_replaced_only_when_asked) {
   EXPECT_THROW(SessionWriter(fs::temp_directory_path(), sample_header(), true), InputError);
 }
 
+TEST(SessionFile, keeps_the_diagnostics_of_the_force_models) {
+  const ScratchSession scratch;
+  SessionHeader header = sample_header();
+  header.diagnostics = {{"wall_mm", "position W of the wall"}, {"grip", "factor"}};
+  constexpr std::uint64_t ticks = 700;
+  const auto record_of = [](std::uint64_t tick) {
+    TickRecord record = sample_record(tick);
+    record.output.diagnostics = {0.1 * static_cast<double>(tick), tick == 3 ? std::nan("7") : -1.0, 99.0};
+    return record;
+  };
+  SessionWriter writer(scratch.path(), header, true);
+  for (std::uint64_t tick = 0; tick < ticks; ++tick) writer.append(record_of(tick));
+  writer.finish();
+  const Session session = read_session(scratch.path());
+  ASSERT_EQ(session.header.diagnostics.size(), 2U);
+  EXPECT_EQ(session.header.diagnostics[0].name, "wall_mm");
+  EXPECT_EQ(session.header.diagnostics[0].title, "position W of the wall");
+  ASSERT_EQ(session.ticks.size(), ticks);
+  for (std::uint64_t tick = 0; tick < ticks; ++tick) {
+    const Diagnostics &was = record_of(tick).output.diagnostics, &is = session.ticks[tick].output.diagnostics;
+    ASSERT_EQ(is[0], was[0]) << tick;
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(is[1]), std::bit_cast<std::uint64_t>(was[1])) << tick;
+    ASSERT_EQ(is[2], 0.0) << "has no name, so it is not kept";
+  }
+  SQLite::Database(scratch.path().string(), SQLite::OPEN_READWRITE)
+      .exec("UPDATE diagnostics SET checksum = checksum + 1 WHERE first_tick = 250");
+  EXPECT_THAT(refusal_of(scratch.path()), HasSubstr("diagnostics at tick 250 are damaged"));
+  SQLite::Database(scratch.path().string(), SQLite::OPEN_READWRITE)
+      .exec("DELETE FROM diagnostics WHERE first_tick >= 250");
+  EXPECT_THAT(refusal_of(scratch.path()), HasSubstr("diagnostics from tick 250 on are missing"));
+}
+
+TEST(SessionFile, one_of_version_2_opens_without_diagnostics) {
+  const ScratchSession scratch;
+  write_sample(scratch.path(), 321);
+  make_version_2(scratch.path());
+  const Session session = read_session(scratch.path());
+  EXPECT_EQ(session.version, 2);
+  EXPECT_TRUE(session.finished);
+  EXPECT_TRUE(session.header.diagnostics.empty());
+  ASSERT_EQ(session.ticks.size(), 321U);
+  EXPECT_EQ(bytes_of(session.ticks[320]), bytes_of(sample_record(320)));
+}
+
 TEST(SessionFile, foreign_files_are_refused_in_a_sentence) {
   const ScratchSession scratch;
   EXPECT_THAT(refusal_of("/no/such.bodkin"), HasSubstr("there is no such file"));

@@ -9,7 +9,9 @@
 #include <string>
 
 #include "session/session_file.h"
+#include "session/session_schema.h"
 #include "session/tick_codec.h"
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -44,6 +46,25 @@ class ScratchSession {
   }
   std::filesystem::path path_;
 };
+
+// Makes of a finished session one as Bodkin wrote it until 0.1: format version 2, without diagnostics.
+inline void make_version_2(const std::filesystem::path& file) {
+  SQLite::Database database(file.string(), SQLite::OPEN_READWRITE);
+  database.exec("DROP TABLE diagnostics");
+  database.exec("DELETE FROM header WHERE key='diagnostics'");
+  std::string all;
+  SQLite::Statement rows(database,
+                         "SELECT key || char(10) || value || char(10) FROM header WHERE key NOT IN ('checksum', "
+                         "'finished_after_ticks', 'second_samples') ORDER BY key");
+  while (rows.executeStep()) all += rows.getColumn(0).getString();
+  SQLite::Statement tissues(
+      database, "SELECT id || char(10) || name || char(10) || title || char(10) FROM tissues ORDER BY id");
+  while (tissues.executeStep()) all += tissues.getColumn(0).getString();
+  SQLite::Statement checksum(database, "UPDATE header SET value=? WHERE key='checksum'");
+  checksum.bind(1, text_checksum(all));
+  checksum.exec();
+  database.exec("PRAGMA user_version=2");
+}
 
 inline SessionHeader sample_header() {
   SessionHeader header;

@@ -100,7 +100,7 @@ TEST(DeformableResistance, skin_and_ligament_give_way_in_their_order_and_resista
     const Felt felt = push_in(tick, 40.0);
     EXPECT_TRUE(felt.has(EventKind::puncture, tissue::skin)) << name;
     EXPECT_TRUE(felt.has(EventKind::puncture, tissue::ligamentum_flavum)) << name;
-    EXPECT_TRUE(felt.has(EventKind::loss_of_resistance, tissue::ligamentum_flavum)) << name;
+    EXPECT_TRUE(felt.has(EventKind::loss_of_resistance, tissue::epidural_fat)) << name;
     EXPECT_GT(felt.peak, 4.65) << name;
     EXPECT_LT(felt.end, 3.5) << name;
   }

@@ -1,4 +1,4 @@
-#include "simulation/device_stability.h"
+#include "forces/device_stability.h"
 
 #include <sstream>
 

@@ -1,0 +1,88 @@
+#include "simulation/resistance_models.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "core/error.h"
+#include "forces/depth_profile.h"
+#include "forces/fracture.h"
+#include "forces/layered.h"
+#include "forces/shaft_friction.h"
+#include "forces/spring_damper_wall.h"
+#include "forces/three_component.h"
+#include "forces/tracking_wall.h"
+#include "forces/tracking_wall_leash.h"
+#include "forces/volume_proxy.h"
+#include "simulation/corridors.h"
+#include "simulation/deformable_resistance.h"
+
+namespace bodkin {
+
+namespace {
+
+template <typename Settings>
+const Settings& settings_of(const Case& patient) {
+  return std::get<Settings>(patient.description.haptics.resistance);
+}
+
+template <ResistanceModel Model, template <typename> typename Wrapper = ResistanceOf>
+constexpr ResistanceEntry entry_of() {
+  return {Model::traits, [](const Case& patient, double dt) -> std::unique_ptr<AnyResistance> {
+            return std::make_unique<Wrapper<Model>>(patient, settings_of<typename Model::Settings>(patient), dt);
+          }};
+}
+
+// One name for two models: the wall stays on the line, or may leave it.
+std::unique_ptr<AnyResistance> make_tracking_wall(const Case& patient, double dt) {
+  const auto& settings = settings_of<TrackingWallSettings>(patient);
+  if (settings.leash) return std::make_unique<ResistanceOf<TrackingWallLeash>>(patient, settings, dt);
+  return std::make_unique<ResistanceOf<TrackingWall>>(patient, settings, dt);
+}
+
+constexpr ResistanceEntry models[] = {
+    entry_of<LayeredResistance>(),
+    entry_of<SpringDamperWall>(),
+    {TrackingWall::traits, make_tracking_wall},
+    entry_of<DepthProfile>(),
+    entry_of<VolumeProxy>(),
+    entry_of<ThreeComponent>(),
+    entry_of<Fracture>(),
+    entry_of<ShaftFrictionResistance>(),
+    entry_of<Corridors<DeformableShaft>, BodyResistanceOf>(),
+    entry_of<Corridors<DeformableTip>, BodyResistanceOf>(),
+};
+
+const ResistanceEntry& entry_for(const HapticSettings& haptics) {
+  const std::string_view name = name_of(haptics.resistance);
+  const auto* found = std::find_if(std::begin(models), std::end(models),
+                                   [&](const ResistanceEntry& entry) { return entry.traits.name == name; });
+  if (found != std::end(models)) return *found;
+  std::string names;
+  for (const ResistanceEntry& entry : models) names += (names.empty() ? "" : ", ") + std::string(entry.traits.name);
+  throw InputError("there is no resistance '" + std::string(name) + "', expected one of " + names);
+}
+
+}  // namespace
+
+std::span<const ResistanceEntry> resistance_models() {
+  return models;
+}
+
+std::vector<DiagnosticName> diagnostic_names(const HapticSettings& haptics) {
+  std::vector<DiagnosticName> names;
+  for (const DiagnosticName& name : entry_for(haptics).traits.diagnostics) {
+    if (!name.name.empty()) names.push_back(name);
+  }
+  if (haptics.parts.shaft_friction) names.push_back({"shaft_friction_N", "friction of the shaft"});
+  if (haptics.parts.needle_grasp) names.push_back({"grip", "factor on the friction of the shaft"});
+  return names;
+}
+
+std::unique_ptr<AnyResistance> make_resistance(const Case& patient, double dt) {
+  return entry_for(patient.description.haptics).make(patient, dt);
+}
+
+}  // namespace bodkin
