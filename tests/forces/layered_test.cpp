@@ -183,6 +183,22 @@ TEST(Layered, drag_fades_in_over_20_ms_after_bone) {
   EXPECT_EQ(rig.seen(EventKind::bone_left).size(), 1u);
 }
 
+TEST(Layered, a_needle_that_trembles_on_bone_leaves_it_once) {
+  LayeredRig rig({{fat, 10}, {cortical_bone, 20}});
+  rig.move(10.5, 5.0);
+  for (int turn = 0; turn < 3; ++turn) {
+    rig.move(9.85, 5.0);
+    rig.move(10.1, 5.0);
+  }
+  EXPECT_EQ(rig.seen(EventKind::bone_contact).size(), 1u);
+  EXPECT_TRUE(rig.seen(EventKind::bone_left).empty());
+  rig.move(9.79, 5.0);  // more than 0.2 mm off
+  ASSERT_EQ(rig.seen(EventKind::bone_left).size(), 1u);
+  EXPECT_NEAR(rig.seen(EventKind::bone_left)[0].depth, 9.8, 0.011);
+  rig.move(10.1, 5.0);
+  EXPECT_EQ(rig.seen(EventKind::bone_contact).size(), 2u);
+}
+
 TEST(Layered, fat_behind_an_unbroken_face_does_not_drag) {
   LayeredTissue hard = unbreakable_skin();
   hard.viscosity = 0.0;

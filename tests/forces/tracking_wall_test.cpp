@@ -103,11 +103,6 @@ TEST(TrackingWall, passes_the_nine_layers_of_the_shoulder) {
   } marks[] = {{1.0, 0.5},    {16.617, 1.5}, {16.717, 1.0},   {33.383, 1.025}, {34.333, 1.5}, {49.95, 1.8},
                {83.283, 3.0}, {100.05, 2.5}, {116.717, 2.53}, {134.333, 4.5},  {149.95, 4.5}};
   for (const auto& mark : marks) EXPECT_NEAR(bench.to(mark.depth), mark.force, wall_tick) << mark.depth;
-  const double safety[] = {3.0, 2.0, 3.6, 4.0, 6.0, 7.0, 5.0, 8.0, 9.0};
-  for (int i = 0; i < 9; ++i) {
-    const TrackingWallTissue layer = shoulder().layers[static_cast<std::size_t>(i)].layer;
-    EXPECT_DOUBLE_EQ(layer.force / layer.stiffness, safety[i]);  // eq. 4
-  }
   bench.still(500);
   const auto none = [&](const AxialMotion& motion) {
     EXPECT_EQ(bench(motion), 0.0);
@@ -116,13 +111,37 @@ TEST(TrackingWall, passes_the_nine_layers_of_the_shoulder) {
   move(bench.hand, 0.0, 50.0, none);
 }
 
-TEST(TrackingWall, resolves_along_the_frozen_direction_with_one_threshold_not_three) {
+TEST(TrackingWall, follows_the_tip_at_the_distance_of_each_layer_of_the_shoulder) {
   WallBench bench(shoulder());
-  const double force = bench.to(60.0);  // the 2 N layer
-  const Vec3 hand = -force * Vec3(0.6, 0.0, -0.8);
-  EXPECT_NEAR((hand - Vec3(-1.2, 0.0, 1.6)).norm(), 0.0, 1e-9);
-  WallBench diagonal(shoulder());
-  EXPECT_NEAR(diagonal.to(10.0) / std::numbers::sqrt3, 0.8660254, 1e-6);
+  const double distances[] = {3.0, 2.0, 3.6, 4.0, 6.0, 7.0, 5.0, 8.0, 9.0};  // mm, f_R / K_t, eq. 4
+  for (int i = 0; i < 9; ++i) {
+    bench.to(150.0 / 9 * (i + 1) - 0.05);  // the end of the layer, where every force has saturated
+    EXPECT_NEAR(bench.hand.depth() - bench.wall.wall(), distances[i], 1e-9) << i;
+  }
+}
+
+TEST(TrackingWall, never_asks_for_more_than_its_limit) {
+  TrackingWallSettings settings;
+  settings.limit = 0.75;  // N, less than f_R
+  WallBench bench(settings);
+  EXPECT_NEAR(bench.to(1.0), 0.5, 1e-9);
+  EXPECT_EQ(bench.to(2.0), 0.75);
+  EXPECT_EQ(bench.to(12.0), 0.75);
+  EXPECT_NEAR(bench.wall.wall(), 10.0, 1e-9);  // the limit is the hand's: the wall moves as without it
+}
+
+TEST(TrackingWall, a_channel_is_as_deep_as_it_was_cut_wherever_the_surface_lies) {
+  TrackingWallSettings settings;
+  settings.surface = 5.0;
+  WallBench bench(settings);
+  EXPECT_EQ(bench.to(5.0), 0.0);
+  EXPECT_NEAR(bench.to(6.0), 0.5, 1e-9);
+  bench.to(17.0);
+  bench.still(500);
+  bench.to(4.0);
+  for (double depth = 6.0; depth <= 17.0; ++depth) EXPECT_EQ(bench.to(depth), 0.0) << depth;
+  EXPECT_NEAR(bench.to(17.5), 0.25, 1e-9);
+  EXPECT_NEAR(bench.to(18.0), 0.5, 1e-9);
 }
 
 TEST(TrackingWall, holds_when_the_catch_up_is_infinite) {
