@@ -8,7 +8,7 @@
 source "$(dirname "$0")/setup.sh"
 
 programs=(tick_bench models_bench servo_bench haply_bench run_bench fem_tick_bench fem_body_bench fem_preparation_bench
-          corotational_bench ultrasound_bench)
+          corotational_bench ultrasound_bench case_load_bench)
 results=build/numbers
 
 if [ "${1:-}" != --print ]; then
@@ -54,6 +54,12 @@ fem_tick_bench:needle_tick needle in the deformable body, k contact nodes
 fem_tick_bench:needle_take_over transfer of an inserted needle to an updated submodel, k contact nodes
 fem_tick_bench:display_field displacement field for the display, k contact nodes
 fem_body_bench:machine_itself -
+case_load_bench:whole_case case.xml, tissue library and all volumes, digests verified
+case_load_bench:description_alone case.xml and tissue library
+case_load_bench:volume_alone<std::int16_t> one volume, decompressed
+case_load_bench:volume_alone<std::uint16_t> one volume, decompressed
+case_load_bench:volume_alone<std::uint8_t> one volume, decompressed
+case_load_bench:digest_of_the_ct digest of the CT
 NAMES
 }
 
@@ -90,6 +96,7 @@ heading() {
     fem_preparation_bench) echo "Deformable body: the steps of its preparation" ;;
     corotational_bench) echo "Moving body: one step, and one updated submodel" ;;
     ultrasound_bench) echo "Ultrasound: one image" ;;
+    case_load_bench) echo "Opening a case: the lumbar torso of 1 mm" ;;
   esac
 }
 
