@@ -90,7 +90,7 @@ std::vector<float> distance_to_other_label(const Volume<std::uint8_t>& labels) {
 std::vector<std::uint8_t> thick_enough(const Volume<std::uint8_t>& labels, const std::vector<float>& distance,
                                        const std::vector<float>& radius) {
   // |p - c|^2 - distance[c]^2 < 0 for some middle c: then p lies in its ball. The ball holds one label only, so the
-  // way from c to p, axis by axis, never leaves the label, and the runs may be swept one by one.
+  // path from c to p, axis by axis, never leaves the label, and the runs may be swept one by one.
   const double half = 0.5 * labels.grid.spacing.minCoeff();
   constexpr double slack = 1e-5;  // mm, of single precision
   std::vector<double> power(labels.voxels.size(), nowhere);

@@ -16,7 +16,7 @@ namespace bodkin {
 std::optional<std::filesystem::path> calibrations_file();
 
 // The calibrations that a file holds (share/bodkin/calibrations.xsd); none where there is no such file. Throws
-// InputError for one that is not sound, with file and line.
+// InputError with file and line for an invalid one.
 std::vector<DeviceCalibration> read_calibrations(const std::filesystem::path& file);
 // The same from text already in memory; `origin` names it in messages.
 std::vector<DeviceCalibration> parse_calibrations(std::string_view document, const std::string& origin);
@@ -27,7 +27,7 @@ std::string calibrations_xml(std::span<const DeviceCalibration> calibrations);
 // Replaces the file as a whole, with its folders; nothing is half written. Throws SystemError.
 void write_calibrations(std::span<const DeviceCalibration> calibrations, const std::filesystem::path& file);
 
-// The calibration of that device; null where there is none.
+// The calibration of that device; null when it has none.
 const DeviceCalibration* find_calibration(std::span<const DeviceCalibration> calibrations, std::string_view driver,
                                           std::string_view model, std::string_view serial);
 

@@ -29,7 +29,7 @@ TissueVolume load_case_tissues(const std::filesystem::path& folder, const CaseDe
 // fails, and InputError when read_case_description would refuse what was written.
 void write_case_description(const CaseDescription& description, const std::filesystem::path& folder);
 
-// Everything that is wrong with a case folder, one sentence each; empty = sound. Never throws for bad content.
+// Everything that is wrong with a case folder, one sentence each; empty = valid. Never throws for bad content.
 std::vector<std::string> check_case(const std::filesystem::path& folder, const Progress& progress = {});
 
 }  // namespace bodkin

@@ -12,7 +12,7 @@ namespace bodkin {
 std::vector<std::string> lattice_problems(const Case& patient);
 
 // Everything else that is wrong inside a case, one sentence each: labels and tissue ids that nothing explains, and a
-// planned path that misses the image, the skin or its aim, or is longer than the needle. Empty = sound.
+// planned path that misses the image, the skin or its aim, or is longer than the needle. Empty = valid.
 std::vector<std::string> content_problems(const Case& patient);
 
 }  // namespace bodkin

@@ -23,7 +23,7 @@ namespace {
 
 constexpr int inherited_descriptor = 3;
 constexpr int could_not_start = 127;
-constexpr std::size_t longest_line = 16U << 20U;  // bytes; a worker that babbles is a broken one
+constexpr std::size_t longest_line = 16U << 20U;  // bytes; more than this without a newline means a broken worker
 
 class Descriptor {
  public:
@@ -94,7 +94,7 @@ void limit(int resource, rlim_t value) {
 [[noreturn]] void become(const char* program, char* const* arguments, int input, int output, int null, int inherited,
                          const ChildLimits& limits, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(could_not_start);  // it died before we asked to be told
+  if (getppid() != parent) _exit(could_not_start);  // it died before the death signal was set
   if (limits.memory > 0) limit(RLIMIT_AS, limits.memory);
   limit(RLIMIT_CPU, static_cast<rlim_t>(limits.processor.count()));
   limit(RLIMIT_CORE, 0);
@@ -110,7 +110,7 @@ void limit(int resource, rlim_t value) {
   _exit(could_not_start);
 }
 
-// The child's standard input: memory, so that nobody has to wait for anybody and no pipe can break.
+// The child's standard input: memory, so that neither process waits for the other and no pipe can break.
 Descriptor input_of(std::string_view text) {
   Descriptor memory(memfd_create("bodkin-request", MFD_CLOEXEC));
   const bool written = ::write(memory.get(), text.data(), text.size()) == static_cast<ssize_t>(text.size());
@@ -141,7 +141,8 @@ bool read_lines(const Descriptor& descriptor, std::chrono::steady_clock::time_po
       on_line(std::string_view(pending).substr(start, end - start));
     }
     pending.erase(0, start);
-    if (pending.size() > longest_line) throw SystemError("the child process babbles");
+    if (pending.size() > longest_line)
+      throw SystemError("the child process wrote a line of more than 16 MiB; it is broken or of another version");
   }
 }
 

@@ -31,8 +31,8 @@ struct ChildResult {
 // Runs `program` with `arguments` and waits for it. `input` is written to its standard input, each line of its
 // standard output goes to `on_line` (without the line break), its standard error goes nowhere. `inherited` becomes
 // its file descriptor 3 (-1 = none). The child gets the limits, no core file, and dies when this process does. An
-// exception from `on_line` kills the child and goes on to the caller. Throws SystemError when the program cannot be
-// started.
+// exception from `on_line` kills the child and propagates to the caller. Throws SystemError when the program cannot
+// be started.
 ChildResult run_child(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                       std::string_view input, int inherited, const ChildLimits& limits,
                       const std::function<void(std::string_view line)>& on_line);

@@ -147,17 +147,17 @@ ExperimentMotion motion_from(const XmlElement& element, const std::string& origi
     if (step.name == "move" && speed.has_value() == time.has_value()) {
       fail_at(origin, step.line, "move has both or neither of speed_mm_per_s and time_s, expected one of them");
     }
-    const double way = std::hypot(place.depth - before.depth, place.aside - before.aside);
-    if (speed && way == 0.0)
+    const double distance = std::hypot(place.depth - before.depth, place.aside - before.aside);
+    if (speed && distance == 0.0)
       fail_at(origin, step.line, "move has a speed_mm_per_s but the tip does not move, expected time_s instead");
-    place.time += speed ? way / *speed : time.value_or(0.0);
+    place.time += speed ? distance / *speed : time.value_or(0.0);
     if (place.time > longest) {
       fail_at(origin, step.line,
               fmt::format("the motion takes {:.0f} s up to here, expected at most {} s", place.time, longest));
     }
     if (place.time > before.time) {
       motion.places.push_back(place);
-    } else if (way > 0.0 || place.tilt != before.tilt) {
+    } else if (distance > 0.0 || place.tilt != before.tilt) {
       fail_at(origin, step.line, "move takes no time, expected a time_s above 0");
     }
   }
@@ -204,7 +204,7 @@ PublishedValue value_from(const XmlElement& element, const std::string& origin) 
   return value;
 }
 
-// Walls and proxies can be told from the forces of their own models only.
+// Positions of walls and proxies are known only for the models that have them.
 void check_quantities(const Experiment& experiment, const std::string& origin) {
   const auto check = [&](Quantity quantity) {
     const bool wall = quantity >= Quantity::wall && quantity <= Quantity::wall_z;

@@ -14,8 +14,9 @@ namespace bodkin {
 
 class XmlSchema;
 
-// A needle experiment as its file tells it: what is pierced, with what, how the needle moves, what is drawn, and what
-// was published (docs/figures.md describes the format). The needle enters at the origin of depth; depth runs inwards.
+// A needle experiment as its file describes it: what is pierced, with what, how the needle moves, what is drawn, and
+// what was published (docs/figures.md describes the format). The needle enters at the origin of depth; depth runs
+// inwards.
 
 // A stack of plane layers with the skin at z = 0 and depth along +z, or a half ball, its pole at the origin, with
 // layers as shells from outside to inside; what is left in the middle is made of the last layer.

@@ -95,7 +95,7 @@ Volume<Voxel> read_isolated(const std::filesystem::path& path, const char* kind,
   const std::optional<Grid> grid = grid_from(json::parse(report.result, nullptr, false));
   if (!grid || memory.size() != grid->voxel_count() * sizeof(Voxel)) {
     throw InputError(
-        fmt::format("{}: the imaging library returned no sound image; the file is damaged", path.string()));
+        fmt::format("{}: the imaging library returned an invalid image; the file is damaged", path.string()));
   }
   Volume<Voxel> volume(*grid);
   memory.copy_to(volume.voxels.data(), memory.size());

@@ -6,8 +6,8 @@
 
 namespace bodkin {
 
-// A folder in the making. It is built beside its final place under the name `final.partial-PID` and appears there in
-// one step, by renaming, so that nobody ever sees half of it. What is not finished is removed.
+// A folder in the making. It is built next to its final place under the name `final.partial-PID` and appears there in
+// one step, by renaming, so that no half-written folder is ever visible. What is not finished is removed.
 class PartialFolder {
  public:
   // Refuses (InputError) when `final` exists and may not be replaced, is no case folder, or has no parent folder.

@@ -61,9 +61,11 @@ std::vector<UltrasoundProbe> parse_probes(std::string_view document, const std::
     probes.push_back(probe_from(element, origin));
     const std::string& name = probes.back().name;
     if (const auto [first, fresh] = line_of_name.emplace(small_letters(name), element.line); !fresh) {
-      fail_at(origin, element.line,
-              fmt::format("probe name is '{}', which line {} uses already; capitals do not tell probes apart", name,
-                          first->second));
+      fail_at(
+          origin, element.line,
+          fmt::format(
+              "probe name is '{}', which line {} uses already; names that differ only in capitals are the same name",
+              name, first->second));
     }
   }
   return probes;

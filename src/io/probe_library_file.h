@@ -21,7 +21,8 @@ std::vector<UltrasoundProbe> parse_probes(std::string_view document, const std::
 // The probes that come with Bodkin. Throws SystemError when the installation lacks them.
 std::vector<UltrasoundProbe> default_probes();
 
-// The probe of that name, in capitals or not. Throws InputError, which lists the names, when there is none.
+// The probe of that name, in capitals or not. Throws InputError, which lists the known names, when the library has no
+// such probe.
 const UltrasoundProbe& find_probe(std::span<const UltrasoundProbe> probes, std::string_view name);
 // The same among the probes that come with Bodkin.
 UltrasoundProbe find_probe(std::string_view name);

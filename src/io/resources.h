@@ -6,7 +6,7 @@
 namespace bodkin {
 
 // A file that comes with Bodkin, such as "tissues.xml" or "label_schemes/tptbox.csv". Looked for in the folder that
-// the environment variable BODKIN_SHARE names, beside the running program (../share/bodkin), in the source tree, and
+// the environment variable BODKIN_SHARE names, next to the running program (../share/bodkin), in the source tree, and
 // where Bodkin was installed, in this order. Throws SystemError when it is in none of them.
 std::filesystem::path shared_file(const std::string& name);
 
@@ -19,7 +19,7 @@ std::string read_text_file(const std::filesystem::path& file, std::size_t limit)
 std::filesystem::path file_inside(const std::filesystem::path& folder, const std::string& name,
                                   const std::string& what);
 
-// Whether `name` is a relative file name that stays in its folder as far as its text tells.
+// Whether `name` is a relative file name that stays in its folder judged by its text alone.
 bool is_inside_name(const std::string& name);
 
 }  // namespace bodkin

@@ -10,12 +10,12 @@ namespace bodkin {
 // What the header of an ultrasound sequence as PLUS writes it (.igs.mha) says of one of its pictures beyond what
 // every MetaImage says.
 struct SequenceHeader {
-  std::string orientation;          // "MF": columns to the marked side, rows into the depth; empty: not told
-  double across = 0.0, down = 0.0;  // mm between columns, rows, by the picture's calibration; 0: not told
+  std::string orientation;          // "MF": columns to the marked side, rows into the depth; empty: not given
+  double across = 0.0, down = 0.0;  // mm between columns, rows, by the picture's calibration; 0: not given
   bool calibrated() const { return across > 0.0 && down > 0.0; }
 };
 
-// Reads "Key = Value" lines up to the pixels. Whatever is no such line, or no sound matrix, counts as not told: any
+// Reads "Key = Value" lines up to the pixels. Anything else, and any invalid matrix, counts as not given: any
 // bytes give a header. `frame` is counted from 0. The calibration is a transform from "Image" to something in mm, the
 // frame's own or the file's.
 SequenceHeader parse_sequence_header(std::string_view bytes, std::size_t frame);

@@ -7,7 +7,7 @@
 namespace bodkin {
 
 // The length in bytes of the character at `position`: well-formed UTF-8 of a character that XML 1.0 allows (no
-// control characters but tab, line feed and carriage return); 0 when there is none.
+// control characters but tab, line feed and carriage return); 0 when all are valid.
 std::size_t character_length(std::string_view text, std::size_t position) noexcept;
 
 // The text with every byte that is not part of such a character replaced by U+FFFD.

@@ -34,16 +34,16 @@ std::filesystem::path find_worker(const WorkerProgram& program) {
   if (const char* named = std::getenv(program.variable.c_str())) return named;
   std::error_code error;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
-  const std::filesystem::path beside = self.parent_path() / program.name;
+  const std::filesystem::path next_to_program = self.parent_path() / program.name;
   const std::filesystem::path installed = std::filesystem::path(BODKIN_INSTALLED_LIBEXEC) / program.name;
   const std::filesystem::path relocated = self.parent_path().parent_path() / "libexec" / "bodkin" / program.name;
-  for (const std::filesystem::path& place : {beside, relocated, installed}) {
+  for (const std::filesystem::path& place : {next_to_program, relocated, installed}) {
     if (std::filesystem::exists(place, error)) return place;
   }
   throw SystemError(fmt::format(
-      "{} is missing: it is neither beside the program ({}) nor in {}; build Bodkin with {}=ON or name it "
+      "{} is missing: it is neither next to the program ({}) nor in {}; build Bodkin with {}=ON or name it "
       "in {}",
-      program.name, beside.string(), installed.string(), program.option, program.variable));
+      program.name, next_to_program.string(), installed.string(), program.option, program.variable));
 }
 
 WorkerTalk run_worker(const WorkerProgram& program, const std::string& verb, const std::string& arguments,

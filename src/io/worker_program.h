@@ -28,7 +28,7 @@ struct WorkerTalk {
   bool succeeded() const { return child.end == ChildEnd::exited && child.exit_code == 0 && !result.empty(); }
 };
 
-// The worker's file: the one that the environment names, else beside this program or where Bodkin was installed.
+// The worker's file: the one that the environment names, else next to this program or where Bodkin was installed.
 // Throws SystemError when it is in none of these places.
 std::filesystem::path find_worker(const WorkerProgram& program);
 

@@ -156,7 +156,7 @@ Document schema_document(const std::string& name, std::set<std::string>& read) {
       const Document included = schema_document(other, read);
       for (const xmlNode* part = xmlDocGetRootElement(included.get())->children; part != nullptr; part = part->next) {
         if (part->type != XML_ELEMENT_NODE) continue;
-        // Beside the old node, so that prefixes mean the same.
+        // Next to the old node, so that prefixes mean the same.
         xmlNode* copied = xmlDocCopyNode(const_cast<xmlNode*>(part), document.get(), 1);
         if (copied == nullptr) throw SystemError("out of memory while reading the schema " + name);
         xmlAddPrevSibling(node, copied);

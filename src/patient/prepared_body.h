@@ -13,7 +13,7 @@
 
 namespace bodkin {
 
-// The condensed body lies beside the mesh that it was made from, in the case folder.
+// The condensed body is stored next to the mesh that it was made from, in the case folder.
 inline constexpr const char* body_file_name = "body.condensed";
 
 // Gives a case the deformable body that its resistance needs, with a corridor about `path` (the planned one where

@@ -16,7 +16,7 @@ struct ReplayDifference {
   std::uint64_t tick = 0;
   double time = 0.0;     // s
   std::string field;     // "applied_force_x", "tissue", "events", ...
-  std::string recorded;  // as text that tells every bit
+  std::string recorded;  // as text that determines every bit
   std::string recomputed;
 };
 

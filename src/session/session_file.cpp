@@ -251,7 +251,7 @@ SessionWriter::~SessionWriter() {
   try {
     impl_->flush();
   } catch (const SQLite::Exception&) {
-    // Nothing more can be saved, and nobody is left to be told: commit() and finish() do the telling.
+    // Nothing more can be saved here and a destructor cannot report it; commit() and finish() report errors.
   }
 }
 

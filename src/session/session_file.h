@@ -89,7 +89,7 @@ struct Session {
   bool finished = false;                  // false: the recording process died; what is here is what was saved
 };
 
-// Throws InputError for anything that is not a sound session file of this version.
+// Throws InputError for anything that is not a valid session file of a known version.
 Session read_session(const std::filesystem::path& file);
 
 }  // namespace bodkin

@@ -96,7 +96,7 @@ void Reader::check_first_bytes() {
   if (big_endian(&raw[68]) != static_cast<std::uint32_t>(session_schema::application_id)) {
     fail("this is a database of another program, not a session");
   }
-  // Without a log beside it the file must be as long as it says; with one, the rest may still be in the log.
+  // Without a write-ahead log the file must be as long as it says; with one, the rest may still be in the log.
   const std::uint64_t page = raw[16] == 0 && raw[17] == 1 ? 65536 : std::uint64_t{raw[16]} << 8 | raw[17];
   const bool has_log =
       fs::exists(file_.string() + "-wal", error) && fs::file_size(file_.string() + "-wal", error) > 0;
@@ -315,8 +315,8 @@ void Reader::read_chunk(std::uint64_t first_tick, std::uint32_t ticks, std::uint
   for (std::uint32_t event = 0; event < events; ++event, rest = rest.subspan(encoded_event_size)) {
     SessionEvent& found = session.events.emplace_back();
     std::uint32_t tick_of_chunk = 0;
-    const bool sound = decode_event(rest.first(encoded_event_size), tick_of_chunk, found.event);
-    if (!sound || tick_of_chunk >= ticks || tick_of_chunk < earlier) {
+    const bool valid = decode_event(rest.first(encoded_event_size), tick_of_chunk, found.event);
+    if (!valid || tick_of_chunk >= ticks || tick_of_chunk < earlier) {
       fail(fmt::format("an event of the chunk at tick {} is not one", first_tick));
     }
     earlier = tick_of_chunk;
@@ -336,11 +336,11 @@ void Reader::read_second_hand(SQLite::Database& database, Session& session) cons
     if (!second) fail("there are samples of a second hand, but the header names none");
     if (row >= session_schema::most_second_samples) fail("the second hand has too many samples");
     std::array<double, 11> values{};  // in the order of the columns
-    bool sound = query.getColumn(0).getInt64() == static_cast<std::int64_t>(row);
+    bool valid = query.getColumn(0).getInt64() == static_cast<std::int64_t>(row);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const SQLite::Column column = query.getColumn(static_cast<int>(i) + 1);
       const bool is_number = i < 9 || is_plunger;
-      sound = sound && (is_number ? column.isFloat() : column.isNull());
+      valid = valid && (is_number ? column.isFloat() : column.isNull());
       if (is_number) values[i] = column.getDouble();
     }
     SecondSample sample;
@@ -350,13 +350,13 @@ void Reader::read_second_hand(SQLite::Database& database, Session& session) cons
     sample.force = values[8];
     sample.pressure = values[9];
     sample.volume = values[10];
-    for (int axis = 0; axis < 3; ++axis) sound = sound && within(sample.position[axis], -furthest, furthest);
-    sound = sound && within(sample.time, 0.0, last_time) &&
+    for (int axis = 0; axis < 3; ++axis) valid = valid && within(sample.position[axis], -furthest, furthest);
+    valid = valid && within(sample.time, 0.0, last_time) &&
             within(sample.rotation.norm(), 1.0 - unit_tolerance, 1.0 + unit_tolerance) &&
             within(sample.force, -strongest, strongest) &&
             within(sample.pressure, lowest_pressure, highest_pressure) &&
             within(sample.volume, 0.0, largest_volume) && (row == 0 || sample.time > session.second.back().time);
-    if (!sound) fail(fmt::format("sample {} of the second hand is damaged", row));
+    if (!valid) fail(fmt::format("sample {} of the second hand is damaged", row));
     session.second.push_back(sample);
   }
   if (second && session.finished && number<std::uint64_t>("second_samples") != session.second.size()) {

@@ -68,7 +68,7 @@ TEST(ProbeLibraryFile, faults_are_refused_with_line_field_found_and_expected) {
       "probes.xml, line 2: probe name is 'A 1', expected a name such as C5-2: letters, digits, '.', '_', '-' and "
       "'/', at most 64, the first a letter or a digit");
   EXPECT_EQ(probes_refused("name='B2'", "name='a1'"),
-            "probes.xml, line 4: probe name is 'a1', which line 2 uses already; capitals do not tell probes apart");
+            "probes.xml, line 4: probe name is 'a1', which line 2 uses already; names that differ only in capitals are the same name");
   EXPECT_EQ(
       probes_refused("lowest_MHz='5'", "lowest_MHz='8'"),
       "probes.xml, line 2: probe 'A1': lowest frequency is 8 MHz, expected 0.1 to 7.2 MHz; the centre frequency "

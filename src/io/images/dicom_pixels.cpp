@@ -25,8 +25,9 @@ namespace {
 // file of a few bytes from asking for gigabytes.
 constexpr double compressed_limit = 5000.0;
 
-constexpr std::size_t workers = 2;                      // slices decoded at a time
-constexpr std::uintmax_t decoding_memory = 96U << 20U;  // bytes beside the slices' own: stacks and heaps of threads
+constexpr std::size_t workers = 2;  // slices decoded at a time
+constexpr std::uintmax_t decoding_memory =
+    96U << 20U;  // bytes in addition to the slices' own: stacks and heaps of threads
 
 void require_plausible_slice(const DicomSeries& series, const DicomSlice& slice) {
   std::error_code error;

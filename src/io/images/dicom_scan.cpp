@@ -25,7 +25,8 @@ namespace {
 
 constexpr std::size_t most_files = 20000;
 constexpr int deepest_folder = 8;
-constexpr std::uintmax_t header_memory = 32U << 20U;  // bytes that reading a header may take beside the file's own
+constexpr std::uintmax_t header_memory =
+    32U << 20U;  // bytes that reading a header may take in addition to the file's own
 
 std::string text_of(const gdcm::DataSet& data, const gdcm::Tag& tag) {
   if (!data.FindDataElement(tag)) return {};

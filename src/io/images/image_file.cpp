@@ -15,8 +15,8 @@
 namespace bodkin {
 namespace {
 
-// niftilib derives file names from file names: asked for a.nii.gz it may read the voxels of an a.nii that lies beside
-// it. So it is shown a link of a name that nothing else has, in a folder of its own.
+// niftilib derives file names from file names: asked for a.nii.gz it may read the voxels of an a.nii in the same
+// folder it. So it is shown a link of a name that nothing else has, in a folder of its own.
 class PrivateLink {
  public:
   PrivateLink(const std::filesystem::path& file, const std::string& name) {

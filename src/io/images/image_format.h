@@ -20,9 +20,9 @@ struct Payload {
   bool gzip_file = false;    // the whole file is a gzip stream (NIfTI)
 };
 
-// Reads a header the careful way, before a library does: every number of the geometry must be there, finite and not
-// zero where a length is meant; the voxels must be in the file itself or in a plain file beside it (never elsewhere);
-// the kind of voxel must be a number. Throws InputError, one sentence. For DICOM there is read_dicom_*.
+// Checks a header strictly, before a library reads it: every number of the geometry must be there, finite and not
+// zero where a length is meant; the voxels must be in the file itself or in a plain file in the same folder (never
+// elsewhere); the kind of voxel must be a number. Throws InputError, one sentence. For DICOM there is read_dicom_*.
 Payload inspect_nifti(const std::filesystem::path& file);
 Payload inspect_nrrd(const std::filesystem::path& file);
 Payload inspect_meta_image(const std::filesystem::path& file);

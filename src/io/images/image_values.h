@@ -8,7 +8,7 @@
 
 namespace bodkin {
 
-// What happened to values on their way to HU, gathered over all voxels of an image.
+// What happened to values in the conversion to HU, gathered over all voxels of an image.
 struct HounsfieldLosses {
   double largest_rounding = 0.0;  // HU
   std::size_t padded = 0;         // voxels below -1024, the scanner's padding

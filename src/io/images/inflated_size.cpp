@@ -8,7 +8,7 @@
 namespace bodkin {
 namespace {
 
-constexpr int any_header = 15 + 32;  // zlib's way of asking for gzip or zlib, whichever comes
+constexpr int any_header = 15 + 32;  // zlib's code for a gzip or a zlib header
 constexpr std::size_t buffer_size = 1U << 18U;
 
 struct Inflater {

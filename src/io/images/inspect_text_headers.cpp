@@ -47,7 +47,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-// Reads lines until `last` (a key after which voxels follow) or an empty line, whichever the format has.
+// Reads lines until `last` (a key after which voxels follow) or an empty line, depending on the format.
 TextHeader read_text_header(const std::filesystem::path& file, const std::string& separator,
                             const std::string& last) {
   std::ifstream stream(file, std::ios::binary);
@@ -125,7 +125,7 @@ void require_number_type(const TextHeader& header, const std::string& name) {
                                type == nullptr ? "" : printable(*type)));
 }
 
-// Where a detached header keeps its voxels: a plain file beside it, never elsewhere.
+// Where a detached header keeps its voxels: a plain file in the same folder, never elsewhere.
 std::filesystem::path data_beside(const std::filesystem::path& file, const std::string& value) {
   const std::filesystem::path data = value;
   const bool plain = !value.empty() && data == data.filename() && value != ".." && value != "." &&

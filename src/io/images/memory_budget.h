@@ -9,7 +9,7 @@ namespace bodkin {
 // While it lives, the process may take no more than `bytes` of writable memory beyond what it has; what wants more
 // gets std::bad_alloc. For a library that believes the lengths in a file before it has seen the bytes. Address space
 // that is only reserved is free: a thread's heap reserves 64 MiB whenever it first has to wait for another's, which
-// depends on the machine's load. Process-wide: for the image worker, where reading one file is all that goes on. Does
+// depends on the machine's load. Process-wide: for the image worker, which reads one file and does nothing else. Does
 // nothing under the address sanitizer.
 class MemoryBudget {
  public:

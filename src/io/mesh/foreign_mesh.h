@@ -12,7 +12,7 @@
 
 namespace bodkin {
 
-// A mesh as somebody's file gives it: its regions are numbers that mean something to whoever made it. Coordinates
+// A mesh as a file of another program gives it: its region numbers have the meaning that program chose. Coordinates
 // are finite and within 1e5 mm, corners are nodes and differ from each other.
 struct ForeignMesh {
   std::vector<Vec3> nodes;  // as in the file, taken for LPS mm

@@ -182,7 +182,7 @@ class VtuReader {
     }
     std::erase_if(candidates, [](const xmlNode* node) { return !is_whole_type(attribute(node, "type")); });
     if (candidates.size() == 1) return candidates.front();
-    fail(piece, "no cell array tells the regions, expected one named 'tissue'");
+    fail(piece, "no cell array gives the regions, expected one named 'tissue'");
   }
 
   ForeignMesh mesh(const xmlNode* piece) {

@@ -102,7 +102,8 @@ MaskVolume solid_body(const Volume<float>& means, std::vector<std::string>& note
   const double removed = static_cast<double>(filled - kept) * voxel / 1e3;
   if (removed > 20.0) {
     notes.push_back(fmt::format(
-        "Solid things beside the body (couch, arms, objects; {:.0f} mL) were left out and have no skin.", removed));
+        "Solid objects outside the body (couch, arms, other objects; {:.0f} mL) were left out and have no skin.",
+        removed));
   }
   return body;
 }

@@ -47,7 +47,7 @@ struct CaseSummary {
 
 // Builds a case folder: ct.nrrd, structures.nrrd (only with labels), tissues.nrrd, case.xml, and
 // tissues.xml, the tissue library, when one is given. It is written under
-// another name beside its place (DIR.partial-PID) and renamed when it is complete, so a folder that is there is
+// a temporary name in the same folder (DIR.partial-PID) and renamed when it is complete, so a folder that is there is
 // whole. Throws InputError when the input is at fault, SystemError when the disk is; nothing is left behind then.
 CaseSummary build_imported_case(const NewCase& wanted, const ImportOptions& options, const Progress& progress = {});
 CaseSummary build_synthetic_case(const NewCase& wanted, const LumbarParameters& parameters,

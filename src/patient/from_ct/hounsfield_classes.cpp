@@ -208,7 +208,8 @@ TissueVolume classify_tissues(const CtVolume& ct, const LabelVolume& structures,
       TissueId* row = &tissues.at(0, j, k);
       for (std::size_t i = 0; i < raws.size(); ++i) {
         const float d = distances[i];
-        // Blocks tell inside from outside but for one block about the surface, where the skin's own HU tell.
+        // Blocks separate inside from outside, except for one block around the surface, where the skin's own HU
+        // decide.
         if (d > edge || (d > -edge && raws[i] < skin_surface_hounsfield && body.has_skin)) continue;
         const Sample sample = {raws[i], smooths[i], -d, lungs[i] > 0.5F};
         LabelAction action = by_hounsfield;

@@ -111,7 +111,7 @@ bool in_sac(const ConstructedSection& s, double x, double y) {
 bool is_nerve(const ConstructedSection& s, double x, double y, bool above_conus) {
   const double u = x - s.x, v = y - s.sac_y;
   if (above_conus) return square(u / 4.5) + square(v / std::min(4.0, 0.6 * s.sac_half_depth)) < 1.0;
-  // Cauda equina: the roots hang in two bundles beside the midline, towards the back.
+  // Cauda equina: the roots hang in two bundles on either side of the midline, towards the back.
   const double side = (std::abs(u) - 0.72 * s.sac_half_width) / (0.14 * s.sac_half_width);
   return square(side) + square((v - 0.15 * s.sac_half_depth) / (0.5 * s.sac_half_depth)) < 1.0;
 }

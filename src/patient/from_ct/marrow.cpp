@@ -39,8 +39,8 @@ MarrowSection widened(const MarrowSection& section) {
   return out;
 }
 
-// The holes of a section: free cells that no way of free cells joins to its border, unless they cover more than
-// `most`.
+// The holes of a section: free cells that are not connected to its border through free cells, unless they cover more
+// than `most`.
 MarrowSection holes_of(const MarrowSection& walls, double most) {
   MarrowSection seen = walls, holes = walls;
   std::fill(holes.cells.begin(), holes.cells.end(), std::uint8_t{0});

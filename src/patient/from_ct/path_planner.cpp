@@ -14,23 +14,24 @@ constexpr double enough = 2.5;  // mm of room to bone that a planned path should
 constexpr double step = 0.5;    // mm between looks along a path
 constexpr std::array<const char*, 3> preferred = {"L3_L4", "L4_L5", "L2_L3"};
 
-// What a path meets on its way; nothing when that is bone.
-struct Way {
+// What a path crosses; nothing when it meets bone.
+struct Crossing {
   double room = 1e3;      // mm, the least distance to bone
   double ligament = 0.0;  // mm in the supraspinous and interspinous ligaments: how well it keeps to the midline
 };
 
-std::optional<Way> way_along(const TissueVolume& tissues, const Volume<float>& distance, const NeedlePath& path) {
-  Way way;
+std::optional<Crossing> crossing_along(const TissueVolume& tissues, const Volume<float>& distance,
+                                       const NeedlePath& path) {
+  Crossing crossing;
   const Vec3 along = path.direction();
   for (double depth = 0.0; depth <= path.length(); depth += step) {
     const Vec3 p = path.entry + depth * along;
     const TissueId here = nearest(tissues, p, tissue::air);
     if (is_bone(here)) return std::nullopt;
-    if (here == tissue::supraspinous_ligament || here == tissue::interspinous_ligament) way.ligament += step;
-    way.room = std::min(way.room, linear(distance, p, 1e3));
+    if (here == tissue::supraspinous_ligament || here == tissue::interspinous_ligament) crossing.ligament += step;
+    crossing.room = std::min(crossing.room, linear(distance, p, 1e3));
   }
-  return way;
+  return crossing;
 }
 
 }  // namespace
@@ -39,8 +40,8 @@ SkinPoint skin_along(const TissueVolume& tissues, const Vec3& inside, const Vec3
   constexpr double fine = 0.1;
   constexpr TissueId outside = 255;
   Vec3 last = inside;
-  for (double way = fine; way < 400.0; way += fine) {
-    const Vec3 p = inside + way * direction;
+  for (double distance = fine; distance < 400.0; distance += fine) {
+    const Vec3 p = inside + distance * direction;
     const TissueId here = nearest(tissues, p, outside);
     if (here == tissue::air) return {last, true};
     if (here == outside) return {last, false};
@@ -65,14 +66,14 @@ std::vector<PlannedPath> plan_paths(const TissueVolume& tissues, const SpineView
                               -std::cos(aside * degree) * std::sin(up * degree));
           const SkinPoint skin = skin_along(tissues, target, outwards);
           const NeedlePath path{skin.point, target};
-          const auto way = way_along(tissues, distance, path);
-          if (!way) continue;
+          const auto crossing = crossing_along(tissues, distance, path);
+          if (!crossing) continue;
           // Room up to 5 mm counts, 8 mm of ligament as much as 1 mm of room; then a slight cephalad tilt is usual.
-          const double score = std::min(way->room, 5.0) + std::min(way->ligament, 30.0) / 8.0 -
+          const double score = std::min(crossing->room, 5.0) + std::min(crossing->ligament, 30.0) / 8.0 -
                                0.03 * std::abs(up - 8.0) - 0.1 * std::abs(aside);
           if (score <= most) continue;
           most = score;
-          best = PlannedPath{gap.name, path, way->room, up, skin.skin};
+          best = PlannedPath{gap.name, path, crossing->room, up, skin.skin};
         }
       }
     }

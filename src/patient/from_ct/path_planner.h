@@ -10,7 +10,7 @@
 
 namespace bodkin {
 
-// A straight way from the skin through one interspace into the dural sac.
+// A straight path from the skin through one interspace into the dural sac.
 struct PlannedPath {
   std::string interspace;
   NeedlePath path;
@@ -19,8 +19,9 @@ struct PlannedPath {
   bool from_skin = true;   // false: the image ends before the skin
 };
 
-// For every interspace the way with the most room to bone, of those 0 to 24 degrees cephalad and up to 4 degrees
-// sideways that meet no bone; interspaces without such a way are left out. The order is that of `spine.interspaces`.
+// For every interspace the path with the most clearance to bone, of those 0 to 24 degrees cephalad and up to 4
+// degrees sideways that meet no bone; interspaces without such a path are left out. The order is that of
+// `spine.interspaces`.
 std::vector<PlannedPath> plan_paths(const TissueVolume& tissues, const SpineView& view, const LumbarSpine& spine);
 
 // The path to propose: L3/L4, else L4/L5, else L2/L3, each when it leaves 2.5 mm to bone; else the roomiest.
@@ -29,7 +30,7 @@ std::optional<PlannedPath> best_path(const std::vector<PlannedPath>& paths);
 // The narrower paths that best_path() would rather have taken than `taken`, in its order.
 std::vector<PlannedPath> passed_over(const std::vector<PlannedPath>& paths, const PlannedPath& taken);
 
-// The last point of the body on the way from `inside` along `direction` (unit), and whether it is skin that ends
+// The last point of the body on the ray from `inside` along `direction` (unit), and whether it is skin that ends
 // there.
 struct SkinPoint {
   Vec3 point;

@@ -52,7 +52,7 @@ FoundSpine found_in(SpineView view, SpinalCanal canal, const char* source) {
   return {std::move(view), std::move(spine), source};
 }
 
-// LPS z of the lowest lung in the image; far above everything when there is none.
+// LPS z of the lowest lung in the image; far above the image when it shows none.
 double lung_base(const BodySurface& body) {
   double base = 1e9;
   const Grid& grid = body.lung.grid;
@@ -76,7 +76,8 @@ std::string why_not_lumbar(const LumbarSpine& spine, const CtVolume& ct, const B
   });
   if (cut > static_cast<std::ptrdiff_t>(sections.size() / 2)) return "the image border cuts it lengthwise";
   if (spine.interspaces.back().middle() > lung_base(body) - below_lung) {
-    return fmt::format("it lies beside lung or less than {:.0f} mm below, where vertebrae are thoracic", below_lung);
+    return fmt::format("it lies at the level of the lungs or less than {:.0f} mm below, where vertebrae are thoracic",
+                       below_lung);
   }
   return "";
 }
@@ -171,7 +172,7 @@ void build_lumbar(BuiltPatient& patient, const FoundSpine& found, bool plan) {
   if (spine.counted_from_sacrum) {
     patient.notes.emplace_back("Levels are counted up from the sacrum, assuming five lumbar vertebrae.");
   } else if (!spine.levels_known) {
-    patient.notes.emplace_back("Nothing tells the levels of the vertebrae, so interspaces are numbered from below.");
+    patient.notes.emplace_back("The levels of the vertebrae are not known, so interspaces are numbered from below.");
   }
   const auto paths = plan_paths(patient.tissues, found.view, spine);
   add_landmarks(patient, spine, paths);

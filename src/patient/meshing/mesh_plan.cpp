@@ -25,7 +25,7 @@ Box whole(const Grid& grid) {
   return {{0, 0, 0}, {grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1}};
 }
 
-// The voxels within `reach` of the corridor; nothing when it runs beside the lattice.
+// The voxels within `reach` of the corridor; nothing when it misses the lattice.
 std::optional<Box> around(const Grid& grid, const NeedlePath& path, const MeshSettings& settings) {
   const double reach = settings.corridor_radius + settings.reach;
   const Vec3 end = path.target + settings.corridor_beyond * path.direction();
@@ -42,7 +42,7 @@ std::optional<Box> around(const Grid& grid, const NeedlePath& path, const MeshSe
   return box;
 }
 
-// The part of a box that holds tissue; nothing when there is none.
+// The part of a box that holds tissue; nothing when it holds none.
 std::optional<Box> with_tissue(const TissueVolume& tissues, const Box& box) {
   Box found{box.high, box.low};
   bool any = false;

@@ -17,7 +17,7 @@ struct MeshSettings {
   double corridor_radius = 25.0;  // mm around the planned path; 1 to 200
 
   // [D] our choices, not offered on the command line.
-  double corridor_beyond = 15.0;  // mm that the corridor goes on beyond the target
+  double corridor_beyond = 15.0;  // mm by which the corridor extends beyond the target
   double reach = 60.0;            // mm of body around the corridor that is meshed
 };
 

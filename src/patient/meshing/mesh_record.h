@@ -11,7 +11,7 @@
 #include "anatomy/case.h"
 #include "anatomy/tetrahedral_mesh.h"
 
-// The mesh of a case lies in its folder as mesh.vtu, with mesh.json beside it, which says what it was made from.
+// The mesh of a case lies in its folder as mesh.vtu, together with mesh.json, which records what it was made from.
 
 namespace bodkin {
 

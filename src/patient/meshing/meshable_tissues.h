@@ -20,7 +20,7 @@ struct MeshableTissues {
 
 // The plan's tissues as they can be meshed with its edges times `scale`. Parts of a tissue that are thinner than 0.8
 // border edges are merged, in two steps: families of tissues first (bone; ligaments; what is in the spinal canal;
-// skin and fat; every other tissue is a family of its own), of which thin parts go to the family beside them; then
+// skin and fat; every other tissue is a family of its own), of which thin parts go to the adjacent family; then
 // the tissues of a family, of which thin parts go to the nearest thick one of the same family. Where a part of a
 // family has no thick tissue at all, it becomes what most of it is. Only the largest connected part of the body
 // stays. Edges grow away from the borders that are left.

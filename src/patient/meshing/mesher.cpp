@@ -57,7 +57,8 @@ TetrahedralMesh take_mesh(const SharedMemory& memory, const json& result, const 
   TetrahedralMesh mesh;
   if (nodes > memory.size() / bytes_per_node || elements > memory.size() / bytes_per_element ||
       memory.size() != nodes * bytes_per_node + elements * bytes_per_element) {
-    throw SystemError("bodkin-mesher returned no sound mesh; it is another version than the program that called it");
+    throw SystemError(
+        "bodkin-mesher returned an invalid mesh; it is another version than the program that called it");
   }
   std::vector<std::array<double, 3>> places(nodes);
   mesh.elements.resize(elements);
@@ -71,7 +72,7 @@ TetrahedralMesh take_mesh(const SharedMemory& memory, const json& result, const 
   }
   for (const auto& element : mesh.elements) {
     if (*std::max_element(element.begin(), element.end()) >= nodes)
-      throw SystemError("bodkin-mesher returned no sound mesh");
+      throw SystemError("bodkin-mesher returned an invalid mesh");
   }
   return mesh;
 }
@@ -103,10 +104,10 @@ std::vector<std::string> merge_notes(const MeshPlan& plan, const MeshableTissues
                          merged.after[id] == 0 ? "" : " (in part)");
   }
   if (!names.empty()) {
-    notes.push_back(fmt::format("Too thin for the elements there, and so meshed as the tissue beside: {}.", names));
+    notes.push_back(fmt::format("Too thin for the elements there, and so meshed as the adjacent tissue: {}.", names));
   }
   if (plan.boxed) {
-    notes.push_back("The body goes on beyond the mesh, which ends where it is far from the planned path.");
+    notes.push_back("The body extends beyond the mesh, which covers only the surroundings of the planned path.");
   }
   if (merged.dropped > 0) {
     const double volume = static_cast<double>(merged.dropped) * plan.tissues.grid.spacing.prod() / 1000.0;
@@ -129,10 +130,10 @@ bool mesher_present() {
 MeshedBody mesh_tissues(const TissueVolume& tissues, const std::optional<NeedlePath>& path,
                         const TissueLibrary& library, const MeshSettings& settings, const Progress& progress) {
   find_worker(mesh_program);
-  const auto tell = [&](std::string_view stage, double fraction) {
+  const auto report = [&](std::string_view stage, double fraction) {
     if (progress) progress(stage, fraction);
   };
-  tell("planning the mesh", 0.0);
+  report("planning the mesh", 0.0);
   const MeshPlan plan = plan_mesh(tissues, path, settings);
   const double wanted = static_cast<double>(settings.nodes);
   const auto nonsense = [](double scale) { return !(scale < widest_scale && scale > 1.0 / widest_scale); };
@@ -155,7 +156,7 @@ MeshedBody mesh_tissues(const TissueVolume& tissues, const std::optional<NeedleP
                        {"most", last ? 1e12 : std::ceil((1.0 + close_enough) * wanted)},
                        {"expected", wanted}};
     Attempt made = run_mesher(meshable, wish, [&](std::string_view stage, double fraction) {
-      tell(fmt::format("{}, round {}", stage, round), fraction);
+      report(fmt::format("{}, round {}", stage, round), fraction);
     });
     if (made.refined_nodes == 0) {
       throw InputError("no tissue is thick enough for elements of this size; ask for more nodes");

@@ -22,7 +22,7 @@ struct MeshedBody {
   std::vector<std::string> notes;  // what was merged, cut off or missed, one sentence each
 };
 
-// Meshes the tissues of a case near its planned path (all of them when there is none), with about the wanted number
+// Meshes the tissues of a case near its planned path (all of them without a path), with about the wanted number
 // of nodes: the edges are scaled, at most five times, until the number lies within 10 %; what is then missed is
 // noted. `library` gives the names for notes. The same input gives the same mesh. Throws InputError when nothing can
 // be meshed or the number of nodes cannot be reached, SystemError when bodkin-mesher is missing or fails.

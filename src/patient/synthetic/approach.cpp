@@ -40,7 +40,7 @@ Approach plan_approach(const LumbarModel& model, int upper) {
   double best_score = -1e9;
   for (int shift = -12; shift <= 12; ++shift) {
     const SpineSection section = spine.section(interspace.z() + shift);
-    // Half way between the back of the sac and the roots, which lie in its front half.
+    // Halfway between the back of the sac and the roots, which lie in its front half.
     const double middle_y = section.sac_y + 0.25 * section.sac_half_depth;
     const Vec3 target(section.canal_x, section.canal_y + middle_y / section.tilt, section.z);
     for (int cephalad = -8; cephalad <= 40; ++cephalad) {

@@ -88,9 +88,9 @@ double Ilium::distance(const Vec3& p) const {
   for (std::size_t i = 0; i + 1 < kStations.size(); ++i) {
     const Station &a = kStations[i], &b = kStations[i + 1];
     const double dx = b.x - a.x, dy = b.y - a.y;
-    const double lean = 0.22 * q.z();  // the wing flares outwards above
-    const double t = std::clamp(((q.x() - lean - a.x) * dx + (q.y() - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-    const double ex = q.x() - lean - a.x - t * dx, ey = q.y() - a.y - t * dy;
+    const double flare = 0.22 * q.z();  // the wing flares outwards above
+    const double t = std::clamp(((q.x() - flare - a.x) * dx + (q.y() - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+    const double ex = q.x() - flare - a.x - t * dx, ey = q.y() - a.y - t * dy;
     const double half = a.half + t * (b.half - a.half);
     const double smooth = t * t * (3.0 - 2.0 * t);
     const double crest = a.crest + smooth * (b.crest - a.crest);

@@ -59,7 +59,7 @@ class Spine {
   const Pose& pose(int bone) const { return poses_[static_cast<std::size_t>(bone)]; }
   const Vertebra& vertebra(int index) const { return vertebrae_[static_cast<std::size_t>(index)]; }
   const SpineSizes& sizes() const { return sizes_; }
-  // Middle of the canal half way between two laminae, below vertebra `index`.
+  // Middle of the canal halfway between two laminae, below vertebra `index`.
   Vec3 interspace(int index) const;
   Vec3 conus() const { return conus_; }
   double top() const;     // z of the highest point of L1

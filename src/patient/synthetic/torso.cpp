@@ -4,7 +4,7 @@ namespace bodkin {
 namespace {
 
 // Depth of the groove between the two columns of back muscle, and how far the supraspinous ligament stands behind the
-// tips of the spinous processes (mm): our choice. Section thicknesses of the other muscles likewise, after CT.
+// tips of the spinous processes (mm): our choice. Section thicknesses of the other muscles: our choice too, after CT.
 constexpr double kMuscleFurrow = 9.0;
 constexpr double kSupraspinous = 3.7;
 
@@ -103,7 +103,7 @@ Material Torso::back_muscle(const Vec3& p, double fascia, const TorsoSection& to
     return {tissue::muscle, left ? structure::autochthon_left : structure::autochthon_right};
   }
   if (erector < 1.0 || x < half_width) return {x < half_width ? tissue::muscle : tissue::fat, 0};
-  // Beside the column the wall of the flank comes round to the back, with fat in front of it that ends above the
+  // Lateral to the column the wall of the flank comes round to the back, with fat in front of it that ends above the
   // pelvis.
   const double arch = s1_z_ + 20.0 * s + 0.9 * (p.y() - spine.canal_y) + 12.0 * s * square((x / s - 88.0) / 18.0);
   const bool fat = fascia < -wall_thickness(p, torso) && p.z() > arch;
@@ -185,7 +185,7 @@ Material Torso::soft_tissue(const Vec3& p, const TorsoSection& torso, const Spin
   const double x = std::abs(p.x() - spine.body_x);
   const bool left = p.x() > spine.body_x;
 
-  // Psoas: beside the bodies from L1 downwards, growing.
+  // Psoas: lateral to the bodies from L1 downwards, growing.
   const double down = std::clamp((l1_z_ + 12.0 * s - p.z()) / (l1_z_ - s1_z_), 0.0, 1.3);
   if (down > 0.0) {
     const double radius = (7.0 + 14.0 * down) * std::sqrt(std::min(down / 0.12, 1.0)) * s;
