@@ -1,8 +1,8 @@
-# bodkin_module(NAME [PARSES] [FOLDERS dir...] [LINK target...] [PRIVATE_LINK target...])
+# bodkin_module(NAME [PARSES] [FOLDERS dir...] [EXCEPT file...] [LINK target...] [PRIVATE_LINK target...])
 #
 # Makes the static library bodkin_NAME (alias bodkin::NAME) from every source file of the calling folder, or of the
-# FOLDERS below it. LINK is for what public headers need, PRIVATE_LINK for what only source files need. PARSES: the
-# module reads foreign bytes, so the fuzzers want to see which of its branches they have reached.
+# FOLDERS below it, EXCEPT some. LINK is for what public headers need, PRIVATE_LINK for what only source files need.
+# PARSES: the module reads foreign bytes, so the fuzzers want to see which of its branches they have reached.
 
 set(BODKIN_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wcast-qual -Wimplicit-fallthrough
     $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor> $<$<COMPILE_LANGUAGE:CXX>:-Wold-style-cast>
@@ -41,7 +41,7 @@ function(bodkin_settings target)
 endfunction()
 
 function(bodkin_module name)
-  cmake_parse_arguments(ARG "PARSES" "" "FOLDERS;LINK;PRIVATE_LINK" ${ARGN})
+  cmake_parse_arguments(ARG "PARSES" "" "FOLDERS;EXCEPT;LINK;PRIVATE_LINK" ${ARGN})
   if(NOT ARG_FOLDERS)
     set(ARG_FOLDERS ".")
   endif()
@@ -50,6 +50,8 @@ function(bodkin_module name)
     list(APPEND patterns "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.h")
   endforeach()
   file(GLOB sources CONFIGURE_DEPENDS ${patterns})
+  list(TRANSFORM ARG_EXCEPT PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
+  list(REMOVE_ITEM sources ${ARG_EXCEPT})
   add_library(bodkin_${name} STATIC ${sources})
   add_library(bodkin::${name} ALIAS bodkin_${name})
   set_target_properties(bodkin_${name} PROPERTIES EXPORT_NAME ${name} LINKER_LANGUAGE CXX)
@@ -57,6 +59,8 @@ function(bodkin_module name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/bodkin>)
   target_link_libraries(bodkin_${name} PUBLIC ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK})
   bodkin_settings(bodkin_${name})
+  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME folder_of_module)
+  set_target_properties(bodkin_${name} PROPERTIES BODKIN_MODULE ${folder_of_module})
   if(BODKIN_PRECOMPILED)
     bodkin_precompiled(bodkin_${name})
   endif()
@@ -79,18 +83,18 @@ function(bodkin_uses_itk target)
   endif()
 endfunction()
 
-# bodkin_modules_below(RESULT target...): these modules and all that they link, as targets.
+# bodkin_modules_below(RESULT target...): the libraries of modules among these targets and all that they link, in turn.
 function(bodkin_modules_below result)
   set(found "")
-  foreach(target IN LISTS ARGN)
-    if(target MATCHES "^bodkin(::|_)(.+)$")
-      set(target bodkin_${CMAKE_MATCH_2})
+  while(ARGN)
+    list(POP_FRONT ARGN target)
+    string(REGEX REPLACE "^bodkin::" "bodkin_" target "${target}")
+    if(target MATCHES "^bodkin_" AND NOT target IN_LIST found)
+      list(APPEND found ${target})
       get_target_property(linked ${target} LINK_LIBRARIES)
-      bodkin_modules_below(beneath ${linked})
-      list(APPEND found ${target} ${beneath})
+      list(APPEND ARGN ${linked})
     endif()
-  endforeach()
-  list(REMOVE_DUPLICATES found)
+  endwhile()
   set(${result} ${found} PARENT_SCOPE)
 endfunction()
 

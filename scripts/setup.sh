@@ -8,33 +8,63 @@ export CCACHE_BASEDIR="$root" CCACHE_SLOPPINESS=pch_defines,time_macros
 
 say() { printf '\033[1m==>\033[0m %s\033[2m [%d:%02d]\033[0m\n' "$*" $((SECONDS / 60)) $((SECONDS % 60)) >&2; }
 
-# install_packages NAME...: installs those that are missing.
+# missing_packages NAME...: those that are not installed, one a line.
+missing_packages() {
+  printf '%s\n' "$@" | sort -u | comm -23 - \
+    <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "$@" 2>/dev/null | sed -n 's/^installed //p' | sort -u)
+}
+
+# install_packages NAME...: installs those that are missing, after saying how many packages that is and how large they
+# are. Upgrades only what a missing package needs in a newer version.
 install_packages() {
   command -v dpkg-query >/dev/null || { say "this is not a Debian system; install by hand: $*"; return; }
-  local missing=() package
-  for package in "$@"; do
-    [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
-  done
+  local missing
+  mapfile -t missing < <(missing_packages "$@")
   [ ${#missing[@]} -eq 0 ] && return
   local become=()
   if [ "$(id -u)" -ne 0 ]; then
     command -v sudo >/dev/null || { say "these Debian packages are missing, and without root or sudo they cannot be installed: ${missing[*]}"; exit 1; }
     become=(sudo)
   fi
-  say "installing ${#missing[@]} Debian packages: ${missing[*]}"
-  "${become[@]}" apt-get update -q >&2
-  "${become[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}" >&2
+  local install=(apt-get install --no-upgrade --no-install-recommends)
+  say "${#missing[@]} Debian packages are missing: ${missing[*]}"
+  "${become[@]}" apt-get update -qq >&2
+  say "installing them and what they need:"
+  LC_ALL=C "${install[@]}" --assume-no "${missing[@]}" 2>/dev/null |
+    sed -n -E 's/^([0-9]+ upgraded|Need to get|After this).*/      &/p' >&2 || true
+  # One line for each package would hide everything else; what apt said is shown when it fails.
+  local log
+  log=$(mktemp)
+  "${become[@]}" env DEBIAN_FRONTEND=noninteractive "${install[@]}" -y -q "${missing[@]}" > "$log" 2>&1 &
+  show_progress $! "$log" '^Setting up ' || { cat "$log" >&2; say "apt-get failed; what it said stands above"; exit 1; }
+  rm -f "$log"
+}
+
+# show_progress PROCESS LOG PATTERN: counts, until PROCESS ends, the lines of LOG that match; on a terminal only.
+show_progress() {
+  while [ -t 2 ] && kill -0 "$1" 2>/dev/null; do
+    printf '\r      %s packages are set up ' "$(grep -c "$3" "$2")" >&2
+    sleep 1
+  done
+  [ ! -t 2 ] || printf '\r\033[K' >&2
+  wait "$1"
+}
+
+# configure_preset PRESET: when that has not been done.
+configure_preset() {
+  [ ! -f "build/$1/build.ninja" ] || return 0
+  local launcher=()
+  command -v ccache >/dev/null && launcher=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  say "configuring build/$1"
+  cmake --preset "$1" "${launcher[@]}" ${BODKIN_CMAKE_ARGUMENTS:-} >"build-$1.log" 2>&1 ||
+    { cat "build-$1.log" >&2; rm -f "build-$1.log"; return 1; }
+  rm -f "build-$1.log"
 }
 
 # build_preset PRESET [target...]: configures when that has not been done, then builds what is out of date.
 build_preset() {
   local preset=$1; shift
-  local launcher=()
-  command -v ccache >/dev/null && launcher=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-  if [ ! -f "build/$preset/build.ninja" ]; then
-    say "configuring build/$preset"
-    cmake --preset "$preset" "${launcher[@]}" ${BODKIN_CMAKE_ARGUMENTS:-} >&2
-  fi
+  configure_preset "$preset"
   say "building build/$preset"
   cmake --build --preset "$preset" ${1:+--target "$@"} >&2
 }
