@@ -12,10 +12,10 @@ namespace bodkin {
 // mouse and keyboard.
 std::vector<const bodkin_driver*> all_drivers();
 
-// The one of that name; null where there is none.
+// The one of that name; null when no driver has it.
 const bodkin_driver* find_own_driver(std::string_view name);
 
-// The one of that name, or somebody else's by the path of its library, which has a '/'. Throws InputError for an
+// The one of that name, or a third-party one by the path of its library, which has a '/'. Throws InputError for an
 // unknown name and SystemError for a library that is no driver.
 const bodkin_driver& load_driver(const std::string& name);
 

@@ -63,7 +63,7 @@ std::string full_name(const CLI::App& app) {
   return app.get_parent() == nullptr ? "bodkin" : full_name(*app.get_parent()) + " " + app.get_name();
 }
 
-// The command that was named last, and the words that nothing took on the way to it.
+// The command that was named last, and the words that no option accepted before it.
 struct Reached {
   const CLI::App* command;
   std::vector<std::string> left;

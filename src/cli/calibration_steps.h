@@ -21,7 +21,7 @@ enum class CalibrationStep { workspace, mounting, tip, axis, weight };
 std::string_view name_of(CalibrationStep step);
 // Throws InputError for a name that no step has.
 CalibrationStep calibration_step(const std::string& name);
-// The steps that a device allows: only with rotation can tip and axis be told, only with force can it be weighed.
+// The steps that a device allows: tip and axis need rotation, the weight needs force.
 std::vector<CalibrationStep> steps_for(const DeviceAbilities& device);
 
 struct CalibrationSettings {

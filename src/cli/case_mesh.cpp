@@ -87,7 +87,7 @@ MeshOutcome make_mesh(const CaseMeshOptions& options, const CaseDescription& des
   return {{std::move(made.mesh), std::move(record)}, false};
 }
 
-// Refuses a mesh that lies beside the patient, as one in metres does.
+// Refuses a mesh that lies outside the patient, as one in metres does.
 void require_overlap(const TetrahedralMesh& mesh, const TissueVolume& tissues, const std::string& file) {
   std::size_t inside = 0;
   Vec3 low = mesh.nodes.front(), high = low;

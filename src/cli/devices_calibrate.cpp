@@ -39,7 +39,7 @@ constexpr const char* devices_calibrate_footer = R"(Examples:
   bodkin devices calibrate haption --show                        what is kept of it
   bodkin devices calibrate haption --forget
 
-Steps: workspace (the box that the hand reaches: its middle becomes the middle of the workspace), mounting (which way
+Steps: workspace (the box that the hand reaches: its middle becomes the middle of the workspace), mounting (which direction
 is away from you), tip (where the needle's tip is), axis (which way the needle points), weight (of the handle; the
 motors lift it by 25 mm, let go of it then). Each begins with the Enter key, and without a terminal after a countdown.
 The result is kept in ~/.config/bodkin/calibrations.xml for this very device, and 'bodkin perform' uses it.)";
@@ -122,7 +122,7 @@ DeviceCalibration measure(DevicePort port, const DeviceAbilities& abilities,
   ServoSettings settings;
   settings.rate = std::clamp(abilities.rate, 200.0, 4000.0);
   settings.guard.user_force = Weighing::force_limit;
-  settings.guard.frozen_time = 0.0;  // a handle that nobody holds stands still under force
+  settings.guard.frozen_time = 0.0;  // a free handle can stand still under force
   DeviceServo servo(std::move(port), abilities, settings,
                     [weighing](const ControlInput& input) { return weighing->step(input); });
   servo.start();

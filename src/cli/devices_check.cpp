@@ -49,7 +49,7 @@ struct Observation {
   Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
   std::uint32_t buttons = 0;  // that were pressed
   double hottest = 0.0;
-  double released = 0.0;  // s without a hand, where the device can tell
+  double released = 0.0;  // s without a hand, if the device can detect it
   DeviceFault fault = DeviceFault::none;
   std::string sentence;
   double strongest = 0.0;  // N that left; must be 0
@@ -139,7 +139,7 @@ void say_abilities(const Console& console, const DeviceAbilities& device) {
                    ? fmt::format("  force       {} peak, {} continuous, torque {}", known(device.peak_force, "N"),
                                  known(device.continuous_force, "N"),
                                  device.peak_torque > 0.0 ? known(device.peak_torque, "N mm") : "none")
-                   : "  force       none: it only tells where the hand is");
+                   : "  force       none: it only measures where the hand is");
   console.line(fmt::format("  stiffness   {}, resolution {}", known(device.stiffness, "N/mm"),
                            known(device.resolution, "mm")));
   if (device.workspace_low != device.workspace_high) {

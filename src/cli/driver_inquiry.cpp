@@ -25,17 +25,18 @@ constexpr ChildLimits limits{.memory = 0, .processor = std::chrono::seconds(60),
 
 // What the child says in its one line of JSON.
 nlohmann::json told_by(const bodkin_driver& driver, const std::string& settings, bool wants_devices) {
-  nlohmann::json told = {{"name", driver.name}, {"summary", driver.summary}, {"devices", nlohmann::json::array()}};
-  if (!wants_devices) return told;
+  nlohmann::json answer_json = {
+      {"name", driver.name}, {"summary", driver.summary}, {"devices", nlohmann::json::array()}};
+  if (!wants_devices) return answer_json;
   try {
     for (const FoundDevice& device : list_devices(driver, settings, inquiry_patience)) {
-      told["devices"].push_back({{"identity", device.identity}, {"title", device.title}});
+      answer_json["devices"].push_back({{"identity", device.identity}, {"title", device.title}});
     }
   } catch (const DeviceError& error) {
-    told["fault"] = static_cast<int>(error.fault());
-    told["sentence"] = error.what();
+    answer_json["fault"] = static_cast<int>(error.fault());
+    answer_json["sentence"] = error.what();
   }
-  return told;
+  return answer_json;
 }
 
 nlohmann::json answer_to(const std::string& request) {
@@ -50,26 +51,26 @@ nlohmann::json answer_to(const std::string& request) {
   }
 }
 
-DeviceFault fault_in(const nlohmann::json& told) {
-  const int number = told.value("fault", 0);
+DeviceFault fault_in(const nlohmann::json& answer_json) {
+  const int number = answer_json.value("fault", 0);
   const bool known = number >= 0 && number <= static_cast<int>(DeviceFault::vendor_error);
   return known ? static_cast<DeviceFault>(number) : DeviceFault::vendor_error;
 }
 
-DriverAnswer answer_from(const nlohmann::json& told, DriverAnswer answer) {
-  if (told.contains("refused")) throw InputError(told.at("refused").get<std::string>());
-  if (told.contains("broken")) {
+DriverAnswer answer_from(const nlohmann::json& answer_json, DriverAnswer answer) {
+  if (answer_json.contains("refused")) throw InputError(answer_json.at("refused").get<std::string>());
+  if (answer_json.contains("broken")) {
     answer.fault = DeviceFault::vendor_error;
-    answer.sentence = told.at("broken").get<std::string>();
+    answer.sentence = answer_json.at("broken").get<std::string>();
     return answer;
   }
-  answer.name = told.at("name").get<std::string>();
-  answer.summary = told.at("summary").get<std::string>();
-  for (const nlohmann::json& device : told.at("devices")) {
+  answer.name = answer_json.at("name").get<std::string>();
+  answer.summary = answer_json.at("summary").get<std::string>();
+  for (const nlohmann::json& device : answer_json.at("devices")) {
     answer.devices.push_back({device.at("identity").get<std::string>(), device.at("title").get<std::string>()});
   }
-  answer.fault = fault_in(told);
-  answer.sentence = told.value("sentence", "");
+  answer.fault = fault_in(answer_json);
+  answer.sentence = answer_json.value("sentence", "");
   return answer;
 }
 
@@ -100,8 +101,8 @@ DriverAnswer ask_driver(const std::string& driver, const std::string& settings, 
   const ChildResult result = run_child(std::filesystem::read_symlink("/proc/self/exe"), {driver_inquiry_argument},
                                        request.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace), -1,
                                        limits, [&](std::string_view text) { line = text; });
-  const nlohmann::json told = nlohmann::json::parse(line, nullptr, false);
-  if (told.is_object()) return answer_from(told, std::move(answer));
+  const nlohmann::json answer_json = nlohmann::json::parse(line, nullptr, false);
+  if (answer_json.is_object()) return answer_from(answer_json, std::move(answer));
   answer.fault = DeviceFault::vendor_error;
   answer.sentence = end_of(result, driver);
   return answer;

@@ -9,13 +9,13 @@
 namespace bodkin {
 
 // Asking a driver what it is and what it finds, in a child process: a vendor's library may crash when it is loaded,
-// or never come back, and must take nobody with it. The child is this program again.
+// or never return, and must not take this program with it. The child is this program again.
 
 // What a driver answered, or what became of it instead.
 struct DriverAnswer {
-  std::string driver;   // as it was asked for: a built-in driver's name, or the path of a library
-  std::string name;     // its own; empty where it could not be loaded
-  std::string summary;  // likewise
+  std::string driver;  // as it was asked for: a built-in driver's name, or the path of a library
+  std::string name;    // its own; empty where it could not be loaded
+  std::string summary;
   std::vector<FoundDevice> devices;
   DeviceFault fault = DeviceFault::none;
   std::string sentence;  // where there is a fault, or no answer

@@ -13,7 +13,7 @@ void add_force_options(CLI::App& command, ForceOptions& options) {
            fmt::format("Another force along the needle than the case's, \"NAME SETTING=VALUE ...\": {}",
                        fmt::join(resistance_names, ", ")));
   add_text(command, "--constraint", options.constraint,
-           fmt::format("Another force that keeps the needle on its path, likewise: {}",
+           fmt::format("Another force that keeps the needle on its path, in the same form: {}",
                        fmt::join(constraint_names, ", ")));
   add_texts(
       command, "--part", options.parts,

@@ -128,7 +128,7 @@ void print(const Console& console, const Outcome& outcome, const Case& patient) 
   print_events(console, outcome, patient);
   console.line(fmt::format("\n{:<14} {:.1f} s simulated in {:.2f} s, {:.0f} times real time", "time", outcome.time(),
                            outcome.run.wall_time, outcome.speed()));
-  console.line(fmt::format("{:<14} {:.1f} mm from the target ({:+.1f} along the path, {:.1f} beside it)", "tip",
+  console.line(fmt::format("{:<14} {:.1f} mm from the target ({:+.1f} along the path, {:.1f} across it)", "tip",
                            summary.final_error.distance, summary.final_error.axial, summary.final_error.lateral));
   console.line(fmt::format("{:<14} {:.2f} N of resistance in {} at {:.1f} mm; at most {:.2f} N reached the hand",
                            "peak force", summary.peak_force, patient.library.title(summary.peak_tissue),

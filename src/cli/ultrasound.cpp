@@ -90,7 +90,8 @@ void check_combinations(const UltrasoundArguments& arguments) {
         "--sweep takes its poses from the file; leave out --sweep-to, --on-skin, --tilt, --rock, --rotate and "
         "--frames");
   }
-  if (sweep.on_skin && sweep.to.empty()) throw InputError("--on-skin is for the way of --sweep-to, which is missing");
+  if (sweep.on_skin && sweep.to.empty())
+    throw InputError("--on-skin needs the motion of --sweep-to, which is missing");
   if (!sweep.any() && (sweep.frames_given.given() || sweep.rate_given.given())) {
     throw InputError("--frames and --rate are of a sweep; say which with --sweep-to, --tilt, --rock or --rotate");
   }

@@ -23,14 +23,14 @@ namespace fs = std::filesystem;
 constexpr std::size_t largest_png = std::size_t{256} << 20U;  // bytes
 constexpr double largest_side = 400.0;                        // mm
 constexpr int least_crop = 16;                                // pixels
-constexpr double least_window = 12.0;                         // pixels, of one that nobody has said
+constexpr double least_window = 12.0;                         // pixels, of a window that was not given
 constexpr double square = 0.01;                               // share by which the sides of a pixel may differ
 
 // Greys as a file stores them.
 struct StoredPicture {
   int width = 0, height = 0;
   std::vector<std::uint8_t> pixels;
-  double across = 0.0, down = 0.0;  // mm between columns, rows; 0: not told
+  double across = 0.0, down = 0.0;  // mm between columns, rows; 0: not given
   std::string orientation;          // as in SequenceHeader
   std::string caption;
 };

@@ -161,10 +161,10 @@ std::vector<std::string> codec_of(const std::string& ending) {
   return {"-vf", even, "-c:v", "libx264", "-crf", "16", "-pix_fmt", "yuv420p", "-movflags", "+faststart"};
 }
 
-// Beside its place first, then renamed, as core/files.h writes.
+// Written to a temporary file first, then renamed, as core/files.h does.
 void write_video(const std::string& file, const std::string& pixels, int width, int height, double rate) {
   const fs::path place(file);
-  const fs::path beside = place.parent_path() / fmt::format(".part-{}", place.filename().string());
+  const fs::path temporary = place.parent_path() / fmt::format(".part-{}", place.filename().string());
   std::vector<std::string> command = {"ffmpeg",    "-hide_banner",
                                       "-loglevel", "error",
                                       "-nostdin",  "-y",
@@ -174,13 +174,13 @@ void write_video(const std::string& file, const std::string& pixels, int width, 
                                       "-r",        fmt::format("{:g}", rate),
                                       "-i",        "pipe:0"};
   for (const std::string& word : codec_of(place.extension().string())) command.push_back(word);
-  command.push_back("file:" + beside.string());
+  command.push_back("file:" + temporary.string());
   const ToolResult result = run_tool(command, pixels, "ffmpeg");
   std::error_code failed;
-  if (result.exit_code == 0) fs::rename(beside, place, failed);
+  if (result.exit_code == 0) fs::rename(temporary, place, failed);
   if (result.exit_code == 0 && !failed) return;
   std::error_code ignored;
-  fs::remove(beside, ignored);
+  fs::remove(temporary, ignored);
   const std::string words = failed ? failed.message() : result.errors.substr(0, result.errors.find('\n'));
   throw SystemError(fmt::format("{}: ffmpeg could not write the video ({})", file, words));
 }
@@ -190,7 +190,7 @@ void write_video(const std::string& file, const std::string& pixels, int width, 
 void add_sweep_options(CLI::App& command, SweepOptions& options) {
   add_text(command, "--sweep", options.file, "A file of poses: rows of time in s and 12 numbers, comma-separated");
   add_text(command, "--sweep-to", options.to, "Where the middle of the face ends, x,y,z in LPS mm");
-  add_switch(command, "--on-skin", options.on_skin, "On its way there the face follows the skin");
+  add_switch(command, "--on-skin", options.on_skin, "During the motion the face follows the skin");
   add_text(command, "--tilt", options.tilt, "From,to in degrees: the slice fans about the marked axis");
   add_text(command, "--rock", options.rock, "From,to in degrees: the probe rocks within its slice");
   add_text(command, "--rotate", options.rotate, "From,to in degrees: the slice turns about the depth axis");

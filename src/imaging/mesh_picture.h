@@ -10,7 +10,7 @@
 namespace bodkin {
 
 // A mesh as a picture (SVG): the whole of it and what is near the path, both cut by the plane along the path (the
-// sagittal one through the middle where there is none), each cut element with its outline and the colour of its
+// sagittal one through the middle without a path), each cut element with its outline and the colour of its
 // tissue; and how its dihedral angles are spread. The mesh must not be empty.
 std::string mesh_picture(const TetrahedralMesh& mesh, const MeshQuality& quality,
                          const std::optional<NeedlePath>& path, const TissueLibrary& library,

@@ -13,7 +13,7 @@ namespace bodkin {
 // the left, head above).
 enum class View { axial, coronal, sagittal };
 
-// A rectangle of square pixels anywhere in the patient, whatever way the volumes are stored.
+// A rectangle of square pixels anywhere in the patient, in any orientation of the stored volumes.
 struct SlicePlane {
   Vec3 corner = Vec3::Zero();  // LPS mm, centre of the top left pixel
   Vec3 right = Vec3::UnitX();  // unit, along the rows

@@ -143,7 +143,7 @@ class PanelArtist {
              path_colour);
         const int step = spacing > 22.0 ? 10 : (spacing > 11.0 ? 20 : 50);
         if (depth % step == 0) {
-          // Beside a steep line, above a flat one.
+          // To the side of a steep line, above a flat one.
           const bool steep = std::abs(across.x()) > std::abs(across.y());
           label(steep ? Place(at + Place(8.0, 3.5)) : Place(at + Place(0.0, -8.0)), std::to_string(depth),
                 path_colour, 10, steep ? "start" : "middle");

@@ -21,7 +21,7 @@ std::vector<Vec3> points_of(const SlicePlane& plane);
 Slice cut_deformed(const SlicePlane& plane, const CtVolume& ct, const TissueVolume& tissues, const SlicePlane& grid,
                    std::span<const float> displacements);
 
-// The other way round, as pictures need it that ask what is at a place now: at each point of `grid` how the tissue
+// The inverse field, for pictures that ask which tissue is at a place now: at each point of `grid` how the tissue
 // that now is there has moved, mm, x y z of each point in turn. Found as cut_deformed finds it.
 std::vector<float> displacements_of_places(const SlicePlane& grid, std::span<const float> displacements);
 

@@ -14,12 +14,12 @@
 
 namespace bodkin {
 
-// A stretch of one tissue that the tip passed on its way in, seen when it came there for the first time.
+// A stretch of one tissue that the tip passed, recorded at its first entry.
 struct TissueCrossing {
   TissueId tissue = tissue::air;
   double from = 0.0;        // mm, depth of the near face (of the entry of the tip)
   double to = 0.0;          // mm, depth of the far face, or the deepest point in the last one
-  double peak_force = 0.0;  // N, largest resistance with the tip on its way through
+  double peak_force = 0.0;  // N, largest resistance while the tip passed through it
   double peak_depth = 0.0;  // mm, where that was
   double time = 0.0;        // s, from the first to the last tick of the first pass
 };

@@ -19,7 +19,7 @@ constexpr double greatest_impedance = 8.0;      // MRayl, that the map from HU g
 constexpr double mast_offset = 349.0;           // kg/m^3; speed = (density + offset) / slope, Mast 2000
 constexpr double mast_slope = 0.893;            // kg s/m^4
 constexpr double largest_variation = 0.08;      // share of a tissue's impedance that its HU may change
-constexpr double softest = 1.0, hardest = 3.0;  // MRayl, where HU tell of sound what they tell in soft tissue
+constexpr double softest = 1.0, hardest = 3.0;  // MRayl, the range in which HU predict impedance as in soft tissue
 
 // The Gaussian against the noise of the CT: 0.7 voxels, which takes three quarters of it.
 constexpr int gaussian_reach = 2;  // voxels

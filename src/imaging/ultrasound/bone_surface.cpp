@@ -65,7 +65,7 @@ std::array<int, 3> index_of(const Grid& grid, std::size_t position) {
           static_cast<int>(position / (row * column))};
 }
 
-// Bone beside something else, and what is beside it; in order.
+// Bone voxels with a neighbour of another kind, and those neighbours; in order.
 std::vector<std::size_t> border_of_bone(const AcousticVolume& volume, const std::vector<Neighbour>& neighbours) {
   std::vector<std::size_t> border;
   for (std::size_t position = 0; position < volume.voxels.size(); ++position) {

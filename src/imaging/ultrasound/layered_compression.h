@@ -16,7 +16,7 @@ class LayeredCompression {
  public:
   static constexpr double most_strain = 0.6;     // share of its rest thickness by which a layer shortens at most
   static constexpr double rigid_modulus = 10.0;  // MPa, from which a tissue is rigid: bone and metal
-  static constexpr double soft_modulus = 0.02;   // MPa, of a tissue whose modulus nobody has given
+  static constexpr double soft_modulus = 0.02;   // MPa, of a tissue without a given modulus
 
   // `reach` mm below the resting skin nothing moves (10 to 400); sampled every `spacing` mm (0.05 to 5). Throws
   // InputError when one of them is out of range.

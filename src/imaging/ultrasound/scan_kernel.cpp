@@ -33,10 +33,10 @@ struct State {
   alignas(64) float strong_now[lanes];  // 1 on the ramp of that surface
 };
 
-// What a surface's echo is made of its reflection r so that it has its level though it is drawn out over a voxel.
+// The echo of a surface with reflection r, corrected so that its level is right although it spreads over a voxel.
 // Weak ones, which may be the CT's noise, stay as they are: the factor grows with r^2 to its whole at 0.03. Of strong
 // ones no more than 0.3 gets it: bone is bright anyway, and the stairs of its voxels would shine.
-inline float drawn_out(float reflected, float sharpness) noexcept {
+inline float spread_echo(float reflected, float sharpness) noexcept {
   constexpr float from = 1.0F / (0.03F * 0.03F);
   const float soft = bounded(reflected, -0.3F, 0.3F), sure = soft * soft * from;
   return reflected + sharpness * soft * (1.0F < sure ? 1.0F : sure);
@@ -46,8 +46,8 @@ inline float drawn_out(float reflected, float sharpness) noexcept {
 // "ramp") from `start`; the whole ramp throws back what the sharp surface between its two ends would (Fresnel's law
 // for pressure), each sample its part, and transmission is what that leaves. Its angle is that of its steepest
 // sample, the one before it included: the last one often lies behind it, where the slope says nothing.
-// `coupled`: there may still be gel. `leads`: this is the ray that tells of strong surfaces. `sharp`: echoes are
-// drawn out.
+// `coupled`: there may still be gel. `leads`: this ray detects strong surfaces. `sharp`: echoes are
+// spread over a voxel.
 template <int count, bool coupled, bool leads, bool sharp>
 inline void reflect(const March& __restrict in, int line, int k, const Sample& __restrict s, State& __restrict state,
                     float* __restrict echo, float* __restrict reaches) noexcept {
@@ -75,8 +75,8 @@ inline void reflect(const March& __restrict in, int line, int k, const Sample& _
     const bool steepest = here_at_all >= last_at_all;
     const float slope_at_all = steepest ? here_at_all : last_at_all, slope_along = steepest ? here_along : last_along;
     const bool level = slope_at_all < 1.0F;
-    const float within = level ? 1.0F : slope_at_all, beside = level ? 1.0F : slope_along;
-    const float normal = in_gel ? 1.0F : within, along = in_gel ? 1.0F : beside;
+    const float within = level ? 1.0F : slope_at_all, transverse = level ? 1.0F : slope_along;
+    const float normal = in_gel ? 1.0F : within, along = in_gel ? 1.0F : transverse;
     const bool ended = size < flat * z;
     const float kept_along = ended ? here_along : slope_along, kept_at_all = ended ? here_at_all : slope_at_all;
     state.along[l] = in_gel ? 0.0F : kept_along;
@@ -102,7 +102,8 @@ inline void reflect(const March& __restrict in, int line, int k, const Sample& _
     const float mirror = bone > 0.0F ? bone_mirror : soft_mirror;
     const float fourth = cosine2 * cosine2, eighth = fourth * fourth;
     const float received = mirror * (eighth * eighth) + (1.0F - mirror) * cosine2;
-    const float part = sharp ? drawn_out(reflected, sharpness) - drawn_out(so_far, sharpness) : reflected - so_far;
+    const float part =
+        sharp ? spread_echo(reflected, sharpness) - spread_echo(so_far, sharpness) : reflected - so_far;
     echo[l] = before * part * received * (1.0F + bone_edge * bone) * surface;
 
     const float fall = float_of(static_cast<std::uint32_t>(s.medium[l]));
@@ -115,7 +116,7 @@ inline void reflect(const March& __restrict in, int line, int k, const Sample& _
       strong = cosine2 > 0.5F ? strong : 0.0F;
       strong = before > 1e-4F ? strong : 0.0F;
       strong = at < 0.0F ? strong : 0.0F;
-      const float still = going_on ? state.strong_now[l] : 0.0F;  // its ramp goes on, and its echo grows
+      const float still = going_on ? state.strong_now[l] : 0.0F;  // its ramp continues, and its echo grows
       const float now = strong > 0.0F ? 1.0F : still;
       state.strong_now[l] = now;
       state.strong_at[l] = strong > 0.0F ? depth : at;

@@ -40,7 +40,7 @@ struct March {
   float mirror, bone_mirror;  // share of a surface's echo that leaves as from a mirror
   float bone_edge;            // by which bone's surface is brighter
   float surface;              // of all surfaces' echoes; 0 leaves the speckle alone
-  float sharpness;            // by how much a surface's echo is stronger for being drawn out over a voxel
+  float sharpness;            // by how much a surface's echo is stronger because it spreads over a voxel
   float matched;              // AcousticVolume::unit, impedance of the probe's face and the gel
   // scatterers
   const std::uint32_t*
@@ -63,7 +63,7 @@ struct March {
   const float* moved[3];  // rows of `stride` every `coarse` samples: voxels by which tissue has moved; null: at rest
   // results, rows of `stride`
   float weight;  // of this ray in the sum
-  bool first;    // overwrites the sums, and keeps what only the middle ray has to tell
+  bool first;    // overwrites the sums, and keeps what only the middle ray provides
   float* in_phase;
   float* quadrature;
   float* amplitude;    // there and back, of what reaches a sample
@@ -94,7 +94,7 @@ inline constexpr int edge = 64;  // floats of padding at both ends of a row at w
 struct Conversion {
   const std::uint8_t* grey;  // rows of `stride`
   int stride;
-  const std::int32_t* place;    // by pixel: position of the sample before it; a black one where there is none
+  const std::int32_t* place;    // by pixel: position of the sample before it; a black one outside
   const std::uint8_t* weights;  // 2 by pixel: 256ths towards the next line, towards the next sample
   std::uint8_t* pixels;
 };

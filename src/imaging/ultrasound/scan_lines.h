@@ -14,7 +14,7 @@ struct ScanLines {
   ProbeKind kind = ProbeKind::linear;
   double radius = 0.0;  // mm, of the face; 0: flat
   double first = 0.0;   // of the first line: mm along the face (linear) or radians from the middle
-  double step = 0.0;    // from line to line, likewise
+  double step = 0.0;    // from line to line, in the same unit
   int lines = 0;
   int samples = 0;
   double spacing = 0.0;  // mm between samples along a line

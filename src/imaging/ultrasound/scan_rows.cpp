@@ -38,7 +38,8 @@ void spread_axially(const Row& __restrict row, const float* __restrict rows, con
   for (int l = 0; l < row.stride; ++l) out[l] += source[l];
 }
 
-// The beam's width, line beside line. `in` goes on by `edge` on both sides with what its outermost lines are.
+// Blurs across lines by the beam's width. `in` is padded by `edge` lines on both sides with copies of its outermost
+// lines.
 void spread_laterally(const Row& __restrict row, const float* __restrict in, float* __restrict out) noexcept {
   for (int l = 0; l < row.stride; ++l) out[l] = row.lateral[0] * in[l];
   for (int tap = 1; tap <= row.lateral_half; ++tap) {

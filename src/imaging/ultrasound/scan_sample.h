@@ -73,7 +73,7 @@ static inline void place(const March& __restrict in, int line, int k, Sample& __
   }
 }
 
-// Which cells of the scatterer and the fibre volume hold them. Both volumes go on for ever; each time one starts anew
+// Which cells of the scatterer and the fibre volume hold them. Both volumes are periodic; each time one starts anew
 // it is shifted, so that no pattern repeats along a line.
 template <int count, bool opposite>
 static inline void find_cells(const March& __restrict in, int k, const Sample& __restrict s,

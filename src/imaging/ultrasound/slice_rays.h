@@ -15,7 +15,7 @@ struct SliceRay {
 // so that the variance of the whole is exactly that of the beam. Weights add up to 1.
 std::vector<SliceRay> slice_rays(int count);
 
-// A ray that is marched beside all scanlines at once.
+// A ray parallel to the scanlines, marched for all of them at once.
 struct SlicePass {
   double off = 0.0;  // standard deviations of the beam's elevation width from the middle
   double weight = 1.0;

@@ -11,7 +11,7 @@ namespace bodkin {
 // geometry.
 struct SoundBeam {
   double wavelength = 0.3;  // mm
-  double pulse = 0.3;       // mm along the line: half of the pulse's length, for the echo runs both ways
+  double pulse = 0.3;       // mm along the line: half of the pulse's length, because the echo travels there and back
   double sent = 10.0;       // mm of face that send
   double focus = 40.0;      // mm
   double aperture = 40.0;   // mm of face that there are; listening, they open to keep `f_number` at every depth

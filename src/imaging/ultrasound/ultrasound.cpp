@@ -27,7 +27,7 @@ namespace {
 constexpr double least_press = 0.1;  // mm; less moves no tissue
 constexpr int rows_a_turn = 8;
 
-// On which side of the slice a ray beside its middle runs, by line.
+// On which side of the slice an off-centre ray runs, by line.
 constexpr std::array<float, scan::lanes> one_side = [] {
   std::array<float, scan::lanes> sides{};
   sides.fill(1.0F);
@@ -189,7 +189,7 @@ void Ultrasound::Machine::aim(const Pose& pose) noexcept {
   const Mat3 face_into_voxels = per_mm.asDiagonal() * into_lattice;
   const Vec3 face = grid.to_index(pose.translation());
   for (int line = 0; line < tables.stride; ++line) {
-    const int at = std::min(line, lines.lines - 1);  // lanes that nobody needs go along with the last line
+    const int at = std::min(line, lines.lines - 1);  // unused lanes repeat the last line
     const auto i = static_cast<std::size_t>(line);
     const auto used = static_cast<std::size_t>(at);
     const Vec3 along = into_lattice * tables.line_direction[used];
@@ -221,7 +221,7 @@ void Ultrasound::Machine::move(const Pose& pose, const std::optional<ScanDisplac
   const int rows = lines.samples / scan::coarse + 2;
   for (int row = 0; row < rows; ++row) {
     const double depth = row * scan::coarse * lines.spacing;
-    // Lines beside the middle one, which are pressed more or less deep, give way as that one does.
+    // Other lines than the middle one, pressed to other depths, compress as the middle one does.
     const double share = given ? 0.0 : compression.moved(depth) / frame.press;
     for (int line = 0; line < tables.stride; ++line) {
       const int used = std::min(line, lines.lines - 1);

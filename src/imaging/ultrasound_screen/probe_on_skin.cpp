@@ -29,16 +29,16 @@ void ProbeOnSkin::press(double millimetres) {
 }
 
 bool ProbeOnSkin::slide(const TissueVolume& tissues, double along, double across) {
-  Vec3 way = along * pose_.linear().col(0) + across * pose_.linear().col(2);
-  const double length = way.norm();
-  way -= way.dot(outward_) * outward_;
-  if (!(way.norm() > 0.0)) return false;
-  way *= length / way.norm();
-  const std::optional<SkinPoint> skin = skin_near(tissues, pose_.translation() + way, outward_, skin_reach);
+  Vec3 shift = along * pose_.linear().col(0) + across * pose_.linear().col(2);
+  const double length = shift.norm();
+  shift -= shift.dot(outward_) * outward_;
+  if (!(shift.norm() > 0.0)) return false;
+  shift *= length / shift.norm();
+  const std::optional<SkinPoint> skin = skin_near(tissues, pose_.translation() + shift, outward_, skin_reach);
   if (!skin) {
     // A probe that is nowhere near the skin moves freely, so that it finds back.
-    if (skin_near(tissues, pose_.translation(), outward_, skin_reach) || !way.allFinite()) return false;
-    pose_.translation() += way;
+    if (skin_near(tissues, pose_.translation(), outward_, skin_reach) || !shift.allFinite()) return false;
+    pose_.translation() += shift;
     return true;
   }
   const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(outward_, skin->outward);

@@ -85,7 +85,7 @@ ProbeOnSkin beside_needle(const Case& patient, const UltrasoundProbe& probe) {
   const Vec3 in = path->direction();
   const Vec3 along = Vec3::UnitZ() - Vec3::UnitZ().dot(in) * in;
   if (!(along.norm() > 0.1))
-    throw InputError("the planned path runs along the body, where no probe stands beside it");
+    throw InputError("the planned path runs along the body, so that no probe can stand next to it");
   for (const double side : {1.0, -1.0}) {
     const Vec3 beside = path->entry + side * (0.5 * probe.aperture() + beside_probe) * along.normalized();
     const std::optional<SkinPoint> skin = skin_near(patient.tissues, beside, -in, entry_reach);
@@ -96,7 +96,7 @@ ProbeOnSkin beside_needle(const Case& patient, const UltrasoundProbe& probe) {
     return {probe_pose(skin->place, upright + (path->target - skin->place).normalized(), Vec3::UnitZ()),
             skin->outward};
   }
-  throw InputError("there is no skin beside the planned entry for the probe to stand on; choose another --view");
+  throw InputError("there is no skin next to the planned entry for the probe to stand on; choose another --view");
 }
 
 }  // namespace

@@ -12,10 +12,10 @@ namespace bodkin {
 
 // How a sonographer puts the probe down.
 enum class ScanView {
-  paramedian,  // lengthwise beside the midline, leaning towards it
+  paramedian,  // lengthwise lateral to the midline, tilted towards it
   sagittal,    // lengthwise, marked side to the head
   transverse,  // across, marked side to the patient's right
-  needle,      // lengthwise beside the planned entry, the needle in the slice
+  needle,      // lengthwise next to the planned entry, the needle in the slice
   kidney       // lengthwise from the flank
 };
 
@@ -31,7 +31,7 @@ struct ScanRequest {
   std::optional<Vec3> outward;  // from there to the probe; otherwise along the planned path, from the flank, or back
 };
 
-// Where a landmark or the middle of a structure of that name lies, LPS mm; nothing where there is none.
+// Where a landmark or the middle of a structure of that name lies, LPS mm; nothing when the case has none.
 std::optional<Vec3> place_named(const Case& patient, std::string_view name);
 
 // The probe on the skin, not pressed. Throws InputError when what a view needs is not there: a path, a kidney, skin.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double skin_step = 0.25;      // mm
 constexpr double for_good = 15.0;       // mm of air
-constexpr double neighbourhood = 12.0;  // mm, radius of the ball that tells which way is out
+constexpr double neighbourhood = 12.0;  // mm, radius of the ball that determines the outward direction
 constexpr double neighbour_step = 2.0;  // mm
 constexpr TissueId beyond_image = 255;
 
@@ -22,31 +22,31 @@ bool is_body(TissueId id) {
 
 std::optional<SkinPoint> skin_along(const TissueVolume& tissues, const Vec3& inside, const Vec3& direction) {
   if (!is_body(nearest(tissues, inside, beyond_image)) || !(direction.norm() > 0.0)) return std::nullopt;
-  const Vec3 way = direction.normalized();
-  double last = 0.0;  // mm along the way, where the body was seen last
+  const Vec3 axis = direction.normalized();
+  double last = 0.0;  // mm along the axis, where the body was seen last
   for (int step = 1;; ++step) {
     const double gone = skin_step * step;
-    const TissueId id = nearest(tissues, Vec3(inside + gone * way), beyond_image);
+    const TissueId id = nearest(tissues, Vec3(inside + gone * axis), beyond_image);
     if (is_body(id)) last = gone;
     if (id == beyond_image && gone - last < 1.5 * skin_step) return std::nullopt;  // the image cuts the body off
     if (id == beyond_image || gone - last > for_good) break;
   }
-  const Vec3 place = inside + (last + 0.5 * skin_step) * way;
-  return SkinPoint{place, outward_of_skin(tissues, place, way)};
+  const Vec3 place = inside + (last + 0.5 * skin_step) * axis;
+  return SkinPoint{place, outward_of_skin(tissues, place, axis)};
 }
 
 std::optional<SkinPoint> skin_near(const TissueVolume& tissues, const Vec3& point, const Vec3& outward,
                                    double reach) {
   if (!(outward.norm() > 0.0) || !point.allFinite()) return std::nullopt;
-  const Vec3 way = outward.normalized();
-  const auto body = [&](double at) { return is_body(nearest(tissues, Vec3(point + at * way), beyond_image)); };
+  const Vec3 axis = outward.normalized();
+  const auto body = [&](double at) { return is_body(nearest(tissues, Vec3(point + at * axis), beyond_image)); };
   // From the point to both sides at once; the skin is where the body lies below and not above.
   for (int step = 0; skin_step * step <= reach; ++step) {
     for (const double at : {skin_step * step, -skin_step * step}) {
       const double low = at - 0.5 * skin_step, high = at + 0.5 * skin_step;
-      if (!body(low) || nearest(tissues, Vec3(point + high * way), beyond_image) != tissue::air) continue;
-      const Vec3 place = point + at * way;
-      return SkinPoint{place, outward_of_skin(tissues, place, way)};
+      if (!body(low) || nearest(tissues, Vec3(point + high * axis), beyond_image) != tissue::air) continue;
+      const Vec3 place = point + at * axis;
+      return SkinPoint{place, outward_of_skin(tissues, place, axis)};
     }
   }
   return std::nullopt;

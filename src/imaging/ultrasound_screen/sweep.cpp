@@ -12,7 +12,7 @@ namespace bodkin {
 namespace {
 
 constexpr int most_frames = 100000;
-constexpr double sweep_reach = 50.0;  // mm up or down to the skin beside the straight way
+constexpr double sweep_reach = 50.0;  // mm up or down to the skin from the straight line
 
 double between(const SweepAngle& angle, double share) {
   return angle.from + share * (angle.to - angle.from);

@@ -19,18 +19,18 @@ struct SweepAngle {
   double from = 0.0, to = 0.0;
 };
 
-// A motion from a first pose. All parts of it go on at once, evenly in time.
+// A motion from a first pose. All parts run at the same time, at constant rates.
 struct SweepMotion {
   std::optional<Vec3> to;  // LPS mm, where the face ends
   SweepAngle tilt;         // about the marked axis: the slice fans
   SweepAngle rock;         // about the axis across the slice
   SweepAngle rotate;       // about the depth axis
-  bool on_skin = false;    // the face follows the skin on its way, as deep in it as the first one
+  bool on_skin = false;    // the face follows the skin during the motion, as deep in it as the first one
   int frames = 60;         // 1 to 100 000
   double rate = 25.0;      // frames a second; > 0
 };
 
-// The poses of a motion. `tissues` tell where the skin is. Throws InputError when a number is out of range.
+// The poses of a motion. `tissues` locate the skin. Throws InputError when a number is out of range.
 std::vector<SweepPose> sweep_of(const Pose& first, const SweepMotion& motion, const TissueVolume& tissues);
 
 }  // namespace bodkin
