@@ -119,6 +119,46 @@ TEST(Pages, no_link_is_dead) {
   EXPECT_GT(checked, 150);
 }
 
+TEST(Pages, every_file_that_a_page_names_exists) {
+  // `src/forces/rail.h`, and `forces/rail.h` for short; what contains NAME or a pattern is no file.
+  static const std::regex quoted(R"(`((?:[a-z_]+/)+[\w.-]+)`)");
+  int checked = 0;
+  for (const fs::path& page : pages()) {
+    if (page.filename() == "CHANGELOG.md") continue;  // which names what there was
+    for (const std::string& line : prose(page)) {
+      for (std::sregex_iterator match(line.begin(), line.end(), quoted), end; match != end; ++match) {
+        const fs::path named((*match)[1].str());
+        const std::string top = named.begin()->string();
+        const bool in_repository = fs::exists(repository / top);
+        const bool in_src = fs::exists(repository / "src" / top) && named.extension() == ".h";
+        if ((!in_repository && !in_src) || named.string().find("NAME") != std::string::npos || top == "build")
+          continue;
+        ++checked;
+        const bool is_program = fs::exists((repository / named).string() + ".cpp");  // `bench/tick_bench`
+        EXPECT_TRUE(is_program || fs::exists(repository / named) || fs::exists(repository / "src" / named))
+            << fs::relative(page, repository) << " names " << named;
+      }
+    }
+  }
+  EXPECT_GT(checked, 50);
+}
+
+TEST(Pages, every_test_that_the_guide_for_contributors_names_exists) {
+  static const std::regex quoted(R"(`([A-Z]\w+)\.(\w+)`)");
+  std::string tests;
+  for (const auto& entry : fs::recursive_directory_iterator(repository / "tests")) {
+    if (entry.path().extension() == ".cpp") tests += read(entry.path());
+  }
+  const std::string guide = read(repository / "CONTRIBUTING.md");
+  int checked = 0;
+  for (std::sregex_iterator match(guide.begin(), guide.end(), quoted), end; match != end; ++match) {
+    const std::string head = "(" + (*match)[1].str() + ", " + (*match)[2].str() + ")";
+    ++checked;
+    EXPECT_NE(tests.find(head), std::string::npos) << "CONTRIBUTING.md names " << match->str();
+  }
+  EXPECT_GE(checked, 5);
+}
+
 TEST(Pages, the_readme_links_the_map_and_the_guide_for_contributors) {
   const std::string readme = read(repository / "README.md");
   EXPECT_NE(readme.find("](docs/README.md)"), std::string::npos);
