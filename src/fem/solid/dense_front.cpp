@@ -37,10 +37,10 @@ std::vector<TriangleTile> tiles_of_triangle(std::size_t size, std::size_t rows) 
 }
 
 // c := c - b b^T in the lower triangle of the first `columns` columns, c is rows x columns, b rows x size.
-void subtract_square(DenseTeam& team, std::size_t rows, std::size_t columns, std::size_t size, const double* b,
+void subtract_square(ThreadPool& pool, std::size_t rows, std::size_t columns, std::size_t size, const double* b,
                      std::size_t lead_b, double* c, std::size_t lead_c) {
   const std::vector<TriangleTile> tiles = tiles_of_triangle(rows, columns);
-  team.run(tiles.size(), [&](std::size_t i) {
+  pool.run(tiles.size(), [&](std::size_t i) {
     const TriangleTile& t = tiles[i];
     double* const to = c + t.column * lead_c + t.row;
     if (t.row == t.column)
@@ -52,7 +52,7 @@ void subtract_square(DenseTeam& team, std::size_t rows, std::size_t columns, std
 
 }  // namespace
 
-std::size_t factorise_front(DenseTeam& team, std::size_t width, std::size_t height, double* panel, double* update) {
+std::size_t factorise_front(ThreadPool& pool, std::size_t width, std::size_t height, double* panel, double* update) {
   const std::size_t below = height - width;
   const auto w = static_cast<double>(width), b = static_cast<double>(below);
   if (w * w * w / 3.0 + w * w * b + w * b * b < worth_sharing) {
@@ -67,23 +67,23 @@ std::size_t factorise_front(DenseTeam& team, std::size_t width, std::size_t heig
     double* const square = panel + first * height + first;
     const std::size_t sound = cholesky(columns, square, height);
     if (sound < columns) return first + sound;
-    team.run(tiles_of(height - after, tall_tile), [&](std::size_t i) {
+    pool.run(tiles_of(height - after, tall_tile), [&](std::size_t i) {
       const std::size_t row = after + i * tall_tile;
       solve_right_transposed(std::min(tall_tile, height - row), columns, square, height, panel + first * height + row,
                              height);
     });
-    subtract_square(team, height - after, width - after, columns, panel + first * height + after, height,
+    subtract_square(pool, height - after, width - after, columns, panel + first * height + after, height,
                     panel + after * height + after, height);
   }
-  if (below > 0) subtract_square(team, below, below, width, panel + width, height, update, below);
+  if (below > 0) subtract_square(pool, below, below, width, panel + width, height, update, below);
   return width;
 }
 
 // X = L^-1 goes into the lower triangle of `inverse`, and X^T X into the upper one, but for the squares on the
 // diagonal, for which both have a use.
-void invert_from_lower(DenseTeam& team, std::size_t size, const double* lower, double* inverse) {
+void invert_from_lower(ThreadPool& pool, std::size_t size, const double* lower, double* inverse) {
   const std::size_t count = tiles_of(size, tile);
-  team.run(count, [&](std::size_t i) {
+  pool.run(count, [&](std::size_t i) {
     const std::size_t first = i * tile, columns = std::min(tile, size - first);
     double* const x = inverse + first * size + first;
     for (std::size_t j = 0; j < columns; ++j) {
@@ -93,7 +93,7 @@ void invert_from_lower(DenseTeam& team, std::size_t size, const double* lower, d
     solve_lower(size - first, columns, lower + first * size + first, size, x, size);
   });
   std::vector<double> squares(count * tile * tile);
-  team.run(count * (count + 1) / 2, [&](std::size_t i) {
+  pool.run(count * (count + 1) / 2, [&](std::size_t i) {
     std::size_t across = 0;  // the i-th pair with down <= across
     while ((across + 1) * (across + 2) / 2 <= i) ++across;
     const std::size_t down = i - across * (across + 1) / 2;
@@ -108,7 +108,7 @@ void invert_from_lower(DenseTeam& team, std::size_t size, const double* lower, d
     for (std::size_t j = 0; j < columns; ++j)
       std::copy_n(squares.data() + i * tile * tile + j * tile, columns, inverse + (first + j) * size + first);
   }
-  team.run(count, [&](std::size_t i) {
+  pool.run(count, [&](std::size_t i) {
     const std::size_t first = i * tile, columns = std::min(tile, size - first);
     mirror_upper(size, inverse, size, first, first + columns);
   });

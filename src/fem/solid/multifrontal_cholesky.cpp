@@ -48,8 +48,8 @@ MultifrontalCholesky::MultifrontalCholesky(const BlockMatrix& matrix, SymbolicFa
                     static_cast<double>(limit) * 1e-9));
   }
   use_one_thread_each();
-  DenseTeam team(options_.threads);
-  factorise(matrix, team, progress);
+  ThreadPool pool(options_.threads);
+  factorise(matrix, pool, progress);
 }
 
 bool MultifrontalCholesky::is_last(std::size_t supernode) const noexcept {
@@ -61,7 +61,7 @@ double* MultifrontalCholesky::panel(std::size_t supernode) const noexcept {
   return is_last(supernode) ? last_.data() : panels_.data();
 }
 
-void MultifrontalCholesky::factorise(const BlockMatrix& matrix, DenseTeam& team, const Progress& progress) {
+void MultifrontalCholesky::factorise(const BlockMatrix& matrix, ThreadPool& pool, const Progress& progress) {
   panels_ = ZeroPages(options_.keep_field ? symbolic_.factor_size : symbolic_.largest_panel);
   if (!options_.keep_field) last_ = ZeroPages(symbolic_.last_size());
   const ZeroPages stack(symbolic_.stack_size);
@@ -74,7 +74,7 @@ void MultifrontalCholesky::factorise(const BlockMatrix& matrix, DenseTeam& team,
     const Front front{panel(s), top, &supernode};
     const std::size_t height = front.height(), width = front.width(), below = front.update_height();
     if (!options_.keep_field && !is_last(s)) std::fill_n(front.panel, supernode.panel_size(), 0.0);
-    team.run((below + columns_at_once - 1) / columns_at_once, [&](std::size_t piece) {
+    pool.run((below + columns_at_once - 1) / columns_at_once, [&](std::size_t piece) {
       const std::size_t first = piece * columns_at_once;
       for (std::size_t j = first; j < std::min(below, first + columns_at_once); ++j)
         std::fill_n(front.update + j * below + j, below - j, 0.0);
@@ -91,7 +91,7 @@ void MultifrontalCholesky::factorise(const BlockMatrix& matrix, DenseTeam& team,
       const Mat3& block = matrix.block[matrix.start[symbolic_.order[supernode.first + k]]];
       for (Eigen::Index i = 0; i < 3; ++i) diagonal.push_back(block(i, i));
     }
-    const std::size_t sound = factorise_front(team, width, height, front.panel, front.update);
+    const std::size_t sound = factorise_front(pool, width, height, front.panel, front.update);
     for (std::size_t i = 0; i < width; ++i) {
       const double pivot = front.panel[i * height + i];
       if (i < sound && pivot * pivot > no_pivot * diagonal[i]) continue;
@@ -115,10 +115,10 @@ Eigen::MatrixXd MultifrontalCholesky::last_compliance() const {
   const auto size = 3 * Eigen::Index{symbolic_.last};
   if (size == 0) return {};
   use_one_thread_each();
-  DenseTeam team(options_.threads);
+  ThreadPool pool(options_.threads);
   Eigen::MatrixXd compliance(size, size);
   prefer_large_pages(compliance.data(), sizeof(double) * static_cast<std::size_t>(compliance.size()));
-  invert_from_lower(team, static_cast<std::size_t>(size), panel(symbolic_.supernodes.size() - 1), compliance.data());
+  invert_from_lower(pool, static_cast<std::size_t>(size), panel(symbolic_.supernodes.size() - 1), compliance.data());
   return compliance;
 }
 

@@ -8,8 +8,8 @@
 
 #include "core/error.h"
 #include "core/progress.h"
+#include "core/thread_pool.h"
 #include "fem/solid/block_matrix.h"
-#include "fem/solid/dense_team.h"
 #include "fem/solid/symbolic_factor.h"
 #include "fem/zero_pages.h"
 
@@ -57,7 +57,7 @@ class MultifrontalCholesky {
  private:
   double* panel(std::size_t supernode) const noexcept;
   bool is_last(std::size_t supernode) const noexcept;
-  void factorise(const BlockMatrix& matrix, DenseTeam& team, const Progress& progress);
+  void factorise(const BlockMatrix& matrix, ThreadPool& pool, const Progress& progress);
   void substitute_forward(std::size_t supernode, Eigen::MatrixXd& x, Eigen::MatrixXd& work) const;
   Eigen::MatrixXd substitute_back(Eigen::MatrixXd& x) const;
 

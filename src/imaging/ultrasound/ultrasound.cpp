@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
-#include "imaging/ultrasound/crew.h"
+#include "core/thread_pool.h"
 #include "imaging/ultrasound/echo_rows.h"
 #include "imaging/ultrasound/face_contact.h"
 #include "imaging/ultrasound/layered_compression.h"
@@ -125,7 +125,7 @@ struct Ultrasound::Machine {
         kernel(scan::kernel(path)),
         rays(slice_rays(asked.slices)),
         passes(slice_passes(rays, asked.speckle)),
-        crew(asked.threads) {}
+        pool(asked.threads) {}
 
   void prepare(const UltrasoundSettings& wanted);
   void aim(const Pose& pose) noexcept;
@@ -140,7 +140,7 @@ struct Ultrasound::Machine {
   const scan::Kernel& kernel;
   std::vector<SliceRay> rays;
   std::vector<SlicePass> passes;
-  Crew crew;
+  ThreadPool pool;
 
   LayeredCompression compression;
   ScanLines lines;
@@ -172,7 +172,7 @@ void Ultrasound::Machine::prepare(const UltrasoundSettings& wanted) {
   for (std::vector<float>* row : {&gap, &press, &gel_samples, &leaves, &strong_at, &strong_echo})
     row->assign(stride, 0.0F);
   for (std::vector<float>* rows : {&in_phase, &quadrature, &amplitude}) rows->assign(stride * samples, 0.0F);
-  work.assign(4 * (stride + 2 * scan::edge) * static_cast<std::size_t>(detail.threads), 0.0F);
+  work.assign(4 * (stride + 2 * scan::edge) * static_cast<std::size_t>(pool.threads()), 0.0F);
   grey.assign(stride * samples, 0);
 
   frame.width = detail.width;
@@ -284,7 +284,7 @@ scan::March Ultrasound::Machine::marching(std::size_t pass) const noexcept {
 void Ultrasound::Machine::draw(const Pose& pose, const std::optional<NeedleInSound>& needle) noexcept {
   // Blocks of lines: all passes of a block by the same thread, in order, so that sums do not depend on who computes
   // them.
-  auto march_block = [this](int block) noexcept {
+  const auto march_block = [this](int block) noexcept {
     for (std::size_t pass = 0; pass < passes.size(); ++pass) {
       scan::March march = marching(pass);
       march.in_phase = in_phase.data();
@@ -295,7 +295,7 @@ void Ultrasound::Machine::draw(const Pose& pose, const std::optional<NeedleInSou
       kernel.march(march, block);
     }
   };
-  crew.share(tables.stride / scan::lanes, march_block);
+  pool.run(tables.stride / scan::lanes, march_block);
 
   const EchoRows rows{lines.lines, lines.samples, tables.stride, in_phase, quadrature, amplitude};
   if (detail.reverberation) add_reverberation(rows, strong_at, strong_echo, lines.spacing);
@@ -305,21 +305,21 @@ void Ultrasound::Machine::draw(const Pose& pose, const std::optional<NeedleInSou
     add_needle(rows, lines, beam, seen);
   }
 
-  auto compress_rows = [this](int turn) noexcept {
+  const auto compress_rows = [this](int turn, int thread) noexcept {
     scan::Row row = tables.row;
     row.in_phase = in_phase.data();
     row.quadrature = quadrature.data();
     const std::size_t length = 4 * (static_cast<std::size_t>(tables.stride) + 2 * scan::edge);
-    row.work = work.data() + length * static_cast<std::size_t>(turn % detail.threads);
+    row.work = work.data() + length * static_cast<std::size_t>(thread);
     for (int k = turn * rows_a_turn; k < std::min(lines.samples, (turn + 1) * rows_a_turn); ++k) {
       tables.describe(k, row);
       row.grey = grey.data() + static_cast<std::ptrdiff_t>(k) * tables.stride;
       kernel.compress(row);
     }
   };
-  crew.share((lines.samples + rows_a_turn - 1) / rows_a_turn, compress_rows);
+  pool.run((lines.samples + rows_a_turn - 1) / rows_a_turn, compress_rows);
 
-  auto convert_rows = [this](int turn) noexcept {
+  const auto convert_rows = [this](int turn) noexcept {
     const scan::Conversion all{grey.data(), tables.stride, conversion.place.data(), conversion.weights.data(),
                                frame.pixels.data()};
     const int first_row = turn * rows_a_turn, last_row = std::min(frame.height, (turn + 1) * rows_a_turn);
@@ -327,7 +327,7 @@ void Ultrasound::Machine::draw(const Pose& pose, const std::optional<NeedleInSou
     for (std::size_t run = conversion.row_of_runs[static_cast<std::size_t>(first_row)]; run < last; ++run)
       kernel.convert(all, conversion.runs[run].first, conversion.runs[run].last);
   };
-  crew.share((frame.height + rows_a_turn - 1) / rows_a_turn, convert_rows);
+  pool.run((frame.height + rows_a_turn - 1) / rows_a_turn, convert_rows);
 }
 
 Ultrasound::Ultrasound(std::shared_ptr<const AcousticVolume> patient, UltrasoundProbe probe,

@@ -2,19 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstring>
-#include <exception>
 #include <new>
 #include <span>
 #include <stdexcept>
-#include <thread>
 
 #include <fmt/format.h>
 #include <gdcmImage.h>
 #include <gdcmImageReader.h>
 
 #include "core/error.h"
+#include "core/parallel_for.h"
 #include "io/images/image_file.h"
 #include "io/images/memory_budget.h"
 
@@ -25,7 +23,7 @@ namespace {
 // file of a few bytes from asking for gigabytes.
 constexpr double compressed_limit = 5000.0;
 
-constexpr std::size_t workers = 2;  // slices decoded at a time
+constexpr int workers = 2;  // slices decoded at a time
 constexpr std::uintmax_t decoding_memory =
     96U << 20U;  // bytes in addition to the slices' own: stacks and heaps of threads
 
@@ -133,30 +131,15 @@ std::vector<std::int16_t> decode_slices(const DicomSeries& series, HounsfieldLos
   }
   const MemoryBudget budget(decoding_memory + workers * (4 * largest_file + 32 * slice_size));
 
-  std::atomic<std::size_t> next{0};
   std::array<HounsfieldLosses, workers> lost;
-  std::array<std::exception_ptr, workers> failure;
-  const auto work = [&](std::size_t worker) {
-    try {
-      for (std::size_t slice = next++; slice < slices; slice = next++) {
-        if (worker == 0 && progress)
-          progress("decoding slices", static_cast<double>(slice) / static_cast<double>(slices));
+  parallel_for(
+      slices, "decoding slices", progress,
+      [&](std::size_t slice, int thread) {
         decode_slice(series, series.slices[slice], std::span(voxels).subspan(slice * slice_size, slice_size),
-                     lost[worker]);
-      }
-    } catch (...) {
-      failure[worker] = std::current_exception();
-      next = slices;
-    }
-  };
-  {
-    const std::jthread second(work, 1);
-    work(0);
-  }
-  for (std::size_t worker = 0; worker < workers; ++worker) {
-    if (failure[worker]) std::rethrow_exception(failure[worker]);
-    add(losses, lost[worker]);
-  }
+                     lost[static_cast<std::size_t>(thread)]);
+      },
+      workers);
+  for (const HounsfieldLosses& part : lost) add(losses, part);
   return voxels;
 }
 

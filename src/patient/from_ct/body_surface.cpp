@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstdint>
 
-#include "patient/from_ct/parallel_slices.h"
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/parallel_for.h"
 
 namespace bodkin {
 namespace {
@@ -41,7 +41,7 @@ Volume<float> block_means(const CtVolume& ct, const LabelVolume& structures, con
   }
   grid.origin = ct.grid.to_patient(first);
   Volume<float> means(grid);
-  for_each_slice(grid.size[2], [&](int k) {
+  parallel_for(grid.size[2], [&](int k) {
     for (int j = 0; j < grid.size[1]; ++j) {
       for (int i = 0; i < grid.size[0]; ++i) {
         const int i1 = std::min((i + 1) * block[0], ct.grid.size[0]),

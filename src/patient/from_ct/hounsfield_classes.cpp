@@ -6,11 +6,11 @@
 #include <map>
 #include <string>
 
-#include "patient/from_ct/parallel_slices.h"
 #include "patient/from_ct/row_sampler.h"
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/parallel_for.h"
 
 namespace bodkin {
 namespace {
@@ -101,11 +101,11 @@ CtVolume smoothed(const CtVolume& ct) {
     side[static_cast<std::size_t>(axis)] = static_cast<float>(w / (1 + 2 * w));
   }
   const auto row = static_cast<std::size_t>(size[0]), slice = row * static_cast<std::size_t>(size[1]);
-  for_each_slice(size[2], [&](int k) {
+  parallel_for(size[2], [&](int k) {
     for (int j = 0; j < size[1]; ++j) smooth_line(&out.at(0, j, k), size[0], 1, side[0]);
     for (int i = 0; i < size[0]; ++i) smooth_line(&out.at(i, 0, k), size[1], row, side[1]);
   });
-  for_each_slice(size[1], [&](int j) {
+  parallel_for(size[1], [&](int j) {
     for (int i = 0; i < size[0]; ++i) smooth_line(&out.at(i, j, 0), size[2], slice, side[2]);
   });
   return out;
@@ -162,7 +162,7 @@ void draw_cortex(TissueVolume& tissues) {
   const auto row = static_cast<std::ptrdiff_t>(size[0]), slice = row * size[1];
   const std::array<std::ptrdiff_t, 6> neighbours = {-1, 1, -row, row, -slice, slice};
   // Only cancellous turns cortical, and both count as bone, so threads may read what others write: in whole bytes.
-  for_each_slice(size[2] - 2, [&](int below) {
+  parallel_for(size[2] - 2, [&](int below) {
     const int k = below + 1;
     for (int j = 1; j < size[1] - 1; ++j) {
       for (int i = 1; i < size[0] - 1; ++i) {
@@ -197,7 +197,7 @@ TissueVolume classify_tissues(const CtVolume& ct, const LabelVolume& structures,
   const auto& parts = lattice.parts;
   const auto edge = static_cast<float>(body.edge);
   std::atomic<int> done = 0;
-  for_each_slice(lattice.grid.size[2], [&](int k) {
+  parallel_for(lattice.grid.size[2], [&](int k) {
     thread_local std::vector<float> raws, smooths, distances, lungs, scratch;
     for (int j = 0; j < lattice.grid.size[1]; ++j) {
       distance.read(j, k, distances, scratch);

@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "patient/from_ct/hounsfield_classes.h"
-#include "patient/from_ct/parallel_slices.h"
+
+#include "core/parallel_for.h"
 
 namespace bodkin {
 namespace {
@@ -207,7 +208,7 @@ void draw_lumbar(TissueVolume& tissues, const LumbarSpine& spine) {
     return sections[static_cast<std::size_t>(std::clamp(n, 0.0, static_cast<double>(sections.size()) - 1.0))];
   };
   const auto each = [&](const auto& work) {
-    for_each_slice(box.high[2] - box.low[2] + 1, [&](int n) {
+    parallel_for(box.high[2] - box.low[2] + 1, [&](int n) {
       const int k = box.low[2] + n;
       for (int j = box.low[1]; j <= box.high[1]; ++j) {
         for (int i = box.low[0]; i <= box.high[0]; ++i) work(i, j, k);
@@ -247,7 +248,7 @@ void draw_lumbar(TissueVolume& tissues, const LumbarSpine& spine) {
 
 void muscle_behind(TissueVolume& tissues, const SpinalCanal& canal) {
   const Grid& grid = tissues.grid;
-  for_each_slice(grid.size[2], [&](int k) {
+  parallel_for(grid.size[2], [&](int k) {
     for (int j = 0; j < grid.size[1]; ++j) {
       TissueId* row = &tissues.at(0, j, k);
       for (int i = 0; i < grid.size[0]; ++i) {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "patient/from_ct/parallel_slices.h"
+#include "core/parallel_for.h"
 
 namespace bodkin {
 namespace {
@@ -94,7 +94,7 @@ void fill_marrow(SpineView& view, TissueVolume& tissues, const SpinalCanal& cana
     }
   }
   const Grid& grid = tissues.grid;
-  for_each_slice(grid.size[2], [&](int k) {
+  parallel_for(grid.size[2], [&](int k) {
     for (int j = 0; j < grid.size[1]; ++j) {
       TissueId* row = &tissues.at(0, j, k);
       for (int i = 0; i < grid.size[0]; ++i) {

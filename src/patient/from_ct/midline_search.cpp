@@ -5,8 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "patient/from_ct/parallel_slices.h"
 #include "patient/from_ct/spinal_canal.h"
+
+#include "core/parallel_for.h"
 
 namespace bodkin {
 namespace {
@@ -40,7 +41,7 @@ std::optional<SpineMidline> find_midline(const CtVolume& ct, const TissueVolume&
   // Bone behind the canal, mm, for each sagittal plane and height; 0 where there is no canal.
   const auto planes = static_cast<std::size_t>(size[0]), heights = static_cast<std::size_t>(size[2]);
   std::vector<float> laminae(planes * heights, 0.0F), backs(planes * heights, 0.0F);
-  for_each_slice(size[2], [&](int k) {
+  parallel_for(size[2], [&](int k) {
     if (!free[static_cast<std::size_t>(k)]) return;
     for (int i = 0; i < size[0]; ++i) {
       const auto gap = canal_gap(view, i, k);

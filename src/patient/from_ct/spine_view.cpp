@@ -6,8 +6,9 @@
 #include <regex>
 
 #include "patient/from_ct/hounsfield_classes.h"
-#include "patient/from_ct/parallel_slices.h"
 #include <fmt/format.h>
+
+#include "core/parallel_for.h"
 
 namespace bodkin {
 namespace {
@@ -102,7 +103,7 @@ SpineView view_spine(const CtVolume& ct, const LabelVolume& structures, const st
   view.hounsfield = Volume<std::int16_t>(grid);
   view.bone = MaskVolume(grid);
   view.role = Volume<std::uint8_t>(grid);
-  for_each_slice(grid.size[2], [&](int k) {
+  parallel_for(grid.size[2], [&](int k) {
     for (int j = 0; j < grid.size[1]; ++j) {
       for (int i = 0; i < grid.size[0]; ++i) {
         const Vec3 point = grid.to_patient(Vec3(i, j, k));

@@ -4,7 +4,8 @@
 
 #include "patient/synthetic/approach.h"
 #include "patient/synthetic/painter.h"
-#include "patient/synthetic/slices.h"
+
+#include "core/parallel_for.h"
 
 namespace bodkin {
 namespace {
@@ -73,7 +74,7 @@ SyntheticPatient synthesize_lumbar(const LumbarParameters& parameters, const Tis
   const Grid grid = make_grid(model, parameters.spacing);
   patient.tissues = TissueVolume(grid);
   patient.structures = LabelVolume(grid);
-  for_each_slice(grid.size[2], "anatomy", progress, [&](int k) {
+  parallel_for(grid.size[2], "anatomy", progress, [&](int k) {
     const double z = grid.to_patient(Vec3(0.0, 0.0, k)).z();
     const LumbarModel::Slice slice = model.slice(z, parameters.spacing);
     std::size_t at = grid.offset(0, 0, k);

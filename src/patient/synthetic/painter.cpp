@@ -3,9 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "patient/synthetic/slices.h"
-
 #include "core/error.h"
+#include "core/parallel_for.h"
 #include "core/random.h"
 
 namespace bodkin {
@@ -126,7 +125,7 @@ CtVolume paint_ct(const TissueVolume& tissues, const TissueLibrary& library, con
   const std::size_t plane = columns * static_cast<std::size_t>(ny);
 
   CtVolume ct(grid);
-  for_each_slice(nz, "Hounsfield units", progress, [&](int k) {
+  parallel_for(nz, "Hounsfield units", progress, [&](int k) {
     // The point spread is separable: along z, then y, then x.
     std::vector<float> along_z(plane, 0.0f), row(columns), texture(columns);
     for (int dk = -reach; dk <= reach; ++dk) {

@@ -1,6 +1,5 @@
 #include "fem/solid/dense_front.h"
 
-#include <atomic>
 #include <limits>
 #include <vector>
 
@@ -31,9 +30,9 @@ TEST(DenseFront, agrees_with_the_factor_of_the_whole_matrix) {
     const Eigen::MatrixXd expected_rest =
         whole.bottomRightCorner(below, below) -
         expected.bottomLeftCorner(below, width) * expected.bottomLeftCorner(below, width).transpose();
-    DenseTeam team(3);
+    ThreadPool pool(3);
     Eigen::MatrixXd panel = whole.leftCols(width), update = whole.bottomRightCorner(below, below);
-    ASSERT_EQ(factorise_front(team, static_cast<std::size_t>(width), static_cast<std::size_t>(height), panel.data(),
+    ASSERT_EQ(factorise_front(pool, static_cast<std::size_t>(width), static_cast<std::size_t>(height), panel.data(),
                               update.data()),
               static_cast<std::size_t>(width));
     const Eigen::MatrixXd found = panel.triangularView<Eigen::Lower>();
@@ -50,9 +49,9 @@ TEST(DenseFront, names_the_column_without_a_pivot) {
     Eigen::MatrixXd matrix = random_positive(size, 2);
     const Eigen::Index bad = size - 7;
     matrix(bad, bad) = -1.0;
-    DenseTeam team(2);
+    ThreadPool pool(2);
     EXPECT_EQ(
-        factorise_front(team, static_cast<std::size_t>(size), static_cast<std::size_t>(size), matrix.data(), nullptr),
+        factorise_front(pool, static_cast<std::size_t>(size), static_cast<std::size_t>(size), matrix.data(), nullptr),
         static_cast<std::size_t>(bad));
   }
 }
@@ -64,27 +63,16 @@ TEST(DenseFront, inverts_from_the_lower_triangle_alone) {
     Eigen::MatrixXd lower = matrix.llt().matrixL();
     lower.triangularView<Eigen::StrictlyUpper>().setConstant(std::numeric_limits<double>::quiet_NaN());
     Eigen::MatrixXd inverse = Eigen::MatrixXd::Constant(size, size, std::numeric_limits<double>::quiet_NaN());
-    DenseTeam team(3);
-    invert_from_lower(team, static_cast<std::size_t>(size), lower.data(), inverse.data());
+    ThreadPool pool(3);
+    invert_from_lower(pool, static_cast<std::size_t>(size), lower.data(), inverse.data());
     EXPECT_EQ((inverse - inverse.transpose()).cwiseAbs().maxCoeff(), 0.0);
     const Eigen::MatrixXd identity = inverse * matrix - Eigen::MatrixXd::Identity(size, size);
     EXPECT_LT(identity.cwiseAbs().maxCoeff(), 1e-12) << size;
   }
 }
 
-TEST(DenseTeam, does_every_piece_once) {
-  for (const int threads : {1, 2, 5}) {
-    DenseTeam team(threads);
-    for (const std::size_t count : {0U, 1U, 2U, 1000U}) {
-      std::vector<std::atomic<int>> done(count);
-      team.run(count, [&done](std::size_t piece) { ++done[piece]; });
-      for (const std::atomic<int>& times : done) EXPECT_EQ(times, 1);
-    }
-  }
-}
-
 // The corridor's front and those next to it are cut into several tiles.
-TEST(DenseTeam, a_body_has_the_same_bits_for_any_number_of_threads) {
+TEST(DenseFront, a_body_has_the_same_bits_for_any_number_of_threads) {
   const BodyDescription body = lattice_body(sanitized ? 9 : 14, 80.0, 0.1, sanitized ? 150 : 300);
   FactorOptions options;
   options.threads = 1;

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+#include <string_view>
+#include <thread>
+#include <type_traits>
+
+#include "core/progress.h"
+#include "core/thread_pool.h"
+
+namespace bodkin {
+
+// ThreadPool::run() for a single long loop: its threads, as many as the machine has cores, are started and ended
+// here.
+template <std::integral Index, typename Work>
+void parallel_for(Index count, const Work& work) {
+  const auto cores = static_cast<Index>(std::max(std::thread::hardware_concurrency(), 1U));
+  ThreadPool(static_cast<int>(std::clamp(count, Index{1}, cores))).run(count, work);
+}
+
+// The same with a report of the fraction done for every 24th part of the loop and at its end, as `stage`, from the
+// calling thread. An exception from `progress` ends the loop and is thrown from here. `threads`: as for ThreadPool.
+template <std::integral Index, typename Work>
+void parallel_for(Index count, std::string_view stage, const Progress& progress, const Work& work, int threads = 0) {
+  const Index every = std::max(static_cast<Index>(count / 24), Index{1});
+  Index next_report = 0;  // of the calling thread alone
+  ThreadPool(threads).run(count, [&](Index index, int thread) {
+    if (thread == 0 && progress && index >= next_report) {
+      progress(stage, static_cast<double>(index) / static_cast<double>(count));
+      next_report = index + every;
+    }
+    if constexpr (std::is_invocable_v<const Work&, Index, int>) {
+      work(index, thread);
+    } else {
+      work(index);
+    }
+  });
+  if (progress) progress(stage, 1.0);
+}
+
+}  // namespace bodkin
