@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/error.h"
-#include "fem/triangle.h"
+#include "fem/upper_triangular.h"
 
 namespace bodkin {
 
@@ -20,18 +20,21 @@ constexpr double least_pivot = 1e-10;   // of the diagonal of S, below which a c
 
 ContactFactor::ContactFactor(const Eigen::MatrixXd& compliance, std::size_t most_nodes,
                              const std::optional<NeedleBeam>& beam)
-    : compliance_(compliance), beam_(beam), most_rows_(3 * most_nodes), stride_(triangle::padded(3 * most_nodes)) {
+    : compliance_(compliance),
+      beam_(beam),
+      most_rows_(3 * most_nodes),
+      stride_(upper_triangular::padded(3 * most_nodes)) {
   if (compliance.rows() != compliance.cols() || compliance.rows() % 3 != 0 || compliance.rows() == 0) {
     throw InputError("contact: the compliance of the corridor is " + std::to_string(compliance.rows()) + " x " +
                      std::to_string(compliance.cols()) + ", expected 3 rows and columns for each of its nodes");
   }
   if (most_nodes == 0) throw InputError("contact: room for 0 nodes, expected at least 1");
   constexpr std::size_t line = 64;
-  storage_.assign(triangle::padded(most_rows_) * stride_ + line / sizeof(double), 0.0);
+  storage_.assign(upper_triangular::padded(most_rows_) * stride_ + line / sizeof(double), 0.0);
   void* begin = storage_.data();
   std::size_t room = storage_.size() * sizeof(double);
-  std::align(line, triangle::padded(most_rows_) * stride_ * sizeof(double), begin, room);
-  factor_ = {static_cast<double*>(begin), triangle::padded(most_rows_) * stride_};
+  std::align(line, upper_triangular::padded(most_rows_) * stride_ * sizeof(double), begin, room);
+  factor_ = {static_cast<double*>(begin), upper_triangular::padded(most_rows_) * stride_};
   scratch_.assign(3 * stride_, 0.0);
   row_of_.resize(most_rows_);
   first_rows_.assign(most_rows_ + 1, 0);
@@ -46,11 +49,11 @@ void ContactFactor::solve(std::span<double> values) noexcept {
 }
 
 void ContactFactor::forward(double* columns, std::size_t count) noexcept {
-  triangle::solve_transposed({factor_.data(), stride_, rows_}, columns, count);
+  upper_triangular::solve_transposed({factor_.data(), stride_, rows_}, columns, count);
 }
 
 void ContactFactor::backward(double* values) noexcept {
-  triangle::solve({factor_.data(), stride_, rows_}, values);
+  upper_triangular::solve({factor_.data(), stride_, rows_}, values);
 }
 
 // What is left of S and F for the last constraint by what stands above it; `scratch_` holds those columns of U.
@@ -64,7 +67,7 @@ void ContactFactor::find_corner(std::size_t first, std::size_t count) noexcept {
     const double* left = scratch_.data() + a * stride_;
     for (std::size_t b = 0; b <= a; ++b) {
       const double* right = scratch_.data() + b * stride_;
-      const double sum = triangle::product(left, right, first);
+      const double sum = upper_triangular::product(left, right, first);
       const double here = row_of_[first + b].direction.dot(moved);
       corner_(static_cast<int>(b), static_cast<int>(a)) = here + (a == b ? bent : 0.0) - sum;
       if (a == b) whole_(static_cast<int>(a)) = here;
@@ -124,7 +127,7 @@ bool ContactFactor::append(std::uint32_t node, const HeldDirections& directions,
       columns[a * stride_ + i] = moved.dot(directions.col(static_cast<Eigen::Index>(a)));
     }
   }
-  triangle::solve_transposed({factor_.data(), stride_, rows_}, columns, count);
+  upper_triangular::solve_transposed({factor_.data(), stride_, rows_}, columns, count);
   return border(node, directions, softness, depth);
 }
 
@@ -205,7 +208,7 @@ void ContactFactor::remove(std::size_t constraint) noexcept {
     const double* from = row(i) + i;
     double* to = row(i - count) + (i - count);
     for (std::size_t a = 0; a < count; ++a) {
-      triangle::rotate(from, x + a * stride_ + i, to, rows_ - i);
+      upper_triangular::rotate(from, x + a * stride_ + i, to, rows_ - i);
       from = to;
     }
   }

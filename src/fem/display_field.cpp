@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/error.h"
-#include "fem/processor_clones.h"
+#include "core/simd.h"
 
 namespace bodkin {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/error.h"
-#include "fem/triangle.h"
+#include "fem/upper_triangular.h"
 
 namespace bodkin {
 
@@ -57,7 +57,7 @@ EmbeddedNeedle::EmbeddedNeedle(const CondensedBody& body, const ContactTissues& 
       stations_(body, settings.capture_radius, settings.spacing),
       constraints_(body.compliance, checked_room(settings), beam_),
       holds_(settings.most_nodes + 1),
-      displacements_(triangle::padded(3 * settings.most_nodes + 3), 0.0),
+      displacements_(upper_triangular::padded(3 * settings.most_nodes + 3), 0.0),
       forces_(3 * settings.most_nodes + 3, 0.0),
       punctured_(body.nodes.size(), 0) {
   check_contact_tissues(tissues);

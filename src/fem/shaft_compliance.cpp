@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "fem/triangle.h"
+#include "fem/upper_triangular.h"
 
 namespace bodkin {
 
@@ -15,7 +15,7 @@ constexpr std::size_t nodes_ahead = 8;  // whose blocks are asked for while earl
 ShaftCompliance::ShaftCompliance(const Eigen::MatrixXd& compliance, std::size_t most_nodes)
     : compliance_(compliance),
       most_nodes_(most_nodes),
-      stride_(triangle::padded(3 * most_nodes)),
+      stride_(upper_triangular::padded(3 * most_nodes)),
       rows_(3 * most_nodes * stride_, 0.0),
       nodes_(most_nodes, 0) {}
 
@@ -51,7 +51,7 @@ bool ShaftCompliance::push(std::uint32_t node) noexcept {
 Vec3 ShaftCompliance::displacement(std::size_t index, std::span<const double> forces) const noexcept {
   Vec3 sum;
   for (std::size_t c = 0; c < 3; ++c) {
-    sum(static_cast<Eigen::Index>(c)) = triangle::product(row(index, c), forces.data(), 3 * index + 3);
+    sum(static_cast<Eigen::Index>(c)) = upper_triangular::product(row(index, c), forces.data(), 3 * index + 3);
   }
   for (std::size_t j = index + 1; j < count_; ++j) {
     for (std::size_t d = 0; d < 3; ++d) {
@@ -68,8 +68,8 @@ void ShaftCompliance::displace(std::span<const double> forces, std::span<double>
   for (std::size_t i = 0; i < count_; ++i) {
     // Of what stands behind the diagonal, up to seven numbers are added too, and overwritten below.
     const std::array<const double*, 3> rows{row(i, 0), row(i, 1), row(i, 2)};
-    triangle::add_rows(rows.data(), forces.data() + 3 * i, 3, sum, 3 * i);
-    for (std::size_t c = 0; c < 3; ++c) sum[3 * i + c] = triangle::product(rows[c], forces.data(), 3 * i + 3);
+    upper_triangular::add_rows(rows.data(), forces.data() + 3 * i, 3, sum, 3 * i);
+    for (std::size_t c = 0; c < 3; ++c) sum[3 * i + c] = upper_triangular::product(rows[c], forces.data(), 3 * i + 3);
   }
 }
 

@@ -34,7 +34,7 @@ class ShaftCompliance {
   }
   // mm, of node `index` by `forces`, N; 3 x size().
   Vec3 displacement(std::size_t index, std::span<const double> forces) const noexcept;
-  // mm, of all nodes at once; room for triangle::padded(3 x size()).
+  // mm, of all nodes at once; room for upper_triangular::padded(3 x size()).
   void displace(std::span<const double> forces, std::span<double> displacements) const noexcept;
 
  private:

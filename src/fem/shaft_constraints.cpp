@@ -5,7 +5,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "fem/triangle.h"
+#include "fem/upper_triangular.h"
 
 namespace bodkin {
 
@@ -72,7 +72,7 @@ bool ShaftConstraints::face(std::uint32_t node) noexcept {
   along_.push_node({column, 2 * firm()}, {own, index + 1});
   for (std::size_t c = 0; c < 2 && count_ > 0; ++c) {
     left(count_ - 1, c)[always() + index] =
-        row[3 * (count_ - 1) + 1 + c] - triangle::product(above(count_ - 1, c), column, 2 * firm());
+        row[3 * (count_ - 1) + 1 + c] - upper_triangular::product(above(count_ - 1, c), column, 2 * firm());
   }
   border_known_ = false;
   return true;
@@ -125,7 +125,8 @@ void ShaftConstraints::begin_last(std::size_t index) noexcept {
       const auto there = static_cast<Eigen::Index>(c);
       const double own =
           row[3 * index + 1 + c] + (bends_ && c == d ? beam_->flexibility(depths_[index], depths_[index]) : 0.0);
-      last.corner(here, there) = last.corner(there, here) = own - triangle::product(column, above(index, c), before);
+      last.corner(here, there) = last.corner(there, here) =
+          own - upper_triangular::product(column, above(index, c), before);
     }
   }
 }
@@ -156,7 +157,7 @@ void ShaftConstraints::pop() noexcept {
     along_.pop_node();
     compliance_.pop();
   }
-  along_.let_go(count_ - 1);
+  along_.release(count_ - 1);
   --count_;
   last_softness_ = count_ > 0 ? 0.0 : -1.0;
   border_known_ = false;
@@ -164,7 +165,7 @@ void ShaftConstraints::pop() noexcept {
 
 void ShaftConstraints::hold_all_along() noexcept {
   const bool before_tip = known() > count_ && held_along(count_);
-  along_.hold_first(count_ + (before_tip ? 1 : 0));
+  along_.stick_first(count_ + (before_tip ? 1 : 0));
 }
 
 bool ShaftConstraints::hold_last_across(double softness) noexcept {
@@ -240,7 +241,7 @@ void ShaftConstraints::place(std::span<const double> displacements, const ShaftR
   if (!last_held()) return;
   for (std::size_t c = 0; c < 2; ++c) {
     last_wanted_(static_cast<Eigen::Index>(c)) =
-        displacements[3 * count_ - 2 + c] - triangle::product(above(count_ - 1, c), value, 2 * firm());
+        displacements[3 * count_ - 2 + c] - upper_triangular::product(above(count_ - 1, c), value, 2 * firm());
   }
 }
 
@@ -283,8 +284,8 @@ void ShaftConstraints::solve_along(std::span<double> forces) noexcept {
     for (std::size_t c = 0; c < 2; ++c) {
       last_force_(static_cast<Eigen::Index>(c)) =
           last_wanted_(static_cast<Eigen::Index>(c)) -
-          triangle::product(left(count_ - 1, c), loads_.data(), along_.columns()) -
-          triangle::product(border_.data() + c * stride, held, rows);
+          upper_triangular::product(left(count_ - 1, c), loads_.data(), along_.columns()) -
+          upper_triangular::product(border_.data() + c * stride, held, rows);
     }
     solve_by_lower(last_factor_, last_force_);
   }
@@ -292,7 +293,7 @@ void ShaftConstraints::solve_along(std::span<double> forces) noexcept {
     Eigen::Vector4d pulled = last_bends_.transpose() * last_force_;
     for (std::size_t m = 0; m < 4; ++m) {
       pulled(static_cast<Eigen::Index>(m)) +=
-          carried_[m] + moved_[m] + triangle::product(border_.data() + (2 + m) * stride, held, rows);
+          carried_[m] + moved_[m] + upper_triangular::product(border_.data() + (2 + m) * stride, held, rows);
     }
     bent = bend_outside(pulled);
     if (last_sound_) {
@@ -304,7 +305,7 @@ void ShaftConstraints::solve_along(std::span<double> forces) noexcept {
   const std::array<double, 6> border{-last_force_(0), -last_force_(1), -bent(0), -bent(1), -bent(2), -bent(3)};
   std::array<const double*, 6> vectors{};
   for (std::size_t i = 0; i < 6; ++i) vectors[i] = border_.data() + i * stride;
-  triangle::add_rows(vectors.data(), border.data(), bends_ ? 6 : 2, held, rows);
+  upper_triangular::add_rows(vectors.data(), border.data(), bends_ ? 6 : 2, held, rows);
   along_.backward(held);
   finish_along(forces, bent);
 }

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "fem/along_system.h"
 #include "fem/contact_factor.h"
 #include "fem/shaft_compliance.h"
+#include "fem/shaft_schur_complement.h"
 
 namespace bodkin {
 
@@ -18,7 +18,7 @@ namespace bodkin {
 //
 // The equations are solved in three steps, of which the first costs most and is done once for a needle's place:
 //   1. all nodes but the last, firmly across: they come and go at the end alone (ContactFactor)
-//   2. those that stick, along: what is left of them by 1 (AlongSystem)
+//   2. those that stick, along: what is left of them by 1 (ShaftSchurComplement)
 //   3. the last node across, which is soft, and how a needle that bends goes through the surface: 6 numbers at most
 //
 // A shaft that bends adds its flexibility to what holds it across. Of that, the part between the nodes is that of a
@@ -45,9 +45,9 @@ class ShaftConstraints {
   void pop() noexcept;
 
   // Holds a node along the needle; false when it is held already, or cannot be.
-  bool hold_along(std::size_t index) noexcept { return index < known() && along_.hold(index); }
+  bool hold_along(std::size_t index) noexcept { return index < known() && along_.stick(index); }
   bool hold_before_tip() noexcept { return hold_along(count_); }
-  void let_slide(std::size_t index) noexcept { along_.let_go(index); }  // index size(): the node before the tip
+  void let_slide(std::size_t index) noexcept { along_.release(index); }  // index size(): the node before the tip
   // Holds every node along the needle, and the one before the tip if it was held.
   void hold_all_along() noexcept;
   // Holds the last node across the needle with this softness, mm/N.
@@ -72,7 +72,7 @@ class ShaftConstraints {
   // Nodes of the needle; those and the one before the tip.
   std::size_t size() const noexcept { return count_; }
   std::size_t known() const noexcept { return compliance_.size(); }
-  bool held_along(std::size_t index) const noexcept { return along_.holds(index); }
+  bool held_along(std::size_t index) const noexcept { return along_.sticks(index); }
   std::size_t release_cost(std::size_t index) const noexcept { return along_.release_cost(index); }
   const ShaftCompliance& compliance() const noexcept { return compliance_; }
 
@@ -100,7 +100,7 @@ class ShaftConstraints {
   std::optional<NeedleBeam> beam_;
   ShaftCompliance compliance_;
   ContactFactor across_;
-  AlongSystem along_;
+  ShaftSchurComplement along_;
   std::vector<std::uint32_t> nodes_;  // most_nodes + 1; of the corridor
   std::vector<double> depths_;        // most_nodes + 1; mm
   std::vector<Last> lasts_;           // by node

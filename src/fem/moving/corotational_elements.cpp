@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fem/processor_clones.h"
+#include "core/simd.h"
 #include "fem/solid/element_stiffness.h"
 
 namespace bodkin {

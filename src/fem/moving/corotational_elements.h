@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "anatomy/tetrahedral_mesh.h"
-#include "fem/moving/lanes.h"
+#include "core/simd.h"
 #include "fem/moving/nearest_rotation.h"
 #include "fem/solid/elastic_material.h"
 

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "core/geometry.h"
-#include "fem/moving/lanes.h"
+#include "core/simd.h"
 
 namespace bodkin {
 

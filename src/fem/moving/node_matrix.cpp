@@ -3,18 +3,14 @@
 #include <algorithm>
 #include <tuple>
 
-#include "fem/moving/lanes.h"
-#include "fem/processor_clones.h"
+#include "core/simd.h"
 
 namespace bodkin {
 
 namespace {
 
-using SingleLanes = float __attribute__((vector_size(16), may_alias));
-using LooseLanes = double __attribute__((vector_size(32), aligned(8), may_alias));
-
 BODKIN_LANES_INLINE void widen(const std::array<float, 4>& column, Lanes& wide) {
-  wide = __builtin_convertvector(*reinterpret_cast<const SingleLanes*>(column.data()), Lanes);
+  wide = __builtin_convertvector(*reinterpret_cast<const FloatLanes*>(column.data()), Lanes);
 }
 
 // The order in which sweeps go through the nodes: that of the mesh, but for nodes whose neighbours have just been, so
@@ -101,17 +97,17 @@ BODKIN_PROCESSOR_CLONES
 void NodeMatrix::assemble_edges(std::span<const Edge> edges, const Share* shares, const TurnedElement* elements,
                                 float factor, Block* blocks) noexcept {
   for (std::size_t edge = 0; edge + 1 < edges.size(); ++edge) {
-    SingleLanes column[3] = {};
+    FloatLanes column[3] = {};
     for (std::uint32_t share = edges[edge].first_share; share < edges[edge + 1].first_share; ++share) {
       const TurnedElement& element = elements[shares[share] / 16];
       const std::array<float, 3>&a = element.gradient[shares[share] / 4 % 4],
                               &b = element.gradient[shares[share] % 4];
-      const SingleLanes ga = {a[0], a[1], a[2], 0.0F}, gb = {b[0], b[1], b[2], 0.0F};
+      const FloatLanes ga = {a[0], a[1], a[2], 0.0F}, gb = {b[0], b[1], b[2], 0.0F};
       const float turned = element.both * ((a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]);
-      const SingleLanes across = element.across * ga, along = element.along * gb;
-      column[0] += across * b[0] + along * a[0] + SingleLanes{turned, 0.0F, 0.0F, 0.0F};
-      column[1] += across * b[1] + along * a[1] + SingleLanes{0.0F, turned, 0.0F, 0.0F};
-      column[2] += across * b[2] + along * a[2] + SingleLanes{0.0F, 0.0F, turned, 0.0F};
+      const FloatLanes across = element.across * ga, along = element.along * gb;
+      column[0] += across * b[0] + along * a[0] + FloatLanes{turned, 0.0F, 0.0F, 0.0F};
+      column[1] += across * b[1] + along * a[1] + FloatLanes{0.0F, turned, 0.0F, 0.0F};
+      column[2] += across * b[2] + along * a[2] + FloatLanes{0.0F, 0.0F, turned, 0.0F};
     }
     Block &upper = blocks[edges[edge].upper], &lower = blocks[edges[edge].lower];
     for (std::size_t j = 0; j < 3; ++j) {
@@ -159,7 +155,7 @@ void NodeMatrix::multiply_rows(const NodeMatrix& matrix, const double* vector, d
         z += c * from[2];
       }
     }
-    *reinterpret_cast<LooseLanes*>(product + 4 * std::size_t{matrix.order_[place]}) = (x + y) + z;
+    *lanes_at(product + 4 * std::size_t{matrix.order_[place]}) = (x + y) + z;
   }
 }
 
@@ -188,11 +184,11 @@ void NodeMatrix::invert_diagonal(std::span<const std::uint8_t> held) noexcept {
 
 // The blocks `first` to `last` times x, summed.
 BODKIN_LANES_INLINE void add_blocks(const std::uint32_t* column, const NodeMatrix::Block* blocks, std::uint32_t first,
-                                    std::uint32_t last, const float* x, SingleLanes& sum) {
-  SingleLanes a = {}, b = {}, c = {};
+                                    std::uint32_t last, const float* x, FloatLanes& sum) {
+  FloatLanes a = {}, b = {}, c = {};
   for (std::uint32_t k = first; k < last; ++k) {
     const float* from = x + 4 * std::size_t{column[k]};
-    const auto* columns = reinterpret_cast<const SingleLanes*>(&blocks[k]);
+    const auto* columns = reinterpret_cast<const FloatLanes*>(&blocks[k]);
     a += columns[0] * from[0];
     b += columns[1] * from[1];
     c += columns[2] * from[2];
@@ -200,16 +196,16 @@ BODKIN_LANES_INLINE void add_blocks(const std::uint32_t* column, const NodeMatri
   sum = (a + b) + c;
 }
 
-BODKIN_LANES_INLINE void multiply_block(const NodeMatrix::Block& block, const SingleLanes& x, SingleLanes& product) {
-  const auto* columns = reinterpret_cast<const SingleLanes*>(&block);
+BODKIN_LANES_INLINE void multiply_block(const NodeMatrix::Block& block, const FloatLanes& x, FloatLanes& product) {
+  const auto* columns = reinterpret_cast<const FloatLanes*>(&block);
   product = (columns[0] * x[0] + columns[1] * x[1]) + columns[2] * x[2];
 }
 
-BODKIN_LANES_INLINE SingleLanes& at_node(float* vector, std::size_t node) {
-  return *reinterpret_cast<SingleLanes*>(vector + 4 * node);
+BODKIN_LANES_INLINE FloatLanes& at_node(float* vector, std::size_t node) {
+  return *reinterpret_cast<FloatLanes*>(vector + 4 * node);
 }
-BODKIN_LANES_INLINE const SingleLanes& at_node(const float* vector, std::size_t node) {
-  return *reinterpret_cast<const SingleLanes*>(vector + 4 * node);
+BODKIN_LANES_INLINE const FloatLanes& at_node(const float* vector, std::size_t node) {
+  return *reinterpret_cast<const FloatLanes*>(vector + 4 * node);
 }
 
 BODKIN_PROCESSOR_CLONES
@@ -217,7 +213,7 @@ void NodeMatrix::sweep_down(const NodeMatrix& matrix, const float* right, float*
   for (std::size_t i = 0; i < matrix.free_count_; ++i) {
     const std::uint32_t place = matrix.free_[i], node = matrix.order_[place];
     const Range range = matrix.below(place);
-    SingleLanes sum;
+    FloatLanes sum;
     add_blocks(matrix.column_.data(), matrix.blocks_.data(), range.first, range.last, x, sum);
     sum = at_node(right, node) - sum;
     at_node(scaled, node) = sum;
@@ -230,7 +226,7 @@ void NodeMatrix::sweep_up(const NodeMatrix& matrix, const float* right, float* x
   for (std::size_t i = matrix.free_count_; i-- > 0;) {
     const std::uint32_t place = matrix.free_[i], node = matrix.order_[place];
     const Range range = matrix.above(place);
-    SingleLanes sum;
+    FloatLanes sum;
     add_blocks(matrix.column_.data(), matrix.blocks_.data(), range.first, range.last, x, sum);
     at_node(above, node) = sum;
     multiply_block(matrix.inverse_[place], at_node(right, node) - sum, at_node(x, node));

@@ -3,13 +3,10 @@
 // places stands in loops of its own, and the rest turns into vectors.
 #include "imaging/ultrasound/scan_kernel.h"
 
-#include "imaging/ultrasound/scan_arithmetic.h"
+#include "core/simd.h"
 #include "imaging/ultrasound/scan_sample.h"
 
 namespace bodkin::scan {
-
-void BODKIN_JOIN(compress_, BODKIN_PATH)(const Row& row) noexcept;
-void BODKIN_JOIN(convert_, BODKIN_PATH)(const Conversion& in, std::size_t first, std::size_t last) noexcept;
 
 namespace {
 
@@ -106,7 +103,7 @@ inline void reflect(const March& __restrict in, int line, int k, const Sample& _
         sharp ? spread_echo(reflected, sharpness) - spread_echo(so_far, sharpness) : reflected - so_far;
     echo[l] = before * part * received * (1.0F + bone_edge * bone) * surface;
 
-    const float fall = float_of(static_cast<std::uint32_t>(s.medium[l]));
+    const float fall = float_from_bits(static_cast<std::uint32_t>(s.medium[l]));
     const float kept = depth < in.leaves[line + l] ? fall : 0.0F;  // beyond the volume everything is swallowed
     const float left = before * (in_gel ? 1.0F : kept);
     if constexpr (leads) {
@@ -143,7 +140,7 @@ inline void scatter(const March& __restrict in, int k, const Sample& __restrict 
     const float variation = static_cast<float>(static_cast<std::int32_t>(texture & 0xFFU)) * (1.0F / 255.0F / 128.0F);
     const float bundle = 1.0F + variation * static_cast<float>(at.fibre[l]);
     const bool there = (scatterer >> 16 & 0xFFU) < (texture >> 8 & 0xFFU);
-    const float full = float_of(texture & 0xFFFF0000U) * reaches[l] * gain * bundle;
+    const float full = float_from_bits(texture & 0xFFFF0000U) * reaches[l] * gain * bundle;
     const float level = there ? full : 0.0F;
     const float real = level * static_cast<float>(static_cast<std::int32_t>(scatterer << 24) >> 24);
     const float imaginary = level * static_cast<float>(static_cast<std::int32_t>(scatterer << 16) >> 24);

@@ -5,8 +5,9 @@
 
 #include "imaging/ultrasound/processor_path.h"
 
-// The inner loops of an ultrasound picture, compiled once for each processor path. Plain arrays and nothing inline
-// from anywhere else, so that code for one processor cannot be linked into what another one runs.
+// The inner loops of an ultrasound picture, compiled once for each processor path. They work on plain arrays and call
+// no inline functions of other headers except those of core/simd.h, which are always inlined: so code for one
+// processor cannot be linked into what another one runs.
 
 namespace bodkin::scan {
 
@@ -107,5 +108,14 @@ struct Kernel {
 };
 
 const Kernel& kernel(ProcessorPath path);
+
+// In the sources that are compiled once for each processor path: the functions and the kernel of the path that
+// BODKIN_PATH names.
+#ifdef BODKIN_PATH
+#define BODKIN_JOIN_(a, b) a##b
+#define BODKIN_JOIN(a, b) BODKIN_JOIN_(a, b)
+void BODKIN_JOIN(compress_, BODKIN_PATH)(const Row& row) noexcept;
+void BODKIN_JOIN(convert_, BODKIN_PATH)(const Conversion& in, std::size_t first, std::size_t last) noexcept;
+#endif
 
 }  // namespace bodkin::scan

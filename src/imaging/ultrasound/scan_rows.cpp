@@ -1,13 +1,10 @@
 // The inner loops of rows and pixels, compiled once for each processor path as scan_kernel.cpp is.
 #include <cstring>
 
-#include "imaging/ultrasound/scan_arithmetic.h"
+#include "core/simd.h"
 #include "imaging/ultrasound/scan_kernel.h"
 
 namespace bodkin::scan {
-
-void BODKIN_JOIN(compress_, BODKIN_PATH)(const Row& row) noexcept;
-void BODKIN_JOIN(convert_, BODKIN_PATH)(const Conversion& in, std::size_t first, std::size_t last) noexcept;
 
 namespace {
 
@@ -16,7 +13,7 @@ namespace {
 inline float log2_of(float x) noexcept {
   const auto bits = __builtin_bit_cast(std::uint32_t, x);
   const auto exponent = static_cast<float>(static_cast<std::int32_t>(bits >> 23) - 127);
-  const float m = float_of((bits & 0x007FFFFFU) | 0x3F800000U) - 1.0F;
+  const float m = float_from_bits((bits & 0x007FFFFFU) | 0x3F800000U) - 1.0F;
   const float p =
       1.4426804F + m * (-0.7202988F + m * (0.4681255F + m * (-0.2999927F + m * (0.1424179F + m * -0.0329323F))));
   return exponent + m * p;

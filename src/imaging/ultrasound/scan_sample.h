@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "imaging/ultrasound/scan_arithmetic.h"
+#include "core/simd.h"
 #include "imaging/ultrasound/scan_kernel.h"
 
 // What lies at a sample of each line: the part of the inner loops that reads the patient. Everything has internal

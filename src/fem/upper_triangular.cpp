@@ -1,68 +1,61 @@
-#include "fem/triangle.h"
+#include "fem/upper_triangular.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "fem/processor_clones.h"
+#include "core/simd.h"
 
-namespace bodkin::triangle {
+namespace bodkin::upper_triangular {
 
 namespace {
 
-// Four numbers at once, wherever they lie.
-using Lanes [[gnu::aligned(8), gnu::may_alias]] = double __attribute__((vector_size(32)));
-constexpr std::size_t lanes = 4;
 constexpr std::size_t block = 8;
 
-// values[j] -= sum over 8 rows of rows[r * stride + j] solved[r], j in [from, to).
-[[gnu::always_inline]] inline void subtract_rows(const double* rows, std::size_t stride, const double* solved,
-                                                 double* values, std::size_t from, std::size_t to) noexcept {
+// values[j] -= sum over 8 rows of rows[r * stride + j] solved[r] for j in [from, to).
+BODKIN_LANES_INLINE void subtract_rows(const double* rows, std::size_t stride, const double* solved, double* values,
+                                       std::size_t from, std::size_t to) noexcept {
   const double a = solved[0], b = solved[1], c = solved[2], d = solved[3];
   const double e = solved[4], f = solved[5], g = solved[6], h = solved[7];
-  for (std::size_t j = from; j < to; j += lanes) {
-    const double* at = rows + j;
-    const auto row = [at, stride](std::size_t r) -> const Lanes& {
-      return *reinterpret_cast<const Lanes*>(at + r * stride);
-    };
-    Lanes& value = *reinterpret_cast<Lanes*>(values + j);
-    value -= ((row(0) * a + row(1) * b) + (row(2) * c + row(3) * d)) +
-             ((row(4) * e + row(5) * f) + (row(6) * g + row(7) * h));
+  for (std::size_t j = from; j < to; j += lane_count) {
+    const auto row = [at = rows + j, stride](std::size_t r) { return lanes_at(at + r * stride); };
+    *lanes_at(values + j) -= ((*row(0) * a + *row(1) * b) + (*row(2) * c + *row(3) * d)) +
+                             ((*row(4) * e + *row(5) * f) + (*row(6) * g + *row(7) * h));
   }
 }
 
 // sums[r] = rows[r * stride + j] values[j] summed over j in [from, to), for 4 rows.
-[[gnu::always_inline]] inline void four_products(const double* rows, std::size_t stride, const double* values,
-                                                 std::size_t from, std::size_t to, double* sums) noexcept {
+BODKIN_LANES_INLINE void four_products(const double* rows, std::size_t stride, const double* values, std::size_t from,
+                                       std::size_t to, double* sums) noexcept {
   Lanes a = {}, b = {}, c = {}, d = {};
-  for (std::size_t j = from; j < to; j += lanes) {
-    const Lanes value = *reinterpret_cast<const Lanes*>(values + j);
-    a += *reinterpret_cast<const Lanes*>(rows + j) * value;
-    b += *reinterpret_cast<const Lanes*>(rows + stride + j) * value;
-    c += *reinterpret_cast<const Lanes*>(rows + 2 * stride + j) * value;
-    d += *reinterpret_cast<const Lanes*>(rows + 3 * stride + j) * value;
+  for (std::size_t j = from; j < to; j += lane_count) {
+    const Lanes value = *lanes_at(values + j);
+    a += *lanes_at(rows + j) * value;
+    b += *lanes_at(rows + stride + j) * value;
+    c += *lanes_at(rows + 2 * stride + j) * value;
+    d += *lanes_at(rows + 3 * stride + j) * value;
   }
-  sums[0] = (a[0] + a[1]) + (a[2] + a[3]);
-  sums[1] = (b[0] + b[1]) + (b[2] + b[3]);
-  sums[2] = (c[0] + c[1]) + (c[2] + c[3]);
-  sums[3] = (d[0] + d[1]) + (d[2] + d[3]);
+  sums[0] = sum_of_lanes(a);
+  sums[1] = sum_of_lanes(b);
+  sums[2] = sum_of_lanes(c);
+  sums[3] = sum_of_lanes(d);
 }
 
-// Rows first to first + 4 of a matrix that is being factorised, columns j to j + 8: takes from them what the `first`
-// rows above, at `above`, say of them; `pivots` is where these columns of theirs begin.
-[[gnu::always_inline]] inline void subtract_above(double* rows, const double* above, std::size_t pivots,
-                                                  std::size_t stride, std::size_t count, std::size_t j) noexcept {
+// One step of a factorisation by blocks: subtracts U_above^T U_above from four rows, in the columns j to j + 8.
+// `above`: the `count` finished rows of U; `pivots`: the column of the first of the four pivots.
+BODKIN_LANES_INLINE void subtract_above(double* rows, const double* above, std::size_t pivots, std::size_t stride,
+                                        std::size_t count, std::size_t j) noexcept {
   Lanes sums[4][2] = {};
   for (std::size_t k = 0; k < count; ++k) {
     const double* const row = above + k * stride;
-    const Lanes left = *reinterpret_cast<const Lanes*>(row + j), right = *reinterpret_cast<const Lanes*>(row + j + 4);
+    const Lanes left = *lanes_at(row + j), right = *lanes_at(row + j + 4);
     for (std::size_t r = 0; r < 4; ++r) {
       sums[r][0] += left * row[pivots + r];
       sums[r][1] += right * row[pivots + r];
     }
   }
   for (std::size_t r = 0; r < 4; ++r) {
-    *reinterpret_cast<Lanes*>(rows + r * stride + j) -= sums[r][0];
-    *reinterpret_cast<Lanes*>(rows + r * stride + j + 4) -= sums[r][1];
+    *lanes_at(rows + r * stride + j) -= sums[r][0];
+    *lanes_at(rows + r * stride + j + 4) -= sums[r][1];
   }
 }
 
@@ -120,11 +113,11 @@ void rotate(const double* from, double* other, double* to, std::size_t count) no
   const double length = std::sqrt(from[0] * from[0] + other[0] * other[0]);
   const double cosine = from[0] / length, sine = other[0] / length;
   std::size_t j = 0;
-  for (; j + lanes <= count; j += lanes) {
-    const Lanes here = *reinterpret_cast<const Lanes*>(from + j);
-    const Lanes there = *reinterpret_cast<const Lanes*>(other + j);
-    *reinterpret_cast<Lanes*>(to + j) = here * cosine + there * sine;
-    *reinterpret_cast<Lanes*>(other + j) = there * cosine - here * sine;
+  for (; j + lane_count <= count; j += lane_count) {
+    const Lanes here = *lanes_at(from + j);
+    const Lanes there = *lanes_at(other + j);
+    *lanes_at(to + j) = here * cosine + there * sine;
+    *lanes_at(other + j) = there * cosine - here * sine;
   }
   for (; j < count; ++j) {
     const double here = from[j], there = other[j];
@@ -144,17 +137,16 @@ std::size_t factorise(double* numbers, std::size_t stride, std::size_t rows, con
     }
     for (std::size_t r = 0; r < std::min(block, rows - first); ++r) {
       double* const row = here + r * stride;
-      const std::size_t from = first + r / lanes * lanes;
+      const std::size_t from = first + r / lane_count * lane_count;
       for (std::size_t above = 0; above < r; ++above) {
         const double* const other = here + above * stride;
         const double factor = other[first + r];
-        for (std::size_t j = from; j < end; j += lanes)
-          *reinterpret_cast<Lanes*>(row + j) -= *reinterpret_cast<const Lanes*>(other + j) * factor;
+        for (std::size_t j = from; j < end; j += lane_count) *lanes_at(row + j) -= *lanes_at(other + j) * factor;
       }
       const double pivot = row[first + r];
       if (!(pivot > least[first + r]) || !std::isfinite(pivot)) return first + r;
       const double inverse = 1.0 / std::sqrt(pivot);
-      for (std::size_t j = from; j < end; j += lanes) *reinterpret_cast<Lanes*>(row + j) *= inverse;
+      for (std::size_t j = from; j < end; j += lane_count) *lanes_at(row + j) *= inverse;
     }
   }
   return rows;
@@ -164,14 +156,13 @@ BODKIN_PROCESSOR_CLONES
 double product(const double* a, const double* b, std::size_t count) noexcept {
   Lanes even = {}, odd = {};
   std::size_t j = 0;
-  for (; j + 2 * lanes <= count; j += 2 * lanes) {
-    even += *reinterpret_cast<const Lanes*>(a + j) * *reinterpret_cast<const Lanes*>(b + j);
-    odd += *reinterpret_cast<const Lanes*>(a + j + lanes) * *reinterpret_cast<const Lanes*>(b + j + lanes);
+  for (; j + 2 * lane_count <= count; j += 2 * lane_count) {
+    even += *lanes_at(a + j) * *lanes_at(b + j);
+    odd += *lanes_at(a + j + lane_count) * *lanes_at(b + j + lane_count);
   }
   double rest = 0.0;
   for (; j < count; ++j) rest += a[j] * b[j];
-  const Lanes sum = even + odd;
-  return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + rest;
+  return sum_of_lanes(even + odd) + rest;
 }
 
 BODKIN_PROCESSOR_CLONES
@@ -182,15 +173,13 @@ void add_rows(const double* const* rows, const double* factors, std::size_t coun
   for (; r + 4 <= count; r += 4) {
     const double *a = rows[r], *b = rows[r + 1], *c = rows[r + 2], *d = rows[r + 3];
     const double fa = factors[r], fb = factors[r + 1], fc = factors[r + 2], fd = factors[r + 3];
-    for (std::size_t j = 0; j < end; j += lanes) {
-      *reinterpret_cast<Lanes*>(values + j) +=
-          (*reinterpret_cast<const Lanes*>(a + j) * fa + *reinterpret_cast<const Lanes*>(b + j) * fb) +
-          (*reinterpret_cast<const Lanes*>(c + j) * fc + *reinterpret_cast<const Lanes*>(d + j) * fd);
+    for (std::size_t j = 0; j < end; j += lane_count) {
+      *lanes_at(values + j) +=
+          (*lanes_at(a + j) * fa + *lanes_at(b + j) * fb) + (*lanes_at(c + j) * fc + *lanes_at(d + j) * fd);
     }
   }
   for (; r < count; ++r) {
-    for (std::size_t j = 0; j < end; j += lanes)
-      *reinterpret_cast<Lanes*>(values + j) += *reinterpret_cast<const Lanes*>(rows[r] + j) * factors[r];
+    for (std::size_t j = 0; j < end; j += lane_count) *lanes_at(values + j) += *lanes_at(rows[r] + j) * factors[r];
   }
 }
 
@@ -208,12 +197,10 @@ void subtract_squares(const double* from, std::size_t from_stride, const double*
   for (std::size_t i = 0; i < size; ++i) {
     const double* const row = from + i * from_stride;
     double* const result = to + i * to_stride;
-    for (std::size_t j = 0; j < end; j += lanes) {
-      *reinterpret_cast<Lanes*>(result + j) =
-          *reinterpret_cast<const Lanes*>(row + j) -
-          (*reinterpret_cast<const Lanes*>(a + j) * a[i] + *reinterpret_cast<const Lanes*>(b + j) * b[i]);
+    for (std::size_t j = 0; j < end; j += lane_count) {
+      *lanes_at(result + j) = *lanes_at(row + j) - (*lanes_at(a + j) * a[i] + *lanes_at(b + j) * b[i]);
     }
   }
 }
 
-}  // namespace bodkin::triangle
+}  // namespace bodkin::upper_triangular

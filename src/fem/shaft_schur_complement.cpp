@@ -1,31 +1,33 @@
-#include "fem/along_system.h"
+#include "fem/shaft_schur_complement.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "fem/triangle.h"
+#include "fem/upper_triangular.h"
 #include "fem/zero_pages.h"
 
 namespace bodkin {
 
 namespace {
 
-constexpr double least_part = 1e-10;  // of a node's own compliance, below which it is no news (as ContactFactor's)
+// A pivot of T below this part of the node's own compliance counts as zero: the node depends on those before it.
+// ContactFactor uses the same limit.
+constexpr double least_part = 1e-10;
 
 }  // namespace
 
-AlongSystem::AlongSystem(std::size_t most_nodes, std::size_t always)
+ShaftSchurComplement::ShaftSchurComplement(std::size_t most_nodes, std::size_t always)
     : always_(always),
-      stride_(triangle::padded(always + most_nodes)),
-      eliminated_(triangle::padded(2 * most_nodes) * stride_, 0.0),
+      stride_(upper_triangular::padded(always + most_nodes)),
+      eliminated_(upper_triangular::padded(2 * most_nodes) * stride_, 0.0),
       own_(most_nodes, 0.0),
       triangle_(stride_ * stride_, 0.0),
       scratch_(stride_, 0.0),
       least_(stride_, 0.0),
-      gathered_(triangle::padded(std::max(2 * most_nodes, stride_)), nullptr),
+      gathered_(upper_triangular::padded(std::max(2 * most_nodes, stride_)), nullptr),
       factors_(stride_, 0.0),
       order_(most_nodes, 0),
-      held_(most_nodes, 0) {
+      sticks_(most_nodes, 0) {
   std::size_t size = 0;
   for (std::size_t level = 0; level <= most_nodes; ++level) {
     level_at_.push_back(size);
@@ -37,21 +39,21 @@ AlongSystem::AlongSystem(std::size_t most_nodes, std::size_t always)
   begin();
 }
 
-// As many nodes as rows say, the last one and the one before the tip.
-std::size_t AlongSystem::level_stride(std::size_t level) const noexcept {
-  return triangle::padded(always_ + level + 2);
+// There are as many nodes as pairs of rows, and at most two more: the last one and the one before the tip.
+std::size_t ShaftSchurComplement::level_stride(std::size_t level) const noexcept {
+  return upper_triangular::padded(always_ + level + 2);
 }
 
-void AlongSystem::begin() noexcept {
+void ShaftSchurComplement::begin() noexcept {
   columns_ = always_;
   level_ = sticking_ = 0;
-  std::fill(held_.begin(), held_.end(), std::uint8_t{0});
+  std::fill(sticks_.begin(), sticks_.end(), std::uint8_t{0});
   for (std::size_t i = 0; i < always_; ++i) std::fill_n(level_row(0, i), always_, 0.0);
   stale_ = false;
   changed_ = true;
 }
 
-void AlongSystem::push_node(std::span<const double> eliminated, std::span<const double> own) noexcept {
+void ShaftSchurComplement::push_node(std::span<const double> eliminated, std::span<const double> own) noexcept {
   const std::size_t node = nodes(), column = columns_;
   own_[node] = own[node];
   for (std::size_t r = 0; r < rows(); ++r) eliminated_[r * stride_ + column] = eliminated[r];
@@ -66,88 +68,87 @@ void AlongSystem::push_node(std::span<const double> eliminated, std::span<const 
   }
 }
 
-void AlongSystem::pop_node() noexcept {
-  let_go(nodes() - 1);
+void ShaftSchurComplement::pop_node() noexcept {
+  release(nodes() - 1);
   --columns_;
 }
 
-void AlongSystem::push_rows(std::span<const double> first, std::span<const double> second) noexcept {
+void ShaftSchurComplement::push_rows(std::span<const double> first, std::span<const double> second) noexcept {
   double* const a = eliminated_.data() + rows() * stride_;
   double* const b = a + stride_;
   std::copy_n(first.data(), columns_, a);
   std::copy_n(second.data(), columns_, b);
   std::fill(a + columns_, a + stride_, 0.0);
   std::fill(b + columns_, b + stride_, 0.0);
-  triangle::subtract_squares(level_row(level_, 0), level_stride(level_), a, b, columns_, level_row(level_ + 1, 0),
-                             level_stride(level_ + 1));
+  upper_triangular::subtract_squares(level_row(level_, 0), level_stride(level_), a, b, columns_,
+                                     level_row(level_ + 1, 0), level_stride(level_ + 1));
   ++level_;
   stale_ = true;
 }
 
-void AlongSystem::pop_rows() noexcept {
+void ShaftSchurComplement::pop_rows() noexcept {
   --level_;
   stale_ = true;
 }
 
-void AlongSystem::add_transposed(const double* factors, double* values) noexcept {
+void ShaftSchurComplement::add_transposed(const double* factors, double* values) noexcept {
   for (std::size_t r = 0; r < rows(); ++r) gathered_[r] = eliminated_.data() + r * stride_;
-  triangle::add_rows(gathered_.data(), factors, rows(), values, columns_);
+  upper_triangular::add_rows(gathered_.data(), factors, rows(), values, columns_);
 }
 
-void AlongSystem::multiply(const double* values, double* products) const noexcept {
-  triangle::multiply(eliminated_.data(), stride_, rows(), values, columns_, products);
+void ShaftSchurComplement::multiply(const double* values, double* products) const noexcept {
+  upper_triangular::multiply(eliminated_.data(), stride_, rows(), values, columns_, products);
 }
 
-void AlongSystem::add_displacements(const double* forces, double* values) noexcept {
+void ShaftSchurComplement::add_displacements(const double* forces, double* values) noexcept {
   std::size_t count = 0;
   for (std::size_t i = 0; i < columns_; ++i) {
     if (forces[i] == 0.0) continue;
     gathered_[count] = level_row(level_, i);
     factors_[count++] = forces[i];
   }
-  triangle::add_rows(gathered_.data(), factors_.data(), count, values, columns_);
+  upper_triangular::add_rows(gathered_.data(), factors_.data(), count, values, columns_);
 }
 
-std::size_t AlongSystem::place(std::size_t node) const noexcept {
-  const auto nodes_of_triangle = sticking();
-  return static_cast<std::size_t>(std::find(nodes_of_triangle.begin(), nodes_of_triangle.end(), node) -
-                                  nodes_of_triangle.begin());
+std::size_t ShaftSchurComplement::row_of(std::size_t node) const noexcept {
+  const auto nodes_of_t = sticking();
+  return static_cast<std::size_t>(std::find(nodes_of_t.begin(), nodes_of_t.end(), node) - nodes_of_t.begin());
 }
 
-// T with one more column.
-bool AlongSystem::border(std::size_t node) noexcept {
+// Adds a column to T.
+bool ShaftSchurComplement::add_column(std::size_t node) noexcept {
   double* const column = scratch_.data();
   const double* const from = level_row(level_, always_ + node);
   for (std::size_t k = 0; k < sticking_; ++k) column[k] = from[always_ + order_[k]];
   forward(column, 1);
   double pivot = from[always_ + node];
-  pivot -= triangle::product(column, column, sticking_);
+  pivot -= upper_triangular::product(column, column, sticking_);
   if (!(pivot > least_part * own_[node]) || !std::isfinite(pivot)) return false;
   for (std::size_t k = 0; k < sticking_; ++k) triangle_[k * stride_ + sticking_] = column[k];
   triangle_[sticking_ * stride_ + sticking_] = std::sqrt(pivot);
   order_[sticking_++] = static_cast<std::uint32_t>(node);
-  held_[node] = 1;
+  sticks_[node] = 1;
   changed_ = true;
   return true;
 }
 
-bool AlongSystem::hold(std::size_t node) noexcept {
-  if (holds(node)) return false;
+bool ShaftSchurComplement::stick(std::size_t node) noexcept {
+  if (sticks(node)) return false;
   if (stale_) factorise();
-  return border(node);
+  return add_column(node);
 }
 
-void AlongSystem::let_go(std::size_t node) noexcept {
-  if (!holds(node)) return;
-  const std::size_t at = place(node);
-  held_[node] = 0;
+void ShaftSchurComplement::release(std::size_t node) noexcept {
+  if (!sticks(node)) return;
+  const std::size_t at = row_of(node);
+  sticks_[node] = 0;
   changed_ = true;
   std::copy(order_.begin() + static_cast<std::ptrdiff_t>(at) + 1,
             order_.begin() + static_cast<std::ptrdiff_t>(sticking_),
             order_.begin() + static_cast<std::ptrdiff_t>(at));
   --sticking_;
   if (stale_) return;
-  // As ContactFactor::remove(): what its row holds behind it is turned into the triangle that follows.
+  // As in ContactFactor::remove(): the removed row's remaining numbers are rotated into the rows below it.
   const std::size_t before = sticking_ + 1;
   for (std::size_t i = 0; i < at; ++i) {
     double* const row = triangle_.data() + i * stride_;
@@ -156,68 +157,68 @@ void AlongSystem::let_go(std::size_t node) noexcept {
   double* const other = scratch_.data();
   std::copy_n(triangle_.data() + at * stride_ + at + 1, before - at - 1, other + at + 1);
   for (std::size_t i = at + 1; i < before; ++i) {
-    triangle::rotate(triangle_.data() + i * stride_ + i, other + i, triangle_.data() + (i - 1) * (stride_ + 1),
-                     before - i);
+    upper_triangular::rotate(triangle_.data() + i * stride_ + i, other + i,
+                             triangle_.data() + (i - 1) * (stride_ + 1), before - i);
   }
 }
 
-void AlongSystem::hold_first(std::size_t count) noexcept {
-  std::fill(held_.begin(), held_.end(), std::uint8_t{0});
+void ShaftSchurComplement::stick_first(std::size_t count) noexcept {
+  std::fill(sticks_.begin(), sticks_.end(), std::uint8_t{0});
   for (std::size_t i = 0; i < count; ++i) {
     order_[i] = static_cast<std::uint32_t>(i);
-    held_[i] = 1;
+    sticks_[i] = 1;
   }
   sticking_ = count;
   stale_ = changed_ = true;
 }
 
-std::size_t AlongSystem::release_cost(std::size_t node) const noexcept {
-  const std::size_t behind = sticking_ - place(node);
+std::size_t ShaftSchurComplement::release_cost(std::size_t node) const noexcept {
+  const std::size_t behind = sticking_ - row_of(node);
   return behind * behind / 2;
 }
 
-void AlongSystem::factorise() noexcept {
+void ShaftSchurComplement::factorise() noexcept {
   stale_ = false;
   changed_ = true;
   const auto first = order_.begin(), end = first + static_cast<std::ptrdiff_t>(sticking_);
-  const bool in_turn =
+  const bool consecutive =
       sticking_ > 0 && order_[sticking_ - 1] - order_[0] == sticking_ - 1 && std::is_sorted(first, end);
   for (std::size_t k = 0; k < sticking_; ++k) {
     const double* const from = level_row(level_, always_ + order_[k]) + always_;
     double* const to = triangle_.data() + k * stride_;
     std::fill(to + k / 8 * 8, to + k, 0.0);
-    if (in_turn) {
+    if (consecutive) {
       std::copy_n(from + order_[k], sticking_ - k, to + k);
     } else {
       for (std::size_t j = k; j < sticking_; ++j) to[j] = from[order_[j]];
     }
-    std::fill(to + sticking_, to + triangle::padded(sticking_), 0.0);
+    std::fill(to + sticking_, to + upper_triangular::padded(sticking_), 0.0);
     least_[k] = least_part * own_[order_[k]];
   }
-  if (triangle::factorise(triangle_.data(), stride_, sticking_, least_.data()) == sticking_) return;
-  // Some node says what others say: one by one, and those that cannot be held let go.
+  if (upper_triangular::factorise(triangle_.data(), stride_, sticking_, least_.data()) == sticking_) return;
+  // Some node depends on the others: add them one by one; those that fail slide.
   const std::size_t wanted = sticking_;
   sticking_ = 0;
   for (std::size_t k = 0; k < wanted; ++k) {
     const std::uint32_t node = order_[k];
-    held_[node] = 0;
-    border(node);
+    sticks_[node] = 0;
+    add_column(node);
   }
 }
 
-bool AlongSystem::refresh() noexcept {
+bool ShaftSchurComplement::refresh() noexcept {
   if (stale_) factorise();
   const bool changed = changed_;
   changed_ = false;
   return changed;
 }
 
-void AlongSystem::forward(double* vectors, std::size_t count) const noexcept {
-  triangle::solve_transposed({triangle_.data(), stride_, sticking_}, vectors, count);
+void ShaftSchurComplement::forward(double* vectors, std::size_t count) const noexcept {
+  upper_triangular::solve_transposed({triangle_.data(), stride_, sticking_}, vectors, count);
 }
 
-void AlongSystem::backward(double* values) const noexcept {
-  triangle::solve({triangle_.data(), stride_, sticking_}, values);
+void ShaftSchurComplement::backward(double* values) const noexcept {
+  upper_triangular::solve({triangle_.data(), stride_, sticking_}, values);
 }
 
 }  // namespace bodkin
