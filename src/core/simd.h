@@ -24,13 +24,15 @@
 namespace bodkin {
 
 // Four doubles ("lanes"), and the result of comparing them: all bits of a lane are set where the comparison holds.
+// AVX2 expects them at multiples of 32 bytes; without it GCC would put them at multiples of 16.
 inline constexpr std::size_t lane_count = 4;
-using Lanes = double __attribute__((vector_size(32)));
-using LaneMask = long long __attribute__((vector_size(32)));
+using Lanes [[gnu::aligned(32)]] = double __attribute__((vector_size(32)));
+using LaneMask [[gnu::aligned(32)]] = long long __attribute__((vector_size(32)));
 // Four doubles anywhere in an array, and four floats at a multiple of 16 bytes in one.
 using UnalignedLanes [[gnu::aligned(8), gnu::may_alias]] = double __attribute__((vector_size(32)));
 using FloatLanes [[gnu::may_alias]] = float __attribute__((vector_size(16)));
-static_assert(sizeof(Lanes) == lane_count * sizeof(double) && alignof(UnalignedLanes) == alignof(double));
+static_assert(sizeof(Lanes) == lane_count * sizeof(double));
+static_assert(alignof(Lanes) == 32 && alignof(LaneMask) == 32 && alignof(UnalignedLanes) == alignof(double));
 
 // The four doubles from `numbers` on. A pointer, since Clang assumes that what a reference refers to is aligned.
 BODKIN_LANES_INLINE const UnalignedLanes* lanes_at(const double* numbers) {

@@ -76,7 +76,9 @@ TEST(ThreadPool, throws_the_exception_of_an_iteration_and_can_be_used_again) {
         message = error.what();
       }
       EXPECT_EQ(message, "iteration 5");
-      if (threads == 1) EXPECT_EQ(calls, 5);
+      if (threads == 1) {
+        EXPECT_EQ(calls, 5);
+      }
       calls = 0;
       pool.run(5, fail_once);
       EXPECT_EQ(calls, 5);
