@@ -15,8 +15,4 @@ void check_setting(std::string_view model, std::string_view setting, std::string
   throw InputError(text.str());
 }
 
-void check_tick(std::string_view model, double dt) {
-  check_setting(model, "tick", "s", dt, 1e-6, 0.1);
-}
-
 }  // namespace bodkin

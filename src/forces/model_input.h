@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/axial_motion.h"
+#include "core/settings_check.h"
 
 namespace bodkin {
 
@@ -13,9 +14,6 @@ namespace bodkin {
 // always refused.
 void check_setting(std::string_view model, std::string_view setting, std::string_view unit, double value, double low,
                    double high);
-
-// Throws InputError unless `dt` is a usable tick, 1e-6 to 0.1 s.
-void check_tick(std::string_view model, double dt);
 
 // Motions beyond these are no needle in a hand: a sensor or a driver failed. A model answers them with zero force, a
 // `fault` event and an unchanged state.
