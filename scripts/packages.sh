@@ -7,7 +7,7 @@ packages_to_run=(
   libceres-dev libboost-dev libsimdjson-dev libopenblas-dev libmetis-dev libcgal-dev
   libinsighttoolkit5-dev libgdcm-dev libgdcm-tools
   libsdl2-dev libsdl2-ttf-dev
-  gnuplot-nox librsvg2-bin fonts-dejavu-core
+  libcairo2-dev fonts-dejavu-core
 )
 
 packages_to_test=(

@@ -16,7 +16,6 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "imaging/mesh_picture.h"
-#include "imaging/svg.h"
 #include "io/case_folder.h"
 #include "io/label_scheme.h"
 #include "io/mesh/foreign_mesh.h"
@@ -239,8 +238,8 @@ void run_case_mesh(const CaseMeshOptions& options, const CommandContext& context
     in_corridor = [&](const Vec3& point) { return distance_to_corridor(point, *path, options.settings) <= 0.0; };
   }
   const MeshQuality quality = measure_quality(mesh, in_corridor);
-  const std::string picture = mesh_picture(mesh, quality, path, library, description.name);
-  write_file(given, given.extension() == ".svg" ? picture : svg_to_png(picture, mesh_png_zoom));
+  const Canvas picture = mesh_picture(mesh, quality, path, library, description.name);
+  write_file(given, given.extension() == ".svg" ? picture.svg() : picture.png(mesh_png_zoom));
 
   if (outcome.body.record) {
     for (const std::string& note : outcome.body.record->notes) console.note(note);

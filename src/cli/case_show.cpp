@@ -15,7 +15,6 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "imaging/slice_picture.h"
-#include "imaging/svg.h"
 #include "io/case_folder.h"
 #include "io/force_choice.h"
 
@@ -178,8 +177,8 @@ void run_case_show(const std::string& folder, const std::string& output, const C
   if (!output.empty()) require_writable(given, "--output");
   const Case patient = load_case(folder, console.progress());
   const fs::path file = output.empty() ? fs::path(file_name_of(patient.description.name) + ".png") : given;
-  const std::string picture = case_picture(patient);
-  write_file(file, file.extension() == ".svg" ? picture : svg_to_png(picture, png_zoom));
+  const Canvas picture = case_picture(patient);
+  write_file(file, file.extension() == ".svg" ? picture.svg() : picture.png(png_zoom));
 
   print(console, patient);
   console.line(fmt::format("\n{}", fs::absolute(file).string()));

@@ -163,7 +163,8 @@ void run_compare(const CompareArguments& arguments, const CommandContext& contex
 
   std::vector<Plot> plots = comparison_plots(comparison, library, peak_force);
   plots[0].title = fmt::format("{}, {:g} mm/s, {} constraint", name, options.speed, comparison.constraint);
-  const std::string picture = plot_svg(plots);  // before any file is written: what fails leaves nothing behind
+  const std::string picture =
+      draw_plots(plots).svg();  // before any file is written: what fails leaves nothing behind
 
   write_file(base + ".csv", comparison_csv(comparison));
   write_file(base + ".svg", picture);

@@ -84,7 +84,7 @@ void run_figures(const FiguresArguments& arguments, const CommandContext& contex
                static_cast<double>(done) / static_cast<double>(figures.size()));
     figure.run = play(figure.experiment);
     const std::string base = (folder / figure.experiment.name).string();
-    write_file(base + ".svg", plot_svg(plots_of(figure.experiment, figure.run)));
+    write_file(base + ".svg", draw_plots(plots_of(figure.experiment, figure.run)).svg());
     write_file(base + ".csv", experiment_csv(figure.experiment, figure.run));
     figure.run.ticks = {};  // the page needs the comparisons only
     console.clear_bar();

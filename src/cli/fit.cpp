@@ -162,7 +162,7 @@ void run_fit(const FitArguments& arguments, const CommandContext& context) {
   fit_model(request.model);  // a wrong name before a long file
   const MeasuredCurve curve = read_measured_curve(arguments.curve);
   const CurveFit fit = fit_curve(curve, request);
-  const std::string picture = plot_svg(plot_of(curve, fit));  // before any file is written
+  const std::string picture = draw_plot(plot_of(curve, fit)).svg();  // before any file is written
 
   const std::string base = arguments.output.empty() ? "fit" : arguments.output;
   write_file(base + ".svg", picture);

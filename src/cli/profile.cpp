@@ -120,11 +120,12 @@ void run_profile(const ProfileArguments& arguments, const CommandContext& contex
   for (const DiagnosticName& one : profile.diagnostics)
     published.push_back({std::string(one.name), std::string(one.title)});
   for (Plot& one : diagnostics_against_depth(profile.ticks, published)) plots.push_back(std::move(one));
-  const std::string picture = plot_svg(plots);  // before any file is written: what fails leaves nothing behind
+  const std::string picture =
+      draw_plots(plots).svg();  // before any file is written: what fails leaves nothing behind
 
   std::string deformation;
   if (arguments.deformation && profile.strongest.forces.count > 0)
-    deformation = deformation_picture(patient, *body, profile.strongest, console.progress());
+    deformation = deformation_picture(patient, *body, profile.strongest, console.progress()).svg();
 
   write_file(base + ".csv", profile_csv(profile, patient.library));
   if (!deformation.empty()) write_file(base + "-deformation.svg", deformation);

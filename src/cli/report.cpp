@@ -18,8 +18,8 @@
 #include "cli/json_values.h"
 #include "core/error.h"
 #include "core/files.h"
-#include "imaging/tool.h"
 #include "io/case_folder.h"
+#include "io/run_program.h"
 
 namespace bodkin {
 
@@ -139,7 +139,7 @@ void run_report(const ReportArguments& arguments, const CommandContext& context)
     console.note("there is no display to open the report on");
     return;
   }
-  const ToolResult opened = run_tool({"xdg-open", fs::absolute(file).string()}, "", "xdg-utils");
+  const ProgramResult opened = run_program({"xdg-open", fs::absolute(file).string()}, "", "xdg-utils");
   if (opened.exit_code != 0) console.note("no program here opens HTML pages; open the report by its path");
 }
 

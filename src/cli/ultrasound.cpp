@@ -22,7 +22,6 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "imaging/png_file.h"
-#include "imaging/svg.h"
 #include "imaging/ultrasound_screen/machine_picture.h"
 #include "io/case_folder.h"
 
@@ -199,8 +198,8 @@ void scan_once(const UltrasoundArguments& arguments, const ScanScene& scene, Ult
       }
       picture.ct = ct_panel(scene.patient, picture.moment, choice.mark, needle);
     }
-    const MachineDrawn drawn = machine_picture(picture, scene.patient.library);
-    write_file(file, file.extension() == ".svg" ? drawn.svg : svg_to_png(drawn.svg, 1.0));
+    const Canvas drawn = machine_picture(picture, scene.patient.library);
+    write_file(file, file.extension() == ".svg" ? drawn.svg() : drawn.png(1.0));
   }
 
   const Vec3 face = scene.pose.translation(), look = scene.pose.linear().col(1);

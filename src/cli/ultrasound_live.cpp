@@ -11,7 +11,6 @@
 
 #include "core/error.h"
 #include "core/files.h"
-#include "imaging/svg.h"
 #include "imaging/ultrasound_screen/machine_picture.h"
 
 namespace bodkin {
@@ -47,7 +46,7 @@ std::string save_picture(const LiveScan& scan, const Case& patient, MarkSide mar
   }
   picture.ct = ct_panel(patient, picture.moment, mark, needle);
   std::string name = free_name(base);
-  write_file(name, svg_to_png(machine_picture(picture, patient.library).svg, 1.0));
+  write_file(name, machine_picture(picture, patient.library).png(1.0));
   return name;
 }
 

@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -14,13 +13,11 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "imaging/png_file.h"
-#include "imaging/svg.h"
-#include "imaging/tool.h"
-#include "imaging/ultrasound_screen/drawing.h"
 #include "imaging/ultrasound_screen/machine_picture.h"
 #include "imaging/ultrasound_screen/sequence_file.h"
 #include "io/csv_rows.h"
 #include "io/resources.h"
+#include "io/run_program.h"
 
 namespace bodkin {
 
@@ -63,7 +60,7 @@ std::string numbered(const std::string& pattern, std::size_t number) {
 }
 
 void require_ffmpeg() {
-  if (run_tool({"ffmpeg", "-hide_banner", "-version"}, "", "ffmpeg").exit_code != 0) {
+  if (run_program({"ffmpeg", "-hide_banner", "-version"}, "", "ffmpeg").exit_code != 0) {
     throw SystemError("the program 'ffmpeg' does not run; install it anew with: apt-get install --reinstall ffmpeg");
   }
 }
@@ -89,8 +86,6 @@ bool is_header(const CsvRow& row) {
          std::isalpha(static_cast<unsigned char>(row.fields[0][0])) != 0;
 }
 
-// The pictures of a sweep. What stands around the frame is drawn once and again only when it changes: letters take a
-// hundred times as long as sound. A CT beside it changes with every pose.
 class SweepPictures {
  public:
   explicit SweepPictures(const SweepScene& scene) : scene_(scene) {}
@@ -98,30 +93,16 @@ class SweepPictures {
   ImageRgb picture(const UltrasoundFrame& frame, const Pose& pose) {
     const MarkSide mark = scene_.choice->mark;
     if (scene_.plain) return grey_picture(frame, mark);
-    MachinePicture around;
-    around.moment = {frame, pose, scene_.choice->probe, scene_.choice->settings, scene_.needle_words};
-    around.mark = mark;
-    around.patient = scene_.patient->description.name;
-    around.touch = false;
-    std::fill(around.moment.frame.pixels.begin(), around.moment.frame.pixels.end(), std::uint8_t{0});
-    if (scene_.ct) add_ct(around);
-    const MachineDrawn drawn = machine_picture(around, scene_.patient->library);
-    if (scene_.ct) drawn_.clear();
-    auto known = drawn_.find(drawn.svg);
-    if (known == drawn_.end()) {
-      if (drawn_.size() > most_known) drawn_.clear();
-      known = drawn_.emplace(drawn.svg, decode_png(svg_to_png(drawn.svg, 1.0), "the picture")).first;
-    }
-    ImageRgb image = known->second;
-    if (frame.why == NoImage::none) {
-      paste_grey(image, frame, mark, drawn.frame_x, drawn.frame_y, drawn.frame_scale);
-    }
-    return image;
+    MachinePicture picture;
+    picture.moment = {frame, pose, scene_.choice->probe, scene_.choice->settings, scene_.needle_words};
+    picture.mark = mark;
+    picture.patient = scene_.patient->description.name;
+    picture.touch = false;
+    if (scene_.ct) add_ct(picture);
+    return machine_picture(picture, scene_.patient->library).pixels(1.0);
   }
 
  private:
-  static constexpr std::size_t most_known = 64;
-
   void add_ct(MachinePicture& picture) {
     const MarkSide mark = picture.mark;
     std::vector<Vec3> needle;
@@ -143,7 +124,6 @@ class SweepPictures {
   }
 
   const SweepScene& scene_;
-  std::map<std::string, ImageRgb> drawn_;
   std::vector<TissueId> named_;  // the tissues of every CT of the sweep
 };
 
@@ -175,7 +155,7 @@ void write_video(const std::string& file, const std::string& pixels, int width, 
                                       "-i",        "pipe:0"};
   for (const std::string& word : codec_of(place.extension().string())) command.push_back(word);
   command.push_back("file:" + temporary.string());
-  const ToolResult result = run_tool(command, pixels, "ffmpeg");
+  const ProgramResult result = run_program(command, pixels, "ffmpeg");
   std::error_code failed;
   if (result.exit_code == 0) fs::rename(temporary, place, failed);
   if (result.exit_code == 0 && !failed) return;

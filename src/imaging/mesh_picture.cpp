@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "imaging/mesh_cut.h"
 #include "imaging/slice_picture.h"
-#include "imaging/svg.h"
 
 namespace bodkin {
 namespace {
@@ -17,7 +16,8 @@ constexpr double mesh_panel_height = 560.0;  // px
 constexpr double chart_width = 360.0;        // px, of the bars
 constexpr double chart_height = 300.0;
 constexpr double chart_left = 56.0, chart_top = 130.0;
-constexpr const char* mesh_background = "#10151a";
+constexpr double chart_right = 22.0;  // px
+constexpr std::uint32_t tick_colour = 0x9FB0BB, text_colour = 0xCFD8DF, mesh_background = 0x10151A;
 constexpr double angle_of_regular = 70.5288;  // degrees, of the regular tetrahedron
 constexpr double around_mesh = 1.04;          // of the mesh's box
 constexpr double mesh_pixels_across = 640.0;
@@ -64,11 +64,13 @@ std::string grouped(std::size_t number) {
   return text;
 }
 
+// How the dihedral angles are spread.
 class Chart {
  public:
-  explicit Chart(const MeshQuality& quality) : quality_(quality) {}
+  Chart(const MeshQuality& quality, double height)
+      : quality_(quality), canvas_(chart_left + chart_width + chart_right, height) {}
 
-  std::string draw() {
+  Canvas draw() {
     std::size_t all = 0, most = 0;
     for (const std::size_t count : quality_.angles) {
       all += count;
@@ -78,53 +80,51 @@ class Chart {
     lines_of_text();
     for (int percent = 0; percent <= static_cast<int>(top); percent += top > 8.0 ? 2 : 1) {
       const double y = height_of(percent / top);
-      emit("<path d=\"M{:.1f} {:.1f}h{:.1f}\" stroke=\"#2b3640\"/>\n", chart_left, y, chart_width);
-      text(chart_left - 8.0, y + 4.0, fmt::format("{} %", percent), "end", 11, "#9fb0bb");
+      canvas_.stroke(Path::segment({chart_left, y}, {chart_left + chart_width, y}), {0x2B3640});
+      text({chart_left - 8.0, y + 4.0}, fmt::format("{} %", percent), TextAnchor::end, 11.0, tick_colour);
     }
     const double wide = chart_width / angle_bins;
     for (std::size_t bin = 0; bin < quality_.angles.size(); ++bin) {
       const double share = 100.0 * static_cast<double>(quality_.angles[bin]) / static_cast<double>(all) / top;
       const double degrees = 180.0 / angle_bins * static_cast<double>(bin);
       const bool poor = degrees < 10.0 || degrees >= 165.0;
-      emit("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\"/>\n",
-           chart_left + wide * static_cast<double>(bin) + 0.5, height_of(share), wide - 1.0,
-           chart_top + chart_height - height_of(share), poor ? "#ff5470" : "#4fa3d9");
+      canvas_.fill(Path::rectangle(chart_left + wide * static_cast<double>(bin) + 0.5, height_of(share), wide - 1.0,
+                                   chart_top + chart_height - height_of(share)),
+                   poor ? 0xFF5470 : 0x4FA3D9);
     }
     for (int degrees = 0; degrees <= 180; degrees += 30) {
-      text(place_of(degrees), chart_top + chart_height + 18.0, std::to_string(degrees), "middle", 11, "#9fb0bb");
+      text({place_of(degrees), chart_top + chart_height + 18.0}, std::to_string(degrees), TextAnchor::middle, 11.0,
+           tick_colour);
     }
-    text(chart_left + 0.5 * chart_width, chart_top + chart_height + 38.0, "dihedral angle, degrees", "middle", 12,
-         "#cfd8df");
-    mark(angle_of_regular, "regular, 70.5", "middle", -8.0, "#e8eef2");
-    mark(quality_.smallest_angle, fmt::format("smallest {:.1f}", quality_.smallest_angle), "start", 14.0, "#ffb3c0");
-    mark(quality_.largest_angle, fmt::format("largest {:.1f}", quality_.largest_angle), "end", 14.0, "#ffb3c0");
-    return std::move(svg_);
+    text({chart_left + 0.5 * chart_width, chart_top + chart_height + 38.0}, "dihedral angle, degrees",
+         TextAnchor::middle, 12.0, text_colour);
+    mark(angle_of_regular, "regular, 70.5", TextAnchor::middle, -8.0, 0xE8EEF2);
+    mark(quality_.smallest_angle, fmt::format("smallest {:.1f}", quality_.smallest_angle), TextAnchor::start, 14.0,
+         0xFFB3C0);
+    mark(quality_.largest_angle, fmt::format("largest {:.1f}", quality_.largest_angle), TextAnchor::end, 14.0,
+         0xFFB3C0);
+    return std::move(canvas_);
   }
 
  private:
-  template <typename... Arguments>
-  void emit(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(svg_), format, std::forward<Arguments>(arguments)...);
-  }
-  void text(double x, double y, const std::string& said, const char* anchor, int size, const char* colour) {
-    emit("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\">{}</text>\n", x, y, size,
-         anchor, colour, escape_markup(said));
+  void text(const Eigen::Vector2d& at, const std::string& words, TextAnchor anchor, double size,
+            std::uint32_t colour) {
+    canvas_.text(at, words, {.size = size, .ink = colour, .anchor = anchor});
   }
   static double height_of(double share) { return chart_top + chart_height * (1.0 - share); }
   static double place_of(double degrees) { return chart_left + chart_width * degrees / 180.0; }
 
-  void mark(double degrees, const std::string& said, const char* anchor, double down, const char* colour) {
+  void mark(double degrees, const std::string& words, TextAnchor anchor, double down, std::uint32_t colour) {
     const double x = place_of(degrees);
-    emit("<path d=\"M{:.1f} {:.1f}V{:.1f}\" stroke=\"{}\" stroke-dasharray=\"3 3\"/>\n", x, chart_top,
-         chart_top + chart_height, colour);
-    const double aside = std::string(anchor) == "start" ? 4.0 : (std::string(anchor) == "end" ? -4.0 : 0.0);
-    text(x + aside, chart_top + down, said, anchor, 11, colour);
+    canvas_.stroke(Path::segment({x, chart_top}, {x, chart_top + chart_height}), {colour, 1.0, {3.0, 3.0}});
+    const double aside = anchor == TextAnchor::start ? 4.0 : (anchor == TextAnchor::end ? -4.0 : 0.0);
+    text({x + aside, chart_top + down}, words, anchor, 11.0, colour);
   }
 
   void lines_of_text() {
     double y = chart_top - 92.0;
-    const auto line = [&](const std::string& said) {
-      text(chart_left, y, said, "start", 13, "#cfd8df");
+    const auto line = [&](const std::string& words) {
+      text({chart_left, y}, words, TextAnchor::start, 13.0, text_colour);
       y += 19.0;
     };
     line(fmt::format("{} nodes, {} tetrahedra", grouped(quality_.nodes), grouped(quality_.elements)));
@@ -138,14 +138,13 @@ class Chart {
   }
 
   const MeshQuality& quality_;
-  std::string svg_;
+  Canvas canvas_;
 };
 
 }  // namespace
 
-std::string mesh_picture(const TetrahedralMesh& mesh, const MeshQuality& quality,
-                         const std::optional<NeedlePath>& path, const TissueLibrary& library,
-                         const std::string& title) {
+Canvas mesh_picture(const TetrahedralMesh& mesh, const MeshQuality& quality, const std::optional<NeedlePath>& path,
+                    const TissueLibrary& library, const std::string& title) {
   const MeshBox box = box_of(mesh);
   const Vec3 size = around_mesh * (box.high - box.low), middle = 0.5 * (box.low + box.high);
   std::vector<SlicePanel> panels = {
@@ -156,12 +155,14 @@ std::string mesh_picture(const TetrahedralMesh& mesh, const MeshQuality& quality
     const Vec3 centre = 0.5 * (path->entry + path->target);
     panels.push_back(panel(mesh, plane_through(path, centre, side, side), path, "closer"));
   }
-  const SlicesDrawn slices = draw_slices(panels, library, title, mesh_panel_height);
-  const std::string chart = Chart(quality).draw();
-  return svg_document(
-      slices.width + chart_left + chart_width + 8.0, slices.height,
-      fmt::format("{}<g transform=\"translate({:.1f} 0)\">\n{}</g>\n", slices.svg, slices.width - 14.0, chart),
-      mesh_background);
+  Canvas slices = slice_picture(panels, library, title, mesh_panel_height);
+  const double chart_x = slices.width() - 14.0;
+  Canvas chart = Chart(quality, slices.height()).draw();
+  Canvas picture(chart_x + chart.width(), slices.height());
+  picture.fill_all(mesh_background);
+  picture.place(std::move(slices), 0.0, 0.0);
+  picture.place(std::move(chart), chart_x, 0.0);
+  return picture;
 }
 
 }  // namespace bodkin

@@ -6,14 +6,14 @@
 #include "anatomy/case.h"
 #include "anatomy/mesh_quality.h"
 #include "anatomy/tetrahedral_mesh.h"
+#include "imaging/canvas.h"
 
 namespace bodkin {
 
-// A mesh as a picture (SVG): the whole of it and what is near the path, both cut by the plane along the path (the
+// A mesh as a picture: the whole of it and what is near the path, both cut by the plane along the path (the
 // sagittal one through the middle without a path), each cut element with its outline and the colour of its
 // tissue; and how its dihedral angles are spread. The mesh must not be empty.
-std::string mesh_picture(const TetrahedralMesh& mesh, const MeshQuality& quality,
-                         const std::optional<NeedlePath>& path, const TissueLibrary& library,
-                         const std::string& title);
+Canvas mesh_picture(const TetrahedralMesh& mesh, const MeshQuality& quality, const std::optional<NeedlePath>& path,
+                    const TissueLibrary& library, const std::string& title);
 
 }  // namespace bodkin

@@ -1,69 +1,59 @@
 #include "imaging/slice_picture.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <iterator>
 #include <map>
+#include <set>
+#include <utility>
 
 #include <fmt/format.h>
-
-#include "imaging/png_file.h"
-#include "imaging/svg.h"
 
 namespace bodkin {
 
 namespace {
 
-constexpr double margin = 14.0;        // px around and between the slices
-constexpr double title_height = 34.0;  // px
-constexpr double panel_title = 22.0;   // px
-constexpr double legend_row = 20.0;    // px
-constexpr double legend_letter = 6.8;  // px, width of a letter of the legend
-constexpr double near_plane = 2.0;     // mm: a line further away is dashed
-constexpr const char* background = "#10151a";
-constexpr const char* path_colour = "#ffd84d";
-constexpr const char* travelled_colour = "#37e0c8";
-constexpr const char* outline_colour = "#4cc2ff";
+constexpr double margin = 14.0;                                                   // px around and between the slices
+constexpr double title_height = 34.0;                                             // px
+constexpr double panel_title = 22.0;                                              // px
+constexpr double legend_row = 20.0;                                               // px
+constexpr double legend_text = 12.0, legend_text_left = 22.0, legend_gap = 14.0;  // px
+constexpr double near_plane = 2.0;                                                // mm: a line further away is dashed
+constexpr std::uint32_t background = 0x10151A, title_colour = 0xFFFFFF, panel_title_colour = 0xCFD8DF,
+                        legend_colour = 0xDFE6EB, frame_colour = 0x43505A, black = 0x000000, white = 0xFFFFFF;
+constexpr std::uint32_t path_colour = 0xFFD84D, target_colour = 0xFF5470, travelled_colour = 0x37E0C8,
+                        outline_colour = 0x4CC2FF;
 
 using Place = Eigen::Vector2d;
 
-// Everything of one panel is drawn in px of the picture, inside an SVG element of the slice's size.
+// One slice and what is drawn upon it.
 class PanelArtist {
  public:
-  PanelArtist(const SlicePanel& panel, double scale) : panel_(panel), scale_(scale) {}
+  PanelArtist(const SlicePanel& panel, double scale)
+      : panel_(panel),
+        scale_(scale),
+        canvas_(panel.slice.plane.width * panel.slice.plane.pixel * scale,
+                panel.slice.plane.height * panel.slice.plane.pixel * scale) {}
 
-  std::string draw(const TissueLibrary& library, double x, double y) {
-    const double w = width(), h = height();
-    emit("<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"#cfd8df\" font-size=\"13\">{}</text>\n", x, y - 7.0,
-         escape_markup(panel_.title));
-    emit("<svg x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\">\n", x, y, w, h);
+  Canvas draw(const TissueLibrary& library) {
+    const double w = canvas_.width(), h = canvas_.height();
     if (panel_.elements.empty()) {
-      emit("<image width=\"{:.1f}\" height=\"{:.1f}\" preserveAspectRatio=\"none\" xlink:href=\"{}\"/>\n", w, h,
-           data_uri("image/png", encode_png(paint(panel_.slice, library))));
+      canvas_.image(paint(panel_.slice, library), 0.0, 0.0, w, h);
     } else {
       elements(library);
     }
-    outline();
+    std::vector<Place> outline;
+    for (const Vec3& point : panel_.outline) outline.push_back(place(point));
+    if (!outline.empty()) canvas_.stroke(Path::polygon(outline), {outline_colour, 1.2});
     if (panel_.path) planned(*panel_.path);
     travelled();
     if (panel_.path) ends(*panel_.path);
     letters();
     bar();
-    emit("<rect x=\"0.5\" y=\"0.5\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" stroke=\"#43505a\"/>\n</svg>\n",
-         w - 1.0, h - 1.0);
-    return std::move(svg_);
+    canvas_.stroke(Path::rectangle(0.5, 0.5, w - 1.0, h - 1.0), {frame_colour});
+    return std::move(canvas_);
   }
-
-  double width() const { return panel_.slice.plane.width * panel_.slice.plane.pixel * scale_; }
-  double height() const { return panel_.slice.plane.height * panel_.slice.plane.pixel * scale_; }
 
  private:
-  template <typename... Arguments>
-  void emit(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(svg_), text, std::forward<Arguments>(arguments)...);
-  }
-
   // px of a point of the patient; the half pixel is from the centre of the first pixel to the picture's edge.
   Place place(const Vec3& point) const {
     return (panel_.slice.plane.place(point) + Place::Constant(0.5)) * panel_.slice.plane.pixel * scale_;
@@ -73,48 +63,36 @@ class PanelArtist {
 
   // Cut elements, those of one tissue as one path.
   void elements(const TissueLibrary& library) {
-    std::map<TissueId, std::string> paths;
-    const double w = width(), h = height();
+    std::map<TissueId, Path> paths;
+    const double w = canvas_.width(), h = canvas_.height();
     for (const CutElement& cut : panel_.elements) {
-      std::array<Place, 4> at;
+      std::vector<Place> corners;
       Place low = Place::Constant(1e9), high = Place::Constant(-1e9);
       for (std::size_t i = 0; i < static_cast<std::size_t>(cut.corners); ++i) {
-        at[i] = place(cut.points[i]);
-        low = low.cwiseMin(at[i]);
-        high = high.cwiseMax(at[i]);
+        corners.push_back(place(cut.points[i]));
+        low = low.cwiseMin(corners.back());
+        high = high.cwiseMax(corners.back());
       }
       if (high.x() < 0.0 || high.y() < 0.0 || low.x() > w || low.y() > h) continue;
-      std::string& path = paths[cut.tissue];
-      for (std::size_t i = 0; i < static_cast<std::size_t>(cut.corners); ++i) {
-        fmt::format_to(std::back_inserter(path), "{}{:.2f} {:.2f}", i == 0 ? "M" : "L", at[i].x(), at[i].y());
-      }
-      path += "Z";
+      paths[cut.tissue].add(Path::polygon(corners));
     }
     for (const auto& [id, path] : paths) {
       const TissueProperties* properties = library.find(id);
-      emit(
-          "<path d=\"{}\" fill=\"{}\" stroke=\"#000\" stroke-opacity=\"0.6\" stroke-width=\"{:.2f}\" "
-          "stroke-linejoin=\"round\"/>\n",
-          path, css_colour(properties == nullptr ? 0x808080 : properties->colour),
-          std::clamp(0.12 * scale_, 0.25, 0.7));
+      canvas_.fill(path, properties == nullptr ? 0x808080 : properties->colour);
+      canvas_.stroke(path, {{black, 0.6}, std::clamp(0.12 * scale_, 0.25, 0.7)});
     }
   }
 
-  void line(const Vec3& from, const Vec3& to, const char* colour, double thickness) {
-    const Place a = place(from), b = place(to);
-    const char* dashes = is_near(0.5 * (from + to)) ? "" : " stroke-dasharray=\"4 3\"";
-    emit(
-        "<path d=\"M{0:.2f} {1:.2f}L{2:.2f} {3:.2f}\" stroke=\"#000\" stroke-opacity=\"0.55\" "
-        "stroke-width=\"{4:.1f}\"/>"
-        "<path d=\"M{0:.2f} {1:.2f}L{2:.2f} {3:.2f}\" stroke=\"{5}\" stroke-width=\"{6:.1f}\"{7}/>\n",
-        a.x(), a.y(), b.x(), b.y(), thickness + 1.6, colour, thickness, dashes);
+  void line(const Vec3& from, const Vec3& to, std::uint32_t colour, double thickness) {
+    const Path path = Path::segment(place(from), place(to));
+    LineStyle style{colour, thickness};
+    if (!is_near(0.5 * (from + to))) style.dash = {4.0, 3.0};
+    canvas_.stroke(path, {{black, 0.55}, thickness + 1.6});
+    canvas_.stroke(path, style);
   }
 
-  void label(const Place& at, const std::string& text, const char* colour, double size, const char* anchor) {
-    emit(
-        "<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\" font-size=\"{:.0f}\" text-anchor=\"{}\" stroke=\"#000\" "
-        "stroke-width=\"3\" stroke-opacity=\"0.7\" paint-order=\"stroke\" stroke-linejoin=\"round\">{}</text>\n",
-        at.x(), at.y(), colour, size, anchor, escape_markup(text));
+  void label(const Place& at, const std::string& text, std::uint32_t colour, double size, TextAnchor anchor) {
+    canvas_.text(at, text, {.size = size, .ink = colour, .anchor = anchor, .halo = true});
   }
 
   void planned(const NeedlePath& path) {
@@ -134,126 +112,98 @@ class PanelArtist {
     const Place across =
         (end - start).norm() > 1.0 ? Place(-(end - start).y(), (end - start).x()).normalized() : Place::UnitX();
     const double spacing = (end - start).norm() / length * 10.0;  // px between ticks
-    if (spacing > 4.0) {
-      for (int depth = 10; depth < length; depth += 10) {
-        const Place at = place(along(depth / length));
-        const double half = depth % 50 == 0 ? 6.0 : 4.0;
-        emit("<path d=\"M{:.2f} {:.2f}L{:.2f} {:.2f}\" stroke=\"{}\" stroke-width=\"1.3\"/>\n",
-             (at - half * across).x(), (at - half * across).y(), (at + half * across).x(), (at + half * across).y(),
-             path_colour);
-        const int step = spacing > 22.0 ? 10 : (spacing > 11.0 ? 20 : 50);
-        if (depth % step == 0) {
-          // To the side of a steep line, above a flat one.
-          const bool steep = std::abs(across.x()) > std::abs(across.y());
-          label(steep ? Place(at + Place(8.0, 3.5)) : Place(at + Place(0.0, -8.0)), std::to_string(depth),
-                path_colour, 10, steep ? "start" : "middle");
-        }
-      }
+    if (spacing <= 4.0) return;
+    for (int depth = 10; depth < length; depth += 10) {
+      const Place at = place(along(depth / length));
+      const double half = depth % 50 == 0 ? 6.0 : 4.0;
+      canvas_.stroke(Path::segment(at - half * across, at + half * across), {path_colour, 1.3});
+      const int step = spacing > 22.0 ? 10 : (spacing > 11.0 ? 20 : 50);
+      if (depth % step != 0) continue;
+      // To the side of a steep line, above a flat one.
+      const bool steep = std::abs(across.x()) > std::abs(across.y());
+      label(at + (steep ? Place(8.0, 3.5) : Place(0.0, -8.0)), std::to_string(depth), path_colour, 10.0,
+            steep ? TextAnchor::start : TextAnchor::middle);
     }
   }
 
+  void dot(const Place& at, double radius, std::uint32_t colour) {
+    const Path circle = Path::circle(at, radius);
+    canvas_.fill(circle, colour);
+    canvas_.stroke(circle, {black});
+  }
+
   void ends(const NeedlePath& path) {
-    const Place start = place(path.entry), end = place(path.target);
-    emit("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"4\" fill=\"{}\" stroke=\"#000\"/>\n", start.x(), start.y(),
-         path_colour);
-    emit(
-        "<path d=\"M{0:.2f} {2:.2f}H{1:.2f}M{3:.2f} {4:.2f}V{5:.2f}\" stroke=\"#000\" stroke-width=\"4\"/>"
-        "<path d=\"M{0:.2f} {2:.2f}H{1:.2f}M{3:.2f} {4:.2f}V{5:.2f}\" stroke=\"#ff5470\" stroke-width=\"2\"/>\n",
-        end.x() - 6, end.x() + 6, end.y(), end.x(), end.y() - 6, end.y() + 6);
+    dot(place(path.entry), 4.0, path_colour);
+    const Path cross = Path::cross(place(path.target), 6.0);
+    canvas_.stroke(cross, {black, 4.0});
+    canvas_.stroke(cross, {target_colour, 2.0});
   }
 
   void travelled() {
     if (panel_.travelled.size() < 2) return;
-    std::string points;
-    for (const Vec3& point : panel_.travelled) {
-      const Place at = place(point);
-      fmt::format_to(std::back_inserter(points), "{:.2f},{:.2f} ", at.x(), at.y());
-    }
-    emit(
-        "<polyline points=\"{0}\" fill=\"none\" stroke=\"#000\" stroke-opacity=\"0.5\" stroke-width=\"3\"/>"
-        "<polyline points=\"{0}\" fill=\"none\" stroke=\"{1}\" stroke-width=\"1.5\"/>\n",
-        points, travelled_colour);
-    const Place tip = place(panel_.travelled.back());
-    emit("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"3\" fill=\"{}\" stroke=\"#000\"/>\n", tip.x(), tip.y(),
-         travelled_colour);
-  }
-
-  void outline() {
-    if (panel_.outline.empty()) return;
-    std::string points;
-    for (const Vec3& point : panel_.outline) {
-      const Place at = place(point);
-      fmt::format_to(std::back_inserter(points), "{:.2f},{:.2f} ", at.x(), at.y());
-    }
-    emit("<polygon points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.2\"/>\n", points, outline_colour);
+    std::vector<Place> points;
+    for (const Vec3& point : panel_.travelled) points.push_back(place(point));
+    const Path path = Path::polyline(points);
+    canvas_.stroke(path, {{black, 0.5}, 3.0});
+    canvas_.stroke(path, {travelled_colour, 1.5});
+    dot(points.back(), 3.0, travelled_colour);
   }
 
   void letters() {
     const SlicePlane& plane = panel_.slice.plane;
-    const double w = width(), h = height();
-    label({10.0, 0.5 * h + 5.0}, direction_letters(-plane.right), "#fff", 13, "middle");
-    label({w - 10.0, 0.5 * h + 5.0}, direction_letters(plane.right), "#fff", 13, "middle");
-    label({0.5 * w, 16.0}, direction_letters(-plane.down), "#fff", 13, "middle");
-    label({0.5 * w, h - 7.0}, direction_letters(plane.down), "#fff", 13, "middle");
+    const double w = canvas_.width(), h = canvas_.height();
+    const auto letter = [this](const Place& at, const Vec3& direction) {
+      label(at, direction_letters(direction), white, 13.0, TextAnchor::middle);
+    };
+    letter({10.0, 0.5 * h + 5.0}, -plane.right);
+    letter({w - 10.0, 0.5 * h + 5.0}, plane.right);
+    letter({0.5 * w, 16.0}, -plane.down);
+    letter({0.5 * w, h - 7.0}, plane.down);
   }
 
   void bar() {
-    const double w = width() / scale_;  // mm
+    const double w = canvas_.width() / scale_;  // mm
     int millimetres = 5;
     for (const int choice : {10, 20, 50, 100}) {
       if (choice <= 0.3 * w) millimetres = choice;
     }
-    const double length = millimetres * scale_, y = height() - 11.0;
-    emit(
-        "<path d=\"M12 {0:.1f}h{1:.2f}M12 {2:.1f}v8M{3:.2f} {2:.1f}v8\" stroke=\"#000\" stroke-opacity=\"0.7\" "
-        "stroke-width=\"4\"/><path d=\"M12 {0:.1f}h{1:.2f}M12 {2:.1f}v8M{3:.2f} {2:.1f}v8\" stroke=\"#fff\" "
-        "stroke-width=\"1.6\"/>\n",
-        y, length, y - 4.0, 12.0 + length);
-    label({12.0, y - 8.0}, fmt::format("{} mm", millimetres), "#fff", 11, "start");
+    const double left = 12.0, right = left + millimetres * scale_, y = canvas_.height() - 11.0;
+    Path path = Path::segment({left, y}, {right, y});
+    for (const double x : {left, right}) path.add(Path::segment({x, y - 4.0}, {x, y + 4.0}));
+    canvas_.stroke(path, {{black, 0.7}, 4.0});
+    canvas_.stroke(path, {white, 1.6});
+    label({left, y - 8.0}, fmt::format("{} mm", millimetres), white, 11.0, TextAnchor::start);
   }
 
   const SlicePanel& panel_;
   double scale_;  // px per mm
-  std::string svg_;
+  Canvas canvas_;
 };
 
 struct LegendEntry {
   std::string text;
-  std::string sign;  // SVG around (0, 0), 16 px wide
+  std::uint32_t colour;
+  bool is_line;  // else an area
 };
 
 std::vector<LegendEntry> legend_of(const std::vector<SlicePanel>& panels, const TissueLibrary& library) {
   std::vector<LegendEntry> entries;
-  const auto stroke = [](const char* colour) {
-    return fmt::format("<path d=\"M0 0h16\" stroke=\"{}\" stroke-width=\"2.5\"/>", colour);
-  };
-  const bool any_path = std::any_of(panels.begin(), panels.end(), [](const auto& p) { return p.path.has_value(); });
-  const bool any_travelled =
-      std::any_of(panels.begin(), panels.end(), [](const auto& p) { return p.travelled.size() > 1; });
-  if (any_path) entries.push_back({"planned path", stroke(path_colour)});
-  if (any_travelled) entries.push_back({"path of the tip", stroke(travelled_colour)});
-  if (std::any_of(panels.begin(), panels.end(), [](const auto& p) { return !p.outline.empty(); })) {
-    entries.push_back({"what the probe sees", stroke(outline_colour)});
-  }
-  std::vector<TissueId> seen;
+  const auto any = [&panels](auto&& shows) { return std::any_of(panels.begin(), panels.end(), shows); };
+  if (any([](const SlicePanel& panel) { return panel.path.has_value(); }))
+    entries.push_back({"planned path", path_colour, true});
+  if (any([](const SlicePanel& panel) { return panel.travelled.size() > 1; }))
+    entries.push_back({"path of the tip", travelled_colour, true});
+  if (any([](const SlicePanel& panel) { return !panel.outline.empty(); }))
+    entries.push_back({"what the probe sees", outline_colour, true});
+  std::set<TissueId> seen;
   for (const SlicePanel& panel : panels) {
-    for (const TissueId id : tissues_present(panel.slice)) {
-      if (std::find(seen.begin(), seen.end(), id) == seen.end()) seen.push_back(id);
-    }
-    for (const TissueId id : panel.named) {
-      if (std::find(seen.begin(), seen.end(), id) == seen.end()) seen.push_back(id);
-    }
-    for (const CutElement& cut : panel.elements) {
-      if (std::find(seen.begin(), seen.end(), cut.tissue) == seen.end()) seen.push_back(cut.tissue);
-    }
+    for (const TissueId id : tissues_present(panel.slice)) seen.insert(id);
+    seen.insert(panel.named.begin(), panel.named.end());
+    for (const CutElement& cut : panel.elements) seen.insert(cut.tissue);
   }
-  std::sort(seen.begin(), seen.end());
   for (const TissueId id : seen) {
-    const TissueProperties* properties = library.find(id);
-    if (properties == nullptr) continue;
-    entries.push_back(
-        {properties->title, fmt::format("<rect y=\"-6\" width=\"14\" height=\"12\" rx=\"2\" fill=\"{}\"/>",
-                                        css_colour(properties->colour))});
+    if (const TissueProperties* properties = library.find(id))
+      entries.push_back({properties->title, properties->colour, false});
   }
   return entries;
 }
@@ -262,43 +212,53 @@ std::vector<LegendEntry> legend_of(const std::vector<SlicePanel>& panels, const 
 
 SlicesDrawn draw_slices(const std::vector<SlicePanel>& panels, const TissueLibrary& library, const std::string& title,
                         double height) {
-  std::string content;
+  struct DrawnPanel {
+    Canvas canvas;
+    double x;
+  };
+  std::vector<DrawnPanel> drawn;
   double x = margin;
   const double top = (title.empty() ? 0.0 : title_height) + panel_title + 6.0;
   for (const SlicePanel& panel : panels) {
     const SlicePlane& plane = panel.slice.plane;
-    PanelArtist artist(panel, height / (plane.height * plane.pixel));
-    content += artist.draw(library, x, top);
-    x += artist.width() + margin;
+    drawn.push_back({PanelArtist(panel, height / (plane.height * plane.pixel)).draw(library), x});
+    x += drawn.back().canvas.width() + margin;
   }
-  if (!title.empty()) {
-    content +=
-        fmt::format("<text x=\"{:.1f}\" y=\"25\" fill=\"#fff\" font-size=\"17\" font-weight=\"bold\">{}</text>\n",
-                    margin, escape_markup(title));
-  }
-  double column = margin, row = top + height + 24.0;
+  struct PlacedEntry {
+    LegendEntry entry;
+    Place at;
+  };
+  std::vector<PlacedEntry> legend;
+  Place next(margin, top + height + 24.0);
   for (const LegendEntry& entry : legend_of(panels, library)) {
-    const double wide = 22.0 + legend_letter * static_cast<double>(entry.text.size()) + 14.0;
-    if (column + wide > x && column > margin) {
-      column = margin;
-      row += legend_row;
-    }
-    content += fmt::format(
-        "<g transform=\"translate({:.1f} {:.1f})\">{}<text x=\"21\" y=\"4.5\" fill=\"#dfe6eb\" "
-        "font-size=\"12\">{}</text></g>\n",
-        column, row, entry.sign, escape_markup(entry.text));
-    column += wide;
+    const double wide = legend_text_left + text_width(entry.text, legend_text) + legend_gap;
+    if (next.x() + wide > x && next.x() > margin) next = {margin, next.y() + legend_row};
+    legend.push_back({entry, next});
+    next.x() += wide;
   }
-  return {content, x, row + 16.0, top};
+  Canvas canvas(std::ceil(x), std::ceil(next.y() + 16.0));
+  canvas.fill_all(background);
+  canvas.text({margin, 25.0}, title, {.size = 17.0, .ink = title_colour, .bold = true});
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    canvas.text({drawn[i].x, top - 7.0}, panels[i].title, {.size = 13.0, .ink = panel_title_colour});
+    canvas.place(std::move(drawn[i].canvas), drawn[i].x, top);
+  }
+  for (const auto& [entry, at] : legend) {
+    if (entry.is_line)
+      canvas.stroke(Path::segment(at, at + Place(16.0, 0.0)), {entry.colour, 2.5});
+    else
+      canvas.fill(Path::rectangle(at.x(), at.y() - 6.0, 14.0, 12.0), entry.colour);
+    canvas.text(at + Place(legend_text_left - 1.0, 4.5), entry.text, {.size = legend_text, .ink = legend_colour});
+  }
+  return {std::move(canvas), top};
 }
 
-std::string slice_picture(const std::vector<SlicePanel>& panels, const TissueLibrary& library,
-                          const std::string& title, double height) {
-  const SlicesDrawn drawn = draw_slices(panels, library, title, height);
-  return svg_document(drawn.width, drawn.height, drawn.svg, background);
+Canvas slice_picture(const std::vector<SlicePanel>& panels, const TissueLibrary& library, const std::string& title,
+                     double height) {
+  return draw_slices(panels, library, title, height).canvas;
 }
 
-std::string case_picture(const Case& patient) {
+Canvas case_picture(const Case& patient) {
   constexpr double panel_height = 430.0;            // px
   constexpr double closest = 90.0, widest = 440.0;  // mm
   constexpr double pixels_across = 640.0;

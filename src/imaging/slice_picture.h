@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "anatomy/case.h"
+#include "imaging/canvas.h"
 #include "imaging/mesh_cut.h"
 #include "imaging/slice.h"
 
@@ -21,22 +22,20 @@ struct SlicePanel {
   std::vector<TissueId> named = {};       // in the legend, seen here or not: pictures of a series get one of one size
 };
 
-// Slices side by side as SVG, without a document around it.
 struct SlicesDrawn {
-  std::string svg;
-  double width = 0.0, height = 0.0;  // px
-  double top = 0.0;                  // px, of the slices themselves
+  Canvas canvas;
+  double top = 0.0;  // px, of the slices themselves
 };
 
 // Slices side by side, all `height` px high, with orientation letters, millimetre bars and the names of the tissues
-// that they show. Parts of a line further than 2 mm from a slice are dashed. The result is an SVG document.
+// that they show. Parts of a line further than 2 mm from a slice are dashed.
 SlicesDrawn draw_slices(const std::vector<SlicePanel>& panels, const TissueLibrary& library, const std::string& title,
                         double height);
-std::string slice_picture(const std::vector<SlicePanel>& panels, const TissueLibrary& library,
-                          const std::string& title, double height);
+Canvas slice_picture(const std::vector<SlicePanel>& panels, const TissueLibrary& library, const std::string& title,
+                     double height);
 
 // The three orthogonal slices of a case through its planned path (or its middle, when it has none): sagittal along
 // the path and close to it, axial and coronal through the target and the whole body.
-std::string case_picture(const Case& patient);
+Canvas case_picture(const Case& patient);
 
 }  // namespace bodkin

@@ -16,7 +16,7 @@ constexpr std::string_view places_on_line[] = {"wall_mm", "reference_mm"};
 struct Look {
   std::string_view name;
   std::uint32_t colour;
-  std::vector<int> dash;
+  std::vector<double> dash;
 };
 
 // Colours after Okabe and Ito (2008), told apart in every kind of colour vision; their yellow is too pale for a line,
@@ -43,8 +43,8 @@ Look look_of(std::string_view name, std::size_t& others) {
   };
   if (const auto known = find(name); known != looks.end()) return *known;
   // A model with settings of its own: the colour of its model, the next free dashes.
-  static const std::vector<std::vector<int>> spare = {{20, 6}, {2, 6},       {12, 3, 3, 3},
-                                                      {5, 2},  {3, 2, 3, 6}, {16, 3, 2, 3, 2, 3}};
+  static const std::vector<std::vector<double>> spare = {{20, 6}, {2, 6},       {12, 3, 3, 3},
+                                                         {5, 2},  {3, 2, 3, 6}, {16, 3, 2, 3, 2, 3}};
   return {name, find(name.substr(0, name.find_first_of(" ;")))->colour, spare[others++ % spare.size()]};
 }
 

@@ -7,7 +7,7 @@
 
 namespace bodkin {
 
-// Force over depth (insertion thick, withdrawal thin) and force over time, for plot_svg(). Tissues are bands; each
+// Force over depth (insertion thick, withdrawal thin) and force over time, for draw_plots(). Tissues are bands; each
 // model has its colour and its dashes, a variant the colour of its model. Forces far above the peak of the device are
 // cut off.
 std::vector<Plot> comparison_plots(const Comparison& comparison, const TissueLibrary& library, double peak_force);

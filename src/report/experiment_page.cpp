@@ -6,7 +6,7 @@
 #include "report/report_style.h"
 #include <fmt/format.h>
 
-#include "imaging/svg.h"
+#include "imaging/markup.h"
 
 namespace bodkin {
 

@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
-#include <numbers>
+#include <utility>
 
 #include "report/polyline.h"
 #include <fmt/format.h>
-
-#include "core/error.h"
-#include "imaging/svg.h"
-#include "imaging/tool.h"
 
 namespace bodkin {
 
@@ -25,33 +20,28 @@ constexpr double right_margin = 34.0;
 constexpr double right_margin_with_axis = 76.0;
 constexpr double title_room = 44.0;
 constexpr double axis_room = 68.0;
+constexpr double tick_length = 5.0;
+constexpr double x_ticks_apart = 90.0, y_ticks_apart = 40.0;  // about
+constexpr double label_line = 0.36;                           // of a text's size, from its middle to its base line
 constexpr double key_row = 19.0;
 constexpr double key_sample = 40.0;  // the piece of line before a name in the key
-constexpr double key_letter = 7.7;   // width of a letter in the key
 constexpr double mark_row = 19.0;
-constexpr double letter = 6.7;        // width of a letter of a name
-constexpr double names_slant = 50.0;  // deg
-constexpr double names_apart = 19.0;  // between slanted names
-constexpr double names_lift = 16.0;   // from the plot to the names: the leaders' height
+constexpr double mark_radius = 7.5;
+constexpr double longest_name = 270.0;  // that gets room above and beside the plot
+constexpr double names_slant = 50.0;    // deg
+constexpr double names_apart = 19.0;    // between slanted names
+constexpr double names_lift = 16.0;     // from the plot to the names: the leaders' height
 constexpr double wide_band = 70.0;
 constexpr double marks_apart = 15.0;
+constexpr double small_text = 12.0, plain_text = 13.0, title_text = 16.0;
 constexpr std::size_t most_points = 4000;
 constexpr double invisible = 0.1;
 
-// Text inside single quotes, where gnuplot substitutes nothing. No quote may occur in it (gnuplot does not always
-// honour a doubled one), so that it becomes an apostrophe; line ends cannot leave the command. `noenhanced` switches
-// markup off.
-std::string gnuplot_text(const std::string& text) {
-  std::string safe = "'";
-  for (const char c : text) {
-    if (c == '\'') {
-      safe += "\u2019";
-    } else {
-      safe += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return safe + "'";
-}
+constexpr std::uint32_t paper = 0xFFFFFF, text_ink = 0x26303A, title_ink = 0x12212E, axis_ink = 0x5B6670,
+                        grid_ink = 0xD5DADE, zero_ink = 0x8A949C, mark_ink = 0xB3261E;
+constexpr double band_opacity = 0.32;
+
+using Place = Eigen::Vector2d;
 
 struct AxisRange {
   double low = std::numeric_limits<double>::infinity();
@@ -120,46 +110,31 @@ std::vector<PlotBand> merged(const std::vector<PlotBand>& bands) {
   return result;
 }
 
-// How gnuplot draws a line.
-std::string line_style(const PlotSeries& series) {
-  std::string dash;
-  for (const int length : series.dash)
-    dash += fmt::format("{}{}", dash.empty() ? "" : ",", std::clamp(length, 1, 50));
-  return fmt::format("lw {} lc rgb '{}' dt {}", series.width, css_colour(series.colour),
-                     dash.empty() ? "solid" : "(" + dash + ")");
-}
-
-// Writes the part of a gnuplot program that draws one plot.
-class Script {
+class PlotArtist {
  public:
-  explicit Script(const Plot& plot) : plot_(plot), bands_(merged(plot.bands)) { measure(); }
+  explicit PlotArtist(const Plot& plot) : plot_(plot), bands_(merged(plot.bands)) { measure(); }
 
   // px
   double height() const { return height_; }
   double right_edge() const { return right_edge_; }
   // Ends the plotting area further to the left, so that plots below each other share their x axis.
-  void end_at(double right_edge) { right_edge_ = right_edge; }
+  void end_at(double right_edge) {
+    right_edge_ = right_edge;
+    groups_ = group_marks();
+  }
 
-  // `above`: px of the picture, which is `picture` px high, above this plot.
-  std::string write(double above, double picture) {
-    above_ = above;
-    picture_ = picture;
-    frame();
+  Canvas draw() {
     bands();
+    axes();
+    series();
     dividers();
     key();
     marks();
-    series();
-    return std::move(text_);
+    if (!plot_.title.empty()) write({left_margin, 30.0 + label_line * title_text}, plot_.title, title_style());
+    return std::move(canvas_);
   }
 
  private:
-  template <typename... Arguments>
-  void emit(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(text_), text, std::forward<Arguments>(arguments)...);
-    text_ += '\n';
-  }
-
   void measure() {
     for (const PlotSeries& series : plot_.series) {
       for (const double x : series.x) x_.include(x);
@@ -179,31 +154,31 @@ class Script {
     right_ = with_headroom(right_);
 
     // Slanted names need room above the plot, and on its right for those that lean over the edge.
-    std::size_t longest = 0;
-    for (const PlotBand& band : bands_) longest = std::max(longest, band.name.size());
-    const double slanted = letter * static_cast<double>(std::min<std::size_t>(longest, 40));
-    constexpr double slant = names_slant * std::numbers::pi / 180.0;
-    const double names_room = names_lift + 14.0 + slanted * std::sin(slant);
-    const double overhang = 20.0 + slanted * std::cos(slant);
-    top_ = 12.0 + (plot_.title.empty() ? 0.0 : title_room) + (bands_.empty() ? 0.0 : names_room);
+    double slanted = 0.0;
+    for (const PlotBand& band : bands_) slanted = std::max(slanted, text_width(band.name, small_text));
+    slanted = std::min(slanted, longest_name);
+    const double names_room = names_lift + 14.0 + slanted * std::sin(names_slant * degree);
+    const double overhang = 20.0 + slanted * std::cos(names_slant * degree);
+    top_ = 12.0 + (plot_.title.empty() ? 0.0 : title_room) + (slanted > 0.0 ? names_room : 0.0);
     right_edge_ = width - std::max(plot_.right_label.empty() ? right_margin : right_margin_with_axis,
-                                   bands_.empty() ? 0.0 : overhang);
+                                   slanted > 0.0 ? overhang : 0.0);
     groups_ = group_marks();
     measure_key();
     height_ = top_ + plot_.height + axis_room + key_height_ + mark_row * static_cast<double>(groups_.size()) +
               (groups_.empty() ? 0.0 : 10.0);
+    canvas_.set_size(width, height_);
   }
 
   // There is a key when more than one series has a name. Its columns are as wide as the longest name.
   void measure_key() {
-    std::size_t longest = 0;
+    double longest = 0.0;
     for (const PlotSeries& series : plot_.series) {
       if (series.name.empty()) continue;
       named_.push_back(&series);
-      longest = std::max(longest, series.name.size());
+      longest = std::max(longest, text_width(series.name, plain_text));
     }
     if (named_.size() < 2) return named_.clear();
-    key_column_ = key_sample + 24.0 + key_letter * static_cast<double>(std::min<std::size_t>(longest, 60));
+    key_column_ = key_sample + 24.0 + longest;
     key_columns_ = std::max<std::size_t>(1, static_cast<std::size_t>((width - left_margin) / key_column_));
     key_columns_ = std::min(key_columns_, named_.size());
     const std::size_t rows = (named_.size() + key_columns_ - 1) / key_columns_;
@@ -220,47 +195,66 @@ class Script {
   double px_x(double x) const {
     return left_margin + (x - x_.low) / (x_.high - x_.low) * (right_edge_ - left_margin);
   }
-  double px_y(double y) const {
-    const double from_top = (plot_.y_down ? y - y_.low : y_.high - y) / (y_.high - y_.low);
-    return top_ + from_top * plot_.height;
+  double px_y(double y, bool right_axis = false) const {
+    const AxisRange& range = right_axis ? right_ : y_;
+    const double below = (y - range.low) / (range.high - range.low);
+    return top_ + (plot_.y_down && !right_axis ? below : 1.0 - below) * plot_.height;
   }
-  // gnuplot's screen coordinates, 0 to 1 from the bottom left.
-  static double screen_x(double px) { return px / width; }
-  double screen_y(double px) const { return 1.0 - (above_ + px) / picture_; }
+  double bottom() const { return top_ + plot_.height; }
 
-  void frame() {
-    emit("reset\nunset key");
-    emit("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}", screen_x(left_margin), screen_x(right_edge_));
-    emit("set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}", screen_y(top_), screen_y(top_ + plot_.height));
-    emit("set xrange [{}:{}]\nset yrange [{}:{}]", x_.low, x_.high, plot_.y_down ? y_.high : y_.low,
-         plot_.y_down ? y_.low : y_.high);
-    emit(
-        "set border 3 lw 1 lc rgb '#5b6670'\nset grid lw 0.6 lc rgb '#d5dade'\nset xzeroaxis lw 0.8 lc rgb "
-        "'#8a949c'");
-    emit("set xtics nomirror out scale 0.6 tc rgb '#26303a'\nset ytics nomirror out scale 0.6 tc rgb '#26303a'");
-    emit("set xlabel {} tc rgb '#26303a'\nset ylabel {} tc rgb '#26303a' offset 1.5", gnuplot_text(plot_.x_label),
-         gnuplot_text(plot_.y_label));
+  static TextStyle title_style() { return {.size = title_text, .ink = title_ink, .bold = true}; }
+  static TextStyle style(double size, TextAnchor anchor = TextAnchor::start, double angle = 0.0) {
+    return {.size = size, .ink = text_ink, .anchor = anchor, .angle = angle};
+  }
+  void write(const Place& at, const std::string& text, const TextStyle& look) { canvas_.text(at, text, look); }
+
+  void axes() {
+    const AxisTicks x = axis_ticks(x_.low, x_.high, (right_edge_ - left_margin) / x_ticks_apart);
+    const AxisTicks y = axis_ticks(y_.low, y_.high, plot_.height / y_ticks_apart);
+    Path grid, ticks;
+    for (const double value : x.values) {
+      grid.add(Path::segment({px_x(value), top_}, {px_x(value), bottom()}));
+      ticks.add(Path::segment({px_x(value), bottom()}, {px_x(value), bottom() + tick_length}));
+      write({px_x(value), bottom() + 21.0}, tick_label(value, x), style(plain_text, TextAnchor::middle));
+    }
+    for (const double value : y.values) {
+      grid.add(Path::segment({left_margin, px_y(value)}, {right_edge_, px_y(value)}));
+      ticks.add(Path::segment({left_margin - tick_length, px_y(value)}, {left_margin, px_y(value)}));
+      write({left_margin - 9.0, px_y(value) + label_line * plain_text}, tick_label(value, y),
+            style(plain_text, TextAnchor::end));
+    }
+    Path border = Path::polyline({{left_margin, top_}, {left_margin, bottom()}, {right_edge_, bottom()}});
     if (!plot_.right_label.empty()) {
-      emit(
-          "set border 11\nset y2tics nomirror out scale 0.6 tc rgb '#26303a'\nset y2range [{}:{}]\nset y2label {} tc "
-          "rgb "
-          "'#26303a' offset -1.5",
-          right_.low, right_.high, gnuplot_text(plot_.right_label));
+      border.line_to({right_edge_, top_});
+      const AxisTicks right = axis_ticks(right_.low, right_.high, plot_.height / y_ticks_apart);
+      for (const double value : right.values) {
+        const double at = px_y(value, true);
+        ticks.add(Path::segment({right_edge_, at}, {right_edge_ + tick_length, at}));
+        write({right_edge_ + 9.0, at + label_line * plain_text}, tick_label(value, right), style(plain_text));
+      }
+      write({std::min(width - 14.0, right_edge_ + 54.0), top_ + 0.5 * plot_.height}, plot_.right_label,
+            style(plain_text, TextAnchor::middle, 90.0));
     }
-    if (!plot_.title.empty()) {
-      emit("set label {} at screen {:.5f},{:.5f} left font 'DejaVu Sans Bold,16' tc rgb '#12212e'",
-           gnuplot_text(plot_.title), screen_x(left_margin), screen_y(30.0));
-    }
+    canvas_.stroke(grid, {grid_ink, 0.6});
+    if (y_.low < 0.0 && y_.high > 0.0)
+      canvas_.stroke(Path::segment({left_margin, px_y(0.0)}, {right_edge_, px_y(0.0)}), {zero_ink, 0.8});
+    canvas_.stroke(border, {axis_ink});
+    canvas_.stroke(ticks, {axis_ink});
+    write({0.5 * (left_margin + right_edge_), bottom() + 47.0}, plot_.x_label, style(plain_text, TextAnchor::middle));
+    write({28.0, top_ + 0.5 * plot_.height}, plot_.y_label, style(plain_text, TextAnchor::middle, 90.0));
+  }
+
+  static std::string tick_label(double value, const AxisTicks& ticks) {
+    return std::abs(value) >= 1e6 || ticks.decimals > 5 ? fmt::format("{:.6g}", value)
+                                                        : fmt::format("{:.{}f}", value, ticks.decimals);
   }
 
   void bands() {
     std::vector<std::string> names;
     std::vector<double> centres;
     for (const PlotBand& band : bands_) {
-      emit(
-          "set object rectangle from {},graph 0 to {},graph 1 behind fillcolor rgb '{}' fillstyle transparent solid "
-          "0.32 noborder",
-          band.from, band.to, css_colour(band.colour));
+      canvas_.fill(Path::rectangle(px_x(band.from), top_, px_x(band.to) - px_x(band.from), plot_.height),
+                   {band.colour, band_opacity});
       if (band.name.empty()) continue;
       // A narrow band of a colour that already has its name goes without.
       const bool known = std::find(names.begin(), names.end(), band.name) != names.end();
@@ -275,38 +269,30 @@ class Script {
       limit = places[i] - names_apart;
     }
     for (std::size_t i = 0; i < names.size(); ++i) {
-      emit("set arrow from screen {:.5f},{:.5f} to screen {:.5f},{:.5f} nohead lw 1 lc rgb '#8a949c'",
-           screen_x(centres[i]), screen_y(top_), screen_x(places[i]), screen_y(top_ - names_lift));
-      emit("set label {} at screen {:.5f},{:.5f} left rotate by {} font ',12' tc rgb '#26303a'",
-           gnuplot_text(names[i]), screen_x(places[i] + 2.0), screen_y(top_ - names_lift - 5.0), names_slant);
+      canvas_.stroke(Path::segment({centres[i], top_}, {places[i], top_ - names_lift}), {zero_ink});
+      write({places[i] + 5.0, top_ - names_lift - 2.0}, names[i], style(small_text, TextAnchor::start, names_slant));
     }
   }
 
-  // gnuplot's SVG forgets a change of dashes between two lines of one colour. A line of no length and no colour that
-  // occurs elsewhere, drawn between them, makes it start anew.
-  void separate_lines() { emit("set arrow from screen 0,0 to screen 0,0 nohead lw 0.1 lc rgb '#fefefe' dt solid"); }
-
   void dividers() {
     for (const PlotDivider& divider : plot_.dividers) {
-      separate_lines();
-      emit("set arrow from {},graph 0 to {},graph 1 nohead lw 1 lc rgb '#5b6670' dt (3,3)", divider.x, divider.x);
-      emit("set label {} at {},graph 1 left offset 0.5,-0.8 font ',12' tc rgb '#26303a' front",
-           gnuplot_text(divider.name), divider.x);
+      const double x = px_x(divider.x);
+      canvas_.stroke(Path::segment({x, top_}, {x, bottom()}), {axis_ink, 1.0, {3.0, 3.0}});
+      write({x + 5.0, top_ + 15.0}, divider.name, style(small_text));
     }
   }
 
   void key() {
     for (std::size_t i = 0; i < named_.size(); ++i) {
       const std::size_t row = i / key_columns_, column = i % key_columns_;
-      const double x = left_margin + key_column_ * static_cast<double>(column);
-      const double y = top_ + plot_.height + axis_room + 9.0 + key_row * static_cast<double>(row);
-      separate_lines();
-      emit("set arrow from screen {:.5f},{:.5f} to screen {:.5f},{:.5f} nohead {}", screen_x(x), screen_y(y),
-           screen_x(x + key_sample), screen_y(y), line_style(*named_[i]));
-      emit("set label {} at screen {:.5f},{:.5f} left tc rgb '#26303a'", gnuplot_text(named_[i]->name),
-           screen_x(x + key_sample + 8.0), screen_y(y));
+      const Place at(left_margin + key_column_ * static_cast<double>(column),
+                     bottom() + axis_room + 9.0 + key_row * static_cast<double>(row));
+      canvas_.stroke(Path::segment(at, at + Place(key_sample, 0.0)), line_style(*named_[i]));
+      write(at + Place(key_sample + 8.0, label_line * plain_text), named_[i]->name, style(plain_text));
     }
   }
+
+  static LineStyle line_style(const PlotSeries& series) { return {series.colour, series.width, series.dash}; }
 
   // Dots that would cover each other are one dot.
   std::vector<PlotMark> group_marks() const {
@@ -325,50 +311,34 @@ class Script {
   }
 
   void marks() {
-    double row = top_ + plot_.height + axis_room + key_height_ + 8.0;
+    double row = bottom() + axis_room + key_height_ + 8.0;
     int number = 0;
     for (const PlotMark& group : groups_) {
       ++number;
-      const auto dot = [&](double x, double y) {
-        emit("set label '' at screen {:.5f},{:.5f} point pt 7 ps 1.45 lc rgb '#b3261e' front", x, y);
-        emit("set label '{}' at screen {:.5f},{:.5f} center front font 'DejaVu Sans Bold,10' tc rgb '#ffffff'",
-             number, x, y);
+      const auto dot = [&](const Place& at) {
+        canvas_.fill(Path::circle(at, mark_radius), mark_ink);
+        write(at + Place(0.0, label_line * 10.0), std::to_string(number),
+              {.size = 10.0, .ink = paper, .anchor = TextAnchor::middle, .bold = true});
       };
-      dot(screen_x(px_x(group.x)), screen_y(px_y(group.y)));
-      dot(screen_x(left_margin + 8.0), screen_y(row));
-      emit("set label {} at screen {:.5f},{:.5f} left font ',12' tc rgb '#26303a'", gnuplot_text(group.text),
-           screen_x(left_margin + 24.0), screen_y(row));
+      dot({px_x(group.x), px_y(group.y)});
+      dot({left_margin + 8.0, row});
+      write({left_margin + 24.0, row + label_line * small_text}, group.text, style(small_text));
       row += mark_row;
     }
   }
 
-  // Without the points on straight lines between others, as far as the eye can see.
-  std::vector<std::size_t> without_straights(const PlotSeries& series, const std::vector<std::size_t>& points) const {
-    const AxisRange& range = series.right_axis ? right_ : y_;
-    std::vector<std::array<double, 2>> places;
-    for (const std::size_t i : points)
-      places.push_back({px_x(series.x[i]), (series.y[i] - range.low) / (range.high - range.low) * plot_.height});
-    std::vector<std::size_t> kept;
-    for (const std::size_t place : corners_of(places, invisible)) kept.push_back(points[place]);
-    return kept;
-  }
-
+  // Without the points on straight lines between others, as far as can be seen; cut off where the axes end.
   void series() {
-    int index = 0;
+    Canvas area(right_edge_ - left_margin, plot_.height);
     for (const PlotSeries& series : plot_.series) {
-      emit("$data{} << END_OF_DATA", index++);
-      for (const std::size_t i : without_straights(series, points_to_draw(series)))
-        emit("{} {}", series.x[i], series.y[i]);
-      emit("END_OF_DATA");
+      std::vector<std::array<double, 2>> places;
+      for (const std::size_t i : points_to_draw(series))
+        places.push_back({px_x(series.x[i]) - left_margin, px_y(series.y[i], series.right_axis) - top_});
+      std::vector<Place> points;
+      for (const std::size_t i : corners_of(places, invisible)) points.emplace_back(places[i][0], places[i][1]);
+      area.stroke(Path::polyline(points), line_style(series));
     }
-    text_ += "plot ";
-    for (int i = 0; i < index; ++i) {
-      const PlotSeries& series = plot_.series[static_cast<std::size_t>(i)];
-      fmt::format_to(std::back_inserter(text_), "{}$data{} using 1:2 axes {} with lines {} notitle",
-                     i == 0 ? "" : ", ", i, series.right_axis ? "x1y2" : "x1y1", line_style(series));
-    }
-    if (index == 0) text_ += "NaN notitle";
-    text_ += '\n';
+    canvas_.place(std::move(area), left_margin, top_);
   }
 
   const Plot& plot_;
@@ -376,42 +346,45 @@ class Script {
   std::vector<PlotMark> groups_;
   AxisRange x_, y_, right_;
   double top_ = 0.0, right_edge_ = 0.0, height_ = 0.0;  // px
-  double above_ = 0.0, picture_ = 1.0;                  // px
   std::vector<const PlotSeries*> named_;                // in the key; empty: there is none
   std::size_t key_columns_ = 1;
   double key_column_ = 0.0, key_height_ = 0.0;  // px
-  std::string text_;
+  Canvas canvas_{0.0, 0.0};
 };
 
 }  // namespace
 
-std::string plot_svg(const Plot& plot) {
-  return plot_svg(std::span(&plot, 1));
+AxisTicks axis_ticks(double low, double high, double wanted) {
+  const double rough = (high - low) / std::max(wanted, 1.0);
+  const double power = std::pow(10.0, std::floor(std::log10(rough)));
+  const double step = power * (rough > 5.0 * power ? 10.0 : rough > 2.0 * power ? 5.0 : rough > power ? 2.0 : 1.0);
+  AxisTicks ticks;
+  ticks.decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+  const double first = std::ceil(low / step - 1e-9), last = std::floor(high / step + 1e-9);
+  for (double number = first; number <= last; number += 1.0) ticks.values.push_back(number * step + 0.0);
+  return ticks;
 }
 
-std::string plot_svg(std::span<const Plot> plots) {
-  std::vector<Script> scripts(plots.begin(), plots.end());
+Canvas draw_plots(std::span<const Plot> plots) {
+  std::vector<PlotArtist> artists(plots.begin(), plots.end());
   double height = 0.0, right_edge = width;
-  for (const Script& script : scripts) {
-    height += script.height();
-    right_edge = std::min(right_edge, script.right_edge());
+  for (const PlotArtist& artist : artists) {
+    height += artist.height();
+    right_edge = std::min(right_edge, artist.right_edge());
   }
-  for (Script& script : scripts) script.end_at(right_edge);
-  std::string program = fmt::format(
-      "set encoding utf8\nset terminal svg size {:.0f},{:.0f} dynamic rounded noenhanced font 'DejaVu Sans,13' "
-      "background '#ffffff'\nset multiplot\n",
-      width, height);
+  Canvas canvas(width, std::ceil(height));
+  canvas.fill_all(paper);
   double above = 0.0;
-  for (Script& script : scripts) {
-    program += script.write(above, height);
-    above += script.height();
+  for (PlotArtist& artist : artists) {
+    artist.end_at(right_edge);
+    canvas.place(artist.draw(), 0.0, above);
+    above += artist.height();
   }
-  const ToolResult result = run_tool({"gnuplot", "-d", "-"}, program + "unset multiplot\n", "gnuplot-nox");
-  if (result.exit_code != 0 || result.output.find("</svg>") == std::string::npos) {
-    const std::string title = plots.empty() ? "" : plots.front().title;
-    throw SystemError(fmt::format("gnuplot could not draw '{}': {}", title, result.errors));
-  }
-  return result.output;
+  return canvas;
+}
+
+Canvas draw_plot(const Plot& plot) {
+  return draw_plots(std::span(&plot, 1));
 }
 
 }  // namespace bodkin

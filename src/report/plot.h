@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "imaging/canvas.h"
+
 namespace bodkin {
 
 // A stretch of the x axis with a colour and a name above the plot. Neighbours of one name and colour are drawn as
@@ -21,9 +23,9 @@ struct PlotSeries {
   std::string name;          // empty: not in the key
   std::vector<double> x, y;  // equally many, finite
   std::uint32_t colour = 0x12385C;
-  double width = 2.0;          // px
-  bool right_axis = false;     // measured on the axis on the right
-  std::vector<int> dash = {};  // lengths of strokes and gaps in turn, 1 to 50; empty: a solid line
+  double width = 2.0;             // px
+  bool right_axis = false;        // measured on the axis on the right
+  std::vector<double> dash = {};  // px, strokes and gaps in turn; empty: a solid line
 };
 
 // A numbered dot; its text stands in a list below the plot. Dots at (nearly) one place share a number.
@@ -39,7 +41,7 @@ struct PlotDivider {
   std::string name;
 };
 
-// What is to be drawn; how is decided by plot_svg().
+// What is to be drawn.
 struct Plot {
   std::string title;
   std::string x_label;
@@ -54,10 +56,17 @@ struct Plot {
   double height = 330.0;            // px, of the plotting area; the whole picture is 900 px wide
 };
 
-// The plot as an SVG document, drawn by gnuplot. Any text is safe in titles and names. Series of very many points are
-// thinned to what the eye can see, extremes kept. Throws SystemError when gnuplot is missing or fails.
-std::string plot_svg(const Plot& plot);
-// Several plots in one picture, the first on top.
-std::string plot_svg(std::span<const Plot> plots);
+// The plots in one picture, the first on top, with one left and right edge. Text comes from anywhere. Series of very
+// many points are thinned to what can be seen, extremes kept.
+Canvas draw_plots(std::span<const Plot> plots);
+Canvas draw_plot(const Plot& plot);
+
+// Round numbers from `low` to `high`, about as far apart as the room for `wanted` of them says: 1, 2 or 5 times a
+// power of ten.
+struct AxisTicks {
+  std::vector<double> values;
+  int decimals = 0;  // that their labels need
+};
+AxisTicks axis_ticks(double low, double high, double wanted);
 
 }  // namespace bodkin

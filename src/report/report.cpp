@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "imaging/markup.h"
 #include "imaging/slice_picture.h"
-#include "imaging/svg.h"
 #include "io/force_choice.h"
 
 namespace bodkin {
@@ -75,8 +75,9 @@ class Page {
     fmt::format_to(std::back_inserter(html_), text, std::forward<Arguments>(arguments)...);
   }
 
-  void figure(const std::string& svg, const char* kind, const char* description) {
-    emit("<figure{}><img alt=\"{}\" src=\"{}\"/></figure>\n", kind, description, data_uri("image/svg+xml", svg));
+  void figure(const Canvas& picture, const char* kind, const char* description) {
+    emit("<figure{}><img alt=\"{}\" src=\"{}\"/></figure>\n", kind, description,
+         data_uri("image/svg+xml", picture.svg()));
   }
 
   void verdict() {
@@ -128,10 +129,10 @@ class Page {
       emit("<p class=\"none\">Nothing: it never touched the body.</p>\n");
       return;
     }
-    figure(plot_svg(force_against_depth(session_.ticks, session_.events, session_.header.dt, patient_)), "",
+    figure(draw_plot(force_against_depth(session_.ticks, session_.events, session_.header.dt, patient_)), "",
            "Resistance against depth, with the tissues as coloured bands");
     const std::vector<Plot> published = diagnostics_against_depth(session_.ticks, session_.header.diagnostics);
-    if (!published.empty()) figure(plot_svg(published), "", "What the force models published, against depth");
+    if (!published.empty()) figure(draw_plots(published), "", "What the force models published, against depth");
   }
 
   std::vector<Vec3> travelled() const {
@@ -165,9 +166,9 @@ class Page {
 
   void course() {
     emit("<h2>In the course of time</h2>\n");
-    figure(plot_svg(force_and_depth_against_time(session_.ticks, session_.header.dt)), "",
+    figure(draw_plot(force_and_depth_against_time(session_.ticks, session_.header.dt)), "",
            "Resistance and depth against time");
-    figure(plot_svg(energy_against_time(session_.ticks, session_.header.dt)), "",
+    figure(draw_plot(energy_against_time(session_.ticks, session_.header.dt)), "",
            "Energy that the hand has given to the tissue, against time");
   }
 
@@ -175,7 +176,7 @@ class Page {
     if (session_.second.empty()) return;
     const bool is_plunger = session_.header.second->role == SecondRole::plunger;
     emit("<h2>The second hand: {}</h2>\n", is_plunger ? "the plunger" : "the ultrasound probe");
-    figure(plot_svg(second_hand_against_time(session_)), "",
+    figure(draw_plots(second_hand_against_time(session_)), "",
            is_plunger ? "Pressure in the syringe and force on the thumb against time, with the needle's depth"
                       : "Force of the probe on the skin against time");
   }

@@ -59,8 +59,8 @@ std::vector<float> displacements_at(const BodyDescription& body, const NodeForce
   return moved_points(body, points, displacement(body, forces, progress));
 }
 
-std::string deformation_picture(const Case& patient, const BodyDescription& body, const DeformedMoment& moment,
-                                const Progress& progress) {
+Canvas deformation_picture(const Case& patient, const BodyDescription& body, const DeformedMoment& moment,
+                           const Progress& progress) {
   const NeedlePath& path = patient.corridor.path;
   const Vec3 tip = moment.needle.translation(), along = needle_axis(moment.needle);
   const SlicePlane plane = sagittal_plane_along(path, tip - 0.25 * side * along, side, side, side / pixels_across);

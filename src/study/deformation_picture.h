@@ -7,6 +7,7 @@
 #include "core/progress.h"
 #include "fem/node_forces.h"
 #include "fem/solid/elastic_body.h"
+#include "imaging/canvas.h"
 
 namespace bodkin {
 
@@ -25,10 +26,10 @@ struct DeformedMoment {
 std::vector<float> displacements_at(const BodyDescription& body, const NodeForces& forces,
                                     const std::vector<Vec3>& points, const Progress& progress = {});
 
-// The patient in the plane of the path, at rest and as the needle deforms it, side by side with the needle: an SVG
-// document. `body`: what the patient's corridor was made of (prepare_body); it is factorised anew, for the
+// The patient in the plane of the path, at rest and as the needle deforms it, side by side with the needle.
+// `body`: what the patient's corridor was made of (prepare_body); it is factorised anew, for the
 // displacement of all of it. Throws InputError when that does not fit into memory.
-std::string deformation_picture(const Case& patient, const BodyDescription& body, const DeformedMoment& moment,
-                                const Progress& progress = {});
+Canvas deformation_picture(const Case& patient, const BodyDescription& body, const DeformedMoment& moment,
+                           const Progress& progress = {});
 
 }  // namespace bodkin

@@ -104,7 +104,7 @@ TEST(Layout, heavy_headers_stay_in_source_files_of_the_modules_that_own_them) {
       {std::regex("^SDL.*"), std::regex(R"(^desktop/sdl_screen\.cpp$)")},
       {std::regex("^(metis|cblas.*|lapacke)\\.h$"),
        std::regex(R"(^fem/solid/(nested_dissection|dense_kernels)\.cpp$)")},
-      {std::regex("^png\\.h$"), std::regex(R"(^imaging/.*\.cpp$)")},
+      {std::regex("^(cairo|png)\\.h$"), std::regex(R"(^imaging/.*\.cpp$)")},
       {std::regex("^libdeflate\\.h$"), std::regex(R"(^io/nrrd_reader\.cpp$)")},
       {std::regex("^(fmt|spdlog)/.*"), std::regex(R"(.*\.cpp$)")},
       {std::regex("^CGAL/.*"), std::regex(R"(^programs/mesher/label_mesher\.cpp$)")},

@@ -7,7 +7,7 @@
 #include "tests/session/slab_case.h"
 #include <gtest/gtest.h>
 
-#include "imaging/tool.h"
+#include "io/run_program.h"
 
 namespace bodkin {
 namespace {
@@ -39,7 +39,7 @@ struct Made {
 };
 
 void expect_well_formed_page(const std::string& html) {
-  const ToolResult result = run_tool({"xmllint", "--huge", "--noout", "-"}, html, "libxml2-utils");
+  const ProgramResult result = run_program({"xmllint", "--huge", "--noout", "-"}, html, "libxml2-utils");
   EXPECT_EQ(result.exit_code, 0) << result.errors.substr(0, 500);
 }
 

@@ -13,7 +13,7 @@
 
 #include "core/error.h"
 #include "core/random.h"
-#include "imaging/tool.h"
+#include "io/run_program.h"
 
 namespace bodkin {
 namespace {
@@ -348,11 +348,11 @@ TEST(Compare, its_plots_name_models_tissues_and_phases_and_tell_every_curve_apar
     comparison.models.back().name = name;
   }
   const std::vector<Plot> plots = comparison_plots(comparison, patient.library, 6.0);
-  std::set<std::pair<std::uint32_t, std::vector<int>>> looks;
+  std::set<std::pair<std::uint32_t, std::vector<double>>> looks;
   for (const PlotSeries& series : plots[1].series) looks.emplace(series.colour, series.dash);
   EXPECT_EQ(looks.size(), compared_names().size());
-  const std::string svg = plot_svg(plots);
-  EXPECT_EQ(run_tool({"xmllint", "--huge", "--noout", "-"}, svg, "libxml2-utils").exit_code, 0);
+  const std::string svg = draw_plots(plots).svg();
+  EXPECT_EQ(run_program({"xmllint", "--huge", "--noout", "-"}, svg, "libxml2-utils").exit_code, 0);
   for (const std::string_view name : compared_names()) EXPECT_NE(svg.find(name), std::string::npos) << name;
   for (const std::string_view name : phase_names) EXPECT_NE(svg.find(name), std::string::npos) << name;
   for (const auto& [id, thickness] : lumbar_slabs()) {

@@ -209,7 +209,7 @@ TEST(ExperimentPlot, a_wall_that_is_slack_is_a_gap_and_expectations_are_dashed) 
       std::any_of(plots[2].series.begin(), plots[2].series.end(), [](const auto& s) { return !s.dash.empty(); }));
   EXPECT_NEAR(plots[1].series[0].x.front(), 2.6, 1e-9);
   EXPECT_NEAR(plots[1].series[0].x.back(), 2.8, 1e-9);
-  EXPECT_THAT(plot_svg(plots), HasSubstr("Zoom"));
+  EXPECT_THAT(draw_plots(plots).svg(), HasSubstr("Zoom"));
 }
 
 TEST(ExperimentPage, tells_captions_and_numbers_and_is_safe) {

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
-#include "imaging/tool.h"
+#include "io/run_program.h"
 
 namespace bodkin {
 namespace {
@@ -197,8 +197,9 @@ TEST(Profile, its_table_reads_back) {
 TEST(Profile, its_plot_names_every_tissue_and_what_gave_way) {
   const Case patient = slab_case(lumbar_slabs());
   const Profile profile = insert_at_constant_speed(patient, {});
-  const std::string svg = plot_svg(force_against_depth(profile.ticks, events_of(profile.ticks), profile.dt, patient));
-  EXPECT_EQ(run_tool({"xmllint", "--noout", "-"}, svg, "libxml2-utils").exit_code, 0);
+  const std::string svg =
+      draw_plot(force_against_depth(profile.ticks, events_of(profile.ticks), profile.dt, patient)).svg();
+  EXPECT_EQ(run_program({"xmllint", "--noout", "-"}, svg, "libxml2-utils").exit_code, 0);
   for (const auto& [id, thickness] : lumbar_slabs()) {
     EXPECT_NE(svg.find(patient.library.title(id)), std::string::npos) << patient.library.title(id);
   }

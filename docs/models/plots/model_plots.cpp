@@ -407,7 +407,7 @@ int main(int argc, char** argv) {
                                                            {"gravity_compensation", gravity_compensation()}};
   for (const auto& [name, one] : plots) {
     const std::filesystem::path file = folder / (name + ".svg");
-    write_file(file.string(), plot_svg(one));
+    write_file(file.string(), draw_plot(one).svg());
     std::cout << file.string() << '\n';
   }
 }

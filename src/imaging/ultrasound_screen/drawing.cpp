@@ -5,28 +5,6 @@
 
 namespace bodkin {
 
-namespace {
-
-void set_pixel(ImageRgb& image, double x, double y, Rgb ink) {
-  if (!(x >= 0.0 && y >= 0.0 && x < image.width && y < image.height)) return;  // NaN is nowhere
-  image.at(static_cast<int>(x), static_cast<int>(y)) = ink;
-}
-
-// Every `period`-th pixel of a line is left out from `drawn` on.
-void draw_steps(ImageRgb& image, const Eigen::Vector2d& from, const Eigen::Vector2d& to, Rgb ink, int drawn,
-                int period) {
-  const double length = (to - from).cwiseAbs().maxCoeff();
-  if (!(length < 1e5)) return;
-  const int steps = std::max(1, static_cast<int>(std::ceil(length)));
-  for (int step = 0; step <= steps; ++step) {
-    if (step % period >= drawn) continue;
-    const Eigen::Vector2d at = from + (to - from) * step / steps;
-    set_pixel(image, at.x(), at.y(), ink);
-  }
-}
-
-}  // namespace
-
 void paste_grey(ImageRgb& image, const UltrasoundFrame& frame, MarkSide mark, double x, double y, double scale) {
   const int left = std::max(0, static_cast<int>(std::ceil(x))), top = std::max(0, static_cast<int>(std::ceil(y)));
   const int right = std::min(image.width, static_cast<int>(std::floor(x + scale * frame.width)));
@@ -50,31 +28,13 @@ void paste_grey(ImageRgb& image, const UltrasoundFrame& frame, MarkSide mark, do
   }
 }
 
-void draw_line(ImageRgb& image, const Eigen::Vector2d& from, const Eigen::Vector2d& to, Rgb ink) {
-  draw_steps(image, from, to, ink, 1, 1);
-}
-
-void draw_dotted_line(ImageRgb& image, const Eigen::Vector2d& from, const Eigen::Vector2d& to, Rgb ink) {
-  draw_steps(image, from, to, ink, 2, 5);
-}
-
-void draw_cross(ImageRgb& image, const Eigen::Vector2d& at, double half, Rgb ink) {
-  draw_line(image, {at.x() - half, at.y()}, {at.x() + half, at.y()}, ink);
-  draw_line(image, {at.x(), at.y() - half}, {at.x(), at.y() + half}, ink);
-}
-
-void draw_disc(ImageRgb& image, const Eigen::Vector2d& at, double radius, Rgb ink) {
-  for (double y = -radius; y <= radius; y += 1.0) {
-    for (double x = -radius; x <= radius; x += 1.0) {
-      if (x * x + y * y <= radius * radius) set_pixel(image, at.x() + x, at.y() + y, ink);
-    }
+ImageRgb grey_ramp(int width, int height) {
+  ImageRgb ramp(width, height);
+  for (int row = 0; row < height; ++row) {
+    const auto grey = static_cast<std::uint8_t>(std::lround(255.0 * (1.0 - row / (height - 1.0))));
+    for (int column = 0; column < width; ++column) ramp.at(column, row) = {grey, grey, grey};
   }
-}
-
-void draw_pointer(ImageRgb& image, const Eigen::Vector2d& at, double size, Rgb ink) {
-  for (double x = 0.0; x <= size; x += 1.0) {
-    draw_line(image, {at.x() + x, at.y() - 0.6 * x}, {at.x() + x, at.y() + 0.6 * x}, ink);
-  }
+  return ramp;
 }
 
 }  // namespace bodkin

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "imaging/png_file.h"
-#include "imaging/svg.h"
+#include "imaging/ultrasound_screen/drawing.h"
 
 namespace bodkin {
 
@@ -15,13 +14,14 @@ namespace {
 
 constexpr double machine_left = 124.0, machine_right = 62.0, machine_top = 58.0, machine_bottom = 24.0;  // px
 constexpr double least_height = 600.0, most_height = 1200.0;                                             // px
-constexpr double words_height = 40.0, least_caption = 320.0,
-                 caption_letter = 9.0;  // px, of what is said of a window; of a real picture
-constexpr const char* plain_colour = "#e8eef5";
-constexpr const char* faint_colour = "#96a0ac";
-constexpr const char* warning_colour = "#f5b942";
-constexpr const char* caliper_colour = "#ffd84d";
-constexpr const char* marker_colour = "#4cc2ff";
+constexpr double words_height = 40.0, least_caption = 320.0;  // px, of what is said of a window; of a real picture
+constexpr double caption_size = 15.0;                         // px
+constexpr std::uint32_t plain_colour = 0xE8EEF5;
+constexpr std::uint32_t faint_colour = 0x96A0AC;
+constexpr std::uint32_t warning_colour = 0xF5B942;
+constexpr std::uint32_t caliper_colour = 0xFFD84D;
+constexpr std::uint32_t marker_colour = 0x4CC2FF;
+constexpr std::uint32_t track_colour = 0x43505A, mark_colour = 0x46C878;
 
 using Spot = Eigen::Vector2d;
 
@@ -31,44 +31,40 @@ class MachineArtist {
     scale_ = std::clamp(static_cast<double>(frame_.height), least_height, most_height) / frame_.height;
   }
 
-  MachineDrawn draw(const TissueLibrary& library) {
+  Canvas draw(const TissueLibrary& library) {
+    double width = right() + machine_right, height = bottom() + machine_bottom;
+    const double real_x = width;
+    if (picture_.window) height += words_height;
+    if (picture_.beside) {
+      height = std::max(height, real_bottom() + machine_bottom + words_height);
+      width += real_wide() + machine_right;
+    }
+    const double ct_x = width;
+    std::optional<SlicesDrawn> slices;
+    if (picture_.ct) {
+      slices = draw_slices({*picture_.ct}, library, "", high());
+      width += slices->canvas.width();
+      height = std::max(height, machine_top - slices->top + slices->canvas.height());
+    }
+    canvas_.set_size(std::round(width), std::round(height));
+    canvas_.fill_all(0x000000);
     header();
-    emit(
-        "<image x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" preserveAspectRatio=\"none\" "
-        "xlink:href=\"{}\"/>\n",
-        machine_left, machine_top, wide(), high(),
-        data_uri("image/png", encode_png(grey_picture(frame_, picture_.mark))));
+    canvas_.image(grey_picture(frame_, picture_.mark), machine_left, machine_top, wide(), high());
     left_column();
     depth_scale();
     marked_side();
     measurements();
     if (frame_.why != NoImage::none) why();
-    double width = right() + machine_right, height = bottom() + machine_bottom;
     if (picture_.window) {
       window(
           *picture_.window, [this](const Spot& place) { return spot_shown(place); }, machine_left, bottom());
-      height += words_height;
     }
-    if (picture_.beside) {
-      height = std::max(height, real_bottom() + machine_bottom + words_height);
-      real(*picture_.beside, width);
-      width += real_wide() + machine_right;
-    }
-    if (picture_.ct) {
-      const SlicesDrawn slices = draw_slices({*picture_.ct}, library, "", high());
-      emit("<g transform=\"translate({:.1f} {:.1f})\">{}</g>\n", width, machine_top - slices.top, slices.svg);
-      width += slices.width;
-      height = std::max(height, machine_top - slices.top + slices.height);
-    }
-    return {svg_document(width, height, svg_, "#000"), width, height, machine_left, machine_top, scale_};
+    if (picture_.beside) real(*picture_.beside, real_x);
+    if (slices) canvas_.place(std::move(slices->canvas), ct_x, machine_top - slices->top);
+    return std::move(canvas_);
   }
 
  private:
-  template <typename... Arguments>
-  void emit(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(svg_), text, std::forward<Arguments>(arguments)...);
-  }
-
   double wide() const { return scale_ * frame_.width; }
   double high() const { return scale_ * frame_.height; }
   double right() const { return machine_left + wide(); }
@@ -89,20 +85,19 @@ class MachineArtist {
   double per_millimetre() const { return scale_ / frame_.pixel; }                          // px
   double real_pixel() const { return per_millimetre() * picture_.beside->picture.pixel; }  // px
   double real_wide() const {
-    const double caption = caption_letter * static_cast<double>(picture_.beside->caption.size());
-    return std::max({least_caption, caption, real_pixel() * picture_.beside->picture.width});
+    return std::max({least_caption, text_width(picture_.beside->caption, caption_size),
+                     real_pixel() * picture_.beside->picture.width});
   }
   double real_bottom() const { return machine_top + real_pixel() * picture_.beside->picture.height; }
 
-  void words(double x, double y, const std::string& text, const char* colour, double size,
-             const char* anchor = "start") {
-    emit("<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\" font-size=\"{:.0f}\" text-anchor=\"{}\">{}</text>\n", x, y,
-         colour, size, anchor, escape_markup(text));
+  void words(double x, double y, const std::string& text, std::uint32_t colour, double size,
+             TextAnchor anchor = TextAnchor::start) {
+    canvas_.text({x, y}, text, {.size = size, .ink = colour, .anchor = anchor});
   }
 
   void header() {
-    words(16.0, 26.0, picture_.patient, plain_colour, 15);
-    words(right() + machine_right - 14.0, 26.0, "Bodkin, simulated", faint_colour, 12, "end");
+    words(16.0, 26.0, picture_.patient, plain_colour, caption_size);
+    words(right() + machine_right - 14.0, 26.0, "Bodkin, simulated", faint_colour, 12, TextAnchor::end);
   }
 
   void left_column() {
@@ -119,11 +114,9 @@ class MachineArtist {
     }
     sliders(bottom() - 290.0);
     // The greys from white to black.
-    emit(
-        "<defs><linearGradient id=\"greys\" x1=\"0\" y1=\"0\" x2=\"0\" y2=\"1\"><stop offset=\"0\" "
-        "stop-color=\"#fff\"/><stop offset=\"1\" stop-color=\"#000\"/></linearGradient></defs>"
-        "<rect x=\"16\" y=\"{:.1f}\" width=\"12\" height=\"150\" fill=\"url(#greys)\" stroke=\"#43505a\"/>\n",
-        bottom() - 151.0);
+    const double top = bottom() - 151.0;
+    canvas_.image(grey_ramp(12, 150), 16.0, top, 12.0, 150.0);
+    canvas_.stroke(Path::rectangle(16.0, top, 12.0, 150.0), {track_colour});
   }
 
   // The time-gain compensation, where somebody moved it.
@@ -133,10 +126,8 @@ class MachineArtist {
     words(16.0, y, "TGC", faint_colour, 11);
     for (const double value : set) {
       y += 13.0;
-      emit(
-          "<path d=\"M20 {0:.1f}h60\" stroke=\"#43505a\"/><circle cx=\"{1:.1f}\" cy=\"{0:.1f}\" r=\"3.5\" "
-          "fill=\"{2}\"/>\n",
-          y, 50.0 + 1.5 * value, plain_colour);
+      canvas_.stroke(Path::segment({20.0, y}, {80.0, y}), {track_colour});
+      canvas_.fill(Path::circle({50.0 + 1.5 * value, y}, 3.5), plain_colour);
     }
   }
 
@@ -151,7 +142,7 @@ class MachineArtist {
         bottom());
     const double focus = spot({0.0, set.focus}).y();
     if (focus > machine_top && focus < bottom()) {
-      emit("<path d=\"M{0:.1f} {1:.1f}l9 -5v10z\" fill=\"{2}\"/>\n", x - 2.0, focus, warning_colour);
+      canvas_.fill(Path::polygon({{x - 2.0, focus}, {x + 7.0, focus - 5.0}, {x + 7.0, focus + 5.0}}), warning_colour);
     }
   }
 
@@ -165,17 +156,15 @@ class MachineArtist {
       if (y > last + 1.0) break;
       const bool numbered = half % (2 * between) == 0;
       if (half % 2 != 0 && depth > 120.0) continue;
-      emit("<path d=\"M{:.1f} {:.1f}h{}\" stroke=\"{}\"/>\n", x, y, numbered ? 10 : (half % 2 == 0 ? 7 : 4),
-           faint_colour);
+      const double length = numbered ? 10.0 : (half % 2 == 0 ? 7.0 : 4.0);
+      canvas_.stroke(Path::segment({x, y}, {x + length, y}), {faint_colour});
       if (numbered && half > 0) words(x + 15.0, y + 4.5, std::to_string(half / 2), faint_colour, 12);
     }
   }
 
   void marked_dot(double x) {
-    emit(
-        "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"8\" fill=\"#46c878\"/><text x=\"{0:.1f}\" y=\"{2:.1f}\" "
-        "fill=\"#000\" font-size=\"11\" font-weight=\"bold\" text-anchor=\"middle\">B</text>\n",
-        x, machine_top - 14.0, machine_top - 10.0);
+    canvas_.fill(Path::circle({x, machine_top - 14.0}, 8.0), mark_colour);
+    canvas_.text({x, machine_top - 10.0}, "B", {.size = 11.0, .anchor = TextAnchor::middle, .bold = true});
   }
 
   // The window in a picture whose places `to_px` gives, and what is said of it below the picture.
@@ -183,10 +172,8 @@ class MachineArtist {
   void window(const WindowSaid& said, ToPx&& to_px, double left, double below) {
     const Spot middle(said.window.across, said.window.depth), half(0.5 * said.window.width, 0.5 * said.window.height);
     const Spot from = to_px(middle - half), to = to_px(middle + half);
-    emit(
-        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" stroke=\"{}\" "
-        "stroke-dasharray=\"4 3\"/>\n",
-        from.x(), from.y(), to.x() - from.x(), to.y() - from.y(), caliper_colour);
+    canvas_.stroke(Path::rectangle(from.x(), from.y(), to.x() - from.x(), to.y() - from.y()),
+                   {caliper_colour, 1.0, {4.0, 3.0}});
     for (const std::string& line : said.words) words(left, below += 18.0, line, caliper_colour, 13);
   }
 
@@ -198,11 +185,8 @@ class MachineArtist {
     std::transform(grey.pixels.begin(), grey.pixels.end(), image.pixels.begin(), [](std::uint8_t value) {
       return Rgb{value, value, value};
     });
-    emit(
-        "<image x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" preserveAspectRatio=\"none\" "
-        "xlink:href=\"{}\"/>\n",
-        x, machine_top, across, down, data_uri("image/png", encode_png(image)));
-    words(x, 26.0, real.caption, plain_colour, 15);
+    canvas_.image(std::move(image), x, machine_top, across, down);
+    words(x, 26.0, real.caption, plain_colour, caption_size);
     words(real.mark ? x + 26.0 : x, machine_top - 9.0, "real", faint_colour, 12);
     const auto to_px = [&](const Spot& place) {
       return Spot(x + 0.5 * across + per_millimetre() * place.x(),
@@ -224,26 +208,20 @@ class MachineArtist {
     const Vec3 to_right = (left ? -1.0 : 1.0) * picture_.moment.pose.linear().col(0);
     if (!to_right.allFinite()) return;
     words(machine_left + (left ? 26.0 : 4.0), machine_top - 9.0, direction_letters(-to_right), plain_colour, 14);
-    words(right() - (left ? 4.0 : 26.0), machine_top - 9.0, direction_letters(to_right), plain_colour, 14, "end");
-  }
-
-  void cross(const Spot& at, double half, const char* colour) {
-    emit("<path d=\"M{:.1f} {:.1f}h{:.1f}M{:.1f} {:.1f}v{:.1f}\" stroke=\"{}\" stroke-width=\"1.5\"/>\n",
-         at.x() - half, at.y(), 2.0 * half, at.x(), at.y() - half, 2.0 * half, colour);
+    words(right() - (left ? 4.0 : 26.0), machine_top - 9.0, direction_letters(to_right), plain_colour, 14,
+          TextAnchor::end);
   }
 
   void measurements() {
     for (std::size_t i = 0; i < picture_.calipers.size(); ++i) {
       const Spot from = spot(picture_.calipers[i].from), to = spot(picture_.calipers[i].to);
-      emit("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"{}\" stroke-dasharray=\"2 3\"/>\n", from.x(), from.y(),
-           to.x(), to.y(), caliper_colour);
-      cross(from, 6.0, caliper_colour);
-      cross(to, 6.0, caliper_colour);
+      canvas_.stroke(Path::segment(from, to), {caliper_colour, 1.0, {2.0, 3.0}});
+      for (const Spot& end : {from, to}) canvas_.stroke(Path::cross(end, 6.0), {caliper_colour, 1.5});
       words(to.x() + 9.0, to.y() + 4.0, std::to_string(i + 1), caliper_colour, 12);
     }
     for (const ImageMarker& marker : picture_.markers) {
       const Spot at = spot(marker.place);
-      cross(at, 4.0, marker_colour);
+      canvas_.stroke(Path::cross(at, 4.0), {marker_colour, 1.5});
       words(at.x() + 8.0, at.y() + 4.0, marker.name, marker_colour, 13);
     }
   }
@@ -259,7 +237,8 @@ class MachineArtist {
         const std::size_t blank = sentence.rfind(' ', end);
         if (blank != std::string::npos && blank > begin) end = blank;
       }
-      words(0.5 * (machine_left + right()), y, sentence.substr(begin, end - begin), warning_colour, 15, "middle");
+      words(0.5 * (machine_left + right()), y, sentence.substr(begin, end - begin), warning_colour, 15,
+            TextAnchor::middle);
       y += 22.0;
       begin = sentence[std::min(end, sentence.size() - 1)] == ' ' ? end + 1 : end;
     }
@@ -268,12 +247,12 @@ class MachineArtist {
   const MachinePicture& picture_;
   const UltrasoundFrame& frame_;
   double scale_ = 1.0;  // px per pixel of the frame
-  std::string svg_;
+  Canvas canvas_{0.0, 0.0};
 };
 
 }  // namespace
 
-MachineDrawn machine_picture(const MachinePicture& picture, const TissueLibrary& library) {
+Canvas machine_picture(const MachinePicture& picture, const TissueLibrary& library) {
   return MachineArtist(picture).draw(library);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "anatomy/tissue.h"
+#include "imaging/canvas.h"
 #include "imaging/slice_picture.h"
 #include "imaging/ultrasound_screen/grey_statistics.h"
 #include "imaging/ultrasound_screen/screen.h"
@@ -38,14 +39,7 @@ struct MachinePicture {
   bool touch = true;             // says how the probe touches the patient
 };
 
-// The picture as SVG, and where the frame lies in it, px, for whoever pastes other frames of the same size.
-struct MachineDrawn {
-  std::string svg;
-  double width = 0.0, height = 0.0;
-  double frame_x = 0.0, frame_y = 0.0, frame_scale = 1.0;  // px; px per pixel of the frame
-};
-
-MachineDrawn machine_picture(const MachinePicture& picture, const TissueLibrary& library);
+Canvas machine_picture(const MachinePicture& picture, const TissueLibrary& library);
 
 // The CT in the plane of a frame with the border of what the probe sees; `path` and `needle` (places from its entry
 // to its tip, LPS mm) are drawn where there are any.

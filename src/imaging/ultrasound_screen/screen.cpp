@@ -15,9 +15,11 @@ namespace {
 using Place2 = Eigen::Vector2d;
 
 constexpr double left_margin = 112.0, right_margin = 58.0, top_margin = 34.0, bottom_margin = 14.0;  // pixels
-constexpr Rgb scale_ink{150, 160, 172}, caliper_ink{255, 216, 77}, marker_ink{76, 194, 255}, mark_ink{70, 200, 120},
-    focus_ink{245, 185, 66};
-constexpr double grey_bar_width = 10.0, grey_bar_height = 120.0;  // pixels
+constexpr std::uint32_t scale_ink = 0x96A0AC, plain_ink = 0xE8EEF5, faint_ink = 0x8E9CAE, warning_ink = 0xF5B942,
+                        caliper_ink = 0xFFD84D, marker_ink = 0x4CC2FF, mark_ink = 0x46C878, focus_ink = 0xF5B942;
+constexpr double letter_size = 13.0, base_line = 13.0;     // pixels; from the upper edge of a line of words
+constexpr double line_height = 19.0;                       // pixels
+constexpr int grey_bar_width = 10, grey_bar_height = 120;  // pixels
 
 void require_place(bool empty, const Place2& place) {
   if (empty) throw InputError("there is no picture to measure in");
@@ -91,22 +93,25 @@ bool UltrasoundScreen::holds(const Place2& pixel) const {
   return at.x() >= 0.0 && at.y() >= 0.0 && at.x() < moment_.frame.width && at.y() < moment_.frame.height;
 }
 
+Canvas UltrasoundScreen::overlay() const {
+  Canvas canvas(width_, height_);
+  if (empty()) return canvas;
+  draw_scale(canvas);
+  draw_measurements(canvas);
+  draw_words(canvas);
+  return canvas;
+}
+
 ImageRgb UltrasoundScreen::compose() const {
   ImageRgb image(width_, height_);
   if (empty()) return image;
-  draw_frame(image);
-  draw_scale(image);
-  draw_measurements(image);
+  const Box where = box();
+  paste_grey(image, moment_.frame, mark_, where.x, where.y, where.scale);
+  overlay().draw_over(image);
   return image;
 }
 
-void UltrasoundScreen::draw_frame(ImageRgb& image) const {
-  const Box where = box();
-  const UltrasoundFrame& frame = moment_.frame;
-  paste_grey(image, frame, mark_, where.x, where.y, where.scale);
-}
-
-void UltrasoundScreen::draw_scale(ImageRgb& image) const {
+void UltrasoundScreen::draw_scale(Canvas& canvas) const {
   const Box where = box();
   const UltrasoundFrame& frame = moment_.frame;
   const double x = where.x + where.scale * frame.width + 8.0;
@@ -115,73 +120,67 @@ void UltrasoundScreen::draw_scale(ImageRgb& image) const {
   for (int centimetre = 0; centimetre <= last; ++centimetre) {
     const double y = to_screen({0.0, 10.0 * centimetre}).y();
     if (y > height_ - 4.0) break;
-    draw_line(image, {x, y}, {x + (centimetre % between == 0 ? 9.0 : 5.0), y}, scale_ink);
+    const bool numbered = centimetre > 0 && centimetre % between == 0;
+    canvas.stroke(Path::segment({x, y}, {x + (centimetre % between == 0 ? 9.0 : 5.0), y}), {scale_ink});
+    if (numbered)
+      canvas.text({x + 13.0, y + 5.0}, std::to_string(centimetre), {.size = letter_size, .ink = faint_ink});
   }
+  canvas.text({x, where.y - 9.0}, "cm", {.size = letter_size, .ink = faint_ink});
   const double focus = to_screen({0.0, moment_.settings.focus}).y();
-  if (focus > where.y && focus < height_ - 4.0) draw_pointer(image, {x - 1.0, focus}, 7.0, focus_ink);
+  if (focus > where.y && focus < height_ - 4.0)
+    canvas.fill(Path::polygon({{x - 1.0, focus}, {x + 6.0, focus - 4.2}, {x + 6.0, focus + 4.2}}), focus_ink);
   // The probe's mark, above the picture on its marked side.
   const double mark_x = mark_ == MarkSide::left ? where.x + 12.0 : where.x + where.scale * frame.width - 12.0;
-  draw_disc(image, {mark_x, where.y - 14.0}, 6.0, mark_ink);
-  for (int row = 0; row < static_cast<int>(grey_bar_height); ++row) {
-    const auto grey = static_cast<std::uint8_t>(std::lround(255.0 * (1.0 - row / (grey_bar_height - 1.0))));
-    for (int column = 0; column < static_cast<int>(grey_bar_width); ++column) {
-      image.at(16 + column, height_ - static_cast<int>(grey_bar_height) - 14 + row) = {grey, grey, grey};
-    }
+  canvas.fill(Path::circle({mark_x, where.y - 14.0}, 6.0), mark_ink);
+  canvas.image(grey_ramp(grey_bar_width, grey_bar_height), 16.0, height_ - grey_bar_height - 14.0, grey_bar_width,
+               grey_bar_height);
+}
+
+void UltrasoundScreen::draw_measurements(Canvas& canvas) const {
+  const auto cross = [&canvas](const Place2& at, double half, std::uint32_t ink) {
+    canvas.stroke(Path::cross(at, half), {ink, 1.5});
+  };
+  for (std::size_t i = 0; i < calipers_.size(); ++i) {
+    const Place2 from = to_screen(calipers_[i].from), to = to_screen(calipers_[i].to);
+    canvas.stroke(Path::segment(from, to), {caliper_ink, 1.0, {2.0, 3.0}});
+    cross(from, 6.0, caliper_ink);
+    cross(to, 6.0, caliper_ink);
+    canvas.text({to.x() + 9.0, to.y() + 5.0}, std::to_string(i + 1),
+                {.size = letter_size, .ink = caliper_ink, .halo = true});
+  }
+  if (measuring_) cross(to_screen(first_), 6.0, caliper_ink);
+  for (const ImageMarker& marker : markers_) {
+    const Place2 at = to_screen(marker.place);
+    cross(at, 4.0, marker_ink);
+    canvas.text({at.x() + 8.0, at.y() + 5.0}, marker.name, {.size = letter_size, .ink = marker_ink, .halo = true});
   }
 }
 
-void UltrasoundScreen::draw_measurements(ImageRgb& image) const {
-  for (const Caliper& caliper : calipers_) {
-    const Place2 from = to_screen(caliper.from), to = to_screen(caliper.to);
-    draw_dotted_line(image, from, to, caliper_ink);
-    draw_cross(image, from, 6.0, caliper_ink);
-    draw_cross(image, to, 6.0, caliper_ink);
-  }
-  if (measuring_) draw_cross(image, to_screen(first_), 6.0, caliper_ink);
-  for (const ImageMarker& marker : markers_) draw_cross(image, to_screen(marker.place), 4.0, marker_ink);
-}
-
-std::vector<ScreenWords> UltrasoundScreen::words() const {
-  using Role = ScreenWords::Role;
-  using Align = ScreenWords::Align;
-  std::vector<ScreenWords> all;
-  if (empty()) return all;
+void UltrasoundScreen::draw_words(Canvas& canvas) const {
   const Box where = box();
   const UltrasoundFrame& frame = moment_.frame;
   const double right = where.x + where.scale * frame.width, bottom = where.y + where.scale * frame.height;
-  double y = where.y;
+  const double middle = 0.5 * (where.x + right), above = where.y - 10.0;
+  const auto say = [&canvas](double x, double y, const std::string& words, std::uint32_t ink,
+                             TextAnchor anchor = TextAnchor::start) {
+    canvas.text({x, y}, words, {.size = letter_size, .ink = ink, .anchor = anchor});
+  };
+  double y = where.y + base_line;
   for (const std::string& line : machine_lines(moment_)) {
-    all.push_back({12.0, y, line, y > where.y ? Role::faint : Role::plain, Align::left});
-    y += 19.0;
+    say(12.0, y, line, y > where.y + base_line ? faint_ink : plain_ink);
+    y += line_height;
   }
-  const int between = centimetres_between_numbers(moment_.settings.depth);
-  for (int centimetre = between; 10.0 * centimetre <= moment_.settings.depth + 1e-9; centimetre += between) {
-    const double at = to_screen({0.0, 10.0 * centimetre}).y();
-    if (at < bottom + 4.0)
-      all.push_back({right + 21.0, at - 8.0, std::to_string(centimetre), Role::faint, Align::left});
-  }
-  all.push_back({right + 8.0, where.y - 22.0, "cm", Role::faint, Align::left});
+  for (std::size_t i = 0; i < calipers_.size(); ++i)
+    say(12.0, y + 8.0 + line_height * static_cast<double>(i),
+        fmt::format("{}: {:.1f} mm", i + 1, calipers_[i].length()), caliper_ink);
   const Vec3 side = (mark_ == MarkSide::left ? -1.0 : 1.0) * moment_.pose.linear().col(0);
   if (side.allFinite()) {
-    all.push_back({where.x + 26.0, where.y - 23.0, direction_letters(-side), Role::plain, Align::left});
-    all.push_back({right - 26.0, where.y - 23.0, direction_letters(side), Role::plain, Align::right});
+    say(where.x + 26.0, above, direction_letters(-side), plain_ink);
+    say(right - 26.0, above, direction_letters(side), plain_ink, TextAnchor::end);
   }
-  if (frozen_) all.push_back({0.5 * (where.x + right), where.y - 23.0, "FROZEN", Role::caliper, Align::middle});
-  if (frame.why != NoImage::none) {
-    all.push_back({0.5 * (where.x + right), 0.5 * (where.y + bottom) - 8.0, std::string(reason(frame.why)),
-                   Role::warning, Align::middle});
-  }
-  for (std::size_t i = 0; i < calipers_.size(); ++i) {
-    const Place2 end = to_screen(calipers_[i].to);
-    all.push_back({end.x() + 9.0, end.y() - 8.0, fmt::format("{}", i + 1), Role::caliper, Align::left});
-    all.push_back({12.0, y + 8.0 + 19.0 * static_cast<double>(i),
-                   fmt::format("{}: {:.1f} mm", i + 1, calipers_[i].length()), Role::caliper, Align::left});
-  }
-  for (const ImageMarker& marker : markers_) {
-    const Place2 at = to_screen(marker.place);
-    all.push_back({at.x() + 8.0, at.y() - 8.0, marker.name, Role::marker, Align::left});
-  }
-  return all;
+  if (frozen_) say(middle, above, "FROZEN", caliper_ink, TextAnchor::middle);
+  if (frame.why != NoImage::none)
+    say(middle, 0.5 * (where.y + bottom) + 5.0, std::string(reason(frame.why)), warning_ink, TextAnchor::middle);
 }
 
 std::vector<std::string> machine_lines(const ScanMoment& moment, bool touch) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "imaging/canvas.h"
 #include "imaging/image_rgb.h"
 #include "imaging/ultrasound/frame.h"
 #include "imaging/ultrasound/probe.h"
@@ -33,18 +34,7 @@ struct ImageMarker {
   std::string name;
 };
 
-// Words on the screen, for whoever draws letters.
-struct ScreenWords {
-  enum class Role { plain, faint, warning, caliper, marker };
-  enum class Align { left, middle, right };
-  double x = 0.0, y = 0.0;  // pixels, of the upper edge
-  std::string words;
-  Role role = Role::plain;
-  Align align = Align::left;
-};
-
-// The screen of an ultrasound machine: the newest picture or a frozen one, what was measured in it, and all of it as
-// pixels for a window. Letters are left to the window: words() says which.
+// The screen of an ultrasound machine: the newest picture or a frozen one and what was measured in it.
 class UltrasoundScreen {
  public:
   // `width` x `height` pixels, at least 200 x 150; `mark`: where the probe's marked side stands.
@@ -77,18 +67,19 @@ class UltrasoundScreen {
   // The pixel lies in the picture.
   bool holds(const Eigen::Vector2d& pixel) const;
 
-  // The screen without letters.
+  // What is drawn over the picture: scales, measurements and words.
+  Canvas overlay() const;
+  // All of it as pixels.
   ImageRgb compose() const;
-  std::vector<ScreenWords> words() const;
 
  private:
   struct Box {
     double x = 0.0, y = 0.0, scale = 1.0;  // pixels; pixels of the screen per pixel of the frame
   };
   Box box() const;
-  void draw_frame(ImageRgb& image) const;
-  void draw_scale(ImageRgb& image) const;
-  void draw_measurements(ImageRgb& image) const;
+  void draw_scale(Canvas& canvas) const;
+  void draw_measurements(Canvas& canvas) const;
+  void draw_words(Canvas& canvas) const;
 
   int width_, height_;
   MarkSide mark_;

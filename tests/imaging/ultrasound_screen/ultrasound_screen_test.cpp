@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
-#include "imaging/png_file.h"
+#include "imaging/markup.h"
 #include "imaging/ultrasound_screen/machine_picture.h"
 #include "imaging/ultrasound_screen/screen.h"
 
@@ -35,13 +35,6 @@ Eigen::Vector2d mm_of_pixel(double column, double row) {
   return Eigen::Vector2d(-24.75, 0.25) + 0.5 * Eigen::Vector2d(column, row);
 }
 
-bool has_words(const std::vector<ScreenWords>& all, const std::string& words) {
-  for (const ScreenWords& some : all) {
-    if (some.words.find(words) != std::string::npos) return true;
-  }
-  return false;
-}
-
 TEST(UltrasoundScreen, a_caliper_over_a_known_distance_reads_it) {
   for (const MarkSide side : {MarkSide::left, MarkSide::right}) {
     UltrasoundScreen screen(640, 480, side);
@@ -54,7 +47,7 @@ TEST(UltrasoundScreen, a_caliper_over_a_known_distance_reads_it) {
     screen.measure(screen.to_probe(to));
     ASSERT_EQ(screen.calipers().size(), 1U);
     EXPECT_NEAR(screen.calipers()[0].length(), std::hypot(30.0, 20.0), 1e-9);
-    EXPECT_TRUE(has_words(screen.words(), "36.1 mm"));
+    EXPECT_THAT(screen.overlay().svg(), HasSubstr("36.1 mm"));
     screen.measure({0.0, 0.0});
     screen.measure({0.0, 10.0});
     ASSERT_EQ(screen.calipers().size(), 2U);
@@ -93,7 +86,7 @@ TEST(UltrasoundScreen, frozen_it_keeps_the_frame_while_the_probe_moves) {
   screen.take(moved);
   EXPECT_EQ(screen.moment().pose.translation(), Vec3::Zero());
   EXPECT_EQ(screen.compose().pixels, before.pixels);
-  EXPECT_TRUE(has_words(screen.words(), "FROZEN"));
+  EXPECT_THAT(screen.overlay().svg(), HasSubstr("FROZEN"));
   screen.freeze(false);
   EXPECT_TRUE(screen.calipers().empty());
   EXPECT_TRUE(screen.markers().empty());
@@ -119,7 +112,6 @@ TEST(UltrasoundScreen, an_empty_one_refuses_measurements_and_draws_nothing) {
   EXPECT_TRUE(screen.empty());
   EXPECT_THROW(screen.measure({1.0, 1.0}), InputError);
   EXPECT_THROW(screen.mark({1.0, 1.0}, "a"), InputError);
-  EXPECT_TRUE(screen.words().empty());
   EXPECT_EQ(screen.compose().pixels, ImageRgb(640, 480).pixels);
   screen.take(a_moment());
   EXPECT_THROW(screen.measure({std::numeric_limits<double>::quiet_NaN(), 1.0}), InputError);
@@ -132,10 +124,31 @@ TEST(UltrasoundScreen, a_black_picture_says_why_and_a_broken_pose_harms_nothing)
   moment.pose.linear().setConstant(std::numeric_limits<double>::quiet_NaN());
   UltrasoundScreen screen(640, 480, MarkSide::left);
   screen.take(moment);
-  EXPECT_TRUE(has_words(screen.words(), std::string(reason(NoImage::broken_pose))));
+  EXPECT_THAT(screen.overlay().svg(), HasSubstr(escape_markup(reason(NoImage::broken_pose))));
   screen.compose();
-  const MachineDrawn drawn = machine_picture({moment, MarkSide::left, "", {}, {}, std::nullopt}, TissueLibrary());
-  EXPECT_THAT(drawn.svg, HasSubstr("pose"));
+  const Canvas drawn = machine_picture({moment, MarkSide::left, "", {}, {}, std::nullopt}, TissueLibrary());
+  EXPECT_THAT(drawn.svg(), HasSubstr("pose"));
+}
+
+TEST(UltrasoundScreen, measurements_and_the_scale_are_drawn_where_their_places_are) {
+  UltrasoundScreen screen(640, 480, MarkSide::left);
+  screen.take(a_moment());
+  screen.measure({-15.0, 5.0});
+  screen.mark({3.0, 30.0}, "M1");
+  const ImageRgb image = screen.compose();
+  EXPECT_EQ(image.at(0, 0), Rgb{});
+  const Eigen::Vector2d end = screen.to_screen({-15.0, 5.0}), marker = screen.to_screen({3.0, 30.0});
+  EXPECT_GT(image.at(static_cast<int>(end.x()), static_cast<int>(end.y())).red, 200);
+  EXPECT_GT(image.at(static_cast<int>(marker.x()), static_cast<int>(marker.y())).blue, 200);
+  // Right of the picture, a mark at every centimetre and none between.
+  const double right = screen.to_screen({-25.0, 0.0}).x() + 10.0;
+  const auto brightest = [&](double depth) {
+    const auto y = static_cast<int>(screen.to_screen({0.0, depth}).y());
+    return std::max(image.at(static_cast<int>(right), y - 1).green, image.at(static_cast<int>(right), y).green);
+  };
+  EXPECT_GT(brightest(10.0), 60);
+  EXPECT_GT(brightest(30.0), 60);
+  EXPECT_EQ(brightest(35.0), 0);
 }
 
 TEST(MachinePicture, says_what_a_machine_says) {
@@ -147,15 +160,20 @@ TEST(MachinePicture, says_what_a_machine_says) {
   picture.patient = "Ada & Co";
   picture.calipers = {{{0.0, 0.0}, {0.0, 12.5}}};
   picture.markers = {{{1.0, 1.0}, "L3"}};
-  const MachineDrawn drawn = machine_picture(picture, TissueLibrary());
+  const std::string drawn = machine_picture(picture, TissueLibrary()).svg();
   for (const char* words : {"L1-1", "5.0 MHz", "D 4.0 cm", "G -3 dB", "DR 60 dB", "F 2.0 cm", "contact 90 %", "TGC",
                             "22 G 40 mm", "Ada &amp; Co", "12.5 mm", ">L3<", ">cm<"}) {
-    EXPECT_THAT(drawn.svg, HasSubstr(words));
+    EXPECT_THAT(drawn, HasSubstr(words));
   }
-  // The frame is scaled to 600 px and lies where it is said to lie.
-  EXPECT_NEAR(drawn.frame_scale, 600.0 / 80.0, 1e-12);
+  // The frame is scaled to 600 px; its bright pixel and the dark one beside it are where they belong.
+  const ImageRgb image = machine_picture(picture, TissueLibrary()).pixels(1.0);
+  const double scale = 600.0 / 80.0;
+  const Eigen::Vector2d bright(124.0 + scale * (99 - 10 + 0.5), 58.0 + scale * (20 + 0.5));
+  const auto x = static_cast<int>(bright.x()), y = static_cast<int>(bright.y());
+  EXPECT_GT(image.at(x, y).red, 200);
+  EXPECT_EQ(image.at(x + 15, y), Rgb{});
   picture.touch = false;
-  EXPECT_THAT(machine_picture(picture, TissueLibrary()).svg, Not(HasSubstr("contact")));
+  EXPECT_THAT(machine_picture(picture, TissueLibrary()).svg(), Not(HasSubstr("contact")));
 }
 
 TEST(ScanField, the_plane_of_a_frame_maps_its_pixels_as_the_frame_does) {

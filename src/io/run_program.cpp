@@ -1,4 +1,4 @@
-#include "imaging/tool.h"
+#include "io/run_program.h"
 
 #include <array>
 #include <cerrno>
@@ -54,7 +54,8 @@ class MemoryFile {
 
 }  // namespace
 
-ToolResult run_tool(const std::vector<std::string>& command, std::string_view input, const std::string& package) {
+ProgramResult run_program(const std::vector<std::string>& command, std::string_view input,
+                          const std::string& package) {
   MemoryFile in("input"), out("output"), err("errors");
   in.fill(input);
 
@@ -79,7 +80,7 @@ ToolResult run_tool(const std::vector<std::string>& command, std::string_view in
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  ToolResult result;
+  ProgramResult result;
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   result.output = out.content();
   result.errors = err.content();

@@ -1,9 +1,6 @@
-#include "imaging/svg.h"
+#include "imaging/markup.h"
 
 #include <fmt/format.h>
-
-#include "core/error.h"
-#include "imaging/tool.h"
 
 namespace bodkin {
 
@@ -34,6 +31,36 @@ std::string escape_markup(std::string_view text) {
   return safe;
 }
 
+std::string printable_utf8(std::string_view text) {
+  constexpr std::string_view replacement = "\uFFFD";
+  std::string printable;
+  printable.reserve(text.size());
+  for (std::size_t at = 0; at < text.size();) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[at + i]); };
+    const unsigned char first = byte(0);
+    if (first < 0x80) {
+      printable += first < 0x20 || first == 0x7F ? ' ' : text[at];
+      ++at;
+      continue;
+    }
+    const std::size_t length = first >= 0xC2 && first < 0xE0   ? 2
+                               : first >= 0xE0 && first < 0xF0 ? 3
+                               : first >= 0xF0 && first < 0xF5 ? 4
+                                                               : 0;
+    bool sound = length > 0 && at + length <= text.size();
+    for (std::size_t i = 1; sound && i < length; ++i) sound = (byte(i) & 0xC0) == 0x80;
+    // Overlong forms, surrogates and what lies beyond U+10FFFF.
+    if (sound && length > 2) {
+      const unsigned char second = byte(1);
+      sound = !(first == 0xE0 && second < 0xA0) && !(first == 0xED && second > 0x9F) &&
+              !(first == 0xF0 && second < 0x90) && !(first == 0xF4 && second > 0x8F);
+    }
+    printable += sound ? text.substr(at, length) : replacement;
+    at += sound ? length : 1;
+  }
+  return printable;
+}
+
 std::string base64(std::string_view bytes) {
   constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
@@ -57,23 +84,6 @@ std::string data_uri(std::string_view type, std::string_view bytes) {
 
 std::string css_colour(std::uint32_t colour) {
   return fmt::format("#{:06x}", colour & 0xFFFFFFU);
-}
-
-std::string svg_document(double width, double height, std::string_view content, std::string_view background) {
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"{0:.0f}\" "
-      "height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"'DejaVu Sans', Verdana, sans-serif\">\n"
-      "<rect width=\"100%\" height=\"100%\" fill=\"{2}\"/>\n{3}</svg>\n",
-      width, height, background, content);
-}
-
-std::string svg_to_png(std::string_view svg, double zoom) {
-  const ToolResult result =
-      run_tool({"rsvg-convert", "--unlimited", "--zoom", fmt::format("{:.3f}", zoom)}, svg, "librsvg2-bin");
-  if (result.exit_code != 0 || result.output.empty()) {
-    throw SystemError(fmt::format("rsvg-convert could not draw a picture: {}", result.errors));
-  }
-  return result.output;
 }
 
 }  // namespace bodkin
