@@ -359,7 +359,7 @@ Plot beam() {
   std::vector<PlotSeries> series;
   for (const auto& [gauge, colour] : {std::pair{25, green}, std::pair{24, blue}, std::pair{22, orange}}) {
     const GaugeSize size = *gauge_size(gauge);
-    const Beam model({}, {gauge, size.outer_diameter, size.inner_diameter, 90.0}, dt);
+    const Beam model(BeamSettings{}, {gauge, size.outer_diameter, size.inner_diameter, 90.0}, dt);
     PlotSeries stiffness = line(std::to_string(gauge) + "G", colour);
     for (double length = 8.0; length <= 60.0; length += 0.2) add(stiffness, length, model.stiffness(length));
     series.push_back(std::move(stiffness));
