@@ -1,4 +1,4 @@
-// The table of docs/fem.md: a body of so many nodes from its mesh to the tick and to the eyes. Boxes of 100 mm with a
+// Rows of docs/numbers.md: a body of so many nodes from its mesh to the tick and to the eyes. Boxes of 100 mm with a
 // slab of ligament, a corridor of 1,000 nodes. 2,197 nodes are what Sutherland et al. 2013 had in their
 // haptic loop. Sizes above 20,000 come when BODKIN_LARGE_BODIES is set; then also a body whose mesh is fine about an
 // oblique way, in which a needle holds 150 nodes.

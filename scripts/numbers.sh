@@ -54,6 +54,22 @@ fem_tick_bench:needle_tick needle in the deformable body, k contact nodes
 fem_tick_bench:needle_take_over transfer of an inserted needle to an updated submodel, k contact nodes
 fem_tick_bench:display_field displacement field for the display, k contact nodes
 fem_body_bench:machine_itself -
+fem_body_bench:prepare mesh to condensed body, nodes along an edge (0: fine near an oblique path)
+fem_body_bench:prepare_from_cache the same, read from its file, nodes along an edge
+fem_body_bench:needle_tick tick of a needle
+fem_body_bench:field_for_the_eyes displacement field for the display
+fem_preparation_bench:only_check check of the mesh, nodes along an edge
+fem_preparation_bench:only_plan order of elimination, nodes along an edge
+fem_preparation_bench:only_factorise factorisation and condensation, nodes along an edge
+fem_preparation_bench:field_of_corridor displacement of all nodes, nodes along an edge
+corotational_bench:step one step, nodes along an edge
+corotational_bench:refresh updated submodel of 200 nodes, nodes along an edge
+ultrasound_bench:paper feature set of Sutherland et al. 2013, 300 x 300, one thread
+ultrasound_bench:everything everything, 300 x 300, threads
+ultrasound_bench:everything_displaced the same with displaced tissue and a needle, threads
+ultrasound_bench:thin_slice everything, one ray through the slice, threads
+ultrasound_bench:large everything, 820 x 616, threads
+ultrasound_bench:on_path everything, 300 x 300, one thread, processor path
 case_load_bench:whole_case case.xml, tissue library and all volumes, digests verified
 case_load_bench:description_alone case.xml and tissue library
 case_load_bench:volume_alone<std::int16_t> one volume, decompressed
@@ -80,7 +96,7 @@ too short to be timed alone. One tick may take 1000 us at 1 kHz.
 PAGE
   local program
   for program in "${programs[@]}"; do
-    [ -s "$results/$program.json" ] && printf '\n## %s\n\n' "$(heading "$program")" && table "$program"
+    [ -s "$results/$program.json" ] && printf '\n## %s\n\n' "$(heading "$program")" && note "$program" && table "$program"
   done
 }
 
@@ -97,6 +113,34 @@ heading() {
     corotational_bench) echo "Moving body: one step, and one updated submodel" ;;
     ultrasound_bench) echo "Ultrasound: one image" ;;
     case_load_bench) echo "Opening a case: the lumbar torso of 1 mm" ;;
+  esac
+}
+
+note() {
+  case "$1" in
+    fem_tick_bench) cat << 'NOTE'
+k contact nodes of a body condensed to 1,000; the needle moves in and out at 25 mm/s and meets a node every 20 ticks, friction reverses
+every 200. Hand 1 sways by 3 mm at 2 Hz and trembles by 0.2 mm at 10 Hz, hand 2 moves at 125 mm/s, hand 3 at 500 mm/s. *Of the tick
+itself*: the p99.9 over the ticks of the motion of each tick's median over its repetitions, so without the machine's interrupts. A
+transfer is done in one tick (*taking*); *after* is the tick that follows.
+
+NOTE
+      ;;
+    fem_body_bench | fem_preparation_bench) cat << 'NOTE'
+Boxes of 100 mm with a slab of ligament, condensed to 1,000 nodes.
+
+NOTE
+      ;;
+    corotational_bench) cat << 'NOTE'
+A box of 100 mm, pressed by 15 mm and released once a second by a face of 40 x 15 mm, 60 steps a second.
+
+NOTE
+      ;;
+    ultrasound_bench) cat << 'NOTE'
+The synthetic lumbar torso, C5-2, 100 mm deep, the probe moving.
+
+NOTE
+      ;;
   esac
 }
 
@@ -122,9 +166,8 @@ table() {
       base = parts[1]
       text = (program ":" base) in texts ? texts[program ":" base] : known(base)
       if (text == "-") return
-      for (i = 2; i <= n; ++i) if (parts[i] !~ /^(iterations|manual_time|real_time|repeats)/) {
-        sub(/:/, " = ", parts[i])
-        text = text ", " parts[i]
+      for (i = 2; i <= n; ++i) if (parts[i] !~ /^(iterations|manual_time|real_time|process_time|repeats)/) {
+        text = text (sub(/:/, " ", parts[i]) ? ", " : " ") parts[i]
       }
       for (i = 1; i <= keys; ++i) {
         key = order[i]; value = values[key]; unit = key
@@ -134,9 +177,10 @@ table() {
         else if (key ~ /^p99\.9_(ns|us|ms)$/) p999 = nanoseconds(value, unit)
         else if (key == "per_tick") { if (middle == "") middle = nanoseconds(value, "s") }
         else if (key ~ /^(real_time|cpu_time|iterations|threads|repetitions|repetition_index|family_index)$/) continue
-        else if (key ~ /^(per_family_instance_index|max_|min_)/) continue
+        else if (key ~ /^(per_family_instance_index|max_|min_|times$)/) continue
         else also = also (also == "" ? "" : "; ") label(key) " " number(key, value)
       }
+      if (label_text != "") text = text " (" label_text ")"
       if (middle == "") middle = nanoseconds(values["real_time"], time_unit)
       printf "| %s | %s | %s | %s | %s |\n", text, shown(middle), shown(p99), shown(p999), also
     }
@@ -163,7 +207,7 @@ table() {
       texts[key] = $0
       next
     }
-    /^    \{/ { name = ""; keys = 0; failed = 0; delete values }
+    /^    \{/ { name = ""; label_text = ""; keys = 0; failed = 0; delete values }
     /"error_occurred": true/ { failed = 1 }
     match($0, /^      "[^"]+": /) {
       key = substr($0, 8, RLENGTH - 10)
@@ -172,6 +216,7 @@ table() {
       if (value ~ /^"/) value = substr(value, 2, length(value) - 2)
       if (key == "name") name = value
       else if (key == "time_unit") time_unit = value
+      else if (key == "label") label_text = value
       else if (value ~ /^[-+0-9.eE]+$/) { values[key] = value + 0; order[++keys] = key }
     }
     /^    \}/ { row() }
