@@ -12,9 +12,10 @@ namespace bodkin {
 
 namespace {
 
-constexpr std::size_t block = 8;        // rows of U that are worked on together
+constexpr std::size_t block = 8;        // rows of U processed together
 constexpr std::size_t prefetched = 24;  // rows ahead
-constexpr double least_pivot = 1e-10;   // of the diagonal of S, below which a constraint is no news
+constexpr double least_pivot =
+    1e-10;  // of the diagonal of S; a smaller pivot means that a constraint depends on the others
 
 }  // namespace
 
@@ -56,7 +57,7 @@ void ContactFactor::backward(double* values) noexcept {
   upper_triangular::solve({factor_.data(), stride_, rows_}, values);
 }
 
-// What is left of S and F for the last constraint by what stands above it; `scratch_` holds those columns of U.
+// The Schur complement of S + F for the last constraint; `scratch_` holds its columns of U.
 void ContactFactor::find_corner(std::size_t first, std::size_t count) noexcept {
   corner_.setZero();
   const auto node = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(row_of_[first].node);
@@ -70,14 +71,14 @@ void ContactFactor::find_corner(std::size_t first, std::size_t count) noexcept {
       const double sum = upper_triangular::product(left, right, first);
       const double here = row_of_[first + b].direction.dot(moved);
       corner_(static_cast<int>(b), static_cast<int>(a)) = here + (a == b ? bent : 0.0) - sum;
-      if (a == b) whole_(static_cast<int>(a)) = here;
+      if (a == b) own_(static_cast<int>(a)) = here;
     }
   }
   corner_known_ = true;
 }
 
-// The corner of U that belongs to the last constraint.
-bool ContactFactor::finish(std::size_t first, std::size_t count, double softness) noexcept {
+// Factorises the corner of U that belongs to the last constraint.
+bool ContactFactor::finish(std::size_t first, std::size_t count, double compliance) noexcept {
   Mat3 upper = Mat3::Zero();
   for (int a = 0; a < static_cast<int>(count); ++a) {
     for (int b = 0; b < a; ++b) {
@@ -85,9 +86,9 @@ bool ContactFactor::finish(std::size_t first, std::size_t count, double softness
       for (int i = 0; i < b; ++i) value -= upper(i, a) * upper(i, b);
       upper(b, a) = value / upper(b, b);
     }
-    double pivot = corner_(a, a) + softness;
+    double pivot = corner_(a, a) + compliance;
     for (int i = 0; i < a; ++i) pivot -= upper(i, a) * upper(i, a);
-    if (!(pivot > least_pivot * whole_(a)) || !std::isfinite(pivot)) return false;
+    if (!(pivot > least_pivot * own_(a)) || !std::isfinite(pivot)) return false;
     upper(a, a) = std::sqrt(pivot);
   }
   for (std::size_t b = 0; b < count; ++b) {
@@ -98,18 +99,18 @@ bool ContactFactor::finish(std::size_t first, std::size_t count, double softness
   return true;
 }
 
-bool ContactFactor::fits(std::uint32_t node, std::size_t count, double softness) const noexcept {
+bool ContactFactor::fits(std::uint32_t node, std::size_t count, double compliance) const noexcept {
   const auto place = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(node);
-  return count > 0 && rows_ + count <= most_rows_ && place + 3 <= compliance_.rows() && softness >= 0.0;
+  return count > 0 && rows_ + count <= most_rows_ && place + 3 <= compliance_.rows() && compliance >= 0.0;
 }
 
-bool ContactFactor::append(std::uint32_t node, const HeldDirections& directions, double softness,
+bool ContactFactor::append(std::uint32_t node, const ConstraintDirections& directions, double compliance,
                            double depth) noexcept {
   const auto count = static_cast<std::size_t>(directions.cols());
   const auto place = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(node);
-  if (!fits(node, count, softness)) return false;
-  if (!beam_ && softness == 0.0) {  // a fourth direction says what three say; no need to work that out
-    const auto same = [node](const Row& row) { return row.firm && row.node == node; };
+  if (!fits(node, count, compliance)) return false;
+  if (!beam_ && compliance == 0.0) {  // a fourth direction of a node depends on the first three
+    const auto same = [node](const Row& row) { return row.rigid && row.node == node; };
     const auto end = row_of_.begin() + static_cast<std::ptrdiff_t>(rows_);
     if (static_cast<std::size_t>(std::count_if(row_of_.begin(), end, same)) + count > 3) return false;
   }
@@ -128,60 +129,60 @@ bool ContactFactor::append(std::uint32_t node, const HeldDirections& directions,
     }
   }
   upper_triangular::solve_transposed({factor_.data(), stride_, rows_}, columns, count);
-  return border(node, directions, softness, depth);
+  return add_columns(node, directions, compliance, depth);
 }
 
-bool ContactFactor::append_solved(std::uint32_t node, const HeldDirections& directions, const double* columns,
-                                  double softness, double depth) noexcept {
+bool ContactFactor::append_solved(std::uint32_t node, const ConstraintDirections& directions, const double* columns,
+                                  double compliance, double depth) noexcept {
   const auto count = static_cast<std::size_t>(directions.cols());
-  if (!fits(node, count, softness)) return false;
+  if (!fits(node, count, compliance)) return false;
   for (std::size_t a = 0; a < count; ++a) std::copy_n(columns + a * stride_, rows_, scratch_.data() + a * stride_);
-  return border(node, directions, softness, depth);
+  return add_columns(node, directions, compliance, depth);
 }
 
-// U with the columns in `scratch_` beside it and a corner below them.
-bool ContactFactor::border(std::uint32_t node, const HeldDirections& directions, double softness,
-                           double depth) noexcept {
+// Appends the columns in `scratch_` to U, and the corner below them.
+bool ContactFactor::add_columns(std::uint32_t node, const ConstraintDirections& directions, double compliance,
+                                double depth) noexcept {
   const auto count = static_cast<std::size_t>(directions.cols());
   const double* const columns = scratch_.data();
   for (std::size_t i = 0; i < rows_; ++i) {
     for (std::size_t a = 0; a < count; ++a) row(i)[rows_ + a] = columns[a * stride_ + i];
   }
   for (std::size_t a = 0; a < count; ++a) {
-    row_of_[rows_ + a] = {node, directions.col(static_cast<Eigen::Index>(a)), depth, softness == 0.0};
+    row_of_[rows_ + a] = {node, directions.col(static_cast<Eigen::Index>(a)), depth, compliance == 0.0};
   }
   find_corner(rows_, count);
-  if (!finish(rows_, count, softness)) {
+  if (!finish(rows_, count, compliance)) {
     corner_known_ = false;
     for (std::size_t i = 0; i < rows_; ++i) std::fill_n(row(i) + rows_, count, 0.0);
     return false;
   }
   rows_ += count;
-  first_rows_[++held_] = rows_;
+  first_rows_[++constraints_] = rows_;
   return true;
 }
 
 void ContactFactor::clear() noexcept {
-  held_ = rows_ = 0;
+  constraints_ = rows_ = 0;
   corner_known_ = false;
 }
 
 void ContactFactor::remove_last() noexcept {
-  if (held_ > 0) rows_ = first_rows_[--held_];
+  if (constraints_ > 0) rows_ = first_rows_[--constraints_];
   corner_known_ = false;
 }
 
-bool ContactFactor::soften_last(double softness) noexcept {
-  if (held_ == 0 || !(softness >= 0.0)) return false;
-  const std::size_t first = first_rows_[held_ - 1];
+bool ContactFactor::set_last_compliance(double compliance) noexcept {
+  if (constraints_ == 0 || !(compliance >= 0.0)) return false;
+  const std::size_t first = first_rows_[constraints_ - 1];
   if (!corner_known_) {
     for (std::size_t i = 0; i < first; ++i) {
       for (std::size_t a = 0; a < rows_ - first; ++a) scratch_[a * stride_ + i] = row(i)[first + a];
     }
     find_corner(first, rows_ - first);
   }
-  if (!finish(first, rows_ - first, softness)) return false;
-  for (std::size_t i = first; i < rows_; ++i) row_of_[i].firm = softness == 0.0;
+  if (!finish(first, rows_ - first, compliance)) return false;
+  for (std::size_t i = first; i < rows_; ++i) row_of_[i].rigid = compliance == 0.0;
   return true;
 }
 
@@ -190,11 +191,11 @@ std::size_t ContactFactor::removal_cost(std::size_t constraint) const noexcept {
   return behind * behind / 2;
 }
 
-// With the columns of the constraint gone, U has too many rows below: what its rows hold behind them, x, has to be
-// turned into the triangle T that follows, so that T'^T T' = T^T T + x^T x (a Givens rotation for every row of x and
-// of T). T' then stands where the constraint stood.
+// Without the columns of the constraint U has too many rows. The rest of the constraint's rows, x, is rotated into
+// the triangle T below it so that T'^T T' = T^T T + x^T x, by a Givens rotation for each row of x and of T. T' then
+// takes the place of the removed rows.
 void ContactFactor::remove(std::size_t constraint) noexcept {
-  if (constraint >= held_) return;
+  if (constraint >= constraints_) return;
   corner_known_ = false;
   const std::size_t first = first_rows_[constraint];
   const std::size_t count = first_rows_[constraint + 1] - first;
@@ -215,16 +216,16 @@ void ContactFactor::remove(std::size_t constraint) noexcept {
   std::copy(row_of_.begin() + static_cast<std::ptrdiff_t>(after),
             row_of_.begin() + static_cast<std::ptrdiff_t>(rows_),
             row_of_.begin() + static_cast<std::ptrdiff_t>(first));
-  for (std::size_t i = constraint + 1; i < held_; ++i) first_rows_[i] = first_rows_[i + 1] - count;
-  --held_;
+  for (std::size_t i = constraint + 1; i < constraints_; ++i) first_rows_[i] = first_rows_[i + 1] - count;
+  --constraints_;
   rows_ -= count;
 }
 
 void ContactFactor::copy(const ContactFactor& other) noexcept {
   for (std::size_t i = 0; i < other.rows_; ++i) std::copy(other.row(i) + i, other.row(i) + other.rows_, row(i) + i);
   std::copy_n(other.row_of_.begin(), other.rows_, row_of_.begin());
-  std::copy_n(other.first_rows_.begin(), other.held_ + 1, first_rows_.begin());
-  held_ = other.held_;
+  std::copy_n(other.first_rows_.begin(), other.constraints_ + 1, first_rows_.begin());
+  constraints_ = other.constraints_;
   rows_ = other.rows_;
   corner_known_ = false;
 }

@@ -11,12 +11,12 @@ namespace bodkin {
 
 namespace {
 
-constexpr double farthest_pose = 1e4;    // mm; beyond, a sensor failed
-constexpr double least_cosine = 0.2;     // between needle and line; a needle that lies across is no insertion
-constexpr double least_friction = 1e-9;  // N; below, there is none
-constexpr double least_grip = 1e-6;      // part of its length from which on a node is held across
-constexpr std::size_t last_cuts = 4;     // nodes behind the tip whose hole a bevel may move aside
-constexpr int most_captures = 2;         // a tick; the others wait for the next
+constexpr double farthest_pose = 1e4;         // mm; a position farther away is a sensor's fault
+constexpr double least_cosine = 0.2;          // between needle and line; below, the needle is not being inserted
+constexpr double least_friction = 1e-9;       // N; less counts as no friction
+constexpr double least_captured_part = 1e-6;  // of the full-capture length; below, there is no lateral constraint
+constexpr std::size_t bevelled_nodes = 4;     // behind the tip, whose holes a bevel may move
+constexpr int most_captures = 2;              // per tick; the others follow in the next
 
 void check_contact_setting(double value, double low, double high, const char* name, const char* unit) {
   if (value >= low && value <= high) return;
@@ -54,15 +54,15 @@ EmbeddedNeedle::EmbeddedNeedle(const CondensedBody& body, const ContactTissues& 
       settings_(settings),
       dt_(dt),
       beam_(beam),
-      stations_(body, settings.capture_radius, settings.spacing),
+      contact_nodes_(body, settings.capture_radius, settings.spacing),
       constraints_(body.compliance, checked_room(settings), beam_),
-      holds_(settings.most_nodes + 1),
+      contacts_(settings.most_nodes + 1),
       displacements_(upper_triangular::padded(3 * settings.most_nodes + 3), 0.0),
       forces_(3 * settings.most_nodes + 3, 0.0),
       punctured_(body.nodes.size(), 0) {
   check_contact_tissues(tissues);
   check_contact_setting(dt, 1e-6, 0.1, "tick", "s");
-  if (body.mesh_nodes.size() != body.nodes.size()) return;  // nameless: it can follow no other
+  if (body.mesh_nodes.size() != body.nodes.size()) return;  // without mesh numbers no transfer is possible
   for (const std::uint32_t name : body.mesh_nodes)
     names_.emplace_back(name, static_cast<std::uint32_t>(names_.size()));
   std::sort(names_.begin(), names_.end());
@@ -71,7 +71,7 @@ EmbeddedNeedle::EmbeddedNeedle(const CondensedBody& body, const ContactTissues& 
 void EmbeddedNeedle::reset() noexcept {
   std::fill(punctured_.begin(), punctured_.end(), std::uint8_t{0});
   begin(Vec3::Zero(), Vec3::UnitZ());
-  stations_.clear();
+  contact_nodes_.clear();
   begun_ = false;
 }
 
@@ -81,153 +81,155 @@ void EmbeddedNeedle::begin(const Vec3& entry, const Vec3& direction) noexcept {
   const Vec3 other = std::abs(direction.x()) < 0.6 ? Vec3::UnitX() : Vec3::UnitY();
   frame_.col(1) = direction.cross(other).normalized();
   frame_.col(2) = direction.cross(frame_.col(1));
-  stations_.begin(entry, direction, tissues_);
+  contact_nodes_.begin(entry, direction, tissues_);
   constraints_.begin(frame_);
   std::fill(forces_.begin(), forces_.end(), 0.0);
   turn_.setZero();
-  spare_ = 0.0;
-  held_ = 0;
+  bevel_energy_ = 0.0;
+  captured_ = 0;
   begun_ = fresh_ = true;
-  if (!line().empty()) constraints_.face(line()[0].node);
+  if (!line().empty()) constraints_.add_before_tip(line()[0].index);
   force_ = {};
   published_.count = 0;
 }
 
-// Whether the node before the tip still has to be punctured.
+// Whether the node in front of the tip still has to be punctured.
 bool EmbeddedNeedle::blocked() const noexcept {
-  return held_ < line().size() && line()[held_].resists && punctured_[line()[held_].node] == 0;
+  return captured_ < line().size() && line()[captured_].resists && punctured_[line()[captured_].index] == 0;
 }
 
-// Nodes that the tip has drawn back beyond.
-void EmbeddedNeedle::let_go() noexcept {
-  while (held_ > 0 && tip_ < line()[held_ - 1].depth) {
-    std::fill_n(forces_.begin() + static_cast<std::ptrdiff_t>(3 * held_ - 3), 6, 0.0);
-    constraints_.pop();  // it is before the tip again
-    --held_;
+// Removes the nodes from which the tip has been withdrawn.
+void EmbeddedNeedle::release_withdrawn() noexcept {
+  while (captured_ > 0 && tip_ < line()[captured_ - 1].depth) {
+    std::fill_n(forces_.begin() + static_cast<std::ptrdiff_t>(3 * captured_ - 3), 6, 0.0);
+    constraints_.pop();  // the node is in front of the tip again
+    --captured_;
   }
 }
 
-// Where the tip will meet the node before it: at its depth, or here if the tip is beyond that already.
-void EmbeddedNeedle::face_next(double moved) noexcept {
-  holds_[held_].slip = std::max(line()[held_].depth, tip_ - moved);
-  holds_[held_].moved = moved;
+// Sets where the tip touches the node in front of it: at the node's depth, or here if the tip is deeper already.
+void EmbeddedNeedle::place_tip_contact(double moved) noexcept {
+  contacts_[captured_].slip = std::max(line()[captured_].depth, tip_ - moved);
+  contacts_[captured_].moved = moved;
 }
 
-// The next node comes before the tip. One that does not resist is not needed there until it is taken: it waits for
-// the tick after that in which another was taken, which had enough to do.
-void EmbeddedNeedle::face_ahead() noexcept {
-  if (constraints_.known() > held_ || held_ >= line().size() || held_ >= holds_.size()) return;
-  if (constraints_.face(line()[held_].node)) face_next(displacement(held_)(0));
+// Adds the next node in front of the tip. A node that need not be punctured is not used there before its capture; it
+// is added in the tick after another capture, which bounds the cost of a tick.
+void EmbeddedNeedle::add_next_before_tip() noexcept {
+  if (constraints_.known() > captured_ || captured_ >= line().size() || captured_ >= contacts_.size()) return;
+  if (constraints_.add_before_tip(line()[captured_].index)) place_tip_contact(displacement(captured_)(0));
 }
 
-bool EmbeddedNeedle::take(std::size_t index) noexcept {
-  face_ahead();
-  const InsertionStation& station = line()[index];
-  Hold& hold = holds_[index];
+bool EmbeddedNeedle::capture_node(std::size_t index) noexcept {
+  add_next_before_tip();
+  const ContactNode& node = line()[index];
+  NodeContact& contact = contacts_[index];
   const Vec3 moved = displacement(index);
-  if (index > 0 && holds_[index - 1].softness != 0.0) soften(0.0);
-  if (!constraints_.push(station.node, station.depth)) return false;
-  const auto place = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(station.node);
+  if (index > 0 && contacts_[index - 1].lateral_compliance != 0.0) set_lateral_compliance(0.0);
+  if (!constraints_.push(node.index, node.depth)) return false;
+  const auto place = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(node.index);
   const Mat3 own = frame_.transpose() * body_.compliance.block<3, 3>(place, place) * frame_;
-  hold = {};
-  hold.compliance = 0.5 * (own(1, 1) + own(2, 2));
-  hold.whole = std::min(station.length, settings_.capture_radius);
-  hold.moved = moved(0);
-  hold.slip = tip_ - moved(0);
-  hold.anchor = shaft_offset(station.depth) - moved.tail<2>();
-  held_ = index + 1;
-  if (blocked()) face_ahead();
+  contact = {};
+  contact.own_compliance = 0.5 * (own(1, 1) + own(2, 2));
+  contact.full_capture_length = std::min(node.length, settings_.capture_radius);
+  contact.moved = moved(0);
+  contact.slip = tip_ - moved(0);
+  contact.anchor = shaft_offset(node.depth) - moved.tail<2>();
+  captured_ = index + 1;
+  if (blocked()) add_next_before_tip();
   return true;
 }
 
 void EmbeddedNeedle::capture() noexcept {
   force_.full = false;
   for (int i = 0; i < most_captures; ++i) {
-    if (held_ >= line().size() || blocked() || tip_ < line()[held_].depth) return;
-    const InsertionStation& station = line()[held_];
-    if (!take(held_)) {
+    if (captured_ >= line().size() || blocked() || tip_ < line()[captured_].depth) return;
+    const ContactNode& node = line()[captured_];
+    if (!capture_node(captured_)) {
       force_.full = true;
       return;
     }
-    // One that the tip has left behind while tissue held it back sticks where it is; a fresh one slides, with as
-    // little friction as there is shaft in it.
-    const bool rubs = tissues_[station.tissue].friction * station.length > least_friction;
-    if (rubs && tip_ >= station.depth + station.length) constraints_.hold_along(held_ - 1);
+    // A node that the tip passed while a puncture was pending starts sticking; a newly reached node starts sliding,
+    // with the friction of the short piece of shaft in its part of the line.
+    const bool rubs = tissues_[node.tissue].friction * node.length > least_friction;
+    if (rubs && tip_ >= node.depth + node.length) constraints_.constrain_along(captured_ - 1);
   }
 }
 
-// Another softness of the last node across the needle. One that grows does so where the node is, one that shrinks
-// with the force that the node has: either way energy is lost, not won.
-void EmbeddedNeedle::soften(double softness) noexcept {
-  Hold& hold = holds_[held_ - 1];
-  if (softness == hold.softness) return;
-  if (softness < 0.0) {
+// Changes the lateral compliance of the last node: a growing one at constant displacement, a shrinking one at
+// constant force. Both dissipate energy.
+void EmbeddedNeedle::set_lateral_compliance(double lateral_compliance) noexcept {
+  NodeContact& contact = contacts_[captured_ - 1];
+  if (lateral_compliance == contact.lateral_compliance) return;
+  if (lateral_compliance < 0.0) {
     constraints_.release_last_across();
-    forces_[3 * held_ - 2] = forces_[3 * held_ - 1] = 0.0;
+    forces_[3 * captured_ - 2] = forces_[3 * captured_ - 1] = 0.0;
   } else {
-    const Eigen::Vector2d force(forces_[3 * held_ - 2], forces_[3 * held_ - 1]);
-    if (hold.softness < 0.0) {
-      const Vec3 moved = displacement(held_ - 1);
-      hold.anchor = shaft_offset(line()[held_ - 1].depth) - moved.tail<2>();
-    } else if (softness < hold.softness) {
-      hold.anchor += (hold.softness - softness) * force;
+    const Eigen::Vector2d force(forces_[3 * captured_ - 2], forces_[3 * captured_ - 1]);
+    if (contact.lateral_compliance < 0.0) {
+      const Vec3 moved = displacement(captured_ - 1);
+      contact.anchor = shaft_offset(line()[captured_ - 1].depth) - moved.tail<2>();
+    } else if (lateral_compliance < contact.lateral_compliance) {
+      contact.anchor += (contact.lateral_compliance - lateral_compliance) * force;
     }
-    if (!constraints_.hold_last_across(softness)) softness = -1.0;
+    if (!constraints_.constrain_last_across(lateral_compliance)) lateral_compliance = -1.0;
   }
-  hold.softness = softness;
+  contact.lateral_compliance = lateral_compliance;
 }
 
-// How much of the needle each node has got hold of.
-void EmbeddedNeedle::grip() noexcept {
-  for (std::size_t i = 0; i < held_; ++i) {
-    const InsertionStation& station = line()[i];
-    const double length = std::clamp(tip_ - station.depth, 0.0, station.length);
-    Hold& hold = holds_[i];
-    hold.tear = std::max(0.0, hold.tear - tissues_[station.tissue].puncture_force * dt_ / settings_.puncture_time);
-    hold.limit = tissues_[station.tissue].friction * length + hold.tear;
+// Updates each node's friction limit, and how firmly the last node is constrained across the needle.
+void EmbeddedNeedle::update_capture() noexcept {
+  for (std::size_t i = 0; i < captured_; ++i) {
+    const ContactNode& node = line()[i];
+    const double length = std::clamp(tip_ - node.depth, 0.0, node.length);
+    NodeContact& contact = contacts_[i];
+    contact.puncture_residual = std::max(
+        0.0, contact.puncture_residual - tissues_[node.tissue].puncture_force * dt_ / settings_.puncture_time);
+    contact.limit = tissues_[node.tissue].friction * length + contact.puncture_residual;
   }
-  if (held_ == 0) return;
-  const InsertionStation& last = line()[held_ - 1];
-  const double part = std::clamp((tip_ - last.depth) / holds_[held_ - 1].whole, 0.0, 1.0);
-  soften(part < least_grip ? -1.0 : holds_[held_ - 1].compliance * (1.0 / part - 1.0));
+  if (captured_ == 0) return;
+  const ContactNode& last = line()[captured_ - 1];
+  const double part = std::clamp((tip_ - last.depth) / contacts_[captured_ - 1].full_capture_length, 0.0, 1.0);
+  set_lateral_compliance(part < least_captured_part ? -1.0
+                                                    : contacts_[captured_ - 1].own_compliance * (1.0 / part - 1.0));
 }
 
-// The bevel: the hole of a node that is firmly held moves aside while the tip goes through the part of the next, as
-// far as friction has paid for it.
+// The bevel moves the hole of a node with a rigid constraint sideways while the tip passes through the next node's
+// part of the line, as long as friction has dissipated enough energy for it.
 void EmbeddedNeedle::cut_aside(double advance) noexcept {
   if (!beam_ || beam_->settings().cut_offset == 0.0 || !(advance > 0.0)) return;
   double used = 0.0;
-  for (std::size_t i = held_ - std::min(held_, last_cuts); i + 1 < held_; ++i) {
-    Hold& hold = holds_[i];
-    const InsertionStation& next = line()[i + 1];
-    const double whole = std::min(next.length, settings_.capture_radius);
-    const double cut = std::clamp((tip_ - next.depth) / whole, hold.cut, 1.0);
-    const Eigen::Vector2d aside = beam_->settings().cut_offset * (cut - hold.cut) * side_;
+  for (std::size_t i = captured_ - std::min(captured_, bevelled_nodes); i + 1 < captured_; ++i) {
+    NodeContact& contact = contacts_[i];
+    const ContactNode& next = line()[i + 1];
+    const double full_capture_length = std::min(next.length, settings_.capture_radius);
+    const double cut = std::clamp((tip_ - next.depth) / full_capture_length, contact.cut, 1.0);
+    const Eigen::Vector2d aside = beam_->settings().cut_offset * (cut - contact.cut) * side_;
     const double force = Eigen::Vector2d(forces_[3 * i + 1], forces_[3 * i + 2]).norm();
-    used += force * aside.norm() + 2.0 * aside.squaredNorm() / hold.compliance;
-    if (used > spare_) continue;
-    hold.anchor += aside;
-    hold.aside = aside;
-    hold.cut = cut;
+    used += force * aside.norm() + 2.0 * aside.squaredNorm() / contact.own_compliance;
+    if (used > bevel_energy_) continue;
+    contact.anchor += aside;
+    contact.aside = aside;
+    contact.cut = cut;
   }
 }
 
 void EmbeddedNeedle::puncture() noexcept {
-  if (!blocked() || !constraints_.held_along(held_)) return;
-  const InsertionStation& station = line()[held_];
-  const double strength = tissues_[station.tissue].puncture_force;
-  const double force = forces_[3 * held_];
+  if (!blocked() || !constraints_.constrained_along(captured_)) return;
+  const ContactNode& node = line()[captured_];
+  const double strength = tissues_[node.tissue].puncture_force;
+  const double force = forces_[3 * captured_];
   if (force < strength) return;
-  const double slip = holds_[held_].slip;
-  if (!take(held_)) {
+  const double slip = contacts_[captured_].slip;
+  if (!capture_node(captured_)) {
     force_.full = true;
     return;
   }
-  punctured_[station.node] = 1;
-  Hold& hold = holds_[held_ - 1];
-  hold.slip = slip;
-  hold.tear = hold.limit = force;
-  force_.puncture = TissuePuncture{station.tissue, tip_, force};
+  punctured_[node.index] = 1;
+  NodeContact& contact = contacts_[captured_ - 1];
+  contact.slip = slip;
+  contact.puncture_residual = contact.limit = force;
+  force_.puncture = TissuePuncture{node.tissue, tip_, force};
 }
 
 const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle, double pressed) noexcept {
@@ -244,11 +246,11 @@ const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle, double press
     return force_;
   }
   const Vec3 place = frame_.transpose() * from_entry;
-  const Vec3 lean = frame_.transpose() * axis;
+  const Vec3 tilted = frame_.transpose() * axis;
   const double advance = fresh_ ? 0.0 : place(0) - tip_;
   tip_ = place(0);
   offset_ = place.tail<2>();
-  slope_ = lean.tail<2>() / lean(0);
+  slope_ = tilted.tail<2>() / tilted(0);
   if (beam_) {
     root_ = beam_->root(tip_ + pressed);
     const Vec3 across = needle.linear().col(1);
@@ -256,18 +258,18 @@ const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle, double press
     side_ = known ? Eigen::Vector2d(-(frame_.transpose() * across).tail<2>()) : Eigen::Vector2d(0.0, 0.0);
   }
   if (begun_) {
-    if (fresh_ && !line().empty()) face_next(0.0);
+    if (fresh_ && !line().empty()) place_tip_contact(0.0);
     fresh_ = false;
-    // After a take-over nothing is before the tip yet.
-    if (held_ > 0 && held_ < std::min(line().size(), holds_.size()) && constraints_.known() == held_ &&
-        constraints_.face(line()[held_].node))
-      face_next(displacement(held_)(0));
-    let_go();
-    face_ahead();
+    // After a transfer there may be no node in front of the tip yet.
+    if (captured_ > 0 && captured_ < std::min(line().size(), contacts_.size()) && constraints_.known() == captured_ &&
+        constraints_.add_before_tip(line()[captured_].index))
+      place_tip_contact(displacement(captured_)(0));
+    release_withdrawn();
+    add_next_before_tip();
     capture();
-    grip();
+    update_capture();
     cut_aside(advance);
-    settle();
+    solve_contacts();
     puncture();
   }
   report();

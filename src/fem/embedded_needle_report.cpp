@@ -1,4 +1,4 @@
-// What an EmbeddedNeedle tells: the hand's force, its own shape, and what it has stored.
+// EmbeddedNeedle: the force on the hand, the shape of the needle and the stored energy.
 #include <algorithm>
 
 #include "fem/embedded_needle.h"
@@ -10,13 +10,13 @@ void EmbeddedNeedle::report() noexcept {
   Vec3 pushed = Vec3::Zero(), torque = Vec3::Zero();  // of the tissue, about the tip, in the frame
   Eigen::Vector2d across = Eigen::Vector2d::Zero(), moment = Eigen::Vector2d::Zero();  // on the tissue; at the hub
   published_.count = 0;
-  force_.nodes = static_cast<std::uint32_t>(held_);
+  force_.nodes = static_cast<std::uint32_t>(captured_);
   force_.sticking = 0;
   for (std::size_t i = 0; i < known; ++i) {
     const Vec3 force = Eigen::Map<const Vec3>(forces_.data() + 3 * i);
-    if (i < held_ && constraints_.held_along(i)) ++force_.sticking;
-    // A force along the line acts where the line says, one across it at the needle's axis and square to it: that is
-    // how the constraints move when the needle does.
+    if (i < captured_ && constraints_.constrained_along(i)) ++force_.sticking;
+    // A force along the line acts on the line, a lateral one on the needle's axis and perpendicular to it: these are
+    // the directions in which the constraints move with the needle.
     const double reach = line()[i].depth - tip_;
     const Vec3 at(reach, slope_(0) * reach, slope_(1) * reach);
     const Vec3 square(-(force(1) * slope_(0) + force(2) * slope_(1)), force(1), force(2));
@@ -27,7 +27,7 @@ void EmbeddedNeedle::report() noexcept {
     if (force == Vec3::Zero()) continue;
     const Vec3 there = frame_ * force;
     published_.nodes[published_.count++] = {
-        line()[i].node,
+        line()[i].index,
         {static_cast<float>(there.x()), static_cast<float>(there.y()), static_cast<float>(there.z())}};
   }
   if (beam_) {
@@ -35,14 +35,14 @@ void EmbeddedNeedle::report() noexcept {
     force_.tip_deflection = shaft_deflection(0.0);
   }
   force_.resistance = pushed(0);
-  force_.tip_force = known > held_ ? forces_[3 * held_] : 0.0;
+  force_.tip_force = known > captured_ ? forces_[3 * captured_] : 0.0;
   force_.on_hand = {-(frame_ * pushed), -(frame_ * torque)};
   force_.beyond = begun_ && (line().empty() || tip_ > line().back().depth + 2.0 * std::max(settings_.spacing,
                                                                                            settings_.capture_radius));
 }
 
-// How far the shaft is from the straight needle: a beam under -f, on a hub that may have turned.
-Eigen::Vector2d EmbeddedNeedle::bent(double from_hub) const noexcept {
+// mm, across: deflection of the shaft from the straight needle, a beam under -f on a hub that may have rotated.
+Eigen::Vector2d EmbeddedNeedle::beam_deflection(double from_hub) const noexcept {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   if (!beam_) return sum;
   for (std::size_t i = 0; i < constraints_.known(); ++i) {
@@ -53,7 +53,7 @@ Eigen::Vector2d EmbeddedNeedle::bent(double from_hub) const noexcept {
 }
 
 Vec3 EmbeddedNeedle::shaft_deflection(double from_tip) const noexcept {
-  const Eigen::Vector2d across = bent(std::max(0.0, root_.outside + tip_ - from_tip));
+  const Eigen::Vector2d across = beam_deflection(std::max(0.0, root_.outside + tip_ - from_tip));
   return frame_ * Vec3(0.0, across(0), across(1));
 }
 
@@ -62,8 +62,9 @@ double EmbeddedNeedle::stored_energy() const noexcept {
   for (std::size_t i = 0; i < constraints_.known(); ++i) {
     const Vec3 force = Eigen::Map<const Vec3>(forces_.data() + 3 * i);
     sum += 0.5 * force.dot(displacement(i));
-    sum -= 0.5 * force.tail<2>().dot(bent(root_.outside + line()[i].depth));
-    if (i < held_ && holds_[i].softness > 0.0) sum += 0.5 * holds_[i].softness * force.tail<2>().squaredNorm();
+    sum -= 0.5 * force.tail<2>().dot(beam_deflection(root_.outside + line()[i].depth));
+    if (i < captured_ && contacts_[i].lateral_compliance > 0.0)
+      sum += 0.5 * contacts_[i].lateral_compliance * force.tail<2>().squaredNorm();
   }
   return sum;
 }

@@ -11,30 +11,31 @@
 
 namespace bodkin {
 
-// How the nodes along a needle move by forces on one another, in the frame of the insertion: along the needle and two
-// directions across it, 3 numbers a node. A part of the corridor's compliance, kept together because in the whole
-// matrix it is scattered over much memory; each pair of nodes is fetched once.
+// The compliance between the nodes along a needle, in the frame of the insertion: along the needle and two directions
+// across it, 3 numbers for each node. It is copied from the corridor's compliance, where it is scattered over much
+// memory; each pair of nodes is fetched once.
 class ShaftCompliance {
  public:
   // `compliance` is kept by reference and must outlive this.
   ShaftCompliance(const Eigen::MatrixXd& compliance, std::size_t most_nodes);
 
-  // Forgets all nodes. `frame`: columns along the needle and across it.
+  // Removes all nodes. `frame`: columns along the needle and across it.
   void begin(const Mat3& frame) noexcept;
-  // Adds a node. False, and nothing changed, when there is no room or no such node in the corridor. Takes away the
-  // last.
+  // Adds a node; returns false, and changes nothing, at full capacity and if the corridor does not have the node.
+  // pop() removes the last one.
   bool push(std::uint32_t node) noexcept;
   void pop() noexcept { --count_; }
   std::size_t size() const noexcept { return count_; }
 
-  // mm/N: row c of node `index`, its displacement along direction c by 1 N on each node up to itself; of node j along
-  // direction d at 3 j + d. The compliance is symmetric: these are also the displacements of those nodes by it.
+  // mm/N: displacement of node `index` along direction c by 1 N on each node up to itself; the force on node j along
+  // direction d is at 3 j + d. Since the compliance is symmetric, these are also the displacements of those nodes by
+  // a force on this one.
   const double* row(std::size_t index, std::size_t c) const noexcept {
     return rows_.data() + (3 * index + c) * stride_;
   }
-  // mm, of node `index` by `forces`, N; 3 x size().
+  // mm, displacement of node `index` by `forces`, N, 3 x size().
   Vec3 displacement(std::size_t index, std::span<const double> forces) const noexcept;
-  // mm, of all nodes at once; room for upper_triangular::padded(3 x size()).
+  // mm, displacements of all nodes by `forces`; room for upper_triangular::padded(3 x size()).
   void displace(std::span<const double> forces, std::span<double> displacements) const noexcept;
 
  private:

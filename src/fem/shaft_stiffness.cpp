@@ -6,18 +6,18 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
-#include "fem/insertion_stations.h"
+#include "fem/contact_nodes.h"
 
 namespace bodkin {
 
 double shaft_stiffness(const CondensedBody& body, const Vec3& entry, const Vec3& direction, double length,
                        double radius, double spacing, std::size_t most_nodes) {
-  InsertionStations stations(body, radius, spacing);
+  ContactNodes stations(body, radius, spacing);
   stations.begin(entry, direction, {});
   std::vector<Eigen::Index> rows;
-  for (const InsertionStation& station : stations.along()) {
+  for (const ContactNode& station : stations.along()) {
     if (station.depth > length || rows.size() >= 3 * most_nodes) break;
-    for (Eigen::Index axis = 0; axis < 3; ++axis) rows.push_back(3 * Eigen::Index{station.node} + axis);
+    for (Eigen::Index axis = 0; axis < 3; ++axis) rows.push_back(3 * Eigen::Index{station.index} + axis);
   }
   if (rows.empty()) return 0.0;
   const auto count = static_cast<Eigen::Index>(rows.size());

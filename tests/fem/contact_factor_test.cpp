@@ -22,17 +22,17 @@ const CondensedBody& lattice() {
 // The constraints beside the factor, solved from scratch by Eigen.
 struct PlainConstraint {
   std::uint32_t node;
-  HeldDirections directions;
-  double softness;
+  ConstraintDirections directions;
+  double own_compliance;
 };
 
 struct FactorBench {
   explicit FactorBench(const Eigen::MatrixXd& body_compliance, std::size_t most)
       : compliance(body_compliance), factor(body_compliance, most) {}
 
-  bool append(std::uint32_t node, const HeldDirections& directions, double softness = 0.0) {
-    if (!factor.append(node, directions, softness)) return false;
-    plain.push_back({node, directions, softness});
+  bool append(std::uint32_t node, const ConstraintDirections& directions, double own_compliance = 0.0) {
+    if (!factor.append(node, directions, own_compliance)) return false;
+    plain.push_back({node, directions, own_compliance});
     return true;
   }
   void remove(std::size_t index) {
@@ -49,7 +49,7 @@ struct FactorBench {
         held.block(row, column, a.directions.cols(), b.directions.cols()) =
             a.directions.transpose() * compliance.block<3, 3>(3 * a.node, 3 * b.node) * b.directions;
         if (&a == &b) {
-          for (Eigen::Index i = 0; i < a.directions.cols(); ++i) held(row + i, row + i) += a.softness;
+          for (Eigen::Index i = 0; i < a.directions.cols(); ++i) held(row + i, row + i) += a.own_compliance;
         }
         column += b.directions.cols();
       }
@@ -73,7 +73,7 @@ struct FactorBench {
   std::vector<PlainConstraint> plain;
 };
 
-HeldDirections some_directions(Random& random) {
+ConstraintDirections some_directions(Random& random) {
   const Mat3 frame = checks::random_frame(random);
   return frame.leftCols(1 + static_cast<int>(random.next() % 3));
 }
@@ -137,12 +137,12 @@ TEST(ContactFactor, the_last_constraint_is_cut_off_and_softened_without_touching
   bench.factor.remove_last();
   bench.plain.pop_back();
   EXPECT_LT(bench.error(random), 1e-12);
-  for (const double softness : {1e6, 3.0, 1e-3, 0.0, 40.0}) {
-    ASSERT_TRUE(bench.factor.soften_last(softness));
-    bench.plain.back().softness = softness;
-    EXPECT_LT(bench.error(random), 1e-10) << softness;
+  for (const double own_compliance : {1e6, 3.0, 1e-3, 0.0, 40.0}) {
+    ASSERT_TRUE(bench.factor.set_last_compliance(own_compliance));
+    bench.plain.back().own_compliance = own_compliance;
+    EXPECT_LT(bench.error(random), 1e-10) << own_compliance;
   }
-  EXPECT_FALSE(bench.factor.soften_last(-1.0));
+  EXPECT_FALSE(bench.factor.set_last_compliance(-1.0));
 }
 
 TEST(ContactFactor, no_drift_after_100000_contact_changes) {
@@ -181,7 +181,7 @@ TEST(ContactFactor, refuses_what_does_not_fit_and_nodes_that_are_not_there) {
   ContactFactor factor(lattice().compliance, 1);
   EXPECT_FALSE(factor.append(static_cast<std::uint32_t>(lattice().nodes.size()), Mat3::Identity()));
   EXPECT_FALSE(factor.append(0xffffffffu, Mat3::Identity()));
-  EXPECT_FALSE(factor.append(0, HeldDirections(3, 0)));
+  EXPECT_FALSE(factor.append(0, ConstraintDirections(3, 0)));
   EXPECT_TRUE(factor.append(0, Mat3::Identity().leftCols(2)));
   EXPECT_FALSE(factor.append(1, Mat3::Identity().leftCols(2)));
   EXPECT_TRUE(factor.append(1, Mat3::Identity().leftCols(1)));
@@ -229,7 +229,7 @@ TEST(ContactFactor, takes_no_memory_and_no_lock) {
   for (int i = 0; i < 40; ++i) factor.append(some_node(random), Mat3::Identity());
   factor.solve(values);
   factor.remove(3);
-  factor.soften_last(0.5);
+  factor.set_last_compliance(0.5);
   factor.remove_last();
   other.copy(factor);
   other.solve(values);

@@ -245,7 +245,7 @@ TEST(EmbeddedNeedleTakeover, a_sticking_shaft_goes_on_as_the_dense_solve_of_the_
   const EmbeddedNeedleForce after = corridors.needle().step(at(moved));
   ASSERT_EQ(after.sticking, nodes);
   const Eigen::VectorXd expected = dense_answer(*firm, nodes, Mat3::Identity(), 0, 3, moved);
-  // The tip draws back by a micrometre: the softness of the last node, 0 beyond its radius, stays.
+  // The tip draws back by a micrometre: the compliance of the last node, 0 beyond its radius, stays.
   EXPECT_LT((Vec3(before.on_hand.force - after.on_hand.force) - Vec3(expected)).norm(), 1e-9);
 }
 

@@ -120,13 +120,13 @@ TEST(FlexibleNeedle, any_constraints_are_the_solution_of_all_equations_at_once) 
       depths.push_back(depth);
       depth += random.uniform(0.3, 4.0);
       ASSERT_TRUE(constraints.push(nodes.back(), depths.back()));
-      if (random.uniform() < 0.3) constraints.hold_all_along();
+      if (random.uniform() < 0.3) constraints.constrain_all_along();
     }
     const double softness = random.uniform(0.0, 30.0);
-    ASSERT_TRUE(constraints.hold_last_across(softness));
+    ASSERT_TRUE(constraints.constrain_last_across(softness));
     for (std::size_t i = 0; i < count; ++i) {
-      if (random.uniform() < 0.5) constraints.hold_along(i);
-      if (random.uniform() < 0.3) constraints.let_slide(i);
+      if (random.uniform() < 0.5) constraints.constrain_along(i);
+      if (random.uniform() < 0.3) constraints.release_along(i);
     }
     const double tip = random.uniform(depth, 89.0);
     const double outside = 90.0 - tip;
@@ -137,7 +137,7 @@ TEST(FlexibleNeedle, any_constraints_are_the_solution_of_all_equations_at_once) 
     std::vector<double> displacements(3 * count), forces(3 * count, 0.0);
     for (double& displacement : displacements) displacement = random.normal();
     for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t c = constraints.held_along(i) ? 0 : 1; c < 3; ++c) {
+      for (std::size_t c = constraints.constrained_along(i) ? 0 : 1; c < 3; ++c) {
         rows.push_back({static_cast<int>(c) - 1, outside + depths[i]});
         place.push_back(3 * i + c);
         directions.push_back(frame.col(static_cast<Eigen::Index>(c)));

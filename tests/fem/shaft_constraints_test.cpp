@@ -34,19 +34,19 @@ struct ShaftAndDense {
   bool advance() {
     if (nodes.empty()) {
       nodes.push_back(any_node());
-      if (!shaft.face(nodes.back())) return false;
+      if (!shaft.add_before_tip(nodes.back())) return false;
     }
     if (!shaft.push(nodes.back(), 0.0)) return false;
     nodes.push_back(any_node());
-    softness = random.uniform() < 0.3 ? -1.0 : random.uniform() < 0.5 ? 0.0 : random.uniform(0.0, 30.0);
-    if (softness >= 0.0 && !shaft.hold_last_across(softness)) return false;
-    return shaft.face(nodes.back());
+    own_compliance = random.uniform() < 0.3 ? -1.0 : random.uniform() < 0.5 ? 0.0 : random.uniform(0.0, 30.0);
+    if (own_compliance >= 0.0 && !shaft.constrain_last_across(own_compliance)) return false;
+    return shaft.add_before_tip(nodes.back());
   }
   void draw_back() {
     shaft.pop();
     free.push_back(nodes.back());
     nodes.pop_back();
-    softness = shaft.size() > 0 ? 0.0 : -1.0;
+    own_compliance = shaft.size() > 0 ? 0.0 : -1.0;
   }
 
   // The largest difference of forces and of the displacements of what slides, relative.
@@ -58,12 +58,12 @@ struct ShaftAndDense {
     std::vector<Eigen::Index> held;
     for (std::size_t i = 0; i < known; ++i) {
       const auto at = 3 * static_cast<Eigen::Index>(i);
-      if (shaft.held_along(i)) {
+      if (shaft.constrained_along(i)) {
         held.push_back(at);
       } else {
         load(at) = forces[3 * i] = random.uniform() < 0.3 ? 0.0 : 0.1 * random.normal();
       }
-      if (i + 1 < shaft.size() || (i + 1 == shaft.size() && softness >= 0.0)) {
+      if (i + 1 < shaft.size() || (i + 1 == shaft.size() && own_compliance >= 0.0)) {
         held.push_back(at + 1);
         held.push_back(at + 2);
       }
@@ -79,7 +79,7 @@ struct ShaftAndDense {
     for (std::size_t row = 0; row < held.size(); ++row) {
       const auto node = static_cast<std::size_t>(held[row] / 3);
       const auto place = static_cast<Eigen::Index>(row);
-      if (node + 1 == shaft.size() && held[row] % 3 != 0) matrix(place, place) += softness;
+      if (node + 1 == shaft.size() && held[row] % 3 != 0) matrix(place, place) += own_compliance;
     }
     const Eigen::VectorXd wanted = Eigen::Map<const Eigen::VectorXd>(displacements.data(), load.size());
     const Eigen::VectorXd by_load = compliance * load;
@@ -94,7 +94,7 @@ struct ShaftAndDense {
     shaft.solve_along(forces);
     double worst = 0.0;
     for (std::size_t i = 0; i < known; ++i) {
-      if (shaft.held_along(i)) continue;
+      if (shaft.constrained_along(i)) continue;
       const double difference = shaft.moved(i) - moved(3 * static_cast<Eigen::Index>(i));
       worst = std::max(worst, std::abs(difference) / std::max(moved.norm(), 1e-3));
     }
@@ -107,7 +107,7 @@ struct ShaftAndDense {
   Mat3 frame;
   ShaftConstraints shaft;
   std::vector<std::uint32_t> free, nodes;  // the last of `nodes` is before the tip
-  double softness = -1.0;
+  double own_compliance = -1.0;
 };
 
 TEST(ShaftConstraints, any_of_1_to_150_nodes_agree_with_a_dense_solve) {
@@ -117,16 +117,16 @@ TEST(ShaftConstraints, any_of_1_to_150_nodes_agree_with_a_dense_solve) {
   while (both.shaft.size() < most) {
     ASSERT_TRUE(both.advance());
     for (std::size_t i = 0; i < both.shaft.known(); ++i) {
-      if (both.random.uniform() < 0.2) both.shaft.hold_along(i);
-      if (both.random.uniform() < 0.1) both.shaft.let_slide(i);
+      if (both.random.uniform() < 0.2) both.shaft.constrain_along(i);
+      if (both.random.uniform() < 0.1) both.shaft.release_along(i);
     }
-    if (both.random.uniform() < 0.1) both.shaft.hold_all_along();
+    if (both.random.uniform() < 0.1) both.shaft.constrain_all_along();
     worst = std::max(worst, both.worst_difference());
   }
   EXPECT_FALSE(both.shaft.push(both.nodes.back(), 0.0));  // no room
   while (both.shaft.size() > 1) {
     both.draw_back();
-    if (both.random.uniform() < 0.2) both.shaft.hold_before_tip();
+    if (both.random.uniform() < 0.2) both.shaft.constrain_before_tip();
     worst = std::max(worst, both.worst_difference());
   }
   EXPECT_LT(worst, 1e-10);
@@ -143,13 +143,13 @@ TEST(ShaftConstraints, no_drift_after_100000_changes) {
     } else if (what < 0.4 && both.shaft.size() > 10) {
       both.draw_back();
     } else if (what < 0.41) {
-      both.shaft.hold_all_along();
+      both.shaft.constrain_all_along();
     } else if (both.shaft.known() > 0) {
       const std::size_t index = both.random.next() % both.shaft.known();
       if (what < 0.7)
-        both.shaft.hold_along(index);
+        both.shaft.constrain_along(index);
       else
-        both.shaft.let_slide(index);
+        both.shaft.release_along(index);
     }
     ++changes;
   }
@@ -160,8 +160,8 @@ TEST(ShaftConstraints, no_drift_after_100000_changes) {
 TEST(ShaftConstraints, drawing_back_leaves_what_was_there_before_to_the_bit) {
   ShaftAndDense both(30, 3);
   for (int i = 0; i < 15; ++i) ASSERT_TRUE(both.advance());
-  both.shaft.hold_last_across(0.0);
-  both.shaft.hold_all_along();
+  both.shaft.constrain_last_across(0.0);
+  both.shaft.constrain_all_along();
   const auto solution = [&both](std::size_t known) {
     std::vector<double> displacements(3 * known, 0.1), forces(3 * known, 0.0);
     both.shaft.solve(displacements, forces);
@@ -170,25 +170,25 @@ TEST(ShaftConstraints, drawing_back_leaves_what_was_there_before_to_the_bit) {
   const std::vector<double> before = solution(both.shaft.known());
   for (int i = 0; i < 10; ++i) ASSERT_TRUE(both.advance());
   for (int i = 0; i < 10; ++i) both.draw_back();
-  both.shaft.hold_all_along();
+  both.shaft.constrain_all_along();
   EXPECT_EQ(solution(both.shaft.known()), before);
 }
 
 TEST(ShaftConstraints, what_cannot_be_is_refused) {
   ShaftConstraints shaft(flesh_of_shafts().compliance, 3);
-  EXPECT_FALSE(shaft.hold_along(0));
-  EXPECT_FALSE(shaft.hold_last_across(0.0));
-  EXPECT_FALSE(shaft.face(1000000));
-  EXPECT_TRUE(shaft.face(4));
-  EXPECT_FALSE(shaft.face(5));       // one is before the tip
-  EXPECT_FALSE(shaft.push(5, 0.0));  // and it is another
+  EXPECT_FALSE(shaft.constrain_along(0));
+  EXPECT_FALSE(shaft.constrain_last_across(0.0));
+  EXPECT_FALSE(shaft.add_before_tip(1000000));
+  EXPECT_TRUE(shaft.add_before_tip(4));
+  EXPECT_FALSE(shaft.add_before_tip(5));  // one is before the tip
+  EXPECT_FALSE(shaft.push(5, 0.0));       // and it is another
   EXPECT_TRUE(shaft.push(4, 0.0));
-  EXPECT_TRUE(shaft.hold_along(0));
-  EXPECT_FALSE(shaft.hold_along(0));
-  EXPECT_FALSE(shaft.hold_last_across(-1.0));
+  EXPECT_TRUE(shaft.constrain_along(0));
+  EXPECT_FALSE(shaft.constrain_along(0));
+  EXPECT_FALSE(shaft.constrain_last_across(-1.0));
   // The same node twice says nothing new.
-  EXPECT_TRUE(shaft.face(4));
-  EXPECT_FALSE(shaft.hold_before_tip());
+  EXPECT_TRUE(shaft.add_before_tip(4));
+  EXPECT_FALSE(shaft.constrain_before_tip());
 }
 
 TEST(ShaftConstraints, takes_no_memory_and_no_lock) {
@@ -199,12 +199,12 @@ TEST(ShaftConstraints, takes_no_memory_and_no_lock) {
   for (int round = 0; round < 3; ++round) {
     for (std::uint32_t i = 0; i < 20; ++i) {
       shaft.push(i, 0.5 * i);
-      shaft.hold_last_across(0.5);
-      shaft.hold_along(i);
+      shaft.constrain_last_across(0.5);
+      shaft.constrain_along(i);
       shaft.solve(displacements, forces);
     }
-    shaft.hold_all_along();
-    shaft.let_slide(7);
+    shaft.constrain_all_along();
+    shaft.release_along(7);
     shaft.solve(displacements, forces);
     for (int i = 0; i < 20; ++i) shaft.pop();
   }

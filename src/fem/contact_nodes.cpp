@@ -1,4 +1,4 @@
-#include "fem/insertion_stations.h"
+#include "fem/contact_nodes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +7,11 @@
 
 namespace bodkin {
 
-InsertionStations::InsertionStations(const CondensedBody& body, double radius, double spacing)
-    : body_(body), radius_(radius), spacing_(spacing), candidates_(body.nodes.size()), stations_(body.nodes.size()) {}
+ContactNodes::ContactNodes(const CondensedBody& body, double radius, double spacing)
+    : body_(body), radius_(radius), spacing_(spacing), candidates_(body.nodes.size()), nodes_(body.nodes.size()) {}
 
-// The nodes near a line, of every cell the closest one first.
-void InsertionStations::look_along(const Vec3& entry, const Vec3& direction) noexcept {
+// Sorts the nodes near the line by cell, the closest of each cell first.
+void ContactNodes::find_candidates(const Vec3& entry, const Vec3& direction) noexcept {
   entry_ = entry;
   direction_ = direction;
   std::size_t found = 0;
@@ -31,14 +31,14 @@ void InsertionStations::look_along(const Vec3& entry, const Vec3& direction) noe
   found_ = found;
 }
 
-void InsertionStations::append(std::size_t found, const ContactTissues& tissues) noexcept {
+void ContactNodes::append(std::size_t found, const ContactTissues& tissues) noexcept {
   for (std::size_t i = 0; i < found; ++i) {
     const Candidate& here = candidates_[i];
     if (i > 0 && here.cell == candidates_[i - 1].cell) continue;
     const TissueId at = body_.tissues[here.node];
-    const double before = count_ == 0 ? 0.0 : tissues[stations_[count_ - 1].tissue].puncture_force;
-    if (count_ > 0) stations_[count_ - 1].length = here.depth - stations_[count_ - 1].depth;
-    if (!add({.node = here.node,
+    const double before = count_ == 0 ? 0.0 : tissues[nodes_[count_ - 1].tissue].puncture_force;
+    if (count_ > 0) nodes_[count_ - 1].length = here.depth - nodes_[count_ - 1].depth;
+    if (!add({.index = here.node,
               .tissue = at,
               .depth = count_ == 0 ? 0.0 : here.depth,
               .length = std::numeric_limits<double>::infinity(),
@@ -47,33 +47,33 @@ void InsertionStations::append(std::size_t found, const ContactTissues& tissues)
   }
 }
 
-void InsertionStations::begin(const Vec3& entry, const Vec3& direction, const ContactTissues& tissues) noexcept {
-  look_along(entry, direction);
+void ContactNodes::begin(const Vec3& entry, const Vec3& direction, const ContactTissues& tissues) noexcept {
+  find_candidates(entry, direction);
   count_ = 0;
   append(found_, tissues);
 }
 
-bool InsertionStations::add(const InsertionStation& station) noexcept {
-  if (count_ == stations_.size()) return false;
-  stations_[count_++] = station;
+bool ContactNodes::add(const ContactNode& node) noexcept {
+  if (count_ == nodes_.size()) return false;
+  nodes_[count_++] = node;
   return true;
 }
 
-void InsertionStations::go_on(std::size_t kept, double depth, const ContactTissues& tissues) noexcept {
+void ContactNodes::continue_from(std::size_t kept, double depth, const ContactTissues& tissues) noexcept {
   count_ = std::min(kept, count_);
-  InsertionStation& last = stations_[count_ - 1];
+  ContactNode& last = nodes_[count_ - 1];
   last.length = std::numeric_limits<double>::infinity();
-  const double beyond = std::max(depth, last.depth);
-  const double place = (body_.nodes[last.node] - entry_).dot(direction_);
-  const auto begun = std::llround(std::floor(std::max(place, 0.0) / spacing_));  // has its station
+  const double deepest = std::max(depth, last.depth);
+  const double place = (body_.nodes[last.index] - entry_).dot(direction_);
+  const auto begun = std::llround(std::floor(std::max(place, 0.0) / spacing_));  // this cell has its node
   const auto is_kept = [&](std::uint32_t node) {
-    const auto end = stations_.begin() + static_cast<std::ptrdiff_t>(count_);
-    return std::any_of(stations_.begin(), end, [node](const InsertionStation& here) { return here.node == node; });
+    const auto end = nodes_.begin() + static_cast<std::ptrdiff_t>(count_);
+    return std::any_of(nodes_.begin(), end, [node](const ContactNode& here) { return here.index == node; });
   };
   std::size_t left = 0;
   for (std::size_t i = 0; i < found_; ++i) {
     const Candidate here = candidates_[i];
-    if (here.depth > beyond && here.cell > begun && !is_kept(here.node)) candidates_[left++] = here;
+    if (here.depth > deepest && here.cell > begun && !is_kept(here.node)) candidates_[left++] = here;
   }
   found_ = left;
   append(left, tissues);
