@@ -1,12 +1,8 @@
 #include "cli/device_options.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <vector>
 
 #include "desktop/mouse_driver.h"
-#include "station/hand_session.h"
-#include "station/recorded_hand.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -14,11 +10,7 @@
 #include "cli/arguments.h"
 #include "cli/driver_inquiry.h"
 #include "core/error.h"
-#include "haptics/device_profiles.h"
 #include "haptics/driver_folder.h"
-#include "haptics/drivers/simulated.h"
-#include "io/calibrations_file.h"
-#include "io/device_profiles_file.h"
 
 namespace bodkin {
 
@@ -54,43 +46,14 @@ std::string driver_of(const DeviceOptions& options) {
   return name.find('/') != std::string::npos || find_own_driver(name) != nullptr ? name : file_of_driver(name);
 }
 
-bool ChosenDevice::is_simulated() const {
-  return driver == &simulated_driver();
+bool is_mouse(const DeviceChoice& choice) {
+  return choice.driver == &mouse_driver();
 }
 
-bool ChosenDevice::is_recorded() const {
-  return driver == &recorded_driver();
-}
-
-bool ChosenDevice::is_mouse() const {
-  return driver == &mouse_driver();
-}
-
-ChosenDevice choose_device(const DeviceOptions& options) {
+DeviceChoice choose_device(const DeviceOptions& options) {
   const std::size_t colon = options.device.find(':');
   const std::string identity = colon == std::string::npos ? "" : options.device.substr(colon + 1);
-  return {&load_driver(driver_of(options)), identity};
-}
-
-std::string settings_along(const NeedlePath& path, const ChosenDevice& chosen, const DeviceOptions& options) {
-  if (!chosen.is_simulated()) return options.settings;
-  constexpr double degrees = 180.0 / std::numbers::pi;
-  const Vec3 way = workspace_about(path).rotation.transpose() * path.direction();  // right, away, up
-  return fmt::format("tilt_deg={:.9g} side_deg={:.9g} depth_mm={:.9g} {}", degrees * std::atan2(way.y(), -way.z()),
-                     degrees * std::asin(std::clamp(way.x(), -1.0, 1.0)), path.length(), options.settings);
-}
-
-void complete_from_table(DeviceAbilities& abilities) {
-  const auto profiles = default_device_profiles();
-  if (const DeviceProfile* profile = find_profile(profiles, abilities.name)) complete(abilities, *profile);
-}
-
-DeviceCalibration calibration_of(const ChosenDevice& chosen, const DeviceAbilities& device) {
-  const auto file = calibrations_file();
-  if (!file) return {};
-  const std::vector<DeviceCalibration> all = read_calibrations(*file);
-  const DeviceCalibration* known = find_calibration(all, chosen.driver->name, device.name, device.serial);
-  return known == nullptr ? DeviceCalibration() : *known;
+  return {&load_driver(driver_of(options)), identity, options.settings};
 }
 
 }  // namespace bodkin

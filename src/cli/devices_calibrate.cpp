@@ -153,7 +153,7 @@ void run_devices_calibrate(const DevicesCalibrateArguments& arguments, const Com
   Console console(context);
   const std::filesystem::path file = file_of(arguments);
   std::vector<DeviceCalibration> all = read_calibrations(file);
-  const ChosenDevice chosen = choose_device(arguments.device);
+  const DeviceChoice chosen = choose_device(arguments.device);
   DevicePort port(*chosen.driver, chosen.identity, arguments.device.settings);
   DeviceAbilities abilities = port.abilities();
   complete_from_table(abilities);

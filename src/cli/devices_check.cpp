@@ -73,7 +73,7 @@ Observation observe(DeviceServo& servo, double seconds, MouseWindow* window, Con
     if (progress) progress("checking: move the device to every corner, press its buttons", elapsed() / seconds);
     if (servo.rounds() == 0) continue;
     if (window != nullptr) {
-      window->take();
+      window->poll();
       WindowScene scene;
       scene.time = elapsed();
       scene.state = "checking";
@@ -186,8 +186,8 @@ Json json_of(const Observation& seen, const DeviceAbilities& device, const std::
 
 int run_devices_check(const DevicesCheckArguments& arguments, const CommandContext& context) {
   Console console(context);
-  const ChosenDevice chosen = choose_device(arguments.device);
-  const auto window = chosen.is_mouse() ? std::make_unique<MouseWindow>("check of the mouse") : nullptr;
+  const DeviceChoice chosen = choose_device(arguments.device);
+  const auto window = is_mouse(chosen) ? std::make_unique<MouseWindow>("check of the mouse") : nullptr;
   DevicePort port(*chosen.driver, chosen.identity, arguments.device.settings);
   DeviceAbilities abilities = port.abilities();
   complete_from_table(abilities);

@@ -6,9 +6,6 @@
 #include <set>
 #include <utility>
 
-#include "station/node_field.h"
-
-#include "fem/solid/display_columns.h"
 #include "imaging/mesh_cut.h"
 
 namespace bodkin {
@@ -64,49 +61,17 @@ std::map<TissueId, std::vector<Vec3>> borders_in(const TetrahedralMesh& mesh, co
 
 }  // namespace
 
-// The ends of the lines, in their order.
-std::vector<Vec3> BodyView::find_borders(const Case& patient, const TetrahedralMesh& mesh) {
+BodyView::BodyView(const Case& patient, const TetrahedralMesh& mesh) {
   const NeedlePath& path = patient.corridor.path;
   plane_ = sagittal_plane_along(path, 0.5 * (path.entry + path.target), seen, seen, 1.0);
-  std::vector<Vec3> points;
-  for (auto& [tissue, lines] : borders_in(mesh, plane_)) {
-    points.insert(points.end(), lines.begin(), lines.end());
-    borders_.emplace_back(colour_of_tissue(patient.library, tissue), std::move(lines));
+  for (const auto& [tissue, lines] : borders_in(mesh, plane_)) {
+    borders_.emplace_back(colour_of_tissue(patient.library, tissue), lines.size());
+    points_.insert(points_.end(), lines.begin(), lines.end());
   }
-  return points;
 }
 
-BodyView::BodyView(const Case& patient, const BodyDescription& body, std::shared_ptr<PressedPatient> pressed)
-    : pressed_(std::move(pressed)) {
-  points_ = find_points(body.mesh, find_borders(patient, body.mesh));
-  moved_.assign(3 * points_.size(), 0.0F);
-}
-
-BodyView::BodyView(const Case& patient, const BodyDescription& body, const ElasticBody& elastic,
-                   const Progress& progress) {
-  const NeedlePath& path = patient.corridor.path;
-  const std::vector<Vec3> points = find_borders(patient, body.mesh);
-  display_ = std::make_shared<DisplayThread>(
-      display_columns(elastic, find_points(body.mesh, points), nodes_of_shaft(elastic, body.mesh, path), progress));
-}
-
-// mm, of every point in turn.
-std::span<const float> BodyView::displacements() {
-  if (pressed_ == nullptr) return display_->moment().displacements;
-  const std::vector<float>& nodes = pressed_->picture().displacements;
-  for (std::size_t point = 0; point < points_.size(); ++point) {
-    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    for (std::size_t corner = 0; corner < 4; ++corner) {
-      sum += static_cast<float>(points_[point].weights[corner]) *
-             Eigen::Map<const Eigen::Vector3f>(nodes.data() + 3 * std::size_t{points_[point].nodes[corner]});
-    }
-    Eigen::Map<Eigen::Vector3f>(moved_.data() + 3 * point) = sum;
-  }
-  return moved_;
-}
-
-void BodyView::draw(SdlScreen& screen, double x, double y, double size, const Pose& needle) {
-  const std::span<const float> by_point = displacements();
+void BodyView::draw(SdlScreen& screen, double x, double y, double size, const Pose& needle,
+                    std::span<const float> displacements) {
   const double scale = size / std::max(plane_.width - 1, plane_.height - 1);
   const auto pixel = [&](const Vec3& point) {
     return Eigen::Vector2f((Eigen::Vector2d(x, y) + scale * plane_.place(point)).cast<float>());
@@ -115,23 +80,20 @@ void BodyView::draw(SdlScreen& screen, double x, double y, double size, const Po
     return static_cast<double>(at.x()) >= x && static_cast<double>(at.x()) <= x + size &&
            static_cast<double>(at.y()) >= y && static_cast<double>(at.y()) <= y + size;
   };
-  std::size_t number = 0;
   const auto draw_line = [&](const Vec3& from, const Vec3& to) {
     const Eigen::Vector2f a = pixel(from), b = pixel(to);
     if (!inside(a) || !inside(b)) return;
     drawn_.push_back(a);
     drawn_.push_back(b);
   };
-  const auto moved = [&](const Vec3& rest) {
-    const float* const by = by_point.data() + 3 * number++;
-    return Vec3(rest + Eigen::Map<const Eigen::Vector3f>(by).cast<double>());
+  const auto moved = [&](std::size_t point) {
+    if (displacements.size() != 3 * points_.size()) return points_[point];  // not known yet
+    return Vec3(points_[point] + Eigen::Map<const Eigen::Vector3f>(displacements.data() + 3 * point).cast<double>());
   };
-  for (const auto& [colour, lines] : borders_) {
+  std::size_t point = 0;
+  for (const auto& [colour, count] : borders_) {
     drawn_.clear();
-    for (std::size_t i = 0; i + 1 < lines.size(); i += 2) {
-      const Vec3 from = moved(lines[i]), to = moved(lines[i + 1]);
-      draw_line(from, to);
-    }
+    for (const std::size_t last = point + count; point < last; point += 2) draw_line(moved(point), moved(point + 1));
     screen.segments(drawn_, colour);
   }
   drawn_.clear();

@@ -70,15 +70,15 @@ MouseWindow::MouseWindow(std::string title, bool with_ultrasound, bool has_mouse
   show({});
 }
 
-void MouseWindow::take() {
+void MouseWindow::poll() {
   ScreenEvent event;
-  while (screen_.next(event)) take(event);
+  while (screen_.next(event)) handle(event);
   feed_->write(input_.state());
 }
 
-void MouseWindow::take(const ScreenEvent& event) {
+void MouseWindow::handle(const ScreenEvent& event) {
   using Kind = ScreenEvent::Kind;
-  if (pane_ && pane_->take(event)) return;
+  if (pane_ && pane_->handle(event)) return;
   const bool turning = event.kind == Kind::motion && event.shift && event.button;
   input_.fine(event.shift && !turning);
   switch (event.kind) {
@@ -163,7 +163,7 @@ void MouseWindow::show(const WindowScene& scene) {
   if (now - shown_ < interval) return;
   // In step, unless a beat was missed altogether.
   shown_ = now - shown_ < 2 * interval ? shown_ + interval : now;
-  if (pane_) pane_->look();
+  if (pane_ && scene.ultrasound != nullptr) pane_->update(*scene.ultrasound, scene.probe_is_held);
   history_.push_back({scene.time, scene.force});
   while (history_.front().time < scene.time - curve_time) history_.pop_front();
   draw(scene);
@@ -243,7 +243,7 @@ void MouseWindow::draw_body(const WindowScene& scene) {
   const Box& box = body_box_on_screen;
   fill(screen_, box, panel);
   screen_.text(box.x + 20.0, box.y + 14.0, "The body along the path", Size::normal, faint);
-  body_->draw(screen_, box.x + 0.5 * title, box.y + title, box.width - title, scene.needle);
+  body_->draw(screen_, box.x + 0.5 * title, box.y + title, box.width - title, scene.needle, scene.displacements);
 }
 
 void MouseWindow::draw_side(const WindowScene& scene) {

@@ -4,6 +4,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -14,7 +15,7 @@
 
 namespace bodkin {
 
-// What the window shows of a moment.
+// What the window shows at one time.
 struct WindowScene {
   double time = 0.0;    // s since the session began
   double force = 0.0;   // N on the needle
@@ -28,6 +29,9 @@ struct WindowScene {
   Pose needle = Pose::Identity();
   bool armed = false;
   bool faulted = false;
+  std::span<const float> displacements;     // of the BodyView's points; may be empty
+  const LivePicture* ultrasound = nullptr;  // may be null
+  bool probe_is_held = false;               // by a second hand
 };
 
 // The window of the mouse: takes what the person does with mouse and keyboard, and shows the force. A device of
@@ -49,15 +53,15 @@ class MouseWindow {
   // Why no window can be opened here, in one sentence; empty where one can.
   static std::string obstacle() { return SdlScreen::obstacle(); }
 
-  // Takes what was done since the last call. To be called at least every 20 ms.
-  void take();
+  // Handles the events since the last call. To be called at least every 20 ms.
+  void poll();
   // A key that is a command, as the terminal's Keys give it: space, 'a', 'c', 'd', or 'q' for Escape and for closing.
   std::optional<char> next_key();
   // Draws, 30 times a second at most; 60 times with an ultrasound.
   void show(const WindowScene& scene);
 
  private:
-  void take(const ScreenEvent& event);
+  void handle(const ScreenEvent& event);
   void press(ScreenKey key, bool down);
   void draw(const WindowScene& scene);
   void draw_force(const WindowScene& scene);

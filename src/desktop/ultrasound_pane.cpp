@@ -11,9 +11,6 @@
 #include "desktop/machine_view.h"
 #include <fmt/format.h>
 
-#include "core/error.h"
-#include "imaging/ultrasound/acoustic_volume.h"
-
 namespace bodkin {
 
 namespace {
@@ -22,8 +19,8 @@ using PaneSize = SdlScreen::Size;
 
 constexpr double margin = 12.0, machine_top = 44.0, foot_top = 520.0;  // pixels
 constexpr int machine_width = 536, machine_height = 462;
-constexpr double counting_time = 1.0;  // s
-constexpr double worth_a_word = 0.05;  // N that the picture leaves out
+constexpr double counting_time = 1.0;     // s
+constexpr double worth_reporting = 0.05;  // N that the picture omits
 constexpr Colour pane_ground{24, 31, 42}, pane_ink{232, 238, 245}, pane_faint{142, 156, 174}, pane_warn{245, 185, 66};
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 8> pane_keys = {{
@@ -77,14 +74,6 @@ std::optional<ScreenKey> machine_key(ScreenKey key) {
   }
 }
 
-ProbeOnSkin hold_probe_beside_needle(const UltrasoundChoice& choice, const Case& patient) {
-  try {
-    return hold_probe(choice, patient);
-  } catch (const InputError& refused) {
-    throw InputError(fmt::format("--ultrasound: {}", refused.what()));
-  }
-}
-
 LiveScan::Place pane_place(double x, double y) {
   return {x + margin,     y + machine_top, machine_width,
           machine_height, x + 150.0,       y + 452.0 - 8.0 * LiveScan::slider_row,
@@ -93,21 +82,15 @@ LiveScan::Place pane_place(double x, double y) {
 
 }  // namespace
 
-UltrasoundPane::UltrasoundPane(const Case& patient, const UltrasoundChoice& choice, ScanBody body, double x, double y,
-                               const Progress& progress)
+UltrasoundPane::UltrasoundPane(const Case& patient, const UltrasoundChoice& choice, bool has_body, double x, double y)
     : probe_(choice.probe),
       needle_(patient.description.needle),
       x_(x),
       y_(y),
-      scan_(patient, choice, hold_probe_beside_needle(choice, patient), std::nullopt, pane_place(x, y)),
-      moves_(body.mesh != nullptr) {
-  const std::shared_ptr<const AcousticVolume> sounding = acoustic_volume(patient, progress);
-  Ultrasound machine(sounding, choice.probe, choice.settings, choice.detail);
-  thread_ = std::make_shared<ScanThread>(sounding, std::move(machine), needle_, std::move(body),
-                                         ScanOrder{scan_.pose(), scan_.settings()});
-}
+      scan_(patient, choice, hold_probe(choice, patient), std::nullopt, pane_place(x, y)),
+      has_body_(has_body) {}
 
-bool UltrasoundPane::take(const ScreenEvent& event) {
+bool UltrasoundPane::handle(const ScreenEvent& event) {
   if (event.kind == ScreenEvent::Kind::focus_lost) scan_.take(event);
   if (event.kind != ScreenEvent::Kind::key) return false;
   const std::optional<ScreenKey> key = machine_key(event.key);
@@ -118,30 +101,11 @@ bool UltrasoundPane::take(const ScreenEvent& event) {
   return true;
 }
 
-void UltrasoundPane::follow(SecondHand* second, PressedPatient* moving) {
-  if (second != nullptr && second->role() == SecondRole::probe) hold(second->tool());
-  if (moving != nullptr) thread_->tell_nodes(moving->picture().displacements);
-}
-
-std::string UltrasoundPane::tell(double seconds) const {
-  return fmt::format("{} ultrasound pictures, {:.0f} a second", made_, static_cast<double>(made_) / seconds);
-}
-
-// Third axis out of its face, LPS.
-void UltrasoundPane::hold(const Pose& tool) {
-  // The tool's third axis is the machine's second; both have the array along the first.
-  Pose probe = tool;
-  probe.linear().col(1) = tool.linear().col(2);
-  probe.linear().col(2) = -tool.linear().col(1);
-  held_ = probe;
-}
-
-void UltrasoundPane::look() {
+void UltrasoundPane::update(const LivePicture& picture, bool probe_is_held) {
   const double now = seconds_now();
-  if (looked_ >= 0.0) scan_.advance(now - looked_);
-  looked_ = now;
-  thread_->order({held_.value_or(scan_.pose()), scan_.settings()});
-  const LivePicture& picture = thread_->picture();
+  if (updated_ >= 0.0) scan_.advance(now - updated_);
+  updated_ = now;
+  held_ = probe_is_held;
   if (counting_ < 0.0) counting_ = now;
   if (now - counting_ >= counting_time) {
     rate_ = static_cast<double>(picture.number - counted_) / (now - counting_);
@@ -171,11 +135,12 @@ void UltrasoundPane::draw(SdlScreen& screen) const {
                 8.0 * LiveScan::slider_row + 2.0 * above, pane_ground);
     draw_sliders(screen, place, scan_.settings().sliders, scan_.settings().depth);
   }
-  std::string words = !moves_ ? "This resistance moves no tissue in the picture"
-                              : fmt::format("Tissue here moved by up to {:.1f} mm", most_);
-  if (left_out_ > worth_a_word) words += fmt::format("; {:.1f} N of the needle, off the path, not shown", left_out_);
+  std::string words = !has_body_ ? "This resistance moves no tissue in the picture"
+                                 : fmt::format("Tissue here moved by up to {:.1f} mm", most_);
+  if (left_out_ > worth_reporting)
+    words += fmt::format("; {:.1f} N of the needle, off the path, not shown", left_out_);
   if (!scan_.message().empty()) words = scan_.message();
-  const bool warn = left_out_ > worth_a_word || !scan_.message().empty();
+  const bool warn = left_out_ > worth_reporting || !scan_.message().empty();
   screen.text(x_ + margin, y_ + foot_top - 8.0, words, PaneSize::small, warn ? pane_warn : pane_ink);
   constexpr std::size_t columns = 4;
   for (std::size_t i = 0; i < pane_keys.size(); ++i) {

@@ -43,7 +43,7 @@ std::shared_ptr<const BodyDescription> prepare_body(Case& patient, const std::fi
     throw InputError(fmt::format("{}: the case has no mesh, which {} needs; make one with: bodkin case mesh {}",
                                  folder.string(), name_of(resistance), folder.string()));
   }
-  PatientBody described = describe_body(std::move(mesh->mesh), patient, *settings, *about);
+  DescribedBody described = describe_body(std::move(mesh->mesh), patient, *settings, *about);
   if (note) {
     for (const std::string& sentence : described.notes) note(sentence);
   }

@@ -101,9 +101,9 @@ class CorridorsTaken {
       if (event.kind != EventKind::corridor_taken || !is_another) continue;
       const auto aimed_at = static_cast<std::uint64_t>(event.value);
       if (std::find(there_.begin(), there_.end(), aimed_at) != there_.end()) continue;
-      if (!haptics.add_corridor(made(aimed_at))) {
+      if (BodyPort* const body = haptics.body(); body == nullptr || !body->add_corridor(made(aimed_at))) {
         throw InputError(fmt::format("the session takes more corridors than the {} that there is room for",
-                                     HapticTick::most_corridors));
+                                     BodyPort::most_corridors));
       }
       there_.push_back(aimed_at);
     }

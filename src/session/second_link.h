@@ -12,7 +12,7 @@
 namespace bodkin {
 
 // What a second hand needs to know of the needle.
-struct NeedleMoment {
+struct NeedleSnapshot {
   double time = -1.0;             // s of the session; negative: the needle has had no tick yet
   TissueId tissue = tissue::air;  // at the tip
 };
@@ -20,7 +20,7 @@ struct NeedleMoment {
 // Everything that crosses between the needle's thread, the second hand's and the recorder's. Wait-free on both sides
 // of each: no hand waits for the other, and neither for the disk.
 struct SecondLink {
-  LatestValue<NeedleMoment> needle;                // written by the needle's thread, read by the second hand's
+  LatestValue<NeedleSnapshot> needle;              // written by the needle's thread, read by the second hand's
   SingleProducerRing<SecondSample> samples{4096};  // pushed by the second hand's thread, popped by the recorder's
   std::atomic<std::uint64_t> lost{0};              // samples that found the ring full
 };

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <memory>
-#include <utility>
+#include <type_traits>
 
 #include "anatomy/case.h"
-#include "fem/node_forces.h"
 #include "forces/resistance_model.h"
+#include "simulation/body_port.h"
 
 namespace bodkin {
 
@@ -23,16 +23,12 @@ class AnyResistance {
   virtual double stiffness_scale() const noexcept = 0;
   virtual ModelDiagnostics diagnostics() const noexcept = 0;
 
-  // Of a deformable body; see Resistance.
-  virtual bool add_corridor(const PreparedCorridor&) { return false; }
-  virtual bool refresh_corridor(const PreparedCorridor&) { return false; }
-  virtual void stay_at_rest() noexcept {}
-  virtual NodeForces node_forces() const noexcept { return {}; }
-  virtual Vec3 ahead() const noexcept { return Vec3::Zero(); }
+  // The deformable body of the model; null for a model without one.
+  virtual BodyPort* body() noexcept = 0;
 };
 
 template <ResistanceModel Model>
-class ResistanceOf : public AnyResistance {
+class ResistanceOf final : public AnyResistance {
  public:
   ResistanceOf(const Case& patient, const typename Model::Settings& settings, double dt)
       : model_(patient, settings, dt) {}
@@ -47,27 +43,13 @@ class ResistanceOf : public AnyResistance {
   double firm_stiffness() const noexcept final { return model_.firm_stiffness(); }
   double stiffness_scale() const noexcept final { return model_.stiffness_scale(); }
   ModelDiagnostics diagnostics() const noexcept final { return model_.diagnostics(); }
+  BodyPort* body() noexcept final {
+    if constexpr (std::is_base_of_v<BodyPort, Model>) return &model_;
+    return nullptr;
+  }
 
- protected:
+ private:
   Model model_;
-};
-
-// A resistance of a deformable body (Corridors).
-template <ResistanceModel Model>
-class BodyResistanceOf final : public ResistanceOf<Model> {
- public:
-  using ResistanceOf<Model>::ResistanceOf;
-
-  bool add_corridor(const PreparedCorridor& corridor) override { return this->model_.add(corridor); }
-  bool refresh_corridor(const PreparedCorridor& corridor) override {
-    if constexpr (Model::is_refreshable) this->model_.refresh(corridor);
-    return Model::is_refreshable;
-  }
-  void stay_at_rest() noexcept override {
-    if constexpr (Model::is_refreshable) this->model_.stay_at_rest();
-  }
-  NodeForces node_forces() const noexcept override { return this->model_.model().node_forces(); }
-  Vec3 ahead() const noexcept override { return this->model_.model().ahead(); }
 };
 
 }  // namespace bodkin

@@ -12,42 +12,39 @@
 #include "fem/embedded_needle.h"
 #include "forces/events.h"
 #include "forces/resistance_model.h"
+#include "simulation/body_port.h"
 
 namespace bodkin {
 
-// A resistance of a deformable body with the corridors that were prepared for it so far: the one that the patient
-// came with, and more that are added while the needle moves. Each has a Model of its own, made where it is added; the
-// tick takes another one only where a needle begins, outside the body, so that no force jumps. Of those that are
-// there it takes the one that was prepared about the nearest line, and says so where it is another than before.
-// Tissue that gave way in one has given way in the others.
+// The resistance of a deformable body in one of several corridors, each a region of the body with its own Model: the
+// corridor that the patient came with, and more that are added while the needle moves.
 //
-// In place of the first corridor there can be one about another state of the body, pressed by a probe, or about
-// another line in it, of which the newest is taken: where a needle begins or, by a Model that can follow another one,
-// while it is in, with the forces that it has (EmbeddedNeedle::follow).
+// A needle that begins takes the corridor about the nearest line, and keeps it until the next begin, so that no force
+// jumps; an event says when it is another one than before. Punctures carry over from corridor to corridor.
 //
-// Model is made from (const Case&, const PreparedCorridor&, const Settings&, double dt), and can begin(), step(),
-// reset() and take_punctures(other); it may be able to holds(), begin_to_follow(other) and follow(other).
+// The first corridor can be refreshed: replaced by one about another state of the body, which a probe presses, or
+// about another line. The newest one is taken where a needle begins or, if Model can be transferred, by an inserted
+// needle with the forces that it has (EmbeddedNeedle::follow).
+//
+// Model is made from (const Case&, const PreparedCorridor&, const Settings&, double dt). It has begin(), step(),
+// reset(), take_punctures(other), node_forces() and ahead(), and may have holds(), begin_to_follow(other) and
+// follow(other), which transfer it.
 template <typename Model>
-class Corridors {
+class Corridors final : public BodyPort {
  public:
   using Settings = typename Model::Settings;
   static constexpr ResistanceTraits traits = Model::traits;
-  // There can be one about another state of the body.
-  static constexpr bool is_refreshable = requires(Model & one, const Model& other) { one.begin_to_follow(other); };
-
-  static constexpr std::size_t most = 8;
 
   // `patient` must outlive this and have a corridor.
   Corridors(const Case& patient, const Settings& settings, double dt)
       : patient_(&patient), settings_(settings), dt_(dt), shelf_(std::make_unique<Shelf>()) {
-    add(patient.corridor);
+    Corridors::add_corridor(patient.corridor);
     taken_ = &shelf_->places[0];
   }
 
-  // Not for two threads at once, but beside the tick. False: there are as many as can be.
-  bool add(const PreparedCorridor& corridor) {
+  bool add_corridor(const PreparedCorridor& corridor) override {
     const std::size_t at = shelf_->count.load(std::memory_order_relaxed);
-    if (at == most) return false;
+    if (at == most_corridors) return false;
     shelf_->places[at] = {.model = std::make_unique<Model>(*patient_, corridor, settings_, dt_),
                           .path = corridor.path,
                           .aimed_at = corridor.aimed_at ? static_cast<double>(*corridor.aimed_at) : -1.0};
@@ -55,20 +52,23 @@ class Corridors {
     return true;
   }
 
-  // As add(), from the same thread: the first corridor about the newest state of the body. One that no needle has
-  // taken yet is dropped.
-  void refresh(const PreparedCorridor& corridor) {
+  // A corridor that no needle has taken yet is dropped. A model that cannot be transferred cannot use any.
+  bool refresh_corridor(const PreparedCorridor& corridor) override {
+    if constexpr (!transfers) return false;
     auto place = std::make_unique<Place>();
     place->model = std::make_unique<Model>(*patient_, corridor, settings_, dt_);
     place->path = corridor.path;
     place->state = corridor.state;
     shelf_->refreshed.offer(std::move(place));
+    return true;
   }
-  // The tick only: needles that begin from now on find the first corridor at rest again, until reset().
-  void stay_at_rest() noexcept { at_rest_ = true; }
+  // Until reset().
+  void stay_at_rest() noexcept override { at_rest_ = true; }
+  NodeForces node_forces() const noexcept override { return touches_ ? model().node_forces() : NodeForces{}; }
+  Vec3 needle_ahead() const noexcept override { return touches_ ? model().ahead() : Vec3(Vec3::Zero()); }
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept {
-    std::unique_ptr<Place> left;  // is not destroyed here: the maker of corridors does that
+    std::unique_ptr<Place> left;  // destroyed by the thread that makes corridors
     const std::size_t at = nearest_to(entry, direction);
     follows_ = false;
     if (at == 0 && !at_rest_) {
@@ -82,21 +82,22 @@ class Corridors {
     taken_ = at == 0 && !at_rest_ && refreshed_ != nullptr ? refreshed_.get() : &shelf_->places[at];
     if (taken_ != before) {
       taken_->model->take_punctures(*before->model);
-      told_ = false;
+      announced_ = false;
     }
     give_back(std::move(left));
     taken_->model->begin(entry, direction);
   }
 
   ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept {
-    if (!told_) {
+    if (!announced_) {
       const bool at_rest = taken_->state == 0;
       events.push({at_rest ? EventKind::corridor_taken : EventKind::corridor_refreshed, needle.tissue,
                    needle.motion.depth, at_rest ? taken_->aimed_at : static_cast<double>(taken_->state)});
-      told_ = true;
+      announced_ = true;
     }
-    ResistanceForce force = model().step(needle, events);
-    if constexpr (is_refreshable) go_on_in_newest();
+    const ResistanceForce force = model().step(needle, events);
+    touches_ = force.in_contact;
+    if constexpr (transfers) transfer_to_newest();
     return force;
   }
 
@@ -105,30 +106,33 @@ class Corridors {
     for (std::size_t i = 0; i < count; ++i) shelf_->places[i].model->reset();
     give_back(std::move(refreshed_));
     give_back(std::move(coming_));
-    follows_ = false;
+    follows_ = touches_ = false;
     taken_ = &shelf_->places[0];
     at_rest_ = false;
-    told_ = true;
+    announced_ = true;
   }
 
   double firm_stiffness() const noexcept { return 0.0; }
   double stiffness_scale() const noexcept { return model().stiffness_scale(); }
   ModelDiagnostics diagnostics() const noexcept { return model().diagnostics(); }
 
-  // The one that the needle took last.
+  // In the corridor that the needle is in, or was in last.
   Model& model() noexcept { return *taken_->model; }
   const Model& model() const noexcept { return *taken_->model; }
 
  private:
+  // Whether a needle that is in can be transferred to another corridor.
+  static constexpr bool transfers = requires(Model & one, const Model& other) { one.begin_to_follow(other); };
+
   struct Place {
     std::unique_ptr<Model> model;
     NeedlePath path;
-    double aimed_at = -1.0;   // tick, -1: the patient came with it
-    std::uint32_t state = 0;  // of the body, 0: at rest
+    double aimed_at = -1.0;   // tick; -1: the patient came with it
+    std::uint32_t state = 0;  // of the body; 0: at rest
   };
   struct Shelf {
-    std::array<Place, most> places;
-    std::atomic<std::size_t> count{0};  // of places that the tick may look at
+    std::array<Place, most_corridors> places;
+    std::atomic<std::size_t> count{0};  // of places that are complete
     HandOver<Place> refreshed;          // on its way to the tick
   };
 
@@ -144,8 +148,8 @@ class Corridors {
     return true;
   }
 
-  // A needle that is in, in the first corridor, whatever state of the body that is of.
-  void go_on_in_newest() noexcept {
+  // Transfers a needle that is in the first corridor, or in a refreshed one, to the newest, one node a tick.
+  void transfer_to_newest() noexcept {
     if (at_rest_ || (taken_ != refreshed_.get() && taken_ != &shelf_->places[0])) return;
     if (!follows_) {
       if (model().holds() && take_newest()) follows_ = coming_->model->begin_to_follow(model());
@@ -157,7 +161,7 @@ class Corridors {
     std::unique_ptr<Place> left = std::move(refreshed_);
     refreshed_ = std::move(coming_);
     taken_ = refreshed_.get();
-    told_ = false;
+    announced_ = false;
     give_back(std::move(left));
   }
 
@@ -184,12 +188,13 @@ class Corridors {
   Settings settings_;
   double dt_;
   std::unique_ptr<Shelf> shelf_;
-  std::unique_ptr<Place> refreshed_;  // the newest of those that a needle was in
+  std::unique_ptr<Place> refreshed_;  // the newest that a needle was in
   std::unique_ptr<Place> coming_;     // a newer one
-  bool follows_ = false;              // the needle is on its way into it
+  bool follows_ = false;              // the needle is being transferred to `coming_`
   Place* taken_ = nullptr;            // by the needle
   bool at_rest_ = false;
-  bool told_ = true;
+  bool touches_ = false;  // as of the last step
+  bool announced_ = true;
 };
 
 }  // namespace bodkin

@@ -12,30 +12,30 @@ namespace {
 
 double checked_rate(double rate) {
   if (rate >= 1.0 && rate <= 1000.0) return rate;
-  throw InputError("display: " + std::to_string(rate) + " pictures a second, expected 1 to 1000");
+  throw InputError("display: " + std::to_string(rate) + " snapshots a second, expected 1 to 1000");
 }
 
 }  // namespace
 
 DisplayThread::DisplayThread(DisplayField field, double rate)
     : field_(std::move(field)),
-      moments_(DisplayMoment{0, std::vector<float>(3 * field_.points(), 0.0F), 0.0}),
+      snapshots_(DisplaySnapshot{0, std::vector<float>(3 * field_.points(), 0.0F), 0.0}),
       thread_([this, pace = checked_rate(rate)](const std::stop_token& stop) { run(stop, pace); }) {}
 
 void DisplayThread::run(const std::stop_token& stop, double rate) {
   const auto interval =
       std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(1.0 / rate));
-  DisplayMoment now{0, std::vector<float>(3 * field_.points(), 0.0F), 0.0};
+  DisplaySnapshot now{0, std::vector<float>(3 * field_.points(), 0.0F), 0.0};
   auto next = std::chrono::steady_clock::now();
   while (!stop.stop_requested()) {
     const NodeForces& forces = forces_.read();
     field_.evaluate(forces, now.displacements);
     now.left_out = field_.left_out(forces);
     ++now.frame;
-    moments_.write(now);
+    snapshots_.write(now);
     next += interval;
     const auto time = std::chrono::steady_clock::now();
-    if (next < time) next = time;  // a machine that is too slow shows fewer pictures, not a queue of old ones
+    if (next < time) next = time;  // a slow computer skips snapshots rather than falling behind
     std::this_thread::sleep_until(next);
   }
 }

@@ -11,31 +11,31 @@
 
 namespace bodkin {
 
-// How the visible points of a body have moved.
-struct DisplayMoment {
-  std::uint64_t frame = 0;           // counts the pictures that were made; 0: none yet
+// Snapshot for display: how the visible points of a body have moved.
+struct DisplaySnapshot {
+  std::uint64_t frame = 0;           // counts the snapshots made; 0: none yet
   std::vector<float> displacements;  // mm, x y z of every point in turn
-  double left_out = 0.0;             // N of the needle's forces that the picture does not show (no columns)
+  double left_out = 0.0;             // N of the needle's forces on nodes that have no columns, which the field omits
 };
 
-// Makes the field for the eyes again and again on a thread of its own, from the newest forces that the tick has told
-// it. Neither the tick nor whoever draws ever waits: both exchange values through LatestValue.
+// Computes the displacements for display repeatedly on a thread of its own, from the newest forces of the tick.
+// Neither the tick nor the drawing thread ever waits: both exchange values through LatestValue.
 class DisplayThread {
  public:
-  // `rate`: pictures a second, 1 to 1000. Throws InputError when it is not.
+  // `rate`: snapshots per second, 1 to 1000. Throws InputError for another rate.
   explicit DisplayThread(DisplayField field, double rate = 60.0);
 
   // The tick's thread only; wait-free.
-  void tell(const NodeForces& forces) noexcept { forces_.write(forces); }
-  // The drawing thread only: the newest picture, which stays as it is until the next call.
-  const DisplayMoment& moment() noexcept { return moments_.read(); }
+  void set_forces(const NodeForces& forces) noexcept { forces_.write(forces); }
+  // The drawing thread only: the newest snapshot, unchanged until the next call.
+  const DisplaySnapshot& snapshot() noexcept { return snapshots_.read(); }
 
  private:
   void run(const std::stop_token& stop, double rate);
 
   DisplayField field_;
   LatestValue<NodeForces> forces_;
-  LatestValue<DisplayMoment> moments_;
+  LatestValue<DisplaySnapshot> snapshots_;
   std::jthread thread_;  // the last member: it uses the others
 };
 

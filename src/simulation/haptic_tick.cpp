@@ -196,24 +196,8 @@ double HapticTick::dt() const noexcept {
   return state_->dt;
 }
 
-bool HapticTick::add_corridor(const PreparedCorridor& corridor) {
-  return state_->resistance.add_corridor(corridor);
-}
-
-bool HapticTick::refresh_corridor(const PreparedCorridor& corridor) {
-  return state_->resistance.refresh_corridor(corridor);
-}
-
-void HapticTick::stay_at_rest() noexcept {
-  state_->resistance.stay_at_rest();
-}
-
-NodeForces HapticTick::node_forces() const noexcept {
-  return state_->last.in_contact ? state_->resistance.node_forces() : NodeForces{};
-}
-
-Vec3 HapticTick::needle_ahead() const noexcept {
-  return state_->last.in_contact ? state_->resistance.ahead() : Vec3::Zero();
+BodyPort* HapticTick::body() noexcept {
+  return state_->resistance.body();
 }
 
 std::span<const DiagnosticName> HapticTick::diagnostic_names() const noexcept {

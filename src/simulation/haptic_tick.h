@@ -1,11 +1,10 @@
 #pragma once
 
-#include <cstddef>
 #include <memory>
 #include <span>
 
 #include "anatomy/case.h"
-#include "fem/node_forces.h"
+#include "simulation/body_port.h"
 #include "simulation/tick_record.h"
 
 namespace bodkin {
@@ -22,22 +21,8 @@ class HapticTick {
   HapticTick& operator=(HapticTick&&) noexcept;
 
   TickOutput step(const TickInput& input) noexcept;
-  // Another corridor of a deformable body, for the next time that the needle touches the body. Beside step(), but not
-  // for two threads at once. False: there are `most_corridors`, or the resistance needs none.
-  static constexpr std::size_t most_corridors = 8;
-  bool add_corridor(const PreparedCorridor& corridor);
-  // The corridor that the patient came with, about another state of the body (PreparedCorridor::state): of
-  // `embedded_needle` alone, for the next time that the needle touches the body. From the thread that adds corridors.
-  // False: the resistance has none that can change. Throws InputError.
-  bool refresh_corridor(const PreparedCorridor& corridor);
-  // From the thread of step(): the next time that the needle touches the body it finds it at rest, whatever was or
-  // will be refreshed.
-  void stay_at_rest() noexcept;
-  // What the needle did to a deformable body in the last step, by node of its mesh; nothing for other resistances.
-  NodeForces node_forces() const noexcept;
-  // mm by which the hand's needle was ahead of the one in that body, where the body is stiffer than the device
-  // renders or bone is in the way: what is drawn is the needle less this.
-  Vec3 needle_ahead() const noexcept;
+  // The deformable body that the needle meets; null for a resistance without one. Valid as long as this.
+  BodyPort* body() noexcept;
 
   // Names of TickOutput::diagnostics; they live as long as this.
   std::span<const DiagnosticName> diagnostic_names() const noexcept;

@@ -130,24 +130,8 @@ Diagnostics Resistance::diagnostics() const noexcept {
   return values;
 }
 
-bool Resistance::add_corridor(const PreparedCorridor& corridor) {
-  return state_->model->add_corridor(corridor);
-}
-
-bool Resistance::refresh_corridor(const PreparedCorridor& corridor) {
-  return state_->model->refresh_corridor(corridor);
-}
-
-void Resistance::stay_at_rest() noexcept {
-  state_->model->stay_at_rest();
-}
-
-NodeForces Resistance::node_forces() const noexcept {
-  return state_->model->node_forces();
-}
-
-Vec3 Resistance::ahead() const noexcept {
-  return state_->model->ahead();
+BodyPort* Resistance::body() noexcept {
+  return state_->model->body();
 }
 
 }  // namespace bodkin

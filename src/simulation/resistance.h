@@ -4,8 +4,8 @@
 #include <span>
 
 #include "anatomy/case.h"
-#include "fem/node_forces.h"
 #include "forces/resistance_model.h"
+#include "simulation/body_port.h"
 
 namespace bodkin {
 
@@ -27,18 +27,8 @@ class Resistance {
   // Forgets channels too.
   void reset() noexcept;
 
-  // Another corridor of the deformable body, for a needle that begins after this. Not for two threads at once, but
-  // beside the tick. False, and nothing done, where there is no room for more, or the model has none.
-  bool add_corridor(const PreparedCorridor& corridor);
-  // The first corridor about another state of the body, likewise: PreparedCorridor::state. False where the model has
-  // none that can change. Throws InputError for one in which there is nothing to feel.
-  bool refresh_corridor(const PreparedCorridor& corridor);
-  // From the tick: needles that begin from now on find the body at rest.
-  void stay_at_rest() noexcept;
-  // What the needle does to a deformable body, by node of its mesh; nothing for other models.
-  NodeForces node_forces() const noexcept;
-  // mm by which the hand's needle is ahead of the one that such a body shows; 0 for other models.
-  Vec3 ahead() const noexcept;
+  // The deformable body of the model; null for a model without one. Valid as long as this.
+  BodyPort* body() noexcept;
 
   // The smallest factor by which a tissue's stiffness had to be reduced for the device; 1 = none.
   double stiffness_scale() const noexcept;

@@ -28,10 +28,10 @@ const Settings& settings_of(const Case& patient) {
   return std::get<Settings>(patient.description.haptics.resistance);
 }
 
-template <ResistanceModel Model, template <typename> typename Wrapper = ResistanceOf>
+template <ResistanceModel Model>
 constexpr ResistanceEntry entry_of() {
   return {Model::traits, [](const Case& patient, double dt) -> std::unique_ptr<AnyResistance> {
-            return std::make_unique<Wrapper<Model>>(patient, settings_of<typename Model::Settings>(patient), dt);
+            return std::make_unique<ResistanceOf<Model>>(patient, settings_of<typename Model::Settings>(patient), dt);
           }};
 }
 
@@ -51,8 +51,8 @@ constexpr ResistanceEntry models[] = {
     entry_of<ThreeComponent>(),
     entry_of<Fracture>(),
     entry_of<ShaftFrictionResistance>(),
-    entry_of<Corridors<DeformableShaft>, BodyResistanceOf>(),
-    entry_of<Corridors<DeformableTip>, BodyResistanceOf>(),
+    entry_of<Corridors<DeformableShaft>>(),
+    entry_of<Corridors<DeformableTip>>(),
 };
 
 const ResistanceEntry& entry_for(const HapticSettings& haptics) {

@@ -44,7 +44,7 @@ std::optional<NeedlePath> CorridorKeeper::uncovered(const Pose& needle) const {
   return path;
 }
 
-CorridorKeeper::News CorridorKeeper::look(const Pose& needle, std::uint64_t tick) {
+CorridorKeeper::News CorridorKeeper::update(const Pose& needle, std::uint64_t tick) {
   News news;
   if (making_.valid()) {
     if (making_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return news;

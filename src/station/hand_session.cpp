@@ -35,10 +35,11 @@ WorkspaceSettings workspace_about(const NeedlePath& path) {
 }
 
 struct HandSession::Shared {
-  Shared(Case from, const SessionHeader& header, const std::filesystem::path& output, bool overwrite,
-         std::shared_ptr<SecondLink> link)
+  Shared(std::shared_ptr<const Case> from, const SessionHeader& header, const std::filesystem::path& output,
+         bool overwrite, std::shared_ptr<SecondLink> link)
       : patient(std::move(from)),
-        tick(patient),
+        tick(*patient),
+        body(tick.body()),
         second(std::move(link)),
         recorder(SessionWriter(output, header, overwrite), {}, Recorder::usual_capacity, second) {}
 
@@ -47,15 +48,11 @@ struct HandSession::Shared {
     record.tick = ticks;
     record.input.needle = input.needle;
     record.output = tick.step(record.input);
-    if (display) display->tell(tick.node_forces());
-    if (scan) {
-      Pose drawn = input.needle;
-      drawn.translation() -= tick.needle_ahead();
-      scan->tell(tick.node_forces(), drawn);
-    }
-    if (pressed) tell_pressed(record.output);
+    const Vec3 ahead = body == nullptr ? Vec3(Vec3::Zero()) : body->needle_ahead();
+    publish_forces(input.needle, ahead);
+    if (moving && !moving_failed && moving->failed()) leave_moving_body(record.output);
     if (!closed.load(std::memory_order_acquire)) recorder.push(record);
-    // After the tick itself, so that whatever is recorded of this moment has its tick before it.
+    // After the tick itself, so that a recorded sample of the second hand has its tick before it.
     if (second) second->needle.write({static_cast<double>(ticks) * tick.dt(), record.output.tissue});
     ++ticks;
     for (const Event& event : record.output.events) {
@@ -64,37 +61,47 @@ struct HandSession::Shared {
         corridor_left = false;
       if (event.kind == EventKind::corridor_left) corridor_left = true;
     }
-    HandMoment now{ticks, input.needle, tick.needle_ahead(), record.output, corridor_left};
+    HandSnapshot now{ticks, input.needle, ahead, record.output, corridor_left};
     now.output.events.clear();
-    moment.write(now);
+    snapshot.write(now);
     return {record.output.applied, 0.0};
   }
 
-  void tell_pressed(TickOutput& output) noexcept {
-    pressed->tell(static_cast<double>(ticks) * tick.dt(), tick.node_forces());
-    if (pressed_failed || !pressed->failed()) return;
-    pressed_failed = true;
-    tick.stay_at_rest();
+  // To whoever shows the body, the needle in it, and moves it.
+  void publish_forces(Pose needle, const Vec3& ahead) noexcept {
+    if (!display && !scan && !moving) return;
+    const NodeForces forces = body == nullptr ? NodeForces{} : body->node_forces();
+    needle.translation() -= ahead;
+    if (display) display->set_forces(forces);
+    if (scan) scan->set_needle(forces, needle);
+    if (moving) moving->set_needle(static_cast<double>(ticks) * tick.dt(), forces);
+  }
+
+  void leave_moving_body(TickOutput& output) noexcept {
+    moving_failed = true;
+    if (body != nullptr) body->stay_at_rest();
     output.events.push({EventKind::moving_body_failed, output.tissue, output.depth, 0.0});
   }
 
-  Case patient;
+  std::shared_ptr<const Case> patient;
   HapticTick tick;
-  std::shared_ptr<SecondLink> second;       // may be null
-  std::shared_ptr<DisplayThread> display;   // may be null
-  std::shared_ptr<ScanThread> scan;         // may be null
-  std::shared_ptr<PressedPatient> pressed;  // may be null
-  bool pressed_failed = false;
+  BodyPort* body;                          // of the tick; may be null
+  std::shared_ptr<SecondLink> second;      // may be null
+  std::shared_ptr<DisplayThread> display;  // may be null
+  std::shared_ptr<ScanThread> scan;        // may be null
+  std::shared_ptr<PatientBody> moving;     // may be null
+  bool moving_failed = false;
   Recorder recorder;
   std::uint64_t ticks = 0;
   bool corridor_left = false;
-  LatestValue<HandMoment> moment;
+  LatestValue<HandSnapshot> snapshot;
   std::atomic<bool> closed{false};  // the recording has ended, though the loop may not have
 };
 
-HandSession::HandSession(Case patient, const SessionHeader& header, const std::filesystem::path& output,
-                         bool overwrite, DevicePort port, const DeviceAbilities& device,
-                         const ServoSettings& settings, std::shared_ptr<SecondLink> second)
+HandSession::HandSession(std::shared_ptr<const Case> patient, const SessionHeader& header,
+                         const std::filesystem::path& output, bool overwrite, DevicePort port,
+                         const DeviceAbilities& device, const ServoSettings& settings,
+                         std::shared_ptr<SecondLink> second)
     : shared_(std::make_shared<Shared>(std::move(patient), header, output, overwrite, std::move(second))),
       servo_(std::make_unique<DeviceServo>(
           std::move(port), device, settings,
@@ -110,24 +117,20 @@ void HandSession::show_on(std::shared_ptr<ScanThread> scan) {
   shared_->scan = std::move(scan);
 }
 
-void HandSession::press(std::shared_ptr<PressedPatient> body) {
-  shared_->pressed = std::move(body);
+void HandSession::press(std::shared_ptr<PatientBody> body) {
+  shared_->moving = std::move(body);
 }
 
 void HandSession::start() {
   servo_->start();
 }
 
-const HandMoment& HandSession::moment() noexcept {
-  return shared_->moment.read();
+const HandSnapshot& HandSession::snapshot() noexcept {
+  return shared_->snapshot.read();
 }
 
-bool HandSession::add_corridor(const PreparedCorridor& corridor) {
-  return shared_->tick.add_corridor(corridor);
-}
-
-bool HandSession::refresh_corridor(const PreparedCorridor& corridor) {
-  return shared_->tick.refresh_corridor(corridor);
+BodyPort* HandSession::body() noexcept {
+  return shared_->body;
 }
 
 bool HandSession::failed() const noexcept {

@@ -8,10 +8,11 @@
 
 #include "session/second_link.h"
 #include "session/session_file.h"
-#include "station/pressed_patient.h"
+#include "station/patient_body.h"
 #include "station/scan_thread.h"
 
 #include "haptics/device_servo.h"
+#include "simulation/body_port.h"
 #include "simulation/display_thread.h"
 
 namespace bodkin {
@@ -24,13 +25,13 @@ DeviceLimits limits_of(const DeviceAbilities& device, DeviceLimits limits);
 // the workspace, so that there is room above the skin.
 WorkspaceSettings workspace_about(const NeedlePath& path);
 
-// What a screen shows of the newest tick.
-struct HandMoment {
+// The newest tick, for an observer.
+struct HandSnapshot {
   std::uint64_t ticks = 0;
   Pose needle = Pose::Identity();
-  Vec3 needle_ahead = Vec3::Zero();  // see HapticTick
+  Vec3 needle_ahead = Vec3::Zero();  // mm, see BodyPort
   TickOutput output;                 // without events
-  bool corridor_left = false;  // the needle is where its deformable body was not prepared: the force is not true
+  bool corridor_left = false;  // the needle is where its deformable body was not prepared: the force is not valid
 };
 
 // A person's hand on a device performs a procedure on a patient, and every tick is recorded. The constructor opens
@@ -39,27 +40,26 @@ class HandSession {
  public:
   // `patient` has the device's limits already (limits_of), and so has `header`. `second`: to a second hand, which
   // learns of the needle through it and is recorded; may be null. Throws InputError and SystemError.
-  HandSession(Case patient, const SessionHeader& header, const std::filesystem::path& output, bool overwrite,
-              DevicePort port, const DeviceAbilities& device, const ServoSettings& settings,
+  HandSession(std::shared_ptr<const Case> patient, const SessionHeader& header, const std::filesystem::path& output,
+              bool overwrite, DevicePort port, const DeviceAbilities& device, const ServoSettings& settings,
               std::shared_ptr<SecondLink> second = nullptr);
   ~HandSession();
   HandSession(const HandSession&) = delete;
   HandSession& operator=(const HandSession&) = delete;
 
-  // Every tick tells it the forces on the deformable body; before start().
+  // Every tick passes it the forces on the deformable body; before start().
   void show_on(std::shared_ptr<DisplayThread> display);
-  // Every tick tells it the needle too, as it is in the body; before start().
+  // Every tick passes it these forces and the needle as it lies in the body; before start().
   void show_on(std::shared_ptr<ScanThread> scan);
   void start();
   DeviceServo& servo() noexcept { return *servo_; }
-  // One observer's thread.
-  const HandMoment& moment() noexcept;
-  // Every tick tells it the time and what the needle does to it, and asks whether it has failed; before start().
-  void press(std::shared_ptr<PressedPatient> body);
-  // See HapticTick::add_corridor and refresh_corridor.
-  bool add_corridor(const PreparedCorridor& corridor);
-  bool refresh_corridor(const PreparedCorridor& corridor);
-  // The disk refuses; finish() says why.
+  // One observer's thread: the newest snapshot, unchanged until the next call.
+  const HandSnapshot& snapshot() noexcept;
+  // Every tick passes it the time and the needle's forces, and checks whether it has failed; before start().
+  void press(std::shared_ptr<PatientBody> body);
+  // The deformable body of the tick, for the observer's thread; null for a rigid one.
+  BodyPort* body() noexcept;
+  // The recording cannot be written; finish() says why.
   bool failed() const noexcept;
 
   // Zero force, the end of the loop, and the recording closed. False: the device did not let itself be stopped.

@@ -3,11 +3,11 @@
 #include <cstdint>
 
 #include "core/geometry.h"
-#include "fem/moving/moving_body.h"
+#include "fem/moving/body_thread.h"
 
 namespace bodkin {
 
-// An ultrasound probe on a body that moves by itself some sixty times a second (MovingBody), as the hand that holds
+// An ultrasound probe on a body that moves by itself some sixty times a second (BodyThread), as the hand that holds
 // it feels it a thousand times a second.
 //
 //   F = K (p - x),   p where the probe is in the body, x where the hand holds it
@@ -20,7 +20,7 @@ namespace bodkin {
 // At rest F = f. A body of stiffness k is felt with k K / (k + K): every force, as in DeformableShaft, and less of
 // the stiffness the stiffer it is. What is felt at once is K, and later less, never more, so that a body which is
 // late takes energy from the hand rather than giving any. In between p glides, the more slowly the rarer the steps
-// are. Where the body yields, so that the probe leaves it while the hand is still beyond, p goes on likewise with f =
+// are. Where the body yields, so that the probe leaves it while the hand is still beyond, p keeps moving as with f =
 // 0.
 //
 // F pushes the probe out along its axis, at most 15 N, and drags it sideways by at most as much (dry skin, see
@@ -50,7 +50,7 @@ class ProbeReaction {
   Vec3 goal_ = Vec3::Zero(), felt_ = Vec3::Zero();  // p after the last step, and as it glides there
   Vec3 met_ = Vec3::Zero();                         // p when the body was met
   Vec3 last_ = Vec3::Zero();                        // p of the last reading
-  double last_force_ = 0.0;                         // N, likewise
+  double last_force_ = 0.0;                         // N, f of the last reading
   bool touches_ = false;                            // or did, and the hand has not come out since
   double share_ = 0.0;                              // of the force, 0 to 1: it comes and goes in 20 ms
   double force_ = 0.0;

@@ -56,7 +56,7 @@ ScanThread::ScanThread(std::shared_ptr<const AcousticVolume> patient, Ultrasound
       orders_(first),
       thread_([this, pace = checked_scan_rate(rate)](const std::stop_token& stop) { run(stop, pace); }) {}
 
-void ScanThread::tell_nodes(std::span<const float> nodes) {
+void ScanThread::set_displacements(std::span<const float> nodes) {
   told_.assign(nodes.begin(), nodes.end());
   nodes_.write(told_);
 }

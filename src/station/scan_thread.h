@@ -17,7 +17,7 @@
 
 namespace bodkin {
 
-// What a person has an ultrasound machine do.
+// Where the probe is and how the machine is set.
 struct ScanOrder {
   Pose probe = Pose::Identity();  // probe to patient, LPS
   UltrasoundSettings settings;
@@ -37,31 +37,30 @@ struct LivePicture {
   bool refused = false;        // the settings of the order cannot be: those of the last picture stayed
 };
 
-// The deformable body as a picture needs it: either of both, or neither.
+// The deformable body of a live ultrasound, static or moving.
 struct ScanBody {
-  std::shared_ptr<const BodyDescription> mesh;  // null: nothing moves but what a probe presses, layer by layer
-  // Null: how nodes have moved is told (tell_nodes), by a body that feels the probe, too. Otherwise what the probe
-  // presses is added layer by layer.
+  std::shared_ptr<const BodyDescription> mesh;  // null: no body; only the probe compresses tissue, layer by layer
+  // A static body: its displacements by the needle's forces; the probe's compression is added layer by layer.
+  // Null: a moving body, which feels the probe too and gives its displacements by set_displacements().
   std::unique_ptr<NodeField> by_forces;
 };
 
-// Makes an ultrasound picture again and again on a thread of its own, from the newest needle and forces that the tick
-// has told it, and the newest place of the probe. Nobody waits for anybody: all exchange values through LatestValue.
+// Simulates ultrasound pictures repeatedly on a thread of its own, from the newest needle and forces of the tick and
+// the newest order. No thread ever waits for another: all exchange values through LatestValue.
 class ScanThread {
  public:
-  // `machine` is of `patient`. `rate`: pictures a second, 1 to 1000, where they can be made as fast. Throws
-  // InputError when it is not.
+  // `machine`: for `patient`. `rate`: pictures per second at most, 1 to 1000. Throws InputError for another rate.
   ScanThread(std::shared_ptr<const AcousticVolume> patient, Ultrasound machine, const Needle& needle, ScanBody body,
              const ScanOrder& first, double rate = 60.0);
 
   // The tick's thread only; wait-free. Forces by node of the mesh; the needle as it is in the body.
-  void tell(const NodeForces& forces, const Pose& needle) noexcept { ticks_.write({forces, needle, true}); }
+  void set_needle(const NodeForces& forces, const Pose& needle) noexcept { ticks_.write({forces, needle, true}); }
 
-  // One watching thread: what the next pictures follow.
-  void order(const ScanOrder& order) noexcept { orders_.write(order); }
-  // mm, 3 a node of the mesh, of a body that moves by itself; fewer are left out.
-  void tell_nodes(std::span<const float> nodes);
-  // The newest picture, which stays as it is until the next call.
+  // Observer's thread, and so the two below: what the next pictures follow.
+  void set_order(const ScanOrder& order) noexcept { orders_.write(order); }
+  // mm, 3 per node of the mesh, of a moving body; another number of values is ignored.
+  void set_displacements(std::span<const float> nodes);
+  // The newest picture, unchanged until the next call.
   const LivePicture& picture() noexcept { return pictures_.read(); }
 
  private:
@@ -86,7 +85,7 @@ class ScanThread {
   LatestValue<LivePicture> pictures_;
   std::optional<UltrasoundSettings> wanted_;  // of the last picture, and its depth, mm: of the thread
   double depth_ = 0.0;
-  std::vector<float> told_;  // of the watching thread
+  std::vector<float> told_;  // of the observer's thread
   std::jthread thread_;      // the last member: it uses the others
 };
 

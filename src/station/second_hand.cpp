@@ -40,7 +40,7 @@ WorkspaceSettings second_workspace(SecondRole role, const NeedlePath& path) {
 
 struct SecondHand::Shared {
   Shared(SecondRole wanted, std::shared_ptr<const Case> from, const DeviceAbilities& device, double dt,
-         std::shared_ptr<SecondLink> through, std::shared_ptr<PressedPatient> body)
+         std::shared_ptr<SecondLink> through, std::shared_ptr<PatientBody> body)
       : role(wanted),
         patient(std::move(from)),
         link(std::move(through)),
@@ -48,7 +48,7 @@ struct SecondHand::Shared {
         model(model_for(role, *patient, device, dt, pressed != nullptr)) {}
 
   Control step(const ControlInput& input) noexcept {
-    const NeedleMoment& needle = link->needle.read();
+    const NeedleSnapshot& needle = link->needle.read();
     SecondSample now;
     now.time = needle.time;
     now.position = input.needle.translation();
@@ -72,10 +72,10 @@ struct SecondHand::Shared {
       if (presses) tool = reaction->probe();
       now.force = reaction->force();
     }
-    moment.write(now);
+    samples.write(now);
     tools.write(tool);
-    // By the needle's time, so that a sample and the ticks of the session share one clock and no two samples a
-    // moment.
+    // By the needle's time, so that a sample and the ticks of the session share one clock and no two samples have
+    // one time.
     if (needle.time >= next_sample - rounding) {
       next_sample = needle.time + sample_interval;
       if (!link->samples.push(now)) link->lost.fetch_add(1, std::memory_order_relaxed);
@@ -86,16 +86,16 @@ struct SecondHand::Shared {
   SecondRole role;
   std::shared_ptr<const Case> patient;
   std::shared_ptr<SecondLink> link;
-  std::shared_ptr<PressedPatient> pressed;  // may be null
+  std::shared_ptr<PatientBody> pressed;  // may be null
   SecondModel model;
   double next_sample = 0.0;  // s of the session
-  LatestValue<SecondSample> moment;
+  LatestValue<SecondSample> samples;
   LatestValue<Pose> tools{Pose::Identity()};
 };
 
 SecondHand::SecondHand(SecondRole role, DevicePort port, const DeviceAbilities& device, const ServoSettings& settings,
                        std::shared_ptr<const Case> patient, std::shared_ptr<SecondLink> link,
-                       std::shared_ptr<PressedPatient> pressed)
+                       std::shared_ptr<PatientBody> pressed)
     : shared_(std::make_shared<Shared>(role, std::move(patient), device, 1.0 / settings.rate, std::move(link),
                                        std::move(pressed))),
       servo_(std::make_unique<DeviceServo>(
@@ -126,8 +126,8 @@ SecondRole SecondHand::role() const noexcept {
   return shared_->role;
 }
 
-const SecondSample& SecondHand::moment() noexcept {
-  return shared_->moment.read();
+const SecondSample& SecondHand::snapshot() noexcept {
+  return shared_->samples.read();
 }
 
 const Pose& SecondHand::tool() noexcept {

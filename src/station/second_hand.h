@@ -4,7 +4,7 @@
 
 #include "session/second_link.h"
 #include "session/second_sample.h"
-#include "station/pressed_patient.h"
+#include "station/patient_body.h"
 
 #include "anatomy/case.h"
 #include "haptics/device_servo.h"
@@ -26,7 +26,7 @@ class SecondHand {
   // the model impossible.
   SecondHand(SecondRole role, DevicePort port, const DeviceAbilities& device, const ServoSettings& settings,
              std::shared_ptr<const Case> patient, std::shared_ptr<SecondLink> link,
-             std::shared_ptr<PressedPatient> pressed = nullptr);
+             std::shared_ptr<PatientBody> pressed = nullptr);
   ~SecondHand();
   SecondHand(const SecondHand&) = delete;
   SecondHand& operator=(const SecondHand&) = delete;
@@ -42,10 +42,10 @@ class SecondHand {
 
   SecondRole role() const noexcept;
   DeviceServo& servo() noexcept { return *servo_; }
-  // One observer's thread: the newest moment.
-  const SecondSample& moment() noexcept;
-  // Likewise: where the tool is, third axis out of its tip (patient, LPS, for a probe). On a body that it presses a
-  // probe is held back by that body, and this is where it is there.
+  // One observer's thread: the newest sample, unchanged until the next call.
+  const SecondSample& snapshot() noexcept;
+  // The same thread: where the tool is, third axis out of its tip (patient, LPS, for a probe). A body that the probe
+  // presses holds it back; this is where it is then.
   const Pose& tool() noexcept;
 
  private:

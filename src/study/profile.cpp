@@ -28,10 +28,12 @@ Profile insert_at_constant_speed(const Case& patient, const ProfileOptions& opti
   const auto expected = static_cast<std::size_t>((way.end - way.start) / step);
   profile.ticks.reserve(expected * (options.withdraw ? 2 : 1) + 16);
   const auto moment = [&haptics](const TickRecord& record) {
+    const BodyPort* const body = haptics.body();
+    const Vec3 ahead = body == nullptr ? Vec3(Vec3::Zero()) : body->needle_ahead();
     Pose needle = record.input.needle;
-    needle.translation() -= haptics.needle_ahead();
-    return DeformedMoment{haptics.node_forces(), needle, haptics.needle_ahead().norm(), record.output.depth,
-                          record.output.resistance};
+    needle.translation() -= ahead;
+    return DeformedMoment{body == nullptr ? NodeForces{} : body->node_forces(), needle, ahead.norm(),
+                          record.output.depth, record.output.resistance};
   };
   const auto tick = [&](double place) -> const TickOutput& {
     TickRecord record;

@@ -112,7 +112,7 @@ TEST(Corridors, the_needle_takes_the_one_about_the_nearest_line_and_says_so) {
   EXPECT_EQ(beside.count(EventKind::corridor_left), 1);
   EXPECT_EQ(beside.count(EventKind::corridor_taken), 0);
   EXPECT_EQ(beside.greatest, 0.0);
-  ASSERT_TRUE(tick.add_corridor(corridor_at(apart, 1234)));
+  ASSERT_TRUE(tick.body()->add_corridor(corridor_at(apart, 1234)));
   const Insertion there = put_in(tick, apart, 15.0);
   EXPECT_EQ(there.count(EventKind::corridor_left), 0);
   EXPECT_EQ(there.count(EventKind::corridor_taken), 1);
@@ -129,7 +129,7 @@ TEST(Corridors, a_corridor_feels_the_same_whenever_it_was_prepared) {
   Case first = later;
   first.corridor = corridor_at(apart);
   HapticTick of_later(later), of_first(first);
-  of_later.add_corridor(corridor_at(apart, 7));
+  of_later.body()->add_corridor(corridor_at(apart, 7));
   for (double place = -2.0; place < 20.0; place += 0.03) {
     const TickInput input{needle_pose(Vec3(apart + 0.01 * place, 0.0, place), Vec3(0.01, 0.0, 1.0).normalized())};
     ASSERT_EQ(of_later.step(input).resistance, of_first.step(input).resistance) << place;
@@ -148,9 +148,9 @@ TEST(Corridors, what_gave_way_in_one_has_given_way_in_the_next) {
       });
     };
     EXPECT_TRUE(skin_gives_way(tick, 5.0)) << name_of(settings);  // along the nodes that both corridors have
-    tick.add_corridor(corridor_at(apart, 3));
+    tick.body()->add_corridor(corridor_at(apart, 3));
     HapticTick fresh(patient);
-    fresh.add_corridor(corridor_at(apart, 3));
+    fresh.body()->add_corridor(corridor_at(apart, 3));
     EXPECT_FALSE(skin_gives_way(tick, 5.1)) << name_of(settings);
     EXPECT_TRUE(skin_gives_way(fresh, 5.1)) << name_of(settings);
   }
@@ -159,9 +159,9 @@ TEST(Corridors, what_gave_way_in_one_has_given_way_in_the_next) {
 TEST(Corridors, there_is_room_for_some_and_reset_goes_back_to_the_first) {
   const Case patient = patient_of_corridors(shaft_settings());
   HapticTick tick(patient);
-  for (std::size_t i = 1; i < HapticTick::most_corridors; ++i)
-    EXPECT_TRUE(tick.add_corridor(corridor_at(apart, i))) << i;
-  EXPECT_FALSE(tick.add_corridor(corridor_at(apart, 99)));
+  for (std::size_t i = 1; i < BodyPort::most_corridors; ++i)
+    EXPECT_TRUE(tick.body()->add_corridor(corridor_at(apart, i))) << i;
+  EXPECT_FALSE(tick.body()->add_corridor(corridor_at(apart, 99)));
   put_in(tick, apart, 15.0);
   tick.reset();
   const Insertion again = put_in(tick, 0.0, 15.0);
@@ -171,8 +171,7 @@ TEST(Corridors, there_is_room_for_some_and_reset_goes_back_to_the_first) {
   Case rigid = patient;
   rigid.description.haptics.resistance = LayeredSettings{};
   HapticTick other(rigid);
-  EXPECT_FALSE(other.add_corridor(corridor_at(apart, 1)));
-  EXPECT_EQ(other.node_forces().count, 0U);
+  EXPECT_EQ(other.body(), nullptr);
 }
 
 TEST(Corridors, forces_on_nodes_are_told_while_the_needle_is_in_and_not_after) {
@@ -180,13 +179,13 @@ TEST(Corridors, forces_on_nodes_are_told_while_the_needle_is_in_and_not_after) {
   HapticTick tick(patient);
   for (double place = -1.0; place < 12.0; place += 0.05) tick.step({needle_pose(Vec3(0, 0, place), Vec3::UnitZ())});
   double along = 0.0;
-  for (std::size_t i = 0; i < tick.node_forces().count; ++i)
-    along += static_cast<double>(tick.node_forces().nodes[i].force[2]);
+  for (std::size_t i = 0; i < tick.body()->node_forces().count; ++i)
+    along += static_cast<double>(tick.body()->node_forces().nodes[i].force[2]);
   const TickOutput now = tick.step({needle_pose(Vec3(0, 0, 12.0), Vec3::UnitZ())});
   EXPECT_GT(now.resistance, 0.1);
   EXPECT_NEAR(along, now.resistance, 0.1 * now.resistance);
   put_in(tick, 0.0, 0.0);
-  EXPECT_EQ(tick.node_forces().count, 0U);
+  EXPECT_EQ(tick.body()->node_forces().count, 0U);
 }
 
 TEST(Corridors, one_is_added_beside_the_tick) {
@@ -198,8 +197,8 @@ TEST(Corridors, one_is_added_beside_the_tick) {
       if (put_in(tick, apart, 2.0).count(EventKind::corridor_taken) > 0) taken.store(true);
     }
   });
-  EXPECT_TRUE(tick.add_corridor(corridor_at(2.0 * apart, 2)));
-  EXPECT_TRUE(tick.add_corridor(corridor_at(apart, 3)));
+  EXPECT_TRUE(tick.body()->add_corridor(corridor_at(2.0 * apart, 2)));
+  EXPECT_TRUE(tick.body()->add_corridor(corridor_at(apart, 3)));
   for (int tries = 0; tries < 3000 && !taken.load(); ++tries)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   EXPECT_TRUE(taken.load());
@@ -221,8 +220,8 @@ TEST(Corridors, a_pressed_body_is_met_where_it_is_by_a_needle_that_begins) {
   const auto step = [](HapticTick& by, double place) {
     return by.step({needle_pose(Vec3(0.1, 0.0, place), Vec3::UnitZ())});
   };
-  ASSERT_TRUE(tick.refresh_corridor(pressed_corridor(9.0, 1)));  // never taken
-  ASSERT_TRUE(tick.refresh_corridor(pressed_corridor(3.0, 2)));
+  ASSERT_TRUE(tick.body()->refresh_corridor(pressed_corridor(9.0, 1)));  // never taken
+  ASSERT_TRUE(tick.body()->refresh_corridor(pressed_corridor(3.0, 2)));
   int told = 0;
   std::vector<double> sunk, rest;
   for (int i = 0; i < 700; ++i) {
@@ -243,8 +242,8 @@ TEST(Corridors, a_pressed_body_is_met_where_it_is_by_a_needle_that_begins) {
   for (std::size_t i = 0; i < rest.size(); ++i) apart_by_more += std::abs(sunk[i] - rest[i]) > 0.12 ? 1 : 0;
   EXPECT_LE(apart_by_more, 5);
 
-  tick.stay_at_rest();
-  ASSERT_TRUE(tick.refresh_corridor(pressed_corridor(3.0, 3)));
+  tick.body()->stay_at_rest();
+  ASSERT_TRUE(tick.body()->refresh_corridor(pressed_corridor(3.0, 3)));
   const Insertion after = put_in(tick, 0.0, 15.0);
   EXPECT_EQ(after.count(EventKind::corridor_refreshed), 0);
   EXPECT_EQ(after.value(EventKind::corridor_taken), -1.0);
@@ -276,7 +275,7 @@ TEST(Corridors, a_needle_that_is_in_goes_on_in_the_body_as_it_is_pressed_now) {
   };
   const double first = sideways(tick);
   const Vec3 force = tick.step(at(0.1, 13.0)).requested.force;
-  ASSERT_TRUE(tick.refresh_corridor(firmer_corridor(2.0, 7)));
+  ASSERT_TRUE(tick.body()->refresh_corridor(firmer_corridor(2.0, 7)));
   int told = 0;
   for (int i = 0; i < 50; ++i) {
     const TickOutput output = tick.step(at(0.1, 13.0));
@@ -290,11 +289,11 @@ TEST(Corridors, a_needle_that_is_in_goes_on_in_the_body_as_it_is_pressed_now) {
   }
   EXPECT_EQ(told, 1);
   EXPECT_NEAR(sideways(tick), 2.0 * first, 1e-6);
-  EXPECT_EQ(tick.node_forces().count, alone.node_forces().count);
-  EXPECT_EQ(tick.node_forces().nodes[0].node, alone.node_forces().nodes[0].node);
+  EXPECT_EQ(tick.body()->node_forces().count, alone.body()->node_forces().count);
+  EXPECT_EQ(tick.body()->node_forces().nodes[0].node, alone.body()->node_forces().nodes[0].node);
   // A body that has failed is left as it is until the needle is out.
-  tick.stay_at_rest();
-  ASSERT_TRUE(tick.refresh_corridor(firmer_corridor(4.0, 8)));
+  tick.body()->stay_at_rest();
+  ASSERT_TRUE(tick.body()->refresh_corridor(firmer_corridor(4.0, 8)));
   for (int i = 0; i < 50; ++i) EXPECT_EQ(tick.step(at(0.1, 13.0)).events.size(), 0U);
   EXPECT_NEAR(sideways(tick), 2.0 * first, 1e-6);
 }
@@ -309,7 +308,7 @@ TEST(Corridors, a_pressed_body_has_its_corridor_where_the_needle_aims) {
   for (Vec3& node : body.nodes) node.z() += 2.0;
   there.body = std::make_shared<const CondensedBody>(std::move(body));
   there.state = 1;
-  ASSERT_TRUE(tick.refresh_corridor(there));
+  ASSERT_TRUE(tick.body()->refresh_corridor(there));
   const Insertion found = put_in(tick, apart, 12.0);
   EXPECT_EQ(found.count(EventKind::corridor_left), 0);
   EXPECT_EQ(found.value(EventKind::corridor_refreshed), 1.0);
@@ -318,7 +317,7 @@ TEST(Corridors, a_pressed_body_has_its_corridor_where_the_needle_aims) {
     EXPECT_TRUE(event.kind != EventKind::puncture || event.depth > 2.0) << "it is met where it has sunk to";
   }
   there.at_rest.pop_back();
-  EXPECT_THROW(tick.refresh_corridor(there), InputError);
+  EXPECT_THROW(tick.body()->refresh_corridor(there), InputError);
 }
 
 TEST(Corridors, only_the_body_that_the_session_began_with_is_refreshed) {
@@ -326,11 +325,11 @@ TEST(Corridors, only_the_body_that_the_session_began_with_is_refreshed) {
   HapticTick tick(patient);
   PreparedCorridor other = corridor_at(apart);
   other.state = 1;
-  EXPECT_THROW(tick.refresh_corridor(other), InputError);
+  EXPECT_THROW(tick.body()->refresh_corridor(other), InputError);
   patient.description.haptics.resistance = ClosestNodeSettings{.capture_radius = 2.0};
   HapticTick closest(patient);
-  EXPECT_FALSE(closest.refresh_corridor(pressed_corridor(1.0, 1)));
-  closest.stay_at_rest();
+  EXPECT_FALSE(closest.body()->refresh_corridor(pressed_corridor(1.0, 1)));
+  closest.body()->stay_at_rest();
 }
 
 TEST(Corridors, beside_a_thread_that_refreshes_them_no_force_jumps) {
@@ -338,8 +337,8 @@ TEST(Corridors, beside_a_thread_that_refreshes_them_no_force_jumps) {
   HapticTick tick(patient);
   std::jthread maker([&](const std::stop_token& stop) {
     for (std::uint32_t state = 1; !stop.stop_requested(); ++state) {
-      tick.refresh_corridor(state % 2 == 0 ? firmer_corridor(1.0 + 0.2 * (state % 5), state)
-                                           : pressed_corridor(0.1 * (state % 3), state));
+      tick.body()->refresh_corridor(state % 2 == 0 ? firmer_corridor(1.0 + 0.2 * (state % 5), state)
+                                                   : pressed_corridor(0.1 * (state % 3), state));
     }
   });
   int taken = 0;
@@ -367,8 +366,8 @@ TEST(Corridors, taking_a_refreshed_one_allocates_and_locks_nothing) {
   HapticTick tick(patient);
   int taken = 0;
   for (std::uint32_t state = 1; state <= 6; ++state) {
-    tick.refresh_corridor(pressed_corridor(0.2 * state, state));
-    if (state % 3 == 0) tick.refresh_corridor(pressed_corridor(0.1 * state, state));
+    tick.body()->refresh_corridor(pressed_corridor(0.2 * state, state));
+    if (state % 3 == 0) tick.body()->refresh_corridor(pressed_corridor(0.1 * state, state));
     const RealTimeGuard guard;
     for (int i = 0; i < 1000; ++i) {
       const double place = 8.0 * std::sin(EIGEN_PI * i / 500.0 - 0.5 * EIGEN_PI);
@@ -385,7 +384,7 @@ TEST(Corridors, taking_another_one_allocates_and_locks_nothing) {
   if (!RealTimeGuard::available()) GTEST_SKIP() << "a sanitizer owns malloc and the locks in this build";
   const Case patient = patient_of_corridors(shaft_settings());
   HapticTick tick(patient);
-  tick.add_corridor(corridor_at(apart, 5));
+  tick.body()->add_corridor(corridor_at(apart, 5));
   std::size_t heap = 0, locks = 0;
   int taken = 0;
   {

@@ -241,14 +241,14 @@ TEST(DeformableResistance, the_needle_in_the_body_is_behind_the_hand_by_the_spri
   const Case strong = deformable_patient(EmbeddedNeedleSettings{}, 1e6, 0.5);
   HapticTick firm(strong);
   push_in(firm, 15.0);
-  EXPECT_EQ(firm.needle_ahead().norm(), 0.0);
+  EXPECT_EQ(firm.body()->needle_ahead().norm(), 0.0);
   const Case weak = deformable_patient(EmbeddedNeedleSettings{}, 0.6, 0.5);
   HapticTick soft(weak);
-  EXPECT_EQ(soft.needle_ahead().norm(), 0.0);
+  EXPECT_EQ(soft.body()->needle_ahead().norm(), 0.0);
   const Felt felt = push_in(soft, 15.0);
   const double spring = (1.0 - soft.stiffness_scale()) / 0.6;  // mm/N: 1/0.6 less the body's own compliance
-  EXPECT_NEAR(soft.needle_ahead().z(), spring * felt.end, 1e-9);
-  EXPECT_GT(soft.needle_ahead().z(), 0.2);
+  EXPECT_NEAR(soft.body()->needle_ahead().z(), spring * felt.end, 1e-9);
+  EXPECT_GT(soft.body()->needle_ahead().z(), 0.2);
 }
 
 TEST(DeformableResistance, bone_stops_the_needle_and_lets_go_without_giving_energy) {

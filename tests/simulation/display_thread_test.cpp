@@ -21,7 +21,7 @@ NodeForces push_of(float force, std::uint32_t node = 0) {
 template <typename Holds>
 bool comes_true(DisplayThread& display, Holds&& holds) {
   for (int tries = 0; tries < 2000; ++tries) {
-    if (holds(display.moment())) return true;
+    if (holds(display.snapshot())) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   return false;
@@ -29,22 +29,22 @@ bool comes_true(DisplayThread& display, Holds&& holds) {
 
 TEST(DisplayThread, shows_the_newest_forces_without_being_asked) {
   DisplayThread display(DisplayField(Eigen::MatrixXf::Ones(30, 6)), 500.0);
-  EXPECT_EQ(display.moment().displacements.size(), 30U);
-  display.tell(push_of(2.0F));
-  EXPECT_TRUE(comes_true(display, [](const DisplayMoment& now) { return now.displacements[29] == 2.0F; }));
-  display.tell(push_of(3.0F, 7));  // a node without columns
-  EXPECT_TRUE(comes_true(display, [](const DisplayMoment& now) { return now.left_out == 3.0; }));
-  EXPECT_EQ(display.moment().displacements[0], 0.0F);
+  EXPECT_EQ(display.snapshot().displacements.size(), 30U);
+  display.set_forces(push_of(2.0F));
+  EXPECT_TRUE(comes_true(display, [](const DisplaySnapshot& now) { return now.displacements[29] == 2.0F; }));
+  display.set_forces(push_of(3.0F, 7));  // a node without columns
+  EXPECT_TRUE(comes_true(display, [](const DisplaySnapshot& now) { return now.left_out == 3.0; }));
+  EXPECT_EQ(display.snapshot().displacements[0], 0.0F);
 }
 
 TEST(DisplayThread, every_picture_is_of_one_tick) {
   DisplayThread display(DisplayField(Eigen::MatrixXf::Ones(300, 6)), 1000.0);
   std::jthread tick([&](const std::stop_token& stop) {
-    for (float force = 1.0F; !stop.stop_requested(); force += 1.0F) display.tell(push_of(force));
+    for (float force = 1.0F; !stop.stop_requested(); force += 1.0F) display.set_forces(push_of(force));
   });
   std::uint64_t last = 0;
   for (int pictures = 0; pictures < (sanitized ? 20 : 200);) {
-    const DisplayMoment& now = display.moment();
+    const DisplaySnapshot& now = display.snapshot();
     for (const float value : now.displacements) ASSERT_EQ(value, now.displacements.front());
     ASSERT_GE(now.frame, last);
     if (now.frame > last) ++pictures;

@@ -65,7 +65,7 @@ Pose needle_over_block(double x, double z) {
 // What the keeper gives when it is asked until it has something; nothing after 20 s.
 std::optional<PreparedCorridor> wait_for(CorridorKeeper& keeper, const Pose& needle, std::uint64_t tick) {
   for (int tries = 0; tries < 2000; ++tries) {
-    CorridorKeeper::News news = keeper.look(needle, tick);
+    CorridorKeeper::News news = keeper.update(needle, tick);
     if (news.ready) return news.ready;
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
@@ -75,11 +75,11 @@ std::optional<PreparedCorridor> wait_for(CorridorKeeper& keeper, const Pose& nee
 TEST(CorridorKeeper, prepares_where_the_needle_aims_and_nothing_else_covers_its_way) {
   const BlockOfTissue block = block_of_tissue();
   CorridorKeeper keeper(std::make_shared<const Case>(block.patient), block.body, 30.0, 2);
-  EXPECT_FALSE(keeper.look(needle_over_block(17.0, -10.0), 1).sentence);   // along the planned path
-  EXPECT_FALSE(keeper.look(needle_over_block(45.0, 5.0), 2).sentence);     // in the body
-  EXPECT_FALSE(keeper.look(needle_over_block(500.0, -10.0), 3).sentence);  // past the patient
+  EXPECT_FALSE(keeper.update(needle_over_block(17.0, -10.0), 1).sentence);   // along the planned path
+  EXPECT_FALSE(keeper.update(needle_over_block(45.0, 5.0), 2).sentence);     // in the body
+  EXPECT_FALSE(keeper.update(needle_over_block(500.0, -10.0), 3).sentence);  // past the patient
   EXPECT_FALSE(keeper.is_preparing());
-  const CorridorKeeper::News begun = keeper.look(needle_over_block(45.0, -10.0), 4);
+  const CorridorKeeper::News begun = keeper.update(needle_over_block(45.0, -10.0), 4);
   ASSERT_TRUE(begun.sentence);
   EXPECT_THAT(*begun.sentence, HasSubstr("wait outside"));
   EXPECT_TRUE(keeper.is_preparing());
@@ -88,10 +88,10 @@ TEST(CorridorKeeper, prepares_where_the_needle_aims_and_nothing_else_covers_its_
   EXPECT_EQ(made->aimed_at, 4U);
   EXPECT_NEAR(made->path.entry.x(), 45.0, 1e-12);
   EXPECT_NEAR(made->path.length(), 30.0, 1e-12);
-  EXPECT_FALSE(keeper.look(needle_over_block(45.0, -10.0), 6).sentence);  // there now
+  EXPECT_FALSE(keeper.update(needle_over_block(45.0, -10.0), 6).sentence);  // there now
   ASSERT_TRUE(wait_for(keeper, needle_over_block(30.0, -10.0), 7));
-  EXPECT_THAT(keeper.look(needle_over_block(58.0, -10.0), 8).sentence.value_or(""), HasSubstr("no room"));
-  EXPECT_FALSE(keeper.look(needle_over_block(58.0, -10.0), 9).sentence);  // said once
+  EXPECT_THAT(keeper.update(needle_over_block(58.0, -10.0), 8).sentence.value_or(""), HasSubstr("no room"));
+  EXPECT_FALSE(keeper.update(needle_over_block(58.0, -10.0), 9).sentence);  // said once
 }
 
 TEST(CorridorKeeper, is_left_at_once_while_it_prepares) {
@@ -99,7 +99,7 @@ TEST(CorridorKeeper, is_left_at_once_while_it_prepares) {
   const auto before = std::chrono::steady_clock::now();
   {
     CorridorKeeper keeper(std::make_shared<const Case>(block.patient), block.body, 30.0, 2);
-    keeper.look(needle_over_block(45.0, -10.0), 4);
+    keeper.update(needle_over_block(45.0, -10.0), 4);
   }
   EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(10));
 }
@@ -127,7 +127,7 @@ TEST(CorridorKeeper, a_session_that_took_another_corridor_replays_to_the_bit) {
   for (int i = 0; i <= 100; ++i) step(needle_over_block(45.0, -10.0));
   const std::optional<PreparedCorridor> made = wait_for(keeper, needle_over_block(45.0, -10.0), 100);
   ASSERT_TRUE(made);
-  ASSERT_TRUE(tick.add_corridor(*made));
+  ASSERT_TRUE(tick.body()->add_corridor(*made));
   for (const double x : {15.0, 45.5}) {
     greatest = 0.0;
     for (double z = -10.0; z < 25.0; z += 0.1) step(needle_over_block(x, z));

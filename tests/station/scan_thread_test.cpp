@@ -148,7 +148,7 @@ TEST(ScanThread, what_moves_the_picture_is_the_field_of_the_forces) {
   const auto thread = seen.start(on_skin(0.0, 5.0));
   const NodeForces forces = forces_on(seen.elastic, seen.block);
   ASSERT_EQ(forces.count, 3U);
-  thread->tell(forces, straight_in);
+  thread->set_needle(forces, straight_in);
   const LivePicture* const picture = picture_where(*thread, [](const LivePicture& now) { return now.most > 0.0; });
   ASSERT_NE(picture, nullptr);
   expect_field_of(seen, *picture, forces);
@@ -166,12 +166,12 @@ TEST(ScanThread, a_probe_that_moves_sees_the_body_where_it_is) {
   SeenThread seen;
   const auto thread = seen.start(on_skin(0.0, 5.0));
   const NodeForces forces = forces_on(seen.elastic, seen.block);
-  thread->tell(forces, straight_in);
+  thread->set_needle(forces, straight_in);
   UltrasoundSettings deeper = shallow();
   deeper.depth = 30.0;
   Pose tilted = on_skin(4.0, -3.0);
   tilted.rotate(Eigen::AngleAxisd(0.3, Vec3::UnitX()) * Eigen::AngleAxisd(0.5, Vec3::UnitY()));
-  thread->order({tilted, deeper});
+  thread->set_order({tilted, deeper});
   const LivePicture* const picture = picture_where(*thread, [&](const LivePicture& now) {
     return now.most > 0.0 && now.order.settings.depth == 30.0 && now.order.probe.matrix() == tilted.matrix();
   });
@@ -186,7 +186,7 @@ TEST(ScanThread, settings_that_cannot_be_leave_the_last_ones) {
   const auto thread = seen.start(on_skin(0.0, 5.0));
   UltrasoundSettings wrong = shallow();
   wrong.gain = 1000.0;
-  thread->order({on_skin(0.0, 5.0), wrong});
+  thread->set_order({on_skin(0.0, 5.0), wrong});
   const LivePicture* const picture = picture_where(*thread, [](const LivePicture& now) { return now.refused; });
   ASSERT_NE(picture, nullptr);
   EXPECT_EQ(picture->order.settings, shallow());
@@ -198,15 +198,15 @@ TEST(ScanThread, every_picture_is_of_one_tick_and_the_tick_never_waits) {
   SeenThread seen;
   const auto thread = seen.start(on_skin(0.0, 5.0), 1000.0);
   const NodeForces unit = forces_on(seen.elastic, seen.block, 0.1F);
-  thread->tell(unit, needle_pose(Vec3(0.0, -1.0, 0.0), -Vec3::UnitY()));
+  thread->set_needle(unit, needle_pose(Vec3(0.0, -1.0, 0.0), -Vec3::UnitY()));
   const LivePicture* const first = picture_where(*thread, [](const LivePicture& now) { return now.most > 0.0; });
   ASSERT_NE(first, nullptr);
   const double most = first->most;
   std::jthread tick([&](const std::stop_token& stop) {
     for (int round = 0; !stop.stop_requested(); ++round) {
       const int depth = 1 + round % 4;
-      thread->tell(forces_on(seen.elastic, seen.block, 0.1F * static_cast<float>(depth)),
-                   needle_pose(Vec3(0.0, -depth, 0.0), -Vec3::UnitY()));
+      thread->set_needle(forces_on(seen.elastic, seen.block, 0.1F * static_cast<float>(depth)),
+                         needle_pose(Vec3(0.0, -depth, 0.0), -Vec3::UnitY()));
     }
   });
   std::uint64_t last = 0;
@@ -231,7 +231,7 @@ TEST(ScanThread, keeps_up) {
   const std::uint64_t before = thread->picture().number;
   const auto begin = std::chrono::steady_clock::now();
   for (int tick = 0; tick < 1000; ++tick) {
-    thread->tell(forces_on(seen.elastic, seen.block), straight_in);
+    thread->set_needle(forces_on(seen.elastic, seen.block), straight_in);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   const double gone = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -243,7 +243,7 @@ TEST(ScanThread, keeps_up) {
 TEST(ScanThread, without_a_body_the_picture_is_rigid) {
   SeenThread seen;
   ScanThread thread(seen.block.sounding, seen.machine(), Needle(), {}, {on_skin(0.0, 5.0, 2.0), shallow()}, 200.0);
-  thread.tell({}, straight_in);
+  thread.set_needle({}, straight_in);
   const LivePicture* const picture =
       picture_where(thread, [](const LivePicture& now) { return now.needle.has_value(); });
   ASSERT_NE(picture, nullptr);
@@ -259,11 +259,11 @@ TEST(ScanThread, what_is_told_of_the_nodes_of_a_moving_body_moves_the_picture) {
                     {on_skin(0.0, 0.0), shallow()}, 200.0);
   ASSERT_NE(picture_where(thread, [](const LivePicture&) { return true; }), nullptr);
   EXPECT_EQ(thread.picture().most, 0.0);
-  thread.tell_nodes(std::vector<float>(7, 1.0F));  // of another mesh
+  thread.set_displacements(std::vector<float>(7, 1.0F));  // of another mesh
   std::vector<float> nodes;
   for (std::size_t node = 0; node < seen.block.body->mesh.nodes.size(); ++node)
     nodes.insert(nodes.end(), {0.5F, -2.0F, 1.0F});
-  thread.tell_nodes(nodes);
+  thread.set_displacements(nodes);
   const LivePicture* const picture = picture_where(thread, [](const LivePicture& now) { return now.most > 0.0; });
   ASSERT_NE(picture, nullptr);
   const SlicePlane grid = grid_of(*picture);

@@ -49,7 +49,8 @@ TEST(SecondHand, two_hands_a_recorder_and_a_watcher_meet_without_waiting) {
   const DeviceAbilities device = port.abilities();
   ServoSettings servo;
   servo.workspace = workspace_about(*patient.description.procedure.path);
-  HandSession session(patient, header, scratch.path(), true, std::move(port), device, servo, link);
+  HandSession session(std::make_shared<const Case>(patient), header, scratch.path(), true, std::move(port), device,
+                      servo, link);
   const auto second = second_hand(SecondRole::plunger, "speed_mm_s=5 tremor_mm=0.05", patient, link);
   session.start();
   second->start();
@@ -57,10 +58,10 @@ TEST(SecondHand, two_hands_a_recorder_and_a_watcher_meet_without_waiting) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(2500);
   double latest = -1.0;
   while (std::chrono::steady_clock::now() < end) {
-    const SecondSample& now = second->moment();
+    const SecondSample& now = second->snapshot();
     EXPECT_GE(now.time, latest);
     latest = now.time;
-    session.moment();
+    session.snapshot();
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   EXPECT_TRUE(second->stop());
@@ -91,13 +92,13 @@ TEST(SecondHand, feels_ligament_as_pressure_and_the_epidural_space_as_its_loss) 
     }
     return condition();
   };
-  EXPECT_TRUE(comes_true([&] { return hand->moment().force > 2.0; }));
+  EXPECT_TRUE(comes_true([&] { return hand->snapshot().force > 2.0; }));
   EXPECT_GT(hand->servo().tick().snapshot().applied.force.z(), 1.0) << "upwards, at the hand";
   // At 1.5 mm/s the needle lets 0.5 N be: (R_needle + R_tissue) A^2 s'; with the space's own pressure 0.6 N.
   link->needle.write({0.1, tissue::epidural_fat});
-  EXPECT_TRUE(comes_true([&] { return hand->moment().force < 1.0; }));
+  EXPECT_TRUE(comes_true([&] { return hand->snapshot().force < 1.0; }));
   hand->disarm();
-  EXPECT_TRUE(comes_true([&] { return hand->moment().force == 0.0; })) << "not armed: a full syringe";
+  EXPECT_TRUE(comes_true([&] { return hand->snapshot().force == 0.0; })) << "not armed: a full syringe";
   EXPECT_TRUE(hand->stop());
 }
 

@@ -75,7 +75,7 @@ class NodeMatrix {
   // the last row to the first.
   std::vector<std::uint32_t> order_;   // of the nodes in a sweep
   std::vector<std::uint32_t> below_;   // nodes + 1, of each row in blocks_
-  std::vector<std::uint32_t> above_;   // likewise, from the last row to the first
+  std::vector<std::uint32_t> above_;   // nodes + 1, of each row in blocks_, from the last row to the first
   std::vector<std::uint32_t> column_;  // of each block, its node
   std::vector<Block> blocks_;
   std::vector<Block> inverse_;       // of the diagonal

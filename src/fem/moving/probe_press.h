@@ -51,7 +51,7 @@ class ProbePress {
   ProbeFace face_;
   std::vector<std::uint32_t> surface_;
   std::vector<Vec3> held_at_;        // by place in surface_, in the frame of the probe
-  std::vector<std::uint8_t> taken_;  // likewise
+  std::vector<std::uint8_t> taken_;  // by place in surface_: held by the probe
   std::size_t held_ = 0;
   Pose probe_ = Pose::Identity();
 };

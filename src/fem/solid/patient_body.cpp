@@ -200,9 +200,9 @@ bool covers(const PreparedCorridor& corridor, const NeedlePath& path, const Defo
   return distance_to_segment(path.entry, from, to) < reach && distance_to_segment(path.target, from, to) < reach;
 }
 
-PatientBody describe_body(TetrahedralMesh mesh, const Case& patient, const DeformableBodySettings& settings,
-                          const NeedlePath& path) {
-  PatientBody described;
+DescribedBody describe_body(TetrahedralMesh mesh, const Case& patient, const DeformableBodySettings& settings,
+                            const NeedlePath& path) {
+  DescribedBody described;
   BodyDescription& body = described.body;
   body.mesh = std::move(mesh);
   body.materials = materials_of(body.mesh, patient.library, settings.stiffness_scale);

@@ -10,7 +10,7 @@
 namespace bodkin {
 
 // A patient's mesh as a body that can be condensed, and what was assumed on the way, one sentence each.
-struct PatientBody {
+struct DescribedBody {
   BodyDescription body;
   std::vector<std::string> notes;
 };
@@ -20,8 +20,8 @@ struct PatientBody {
 // rigid in `layered`), the faces where the mesh ends but the patient does not (behind them lies tissue, or the edge
 // of the volume), and what lies beyond a depth along the planned path (`path` where there is none). Throws InputError
 // when a tissue of the mesh has no material, and what corridor_about() does.
-PatientBody describe_body(TetrahedralMesh mesh, const Case& patient, const DeformableBodySettings& settings,
-                          const NeedlePath& path);
+DescribedBody describe_body(TetrahedralMesh mesh, const Case& patient, const DeformableBodySettings& settings,
+                            const NeedlePath& path);
 
 // The nodes of a body that make the corridor about a path: the free ones that are closest to it, in ascending order.
 // `notes` is told when there is no room for all of them. Throws InputError when the path has no length or no node

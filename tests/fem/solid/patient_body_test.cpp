@@ -57,7 +57,7 @@ bool is_fixed(const BodyDescription& body, const Vec3& at) {
                      [&](std::uint32_t node) { return (body.mesh.nodes[node] - at).norm() < 1e-9; });
 }
 
-TEST(PatientBody, faces_behind_which_the_patient_goes_on_are_held) {
+TEST(DescribeBody, faces_behind_which_the_patient_goes_on_are_held) {
   const BodyDescription body = describe_body(block_of_muscle(), block_patient(), {}, block_path).body;
   EXPECT_TRUE(is_fixed(body, {20, 20, 40}));   // the far side
   EXPECT_TRUE(is_fixed(body, {40, 20, 20}));   // the side on which there is more muscle
@@ -73,7 +73,7 @@ TEST(PatientBody, faces_behind_which_the_patient_goes_on_are_held) {
   EXPECT_FALSE(is_fixed(other, {0, 0, 30}));
 }
 
-TEST(PatientBody, bone_is_held_unless_the_case_says_otherwise) {
+TEST(DescribeBody, bone_is_held_unless_the_case_says_otherwise) {
   TetrahedralMesh mesh = block_of_muscle();
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const auto& corners = mesh.elements[e];
@@ -87,10 +87,10 @@ TEST(PatientBody, bone_is_held_unless_the_case_says_otherwise) {
   EXPECT_FALSE(is_fixed(describe_body(mesh, block_patient(), settings, block_path).body, {5, 20, 20}));
 }
 
-TEST(PatientBody, the_corridor_is_what_lies_nearest_to_the_path) {
+TEST(DescribeBody, the_corridor_is_what_lies_nearest_to_the_path) {
   DeformableBodySettings settings;
   settings.corridor_radius = 7.5;
-  const PatientBody all = describe_body(block_of_muscle(), block_patient(), settings, block_path);
+  const DescribedBody all = describe_body(block_of_muscle(), block_patient(), settings, block_path);
   EXPECT_TRUE(all.notes.empty());
   for (std::uint32_t node = 0; node < all.body.mesh.nodes.size(); ++node) {
     const Vec3& at = all.body.mesh.nodes[node];
@@ -99,13 +99,13 @@ TEST(PatientBody, the_corridor_is_what_lies_nearest_to_the_path) {
     EXPECT_EQ(in, beside <= 7.5 && !is_fixed(all.body, at)) << at.transpose();
   }
   settings.corridor_nodes = 10;
-  const PatientBody some = describe_body(block_of_muscle(), block_patient(), settings, block_path);
+  const DescribedBody some = describe_body(block_of_muscle(), block_patient(), settings, block_path);
   EXPECT_EQ(some.body.corridor.size(), 10U);
   ASSERT_EQ(some.notes.size(), 1U);
   EXPECT_THAT(some.notes[0], AllOf(HasSubstr("10 nodes at most"), HasSubstr("corridor_nodes")));
 }
 
-TEST(PatientBody, moduli_are_those_of_the_library_times_the_scale) {
+TEST(DescribeBody, moduli_are_those_of_the_library_times_the_scale) {
   DeformableBodySettings settings;
   settings.stiffness_scale = 2.0;
   const BodyDescription body = describe_body(block_of_muscle(), block_patient(), settings, block_path).body;
@@ -115,7 +115,7 @@ TEST(PatientBody, moduli_are_those_of_the_library_times_the_scale) {
   EXPECT_EQ(body.materials.find(tissue::skin), nullptr);  // the mesh has none
 }
 
-TEST(PatientBody, thin_layers_that_the_mesh_has_merged_are_felt) {
+TEST(DescribeBody, thin_layers_that_the_mesh_has_merged_are_felt) {
   const Case patient = block_patient();
   CondensedBody body = condense(describe_body(block_of_muscle(), patient, {}, block_path).body);
   EXPECT_EQ(std::count(body.tissues.begin(), body.tissues.end(), tissue::skin), 0);
@@ -126,7 +126,7 @@ TEST(PatientBody, thin_layers_that_the_mesh_has_merged_are_felt) {
     EXPECT_EQ(body.tissues[node], body.nodes[node].z() < 1.5 ? tissue::skin : tissue::muscle);
 }
 
-TEST(PatientBody, what_cannot_be_a_body_is_refused) {
+TEST(DescribeBody, what_cannot_be_a_body_is_refused) {
   Case patient = block_patient();
   EXPECT_THAT(refusal([&] {
                 describe_body(block_of_muscle(), patient, {}, {block_path.entry, block_path.entry});
@@ -140,7 +140,7 @@ TEST(PatientBody, what_cannot_be_a_body_is_refused) {
   EXPECT_THAT(refusal([&] { describe_body(block_of_muscle(), patient, {}, elsewhere); }), HasSubstr("within 25 mm"));
 }
 
-TEST(PatientBody, a_corridor_covers_the_paths_between_its_nodes) {
+TEST(DescribeBody, a_corridor_covers_the_paths_between_its_nodes) {
   DeformableBodySettings settings;
   settings.corridor_radius = 8.0;
   settings.corridor_nodes = 5000;

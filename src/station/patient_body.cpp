@@ -1,4 +1,4 @@
-#include "station/pressed_patient.h"
+#include "station/patient_body.h"
 
 #include <utility>
 
@@ -12,7 +12,7 @@ namespace bodkin {
 
 namespace {
 
-constexpr double same_line = 5.0;  // mm, within which a line that was refused is not tried again
+constexpr double same_line = 5.0;  // mm, within which a refused line is not tried again
 
 CondensedBody without_compliance(const CondensedBody& body) {
   return {body.nodes, body.mesh_nodes, body.tissues, {}};
@@ -24,37 +24,37 @@ bool is_near(const NeedlePath& one, const NeedlePath& other) {
 
 }  // namespace
 
-PressedPatient::PressedPatient(const Case& patient, const BodyDescription& body, const PressedBodySettings& settings)
-    : description_(body), led_{patient.corridor.path, without_compliance(*patient.corridor.body)} {
-  moving_ = std::make_unique<MovingBody>(
-      body, settings, [this](std::shared_ptr<CondensedBody> corridor) { take(std::move(corridor)); });
+PatientBody::PatientBody(const Case& patient, const BodyDescription& body, const BodySolverSettings& settings)
+    : description_(body), present_{patient.corridor.path, without_compliance(*patient.corridor.body)} {
+  thread_ = std::make_unique<BodyThread>(
+      body, settings, [this](std::shared_ptr<CondensedBody> corridor) { publish(std::move(corridor)); });
 }
 
-void PressedPatient::tell(double seconds, const NodeForces& of_mesh) noexcept {
-  moving_->press_needle(of_mesh);
-  moving_->tell_time(seconds);
+void PatientBody::set_needle(double seconds, const NodeForces& of_mesh) noexcept {
+  thread_->set_needle_forces(of_mesh);
+  thread_->set_time(seconds);
 }
 
-void PressedPatient::take(std::shared_ptr<CondensedBody> corridor) {
+void PatientBody::publish(std::shared_ptr<CondensedBody> corridor) {
   const std::lock_guard lock(exchange_);
-  if (wanted_ && wanted_->body.mesh_nodes == corridor->mesh_nodes) led_ = *std::exchange(wanted_, std::nullopt);
-  if (led_.body.mesh_nodes != corridor->mesh_nodes) return;  // led elsewhere meanwhile
-  corridor->tissues = led_.body.tissues;
+  if (wanted_ && wanted_->body.mesh_nodes == corridor->mesh_nodes) present_ = *std::exchange(wanted_, std::nullopt);
+  if (present_.body.mesh_nodes != corridor->mesh_nodes) return;  // the corridor was moved elsewhere meanwhile
+  corridor->tissues = present_.body.tissues;
   next_ = PreparedCorridor{.body = std::move(corridor),
-                           .path = led_.path,
+                           .path = present_.path,
                            .aimed_at = {},
                            .state = ++corridors_,
-                           .at_rest = led_.body.nodes};
+                           .at_rest = present_.body.nodes};
 }
 
-std::optional<PreparedCorridor> PressedPatient::next_corridor() {
+std::optional<PreparedCorridor> PatientBody::take_corridor() {
   if (failed()) return {};
   const std::lock_guard lock(exchange_);
   return std::exchange(next_, std::nullopt);
 }
 
-// Only the watching thread changes where the corridor is led, so that between two locks that stays as it was.
-std::optional<std::string> PressedPatient::look(const Pose& needle, const Case& patient) {
+// Only the observer moves the corridor, so wanted_ and present_ do not change between the two locks.
+std::optional<std::string> PatientBody::follow(const Pose& needle, const Case& patient) {
   if (failed()) return {};
   const DeformableBodySettings& settings = *body_of(patient.description.haptics.resistance);
   PreparedCorridor now;
@@ -64,41 +64,41 @@ std::optional<std::string> PressedPatient::look(const Pose& needle, const Case& 
       waiting_ = false;
       return "the deformable body is prepared where the needle aimed";
     }
-    if (waiting_ && moving_->lead_failed()) {
+    if (waiting_ && thread_->move_failed()) {
       waiting_ = false;
       refused_ = std::exchange(wanted_, std::nullopt)->path;
       return "the deformable body cannot be prepared where the needle aims: its corridor was not made";
     }
     if (waiting_) return {};
-    now.path = led_.path;
-    now.body = std::make_shared<const CondensedBody>(led_.body);
+    now.path = present_.path;
+    now.body = std::make_shared<const CondensedBody>(present_.body);
   }
   const NeedlePath& planned = patient.corridor.path;
   const std::optional<NeedlePath> path = aimed_path(needle, patient.tissues, planned.length());
   if (!path || covers(now, *path, settings) || (refused_ && is_near(*refused_, *path))) return {};
-  return lead(*path, patient);
+  return move_to(*path, patient);
 }
 
-std::optional<std::string> PressedPatient::lead(const NeedlePath& path, const Case& patient) {
+std::optional<std::string> PatientBody::move_to(const NeedlePath& path, const Case& patient) {
   const DeformableBodySettings& settings = *body_of(patient.description.haptics.resistance);
-  Led led{path, {}};
+  Line line{path, {}};
   std::vector<std::string> notes;
   try {
-    led.body.mesh_nodes = corridor_about(description_, path, settings, notes);
+    line.body.mesh_nodes = corridor_about(description_, path, settings, notes);
   } catch (const InputError& error) {
     refused_ = path;
     return fmt::format("the deformable body cannot be prepared where the needle aims: {}", error.what());
   }
-  for (const std::uint32_t node : led.body.mesh_nodes) led.body.nodes.push_back(description_.mesh.nodes[node]);
-  led.body.tissues = stiffest_tissues(description_, led.body.mesh_nodes);
-  take_tissues_of_voxels(led.body, patient);
-  std::vector<std::uint32_t> nodes = led.body.mesh_nodes;
+  for (const std::uint32_t node : line.body.mesh_nodes) line.body.nodes.push_back(description_.mesh.nodes[node]);
+  line.body.tissues = stiffest_tissues(description_, line.body.mesh_nodes);
+  take_tissues_of_voxels(line.body, patient);
+  std::vector<std::uint32_t> nodes = line.body.mesh_nodes;
   {
     const std::lock_guard lock(exchange_);
-    wanted_ = std::move(led);
+    wanted_ = std::move(line);
   }
   waiting_ = true;
-  moving_->lead_corridor(std::move(nodes));
+  thread_->move_corridor(std::move(nodes));
   return "the needle aims where the deformable body is not prepared: that is being done, wait outside until it is";
 }
 

@@ -1,5 +1,5 @@
 // The threads around a moving body. They wait for each other by looking, for at most some seconds.
-#include "fem/moving/moving_body.h"
+#include "fem/moving/body_thread.h"
 
 #include <algorithm>
 #include <atomic>
@@ -28,8 +28,8 @@ BodyDescription small_box() {
   return body;
 }
 
-PressedBodySettings quick_settings() {
-  PressedBodySettings settings;
+BodySolverSettings quick_settings() {
+  BodySolverSettings settings;
   settings.probe.width = 20.0;
   settings.probe.thickness = 24.0;
   return settings;
@@ -46,7 +46,7 @@ EmbeddedNeedleSettings coarse_settings() {
 struct Stage {
   checks::NeedleInCorridors corridors{std::make_shared<const CondensedBody>(condense(small_box())),
                                       checks::plain_tissues(0.02), coarse_settings()};
-  MovingBody moving{small_box(), quick_settings(),
+  BodyThread moving{small_box(), quick_settings(),
                     [this](std::shared_ptr<const CondensedBody> made) { corridors.offer(std::move(made)); }};
 };
 
@@ -59,35 +59,35 @@ Pose probe_down(double depth) {
 
 // Time goes on until `done` says so.
 template <typename Done>
-bool runs_until(MovingBody& moving, double& time, const Done& done) {
+bool runs_until(BodyThread& moving, double& time, const Done& done) {
   for (int look = 0; look < 20000; ++look) {
-    if (done(moving.picture())) return true;
+    if (done(moving.snapshot())) return true;
     time += 0.002;
-    moving.tell_time(time);
+    moving.set_time(time);
     std::this_thread::sleep_for(std::chrono::microseconds(500));
   }
   return false;
 }
 
-TEST(MovingBody, stands_still_until_time_goes_on_and_ends_with_its_object) {
+TEST(BodyThread, stands_still_until_time_goes_on_and_ends_with_its_object) {
   Stage stage;
-  MovingBody& moving = stage.moving;
+  BodyThread& moving = stage.moving;
   std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  EXPECT_EQ(moving.picture().steps, 0U);
-  EXPECT_EQ(moving.picture().displacements.size(), 3U * 125U);
+  EXPECT_EQ(moving.snapshot().steps, 0U);
+  EXPECT_EQ(moving.snapshot().displacements.size(), 3U * 125U);
   double time = 0.0;
-  EXPECT_TRUE(runs_until(moving, time, [](const BodyPicture& picture) { return picture.steps >= 3; }));
-  EXPECT_EQ(moving.picture().faults, 0U);
+  EXPECT_TRUE(runs_until(moving, time, [](const BodySnapshot& picture) { return picture.steps >= 3; }));
+  EXPECT_EQ(moving.snapshot().faults, 0U);
 }
 
-TEST(MovingBody, follows_the_probe_and_hands_a_corridor_to_the_haptic_thread) {
+TEST(BodyThread, follows_the_probe_and_hands_a_corridor_to_the_haptic_thread) {
   Stage stage;
-  MovingBody& moving = stage.moving;
+  BodyThread& moving = stage.moving;
   const CondensedBody first = stage.corridors.body();
   double time = 0.0;
   moving.move_probe(probe_down(6.0));
-  ASSERT_TRUE(runs_until(moving, time, [](const BodyPicture& picture) { return picture.corridors > 0; }));
-  const BodyPicture& picture = moving.picture();
+  ASSERT_TRUE(runs_until(moving, time, [](const BodySnapshot& picture) { return picture.corridors > 0; }));
+  const BodySnapshot& picture = moving.snapshot();
   EXPECT_GT(picture.probe_nodes, 3U);
   EXPECT_GT(picture.on_probe.force.z(), 0.05);
   EXPECT_LT(*std::min_element(picture.displacements.begin(), picture.displacements.end()), -5.9F);
@@ -95,57 +95,57 @@ TEST(MovingBody, follows_the_probe_and_hands_a_corridor_to_the_haptic_thread) {
   EXPECT_GT((stage.corridors.body().compliance - first.compliance).norm(), 0.01 * first.compliance.norm());
   // Away again: back to where it was.
   moving.move_probe(std::nullopt);
-  const std::uint32_t before = moving.picture().corridors;
-  ASSERT_TRUE(runs_until(moving, time, [before](const BodyPicture& now) { return now.corridors > before; }));
-  ASSERT_TRUE(runs_until(moving, time, [](const BodyPicture& now) { return now.steps > 150 && now.settled; }));
+  const std::uint32_t before = moving.snapshot().corridors;
+  ASSERT_TRUE(runs_until(moving, time, [before](const BodySnapshot& now) { return now.corridors > before; }));
+  ASSERT_TRUE(runs_until(moving, time, [](const BodySnapshot& now) { return now.steps > 150 && now.settled; }));
   stage.corridors.take_newest();
   EXPECT_LT((stage.corridors.body().compliance - first.compliance).norm(), 0.1 * first.compliance.norm());
-  EXPECT_EQ(moving.picture().probe_nodes, 0U);
-  EXPECT_EQ(moving.picture().faults, 0U);
+  EXPECT_EQ(moving.snapshot().probe_nodes, 0U);
+  EXPECT_EQ(moving.snapshot().faults, 0U);
 }
 
-TEST(MovingBody, a_force_that_cannot_be_is_a_fault_that_is_told_and_leaves_the_last_good_state) {
+TEST(BodyThread, a_force_that_cannot_be_is_a_fault_that_is_told_and_leaves_the_last_good_state) {
   Stage stage;
-  MovingBody& moving = stage.moving;
+  BodyThread& moving = stage.moving;
   double time = 0.0;
   NodeForces senseless;
   senseless.count = 1;
   senseless.nodes[0] = {stage.corridors.body().mesh_nodes[0], {3e38F, 3e38F, 0.0F}};
-  moving.press_needle(senseless);
-  ASSERT_TRUE(runs_until(moving, time, [](const BodyPicture& picture) { return picture.faults > 0; }));
-  for (const float moved : moving.picture().displacements) ASSERT_LT(std::abs(moved), 1e-6F);
-  moving.press_needle({});
-  const std::uint64_t steps = moving.picture().steps;
-  ASSERT_TRUE(runs_until(moving, time, [steps](const BodyPicture& picture) { return picture.steps > steps + 3; }));
-  const std::uint32_t faults = moving.picture().faults;
-  const std::uint64_t later = moving.picture().steps;
-  ASSERT_TRUE(runs_until(moving, time, [later](const BodyPicture& picture) { return picture.steps > later + 3; }));
-  EXPECT_EQ(moving.picture().faults, faults);
+  moving.set_needle_forces(senseless);
+  ASSERT_TRUE(runs_until(moving, time, [](const BodySnapshot& picture) { return picture.faults > 0; }));
+  for (const float moved : moving.snapshot().displacements) ASSERT_LT(std::abs(moved), 1e-6F);
+  moving.set_needle_forces({});
+  const std::uint64_t steps = moving.snapshot().steps;
+  ASSERT_TRUE(runs_until(moving, time, [steps](const BodySnapshot& picture) { return picture.steps > steps + 3; }));
+  const std::uint32_t faults = moving.snapshot().faults;
+  const std::uint64_t later = moving.snapshot().steps;
+  ASSERT_TRUE(runs_until(moving, time, [later](const BodySnapshot& picture) { return picture.steps > later + 3; }));
+  EXPECT_EQ(moving.snapshot().faults, faults);
 }
 
-TEST(MovingBody, leads_its_corridor_elsewhere_though_nothing_presses_it) {
+TEST(BodyThread, leads_its_corridor_elsewhere_though_nothing_presses_it) {
   Stage stage;
-  MovingBody& moving = stage.moving;
+  BodyThread& moving = stage.moving;
   const BodyDescription box = small_box();
   std::vector<std::uint32_t> aside;
   for (std::uint32_t node = 0; node < box.mesh.nodes.size(); ++node) {
     if ((box.mesh.nodes[node] - Vec3(30.0, 10.0, 30.0)).norm() < 11.0) aside.push_back(node);
   }
   double time = 0.0;
-  moving.lead_corridor(aside);
-  ASSERT_TRUE(runs_until(moving, time, [](const BodyPicture& picture) { return picture.corridors > 0; }));
-  EXPECT_FALSE(moving.lead_failed());
+  moving.move_corridor(aside);
+  ASSERT_TRUE(runs_until(moving, time, [](const BodySnapshot& picture) { return picture.corridors > 0; }));
+  EXPECT_FALSE(moving.move_failed());
   ASSERT_TRUE(stage.corridors.take_newest());
   EXPECT_EQ(stage.corridors.body().mesh_nodes, aside);
-  moving.lead_corridor({1000000});
-  ASSERT_TRUE(runs_until(moving, time, [](const BodyPicture& picture) { return picture.corridor_failed; }));
-  EXPECT_TRUE(moving.lead_failed());
+  moving.move_corridor({1000000});
+  ASSERT_TRUE(runs_until(moving, time, [](const BodySnapshot& picture) { return picture.corridor_failed; }));
+  EXPECT_TRUE(moving.move_failed());
 }
 
 // The haptic thread inserts and withdraws a needle while the probe comes and goes on another thread.
-TEST(MovingBody, needle_probe_and_picture_on_threads_of_their_own_never_wait_and_the_force_never_jumps) {
+TEST(BodyThread, needle_probe_and_picture_on_threads_of_their_own_never_wait_and_the_force_never_jumps) {
   Stage stage;
-  MovingBody& moving = stage.moving;
+  BodyThread& moving = stage.moving;
   std::atomic<bool> done{false};
   std::atomic<int> taken{0}, taken_inside{0};
   std::atomic<double> largest{0.0};
@@ -155,7 +155,7 @@ TEST(MovingBody, needle_probe_and_picture_on_threads_of_their_own_never_wait_and
     stage.corridors.begin(entry, -Vec3::UnitZ());
     std::size_t heap = 0, locks = 0;
     for (int tick = 0; tick < 200000 && !(done && tick > 3000); ++tick) {
-      moving.tell_time(1e-3 * tick);
+      moving.set_time(1e-3 * tick);
       {
         const RealTimeGuard guard;
         if (tick % 1000 > 900 && stage.corridors.take_newest()) {
@@ -165,7 +165,7 @@ TEST(MovingBody, needle_probe_and_picture_on_threads_of_their_own_never_wait_and
         const double depth = -5.0 + 10.0 * (1.0 - std::cos(2.0 * std::numbers::pi * tick / 1000.0));
         EmbeddedNeedle& needle = stage.corridors.needle();
         const Vec3 force = needle.step(needle_pose(entry - Vec3(0.0, 0.0, depth), -Vec3::UnitZ())).on_hand.force;
-        moving.press_needle(of_mesh(needle.node_forces(), stage.corridors.body()));
+        moving.set_needle_forces(of_mesh(needle.node_forces(), stage.corridors.body()));
         largest = std::max(largest.load(), (force - before).norm());
         before = force;
         if (stage.corridors.go_on_in_newest()) ++taken_inside;
@@ -183,7 +183,7 @@ TEST(MovingBody, needle_probe_and_picture_on_threads_of_their_own_never_wait_and
   bool down = false;
   int turns = 0;
   for (int look = 0; look < 5000 && !done; ++look) {
-    const BodyPicture& picture = moving.picture();
+    const BodySnapshot& picture = moving.snapshot();
     const float most = *std::max_element(picture.displacements.begin(), picture.displacements.end());
     EXPECT_TRUE(std::isfinite(most));
     if (look % 400 == 0) {
@@ -198,31 +198,31 @@ TEST(MovingBody, needle_probe_and_picture_on_threads_of_their_own_never_wait_and
   haptic.join();
   EXPECT_GT(taken + taken_inside, 0);
   EXPECT_LT(largest.load(), 0.1);
-  EXPECT_EQ(moving.picture().faults, 0U);
+  EXPECT_EQ(moving.snapshot().faults, 0U);
 }
 
-TEST(MovingBody, a_corridor_that_cannot_be_made_or_taken_is_told_and_the_body_goes_on) {
-  const auto press = [](MovingBody& moving) {
+TEST(BodyThread, a_corridor_that_cannot_be_made_or_taken_is_told_and_the_body_goes_on) {
+  const auto press = [](BodyThread& moving) {
     double time = 0.0;
     moving.move_probe(probe_down(6.0));
-    ASSERT_TRUE(runs_until(moving, time, [](const BodyPicture& picture) { return picture.corridor_failed; }));
-    const std::uint64_t steps = moving.picture().steps;
-    EXPECT_TRUE(runs_until(moving, time, [steps](const BodyPicture& now) { return now.steps > steps + 3; }));
-    EXPECT_EQ(moving.picture().corridors, 0U);
-    EXPECT_EQ(moving.picture().faults, 0U);
+    ASSERT_TRUE(runs_until(moving, time, [](const BodySnapshot& picture) { return picture.corridor_failed; }));
+    const std::uint64_t steps = moving.snapshot().steps;
+    EXPECT_TRUE(runs_until(moving, time, [steps](const BodySnapshot& now) { return now.steps > steps + 3; }));
+    EXPECT_EQ(moving.snapshot().corridors, 0U);
+    EXPECT_EQ(moving.snapshot().faults, 0U);
   };
-  PressedBodySettings settings = quick_settings();
+  BodySolverSettings settings = quick_settings();
   settings.memory_limit = 1000;
-  MovingBody without_memory(small_box(), settings, [](const auto&) { ADD_FAILURE(); });
+  BodyThread without_memory(small_box(), settings, [](const auto&) { ADD_FAILURE(); });
   press(without_memory);
-  MovingBody without_taker(small_box(), quick_settings(), [](const auto&) { throw InputError("no"); });
+  BodyThread without_taker(small_box(), quick_settings(), [](const auto&) { throw InputError("no"); });
   press(without_taker);
 }
 
-TEST(MovingBody, refuses_what_its_parts_refuse) {
-  PressedBodySettings settings = quick_settings();
+TEST(BodyThread, refuses_what_its_parts_refuse) {
+  BodySolverSettings settings = quick_settings();
   settings.motion.density = -1.0;
-  EXPECT_THROW(MovingBody(small_box(), settings, [](const auto&) {}), InputError);
+  EXPECT_THROW(BodyThread(small_box(), settings, [](const auto&) {}), InputError);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "fem/moving/pressed_body.h"
+#include "fem/moving/deformable_body_solver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +26,8 @@ const BodyDescription& box_beside_probe() {
   return body;
 }
 
-PressedBodySettings beside_needle() {
-  PressedBodySettings settings;
+BodySolverSettings beside_needle() {
+  BodySolverSettings settings;
   settings.motion.dt = 0.0;
   settings.motion.gradients.tolerance = 1e-3;
   settings.probe.width = 14.0;
@@ -43,8 +43,8 @@ Pose probe_beside(double depth) {
   return pose;
 }
 
-TEST(PressedBody, says_when_a_new_corridor_is_due_and_makes_it) {
-  PressedBody pressed(box_beside_probe(), beside_needle());
+TEST(DeformableBodySolver, says_when_a_new_corridor_is_due_and_makes_it) {
+  DeformableBodySolver pressed(box_beside_probe(), beside_needle());
   EXPECT_FALSE(pressed.corridor_is_due());
   const auto at_rest = pressed.make_corridor();
   ASSERT_NE(at_rest, nullptr);
@@ -77,8 +77,8 @@ TEST(PressedBody, says_when_a_new_corridor_is_due_and_makes_it) {
     EXPECT_EQ(corridor->nodes[i], pressed.body().position(corridor->mesh_nodes[i]));
 }
 
-TEST(PressedBody, forces_of_the_needle_move_it_and_those_on_no_node_do_nothing) {
-  PressedBody pressed(box_beside_probe(), beside_needle());
+TEST(DeformableBodySolver, forces_of_the_needle_move_it_and_those_on_no_node_do_nothing) {
+  DeformableBodySolver pressed(box_beside_probe(), beside_needle());
   NodeForces needle;
   needle.count = 2;
   const CondensedBody linear = condense(box_beside_probe());
@@ -93,8 +93,8 @@ TEST(PressedBody, forces_of_the_needle_move_it_and_those_on_no_node_do_nothing) 
 }
 
 // What the needle does to it is no part of the corridor, however it strains the tissue.
-TEST(PressedBody, a_corridor_made_while_a_needle_is_in_is_that_of_the_body_without_it) {
-  PressedBody alone(box_beside_probe(), beside_needle()), with_needle(box_beside_probe(), beside_needle());
+TEST(DeformableBodySolver, a_corridor_made_while_a_needle_is_in_is_that_of_the_body_without_it) {
+  DeformableBodySolver alone(box_beside_probe(), beside_needle()), with_needle(box_beside_probe(), beside_needle());
   NodeForces needle;
   needle.count = 2;
   needle.nodes[0] = {alone.corridor_at_rest().mesh_nodes[3], {0.02F, 0.0F, -0.05F}};
@@ -120,18 +120,18 @@ TEST(PressedBody, a_corridor_made_while_a_needle_is_in_is_that_of_the_body_witho
   EXPECT_TRUE(with_needle.corridor_is_due()) << "the probe has gone";
 }
 
-TEST(PressedBody, a_corridor_that_is_led_elsewhere_is_that_of_a_body_that_had_it_from_the_beginning) {
+TEST(DeformableBodySolver, a_corridor_that_is_led_elsewhere_is_that_of_a_body_that_had_it_from_the_beginning) {
   BodyDescription other = box_beside_probe();
   other.corridor.clear();
   for (std::uint32_t node = 0; node < other.mesh.nodes.size(); ++node) {
     if ((other.mesh.nodes[node] - Vec3(30.0, 10.0, 30.0)).norm() < 11.0) other.corridor.push_back(node);
   }
-  PressedBody led(box_beside_probe(), beside_needle()), there(other, beside_needle());
+  DeformableBodySolver led(box_beside_probe(), beside_needle()), there(other, beside_needle());
   for (int step = 0; step < 60; ++step) {
     led.step(probe_beside(6.0), {});
     there.step(probe_beside(6.0), {});
   }
-  PressedState state;
+  BodyState state;
   led.take_state(state);
   const auto found = led.make_corridor(state, {}, other.corridor), expected = there.make_corridor();
   ASSERT_NE(found, nullptr);
@@ -143,9 +143,9 @@ TEST(PressedBody, a_corridor_that_is_led_elsewhere_is_that_of_a_body_that_had_it
   EXPECT_EQ(led.make_corridor(state)->mesh_nodes, expected->mesh_nodes) << "for it cannot be led where nothing is";
 }
 
-TEST(PressedBody, a_step_takes_no_memory_and_no_lock) {
+TEST(DeformableBodySolver, a_step_takes_no_memory_and_no_lock) {
   if (!RealTimeGuard::available()) GTEST_SKIP() << "a sanitizer watches the heap";
-  PressedBody pressed(box_beside_probe(), PressedBodySettings{});
+  DeformableBodySolver pressed(box_beside_probe(), BodySolverSettings{});
   NodeForces needle;
   const RealTimeGuard guard;
   for (int step = 0; step < 20; ++step) pressed.step(probe_beside(0.3 * step), needle);
@@ -154,15 +154,15 @@ TEST(PressedBody, a_step_takes_no_memory_and_no_lock) {
   EXPECT_EQ(RealTimeGuard::lock_calls(), 0U);
 }
 
-TEST(PressedBody, a_corridor_without_memory_is_not_made_and_settings_out_of_range_are_refused) {
-  PressedBodySettings settings = beside_needle();
+TEST(DeformableBodySolver, a_corridor_without_memory_is_not_made_and_settings_out_of_range_are_refused) {
+  BodySolverSettings settings = beside_needle();
   settings.memory_limit = 1000;
-  PressedBody pressed(box_beside_probe(), settings);
+  DeformableBodySolver pressed(box_beside_probe(), settings);
   EXPECT_EQ(pressed.make_corridor(), nullptr);
   settings = beside_needle();
   settings.worth = 0.0;
   try {
-    const PressedBody other(box_beside_probe(), settings);
+    const DeformableBodySolver other(box_beside_probe(), settings);
     FAIL();
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("worth 0 mm, expected both above 0"));

@@ -1,5 +1,5 @@
 // A body that moves on its own time between two hands: the probe presses it, the needle enters it as it is pressed.
-#include "station/pressed_patient.h"
+#include "station/patient_body.h"
 
 #include <algorithm>
 #include <chrono>
@@ -31,7 +31,7 @@ using ::testing::HasSubstr;
 struct PressedBlock {
   Case patient;
   std::shared_ptr<const BodyDescription> body;
-  PressedBodySettings settings;
+  BodySolverSettings settings;
 };
 
 // A block of muscle, 120 x 50 x 80 mm below the plane y = 0, held at its bottom; the planned path goes down at
@@ -72,7 +72,7 @@ PressedBlock pressed_block() {
 
 std::unique_ptr<SecondHand> probe_hand(const PressedBlock& block, const std::string& settings,
                                        const std::shared_ptr<SecondLink>& link,
-                                       const std::shared_ptr<PressedPatient>& pressed) {
+                                       const std::shared_ptr<PatientBody>& pressed) {
   DevicePort port(simulated_driver(), "", settings);
   const DeviceAbilities device = port.abilities();
   ServoSettings servo;
@@ -89,7 +89,7 @@ void arm(HandSession& session) {
 
 // The probe presses 12 mm at x = 5, 35 mm beside the needle, which enters when it has done so.
 Session perform_on(const PressedBlock& block, const std::filesystem::path& file) {
-  const auto pressed = std::make_shared<PressedPatient>(block.patient, *block.body, block.settings);
+  const auto pressed = std::make_shared<PatientBody>(block.patient, *block.body, block.settings);
   SessionHeader header = sample_header();
   header.path = *block.patient.description.procedure.path;
   header.haptics = block.patient.description.haptics;
@@ -100,7 +100,8 @@ Session perform_on(const PressedBlock& block, const std::filesystem::path& file)
   const DeviceAbilities device = port.abilities();
   ServoSettings servo;
   servo.workspace = workspace_about(header.path);
-  HandSession session(block.patient, header, file, true, std::move(port), device, servo, link);
+  HandSession session(std::make_shared<const Case>(block.patient), header, file, true, std::move(port), device, servo,
+                      link);
   const auto second = probe_hand(block, "speed_mm_s=40 depth_mm=12 lateral_mm=25 wait_s=20", link, pressed);
   session.press(pressed);
   second->start();
@@ -109,9 +110,9 @@ Session perform_on(const PressedBlock& block, const std::filesystem::path& file)
   second->arm();
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(40);
   while (!session.servo().tick().snapshot().device.ended() && std::chrono::steady_clock::now() < end) {
-    const std::optional<PreparedCorridor> corridor = pressed->next_corridor();
-    EXPECT_TRUE(!corridor || session.refresh_corridor(*corridor));
-    EXPECT_TRUE(std::isfinite(pressed->picture().on_probe.force.norm()));
+    const std::optional<PreparedCorridor> corridor = pressed->take_corridor();
+    EXPECT_TRUE(!corridor || session.body()->refresh_corridor(*corridor));
+    EXPECT_TRUE(std::isfinite(pressed->snapshot().on_probe.force.norm()));
     std::this_thread::sleep_for(milliseconds(10));
   }
   EXPECT_TRUE(second->stop());
@@ -120,7 +121,7 @@ Session perform_on(const PressedBlock& block, const std::filesystem::path& file)
   return read_session(file);
 }
 
-TEST(PressedPatient, the_probes_hand_feels_the_bodys_force_and_the_needle_enters_it_as_it_is_pressed) {
+TEST(PatientBody, the_probes_hand_feels_the_bodys_force_and_the_needle_enters_it_as_it_is_pressed) {
   const ScratchSession scratch;
   const PressedBlock block = pressed_block();
   const Session session = perform_on(block, scratch.path());
@@ -144,9 +145,9 @@ TEST(PressedPatient, the_probes_hand_feels_the_bodys_force_and_the_needle_enters
   probe.linear() = sample->rotation.toRotationMatrix();
   probe.translation() = sample->position - sample->force / 1.0 * axis;  // 1 N/mm, of the simulated device
   EXPECT_LT(probe.translation().y(), -4.0) << "deep";
-  PressedBodySettings at_rest = block.settings;
+  BodySolverSettings at_rest = block.settings;
   at_rest.motion.dt = 0.0;
-  PressedBody reference(*block.body, at_rest);
+  DeformableBodySolver reference(*block.body, at_rest);
   for (int step = 0; step < 60; ++step) reference.step(probe, {});
   const double expected = -reference.press().on_probe(reference.body()).force.dot(axis);
   EXPECT_NEAR(sample->force, expected, 0.1 * expected);
@@ -179,26 +180,26 @@ struct NeedleInBlock {
 
   TickOutput step(const Pose& needle) {
     const TickOutput output = tick.step({needle});
-    pressed.tell(time += tick.dt(), tick.node_forces());
+    pressed.set_needle(time += tick.dt(), tick.body()->node_forces());
     return output;
   }
   // Goes on until a corridor comes; the pose stays.
   std::optional<PreparedCorridor> wait_for_corridor(const Pose& needle) {
     for (int look = 0; look < 20000; ++look) {
       for (int i = 0; i < 4; ++i) step(needle);
-      if (std::optional<PreparedCorridor> corridor = pressed.next_corridor()) return corridor;
+      if (std::optional<PreparedCorridor> corridor = pressed.take_corridor()) return corridor;
       std::this_thread::sleep_for(std::chrono::microseconds(500));
     }
     return {};
   }
 
   const PressedBlock& block;
-  PressedPatient pressed;
+  PatientBody pressed;
   HapticTick tick;
   double time = 0.0;
 };
 
-TEST(PressedPatient, a_needle_that_is_in_feels_that_the_probe_presses_beside_it) {
+TEST(PatientBody, a_needle_that_is_in_feels_that_the_probe_presses_beside_it) {
   const PressedBlock block = pressed_block();
   NeedleInBlock rig(block);
   for (double depth = -2.0; depth < 22.0; depth += 0.05) rig.step(straight_down(-30.0, depth));
@@ -217,7 +218,7 @@ TEST(PressedPatient, a_needle_that_is_in_feels_that_the_probe_presses_beside_it)
     const std::optional<PreparedCorridor> corridor = rig.wait_for_corridor(straight_down(-30.0, 22.0));
     ASSERT_TRUE(corridor);
     EXPECT_EQ(corridor->body->mesh_nodes, block.patient.corridor.body->mesh_nodes);
-    ASSERT_TRUE(rig.tick.refresh_corridor(*corridor));
+    ASSERT_TRUE(rig.tick.body()->refresh_corridor(*corridor));
     for (int i = 0; i < 100; ++i) {
       const TickOutput output = rig.step(straight_down(-30.0, 22.0));
       EXPECT_LT((output.requested.force - force).norm(), 1e-9);
@@ -229,18 +230,18 @@ TEST(PressedPatient, a_needle_that_is_in_feels_that_the_probe_presses_beside_it)
   EXPECT_FALSE(rig.pressed.failed());
 }
 
-TEST(PressedPatient, leads_the_corridor_to_where_the_needle_aims_and_says_so) {
+TEST(PatientBody, leads_the_corridor_to_where_the_needle_aims_and_says_so) {
   const PressedBlock block = pressed_block();
   NeedleInBlock rig(block);
-  EXPECT_FALSE(rig.pressed.look(straight_down(-28.0, -10.0), block.patient)) << "that is covered";
-  EXPECT_FALSE(rig.pressed.look(straight_down(200.0, -10.0), block.patient)) << "there is no patient";
-  const std::optional<std::string> sentence = rig.pressed.look(straight_down(30.0, -10.0), block.patient);
+  EXPECT_FALSE(rig.pressed.follow(straight_down(-28.0, -10.0), block.patient)) << "that is covered";
+  EXPECT_FALSE(rig.pressed.follow(straight_down(200.0, -10.0), block.patient)) << "there is no patient";
+  const std::optional<std::string> sentence = rig.pressed.follow(straight_down(30.0, -10.0), block.patient);
   ASSERT_TRUE(sentence);
   EXPECT_THAT(*sentence, HasSubstr("aims where the deformable body is not prepared"));
-  EXPECT_FALSE(rig.pressed.look(straight_down(30.0, -10.0), block.patient)) << "it is said once";
+  EXPECT_FALSE(rig.pressed.follow(straight_down(30.0, -10.0), block.patient)) << "it is said once";
   const std::optional<PreparedCorridor> corridor = rig.wait_for_corridor(straight_down(30.0, -10.0));
   ASSERT_TRUE(corridor);
-  EXPECT_THAT(rig.pressed.look(straight_down(30.0, -10.0), block.patient).value_or(""),
+  EXPECT_THAT(rig.pressed.follow(straight_down(30.0, -10.0), block.patient).value_or(""),
               HasSubstr("is prepared where the needle aimed"));
   EXPECT_NEAR(corridor->path.entry.x(), 30.0, 1e-9);
   for (const Vec3& node : corridor->at_rest) EXPECT_NEAR(node.x(), 30.0, 16.0);
@@ -250,22 +251,22 @@ TEST(PressedPatient, leads_the_corridor_to_where_the_needle_aims_and_says_so) {
   EXPECT_EQ(corridor->body->tissues, expected.body->tissues);
   EXPECT_EQ(corridor->at_rest, expected.body->nodes);
   EXPECT_LT((corridor->body->compliance - expected.body->compliance).norm(), 1e-9 * expected.body->compliance.norm());
-  ASSERT_TRUE(rig.tick.refresh_corridor(*corridor));
+  ASSERT_TRUE(rig.tick.body()->refresh_corridor(*corridor));
   std::uint32_t most = 0;
   for (double depth = -2.0; depth < 12.0; depth += 0.05) {
     const TickOutput output = rig.step(straight_down(30.0, depth));
     for (const Event& event : output.events) EXPECT_NE(event.kind, EventKind::corridor_left);
-    most = std::max(most, static_cast<std::uint32_t>(rig.tick.node_forces().count));
+    most = std::max(most, static_cast<std::uint32_t>(rig.tick.body()->node_forces().count));
   }
   EXPECT_GE(most, 2U);
   // And back, once it is out again.
-  EXPECT_THAT(rig.pressed.look(straight_down(-30.0, -10.0), block.patient).value_or(""), HasSubstr("not prepared"));
+  EXPECT_THAT(rig.pressed.follow(straight_down(-30.0, -10.0), block.patient).value_or(""), HasSubstr("not prepared"));
 }
 
 // The test is the needle here, and does to the body what no needle does.
-TEST(PressedPatient, when_the_body_fails_the_probe_loses_its_force_and_no_corridor_comes_any_more) {
+TEST(PatientBody, when_the_body_fails_the_probe_loses_its_force_and_no_corridor_comes_any_more) {
   const PressedBlock block = pressed_block();
-  const auto pressed = std::make_shared<PressedPatient>(block.patient, *block.body, block.settings);
+  const auto pressed = std::make_shared<PatientBody>(block.patient, *block.body, block.settings);
   const auto hand =
       probe_hand(block, "speed_mm_s=80 depth_mm=8 lateral_mm=25 wait_s=60", std::make_shared<SecondLink>(), pressed);
   hand->start();
@@ -274,18 +275,18 @@ TEST(PressedPatient, when_the_body_fails_the_probe_loses_its_force_and_no_corrid
   NodeForces forces;
   const auto comes_true = [&](const auto& condition) {
     for (int look = 0; look < 20000 && !condition(); ++look) {
-      pressed->tell(time += 0.002, forces);
+      pressed->set_needle(time += 0.002, forces);
       std::this_thread::sleep_for(milliseconds(1));
     }
     return condition();
   };
-  ASSERT_TRUE(comes_true([&] { return hand->moment().force > 1.0; }));
+  ASSERT_TRUE(comes_true([&] { return hand->snapshot().force > 1.0; }));
   EXPECT_FALSE(pressed->failed());
   forces.count = 1;
   forces.nodes[0] = {block.patient.corridor.body->mesh_nodes[0], {3e38F, 3e38F, 0.0F}};
   ASSERT_TRUE(comes_true([&] { return pressed->failed(); }));
-  EXPECT_TRUE(comes_true([&] { return hand->moment().force == 0.0; }));
-  EXPECT_FALSE(pressed->next_corridor());
+  EXPECT_TRUE(comes_true([&] { return hand->snapshot().force == 0.0; }));
+  EXPECT_FALSE(pressed->take_corridor());
   EXPECT_EQ(hand->servo().tick().snapshot().state, GuardState::active) << "nothing is wrong with the device";
   EXPECT_TRUE(hand->stop());
 
@@ -297,7 +298,8 @@ TEST(PressedPatient, when_the_body_fails_the_probe_loses_its_force_and_no_corrid
   const DeviceAbilities device = port.abilities();
   ServoSettings servo;
   servo.workspace = workspace_about(header.path);
-  HandSession session(block.patient, header, scratch.path(), true, std::move(port), device, servo);
+  HandSession session(std::make_shared<const Case>(block.patient), header, scratch.path(), true, std::move(port),
+                      device, servo);
   session.press(pressed);
   session.start();
   arm(session);

@@ -1,4 +1,4 @@
-#include "fem/moving/pressed_body.h"
+#include "fem/moving/deformable_body_solver.h"
 
 #include <algorithm>
 #include <new>
@@ -14,9 +14,9 @@ namespace bodkin {
 namespace {
 
 constexpr int most_steps_to_rest = 100;  // of Newton, of the body without a needle
-constexpr double at_rest_part = 0.1;     // of PressedBodySettings::settled, below which a step has come to rest
+constexpr double at_rest_part = 0.1;     // of BodySolverSettings::settled, below which a step has come to rest
 
-const PressedBodySettings& checked_pressed_settings(const PressedBodySettings& settings) {
+const BodySolverSettings& checked_pressed_settings(const BodySolverSettings& settings) {
   if (!(settings.settled > 0.0 && settings.worth > 0.0)) {
     throw InputError(
         fmt::format("moving body: settled is {} mm and worth {} mm, expected both above 0; 0.05 and 0.5 are usual",
@@ -27,7 +27,7 @@ const PressedBodySettings& checked_pressed_settings(const PressedBodySettings& s
 
 }  // namespace
 
-PressedBody::PressedBody(const BodyDescription& body, const PressedBodySettings& settings)
+DeformableBodySolver::DeformableBodySolver(const BodyDescription& body, const BodySolverSettings& settings)
     : settings_(checked_pressed_settings(settings)),
       description_(body),
       moving_(description_, settings.motion),
@@ -36,7 +36,8 @@ PressedBody::PressedBody(const BodyDescription& body, const PressedBodySettings&
       last_corridor_(moving_.places()),
       last_held_(moving_.all_held().begin(), moving_.all_held().end()) {}
 
-const CorotationalStep& PressedBody::step(const std::optional<Pose>& probe, const NodeForces& needle) noexcept {
+const CorotationalStep& DeformableBodySolver::step(const std::optional<Pose>& probe,
+                                                   const NodeForces& needle) noexcept {
   if (probe) {
     press_.press(*probe, moving_);
   } else {
@@ -54,7 +55,7 @@ const CorotationalStep& PressedBody::step(const std::optional<Pose>& probe, cons
   return told;
 }
 
-void PressedBody::judge(bool needle) noexcept {
+void DeformableBodySolver::judge(bool needle) noexcept {
   due_ = false;
   needle_ = needle;
   if (!settled_) return;
@@ -65,7 +66,7 @@ void PressedBody::judge(bool needle) noexcept {
   }
 }
 
-void PressedBody::take_state(PressedState& state) {
+void DeformableBodySolver::take_state(BodyState& state) {
   due_ = false;
   last_corridor_ = moving_.places();
   std::copy(moving_.all_held().begin(), moving_.all_held().end(), last_held_.begin());
@@ -74,14 +75,14 @@ void PressedBody::take_state(PressedState& state) {
   state.needle = needle_;
 }
 
-std::shared_ptr<CondensedBody> PressedBody::make_corridor() {
-  PressedState state;
+std::shared_ptr<CondensedBody> DeformableBodySolver::make_corridor() {
+  BodyState state;
   take_state(state);
   return make_corridor(state);
 }
 
 // Where the body would come to rest if the probe stayed and the needle were not there.
-bool PressedBody::find_free(const PressedState& state, const Progress& progress) {
+bool DeformableBodySolver::find_free(const BodyState& state, const Progress& progress) {
   if (!free_) {
     CorotationalSettings at_rest = settings_.motion;
     at_rest.dt = 0.0;
@@ -101,9 +102,9 @@ bool PressedBody::find_free(const PressedState& state, const Progress& progress)
   return false;
 }
 
-std::shared_ptr<CondensedBody> PressedBody::condense_about(const NodeVectors& places,
-                                                           std::span<const std::uint8_t> held,
-                                                           const Progress& progress) {
+std::shared_ptr<CondensedBody> DeformableBodySolver::condense_about(const NodeVectors& places,
+                                                                    std::span<const std::uint8_t> held,
+                                                                    const Progress& progress) {
   FactorOptions options;
   options.keep_field = false;
   options.threads = 1;  // beside a tick and pictures
@@ -126,8 +127,8 @@ std::shared_ptr<CondensedBody> PressedBody::condense_about(const NodeVectors& pl
 
 // Beside step(): of what that uses, this one reads what never changes, and writes the corridor, its plan's equations
 // and the body without a needle, which are its own.
-std::shared_ptr<CondensedBody> PressedBody::make_corridor(const PressedState& state, const Progress& progress,
-                                                          std::vector<std::uint32_t> nodes) {
+std::shared_ptr<CondensedBody> DeformableBodySolver::make_corridor(const BodyState& state, const Progress& progress,
+                                                                   std::vector<std::uint32_t> nodes) {
   std::optional<BodyPlan> before;
   try {
     if (state.needle && !find_free(state, progress)) return nullptr;

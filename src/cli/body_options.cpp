@@ -1,0 +1,72 @@
+#include "cli/body_options.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cli/arguments.h"
+#include "core/error.h"
+
+namespace bodkin {
+
+namespace {
+
+using FaceSetting = std::pair<std::string_view, double ProbeFace::*>;
+constexpr std::array<FaceSetting, 3> face_settings = {FaceSetting{"width_mm", &ProbeFace::width},
+                                                      FaceSetting{"thickness_mm", &ProbeFace::thickness},
+                                                      FaceSetting{"radius_mm", &ProbeFace::radius}};
+
+// The words of a text, without the blanks between them.
+std::vector<std::string_view> split_words(std::string_view text) {
+  std::vector<std::string_view> words;
+  while (true) {
+    const auto first = text.find_first_not_of(" \t");
+    if (first == std::string_view::npos) return words;
+    const auto end = std::min(text.find_first_of(" \t", first), text.size());
+    words.push_back(text.substr(first, end - first));
+    text.remove_prefix(end);
+  }
+}
+
+void take_face_setting(std::string_view word, ProbeFace& face) {
+  const auto sign = std::min(word.find('='), word.size());
+  for (const auto& [name, member] : face_settings) {
+    if (word.substr(0, sign) != name) continue;
+    const std::string_view digits = word.substr(std::min(sign + 1, word.size()));
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), face.*member);
+    if (error == std::errc() && end == digits.data() + digits.size()) return;
+    throw InputError(fmt::format("--body: {} is '{}', expected a number of mm", name, digits));
+  }
+  throw InputError(
+      fmt::format("--body: there is no setting '{}', expected width_mm, thickness_mm or radius_mm of the "
+                  "probe's face, as SETTING=VALUE",
+                  word.substr(0, sign)));
+}
+
+}  // namespace
+
+void add_body_option(CLI::App& command, std::string& body) {
+  add_text(command, "--body", body,
+           "static (the default), or \"moving SETTING=VALUE ...\": one that the probe of the second device presses "
+           "far, on a thread of its own; width_mm, thickness_mm, radius_mm of the probe's face");
+}
+
+std::optional<ProbeFace> parse_body(const std::string& body) {
+  if (body.empty()) return {};
+  const std::vector<std::string_view> words = split_words(body);
+  const bool moves = !words.empty() && words.front() == "moving";
+  if (!moves && (words.size() != 1 || words.front() != "static"))
+    throw InputError(fmt::format("--body is '{}'; expected static, or moving with settings of the probe", body));
+  if (!moves) return {};
+  ProbeFace face;
+  for (std::size_t word = 1; word < words.size(); ++word) take_face_setting(words[word], face);
+  return face;
+}
+
+}  // namespace bodkin

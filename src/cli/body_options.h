@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "fem/moving/probe_press.h"
+
+namespace CLI {
+class App;
+}
+
+namespace bodkin {
+
+// Adds --body.
+void add_body_option(CLI::App& command, std::string& body);
+
+// What --body says: the probe's face of a moving body, none for a static one. Throws InputError naming --body.
+std::optional<ProbeFace> parse_body(const std::string& body);
+
+}  // namespace bodkin

@@ -1,0 +1,75 @@
+#include "cli/perform_options.h"
+
+#include <optional>
+#include <utility>
+
+#include "cli/arguments.h"
+#include "cli/body_options.h"
+#include "cli/pane_options.h"
+#include "io/case_folder.h"
+
+namespace bodkin {
+
+const char* const perform_footer = R"(Examples:
+  bodkin perform patient openhaptics                      the first Touch that is connected
+  bodkin perform patient spacemouse                       no force at the hand: it is shown
+  bodkin perform patient mouse                            mouse and keyboard, in a window that shows the force
+  bodkin perform patient simulated                        no hand at all: a simulated one
+  bodkin perform patient recorded:mine.bodkin             the hand of a session
+  bodkin perform patient force_dimension --force-scale 0.5
+  bodkin perform patient ./my_driver.so -o mine.bodkin
+  bodkin perform patient mouse --ultrasound C5-2 --resistance embedded_needle      what a probe sees of it, live
+  bodkin perform patient force_dimension:104 --second openhaptics                  the other hand on the plunger
+  bodkin perform patient force_dimension:104 --second force_dimension:105 --second-as probe
+  bodkin perform patient simulated --second openhaptics --second-as probe --resistance embedded_needle --body moving
+
+The patient lies prone, the head away from you, the skin below the middle of the workspace. Keys: space holds the
+needle where it is and takes it up again; c presses and releases the clutch; a arms after a fault; d takes the force
+away, both for a second hand too; q ends. 'bodkin devices check' first shows whether the device is well.)";
+
+void add_perform_options(CLI::App& command, PerformOptions& options) {
+  add_text(command, "CASE", options.folder, "Folder of the case").required();
+  add_text(command, "DEVICE", options.device.device, "DRIVER or DRIVER:IDENTITY, as 'devices list' prints it")
+      .required();
+  add_driver_settings(command, options.device);
+  add_text(command, "-o,--output", options.output, "Session file");
+  add_switch(command, "--overwrite", options.overwrite, "Replace the session file if it exists");
+  add_number(command, "--scale", options.scale, 0.1, 10.0, "mm of the needle per mm of the hand, 0.1 to 10");
+  add_number(command, "--force-scale", options.force_scale, 0.01, 1.0,
+             "N at the hand per N of the needle, for weak devices; recorded, never scored; 0.01 to 1");
+  add_switch(command, "--no-calibration", options.no_calibration,
+             "Leave out what 'devices calibrate' found of this device");
+  add_number(command, "--max-time", options.longest, 1.0, 3600.0, "s after which it ends, 1 to 3600");
+  add_second_options(command, options.second);
+  add_force_options(command, options.forces);
+  add_body_option(command, options.body);
+  add_text(command, "--ultrasound", options.ultrasound,
+           "\"PROBE SETTING=VALUE ...\": its picture live in a window, with the needle and the tissue that it drags; "
+           "view, at, from, press_mm, depth_mm, gain_dB, dynamic_range_dB, focus_mm, frequency_MHz");
+}
+
+StationOptions station_options(const PerformOptions& options, Console& console) {
+  require_writable(options.output, "--output");
+  std::optional<UltrasoundChoice> ultrasound;
+  if (!options.ultrasound.empty()) ultrasound = choose_pane(options.ultrasound);
+  DeviceChoice device = choose_device(options.device);
+  std::optional<SecondChoice> second = choose_second(options.second, device);
+  std::optional<ProbeFace> moving_body = parse_body(options.body);
+  Case patient = load_case(options.folder, console.progress());
+  apply(options.forces, patient.description.haptics);
+  return {.patient = std::move(patient),
+          .case_folder = options.folder,
+          .path = {},
+          .device = std::move(device),
+          .scale = options.scale,
+          .force_scale = options.force_scale,
+          .use_calibration = !options.no_calibration,
+          .second = std::move(second),
+          .moving_body = moving_body,
+          .ultrasound = std::move(ultrasound),
+          .output = options.output,
+          .overwrite = options.overwrite,
+          .longest = options.longest};
+}
+
+}  // namespace bodkin

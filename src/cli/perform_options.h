@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+
+#include "station/station_options.h"
+
+#include "cli/console.h"
+#include "cli/device_options.h"
+#include "cli/force_options.h"
+#include "cli/second_options.h"
+
+namespace bodkin {
+
+// The command line of `bodkin perform`.
+struct PerformOptions {
+  std::string folder;
+  DeviceOptions device;
+  std::string output = "session-by-hand.bodkin";
+  bool overwrite = false;
+  double longest = 600.0;    // s
+  double scale = 1.0;        // mm of the needle per mm of the hand
+  double force_scale = 1.0;  // N at the hand per N of the needle
+  bool no_calibration = false;
+  SecondOptions second;
+  ForceOptions forces;
+  std::string body;        // "": static
+  std::string ultrasound;  // "": none
+};
+
+// The examples and the keys, below --help.
+extern const char* const perform_footer;
+
+void add_perform_options(CLI::App& command, PerformOptions& options);
+
+// Loads the drivers and the case, and turns every text into what it means. Throws InputError naming the option.
+StationOptions station_options(const PerformOptions& options, Console& console);
+
+}  // namespace bodkin

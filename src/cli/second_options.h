@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "station/second_device.h"
+
+#include "cli/device_options.h"
+
+namespace bodkin {
+
+// What the command line says of a second device.
+struct SecondOptions {
+  DeviceOptions device;
+  std::string role;  // "": plunger
+};
+
+// Adds --second, --second-as and --second-settings.
+void add_second_options(CLI::App& command, SecondOptions& options);
+
+// None without --second. Throws InputError for options of a second device without one, an unknown role, the device
+// that is `first` already, and the mouse, whose window belongs to the needle.
+std::optional<SecondChoice> choose_second(const SecondOptions& options, const DeviceChoice& first);
+
+}  // namespace bodkin

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "station/corridor_keeper.h"
+#include "station/hand_session.h"
+#include "station/patient_body.h"
+
+namespace bodkin {
+
+// s of a step of a moving body.
+inline constexpr double body_step_time = 1.0 / 60.0;
+
+// What to tell the person about a moving body of `nodes` nodes that is too large to move in real time; empty: it is
+// not.
+std::string slow_motion_warning(std::size_t nodes);
+
+// Keeps the deformable body of a running session prepared where the needle aims, on the observer's thread, and
+// reports what happens to it: a static body gets more corridors (CorridorKeeper), a moving one is followed and hands
+// its new corridors to the tick (PatientBody).
+class BodySupervisor {
+ public:
+  // A static body. See CorridorKeeper.
+  BodySupervisor(std::shared_ptr<const Case> patient, std::shared_ptr<const BodyDescription> body, double length);
+  // A moving body.
+  BodySupervisor(std::shared_ptr<const Case> patient, std::shared_ptr<PatientBody> moving);
+
+  // To be called often; acts ten times a second. Returns news for the person, one sentence each.
+  std::vector<std::string> update(HandSession& session);
+  // How a moving body fared in `time` s of the session, one sentence each; empty for a static one.
+  std::vector<std::string> summary(double time) const;
+
+ private:
+  void update_static(HandSession& session, std::vector<std::string>& news);
+  void update_moving(HandSession& session, std::vector<std::string>& news);
+
+  std::shared_ptr<const Case> patient_;
+  std::optional<CorridorKeeper> keeper_;  // of a static body
+  std::shared_ptr<PatientBody> moving_;   // or this
+  std::chrono::steady_clock::time_point updated_{};
+  std::uint64_t steps_ = 0;
+  std::uint32_t corridors_ = 0;         // given to the tick
+  std::uint32_t most_probe_nodes_ = 0;  // that the probe ever held
+  bool corridor_failed_ = false, failed_ = false;
+};
+
+}  // namespace bodkin

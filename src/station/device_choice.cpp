@@ -1,0 +1,69 @@
+#include "station/device_choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "station/hand_session.h"
+#include "station/recorded_hand.h"
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "haptics/device_profiles.h"
+#include "haptics/drivers/simulated.h"
+#include "io/calibrations_file.h"
+#include "io/device_profiles_file.h"
+
+namespace bodkin {
+
+bool DeviceChoice::is_simulated() const {
+  return driver == &simulated_driver();
+}
+
+bool DeviceChoice::is_recorded() const {
+  return driver == &recorded_driver();
+}
+
+std::string settings_along(const NeedlePath& path, const DeviceChoice& device) {
+  if (!device.is_simulated()) return device.settings;
+  constexpr double degrees = 180.0 / std::numbers::pi;
+  const Vec3 way = workspace_about(path).rotation.transpose() * path.direction();  // right, away, up
+  return fmt::format("tilt_deg={:.9g} side_deg={:.9g} depth_mm={:.9g} {}", degrees * std::atan2(way.y(), -way.z()),
+                     degrees * std::asin(std::clamp(way.x(), -1.0, 1.0)), path.length(), device.settings);
+}
+
+void complete_from_table(DeviceAbilities& abilities) {
+  const auto profiles = default_device_profiles();
+  if (const DeviceProfile* profile = find_profile(profiles, abilities.name)) complete(abilities, *profile);
+}
+
+DeviceCalibration calibration_of(const DeviceChoice& choice, const DeviceAbilities& device) {
+  const auto file = calibrations_file();
+  if (!file) return {};
+  const std::vector<DeviceCalibration> all = read_calibrations(*file);
+  const DeviceCalibration* known = find_calibration(all, choice.driver->name, device.name, device.serial);
+  return known == nullptr ? DeviceCalibration() : *known;
+}
+
+void require_same_rate(const DeviceChoice& choice, const DeviceAbilities& device, double rate) {
+  constexpr double tolerance = 0.01;  // of the rate
+  if (std::abs(device.rate - rate) <= tolerance * rate) return;
+  if (choice.is_simulated()) {
+    throw InputError(
+        fmt::format("the simulated hand moves at {:g} Hz and the case at {:g} Hz; add --settings rate_Hz={:g}",
+                    device.rate, rate, rate));
+  }
+  if (choice.is_recorded()) {
+    throw InputError(
+        fmt::format("{} was recorded at {:g} Hz and the case runs at {:g} Hz, expected the same rate; set "
+                    "rate_Hz of the case's haptics to the recording's",
+                    choice.identity, device.rate, rate));
+  }
+  if (!device.owns_loop) return;
+  throw InputError(fmt::format(
+      "the device runs at {:g} Hz and the case at {:g} Hz; set rate_Hz of the case's haptics to the device's",
+      device.rate, rate));
+}
+
+}  // namespace bodkin

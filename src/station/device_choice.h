@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+
+#include "anatomy/case.h"
+#include "haptics/bodkin_driver.h"
+#include "haptics/device.h"
+#include "haptics/device_calibration.h"
+
+namespace bodkin {
+
+// Which device to open, and how.
+struct DeviceChoice {
+  const bodkin_driver* driver = nullptr;  // must not be null where a device is opened
+  std::string identity;                   // "": the first one that the driver finds
+  std::string settings;                   // "KEY=VALUE ..." for the driver
+
+  bool is_simulated() const;
+  bool is_recorded() const;
+};
+
+// The settings for a driver that performs along `path`: a simulated hand aims at it and goes to its end, unless the
+// choice's own settings, which come last, say otherwise.
+std::string settings_along(const NeedlePath& path, const DeviceChoice& device);
+
+// Completes what the device does not report with what share/bodkin/devices.csv knows of the model.
+void complete_from_table(DeviceAbilities& abilities);
+
+// What 'bodkin devices calibrate' measured of the device; empty if it was never calibrated.
+DeviceCalibration calibration_of(const DeviceChoice& choice, const DeviceAbilities& device);
+
+// Throws InputError, with the remedy, when the device cannot run at the case's `rate` (Hz): each tick of the case is
+// one tick of the device.
+void require_same_rate(const DeviceChoice& choice, const DeviceAbilities& device, double rate);
+
+}  // namespace bodkin

@@ -1,0 +1,442 @@
+#include "station/station.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "patient/prepared_body.h"
+#include "station/body_supervisor.h"
+#include "station/device_choice.h"
+#include "station/followed_points.h"
+#include "station/node_field.h"
+#include "station/recorded_hand.h"
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "haptics/calibration.h"
+#include "haptics/guard_event.h"
+#include "imaging/ultrasound/acoustic_volume.h"
+#include "io/calibrations_file.h"
+
+namespace bodkin {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double rate_tolerance = 0.05;  // of the rate; a device that misses it by more is reported
+
+NeedlePath path_of(const StationOptions& options) {
+  if (options.path) return *options.path;
+  if (const std::optional<NeedlePath>& planned = options.patient.description.procedure.path) return *planned;
+  throw InputError(fmt::format(
+      "{}: the case has no planned path, so there is no place to put the hand; make the case with --entry "
+      "and --target",
+      options.case_folder.string()));
+}
+
+void check_moving_body(const StationOptions& options) {
+  if (!options.moving_body) return;
+  if (!options.second || options.second->role != SecondRole::probe) {
+    throw InputError(
+        "--body is 'moving', which a probe presses, but no second device holds one; add --second DEVICE --second-as "
+        "probe");
+  }
+  const ResistanceSettings& resistance = options.patient.description.haptics.resistance;
+  if (std::holds_alternative<EmbeddedNeedleSettings>(resistance)) return;
+  throw InputError(
+      fmt::format("--body is 'moving', which only the resistance embedded_needle feels, and this one is {}; add "
+                  "--resistance embedded_needle",
+                  name_of(resistance)));
+}
+
+std::string moving_body_record(const ProbeFace& face, std::size_t nodes) {
+  return nlohmann::ordered_json{
+      {"nodes", nodes}, {"width_mm", face.width}, {"thickness_mm", face.thickness}, {"radius_mm", face.radius}}
+      .dump();
+}
+
+// Of the device that is held; with a recording, of the device that was held then.
+DeviceLimits limits_of(const DeviceChoice& choice, const DeviceAbilities& device, const DeviceLimits& of_case) {
+  if (!choice.is_recorded()) return limits_of(device, of_case);
+  return read_recorded_hand(choice.identity).limits.value_or(of_case);
+}
+
+std::string sentence_of(const GuardEvent& event) {
+  std::string text(text_of(event.reason));
+  if (event.cause != GuardReason::none) text += fmt::format(": {}", text_of(event.cause));
+  if (event.device_fault != DeviceFault::none) text += fmt::format(": {}", text_of(event.device_fault));
+  return text;
+}
+
+// The pose of the machine's probe in the hand that holds `tool` (third axis out of its face, LPS): the tool's third
+// axis is the probe's second, and both have the array along the first.
+Pose probe_in_hand(const Pose& tool) {
+  Pose probe = tool;
+  probe.linear().col(1) = tool.linear().col(2);
+  probe.linear().col(2) = -tool.linear().col(1);
+  return probe;
+}
+
+Pose first_probe(const UltrasoundChoice& choice, const Case& patient) {
+  try {
+    return hold_probe(choice, patient).pose();
+  } catch (const InputError& refused) {
+    throw InputError(fmt::format("--ultrasound: {}", refused.what()));
+  }
+}
+
+}  // namespace
+
+struct Station::Parts {
+  Parts(StationOptions from, StationObserver& watching);
+
+  void prepare_patient();
+  void follow_points(const std::vector<Vec3>& points);
+  DevicePort open_device();
+  void open_second(const DeviceAbilities& first);
+  SessionHeader header() const;
+  void prepare_ultrasound(const Pose& probe);
+
+  double elapsed() const { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+  void say(const std::string& sentence);
+  void report_events(ServoTick& servo, bool has_force, const char* whose);
+  void disarm_second_on_fault();
+  void update_scan();
+  void update_displacements();
+  void add_summary(RunResult& run) const;
+
+  StationOptions options;  // without the patient
+  StationObserver& observer;
+  NeedlePath path;
+  std::shared_ptr<Case> patient;
+  std::shared_ptr<const BodyDescription> body;  // null: rigid
+  std::shared_ptr<PatientBody> moving;          // null: rigid or static
+  std::optional<FollowedPoints> points;         // of the observer
+  std::unique_ptr<NodeField> field;             // of a static body, until the ultrasound takes it
+  DeviceAbilities device;
+  DeviceCalibration calibration;
+  ServoSettings servo;
+  std::optional<SecondDevice> second_device;
+  std::shared_ptr<ScanThread> scan;  // null: no ultrasound
+  ScanOrder order;
+  std::uint64_t shown_steps = 0;  // of a moving body
+  std::unique_ptr<SecondHand> second;
+  std::optional<BodySupervisor> supervisor;
+  std::unique_ptr<HandSession> session;
+  bool second_runs = false;
+  bool was_faulted = false;
+  Clock::time_point begin = Clock::now();
+  std::atomic<bool> end_asked{false};
+  StationStatus status;
+};
+
+Station::Parts::Parts(StationOptions from, StationObserver& watching)
+    : options(std::move(from)),
+      observer(watching),
+      path(path_of(options)),
+      patient(std::make_shared<Case>(std::move(options.patient))) {}
+
+void Station::Parts::prepare_patient() {
+  body = prepare_body(*patient, options.case_folder, options.path, observer.progress(),
+                      [this](const std::string& text) { observer.note(text); });
+  patient->description.procedure.path = path;
+  if (!options.moving_body) return;
+  const std::string warning = slow_motion_warning(body->mesh.nodes.size());
+  if (!warning.empty()) observer.note(warning);
+  BodySolverSettings settings;
+  settings.motion.dt = body_step_time;
+  settings.probe = *options.moving_body;
+  moving = std::make_shared<PatientBody>(*patient, *body, settings);
+}
+
+// Precomputes what moves the points that the observer wants to see, and the ultrasound.
+void Station::Parts::follow_points(const std::vector<Vec3>& wanted) {
+  if (body == nullptr || (wanted.empty() && !options.ultrasound)) return;
+  if (moving != nullptr) {
+    if (!wanted.empty()) points.emplace(body->mesh, wanted);
+    return;
+  }
+  const Progress progress = observer.progress();
+  const ElasticBody elastic(*body, plan_body(*body, progress), {}, progress);
+  if (!wanted.empty()) points.emplace(elastic, body->mesh, patient->corridor.path, wanted, progress);
+  if (options.ultrasound) field = std::make_unique<NodeField>(elastic, *body, path, progress);
+}
+
+DevicePort Station::Parts::open_device() {
+  const DeviceChoice& choice = options.device;
+  DevicePort port(*choice.driver, choice.identity, settings_along(path, choice));
+  device = port.abilities();
+  complete_from_table(device);
+  if (options.use_calibration) calibration = calibration_of(choice, device);
+  apply(calibration, device);
+  const double rate = patient->description.haptics.rate;
+  require_same_rate(choice, device, rate);
+  DeviceLimits& limits = patient->description.device;  // of what the needle's side may ask for
+  limits = limits_of(choice, device, limits);
+  limits.stiffness /= options.scale * options.force_scale;
+  limits.peak_force /= options.force_scale;
+  limits.continuous_force /= options.force_scale;
+  limits.peak_torque /= options.force_scale;
+  servo.rate = rate;
+  servo.workspace = workspace_about(path);
+  servo.workspace.scale = options.scale;
+  servo.workspace.force_scale = options.force_scale;
+  apply(calibration, servo);
+  return port;
+}
+
+void Station::Parts::open_second(const DeviceAbilities& first) {
+  if (options.second) {
+    second_device.emplace(*options.second, options.device, first, path, patient->description.haptics.rate,
+                          options.use_calibration);
+    if (!second_device->calibrated_at().empty())
+      observer.note(fmt::format("second device calibrated {}", second_device->calibrated_at()));
+  }
+  if (!calibration.empty()) observer.note(fmt::format("calibrated {}", calibration.measured_at));
+}
+
+SessionHeader Station::Parts::header() const {
+  SessionHeader header = session_header(*patient, options.case_folder, path);
+  header.operator_name = "hand";
+  header.operator_settings =
+      nlohmann::ordered_json{{"device", device.name},
+                             {"driver", options.device.driver->name},
+                             {"identity", options.device.identity},
+                             {"settings", options.device.settings},
+                             {"scale", options.scale},
+                             {"force_scale", options.force_scale},
+                             {"calibration", calibration.empty() ? "" : calibrations_xml({&calibration, 1})}}
+          .dump();
+  header.device = patient->description.device;
+  if (second_device) header.second = second_device->header();
+  if (moving != nullptr) header.moving_body = moving_body_record(*options.moving_body, body->mesh.nodes.size());
+  return header;
+}
+
+void Station::Parts::prepare_ultrasound(const Pose& probe) {
+  const UltrasoundChoice& choice = *options.ultrasound;
+  const std::shared_ptr<const AcousticVolume> volume = acoustic_volume(*patient, observer.progress());
+  Ultrasound machine(volume, choice.probe, choice.settings, choice.detail);
+  order = {probe, choice.settings};
+  scan = std::make_shared<ScanThread>(volume, std::move(machine), patient->description.needle,
+                                      ScanBody{body, std::move(field)}, order);
+}
+
+void Station::Parts::say(const std::string& sentence) {
+  status.message = sentence;
+  observer.note(sentence);
+}
+
+// `whose`: how a sentence begins.
+void Station::Parts::report_events(ServoTick& from, bool has_force, const char* whose) {
+  GuardEvent event;
+  while (from.next_event(event)) {
+    // Every puncture limits the slew rate, and every release the passivity: not worth a word.
+    if (event.reason == GuardReason::slew || event.reason == GuardReason::passivity) continue;
+    const bool peak = event.reason == GuardReason::peak || event.reason == GuardReason::torque_peak;
+    if (peak && !has_force) continue;  // the peak of a device without force is 0
+    say(fmt::format("{:.1f} s: {}{}", event.time, whose, sentence_of(event)));
+  }
+}
+
+// A plunger that keeps pushing while the needle has been let go belongs to no procedure.
+void Station::Parts::disarm_second_on_fault() {
+  const bool faulted = status.servo.state == GuardState::faulted;
+  if (second_runs && faulted && !was_faulted) {
+    second->disarm();
+    observer.note("the second hand is disarmed too, because the needle's device is at fault; press a to arm both");
+  }
+  was_faulted = faulted;
+}
+
+void Station::Parts::update_scan() {
+  if (scan == nullptr) return;
+  status.probe_is_held = second_runs && second->role() == SecondRole::probe;
+  scan->set_order({status.probe_is_held ? probe_in_hand(second->tool()) : order.probe, order.settings});
+  status.ultrasound = &scan->picture();
+}
+
+void Station::Parts::update_displacements() {
+  if (moving != nullptr) {
+    const BodySnapshot& now = moving->snapshot();
+    if (now.steps != shown_steps && points) points->update(now.displacements);
+    if (now.steps != shown_steps && scan != nullptr) scan->set_displacements(now.displacements);
+    shown_steps = now.steps;
+  }
+  if (points) status.displacements = points->displacements();
+}
+
+void Station::Parts::add_summary(RunResult& run) const {
+  const double rate = static_cast<double>(run.ticks) / run.wall_time;
+  if (std::abs(rate - servo.rate) > rate_tolerance * servo.rate) {
+    run.notes.push_back(
+        fmt::format("the device ran at {:.0f} Hz instead of {:g}; the tissue's time was {:.2f} times the clock's",
+                    rate, servo.rate, rate / servo.rate));
+  }
+  if (scan != nullptr) {
+    const std::uint64_t pictures = scan->picture().number;
+    run.notes.push_back(fmt::format("{} ultrasound pictures, {:.0f} a second", pictures,
+                                    static_cast<double>(pictures) / run.wall_time));
+  }
+  if (second_device && second_device->link()->lost.load() > 0) {
+    run.notes.push_back(fmt::format("{} samples of the second hand were lost, because the disk was too slow",
+                                    second_device->link()->lost.load()));
+  }
+  if (!supervisor) return;
+  for (std::string& sentence : supervisor->summary(static_cast<double>(run.ticks) / servo.rate))
+    run.notes.push_back(std::move(sentence));
+}
+
+Station::Station(StationOptions options, StationObserver& observer) {
+  check_moving_body(options);
+  parts_ = std::make_unique<Parts>(std::move(options), observer);
+  Parts& parts = *parts_;
+  parts.prepare_patient();
+  const std::optional<UltrasoundChoice>& ultrasound = parts.options.ultrasound;
+  const Pose probe = ultrasound ? first_probe(*ultrasound, *parts.patient) : Pose::Identity();
+  parts.follow_points(observer.prepare(*parts.patient, parts.body.get()));
+  DevicePort port = parts.open_device();
+  parts.open_second(parts.device);
+  const SessionHeader header = parts.header();
+  if (parts.moving != nullptr) {
+    parts.supervisor.emplace(parts.patient, parts.moving);
+  } else if (parts.body != nullptr) {
+    parts.supervisor.emplace(parts.patient, parts.body, parts.path.length());
+  }
+  if (ultrasound) parts.prepare_ultrasound(probe);
+  std::shared_ptr<SecondLink> link;
+  if (parts.second_device) {
+    parts.second = parts.second_device->hand(parts.patient, parts.moving);
+    link = parts.second_device->link();
+  }
+  parts.session = std::make_unique<HandSession>(parts.patient, header, parts.options.output, parts.options.overwrite,
+                                                std::move(port), parts.device, parts.servo, std::move(link));
+  if (parts.moving != nullptr) parts.session->press(parts.moving);
+  if (parts.scan != nullptr) parts.session->show_on(parts.scan);
+  if (parts.points && parts.points->display() != nullptr) parts.session->show_on(parts.points->display());
+}
+
+Station::~Station() = default;
+
+StationResult Station::run() {
+  start();
+  while (!ended()) {
+    std::this_thread::sleep_for(parts_->observer.interval());
+    parts_->observer.update(*this, update());
+  }
+  return finish();
+}
+
+void Station::start() {
+  Parts& parts = *parts_;
+  // The second one first: a vendor may take its time, in which the needle must not wait.
+  if (parts.second != nullptr) {
+    try {
+      parts.second->start();
+      parts.second_runs = true;
+    } catch (const SystemError& error) {
+      parts.observer.note(fmt::format("the second hand takes no part: {}", error.what()));
+    }
+  }
+  parts.session->start();
+  parts.begin = Clock::now();
+  command(StationCommand::arm);
+}
+
+const StationStatus& Station::update() {
+  Parts& parts = *parts_;
+  StationStatus& status = parts.status;
+  parts.report_events(parts.session->servo().tick(), parts.device.peak_force > 0.0, "");
+  if (parts.second_runs)
+    parts.report_events(parts.second->servo().tick(), parts.second_device->has_force(), "second hand: ");
+  if (parts.supervisor) {
+    for (const std::string& sentence : parts.supervisor->update(*parts.session)) parts.say(sentence);
+  }
+  status.time = parts.elapsed();
+  status.servo = parts.session->servo().tick().snapshot();
+  status.needle = parts.session->snapshot();
+  if (parts.second_runs) status.second = SecondStatus{parts.second->role(), parts.second->snapshot()};
+  if (status.servo.device.ended()) end();
+  parts.disarm_second_on_fault();
+  parts.update_displacements();
+  parts.update_scan();
+  return status;
+}
+
+bool Station::ended() const noexcept {
+  return parts_->end_asked.load() || parts_->session->failed() || parts_->elapsed() >= parts_->options.longest;
+}
+
+StationResult Station::finish() {
+  Parts& parts = *parts_;
+  StationResult result;
+  RunResult& run = result.run;
+  run.operator_finished = parts.end_asked.load();
+  if (parts.second_runs && !parts.second->stop())
+    run.notes.emplace_back("the second device did not let itself be stopped; switch it off and on again");
+  if (!parts.session->finish())
+    run.notes.emplace_back("the device did not let itself be stopped; switch it off and on again");
+  if (parts.second_runs)
+    parts.report_events(parts.second->servo().tick(), parts.second_device->has_force(), "second hand: ");
+  run.wall_time = parts.elapsed();
+  run.ticks = parts.session->snapshot().ticks;
+  const ServoTimings& timings = parts.session->servo().tick().timings();
+  run.missed_deadlines = timings.overruns;
+  run.worst_lateness = timings.lateness.maximum();
+  run.records_lost = parts.session->records_lost();
+  for (const std::string& sentence : parts.session->servo().refused()) run.notes.push_back(sentence);
+  if (run.ticks == 0) throw SystemError("the device did not answer once; is it switched on?");
+  parts.add_summary(run);
+  if (parts.scan != nullptr) result.ultrasound_pictures = parts.scan->picture().number;
+  return result;
+}
+
+void Station::command(StationCommand command) {
+  using Kind = ServoCommand::Kind;
+  Parts& parts = *parts_;
+  ServoTick& servo = parts.session->servo().tick();
+  const auto send = [&servo](Kind kind) {
+    ServoCommand order;
+    order.kind = kind;
+    servo.command(order);
+  };
+  switch (command) {
+    case StationCommand::arm:
+      send(Kind::arm);
+      if (parts.second_runs) parts.second->arm();
+      return;
+    case StationCommand::disarm:
+      send(Kind::disarm);
+      if (parts.second_runs) parts.second->disarm();
+      return;
+    case StationCommand::toggle_hold:
+      return send(servo.snapshot().frozen ? Kind::unfreeze : Kind::freeze);
+    case StationCommand::toggle_clutch:
+      return send(servo.snapshot().clutched ? Kind::unclutch : Kind::clutch);
+    case StationCommand::end:
+      return end();
+  }
+}
+
+void Station::end() noexcept {
+  parts_->end_asked.store(true);
+}
+
+void Station::set_scan_order(const ScanOrder& order) {
+  parts_->order = order;
+}
+
+const Case& Station::patient() const noexcept {
+  return *parts_->patient;
+}
+
+}  // namespace bodkin

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "session/session_run.h"
+#include "station/station_observer.h"
+#include "station/station_options.h"
+
+namespace bodkin {
+
+enum class StationCommand {
+  arm,            // both hands feel their forces
+  disarm,         // neither does
+  toggle_hold,    // the needle stays where it is while the hand moves, and is taken up again
+  toggle_clutch,  // the needle stays where it is while the hand moves, and follows from there
+  end
+};
+
+struct StationResult {
+  RunResult run;                          // its notes: all that the person should know
+  std::uint64_t ultrasound_pictures = 0;  // made
+};
+
+// A session in which a hand on a device performs a procedure, put together from options: device, servo, haptic tick,
+// deformable body with its corridors, second hand, probe, ultrasound, recorder. The command `bodkin perform`, an
+// application, a server and a test all start this.
+//
+//   Station station(options, observer);          // everything is checked, opened and prepared
+//   const StationResult result = station.run();  // until a command, the device, the time or the disk ends it
+//
+// run() is start(), update() until ended(), and finish(), for callers that have no loop of their own. Except end(),
+// all functions belong to one thread. The force begins with start(), which arms the devices.
+class Station {
+ public:
+  // Throws InputError and SystemError, one sentence each. `observer` must outlive the station.
+  Station(StationOptions options, StationObserver& observer);
+  // Stops the devices if finish() did not.
+  ~Station();
+  Station(const Station&) = delete;
+  Station& operator=(const Station&) = delete;
+
+  StationResult run();
+
+  // Starts the devices and the recording; the time begins.
+  void start();
+  // To be called every 0.1 s or more often, from start() to finish(): takes care of the deformable body, reports
+  // events, and refreshes the status, which is valid until the next call.
+  const StationStatus& update();
+  bool ended() const noexcept;
+  // Zero force, the end of the loops, and the recording closed. Throws SystemError if the device never answered, and
+  // what went wrong with the recording.
+  StationResult finish();
+
+  void command(StationCommand command);
+  // Any thread, and signal handlers.
+  void end() noexcept;
+  // Where the ultrasound probe is and how the machine is set; the place is ignored while the second hand holds the
+  // probe. Nothing happens without ultrasound.
+  void set_scan_order(const ScanOrder& order);
+
+  // With the limits of the device.
+  const Case& patient() const noexcept;
+
+ private:
+  struct Parts;
+
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace bodkin

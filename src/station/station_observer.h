@@ -1,0 +1,59 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "station/hand_session.h"
+#include "station/scan_thread.h"
+#include "station/second_hand.h"
+
+#include "anatomy/case.h"
+#include "core/progress.h"
+#include "fem/solid/elastic_body.h"
+#include "haptics/servo_records.h"
+
+namespace bodkin {
+
+class Station;
+
+struct SecondStatus {
+  SecondRole role = SecondRole::plunger;
+  SecondSample sample;
+};
+
+// A running session as an observer sees it.
+struct StationStatus {
+  double time = 0.0;  // s on the clock since the start
+  ServoSnapshot servo;
+  HandSnapshot needle;
+  std::optional<SecondStatus> second;
+  std::string message;                      // the newest sentence for the person
+  std::span<const float> displacements;     // mm, x y z of every point of StationObserver::prepare() in turn
+  const LivePicture* ultrasound = nullptr;  // the newest picture; null: no ultrasound
+  bool probe_is_held = false;               // the second hand holds the ultrasound probe
+};
+
+// What watches and steers a running session: a window, a terminal, a server, a test. All calls come from the thread
+// that runs the station; none is needed.
+class StationObserver {
+ public:
+  virtual ~StationObserver() = default;
+
+  // For the work before the start.
+  virtual Progress progress() { return {}; }
+  // A sentence for the person: what was assumed, what happened.
+  virtual void note(const std::string& /*sentence*/) {}
+  // Once, before any device opens. `patient` and `body` (null: rigid) stay valid while the station lives. Returns the
+  // points (LPS mm, at rest) whose displacements are wanted in every status.
+  virtual std::vector<Vec3> prepare(const Case& /*patient*/, const BodyDescription* /*body*/) { return {}; }
+  // Time between two calls of update().
+  virtual std::chrono::milliseconds interval() const { return std::chrono::milliseconds(100); }
+  // While the session runs. May give the station commands.
+  virtual void update(Station& /*station*/, const StationStatus& /*status*/) {}
+};
+
+}  // namespace bodkin

@@ -1,0 +1,237 @@
+// A whole session put together from options, without a person: what an application, a server or a test starts.
+#include "station/station.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "patient/meshing/mesh_record.h"
+#include "patient/prepared_body.h"
+#include "session/replay.h"
+#include "tests/fem/lattice_body.h"
+#include "tests/io/scratch_folder.h"
+#include "tests/session/slab_case.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "haptics/drivers/simulated.h"
+#include "io/probe_library_file.h"
+
+namespace bodkin {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr const char* quick_hand = "speed_mm_s=80 start_mm=10 depth_mm=20 wait_s=0.3";
+
+// Remembers what it is shown, and what it is told.
+struct Watcher : StationObserver {
+  void note(const std::string& sentence) override { notes.push_back(sentence); }
+  std::vector<Vec3> prepare(const Case& patient, const BodyDescription* body) override {
+    const NeedlePath& path = *patient.description.procedure.path;
+    has_body = body != nullptr;
+    return {path.entry, path.entry + 5.0 * path.direction()};
+  }
+  std::chrono::milliseconds interval() const override { return std::chrono::milliseconds(10); }
+  void update(Station& station, const StationStatus& status) override {
+    ++updates;
+    greatest_force = std::max(greatest_force, status.needle.output.requested.force.norm());
+    deepest = std::max(deepest, status.needle.output.depth);
+    if (status.displacements.size() == 6) {
+      for (const float moved : status.displacements) most_moved = std::max(most_moved, std::abs(moved));
+    }
+    if (status.ultrasound != nullptr) pictures = status.ultrasound->number;
+    if (status.second) second_force = std::max(second_force, status.second->sample.force);
+    if (updates == end_after) station.command(StationCommand::end);
+  }
+
+  std::vector<std::string> notes;
+  bool has_body = false;
+  int updates = 0, end_after = 0;
+  double greatest_force = 0.0, deepest = 0.0, second_force = 0.0;
+  float most_moved = 0.0F;
+  std::uint64_t pictures = 0;
+};
+
+// A case of flat layers in a folder of its own, with a mesh for a deformable body.
+class StationTest : public ::testing::Test {
+ protected:
+  StationTest() : patient_(slab_case({{tissue::skin, 2.0}, {tissue::fat, 12.0}, {tissue::muscle, 36.0}})) {
+    patient_.description.device.peak_force = 9.0;
+    folder_.write("case.xml", "<case/>");
+  }
+
+  void make_deformable() {
+    EmbeddedNeedleSettings needle;
+    needle.capture_radius = 6.0;
+    needle.spacing = 5.0;
+    needle.body.corridor_radius = 12.0;
+    needle.body.stiffness_scale = 1.0;
+    needle.body.fix_cut = false;
+    needle.body.fix_beyond = 45.0;
+    patient_.description.haptics.resistance = needle;
+    patient_.description.haptics.constraint = NoConstraint{};
+    TetrahedralMesh mesh = kuhn_box({9, 8, 9}, Vec3(60.0, 50.0, 60.0));
+    for (Vec3& node : mesh.nodes) node -= Vec3(30.0, 50.0, 30.0);
+    std::fill(mesh.tissues.begin(), mesh.tissues.end(), tissue::muscle);
+    write_case_mesh(mesh, {}, folder_.path());
+  }
+
+  StationOptions options() const {
+    StationOptions options;
+    options.patient = patient_;
+    options.case_folder = folder_.path();
+    options.device = {&simulated_driver(), "", quick_hand};
+    options.output = folder_.path() / "session.bodkin";
+    options.longest = 60.0;
+    return options;
+  }
+
+  static UltrasoundChoice ultrasound() {
+    UltrasoundChoice choice;
+    choice.probe = find_probe("L14-5");
+    choice.settings.depth = 40.0;
+    choice.settings.focus = 20.0;
+    choice.detail.lines = choice.detail.samples = 64;
+    choice.detail.width = choice.detail.height = 80;
+    choice.request.view = ScanView::needle;
+    return choice;
+  }
+
+  ReplayResult replay(const Case& performed) const {
+    const Session session = read_session(folder_.path() / "session.bodkin");
+    EXPECT_TRUE(session.finished);
+    Case patient = performed;
+    const auto body = prepare_body(patient, folder_.path(), {}, {}, {});
+    return replay_session(session, patient, {}, body.get());
+  }
+
+  ScratchFolder folder_;
+  Case patient_;
+};
+
+TEST_F(StationTest, performs_on_a_rigid_patient_with_ultrasound_and_the_recording_replays_to_the_bit) {
+  StationOptions wanted = options();
+  wanted.ultrasound = ultrasound();
+  Watcher watcher;
+  Station station(std::move(wanted), watcher);
+  const StationResult result = station.run();
+  EXPECT_TRUE(result.run.operator_finished) << "the simulated hand ends the session";
+  EXPECT_GT(result.run.ticks, 1000U);
+  EXPECT_EQ(result.run.records_lost, 0U);
+  EXPECT_GT(result.ultrasound_pictures, 3U);
+  EXPECT_GE(result.ultrasound_pictures, watcher.pictures);
+  EXPECT_FALSE(watcher.has_body);
+  EXPECT_GT(watcher.deepest, 15.0);
+  EXPECT_GT(watcher.greatest_force, 0.2);
+  EXPECT_EQ(watcher.most_moved, 0.0F);
+  const ReplayResult replayed = replay(station.patient());
+  EXPECT_FALSE(replayed.difference.has_value());
+  EXPECT_EQ(replayed.ticks, result.run.ticks);
+}
+
+TEST_F(StationTest, performs_on_a_deformable_patient_whose_points_move_and_the_recording_replays_to_the_bit) {
+  make_deformable();
+  StationOptions wanted = options();
+  wanted.ultrasound = ultrasound();
+  Watcher watcher;
+  Station station(std::move(wanted), watcher);
+  const StationResult result = station.run();
+  EXPECT_TRUE(watcher.has_body);
+  EXPECT_GT(watcher.greatest_force, 0.05);
+  EXPECT_GT(watcher.most_moved, 0.01F) << "mm, of the entry or a point below it";
+  EXPECT_GT(result.ultrasound_pictures, 3U);
+  const ReplayResult replayed = replay(station.patient());
+  EXPECT_FALSE(replayed.difference.has_value());
+  EXPECT_EQ(replayed.ticks, result.run.ticks);
+}
+
+TEST_F(StationTest, a_probe_in_the_second_hand_presses_a_moving_body) {
+  make_deformable();
+  StationOptions wanted = options();
+  wanted.device.settings = "speed_mm_s=40 start_mm=60 depth_mm=10 wait_s=0.2";
+  wanted.second =
+      SecondChoice{{&simulated_driver(), "", "speed_mm_s=60 depth_mm=10 lateral_mm=40 wait_s=20"}, SecondRole::probe};
+  ProbeFace face;
+  face.width = face.thickness = 25.0;
+  wanted.moving_body = face;
+  Watcher watcher;
+  Station station(std::move(wanted), watcher);
+  const StationResult result = station.run();
+  EXPECT_GT(watcher.second_force, 0.1);
+  EXPECT_THAT(result.run.notes, ::testing::Contains(HasSubstr("the body moved ")));
+  const Session session = read_session(folder_.path() / "session.bodkin");
+  EXPECT_TRUE(session.header.second.has_value());
+  EXPECT_THAT(session.header.moving_body, HasSubstr("\"width_mm\":25.0"));
+  EXPECT_GT(session.second.size(), 50U);
+}
+
+TEST_F(StationTest, ends_by_a_command_by_its_time_and_from_another_thread) {
+  StationOptions wanted = options();
+  wanted.device.settings = "speed_mm_s=1";
+  wanted.overwrite = true;
+  Watcher impatient;
+  impatient.end_after = 5;
+  EXPECT_TRUE(Station(wanted, impatient).run().run.operator_finished);
+  EXPECT_EQ(impatient.updates, 5);
+  wanted.longest = 0.3;
+  Watcher patient;
+  const StationResult late = Station(wanted, patient).run();
+  EXPECT_FALSE(late.run.operator_finished);
+  EXPECT_LT(late.run.wall_time, 10.0);
+  // Without run(): the caller's own loop.
+  wanted.longest = 60.0;
+  StationObserver nobody;
+  Station station(wanted, nobody);
+  station.start();
+  EXPECT_FALSE(station.ended());
+  while (station.update().needle.ticks < 50) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  std::thread([&station] { station.end(); }).join();
+  EXPECT_TRUE(station.ended());
+  EXPECT_GE(station.finish().run.ticks, 50U);
+}
+
+TEST_F(StationTest, works_about_another_path_than_the_planned_one) {
+  StationOptions wanted = options();
+  wanted.path = NeedlePath{Vec3(10.0, 0.0, 5.0), Vec3(10.0, -25.0, 5.0)};
+  Watcher watcher;
+  Station(std::move(wanted), watcher).run();
+  const Session session = read_session(folder_.path() / "session.bodkin");
+  EXPECT_EQ(session.header.path.entry, Vec3(10.0, 0.0, 5.0));
+  EXPECT_NEAR(session.ticks.back().input.needle.translation().x(), 10.0, 2.0);
+}
+
+TEST_F(StationTest, what_cannot_be_put_together_is_one_sentence) {
+  const auto refusal = [](StationOptions wanted) -> std::string {
+    StationObserver nobody;
+    try {
+      Station station(std::move(wanted), nobody);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  StationOptions pathless = options();
+  pathless.patient.description.procedure.path.reset();
+  EXPECT_THAT(refusal(pathless), HasSubstr("no planned path, so there is no place to put the hand"));
+  StationOptions probeless = options();
+  probeless.moving_body = ProbeFace{};
+  EXPECT_THAT(refusal(probeless), HasSubstr("but no second device holds one"));
+  StationOptions rigid = options();
+  rigid.moving_body = ProbeFace{};
+  rigid.second = SecondChoice{{&simulated_driver(), "", ""}, SecondRole::probe};
+  EXPECT_THAT(refusal(rigid), HasSubstr("add --resistance embedded_needle"));
+  StationOptions other_rate = options();
+  other_rate.device.settings = "rate_Hz=500";
+  EXPECT_THAT(refusal(other_rate), HasSubstr("add --settings rate_Hz=1000"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "session.bodkin"));
+}
+
+}  // namespace
+}  // namespace bodkin
