@@ -32,19 +32,43 @@ struct Landmark {
 // What the device can do; the governor and the stiffness limits are set from it.
 struct DeviceLimits {
   std::string profile = "generic";
-  double peak_force = 6.0;           // N; > 0
-  double continuous_force = 2.0;     // N; 0 < continuous <= peak
-  double peak_torque = 188.0;        // N mm; >= 0; 0 = the device renders no torques
-  double stiffness = 1.0;            // N/mm that it renders stably; > 0
-  double position_resolution = 0.0;  // mm; 0 = noiseless
+  double peak_force = 6.0;
+  double continuous_force = 2.0;
+  double peak_torque = 188.0;
+  double stiffness = 1.0;
+  double position_resolution = 0.0;
+
+  template <typename S = DeviceLimits>
+  static constexpr auto parameters() {
+    return std::tuple{
+        Parameter{"profile", &S::profile, "what the device is called", Origin::choice},
+        Parameter{"peak_force_N", &S::peak_force, above(0.0, 100.0), "N", "for moments", Origin::choice},
+        Parameter{"continuous_force_N", &S::continuous_force, above(0.0, 100.0), "N",
+                  "for as long as one likes; at most peak_force_N", Origin::choice},
+        Parameter{"peak_torque_N_mm", &S::peak_torque, Range{0.0, 1e4}, "N mm", "0: the device renders no torques",
+                  Origin::choice},
+        Parameter{"stiffness_N_per_mm", &S::stiffness, above(0.0, 100.0), "N/mm", "that it renders stably",
+                  Origin::choice},
+        Parameter{"position_resolution_mm", &S::position_resolution, Range{0.0, 1.0}, "mm", "0: without noise",
+                  Origin::choice}};
+  }
+  static constexpr auto relations() {
+    return std::tuple{AtMost{&DeviceLimits::continuous_force, &DeviceLimits::peak_force}};
+  }
 };
 
 struct HapticSettings {
-  double rate = 1000.0;  // Hz; 200 to 4000
+  double rate = 1000.0;
   ResistanceSettings resistance;
   ConstraintSettings constraint;
   ForceParts parts;
   GravitySettings compensation;
+
+  // Without what is written as an element of its own.
+  static constexpr auto parameters() {
+    return std::tuple{Parameter{"rate_Hz", &HapticSettings::rate, Range{200.0, 4000.0}, "Hz", "of the haptic tick",
+                                Origin::choice}};
+  }
 };
 
 struct Procedure {

@@ -16,15 +16,6 @@ constexpr std::array<GaugeSize, 25> sizes = {{
     {30, 0.3112, 0.159}, {31, 0.2604, 0.133}, {32, 0.235, 0.108},  {33, 0.2096, 0.108}, {34, 0.1842, 0.0826},
 }};
 
-constexpr std::array<std::pair<NeedleTip, const char*>, 6> tip_names = {{
-    {NeedleTip::quincke, "quincke"},
-    {NeedleTip::whitacre, "whitacre"},
-    {NeedleTip::tuohy, "tuohy"},
-    {NeedleTip::chiba, "chiba"},
-    {NeedleTip::trephine, "trephine"},
-    {NeedleTip::filiform, "filiform"},
-}};
-
 }  // namespace
 
 std::span<const GaugeSize> gauge_sizes() {
@@ -38,17 +29,12 @@ std::optional<GaugeSize> gauge_size(int gauge) {
 }
 
 std::string to_string(NeedleTip tip) {
-  for (const auto& [value, name] : tip_names) {
-    if (value == tip) return name;
-  }
-  return "unknown";
+  return value_text(tip);
 }
 
 std::optional<NeedleTip> needle_tip_from(const std::string& name) {
-  for (const auto& [value, known] : tip_names) {
-    if (name == known) return value;
-  }
-  return std::nullopt;
+  NeedleTip tip{};
+  return parse_value(name, tip) ? std::optional(tip) : std::nullopt;
 }
 
 }  // namespace bodkin

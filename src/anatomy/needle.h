@@ -4,17 +4,41 @@
 #include <span>
 #include <string>
 
+#include "core/parameter.h"
+#include "core/settings_check.h"
+
 namespace bodkin {
 
 enum class NeedleTip { quincke, whitacre, tuohy, chiba, trephine, filiform };
+constexpr std::array<std::string_view, 6> enumeration_names(NeedleTip) {
+  return {"quincke", "whitacre", "tuohy", "chiba", "trephine", "filiform"};
+}
 
 // A straight tube (or a solid needle, inner diameter 0). Lengths in mm.
 struct Needle {
-  int gauge = 22;                  // Birmingham-type gauge; 0 = not a gauge needle
-  double outer_diameter = 0.7176;  // mm, > 0
-  double inner_diameter = 0.413;   // mm, 0 <= inner < outer
-  double length = 90.0;            // mm, hub to tip
+  int gauge = 22;
+  double outer_diameter = 0.7176;
+  double inner_diameter = 0.413;
+  double length = 90.0;
   NeedleTip tip = NeedleTip::quincke;
+
+  template <typename S = Needle>
+  static constexpr auto parameters() {
+    return std::tuple{
+        Parameter{"gauge", &S::gauge, Range{0.0, 34.0}, "", "Birmingham-type gauge, 10 to 34; 0: not a gauge needle",
+                  Origin::choice},
+        Parameter{"outer_diameter_mm", &S::outer_diameter, above(0.0, 20.0), "mm", "by default that of the gauge",
+                  Origin::literature},
+        Parameter{"inner_diameter_mm", &S::inner_diameter, Range{0.0, 20.0}, "mm",
+                  "less than outer_diameter_mm; 0: a solid needle; by default that of the gauge", Origin::literature},
+        Parameter{"length_mm", &S::length, Range{1.0, 1000.0}, "mm", "hub to tip", Origin::choice},
+        Parameter{"tip", &S::tip, "how the tip is ground", Origin::choice}};
+  }
+  static constexpr auto relations() {
+    return std::tuple{
+        Relation<Needle>{[](const Needle& needle) { return needle.inner_diameter < needle.outer_diameter; },
+                         "inner_diameter_mm is not less than outer_diameter_mm, expected a tube or a solid needle"}};
+  }
 };
 
 // Nominal tube of a gauge.

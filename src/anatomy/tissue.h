@@ -48,18 +48,39 @@ struct TissueProperties {
   std::string name;                 // as case files write it: "ligamentum_flavum"
   std::string title;                // as people read it: "ligamentum flavum"
   std::uint32_t colour = 0x000000;  // 0xRRGGBB, of overlays and bands
-  double hounsfield = 0.0;          // HU typical of the tissue; the synthetic patient is painted with it
-  double hounsfield_noise = 0.0;    // HU, standard deviation inside one tissue
+  double hounsfield = 0.0;
+  double hounsfield_noise = 0.0;
   LayeredTissue layered;
   TrackingWallTissue tracking_wall;
   DepthProfileTissue depth_profile;
-  ProxyProperties volume_proxy;
-  double field_value = 0.0;  // V_label of `volume_proxy`, -10 to 10: the harder a tissue feels, the higher
+  VolumeProxyTissue volume_proxy;
   ShaftFrictionTissue shaft_friction;
   SyringeTissue syringe;
   DeformableTissue deformable;
   AcousticTissue acoustic;
   std::string source;  // where the numbers come from, one line for people
+
+  template <typename S = TissueProperties>
+  static constexpr auto parameters() {
+    return std::tuple{
+        Parameter{"id", &S::id, Range{0.0, 254.0}, "", "of the voxels that are made of it", Origin::choice},
+        Parameter{"name", &S::name, "as case files write it", Origin::choice},
+        Parameter{"title", &S::title, "as people read it", Origin::choice},
+        Parameter{"colour", &S::colour, "of overlays and bands", Origin::choice},
+        Parameter{"hounsfield_HU", &S::hounsfield, Range{-1024.0, 30000.0}, "HU",
+                  "typical of the tissue; the synthetic patient is painted with it", Origin::choice},
+        Parameter{"hounsfield_noise_HU", &S::hounsfield_noise, Range{0.0, 1000.0}, "HU",
+                  "standard deviation inside one tissue", Origin::choice},
+        Parameter{"source", &S::source, "where the numbers come from", Origin::choice},
+        ChildElement{"layered", &S::layered, "of the resistance `layered`"},
+        ChildElement{"tracking_wall", &S::tracking_wall, "of the resistance `tracking_wall`"},
+        ChildElement{"depth_profile", &S::depth_profile, "of the resistance `depth_profile`"},
+        ChildElement{"volume_proxy", &S::volume_proxy, "of the resistance `volume_proxy`"},
+        ChildElement{"shaft_friction", &S::shaft_friction, "of the resistance and part `shaft_friction`"},
+        ChildElement{"syringe", &S::syringe, "against a fluid pushed out of the tip"},
+        ChildElement{"deformable", &S::deformable, "of the deformable body"},
+        ChildElement{"acoustic", &S::acoustic, "of ultrasound"}};
+  }
 };
 
 // The tissues that a case knows, by id and by name.

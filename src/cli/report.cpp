@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "report/session_summary.h"
+#include "session/case_digest.h"
 #include "session/session_file.h"
 #include "session/session_run.h"
 #include <fmt/format.h>
@@ -119,7 +120,8 @@ void run_report(const ReportArguments& arguments, const CommandContext& context)
                     arguments.session, folder.string()));
   }
   const Case patient = load_case(folder, console.progress());
-  const bool changed = case_digest(patient, text_of(folder / "case.xml")) != session.header.case_digest;
+  const bool changed = !is_digest_of_case(session.header.case_digest, patient, text_of(folder / "case.xml"),
+                                          mesh_digest(folder, session.header.haptics.resistance));
   if (changed) console.note("the case has changed since the recording; slices and tissues show what it is now");
   const SessionSummary summary = summarise(session, patient);
   const Verdict verdict = judge(summary, session, patient);

@@ -25,14 +25,15 @@ namespace bodkin {
 //     double stiffness = 0.5;
 //     bool rigid = false;
 //
+//     template <typename S = SpringSettings>  // a template costs nothing where nobody uses the table
 //     static constexpr auto parameters() {
-//       using S = SpringSettings;
 //       return std::tuple{
 //           Parameter{"stiffness_N_per_mm", &S::stiffness, Range{0.0, 100.0}, "N/mm", "of the wall", Origin::paper},
 //           Parameter{"rigid", &S::rigid, "the wall does not give way", Origin::choice}};
 //     }
+//     template <typename S = SpringSettings>
 //     static constexpr auto relations() {  // optional
-//       return std::tuple{AtMost{&SpringSettings::low, &SpringSettings::high}};
+//       return std::tuple{AtMost{&S::low, &S::high}};
 //     }
 //   };
 //

@@ -5,7 +5,7 @@
 namespace bodkin {
 
 void refuse_setting(std::string_view origin, std::string_view sentence) {
-  throw InputError(std::string(origin) + ": " + std::string(sentence));
+  throw InputError((origin.empty() ? "" : std::string(origin) + ": ") + std::string(sentence));
 }
 
 void check_tick(std::string_view origin, double dt) {

@@ -110,6 +110,19 @@ struct Relation {
 template <typename Settings>
 bool same_parameters(const Settings& one, const Settings& other);
 
+// Throws InputError for the first relation that does not hold, those of inlined structs included.
+template <Parameterized Settings>
+void check_relations(const Settings& settings, std::string_view origin) {
+  if constexpr (requires { Settings::relations(); }) {
+    std::apply([&](const auto&... relations) { (relations.check(settings, origin), ...); }, Settings::relations());
+  }
+  const auto inlined = [&](const auto& entry) {
+    if constexpr (parameter_detail::is_inlined<std::remove_cvref_t<decltype(entry)>>)
+      check_relations(settings.*entry.member, origin);
+  };
+  std::apply([&](const auto&... entries) { (inlined(entries), ...); }, Settings::parameters());
+}
+
 // Throws InputError for the first parameter out of its range and for the first relation that does not hold, those of
 // elements inside included. "ORIGIN: cutting_force_N is 9 N, expected at most the puncture_force_N of 1 N". A child
 // whose parameters all have their defaults is taken as missing and not looked at.
@@ -125,9 +138,7 @@ void check(const Settings& settings, std::string_view origin) {
         }
       },
       settings);
-  if constexpr (requires { Settings::relations(); }) {
-    std::apply([&](const auto&... relations) { (relations.check(settings, origin), ...); }, Settings::relations());
-  }
+  check_relations(settings, origin);
   const Settings defaults{};
   for_each_inside(
       [&](const auto& entry, const auto& value, const auto& by_default) {

@@ -165,7 +165,8 @@ template <Parameterized Settings>
 Settings settings_from(const SettingsTree& tree, std::string_view file) {
   Settings settings;
   read_settings(settings, tree, file);
-  check(settings, tree.origin(file));
+  // The values of an alternative stand in the element inside.
+  check(settings, (alternative_of(settings).empty() ? tree : tree.children.front()).origin(file));
   return settings;
 }
 

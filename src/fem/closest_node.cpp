@@ -15,24 +15,14 @@ namespace {
 constexpr double farthest_tip = 1e4;  // mm; beyond, a sensor failed
 constexpr double nearer = 0.9;        // of the distance to the node that has the tip, for another to take over
 
-void check_closest_setting(double value, double low, double high, const char* name, const char* unit) {
-  if (value >= low && value <= high) return;
-  throw InputError("closest node: " + std::string(name) + " is " + std::to_string(value) + " " + unit +
-                   ", expected " + std::to_string(low) + " to " + std::to_string(high));
-}
-
 }  // namespace
 
 ClosestNodeContact::ClosestNodeContact(const CondensedBody& body, const ContactTissues& tissues,
                                        const ClosestNodeSettings& settings, double dt)
     : body_(body), tissues_(tissues), settings_(settings), dt_(dt), punctured_(body.nodes.size(), 0) {
   check_contact_tissues(tissues);
-  check_closest_setting(settings.capture_radius, 0.05, 50.0, "capture radius", "mm");
-  check_closest_setting(settings.presliding, 0.01, 100.0, "presliding stiffness", "N/mm");
-  check_closest_setting(settings.relaxation, 0.001, 1.0, "relaxation", "s");
-  check_closest_setting(settings.layer, 0.1, 10.0, "layer", "mm");
-  check_closest_setting(settings.longest, 1.0, 1000.0, "longest way", "mm");
-  check_closest_setting(dt, 1e-6, 0.1, "tick", "s");
+  check(settings, "closest_node");
+  check_tick("closest_node", dt);
   const auto rows = static_cast<Eigen::Index>(3 * body.nodes.size());
   if (body.nodes.empty() || body.tissues.size() != body.nodes.size() || body.compliance.rows() != rows ||
       body.compliance.cols() != rows) {

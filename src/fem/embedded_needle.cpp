@@ -18,12 +18,6 @@ constexpr double least_captured_part = 1e-6;  // of the full-capture length; bel
 constexpr std::size_t bevelled_nodes = 4;     // behind the tip, whose holes a bevel may move
 constexpr int most_captures = 2;              // per tick; the others follow in the next
 
-void check_contact_setting(double value, double low, double high, const char* name, const char* unit) {
-  if (value >= low && value <= high) return;
-  throw InputError("needle contact: " + std::string(name) + " is " + std::to_string(value) + " " + unit +
-                   ", expected " + std::to_string(low) + " to " + std::to_string(high));
-}
-
 const CondensedBody& checked_body(const CondensedBody& body) {
   const std::size_t nodes = body.nodes.size();
   if (nodes > 0 && body.tissues.size() == nodes && static_cast<std::size_t>(body.compliance.rows()) == 3 * nodes) {
@@ -36,11 +30,9 @@ const CondensedBody& checked_body(const CondensedBody& body) {
 }
 
 std::size_t checked_room(const EmbeddedNeedleSettings& settings) {
-  check_contact_setting(settings.capture_radius, 0.05, 20.0, "capture radius", "mm");
-  check_contact_setting(settings.spacing, 0.05, 20.0, "spacing", "mm");
-  check_contact_setting(settings.puncture_time, 0.001, 1.0, "puncture time", "s");
-  check_contact_setting(static_cast<double>(settings.most_nodes), 1.0, static_cast<double>(NodeForces::capacity - 1),
-                        "most nodes", "");
+  check(settings, "embedded_needle");
+  check_range("embedded_needle", "most nodes", static_cast<double>(settings.most_nodes),
+              {1.0, static_cast<double>(NodeForces::capacity - 1)}, "");
   return settings.most_nodes;
 }
 
@@ -61,7 +53,7 @@ EmbeddedNeedle::EmbeddedNeedle(const CondensedBody& body, const ContactTissues& 
       forces_(3 * settings.most_nodes + 3, 0.0),
       punctured_(body.nodes.size(), 0) {
   check_contact_tissues(tissues);
-  check_contact_setting(dt, 1e-6, 0.1, "tick", "s");
+  check_tick("embedded_needle", dt);
   if (body.mesh_nodes.size() != body.nodes.size()) return;  // without mesh numbers no transfer is possible
   for (const std::uint32_t name : body.mesh_nodes)
     names_.emplace_back(name, static_cast<std::uint32_t>(names_.size()));

@@ -18,12 +18,9 @@ Beam::Beam(const BeamSettings& settings, const Needle& needle, double dt)
     : length_(needle.length), limit_(settings.limit), outside_(settings.smoothing, dt) {
   constexpr auto model = "beam";
   check_tick(model, dt);
-  check_setting(model, "modulus", "MPa", settings.modulus, 1e3, 5e5);
-  check_setting(model, "largest stiffness", "N/mm", settings.largest_stiffness, 0.01, 10.0);
-  check_setting(model, "limit", "N", settings.limit, 1e-3, 100.0);
-  check_setting(model, "smoothing", "Hz", settings.smoothing, 1.0, 400.0);
-  check_setting(model, "outer diameter of the needle", "mm", needle.outer_diameter, 0.05, 10.0);
-  check_setting(model, "length of the needle", "mm", needle.length, 10.0, 500.0);
+  check(settings, model);
+  check_range(model, "outer diameter of the needle", needle.outer_diameter, {0.05, 10.0}, "mm");
+  check_range(model, "length of the needle", needle.length, {10.0, 500.0}, "mm");
   if (!(needle.inner_diameter >= 0.0 && needle.inner_diameter < needle.outer_diameter)) {
     throw InputError(
         "beam: the bore of the needle is not smaller than its outer diameter; give the inner diameter of the tube");

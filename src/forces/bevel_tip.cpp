@@ -41,8 +41,8 @@ WinklerTip winkler_tip(double rigidity, double foundation, double load) {
 
 BevelTip::BevelTip(double curvature, double longest) : curvature_(curvature), longest_(longest) {
   constexpr auto model = "bevel_tip";
-  check_setting(model, "curvature", "1/mm", curvature, 0.0, 0.1);
-  check_setting(model, "longest path", "mm", longest, 1.0, 1000.0);
+  check_range(model, "curvature", curvature, {0.0, 0.1}, "1/mm");
+  check_range(model, "longest path", longest, {1.0, 1000.0}, "mm");
   nodes_.resize(static_cast<std::size_t>(std::ceil(longest / spacing)) + 2);
   begin(Pose::Identity());
 }

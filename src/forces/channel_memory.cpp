@@ -8,8 +8,8 @@
 namespace bodkin {
 
 ChannelMemory::ChannelMemory(double same_distance, double same_angle) : same_distance_(same_distance) {
-  check_setting("channel_memory", "distance of entries of one channel", "mm", same_distance, 0.0, 100.0);
-  check_setting("channel_memory", "angle between directions of one channel", "deg", same_angle, 0.0, 90.0);
+  check_range("channel_memory", "distance of entries of one channel", same_distance, {0.0, 100.0}, "mm");
+  check_range("channel_memory", "angle between directions of one channel", same_angle, {0.0, 90.0}, "deg");
   same_cosine_ = std::cos(same_angle * std::numbers::pi / 180.0);
 }
 

@@ -23,19 +23,8 @@ DepthProfile::DepthProfile(const TissueLibrary& library, const DepthProfileSetti
       bone_(infinity) {
   constexpr auto model = "depth_profile";
   check_tick(model, dt);
-  check_setting(model, "skin stiffness", "N/mm", settings.skin_stiffness, 0.01, 10.0);
-  check_setting(model, "puncture depth Xd", "mm", settings.puncture_depth, 0.1, 50.0);
-  check_setting(model, "trailing length Xd2", "mm", settings.trailing, 0.01, settings.puncture_depth);
-  check_setting(model, "bone stiffness", "N/mm", settings.bone_stiffness, 0.01, 10.0);
-  check_setting(model, "limit", "N", settings.limit, 1e-3, 100.0);
-  check_setting(model, "release time", "s", settings.release, 0.0, 1.0);
-  check_setting(model, "filter", "Hz", settings.filter, 1.0, 400.0);
-  check_setting(model, "stiffening", "N/mm per s", settings.stiffening, 0.1, 1000.0);
-  check_setting(model, "hysteresis", "mm", settings.hysteresis, 0.0, 5.0);
-  for (const TissueProperties& tissue : library.tissues()) {
-    check_setting(model, "stiffness of " + tissue.title, "N/mm", tissue.depth_profile.stiffness, 0.0, 10.0);
-    check_setting(model, "slope of " + tissue.title, "N/mm^2", tissue.depth_profile.slope, -1.0, 1.0);
-  }
+  check(settings, model);
+  check_tissues(library, &TissueProperties::depth_profile, model);
 }
 
 void DepthProfile::begin(const Vec3& entry, const Vec3& direction) noexcept {

@@ -11,15 +11,7 @@ Fracture::Fracture(const FractureSettings& settings)
     : settings_(settings),
       membrane_(VoigtSum::cubic, settings.stiffness, 0.0, settings.spacing),
       edge_(cutting_force(settings.cutting_toughness, settings.width), settings.cutting_stiffness) {
-  constexpr auto model = "fracture";
-  check_setting(model, "stiffness", "N/mm", settings.stiffness, 0.001, 10.0);
-  check_setting(model, "spacing", "mm", settings.spacing, 0.1, 10.0);
-  check_setting(model, "toughness", "N/mm", settings.toughness, 1e-4, 100.0);
-  check_setting(model, "width", "mm", settings.width, 0.05, 5.0);
-  check_setting(model, "thickness", "mm", settings.thickness, 0.01, 20.0);
-  check_setting(model, "cutting stiffness", "N/mm", settings.cutting_stiffness, 0.01, 100.0);
-  check_setting(model, "cutting toughness", "N/mm", settings.cutting_toughness, 0.0, 100.0);
-  check_setting(model, "limit", "N", settings.limit, 1e-3, 100.0);
+  check(settings, "fracture");
 }
 
 void Fracture::begin(const Vec3& entry, const Vec3& direction) noexcept {

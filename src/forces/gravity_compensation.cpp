@@ -41,13 +41,8 @@ GravitySettings fit_gravity(std::span<const GravitySample> samples, const Vec3& 
 
 GravityCompensation::GravityCompensation(const GravitySettings& settings) : settings_(settings) {
   constexpr auto model = "gravity_compensation";
-  check_setting(model, "length of the upward direction", "", settings.up.norm(), 0.999, 1.001);
-  check_setting(model, "weight", "N", settings.weight, 0.0, 20.0);
-  for (int axis = 0; axis < 3; ++axis) {
-    check_setting(model, "slope", "N/mm", settings.slope[axis], -0.1, 0.1);
-    check_setting(model, "centre", "mm", settings.centre[axis], -1e4, 1e4);
-  }
-  check_setting(model, "limit", "N", settings.limit, 1e-3, 20.0);
+  check_range(model, "length of the upward direction", settings.up.norm(), {0.999, 1.001}, "");
+  check(settings, model);
 }
 
 Vec3 GravityCompensation::step(const Vec3& position) const noexcept {

@@ -39,14 +39,9 @@ HapticField::HapticField(const CtVolume& ct, const TissueVolume& tissues, const 
                          const HapticFieldSettings& settings)
     : tissues_(&tissues) {
   constexpr auto model = "volume_proxy";
-  const auto value_of = library.by_id(&TissueProperties::field_value);
-  for (const TissueProperties& tissue : library.tissues())
-    check_setting(model, "field value of " + tissue.title, "", tissue.field_value, -10.0, 10.0);
-  check_setting(model, "range of the CT", "", settings.ct_range, 0.0, 10.0);
-  check_setting(model, "lowest CT number", "HU", settings.lowest_hounsfield, -2000.0, 3000.0);
-  check_setting(model, "highest CT number", "HU", settings.highest_hounsfield, settings.lowest_hounsfield + 1.0,
-                4000.0);
-  check_setting(model, "smoothing", "voxels", settings.smoothing, 0.0, 3.0);
+  const auto value_of = library.by_id(&TissueProperties::volume_proxy);
+  check_tissues(library, &TissueProperties::volume_proxy, model);
+  check(settings, model);
   if (ct.empty() || tissues.empty()) {
     throw InputError("volume_proxy: the case has no CT or no tissues; this model needs both");
   }
@@ -56,7 +51,7 @@ HapticField::HapticField(const CtVolume& ct, const TissueVolume& tissues, const 
 
   values_.resize(grid.voxel_count());
   std::transform(tissues.voxels.begin(), tissues.voxels.end(), values_.begin(),
-                 [&](TissueId id) { return static_cast<float>(value_of[id]); });
+                 [&](TissueId id) { return static_cast<float>(value_of[id].field_value); });
   if (settings.smoothing > 0.0) smooth(settings.smoothing);
 
   const double low = settings.lowest_hounsfield, scale = settings.ct_range / (settings.highest_hounsfield - low);

@@ -21,40 +21,6 @@ constexpr double longest_path = 400.0;      // mm of a patient's line; deeper is
 constexpr double least_grip_budget = 0.1;   // of the device's stiffness
 constexpr std::uint64_t rough_seed = 0x6e65656c65;
 
-void require(bool holds, const TissueProperties& tissue, const char* name, double value, const char* range) {
-  if (holds) return;
-  throw InputError("tissue '" + tissue.name + "': " + name + " is " + std::to_string(value) + ", expected " + range);
-}
-
-bool positive(double value) {
-  return std::isfinite(value) && value > 0.0;
-}
-bool not_negative(double value) {
-  return std::isfinite(value) && value >= 0.0;
-}
-
-void check(const TissueProperties& tissue) {
-  const LayeredTissue& p = tissue.layered;
-  if (p.kind == LayeredKind::viscoelastic) {
-    require(positive(p.stiffness), tissue, "stiffness", p.stiffness, "more than 0 N/mm");
-    require(not_negative(p.viscosity), tissue, "viscosity", p.viscosity, "0 N s/mm or more");
-    require(positive(p.element_spacing), tissue, "element_spacing", p.element_spacing, "more than 0 mm");
-    require(positive(p.break_force), tissue, "break_force", p.break_force, "more than 0 N");
-    require(not_negative(p.break_force_rate), tissue, "break_force_rate", p.break_force_rate, "0 N mm/s or more");
-    require(positive(p.shaft_stiffness), tissue, "shaft_stiffness", p.shaft_stiffness, "more than 0 N/mm^2");
-    require(not_negative(p.shaft_viscosity), tissue, "shaft_viscosity", p.shaft_viscosity, "0 N s/mm^2 or more");
-    require(positive(p.shaft_spacing), tissue, "shaft_spacing", p.shaft_spacing, "more than 0 mm");
-    require(not_negative(p.dynamic_friction), tissue, "dynamic_friction", p.dynamic_friction, "0 N/mm or more");
-    require(std::isfinite(p.static_friction) && p.static_friction >= p.dynamic_friction, tissue, "static_friction",
-            p.static_friction, "at least the dynamic friction");
-    require(p.roughness >= 0.0 && p.roughness < 1.0, tissue, "roughness", p.roughness, "0 or more and less than 1");
-  } else if (p.kind == LayeredKind::viscous) {
-    require(not_negative(p.drag), tissue, "drag", p.drag, "0 N s/mm^2 or more");
-  } else if (p.kind == LayeredKind::rigid) {
-    require(positive(p.contact_stiffness), tissue, "contact_stiffness", p.contact_stiffness, "more than 0 N/mm");
-  }
-}
-
 }  // namespace
 
 Layered::Layered(const TissueLibrary& library, const LayeredSettings& settings, double device_stiffness, double dt,
@@ -65,8 +31,9 @@ Layered::Layered(const TissueLibrary& library, const LayeredSettings& settings, 
       strict_(settings.strict),
       sliver_layers_(std::max(0, static_cast<int>(std::ceil(sliver / settings.layer - 1e-9)) - 1)) {
   const VoigtSum sum = settings.law == LayeredLaw::cubic ? VoigtSum::cubic : VoigtSum::piecewise;
+  check(settings, "layered");
+  check_tissues(library, &TissueProperties::layered, "layered");
   for (const TissueProperties& tissue : library.tissues()) {
-    check(tissue);
     const LayeredTissue& p = tissue.layered;
     Law& law = laws_[tissue.id];
     law.kind = p.kind;

@@ -9,24 +9,13 @@
 
 namespace bodkin {
 
-namespace {
-void require(bool holds, const char* name, double value, const char* range) {
-  if (holds) return;
-  throw InputError("line spring: " + std::string(name) + " is " + std::to_string(value) + ", expected " + range);
-}
-}  // namespace
-
 LineSpring::LineSpring(const LineSpringSettings& settings, double device_stiffness, double dt)
     : stiffness_(std::min(settings.stiffness, device_stiffness)),
       damping_(std::min(settings.damping, damping_allowed(stiffness_, device_stiffness, dt))),
       limit_(settings.limit),
       dt_(dt),
       gain_(OnePole(50.0, dt).gain()) {
-  require(std::isfinite(settings.stiffness) && settings.stiffness >= 0.0, "stiffness", settings.stiffness,
-          "a number of N/mm that is not negative");
-  require(std::isfinite(settings.damping) && settings.damping >= 0.0, "damping", settings.damping,
-          "a number of N s/mm that is not negative");
-  require(settings.limit > 0.0, "limit", settings.limit, "a force in N above 0");
+  check(settings, "line_spring");
 }
 
 void LineSpring::begin(const Vec3& entry, const Vec3& direction) noexcept {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 #include <string_view>
 
+#include "anatomy/tissue.h"
 #include "core/axial_motion.h"
 #include "core/settings_check.h"
 
@@ -10,10 +12,12 @@ namespace bodkin {
 
 // What every force model does with its settings and its input before it trusts them.
 
-// Throws InputError, naming model, setting, value, unit and the allowed range, unless low <= value <= high. NaN is
-// always refused.
-void check_setting(std::string_view model, std::string_view setting, std::string_view unit, double value, double low,
-                   double high);
+// Throws InputError naming model, tissue and parameter unless the property of every tissue is in order.
+template <typename Property>
+void check_tissues(const TissueLibrary& library, Property TissueProperties::*property, std::string_view model) {
+  for (const TissueProperties& tissue : library.tissues())
+    check(tissue.*property, std::string(model) + ", tissue '" + tissue.name + "'");
+}
 
 // Motions beyond these are no needle in a hand: a sensor or a driver failed. A model answers them with zero force, a
 // `fault` event and an unchanged state.

@@ -9,11 +9,7 @@
 namespace bodkin {
 
 NeedleGrasp::NeedleGrasp(const NeedleGraspSettings& settings) : settings_(settings) {
-  constexpr auto model = "needle_grasp";
-  check_setting(model, "rise after turning one way", "", settings.one_way, 0.0, 10.0);
-  check_setting(model, "rise after turning to and fro", "", settings.two_way, 0.0, settings.one_way);
-  check_setting(model, "factor at a point", "", settings.point, 0.1, 10.0);
-  check_setting(model, "turns to wind", "", settings.turns_to_wind, 0.1, 100.0);
+  check(settings, "needle_grasp");
 }
 
 double NeedleGrasp::factor() const noexcept {

@@ -9,12 +9,8 @@ namespace bodkin {
 
 Pivot::Pivot(const PivotSettings& settings, double length) : settings_(settings), length_(length) {
   constexpr auto model = "pivot";
-  check_setting(model, "stiffness", "N/mm", settings.stiffness, 0.0, 10.0);
-  check_setting(model, "gain", "(no unit)", settings.gain, 0.0, 10.0);
-  check_setting(model, "limit", "N", settings.limit, 1e-3, 100.0);
-  check_setting(model, "shortest length outside", "mm", settings.shortest_outside, 1.0, 500.0);
-  check_setting(model, "largest angle", "rad", settings.largest_angle, 0.01, 1.0);
-  check_setting(model, "needle length", "mm", length, 10.0, 500.0);
+  check(settings, model);
+  check_range(model, "needle length", length, {10.0, 500.0}, "mm");
 }
 
 void Pivot::begin(const Vec3& entry, const Vec3& direction) noexcept {

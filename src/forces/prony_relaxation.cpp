@@ -9,16 +9,15 @@ namespace bodkin {
 PronyRelaxation::PronyRelaxation(std::span<const PronyTerm> terms, double dt) : count_(terms.size()) {
   constexpr auto model = "prony_relaxation";
   check_tick(model, dt);
-  check_setting(model, "number of terms", "", static_cast<double>(terms.size()), 0.0, static_cast<double>(capacity));
+  check_range(model, "number of terms", static_cast<double>(terms.size()), {0.0, static_cast<double>(capacity)}, "");
   double sum = 0.0;
   for (std::size_t i = 0; i < count_; ++i) {
-    check_setting(model, "share of a term", "", terms[i].share, 0.0, 1.0);
-    check_setting(model, "time of a term", "s", terms[i].time, 1e-3, 1e4);
+    check(terms[i], model);
     sum += terms[i].share;
     decay_[i] = std::exp(-dt / terms[i].time);
     gain_[i] = -terms[i].share * terms[i].time / dt * std::expm1(-dt / terms[i].time);
   }
-  check_setting(model, "sum of the shares", "", sum, 0.0, 1.0);
+  check_range(model, "sum of the shares", sum, {0.0, 1.0}, "");
   rest_ = 1.0 - sum;
 }
 

@@ -10,12 +10,7 @@
 namespace bodkin {
 
 Rail::Rail(const RailSettings& settings) : settings_(settings) {
-  constexpr auto model = "rail";
-  check_setting(model, "stiffness", "N/mm", settings.stiffness, 0.0, 10.0);
-  check_setting(model, "limit", "N", settings.limit, 1e-3, 100.0);
-  check_setting(model, "torsion", "N mm/rad", settings.torsion, 0.0, 1e5);
-  check_setting(model, "full depth", "mm", settings.full_depth, 1.0, 500.0);
-  check_setting(model, "torque limit", "N mm", settings.torque_limit, 1e-3, 1e4);
+  check(settings, "rail");
 }
 
 void Rail::begin(const Vec3& entry, const Vec3& direction) noexcept {

@@ -10,7 +10,7 @@ namespace bodkin {
 namespace {
 
 constexpr double path_layer = 0.5;        // mm between tissue samples along the line
-constexpr double longest_path = 400.0;    // mm; deeper is as 400 mm
+constexpr double longest_shaft = 400.0;    // mm; deeper is as 400 mm
 constexpr double least_hold_share = 0.1;  // of the device's stiffness, left to the friction's spring
 
 }  // namespace
@@ -34,7 +34,7 @@ ShaftContact shaft_contact(std::span<const TissueId> layers, double layer, doubl
 }
 
 ShaftFriction::ShaftFriction(const ShaftFrictionSettings& settings) : stribeck_velocity_(settings.stribeck_velocity) {
-  check_setting("shaft_friction", "Stribeck velocity", "mm/s", settings.stribeck_velocity, 0.01, 1000.0);
+  check(settings, "shaft_friction");
 }
 
 double ShaftFriction::step(const AxialMotion& motion, const ShaftContact& contact, TickEvents& events) noexcept {
@@ -65,18 +65,11 @@ ShaftFrictionResistance::ShaftFrictionResistance(const Case& patient, const Shaf
                                                  double firm)
     : model_(settings),
       tissues_(patient.library.by_id(&TissueProperties::shaft_friction)),
-      path_(path_layer, longest_path),
+      path_(path_layer, longest_shaft),
       volume_(&patient.tissues),
       budget_(std::max(patient.description.device.stiffness - firm,
                        least_hold_share * patient.description.device.stiffness)) {
-  for (const TissueProperties& tissue : patient.library.tissues()) {
-    const ShaftFrictionTissue& here = tissue.shaft_friction;
-    const std::string of = " of " + tissue.title;
-    check_setting("shaft_friction", "Coulomb friction" + of, "N/mm", here.coulomb, 0.0, 10.0);
-    check_setting("shaft_friction", "static friction" + of, "N/mm", here.static_force, here.coulomb, 10.0);
-    check_setting("shaft_friction", "stiffness" + of, "N/mm^2", here.stiffness, 1e-6, 100.0);
-    check_setting("shaft_friction", "viscous friction" + of, "N s/mm^2", here.viscous, 0.0, 1.0);
-  }
+  check_tissues(patient.library, &TissueProperties::shaft_friction, "shaft_friction");
 }
 
 void ShaftFrictionResistance::begin(const Vec3& entry, const Vec3& direction) noexcept {
@@ -85,7 +78,7 @@ void ShaftFrictionResistance::begin(const Vec3& entry, const Vec3& direction) no
 }
 
 ResistanceForce ShaftFrictionResistance::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
-  const double depth = std::min(needle.motion.depth, longest_path);
+  const double depth = std::min(needle.motion.depth, longest_shaft);
   path_.extend_to(depth, *volume_);
   ShaftContact contact = shaft_contact(path_.layers(), path_layer, depth, tissues_);
   contact.coulomb *= needle.grip;

@@ -8,11 +8,7 @@
 namespace bodkin {
 
 SpringDamperWall::SpringDamperWall(const SpringDamperWallSettings& settings) : settings_(settings) {
-  constexpr auto model = "spring_damper_wall";
-  check_setting(model, "stiffness", "N/mm", settings.stiffness, 0.0, 100.0);
-  check_setting(model, "damping", "N s/mm", settings.damping, 0.0, 1.0);
-  check_setting(model, "wall", "mm", settings.wall, -1000.0, 1000.0);
-  check_setting(model, "limit", "N", settings.limit, 1e-3, 100.0);
+  check(settings, "spring_damper_wall");
 }
 
 double SpringDamperWall::step(const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept {

@@ -53,12 +53,12 @@ SurfaceProxy::SurfaceProxy(const SurfaceProxySettings& settings, const Surface& 
     : settings_(settings), tree_(surface), dt_(dt) {
   constexpr auto model = "surface_proxy";
   check_tick(model, dt);
-  check_setting(model, "stiffness", "N/mm", settings.stiffness, 0.01, 10.0);
-  check_setting(model, "dynamic friction", "", settings.dynamic_friction, 0.0, 10.0);
-  check_setting(model, "static friction", "", settings.static_friction, settings.dynamic_friction, 10.0);
-  check_setting(model, "time to stick again", "s", settings.stick_after, 0.0, 1.0);
-  check_setting(model, "viscosity", "N s/mm", settings.viscosity, 0.0, 1.0);
-  check_setting(model, "limit", "N", settings.limit, 1e-3, 100.0);
+  check_range(model, "stiffness", settings.stiffness, {0.01, 10.0}, "N/mm");
+  check_range(model, "dynamic friction", settings.dynamic_friction, {0.0, 10.0}, "");
+  check_range(model, "static friction", settings.static_friction, {settings.dynamic_friction, 10.0}, "");
+  check_range(model, "time to stick again", settings.stick_after, {0.0, 1.0}, "s");
+  check_range(model, "viscosity", settings.viscosity, {0.0, 1.0}, "N s/mm");
+  check_range(model, "limit", settings.limit, {1e-3, 100.0}, "N");
 }
 
 void SurfaceProxy::reset() noexcept {

@@ -11,24 +11,7 @@ namespace bodkin {
 
 ThreeComponent::ThreeComponent(const ThreeComponentSettings& settings)
     : settings_(settings), edge_(settings.cutting_force, settings.cutting_stiffness) {
-  constexpr auto model = "three_component";
-  check_setting(model, "linear stiffness a1", "N/mm", settings.linear, 0.0, 10.0);
-  check_setting(model, "quadratic stiffness a2", "N/mm^2", settings.quadratic, 0.0, 10.0);
-  if (settings.linear == 0.0 && settings.quadratic == 0.0) {
-    throw InputError(
-        "three_component: a1 and a2 are both 0, so nothing ever breaks; give one of them a positive value");
-  }
-  check_setting(model, "puncture force", "N", settings.puncture_force, 0.01, 50.0);
-  check_setting(model, "cutting force", "N", settings.cutting_force, 0.0, settings.puncture_force);
-  check_setting(model, "cutting stiffness", "N/mm", settings.cutting_stiffness, 0.01, 100.0);
-  for (const KarnoppFriction& one : {settings.inwards, settings.outwards}) {
-    check_setting(model, "Coulomb friction", "N/mm", one.coulomb, 0.0, 10.0);
-    check_setting(model, "viscous friction", "N s/mm^2", one.viscous, 0.0, 1.0);
-    check_setting(model, "static friction", "N/mm", one.static_force, 0.0, 10.0);
-  }
-  check_setting(model, "dead band", "mm/s", settings.dead_band, 0.01, 100.0);
-  check_setting(model, "holding spring", "N/mm^2", settings.hold, 0.001, 100.0);
-  check_setting(model, "limit", "N", settings.limit, 1e-3, 100.0);
+  check(settings, "three_component");
 }
 
 void ThreeComponent::begin(const Vec3& entry, const Vec3& direction) noexcept {

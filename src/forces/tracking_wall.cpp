@@ -12,24 +12,8 @@
 namespace bodkin {
 
 void check_tracking_wall(const TissueLibrary& library, const TrackingWallSettings& settings, const char* model) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  check_setting(model, "surface", "mm", settings.surface, -1000.0, 1000.0);
-  check_setting(model, "catch-up time", "s", settings.catch_up, 1e-3, infinity);
-  check_setting(model, "limit", "N", settings.limit, 1e-3, 100.0);
-  const auto check = [model](const TrackingWallTissue& layer, const std::string& of) {
-    check_setting(model, "spring of " + of, "N/mm", layer.stiffness, 0.01, 100.0);
-    check_setting(model, "force of " + of, "N", layer.force, 0.0, 50.0);
-  };
-  for (const TissueProperties& tissue : library.tissues()) check(tissue.tracking_wall, tissue.title);
-  double before = -1.0;
-  for (const TrackingWallDepthLayer& layer : settings.layers) {
-    check(layer.layer, "a layer");
-    check_setting(model, "depth at which a layer begins", "mm", layer.from, 0.0, 1000.0);
-    if (layer.from <= before) {
-      throw InputError(std::string(model) + ": the layers do not begin deeper and deeper; sort them by depth");
-    }
-    before = layer.from;
-  }
+  check(settings, model);
+  check_tissues(library, &TissueProperties::tracking_wall, model);
 }
 
 TrackingWall::TrackingWall(const TissueLibrary& library, const TrackingWallSettings& settings, double dt)

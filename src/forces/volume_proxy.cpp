@@ -17,14 +17,6 @@ ProxyProperties blend(const ProxyProperties& a, const ProxyProperties& b, double
           mix(a.viscosity, b.viscosity)};
 }
 
-void check(const ProxyProperties& properties, const std::string& of) {
-  constexpr auto model = "volume_proxy";
-  check_setting(model, "penetrability of " + of, "N", properties.penetrability, 0.0, 50.0);
-  check_setting(model, "friction of " + of, "N", properties.friction, 0.0, 50.0);
-  check_setting(model, "drag of " + of, "N", properties.drag, 0.0, 50.0);
-  check_setting(model, "viscosity of " + of, "N s/mm", properties.viscosity, 0.0, 10.0);
-}
-
 }  // namespace
 
 Vec3 advance_proxy(const Vec3& proxy, const Vec3& tip, const Vec3& normal, const ProxyProperties& properties,
@@ -56,23 +48,13 @@ VolumeProxy::VolumeProxy(const TissueLibrary& library, const VolumeProxySettings
     : settings_(settings), tissues_(library.by_id(&TissueProperties::volume_proxy)), field_(&field), dt_(dt) {
   constexpr auto model = "volume_proxy";
   check_tick(model, dt);
-  check_setting(model, "stiffness", "N/mm", settings.stiffness, 0.01, 10.0);
-  check_setting(model, "gradient reference", "1/mm", settings.gradient_reference, 1e-6, 1e3);
-  check_setting(model, "least gradient", "1/mm", settings.gradient_least, 0.0, settings.gradient_reference);
-  check_setting(model, "limit", "N", settings.limit, 1e-3, 100.0);
-  for (const TissueProperties& tissue : library.tissues()) check(tissue.volume_proxy, tissue.title);
-  for (std::size_t i = 0; i < settings.transfer.size(); ++i) {
-    check(settings.transfer[i].properties, "a transfer point");
-    check_setting(model, "value of a transfer point", "", settings.transfer[i].value, -100.0, 100.0);
-    if (i > 0 && settings.transfer[i].value <= settings.transfer[i - 1].value) {
-      throw InputError("volume_proxy: the points of the transfer function do not rise in value; sort them");
-    }
-  }
+  check(settings, model);
+  check_tissues(library, &TissueProperties::volume_proxy, model);
 }
 
 ProxyProperties VolumeProxy::properties(const FieldSample& here) const noexcept {
   const auto& points = settings_.transfer;
-  if (points.empty()) return tissues_[field_->tissue(proxy_)];
+  if (points.empty()) return tissues_[field_->tissue(proxy_)].properties;
   const auto above = std::upper_bound(points.begin(), points.end(), here.value,
                                       [](double value, const TransferPoint& point) { return value < point.value; });
   if (above == points.begin()) return points.front().properties;

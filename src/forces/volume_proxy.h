@@ -61,7 +61,7 @@ class VolumeProxy : public ResistanceDefaults {
   ProxyProperties properties(const FieldSample& here) const noexcept;
 
   VolumeProxySettings settings_;
-  std::array<ProxyProperties, 256> tissues_;  // 256, by TissueId
+  std::array<VolumeProxyTissue, 256> tissues_;  // 256, by TissueId
   std::unique_ptr<HapticField> own_field_;    // of a patient
   const HapticField* field_;
   double dt_;

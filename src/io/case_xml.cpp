@@ -8,6 +8,7 @@
 #include "io/haptics_xml.h"
 #include "io/label_scheme.h"
 #include "io/resources.h"
+#include "io/settings_xml.h"
 #include "io/xml_document.h"
 
 namespace bodkin {
@@ -53,8 +54,6 @@ void read_volumes(const XmlElement& volumes, const std::string& origin, CaseDesc
 }  // namespace
 
 Needle read_needle(const XmlElement& element, const std::string& origin) {
-  Needle needle;
-  needle.gauge = element.integer("gauge", needle.gauge);
   const bool outer = element.find("outer_diameter_mm") != nullptr,
              inner = element.find("inner_diameter_mm") != nullptr;
   if (outer != inner) {
@@ -62,39 +61,22 @@ Needle read_needle(const XmlElement& element, const std::string& origin) {
             fmt::format("needle has one of outer_diameter_mm and inner_diameter_mm, expected both or "
                         "neither (a solid needle has an inner_diameter_mm of 0)"));
   }
+  auto needle = settings_from<Needle>(element, origin);
+  if (outer) return needle;
   const auto size = gauge_size(needle.gauge);
-  if (!outer && !size) {
+  if (!size) {
     fail_at(origin, element.line,
             fmt::format("needle gauge is {}, expected 10 to 34, or outer_diameter_mm and inner_diameter_mm "
                         "beside it",
                         needle.gauge));
   }
-  needle.outer_diameter = element.number("outer_diameter_mm", size ? size->outer_diameter : 0.0);
-  needle.inner_diameter = element.number("inner_diameter_mm", size ? size->inner_diameter : 0.0);
-  needle.length = element.number("length_mm", needle.length);
-  needle.tip = needle_tip_from(element.string("tip")).value_or(needle.tip);
-  if (needle.inner_diameter >= needle.outer_diameter) {
-    fail_at(origin, element.line,
-            fmt::format("needle inner_diameter_mm is {}, expected less than the outer_diameter_mm of {}",
-                        needle.inner_diameter, needle.outer_diameter));
-  }
+  needle.outer_diameter = size->outer_diameter;
+  needle.inner_diameter = size->inner_diameter;
   return needle;
 }
 
 DeviceLimits read_device(const XmlElement& element, const std::string& origin) {
-  DeviceLimits device;
-  device.profile = element.string("profile", device.profile);
-  device.peak_force = element.number("peak_force_N", device.peak_force);
-  device.continuous_force = element.number("continuous_force_N", device.continuous_force);
-  device.peak_torque = element.number("peak_torque_N_mm", device.peak_torque);
-  device.stiffness = element.number("stiffness_N_per_mm", device.stiffness);
-  device.position_resolution = element.number("position_resolution_mm", device.position_resolution);
-  if (device.continuous_force > device.peak_force) {
-    fail_at(origin, element.line,
-            fmt::format("device continuous_force_N is {}, expected at most the peak_force_N of {}",
-                        device.continuous_force, device.peak_force));
-  }
-  return device;
+  return settings_from<DeviceLimits>(element, origin);
 }
 
 DeviceLimits parse_device_xml(std::string_view document, const std::string& origin, const XmlSchema& schema) {

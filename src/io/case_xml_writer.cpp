@@ -1,5 +1,6 @@
 #include "io/case_xml.h"
 #include "io/haptics_xml.h"
+#include "io/settings_xml.h"
 #include "io/xml_writer.h"
 
 namespace bodkin {
@@ -35,27 +36,6 @@ void write_volumes(XmlWriter& xml, const CaseDescription& description) {
   xml.close();
 }
 
-void write_needle(XmlWriter& xml, const Needle& needle) {
-  xml.open("needle");
-  xml.attribute("gauge", needle.gauge);
-  xml.attribute("outer_diameter_mm", needle.outer_diameter);
-  xml.attribute("inner_diameter_mm", needle.inner_diameter);
-  xml.attribute("length_mm", needle.length);
-  xml.attribute("tip", to_string(needle.tip));
-  xml.close();
-}
-
-void write_device(XmlWriter& xml, const DeviceLimits& device) {
-  xml.open("device");
-  xml.attribute("profile", device.profile);
-  xml.attribute("peak_force_N", device.peak_force);
-  xml.attribute("continuous_force_N", device.continuous_force);
-  xml.attribute("peak_torque_N_mm", device.peak_torque);
-  xml.attribute("stiffness_N_per_mm", device.stiffness);
-  xml.attribute("position_resolution_mm", device.position_resolution);
-  xml.close();
-}
-
 void write_procedure(XmlWriter& xml, const Procedure& procedure) {
   xml.open("procedure");
   xml.attribute("name", procedure.name);
@@ -86,8 +66,8 @@ std::string case_xml(const CaseDescription& description) {
     write_file(xml, "tissue_library", description.tissue_library_file, {});
     xml.close();
   }
-  write_needle(xml, description.needle);
-  write_device(xml, description.device);
+  write_settings(xml, settings_tree("needle", description.needle));
+  write_settings(xml, settings_tree("device", description.device));
   write_haptics(xml, description.haptics);
   if (!description.landmarks.empty()) {
     xml.open("landmarks");
@@ -111,7 +91,7 @@ std::string case_xml(const CaseDescription& description) {
 
 std::string device_xml(const DeviceLimits& device) {
   XmlWriter xml;
-  write_device(xml, device);
+  write_settings(xml, settings_tree("device", device));
   return xml.finish();
 }
 

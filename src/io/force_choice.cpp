@@ -93,14 +93,6 @@ HapticSettings read_role(const char* role, const std::string& origin, const auto
   return read_haptics(root, origin);
 }
 
-// The inverse of write_element.
-std::string text_of(const XmlElement& element) {
-  std::string text = element.name;
-  for (const auto& [name, value] : element.attributes) text += fmt::format(" {}={}", name, value);
-  for (const XmlElement& child : element.children) text += "; " + text_of(child);
-  return text;
-}
-
 }  // namespace
 
 ResistanceSettings parse_resistance(std::string_view text, const std::string& origin) {
@@ -125,13 +117,16 @@ ForceParts parse_parts(const std::vector<std::string>& texts, const std::string&
 }
 
 ForceTexts force_texts(const HapticSettings& haptics) {
-  const XmlElement root = XmlSchema("case.xsd").read(haptics_xml(haptics), "haptics", {.root = "haptics"});
+  const auto text_of = [](std::string_view name, const auto& settings) {
+    return tree_text(settings_tree(std::string(name), settings));
+  };
   ForceTexts texts;
-  texts.resistance = text_of(root.child("resistance")->children.front());
-  texts.constraint = text_of(root.child("constraint")->children.front());
-  if (const XmlElement* parts = root.child("parts"); parts != nullptr) {
-    for (const XmlElement& part : parts->children) texts.parts.push_back(text_of(part));
-  }
+  texts.resistance = std::visit([&](const auto& settings) { return text_of(name_of(haptics.resistance), settings); },
+                                haptics.resistance);
+  texts.constraint = std::visit([&](const auto& settings) { return text_of(name_of(haptics.constraint), settings); },
+                                haptics.constraint);
+  for (const SettingsTree& part : settings_tree("parts", haptics.parts).children)
+    texts.parts.push_back(tree_text(part));
   return texts;
 }
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "anatomy/force_settings.h"
+#include "core/settings_tree.h"
 
 namespace bodkin {
 
@@ -15,6 +16,9 @@ class XmlWriter;
 // The settings that a <haptics> element holds, which the schema (case.xsd) has accepted. Throws InputError naming
 // file, line, attribute, what was found and what was expected where one value does not go with another.
 HapticSettings read_haptics(const XmlElement& element, const std::string& origin);
+
+// The same as a tree of texts: models, parts and compensation with all their values.
+SettingsTree haptics_tree(const HapticSettings& haptics);
 
 // Writes a <haptics> element that read_haptics reads back to the same bits. The direction against gravity is a unit
 // vector.

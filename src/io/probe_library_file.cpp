@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "io/resources.h"
+#include "io/settings_xml.h"
 #include "io/xml_document.h"
 
 namespace bodkin {
@@ -24,29 +25,11 @@ std::string small_letters(std::string_view name) {
   return small;
 }
 
-ProbeKind probe_kind_from(const std::string& name) {
-  for (const ProbeKind kind : {ProbeKind::curvilinear, ProbeKind::phased})
-    if (name == to_string(kind)) return kind;
-  return ProbeKind::linear;
-}
-
 UltrasoundProbe probe_from(const XmlElement& element, const std::string& origin) {
+  SettingsTree tree{.name = element.name, .values = element.attributes, .children = {}, .line = element.line};
+  tree.values.emplace_back("source", one_line(element.child("source")->text));
   UltrasoundProbe probe;
-  probe.name = element.string("name");
-  probe.title = element.string("title");
-  probe.kind = probe_kind_from(element.string("kind"));
-  probe.frequency = element.number("frequency_MHz", probe.frequency);
-  probe.lowest = element.number("lowest_MHz", probe.lowest);
-  probe.highest = element.number("highest_MHz", probe.highest);
-  probe.elements = element.integer("elements", probe.elements);
-  probe.pitch = element.number("pitch_mm", probe.pitch);
-  probe.radius = element.number("radius_mm", probe.radius);
-  probe.sector = element.number("sector_deg", probe.sector);
-  probe.height = element.number("height_mm", probe.height);
-  probe.lens = element.number("lens_mm", probe.lens);
-  probe.cycles = element.number("cycles", probe.cycles);
-  probe.depth = element.number("depth_mm", probe.depth);
-  probe.source = one_line(element.child("source")->text);
+  read_settings(probe, tree, origin);
   check(probe, fmt::format("{}, line {}", origin, element.line));
   return probe;
 }

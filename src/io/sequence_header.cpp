@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/parameter_value.h"
 
 namespace bodkin {
 
@@ -17,12 +18,6 @@ namespace {
 
 constexpr std::size_t longest_sequence_header = std::size_t{16} << 20U;  // bytes
 constexpr double least_pixel = 1e-4, largest_pixel = 100.0;              // mm
-
-std::string_view without_blanks(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 // The lengths of the first two columns of a matrix of 16 numbers, row by row.
 std::optional<std::array<double, 2>> steps_of(std::string_view text) {

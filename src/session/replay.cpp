@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "patient/prepared_body.h"
+#include "session/case_digest.h"
 #include "session/session_run.h"
 #include "session/session_schema.h"
 #include "session/tick_codec.h"
@@ -204,12 +205,14 @@ ReplayResult replay_session(const Session& session, Case patient, const Progress
 
 void check_same_case(const Session& session, const Case& patient, const std::string& case_folder) {
   const std::string xml = read_text_file(std::filesystem::path(case_folder) / "case.xml", largest_case_xml);
-  const std::string digest = case_digest(patient, xml);
-  if (digest == session.header.case_digest) return;
-  const char* what =
-      xml != session.header.case_xml ? "its case.xml is not the one" : "its voxels or tissues are not those";
+  const std::string mesh = mesh_digest(case_folder, session.header.haptics.resistance);
+  const std::string& recorded = session.header.case_digest;
+  if (is_digest_of_case(recorded, patient, xml, mesh)) return;
+  const char* what = xml != session.header.case_xml ? "its case.xml is not the one"
+                     : mesh.empty()                 ? "its voxels or tissues are not those"
+                                                    : "its voxels, tissues or mesh are not those";
   throw InputError(fmt::format("{}: {} of the session (digest {}, recorded {}); give the case as it was with --case",
-                               case_folder, what, digest, session.header.case_digest));
+                               case_folder, what, case_digest(patient, xml, mesh), recorded));
 }
 
 }  // namespace bodkin

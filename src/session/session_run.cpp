@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 
+#include "session/case_digest.h"
 #include "session/operator_file.h"
 #include "session/recorder.h"
 #include "session/session_schema.h"
@@ -12,7 +13,6 @@
 #include "core/utc_time.h"
 #include "haptics/deadline_clock.h"
 #include "haptics/tick_clock.h"
-#include "io/digest.h"
 #include "io/resources.h"
 #include "simulation/closed_loop.h"
 #include "simulation/resistance_models.h"
@@ -22,21 +22,6 @@ namespace bodkin {
 namespace {
 
 constexpr std::uint64_t show_interval = 512;  // ticks
-
-void add_tissue(const TissueProperties& tissue, std::string& text) {
-  const LayeredTissue& p = tissue.layered;
-  text += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", tissue.id, tissue.name,
-                      static_cast<int>(p.kind), p.stiffness, p.viscosity, p.element_spacing, p.break_force,
-                      p.break_force_rate, p.shaft_stiffness, p.shaft_viscosity, p.shaft_spacing, p.static_friction,
-                      p.dynamic_friction, p.roughness, p.drag, p.contact_stiffness, tissue.title);
-  const ProxyProperties& proxy = tissue.volume_proxy;
-  const ShaftFrictionTissue& friction = tissue.shaft_friction;
-  text += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", tissue.tracking_wall.stiffness,
-                      tissue.tracking_wall.force, static_cast<int>(tissue.depth_profile.kind),
-                      tissue.depth_profile.stiffness, tissue.depth_profile.slope, proxy.penetrability, proxy.friction,
-                      proxy.drag, proxy.viscosity, tissue.field_value, friction.coulomb, friction.static_force,
-                      friction.stiffness, friction.viscous, tissue.syringe.resistance, tissue.syringe.pressure);
-}
 
 // One run of the loop, told apart by what drives it: the processor's speed or the clock.
 class Run {
@@ -133,18 +118,13 @@ class Run {
 
 }  // namespace
 
-std::string case_digest(const Case& patient, const std::string& case_xml) {
-  std::string all = case_xml + '\n' + volume_digest(patient.tissues) + '\n';
-  for (const TissueProperties& tissue : patient.library.tissues()) add_tissue(tissue, all);
-  return text_checksum(all);
-}
-
 SessionHeader session_header(const Case& patient, const std::filesystem::path& case_folder, const NeedlePath& path) {
   SessionHeader header;
   header.bodkin_version = BODKIN_VERSION;
   header.case_folder = std::filesystem::absolute(case_folder).lexically_normal().string();
   header.case_xml = read_text_file(case_folder / "case.xml", largest_case_xml);
-  header.case_digest = case_digest(patient, header.case_xml);
+  header.case_digest =
+      case_digest(patient, header.case_xml, mesh_digest(case_folder, patient.description.haptics.resistance));
   header.dt = 1.0 / patient.description.haptics.rate;
   header.started_at = utc_now();
   header.path = path;

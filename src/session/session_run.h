@@ -42,9 +42,6 @@ SessionHeader session_header(const Case& patient, const std::filesystem::path& c
 SessionHeader session_header(const Case& patient, const std::filesystem::path& case_folder,
                              const RunSettings& settings);
 
-// A fingerprint of all of a case that the forces depend on: case.xml, the tissue voxels and the tissue library.
-std::string case_digest(const Case& patient, const std::string& case_xml);
-
 // Lets a simulated hand perform the script on the patient and records every tick. Without `realtime` nothing but the
 // case, the script, the path and the seed decides what happens. Throws InputError or SystemError.
 RunResult run_session(const Case& patient, const SessionHeader& header, const RunSettings& settings,

@@ -58,17 +58,18 @@ constexpr ConstraintEntry entry_of() {
           }};
 }
 
-constexpr ConstraintEntry models[] = {
+constexpr ConstraintEntry constraint_models[] = {
     entry_of<LineSpring>(), entry_of<Pivot>(), entry_of<Rail>(), entry_of<Beam>(), entry_of<FreeNeedle>(),
 };
 
 std::unique_ptr<AnyConstraint> make_constraint(const Case& patient, double dt) {
   const std::string_view name = name_of(patient.description.haptics.constraint);
-  const auto* found = std::find_if(std::begin(models), std::end(models),
+  const auto* found = std::find_if(std::begin(constraint_models), std::end(constraint_models),
                                    [&](const ConstraintEntry& entry) { return entry.name == name; });
-  if (found != std::end(models)) return found->make(patient, dt);
+  if (found != std::end(constraint_models)) return found->make(patient, dt);
   std::string names;
-  for (const ConstraintEntry& entry : models) names += (names.empty() ? "" : ", ") + std::string(entry.name);
+  for (const ConstraintEntry& entry : constraint_models)
+    names += (names.empty() ? "" : ", ") + std::string(entry.name);
   throw InputError("there is no constraint '" + std::string(name) + "', expected one of " + names);
 }
 

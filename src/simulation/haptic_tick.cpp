@@ -21,28 +21,19 @@ constexpr double tissue_slack = 0.2;   // mm that the tip must move before anoth
 constexpr int limit_event_rest = 100;  // ticks without intervention before the next one is an event again
 constexpr std::uint8_t interventions = force_limit::passivity | force_limit::peak | force_limit::thermal;
 
-void require(bool holds, const std::string& what, double value, const char* range) {
-  if (!holds) throw InputError("haptics: " + what + " is " + std::to_string(value) + ", expected " + range);
-}
-
 // The case, if its numbers can be simulated.
 const Case& checked(const Case& patient) {
   if (patient.tissues.empty()) throw InputError("the case has no tissues, so there is nothing to feel");
   const HapticSettings& haptics = patient.description.haptics;
+  check(haptics, "haptics");
+  // A program may simulate a stronger device than a case file names.
   const DeviceLimits& device = patient.description.device;
-  require(haptics.rate >= 200.0 && haptics.rate <= 4000.0, "rate", haptics.rate, "200 to 4000 Hz");
-  if (const auto* layered = std::get_if<LayeredSettings>(&haptics.resistance)) {
-    require(layered->layer >= 0.1 && layered->layer <= 2.0, "layer", layered->layer, "0.1 to 2 mm");
-  }
-  require(device.peak_force > 0.0 && std::isfinite(device.peak_force), "peak force", device.peak_force,
-          "more than 0 N");
-  require(device.continuous_force > 0.0 && device.continuous_force <= device.peak_force, "continuous force",
-          device.continuous_force, "more than 0 N and at most the peak force");
-  require(device.stiffness > 0.0, "device stiffness", device.stiffness, "more than 0 N/mm");
-  require(device.position_resolution >= 0.0 && std::isfinite(device.position_resolution), "position resolution",
-          device.position_resolution, "0 mm or more");
-  require(device.peak_torque >= 0.0 && std::isfinite(device.peak_torque), "peak torque", device.peak_torque,
-          "0 N mm or more");
+  constexpr Range positive = {0.0, unbounded, false, false}, not_negative = from_to_below(0.0, unbounded);
+  check_range("device", "peak_force_N", device.peak_force, positive, "N");
+  check_range("device", "continuous_force_N", device.continuous_force, above(0.0, device.peak_force), "N");
+  check_range("device", "stiffness_N_per_mm", device.stiffness, above(0.0, unbounded), "N/mm");
+  check_range("device", "position_resolution_mm", device.position_resolution, not_negative, "mm");
+  check_range("device", "peak_torque_N_mm", device.peak_torque, not_negative, "N mm");
   return patient;
 }
 

@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "core/error.h"
+#include "core/settings_check.h"
 #include "io/force_choice.h"
 #include "simulation/haptic_tick.h"
 
@@ -228,9 +229,9 @@ MotionPhase Comparison::phase_of(std::size_t tick) const {
 
 Comparison compare_models(Case patient, const CompareOptions& options, const Progress& progress,
                           const std::function<void(Case&)>& prepare) {
-  check_option(options.speed, 0.5, 500.0, "--speed", "mm/s");
-  check_option(options.withdraw_speed.value_or(options.speed), 0.5, 500.0, "--withdraw-speed", "mm/s");
-  check_option(options.pause, 0.0, 60.0, "--pause", "s");
+  check_range("", "--speed", options.speed, {0.5, 500.0}, "mm/s");
+  check_range("", "--withdraw-speed", options.withdraw_speed.value_or(options.speed), {0.5, 500.0}, "mm/s");
+  check_range("", "--pause", options.pause, {0.0, 60.0}, "s");
   if (options.models.empty()) throw InputError("there is no model to compare");
   HapticSettings& haptics = patient.description.haptics;
   haptics.constraint = options.constraint.value_or(haptics.constraint);

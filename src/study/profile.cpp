@@ -6,14 +6,15 @@
 #include "study/straight_motion.h"
 #include <fmt/format.h>
 
+#include "core/settings_check.h"
 #include "simulation/haptic_tick.h"
 
 namespace bodkin {
 
 Profile insert_at_constant_speed(const Case& patient, const ProfileOptions& options, const Progress& progress) {
-  check_option(options.speed, 0.5, 500.0, "--speed", "mm/s");
-  check_option(options.beyond, 0.0, 200.0, "--beyond", "mm");
-  check_option(options.pause, 0.0, 60.0, "--pause", "s");
+  check_range("", "--speed", options.speed, {0.5, 500.0}, "mm/s");
+  check_range("", "--beyond", options.beyond, {0.0, 200.0}, "mm");
+  check_range("", "--pause", options.pause, {0.0, 60.0}, "s");
   const StraightWay way = straight_way(patient, options.entry, options.target, options.beyond);
   Profile profile;
   profile.options = options;

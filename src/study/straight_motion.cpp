@@ -156,9 +156,4 @@ std::vector<double> places_between(double from, double to, double step) {
   return places;
 }
 
-void check_option(double value, double low, double high, const char* option, const char* unit) {
-  if (value >= low && value <= high) return;
-  throw InputError(fmt::format("{} is {} {}, expected {} to {} {}", option, value, unit, low, high, unit));
-}
-
 }  // namespace bodkin

@@ -33,7 +33,4 @@ StraightWay straight_way(const Case& patient, const std::optional<Vec3>& entry, 
 // with `to` as the last.
 std::vector<double> places_between(double from, double to, double step);
 
-// Throws InputError naming the option unless low <= value <= high.
-void check_option(double value, double low, double high, const char* option, const char* unit);
-
 }  // namespace bodkin

@@ -61,6 +61,15 @@ TEST_F(DeformableCase, a_patient_is_felt_through_its_mesh) {
   EXPECT_EQ(again.errors.find("preparing a deformable body"), std::string::npos);  // from the cache
   EXPECT_EQ(text_of("paper.csv"), text_of("again.csv"));
 
+  // A replay needs the tissues and the mesh as they were.
+  ASSERT_EQ(bodkin("-q run patient --max-time 2" + embedded + "-o felt.bodkin").exit_code, 0);
+  ASSERT_EQ(bodkin("-q replay felt.bodkin").exit_code, 0);
+  fs::copy(folder_ / "patient", folder_ / "remeshed", fs::copy_options::recursive);
+  ASSERT_EQ(bodkin("-q case mesh remeshed --nodes 3000 --force").exit_code, 0);
+  const Outcome other_mesh = bodkin("-q replay felt.bodkin --case remeshed");
+  EXPECT_EQ(other_mesh.exit_code, 2) << other_mesh.output;
+  EXPECT_THAT(other_mesh.errors, HasSubstr("its voxels, tissues or mesh are not those of the session"));
+
   const Outcome seen = bodkin("-q profile patient --deformation" + embedded + "-o seen");
   ASSERT_EQ(seen.exit_code, 0) << seen.errors;
   EXPECT_THAT(text_of("seen-deformation.svg"), AllOf(HasSubstr("at rest"), HasSubstr("tissue moved ")));

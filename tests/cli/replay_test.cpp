@@ -71,6 +71,25 @@ TEST_F(ReplayCommand, shows_the_first_difference_and_ends_with_3) {
   EXPECT_EQ(json["difference"]["field"], "depth");
 }
 
+TEST_F(ReplayCommand, needs_the_tissue_library_as_it_was) {
+  namespace fs = std::filesystem;
+  ASSERT_EQ(bodkin("--quiet run patient --max-time 1 --output library.bodkin").exit_code, 0);
+  fs::copy(fs::path(BODKIN_REPOSITORY) / "share" / "bodkin", folder_ / "share", fs::copy_options::recursive);
+  const fs::path file = folder_ / "share" / "tissues.xml";
+  std::string text = text_of("share/tissues.xml");
+  // What only a deformable body feels counts too: a patient is one.
+  const std::string before = "puncture_force_N=\"0.9\"";
+  ASSERT_NE(text.find(before), std::string::npos);
+  ASSERT_EQ(setenv("BODKIN_SHARE", (folder_ / "share").c_str(), 1), 0);
+  EXPECT_EQ(bodkin("--quiet replay library.bodkin").exit_code, 0) << "a library may move";
+  text.replace(text.find(before), before.size(), "puncture_force_N=\"0.4\"");
+  std::ofstream(file) << text;
+  const Outcome replay = bodkin("--quiet replay library.bodkin");
+  unsetenv("BODKIN_SHARE");
+  EXPECT_EQ(replay.exit_code, 2) << replay.output;
+  EXPECT_THAT(replay.errors, HasSubstr("its voxels or tissues are not those of the session"));
+}
+
 TEST_F(ReplayCommand, needs_the_case_as_it_was) {
   ASSERT_EQ(bodkin("--quiet run patient --max-time 1 --output moved.bodkin").exit_code, 0);
   std::filesystem::copy(folder_ / "patient", folder_ / "changed", std::filesystem::copy_options::recursive);

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 LayeredTissue unbreakable_skin() {
   LayeredTissue skin = rig_skin();
-  skin.break_force = 1e6;
+  skin.break_force = 100.0;
   return skin;
 }
 
@@ -245,7 +245,7 @@ TEST(Layered, contact_ends_at_the_surface_unless_the_skin_holds_the_shaft) {
 
 TEST(Layered, skin_pulled_outwards_tents_before_it_lets_go) {
   LayeredTissue sticky = rig_skin();
-  sticky.static_friction = 1e6;  // never slides
+  sticky.static_friction = 10.0;  // never slides
   LayeredRig rig({{skin, 2}, {fat, 20}}, rig_library(sticky));
   rig.move(6.0, 5.0);
   rig.move(-5.0, 5.0);

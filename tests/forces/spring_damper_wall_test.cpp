@@ -63,7 +63,7 @@ TEST(SpringDamperWall, refuses_settings_outside_their_ranges_by_name) {
     SpringDamperWall wall({.limit = 0.0});
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("spring_damper_wall: limit is 0 N, expected"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("spring_damper_wall: limit_N is 0 N, expected"), std::string::npos)
         << error.what();
   }
 }

@@ -146,14 +146,14 @@ constexpr Refusal refusals[] = {
     {"empty_name", "name='large'", "name=''", "line 1: case name is '', expected a text of 1 to 200 characters"},
     // what one value means for another
     {"inner_over_outer", "inner_diameter_mm='0.4'", "inner_diameter_mm='0.7'",
-     "line 10: needle inner_diameter_mm is 0.7, expected less than the outer_diameter_mm of 0.7"},
+     "line 10: needle: inner_diameter_mm is not less than outer_diameter_mm, expected a tube or a solid needle"},
     {"one_diameter", " inner_diameter_mm='0.4'", "",
      "line 10: needle has one of outer_diameter_mm and inner_diameter_mm, expected both or neither (a solid needle "
      "has an inner_diameter_mm of 0)"},
     {"no_size_at_all", "gauge='22' outer_diameter_mm='0.7' inner_diameter_mm='0.4'", "gauge='0'",
      "line 10: needle gauge is 0, expected 10 to 34, or outer_diameter_mm and inner_diameter_mm beside it"},
     {"continuous_over_peak", "'0.9'", "'3.4'",
-     "line 11: device continuous_force_N is 3.4, expected at most the peak_force_N of 3.3"},
+     "line 11: device: continuous_force_N is 3.4 N, expected at most the peak_force_N of 3.3 N"},
     {"target_is_entry", "x_mm='3' y_mm='-117.5' z_mm='294'", "x_mm='4.5' y_mm='-45' z_mm='293'",
      "line 23: target is 0 mm from the entry on line 22, expected at least 0.1 mm"},
     {"label_twice", "label='2'", "label='28'", "line 6: structure label is 28, which line 5 uses already"},

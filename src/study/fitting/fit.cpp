@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/settings_check.h"
 
 namespace bodkin {
 
@@ -28,11 +29,6 @@ std::size_t place_of(const FitModel& model, const std::string& name) {
   std::string names;
   for (const FitParameter& one : model.parameters) names += fmt::format("{}{}", names.empty() ? "" : ", ", one.name);
   throw InputError(fmt::format("{} has no parameter {}, expected one of {}", model.name, in_quotes(name), names));
-}
-
-void check_range(const char* option, const char* unit, double value, double low, double high) {
-  if (value >= low && value <= high) return;
-  throw InputError(fmt::format("{} is {:g} {}, expected {:g} to {:g} {}", option, value, unit, low, high, unit));
 }
 
 double within_range(const FitModel& model, std::size_t place, double value, const char* option) {
@@ -77,8 +73,8 @@ void apply(const FitRequest& request, const FitModel& model, CurveSolver& solver
 NeedleHistory history_of(const MeasuredCurve& curve, const FitRequest& request, const FitModel& model) {
   std::optional<double> speed = request.speed;
   if (!speed && !model.needs_time) speed = usual_speed;
-  if (speed) check_range("--speed", "mm/s", *speed, 0.01, 1000.0);
-  check_range("--resolution", "mm", request.resolution, 0.0, 1.0);
+  if (speed) check_range("", "--speed", *speed, {0.01, 1000.0}, "mm/s");
+  check_range("", "--resolution", request.resolution, {0.0, 1.0}, "mm");
   return needle_history(sample_times(curve, speed), curve.depth, request.resolution);
 }
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/settings_tree.h"
+#include "io/xml_document.h"
+#include "io/xml_writer.h"
+
+namespace bodkin {
+
+// Settings in XML: values are attributes, what lies inside are elements.
+
+SettingsTree settings_tree(const XmlElement& element);
+
+// One element with all inside.
+void write_settings(XmlWriter& xml, const SettingsTree& tree);
+
+// An element that its schema has accepted. Throws InputError for relations between values that no schema can state.
+template <Parameterized Settings>
+Settings settings_from(const XmlElement& element, const std::string& origin) {
+  return settings_from<Settings>(settings_tree(element), origin);
+}
+
+}  // namespace bodkin

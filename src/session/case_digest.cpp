@@ -1,0 +1,78 @@
+#include "session/case_digest.h"
+
+#include "patient/meshing/mesh_record.h"
+#include "session/session_schema.h"
+#include <fmt/format.h>
+
+#include "io/digest.h"
+#include "io/resources.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr std::string_view second_kind = "2:";
+constexpr std::size_t largest_mesh = std::size_t{4} << 30;  // bytes
+
+// Every parameter, whether or not it counts for the alternative chosen.
+template <Parameterized Settings>
+void add_parameters(const Settings& settings, std::string& text) {
+  for_each_entry(
+      [&](const auto& entry, const auto& value) {
+        using Value = std::remove_cvref_t<decltype(value)>;
+        if constexpr (parameter_detail::is_alternatives<std::remove_cvref_t<decltype(entry)>>) {
+          text += "kind=" + value_text(value) + '\n';
+        } else if constexpr (Parameterized<Value>) {
+          text += std::string(entry.name) + '\n';
+          add_parameters(value, text);
+        } else {
+          text += std::string(entry.name) + '=' + value_text(value) + '\n';
+        }
+      },
+      settings);
+}
+
+// What Bodkin 0.1 put into the digest of a case. Its sessions must stay comparable: never change it.
+void add_tissue_of_first_kind(const TissueProperties& tissue, std::string& text) {
+  const LayeredTissue& p = tissue.layered;
+  text += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", tissue.id, tissue.name,
+                      static_cast<int>(p.kind), p.stiffness, p.viscosity, p.element_spacing, p.break_force,
+                      p.break_force_rate, p.shaft_stiffness, p.shaft_viscosity, p.shaft_spacing, p.static_friction,
+                      p.dynamic_friction, p.roughness, p.drag, p.contact_stiffness, tissue.title);
+  const ProxyProperties& proxy = tissue.volume_proxy.properties;
+  const ShaftFrictionTissue& friction = tissue.shaft_friction;
+  text += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", tissue.tracking_wall.stiffness,
+                      tissue.tracking_wall.force, static_cast<int>(tissue.depth_profile.kind),
+                      tissue.depth_profile.stiffness, tissue.depth_profile.slope, proxy.penetrability, proxy.friction,
+                      proxy.drag, proxy.viscosity, tissue.volume_proxy.field_value, friction.coulomb,
+                      friction.static_force, friction.stiffness, friction.viscous, tissue.syringe.resistance,
+                      tissue.syringe.pressure);
+}
+
+}  // namespace
+
+std::string case_digest(const Case& patient, const std::string& case_xml, const std::string& mesh) {
+  std::string all = case_xml + '\n' + volume_digest(patient.tissues) + '\n' + mesh + '\n';
+  for (const TissueProperties& tissue : patient.library.tissues()) add_parameters(tissue, all);
+  return std::string(second_kind) + text_checksum(all);
+}
+
+std::string first_case_digest(const Case& patient, const std::string& case_xml) {
+  std::string all = case_xml + '\n' + volume_digest(patient.tissues) + '\n';
+  for (const TissueProperties& tissue : patient.library.tissues()) add_tissue_of_first_kind(tissue, all);
+  return text_checksum(all);
+}
+
+std::string mesh_digest(const std::filesystem::path& case_folder, const ResistanceSettings& resistance) {
+  const std::filesystem::path file = case_folder / mesh_file_name;
+  if (body_of(resistance) == nullptr || !std::filesystem::exists(file)) return "";
+  return bytes_digest(read_text_file(file, largest_mesh));
+}
+
+bool is_digest_of_case(const std::string& digest, const Case& patient, const std::string& case_xml,
+                       const std::string& mesh) {
+  if (digest.starts_with(second_kind)) return digest == case_digest(patient, case_xml, mesh);
+  return digest == first_case_digest(patient, case_xml);
+}
+
+}  // namespace bodkin
