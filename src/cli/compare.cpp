@@ -154,7 +154,7 @@ void run_compare(const CompareArguments& arguments, const CommandContext& contex
   const std::string name = patient.description.name;
   const double peak_force = patient.description.device.peak_force;
   const Comparison comparison = compare_models(std::move(patient), options, console.progress(), [&](Case& with) {
-    prepare_body(with, arguments.folder, straight_way(with, options.entry, options.target).path, console.progress(),
+    prepare_body(with, arguments.folder, straight_path(with, options.entry, options.target).path, console.progress(),
                  [&](const std::string& text) { console.note(text); });
   });
   for (const std::string& note : comparison.notes) console.note(note);

@@ -105,7 +105,7 @@ void run_profile(const ProfileArguments& arguments, const CommandContext& contex
                                  name_of(patient.description.haptics.resistance)));
   }
   const std::shared_ptr<const BodyDescription> body =
-      prepare_body(patient, arguments.folder, straight_way(patient, options.entry, options.target).path,
+      prepare_body(patient, arguments.folder, straight_path(patient, options.entry, options.target).path,
                    console.progress(), [&](const std::string& text) { console.note(text); });
   const Profile profile = insert_at_constant_speed(patient, options, console.progress());
   for (const std::string& note : profile.notes) console.note(note);

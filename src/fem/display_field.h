@@ -13,7 +13,7 @@
 namespace bodkin {
 
 // How the visible points of a body move by the forces of a needle: u = columns(nodes) f, the same operator as in the
-// tick, so that eyes and hand see one body. For a thread that draws; the tick hands it NodeForces through
+// tick, so that display and hand show one body. For a thread that draws; the tick hands it NodeForces through
 // LatestValue.
 class DisplayField {
  public:
@@ -25,7 +25,7 @@ class DisplayField {
   // The same with columns that are zero until set_column().
   DisplayField(std::size_t points, const std::vector<std::uint32_t>& nodes, std::size_t all);
 
-  // Column `index`, 0 to 3 x nodes() - 1; 3 x points() values. Not beside evaluate().
+  // Column `index`, 0 to 3 x nodes() - 1; 3 x points() values. Not in parallel with evaluate().
   void set_column(std::size_t index, std::span<const float> column) noexcept;
 
   std::size_t points() const noexcept { return points_; }

@@ -11,7 +11,7 @@ struct NeedleBeamSettings {
                              // [24G tube of steel]
   double length = 90.0;      // mm, hub to tip; 5 to 500
   NeedleHold hold = NeedleHold::clamped;
-  double cut_offset = 0.0;  // mm, of a bevelled needle: how far beside its axis the hole is cut, towards its point;
+  double cut_offset = 0.0;  // mm, of a bevelled needle: lateral offset of the cut from its axis, towards its point;
                             // 0 to 2, 0 = a symmetric point
 };
 

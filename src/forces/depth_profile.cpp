@@ -37,7 +37,7 @@ void DepthProfile::reset() noexcept {
   inside_ = false;
 }
 
-// A change of tissue counts at once; taking it back needs the way of one voxel, so that labels which flicker at the
+// A change of tissue counts at once; taking it back needs one voxel of travel, so that labels which flicker at the
 // border of two tissues do not.
 void DepthProfile::settle(double depth, TissueId tissue) noexcept {
   if (tissue == settled_) return;

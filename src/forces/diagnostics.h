@@ -7,8 +7,8 @@
 
 namespace bodkin {
 
-// A number that a force model publishes every tick beside its force: the wall of a tracking wall, the energy stored
-// in a membrane. It is recorded, exported and plotted under its name; nothing in the tick depends on it.
+// A number that a force model publishes every tick in addition to its force: the wall of a tracking wall, the energy
+// stored in a membrane. It is recorded, exported and plotted under its name; nothing in the tick depends on it.
 struct DiagnosticName {
   std::string_view name;   // of a column, with the unit: "wall_mm"; empty: no such diagnostic
   std::string_view title;  // as people read it: "position of the wall"

@@ -21,8 +21,9 @@ enum class EventKind : std::uint8_t {
   fault,               // a value was not finite or a device failed; force ramps to zero
   corridor_left,       // the needle is where no node of the deformable body was prepared; value = 0
   corridor_taken,      // another corridor than before; value = the tick that it was aimed at, -1 the session's first
-  corridor_refreshed,  // the needle begins or goes on in the body as a probe presses it; value = that state's number
-  moving_body_failed   // the body that a probe presses came to no end: the static one goes on; value = 0
+  corridor_refreshed,  // the needle begins or continues in the body as a probe presses it; value = that state's
+                       // number
+  moving_body_failed   // the solver of the body that a probe presses failed: the static one is used; value = 0
 };
 
 struct Event {

@@ -14,7 +14,7 @@ struct GravitySample {
 };
 
 // The settings whose affine weight fits the samples best (least squares); one to three samples give a constant.
-// Throws InputError when there is none or one is not finite.
+// Throws InputError when the list is empty or a sample is not finite.
 GravitySettings fit_gravity(std::span<const GravitySample> samples, const Vec3& up);
 
 // Holds the device's own weight, also in air (Heng et al. 2004, eq. 8 and section 6.1):

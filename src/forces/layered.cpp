@@ -80,7 +80,7 @@ void Layered::reveal(int tip_layer, std::span<const TissueId> layers) noexcept {
     const TissueId tissue = layers[static_cast<std::size_t>(next)];
     if (known_ > 0) {
       Block& current = blocks_[known_ - 1];
-      int resumes = next;  // the layer at which the current tissue goes on
+      int resumes = next;  // the layer at which the current tissue continues
       while (resumes < end && resumes - next <= sliver_layers_ &&
              layers[static_cast<std::size_t>(resumes)] != current.tissue &&
              laws_[layers[static_cast<std::size_t>(resumes)]].kind != LayeredKind::rigid) {
@@ -245,7 +245,8 @@ LayeredForce Layered::step(const AxialMotion& motion, std::span<const TissueId> 
   }
   sums.resistance += viscous_length_drag * motion.velocity * viscous_;
 
-  // Held shaft shares the device's stiffness with whatever else is elastic: it deforms over a longer way when long.
+  // Held shaft shares the device's stiffness with the other elastic parts: a longer shaft deforms over a longer
+  // distance.
   const double budget = std::max(least_grip_budget * device_stiffness_, device_stiffness_ - sums.firm_stiffness);
   softening_ = sums.friction_stiffness > budget ? budget / sums.friction_stiffness : 1.0;
 

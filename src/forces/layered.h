@@ -53,7 +53,7 @@ class Layered {
   LayeredForce step(const AxialMotion& motion, std::span<const TissueId> layers, TickEvents& events,
                     double grip = 1.0) noexcept;
 
-  // mm beyond the tip that must be known to tell a sliver from a tissue.
+  // mm beyond the tip that must be known to distinguish a sliver from a tissue.
   double look_ahead() const noexcept { return sliver_layers_ * layer_; }
   // The smallest factor by which a tissue's stiffness had to be reduced for the device; 1 = none.
   double stiffness_scale() const noexcept { return stiffness_scale_; }

@@ -10,7 +10,7 @@ namespace bodkin {
 namespace {
 
 constexpr double path_layer = 0.5;        // mm between tissue samples along the line
-constexpr double longest_shaft = 400.0;    // mm; deeper is as 400 mm
+constexpr double longest_shaft = 400.0;   // mm; deeper is as 400 mm
 constexpr double least_hold_share = 0.1;  // of the device's stiffness, left to the friction's spring
 
 }  // namespace
@@ -83,7 +83,7 @@ ResistanceForce ShaftFrictionResistance::step(const NeedleInTissue& needle, Tick
   ShaftContact contact = shaft_contact(path_.layers(), path_layer, depth, tissues_);
   contact.coulomb *= needle.grip;
   contact.static_force *= needle.grip;
-  // A long shaft stretches tissue over a longer way.
+  // A long shaft stretches tissue over a longer distance.
   contact.stiffness = std::min(contact.stiffness * needle.grip, budget_);
   return {.along = model_.step(needle.motion, contact, events), .in_contact = needle.motion.depth > 0.0};
 }

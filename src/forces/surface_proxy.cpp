@@ -8,16 +8,16 @@
 namespace bodkin {
 namespace {
 
-constexpr double least_slide = 1e-9;  // mm: shorter ways are rounding
+constexpr double least_slide = 1e-9;  // mm: shorter slides are rounding
 constexpr double parallel = 1e-12;    // sine squared of the least angle at which two planes make an edge
 
 }  // namespace
 
 HeldWay held_way(const Vec3& pull, const std::array<Vec3, 3>& normals, std::size_t count) noexcept {
   const double slack = -1e-12 * pull.norm();
-  const auto free = [&](const Vec3& way, std::size_t but, std::size_t and_but) {
+  const auto free = [&](const Vec3& slide, std::size_t but, std::size_t and_but) {
     for (std::size_t i = 0; i < count; ++i) {
-      if (i != but && i != and_but && normals[i].dot(way) < slack) return false;
+      if (i != but && i != and_but && normals[i].dot(slide) < slack) return false;
     }
     return true;
   };
@@ -27,8 +27,8 @@ HeldWay held_way(const Vec3& pull, const std::array<Vec3, 3>& normals, std::size
     one.load[i] = -normals[i].dot(pull);
     if (one.load[i] < 0.0) continue;
     one.holding = 1;
-    one.way = pull + one.load[i] * normals[i];
-    if (free(one.way, i, count)) return one;
+    one.slide = pull + one.load[i] * normals[i];
+    if (free(one.slide, i, count)) return one;
   }
   for (std::size_t i = 0; i < count; ++i) {  // along an edge
     for (std::size_t j = i + 1; j < count; ++j) {
@@ -42,8 +42,8 @@ HeldWay held_way(const Vec3& pull, const std::array<Vec3, 3>& normals, std::size
       two.load[j] = (into_j - cosine * into_i) / sine2;
       if (two.load[i] < 0.0 || two.load[j] < 0.0) continue;
       two.holding = 2;
-      two.way = edge * (edge.dot(pull) / sine2);
-      if (free(two.way, i, j)) return two;
+      two.slide = edge * (edge.dot(pull) / sine2);
+      if (free(two.slide, i, j)) return two;
     }
   }
   return {Vec3::Zero(), {}, count};  // in a corner
@@ -75,27 +75,27 @@ void SurfaceProxy::follow(const Vec3& tip) noexcept {
   count_ = 0;
   for (int round = 0; round < most_rounds; ++round) {
     const HeldWay held = held_way(tip - proxy_, normals_, count_);
-    Vec3 way = held.way;
+    Vec3 slide = held.slide;
     if (count_ > 0) {
-      const double length = way.norm(), load = held.load[0] + held.load[1] + held.load[2];
+      const double length = slide.norm(), load = held.load[0] + held.load[1] + held.load[2];
       if (length <= least_slide || length <= friction * load * (1.0 + 1e-9)) {  // inside the cone
         count_ = held.holding;
         return;
       }
       friction = settings_.dynamic_friction;
-      way *= 1.0 - friction * load / length;
+      slide *= 1.0 - friction * load / length;
       if (settings_.viscosity > 0.0) {
         const double spring = settings_.stiffness * left;
-        way *= spring / (spring + settings_.viscosity);
+        slide *= spring / (spring + settings_.viscosity);
       }
     }
-    const SurfaceHit hit = tree_.first_entry(proxy_, way);
-    const double drop = -hit.normal.dot(way);
+    const SurfaceHit hit = tree_.first_entry(proxy_, slide);
+    const double drop = -hit.normal.dot(slide);
     const double part = hit.triangle < 0 ? 1.0 : std::max(0.0, hit.part - clearance / drop);
-    proxy_ += part * way;
-    if (count_ > 0 && part * way.norm() > least_slide) at_rest_ = 0.0;
+    proxy_ += part * slide;
+    if (count_ > 0 && part * slide.norm() > least_slide) at_rest_ = 0.0;
     if (hit.triangle < 0) {
-      // Arrived: at the tip itself, or on the faces, which may have ended on the way (an edge was passed).
+      // Arrived: at the tip itself, or on the faces, which may have ended on the slide (an edge was passed).
       if (count_ == 0) at_rest_ = long_at_rest;
       if (count_ == 0 || settings_.viscosity > 0.0) return;
       count_ = 0;

@@ -20,15 +20,15 @@ struct SurfaceProxySettings {
   double limit = 8.5;             // N; > 0 to 100 [P: peak of the Phantom Premium 1.5]
 };
 
-// The way that a spring pulling by `pull` (mm) leaves to a point that up to three planes hold back.
+// The displacement of a point pulled by `pull` (mm) and held back by up to three planes.
 struct HeldWay {
-  Vec3 way = Vec3::Zero();          // mm; zero in a corner that holds the point altogether
+  Vec3 slide = Vec3::Zero();        // mm; zero in a corner that holds the point altogether
   std::array<double, 3> load = {};  // mm of spring on each plane, 0 where it does not hold; all 0 in a corner
   std::size_t holding = 0;          // planes that hold: those with a load, or all in a corner
 };
 
 // Projection of `pull` onto the cone {w : n_i . w >= 0} of the first `count` (0 to 3) unit normals, with the
-// multipliers that hold it there: way = pull + sum load_i n_i; way . n_i = 0 or load_i = 0. In a corner nothing
+// multipliers that hold it there: slide = pull + sum load_i n_i; slide . n_i = 0 or load_i = 0. In a corner nothing
 // slides, so the loads are not worked out.
 HeldWay held_way(const Vec3& pull, const std::array<Vec3, 3>& normals, std::size_t count) noexcept;
 
@@ -39,7 +39,8 @@ HeldWay held_way(const Vec3& pull, const std::array<Vec3, 3>& normals, std::size
 //   F_hand = -k (x_t - x_p)
 //   w = projection of x_t - x_p onto {w : n_i . w >= 0},  faces i that x_p touches, at most 3;   N = k sum load_i
 //   k |w| <= mu N             x_p sticks; mu = mu_s at first touch and after `stick_after` at rest, else mu_d
-//   otherwise                 x_p += w (1 - mu_d N / (k |w|)) k dt / (k dt + b),  stopped by the next face on the way
+//   otherwise                 x_p += w (1 - mu_d N / (k |w|)) k dt / (k dt + b),  stopped by the next face along the
+//   slide
 //
 // On one face this is the circle that the friction cone with its apex in the tip cuts out of the face. A tick repeats
 // it, at most `most_rounds` times, until nothing moves; what then remains is done in the next tick. Every segment

@@ -94,28 +94,28 @@ void TriangleTree::split(std::vector<std::uint32_t>& order, const std::vector<Bo
   split(order, bounds, half, last);
 }
 
-void TriangleTree::meet(const Side& side, const Vec3& start, const Vec3& way, SurfaceHit& best) const noexcept {
-  const double drop = -side.normal.dot(way);                  // towards the inside
+void TriangleTree::meet(const Side& side, const Vec3& start, const Vec3& ray, SurfaceHit& best) const noexcept {
+  const double drop = -side.normal.dot(ray);                  // towards the inside
   const double height = side.normal.dot(start) - side.level;  // over the plane
   if (!(drop > least_way && height >= -behind && drop > height)) return;
   const double part = std::max(height, 0.0) / drop;
   if (part > best.part || (part == best.part && side.triangle > best.triangle && best.triangle >= 0)) return;
-  const Vec3 place = start + part * way;
+  const Vec3 place = start + part * ray;
   // A place on a plane that is met at a flat angle is known the less well the flatter it is met.
-  const double reach = overlap + 1e-12 * way.norm() / drop;
+  const double reach = overlap + 1e-12 * ray.norm() / drop;
   for (std::size_t i = 0; i < 3; ++i) {
     if (side.edge[i].dot(place) - side.edge_level[i] > reach) return;
   }
   best = {part, side.normal, side.triangle};
 }
 
-SurfaceHit TriangleTree::first_entry(const Vec3& start, const Vec3& way) const noexcept {
+SurfaceHit TriangleTree::first_entry(const Vec3& start, const Vec3& ray) const noexcept {
   SurfaceHit best;
   best.part = 1.0;
-  if (boxes_.empty() || !start.allFinite() || !way.allFinite()) return best;
+  if (boxes_.empty() || !start.allFinite() || !ray.allFinite()) return best;
   std::array<double, 3> inverse;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double along = way[static_cast<Eigen::Index>(axis)];
+    const double along = ray[static_cast<Eigen::Index>(axis)];
     inverse[axis] = std::abs(along) > 1e-200 ? 1.0 / along : 1e200;  // finite, so that no product is 0 times infinity
   }
   // Part of the segment at which it comes into the box; more than 1 if it misses it.
@@ -138,7 +138,7 @@ SurfaceHit TriangleTree::first_entry(const Vec3& start, const Vec3& way) const n
   while (true) {
     const Box& box = boxes_[at];
     if (box.count > 0) {
-      for (std::uint32_t i = box.first; i < box.first + box.count; ++i) meet(sides_[i], start, way, best);
+      for (std::uint32_t i = box.first; i < box.first + box.count; ++i) meet(sides_[i], start, ray, best);
     } else {
       std::uint32_t near = at + 1, far = box.first;
       double to_near = entry(boxes_[near]), to_far = entry(boxes_[far]);

@@ -22,11 +22,11 @@ class TriangleTree {
   // Takes n log n time. The tree keeps a copy of the triangles.
   explicit TriangleTree(const Surface& surface);
 
-  // Where the segment from `start` along `way` (mm) first passes through a triangle from outside to inside; leaving
+  // Where the segment from `start` along `ray` (mm) first passes through a triangle from outside to inside; leaving
   // is free. A start up to 1e-9 mm behind a triangle still counts as before it, and triangles reach 1e-7 mm beyond
   // their edges (more at grazing incidence), so that rounding opens no seam between neighbours. Of triangles met at
   // one place the one with the lowest number is taken. Never throws; nothing for a segment that is not finite.
-  SurfaceHit first_entry(const Vec3& start, const Vec3& way) const noexcept;
+  SurfaceHit first_entry(const Vec3& start, const Vec3& ray) const noexcept;
 
  private:
   struct Box {
@@ -44,7 +44,7 @@ class TriangleTree {
 
   void split(std::vector<std::uint32_t>& order, const std::vector<Box>& bounds, std::uint32_t first,
              std::uint32_t last);
-  void meet(const Side& side, const Vec3& start, const Vec3& way, SurfaceHit& best) const noexcept;
+  void meet(const Side& side, const Vec3& start, const Vec3& ray, SurfaceHit& best) const noexcept;
 
   std::vector<Box> boxes_;   // depth first; [0] holds all
   std::vector<Side> sides_;  // in the order of the leaves

@@ -35,12 +35,12 @@ Vec3 advance_proxy(const Vec3& proxy, const Vec3& tip, const Vec3& normal, const
   }
   const double slide = across.norm(), hold = properties.friction / stiffness;
   if (slide > hold) moved += across * ((slide - hold) / slide);  // eq. 4
-  const Vec3 way = moved - proxy;                                // e
+  const Vec3 step = moved - proxy;                               // e
   if (variant == ProxyVariant::viscous) {
-    return proxy + way * (stiffness * dt / (stiffness * dt + properties.viscosity));
+    return proxy + step * (stiffness * dt / (stiffness * dt + properties.viscosity));
   }
-  const double length = way.norm(), back = properties.drag / stiffness;
-  return length > back ? Vec3(moved - way * (back / length)) : (back > 0.0 ? proxy : moved);  // eq. 5
+  const double length = step.norm(), back = properties.drag / stiffness;
+  return length > back ? Vec3(moved - step * (back / length)) : (back > 0.0 ? proxy : moved);  // eq. 5
 }
 
 VolumeProxy::VolumeProxy(const TissueLibrary& library, const VolumeProxySettings& settings, const HapticField& field,

@@ -76,8 +76,8 @@ std::optional<NeedleBeam> beam_in(const Case& patient, const NeedleBendingSettin
                      .cut_offset = settings.cut_offset});
 }
 
-// What a tissue that gave way is told as.
-void tell(const std::optional<TissuePuncture>& puncture, double sunk, TickEvents& events) noexcept {
+// Reports a punctured tissue.
+void report(const std::optional<TissuePuncture>& puncture, double sunk, TickEvents& events) noexcept {
   if (!puncture) return;
   const double depth = puncture->depth + sunk;
   events.push({EventKind::puncture, puncture->tissue, depth, puncture->force});
@@ -162,7 +162,7 @@ ResistanceForce DeformableShaft::step(const NeedleInTissue& needle, TickEvents& 
   ahead_ = -short_of - spring_ * found.on_hand.force;
   tip_force_ = found.tip_force;
   nodes_ = static_cast<double>(found.nodes);
-  tell(found.puncture, sunk_, events);
+  report(found.puncture, sunk_, events);
   if (found.beyond && !beyond_ && !bone_.met())  // at bone the nodes end, for it does not move
     events.push({EventKind::corridor_left, needle.tissue, needle.motion.depth, 0.0});
   beyond_ = found.beyond;
@@ -205,7 +205,7 @@ void DeformableTip::reset() noexcept {
 ResistanceForce DeformableTip::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
   const double bone = bone_.step(needle.motion.depth, needle.tissue, events);
   const ClosestNodeForce found = contact_->step(needle.tip - bone_.behind() * direction_);
-  tell(found.puncture, 0.0, events);
+  report(found.puncture, 0.0, events);
   return {.along = found.resistance + bone, .in_contact = needle.motion.depth > 0.0};
 }
 

@@ -44,9 +44,9 @@ class DeformableShaft {
   ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
   // mm by which the hand's needle is ahead of the one in the body: the spring between them, and bone.
   Vec3 ahead() const noexcept { return ahead_; }
-  // What gave way in another corridor.
+  // What was punctured in another corridor.
   void take_punctures(const DeformableShaft& other) noexcept { needle_->take_punctures(*other.needle_); }
-  // See EmbeddedNeedle: goes on where another one is that is in. Bone stays where that met it.
+  // See EmbeddedNeedle: transfers an inserted needle from another one. Bone stays where that one met it.
   bool holds() const noexcept { return needle_->holds(); }
   bool begin_to_follow(const DeformableShaft& other) noexcept { return needle_->begin_to_follow(*other.needle_); }
   FollowState follow(const DeformableShaft& other) noexcept;
@@ -71,7 +71,7 @@ class DeformableShaft {
 };
 
 // `closest_node`: the paper's scheme, one node at the tip. Tissues that are stiffer than the device can render are as
-// stiff as it can; stiffness_scale() tells by how much.
+// stiff as it can; stiffness_scale() gives the factor.
 class DeformableTip {
  public:
   using Settings = ClosestNodeSettings;

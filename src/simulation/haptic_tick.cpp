@@ -136,7 +136,7 @@ TickOutput HapticTick::State::step(const Vec3& tip, const Vec3& axis, const Vec3
     output.events.push({EventKind::contact, output.tissue, 0.0, 0.0});
   }
 
-  // Free, the estimator follows the way along the needle; held, the depth along the frozen line.
+  // Free, the estimator follows the motion along the needle; held, the depth along the frozen line.
   const AxialMotion moving = motion.step(contact.held() ? contact.depth(tip) : motion.depth() + advance);
   output.velocity = moving.velocity;
 

@@ -16,7 +16,7 @@ namespace bodkin {
 //   F_before   the highest force since then; while the needle rests or goes back it falls with the force
 //   lost       the tip is in the space, and F_before - F >= max(`least_drop`, `least_share` F_before)
 //
-// The drop counts over the way of the needle and not over time, so that a puncture within one tick and one that fades
+// The drop counts over the needle's travel and not over time, so that a puncture within one tick and one that fades
 // over many are found at 1 mm/s as at 100 mm/s. Tissue that relaxes under a resting needle, or is unloaded by one
 // that is pulled back, is no loss. A flavum that was passed is not watched again on the same line.
 class LossOfResistance {

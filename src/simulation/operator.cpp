@@ -21,9 +21,9 @@ constexpr double speed_interval = 0.35;    // s between independent values of th
 constexpr double wander_interval = 0.9;    // s, the same of the wander
 
 Vec3 nearer(const Vec3& from, const Vec3& to, double reach) noexcept {
-  const Vec3 way = to - from;
-  const double distance = way.norm();
-  return distance <= reach ? to : Vec3(from + way * (reach / distance));
+  const Vec3 offset = to - from;
+  const double distance = offset.norm();
+  return distance <= reach ? to : Vec3(from + offset * (reach / distance));
 }
 
 }  // namespace
@@ -141,7 +141,7 @@ void Operator::decide() noexcept {
 }
 
 void Operator::enter(int phase) noexcept {
-  // A phase that has had its turns gives way to another; a circle of such phases ends the script.
+  // A phase that has had its turns gives offset to another; a circle of such phases ends the script.
   for (std::size_t hop = 0; phase != OperatorCondition::end && hop <= script_.phases.size(); ++hop) {
     const OperatorPhase& wanted = script_.phases[static_cast<std::size_t>(phase)];
     if (wanted.at_most == 0 || visits_[static_cast<std::size_t>(phase)] < wanted.at_most) break;

@@ -28,9 +28,9 @@ bool DeviceChoice::is_recorded() const {
 std::string settings_along(const NeedlePath& path, const DeviceChoice& device) {
   if (!device.is_simulated()) return device.settings;
   constexpr double degrees = 180.0 / std::numbers::pi;
-  const Vec3 way = workspace_about(path).rotation.transpose() * path.direction();  // right, away, up
-  return fmt::format("tilt_deg={:.9g} side_deg={:.9g} depth_mm={:.9g} {}", degrees * std::atan2(way.y(), -way.z()),
-                     degrees * std::asin(std::clamp(way.x(), -1.0, 1.0)), path.length(), device.settings);
+  const Vec3 line = workspace_about(path).rotation.transpose() * path.direction();  // right, away, up
+  return fmt::format("tilt_deg={:.9g} side_deg={:.9g} depth_mm={:.9g} {}", degrees * std::atan2(line.y(), -line.z()),
+                     degrees * std::asin(std::clamp(line.x(), -1.0, 1.0)), path.length(), device.settings);
 }
 
 void complete_from_table(DeviceAbilities& abilities) {

@@ -35,7 +35,7 @@ struct HandSnapshot {
 };
 
 // A person's hand on a device performs a procedure on a patient, and every tick is recorded. The constructor opens
-// the recording; the force begins when the servo is told to arm (ServoTick::command).
+// the recording; the force begins when the servo is armed (ServoTick::command).
 class HandSession {
  public:
   // `patient` has the device's limits already (limits_of), and so has `header`. `second`: to a second hand, which

@@ -17,7 +17,7 @@ namespace bodkin {
 std::vector<std::uint32_t> nodes_of_shaft(const ElasticBody& elastic, const TetrahedralMesh& mesh,
                                           const NeedlePath& path, double around = 4.0, std::size_t most = 600);
 
-// How the nodes of a mesh move by the forces of a needle, for eyes that look now here and now there: what moves
+// How the nodes of a mesh move by the forces of a needle, for displays of changing regions: what moves
 // between nodes is linear in them (SliceField).
 class NodeField {
  public:

@@ -17,7 +17,7 @@ namespace bodkin {
 // spring of A^2/C = 312 N/mm, more than any device renders, so C is made as large as A^2/k; the plunger's friction,
 // which below 1 mm/s is a damping, is made as small as the damping that the device renders. The pressure is the
 // integral of the inflow, so the travel of each tick is given to the syringe as it is: an estimate of the speed would
-// make that spring lag, and a spring that lags pushes more on the way out than on the way in.
+// make that spring lag, and a spring that lags pushes harder outwards than inwards.
 class Plunger {
  public:
   // `dt`: s of a tick, 0.00025 to 0.005. `stiffness`, `damping`: what the device renders stably, N/mm (> 0) and

@@ -6,9 +6,9 @@
 
 namespace bodkin {
 
-// mm from the skin to `tip` along `axis` (unit, both LPS), 0 where the way comes through air alone. The skin is where
-// a way that begins 40 mm before the tip first leaves the air: steps of 0.5 mm, then bisection. Whether a point is in
-// the body is decided by the eight voxels around it, weighted trilinearly, so that the skin is no staircase. A way
+// mm from the skin to `tip` along `axis` (unit, both LPS), 0 when the ray meets only air. The skin is where
+// a ray that begins 40 mm before the tip first leaves the air: steps of 0.5 mm, then bisection. Whether a point is in
+// the body is decided by the eight voxels around it, weighted trilinearly, so that the skin is not a staircase. A ray
 // that begins in the body is 40 mm. Allocates nothing.
 double depth_below_skin(const TissueVolume& tissues, const Vec3& tip, const Vec3& axis) noexcept;
 

@@ -22,7 +22,7 @@ constexpr double forgetting = 0.98;        // what is left of the stiffness afte
 ProbeReaction::ProbeReaction(double dt, double device_stiffness) noexcept
     : dt_(dt), stiffness_(std::min(firmest_spring, device_stiffness)), glide_(1.0 - std::exp(-dt / glide_time)) {}
 
-// From all the way since the body was met and from the last bit of it; what was found is forgotten slowly.
+// From the whole displacement since contact and from its last increment; estimates decay slowly.
 void ProbeReaction::find_stiffness(const Vec3& axis, const ProbeReading& reading) noexcept {
   const double force = reading.on_probe.force.norm();
   const double way = std::max(least_way, std::abs((reading.probe - met_).dot(axis)));

@@ -43,7 +43,7 @@ class ProbeReaction {
   void find_stiffness(const Vec3& axis, const ProbeReading& reading) noexcept;
 
   double dt_, stiffness_;
-  double glide_;         // part of the way that is left to p which it goes in a tick
+  double glide_;         // share of the remaining distance to p covered in a tick
   double body_ = 0.0;    // k, N/mm
   double waited_ = 0.0;  // s since the last reading
   Pose probe_ = Pose::Identity();

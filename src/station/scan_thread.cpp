@@ -93,7 +93,7 @@ void ScanThread::make(LivePicture& now) {
   now.order.settings = machine_.settings();
   std::optional<NeedleInSound> needle;
   now.needle.reset();
-  if (tick.told) {
+  if (tick.published) {
     now.needle = tick.needle;
     needle = NeedleInSound{tick.needle, needle_};
   }
@@ -134,7 +134,7 @@ void ScanThread::move_tissue(LivePicture& now, const NodeForces& forces) {
   }
   if (nodes.size() == 3 * body_.mesh->mesh.nodes.size()) {
     now.moved = displacements_of_places(grid, slice_->displacements(grid, nodes));
-  } else {  // nothing was told yet
+  } else {  // nothing was published yet
     now.moved.assign(3 * static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height), 0.0F);
   }
   now.most = farthest(now.moved);

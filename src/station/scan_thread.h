@@ -67,7 +67,7 @@ class ScanThread {
   struct Tick {
     NodeForces forces;
     Pose needle = Pose::Identity();
-    bool told = false;
+    bool published = false;
   };
   void run(const std::stop_token& stop, double rate);
   void make(LivePicture& now);

@@ -16,9 +16,10 @@ namespace bodkin {
 // stand side by side do not meet.
 WorkspaceSettings second_workspace(SecondRole role, const NeedlePath& path);
 
-// A second device with a servo, a guard and a thread (or a vendor's loop) of its own, beside the one that holds the
-// needle. It feels the plunger of the needle's syringe, or an ultrasound probe on the skin. Whatever happens to it
-// ends its own force only. What it knows of the needle, and what it tells the recording, passes through a SecondLink.
+// A second device with a servo, a guard and a thread (or a vendor's loop) of its own, in addition to the one that
+// holds the needle. It feels the plunger of the needle's syringe, or an ultrasound probe on the skin. Whatever
+// happens to it ends its own force only. What it knows of the needle, and what it records, passes through a
+// SecondLink.
 class SecondHand {
  public:
   // `settings.workspace` is that of second_workspace(). `pressed`: the body that a probe presses; null where it feels

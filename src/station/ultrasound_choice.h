@@ -12,7 +12,7 @@
 
 namespace bodkin {
 
-// What the options mean, as far as that can be told without a patient.
+// What the options mean before a patient is known.
 struct UltrasoundChoice {
   UltrasoundProbe probe;
   UltrasoundSettings settings;
@@ -27,14 +27,14 @@ struct UltrasoundChoice {
 // The probe in the hand that holds it on the patient. Throws InputError when there is no such place.
 ProbeOnSkin hold_probe(const UltrasoundChoice& choice, const Case& patient);
 
-// The case's needle on its planned path, `depth` mm beyond the entry, the target's depth when there is none. Throws
+// The case's needle on its planned path, `depth` mm beyond the entry, the target's depth by default. Throws
 // InputError when the case has no path.
 NeedleInSound needle_on_path(const Case& patient, const std::optional<double>& depth);
 
 // Twelve numbers row by row as a rigid pose, with or without the last row "0 0 0 1"; throws InputError naming
 // `origin` when they are none.
 Pose parse_pose(const std::vector<double>& numbers, const std::string& origin);
-// The other way round.
+// The inverse of parse_pose().
 std::string pose_text(const Pose& pose);
 
 }  // namespace bodkin

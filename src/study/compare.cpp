@@ -55,60 +55,60 @@ std::string column_of(const std::string& name, std::string_view quantity) {
   return column + '_' + std::string(quantity);
 }
 
-// Where the motion ends, mm from the entry: at the end of the way, or so deep in bone that the device has no more
+// Where the motion ends, mm from the entry: at the end of the line, or so deep in bone that the device has no more
 // force.
-double deepest_place(const StraightWay& way, const Case& patient, Comparison& result) {
+double deepest_place(const StraightPath& line, const Case& patient, Comparison& result) {
   const DeviceLimits& device = patient.description.device;
-  for (double place = way.surface; place < way.end; place += bone_search) {
-    const TissueId here = nearest<TissueId>(patient.tissues, way.needle_at(place).translation(), tissue::air);
+  for (double place = line.surface; place < line.end; place += bone_search) {
+    const TissueId here = nearest<TissueId>(patient.tissues, line.needle_at(place).translation(), tissue::air);
     const TissueProperties* properties = patient.library.find(here);
     if (properties == nullptr || properties->layered.kind != LayeredKind::rigid) continue;
     const double stiffness = std::max(least_bone, std::min(properties->layered.contact_stiffness, device.stiffness));
     const double end = place + device.peak_force / stiffness;
-    if (end >= way.end) return way.end;
-    result.ends_in_bone = end - way.surface;
+    if (end >= line.end) return line.end;
+    result.ends_in_bone = end - line.surface;
     result.notes.push_back(fmt::format(
-        "{} lies in the way at a depth of {:.1f} mm; the needle stops {:.1f} mm deep, {:.1f} mm before the target",
-        properties->title, place - way.surface, *result.ends_in_bone, way.end - end));
+        "{} lies in the line at a depth of {:.1f} mm; the needle stops {:.1f} mm deep, {:.1f} mm before the target",
+        properties->title, place - line.surface, *result.ends_in_bone, line.end - end));
     return end;
   }
-  return way.end;
+  return line.end;
 }
 
 // The poses of the motion, tick by tick; fills depth, tissue and first of `result`.
-std::vector<TickInput> motion_of(const StraightWay& way, const Case& patient, Comparison& result) {
+std::vector<TickInput> motion_of(const StraightPath& line, const Case& patient, Comparison& result) {
   const CompareOptions& options = result.options;
   const double inwards = options.speed * result.dt;  // mm a tick
   const double outwards = options.withdraw_speed.value_or(options.speed) * result.dt;
-  const double end = deepest_place(way, patient, result);
+  const double end = deepest_place(line, patient, result);
   const double rests = std::round(options.pause / result.dt);
-  const double ticks = (end - way.start) / inwards + rests + (end - way.outside) / outwards +
-                       (options.reinsert ? (end - way.outside) / inwards : 0.0);
+  const double ticks = (end - line.start) / inwards + rests + (end - line.outside) / outwards +
+                       (options.reinsert ? (end - line.outside) / inwards : 0.0);
   if (ticks > most_ticks) {
     throw InputError(
         fmt::format("the motion would take {:.1f} million ticks, expected at most {:.0f} million; give a "
                     "larger --speed or a shorter path",
                     1e-6 * ticks, 1e-6 * most_ticks));
   }
-  std::vector<double> places = {way.start};
+  std::vector<double> places = {line.start};
   const auto go = [&](double from, double to, double step) {
     const std::vector<double> part = places_between(from, to, step);
     places.insert(places.end(), part.begin(), part.end());
   };
-  go(way.start, end, inwards);
+  go(line.start, end, inwards);
   result.first[1] = places.size();
   places.insert(places.end(), static_cast<std::size_t>(rests), end);
   result.first[2] = places.size();
-  go(end, way.outside, outwards);
+  go(end, line.outside, outwards);
   result.first[3] = places.size();
-  if (options.reinsert) go(way.outside, end, inwards);
+  if (options.reinsert) go(line.outside, end, inwards);
   result.first[4] = places.size();
 
   std::vector<TickInput> motion;
   motion.reserve(places.size());
   for (const double place : places) {
-    motion.push_back({way.needle_at(place)});
-    result.depth.push_back(place - way.surface);
+    motion.push_back({line.needle_at(place)});
+    result.depth.push_back(place - line.surface);
     result.tissue.push_back(nearest<TissueId>(patient.tissues, motion.back().needle.translation(), tissue::air));
   }
   return motion;
@@ -240,11 +240,11 @@ Comparison compare_models(Case patient, const CompareOptions& options, const Pro
   Comparison result;
   result.options = options;
   result.constraint = name_of(haptics.constraint);
-  const StraightWay way = straight_way(patient, options.entry, options.target);
-  result.path = way.path;
-  result.notes = way.notes;
+  const StraightPath line = straight_path(patient, options.entry, options.target);
+  result.path = line.path;
+  result.notes = line.notes;
   result.dt = 1.0 / haptics.rate;
-  const std::vector<TickInput> motion = motion_of(way, patient, result);
+  const std::vector<TickInput> motion = motion_of(line, patient, result);
 
   for (const ComparedModel& model : options.models) {
     haptics.resistance = model.settings;

@@ -70,7 +70,7 @@ struct ModelRun {
   double closed_work = 0.0;  // N mm
   std::array<int, motion_phases> punctures{};
   double largest_difference = 0.0;  // N, from the reference while the tip is in the body
-  double rms_difference = 0.0;      // N, likewise
+  double rms_difference = 0.0;      // N, root mean square difference of the resistance
   double nanoseconds = 0.0;  // mean processor time of a whole tick with this model, on this machine; not reproducible
 };
 
@@ -102,10 +102,10 @@ struct Comparison {
 // their defaults. The motion ends at the target or in bone, where a spring of that bone's stiffness (the device's at
 // most) would ask for the device's peak force. Forces are the same bits each time.
 //
-// Work taken from the hand is the integral of resistance over the way in, by the trapezoidal rule. Models that throw
-// InputError are in `refused`; throws InputError itself when all do, for an option out of its range,
-// a motion of more than 3 million ticks, and when the path is no path or misses the body (saying by how much).
-// `prepare` gives the case what the model in its description needs beside it (its deformable body); it may be empty.
+// Work taken from the hand is the integral of resistance over the insertion, by the trapezoidal rule. Models that
+// throw InputError are in `refused`; throws InputError itself when all do, for an option out of its range, a motion
+// of more than 3 million ticks, and when the path is no path or misses the body (saying by how much). `prepare` gives
+// the case what the model in its description needs in addition (its deformable body); it may be empty.
 Comparison compare_models(Case patient, const CompareOptions& options, const Progress& progress = {},
                           const std::function<void(Case&)>& prepare = {});
 

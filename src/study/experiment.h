@@ -51,7 +51,7 @@ ExperimentRun play(const Experiment& experiment, const Progress& progress = {});
 // Whether a tick lies in a window; one that says a depth holds ticks in contact only.
 bool is_inside(const ExperimentWindow& window, const ExperimentTick& tick);
 
-// A quantity of one tick in its unit; NaN where there is none (a wall whose spring is slack).
+// A quantity of one tick in its unit; NaN when undefined (a wall whose spring is slack).
 double value_of(Quantity quantity, const ExperimentTick& tick, const Experiment& experiment);
 
 // The table of a run, a row per tick.

@@ -15,18 +15,18 @@ Profile insert_at_constant_speed(const Case& patient, const ProfileOptions& opti
   check_range("", "--speed", options.speed, {0.5, 500.0}, "mm/s");
   check_range("", "--beyond", options.beyond, {0.0, 200.0}, "mm");
   check_range("", "--pause", options.pause, {0.0, 60.0}, "s");
-  const StraightWay way = straight_way(patient, options.entry, options.target, options.beyond);
+  const StraightPath line = straight_path(patient, options.entry, options.target, options.beyond);
   Profile profile;
   profile.options = options;
-  profile.path = way.path;
-  profile.notes = way.notes;
+  profile.path = line.path;
+  profile.notes = line.notes;
 
   HapticTick haptics(patient);
   profile.dt = haptics.dt();
   profile.diagnostics.assign(haptics.diagnostic_names().begin(), haptics.diagnostic_names().end());
   const double step = options.speed * profile.dt;  // mm a tick
   const double peak_force = patient.description.device.peak_force;
-  const auto expected = static_cast<std::size_t>((way.end - way.start) / step);
+  const auto expected = static_cast<std::size_t>((line.end - line.start) / step);
   profile.ticks.reserve(expected * (options.withdraw ? 2 : 1) + 16);
   const auto moment = [&haptics](const TickRecord& record) {
     const BodyPort* const body = haptics.body();
@@ -39,7 +39,7 @@ Profile insert_at_constant_speed(const Case& patient, const ProfileOptions& opti
   const auto tick = [&](double place) -> const TickOutput& {
     TickRecord record;
     record.tick = profile.ticks.size();
-    record.input.needle = way.needle_at(place);
+    record.input.needle = line.needle_at(place);
     record.output = haptics.step(record.input);
     if (record.output.resistance > profile.strongest.resistance) profile.strongest = moment(record);
     profile.ticks.push_back(record);
@@ -50,9 +50,9 @@ Profile insert_at_constant_speed(const Case& patient, const ProfileOptions& opti
     return profile.ticks.back().output;
   };
 
-  tick(way.start);
-  double deepest = way.start;
-  for (const double place : places_between(way.start, way.end, step)) {
+  tick(line.start);
+  double deepest = line.start;
+  for (const double place : places_between(line.start, line.end, step)) {
     const TickOutput& output = tick(place);
     deepest = place;
     const TissueProperties* properties = patient.library.find(output.tissue);
@@ -62,10 +62,10 @@ Profile insert_at_constant_speed(const Case& patient, const ProfileOptions& opti
       profile.outcome = fmt::format(
           "stopped by {} at {:.1f} mm, {:.1f} mm before the end of the path: it asks for more than the "
           "{:.1f} N of the device",
-          properties->title, output.depth, way.end - place, peak_force);
+          properties->title, output.depth, line.end - place, peak_force);
       break;
     }
-    if (place >= way.end) {
+    if (place >= line.end) {
       profile.outcome = fmt::format("the end of the path was reached at {:.1f} mm", output.depth);
       break;
     }
@@ -74,7 +74,7 @@ Profile insert_at_constant_speed(const Case& patient, const ProfileOptions& opti
   const auto rests = static_cast<std::size_t>(std::lround(options.pause / profile.dt));
   for (std::size_t n = 0; n < rests; ++n) tick(deepest);
   if (options.withdraw) {
-    for (const double place : places_between(deepest, way.outside, step)) tick(place);
+    for (const double place : places_between(deepest, line.outside, step)) tick(place);
   }
   return profile;
 }

@@ -30,7 +30,7 @@ struct Profile {
   std::vector<TickRecord> ticks;            // in order; events stand in them
   std::vector<DiagnosticName> diagnostics;  // that the force models publish in each tick
   DeformedMoment strongest;                 // where a deformable body resisted most; without forces for other models
-  DeformedMoment last;                      // at the end of the insertion, likewise
+  DeformedMoment last;                      // at the end of the insertion
   std::optional<double> stopped_by_bone;    // mm; the depth at which bone held more than the device's peak force
   std::string outcome;                      // how far the needle came, one sentence
   std::vector<std::string> notes;           // what was assumed, one sentence each

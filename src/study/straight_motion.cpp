@@ -76,9 +76,9 @@ double distance_to_body(const NeedlePath& path, const TissueVolume& tissues) {
   return std::sqrt(nearest_square);
 }
 
-// Finds the skin on the way, and with it where the needle starts.
-void find_skin(StraightWay& way, const TissueVolume& tissues) {
-  const NeedlePath& path = way.path;
+// Finds the skin on the path, and with it where the needle starts.
+void find_skin(StraightPath& line, const TissueVolume& tissues) {
+  const NeedlePath& path = line.path;
   const Vec3 along = path.direction();
   const auto tissue_at = [&](double s) { return nearest<TissueId>(tissues, path.entry + s * along, outside); };
   const bool in_body = tissue_at(0.0) != tissue::air;
@@ -91,14 +91,14 @@ void find_skin(StraightWay& way, const TissueVolume& tissues) {
     return in_tissue;
   };
   if (!in_body) {
-    for (double s = step_of_search; s <= way.end; s += step_of_search) {
+    for (double s = step_of_search; s <= line.end; s += step_of_search) {
       const TissueId here = tissue_at(s);
       if (here == outside) break;
       if (here == tissue::air) continue;
-      way.surface = skin_between(s - step_of_search, s);
-      way.start = way.surface - lead;
-      if (way.surface > entry_tolerance)
-        way.notes.push_back(fmt::format("the entry lies {:.1f} mm in front of the skin", way.surface));
+      line.surface = skin_between(s - step_of_search, s);
+      line.start = line.surface - lead;
+      if (line.surface > entry_tolerance)
+        line.notes.push_back(fmt::format("the entry lies {:.1f} mm in front of the skin", line.surface));
       return;
     }
     const double distance = distance_to_body(path, tissues);
@@ -112,38 +112,38 @@ void find_skin(StraightWay& way, const TissueVolume& tissues) {
     const TissueId here = tissue_at(s);
     if (here == outside) break;
     if (here != tissue::air) continue;
-    way.surface = skin_between(s, s + step_of_search);
-    way.start = way.surface - lead;
-    if (-way.surface > entry_tolerance) {
-      way.notes.push_back(
-          fmt::format("the entry lies {:.1f} mm below the skin; depth counts from the skin", -way.surface));
+    line.surface = skin_between(s, s + step_of_search);
+    line.start = line.surface - lead;
+    if (-line.surface > entry_tolerance) {
+      line.notes.push_back(
+          fmt::format("the entry lies {:.1f} mm below the skin; depth counts from the skin", -line.surface));
     }
     return;
   }
-  way.notes.emplace_back("the volume has no skin before the entry, so the needle starts at the entry itself");
+  line.notes.emplace_back("the volume has no skin before the entry, so the needle starts at the entry itself");
 }
 
 }  // namespace
 
-Pose StraightWay::needle_at(double place) const {
+Pose StraightPath::needle_at(double place) const {
   Pose needle = at_entry;
   needle.translation() = path.entry + place * path.direction();
   return needle;
 }
 
-StraightWay straight_way(const Case& patient, const std::optional<Vec3>& entry, const std::optional<Vec3>& target,
-                         double beyond) {
-  StraightWay way;
-  way.path = path_of(patient, entry, target);
-  const Vec3 along = way.path.direction();
-  way.at_entry = needle_pose(way.path.entry, along);
-  way.end = way.path.length() + beyond;
-  if (beyond > 0.0 && nearest<TissueId>(patient.tissues, way.path.entry + way.end * along, outside) == outside) {
+StraightPath straight_path(const Case& patient, const std::optional<Vec3>& entry, const std::optional<Vec3>& target,
+                           double beyond) {
+  StraightPath line;
+  line.path = path_of(patient, entry, target);
+  const Vec3 along = line.path.direction();
+  line.at_entry = needle_pose(line.path.entry, along);
+  line.end = line.path.length() + beyond;
+  if (beyond > 0.0 && nearest<TissueId>(patient.tissues, line.path.entry + line.end * along, outside) == outside) {
     throw InputError(fmt::format("{} mm beyond the target lies outside the volume; give a smaller --beyond", beyond));
   }
-  find_skin(way, patient.tissues);
-  way.outside = std::min(way.start, -lead) - lead;
-  return way;
+  find_skin(line, patient.tissues);
+  line.outside = std::min(line.start, -lead) - lead;
+  return line;
 }
 
 std::vector<double> places_between(double from, double to, double step) {

@@ -55,8 +55,8 @@ int ConjugateGradients::solve(const NodeMatrix& matrix, const NodeVectors& right
   int iteration = 0;
   while (iteration < settings.most_iterations && left > enough) {
     ++iteration;
-    // With p the direction and t the way, the system's matrix times p is t + (D + L)^-1 (p - D t), and p - D t is
-    // L^T t.
+    // With p the direction and t the transformed step, the system's matrix times p is t + (D + L)^-1 (p - D t), and p
+    // - D t is L^T t.
     matrix.solve_upper(direction_, way_, above_);
     matrix.solve_lower(above_, back_, back_scaled_);
     back_ += way_;

@@ -203,7 +203,7 @@ const CorotationalStep& CorotationalBody::step() noexcept {
   // By what is held alone, in the linear body: what the first Newton step must not cost more than.
   double won = 0.5 * moved_.cwiseProduct(product_).sum() - (push_ + begin_forces_).cwiseProduct(moved_).sum();
   change_.setZero();
-  if (settings_.dt > 0.0) {  // it will go on about as it went
+  if (settings_.dt > 0.0) {  // first guess: constant velocity
     for (Eigen::Index node = 0; node < change_.cols(); ++node)
       if (held_[static_cast<std::size_t>(node)] == 0) change_.col(node) = settings_.dt * velocities_.col(node);
   }

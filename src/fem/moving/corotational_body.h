@@ -46,7 +46,7 @@ struct CorotationalStep {
 // gradients; should the energy that this equation minimises not fall, the step is halved. Implicit Euler loses energy
 // of itself, the more the longer the step.
 //
-// Nodes are free or held where they are told to be, those of BodyDescription::fixed for ever. Memory is taken at
+// Nodes are free or prescribed, those of BodyDescription::fixed for ever. Memory is taken at
 // construction; step() never throws, allocates, locks or reads a clock, and gives the same for the same calls before
 // it, to the bit. Not for two threads at once. docs/corotational.md
 class CorotationalBody {

@@ -26,7 +26,7 @@ enum class StressStiffness {
 // The stiffness of a whole body about a state, N/mm, into `system`, which must come from plan_body() of the body:
 // derivatives of all forces by all free nodes at `places` (mm; a column a node of the mesh, more rows than 3 are
 // passed over). Nodes with `held` not zero (by node of the mesh; empty: none) are held where they are, though not by
-// the fixed nodes' way out of the equations: a spring of tangent_holding times the stiffest node's takes the place of
+// fixed nodes leave the equations: a spring of tangent_holding times the stiffest node's takes the place of
 // their stiffness. Places must be finite.
 void assemble_tangent(const BodyDescription& body, const Eigen::Ref<const Eigen::MatrixXd>& places,
                       std::span<const std::uint8_t> held, StressStiffness stress, ElasticSystem& system);

@@ -48,11 +48,11 @@ const CorotationalStep& DeformableBodySolver::step(const std::optional<Pose>& pr
     const NodeForce& on = needle.nodes[i];
     if (on.node < moving_.nodes()) moving_.load(on.node, Vec3(on.force[0], on.force[1], on.force[2]));
   }
-  const CorotationalStep& told = moving_.step();
+  const CorotationalStep& step = moving_.step();
   press_.let_go_what_is_pulled(moving_);
-  settled_ = !told.fault && told.largest_move <= settings_.settled;
+  settled_ = !step.fault && step.largest_move <= settings_.settled;
   judge(needle.count > 0);
-  return told;
+  return step;
 }
 
 void DeformableBodySolver::judge(bool needle) noexcept {
@@ -95,9 +95,9 @@ bool DeformableBodySolver::find_free(const BodyState& state, const Progress& pro
   }
   for (int step = 0; step < most_steps_to_rest; ++step) {
     if (progress) progress("the body without the needle", 0.0);
-    const CorotationalStep& told = free_->step();
-    if (told.fault) return false;
-    if (told.largest_move < at_rest_part * settings_.settled) return true;
+    const CorotationalStep& done = free_->step();
+    if (done.fault) return false;
+    if (done.largest_move < at_rest_part * settings_.settled) return true;
   }
   return false;
 }
@@ -107,7 +107,7 @@ std::shared_ptr<CondensedBody> DeformableBodySolver::condense_about(const NodeVe
                                                                     const Progress& progress) {
   FactorOptions options;
   options.keep_field = false;
-  options.threads = 1;  // beside a tick and pictures
+  options.threads = 1;  // in addition to the tick and the display
   options.memory_limit = settings_.memory_limit;
   for (const StressStiffness stress : {StressStiffness::exact, StressStiffness::positive}) {
     try {
@@ -125,7 +125,7 @@ std::shared_ptr<CondensedBody> DeformableBodySolver::condense_about(const NodeVe
   return nullptr;
 }
 
-// Beside step(): of what that uses, this one reads what never changes, and writes the corridor, its plan's equations
+// May run in parallel with step(): it reads what never changes, and writes the corridor, its plan's equations
 // and the body without a needle, which are its own.
 std::shared_ptr<CondensedBody> DeformableBodySolver::make_corridor(const BodyState& state, const Progress& progress,
                                                                    std::vector<std::uint32_t> nodes) {

@@ -24,22 +24,22 @@ DisplayField display_columns(const ElasticBody& body, std::span<const PointInMes
                              const std::vector<std::uint32_t>& nodes, const Progress& progress) {
   const std::vector<std::uint32_t>& corridor = body.corridor();
   if (points.empty() || nodes.empty()) {
-    throw InputError(fmt::format("field for the eyes: {} points and {} nodes of the corridor, expected some of each",
+    throw InputError(fmt::format("display field: {} points and {} nodes of the corridor, expected some of each",
                                  points.size(), nodes.size()));
   }
   std::vector<Eigen::Index> rows;  // of the corridor's forces
   for (const std::uint32_t node : nodes) {
     const auto place = std::find(corridor.begin(), corridor.end(), node);
     if (place == corridor.end()) {
-      throw InputError(fmt::format("field for the eyes: node {} of the mesh is not one of the {} of the corridor",
-                                   node, corridor.size()));
+      throw InputError(fmt::format("display field: node {} of the mesh is not one of the {} of the corridor", node,
+                                   corridor.size()));
     }
     rows.push_back(3 * (place - corridor.begin()));
   }
   const std::size_t bytes = display_bytes(points.size(), nodes.size());
   if (bytes > available_memory()) {
     throw InputError(
-        fmt::format("the field for the eyes of {} points by {} nodes takes {} MB, and {} MB are left; show fewer "
+        fmt::format("the display field of {} points by {} nodes takes {} MB, and {} MB are left; show fewer "
                     "points, or fewer nodes of the corridor",
                     points.size(), nodes.size(), bytes >> 20U, available_memory() >> 20U));
   }

@@ -8,7 +8,7 @@
 
 namespace bodkin {
 
-// What a tissue is made of, as far as a small strain can tell: linear, elastic, the same in every direction.
+// A linear elastic isotropic material.
 struct ElasticMaterial {
   double young = 0.0;    // MPa, above 0
   double poisson = 0.0;  // above -1, at most 0.49; nearer to 1/2 linear tetrahedra lock
@@ -27,7 +27,7 @@ class ElasticMaterials {
  public:
   // Throws InputError when a value is outside its range.
   void set(TissueId tissue, const ElasticMaterial& material);
-  // nullptr when there is none.
+  // nullptr when no material has that id.
   const ElasticMaterial* find(TissueId tissue) const noexcept {
     return by_tissue_[tissue] ? &*by_tissue_[tissue] : nullptr;
   }

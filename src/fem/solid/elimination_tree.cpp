@@ -72,7 +72,7 @@ EliminationTree elimination_tree(const NodeGraph& graph, std::vector<std::uint32
   }
   for (std::uint32_t k = 0; k < free; ++k) order[k] = better[k];
 
-  // Row i of the factor has the columns on the ways from its earlier neighbours up to i.
+  // Row i of the factor has the columns on the paths from its earlier neighbours up to i.
   const std::vector<std::uint32_t> position = positions_of(order);
   const auto nodes = static_cast<std::uint32_t>(order.size());
   std::vector<std::uint32_t> passed(free, no_parent);

@@ -9,8 +9,8 @@
 
 namespace bodkin {
 
-// A dense front: the panel of its supernode, height x width, and the update below and beside it, of 3 rows x 3 rows.
-// Column-major, lower triangle.
+// A dense front: the panel of its supernode, height x width, and the update below and to the right of it, of 3 rows x
+// 3 rows. Column-major, lower triangle.
 struct Front {
   double* panel = nullptr;
   double* update = nullptr;

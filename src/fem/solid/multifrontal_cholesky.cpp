@@ -68,7 +68,7 @@ void MultifrontalCholesky::factorise(const BlockMatrix& matrix, ThreadPool& pool
   double* top = stack.data();
   std::vector<std::uint32_t> waiting;  // supernodes whose updates lie on the stack
   FrontAssembly assembly(matrix, symbolic_);
-  double done = 0.0, told = 0.0;
+  double done = 0.0, reported = 0.0;
   for (std::uint32_t s = 0; s < symbolic_.supernodes.size(); ++s) {
     const Supernode& supernode = symbolic_.supernodes[s];
     const Front front{panel(s), top, &supernode};
@@ -103,8 +103,8 @@ void MultifrontalCholesky::factorise(const BlockMatrix& matrix, ThreadPool& pool
       top += supernode.update_size();
     }
     done += supernode.operations();
-    if (progress && done >= told + 0.01 * symbolic_.operations) {
-      told = done;
+    if (progress && done >= reported + 0.01 * symbolic_.operations) {
+      reported = done;
       progress("factorising the body", std::min(1.0, done / symbolic_.operations));
     }
   }

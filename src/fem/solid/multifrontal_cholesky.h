@@ -15,7 +15,7 @@
 
 namespace bodkin {
 
-// The matrix is not positive definite: nothing holds one of its nodes, as far as double precision can tell.
+// The matrix is not positive definite in double precision: at least one node is not constrained.
 class NotPositiveDefinite : public InputError {
  public:
   explicit NotPositiveDefinite(std::uint32_t node);

@@ -9,7 +9,7 @@
 
 namespace bodkin {
 
-// Which nodes of a symmetric matrix are coupled: for each node, both ways, without itself, ascending.
+// Which nodes of a symmetric matrix are coupled: for each node, in both directions, without itself, ascending.
 struct NodeGraph {
   std::vector<std::size_t> start;         // nodes + 1
   std::vector<std::uint32_t> neighbours;  // of node n: start[n] to start[n + 1]

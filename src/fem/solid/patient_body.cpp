@@ -121,7 +121,7 @@ std::pair<Vec3, Vec3> corridor_line(const NeedlePath& path, const DeformableBody
   return {path.entry - before_skin * path.direction(), path.target + settings.corridor_beyond * path.direction()};
 }
 
-// Tissue of the closest voxel that is no air, within closest_voxel; air when there is none.
+// Tissue of the closest voxel within closest_voxel that is not air; air when there is no such voxel.
 TissueId tissue_beside(const TissueVolume& tissues, const Vec3& point) {
   const TissueId here = nearest<TissueId>(tissues, point, tissue::air);
   if (here != tissue::air) return here;

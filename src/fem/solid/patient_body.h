@@ -9,7 +9,7 @@
 
 namespace bodkin {
 
-// A patient's mesh as a body that can be condensed, and what was assumed on the way, one sentence each.
+// A patient's mesh as a body that can be condensed, and the assumptions made, one sentence each.
 struct DescribedBody {
   BodyDescription body;
   std::vector<std::string> notes;
@@ -18,13 +18,13 @@ struct DescribedBody {
 // What `settings` make of a patient's mesh, with the corridor about `path`. Materials are those of the tissue
 // library, Young's modulus times stiffness_scale. Fixed are, as the settings say, bone and metal (tissues that are
 // rigid in `layered`), the faces where the mesh ends but the patient does not (behind them lies tissue, or the edge
-// of the volume), and what lies beyond a depth along the planned path (`path` where there is none). Throws InputError
-// when a tissue of the mesh has no material, and what corridor_about() does.
+// of the volume), and what lies beyond a depth along the planned path (`path` when the case has none). Throws
+// InputError when a tissue of the mesh has no material, and what corridor_about() does.
 DescribedBody describe_body(TetrahedralMesh mesh, const Case& patient, const DeformableBodySettings& settings,
                             const NeedlePath& path);
 
 // The nodes of a body that make the corridor about a path: the free ones that are closest to it, in ascending order.
-// `notes` is told when there is no room for all of them. Throws InputError when the path has no length or no node
+// A note is added when they exceed the limit. Throws InputError when the path has no length or no node
 // lies near it.
 std::vector<std::uint32_t> corridor_about(const BodyDescription& body, const NeedlePath& path,
                                           const DeformableBodySettings& settings, std::vector<std::string>& notes);
@@ -36,8 +36,8 @@ double corridor_reach(const PreparedCorridor& corridor, const DeformableBodySett
 bool covers(const PreparedCorridor& corridor, const NeedlePath& path, const DeformableBodySettings& settings);
 
 // The tissue that a needle meets at each node of a condensed body: that of the voxel there or, where that is air, of
-// the closest one within 3 mm that is not, so that thin layers which the mesh has merged are felt. Nodes beside rigid
-// tissue keep the tissue of the mesh.
+// the closest one within 3 mm that is not, so that thin layers which the mesh has merged are felt. Nodes next to
+// rigid tissue keep the tissue of the mesh.
 void take_tissues_of_voxels(CondensedBody& body, const Case& patient);
 
 }  // namespace bodkin

@@ -135,10 +135,11 @@ Eigen::VectorXd CurveSolver::residuals_with(const CurveSolution& solution, std::
   return residuals;
 }
 
-std::optional<std::size_t> CurveSolver::tick_beside(const CurveSolution& solution, int way, std::size_t steps) const {
+std::optional<std::size_t> CurveSolver::neighbouring_tick(const CurveSolution& solution, int direction,
+                                                          std::size_t steps) const {
   const std::size_t far = steps * grid_step_, here = *solution.yield_tick;
-  if (way < 0 ? far > here : here + far >= history_.ticks.size()) return std::nullopt;
-  return way < 0 ? here - far : here + far;
+  if (direction < 0 ? far > here : here + far >= history_.ticks.size()) return std::nullopt;
+  return direction < 0 ? here - far : here + far;
 }
 
 CurveSolution CurveSolver::improve(CurveSolution solution) const {
@@ -148,9 +149,9 @@ CurveSolution CurveSolver::improve(CurveSolution solution) const {
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> slope(sensitivity(solution, smooth()));
     std::size_t best = *solution.yield_tick;
     double least = solution.sum_of_squares;
-    for (const int way : {-1, 1}) {
+    for (const int direction : {-1, 1}) {
       for (std::size_t n = 1; n <= reach; ++n) {
-        const std::optional<std::size_t> tick = tick_beside(solution, way, n);
+        const std::optional<std::size_t> tick = neighbouring_tick(solution, direction, n);
         if (!tick || !(yield_value(solution.values, *tick) > 0.0)) break;
         const double sum = candidate(*tick, residuals_with(solution, *tick), slope).sum_of_squares;
         if (sum >= least) continue;
@@ -174,7 +175,7 @@ CurveSolution CurveSolver::solve() const {
     const bool broken = model_.yield.has_value() && !falls.empty();
     return settle(begin_with(broken ? falls.front() : 0));
   }
-  std::vector<std::size_t> starts = {0};  // nothing gives way
+  std::vector<std::size_t> starts = {0};  // nothing gives direction
   if (!falls.empty()) {
     const CurveShape steepest = shape_of(curve_, 0.0, falls.front());
     const bool clear = steepest.peak_force - steepest.after_force > clear_fall * noise_of(curve_);
@@ -202,10 +203,10 @@ std::vector<YieldCandidate> CurveSolver::alternatives(const CurveSolution& solut
   bounded = true;
   if (!yields() || !solution.yield_tick) return found;
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> slope(sensitivity(solution, smooth()));
-  for (const int way : {-1, 1}) {
+  for (const int direction : {-1, 1}) {
     int misses = 0;
     for (std::size_t n = 1; misses < 2; ++n) {
-      const std::optional<std::size_t> tick = tick_beside(solution, way, n);
+      const std::optional<std::size_t> tick = neighbouring_tick(solution, direction, n);
       if (!tick || n > farthest) {
         bounded = false;
         break;

@@ -40,7 +40,7 @@ class CurveSolver {
   CurveSolution solve() const;
   // The best solution near another one.
   CurveSolution improve(CurveSolution solution) const;
-  // The other ticks at which the tissue may have given way as far as the data tell: those whose sum of squares is at
+  // The other ticks at which the tissue may have given way as far as the data show: those whose sum of squares is at
   // most `allowed`, neighbours first; empty when the solution has no yield. `bounded`: false when they never end.
   std::vector<YieldCandidate> alternatives(const CurveSolution& solution, double allowed, bool& bounded) const;
 
@@ -71,8 +71,8 @@ class CurveSolver {
   CurveSolution begin_with(std::size_t yield_sample) const;
   void set_yield(CurveSolution& solution) const;
   bool yields() const { return model_.yield && looked_for[*model_.yield]; }
-  // The tick `steps` places before (way -1) or after (1) the yield; none beyond the history.
-  std::optional<std::size_t> tick_beside(const CurveSolution& solution, int way, std::size_t steps) const;
+  // The tick `steps` places before (direction -1) or after (1) the yield; none beyond the history.
+  std::optional<std::size_t> neighbouring_tick(const CurveSolution& solution, int direction, std::size_t steps) const;
   Eigen::VectorXd residuals_with(const CurveSolution& solution, std::size_t tick) const;
 
   const FitModel& model_;

@@ -16,7 +16,7 @@ namespace bodkin {
 namespace {
 
 constexpr double alpha = 0.05;               // 1 - confidence
-constexpr double flat = 1e-3;                // singular values below this share tell nothing
+constexpr double flat = 1e-3;                // singular values below this share are noise
 constexpr double less_by = 1.0 - 1e-4;       // of the sum of squares: a better place
 constexpr std::size_t samples_to_spare = 5;  // more samples than parameters
 constexpr double usual_speed = 10.0;         // mm/s, where the speed does not matter
@@ -88,7 +88,7 @@ std::vector<bool> counting(const MeasuredCurve& curve, const FitRequest& request
   return counts;
 }
 
-// Fits, gives up what the data do not tell, and says how sure the rest is.
+// Fits, drops the parameters that the data do not determine, and estimates the uncertainty of the rest.
 class Estimation {
  public:
   Estimation(const FitModel& model, CurveSolver& solver) : model_(model), solver_(solver) {
@@ -155,7 +155,7 @@ class Estimation {
       std::string others;
       for (std::size_t i = 0; i + 1 < degeneracy.parameters.size(); ++i)
         others += (i > 0 ? ", " : "") + model_.parameters[active_[degeneracy.parameters[i]]].name;
-      keep(last, "the data do not tell it apart from " + others);
+      keep(last, "the data do not distinguish it from " + others);
     }
     solution_ = solver_.improve(std::move(solution_));
   }
@@ -171,7 +171,7 @@ class Estimation {
                             model_.parameters[yield].unit));
   }
 
-  // False when a parameter turned out to be told by nothing and the rest has to be fitted again.
+  // False when a parameter turned out to be undetermined and the rest has to be fitted again.
   bool find_intervals(const Eigen::MatrixXd& slope) {
     const bool yields = looks_for_yield();
     const std::size_t estimated = active_.size() + (yields ? 1 : 0);

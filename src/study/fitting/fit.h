@@ -36,7 +36,7 @@ enum class ParameterStatus {
   estimated,
   kept,           // by the user or because the model usually keeps it
   at_bound,       // the best value is the end of its range
-  not_identified  // the data do not tell; kept at its usual or given value
+  not_identified  // the data do not determine it; kept at its usual or given value
 };
 
 struct FittedParameter {

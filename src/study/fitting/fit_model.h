@@ -13,7 +13,7 @@
 
 namespace bodkin {
 
-// One number of a model that a curve may tell.
+// One number of a model that a curve may determine.
 struct FitParameter {
   std::string name;
   std::string unit;
@@ -22,7 +22,7 @@ struct FitParameter {
   bool fitted = true;            // false: kept unless the user frees it
 };
 
-// What a look at a curve tells before anything is fitted.
+// Features of a curve before anything is fitted.
 struct CurveShape {
   double contact = 0.0;      // mm, where the force begins
   double peak_depth = 0.0;   // mm, ...
@@ -30,7 +30,7 @@ struct CurveShape {
   double after_force = 0.0;  // N, when it has given way
   double end_depth = 0.0;    // mm, ...
   double end_force = 0.0;    // N, at the deepest point
-  double slope = 0.0;        // N/mm, straight line through the loaded part of the first way in ...
+  double slope = 0.0;        // N/mm, straight line through the loaded part of the first insertion ...
   double intercept = 0.0;    // mm, ... and where it is zero
 };
 
@@ -44,7 +44,8 @@ struct FittedElements {
 // their order and within their ranges.
 struct FitModel {
   std::string_view name;
-  std::vector<FitParameter> parameters;  // those first that are the last to be given up when data do not tell them
+  std::vector<FitParameter>
+      parameters;                      // those first that are the last to be given up when data do not determine them
   std::optional<std::size_t> yield;    // the parameter that decides where the tissue gives way: the force jumps there
   std::optional<std::size_t> contact;  // depth at which the needle meets the tissue
   std::vector<std::size_t> jumpy;      // parameters that move smaller jumps of the force along the curve

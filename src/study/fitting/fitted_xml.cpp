@@ -24,9 +24,9 @@ std::string source_of(const CurveFit& fit, const MeasuredCurve& curve) {
     if (one.status != ParameterStatus::not_identified) continue;
     kept += (kept.empty() ? "" : ", ") + one.name;
   }
-  return fmt::format("{} fitted to {}: {} samples, R^2 {:.4f}, RMSE {:.3g} N.{}", fit.model, curve.name, fit.samples,
-                     fit.r_squared, fit.rmse,
-                     kept.empty() ? "" : fmt::format(" Not told by the data, kept at a usual value: {}.", kept));
+  return fmt::format(
+      "{} fitted to {}: {} samples, R^2 {:.4f}, RMSE {:.3g} N.{}", fit.model, curve.name, fit.samples, fit.r_squared,
+      fit.rmse, kept.empty() ? "" : fmt::format(" Not determined by the data, kept at a usual value: {}.", kept));
 }
 
 }  // namespace

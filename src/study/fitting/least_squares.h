@@ -25,14 +25,14 @@ std::vector<double> least_squares(const LeastSquaresProblem& problem, const std:
 // slope.
 Eigen::MatrixXd jacobian(const LeastSquaresProblem& problem, const std::vector<double>& x);
 
-// A direction of the parameters along which the residuals do not change, as far as numbers can tell.
+// A direction of the parameters along which the residuals do not change, to numerical precision.
 struct Degeneracy {
   bool found = false;
   std::vector<std::size_t> parameters;  // columns that take part in it, in order
 };
 
 // The flattest direction of a Jacobian whose columns count alike: degenerate when its singular value is below
-// `tolerance` times the largest one, or when a column is (nearly) zero beside its scale.
+// `tolerance` times the largest one, or when a column is (nearly) zero relative to its scale.
 Degeneracy flattest_direction(const Eigen::MatrixXd& jacobian, const std::vector<double>& scale, double tolerance);
 
 // (J'J)^-1 of a Jacobian that is not degenerate; parameters x parameters.

@@ -20,11 +20,11 @@ namespace {
 constexpr std::size_t curve_limit = 32 << 20;  // bytes
 constexpr std::size_t fewest_samples = 10;
 constexpr std::size_t most_samples = 500000;
-constexpr double least_way = 0.2, greatest_way = 500.0;       // mm between the least and the greatest depth
-constexpr double least_force = 1e-3, greatest_force = 100.0;  // N, of the largest force
-constexpr double longest_time = 600.0;                        // s
-constexpr double fastest_needle = 2000.0;                     // mm/s
-constexpr double pulled_share = -0.5;                         // mean over largest force on the way in
+constexpr double least_travel = 0.2, greatest_travel = 500.0;  // mm between the least and the greatest depth
+constexpr double least_force = 1e-3, greatest_force = 100.0;   // N, of the largest force
+constexpr double longest_time = 600.0;                         // s
+constexpr double fastest_needle = 2000.0;                      // mm/s
+constexpr double pulled_share = -0.5;                          // mean over largest force during insertion
 constexpr const char* expected_header = "time_s,depth_mm,force_N";
 
 struct Column {
@@ -91,18 +91,18 @@ double number_of(const std::string& field, const char* column, int line, const s
 
 void check_units(const MeasuredCurve& curve) {
   const auto [shallow, deep] = std::minmax_element(curve.depth.begin(), curve.depth.end());
-  const double way = *deep - *shallow;
-  if (way < least_way) {
+  const double travel = *deep - *shallow;
+  if (travel < least_travel) {
     throw InputError(
         fmt::format("{}: the depths lie within {:.3g} mm, which is no insertion; depth_mm is expected in "
                     "millimetres, perhaps these are metres or inches",
-                    curve.name, way));
+                    curve.name, travel));
   }
-  if (way > greatest_way) {
+  if (travel > greatest_travel) {
     throw InputError(
         fmt::format("{}: the depths span {:.4g} mm, longer than any needle; depth_mm is expected in "
                     "millimetres, perhaps these are micrometres",
-                    curve.name, way));
+                    curve.name, travel));
   }
   double largest = 0.0;
   for (const double force : curve.force) largest = std::max(largest, std::abs(force));
@@ -192,7 +192,7 @@ std::vector<double> sample_times(const MeasuredCurve& curve, std::optional<doubl
   for (std::size_t i = 1; i < curve.size(); ++i)
     times.push_back(times.back() + std::abs(curve.depth[i] - curve.depth[i - 1]) / *speed);
   if (times.back() > longest_time) {
-    throw InputError(fmt::format("{}: the way takes {:.4g} s at {:g} mm/s, expected at most {:g} s; check --speed",
+    throw InputError(fmt::format("{}: the motion takes {:.4g} s at {:g} mm/s, expected at most {:g} s; check --speed",
                                  curve.name, times.back(), *speed, longest_time));
   }
   return times;

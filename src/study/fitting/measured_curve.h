@@ -21,14 +21,14 @@ struct MeasuredCurve {
 // Reads a table with the columns time_s (may be missing), depth_mm and force_N, in any order, under a header; commas,
 // semicolons or tabs between them; lines that begin with # are comments. At least 10 rows. Throws InputError naming
 // line, column, what was found and what was expected; also for values that cannot be in these units: a range of depth
-// below 0.2 mm or above 500 mm, forces above 100 N or below 1 mN, more than 600 s, negative forces on the way in.
+// below 0.2 mm or above 500 mm, forces above 100 N or below 1 mN, more than 600 s, negative forces during insertion.
 MeasuredCurve read_measured_curve(const std::filesystem::path& file);
 
 // The same from text already in memory; `origin` names it in messages.
 MeasuredCurve parse_measured_curve(std::string_view text, const std::string& origin);
 
-// The time of every sample, s: as measured, or the way divided by `speed` (mm/s). Throws InputError when the curve
-// has neither.
+// The time of every sample, s: as measured, or the distance divided by `speed` (mm/s). Throws InputError when the
+// curve has neither.
 std::vector<double> sample_times(const MeasuredCurve& curve, std::optional<double> speed);
 
 }  // namespace bodkin

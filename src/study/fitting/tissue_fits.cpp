@@ -14,7 +14,7 @@ namespace bodkin {
 
 namespace {
 
-// The cubic law's force for k = 1: what a force at a depth tells of k.
+// The cubic law's force for k = 1: for the k that a force at a depth implies.
 double cubic_per_stiffness(double spacing, double depth) {
   return VoigtLaw(VoigtSum::cubic, 1.0, 0.0, spacing).elastic(std::max(depth, 0.01));
 }
@@ -154,8 +154,8 @@ void guess(const CurveShape& shape, std::span<double> p) {
   const double depth = std::max(0.1, shape.peak_depth - shape.contact);
   p[linear] = 0.3 * shape.peak_force / depth;
   p[quadratic] = 0.7 * shape.peak_force / (depth * depth);
-  const double way = std::max(0.1, shape.end_depth - shape.peak_depth);
-  p[coulomb_in] = std::max(1e-4, (shape.end_force - shape.after_force) / way);
+  const double travel = std::max(0.1, shape.end_depth - shape.peak_depth);
+  p[coulomb_in] = std::max(1e-4, (shape.end_force - shape.after_force) / travel);
   p[coulomb_out] = p[coulomb_in];
   p[cutting_force] = std::max(0.01, shape.after_force - p[coulomb_in] * depth);
   p[contact] = shape.contact;

@@ -87,8 +87,8 @@ void guess(const CurveShape& shape, std::span<double> p) {
   p[skin_stiffness] = shape.peak_force / depth;
   p[contact] = shape.contact;
   p[trailing] = std::min(p[trailing], depth);
-  const double way = std::max(0.1, shape.end_depth - shape.peak_depth);
-  p[slope] = (shape.end_force - shape.after_force) / p[trailing] / way;
+  const double travel = std::max(0.1, shape.end_depth - shape.peak_depth);
+  p[slope] = (shape.end_force - shape.after_force) / p[trailing] / travel;
   p[stiffness] = std::max(0.01, shape.after_force / p[trailing] - p[slope] * depth);
 }
 
