@@ -15,9 +15,12 @@ namespace {
 
 using tissue::epidural_fat, tissue::ligamentum_flavum, tissue::muscle;
 
-// A needle along a line of muscle to 10 mm, flavum to 14 mm, then epidural fat, with forces that a function gives.
+// A needle along a line of muscle to 10 mm, flavum to 14 mm, then epidural fat or what is chosen, with forces that a
+// function gives.
 class Line {
  public:
+  explicit Line(TissueId behind = epidural_fat) : behind_(behind) {}
+
   void go(double to, double speed, const std::function<double(double)>& force) {
     const double step = (to < depth_ ? -1.0 : 1.0) * speed * 0.001;
     while ((to - depth_) * step > 1e-9) {
@@ -32,10 +35,11 @@ class Line {
  private:
   void tick(const AxialMotion& motion, double force) {
     TickEvents events;
-    const TissueId here = motion.depth < 10.0 ? muscle : motion.depth < 14.0 ? ligamentum_flavum : epidural_fat;
+    const TissueId here = motion.depth < 10.0 ? muscle : motion.depth < 14.0 ? ligamentum_flavum : behind_;
     loss_.step(motion, here, force, events);
     losses.insert(losses.end(), events.begin(), events.end());
   }
+  TissueId behind_;
   LossOfResistance loss_;
   double depth_ = 0.0;
 };
@@ -49,6 +53,21 @@ TEST(LossOfResistance, is_told_once_with_the_drop_and_the_tissue_behind_at_any_s
     EXPECT_EQ(line.losses[0].tissue, epidural_fat);
     EXPECT_NEAR(line.losses[0].depth, 14.0, speed * 0.001 + 1e-9) << speed;
     EXPECT_DOUBLE_EQ(line.losses[0].value, 2.5);
+  }
+}
+
+TEST(LossOfResistance, counts_into_every_tissue_of_the_canal_and_into_no_other) {
+  const auto force = [](double depth) { return depth < 14.0 ? 4.0 : 1.0; };
+  for (const TissueId behind : {epidural_fat, tissue::dura, tissue::cerebrospinal_fluid, tissue::nerve}) {
+    Line line(behind);
+    line.go(20.0, 10.0, force);
+    ASSERT_EQ(line.losses.size(), 1U) << int{behind};
+    EXPECT_EQ(line.losses[0].tissue, behind);
+  }
+  for (const TissueId behind : {muscle, tissue::fat, tissue::cortical_bone, tissue::disc, ligamentum_flavum}) {
+    Line line(behind);
+    line.go(20.0, 10.0, force);
+    EXPECT_TRUE(line.losses.empty()) << int{behind};
   }
 }
 
