@@ -17,7 +17,8 @@ std::string number_words(double value) {
 }
 
 std::string range_words(const Range& range, std::string_view unit) {
-  const std::string its_unit = unit.empty() ? "" : " " + std::string(unit);
+  std::string its_unit;
+  if (!unit.empty()) its_unit.append(" ").append(unit);
   if (range.low == -unbounded && range.high == unbounded) return "a finite number";
   if (range.high == unbounded && !range.includes_high) {
     return range.includes_low ? number_words(range.low) + its_unit + " or more"

@@ -18,7 +18,7 @@ inline void check_range(std::string_view origin, std::string_view name, double v
   if (range.contains(value)) return;
   std::string sentence(name);
   sentence += " is " + number_words(value);
-  if (!unit.empty()) sentence += " " + std::string(unit);
+  if (!unit.empty()) sentence.append(" ").append(unit);
   refuse_setting(origin, sentence + ", expected " + range_words(range, unit));
 }
 
