@@ -30,7 +30,7 @@ class MemoryFile {
 
   void fill(std::string_view bytes) {
     while (!bytes.empty()) {
-      const ssize_t written = write(descriptor_, bytes.data(), bytes.size());
+      const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
       if (written < 0 && errno != EINTR) throw SystemError("memory is short for the input of a child process");
       if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
     }
@@ -42,7 +42,7 @@ class MemoryFile {
     std::string bytes;
     std::array<char, 65536> buffer;
     ssize_t count = 0;
-    while ((count = read(descriptor_, buffer.data(), buffer.size())) > 0) {
+    while ((count = ::read(descriptor_, buffer.data(), buffer.size())) > 0) {
       bytes.append(buffer.data(), static_cast<std::size_t>(count));
     }
     return bytes;

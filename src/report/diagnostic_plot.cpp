@@ -12,7 +12,8 @@ namespace {
 
 constexpr double plot_height = 180.0;  // px
 // After Okabe and Ito (2008), told apart in every kind of colour vision.
-constexpr std::array<std::uint32_t, 6> colours = {0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9};
+constexpr std::array<std::uint32_t, 6> diagnostic_colours = {0x0072B2, 0xD55E00, 0x009E73,
+                                                             0xCC79A7, 0xE69F00, 0x56B4E9};
 
 }  // namespace
 
@@ -43,8 +44,9 @@ std::vector<Plot> diagnostics_against_depth(std::span<const TickRecord> ticks,
       plot->y_label = label;
       plot->height = plot_height;
     }
-    PlotSeries series{
-        .name = diagnostics[i].title, .colour = colours[plot->series.size() % colours.size()], .width = 1.6};
+    PlotSeries series{.name = diagnostics[i].title,
+                      .colour = diagnostic_colours[plot->series.size() % diagnostic_colours.size()],
+                      .width = 1.6};
     for (std::size_t tick = deepest->first; tick <= deepest->last; ++tick) {
       const TickOutput& output = ticks[tick].output;
       if (!output.in_contact || !std::isfinite(output.diagnostics[i])) continue;
