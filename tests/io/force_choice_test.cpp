@@ -53,7 +53,7 @@ TEST(ForceChoice, errors_name_the_option_what_was_found_and_what_was_expected) {
       "layered, spring_damper_wall, tracking_wall, depth_profile, volume_proxy, three_component, fracture, "
       "shaft_friction, embedded_needle or closest_node";
   EXPECT_EQ(refused_choice("tracking_wall catch_up_s=0"),
-            "--resistance: tracking_wall catch_up_s is '0', expected a number from 0.001 to 1e9");
+            "--resistance: tracking_wall catch_up_s is '0', expected a number of at least 0.001, or INF");
   EXPECT_EQ(refused_choice("tracking_wall catch_up=0"),
             "--resistance: <tracking_wall> has the unknown attribute 'catch_up'; it takes catch_up_s, "
             "channel_radius_mm, channel_tilt_deg, leash, limit_N, strict and surface_mm");
@@ -73,7 +73,7 @@ TEST(ForceChoice, errors_name_the_option_what_was_found_and_what_was_expected) {
   EXPECT_EQ(refused_choice("fracture 1=2"),
             "--resistance: fracture has '1=2', expected SETTING=VALUE without blanks");
   EXPECT_EQ(refused_choice("tracking_wall; layer from_mm=1 force_N=1"),
-            "--resistance: layer from_mm is 1, expected 0 for the first layer");
+            "--resistance: tracking_wall: from_mm of element 1 is 1, expected 0 for the first one");
   EXPECT_EQ(refused_choice("tracking_wall; <layer>"),
             "--resistance: ' <layer>' does not begin with a name, expected NAME SETTING=VALUE SETTING=VALUE ...");
   EXPECT_EQ(refused_choice("tracking_wall; membrane"),
@@ -85,7 +85,7 @@ TEST(ForceChoice, errors_name_the_option_what_was_found_and_what_was_expected) {
   EXPECT_EQ(part_refused({"none", "none"}),
             "--part: there is no part 'none', expected relaxation, shaft_friction or needle_grasp");
   EXPECT_EQ(part_refused({"needle_grasp", "needle_grasp"}),
-            "--part: <parts> has the element <needle_grasp> once more, expected it once at most");
+            "--part: parts: the element needle_grasp is given 2 times, expected it once at most");
 }
 
 TEST(ForceChoice, texts_of_settings_read_back_to_the_same_bits) {
