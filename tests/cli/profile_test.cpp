@@ -78,7 +78,7 @@ TEST_F(ProfileCommand, refuses_force_models_in_one_sentence_that_names_the_optio
     return said.text();
   };
   EXPECT_EQ(refused("--resistance 'tracking_wall catch_up_s=0'"),
-            "bodkin: --resistance: tracking_wall catch_up_s is '0', expected a number from 0.001 to 1e9\n");
+            "bodkin: --resistance: tracking_wall catch_up_s is '0', expected a number of at least 0.001, or INF\n");
   EXPECT_EQ(
       refused("--constraint spring"),
       "bodkin: --constraint: there is no constraint 'spring', expected line_spring, pivot, rail, beam or none\n");
