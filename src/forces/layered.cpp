@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/random.h"
+#include "forces/model_input.h"
 
 namespace bodkin {
 
