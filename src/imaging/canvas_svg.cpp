@@ -32,10 +32,10 @@ std::string data_of(const Path& path) {
     const std::string x = px(part.at.x()), y = px(part.at.y()), r = px(part.radius);
     switch (part.kind) {
       case Path::Kind::move:
-        data += "M" + x + " " + y;
+        data += fmt::format("M{} {}", x, y);
         break;
       case Path::Kind::line:
-        data += "L" + x + " " + y;
+        data += fmt::format("L{} {}", x, y);
         break;
       case Path::Kind::close:
         data += "Z";
@@ -79,7 +79,7 @@ class SvgWriter {
   void add(const Canvas::Stroked& shape) {
     const LineStyle& style = shape.style;
     std::string dash;
-    for (const double length : style.dash) dash += (dash.empty() ? "" : " ") + px(length);
+    for (const double length : style.dash) dash += fmt::format("{}{}", dash.empty() ? "" : " ", px(length));
     emit("<path d=\"{}\" fill=\"none\"{} stroke-width=\"{}\" stroke-linejoin=\"round\"{}/>\n", data_of(shape.path),
          colour_of("stroke", style.ink), px(style.width),
          dash.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", dash));
