@@ -132,9 +132,25 @@ TEST(DepthProfile, stiffens_no_faster_than_it_may) {
     steepest = std::max(steepest, force - before);
     return before = force;
   };
+  // From 0.4 N/mm at 20 N/mm per s: after 50 ms 1.4 N/mm, and 0.8 N + 0.45 N along the way.
+  move(bench.hand, 12.5, 10.0, measure);
+  EXPECT_NEAR(before, 1.25, 0.05);
   move(bench.hand, 16.0, 10.0, measure);
   EXPECT_NEAR(before, 4.8, 0.01);
   EXPECT_LE(steepest, 2.4 * 10e-3 + 1e-9);  // never more than the new spring alone would give
+}
+
+TEST(DepthProfile, bone_whose_label_flickers_by_less_than_a_voxel_stays_where_it_was_met) {
+  Bench bench;
+  bench.to(40.5);
+  EXPECT_EQ(bench.count(EventKind::bone_contact), 1);
+  bench.to(39.0);
+  EXPECT_EQ(bench.count(EventKind::bone_left), 1);
+  bench.tissue_at = [](double depth) { return depth < 39.3 ? body(depth) : tissue::cortical_bone; };
+  bench.to(39.9);
+  EXPECT_EQ(bench.count(EventKind::bone_contact), 1);
+  bench.to(40.5);
+  EXPECT_EQ(bench.count(EventKind::bone_contact), 2);
 }
 
 TEST(DepthProfile, remembers_that_the_skin_is_punctured_at_an_entry) {

@@ -47,6 +47,18 @@ TEST(Fracture, tears_where_the_energy_suffices_at_any_speed) {
   }
 }
 
+TEST(Fracture, tissue_behind_that_is_tougher_than_the_membrane_makes_no_jump) {
+  FractureSettings settings;
+  settings.toughness = 0.2;
+  settings.cutting_toughness = 2.0;  // 1.6 N, more than the membrane bears
+  FractureBench bench(settings);
+  while (bench.events.size() < 2) bench.to(bench.hand.depth() + 0.01);
+  const Event tear = bench.events.begin()[1];
+  ASSERT_LT(tear.value, 1.0);
+  EXPECT_NEAR(bench.to(bench.hand.depth() + 0.01), tear.value, 0.011);
+  EXPECT_NEAR(bench.to(10.0), 1.6, 1e-9);
+}
+
 TEST(Fracture, a_second_insertion_into_the_channel_cuts_nothing) {
   FractureBench bench;
   bench.to(20.0);

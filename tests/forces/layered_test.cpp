@@ -76,6 +76,12 @@ TEST(Layered, withdrawing_never_punctures) {
   }
 }
 
+TEST(Layered, a_needle_that_rests_punctures_nothing_however_hard_it_presses) {
+  LayeredRig rig({{skin, 60}});
+  for (int tick = 0; tick < 100; ++tick) EXPECT_GT(rig.to(10.0, 0.0, true).resistance, 1.0);
+  EXPECT_TRUE(rig.seen(EventKind::puncture).empty());
+}
+
 TEST(Layered, a_push_at_rest_has_a_finite_limit) {
   LayeredTissue limited = rig_skin();
   limited.break_force_rate = 2.0;
@@ -199,6 +205,14 @@ TEST(Layered, a_needle_that_trembles_on_bone_leaves_it_once) {
   EXPECT_EQ(rig.seen(EventKind::bone_contact).size(), 2u);
 }
 
+TEST(Layered, held_shaft_keeps_a_tenth_of_the_device_beside_bone) {
+  LayeredRig rig({{muscle, 40}, {cortical_bone, 20}}, rig_library(), {}, 1.0);
+  rig.move(41.0, 5.0);
+  rig.rest(5);
+  EXPECT_GT(rig.last.stiffness, 1.05);  // bone takes the whole 1 N/mm
+  EXPECT_LE(rig.last.stiffness, 1.1 + 1e-9);
+}
+
 TEST(Layered, fat_behind_an_unbroken_face_does_not_drag) {
   LayeredTissue hard = unbreakable_skin();
   hard.viscosity = 0.0;
@@ -245,7 +259,8 @@ TEST(Layered, contact_ends_at_the_surface_unless_the_skin_holds_the_shaft) {
 
 TEST(Layered, skin_pulled_outwards_tents_before_it_lets_go) {
   LayeredTissue sticky = rig_skin();
-  sticky.static_friction = 10.0;  // never slides
+  sticky.static_friction = 10.0;  // never slides: 6 N/mm are the most at 16 mm
+  sticky.shaft_stiffness = 0.002;
   LayeredRig rig({{skin, 2}, {fat, 20}}, rig_library(sticky));
   rig.move(6.0, 5.0);
   rig.move(-5.0, 5.0);

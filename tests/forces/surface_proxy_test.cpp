@@ -114,17 +114,18 @@ TEST(SurfaceProxy, wedges_of_any_angle_hold_as_the_projection_says) {
     const std::size_t count = static_cast<std::size_t>(random.uniform(0.0, 4.0));
     const HeldWay held = held_way(pull, normals, count);
     // The projection is feasible, and no other point of the cone is nearer (checked along random ways).
-    for (std::size_t i = 0; i < count; ++i) ASSERT_GE(normals[i].dot(held.way), -1e-9);
+    for (std::size_t i = 0; i < count; ++i) ASSERT_GE(normals[i].dot(held.slide), -1e-9);
     for (int other = 0; other < 200; ++other) {
-      const Vec3 way = held.way + random.uniform(0.0, 0.3) * Vec3(random.normal(), random.normal(), random.normal());
+      const Vec3 way =
+          held.slide + random.uniform(0.0, 0.3) * Vec3(random.normal(), random.normal(), random.normal());
       bool feasible = true;
       for (std::size_t i = 0; i < count; ++i) feasible = feasible && normals[i].dot(way) >= 0.0;
       if (!feasible) continue;
-      ASSERT_GE((pull - way).norm(), (pull - held.way).norm() - 1e-9) << trial;
+      ASSERT_GE((pull - way).norm(), (pull - held.slide).norm() - 1e-9) << trial;
     }
     Vec3 sum = pull;
     for (std::size_t i = 0; i < count; ++i) sum += held.load[i] * normals[i];
-    if (held.way.norm() > 0.0) expect_near(sum, held.way, 1e-9);
+    if (held.slide.norm() > 0.0) expect_near(sum, held.slide, 1e-9);
   }
 }
 

@@ -50,6 +50,13 @@ TEST(ThreeComponent, friction_differs_by_direction_and_holds_at_rest) {
   EXPECT_NEAR(bench.to(30.0, 10.0), -30.0 * (0.01057 + 0.0029308), 1e-6);
 }
 
+TEST(ThreeComponent, creeps_against_static_friction_up_to_half_the_dead_band) {
+  ThreeComponentBench bench;
+  bench.to(40.0);
+  EXPECT_NEAR(bench.to(42.0, 0.4), 0.3 + 42.0 * 0.01845, 1e-3);
+  EXPECT_NEAR(bench.to(44.0, 0.6), 0.3 + 44.0 * (0.01196 + 0.6 * 0.00021213), 1e-3);
+}
+
 TEST(ThreeComponent, does_not_cut_a_channel_twice) {
   ThreeComponentBench bench;
   bench.to(20.0);

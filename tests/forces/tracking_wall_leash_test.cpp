@@ -10,7 +10,9 @@ namespace {
 
 // Moves the tip along z of the line, with a sideways path of its own.
 struct Leash {
-  TrackingWallLeash wall{checks::default_tissues(), {}, 1e-3};
+  explicit Leash(const TrackingWallSettings& settings = {}) : wall(checks::default_tissues(), settings, 1e-3) {}
+
+  TrackingWallLeash wall;
   TickEvents events;
   Vec3 force = Vec3::Zero();
 
@@ -37,6 +39,32 @@ TEST(TrackingWallLeash, is_the_scalar_wall_on_a_straight_path) {
   checks::move(hand, 3.0, 10.0, compare);
   checks::move(hand, 16.0, 10.0, compare);
   checks::move(hand, -1.0, 10.0, compare);
+}
+
+TEST(TrackingWallLeash, is_the_scalar_wall_through_layers_and_at_its_limit) {
+  TrackingWallSettings layers, limited;
+  layers.layers = {{0.0, {0.5, 1.0}}, {6.0, {1.0, 3.0}}, {14.0, {0.25, 2.0}}};
+  limited.limit = 0.75;
+  for (const TrackingWallSettings& settings : {layers, limited}) {
+    Leash leash(settings);
+    TrackingWall scalar(checks::default_tissues(), settings, 1e-3);
+    checks::Hand hand(-1.0);
+    checks::move(hand, 25.0, 10.0, [&](const AxialMotion& motion) {
+      TickEvents events;
+      const double expected = scalar.step(motion, tissue::muscle, events);
+      EXPECT_NEAR(leash(motion), expected, 1e-9) << motion.depth;
+      return expected;
+    });
+  }
+}
+
+TEST(TrackingWallLeash, a_cut_channel_is_free_to_its_old_depth_on_the_way_in_again) {
+  Leash leash;
+  checks::Hand hand(-1.0);
+  checks::move(hand, 12.0, 10.0, leash);
+  checks::move(hand, -1.0, 10.0, leash);
+  for (double depth = 1.0; depth < 12.0; ++depth) EXPECT_EQ(checks::move(hand, depth, 10.0, leash), 0.0) << depth;
+  EXPECT_NEAR(checks::move(hand, 12.5, 10.0, leash), 0.25, 0.005 + 1e-9);  // K v dt: the wall waits at the last tip
 }
 
 TEST(TrackingWallLeash, holds_the_tip_back_along_the_tangent_of_a_curved_path) {

@@ -60,6 +60,23 @@ TEST(TrackingWall, catches_up_with_the_tip_at_rest) {
   }
 }
 
+TEST(TrackingWall, the_wall_that_has_caught_up_waits_at_the_tip) {
+  WallBench bench;
+  bench.to(12.0);
+  bench.still(2000);  // four times as long as it takes
+  EXPECT_NEAR(bench.wall.wall(), 12.0, 1e-9);
+  EXPECT_NEAR(bench.to(12.5), 0.25, 1e-9);
+}
+
+TEST(TrackingWall, layers_by_depth_count_from_the_surface) {
+  TrackingWallSettings settings;
+  settings.surface = 5.0;
+  settings.layers = {{0.0, {0.5, 1.0}}, {10.0, {0.5, 2.0}}};
+  WallBench bench(settings);
+  EXPECT_NEAR(bench.to(14.9), 1.0, 1e-9);
+  EXPECT_NEAR(bench.to(20.0), 2.0, 1e-9);
+}
+
 TEST(TrackingWall, a_cut_channel_is_free_to_its_old_depth) {
   WallBench bench;
   bench.to(12.0);
