@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "anatomy/part_settings.h"
+#include "anatomy/registered_settings.h"
 #include "anatomy/resistance_settings.h"
 #include "core/geometry.h"
 
@@ -20,13 +22,19 @@ namespace bodkin {
 using ResistanceSettings =
     std::variant<LayeredSettings, SpringDamperWallSettings, TrackingWallSettings, DepthProfileSettings,
                  VolumeProxySettings, ThreeComponentSettings, FractureSettings, ShaftFrictionSettings,
-                 EmbeddedNeedleSettings, ClosestNodeSettings>;
+                 EmbeddedNeedleSettings, ClosestNodeSettings, SurfaceProxySettings, RegisteredSettings>;
 // Names as case files write them, in the order of the variant.
 inline constexpr std::array<std::string_view, std::variant_size_v<ResistanceSettings>> resistance_names = {
-    "layered",         "spring_damper_wall", "tracking_wall",  "depth_profile",   "volume_proxy",
-    "three_component", "fracture",           "shaft_friction", "embedded_needle", "closest_node"};
+    "layered",  "spring_damper_wall", "tracking_wall",   "depth_profile", "volume_proxy",  "three_component",
+    "fracture", "shaft_friction",     "embedded_needle", "closest_node",  "surface_proxy", "registered"};
 inline std::string_view name_of(const ResistanceSettings& settings) {
   return resistance_names[settings.index()];
+}
+
+// The name of the model: that of name_of(), or the one under which the program registered it.
+inline std::string_view model_name(const ResistanceSettings& settings) {
+  const auto* registered = std::get_if<RegisteredSettings>(&settings);
+  return registered == nullptr ? name_of(settings) : std::string_view(registered->name);
 }
 
 // What the deformable body of a resistance is made with; nullptr when the resistance needs none.
@@ -184,12 +192,19 @@ struct ForceParts {
   // Multiplies the shaft's friction with what turning the needle has wound up; for `layered`, `shaft_friction` and
   // resistances with that part.
   std::optional<NeedleGraspSettings> needle_grasp;
+  // For every resistance.
+  std::optional<BevelTipSettings> bevel_tip;
+  std::optional<CsfFlowSettings> csf_flow;
+  std::optional<SyringeSettings> syringe;
 
   template <typename S = ForceParts>
   static constexpr auto parameters() {
     return std::tuple{ChildElements{"relaxation", &S::relaxation, "a decaying part of an elastic force", 4},
                       ChildElement{"shaft_friction", &S::shaft_friction, "friction of the shaft"},
-                      ChildElement{"needle_grasp", &S::needle_grasp, "tissue that winds up on a turning needle"}};
+                      ChildElement{"needle_grasp", &S::needle_grasp, "tissue that winds up on a turning needle"},
+                      ChildElement{"bevel_tip", &S::bevel_tip, "the pull of the tissue on a bevel"},
+                      ChildElement{"csf_flow", &S::csf_flow, "fluid that returns through the needle"},
+                      ChildElement{"syringe", &S::syringe, "a thumb on the plunger of a syringe on the hub"}};
   }
   static constexpr auto relations() {
     return std::tuple{

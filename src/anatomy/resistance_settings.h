@@ -324,4 +324,32 @@ struct ShaftFrictionSettings {
   }
 };
 
+// Settings of SurfaceProxy.
+struct SurfaceProxySettings {
+  double stiffness = 1.0;
+  double static_friction = 0.3;
+  double dynamic_friction = 0.2;
+  double stick_after = 0.02;
+  double viscosity = 0.0;
+  double limit = 8.5;
+
+  static constexpr auto parameters() {
+    using S = SurfaceProxySettings;
+    return std::tuple{
+        Parameter{"stiffness_N_per_mm", &S::stiffness, Range{0.01, 10.0}, "N/mm", "k, of the skin", Origin::choice},
+        Parameter{"static_friction", &S::static_friction, Range{0.0, 10.0}, "", "mu_s; at least mu_d",
+                  Origin::choice},
+        Parameter{"dynamic_friction", &S::dynamic_friction, Range{0.0, 10.0}, "", "mu_d", Origin::choice},
+        Parameter{"stick_after_s", &S::stick_after, Range{0.0, 1.0}, "s", "at rest after which mu_s holds again",
+                  Origin::choice},
+        Parameter{"viscosity_N_s_per_mm", &S::viscosity, Range{0.0, 1.0}, "N s/mm", "b, against sliding",
+                  Origin::choice},
+        Parameter{"limit_N", &S::limit, Range{1e-3, 100.0}, "N", "largest force; the peak of a Phantom Premium 1.5",
+                  Origin::paper}};
+  }
+  static constexpr auto relations() {
+    return std::tuple{AtMost{&SurfaceProxySettings::dynamic_friction, &SurfaceProxySettings::static_friction}};
+  }
+};
+
 }  // namespace bodkin

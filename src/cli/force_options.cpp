@@ -27,10 +27,13 @@ void apply(const ForceOptions& options, HapticSettings& haptics) {
 }
 
 std::string force_names(const HapticSettings& haptics) {
-  std::string names(name_of(haptics.resistance));
+  std::string names(model_name(haptics.resistance));
   if (!haptics.parts.relaxation.empty()) names += " + relaxation";
   if (haptics.parts.shaft_friction) names += " + shaft_friction";
   if (haptics.parts.needle_grasp) names += " + needle_grasp";
+  if (haptics.parts.bevel_tip) names += " + bevel_tip";
+  if (haptics.parts.csf_flow) names += " + csf_flow";
+  if (haptics.parts.syringe) names += " + syringe";
   return fmt::format("{}, {}", names, name_of(haptics.constraint));
 }
 

@@ -21,11 +21,9 @@ double opening(double open, bool stylet) noexcept {
 CsfFlow::CsfFlow(const CsfFlowSettings& settings, double dt) : settings_(settings), dt_(dt) {
   constexpr auto model = "csf_flow";
   check_tick(model, dt);
-  check_range(model, "opening pressure", settings.opening_pressure, {0.0, 1000.0}, "mm of fluid");
+  check(settings, model);
   check_range(model, "needle bore", settings.needle_bore, {0.05, 3.0}, "mm");
   check_range(model, "needle length", settings.needle_length, {10.0, 300.0}, "mm");
-  check_range(model, "viscosity", settings.viscosity, {1e-10, 1e-8}, "MPa s");
-  check_range(model, "manometer bore", settings.manometer_bore, {0.5, 10.0}, "mm");
   resistance_ = tube_resistance(settings.viscosity, settings.needle_length, settings.needle_bore);
 }
 

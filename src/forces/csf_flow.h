@@ -1,15 +1,8 @@
 #pragma once
 
-namespace bodkin {
+#include "anatomy/part_settings.h"
 
-// Settings of CsfFlow. [L] literature, [D] our choice.
-struct CsfFlowSettings {
-  double opening_pressure = 145.0;  // mm of fluid; 0 to 1000 [L: 14.5 (SD 3.7) cm lying, Gilland et al. 1974]
-  double needle_bore = 0.413;       // mm; 0.05 to 3 [22G]
-  double needle_length = 90.0;      // mm; 10 to 300
-  double viscosity = 1e-9;          // MPa s; 1e-10 to 1e-8 [L: 0.7 to 1.0 mPa s]
-  double manometer_bore = 1.5;      // mm; 0.5 to 10 [D]
-};
+namespace bodkin {
 
 struct CsfState {
   double height = 0.0;     // mm of fluid in the manometer

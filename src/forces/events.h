@@ -23,7 +23,9 @@ enum class EventKind : std::uint8_t {
   corridor_taken,      // another corridor than before; value = the tick that it was aimed at, -1 the session's first
   corridor_refreshed,  // the needle begins or continues in the body as a probe presses it; value = that state's
                        // number
-  moving_body_failed   // the solver of the body that a probe presses failed: the static one is used; value = 0
+  moving_body_failed,  // the solver of the body that a probe presses failed: the static one is used; value = 0
+  fluid_returned,      // cerebrospinal fluid comes back through the needle; value = flow, mm^3/s
+  pressure_lost        // the syringe's plunger gives way; value = drop of pressure, MPa
 };
 
 struct Event {

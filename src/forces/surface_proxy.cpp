@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "anatomy/tissue_surface.h"
+#include "forces/device_stability.h"
 #include "forces/model_input.h"
 
 namespace bodkin {
@@ -53,12 +55,7 @@ SurfaceProxy::SurfaceProxy(const SurfaceProxySettings& settings, const Surface& 
     : settings_(settings), tree_(surface), dt_(dt) {
   constexpr auto model = "surface_proxy";
   check_tick(model, dt);
-  check_range(model, "stiffness", settings.stiffness, {0.01, 10.0}, "N/mm");
-  check_range(model, "dynamic friction", settings.dynamic_friction, {0.0, 10.0}, "");
-  check_range(model, "static friction", settings.static_friction, {settings.dynamic_friction, 10.0}, "");
-  check_range(model, "time to stick again", settings.stick_after, {0.0, 1.0}, "s");
-  check_range(model, "viscosity", settings.viscosity, {0.0, 1.0}, "N s/mm");
-  check_range(model, "limit", settings.limit, {1e-3, 100.0}, "N");
+  check(settings, model);
 }
 
 void SurfaceProxy::reset() noexcept {
@@ -125,6 +122,34 @@ Vec3 SurfaceProxy::step(const Vec3& tip, TickEvents& events) noexcept {
   const Vec3 force = -settings_.stiffness * (tip - proxy_);
   const double size = force.norm();
   return size > settings_.limit ? Vec3(force * (settings_.limit / size)) : force;
+}
+
+namespace {
+
+// mm before the entry at which the proxy starts: the surface is smooth, and may lie a voxel beside the voxels.
+constexpr double before_skin = 5.0;
+
+}  // namespace
+
+SurfaceProxyResistance::SurfaceProxyResistance(const Case& patient, const SurfaceProxySettings& settings, double dt)
+    : model_(settings, tissue_surface(patient.tissues, body_tissues(), {}), dt), stiffness_(settings.stiffness) {
+  require_stable("surface_proxy", "stiffness", settings.stiffness, patient.description.device);
+}
+
+void SurfaceProxyResistance::begin(const Vec3& entry, const Vec3& direction) noexcept {
+  TickEvents none;
+  direction_ = direction;
+  model_.reset();
+  model_.step(entry - before_skin * direction, none);
+}
+
+ResistanceForce SurfaceProxyResistance::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
+  const Vec3 force = model_.step(needle.tip, events);
+  const double along = -force.dot(direction_);
+  return {.along = along,
+          .across = force + along * direction_,
+          .stiffness = model_.constraints() > 0 ? stiffness_ : 0.0,
+          .in_contact = needle.motion.depth > 0.0 || model_.constraints() > 0};
 }
 
 }  // namespace bodkin

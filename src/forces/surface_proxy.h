@@ -3,22 +3,14 @@
 #include <array>
 #include <cstddef>
 
+#include "anatomy/force_settings.h"
 #include "anatomy/surface.h"
 #include "core/geometry.h"
 #include "forces/events.h"
+#include "forces/resistance_model.h"
 #include "forces/triangle_tree.h"
 
 namespace bodkin {
-
-// Settings of SurfaceProxy. [D] our choice.
-struct SurfaceProxySettings {
-  double stiffness = 1.0;         // k, N/mm; 0.01 to 10 [D]
-  double static_friction = 0.3;   // mu_s; dynamic_friction to 10 [D]
-  double dynamic_friction = 0.2;  // mu_d; 0 to 10 [D]
-  double stick_after = 0.02;      // s at rest after which mu_s holds again; 0 to 1 [D]
-  double viscosity = 0.0;         // b, N s/mm, against sliding; 0 to 1 [D]
-  double limit = 8.5;             // N; > 0 to 100 [P: peak of the Phantom Premium 1.5]
-};
 
 // The displacement of a point pulled by `pull` (mm) and held back by up to three planes.
 struct HeldWay {
@@ -81,5 +73,40 @@ class SurfaceProxy {
   double at_rest_ = long_at_rest;  // s since the proxy slid
   bool placed_ = false;
 };
+
+// `surface_proxy` on the skin of a patient (anatomy/tissue_surface.h): palpation with the tip, which never goes in.
+class SurfaceProxyResistance : public ResistanceDefaults {
+ public:
+  using Settings = SurfaceProxySettings;
+  static constexpr ResistanceTraits traits = {
+      .name = "surface_proxy",
+      .holds_laterally = true,
+      .has_shaft_friction = true,  // nothing of the shaft is in the tissue
+      .diagnostics = {{{"proxy_x_mm", "proxy, L"},
+                       {"proxy_y_mm", "proxy, P"},
+                       {"proxy_z_mm", "proxy, S"},
+                       {"faces", "faces that hold the proxy"}}},
+  };
+
+  // Draws the skin, which takes a second for a torso. Throws InputError for settings out of range, a patient without
+  // tissues and a spring that the device cannot render stably.
+  SurfaceProxyResistance(const Case& patient, const SurfaceProxySettings& settings, double dt);
+
+  void begin(const Vec3& entry, const Vec3& direction) noexcept;
+  ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
+  void reset() noexcept { model_.reset(); }
+
+  double firm_stiffness() const noexcept { return stiffness_; }
+  ModelDiagnostics diagnostics() const noexcept {
+    return {model_.proxy().x(), model_.proxy().y(), model_.proxy().z(), static_cast<double>(model_.constraints())};
+  }
+
+ private:
+  SurfaceProxy model_;
+  double stiffness_;
+  Vec3 direction_ = Vec3::UnitZ();
+};
+
+static_assert(ResistanceModel<SurfaceProxyResistance>);
 
 }  // namespace bodkin

@@ -23,13 +23,9 @@ Syringe::Syringe(const TissueLibrary& library, const SyringeSettings& settings, 
     : settings_(settings), tissues_(library.by_id(&TissueProperties::syringe)), dt_(dt) {
   constexpr auto model = "syringe";
   check_tick(model, dt);
-  check_range(model, "bore", settings.bore, {2.0, 40.0}, "mm");
-  check_range(model, "air volume", settings.air_volume, {10.0, 20000.0}, "mm^3");
-  check_range(model, "saline compliance", settings.saline_compliance, {0.1, 1e5}, "mm^3/MPa");
+  check(settings, model);
   check_range(model, "needle bore", settings.needle_bore, {0.1, 5.0}, "mm");
   check_range(model, "needle length", settings.needle_length, {10.0, 300.0}, "mm");
-  check_range(model, "viscosity", settings.viscosity, {1e-11, 1e-6}, "MPa s");
-  check_range(model, "friction", settings.friction, {0.0, 20.0}, "N");
   check_tissues(library, &TissueProperties::syringe, model);
   area_ = std::numbers::pi * settings.bore * settings.bore / 4.0;
   needle_resistance_ = tube_resistance(settings.viscosity, settings.needle_length, settings.needle_bore);

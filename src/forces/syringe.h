@@ -2,29 +2,13 @@
 
 #include <array>
 
+#include "anatomy/part_settings.h"
 #include "anatomy/tissue.h"
 
 namespace bodkin {
 
 // R = 128 mu L / (pi d^4), MPa s/mm^3: laminar flow in a tube (Hagen and Poiseuille). mu MPa s (water 1e-9), mm.
 double tube_resistance(double viscosity, double length, double bore);
-
-enum class SyringeFilling {
-  saline,  // nearly rigid: line, plunger seal and a small bubble give
-  air      // C = V/(P_atm + P)
-};
-
-// Settings of Syringe. [L] literature, [D] our choice.
-struct SyringeSettings {
-  SyringeFilling filling = SyringeFilling::saline;
-  double bore = 15.0;                // mm, of the barrel; 2 to 40 [L: 11.1 N at 62.7 kPa are 177 mm^2]
-  double air_volume = 2000.0;        // mm^3, of the gas at rest, with air; 10 to 20000 [D]
-  double saline_compliance = 100.0;  // mm^3/MPa, with saline; 0.1 to 1e5 [D]
-  double needle_bore = 1.194;        // mm; 0.1 to 5 [16G]
-  double needle_length = 80.0;       // mm; 10 to 300
-  double viscosity = 1e-9;           // MPa s; 1e-11 to 1e-6 [L: saline 1 mPa s; air 1.8e-11 MPa s]
-  double friction = 0.3;             // N, of the plunger; 0 to 20 [D]
-};
 
 struct SyringeState {
   double pressure = 0.0;  // P, MPa gauge, in the chamber

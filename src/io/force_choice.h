@@ -21,7 +21,8 @@ ResistanceSettings parse_resistance(std::string_view text, const std::string& or
 
 ConstraintSettings parse_constraint(std::string_view text, const std::string& origin);
 
-inline constexpr std::array<std::string_view, 3> part_names = {"relaxation", "shaft_friction", "needle_grasp"};
+inline constexpr std::array<std::string_view, 6> part_names = {"relaxation", "shaft_friction", "needle_grasp",
+                                                               "bevel_tip",  "csf_flow",       "syringe"};
 
 // One text for each part; "none" alone means no parts.
 ForceParts parse_parts(const std::vector<std::string>& texts, const std::string& origin);

@@ -21,7 +21,13 @@ Models model_from(const XmlElement& parent, const std::string& origin, const aut
   const XmlElement& element = parent.children.front();
   Models models;
   const auto attempt = [&]<std::size_t I>() {
-    if (names[I] == element.name) models = settings_from<std::variant_alternative_t<I, Models>>(element, origin);
+    using Settings = std::variant_alternative_t<I, Models>;
+    if (names[I] != element.name) return;
+    if constexpr (std::is_same_v<Settings, RegisteredSettings>) {
+      models = registered_from(settings_tree(element));
+    } else {
+      models = settings_from<Settings>(element, origin);
+    }
   };
   [&]<std::size_t... Index>(std::index_sequence<Index...>) {
     (attempt.template operator()<Index>(), ...);

@@ -37,6 +37,8 @@ Look look_of(std::string_view name, std::size_t& others) {
       {"shaft_friction", 0x7A6A00, {3, 3}},
       {"embedded_needle", 0x882255, {}},
       {"closest_node", 0x882255, {8, 3, 2, 3}},
+      {"surface_proxy", 0x44AA99, {5, 5}},
+      {"registered", 0x44AA99, {12, 5, 4, 5}},
   };
   const auto find = [&](std::string_view wanted) {
     return std::find_if(looks.begin(), looks.end(), [&](const Look& look) { return look.name == wanted; });

@@ -72,6 +72,10 @@ std::string event_text(const Event& event, const TissueLibrary& library) {
       return "the needle is in the body as the probe presses it";
     case EventKind::moving_body_failed:
       return "the moving body failed: the probe lost its force, the needle finds the body at rest";
+    case EventKind::fluid_returned:
+      return fmt::format("fluid comes back through the needle, {:.2f} mm^3/s", event.value);
+    case EventKind::pressure_lost:
+      return fmt::format("the plunger gives way, the pressure falls by {:.0f} kPa", 1000.0 * event.value);
     case EventKind::fault:
       break;
   }
@@ -82,7 +86,8 @@ bool is_notable(EventKind kind) {
   return kind == EventKind::puncture || kind == EventKind::loss_of_resistance || kind == EventKind::bone_contact ||
          kind == EventKind::force_limited || kind == EventKind::fault || kind == EventKind::corridor_left ||
          kind == EventKind::corridor_taken || kind == EventKind::corridor_refreshed ||
-         kind == EventKind::moving_body_failed;
+         kind == EventKind::moving_body_failed || kind == EventKind::fluid_returned ||
+         kind == EventKind::pressure_lost;
 }
 
 std::vector<PlotBand> bands_of(std::span<const TissueCrossing> crossings, const TissueLibrary& library) {

@@ -37,10 +37,10 @@ constexpr std::array<std::string_view, 29> number_names = {"needle_x_axis_x",
                                                            "constraint",
                                                            "energy"};
 
-constexpr std::array<std::string_view, 13> kind_names = {
-    "contact",        "puncture",           "loss_of_resistance", "bone_contact", "bone_left",
-    "tissue_entered", "withdrawn",          "force_limited",      "fault",        "corridor_left",
-    "corridor_taken", "corridor_refreshed", "moving_body_failed"};
+constexpr std::array<std::string_view, 15> kind_names = {
+    "contact",        "puncture",           "loss_of_resistance", "bone_contact",   "bone_left",
+    "tissue_entered", "withdrawn",          "force_limited",      "fault",          "corridor_left",
+    "corridor_taken", "corridor_refreshed", "moving_body_failed", "fluid_returned", "pressure_lost"};
 
 // Visits every number of a record in the order of `number_names`; `Record` may be const.
 template <typename Record, typename Visit>

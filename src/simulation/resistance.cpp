@@ -10,6 +10,7 @@
 #include "forces/needle_grasp.h"
 #include "forces/prony_relaxation.h"
 #include "forces/shaft_friction.h"
+#include "simulation/force_part.h"
 #include "simulation/resistance_models.h"
 
 namespace bodkin {
@@ -43,6 +44,7 @@ struct Resistance::State {
   State(const Case& patient, double dt)
       : model(make_resistance(patient, dt)),
         relaxation(patient.description.haptics.parts.relaxation, dt),
+        others(make_force_parts(patient, dt)),
         names(bodkin::diagnostic_names(patient.description.haptics)),
         model_names(count_of(model->traits().diagnostics)) {
     const ForceParts& parts = patient.description.haptics.parts;
@@ -57,9 +59,10 @@ struct Resistance::State {
   bool relaxes = false;
   std::optional<ShaftFrictionResistance> friction;
   std::optional<NeedleGrasp> grasp;
-  Vec3 direction = Vec3::UnitZ();           // of the frozen line
-  TickEvents found;                         // events of the model, of which some are the tick's to report
-  double grip = 1.0, friction_force = 0.0;  // of the last tick
+  std::vector<std::unique_ptr<ForcePart>> others;  // the parts that are not above
+  Vec3 direction = Vec3::UnitZ();                  // of the frozen line
+  TickEvents found;                                // events of the model, of which some are the tick's to report
+  double grip = 1.0, friction_force = 0.0;         // of the last tick
   std::vector<DiagnosticName> names;
   std::size_t model_names;  // of them those of the model, the first
 };
@@ -76,6 +79,7 @@ void Resistance::begin(const Vec3& entry, const Vec3& direction) noexcept {
   state.relaxation.reset();
   if (state.friction) state.friction->begin(entry, direction);
   if (state.grasp) state.grasp->reset();
+  for (const auto& part : state.others) part->begin(entry, direction);
 }
 
 ResistanceForce Resistance::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
@@ -90,6 +94,7 @@ ResistanceForce Resistance::step(const NeedleInTissue& needle, TickEvents& event
     state.friction_force = state.friction->step(held, state.found).along;
     force.along += state.friction_force;
   }
+  for (const auto& part : state.others) part->step(held, force, state.found);
   for (const Event& event : state.found) {
     // Contact and withdrawal are the tick's to say; a fault is a motion that the tick does not let through.
     if (event.kind == EventKind::contact || event.kind == EventKind::withdrawn || event.kind == EventKind::fault)
@@ -105,6 +110,7 @@ void Resistance::reset() noexcept {
   state.relaxation.reset();
   if (state.friction) state.friction->reset();
   if (state.grasp) state.grasp->reset();
+  for (const auto& part : state.others) part->reset();
 }
 
 double Resistance::stiffness_scale() const noexcept {
@@ -127,6 +133,7 @@ Diagnostics Resistance::diagnostics() const noexcept {
   for (; at < state.model_names; ++at) values[at] = of_model[at];
   if (state.friction) values[at++] = state.friction_force;
   if (state.grasp) values[at++] = state.grip;
+  for (const auto& part : state.others) at += part->publish(std::span(values).subspan(at));
   return values;
 }
 

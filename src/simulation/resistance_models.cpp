@@ -12,12 +12,14 @@
 #include "forces/layered.h"
 #include "forces/shaft_friction.h"
 #include "forces/spring_damper_wall.h"
+#include "forces/surface_proxy.h"
 #include "forces/three_component.h"
 #include "forces/tracking_wall.h"
 #include "forces/tracking_wall_leash.h"
 #include "forces/volume_proxy.h"
 #include "simulation/corridors.h"
 #include "simulation/deformable_resistance.h"
+#include "simulation/force_part.h"
 
 namespace bodkin {
 
@@ -42,6 +44,12 @@ std::unique_ptr<AnyResistance> make_tracking_wall(const Case& patient, double dt
   return std::make_unique<ResistanceOf<TrackingWall>>(patient, settings, dt);
 }
 
+// Of programs outside; filled before the first case that needs them.
+std::vector<ResistanceEntry>& registered() {
+  static std::vector<ResistanceEntry> entries;
+  return entries;
+}
+
 constexpr ResistanceEntry models[] = {
     entry_of<LayeredResistance>(),
     entry_of<SpringDamperWall>(),
@@ -51,24 +59,44 @@ constexpr ResistanceEntry models[] = {
     entry_of<ThreeComponent>(),
     entry_of<Fracture>(),
     entry_of<ShaftFrictionResistance>(),
+    entry_of<SurfaceProxyResistance>(),
     entry_of<Corridors<DeformableShaft>>(),
     entry_of<Corridors<DeformableTip>>(),
 };
 
+const ResistanceEntry* find(std::string_view name) {
+  for (const ResistanceEntry& entry : models) {
+    if (entry.traits.name == name) return &entry;
+  }
+  for (const ResistanceEntry& entry : registered()) {
+    if (entry.traits.name == name) return &entry;
+  }
+  return nullptr;
+}
+
 const ResistanceEntry& entry_for(const HapticSettings& haptics) {
-  const std::string_view name = name_of(haptics.resistance);
-  const auto* found = std::find_if(std::begin(models), std::end(models),
-                                   [&](const ResistanceEntry& entry) { return entry.traits.name == name; });
-  if (found != std::end(models)) return *found;
+  const std::string name(model_name(haptics.resistance));
+  if (const ResistanceEntry* found = find(name)) return *found;
   std::string names;
   for (const ResistanceEntry& entry : models) names += (names.empty() ? "" : ", ") + std::string(entry.traits.name);
-  throw InputError("there is no resistance '" + std::string(name) + "', expected one of " + names);
+  for (const ResistanceEntry& entry : registered()) names += ", " + std::string(entry.traits.name);
+  throw InputError("there is no resistance '" + name + "' in this program, expected one of " + names);
 }
 
 }  // namespace
 
 std::span<const ResistanceEntry> resistance_models() {
   return models;
+}
+
+void register_resistance(const ResistanceEntry& entry) {
+  if (entry.traits.name.empty() || entry.make == nullptr)
+    throw InputError("a resistance was registered without a name or without a way to make it");
+  if (find(entry.traits.name) != nullptr) {
+    throw InputError("there is a resistance '" + std::string(entry.traits.name) +
+                     "' already; register it under another name");
+  }
+  registered().push_back(entry);
 }
 
 std::vector<DiagnosticName> diagnostic_names(const HapticSettings& haptics) {
@@ -78,6 +106,7 @@ std::vector<DiagnosticName> diagnostic_names(const HapticSettings& haptics) {
   }
   if (haptics.parts.shaft_friction) names.push_back({"shaft_friction_N", "friction of the shaft"});
   if (haptics.parts.needle_grasp) names.push_back({"grip", "factor on the friction of the shaft"});
+  for (const DiagnosticName& name : force_part_diagnostics(haptics.parts)) names.push_back(name);
   return names;
 }
 

@@ -2,8 +2,10 @@
 
 #include <memory>
 #include <span>
+#include <variant>
 #include <vector>
 
+#include "core/settings_tree.h"
 #include "simulation/any_resistance.h"
 
 namespace bodkin {
@@ -15,8 +17,34 @@ struct ResistanceEntry {
   std::unique_ptr<AnyResistance> (*make)(const Case& patient, double dt);
 };
 
-// All of them. To add a model: its file pair in forces, one line here (docs/adding-a-force-model.md).
+// All of Bodkin. To add a model: its file pair in forces, one line here (docs/adding-a-force-model.md).
 std::span<const ResistanceEntry> resistance_models();
+
+// Makes a model of the program itself known by the name in its traits, so that cases can choose it:
+// `<registered name="NAME" SETTING="VALUE"/>`. Before the first case is simulated, from one thread. Throws InputError
+// for a name that is taken.
+void register_resistance(const ResistanceEntry& entry);
+
+// The entry of a model whose settings the case gives as `<registered name="NAME" SETTING="VALUE"/>`, and which it
+// reads with its own table of parameters (core/parameter.h).
+template <ResistanceModel Model>
+requires Parameterized<typename Model::Settings>
+constexpr ResistanceEntry registered_entry() {
+  return {Model::traits, [](const Case& patient, double dt) -> std::unique_ptr<AnyResistance> {
+            const auto& chosen = std::get<RegisteredSettings>(patient.description.haptics.resistance);
+            const auto settings = settings_from<typename Model::Settings>(
+                SettingsTree{.name = chosen.name, .values = chosen.values, .children = chosen.children},
+                "resistance");
+            return std::make_unique<ResistanceOf<Model>>(patient, settings, dt);
+          }};
+}
+
+// Registers a class: `register_resistance<ConstantDrag>();`.
+template <ResistanceModel Model>
+requires Parameterized<typename Model::Settings>
+void register_resistance() {
+  register_resistance(registered_entry<Model>());
+}
 
 // What the resistance of the settings and its parts publish each tick, in their order in TickOutput::diagnostics.
 std::vector<DiagnosticName> diagnostic_names(const HapticSettings& haptics);

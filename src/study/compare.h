@@ -22,7 +22,7 @@ struct ComparedModel {
 };
 
 // The names of what is compared by default: those of `resistance_names` in their order, each followed by its
-// variants.
+// variants, but for `surface_proxy`, which lets no needle in, and `registered`, which needs the name of a model.
 //
 //   layered, layered_sum                     Heng's eq. 2 as printed; the sum of elements of the text before it
 //   tracking_wall, tracking_wall_leash       the wall as a number on the line; as a point that may leave it

@@ -21,8 +21,10 @@ std::string part_refused(const std::vector<std::string>& texts) {
 }
 
 TEST(ForceChoice, a_name_alone_brings_the_defaults) {
-  for (std::size_t model = 0; model < resistance_names.size(); ++model)
+  for (std::size_t model = 0; model < resistance_names.size(); ++model) {
+    if (resistance_names[model] == "registered") continue;  // needs the name of a model
     EXPECT_EQ(resistance(std::string(resistance_names[model])).index(), model);
+  }
   for (std::size_t model = 0; model < constraint_names.size(); ++model)
     EXPECT_EQ(parse_constraint(constraint_names[model], "--constraint").index(), model);
   EXPECT_TRUE(same_bits(resistance("tracking_wall"), ResistanceSettings(TrackingWallSettings{})));
@@ -39,19 +41,29 @@ TEST(ForceChoice, settings_are_those_of_case_files) {
   EXPECT_TRUE(same_bits(resistance("tracking_wall; layer from_mm=0 force_N=1.5; layer from_mm=4 force_N=0.4 "
                                    "stiffness_N_per_mm=1"),
                         ResistanceSettings(expected)));
+  EXPECT_TRUE(same_bits(resistance("surface_proxy stiffness_N_per_mm=0.5"),
+                        ResistanceSettings(SurfaceProxySettings{.stiffness = 0.5})));
+  EXPECT_TRUE(same_bits(resistance("registered name=constant_drag force_N=0.7"),
+                        ResistanceSettings(RegisteredSettings{"constant_drag", {{"force_N", "0.7"}}, {}})));
   EXPECT_EQ(std::get<RailSettings>(parse_constraint("rail torsion_N_mm_per_rad=5e2", "--constraint")).torsion, 500.0);
 }
 
 TEST(ForceChoice, parts_add_up_and_none_is_none) {
   const ForceParts parts = parse_parts({"relaxation share=0.4 time_s=2", "needle_grasp", "relaxation"}, "--part");
-  EXPECT_TRUE(same_bits(parts, {{{0.4, 2.0}, {}}, {}, NeedleGraspSettings{}}));
+  EXPECT_TRUE(same_bits(parts, {{{0.4, 2.0}, {}}, {}, NeedleGraspSettings{}, {}, {}, {}}));
+  const ForceParts more =
+      parse_parts({"bevel_tip limit_N=2", "csf_flow stylet=true", "syringe filling=air thumb_force_N=7"}, "--part");
+  EXPECT_EQ(more.bevel_tip->limit, 2.0);
+  EXPECT_TRUE(more.csf_flow->stylet);
+  EXPECT_EQ(more.syringe->filling, SyringeFilling::air);
+  EXPECT_EQ(more.syringe->thumb_force, 7.0);
   EXPECT_TRUE(same_bits(parse_parts({" none "}, "--part"), {}));
 }
 
 TEST(ForceChoice, errors_name_the_option_what_was_found_and_what_was_expected) {
   const std::string names =
       "layered, spring_damper_wall, tracking_wall, depth_profile, volume_proxy, three_component, fracture, "
-      "shaft_friction, embedded_needle or closest_node";
+      "shaft_friction, embedded_needle, closest_node, surface_proxy or registered";
   EXPECT_EQ(refused_choice("tracking_wall catch_up_s=0"),
             "--resistance: tracking_wall catch_up_s is '0', expected a number of at least 0.001, or INF");
   EXPECT_EQ(refused_choice("tracking_wall catch_up=0"),
@@ -81,9 +93,11 @@ TEST(ForceChoice, errors_name_the_option_what_was_found_and_what_was_expected) {
   EXPECT_EQ(refusal([] { parse_constraint("layered", "--constraint"); }),
             "--constraint: there is no constraint 'layered', expected line_spring, pivot, rail, beam or none");
   EXPECT_EQ(part_refused({"rail"}),
-            "--part: there is no part 'rail', expected relaxation, shaft_friction or needle_grasp");
+            "--part: there is no part 'rail', expected relaxation, shaft_friction, needle_grasp, bevel_tip, csf_flow "
+            "or syringe");
   EXPECT_EQ(part_refused({"none", "none"}),
-            "--part: there is no part 'none', expected relaxation, shaft_friction or needle_grasp");
+            "--part: there is no part 'none', expected relaxation, shaft_friction, needle_grasp, bevel_tip, csf_flow "
+            "or syringe");
   EXPECT_EQ(part_refused({"needle_grasp", "needle_grasp"}),
             "--part: parts: the element needle_grasp is given 2 times, expected it once at most");
 }

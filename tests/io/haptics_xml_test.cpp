@@ -98,6 +98,15 @@ TEST(HapticsXml, every_setting_of_every_resistance_arrives) {
        {true, 2e5, true, NeedleHold::pinned, 0.1}}));
 }
 
+TEST(HapticsXml, a_surface_and_a_model_of_the_program_arrive) {
+  EXPECT_TRUE(same_bits(resistance_of<SurfaceProxySettings>(
+                            "<surface_proxy stiffness_N_per_mm='0.6' static_friction='0.5' dynamic_friction='0.4' "
+                            "stick_after_s='0.1' viscosity_N_s_per_mm='0.01' limit_N='7'/>"),
+                        {0.6, 0.5, 0.4, 0.1, 0.01, 7.0}));
+  EXPECT_TRUE(same_bits(resistance_of<RegisteredSettings>("<registered name='constant_drag' force_N='0.7'/>"),
+                        {"constant_drag", {{"force_N", "0.7"}}, {}}));
+}
+
 TEST(HapticsXml, every_setting_of_every_constraint_arrives) {
   EXPECT_TRUE(same_bits(constraint_of<LineSpringSettings>(
                             "<line_spring stiffness_N_per_mm='0.4' damping_N_s_per_mm='0.001' limit_N='2'/>"),
@@ -122,8 +131,22 @@ TEST(HapticsXml, every_part_arrives_in_any_order) {
                                "<relaxation share='0.3' time_s='0.1'/><shaft_friction "
                                "stribeck_velocity_mm_per_s='4'/><relaxation share='0.2' time_s='5'/></parts>")
                                .parts;
-  EXPECT_TRUE(same_bits(parts, {{{0.3, 0.1}, {0.2, 5.0}}, ShaftFrictionSettings{4.0}, {{2.0, 1.0, 1.18, 3.0}}}));
+  EXPECT_TRUE(
+      same_bits(parts, {{{0.3, 0.1}, {0.2, 5.0}}, ShaftFrictionSettings{4.0}, {{2.0, 1.0, 1.18, 3.0}}, {}, {}, {}}));
   EXPECT_TRUE(same_bits(haptics_of("<parts/>").parts, {}));
+  const ForceParts more =
+      haptics_of(
+          "<parts><syringe filling='air' bore_mm='12' air_volume_mm3='3000' saline_compliance_mm3_per_MPa='50' "
+          "viscosity_MPa_s='2e-11' friction_N='0.4' thumb_force_N='7'/><bevel_tip curvature_per_mm='0.003' "
+          "stiffness_N_per_mm='0.2' limit_N='2'/><csf_flow opening_pressure_mm='200' viscosity_MPa_s='8e-10' "
+          "manometer_bore_mm='2' manometer='false' stylet='true'/></parts>")
+          .parts;
+  EXPECT_TRUE(same_bits(*more.bevel_tip, {0.003, 0.2, 2.0}));
+  const CsfFlowSettings flow;
+  EXPECT_TRUE(same_bits(*more.csf_flow, {200.0, flow.needle_bore, flow.needle_length, 8e-10, 2.0, false, true}));
+  const SyringeSettings syringe;
+  EXPECT_TRUE(same_bits(*more.syringe, {SyringeFilling::air, 12.0, 3000.0, 50.0, syringe.needle_bore,
+                                        syringe.needle_length, 2e-11, 0.4, 7.0}));
 }
 
 TEST(HapticsXml, compensation_takes_any_direction_and_keeps_a_unit_vector_as_it_is) {
@@ -193,9 +216,11 @@ const std::map<std::string, Role>& roles() {
       by_name[std::string(name)] = {"<resistance>", "</resistance>"};
     for (const std::string_view name : constraint_names)
       by_name[std::string(name)] = {"<constraint>", "</constraint>"};
-    for (const char* name : {"relaxation", "needle_grasp"}) by_name[name] = {"<parts>", "</parts>"};
+    for (const char* name : {"relaxation", "needle_grasp", "bevel_tip", "csf_flow", "syringe"})
+      by_name[name] = {"<parts>", "</parts>"};
     by_name["compensation"] = {"", ""};
     by_name.erase("none");
+    by_name.erase("registered");  // the settings of its models are theirs
     return by_name;
   }();
   return all;
@@ -214,7 +239,7 @@ TEST(HapticsXml, the_defaults_that_the_schema_states_are_those_of_the_settings) 
                           haptics_of(role.before + "<" + name + "/>" + role.after)))
         << name << all;
   }
-  EXPECT_EQ(checked, 111);
+  EXPECT_EQ(checked, 132);
 }
 
 TEST(HapticsXml, the_defaults_that_the_schema_states_for_friction_are_those_of_the_settings) {
@@ -253,6 +278,7 @@ TEST(HapticsXml, every_setting_has_a_range_that_the_schema_guards) {
 
 TEST(HapticsXml, settings_that_do_not_go_together_are_refused) {
   const std::pair<const char*, const char*> faults[] = {
+      // libxml2 names ten elements at most.
       {"<resistance/>",
        "<resistance> lacks <layered>, <spring_damper_wall>, <tracking_wall>, <depth_profile>, <volume_proxy>, "
        "<three_component>, <fracture>, <shaft_friction>, <embedded_needle> or "
@@ -282,6 +308,11 @@ TEST(HapticsXml, settings_that_do_not_go_together_are_refused) {
        "three_component: cutting_force_N is 0.9 N, expected at most the puncture_force_N of 0.85 N"},
       {"<resistance><three_component linear_N_per_mm='0' quadratic_N_per_mm2='0'/></resistance>",
        "three_component: linear_N_per_mm and quadratic_N_per_mm2 are both 0, expected one of them above 0"},
+      {"<resistance><surface_proxy static_friction='0.1'/></resistance>",
+       "surface_proxy: dynamic_friction is 0.2, expected at most the static_friction of 0.1"},
+      {"<resistance><registered force_N='1'/></resistance>",
+       "<registered> lacks the attribute name, expected a name of lower-case letters, digits and "
+       "underscores that begins with a letter, at most 64 long"},
       {"<parts><needle_grasp two_way='1.7'/></parts>",
        "parts, needle_grasp: two_way is 1.7, expected at most the one_way of 1.67"},
       {"<parts><shaft_friction/><shaft_friction/></parts>",
@@ -292,7 +323,8 @@ TEST(HapticsXml, settings_that_do_not_go_together_are_refused) {
        "<relaxation share='0'/></parts>",
        "parts: there are 5 elements relaxation, expected at most 4"},
       {"<parts><layered/></parts>",
-       "the element <layered> is not allowed here, expected <relaxation>, <shaft_friction> or <needle_grasp>"},
+       "the element <layered> is not allowed here, expected <relaxation>, <shaft_friction>, <needle_grasp>, "
+       "<bevel_tip>, <csf_flow> or <syringe>"},
       {"<compensation up_y='1'/>", "compensation: 1 of the 3 components of a vector are given, expected all or none"},
       {"<compensation up_x='0' up_y='0' up_z='-0'/>",
        "compensation up_x, up_y and up_z are 0, 0 and -0, expected a direction, which is longer than 1e-06"},

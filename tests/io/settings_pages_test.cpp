@@ -111,6 +111,9 @@ std::map<std::string, std::string> all_tables() {
   add("parts", ForceParts{});
   add("relaxation", PronyTerm{});
   add("needle_grasp", NeedleGraspSettings{});
+  add("bevel_tip", BevelTipSettings{});
+  add("csf_flow", CsfFlowSettings{});
+  add("syringe", SyringeSettings{});
   add("compensation", GravitySettings{});
   add("needle", Needle{});
   add("device", DeviceLimits{});

@@ -4,8 +4,11 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <tuple>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "anatomy/case.h"
 #include "core/random.h"
@@ -114,9 +117,29 @@ inline auto members(const NeedleGraspSettings& s) {
   const auto& [a, b, c, d] = s;
   return std::tie(a, b, c, d);
 }
-inline auto members(const ForceParts& s) {
+inline auto members(const SurfaceProxySettings& s) {
+  const auto& [a, b, c, d, e, f] = s;
+  return std::tie(a, b, c, d, e, f);
+}
+inline auto members(const RegisteredSettings& s) {
   const auto& [a, b, c] = s;
   return std::tie(a, b, c);
+}
+inline auto members(const BevelTipSettings& s) {
+  const auto& [a, b, c] = s;
+  return std::tie(a, b, c);
+}
+inline auto members(const CsfFlowSettings& s) {
+  const auto& [a, b, c, d, e, f, g] = s;
+  return std::tie(a, b, c, d, e, f, g);
+}
+inline auto members(const SyringeSettings& s) {
+  const auto& [a, b, c, d, e, f, g, h, i] = s;
+  return std::tie(a, b, c, d, e, f, g, h, i);
+}
+inline auto members(const ForceParts& s) {
+  const auto& [a, b, c, d, e, f] = s;
+  return std::tie(a, b, c, d, e, f);
 }
 inline auto members(const GravitySettings& s) {
   const auto& [a, b, c, d, e] = s;
@@ -131,6 +154,15 @@ template <typename T>
 bool same_bits(const T& a, const T& b);
 inline bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+inline bool same_bits(const std::string& a, const std::string& b) {
+  return a == b;
+}
+inline bool same_bits(const SettingsTree& a, const SettingsTree& b) {
+  return a == b;
+}
+inline bool same_bits(const std::pair<std::string, std::string>& a, const std::pair<std::string, std::string>& b) {
+  return a == b;
 }
 inline bool same_bits(const Vec3& a, const Vec3& b) {
   return same_bits(a.x(), b.x()) && same_bits(a.y(), b.y()) && same_bits(a.z(), b.z());
@@ -232,6 +264,13 @@ inline ResistanceSettings wild_resistance(Random& random) {
                               number(0.01, 20.0), number(0.01, 100.0), number(0.0, 100.0),  number(1e-3, 100.0)};
     case 7:
       return ShaftFrictionSettings{number(0.01, 1e3)};
+    case 8: {
+      const double slipping = number(0.0, 10.0);
+      return SurfaceProxySettings{number(0.01, 10.0), number(slipping, 10.0), slipping,
+                                  number(0.0, 1.0),   number(0.0, 1.0),       number(1e-3, 100.0)};
+    }
+    case 9:
+      return RegisteredSettings{"somebodys_model", {{"force_N", value_text(number(0.0, 5.0))}, {"mode", "fast"}}, {}};
     default: {
       const DeformableBodySettings body{
           number(1.0, 200.0), number(0.0, 200.0), number(10.0, 5000.0), number(1e-3, 1e3), coin(), coin(),
@@ -285,6 +324,26 @@ inline HapticSettings wild_haptics(Random& random) {
     const double one_way = number(0.0, 10.0);
     haptics.parts.needle_grasp =
         NeedleGraspSettings{one_way, number(0.0, one_way), number(0.1, 10.0), number(0.1, 100.0)};
+  }
+  if (random.uniform() < 0.3)
+    haptics.parts.bevel_tip = BevelTipSettings{number(0.0, 0.1), number(0.0, 10.0), number(1e-3, 100.0)};
+  if (random.uniform() < 0.3) {
+    CsfFlowSettings& flow = haptics.parts.csf_flow.emplace();
+    flow.opening_pressure = number(0.0, 1000.0);
+    flow.viscosity = number(1e-10, 1e-8);
+    flow.manometer_bore = number(0.5, 10.0);
+    flow.manometer = random.uniform() < 0.5;
+    flow.stylet = random.uniform() < 0.5;
+  }
+  if (random.uniform() < 0.3) {
+    SyringeSettings& syringe = haptics.parts.syringe.emplace();
+    syringe.filling = random.uniform() < 0.5 ? SyringeFilling::air : SyringeFilling::saline;
+    syringe.bore = number(2.0, 40.0);
+    syringe.air_volume = number(10.0, 20000.0);
+    syringe.saline_compliance = number(0.1, 1e5);
+    syringe.viscosity = number(1e-11, 1e-6);
+    syringe.friction = number(0.0, 20.0);
+    syringe.thumb_force = number(0.0, 50.0);
   }
   haptics.compensation = {(vector(1.0) + Vec3(0.0, 0.0, 1.5)).normalized(), number(0.0, 20.0), vector(0.1),
                           vector(1e4), number(1e-3, 20.0)};

@@ -156,6 +156,32 @@ TEST(Layout, a_model_has_a_header_a_source_a_test_and_a_page_of_one_name) {
   EXPECT_GE(models, 2);
 }
 
+// docs/adding-a-force-model.md numbers the files that a new model touches, with NAME for its name.
+TEST(Layout, a_force_model_touches_at_most_five_files) {
+  const std::string page = read(repository / "docs/adding-a-force-model.md");
+  const std::string list = page.substr(0, page.find("```"));
+  static const std::regex pattern(R"(\d\. `([^`]+)`)");
+  std::vector<std::string> files;
+  for (std::sregex_iterator match(list.begin(), list.end(), pattern), last; match != last; ++match)
+    files.push_back((*match)[1]);
+  EXPECT_EQ(files.size(), 5U) << "the page lists them all";
+  EXPECT_EQ(std::count(files.begin(), files.end(), "src/simulation/resistance_models.cpp"), 1);
+  for (const char* name : {"fracture", "surface_proxy", "tracking_wall", "volume_proxy"}) {
+    for (const std::string& file : files) {
+      const std::string path = std::regex_replace(file, std::regex("NAME"), name);
+      ASSERT_TRUE(fs::exists(repository / path)) << path;
+      EXPECT_NE(read(repository / path).find(name), std::string::npos) << path << " does not mention " << name;
+    }
+  }
+  // Tick, recordings, tables and plots know no model by name.
+  for (const char* folder : {"src/session", "src/station", "src/desktop", "src/cli"}) {
+    for (const fs::path& file : sources(repository / folder)) {
+      for (const char* name : {"spring_damper_wall", "depth_profile", "three_component", "volume_proxy"})
+        EXPECT_EQ(read(file).find("forces/" + std::string(name)), std::string::npos) << file << " knows " << name;
+    }
+  }
+}
+
 TEST(Layout, a_subcommand_has_a_test_of_its_name) {
   for (const fs::path& file : sources(repository / "src" / "cli")) {
     const std::string name = file.stem();

@@ -79,11 +79,18 @@ TEST(CaseDigest, every_setting_of_a_case_changes_it) {
   expect_each_changes(patient, haptics, digests);
   expect_each_changes(patient, haptics.parts, digests);
   expect_each_changes(patient, haptics.compensation, digests);
-  haptics.parts = {
-      .relaxation = {{}}, .shaft_friction = ShaftFrictionSettings{}, .needle_grasp = NeedleGraspSettings{}};
+  haptics.parts = {.relaxation = {{}},
+                   .shaft_friction = ShaftFrictionSettings{},
+                   .needle_grasp = NeedleGraspSettings{},
+                   .bevel_tip = BevelTipSettings{},
+                   .csf_flow = CsfFlowSettings{},
+                   .syringe = SyringeSettings{}};
   expect_each_changes(patient, haptics.parts.relaxation.front(), digests);
   expect_each_changes(patient, *haptics.parts.shaft_friction, digests);
   expect_each_changes(patient, *haptics.parts.needle_grasp, digests);
+  expect_each_changes(patient, *haptics.parts.bevel_tip, digests);
+  expect_each_changes(patient, *haptics.parts.csf_flow, digests);
+  expect_each_changes(patient, *haptics.parts.syringe, digests);
   haptics.parts = {};
   const auto each_model = [&]<typename Models, std::size_t... Index>(Models& chosen, std::index_sequence<Index...>) {
     const auto one = [&](auto settings) {
@@ -101,6 +108,10 @@ TEST(CaseDigest, every_setting_of_a_case_changes_it) {
     (one(std::variant_alternative_t<Index, Models>{}), ...);
   };
   each_model(haptics.resistance, std::make_index_sequence<std::variant_size_v<ResistanceSettings>>());
+  for (const char* force : {"0.5", "0.7"}) {
+    haptics.resistance = RegisteredSettings{"constant_drag", {{"force_N", force}}, {}};
+    EXPECT_TRUE(digests.insert(digest_of(patient)).second) << "settings of a model of the program";
+  }
   haptics.resistance = LayeredSettings{};
   each_model(haptics.constraint, std::make_index_sequence<std::variant_size_v<ConstraintSettings>>());
   EXPECT_GT(digests.size(), 100U);

@@ -21,7 +21,7 @@ Case strong_patient() {
   Case patient;
   patient.library = default_tissue_library();
   Grid grid;
-  grid.size = {5, 5, 5};
+  grid.size = {20, 20, 20};  // room for a smooth surface
   patient.tissues = TissueVolume(grid, tissue::muscle);
   patient.ct = CtVolume(grid, 45);
   patient.description.device = {"strong", 1e3, 1e3, 1e6, 1e9, 0.0};
@@ -70,6 +70,8 @@ std::string beside(const std::string& model, const ForceRange& range, bool at_lo
   if (range.attribute == "cutting_force_N" && !at_low) return pair("puncture_force_N", "50");
   if (range.attribute == "puncture_force_N" && at_low) return pair("cutting_force_N", "0.01");
   if (range.attribute == "cut_offset_mm" && !at_low) return pair("flexible", "true");
+  if (range.attribute == "dynamic_friction" && !at_low) return pair("static_friction", "10");
+  if (range.attribute == "static_friction" && at_low) return pair("dynamic_friction", "0");
   if (range.attribute == "two_way" && !at_low) return pair("one_way", "10");
   if (range.attribute == "one_way" && at_low) return pair("two_way", "0");
   return {};
@@ -103,6 +105,7 @@ TEST(ForceRanges, both_ends_of_every_range_of_the_schema_can_be_simulated) {
   }
   attempt("relaxation", "<resistance><tracking_wall/></resistance><parts>", "</parts>");
   attempt("needle_grasp", "<parts>", "</parts>");
+  for (const char* name : {"bevel_tip", "csf_flow", "syringe"}) attempt(name, "<parts>", "</parts>");
   attempt("compensation", "", "");
   EXPECT_GT(tried, 140);
 }

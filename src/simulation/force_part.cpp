@@ -1,0 +1,202 @@
+#include "simulation/force_part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "forces/bevel_tip.h"
+#include "forces/csf_flow.h"
+#include "forces/syringe.h"
+
+namespace bodkin {
+
+namespace {
+
+constexpr double longest_path = 400.0;  // mm
+
+// The tissue pulls the tip to where its bevel would have gone, had the hand let it (BevelTip):
+//
+//   F = k w, |F| <= limit      w from the tip across the line to the tip of the free path
+class BevelTipPart final : public ForcePart {
+ public:
+  explicit BevelTipPart(const BevelTipSettings& settings)
+      : settings_(settings), path_(settings.curvature, longest_path) {
+    check(settings, "bevel_tip");
+  }
+
+  void begin(const Vec3& entry, const Vec3& direction) noexcept override {
+    entry_ = entry;
+    direction_ = direction;
+    is_new_ = true;
+    aside_ = force_ = 0.0;
+  }
+
+  void step(const NeedleInTissue& needle, ResistanceForce& force, TickEvents&) noexcept override {
+    if (is_new_) start(needle);
+    const double roll = std::remainder(roll_of(needle.side) - roll_, 2.0 * std::numbers::pi);
+    roll_ += roll;
+    const Vec3 free_tip = path_.step(needle.motion.depth - depth_, roll).translation();
+    depth_ = needle.motion.depth;
+    const Vec3 from_entry = free_tip - entry_;
+    aside_ = (from_entry - from_entry.dot(direction_) * direction_).norm();
+    const Vec3 way = free_tip - needle.tip;
+    Vec3 pull = settings_.stiffness * (way - way.dot(direction_) * direction_);
+    const double size = pull.norm();
+    if (!(size <= 1e6)) return;
+    if (size > settings_.limit) pull *= settings_.limit / size;
+    force_ = std::min(size, settings_.limit);
+    force.across += pull;
+  }
+
+  void reset() noexcept override { begin(Vec3::Zero(), Vec3::UnitZ()); }
+  std::size_t publish(std::span<double> values) const noexcept override {
+    values[0] = aside_;
+    values[1] = force_;
+    return 2;
+  }
+
+ private:
+  // The frame of the entry: third axis along the line, first the side of the shaft.
+  void start(const NeedleInTissue& needle) noexcept {
+    is_new_ = false;
+    Vec3 side = needle.side - needle.side.dot(direction_) * direction_;
+    side = side.norm() > 1e-6 ? Vec3(side.normalized()) : direction_.unitOrthogonal();
+    side_ = side;
+    Pose pose = Pose::Identity();
+    pose.translation() = entry_;
+    pose.linear().col(0) = side;
+    pose.linear().col(1) = direction_.cross(side);
+    pose.linear().col(2) = direction_;
+    path_.begin(pose);
+    roll_ = depth_ = 0.0;
+  }
+  // rad about the line, from the side at the entry.
+  double roll_of(const Vec3& side) const noexcept {
+    return std::atan2(side.dot(direction_.cross(side_)), side.dot(side_));
+  }
+
+  BevelTipSettings settings_;
+  BevelTip path_;
+  Vec3 entry_ = Vec3::Zero(), direction_ = Vec3::UnitZ(), side_ = Vec3::UnitX();
+  bool is_new_ = true;
+  double depth_ = 0.0, roll_ = 0.0;   // mm, rad
+  double aside_ = 0.0, force_ = 0.0;  // mm, N, of the last tick
+};
+
+// Fluid comes back through the needle while its tip is in cerebrospinal fluid.
+class CsfFlowPart final : public ForcePart {
+ public:
+  CsfFlowPart(const CsfFlowSettings& settings, const Needle& needle, double dt)
+      : settings_(settings), flow_(with_needle(settings, needle), dt) {}
+
+  void begin(const Vec3&, const Vec3&) noexcept override {
+    flow_.reset();
+    state_ = {};
+    told_ = false;
+  }
+  void step(const NeedleInTissue& needle, ResistanceForce&, TickEvents& events) noexcept override {
+    const double open = needle.tissue == tissue::cerebrospinal_fluid ? 1.0 : 0.0;
+    state_ =
+        settings_.manometer ? flow_.step_manometer(open, settings_.stylet) : flow_.step_drip(open, settings_.stylet);
+    if (told_ || !(state_.flow > 0.0)) return;
+    told_ = true;
+    events.push({EventKind::fluid_returned, needle.tissue, needle.motion.depth, state_.flow});
+  }
+  void reset() noexcept override { begin(Vec3::Zero(), Vec3::UnitZ()); }
+  std::size_t publish(std::span<double> values) const noexcept override {
+    values[0] = state_.flow;
+    values[1] = settings_.manometer ? state_.height : state_.collected;
+    return 2;
+  }
+
+ private:
+  static CsfFlowSettings with_needle(CsfFlowSettings settings, const Needle& needle) {
+    settings.needle_bore = needle.inner_diameter;
+    settings.needle_length = needle.length;
+    return settings;
+  }
+
+  CsfFlowSettings settings_;
+  CsfFlow flow_;
+  CsfState state_;
+  bool told_ = false;
+};
+
+// A thumb that presses the plunger with one force from the contact on (Syringe), as far as the barrel goes:
+//
+//   s' = max(0, F_thumb - F) / b          b = 2 N s/mm, of the thumb: its own damping, our choice
+class SyringePart final : public ForcePart {
+ public:
+  SyringePart(const SyringeSettings& settings, const TissueLibrary& library, const Needle& needle, double dt)
+      : settings_(settings), dt_(dt), syringe_(library, with_needle(settings, needle), dt) {}
+
+  void begin(const Vec3&, const Vec3&) noexcept override {
+    syringe_.reset();
+    travel_ = highest_ = 0.0;
+    told_ = false;
+  }
+  void step(const NeedleInTissue& needle, ResistanceForce&, TickEvents& events) noexcept override {
+    const double wanted = std::max(0.0, settings_.thumb_force - syringe_.state().force) / thumb_damping;
+    const double speed = travel_ < barrel ? wanted : 0.0;
+    const SyringeState& state = syringe_.step(speed, needle.tissue);
+    travel_ = std::min(barrel, travel_ + speed * dt_);
+    highest_ = std::max(highest_, state.pressure);
+    if (told_ || highest_ < least_pressure || state.pressure > 0.5 * highest_ || travel_ >= barrel) return;
+    told_ = true;
+    events.push({EventKind::pressure_lost, needle.tissue, needle.motion.depth, highest_ - state.pressure});
+  }
+  void reset() noexcept override { begin(Vec3::Zero(), Vec3::UnitZ()); }
+  std::size_t publish(std::span<double> values) const noexcept override {
+    values[0] = syringe_.state().pressure;
+    values[1] = travel_;
+    return 2;
+  }
+
+ private:
+  static constexpr double thumb_damping = 2.0;     // N s/mm
+  static constexpr double barrel = 60.0;           // mm
+  static constexpr double least_pressure = 0.005;  // MPa: less is no wall that could be lost
+
+  static SyringeSettings with_needle(SyringeSettings settings, const Needle& needle) {
+    settings.needle_bore = needle.inner_diameter;
+    settings.needle_length = needle.length;
+    return settings;
+  }
+
+  SyringeSettings settings_;
+  double dt_;
+  Syringe syringe_;
+  double travel_ = 0.0;   // mm
+  double highest_ = 0.0;  // MPa
+  bool told_ = false;
+};
+
+}  // namespace
+
+std::vector<std::unique_ptr<ForcePart>> make_force_parts(const Case& patient, double dt) {
+  const ForceParts& parts = patient.description.haptics.parts;
+  const Needle& needle = patient.description.needle;
+  std::vector<std::unique_ptr<ForcePart>> made;
+  if (parts.bevel_tip) made.push_back(std::make_unique<BevelTipPart>(*parts.bevel_tip));
+  if (parts.csf_flow) made.push_back(std::make_unique<CsfFlowPart>(*parts.csf_flow, needle, dt));
+  if (parts.syringe) made.push_back(std::make_unique<SyringePart>(*parts.syringe, patient.library, needle, dt));
+  return made;
+}
+
+std::vector<DiagnosticName> force_part_diagnostics(const ForceParts& parts) {
+  std::vector<DiagnosticName> names;
+  if (parts.bevel_tip)
+    names.insert(names.end(), {{"bevel_aside_mm", "path of the bevel beside the line"},
+                               {"bevel_N", "pull of the tissue on the bevel"}});
+  if (parts.csf_flow) {
+    names.push_back({"csf_flow_mm3_s", "flow of cerebrospinal fluid"});
+    names.push_back(parts.csf_flow->manometer ? DiagnosticName{"csf_height_mm", "fluid in the manometer"}
+                                              : DiagnosticName{"csf_collected_mm3", "fluid that has dripped"});
+  }
+  if (parts.syringe)
+    names.insert(names.end(),
+                 {{"syringe_pressure_MPa", "pressure in the syringe"}, {"plunger_mm", "travel of the plunger"}});
+  return names;
+}
+
+}  // namespace bodkin

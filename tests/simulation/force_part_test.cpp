@@ -1,0 +1,150 @@
+#include "simulation/force_part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "tests/simulation/slab_patient.h"
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "io/tissue_library_file.h"
+#include "simulation/haptic_tick.h"
+#include "simulation/resistance_models.h"
+
+namespace bodkin {
+namespace {
+
+// The slabs with the tissues that come with Bodkin, and fluid behind the epidural space.
+Case fluid_patient() {
+  Case patient = slab_patient();
+  patient.library = default_tissue_library();
+  for (TissueId& one : patient.tissues.voxels) {
+    if (one == tissue::cortical_bone) one = tissue::cerebrospinal_fluid;
+  }
+  patient.description.haptics.constraint = NoConstraint{};
+  return patient;
+}
+
+struct FeltPart {
+  std::vector<Event> events;
+  TickOutput last;
+  std::vector<double> published;  // the diagnostic that was asked for, tick by tick
+
+  const Event* first(EventKind kind) const {
+    const auto found = std::find_if(events.begin(), events.end(), [&](const Event& e) { return e.kind == kind; });
+    return found == events.end() ? nullptr : &*found;
+  }
+};
+
+double named(const HapticTick& haptics, const TickOutput& output, std::string_view name) {
+  const auto names = haptics.diagnostic_names();
+  const auto found = std::find_if(names.begin(), names.end(), [&](const auto& one) { return one.name == name; });
+  EXPECT_NE(found, names.end()) << name;
+  return found == names.end() ? NAN : output.diagnostics[static_cast<std::size_t>(found - names.begin())];
+}
+
+FeltPart push(HapticTick& haptics, double to, double speed, std::string_view name) {
+  FeltPart felt;
+  for (double depth = -2.0; depth < to; depth += speed * haptics.dt()) {
+    felt.last = haptics.step(needle_at(depth));
+    felt.published.push_back(named(haptics, felt.last, name));
+    felt.events.insert(felt.events.end(), felt.last.events.begin(), felt.last.events.end());
+  }
+  return felt;
+}
+
+TEST(ForcePart, a_bevel_pulls_the_tip_to_the_circle_that_it_cuts) {
+  Case patient = fluid_patient();
+  patient.description.haptics.parts.bevel_tip = BevelTipSettings{.curvature = 0.005, .stiffness = 0.05, .limit = 5.0};
+  HapticTick haptics(patient);
+  const double depth = 40.0;
+  const FeltPart felt = push(haptics, depth, 20.0, "bevel_aside_mm");
+  // A circle of radius 200 mm: after 40 mm of path (1 - cos 0.2) 200 mm aside.
+  const double aside = 200.0 * (1.0 - std::cos(0.005 * felt.last.depth));
+  EXPECT_NEAR(felt.published.back(), aside, 0.02);
+  EXPECT_NEAR(named(haptics, felt.last, "bevel_N"), 0.05 * aside, 0.002);
+  EXPECT_NEAR(felt.last.requested.force.y(), -0.05 * aside, 0.002) << "towards the point, the side of -y";
+  EXPECT_NEAR(felt.last.requested.force.x(), 0.0, 1e-9);
+}
+
+TEST(ForcePart, a_symmetric_tip_pulls_nowhere_and_changes_no_bit_along_the_line) {
+  const Case plain = fluid_patient();
+  Case with = plain;
+  with.description.haptics.parts.bevel_tip = BevelTipSettings{.curvature = 0.0};
+  HapticTick one(plain), other(with);
+  for (double depth = -2.0; depth < 30.0; depth += 0.02) {
+    const TickOutput a = one.step(needle_at(depth)), b = other.step(needle_at(depth));
+    ASSERT_EQ(a.resistance, b.resistance);
+    ASSERT_EQ(b.requested.force.x(), 0.0);
+  }
+}
+
+TEST(ForcePart, fluid_rises_in_the_manometer_once_the_tip_is_in_fluid_and_not_with_the_stylet) {
+  Case patient = fluid_patient();
+  patient.description.haptics.parts.csf_flow.emplace();
+  HapticTick haptics(patient);
+  const FeltPart felt = push(haptics, 50.0, 20.0, "csf_height_mm");
+  const Event* returned = felt.first(EventKind::fluid_returned);
+  ASSERT_NE(returned, nullptr);
+  EXPECT_NEAR(returned->depth, 44.0, 0.1);
+  EXPECT_EQ(returned->tissue, tissue::cerebrospinal_fluid);
+  double height = felt.published.back();
+  EXPECT_GT(height, 0.0);
+  for (int tick = 0; tick < 120000; ++tick) haptics.step(needle_at(50.0));
+  height = named(haptics, haptics.step(needle_at(50.0)), "csf_height_mm");
+  EXPECT_NEAR(height, 145.0, 1.0) << "the opening pressure after five time constants";
+
+  patient.description.haptics.parts.csf_flow->stylet = true;
+  HapticTick closed(patient);
+  EXPECT_EQ(push(closed, 50.0, 20.0, "csf_height_mm").first(EventKind::fluid_returned), nullptr);
+}
+
+TEST(ForcePart, the_syringe_holds_pressure_in_the_ligament_and_loses_it_in_the_epidural_space) {
+  Case patient = fluid_patient();
+  patient.description.haptics.parts.syringe.emplace();
+  patient.description.needle.outer_diameter = 1.651;  // 16G: a thin needle holds the pressure up by itself
+  patient.description.needle.inner_diameter = 1.194;
+  HapticTick haptics(patient);
+  const FeltPart felt = push(haptics, 42.0, 5.0, "syringe_pressure_MPa");
+  const Event* lost = felt.first(EventKind::pressure_lost);
+  ASSERT_NE(lost, nullptr);
+  EXPECT_GT(lost->depth, 35.9);
+  EXPECT_LT(lost->depth, 37.0);
+  EXPECT_GT(lost->value, 0.01);
+  const double highest = *std::max_element(felt.published.begin(), felt.published.end());
+  // 5 N of the thumb less the plunger's friction on 177 mm^2.
+  EXPECT_LE(highest, 5.0 / 176.7 + 1e-4);
+  EXPECT_GT(highest, 0.9 * (5.0 - 0.3) / 176.7);
+}
+
+TEST(ForcePart, settings_out_of_range_are_refused_with_their_range) {
+  Case patient = fluid_patient();
+  patient.description.haptics.parts.bevel_tip = BevelTipSettings{.stiffness = 11.0};
+  EXPECT_THROW(HapticTick{patient}, InputError);
+  patient.description.haptics.parts.bevel_tip.reset();
+  patient.description.haptics.parts.csf_flow.emplace();
+  patient.description.needle.inner_diameter = 0.0;  // solid
+  EXPECT_THROW(HapticTick{patient}, InputError);
+}
+
+TEST(SurfaceProxyResistance, the_skin_pushes_back_with_the_spring_and_lets_go) {
+  Case patient = fluid_patient();
+  patient.description.haptics.resistance = SurfaceProxySettings{.stiffness = 0.5};
+  HapticTick haptics(patient);
+  double pressed = 0.0;
+  for (double depth = -8.0; depth < 4.0; depth += 0.01) pressed = haptics.step(needle_at(depth)).resistance;
+  EXPECT_NEAR(pressed, 0.5 * 4.0, 0.5 * 0.7) << "the skin is at z = 0 to within a voxel";
+  bool withdrawn = false;
+  double last = 1.0;
+  for (double depth = 4.0; depth > -8.0; depth -= 0.01) {
+    const TickOutput output = haptics.step(needle_at(depth));
+    last = output.resistance;
+    for (const Event& event : output.events) withdrawn = withdrawn || event.kind == EventKind::withdrawn;
+  }
+  EXPECT_TRUE(withdrawn);
+  EXPECT_EQ(last, 0.0);
+}
+
+}  // namespace
+}  // namespace bodkin
