@@ -37,7 +37,8 @@ TEST(Fracture, stored_energy_is_the_integral_of_the_cubic_law) {
 TEST(Fracture, tears_where_the_energy_suffices_at_any_speed) {
   for (const double speed : {1.0, 10.0, 50.0}) {
     FractureSettings settings;
-    settings.toughness = 0.46875 / 0.8;  // so that U(3 mm) = J w t_m
+    settings.thickness = 2.0;
+    settings.toughness = 0.46875 / 0.8 / 2.0;  // so that U(3 mm) = J w t_m
     FractureBench bench(settings);
     EXPECT_NEAR(bench.to(2.9, speed), 0.05 * 2.9 * 3.9 * 4.9 / 6.0, 1e-9);
     bench.to(3.5, speed);

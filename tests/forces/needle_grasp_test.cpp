@@ -44,6 +44,8 @@ TEST(NeedleGrasp, turning_one_way_raises_the_pull_out_force_by_167_percent) {
 TEST(NeedleGrasp, turning_to_and_fro_raises_it_by_52_percent) {
   NeedleGrasp grasp({});
   EXPECT_NEAR(after(grasp, 0.25, 60), 1.52, 1e-3);
+  NeedleGrasp begun({});
+  EXPECT_NEAR(after(begun, 0.25, 3), 1.0 + 0.52 * (1.0 - std::exp(-1.5 / 2.0)), 1e-9);  // 1.5 turns there and back
 }
 
 TEST(NeedleGrasp, is_firmer_at_a_point) {

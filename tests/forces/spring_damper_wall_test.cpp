@@ -28,6 +28,12 @@ TEST(SpringDamperWall, pushes_in_proportion_to_depth_and_speed) {
 
 TEST(SpringDamperWall, is_nothing_in_front_of_the_wall) {
   EXPECT_EQ(wall_force(-1.0, 50.0), 0.0);
+  SpringDamperWallSettings settings;
+  settings.wall = 2.0;
+  settings.damping = 0.02;
+  SpringDamperWall deep(settings);
+  TickEvents events;
+  EXPECT_EQ(deep.step({1.0, 90.0, 1, false}, tissue::muscle, events), 0.0);
 }
 
 TEST(SpringDamperWall, steps_by_the_damping_when_entered_at_speed) {

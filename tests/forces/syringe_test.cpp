@@ -60,6 +60,30 @@ TEST(Syringe, air_is_springier_than_saline) {
   EXPECT_GT(saline.state().pressure, 20.0 * air.state().pressure);
 }
 
+TEST(Syringe, air_grows_stiffer_as_it_is_pressed) {
+  const TissueLibrary& library = checks::default_tissues();
+  const SyringeTissue& here = library.find(tissue::muscle)->syringe;
+  const SyringeSettings settings{.filling = SyringeFilling::air};
+  Syringe syringe(library, settings, 1e-3);
+  double pressed = 0.0;
+  for (int tick = 0; tick < 300; ++tick) pressed = syringe.step(20.0, tissue::muscle).pressure;
+  ASSERT_GT(pressed, 0.01);
+  const double compliance = settings.air_volume / (0.1013 + pressed);
+  const double time = (syringe.needle_resistance() + here.resistance) * compliance;
+  EXPECT_NEAR(syringe.step(0.0, tissue::muscle).pressure,
+              here.pressure + (pressed - here.pressure) * std::exp(-1e-3 / time), 1e-9 * pressed);
+}
+
+TEST(Syringe, the_seal_drags_with_its_friction_at_any_speed_above_a_millimetre_per_second) {
+  const SyringeSettings settings;
+  for (const auto& [speed, share] :
+       {std::pair(0.5, 0.5), std::pair(1.0, 1.0), std::pair(30.0, 1.0), std::pair(-8.0, -1.0)}) {
+    Syringe syringe(checks::default_tissues(), settings, 1e-3);
+    const SyringeState state = syringe.step(speed, tissue::muscle);
+    EXPECT_NEAR(state.force - syringe.area() * state.pressure, share * settings.friction, 1e-9) << speed;
+  }
+}
+
 TEST(Syringe, conserves_volume) {
   const SyringeSettings settings = {.saline_compliance = 500.0};
   Syringe syringe(checks::default_tissues(), settings, 1e-4);

@@ -28,6 +28,9 @@ TEST(TissuePath, every_layer_carries_the_tissue_at_its_middle) {
   path.extend_to(39.9, volume);
   ASSERT_EQ(path.layers().size(), 80u);
   for (std::size_t layer = 0; layer < 80; ++layer) EXPECT_EQ(path.layers()[layer], layer / 8 + 1);
+  path.restart({5.0, 5.0, -0.7}, Vec3::UnitZ());  // a border between tissues goes through a layer before its middle
+  path.extend_to(39.9, volume);
+  for (std::size_t layer = 0; layer < 80; ++layer) EXPECT_EQ(path.layers()[layer], layer / 8 + 1);
 }
 
 TEST(TissuePath, layers_do_not_depend_on_how_often_they_are_asked_for) {

@@ -41,6 +41,12 @@ TEST(AxisPassivity, the_damping_gives_back_exactly_what_is_missing) {
   EXPECT_NEAR(passivity.energy().x(), 0.0, 1e-15);
 }
 
+TEST(AxisPassivity, a_force_of_which_a_share_is_alive_is_damped_by_that_share) {
+  AxisPassivity passivity(0.01);
+  passivity.observe({1.0, 0.0, 0.0}, {0.2, 0.0, 0.0}, one_tick);
+  EXPECT_DOUBLE_EQ(passivity.damped({1.0, 0.0, 0.0}, {20.0, 0.0, 0.0}, one_tick, 0.25).x(), 1.0 - 0.25 * 0.01 * 20.0);
+}
+
 TEST(AxisPassivity, what_a_count_of_an_encoder_makes_is_left_alone) {
   AxisPassivity passivity(1.0);
   passivity.observe({1.8, 0.0, 0.0}, {0.055, 0.0, 0.0}, one_tick);

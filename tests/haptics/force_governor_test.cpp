@@ -156,6 +156,13 @@ TEST(ForceGovernor, a_torque_rises_at_its_own_slew_falls_at_once_and_keeps_its_p
   EXPECT_NEAR(governor.torque().x(), 20.0, 1e-12);
 }
 
+TEST(ForceGovernor, a_torque_rises_ten_times_slower_while_the_force_is_brought_in) {
+  ForceGovernor governor(settings);
+  governor.step({.constraint = {0.0, 0.0, -3.0}, .torque = {100.0, 0.0, 0.0}});
+  EXPECT_TRUE(governor.flags() & force_limit::ramp);
+  EXPECT_NEAR(governor.torque().x(), 0.8, 1e-12);
+}
+
 TEST(ForceGovernor, a_device_without_torques_gets_none) {
   GovernorSettings flat;
   flat.peak_torque = 0.0;

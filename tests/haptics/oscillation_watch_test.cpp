@@ -30,6 +30,7 @@ TEST(OscillationWatch, fast_shaking_is_above_30_Hz_and_its_swing) {
   const OscillationWatch watch(fast_shaking(0.05));
   EXPECT_GE(found(watch, 40.0, 0.1, 0.0, 0.0), 7);
   EXPECT_GE(found(watch, 200.0, 0.1, 0.0, 0.0), 7);
+  EXPECT_GE(found(watch, 50.0, 0.04, 0.0, 0.0), 7) << "0.08 mm from side to side";
   EXPECT_EQ(found(watch, 25.0, 1.0, 0.0, 0.0), 0);
   EXPECT_EQ(found(watch, 12.0, 3.0, 0.0, 0.0), 0);
   EXPECT_EQ(found(watch, 100.0, 0.02, 0.0, 0.0), 0);
@@ -44,6 +45,23 @@ TEST(OscillationWatch, driven_shaking_is_one_that_the_force_feeds) {
   EXPECT_EQ(found(watch, 15.0, 0.05, 2.0, 0.004), 0) << "small";
   EXPECT_EQ(found(watch, 5.0, 1.0, 2.0, 0.004), 0) << "slow";
   EXPECT_EQ(found(watch, 15.0, 1.0, 2.0, 0.004, 60.0), 0) << "the hand goes somewhere";
+}
+
+TEST(OscillationWatch, bursts_with_rests_between_them_do_not_add_up) {
+  OscillationWatch watch(fast_shaking(0.05));
+  const Vec3 push(0.0, 0.0, 5.0);
+  for (int burst = 0; burst < 5; ++burst) {
+    for (int i = 0; i < 60; ++i) EXPECT_FALSE(watch.step(Vec3(0.0, 0.0, i % 20 < 10 ? 0.02 : -0.02), push, one_tick));
+    for (int i = 0; i < 100; ++i) EXPECT_FALSE(watch.step(Vec3::Zero(), push, one_tick));
+  }
+}
+
+TEST(OscillationWatch, a_hand_that_shakes_long_after_the_last_push_shakes_by_itself) {
+  OscillationWatch watch(fast_shaking(0.05));
+  watch.step(Vec3::Zero(), Vec3(0.0, 0.0, 5.0), one_tick);
+  for (int i = 0; i < 110; ++i) watch.step(Vec3::Zero(), Vec3::Zero(), one_tick);
+  for (int i = 0; i < 1000; ++i)
+    EXPECT_FALSE(watch.step(Vec3(0.0, 0.0, i % 20 < 10 ? 0.02 : -0.02), Vec3::Zero(), one_tick));
 }
 
 TEST(OscillationWatch, without_force_nothing_shakes_the_hand) {
