@@ -8,13 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "tests/layout/repository_files.h"
 #include <gtest/gtest.h>
 
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path repository = BODKIN_REPOSITORY;
+using bodkin_test::read_text;
+using bodkin_test::repository;
 
 const std::map<std::string, int> levels = {{"core", 0},    {"anatomy", 1}, {"forces", 2},  {"fem", 2},
                                            {"haptics", 2}, {"imaging", 3}, {"io", 3},      {"simulation", 4},
@@ -26,13 +27,6 @@ struct Include {
   int line;
   std::string target;  // what stands between the quotes or brackets
 };
-
-std::string read(const fs::path& file) {
-  std::ifstream stream(file);
-  std::stringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 std::vector<fs::path> sources(const fs::path& folder) {
   std::vector<fs::path> files;
@@ -46,7 +40,7 @@ std::vector<fs::path> sources(const fs::path& folder) {
 std::vector<Include> includes_of(const fs::path& file) {
   static const std::regex pattern(R"(^\s*#\s*include\s*["<]([^">]+)[">])");
   std::vector<Include> found;
-  std::istringstream text(read(file));
+  std::istringstream text(read_text(file));
   std::string line;
   for (int number = 1; std::getline(text, line); ++number) {
     std::smatch match;
@@ -125,7 +119,7 @@ TEST(Layout, heavy_headers_stay_in_source_files_of_the_modules_that_own_them) {
 TEST(Layout, a_file_holds_one_idea) {
   for (const char* folder : {"src", "tests", "bench", "fuzz"}) {
     for (const fs::path& file : sources(repository / folder)) {
-      const std::string text = read(file);
+      const std::string text = read_text(file);
       EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 450) << fs::relative(file, repository);
     }
   }
@@ -185,7 +179,7 @@ TEST(Layout, a_force_model_touches_at_most_five_files) {
 TEST(Layout, a_subcommand_has_a_test_of_its_name) {
   for (const fs::path& file : sources(repository / "src" / "cli")) {
     const std::string name = file.stem();
-    const bool command = read(file).find("void add_" + name + "_command(") != std::string::npos;
+    const bool command = read_text(file).find("void add_" + name + "_command(") != std::string::npos;
     if (!command || file.extension() != ".cpp") continue;
     EXPECT_TRUE(fs::exists(repository / "tests/cli" / (name + "_test.cpp"))) << name;
   }

@@ -9,25 +9,19 @@
 #include <string>
 #include <vector>
 
+#include "tests/layout/repository_files.h"
 #include <gtest/gtest.h>
 
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path repository = BODKIN_REPOSITORY;
-
-std::string read(const fs::path& file) {
-  std::ifstream stream(file);
-  std::stringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
+using bodkin_test::read_text;
+using bodkin_test::repository;
 
 // Lines outside of fenced and indented code.
 std::vector<std::string> prose(const fs::path& page) {
   std::vector<std::string> lines;
-  std::istringstream text(read(page));
+  std::istringstream text(read_text(page));
   bool fenced = false;
   for (std::string line; std::getline(text, line);) {
     if (line.starts_with("```")) fenced = !fenced;
@@ -147,9 +141,9 @@ TEST(Pages, every_test_that_the_guide_for_contributors_names_exists) {
   static const std::regex quoted(R"(`([A-Z]\w+)\.(\w+)`)");
   std::string tests;
   for (const auto& entry : fs::recursive_directory_iterator(repository / "tests")) {
-    if (entry.path().extension() == ".cpp") tests += read(entry.path());
+    if (entry.path().extension() == ".cpp") tests += read_text(entry.path());
   }
-  const std::string guide = read(repository / "CONTRIBUTING.md");
+  const std::string guide = read_text(repository / "CONTRIBUTING.md");
   int checked = 0;
   for (std::sregex_iterator match(guide.begin(), guide.end(), quoted), end; match != end; ++match) {
     const std::string head = "(" + (*match)[1].str() + ", " + (*match)[2].str() + ")";
@@ -160,7 +154,7 @@ TEST(Pages, every_test_that_the_guide_for_contributors_names_exists) {
 }
 
 TEST(Pages, the_readme_links_the_map_and_the_guide_for_contributors) {
-  const std::string readme = read(repository / "README.md");
+  const std::string readme = read_text(repository / "README.md");
   EXPECT_NE(readme.find("](docs/README.md)"), std::string::npos);
   EXPECT_NE(readme.find("](CONTRIBUTING.md)"), std::string::npos);
 }
