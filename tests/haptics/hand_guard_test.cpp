@@ -36,6 +36,18 @@ TEST(HandGuard, brings_the_force_in_over_one_second) {
   EXPECT_EQ(rig.count(GuardReason::full_force), 1);
 }
 
+TEST(HandGuard, carries_the_handle_as_gently_as_it_brings_the_force_in) {
+  GuardRig rig;
+  for (int i = 0; i < 60; ++i) rig.tick(no_force);
+  rig.guard.arm();
+  rig.tick(no_force);
+  for (int i = 2; i <= 1000; ++i) {
+    rig.device.hand.translation().x() += i % 2 == 0 ? 1e-6 : -1e-6;
+    const Wrench& applied = rig.guard.step(rig.device, {.dt = 0.001, .weight = {0.0, 0.0, 0.8}});
+    EXPECT_NEAR(applied.force.z(), 0.8 * i / 1000.0, 1e-9) << i;
+  }
+}
+
 TEST(HandGuard, waits_for_a_moving_hand_and_gives_up_after_two_seconds) {
   GuardRig rig;
   rig.guard.arm();

@@ -66,6 +66,7 @@ TEST(LatencyHistogram, takes_anything) {
   histogram.record(-1.0);
   EXPECT_EQ(histogram.count(), 3u);
   EXPECT_EQ(histogram.beyond(), 2u);
+  EXPECT_EQ(histogram.mean(), 0.0);  // no time runs backwards
   EXPECT_EQ(histogram.maximum(), 0.0);
   histogram.reset();
   EXPECT_EQ(histogram.count(), 0u);
