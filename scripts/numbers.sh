@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Measures how fast Bodkin is and writes docs/numbers.md: runs the programs of bench/ (preset release, built when out of
 # date) one after the other and makes one table of what they report. Run it on a machine that does nothing else; it takes
-# about ten minutes on 2 cores. With BODKIN_LARGE_BODIES=1 bodies of 100,000 nodes are measured too (an hour).
+# about five minutes on 2 cores. With BODKIN_LARGE_BODIES=1 bodies of 100,000 nodes are measured too (an hour).
 #
 #   scripts/numbers.sh             build, measure, write the page
 #   scripts/numbers.sh --print     write the page again from the last measurement (build/numbers)
@@ -34,15 +34,15 @@ fi
 names() {
   cat << 'NAMES'
 tick_bench:lumbar_single_tick tick on the synthetic lumbar patient, `layered`, tissue look-up and clock included
-tick_bench:lumbar_batch the same, without reading the clock
-tick_bench:slabs_single_tick tick through 17 layers of skin, fat and muscle
-tick_bench:slabs_batch the same, without reading the clock
+tick_bench:lumbar_batch tick on the synthetic lumbar patient, without reading the clock
+tick_bench:slabs_single_tick tick through 17 layers of skin, fat and muscle, clock included
+tick_bench:slabs_batch tick through 17 layers, without reading the clock
 models_bench:all_models_together one tick of all models together
 models_bench:volume_proxy_with_rail `volume_proxy` with `rail`
 models_bench:surface_proxy `surface_proxy`
 models_bench:surface_proxy_stroking `surface_proxy`, stroking the skin
 servo_bench:servo_single_tick servo, governor and guard around a spring, clock included
-servo_bench:servo_batch the same, without reading the clock
+servo_bench:servo_batch servo, governor and guard around a spring, without reading the clock
 servo_bench:guard_alone guard alone
 servo_bench:newest_value `LatestValue`, one write and one read
 haply_bench:json_of_one_round Haply driver: JSON in and out of one exchange
@@ -55,9 +55,10 @@ fem_tick_bench:needle_take_over transfer of an inserted needle to an updated sub
 fem_tick_bench:display_field displacement field for the display, k contact nodes
 fem_body_bench:machine_itself -
 fem_body_bench:prepare mesh to condensed body, nodes along an edge (0: fine near an oblique path)
-fem_body_bench:prepare_from_cache the same, read from its file, nodes along an edge
+fem_body_bench:prepare_from_cache condensed body read from its file, nodes along an edge
 fem_body_bench:needle_tick tick of a needle
 fem_body_bench:field_for_the_eyes displacement field for the display
+fem_preparation_bench:prepare preparation, nodes along an edge,
 fem_preparation_bench:only_check check of the mesh, nodes along an edge
 fem_preparation_bench:only_plan order of elimination, nodes along an edge
 fem_preparation_bench:only_factorise factorisation and condensation, nodes along an edge
@@ -72,9 +73,9 @@ ultrasound_bench:large everything, 820 x 616, threads
 ultrasound_bench:on_path everything, 300 x 300, one thread, processor path
 case_load_bench:whole_case case.xml, tissue library and all volumes, digests verified
 case_load_bench:description_alone case.xml and tissue library
-case_load_bench:volume_alone<std::int16_t> one volume, decompressed
-case_load_bench:volume_alone<std::uint16_t> one volume, decompressed
-case_load_bench:volume_alone<std::uint8_t> one volume, decompressed
+case_load_bench:ct_alone the CT, decompressed
+case_load_bench:structures_alone the labels, decompressed
+case_load_bench:tissues_alone the tissues, decompressed
 case_load_bench:digest_of_the_ct digest of the CT
 NAMES
 }
