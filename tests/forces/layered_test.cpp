@@ -163,6 +163,17 @@ TEST(Layered, bone_is_a_spring_without_any_viscous_term) {
   }
 }
 
+TEST(Layered, tissue_that_is_pressed_onto_bone_has_no_viscous_term_either) {
+  double forces[3];
+  for (int i = 0; i < 3; ++i) {
+    LayeredRig rig({{skin, 10}, {cortical_bone, 20}}, rig_library(unbreakable_skin()));
+    rig.to(10.5);
+    forces[i] = rig.to(11.0, 40.0 * (i - 1)).resistance;
+  }
+  EXPECT_DOUBLE_EQ(forces[0], forces[1]);
+  EXPECT_DOUBLE_EQ(forces[2], forces[1]);
+}
+
 TEST(Layered, the_device_bounds_the_stiffness_of_bone) {
   LayeredRig rig({{fat, 10}, {cortical_bone, 20}}, rig_library(), {}, 1.0);
   EXPECT_NEAR(rig.to(11.0, 0.0).resistance, 1.0, 1e-12);
