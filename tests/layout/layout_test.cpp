@@ -153,7 +153,7 @@ TEST(Layout, a_model_has_a_header_a_source_a_test_and_a_page_of_one_name) {
 
 // docs/adding-a-force-model.md numbers the files that a new model touches, with NAME for its name.
 TEST(Layout, a_force_model_touches_at_most_five_files) {
-  const std::string page = read(repository / "docs/adding-a-force-model.md");
+  const std::string page = read_text(repository / "docs/adding-a-force-model.md");
   const std::string list = page.substr(0, page.find("```"));
   static const std::regex pattern(R"(\d\. `([^`]+)`)");
   std::vector<std::string> files;
@@ -165,14 +165,15 @@ TEST(Layout, a_force_model_touches_at_most_five_files) {
     for (const std::string& file : files) {
       const std::string path = std::regex_replace(file, std::regex("NAME"), name);
       ASSERT_TRUE(fs::exists(repository / path)) << path;
-      EXPECT_NE(read(repository / path).find(name), std::string::npos) << path << " does not mention " << name;
+      EXPECT_NE(read_text(repository / path).find(name), std::string::npos) << path << " does not mention " << name;
     }
   }
   // Tick, recordings, tables and plots know no model by name.
   for (const char* folder : {"src/session", "src/station", "src/desktop", "src/cli"}) {
     for (const fs::path& file : sources(repository / folder)) {
       for (const char* name : {"spring_damper_wall", "depth_profile", "three_component", "volume_proxy"})
-        EXPECT_EQ(read(file).find("forces/" + std::string(name)), std::string::npos) << file << " knows " << name;
+        EXPECT_EQ(read_text(file).find("forces/" + std::string(name)), std::string::npos)
+            << file << " knows " << name;
     }
   }
 }
