@@ -173,7 +173,7 @@ def table(results):
 
     killed = sum(1 for _, killer in results if killer)
     lines = ["# Mutants", "",
-             "One-line faults that `scripts/mutate.py` put into the source, and the first test that failed. The list is "
+             "One-line faults that `scripts/mutate.py` put into the source, and the first test that failed. The list is",
              "`scripts/mutants.txt`; this page is written by `scripts/mutate.py --table docs/mutants.md`.", "",
              f"{killed} of {len(results)} are killed. Each survivor is explained.", ""]
     file = None

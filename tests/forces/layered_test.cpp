@@ -167,7 +167,7 @@ TEST(Layered, tissue_that_is_pressed_onto_bone_has_no_viscous_term_either) {
   double forces[3];
   for (int i = 0; i < 3; ++i) {
     LayeredRig rig({{skin, 10}, {cortical_bone, 20}}, rig_library(unbreakable_skin()));
-    rig.to(10.5);
+    rig.to(10.5, 0.0);
     forces[i] = rig.to(11.0, 40.0 * (i - 1)).resistance;
   }
   EXPECT_DOUBLE_EQ(forces[0], forces[1]);

@@ -64,6 +64,16 @@ TEST(OscillationWatch, a_hand_that_shakes_long_after_the_last_push_shakes_by_its
     EXPECT_FALSE(watch.step(Vec3(0.0, 0.0, i % 20 < 10 ? 0.02 : -0.02), Vec3::Zero(), one_tick));
 }
 
+TEST(OscillationWatch, a_force_that_changes_its_sign_with_the_hand_shakes_it) {
+  OscillationWatch watch(fast_shaking(0.05));
+  int count = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double sign = i % 20 < 10 ? 1.0 : -1.0;
+    count += watch.step(Vec3(0.0, 0.0, 0.02 * sign), Vec3(0.0, 0.0, 5.0 * sign), one_tick) ? 1 : 0;
+  }
+  EXPECT_GE(count, 7);
+}
+
 TEST(OscillationWatch, without_force_nothing_shakes_the_hand) {
   OscillationWatch watch(fast_shaking(0.05));
   for (int i = 0; i < 1000; ++i)
