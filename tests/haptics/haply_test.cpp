@@ -297,7 +297,7 @@ TEST_F(Haply, a_device_without_a_position_is_lost) {
   service_->oddity() = Oddity::no_position;
   EXPECT_EQ(rounds(*port, 1).fault, DeviceFault::none);
   EXPECT_TRUE(comes(*port, DeviceFault::communication_lost));
-  EXPECT_THAT(port->explain(), HasSubstr("where the device is"));
+  EXPECT_THAT(port->explain(), HasSubstr("the device's position"));
   service_->oddity() = Oddity::none;
   EXPECT_TRUE(comes(*port, DeviceFault::none));
 }

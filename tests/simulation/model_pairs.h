@@ -58,8 +58,10 @@ inline std::vector<NamedResistance> all_resistances() {
            {},
            false,
            0.05},
-          {"surface_proxy", SurfaceProxySettings{}, {}},
-          {"surface_proxy_sliding", SurfaceProxySettings{.static_friction = 0.0, .dynamic_friction = 0.0}, {}},
+          {"surface_proxy", SurfaceProxySettings{.stiffness = 0.5}, {}},
+          {"surface_proxy_sliding",
+           SurfaceProxySettings{.stiffness = 0.5, .static_friction = 0.0, .dynamic_friction = 0.0},
+           {}},
           // Half of the 11 mm that its nodes are apart; taking over from a stiff node is active.
           {"closest_node", ClosestNodeSettings{.capture_radius = 5.5}, {}, true}};
 }
