@@ -62,7 +62,7 @@ class VolumeProxy : public ResistanceDefaults {
 
   VolumeProxySettings settings_;
   std::array<VolumeProxyTissue, 256> tissues_;  // 256, by TissueId
-  std::unique_ptr<HapticField> own_field_;    // of a patient
+  std::unique_ptr<HapticField> own_field_;      // of a patient
   const HapticField* field_;
   double dt_;
   Vec3 proxy_ = Vec3::Zero();
