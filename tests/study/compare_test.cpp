@@ -258,7 +258,8 @@ TEST(Compare, settings_make_curves_of_one_model) {
   EXPECT_NEAR(comparison.models[1].end_of_stop, 1.5, 0.06);
   const std::string table = comparison_csv(comparison);
   EXPECT_EQ(table.substr(0, table.find('\n')),
-            "time_s,depth_mm,tracking_wall_catch_up_s_0.2_N,tracking_wall_catch_up_s_4_N");
+            "time_s,depth_mm,tracking_wall_catch_up_s_0.2_N,tracking_wall_catch_up_s_0.2_wall_mm,"
+            "tracking_wall_catch_up_s_4_N,tracking_wall_catch_up_s_4_wall_mm");
   const std::vector<Plot> plots = comparison_plots(comparison, muscle_with_wall(2.0).library, 6.0);
   EXPECT_EQ(plots[1].series[0].colour, plots[1].series[1].colour);
   EXPECT_NE(plots[1].series[0].dash, plots[1].series[1].dash);
@@ -325,16 +326,22 @@ TEST(Compare, its_table_reads_back) {
   std::istringstream table(comparison_csv(comparison));
   std::string line;
   std::getline(table, line);
-  EXPECT_EQ(line, "time_s,depth_mm,layered_N,tracking_wall_leash_N,fracture_N");
+  EXPECT_EQ(line,
+            "time_s,depth_mm,layered_N,layered_tip_N,layered_shaft_N,tracking_wall_leash_N,"
+            "tracking_wall_leash_wall_mm,fracture_N,fracture_stored_N_mm,fracture_wall_mm");
   std::size_t row = 0;
   for (; std::getline(table, line); ++row) {
     std::vector<double> cells;
     std::istringstream text(line);
     for (std::string cell; std::getline(text, cell, ',');) cells.push_back(std::stod(cell));
-    ASSERT_EQ(cells.size(), 5U);
+    ASSERT_EQ(cells.size(), 10U);
     ASSERT_NEAR(cells[0], static_cast<double>(row) * 0.001, 1e-9);
     ASSERT_NEAR(cells[1], comparison.depth[row], 1e-6);
-    for (std::size_t i = 0; i < 3; ++i) ASSERT_NEAR(cells[2 + i], comparison.models[i].force[row], 1e-6);
+    ASSERT_NEAR(cells[2], comparison.models[0].force[row], 1e-6);
+    ASSERT_NEAR(cells[3] + cells[4], cells[2], 3e-6) << "tip and shaft are all of it";
+    ASSERT_NEAR(cells[5], comparison.models[1].force[row], 1e-6);
+    ASSERT_NEAR(cells[6], comparison.models[1].published[row], 1e-6);
+    ASSERT_NEAR(cells[7], comparison.models[2].force[row], 1e-6);
   }
   EXPECT_EQ(row, comparison.depth.size());
 }

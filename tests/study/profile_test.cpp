@@ -178,18 +178,20 @@ TEST(Profile, its_table_reads_back) {
   std::string line;
   std::getline(table, line);
   EXPECT_EQ(line.substr(0, line.find(',')), "time_s");
+  EXPECT_TRUE(line.ends_with(",tissue,tip_N,shaft_N")) << line;
   std::size_t row = 0;
   for (; std::getline(table, line); ++row) {
     std::vector<std::string> cells;
     std::istringstream text(line);
     for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
-    ASSERT_EQ(cells.size(), 11U);
+    ASSERT_EQ(cells.size(), 13U);
     const TickOutput& output = profile.ticks[row].output;
     EXPECT_NEAR(std::stod(cells[0]), static_cast<double>(row) * 0.001, 1e-9);
     EXPECT_NEAR(std::stod(cells[1]), output.depth, 1e-6);
     EXPECT_NEAR(std::stod(cells[3]), output.resistance, 1e-6);
     EXPECT_NEAR(std::stod(cells[8]), output.applied.force.y(), 1e-6);
     EXPECT_EQ(cells[10], patient.library.find(output.tissue)->name);
+    EXPECT_NEAR(std::stod(cells[11]) + std::stod(cells[12]), output.resistance, 2e-6);
   }
   EXPECT_EQ(row, profile.ticks.size());
 }
