@@ -22,7 +22,8 @@ TEST_F(CompareCommand, runs_every_model_and_writes_table_and_plot) {
     EXPECT_THAT(said.text(), HasSubstr(name));
   }
   EXPECT_THAT(said.text(), HasSubstr("this machine"));
-  EXPECT_THAT(content_of(base.string() + ".csv"), HasSubstr("time_s,depth_mm,layered_N,layered_sum_N"));
+  EXPECT_THAT(content_of(base.string() + ".csv"),
+              HasSubstr("time_s,depth_mm,layered_N,layered_tip_N,layered_shaft_N,layered_sum_N"));
   const std::string picture = content_of(base.string() + ".svg");
   EXPECT_THAT(picture, HasSubstr("interspinous ligament"));
   EXPECT_THAT(picture, HasSubstr("re-insertion"));
