@@ -78,6 +78,16 @@ TEST(HapticTick, contact_is_found_between_two_ticks_and_depth_counts_from_the_sk
   EXPECT_EQ(drive.seen(EventKind::contact).size(), 1u);
 }
 
+TEST(HapticTick, the_measured_speed_does_not_change_at_contact) {
+  const Case patient = slab_patient();
+  HapticTick haptics(patient);
+  for (int tick = 0; tick < 250; ++tick) {
+    const double depth = -3.001 + 0.02 * tick;  // the skin is reached a twentieth into a tick
+    const TickOutput output = haptics.step(needle_at(depth));
+    if (depth > -2.0) EXPECT_NEAR(output.velocity, 20.0, 0.05) << depth;
+  }
+}
+
 TEST(HapticTick, a_needle_that_starts_inside_touches_there) {
   const Case patient = slab_patient();
   Drive drive(patient);
