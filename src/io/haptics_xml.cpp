@@ -24,9 +24,9 @@ Models model_from(const XmlElement& parent, const std::string& origin, const aut
     using Settings = std::variant_alternative_t<I, Models>;
     if (names[I] != element.name) return;
     if constexpr (std::is_same_v<Settings, RegisteredSettings>) {
-      models = registered_from(settings_tree(element));
+      models.template emplace<I>(registered_from(settings_tree(element)));
     } else {
-      models = settings_from<Settings>(element, origin);
+      models.template emplace<I>(settings_from<Settings>(element, origin));
     }
   };
   [&]<std::size_t... Index>(std::index_sequence<Index...>) {
