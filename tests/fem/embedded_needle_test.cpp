@@ -100,6 +100,17 @@ TEST(EmbeddedNeedle, tip_is_held_back_until_the_puncture_force_and_for_30_ms_aft
   EXPECT_NEAR(rig.force.resistance, 0.5 / own, 1e-9);
 }
 
+TEST(EmbeddedNeedle, the_tip_never_pulls_on_the_tissue_in_front_of_it) {
+  ContactTissues tissues = checks::plain_tissues(0.05);
+  tissues[tissue::soft].puncture_force = 100.0;  // stays whole
+  NeedleRig rig(soft_body(), tissues);
+  for (int turn = 0; turn < 3; ++turn) {
+    rig.move(2.0, 20.0);
+    EXPECT_GT(rig.force.resistance, 0.1);
+    for (double depth = 2.0; depth > -2.0; depth -= 0.02) EXPECT_GE(rig.to(depth).resistance, 0.0) << depth;
+  }
+}
+
 // Forces of a straight needle that is moved sideways, by a dense solve over the nodes of the middle column.
 Eigen::VectorXd dense_forces(const CondensedBody& body, std::size_t nodes, const Mat3& directions, int first,
                              int columns, const Vec3& moved) {
