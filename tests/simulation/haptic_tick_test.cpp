@@ -88,6 +88,15 @@ TEST(HapticTick, the_measured_speed_does_not_change_at_contact) {
   }
 }
 
+TEST(HapticTick, a_needle_that_trembles_across_a_border_enters_a_tissue_once) {
+  const Case patient = slab_patient();
+  Drive drive(patient);
+  drive.move(12.05, 10.0);
+  const std::size_t before = drive.seen(EventKind::tissue_entered).size();
+  for (int turn = 0; turn < 20; ++turn) drive.move(turn % 2 == 0 ? 11.95 : 12.05, 10.0);
+  EXPECT_LE(drive.seen(EventKind::tissue_entered).size(), before + 1);
+}
+
 TEST(HapticTick, a_needle_that_starts_inside_touches_there) {
   const Case patient = slab_patient();
   Drive drive(patient);
