@@ -84,7 +84,9 @@ TEST(HapticTick, the_measured_speed_does_not_change_at_contact) {
   for (int tick = 0; tick < 250; ++tick) {
     const double depth = -3.001 + 0.02 * tick;  // the skin is reached a twentieth into a tick
     const TickOutput output = haptics.step(needle_at(depth));
-    if (depth > -2.0) EXPECT_NEAR(output.velocity, 20.0, 0.05) << depth;
+    if (depth > -2.0) {
+      EXPECT_NEAR(output.velocity, 20.0, 0.05) << depth;
+    }
   }
 }
 
