@@ -95,7 +95,7 @@ class Corridors final : public BodyPort {
                    needle.motion.depth, at_rest ? taken_->aimed_at : static_cast<double>(taken_->state)});
       announced_ = true;
     }
-    const ResistanceForce force = model().step(needle, events);
+    ResistanceForce force = model().step(needle, events);
     touches_ = force.in_contact;
     if constexpr (transfers) transfer_to_newest();
     return force;
