@@ -43,7 +43,7 @@ class MouseWindow : public PatientCommand {
  protected:
   void SetUp() override {
     PatientCommand::SetUp();
-    if (std::system("command -v Xvfb > programs && command -v xdotool >> programs") != 0) {
+    if (std::system("command -v Xvfb > /dev/null && command -v xdotool > /dev/null") != 0) {
       GTEST_SKIP() << "Xvfb or xdotool is not installed";
     }
     for (const char* left : {"mouse.bodkin", "display", "said", "errors", "code", "seen.png"}) {
