@@ -32,7 +32,7 @@ void check_recomputable(const Session& session);
 
 // Feeds the recorded needle poses to a new haptic tick on `patient`, with the force models that the session used
 // instead of the case's, and compares every number, flag and event with the recording, bit by bit (of sessions of
-// format version 2 not the losses of resistance, which were told by another rule). Stops at the first
+// format version 2 not the losses of resistance, which followed another rule). Stops at the first
 // difference. `body`: what the patient's deformable body was made of, from which the corridors are prepared that the
 // session took in addition; may be null for a session that took none. Throws InputError when the session cannot be
 // replayed: it holds no ticks, ticks are missing, its tick is not that of its force models, a corridor that it took

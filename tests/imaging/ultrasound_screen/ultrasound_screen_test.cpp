@@ -165,7 +165,7 @@ TEST(MachinePicture, says_what_a_machine_says) {
                             "22 G 40 mm", "Ada &amp; Co", "12.5 mm", ">L3<", ">cm<"}) {
     EXPECT_THAT(drawn, HasSubstr(words));
   }
-  // The frame is scaled to 600 px; its bright pixel and the dark one beside it are where they belong.
+  // The frame is scaled to 600 px; its bright pixel and its dark neighbour are where they belong.
   const ImageRgb image = machine_picture(picture, TissueLibrary()).pixels(1.0);
   const double scale = 600.0 / 80.0;
   const Eigen::Vector2d bright(124.0 + scale * (99 - 10 + 0.5), 58.0 + scale * (20 + 0.5));
