@@ -4,4 +4,4 @@ set -euo pipefail
 for file in "$1"/test_times/*.xml; do
   program=$(basename "$file" .xml)
   sed -n -E "s/.*<testcase name=\"([^\"]*)\".* time=\"([0-9.]+)\".* classname=\"([^\"]*)\".*/\2 ${program%.*} \3.\1/p" "$file"
-done | sort -rn | head -n "${2:-10}" | awk '{printf "      %7.1f s  %-20s %s\n", $1, $2, $3}'
+done | sort -rn | awk -v count="${2:-10}" 'NR <= count {printf "      %7.1f s  %-20s %s\n", $1, $2, $3}'
