@@ -16,6 +16,9 @@
 namespace {
 
 using namespace bodkin;
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
+using namespace bodkin::patient;
 
 // A case on disk, removed at the end of the program.
 class CaseOnDisk {

@@ -15,6 +15,7 @@
 namespace {
 
 using namespace bodkin;
+using namespace bodkin::fem;
 
 constexpr double side = 100.0;  // mm
 

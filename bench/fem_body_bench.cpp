@@ -27,6 +27,8 @@
 namespace {
 
 using namespace bodkin;
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
 
 constexpr std::size_t corridor_size = 1000;        // nodes
 constexpr double side = 100.0;                     // mm

@@ -13,6 +13,7 @@
 namespace {
 
 using namespace bodkin;
+using namespace bodkin::fem;
 
 constexpr std::size_t corridor = 1000;  // nodes
 constexpr double side = 100.0;          // mm

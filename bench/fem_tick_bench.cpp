@@ -17,6 +17,8 @@
 namespace {
 
 using namespace bodkin;
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
 
 const CondensedBody& corridor() {
   static const CondensedBody body = checks::kelvin_body(5, 40, 2.0);  // 1000 nodes

@@ -17,6 +17,8 @@
 namespace {
 
 using namespace bodkin;
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
 
 constexpr double width = 50.0, depth = 80.0, side = 120.0, height = 100.0;  // mm
 constexpr double fine = 10.0 / 3.0;                                         // mm between the corridor's nodes

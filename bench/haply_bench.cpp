@@ -12,6 +12,7 @@
 namespace {
 
 using namespace bodkin;
+using namespace bodkin::haptics;
 
 // As long as what an Inverse3 with a grip sends, some 1300 bytes.
 const std::string message =

@@ -40,6 +40,12 @@
 namespace {
 
 using namespace bodkin;
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
+using namespace bodkin::io;
+using namespace bodkin::patient;
+using namespace bodkin::session;
+using namespace bodkin::simulation;
 
 constexpr double dt = 1e-3;
 

@@ -16,6 +16,11 @@
 namespace {
 
 using namespace bodkin;
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
+using namespace bodkin::patient;
+using namespace bodkin::session;
+using namespace bodkin::simulation;
 
 const Case& lumbar() {
   static const Case patient = [] {

@@ -15,6 +15,7 @@
 namespace {
 
 using namespace bodkin;
+using namespace bodkin::haptics;
 
 ServoSettings settings() {
   ServoSettings made;

@@ -17,6 +17,9 @@
 namespace {
 
 using namespace bodkin;
+using namespace bodkin::anatomy;
+using namespace bodkin::haptics;
+using namespace bodkin::simulation;
 
 struct Soak {
   explicit Soak(HandOnDevice& hand) : mechanism(hand) {}

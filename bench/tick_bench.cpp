@@ -15,6 +15,10 @@
 namespace {
 
 using namespace bodkin;
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
+using namespace bodkin::patient;
+using namespace bodkin::simulation;
 
 std::vector<TickInput> in_and_out(const NeedlePath& path, double beyond) {
   std::vector<TickInput> inputs;

@@ -19,6 +19,10 @@
 namespace {
 
 using namespace bodkin;
+using namespace bodkin::anatomy;
+using namespace bodkin::imaging;
+using namespace bodkin::io;
+using namespace bodkin::patient;
 
 struct Patient {
   std::shared_ptr<const AcousticVolume> volume;

@@ -11,17 +11,18 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view document(reinterpret_cast<const char*>(data), size);
-  std::vector<bodkin::DeviceCalibration> found;
+  std::vector<bodkin::haptics::DeviceCalibration> found;
   try {
-    found = bodkin::parse_calibrations(document, "calibrations.xml");
+    found = bodkin::io::parse_calibrations(document, "calibrations.xml");
   } catch (const bodkin::InputError&) {
     return 0;
   }
-  for (const bodkin::DeviceCalibration& calibration : found) {
-    bodkin::ServoSettings settings;
-    bodkin::apply(calibration, settings);
-    bodkin::ServoTick(settings, [](const bodkin::ControlInput&) { return bodkin::Control{}; });
+  for (const bodkin::haptics::DeviceCalibration& calibration : found) {
+    bodkin::haptics::ServoSettings settings;
+    bodkin::haptics::apply(calibration, settings);
+    bodkin::haptics::ServoTick(settings, [](const bodkin::haptics::ControlInput&) { return bodkin::Control{}; });
   }
-  if (bodkin::parse_calibrations(bodkin::calibrations_xml(found), "again").size() != found.size()) std::abort();
+  if (bodkin::io::parse_calibrations(bodkin::io::calibrations_xml(found), "again").size() != found.size())
+    std::abort();
   return 0;
 }

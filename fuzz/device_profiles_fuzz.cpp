@@ -11,9 +11,9 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     const std::string text(reinterpret_cast<const char*>(data), size);
-    for (const bodkin::DeviceProfile& profile : bodkin::parse_device_profiles(text, "devices.csv")) {
+    for (const bodkin::haptics::DeviceProfile& profile : bodkin::io::parse_device_profiles(text, "devices.csv")) {
       if (profile.name.empty()) std::abort();
-      for (const bodkin::ProfileValue& value : profile.values) {
+      for (const bodkin::haptics::ProfileValue& value : profile.values) {
         if (!std::isfinite(value.value) || value.value < 0.0) std::abort();
       }
     }

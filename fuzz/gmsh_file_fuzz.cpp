@@ -10,7 +10,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     const std::string text(reinterpret_cast<const char*>(data), size);
-    const bodkin::ForeignMesh mesh = bodkin::parse_gmsh(text, "body.msh");
+    const bodkin::io::ForeignMesh mesh = bodkin::io::parse_gmsh(text, "body.msh");
     if (mesh.elements.empty() || mesh.regions.size() != mesh.elements.size()) std::abort();
     for (const auto& element : mesh.elements) {
       for (const std::uint32_t node : element) {

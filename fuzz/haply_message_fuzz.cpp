@@ -11,8 +11,8 @@
 #include "haptics/drivers/haply_messages.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static bodkin::HaplyStateReader reader("04BA", "61576");
-  bodkin::HaplyReading reading;
+  static bodkin::haptics::HaplyStateReader reader("04BA", "61576");
+  bodkin::haptics::HaplyReading reading;
   const std::size_t fits = std::min(size, reader.buffer().size());
   std::copy_n(data, fits, reader.buffer().begin());
   if (reader.read(fits, reading)) {
@@ -23,14 +23,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
-    for (const bodkin::HaplyInverse& device : bodkin::parse_haply_inventory(text).devices) {
+    for (const bodkin::haptics::HaplyInverse& device : bodkin::haptics::parse_haply_inventory(text).devices) {
       if (device.identity.empty() || device.identity.find('"') != std::string::npos) std::abort();
     }
-  } catch (const bodkin::DriverFailure&) {
+  } catch (const bodkin::haptics::DriverFailure&) {
   }
   try {
-    bodkin::parse_haply_version(text);
-  } catch (const bodkin::DriverFailure&) {
+    bodkin::haptics::parse_haply_version(text);
+  } catch (const bodkin::haptics::DriverFailure&) {
   }
   return 0;
 }

@@ -9,10 +9,10 @@
 #include "io/tissue_library_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const bodkin::TissueLibrary library = bodkin::default_tissue_library();
+  static const bodkin::anatomy::TissueLibrary library = bodkin::io::default_tissue_library();
   try {
     const std::string text(reinterpret_cast<const char*>(data), size);
-    for (const bodkin::Structure& entry : bodkin::parse_label_scheme(text, "scheme.csv", library)) {
+    for (const bodkin::anatomy::Structure& entry : bodkin::io::parse_label_scheme(text, "scheme.csv", library)) {
       if (entry.label == 0 || entry.name.empty() || entry.name.size() > 200) std::abort();
     }
   } catch (const bodkin::InputError&) {

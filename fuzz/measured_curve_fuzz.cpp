@@ -12,7 +12,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
-    const bodkin::MeasuredCurve curve = bodkin::parse_measured_curve(text, "curve.csv");
+    const bodkin::study::MeasuredCurve curve = bodkin::study::parse_measured_curve(text, "curve.csv");
     if (curve.size() < 10 || curve.force.size() != curve.size()) std::abort();
     if (!curve.time.empty() && curve.time.size() != curve.size()) std::abort();
     for (std::size_t i = 0; i < curve.size(); ++i) {

@@ -36,7 +36,7 @@ class ScratchVolume {
 template <typename Voxel>
 void read(const std::string& file) {
   try {
-    const auto volume = bodkin::read_nrrd<Voxel>(file);
+    const auto volume = bodkin::io::read_nrrd<Voxel>(file);
     if (volume && volume->voxels.size() != volume->grid.voxel_count()) std::abort();
   } catch (const bodkin::InputError&) {
   }
@@ -48,8 +48,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const ScratchVolume scratch;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   // What was understood is written as what is understood to be the same.
-  if (const auto parsed = bodkin::parse_nrrd_header(bytes)) {
-    const auto again = bodkin::parse_nrrd_header(bodkin::nrrd_header_text(parsed->header));
+  if (const auto parsed = bodkin::io::parse_nrrd_header(bytes)) {
+    const auto again = bodkin::io::parse_nrrd_header(bodkin::io::nrrd_header_text(parsed->header));
     if (!again || again->header.steps != parsed->header.steps || again->header.size != parsed->header.size)
       std::abort();
   }

@@ -11,19 +11,19 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view document(reinterpret_cast<const char*>(data), size);
-  bodkin::OperatorScript script;
+  bodkin::simulation::OperatorScript script;
   try {
-    script = bodkin::parse_operator(document, "operator.xml");
+    script = bodkin::session::parse_operator(document, "operator.xml");
   } catch (const bodkin::InputError&) {
     return 0;
   }
   // Whatever is accepted is performed, against a force that comes and goes, and stays finite.
-  bodkin::Operator actor(script, {{0, 100, 0}, {0, 50, 0}}, 1, 0.001);
+  bodkin::simulation::Operator actor(script, {{0, 100, 0}, {0, 50, 0}}, 1, 0.001);
   bodkin::Pose needle = actor.start();
   for (int tick = 0; tick < 2000; ++tick) {
     needle = actor.step({needle, bodkin::Vec3(0, tick % 500 * 0.01, 0)});
     if (!needle.matrix().allFinite()) std::abort();
   }
-  if (bodkin::operator_json(script).empty()) std::abort();
+  if (bodkin::session::operator_json(script).empty()) std::abort();
   return 0;
 }

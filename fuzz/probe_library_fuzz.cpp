@@ -9,8 +9,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    const auto probes = bodkin::parse_probes({reinterpret_cast<const char*>(data), size}, "probes.xml");
-    for (const bodkin::UltrasoundProbe& probe : probes) {
+    const auto probes = bodkin::io::parse_probes({reinterpret_cast<const char*>(data), size}, "probes.xml");
+    for (const bodkin::anatomy::UltrasoundProbe& probe : probes) {
       const bool sound =
           probe.lowest <= probe.frequency && probe.frequency <= probe.highest && probe.aperture() > 0.0;
       if (!sound) std::abort();

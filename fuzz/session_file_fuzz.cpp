@@ -36,19 +36,19 @@ class ScratchFile {
 
 // What lies behind the checksums, which random bytes do not pass.
 void decode(std::span<const std::uint8_t> bytes) {
-  bodkin::TickRecord record;
-  const std::size_t size = bodkin::encoded_tick_size();
-  if (bytes.size() >= size && bodkin::decode_tick(bytes.first(size), record)) {
+  bodkin::simulation::TickRecord record;
+  const std::size_t size = bodkin::session::encoded_tick_size();
+  if (bytes.size() >= size && bodkin::session::decode_tick(bytes.first(size), record)) {
     std::vector<std::uint8_t> again;
-    bodkin::encode_tick(record, again);
+    bodkin::session::encode_tick(record, again);
     if (!std::equal(again.begin(), again.end(), bytes.begin())) std::abort();
   }
-  bodkin::Event event;
+  bodkin::forces::Event event;
   std::uint32_t tick = 0;
-  if (bytes.size() >= bodkin::encoded_event_size) {
-    const auto first = bytes.first(bodkin::encoded_event_size);
+  if (bytes.size() >= bodkin::session::encoded_event_size) {
+    const auto first = bytes.first(bodkin::session::encoded_event_size);
     std::vector<std::uint8_t> again;
-    if (bodkin::decode_event(first, tick, event)) bodkin::encode_event(tick, event, again);
+    if (bodkin::session::decode_event(first, tick, event)) bodkin::session::encode_event(tick, event, again);
     if (!again.empty() && !std::equal(again.begin(), again.end(), first.begin())) std::abort();
   }
 }
@@ -61,7 +61,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::ofstream(scratch.path(), std::ios::binary)
       .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
   try {
-    bodkin::read_session(scratch.path());
+    bodkin::session::read_session(scratch.path());
   } catch (const bodkin::InputError&) {
   }
   return 0;

@@ -3,7 +3,7 @@
 #include "core/parameter.h"
 #include "core/settings_check.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 // What a tissue is to sound (docs/ultrasound.md).
 struct AcousticTissue {
@@ -40,4 +40,4 @@ struct AcousticTissue {
   }
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

@@ -13,7 +13,7 @@
 #include "anatomy/tissue.h"
 #include "anatomy/volume.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 // One label of a segmentation: what it is called and what it is made of.
 struct Structure {
@@ -108,4 +108,4 @@ struct Case {
   PreparedCorridor corridor;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

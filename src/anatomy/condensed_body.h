@@ -12,7 +12,7 @@
 #include "anatomy/tissue.h"
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 // A deformable body as the needle sees it: the nodes of its corridor, and how each of them moves by a force on any of
 // them, exactly as in the whole body with what is fixed held fixed.
@@ -48,4 +48,4 @@ inline void take_marks(const CondensedBody& body, std::vector<std::uint8_t>& mar
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

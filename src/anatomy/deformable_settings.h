@@ -6,7 +6,7 @@
 #include "core/parameter.h"
 #include "core/settings_check.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 // How a case's mesh becomes a deformable body: what holds it, and which nodes the needle can meet.
 struct DeformableBodySettings {
@@ -114,4 +114,4 @@ struct ClosestNodeSettings {
   }
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

@@ -12,7 +12,7 @@
 #include "anatomy/resistance_settings.h"
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 // What a case chooses of the force models: one resistance, one constraint, parts that add to them, compensation. What
 // depends on the tissue stands in the tissue library. Tables: core/parameter.h.
@@ -247,4 +247,4 @@ struct GravitySettings {
   }
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

@@ -1,6 +1,6 @@
 #include "anatomy/grid.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 std::string Grid::axes() const {
   static constexpr char positive[] = {'L', 'P', 'S'};
@@ -24,4 +24,4 @@ bool same_lattice(const Grid& a, const Grid& b, double tolerance) {
   return true;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

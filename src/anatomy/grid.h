@@ -6,7 +6,7 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 // The lattice on which an image lies in the patient, carried exactly as its file gives it: no axis is flipped or
 // resampled on import. Voxel (i, j, k) has its centre at origin + direction * (spacing .* (i, j, k)), LPS mm.
@@ -39,4 +39,4 @@ struct Grid {
 // The same lattice to within `tolerance` mm at every corner.
 bool same_lattice(const Grid& a, const Grid& b, double tolerance = 1e-3);
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

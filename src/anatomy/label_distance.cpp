@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace bodkin {
+namespace bodkin::anatomy {
 namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();
@@ -106,4 +106,4 @@ std::vector<std::uint8_t> thick_enough(const Volume<std::uint8_t>& labels, const
   return kept;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

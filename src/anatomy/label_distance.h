@@ -5,7 +5,7 @@
 
 #include "anatomy/volume.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 // Distances between the labels of a volume, exact and in one sweep along each axis whatever the number of labels
 // (lower envelopes of parabolas, Felzenszwalb and Huttenlocher 2012, restarted where the label changes). Beyond the
@@ -23,4 +23,4 @@ std::vector<float> distance_to_other_label(const Volume<std::uint8_t>& labels);
 std::vector<std::uint8_t> thick_enough(const Volume<std::uint8_t>& labels, const std::vector<float>& distance,
                                        const std::vector<float>& radius);
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-namespace bodkin {
+namespace bodkin::anatomy {
 namespace {
 
 // Sets of elements that are joined one pair at a time.
@@ -101,4 +101,4 @@ std::size_t orient_elements(TetrahedralMesh& mesh) {
   return turned;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

@@ -4,7 +4,7 @@
 
 #include "anatomy/tetrahedral_mesh.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 // Leaves only the largest part of a mesh that hangs together by faces of tetrahedra, and the nodes that it uses, in
 // their order. Returns how many elements were taken away. Corners must be nodes.
@@ -16,4 +16,4 @@ double element_volume(const TetrahedralMesh& mesh, std::size_t e);
 // Turns every element of negative volume. Returns how many there were.
 std::size_t orient_elements(TetrahedralMesh& mesh);
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

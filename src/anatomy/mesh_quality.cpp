@@ -7,7 +7,7 @@
 
 #include "anatomy/mesh_parts.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 namespace {
 
 constexpr std::array<std::array<std::size_t, 2>, 6> edges_of = {{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
@@ -124,4 +124,4 @@ MeshQuality measure_quality(const TetrahedralMesh& mesh, const std::function<boo
   return quality;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

@@ -7,7 +7,7 @@
 
 #include "anatomy/tetrahedral_mesh.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 // The six dihedral angles of a tetrahedron in degrees, in the order of the edges (0,1), (0,2), (0,3), (1,2), (1,3),
 // (2,3). Regular: 70.53 each. An angle at an edge of no length is 0.
@@ -42,4 +42,4 @@ struct MeshQuality {
 // interest, such as the corridor of the needle; empty: nothing is.
 MeshQuality measure_quality(const TetrahedralMesh& mesh, const std::function<bool(const Vec3&)>& in_region = {});
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 namespace {
 
@@ -37,4 +37,4 @@ std::optional<NeedleTip> needle_tip_from(const std::string& name) {
   return parse_value(name, tip) ? std::optional(tip) : std::nullopt;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

@@ -7,7 +7,7 @@
 #include "core/parameter.h"
 #include "core/settings_check.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 enum class NeedleTip { quincke, whitacre, tuohy, chiba, trephine, filiform };
 constexpr std::array<std::string_view, 6> enumeration_names(NeedleTip) {
@@ -56,4 +56,4 @@ std::optional<GaugeSize> gauge_size(int gauge);
 std::string to_string(NeedleTip tip);
 std::optional<NeedleTip> needle_tip_from(const std::string& name);
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

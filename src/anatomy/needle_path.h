@@ -2,7 +2,7 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 // A straight needle path, LPS mm.
 struct NeedlePath {
@@ -13,4 +13,4 @@ struct NeedlePath {
   Vec3 direction() const { return (target - entry).normalized(); }
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

@@ -6,7 +6,7 @@
 
 #include "core/parameter.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 // Settings of what is added to a resistance: the bevel's pull, the fluid that comes back, the syringe on the hub.
 // Tables: core/parameter.h.
@@ -88,4 +88,4 @@ struct SyringeSettings {
   }
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

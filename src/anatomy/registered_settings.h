@@ -7,7 +7,7 @@
 
 #include "core/settings_tree.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 // The choice of a resistance that the program registers itself (simulation/resistance_models.h): its name, and its
 // settings as texts, which the model's own table of parameters reads when the case is simulated.
@@ -43,4 +43,4 @@ inline SettingsTree settings_tree(std::string name, const RegisteredSettings& ch
   return tree;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

@@ -9,7 +9,7 @@
 #include "anatomy/deformable_settings.h"
 #include "anatomy/tissue_forces.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 // What a case may choose of the resistances. What depends on the tissue stands in the tissue library. Tables:
 // core/parameter.h.
@@ -352,4 +352,4 @@ struct SurfaceProxySettings {
   }
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

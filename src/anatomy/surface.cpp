@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 namespace {
 
 constexpr double farthest_vertex = 1e4;  // mm
@@ -88,4 +88,4 @@ Vec3 Surface::normal(std::size_t t) const {
   return (at(1) - at(0)).cross(at(2) - at(0)).normalized();
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

@@ -6,7 +6,7 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 // A surface made of triangles, LPS mm. The corners of a triangle run counterclockwise seen from outside, so the
 // normal (b - a) x (c - a) points out of the body. The surface may be open, and may have several pieces.
@@ -41,4 +41,4 @@ class Surface {
   std::size_t left_out_ = 0;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

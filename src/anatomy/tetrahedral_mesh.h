@@ -7,7 +7,7 @@
 #include "anatomy/tissue.h"
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 // A body as linear tetrahedra. Indices are into `nodes`; corners are ordered so that the volume is positive: the
 // fourth lies on the side of the first three from which they run anticlockwise (VTK's order).
@@ -17,4 +17,4 @@ struct TetrahedralMesh {
   std::vector<TissueId> tissues;  // one per element
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 TissueLibrary::TissueLibrary(std::vector<TissueProperties> tissues) : tissues_(std::move(tissues)) {
   for (std::size_t position = 0; position < tissues_.size(); ++position) {
@@ -31,4 +31,4 @@ std::string TissueLibrary::title(TissueId id) const {
   return entry != nullptr ? entry->title : "tissue " + std::to_string(id);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

@@ -10,7 +10,7 @@
 #include "anatomy/acoustic_tissue.h"
 #include "anatomy/tissue_forces.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 // What a voxel is made of, as far as a needle can feel it. Values 0 to 31 are Bodkin's own and fixed; a tissue
 // library may define more, 32 to 254. 255 is never a tissue.
@@ -112,4 +112,4 @@ class TissueLibrary {
   std::vector<int> by_id_ = std::vector<int>(256, -1);  // 256: position in tissues_, or -1
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

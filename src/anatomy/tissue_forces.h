@@ -5,7 +5,7 @@
 #include "core/parameter.h"
 #include "core/settings_check.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 // How one tissue resists, for every force model that asks the tissue. A tissue library (docs/case-format.md) fills
 // these; a tissue that has nothing to say to a model resists with nothing there. Tables: core/parameter.h. The
@@ -224,4 +224,4 @@ struct DeformableTissue {
   }
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

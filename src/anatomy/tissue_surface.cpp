@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 namespace {
 
 constexpr float half = 0.5F;
@@ -235,4 +235,4 @@ Surface tissue_surface(const TissueVolume& tissues, const TissueSet& region, con
   return Surface(std::move(vertices), std::move(triangles));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

@@ -6,7 +6,7 @@
 #include "anatomy/tissue.h"
 #include "anatomy/volume.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 // A set of tissues.
 using TissueSet = std::bitset<256>;
@@ -32,4 +32,4 @@ struct TissueSurfaceSettings {
 // range, for an empty volume, and when nothing of `region` is left.
 Surface tissue_surface(const TissueVolume& tissues, const TissueSet& region, const TissueSurfaceSettings& settings);
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

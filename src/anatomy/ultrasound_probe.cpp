@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 namespace {
 
@@ -28,7 +28,7 @@ std::string to_string(ProbeKind kind) {
 void check(const UltrasoundProbe& probe, const std::string& origin) {
   const std::string place = origin + ": probe '" + probe.name + "'";
   if (probe.name.empty()) refuse_setting(place, "name is empty, expected what people call it, such as C5-2");
-  check<UltrasoundProbe>(probe, place);
+  bodkin::check<UltrasoundProbe>(probe, place);
   if (probe.kind == ProbeKind::curvilinear) {
     check_range(place, "radius_mm", probe.radius, radius_of_a_curved_face, "mm");
     const double face = probe.aperture() / probe.radius * 180.0 / std::numbers::pi;
@@ -47,4 +47,4 @@ void check(const UltrasoundProbe& probe, const std::string& origin) {
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

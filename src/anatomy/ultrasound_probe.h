@@ -6,7 +6,7 @@
 #include "core/parameter.h"
 #include "core/settings_check.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 enum class ProbeKind : std::uint8_t { linear, curvilinear, phased };
 constexpr std::array<std::string_view, 3> enumeration_names(ProbeKind) {
@@ -76,4 +76,4 @@ struct UltrasoundProbe {
 // Throws InputError naming `origin`, the field, what it is and what is expected, when the probe could not exist.
 void check(const UltrasoundProbe& probe, const std::string& origin);
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

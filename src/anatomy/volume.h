@@ -6,7 +6,7 @@
 
 #include "anatomy/grid.h"
 
-namespace bodkin {
+namespace bodkin::anatomy {
 
 // An image on a grid: voxels in file order, i fastest.
 template <typename Voxel>
@@ -79,4 +79,4 @@ double linear(const Volume<Voxel>& volume, const Vec3& point, double outside) no
   return linear_at_index(volume, volume.grid.to_index(point), outside);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::anatomy

@@ -9,11 +9,11 @@
 #include "haptics/drivers/drivers.h"
 #include "haptics/plugin.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 std::vector<const bodkin_driver*> all_drivers() {
-  std::vector<const bodkin_driver*> drivers(built_in_drivers().begin(), built_in_drivers().end());
-  drivers.insert(drivers.end(), {&recorded_driver(), &mouse_driver()});
+  std::vector<const bodkin_driver*> drivers(haptics::built_in_drivers().begin(), haptics::built_in_drivers().end());
+  drivers.insert(drivers.end(), {&station::recorded_driver(), &desktop::mouse_driver()});
   return drivers;
 }
 
@@ -25,7 +25,7 @@ const bodkin_driver* find_own_driver(std::string_view name) {
 }
 
 const bodkin_driver& load_driver(const std::string& name) {
-  if (name.find('/') != std::string::npos) return load_plugin(name);
+  if (name.find('/') != std::string::npos) return haptics::load_plugin(name);
   if (const bodkin_driver* driver = find_own_driver(name)) return *driver;
   std::vector<std::string> names;
   for (const bodkin_driver* driver : all_drivers()) names.emplace_back(driver->name);
@@ -33,4 +33,4 @@ const bodkin_driver& load_driver(const std::string& name) {
                                fmt::join(names, ", ")));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -6,7 +6,7 @@
 
 #include "haptics/bodkin_driver.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 // The drivers that come with the program: those of devices (haptics/drivers/drivers.h), of a recorded hand, and of
 // mouse and keyboard.
@@ -19,4 +19,4 @@ const bodkin_driver* find_own_driver(std::string_view name);
 // unknown name and SystemError for a library that is no driver.
 const bodkin_driver& load_driver(const std::string& name);
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

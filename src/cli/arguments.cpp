@@ -13,7 +13,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -252,4 +252,4 @@ std::string usage_sentence(const CLI::App& app, const CLI::ParseError& error) {
   return fmt::format("{}; {}", what.substr(0, what.find('\n')), help);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -14,7 +14,7 @@ class Option;
 class ParseError;
 }  // namespace CLI
 
-namespace bodkin {
+namespace bodkin::cli {
 
 // An option that a command has, to say more about it.
 class Argument {
@@ -78,4 +78,4 @@ void require_writable(const std::filesystem::path& file, const std::string& opti
 // What is wrong with a command line that CLI11 refuses, as one sentence; `app` is the program that parsed it.
 std::string usage_sentence(const CLI::App& app, const CLI::ParseError& error);
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

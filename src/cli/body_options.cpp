@@ -13,14 +13,14 @@
 #include "cli/arguments.h"
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
-using FaceSetting = std::pair<std::string_view, double ProbeFace::*>;
-constexpr std::array<FaceSetting, 3> face_settings = {FaceSetting{"width_mm", &ProbeFace::width},
-                                                      FaceSetting{"thickness_mm", &ProbeFace::thickness},
-                                                      FaceSetting{"radius_mm", &ProbeFace::radius}};
+using FaceSetting = std::pair<std::string_view, double fem::ProbeFace::*>;
+constexpr std::array<FaceSetting, 3> face_settings = {FaceSetting{"width_mm", &fem::ProbeFace::width},
+                                                      FaceSetting{"thickness_mm", &fem::ProbeFace::thickness},
+                                                      FaceSetting{"radius_mm", &fem::ProbeFace::radius}};
 
 // The words of a text, without the blanks between them.
 std::vector<std::string_view> split_words(std::string_view text) {
@@ -34,7 +34,7 @@ std::vector<std::string_view> split_words(std::string_view text) {
   }
 }
 
-void take_face_setting(std::string_view word, ProbeFace& face) {
+void take_face_setting(std::string_view word, fem::ProbeFace& face) {
   const auto sign = std::min(word.find('='), word.size());
   for (const auto& [name, member] : face_settings) {
     if (word.substr(0, sign) != name) continue;
@@ -57,16 +57,16 @@ void add_body_option(CLI::App& command, std::string& body) {
            "far, on a thread of its own; width_mm, thickness_mm, radius_mm of the probe's face");
 }
 
-std::optional<ProbeFace> parse_body(const std::string& body) {
+std::optional<fem::ProbeFace> parse_body(const std::string& body) {
   if (body.empty()) return {};
   const std::vector<std::string_view> words = split_words(body);
   const bool moves = !words.empty() && words.front() == "moving";
   if (!moves && (words.size() != 1 || words.front() != "static"))
     throw InputError(fmt::format("--body is '{}'; expected static, or moving with settings of the probe", body));
   if (!moves) return {};
-  ProbeFace face;
+  fem::ProbeFace face;
   for (std::size_t word = 1; word < words.size(); ++word) take_face_setting(words[word], face);
   return face;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

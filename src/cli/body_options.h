@@ -9,12 +9,12 @@ namespace CLI {
 class App;
 }
 
-namespace bodkin {
+namespace bodkin::cli {
 
 // Adds --body.
 void add_body_option(CLI::App& command, std::string& body);
 
 // What --body says: the probe's face of a moving body, none for a static one. Throws InputError naming --body.
-std::optional<ProbeFace> parse_body(const std::string& body);
+std::optional<fem::ProbeFace> parse_body(const std::string& body);
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -12,7 +12,7 @@
 #include "core/error.h"
 #include "haptics/calibration.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
@@ -67,26 +67,27 @@ CalibrationStep calibration_step(const std::string& name) {
   throw InputError(fmt::format("--steps: '{}' is no step, expected {}", name, fmt::join(names, ", ")));
 }
 
-std::vector<CalibrationStep> steps_for(const DeviceAbilities& device) {
+std::vector<CalibrationStep> steps_for(const haptics::DeviceAbilities& device) {
   std::vector<CalibrationStep> steps = {CalibrationStep::workspace, CalibrationStep::mounting};
   if (device.measures_rotation) steps.insert(steps.end(), {CalibrationStep::tip, CalibrationStep::axis});
   if (device.peak_force > 0.0) steps.push_back(CalibrationStep::weight);
   return steps;
 }
 
-CalibrationSteps::CalibrationSteps(DeviceServo& servo, Weighing& weighing, const CalibrationSettings& settings,
-                                   Console& console)
+CalibrationSteps::CalibrationSteps(haptics::DeviceServo& servo, haptics::Weighing& weighing,
+                                   const CalibrationSettings& settings, Console& console)
     : servo_(servo), weighing_(weighing), settings_(settings), console_(console) {}
 
 void CalibrationSteps::require_sound() {
-  const ServoSnapshot& now = servo_.tick().snapshot();
-  if (now.device.fault != DeviceFault::none) {
+  const haptics::ServoSnapshot& now = servo_.tick().snapshot();
+  if (now.device.fault != haptics::DeviceFault::none) {
     const std::string sentence = servo_.explain();
-    throw SystemError(sentence.empty() ? fmt::format("the device reported a fault: {}", text_of(now.device.fault))
-                                       : sentence);
+    throw SystemError(sentence.empty()
+                          ? fmt::format("the device reported a fault: {}", haptics::text_of(now.device.fault))
+                          : sentence);
   }
-  if (now.state == GuardState::faulted) {
-    throw SystemError(fmt::format("the force was taken away: {}; try again", text_of(now.fault)));
+  if (now.state == haptics::GuardState::faulted) {
+    throw SystemError(fmt::format("the force was taken away: {}; try again", haptics::text_of(now.fault)));
   }
 }
 
@@ -136,12 +137,12 @@ double CalibrationSteps::carried_force(double above, std::string_view stage) {
   return sum / count;
 }
 
-void CalibrationSteps::weigh(DeviceCalibration& measured) {
-  ServoCommand command;
-  command.kind = ServoCommand::Kind::arm;
+void CalibrationSteps::weigh(haptics::DeviceCalibration& measured) {
+  haptics::ServoCommand command;
+  command.kind = haptics::ServoCommand::Kind::arm;
   servo_.tick().command(command);
   const auto begin = std::chrono::steady_clock::now();
-  while (servo_.tick().snapshot().state != GuardState::active) {
+  while (servo_.tick().snapshot().state != haptics::GuardState::active) {
     std::this_thread::sleep_for(step_interval);
     require_sound();
     if (seconds_since(begin) > arming_time) {
@@ -159,29 +160,29 @@ void CalibrationSteps::weigh(DeviceCalibration& measured) {
         fmt::format("the handle went up by {:.1f} mm when it was lifted, expected {:g} or more; let it hang freely",
                     followed, least_follow));
   }
-  const WeightFit fit = weight_of(from_below, from_above);
+  const haptics::WeightFit fit = haptics::weight_of(from_below, from_above);
   measured.weight = fit.weight;
   measured.friction = fit.friction;
   console_.line(fmt::format("  the handle weighs {:.2f} N, its friction is {:.2f} N", fit.weight, fit.friction));
 }
 
-void CalibrationSteps::perform(CalibrationStep step, DeviceCalibration& measured) {
+void CalibrationSteps::perform(CalibrationStep step, haptics::DeviceCalibration& measured) {
   console_.line(words_of(step).what_to_do);
   wait_for_a_person();
   const std::string stage(name_of(step));
   switch (step) {
     case CalibrationStep::workspace: {
-      measured.reach = reach_of(watch(settings_.seconds, stage, true));
+      measured.reach = haptics::reach_of(watch(settings_.seconds, stage, true));
       const Vec3 size = measured.reach->high - measured.reach->low;
       console_.line(fmt::format("  {:.0f} x {:.0f} x {:.0f} mm", size.x(), size.y(), size.z()));
       return;
     }
     case CalibrationStep::mounting:
-      measured.mounting = mounting_of(watch(settings_.seconds, stage, true));
+      measured.mounting = haptics::mounting_of(watch(settings_.seconds, stage, true));
       console_.line(fmt::format("  the device stands turned by {:.1f} degrees", *measured.mounting / degree));
       return;
     case CalibrationStep::tip: {
-      const TipFit fit = tip_of(watch(settings_.seconds, stage, true));
+      const haptics::TipFit fit = haptics::tip_of(watch(settings_.seconds, stage, true));
       measured.tip_offset = fit.offset;
       measured.tip_residual = fit.residual;
       console_.line(fmt::format("  the tip lies {:.1f} mm from the device's point, found within {:.2f} mm",
@@ -189,7 +190,7 @@ void CalibrationSteps::perform(CalibrationStep step, DeviceCalibration& measured
       return;
     }
     case CalibrationStep::axis:
-      measured.tool_axis = tool_axis_of(watch(std::min(settings_.seconds, 3.0), stage, true));
+      measured.tool_axis = haptics::tool_axis_of(watch(std::min(settings_.seconds, 3.0), stage, true));
       console_.line(fmt::format("  the needle's axis is {:.3f} {:.3f} {:.3f} of the tool's", measured.tool_axis->x(),
                                 measured.tool_axis->y(), measured.tool_axis->z()));
       return;
@@ -198,4 +199,4 @@ void CalibrationSteps::perform(CalibrationStep step, DeviceCalibration& measured
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -12,7 +12,7 @@
 #include "haptics/device_servo.h"
 #include "haptics/weighing.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 // What `bodkin devices calibrate` measures, in this order.
 enum class CalibrationStep { workspace, mounting, tip, axis, weight };
@@ -22,7 +22,7 @@ std::string_view name_of(CalibrationStep step);
 // Throws InputError for a name that no step has.
 CalibrationStep calibration_step(const std::string& name);
 // The steps that a device allows: tip and axis need rotation, the weight needs force.
-std::vector<CalibrationStep> steps_for(const DeviceAbilities& device);
+std::vector<CalibrationStep> steps_for(const haptics::DeviceAbilities& device);
 
 struct CalibrationSettings {
   double seconds = 15.0;   // for the motions of a step
@@ -33,24 +33,25 @@ struct CalibrationSettings {
 class CalibrationSteps {
  public:
   // The servo runs; its controller is `weighing`.
-  CalibrationSteps(DeviceServo& servo, Weighing& weighing, const CalibrationSettings& settings, Console& console);
+  CalibrationSteps(haptics::DeviceServo& servo, haptics::Weighing& weighing, const CalibrationSettings& settings,
+                   Console& console);
 
   // Says what to do, waits for the Enter key or the countdown, measures. Throws InputError where the readings do not
   // do, and SystemError when the device fails.
-  void perform(CalibrationStep step, DeviceCalibration& measured);
+  void perform(CalibrationStep step, haptics::DeviceCalibration& measured);
 
  private:
   void wait_for_a_person();
   std::vector<Pose> watch(double seconds, std::string_view stage, bool may_end_early);
   double carried_force(double above, std::string_view stage);
-  void weigh(DeviceCalibration& measured);
+  void weigh(haptics::DeviceCalibration& measured);
   void require_sound();
 
-  DeviceServo& servo_;
-  Weighing& weighing_;
+  haptics::DeviceServo& servo_;
+  haptics::Weighing& weighing_;
   CalibrationSettings settings_;
   Console& console_;
-  Keys keys_;
+  desktop::Keys keys_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

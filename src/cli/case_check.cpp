@@ -6,7 +6,7 @@
 #include "cli/console.h"
 #include "io/case_folder.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
@@ -21,13 +21,13 @@ Examples:
 
 Exit code: 0 sound, 2 not.)";
 
-std::string summary(const CaseDescription& description) {
+std::string summary(const anatomy::CaseDescription& description) {
   std::string text =
       fmt::format("'{}', {}", description.name,
                   description.structures_file.empty() ? "no segmentation"
                                                       : fmt::format("{} structures", description.structures.size()));
-  text += fmt::format(", {}G {} needle of {} mm", description.needle.gauge, to_string(description.needle.tip),
-                      description.needle.length);
+  text += fmt::format(", {}G {} needle of {} mm", description.needle.gauge,
+                      anatomy::to_string(description.needle.tip), description.needle.length);
   if (description.procedure.path) {
     text += fmt::format(", {} along {:.1f} mm", description.procedure.name, description.procedure.path->length());
   }
@@ -36,12 +36,12 @@ std::string summary(const CaseDescription& description) {
 
 void check(const std::string& folder, CommandContext& context) {
   Console console(context);
-  const std::vector<std::string> problems = check_case(folder, console.progress());
+  const std::vector<std::string> problems = io::check_case(folder, console.progress());
   console.clear_bar();
   console.json(nlohmann::json{{"case", folder}, {"sound", problems.empty()}, {"problems", problems}}.dump(
       2, ' ', false, nlohmann::json::error_handler_t::replace));
   if (problems.empty()) {
-    console.line(fmt::format("{} is sound: {}", folder, summary(read_case_description(folder))));
+    console.line(fmt::format("{} is sound: {}", folder, summary(io::read_case_description(folder))));
     return;
   }
   for (const std::string& problem : problems) console.line(problem);
@@ -59,4 +59,4 @@ void add_case_check_command(CLI::App& case_group, CommandContext& context) {
   on_run(*command, [folder, &context] { check(*folder, context); });
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -21,7 +21,7 @@
 #include "io/mesh/foreign_mesh.h"
 #include "io/resources.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -45,57 +45,59 @@ contains CGAL's Mesh_3; --import works without it.)";
 
 struct CaseMeshOptions {
   std::string folder, import, regions, output;
-  MeshSettings settings;
+  patient::MeshSettings settings;
   bool force = false;
 };
 
 // A mesh with what is to be said of it.
 struct MeshOutcome {
-  CaseMesh body;
+  patient::CaseMesh body;
   bool reused = false;
 };
 
-MeshOutcome from_record(const fs::path& folder, const TissueLibrary& library) {
-  std::optional<CaseMesh> found = read_case_mesh(folder, library);
+MeshOutcome from_record(const fs::path& folder, const anatomy::TissueLibrary& library) {
+  std::optional<patient::CaseMesh> found = patient::read_case_mesh(folder, library);
   return {std::move(*found), true};
 }
 
 void refuse_foreign_mesh(const fs::path& folder, bool force) {
-  if (force || case_mesh_is_ours(folder)) return;
+  if (force || patient::case_mesh_is_ours(folder)) return;
   throw InputError(
       fmt::format("{}: this mesh was not made by this command, or has been changed since; say --force to "
                   "replace it",
-                  (folder / mesh_file_name).string()));
+                  (folder / patient::mesh_file_name).string()));
 }
 
 // Whether the folder holds the mesh that `made_from` stands for.
 bool is_there(const fs::path& folder, const std::string& made_from) {
-  const std::optional<MeshRecord> record = read_mesh_record(folder);
+  const std::optional<patient::MeshRecord> record = patient::read_mesh_record(folder);
   return record && record->made_from == made_from;
 }
 
-MeshOutcome make_mesh(const CaseMeshOptions& options, const CaseDescription& description,
-                      const TissueLibrary& library, const TissueVolume& tissues, const Progress& progress) {
+MeshOutcome make_mesh(const CaseMeshOptions& options, const anatomy::CaseDescription& description,
+                      const anatomy::TissueLibrary& library, const anatomy::TissueVolume& tissues,
+                      const Progress& progress) {
   const auto& path = description.procedure.path;
-  const std::string made_from = mesh_made_from(tissues, path, options.settings);
+  const std::string made_from = patient::mesh_made_from(tissues, path, options.settings);
   if (!options.force && is_there(options.folder, made_from)) return from_record(options.folder, library);
   refuse_foreign_mesh(options.folder, options.force);
-  MeshedBody made = mesh_tissues(tissues, path, library, options.settings, progress);
-  MeshRecord record{made_from, {}, made.scale, {}, std::move(made.notes)};
-  write_case_mesh(made.mesh, record, options.folder);
+  patient::MeshedBody made = patient::mesh_tissues(tissues, path, library, options.settings, progress);
+  patient::MeshRecord record{made_from, {}, made.scale, {}, std::move(made.notes)};
+  patient::write_case_mesh(made.mesh, record, options.folder);
   return {{std::move(made.mesh), std::move(record)}, false};
 }
 
 // Refuses a mesh that lies outside the patient, as one in metres does.
-void require_overlap(const TetrahedralMesh& mesh, const TissueVolume& tissues, const std::string& file) {
+void require_overlap(const anatomy::TetrahedralMesh& mesh, const anatomy::TissueVolume& tissues,
+                     const std::string& file) {
   std::size_t inside = 0;
   Vec3 low = mesh.nodes.front(), high = low;
   for (const Vec3& node : mesh.nodes) {
     low = low.cwiseMin(node);
     high = high.cwiseMax(node);
-    if (nearest(tissues, node, tissue::air) != tissue::air) ++inside;
+    if (anatomy::nearest(tissues, node, anatomy::tissue::air) != anatomy::tissue::air) ++inside;
   }
-  const Grid& grid = tissues.grid;
+  const anatomy::Grid& grid = tissues.grid;
   const Vec3 across = grid.spacing.cwiseProduct(Vec3(grid.size[0], grid.size[1], grid.size[2]));
   const bool tiny = (high - low).maxCoeff() < 0.02 * across.maxCoeff();
   if (inside > 0 && !tiny) return;
@@ -106,27 +108,29 @@ void require_overlap(const TetrahedralMesh& mesh, const TissueVolume& tissues, c
                   tiny ? "which is much smaller than the patient" : "where the case has no body"));
 }
 
-MeshOutcome import_mesh(const CaseMeshOptions& options, const TissueLibrary& library, const TissueVolume& tissues) {
+MeshOutcome import_mesh(const CaseMeshOptions& options, const anatomy::TissueLibrary& library,
+                        const anatomy::TissueVolume& tissues) {
   const std::string scheme =
-      options.regions.empty() ? std::string() : read_text_file(options.regions, largest_scheme);
-  const std::string made_from = mesh_made_from(read_text_file(options.import, largest_import), scheme);
+      options.regions.empty() ? std::string() : io::read_text_file(options.regions, largest_scheme);
+  const std::string made_from = patient::mesh_made_from(io::read_text_file(options.import, largest_import), scheme);
   if (!options.force && is_there(options.folder, made_from)) return from_record(options.folder, library);
   refuse_foreign_mesh(options.folder, options.force);
-  const ForeignMesh foreign = read_foreign_mesh(options.import);
-  MeshRecord record{made_from, {}, 1.0, options.import, foreign.notes};
-  std::vector<Structure> regions;
-  if (!options.regions.empty()) regions = parse_label_scheme(scheme, options.regions, library);
-  TetrahedralMesh mesh = with_tissues(foreign, library, regions,
-                                      options.regions.empty() ? options.import : options.regions, record.notes);
+  const io::ForeignMesh foreign = io::read_foreign_mesh(options.import);
+  patient::MeshRecord record{made_from, {}, 1.0, options.import, foreign.notes};
+  std::vector<anatomy::Structure> regions;
+  if (!options.regions.empty()) regions = io::parse_label_scheme(scheme, options.regions, library);
+  anatomy::TetrahedralMesh mesh = patient::with_tissues(
+      foreign, library, regions, options.regions.empty() ? options.import : options.regions, record.notes);
   require_overlap(mesh, tissues, options.import);
-  write_case_mesh(mesh, record, options.folder);
+  patient::write_case_mesh(mesh, record, options.folder);
   return {{std::move(mesh), std::move(record)}, false};
 }
 
-void print_tissues(const Console& console, const MeshQuality& quality, const TissueLibrary& library) {
+void print_tissues(const Console& console, const anatomy::MeshQuality& quality,
+                   const anatomy::TissueLibrary& library) {
   console.line(
       fmt::format("  {:<26} {:>9} {:>12} {:>12} {:>14}", "tissue", "nodes", "tetrahedra", "volume, ml", "size, mm"));
-  for (const TissueMesh& own : quality.tissues) {
+  for (const anatomy::TissueMesh& own : quality.tissues) {
     // Of the regular tetrahedron with the mean volume.
     const double edge = std::cbrt(6.0 * std::sqrt(2.0) * own.volume / static_cast<double>(own.elements));
     console.line(fmt::format("  {:<26} {:>9} {:>12} {:>12.2f} {:>14.1f}", library.title(own.tissue), own.nodes,
@@ -134,25 +138,26 @@ void print_tissues(const Console& console, const MeshQuality& quality, const Tis
   }
 }
 
-void print_angles(const Console& console, const MeshQuality& quality) {
+void print_angles(const Console& console, const anatomy::MeshQuality& quality) {
   std::size_t all = 0;
   for (const std::size_t count : quality.angles) all += count;
   console.line("  dihedral angles, degrees");
-  for (int first = 0; first < angle_bins; first += bins_per_line) {
+  for (int first = 0; first < anatomy::angle_bins; first += bins_per_line) {
     std::size_t count = 0;
     for (int bin = first; bin < first + bins_per_line; ++bin) count += quality.angles[static_cast<std::size_t>(bin)];
     const double share = static_cast<double>(count) / static_cast<double>(all);
-    const int degrees = first * 180 / angle_bins;
+    const int degrees = first * 180 / anatomy::angle_bins;
     const std::string bar(static_cast<std::size_t>(std::lround(longest_bar * share)), '#');
-    console.line(fmt::format("    {:>3} to {:>3} {:>6.2f} %{}", degrees, degrees + bins_per_line * 180 / angle_bins,
-                             100.0 * share, bar.empty() ? bar : "  " + bar));
+    console.line(fmt::format("    {:>3} to {:>3} {:>6.2f} %{}", degrees,
+                             degrees + bins_per_line * 180 / anatomy::angle_bins, 100.0 * share,
+                             bar.empty() ? bar : "  " + bar));
   }
 }
 
 void print_mesh(const Console& console, const CaseMeshOptions& options, const MeshOutcome& outcome,
-                const MeshQuality& quality, const TissueLibrary& library) {
-  const std::string file = (fs::path(options.folder) / mesh_file_name).string();
-  const std::optional<MeshRecord>& record = outcome.body.record;
+                const anatomy::MeshQuality& quality, const anatomy::TissueLibrary& library) {
+  const std::string file = (fs::path(options.folder) / patient::mesh_file_name).string();
+  const std::optional<patient::MeshRecord>& record = outcome.body.record;
   console.line(outcome.reused ? fmt::format("{} is up to date; --force makes it again", file)
                               : fmt::format("{} is ready", file));
   console.line(fmt::format("  {} nodes, {} tetrahedra, {:.1f} ml", quality.nodes, quality.elements,
@@ -178,10 +183,11 @@ void print_mesh(const Console& console, const CaseMeshOptions& options, const Me
   print_angles(console, quality);
 }
 
-nlohmann::json json_of(const MeshOutcome& outcome, const MeshQuality& quality, const TissueLibrary& library) {
+nlohmann::json json_of(const MeshOutcome& outcome, const anatomy::MeshQuality& quality,
+                       const anatomy::TissueLibrary& library) {
   nlohmann::json tissues = nlohmann::json::array();
-  for (const TissueMesh& own : quality.tissues) {
-    const TissueProperties* properties = library.find(own.tissue);
+  for (const anatomy::TissueMesh& own : quality.tissues) {
+    const anatomy::TissueProperties* properties = library.find(own.tissue);
     tissues.push_back({{"id", own.tissue},
                        {"tissue", properties == nullptr ? "" : properties->name},
                        {"nodes", own.nodes},
@@ -196,7 +202,7 @@ nlohmann::json json_of(const MeshOutcome& outcome, const MeshQuality& quality, c
       {"element_volume_mm3", {quality.smallest_volume, quality.largest_volume}},
       {"dihedral_angle_deg", {quality.smallest_angle, quality.largest_angle}},
       {"elements_below_10_deg", quality.below_10},
-      {"dihedral_angles", {{"bin_deg", 180.0 / angle_bins}, {"counts", quality.angles}}},
+      {"dihedral_angles", {{"bin_deg", 180.0 / anatomy::angle_bins}, {"counts", quality.angles}}},
       {"edge_mm",
        {{"shortest", quality.shortest_edge}, {"mean", quality.mean_edge}, {"longest", quality.longest_edge}}},
       {"corridor", {{"nodes", quality.nodes_in_region}, {"mean_edge_mm", quality.mean_edge_in_region}}},
@@ -223,22 +229,24 @@ void run_case_mesh(const CaseMeshOptions& options, const CommandContext& context
     throw InputError(fmt::format("--coarse is {:g}; expected at least --fine, {:g}", options.settings.coarse,
                                  options.settings.fine));
   }
-  const CaseDescription description = read_case_description(options.folder);
-  const TissueLibrary library = read_case_library(options.folder, description);
-  const TissueVolume tissues = load_case_tissues(options.folder, description, console.progress());
+  const anatomy::CaseDescription description = io::read_case_description(options.folder);
+  const anatomy::TissueLibrary library = io::read_case_library(options.folder, description);
+  const anatomy::TissueVolume tissues = io::load_case_tissues(options.folder, description, console.progress());
   const MeshOutcome outcome = options.import.empty()
                                   ? make_mesh(options, description, library, tissues, console.progress())
                                   : import_mesh(options, library, tissues);
   console.clear_bar();
 
-  const TetrahedralMesh& mesh = outcome.body.mesh;
+  const anatomy::TetrahedralMesh& mesh = outcome.body.mesh;
   const auto& path = description.procedure.path;
   std::function<bool(const Vec3&)> in_corridor;
   if (path) {
-    in_corridor = [&](const Vec3& point) { return distance_to_corridor(point, *path, options.settings) <= 0.0; };
+    in_corridor = [&](const Vec3& point) {
+      return patient::distance_to_corridor(point, *path, options.settings) <= 0.0;
+    };
   }
-  const MeshQuality quality = measure_quality(mesh, in_corridor);
-  const Canvas picture = mesh_picture(mesh, quality, path, library, description.name);
+  const anatomy::MeshQuality quality = anatomy::measure_quality(mesh, in_corridor);
+  const imaging::Canvas picture = imaging::mesh_picture(mesh, quality, path, library, description.name);
   write_file(given, given.extension() == ".svg" ? picture.svg() : picture.png(mesh_png_zoom));
 
   if (outcome.body.record) {
@@ -247,7 +255,7 @@ void run_case_mesh(const CaseMeshOptions& options, const CommandContext& context
   print_mesh(console, options, outcome, quality, library);
   console.line(fmt::format("\n{}", fs::absolute(given).string()));
   nlohmann::json result = json_of(outcome, quality, library);
-  result["mesh"] = fs::absolute(fs::path(options.folder) / mesh_file_name).string();
+  result["mesh"] = fs::absolute(fs::path(options.folder) / patient::mesh_file_name).string();
   result["picture"] = fs::absolute(given).string();
   console.json(result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
 }
@@ -258,7 +266,7 @@ void add_case_mesh_command(CLI::App& case_group, CommandContext& context) {
   CLI::App* command =
       add_command(case_group, "mesh", "Fill a patient with tetrahedra for the deformable body", case_mesh_footer);
   const auto options = std::make_shared<CaseMeshOptions>();
-  MeshSettings& settings = options->settings;
+  patient::MeshSettings& settings = options->settings;
   add_text(*command, "CASE", options->folder, "Folder of the case").required();
   add_whole_number(*command, "--nodes", settings.nodes, 500, 400000, "Number of nodes, met within a tenth");
   add_number(*command, "--fine", settings.fine, 0.2, 20.0,
@@ -274,4 +282,4 @@ void add_case_mesh_command(CLI::App& case_group, CommandContext& context) {
   on_run(*command, [options, &context] { run_case_mesh(*options, context); });
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

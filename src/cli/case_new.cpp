@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "io/image_worker.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 namespace {
 
 struct CaseNewOptions {
@@ -31,14 +31,14 @@ can hold (gantry tilt, uneven steps), and then a note says so. docs/importing.md
 
 void run_case_new(const CaseNewOptions& options, const CommandContext& context) {
   nlohmann::json request = new_case_request(options.common);
-  request["ct"] = path_text(options.ct);
+  request["ct"] = io::path_text(options.ct);
   if (!options.labels.empty()) {
-    request["labels"] = path_text(options.labels);
-    if (!options.scheme.empty()) request["scheme"] = path_text(options.scheme);
+    request["labels"] = io::path_text(options.labels);
+    if (!options.scheme.empty()) request["scheme"] = io::path_text(options.scheme);
   } else if (!options.scheme.empty() || options.resample_labels) {
     throw InputError("--scheme and --resample-labels say something about labels; give the file with --labels");
   }
-  if (!options.tissues.empty()) request["tissues"] = path_text(options.tissues);
+  if (!options.tissues.empty()) request["tissues"] = io::path_text(options.tissues);
   if (options.series != 0) request["series"] = options.series;
   request["resample_labels"] = options.resample_labels;
   request["fill_missing"] = options.fill_missing;
@@ -71,4 +71,4 @@ void add_case_new_command(CLI::App& case_group, CommandContext& context) {
   on_run(*command, [options, &context] { run_case_new(*options, context); });
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -18,7 +18,7 @@
 #include "io/case_folder.h"
 #include "io/force_choice.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
@@ -33,18 +33,18 @@ constexpr const char* case_show_footer = R"(Examples:
   bodkin --json case show patient               everything as JSON)";
 
 struct TissueShare {
-  TissueId id;
+  anatomy::TissueId id;
   double millilitres;
 };
 
-std::vector<TissueShare> tissue_shares(const TissueVolume& tissues) {
+std::vector<TissueShare> tissue_shares(const anatomy::TissueVolume& tissues) {
   std::array<std::size_t, 256> voxels{};
-  for (const TissueId id : tissues.voxels) ++voxels[id];
+  for (const anatomy::TissueId id : tissues.voxels) ++voxels[id];
   const double millilitres = tissues.grid.spacing.prod() / cubic_mm_per_ml;
   std::vector<TissueShare> shares;
   for (std::size_t id = 0; id < voxels.size(); ++id) {
-    if (id == tissue::air || voxels[id] == 0) continue;
-    shares.push_back({static_cast<TissueId>(id), millilitres * static_cast<double>(voxels[id])});
+    if (id == anatomy::tissue::air || voxels[id] == 0) continue;
+    shares.push_back({static_cast<anatomy::TissueId>(id), millilitres * static_cast<double>(voxels[id])});
   }
   return shares;
 }
@@ -53,12 +53,12 @@ std::string point_text(const Vec3& point) {
   return fmt::format("{:.1f}, {:.1f}, {:.1f}", point.x(), point.y(), point.z());
 }
 
-std::string lattice_text(const Grid& grid) {
+std::string lattice_text(const anatomy::Grid& grid) {
   return fmt::format("{} x {} x {} voxels of {:.3g} x {:.3g} x {:.3g} mm, axes {}", grid.size[0], grid.size[1],
                      grid.size[2], grid.spacing.x(), grid.spacing.y(), grid.spacing.z(), grid.axes());
 }
 
-nlohmann::json json_of(const Grid& grid) {
+nlohmann::json json_of(const anatomy::Grid& grid) {
   return {{"size", grid.size},
           {"spacing_mm", json_point(grid.spacing)},
           {"axes", grid.axes()},
@@ -75,8 +75,8 @@ std::string file_name_of(const std::string& name) {
   return safe.empty() ? "case" : safe;
 }
 
-void print(const Console& console, const Case& patient) {
-  const CaseDescription& about = patient.description;
+void print(const Console& console, const anatomy::Case& patient) {
+  const anatomy::CaseDescription& about = patient.description;
   console.line(about.name);
   if (!about.description.empty()) console.line(about.description);
   const auto [low, high] = std::minmax_element(patient.ct.voxels.begin(), patient.ct.voxels.end());
@@ -92,7 +92,7 @@ void print(const Console& console, const Case& patient) {
     std::array<std::size_t, 65536> voxels{};
     for (const std::uint16_t label : patient.structures.voxels) ++voxels[label];
     std::size_t present = 0;
-    for (const Structure& structure : about.structures) {
+    for (const anatomy::Structure& structure : about.structures) {
       if (voxels[structure.label] == 0) continue;
       ++present;
       names +=
@@ -105,7 +105,7 @@ void print(const Console& console, const Case& patient) {
                              point_text(about.landmarks[i].position)));
   }
   console.line(fmt::format("needle      {} G {}, {:.2f} mm thick, {:.0f} mm long", about.needle.gauge,
-                           to_string(about.needle.tip), about.needle.outer_diameter, about.needle.length));
+                           anatomy::to_string(about.needle.tip), about.needle.outer_diameter, about.needle.length));
   console.line(fmt::format("device      {}: {:g} N peak, {:g} N lasting, {:g} N/mm, at {:g} Hz", about.device.profile,
                            about.device.peak_force, about.device.continuous_force, about.device.stiffness,
                            about.haptics.rate));
@@ -122,8 +122,8 @@ void print(const Console& console, const Case& patient) {
   for (const std::string& note : about.notes) console.line(fmt::format("note        {}", note));
 }
 
-nlohmann::json json_of(const Case& patient) {
-  const CaseDescription& about = patient.description;
+nlohmann::json json_of(const anatomy::Case& patient) {
+  const anatomy::CaseDescription& about = patient.description;
   nlohmann::json result;
   result["name"] = about.name;
   result["description"] = about.description;
@@ -133,29 +133,30 @@ nlohmann::json json_of(const Case& patient) {
   result["tissue_lattice"] = json_of(patient.tissues.grid);
   result["tissues_ml"] = nlohmann::json::object();
   for (const TissueShare& share : tissue_shares(patient.tissues)) {
-    const TissueProperties* properties = patient.library.find(share.id);
+    const anatomy::TissueProperties* properties = patient.library.find(share.id);
     result["tissues_ml"][properties != nullptr ? properties->name : std::to_string(share.id)] = share.millilitres;
   }
   result["structures"] = nlohmann::json::array();
-  for (const Structure& structure : about.structures) {
+  for (const anatomy::Structure& structure : about.structures) {
     result["structures"].push_back({{"label", structure.label},
                                     {"name", structure.name},
                                     {"tissue", structure.tissue},
                                     {"critical", structure.critical}});
   }
   result["landmarks"] = nlohmann::json::object();
-  for (const Landmark& landmark : about.landmarks) result["landmarks"][landmark.name] = json_point(landmark.position);
+  for (const anatomy::Landmark& landmark : about.landmarks)
+    result["landmarks"][landmark.name] = json_point(landmark.position);
   result["needle"] = {{"gauge", about.needle.gauge},
-                      {"tip", to_string(about.needle.tip)},
+                      {"tip", anatomy::to_string(about.needle.tip)},
                       {"outer_diameter_mm", about.needle.outer_diameter},
                       {"length_mm", about.needle.length}};
   result["device"] = {{"profile", about.device.profile},
                       {"peak_force_N", about.device.peak_force},
                       {"continuous_force_N", about.device.continuous_force},
                       {"stiffness_N_mm", about.device.stiffness}};
-  const ForceTexts forces = force_texts(about.haptics);
-  result["resistance"] = {{"model", name_of(about.haptics.resistance)}, {"settings", forces.resistance}};
-  result["constraint"] = {{"model", name_of(about.haptics.constraint)}, {"settings", forces.constraint}};
+  const io::ForceTexts forces = io::force_texts(about.haptics);
+  result["resistance"] = {{"model", anatomy::name_of(about.haptics.resistance)}, {"settings", forces.resistance}};
+  result["constraint"] = {{"model", anatomy::name_of(about.haptics.constraint)}, {"settings", forces.constraint}};
   result["parts"] = forces.parts;
   result["procedure"] = {{"name", about.procedure.name}, {"target_tissue", about.procedure.target_tissue}};
   if (const auto& path = about.procedure.path) {
@@ -175,9 +176,9 @@ void run_case_show(const std::string& folder, const std::string& output, const C
         fmt::format("the picture {} has the ending '{}', expected .png or .svg", output, given.extension().string()));
   }
   if (!output.empty()) require_writable(given, "--output");
-  const Case patient = load_case(folder, console.progress());
+  const anatomy::Case patient = io::load_case(folder, console.progress());
   const fs::path file = output.empty() ? fs::path(file_name_of(patient.description.name) + ".png") : given;
-  const Canvas picture = case_picture(patient);
+  const imaging::Canvas picture = imaging::case_picture(patient);
   write_file(file, file.extension() == ".svg" ? picture.svg() : picture.png(png_zoom));
 
   print(console, patient);
@@ -202,4 +203,4 @@ void add_case_show_command(CLI::App& case_group, CommandContext& context) {
   on_run(*command, [arguments, &context] { run_case_show(arguments->folder, arguments->output, context); });
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -9,12 +9,12 @@
 #include "cli/commands.h"
 #include "cli/new_case_options.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 namespace {
 
 struct CaseSynthesizeOptions {
   NewCaseOptions common;
-  LumbarParameters parameters;
+  patient::LumbarParameters parameters;
   std::int64_t seed = 1;
 };
 
@@ -29,7 +29,7 @@ numbers come from.)";
 
 void run_case_synthesize(const CaseSynthesizeOptions& options, const CommandContext& context) {
   nlohmann::json request = new_case_request(options.common);
-  const LumbarParameters& parameters = options.parameters;
+  const patient::LumbarParameters& parameters = options.parameters;
   request["seed"] = options.seed;
   request["age"] = parameters.age;
   request["height"] = parameters.height;
@@ -48,7 +48,7 @@ void add_case_synthesize_command(CLI::App& case_group, CommandContext& context) 
   CLI::App* command =
       add_command(*group, "lumbar", "A lumbar torso, L1 to the sacrum, for lumbar puncture", case_synthesize_footer);
   const auto options = std::make_shared<CaseSynthesizeOptions>();
-  LumbarParameters& parameters = options->parameters;
+  patient::LumbarParameters& parameters = options->parameters;
   add_new_case_options(*command, options->common);
   constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
   add_whole_number(*command, "--seed", options->seed, 0, any, "Variation of sizes, and the noise");
@@ -60,4 +60,4 @@ void add_case_synthesize_command(CLI::App& case_group, CommandContext& context) 
   on_run(*command, [options, &context] { run_case_synthesize(*options, context); });
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -6,7 +6,7 @@ namespace CLI {
 class App;
 }
 
-namespace bodkin {
+namespace bodkin::cli {
 
 // Options that every subcommand honours.
 struct CommandContext {
@@ -36,4 +36,4 @@ void add_fit_command(CLI::App& app, CommandContext& context);
 void add_figures_command(CLI::App& app, CommandContext& context);
 void add_ultrasound_command(CLI::App& app, CommandContext& context);
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -21,7 +21,7 @@
 #include "io/case_folder.h"
 #include "io/force_choice.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
@@ -36,7 +36,7 @@ struct CompareArguments {
   double withdraw_speed = 0.0;
   Argument withdraw_speed_given;
   bool no_reinsert = false;
-  CompareOptions options;
+  study::CompareOptions options;
 };
 
 constexpr const char* compare_footer = R"(Examples:
@@ -50,11 +50,12 @@ The same motion is played for each: in at constant speed, a stop, out, and in ag
 column per model) and BASE.svg (force over depth and over time).
 A path that starts with a minus sign needs an equals sign: --entry=-5,95,3)";
 
-nlohmann::json json_of(const ModelRun& run, const Comparison& comparison, const TissueLibrary& library) {
+nlohmann::json json_of(const study::ModelRun& run, const study::Comparison& comparison,
+                       const anatomy::TissueLibrary& library) {
   nlohmann::json work, punctures;
-  for (std::size_t phase = 0; phase < motion_phases; ++phase) {
-    work[std::string(phase_names[phase])] = run.work[phase];
-    punctures[std::string(phase_names[phase])] = run.punctures[phase];
+  for (std::size_t phase = 0; phase < study::motion_phases; ++phase) {
+    work[std::string(study::phase_names[phase])] = run.work[phase];
+    punctures[std::string(study::phase_names[phase])] = run.punctures[phase];
   }
   nlohmann::json peak = nullptr;
   if (run.peak > 0.0) {
@@ -76,7 +77,7 @@ nlohmann::json json_of(const ModelRun& run, const Comparison& comparison, const 
           {"tick_on_this_machine_ns", run.nanoseconds}};
 }
 
-nlohmann::json json_of(const Comparison& comparison, const TissueLibrary& library) {
+nlohmann::json json_of(const study::Comparison& comparison, const anatomy::TissueLibrary& library) {
   nlohmann::json result;
   result["entry_mm"] = json_point(comparison.path.entry);
   result["target_mm"] = json_point(comparison.path.target);
@@ -85,14 +86,14 @@ nlohmann::json json_of(const Comparison& comparison, const TissueLibrary& librar
   result["deepest_mm"] = *std::max_element(comparison.depth.begin(), comparison.depth.end());
   result["ends_in_bone"] = comparison.ends_in_bone.has_value();
   result["reference"] = comparison.models[comparison.reference].name;
-  for (std::size_t phase = 0; phase < motion_phases; ++phase) {
-    result["phases"].push_back({{"phase", phase_names[phase]},
+  for (std::size_t phase = 0; phase < study::motion_phases; ++phase) {
+    result["phases"].push_back({{"phase", study::phase_names[phase]},
                                 {"from_s", static_cast<double>(comparison.first[phase]) * comparison.dt},
                                 {"to_s", static_cast<double>(comparison.first[phase + 1]) * comparison.dt}});
   }
-  for (const ModelRun& run : comparison.models) result["models"].push_back(json_of(run, comparison, library));
+  for (const study::ModelRun& run : comparison.models) result["models"].push_back(json_of(run, comparison, library));
   result["refused"] = nlohmann::json::array();
-  for (const ModelRefused& model : comparison.refused)
+  for (const study::ModelRefused& model : comparison.refused)
     result["refused"].push_back({{"model", model.name}, {"reason", model.reason}});
   result["notes"] = comparison.notes;
   return result;
@@ -103,9 +104,10 @@ std::string two_digits(double value) {
   return fmt::format("{:.2f}", std::abs(value) < 0.005 ? 0.0 : value);
 }
 
-void print_tables(const Console& console, const Comparison& comparison, const TissueLibrary& library) {
+void print_tables(const Console& console, const study::Comparison& comparison,
+                  const anatomy::TissueLibrary& library) {
   std::size_t name_width = 22;
-  for (const ModelRun& run : comparison.models) name_width = std::max(name_width, run.name.size());
+  for (const study::ModelRun& run : comparison.models) name_width = std::max(name_width, run.name.size());
   const auto row = [&](const auto&... cells) {
     const std::array<std::string, sizeof...(cells)> texts = {cells...};
     std::string text = fmt::format("{:<{}}", texts[0], name_width);
@@ -114,7 +116,7 @@ void print_tables(const Console& console, const Comparison& comparison, const Ti
   };
   console.line(row("N", "peak", "end of", "peak of", "lowest", "largest", "RMS"));
   console.line(row("", "", "stop", "re-insert.", "", "difference", "difference") + "   where the peak is");
-  for (const ModelRun& run : comparison.models) {
+  for (const study::ModelRun& run : comparison.models) {
     const std::string place = run.peak > 0.0 ? fmt::format("{:.1f} mm, {}", comparison.depth[run.peak_tick],
                                                            library.title(comparison.tissue[run.peak_tick]))
                                              : "-";
@@ -125,7 +127,7 @@ void print_tables(const Console& console, const Comparison& comparison, const Ti
   console.line("");
   console.line(row("N mm of work taken from", "", "", "", "", "punctures", ""));
   console.line(row("the hand", "insertion", "withdrawal", "in and out", "re-insert.", "in, again", "ns a tick *"));
-  for (const ModelRun& run : comparison.models) {
+  for (const study::ModelRun& run : comparison.models) {
     console.line(row(run.name, two_digits(run.work[0]), two_digits(run.work[2]), two_digits(run.closed_work),
                      two_digits(run.work[3]), fmt::format("{}, {}", run.punctures[0], run.punctures[3]),
                      fmt::format("{:.0f}", run.nanoseconds)));
@@ -136,37 +138,38 @@ void print_tables(const Console& console, const Comparison& comparison, const Ti
 
 void run_compare(const CompareArguments& arguments, const CommandContext& context) {
   Console console(context);
-  CompareOptions options = arguments.options;
+  study::CompareOptions options = arguments.options;
   if (!arguments.entry.empty()) options.entry = parse_point(arguments.entry, "--entry");
   if (!arguments.target.empty()) options.target = parse_point(arguments.target, "--target");
   if (arguments.withdraw_speed_given.given()) options.withdraw_speed = arguments.withdraw_speed;
-  if (!arguments.constraint.empty()) options.constraint = parse_constraint(arguments.constraint, "--constraint");
-  if (!arguments.parts.empty()) options.parts = parse_parts(arguments.parts, "--part");
+  if (!arguments.constraint.empty()) options.constraint = io::parse_constraint(arguments.constraint, "--constraint");
+  if (!arguments.parts.empty()) options.parts = io::parse_parts(arguments.parts, "--part");
   options.reinsert = !arguments.no_reinsert;
   const bool all = std::find(arguments.models.begin(), arguments.models.end(), "all") != arguments.models.end();
 
   const std::string base = arguments.output.empty() ? "compare" : arguments.output;
   for (const char* ending : {".csv", ".svg"}) require_writable(base + ending, "--output");
-  Case patient = load_case(arguments.folder, console.progress());
+  anatomy::Case patient = io::load_case(arguments.folder, console.progress());
   options.models =
-      models_of(all ? std::vector<std::string>{} : arguments.models, patient.description.haptics.resistance);
-  const TissueLibrary library = patient.library;
+      study::models_of(all ? std::vector<std::string>{} : arguments.models, patient.description.haptics.resistance);
+  const anatomy::TissueLibrary library = patient.library;
   const std::string name = patient.description.name;
   const double peak_force = patient.description.device.peak_force;
-  const Comparison comparison = compare_models(std::move(patient), options, console.progress(), [&](Case& with) {
-    prepare_body(with, arguments.folder, straight_path(with, options.entry, options.target).path, console.progress(),
-                 [&](const std::string& text) { console.note(text); });
-  });
+  const study::Comparison comparison =
+      study::compare_models(std::move(patient), options, console.progress(), [&](anatomy::Case& with) {
+        patient::prepare_body(with, arguments.folder, study::straight_path(with, options.entry, options.target).path,
+                              console.progress(), [&](const std::string& text) { console.note(text); });
+      });
   for (const std::string& note : comparison.notes) console.note(note);
-  for (const ModelRefused& model : comparison.refused)
+  for (const study::ModelRefused& model : comparison.refused)
     console.note(fmt::format("{} is left out: {}", model.name, model.reason));
 
-  std::vector<Plot> plots = comparison_plots(comparison, library, peak_force);
+  std::vector<report::Plot> plots = report::comparison_plots(comparison, library, peak_force);
   plots[0].title = fmt::format("{}, {:g} mm/s, {} constraint", name, options.speed, comparison.constraint);
   const std::string picture =
-      draw_plots(plots).svg();  // before any file is written: what fails leaves nothing behind
+      report::draw_plots(plots).svg();  // before any file is written: what fails leaves nothing behind
 
-  write_file(base + ".csv", comparison_csv(comparison));
+  write_file(base + ".csv", study::comparison_csv(comparison));
   write_file(base + ".svg", picture);
   print_tables(console, comparison, library);
   console.line(fmt::format("\n{}\n{}", fs::absolute(base + ".svg").string(), fs::absolute(base + ".csv").string()));
@@ -180,7 +183,7 @@ void run_compare(const CompareArguments& arguments, const CommandContext& contex
 
 void add_compare_command(CLI::App& app, CommandContext& context) {
   auto arguments = std::make_shared<CompareArguments>();
-  CompareOptions& options = arguments->options;
+  study::CompareOptions& options = arguments->options;
   CLI::App* command =
       add_command(app, "compare", "One motion through every force model: figures, table and plot", compare_footer);
   add_text(*command, "CASE", arguments->folder, "Folder of the case").required();
@@ -188,7 +191,7 @@ void add_compare_command(CLI::App& app, CommandContext& context) {
   add_text(*command, "--target", arguments->target, "Where it ends, x,y,z in LPS mm (default: as planned)");
   add_texts(*command, "--models", arguments->models,
             fmt::format("All of them, or some of {}; or NAME SETTING=VALUE ... (default: all)",
-                        fmt::join(compared_names(), ", ")))
+                        fmt::join(study::compared_names(), ", ")))
       .separated_by_commas("NAME,NAME,...");
   add_text(*command, "--constraint", arguments->constraint,
            "Another force that keeps the needle on its path than the case's: \"NAME SETTING=VALUE ...\"");
@@ -204,4 +207,4 @@ void add_compare_command(CLI::App& app, CommandContext& context) {
   on_run(*command, [arguments, &context] { run_compare(*arguments, context); });
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -8,7 +8,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
@@ -72,4 +72,4 @@ void Console::json(std::string_view text) const {
   if (json_) fmt::print("{}\n", text);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

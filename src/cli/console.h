@@ -7,7 +7,7 @@
 #include "cli/commands.h"
 #include "core/progress.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 // What a command says to the person at the terminal. Results go to standard output, everything else to standard
 // error, so that `bodkin ... > file` and `--json` stay clean.
@@ -42,4 +42,4 @@ class Console {
   std::chrono::steady_clock::time_point last_draw_{};
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -12,7 +12,7 @@
 #include "core/error.h"
 #include "haptics/driver_folder.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 void add_driver_settings(CLI::App& command, DeviceOptions& options) {
   add_text(command, "--settings", options.settings,
@@ -25,7 +25,7 @@ namespace {
 std::string file_of_driver(const std::string& name) {
   std::vector<std::string> names, files;
   for (const bodkin_driver* driver : all_drivers()) names.emplace_back(driver->name);
-  for (const std::string& file : driver_files()) {
+  for (const std::string& file : haptics::driver_files()) {
     const DriverAnswer answer = ask_driver(file, "", Inquiry::name);
     if (answer.name == name) files.push_back(file);
     if (!answer.name.empty()) names.push_back(answer.name);
@@ -46,14 +46,14 @@ std::string driver_of(const DeviceOptions& options) {
   return name.find('/') != std::string::npos || find_own_driver(name) != nullptr ? name : file_of_driver(name);
 }
 
-bool is_mouse(const DeviceChoice& choice) {
-  return choice.driver == &mouse_driver();
+bool is_mouse(const station::DeviceChoice& choice) {
+  return choice.driver == &desktop::mouse_driver();
 }
 
-DeviceChoice choose_device(const DeviceOptions& options) {
+station::DeviceChoice choose_device(const DeviceOptions& options) {
   const std::size_t colon = options.device.find(':');
   const std::string identity = colon == std::string::npos ? "" : options.device.substr(colon + 1);
   return {&load_driver(driver_of(options)), identity, options.settings};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

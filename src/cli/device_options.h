@@ -8,7 +8,7 @@ namespace CLI {
 class App;
 }
 
-namespace bodkin {
+namespace bodkin::cli {
 
 // Which driver a command is to use, and how.
 struct DeviceOptions {
@@ -22,12 +22,12 @@ void add_driver_settings(CLI::App& command, DeviceOptions& options);
 // A name with a '/' is the path of a driver; other names are those of the built-in drivers, then of the drivers in
 // driver_folder(). Throws InputError for a name that no driver has, or two in that folder; SystemError for a file
 // that is no driver.
-DeviceChoice choose_device(const DeviceOptions& options);
+station::DeviceChoice choose_device(const DeviceOptions& options);
 
 // The driver alone, without loading it: a built-in driver's name, or the path of a library. Throws InputError as
 // choose_device() does.
 std::string driver_of(const DeviceOptions& options);
 
-bool is_mouse(const DeviceChoice& choice);
+bool is_mouse(const station::DeviceChoice& choice);
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

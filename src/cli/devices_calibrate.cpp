@@ -18,7 +18,7 @@
 #include "haptics/calibration.h"
 #include "io/calibrations_file.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
@@ -48,7 +48,7 @@ Json list_of(const Vec3& vector) {
   return {vector.x(), vector.y(), vector.z()};
 }
 
-Json json_of(const DeviceCalibration& calibration, const std::filesystem::path& file) {
+Json json_of(const haptics::DeviceCalibration& calibration, const std::filesystem::path& file) {
   Json json = {{"file", file.string()},
                {"driver", calibration.driver},
                {"model", calibration.model},
@@ -72,7 +72,7 @@ Json json_of(const DeviceCalibration& calibration, const std::filesystem::path& 
 }
 
 // One line for each thing that is known.
-void print(const Console& console, const DeviceCalibration& calibration) {
+void print(const Console& console, const haptics::DeviceCalibration& calibration) {
   console.line(fmt::format("{}{}, calibrated {}", calibration.model,
                            calibration.serial.empty() ? "" : ", serial number " + calibration.serial,
                            calibration.measured_at));
@@ -98,7 +98,8 @@ void print(const Console& console, const DeviceCalibration& calibration) {
   }
 }
 
-std::vector<CalibrationStep> chosen_steps(const DevicesCalibrateArguments& arguments, const DeviceAbilities& device) {
+std::vector<CalibrationStep> chosen_steps(const DevicesCalibrateArguments& arguments,
+                                          const haptics::DeviceAbilities& device) {
   std::vector<CalibrationStep> possible = steps_for(device);
   if (arguments.steps.empty()) return possible;
   std::vector<CalibrationStep> steps;
@@ -114,17 +115,17 @@ std::vector<CalibrationStep> chosen_steps(const DevicesCalibrateArguments& argum
   return steps;
 }
 
-DeviceCalibration measure(DevicePort port, const DeviceAbilities& abilities,
-                          const DevicesCalibrateArguments& arguments, Console& console) {
+haptics::DeviceCalibration measure(haptics::DevicePort port, const haptics::DeviceAbilities& abilities,
+                                   const DevicesCalibrateArguments& arguments, Console& console) {
   const std::vector<CalibrationStep> steps = chosen_steps(arguments, abilities);
-  DeviceCalibration measured;
-  const auto weighing = std::make_shared<Weighing>();
-  ServoSettings settings;
+  haptics::DeviceCalibration measured;
+  const auto weighing = std::make_shared<haptics::Weighing>();
+  haptics::ServoSettings settings;
   settings.rate = std::clamp(abilities.rate, 200.0, 4000.0);
-  settings.guard.user_force = Weighing::force_limit;
+  settings.guard.user_force = haptics::Weighing::force_limit;
   settings.guard.frozen_time = 0.0;  // a free handle can stand still under force
-  DeviceServo servo(std::move(port), abilities, settings,
-                    [weighing](const ControlInput& input) { return weighing->step(input); });
+  haptics::DeviceServo servo(std::move(port), abilities, settings,
+                             [weighing](const haptics::ControlInput& input) { return weighing->step(input); });
   servo.start();
   CalibrationSteps person(servo, *weighing, arguments.settings, console);
   for (const CalibrationStep step : steps) person.perform(step, measured);
@@ -132,8 +133,8 @@ DeviceCalibration measure(DevicePort port, const DeviceAbilities& abilities,
   return measured;
 }
 
-void show(const DeviceCalibration* known, const DeviceAbilities& device, const std::filesystem::path& file,
-          const Console& console) {
+void show(const haptics::DeviceCalibration* known, const haptics::DeviceAbilities& device,
+          const std::filesystem::path& file, const Console& console) {
   if (known == nullptr) {
     throw InputError(fmt::format("{} holds no calibration of {} {}; make one without --show or --forget",
                                  file.string(), device.name, device.serial));
@@ -144,7 +145,7 @@ void show(const DeviceCalibration* known, const DeviceAbilities& device, const s
 
 std::filesystem::path file_of(const DevicesCalibrateArguments& arguments) {
   if (!arguments.file.empty()) return arguments.file;
-  if (const auto file = calibrations_file()) return *file;
+  if (const auto file = io::calibrations_file()) return *file;
   throw InputError(
       "there is no place for calibrations, for neither XDG_CONFIG_HOME nor HOME is an absolute path; give a --file");
 }
@@ -152,28 +153,28 @@ std::filesystem::path file_of(const DevicesCalibrateArguments& arguments) {
 void run_devices_calibrate(const DevicesCalibrateArguments& arguments, const CommandContext& context) {
   Console console(context);
   const std::filesystem::path file = file_of(arguments);
-  std::vector<DeviceCalibration> all = read_calibrations(file);
-  const DeviceChoice chosen = choose_device(arguments.device);
-  DevicePort port(*chosen.driver, chosen.identity, arguments.device.settings);
-  DeviceAbilities abilities = port.abilities();
-  complete_from_table(abilities);
-  const auto known = [&] { return find_calibration(all, chosen.driver->name, abilities.name, abilities.serial); };
+  std::vector<haptics::DeviceCalibration> all = io::read_calibrations(file);
+  const station::DeviceChoice chosen = choose_device(arguments.device);
+  haptics::DevicePort port(*chosen.driver, chosen.identity, arguments.device.settings);
+  haptics::DeviceAbilities abilities = port.abilities();
+  station::complete_from_table(abilities);
+  const auto known = [&] { return io::find_calibration(all, chosen.driver->name, abilities.name, abilities.serial); };
   if (arguments.show) return show(known(), abilities, file, console);
   if (arguments.forget) {
     show(known(), abilities, file, console);
     const auto index = known() - all.data();
     all.erase(all.begin() + index);
-    write_calibrations(all, file);
+    io::write_calibrations(all, file);
     console.note("forgotten");
     return;
   }
-  DeviceCalibration measured = measure(std::move(port), abilities, arguments, console);
+  haptics::DeviceCalibration measured = measure(std::move(port), abilities, arguments, console);
   measured.driver = chosen.driver->name;
   measured.model = abilities.name;
   measured.serial = abilities.serial;
   measured.measured_at = utc_now();
-  merge_calibration(all, measured);
-  write_calibrations(all, file);
+  io::merge_calibration(all, measured);
+  io::write_calibrations(all, file);
   print(console, *known());
   console.line(fmt::format("kept in {}", file.string()));
   console.json(json_of(*known(), file).dump(2));
@@ -201,4 +202,4 @@ void add_devices_calibrate_command(CLI::App& devices_group, CommandContext& cont
   on_run(*command, [arguments, &context] { run_devices_calibrate(*arguments, context); });
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

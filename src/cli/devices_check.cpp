@@ -17,7 +17,7 @@
 #include "cli/device_options.h"
 #include "haptics/device_servo.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
@@ -44,13 +44,13 @@ Exit code 0: it is ready. 3: it is not, and the last line says why.)";
 struct Observation {
   double seconds = 0.0;
   std::uint64_t rounds = 0;
-  ServoTimings timings;
+  haptics::ServoTimings timings;
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());  // mm, operator's frame
   Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
   std::uint32_t buttons = 0;  // that were pressed
   double hottest = 0.0;
   double released = 0.0;  // s without a hand, if the device can detect it
-  DeviceFault fault = DeviceFault::none;
+  haptics::DeviceFault fault = haptics::DeviceFault::none;
   std::string sentence;
   double strongest = 0.0;  // N that left; must be 0
   bool answered = true;    // it let itself be stopped
@@ -59,7 +59,7 @@ struct Observation {
 };
 
 // `window`: may be null.
-Observation observe(DeviceServo& servo, double seconds, MouseWindow* window, Console& console) {
+Observation observe(haptics::DeviceServo& servo, double seconds, desktop::MouseWindow* window, Console& console) {
   Observation seen;
   const Progress progress = console.progress();
   servo.start();
@@ -74,14 +74,14 @@ Observation observe(DeviceServo& servo, double seconds, MouseWindow* window, Con
     if (servo.rounds() == 0) continue;
     if (window != nullptr) {
       window->poll();
-      WindowScene scene;
+      desktop::WindowScene scene;
       scene.time = elapsed();
       scene.state = "checking";
       window->show(scene);
     }
-    const ServoSnapshot& now = servo.tick().snapshot();
-    if (now.device.fault != DeviceFault::none) {
-      if (seen.fault == DeviceFault::none) seen.sentence = servo.explain();
+    const haptics::ServoSnapshot& now = servo.tick().snapshot();
+    if (now.device.fault != haptics::DeviceFault::none) {
+      if (seen.fault == haptics::DeviceFault::none) seen.sentence = servo.explain();
       seen.fault = now.device.fault;
       continue;
     }
@@ -102,9 +102,9 @@ Observation observe(DeviceServo& servo, double seconds, MouseWindow* window, Con
 }
 
 // Empty when the device is ready; else what stands against it.
-std::string obstacle(const Observation& seen, const DeviceAbilities& abilities) {
-  if (seen.fault != DeviceFault::none) {
-    return seen.sentence.empty() ? fmt::format("the device reported a fault: {}", text_of(seen.fault))
+std::string obstacle(const Observation& seen, const haptics::DeviceAbilities& abilities) {
+  if (seen.fault != haptics::DeviceFault::none) {
+    return seen.sentence.empty() ? fmt::format("the device reported a fault: {}", haptics::text_of(seen.fault))
                                  : seen.sentence;
   }
   if (seen.rounds == 0) return "the device did not answer once; is it switched on?";
@@ -133,7 +133,7 @@ std::string known(double value, const char* unit) {
   return value > 0.0 ? fmt::format("{:.4g} {}", value, unit) : "not known";
 }
 
-void say_abilities(const Console& console, const DeviceAbilities& device) {
+void say_abilities(const Console& console, const haptics::DeviceAbilities& device) {
   console.line(fmt::format("{}{}", device.name, device.serial.empty() ? "" : ", serial number " + device.serial));
   console.line(device.peak_force > 0.0
                    ? fmt::format("  force       {} peak, {} continuous, torque {}", known(device.peak_force, "N"),
@@ -147,19 +147,19 @@ void say_abilities(const Console& console, const DeviceAbilities& device) {
   }
 }
 
-void say_times(const Console& console, const char* what, const LatencyHistogram& times) {
+void say_times(const Console& console, const char* what, const haptics::LatencyHistogram& times) {
   console.line(fmt::format("  {:<11} median {:.1f}, 99 % within {:.1f}, longest {:.1f} us", what,
                            1e6 * times.percentile(0.5), 1e6 * times.percentile(0.99), 1e6 * times.maximum()));
 }
 
-Json times_json(const LatencyHistogram& times) {
+Json times_json(const haptics::LatencyHistogram& times) {
   return {{"median_s", times.percentile(0.5)},
           {"p99_s", times.percentile(0.99)},
           {"p999_s", times.percentile(0.999)},
           {"longest_s", times.maximum()}};
 }
 
-Json json_of(const Observation& seen, const DeviceAbilities& device, const std::string& why_not) {
+Json json_of(const Observation& seen, const haptics::DeviceAbilities& device, const std::string& why_not) {
   Json json = {{"ready", why_not.empty()},
                {"name", device.name},
                {"serial", device.serial},
@@ -186,14 +186,15 @@ Json json_of(const Observation& seen, const DeviceAbilities& device, const std::
 
 int run_devices_check(const DevicesCheckArguments& arguments, const CommandContext& context) {
   Console console(context);
-  const DeviceChoice chosen = choose_device(arguments.device);
-  const auto window = is_mouse(chosen) ? std::make_unique<MouseWindow>("check of the mouse") : nullptr;
-  DevicePort port(*chosen.driver, chosen.identity, arguments.device.settings);
-  DeviceAbilities abilities = port.abilities();
-  complete_from_table(abilities);
-  ServoSettings settings;
+  const station::DeviceChoice chosen = choose_device(arguments.device);
+  const auto window = is_mouse(chosen) ? std::make_unique<desktop::MouseWindow>("check of the mouse") : nullptr;
+  haptics::DevicePort port(*chosen.driver, chosen.identity, arguments.device.settings);
+  haptics::DeviceAbilities abilities = port.abilities();
+  station::complete_from_table(abilities);
+  haptics::ServoSettings settings;
   settings.rate = std::clamp(abilities.rate, 200.0, 4000.0);
-  DeviceServo servo(std::move(port), abilities, settings, [](const ControlInput&) { return Control{}; });
+  haptics::DeviceServo servo(std::move(port), abilities, settings,
+                             [](const haptics::ControlInput&) { return haptics::Control{}; });
   say_abilities(console, abilities);
   const Observation seen = observe(servo, arguments.seconds, window.get(), console);
   const std::string why_not = obstacle(seen, abilities);
@@ -226,4 +227,4 @@ void add_devices_check_command(CLI::App& devices_group, CommandContext& context)
   on_run(*command, [arguments, &context] { context.exit_code = run_devices_check(*arguments, context); });
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

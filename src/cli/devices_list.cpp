@@ -16,7 +16,7 @@
 #include "core/error.h"
 #include "haptics/driver_folder.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
@@ -45,7 +45,7 @@ std::vector<std::string> clashes(const std::vector<DriverAnswer>& answers) {
 // Devices that a driver finds under an identity that another one has too.
 std::string twins(const DriverAnswer& answer) {
   std::set<std::string> seen;
-  for (const FoundDevice& device : answer.devices) {
+  for (const haptics::FoundDevice& device : answer.devices) {
     if (seen.insert(device.identity).second) continue;
     return fmt::format("two devices have the identity '{}': unplug one of them, for only the first can be chosen",
                        device.identity);
@@ -55,11 +55,11 @@ std::string twins(const DriverAnswer& answer) {
 
 void say(const Console& console, const DriverAnswer& answer, const std::string& call, const std::string& clash) {
   console.line(fmt::format("{:<16} {}", answer.name.empty() ? answer.driver : answer.name, answer.summary));
-  for (const FoundDevice& device : answer.devices) {
+  for (const haptics::FoundDevice& device : answer.devices) {
     console.line(fmt::format("    {}:{}   {}", call, device.identity, device.title));
   }
-  if (answer.fault != DeviceFault::none) {
-    console.line(fmt::format("    {}: {}", text_of(answer.fault), answer.sentence));
+  if (answer.fault != haptics::DeviceFault::none) {
+    console.line(fmt::format("    {}: {}", haptics::text_of(answer.fault), answer.sentence));
   } else if (answer.devices.empty()) {
     console.line("    no device is connected");
   }
@@ -73,11 +73,11 @@ nlohmann::ordered_json json_of(const DriverAnswer& answer, const std::string& ca
                                  {"summary", answer.summary},
                                  {"devices", nlohmann::ordered_json::array()}};
   if (answer.driver.find('/') != std::string::npos) json["file"] = answer.driver;
-  for (const FoundDevice& device : answer.devices) {
+  for (const haptics::FoundDevice& device : answer.devices) {
     json["devices"].push_back({{"device", fmt::format("{}:{}", call, device.identity)}, {"title", device.title}});
   }
-  if (answer.fault != DeviceFault::none) {
-    json["fault"] = text_of(answer.fault);
+  if (answer.fault != haptics::DeviceFault::none) {
+    json["fault"] = haptics::text_of(answer.fault);
     json["sentence"] = answer.sentence;
   }
   for (const std::string& sentence : {clash, twins(answer)}) {
@@ -91,7 +91,7 @@ std::vector<std::string> drivers_of(const DeviceOptions& options) {
   if (!options.device.empty()) return {driver_of(options)};
   std::vector<std::string> drivers;
   for (const bodkin_driver* driver : all_drivers()) drivers.emplace_back(driver->name);
-  for (const std::string& file : driver_files()) drivers.push_back(file);
+  for (const std::string& file : haptics::driver_files()) drivers.push_back(file);
   return drivers;
 }
 
@@ -126,4 +126,4 @@ void add_devices_list_command(CLI::App& devices_group, CommandContext& context) 
   on_run(*command, [options, &context] { run_devices_list(*options, context); });
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

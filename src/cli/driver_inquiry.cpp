@@ -16,12 +16,12 @@
 #include "core/error.h"
 #include "io/child_process.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
 constexpr std::chrono::seconds inquiry_patience{5};  // of the child, with the driver
-constexpr ChildLimits limits{.memory = 0, .processor = std::chrono::seconds(60), .wall = std::chrono::seconds(8)};
+constexpr io::ChildLimits limits{.memory = 0, .processor = std::chrono::seconds(60), .wall = std::chrono::seconds(8)};
 
 // What the child says in its one line of JSON.
 nlohmann::json told_by(const bodkin_driver& driver, const std::string& settings, bool wants_devices) {
@@ -29,10 +29,10 @@ nlohmann::json told_by(const bodkin_driver& driver, const std::string& settings,
       {"name", driver.name}, {"summary", driver.summary}, {"devices", nlohmann::json::array()}};
   if (!wants_devices) return answer_json;
   try {
-    for (const FoundDevice& device : list_devices(driver, settings, inquiry_patience)) {
+    for (const haptics::FoundDevice& device : haptics::list_devices(driver, settings, inquiry_patience)) {
       answer_json["devices"].push_back({{"identity", device.identity}, {"title", device.title}});
     }
-  } catch (const DeviceError& error) {
+  } catch (const haptics::DeviceError& error) {
     answer_json["fault"] = static_cast<int>(error.fault());
     answer_json["sentence"] = error.what();
   }
@@ -51,16 +51,16 @@ nlohmann::json answer_to(const std::string& request) {
   }
 }
 
-DeviceFault fault_in(const nlohmann::json& answer_json) {
+haptics::DeviceFault fault_in(const nlohmann::json& answer_json) {
   const int number = answer_json.value("fault", 0);
-  const bool known = number >= 0 && number <= static_cast<int>(DeviceFault::vendor_error);
-  return known ? static_cast<DeviceFault>(number) : DeviceFault::vendor_error;
+  const bool known = number >= 0 && number <= static_cast<int>(haptics::DeviceFault::vendor_error);
+  return known ? static_cast<haptics::DeviceFault>(number) : haptics::DeviceFault::vendor_error;
 }
 
 DriverAnswer answer_from(const nlohmann::json& answer_json, DriverAnswer answer) {
   if (answer_json.contains("refused")) throw InputError(answer_json.at("refused").get<std::string>());
   if (answer_json.contains("broken")) {
-    answer.fault = DeviceFault::vendor_error;
+    answer.fault = haptics::DeviceFault::vendor_error;
     answer.sentence = answer_json.at("broken").get<std::string>();
     return answer;
   }
@@ -74,16 +74,16 @@ DriverAnswer answer_from(const nlohmann::json& answer_json, DriverAnswer answer)
   return answer;
 }
 
-std::string end_of(const ChildResult& result, const std::string& driver) {
+std::string end_of(const io::ChildResult& result, const std::string& driver) {
   const std::string advice = driver.find('/') == std::string::npos
                                  ? "install its vendor's software anew, or remove it"
                                  : "remove the file, or ask whoever made it for another one";
   switch (result.end) {
-    case ChildEnd::out_of_time:
+    case io::ChildEnd::out_of_time:
       return fmt::format("the driver {} has not answered within {} s: {}", driver, limits.wall.count(), advice);
-    case ChildEnd::killed:
+    case io::ChildEnd::killed:
       return fmt::format("the driver {} crashed ({}): {}", driver, strsignal(result.signal), advice);
-    case ChildEnd::exited:
+    case io::ChildEnd::exited:
       break;
   }
   return fmt::format("the driver {} ended the program that asked it (exit code {}): {}", driver, result.exit_code,
@@ -98,12 +98,13 @@ DriverAnswer ask_driver(const std::string& driver, const std::string& settings, 
   const nlohmann::json request = {
       {"driver", driver}, {"settings", settings}, {"devices", inquiry == Inquiry::devices}};
   std::string line;
-  const ChildResult result = run_child(std::filesystem::read_symlink("/proc/self/exe"), {driver_inquiry_argument},
-                                       request.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace), -1,
-                                       limits, [&](std::string_view text) { line = text; });
+  const io::ChildResult result =
+      io::run_child(std::filesystem::read_symlink("/proc/self/exe"), {driver_inquiry_argument},
+                    request.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace), -1, limits,
+                    [&](std::string_view text) { line = text; });
   const nlohmann::json answer_json = nlohmann::json::parse(line, nullptr, false);
   if (answer_json.is_object()) return answer_from(answer_json, std::move(answer));
-  answer.fault = DeviceFault::vendor_error;
+  answer.fault = haptics::DeviceFault::vendor_error;
   answer.sentence = end_of(result, driver);
   return answer;
 }
@@ -119,4 +120,4 @@ int answer_driver_inquiry() {
   _exit(whole ? 0 : 1);  // without what a vendor's library does at the end of a program
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

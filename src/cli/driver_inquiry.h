@@ -6,7 +6,7 @@
 #include "haptics/device.h"
 #include "haptics/device_port.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 // Asking a driver what it is and what it finds, in a child process: a vendor's library may crash when it is loaded,
 // or never return, and must not take this program with it. The child is this program again.
@@ -16,8 +16,8 @@ struct DriverAnswer {
   std::string driver;  // as it was asked for: a built-in driver's name, or the path of a library
   std::string name;    // its own; empty where it could not be loaded
   std::string summary;
-  std::vector<FoundDevice> devices;
-  DeviceFault fault = DeviceFault::none;
+  std::vector<haptics::FoundDevice> devices;
+  haptics::DeviceFault fault = haptics::DeviceFault::none;
   std::string sentence;  // where there is a fault, or no answer
 };
 
@@ -35,4 +35,4 @@ DriverAnswer ask_driver(const std::string& driver, const std::string& settings, 
 constexpr const char* driver_inquiry_argument = "answer-driver-inquiry";
 int answer_driver_inquiry();
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

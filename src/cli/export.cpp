@@ -17,7 +17,7 @@
 #include "cli/force_options.h"
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
@@ -77,7 +77,8 @@ class OutputFile {
   std::FILE* stream_ = nullptr;
 };
 
-void write(const std::string& name, void (*exporter)(const Session&, const TextSink&), const Session& session) {
+void write(const std::string& name, void (*exporter)(const session::Session&, const session::TextSink&),
+           const session::Session& session) {
   OutputFile file(name);
   exporter(session, [&](std::string_view text) { file.write(text); });
   file.close();
@@ -104,23 +105,23 @@ void run_export(const ExportArguments& arguments, const CommandContext& context)
   }
   if (context.json && to_terminal)
     throw InputError("--json and a CSV file on standard output cannot go together, name a file");
-  const Session session = read_session(arguments.session);
+  const session::Session session = session::read_session(arguments.session);
   if (!arguments.second.empty() && !session.header.second) {
     throw InputError(fmt::format("{} has no second hand; expected a session of 'bodkin perform --second DEVICE'",
                                  arguments.session));
   }
   if (!session.finished) console.note("the session was not finished; what was saved is exported");
-  if (!arguments.ticks.empty()) write(arguments.ticks, export_ticks, session);
-  if (!arguments.events.empty()) write(arguments.events, export_events, session);
-  if (!arguments.second.empty()) write(arguments.second, export_second, session);
+  if (!arguments.ticks.empty()) write(arguments.ticks, session::export_ticks, session);
+  if (!arguments.events.empty()) write(arguments.events, session::export_events, session);
+  if (!arguments.second.empty()) write(arguments.second, session::export_second, session);
   if (!to_terminal) {
     console.line(fmt::format("{} ticks and {} events of {}", session.ticks.size(), session.events.size(),
                              force_names(session.header.haptics)));
   }
   console.json(nlohmann::ordered_json({{"ticks", session.ticks.size()},
                                        {"events", session.events.size()},
-                                       {"resistance", name_of(session.header.haptics.resistance)},
-                                       {"constraint", name_of(session.header.haptics.constraint)},
+                                       {"resistance", anatomy::name_of(session.header.haptics.resistance)},
+                                       {"constraint", anatomy::name_of(session.header.haptics.constraint)},
                                        {"csv", arguments.ticks},
                                        {"events_csv", arguments.events},
                                        {"second_samples", session.second.size()},
@@ -140,4 +141,4 @@ void add_export_command(CLI::App& app, CommandContext& context) {
   on_run(*command, [arguments, &context] { run_export(*arguments, context); });
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

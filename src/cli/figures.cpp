@@ -13,7 +13,7 @@
 #include "core/error.h"
 #include "core/files.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
@@ -32,17 +32,17 @@ Writes DIR/NAME.svg and DIR/NAME.csv for each experiment and DIR/index.html (and
 them and their captions.
 docs/figures.md explains the format of an experiment file; share/bodkin/experiments has some to copy.)";
 
-nlohmann::json json_of(const Figure& figure, const fs::path& folder) {
+nlohmann::json json_of(const report::Figure& figure, const fs::path& folder) {
   nlohmann::json result = {{"name", figure.experiment.name},
                            {"title", figure.experiment.title},
                            {"svg", (folder / (figure.experiment.name + ".svg")).string()},
                            {"csv", (folder / (figure.experiment.name + ".csv")).string()},
                            {"published", nlohmann::json::array()}};
-  for (const PublishedComparison& comparison : figure.run.comparisons) {
+  for (const study::PublishedComparison& comparison : figure.run.comparisons) {
     result["published"].push_back(
         {{"what", comparison.published.what},
          {"source", comparison.published.source},
-         {"quantity", quantity_names[static_cast<std::size_t>(comparison.published.quantity)].name},
+         {"quantity", io::quantity_names[static_cast<std::size_t>(comparison.published.quantity)].name},
          {"paper", comparison.published.value},
          {"found", comparison.found},
          {"agrees", comparison.agrees}});
@@ -50,25 +50,26 @@ nlohmann::json json_of(const Figure& figure, const fs::path& folder) {
   return result;
 }
 
-void print(const Console& console, const Figure& figure) {
+void print(const Console& console, const report::Figure& figure) {
   console.line(figure.experiment.title);
-  for (const PublishedComparison& comparison : figure.run.comparisons) {
-    const PublishedValue& published = comparison.published;
-    console.line(fmt::format(
-        "  {:<7} {:<58} expected {:>12}   found {:>12}", comparison.agrees ? "agrees" : "DIFFERS", published.what,
-        with_unit(published.value, published.quantity), with_unit(comparison.found, published.quantity)));
+  for (const study::PublishedComparison& comparison : figure.run.comparisons) {
+    const io::PublishedValue& published = comparison.published;
+    console.line(fmt::format("  {:<7} {:<58} expected {:>12}   found {:>12}",
+                             comparison.agrees ? "agrees" : "DIFFERS", published.what,
+                             report::with_unit(published.value, published.quantity),
+                             report::with_unit(comparison.found, published.quantity)));
   }
 }
 
 void run_figures(const FiguresArguments& arguments, const CommandContext& context) {
   Console console(context);
   std::vector<fs::path> files(arguments.files.begin(), arguments.files.end());
-  if (files.empty()) files = shipped_experiments();
+  if (files.empty()) files = io::shipped_experiments();
   // All are read before the first is played: what is wrong is known at once.
-  std::vector<Figure> figures;
+  std::vector<report::Figure> figures;
   std::set<std::string> names;
   for (const fs::path& file : files) {
-    figures.push_back({read_experiment(file), {}});
+    figures.push_back({io::read_experiment(file), {}});
     const std::string& name = figures.back().experiment.name;
     if (!names.insert(name).second)
       throw InputError(fmt::format("{}: there is another experiment called '{}'; give one of them another name",
@@ -78,22 +79,22 @@ void run_figures(const FiguresArguments& arguments, const CommandContext& contex
   nlohmann::json result = {{"figures", nlohmann::json::array()}};
   const Progress progress = console.progress();
   std::size_t done = 0;
-  for (Figure& figure : figures) {
+  for (report::Figure& figure : figures) {
     if (progress)
       progress(fmt::format("{} ({} of {})", figure.experiment.name, done + 1, figures.size()),
                static_cast<double>(done) / static_cast<double>(figures.size()));
-    figure.run = play(figure.experiment);
+    figure.run = study::play(figure.experiment);
     const std::string base = (folder / figure.experiment.name).string();
-    write_file(base + ".svg", draw_plots(plots_of(figure.experiment, figure.run)).svg());
-    write_file(base + ".csv", experiment_csv(figure.experiment, figure.run));
+    write_file(base + ".svg", report::draw_plots(report::plots_of(figure.experiment, figure.run)).svg());
+    write_file(base + ".csv", study::experiment_csv(figure.experiment, figure.run));
     figure.run.ticks = {};  // the page needs the comparisons only
     console.clear_bar();
     print(console, figure);
     result["figures"].push_back(json_of(figure, folder));
     ++done;
   }
-  write_file(folder / "index.html", figures_html(figures));
-  write_file(folder / "index.md", figures_markdown(figures));
+  write_file(folder / "index.html", report::figures_html(figures));
+  write_file(folder / "index.md", report::figures_markdown(figures));
   console.line(fmt::format("\n{}", (folder / "index.html").string()));
   result["index"] = (folder / "index.html").string();
   console.json(result.dump(2));
@@ -110,4 +111,4 @@ void add_figures_command(CLI::App& app, CommandContext& context) {
   on_run(*command, [arguments, &context] { run_figures(*arguments, context); });
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -15,7 +15,7 @@
 #include "core/error.h"
 #include "core/files.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 struct FitArguments {
   std::string model, curve, output;
   std::vector<std::string> fix, start, bounds;
-  FitRequest request;
+  study::FitRequest request;
   double speed = std::numeric_limits<double>::quiet_NaN();  // not given
 };
 
@@ -57,8 +57,8 @@ std::pair<std::string, std::string> split(const std::string& text, const char* o
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
-std::vector<NamedValue> named_values(const std::vector<std::string>& texts, const char* option) {
-  std::vector<NamedValue> values;
+std::vector<study::NamedValue> named_values(const std::vector<std::string>& texts, const char* option) {
+  std::vector<study::NamedValue> values;
   for (const std::string& text : texts) {
     const auto [name, value] = split(text, option);
     values.emplace_back(name, number_in(value, option, text));
@@ -66,9 +66,9 @@ std::vector<NamedValue> named_values(const std::vector<std::string>& texts, cons
   return values;
 }
 
-std::vector<ParameterBounds> bounds_of(const std::vector<std::string>& texts) {
+std::vector<study::ParameterBounds> bounds_of(const std::vector<std::string>& texts) {
   constexpr const char* option = "--bounds";
-  std::vector<ParameterBounds> bounds;
+  std::vector<study::ParameterBounds> bounds;
   for (const std::string& text : texts) {
     const auto [name, range] = split(text, option);
     const std::size_t colon = std::min(range.find(':'), range.size());
@@ -78,22 +78,22 @@ std::vector<ParameterBounds> bounds_of(const std::vector<std::string>& texts) {
   return bounds;
 }
 
-const char* status_text(ParameterStatus status) {
+const char* status_text(study::ParameterStatus status) {
   switch (status) {
-    case ParameterStatus::estimated:
+    case study::ParameterStatus::estimated:
       return "estimated";
-    case ParameterStatus::at_bound:
+    case study::ParameterStatus::at_bound:
       return "at_bound";
-    case ParameterStatus::not_identified:
+    case study::ParameterStatus::not_identified:
       return "not_identified";
-    case ParameterStatus::kept:
+    case study::ParameterStatus::kept:
       break;
   }
   return "kept";
 }
 
-Plot plot_of(const MeasuredCurve& curve, const CurveFit& fit) {
-  Plot plot;
+report::Plot plot_of(const study::MeasuredCurve& curve, const study::CurveFit& fit) {
+  report::Plot plot;
   plot.title = fmt::format("{}, {}: R\u00b2 = {:.4f}, RMSE = {:.3g} N", fs::path(curve.name).filename().string(),
                            fit.model, fit.r_squared, fit.rmse);
   plot.x_label = "depth, mm";
@@ -103,7 +103,7 @@ Plot plot_of(const MeasuredCurve& curve, const CurveFit& fit) {
   return plot;
 }
 
-nlohmann::json json_of(const CurveFit& fit) {
+nlohmann::json json_of(const study::CurveFit& fit) {
   nlohmann::json result;
   result["model"] = fit.model;
   result["samples"] = fit.samples;
@@ -112,10 +112,10 @@ nlohmann::json json_of(const CurveFit& fit) {
   result["confidence"] = 0.95;
   result["yields_at_mm"] = fit.yields_at ? nlohmann::json(*fit.yields_at) : nlohmann::json(nullptr);
   result["parameters"] = nlohmann::json::array();
-  for (const FittedParameter& one : fit.parameters) {
+  for (const study::FittedParameter& one : fit.parameters) {
     nlohmann::json entry = {
         {"name", one.name}, {"unit", one.unit}, {"value", one.value}, {"status", status_text(one.status)}};
-    if (one.status == ParameterStatus::estimated) {
+    if (one.status == study::ParameterStatus::estimated) {
       entry["standard_error"] = one.standard_error;
       entry["low"] = one.low;
       entry["high"] = one.high;
@@ -127,25 +127,25 @@ nlohmann::json json_of(const CurveFit& fit) {
   return result;
 }
 
-std::string certainty_text(const FittedParameter& one) {
+std::string certainty_text(const study::FittedParameter& one) {
   switch (one.status) {
-    case ParameterStatus::estimated:
+    case study::ParameterStatus::estimated:
       return fmt::format("{:>10.3g}   {:.5g} to {:.5g}{}{}", one.standard_error, one.low, one.high,
                          one.remark.empty() ? "" : "; ", one.remark);
-    case ParameterStatus::at_bound:
+    case study::ParameterStatus::at_bound:
       return fmt::format("{:>10}   {}", "", one.remark);
-    case ParameterStatus::not_identified:
+    case study::ParameterStatus::not_identified:
       return fmt::format("{:>10}   kept: {}", "", one.remark);
-    case ParameterStatus::kept:
+    case study::ParameterStatus::kept:
       break;
   }
   return fmt::format("{:>10}   kept", "");
 }
 
-void print(const Console& console, const CurveFit& fit) {
+void print(const Console& console, const study::CurveFit& fit) {
   console.line(fmt::format("{:<18} {:>11} {:<10} {:>10}   {}", "parameter", "value", "unit", "std. error",
                            "joint 95 % confidence"));
-  for (const FittedParameter& one : fit.parameters)
+  for (const study::FittedParameter& one : fit.parameters)
     console.line(fmt::format("{:<18} {:>11.5g} {:<10} {}", one.name, one.value, one.unit, certainty_text(one)));
   console.line(fmt::format("\nR^2 {:.4f}, RMSE {:.4g} N, {} samples{}", fit.r_squared, fit.rmse, fit.samples,
                            fit.yields_at ? fmt::format(", gives way at {:.2f} mm", *fit.yields_at) : ""));
@@ -153,20 +153,20 @@ void print(const Console& console, const CurveFit& fit) {
 
 void run_fit(const FitArguments& arguments, const CommandContext& context) {
   Console console(context);
-  FitRequest request = arguments.request;
+  study::FitRequest request = arguments.request;
   request.model = arguments.model;
   request.fix = named_values(arguments.fix, "--fix");
   request.start = named_values(arguments.start, "--start");
   request.bounds = bounds_of(arguments.bounds);
   if (!std::isnan(arguments.speed)) request.speed = arguments.speed;
-  fit_model(request.model);  // a wrong name before a long file
-  const MeasuredCurve curve = read_measured_curve(arguments.curve);
-  const CurveFit fit = fit_curve(curve, request);
-  const std::string picture = draw_plot(plot_of(curve, fit)).svg();  // before any file is written
+  study::fit_model(request.model);  // a wrong name before a long file
+  const study::MeasuredCurve curve = study::read_measured_curve(arguments.curve);
+  const study::CurveFit fit = study::fit_curve(curve, request);
+  const std::string picture = report::draw_plot(plot_of(curve, fit)).svg();  // before any file is written
 
   const std::string base = arguments.output.empty() ? "fit" : arguments.output;
   write_file(base + ".svg", picture);
-  write_file(base + ".xml", fitted_xml(fit, curve));
+  write_file(base + ".xml", study::fitted_xml(fit, curve));
   for (const std::string& note : fit.notes) console.note(note);
   print(console, fit);
   console.line(fmt::format("\n{}\n{}", fs::absolute(base + ".svg").string(), fs::absolute(base + ".xml").string()));
@@ -182,7 +182,7 @@ void add_fit_command(CLI::App& app, CommandContext& context) {
   auto arguments = std::make_shared<FitArguments>();
   CLI::App* command =
       add_command(app, "fit", "Parameters of a force model from a measured force-depth curve", fit_footer);
-  FitRequest& request = arguments->request;
+  study::FitRequest& request = arguments->request;
   add_text(*command, "MODEL", arguments->model, "Name of the force model").required();
   add_text(*command, "CURVE", arguments->curve, "CSV table of the measurement").required();
   add_number(*command, "--from", request.from, -1000.0, 1000.0, "Only samples from this depth count, mm")
@@ -199,4 +199,4 @@ void add_fit_command(CLI::App& app, CommandContext& context) {
   on_run(*command, [arguments, &context] { run_fit(*arguments, context); });
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -6,35 +6,35 @@
 #include "cli/arguments.h"
 #include "io/force_choice.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 void add_force_options(CLI::App& command, ForceOptions& options) {
   add_text(command, "--resistance", options.resistance,
            fmt::format("Another force along the needle than the case's, \"NAME SETTING=VALUE ...\": {}",
-                       fmt::join(resistance_names, ", ")));
+                       fmt::join(anatomy::resistance_names, ", ")));
   add_text(command, "--constraint", options.constraint,
            fmt::format("Another force that keeps the needle on its path, in the same form: {}",
-                       fmt::join(constraint_names, ", ")));
-  add_texts(
-      command, "--part", options.parts,
-      fmt::format("Another addition to the resistance, may be repeated: {}, or none", fmt::join(part_names, ", ")));
+                       fmt::join(anatomy::constraint_names, ", ")));
+  add_texts(command, "--part", options.parts,
+            fmt::format("Another addition to the resistance, may be repeated: {}, or none",
+                        fmt::join(io::part_names, ", ")));
 }
 
-void apply(const ForceOptions& options, HapticSettings& haptics) {
-  if (!options.resistance.empty()) haptics.resistance = parse_resistance(options.resistance, "--resistance");
-  if (!options.constraint.empty()) haptics.constraint = parse_constraint(options.constraint, "--constraint");
-  if (!options.parts.empty()) haptics.parts = parse_parts(options.parts, "--part");
+void apply(const ForceOptions& options, anatomy::HapticSettings& haptics) {
+  if (!options.resistance.empty()) haptics.resistance = io::parse_resistance(options.resistance, "--resistance");
+  if (!options.constraint.empty()) haptics.constraint = io::parse_constraint(options.constraint, "--constraint");
+  if (!options.parts.empty()) haptics.parts = io::parse_parts(options.parts, "--part");
 }
 
-std::string force_names(const HapticSettings& haptics) {
-  std::string names(model_name(haptics.resistance));
+std::string force_names(const anatomy::HapticSettings& haptics) {
+  std::string names(anatomy::model_name(haptics.resistance));
   if (!haptics.parts.relaxation.empty()) names += " + relaxation";
   if (haptics.parts.shaft_friction) names += " + shaft_friction";
   if (haptics.parts.needle_grasp) names += " + needle_grasp";
   if (haptics.parts.bevel_tip) names += " + bevel_tip";
   if (haptics.parts.csf_flow) names += " + csf_flow";
   if (haptics.parts.syringe) names += " + syringe";
-  return fmt::format("{}, {}", names, name_of(haptics.constraint));
+  return fmt::format("{}, {}", names, anatomy::name_of(haptics.constraint));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-namespace bodkin {
+namespace bodkin::cli {
 
 nlohmann::json json_point(const Vec3& point) {
   return {point.x(), point.y(), point.z()};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

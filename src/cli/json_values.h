@@ -4,9 +4,9 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 // [x, y, z]
 nlohmann::json json_point(const Vec3& point);
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -36,8 +36,8 @@ constexpr const char* main_footer = R"(Examples:
 
 int main(int argc, char** argv) {
   // This program asking a driver in a child process of its own: no command for people.
-  if (argc == 2 && std::string_view(argv[1]) == bodkin::driver_inquiry_argument) {
-    return bodkin::answer_driver_inquiry();
+  if (argc == 2 && std::string_view(argv[1]) == bodkin::cli::driver_inquiry_argument) {
+    return bodkin::cli::answer_driver_inquiry();
   }
   CLI::App app{"Bodkin: put needles into bodies, feel what they meet, and see how well it went."};
   app.footer(main_footer);
@@ -45,39 +45,39 @@ int main(int argc, char** argv) {
   app.fallthrough();
   app.set_version_flag("--version", "bodkin " BODKIN_VERSION);
 
-  bodkin::CommandContext context;
-  bodkin::add_switch(app, "--quiet,-q", context.quiet, "No progress bars and no notes");
-  bodkin::add_switch(app, "--json", context.json, "The result as one JSON object on standard output");
+  bodkin::cli::CommandContext context;
+  bodkin::cli::add_switch(app, "--quiet,-q", context.quiet, "No progress bars and no notes");
+  bodkin::cli::add_switch(app, "--json", context.json, "The result as one JSON object on standard output");
 
   CLI::App* case_group = app.add_subcommand("case", "Make, check and look at patients");
   case_group->require_subcommand(1);
-  bodkin::add_case_new_command(*case_group, context);
-  bodkin::add_case_synthesize_command(*case_group, context);
-  bodkin::add_case_check_command(*case_group, context);
-  bodkin::add_case_show_command(*case_group, context);
-  bodkin::add_case_mesh_command(*case_group, context);
+  bodkin::cli::add_case_new_command(*case_group, context);
+  bodkin::cli::add_case_synthesize_command(*case_group, context);
+  bodkin::cli::add_case_check_command(*case_group, context);
+  bodkin::cli::add_case_show_command(*case_group, context);
+  bodkin::cli::add_case_mesh_command(*case_group, context);
   CLI::App* devices_group = app.add_subcommand("devices", "Find haptic devices and see how well they answer");
   devices_group->require_subcommand(1);
-  bodkin::add_devices_list_command(*devices_group, context);
-  bodkin::add_devices_check_command(*devices_group, context);
-  bodkin::add_devices_calibrate_command(*devices_group, context);
-  bodkin::add_profile_command(app, context);
-  bodkin::add_compare_command(app, context);
-  bodkin::add_run_command(app, context);
-  bodkin::add_perform_command(app, context);
-  bodkin::add_replay_command(app, context);
-  bodkin::add_export_command(app, context);
-  bodkin::add_report_command(app, context);
-  bodkin::add_fit_command(app, context);
-  bodkin::add_figures_command(app, context);
-  bodkin::add_ultrasound_command(app, context);
+  bodkin::cli::add_devices_list_command(*devices_group, context);
+  bodkin::cli::add_devices_check_command(*devices_group, context);
+  bodkin::cli::add_devices_calibrate_command(*devices_group, context);
+  bodkin::cli::add_profile_command(app, context);
+  bodkin::cli::add_compare_command(app, context);
+  bodkin::cli::add_run_command(app, context);
+  bodkin::cli::add_perform_command(app, context);
+  bodkin::cli::add_replay_command(app, context);
+  bodkin::cli::add_export_command(app, context);
+  bodkin::cli::add_report_command(app, context);
+  bodkin::cli::add_fit_command(app, context);
+  bodkin::cli::add_figures_command(app, context);
+  bodkin::cli::add_ultrasound_command(app, context);
 
   try {
     app.parse(argc, argv);
     return context.exit_code;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
-    fmt::print(stderr, "bodkin: {}\n", bodkin::usage_sentence(app, error));
+    fmt::print(stderr, "bodkin: {}\n", bodkin::cli::usage_sentence(app, error));
     return exit_input_error;
   } catch (const bodkin::InputError& error) {
     fmt::print(stderr, "bodkin: {}\n", error.what());

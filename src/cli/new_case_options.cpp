@@ -12,7 +12,7 @@
 #include "core/error.h"
 #include "io/image_worker.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 namespace {
 
 using nlohmann::json;
@@ -59,8 +59,8 @@ void add_new_case_options(CLI::App& command, NewCaseOptions& options) {
   add_text(command, "--name", options.name, "Name of the patient (default: the folder's)");
   add_text(command, "--entry", options.entry, "Where the planned path enters the skin: x,y,z in LPS mm");
   add_text(command, "--target", options.target, "Where the needle's tip should end: x,y,z in LPS mm");
-  add_whole_number(command, "--needle-gauge", options.needle_gauge, gauge_sizes().front().gauge,
-                   gauge_sizes().back().gauge, "Gauge of the needle, 10 to 34");
+  add_whole_number(command, "--needle-gauge", options.needle_gauge, anatomy::gauge_sizes().front().gauge,
+                   anatomy::gauge_sizes().back().gauge, "Gauge of the needle, 10 to 34");
   add_switch(command, "--overwrite", options.overwrite, "Replace a case that is already there");
 }
 
@@ -68,17 +68,17 @@ json new_case_request(const NewCaseOptions& options) {
   if (options.name.size() > longest_name) {
     throw InputError(fmt::format("--name has {} characters; expected at most {}", options.name.size(), longest_name));
   }
-  if (!gauge_size(static_cast<int>(options.needle_gauge))) {
+  if (!anatomy::gauge_size(static_cast<int>(options.needle_gauge))) {
     throw InputError(fmt::format("--needle-gauge is {}; expected {} to {}", options.needle_gauge,
-                                 gauge_sizes().front().gauge, gauge_sizes().back().gauge));
+                                 anatomy::gauge_sizes().front().gauge, anatomy::gauge_sizes().back().gauge));
   }
   if (options.entry.empty() != options.target.empty()) {
     throw InputError(fmt::format("--{0} is missing: a path needs both --entry and --target",
                                  options.entry.empty() ? "entry" : "target"));
   }
-  json request = {{"folder", path_text(options.folder)},
+  json request = {{"folder", io::path_text(options.folder)},
                   {"overwrite", options.overwrite},
-                  {"name", path_text(options.name)},
+                  {"name", io::path_text(options.name)},
                   {"needle_gauge", options.needle_gauge}};
   if (!options.entry.empty()) {
     request["entry"] = checked_point(options.entry, "--entry");
@@ -93,7 +93,7 @@ json new_case_request(const NewCaseOptions& options) {
 void make_case(const std::string& verb, const json& request, const std::string& subject,
                const CommandContext& context) {
   Console console(context);
-  const WorkerReport report = run_image_worker(verb, request.dump(), subject, console.progress());
+  const io::WorkerReport report = io::run_image_worker(verb, request.dump(), subject, console.progress());
   console.clear_bar();
   for (const std::string& note : report.notes) console.note(note);
   json result = json::parse(report.result);
@@ -103,4 +103,4 @@ void make_case(const std::string& verb, const json& request, const std::string& 
   console.json(result.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

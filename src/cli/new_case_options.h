@@ -7,7 +7,7 @@
 
 #include "cli/commands.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 // What `case new` and `case synthesize` have in common: options, and what is said at the end.
 struct NewCaseOptions {
@@ -28,4 +28,4 @@ nlohmann::json new_case_request(const NewCaseOptions& options);
 void make_case(const std::string& verb, const nlohmann::json& request, const std::string& subject,
                const CommandContext& context);
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -9,25 +9,25 @@
 
 #include "cli/force_options.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace fs = std::filesystem;
 
 namespace {
 
-void print_events(const Console& console, const Outcome& outcome, const Case& patient) {
+void print_events(const Console& console, const Outcome& outcome, const anatomy::Case& patient) {
   constexpr std::size_t most = 24;  // one screen
   std::size_t shown = 0, left = 0;
   console.line(fmt::format("\n{:>9} {:>9}   {}", "time s", "depth mm", "event"));
-  for (const SessionEvent& event : outcome.session.events) {
-    if (!is_notable(event.event.kind)) continue;
+  for (const session::SessionEvent& event : outcome.session.events) {
+    if (!report::is_notable(event.event.kind)) continue;
     if (shown == most) {
       ++left;
       continue;
     }
     ++shown;
     console.line(fmt::format("{:>9.2f} {:>9.1f}   {}", static_cast<double>(event.tick) * outcome.session.header.dt,
-                             event.event.depth, event_text(event.event, patient.library)));
+                             event.event.depth, report::event_text(event.event, patient.library)));
   }
   if (left > 0) console.line(fmt::format("{:>22} {} more", "", left));
 }
@@ -40,7 +40,8 @@ double Outcome::time() const {
 
 double Outcome::peak_applied() const {
   double peak = 0.0;
-  for (const TickRecord& record : session.ticks) peak = std::max(peak, record.output.applied.force.norm());
+  for (const simulation::TickRecord& record : session.ticks)
+    peak = std::max(peak, record.output.applied.force.norm());
   return peak;
 }
 
@@ -48,24 +49,24 @@ double Outcome::speed() const {
   return run.wall_time > 0.0 ? time() / run.wall_time : 0.0;
 }
 
-Outcome read_outcome(const fs::path& file, const Case& patient, RunResult run) {
+Outcome read_outcome(const fs::path& file, const anatomy::Case& patient, session::RunResult run) {
   Outcome outcome;
   outcome.run = std::move(run);
   outcome.file = fs::absolute(file).lexically_normal();
-  outcome.session = read_session(file);
-  outcome.summary = summarise(outcome.session, patient);
-  outcome.verdict = judge(outcome.summary, outcome.session, patient);
+  outcome.session = session::read_session(file);
+  outcome.summary = report::summarise(outcome.session, patient);
+  outcome.verdict = report::judge(outcome.summary, outcome.session, patient);
   return outcome;
 }
 
-nlohmann::ordered_json json_of(const Outcome& outcome, const Case& patient) {
-  const SessionSummary& summary = outcome.summary;
-  const TissueLibrary& library = patient.library;
+nlohmann::ordered_json json_of(const Outcome& outcome, const anatomy::Case& patient) {
+  const report::SessionSummary& summary = outcome.summary;
+  const anatomy::TissueLibrary& library = patient.library;
   nlohmann::ordered_json json = {{"session", outcome.file.string()},
                                  {"operator", outcome.session.header.operator_name},
                                  {"seed", outcome.session.header.seed},
-                                 {"resistance", name_of(outcome.session.header.haptics.resistance)},
-                                 {"constraint", name_of(outcome.session.header.haptics.constraint)},
+                                 {"resistance", anatomy::name_of(outcome.session.header.haptics.resistance)},
+                                 {"constraint", anatomy::name_of(outcome.session.header.haptics.constraint)},
                                  {"time_s", outcome.time()},
                                  {"wall_time_s", outcome.run.wall_time},
                                  {"speed_factor", outcome.speed()},
@@ -88,18 +89,18 @@ nlohmann::ordered_json json_of(const Outcome& outcome, const Case& patient) {
   json["target_tissue_time_s"] = summary.target_tissue_time ? nlohmann::ordered_json(*summary.target_tissue_time)
                                                             : nlohmann::ordered_json(nullptr);
   if (const auto& timings = outcome.session.timings) {
-    const auto spread = [](const std::vector<TimeBin>& bins) {
-      return nlohmann::ordered_json{{"median_s", percentile(bins, 0.5)},
-                                    {"p99_s", percentile(bins, 0.99)},
-                                    {"longest_s", percentile(bins, 1.0)}};
+    const auto spread = [](const std::vector<session::TimeBin>& bins) {
+      return nlohmann::ordered_json{{"median_s", session::percentile(bins, 0.5)},
+                                    {"p99_s", session::percentile(bins, 0.99)},
+                                    {"longest_s", session::percentile(bins, 1.0)}};
     };
     json["timings"] = {{"overruns", timings->overruns},
-                       {"rounds", count_of(timings->compute)},
+                       {"rounds", session::count_of(timings->compute)},
                        {"lateness", spread(timings->lateness)},
                        {"compute", spread(timings->compute)}};
   }
   json["tissues"] = nlohmann::ordered_json::array();
-  for (const TissueTotal& tissue : summary.tissues) {
+  for (const report::TissueTotal& tissue : summary.tissues) {
     json["tissues"].push_back({{"tissue", library.title(tissue.tissue)},
                                {"from_mm", tissue.from},
                                {"to_mm", tissue.to},
@@ -107,21 +108,21 @@ nlohmann::ordered_json json_of(const Outcome& outcome, const Case& patient) {
                                {"peak_depth_mm", tissue.peak_depth}});
   }
   json["events"] = nlohmann::ordered_json::array();
-  for (const SessionEvent& event : outcome.session.events) {
+  for (const session::SessionEvent& event : outcome.session.events) {
     json["events"].push_back({{"time_s", static_cast<double>(event.tick) * outcome.session.header.dt},
                               {"depth_mm", event.event.depth},
-                              {"text", event_text(event.event, library)}});
+                              {"text", report::event_text(event.event, library)}});
   }
   json["notes"] = outcome.run.notes;
   return json;
 }
 
-void print(const Console& console, const Outcome& outcome, const Case& patient) {
-  const SessionSummary& summary = outcome.summary;
+void print(const Console& console, const Outcome& outcome, const anatomy::Case& patient) {
+  const report::SessionSummary& summary = outcome.summary;
   console.line(outcome.verdict.headline);
   for (const std::string& remark : outcome.verdict.remarks) console.line("  " + remark);
   console.line(fmt::format("\n{:<26} {:>8} {:>8} {:>10}", "tissue", "from mm", "to mm", "peak N"));
-  for (const TissueTotal& tissue : summary.tissues) {
+  for (const report::TissueTotal& tissue : summary.tissues) {
     console.line(fmt::format("{:<26} {:>8.1f} {:>8.1f} {:>10.2f}", patient.library.title(tissue.tissue), tissue.from,
                              tissue.to, tissue.peak_force));
   }
@@ -138,4 +139,4 @@ void print(const Console& console, const Outcome& outcome, const Case& patient) 
   console.line(fmt::format("{:<14} {}", "session", outcome.file.string()));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -9,14 +9,14 @@
 
 #include "cli/console.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 // What a person wants to know of a session that has just ended.
 struct Outcome {
-  RunResult run;
-  Session session;  // as it was saved
-  SessionSummary summary;
-  Verdict verdict;
+  session::RunResult run;
+  session::Session session;  // as it was saved
+  report::SessionSummary summary;
+  report::Verdict verdict;
   std::filesystem::path file;
 
   double time() const;  // s of the session
@@ -26,11 +26,11 @@ struct Outcome {
 };
 
 // Reads the session file that was just written.
-Outcome read_outcome(const std::filesystem::path& file, const Case& patient, RunResult run);
+Outcome read_outcome(const std::filesystem::path& file, const anatomy::Case& patient, session::RunResult run);
 
 // On one screen.
-void print(const Console& console, const Outcome& outcome, const Case& patient);
+void print(const Console& console, const Outcome& outcome, const anatomy::Case& patient);
 
-nlohmann::ordered_json json_of(const Outcome& outcome, const Case& patient);
+nlohmann::ordered_json json_of(const Outcome& outcome, const anatomy::Case& patient);
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -12,7 +12,7 @@
 #include "cli/ultrasound_options.h"
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
@@ -44,7 +44,7 @@ auto named_pane(const Work& work) {
 
 }  // namespace
 
-UltrasoundChoice choose_pane(const std::string& words) {
+station::UltrasoundChoice choose_pane(const std::string& words) {
   UltrasoundOptions options;
   options.view = "needle";
   options.size = fmt::format("{}x{}", frame_width, frame_height);
@@ -95,8 +95,8 @@ UltrasoundChoice choose_pane(const std::string& words) {
       }
     }
   }
-  UltrasoundChoice choice = named_pane([&] { return choose_ultrasound(options); });
-  UltrasoundSettings& settings = choice.settings;
+  station::UltrasoundChoice choice = named_pane([&] { return choose_ultrasound(options); });
+  imaging::UltrasoundSettings& settings = choice.settings;
   choice.press = numbers[0].value.value_or(choice.press);
   settings.depth = numbers[1].value.value_or(settings.depth);
   settings.gain = numbers[2].value.value_or(settings.gain);
@@ -104,10 +104,10 @@ UltrasoundChoice choose_pane(const std::string& words) {
   settings.focus = numbers[4].value.value_or(std::max(5.0, 0.5 * settings.depth));
   settings.frequency = numbers[5].value.value_or(settings.frequency);
   named_pane([&] {
-    check(settings, choice.probe);
+    imaging::check(settings, choice.probe);
     return true;
   });
   return choice;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -4,9 +4,9 @@
 
 #include "station/ultrasound_choice.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 // What --ultrasound of `bodkin perform` says: "PROBE SETTING=VALUE ...". Throws InputError naming --ultrasound.
-UltrasoundChoice choose_pane(const std::string& words);
+station::UltrasoundChoice choose_pane(const std::string& words);
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

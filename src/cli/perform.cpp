@@ -14,16 +14,16 @@
 #include "cli/perform_options.h"
 #include "cli/perform_screen.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
-std::atomic<Station*> running{nullptr};
+std::atomic<station::Station*> running{nullptr};
 
 // Ctrl-C ends the session as q does.
 class EndOnSignal {
  public:
-  explicit EndOnSignal(Station& station)
+  explicit EndOnSignal(station::Station& station)
       : interrupt_(std::signal(SIGINT, &end)), terminate_(std::signal(SIGTERM, &end)) {
     running.store(&station);
   }
@@ -37,27 +37,27 @@ class EndOnSignal {
 
  private:
   static void end(int) {
-    if (Station* const station = running.load()) station->end();
+    if (station::Station* const station = running.load()) station->end();
   }
   void (*interrupt_)(int);
   void (*terminate_)(int);
 };
 
-StationResult run_with_keys(Station& station, PerformScreen& screen) {
-  Keys keys;
+station::StationResult run_with_keys(station::Station& station, PerformScreen& screen) {
+  desktop::Keys keys;
   const EndOnSignal signals(station);
   screen.listen_to(&keys);
-  StationResult result = station.run();
+  station::StationResult result = station.run();
   screen.listen_to(nullptr);
   return result;
 }
 
 void run_perform(const PerformOptions& arguments, const CommandContext& context) {
   Console console(context);
-  StationOptions options = station_options(arguments, console);
+  station::StationOptions options = station_options(arguments, console);
   PerformScreen screen(console, options.ultrasound, is_mouse(options.device), options.longest);
-  Station station(std::move(options), screen);
-  StationResult result = run_with_keys(station, screen);
+  station::Station station(std::move(options), screen);
+  station::StationResult result = run_with_keys(station, screen);
   console.clear_bar();
   const Outcome outcome = read_outcome(arguments.output, station.patient(), std::move(result.run));
   for (const std::string& note : outcome.run.notes) console.note(note);
@@ -79,4 +79,4 @@ void add_perform_command(CLI::App& app, CommandContext& context) {
   on_run(*command, [options, &context] { run_perform(*options, context); });
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -8,7 +8,7 @@
 #include "cli/pane_options.h"
 #include "io/case_folder.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 const char* const perform_footer = R"(Examples:
   bodkin perform patient openhaptics                      the first Touch that is connected
@@ -48,14 +48,14 @@ void add_perform_options(CLI::App& command, PerformOptions& options) {
            "view, at, from, press_mm, depth_mm, gain_dB, dynamic_range_dB, focus_mm, frequency_MHz");
 }
 
-StationOptions station_options(const PerformOptions& options, Console& console) {
+station::StationOptions station_options(const PerformOptions& options, Console& console) {
   require_writable(options.output, "--output");
-  std::optional<UltrasoundChoice> ultrasound;
+  std::optional<station::UltrasoundChoice> ultrasound;
   if (!options.ultrasound.empty()) ultrasound = choose_pane(options.ultrasound);
-  DeviceChoice device = choose_device(options.device);
-  std::optional<SecondChoice> second = choose_second(options.second, device);
-  std::optional<ProbeFace> moving_body = parse_body(options.body);
-  Case patient = load_case(options.folder, console.progress());
+  station::DeviceChoice device = choose_device(options.device);
+  std::optional<station::SecondChoice> second = choose_second(options.second, device);
+  std::optional<fem::ProbeFace> moving_body = parse_body(options.body);
+  anatomy::Case patient = io::load_case(options.folder, console.progress());
   apply(options.forces, patient.description.haptics);
   return {.patient = std::move(patient),
           .case_folder = options.folder,
@@ -72,4 +72,4 @@ StationOptions station_options(const PerformOptions& options, Console& console) 
           .longest = options.longest};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

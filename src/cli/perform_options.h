@@ -9,7 +9,7 @@
 #include "cli/force_options.h"
 #include "cli/second_options.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 // The command line of `bodkin perform`.
 struct PerformOptions {
@@ -33,6 +33,6 @@ extern const char* const perform_footer;
 void add_perform_options(CLI::App& command, PerformOptions& options);
 
 // Loads the drivers and the case, and turns every text into what it means. Throws InputError naming the option.
-StationOptions station_options(const PerformOptions& options, Console& console);
+station::StationOptions station_options(const PerformOptions& options, Console& console);
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

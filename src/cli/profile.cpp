@@ -20,7 +20,7 @@
 #include "core/files.h"
 #include "io/case_folder.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
@@ -30,7 +30,7 @@ struct ProfileArguments {
   std::string folder;
   std::string entry, target;
   std::string output;
-  ProfileOptions options;
+  study::ProfileOptions options;
   bool deformation = false;
   ForceOptions forces;
 };
@@ -46,14 +46,14 @@ Writes BASE.csv (a row per tick) and BASE.svg (force against depth with the tiss
 below it what the force models publish, such as the position of the tracking wall).
 A path that starts with a minus sign needs an equals sign: --entry=-5,95,3)";
 
-nlohmann::json json_of(const Profile& profile, const std::vector<TissueCrossing>& crossings,
-                       const std::vector<SessionEvent>& events, const TissueLibrary& library) {
+nlohmann::json json_of(const study::Profile& profile, const std::vector<report::TissueCrossing>& crossings,
+                       const std::vector<session::SessionEvent>& events, const anatomy::TissueLibrary& library) {
   nlohmann::json result;
   result["entry_mm"] = json_point(profile.path.entry);
   result["target_mm"] = json_point(profile.path.target);
   result["speed_mm_s"] = profile.options.speed;
   result["tissues"] = nlohmann::json::array();
-  for (const TissueCrossing& crossing : crossings) {
+  for (const report::TissueCrossing& crossing : crossings) {
     result["tissues"].push_back({{"tissue", library.title(crossing.tissue)},
                                  {"from_mm", crossing.from},
                                  {"to_mm", crossing.to},
@@ -61,10 +61,10 @@ nlohmann::json json_of(const Profile& profile, const std::vector<TissueCrossing>
                                  {"peak_depth_mm", crossing.peak_depth}});
   }
   result["events"] = nlohmann::json::array();
-  for (const SessionEvent& event : events) {
+  for (const session::SessionEvent& event : events) {
     result["events"].push_back({{"time_s", static_cast<double>(event.tick) * profile.dt},
                                 {"depth_mm", event.event.depth},
-                                {"text", event_text(event.event, library)},
+                                {"text", report::event_text(event.event, library)},
                                 {"tissue", library.title(event.event.tissue)},
                                 {"value_N", event.event.value}});
   }
@@ -75,15 +75,15 @@ nlohmann::json json_of(const Profile& profile, const std::vector<TissueCrossing>
   return result;
 }
 
-void print_table(const Console& console, const std::vector<TissueCrossing>& crossings,
-                 const std::vector<SessionEvent>& events, const TissueLibrary& library) {
+void print_table(const Console& console, const std::vector<report::TissueCrossing>& crossings,
+                 const std::vector<session::SessionEvent>& events, const anatomy::TissueLibrary& library) {
   console.line(fmt::format("{:<26} {:>8} {:>8} {:>10}   {}", "tissue", "from mm", "to mm", "peak N", "what happens"));
-  for (const TissueCrossing& crossing : crossings) {
+  for (const report::TissueCrossing& crossing : crossings) {
     std::string happened;
-    for (const SessionEvent& event : events) {
+    for (const session::SessionEvent& event : events) {
       const bool here = event.event.depth >= crossing.from && event.event.depth < crossing.to;
-      if (!here || !is_notable(event.event.kind)) continue;
-      happened += fmt::format("{}{}", happened.empty() ? "" : "; ", event_text(event.event, library));
+      if (!here || !report::is_notable(event.event.kind)) continue;
+      happened += fmt::format("{}{}", happened.empty() ? "" : "; ", report::event_text(event.event, library));
     }
     console.line(fmt::format("{:<26} {:>8.1f} {:>8.1f} {:>10.2f}   {}", library.title(crossing.tissue), crossing.from,
                              crossing.to, crossing.peak_force, happened));
@@ -92,42 +92,43 @@ void print_table(const Console& console, const std::vector<TissueCrossing>& cros
 
 void run_profile(const ProfileArguments& arguments, const CommandContext& context) {
   Console console(context);
-  ProfileOptions options = arguments.options;
+  study::ProfileOptions options = arguments.options;
   if (!arguments.entry.empty()) options.entry = parse_point(arguments.entry, "--entry");
   if (!arguments.target.empty()) options.target = parse_point(arguments.target, "--target");
   const std::string base = arguments.output.empty() ? "profile" : arguments.output;
   for (const char* ending : {".csv", ".svg"}) require_writable(base + ending, "--output");
   if (arguments.deformation) require_writable(base + "-deformation.svg", "--output");
-  Case patient = load_case(arguments.folder, console.progress());
+  anatomy::Case patient = io::load_case(arguments.folder, console.progress());
   apply(arguments.forces, patient.description.haptics);
-  if (arguments.deformation && body_of(patient.description.haptics.resistance) == nullptr) {
+  if (arguments.deformation && anatomy::body_of(patient.description.haptics.resistance) == nullptr) {
     throw InputError(fmt::format("--deformation: {} has no deformable body; add --resistance embedded_needle",
-                                 name_of(patient.description.haptics.resistance)));
+                                 anatomy::name_of(patient.description.haptics.resistance)));
   }
-  const std::shared_ptr<const BodyDescription> body =
-      prepare_body(patient, arguments.folder, straight_path(patient, options.entry, options.target).path,
-                   console.progress(), [&](const std::string& text) { console.note(text); });
-  const Profile profile = insert_at_constant_speed(patient, options, console.progress());
+  const std::shared_ptr<const fem::BodyDescription> body = patient::prepare_body(
+      patient, arguments.folder, study::straight_path(patient, options.entry, options.target).path,
+      console.progress(), [&](const std::string& text) { console.note(text); });
+  const study::Profile profile = study::insert_at_constant_speed(patient, options, console.progress());
   for (const std::string& note : profile.notes) console.note(note);
 
-  const std::vector<SessionEvent> events = events_of(profile.ticks);
-  const std::vector<TissueCrossing> crossings = tissues_crossed(profile.ticks, profile.dt);
-  Plot plot = force_against_depth(profile.ticks, events, profile.dt, patient);
+  const std::vector<session::SessionEvent> events = report::events_of(profile.ticks);
+  const std::vector<report::TissueCrossing> crossings = report::tissues_crossed(profile.ticks, profile.dt);
+  report::Plot plot = report::force_against_depth(profile.ticks, events, profile.dt, patient);
   plot.title = fmt::format("{}, {:g} mm/s, {}", patient.description.name, options.speed,
-                           name_of(patient.description.haptics.resistance));
-  std::vector<Plot> plots = {plot};
-  std::vector<RecordedDiagnostic> published;
-  for (const DiagnosticName& one : profile.diagnostics)
+                           anatomy::name_of(patient.description.haptics.resistance));
+  std::vector<report::Plot> plots = {plot};
+  std::vector<session::RecordedDiagnostic> published;
+  for (const forces::DiagnosticName& one : profile.diagnostics)
     published.push_back({std::string(one.name), std::string(one.title)});
-  for (Plot& one : diagnostics_against_depth(profile.ticks, published)) plots.push_back(std::move(one));
+  for (report::Plot& one : report::diagnostics_against_depth(profile.ticks, published))
+    plots.push_back(std::move(one));
   const std::string picture =
-      draw_plots(plots).svg();  // before any file is written: what fails leaves nothing behind
+      report::draw_plots(plots).svg();  // before any file is written: what fails leaves nothing behind
 
   std::string deformation;
   if (arguments.deformation && profile.strongest.forces.count > 0)
-    deformation = deformation_picture(patient, *body, profile.strongest, console.progress()).svg();
+    deformation = study::deformation_picture(patient, *body, profile.strongest, console.progress()).svg();
 
-  write_file(base + ".csv", profile_csv(profile, patient.library));
+  write_file(base + ".csv", study::profile_csv(profile, patient.library));
   if (!deformation.empty()) write_file(base + "-deformation.svg", deformation);
   write_file(base + ".svg", picture);
   print_table(console, crossings, events, patient.library);
@@ -135,8 +136,8 @@ void run_profile(const ProfileArguments& arguments, const CommandContext& contex
   if (!deformation.empty()) console.line("\n" + fs::absolute(base + "-deformation.svg").string());
   console.line(fmt::format("\n{}\n{}", fs::absolute(base + ".svg").string(), fs::absolute(base + ".csv").string()));
   nlohmann::json result = json_of(profile, crossings, events, patient.library);
-  result["resistance"] = name_of(patient.description.haptics.resistance);
-  result["constraint"] = name_of(patient.description.haptics.constraint);
+  result["resistance"] = anatomy::name_of(patient.description.haptics.resistance);
+  result["constraint"] = anatomy::name_of(patient.description.haptics.constraint);
   result["csv"] = fs::absolute(base + ".csv").string();
   result["svg"] = fs::absolute(base + ".svg").string();
   if (!deformation.empty()) result["deformation_svg"] = fs::absolute(base + "-deformation.svg").string();
@@ -163,4 +164,4 @@ void add_profile_command(CLI::App& app, CommandContext& context) {
   on_run(*command, [arguments, &context] { run_profile(*arguments, context); });
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -12,7 +12,7 @@
 #include "cli/console.h"
 #include "io/case_folder.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
@@ -31,23 +31,24 @@ Exit code 0: identical to the last bit. 3: something differs; the first differen
 
 int run_replay(const ReplayArguments& arguments, const CommandContext& context) {
   Console console(context);
-  const Session session = read_session(arguments.session);
-  check_recomputable(session);  // before the body is prepared in vain
+  const session::Session session = session::read_session(arguments.session);
+  session::check_recomputable(session);  // before the body is prepared in vain
   const std::string folder = arguments.case_folder.empty() ? session.header.case_folder : arguments.case_folder;
-  Case patient = load_case(folder, console.progress());
-  check_same_case(session, patient, folder);
+  anatomy::Case patient = io::load_case(folder, console.progress());
+  session::check_same_case(session, patient, folder);
   patient.description.haptics = session.header.haptics;
-  const std::shared_ptr<const BodyDescription> body = prepare_body(
+  const std::shared_ptr<const fem::BodyDescription> body = patient::prepare_body(
       patient, folder, session.header.path, console.progress(), [&](const std::string& text) { console.note(text); });
-  const ReplayResult result = replay_session(session, std::move(patient), console.progress(), body.get());
+  const session::ReplayResult result =
+      session::replay_session(session, std::move(patient), console.progress(), body.get());
   console.clear_bar();
   if (!session.finished) console.note("the session was not finished; what was saved is replayed");
   nlohmann::ordered_json json = {{"identical", !result.difference},
                                  {"ticks", result.ticks},
-                                 {"resistance", name_of(session.header.haptics.resistance)},
-                                 {"constraint", name_of(session.header.haptics.constraint)}};
+                                 {"resistance", anatomy::name_of(session.header.haptics.resistance)},
+                                 {"constraint", anatomy::name_of(session.header.haptics.constraint)}};
   if (result.difference) {
-    const ReplayDifference& difference = *result.difference;
+    const session::ReplayDifference& difference = *result.difference;
     console.line(fmt::format("different: tick {} at {:.3f} s, {}\n  recorded   {}\n  recomputed {}", difference.tick,
                              difference.time, difference.field, difference.recorded, difference.recomputed));
     json["difference"] = {{"tick", difference.tick},
@@ -74,4 +75,4 @@ void add_replay_command(CLI::App& app, CommandContext& context) {
   on_run(*command, [arguments, &context] { context.exit_code = run_replay(*arguments, context); });
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

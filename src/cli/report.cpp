@@ -22,7 +22,7 @@
 #include "io/case_folder.h"
 #include "io/run_program.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
@@ -44,7 +44,8 @@ nlohmann::json optional_json(const std::optional<double>& value) {
   return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
 }
 
-nlohmann::json json_of(const SessionSummary& summary, const Verdict& verdict, const TissueLibrary& library) {
+nlohmann::json json_of(const report::SessionSummary& summary, const report::Verdict& verdict,
+                       const anatomy::TissueLibrary& library) {
   nlohmann::json result = {{"headline", verdict.headline},
                            {"remarks", verdict.remarks},
                            {"reached", verdict.reached},
@@ -74,7 +75,7 @@ nlohmann::json json_of(const SessionSummary& summary, const Verdict& verdict, co
                            {"interventions", summary.interventions},
                            {"limited_time_s", summary.limited_time}};
   result["critical"] = nlohmann::json::array();
-  for (const CriticalEntry& entry : summary.critical) {
+  for (const report::CriticalEntry& entry : summary.critical) {
     result["critical"].push_back({{"structure", entry.structure},
                                   {"first_time_s", entry.time},
                                   {"first_depth_mm", entry.depth},
@@ -82,7 +83,7 @@ nlohmann::json json_of(const SessionSummary& summary, const Verdict& verdict, co
                                   {"entries", entry.entries}});
   }
   result["tissues"] = nlohmann::json::array();
-  for (const TissueTotal& total : summary.tissues) {
+  for (const report::TissueTotal& total : summary.tissues) {
     result["tissues"].push_back({{"tissue", library.title(total.tissue)},
                                  {"from_mm", total.from},
                                  {"to_mm", total.to},
@@ -111,7 +112,7 @@ void run_report(const ReportArguments& arguments, const CommandContext& context)
   const fs::path file =
       arguments.output.empty() ? fs::path(arguments.session).replace_extension(".html") : fs::path(arguments.output);
   require_writable(file, "--output", arguments.session);
-  const Session session = read_session(arguments.session);
+  const session::Session session = session::read_session(arguments.session);
   const fs::path folder =
       arguments.folder.empty() ? fs::path(session.header.case_folder) : fs::path(arguments.folder);
   if (!fs::exists(folder / "case.xml")) {
@@ -119,21 +120,21 @@ void run_report(const ReportArguments& arguments, const CommandContext& context)
         fmt::format("{} was recorded on the case {}, which holds no case.xml now; name the case with --case DIR",
                     arguments.session, folder.string()));
   }
-  const Case patient = load_case(folder, console.progress());
-  const bool changed = !is_digest_of_case(session.header.case_digest, patient, text_of(folder / "case.xml"),
-                                          mesh_digest(folder, session.header.haptics.resistance));
+  const anatomy::Case patient = io::load_case(folder, console.progress());
+  const bool changed = !session::is_digest_of_case(session.header.case_digest, patient, text_of(folder / "case.xml"),
+                                                   session::mesh_digest(folder, session.header.haptics.resistance));
   if (changed) console.note("the case has changed since the recording; slices and tissues show what it is now");
-  const SessionSummary summary = summarise(session, patient);
-  const Verdict verdict = judge(summary, session, patient);
-  const std::string html = report_html(session, patient, summary, changed);
+  const report::SessionSummary summary = report::summarise(session, patient);
+  const report::Verdict verdict = report::judge(summary, session, patient);
+  const std::string html = report::report_html(session, patient, summary, changed);
 
   write_file(file, html);
   console.line(verdict.headline);
   for (const std::string& remark : verdict.remarks) console.line("  " + remark);
   console.line(fs::absolute(file).string());
   nlohmann::json result = json_of(summary, verdict, patient.library);
-  result["resistance"] = name_of(session.header.haptics.resistance);
-  result["constraint"] = name_of(session.header.haptics.constraint);
+  result["resistance"] = anatomy::name_of(session.header.haptics.resistance);
+  result["constraint"] = anatomy::name_of(session.header.haptics.constraint);
   result["report"] = fs::absolute(file).string();
   console.json(result.dump(2));
   if (!arguments.open) return;
@@ -141,7 +142,7 @@ void run_report(const ReportArguments& arguments, const CommandContext& context)
     console.note("there is no display to open the report on");
     return;
   }
-  const ProgramResult opened = run_program({"xdg-open", fs::absolute(file).string()}, "", "xdg-utils");
+  const io::ProgramResult opened = io::run_program({"xdg-open", fs::absolute(file).string()}, "", "xdg-utils");
   if (opened.exit_code != 0) console.note("no program here opens HTML pages; open the report by its path");
 }
 
@@ -157,4 +158,4 @@ void add_report_command(CLI::App& app, CommandContext& context) {
   on_run(*command, [arguments, &context] { run_report(*arguments, context); });
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -18,7 +18,7 @@
 #include "core/error.h"
 #include "io/case_folder.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
@@ -30,7 +30,7 @@ struct RunArguments {
   std::string entry, target;
   std::string output;
   std::int64_t seed = 1;
-  RunSettings settings;
+  session::RunSettings settings;
   ForceOptions forces;
 };
 
@@ -58,13 +58,13 @@ fs::path free_name(const std::string& case_name, const std::string& operator_nam
   return name;
 }
 
-NeedlePath path_of(const RunArguments& arguments, const Case& patient) {
-  const std::optional<NeedlePath>& planned = patient.description.procedure.path;
+anatomy::NeedlePath path_of(const RunArguments& arguments, const anatomy::Case& patient) {
+  const std::optional<anatomy::NeedlePath>& planned = patient.description.procedure.path;
   if (!planned && (arguments.entry.empty() || arguments.target.empty())) {
     throw InputError(
         fmt::format("{}: the case has no planned path, give --entry and --target in LPS mm", arguments.folder));
   }
-  NeedlePath path = planned.value_or(NeedlePath{});
+  anatomy::NeedlePath path = planned.value_or(anatomy::NeedlePath{});
   if (!arguments.entry.empty()) path.entry = parse_point(arguments.entry, "--entry");
   if (!arguments.target.empty()) path.target = parse_point(arguments.target, "--target");
   return path;
@@ -72,21 +72,21 @@ NeedlePath path_of(const RunArguments& arguments, const Case& patient) {
 
 void run_scripted(RunArguments arguments, const CommandContext& context) {
   Console console(context);
-  RunSettings& settings = arguments.settings;
+  session::RunSettings& settings = arguments.settings;
   settings.seed = static_cast<std::uint64_t>(arguments.seed);
   if (!arguments.output.empty()) require_writable(arguments.output, "--output");
-  settings.script = load_operator(arguments.operator_name);
-  Case patient = load_case(arguments.folder, console.progress());
+  settings.script = session::load_operator(arguments.operator_name);
+  anatomy::Case patient = io::load_case(arguments.folder, console.progress());
   apply(arguments.forces, patient.description.haptics);
   settings.path = path_of(arguments, patient);
-  prepare_body(patient, arguments.folder, settings.path, console.progress(),
-               [&](const std::string& text) { console.note(text); });
+  patient::prepare_body(patient, arguments.folder, settings.path, console.progress(),
+                        [&](const std::string& text) { console.note(text); });
   settings.output = arguments.output.empty()
                         ? free_name(patient.description.name, settings.script.name, settings.seed, settings.overwrite)
                         : fs::path(arguments.output);
-  const SessionHeader header = session_header(patient, arguments.folder, settings);
+  const session::SessionHeader header = session::session_header(patient, arguments.folder, settings);
   const Outcome outcome =
-      read_outcome(settings.output, patient, run_session(patient, header, settings, console.progress()));
+      read_outcome(settings.output, patient, session::run_session(patient, header, settings, console.progress()));
   console.clear_bar();
   for (const std::string& note : outcome.run.notes) console.note(note);
   if (!outcome.run.operator_finished) {
@@ -110,7 +110,7 @@ void run_scripted(RunArguments arguments, const CommandContext& context) {
 
 void add_run_command(CLI::App& app, CommandContext& context) {
   auto arguments = std::make_shared<RunArguments>();
-  RunSettings& settings = arguments->settings;
+  session::RunSettings& settings = arguments->settings;
   CLI::App* command = add_command(app, "run", "A simulated hand performs the procedure and is recorded", run_footer);
   add_text(*command, "CASE", arguments->folder, "Folder of the case").required();
   add_text(*command, "--operator", arguments->operator_name, "expert, novice, or an operator file");
@@ -127,4 +127,4 @@ void add_run_command(CLI::App& app, CommandContext& context) {
   on_run(*command, [arguments, &context] { run_scripted(*arguments, context); });
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

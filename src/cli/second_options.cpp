@@ -7,7 +7,7 @@
 #include "cli/arguments.h"
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 void add_second_options(CLI::App& command, SecondOptions& options) {
   add_text(command, "--second", options.device.device,
@@ -16,7 +16,7 @@ void add_second_options(CLI::App& command, SecondOptions& options) {
   add_text(command, "--second-settings", options.device.settings, "Settings of its driver, \"KEY=VALUE ...\"");
 }
 
-std::optional<SecondChoice> choose_second(const SecondOptions& options, const DeviceChoice& first) {
+std::optional<station::SecondChoice> choose_second(const SecondOptions& options, const station::DeviceChoice& first) {
   if (options.device.device.empty()) {
     for (const auto& [option, text] :
          {std::pair("--second-as", &options.role), std::pair("--second-settings", &options.device.settings)}) {
@@ -26,9 +26,10 @@ std::optional<SecondChoice> choose_second(const SecondOptions& options, const De
     }
     return std::nullopt;
   }
-  const std::optional<SecondRole> role = second_role(options.role.empty() ? "plunger" : options.role);
+  const std::optional<session::SecondRole> role =
+      session::second_role(options.role.empty() ? "plunger" : options.role);
   if (!role) throw InputError(fmt::format("--second-as is '{}'; expected plunger or probe", options.role));
-  SecondChoice choice{choose_device(options.device), *role};
+  station::SecondChoice choice{choose_device(options.device), *role};
   if (is_mouse(choice.device)) {
     throw InputError("--second is the mouse, whose window is the needle's; name the mouse as DEVICE");
   }
@@ -42,4 +43,4 @@ std::optional<SecondChoice> choose_second(const SecondOptions& options, const De
   return choice;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -7,7 +7,7 @@
 
 #include "cli/device_options.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 // What the command line says of a second device.
 struct SecondOptions {
@@ -20,6 +20,6 @@ void add_second_options(CLI::App& command, SecondOptions& options);
 
 // None without --second. Throws InputError for options of a second device without one, an unknown role, the device
 // that is `first` already, and the mouse, whose window belongs to the needle.
-std::optional<SecondChoice> choose_second(const SecondOptions& options, const DeviceChoice& first);
+std::optional<station::SecondChoice> choose_second(const SecondOptions& options, const station::DeviceChoice& first);
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

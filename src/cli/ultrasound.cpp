@@ -25,7 +25,7 @@
 #include "imaging/ultrasound_screen/machine_picture.h"
 #include "io/case_folder.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
@@ -64,7 +64,7 @@ std::string scan_file_name(const std::string& name) {
   return (safe.empty() ? "case" : safe) + "-ultrasound";
 }
 
-std::string needle_words(const NeedleInSound& needle, const NeedlePath& path) {
+std::string needle_words(const imaging::NeedleInSound& needle, const anatomy::NeedlePath& path) {
   const double depth = path.direction().dot(needle.pose.translation() - path.entry);
   return fmt::format("{} G {:.0f} mm", needle.needle.gauge, depth);
 }
@@ -119,7 +119,7 @@ void check_picture_name(const UltrasoundArguments& arguments) {
 }
 
 // The pixels of the written picture to LPS mm: column, row, 0, 1.
-nlohmann::json image_to_patient(const SlicePlane& plane) {
+nlohmann::json image_to_patient(const imaging::SlicePlane& plane) {
   nlohmann::json rows = nlohmann::json::array();
   const Vec3 across = plane.pixel * plane.right, down = plane.pixel * plane.down;
   const Vec3 through = plane.pixel * plane.normal();
@@ -128,8 +128,8 @@ nlohmann::json image_to_patient(const SlicePlane& plane) {
   return rows;
 }
 
-nlohmann::json json_of(const UltrasoundChoice& choice) {
-  const UltrasoundSettings& set = choice.settings;
+nlohmann::json json_of(const station::UltrasoundChoice& choice) {
+  const imaging::UltrasoundSettings& set = choice.settings;
   return {{"probe", choice.probe.name},
           {"frequency_MHz", set.frequency > 0.0 ? set.frequency : choice.probe.frequency},
           {"depth_mm", set.depth},
@@ -145,16 +145,16 @@ nlohmann::json json_of(const UltrasoundChoice& choice) {
 }
 
 struct ScanScene {
-  const Case& patient;
-  const UltrasoundChoice& choice;
+  const anatomy::Case& patient;
+  const station::UltrasoundChoice& choice;
   Pose pose;
-  std::optional<NeedleInSound> needle;
+  std::optional<imaging::NeedleInSound> needle;
   std::string needle_words;
   std::optional<DeformedScan> deformed;
-  std::optional<RealPicture> real;
+  std::optional<imaging::RealPicture> real;
 };
 
-nlohmann::json json_of(const GreyWindow& window, const GreyStatistics& greys) {
+nlohmann::json json_of(const imaging::GreyWindow& window, const imaging::GreyStatistics& greys) {
   const auto width = [](const std::optional<double>& value) {
     return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
   };
@@ -164,53 +164,54 @@ nlohmann::json json_of(const GreyWindow& window, const GreyStatistics& greys) {
           {"half_width_along_mm", width(greys.along)}};
 }
 
-void scan_once(const UltrasoundArguments& arguments, const ScanScene& scene, Ultrasound& machine, Console& console) {
-  const UltrasoundChoice& choice = scene.choice;
-  const std::optional<ScanDisplacement> moved =
+void scan_once(const UltrasoundArguments& arguments, const ScanScene& scene, imaging::Ultrasound& machine,
+               Console& console) {
+  const station::UltrasoundChoice& choice = scene.choice;
+  const std::optional<imaging::ScanDisplacement> moved =
       scene.deformed ? std::optional(scene.deformed->field()) : std::nullopt;
   machine.image(scene.pose, scene.needle, moved);  // the first one takes memory
   const auto begin = std::chrono::steady_clock::now();
-  const UltrasoundFrame& frame = machine.image(scene.pose, scene.needle, moved);
+  const imaging::UltrasoundFrame& frame = machine.image(scene.pose, scene.needle, moved);
   const double milliseconds =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  if (frame.why != NoImage::none) console.note(reason(frame.why));
+  if (frame.why != imaging::NoImage::none) console.note(imaging::reason(frame.why));
 
   const fs::path file = arguments.output.empty() ? fs::path(scan_file_name(scene.patient.description.name) + ".png")
                                                  : fs::path(arguments.output);
-  MachinePicture picture;
+  imaging::MachinePicture picture;
   picture.moment = {frame, scene.pose, choice.probe, choice.settings, scene.needle_words};
   picture.mark = choice.mark;
   picture.patient = scene.patient.description.name;
   std::optional<BesideCompared> compared;
   if (scene.real) {
-    compared = compare_greys(arguments.beside, grey_of(frame, choice.mark), scene.real->picture);
+    compared = compare_greys(arguments.beside, imaging::grey_of(frame, choice.mark), scene.real->picture);
     picture.beside = scene.real;
     picture.window = {compared->simulated_window, statistics_words(compared->simulated)};
     picture.beside->window = {compared->real_window, statistics_words(compared->real)};
   }
   if (arguments.plain) {
-    write_file(file, encode_png(grey_picture(frame, choice.mark)));
+    write_file(file, imaging::encode_png(imaging::grey_picture(frame, choice.mark)));
   } else {
     if (arguments.ct) {
       std::vector<Vec3> needle;
       if (scene.needle) {
         needle = {scene.patient.description.procedure.path->entry, scene.needle->pose.translation()};
       }
-      picture.ct = ct_panel(scene.patient, picture.moment, choice.mark, needle);
+      picture.ct = imaging::ct_panel(scene.patient, picture.moment, choice.mark, needle);
     }
-    const Canvas drawn = machine_picture(picture, scene.patient.library);
+    const imaging::Canvas drawn = imaging::machine_picture(picture, scene.patient.library);
     write_file(file, file.extension() == ".svg" ? drawn.svg() : drawn.png(1.0));
   }
 
   const Vec3 face = scene.pose.translation(), look = scene.pose.linear().col(1);
   console.line(fmt::format("probe     {}, {}", choice.probe.name, choice.probe.title));
   console.line(fmt::format("face      {:.1f}, {:.1f}, {:.1f} (LPS mm), looking to {}, marked side to {}", face.x(),
-                           face.y(), face.z(), direction_letters(look),
-                           direction_letters(scene.pose.linear().col(0))));
-  if (frame.why == NoImage::none) {
+                           face.y(), face.z(), imaging::direction_letters(look),
+                           imaging::direction_letters(scene.pose.linear().col(0))));
+  if (frame.why == imaging::NoImage::none) {
     console.line(fmt::format("contact   {:.0f} %, pressed in {:.1f} mm", 100.0 * frame.contact, frame.press));
   } else {
-    console.line(fmt::format("no image  {}", reason(frame.why)));
+    console.line(fmt::format("no image  {}", imaging::reason(frame.why)));
   }
   if (scene.deformed) {
     console.line(fmt::format("tissue    moved {:.2f} mm at most in this plane, {:.2f} N on the needle",
@@ -223,17 +224,17 @@ void scan_once(const UltrasoundArguments& arguments, const ScanScene& scene, Ult
     }
   }
   console.line(fmt::format("time      {:.2f} ms a picture", milliseconds));
-  console.line(fmt::format("again     --pose={}", pose_text(scene.pose)));
+  console.line(fmt::format("again     --pose={}", station::pose_text(scene.pose)));
   console.line(fmt::format("\n{}", fs::absolute(file).string()));
   nlohmann::json result = json_of(choice);
   result["picture"] = fs::absolute(file).string();
   result["face_mm"] = json_point(face);
-  result["pose"] = pose_text(scene.pose);
+  result["pose"] = station::pose_text(scene.pose);
   result["pixel_mm"] = frame.pixel;
-  result["image_to_patient"] = image_to_patient(plane_of(frame, scene.pose, choice.mark));
+  result["image_to_patient"] = image_to_patient(imaging::plane_of(frame, scene.pose, choice.mark));
   result["contact"] = frame.contact;
   result["press_mm"] = frame.press;
-  result["no_image"] = std::string(reason(frame.why));
+  result["no_image"] = std::string(imaging::reason(frame.why));
   if (scene.deformed) {
     result["tissue_moved_mm"] = scene.deformed->most;
     result["needle_force_N"] = scene.deformed->force;
@@ -248,12 +249,12 @@ void scan_once(const UltrasoundArguments& arguments, const ScanScene& scene, Ult
   console.json(result.dump(2));
 }
 
-void scan_sweep(const UltrasoundArguments& arguments, const ScanScene& scene, std::vector<SweepPose> poses,
-                const SweepTarget& target, Ultrasound& machine, Console& console) {
+void scan_sweep(const UltrasoundArguments& arguments, const ScanScene& scene, std::vector<imaging::SweepPose> poses,
+                const SweepTarget& target, imaging::Ultrasound& machine, Console& console) {
   SweepScene sweep;
   sweep.patient = &scene.patient;
   sweep.choice = &scene.choice;
-  if (poses.empty()) poses = sweep_of(scene.pose, motion_of(arguments.sweep), scene.patient.tissues);
+  if (poses.empty()) poses = imaging::sweep_of(scene.pose, motion_of(arguments.sweep), scene.patient.tissues);
   sweep.poses = std::move(poses);
   sweep.needle = scene.needle;
   sweep.needle_words = scene.needle_words;
@@ -280,11 +281,11 @@ void scan_sweep(const UltrasoundArguments& arguments, const ScanScene& scene, st
 void run_ultrasound(const UltrasoundArguments& arguments, const CommandContext& context) {
   Console console(context);
   check_combinations(arguments);
-  UltrasoundChoice choice = choose_ultrasound(arguments.options);
+  station::UltrasoundChoice choice = choose_ultrasound(arguments.options);
   if (arguments.deformed) choice.press = std::min(choice.press, 0.0);  // the needle's work alone
   const bool sweeping = arguments.sweep.any();
   std::optional<SweepTarget> target;
-  std::vector<SweepPose> poses;
+  std::vector<imaging::SweepPose> poses;
   if (sweeping) {
     motion_of(arguments.sweep);  // refuses what it cannot read before the case is loaded
     target = sweep_target(arguments.output.empty() ? "sweep.igs.mha" : arguments.output);
@@ -299,22 +300,24 @@ void run_ultrasound(const UltrasoundArguments& arguments, const CommandContext& 
     check_picture_name(arguments);
   }
   if (arguments.live) require_window();
-  std::optional<RealPicture> real;
+  std::optional<imaging::RealPicture> real;
   if (arguments.beside.any()) {
     real = read_real_picture(arguments.beside, choice.probe, choice.mark);
     match_real_picture(arguments.options, *real, choice);
   }
 
-  const Case patient = load_case(arguments.folder, console.progress());
-  std::optional<NeedleInSound> needle;
+  const anatomy::Case patient = io::load_case(arguments.folder, console.progress());
+  std::optional<imaging::NeedleInSound> needle;
   if (arguments.options.needle) {
     const bool deep = arguments.options.needle_depth_given.given();
-    needle = needle_on_path(patient, deep ? std::optional(arguments.options.needle_depth) : std::nullopt);
+    needle = station::needle_on_path(patient, deep ? std::optional(arguments.options.needle_depth) : std::nullopt);
   }
   // A file of poses needs no place to begin from, which a crop of a CT may not have.
-  const ProbeOnSkin hand = poses.empty() ? hold_probe(choice, patient) : ProbeOnSkin(poses.front().pose);
+  const imaging::ProbeOnSkin hand =
+      poses.empty() ? station::hold_probe(choice, patient) : imaging::ProbeOnSkin(poses.front().pose);
   const std::string said = needle ? needle_words(*needle, *patient.description.procedure.path) : "";
-  Ultrasound machine(acoustic_volume(patient, console.progress()), choice.probe, choice.settings, choice.detail);
+  imaging::Ultrasound machine(imaging::acoustic_volume(patient, console.progress()), choice.probe, choice.settings,
+                              choice.detail);
   console.clear_bar();
   if (arguments.live) {
     const std::string base = arguments.output.empty() ? scan_file_name(patient.description.name)
@@ -328,7 +331,7 @@ void run_ultrasound(const UltrasoundArguments& arguments, const CommandContext& 
   }
   std::optional<DeformedScan> deformed;
   if (arguments.deformed) {
-    const UltrasoundFrame& frame = machine.image(hand.pose());
+    const imaging::UltrasoundFrame& frame = machine.image(hand.pose());
     deformed = deform_scan(patient, arguments.folder, needle->pose.translation(), frame, hand.pose(), console);
     needle = deformed->needle;
     console.clear_bar();
@@ -361,4 +364,4 @@ void add_ultrasound_command(CLI::App& app, CommandContext& context) {
   on_run(*command, [arguments, &context] { run_ultrasound(*arguments, context); });
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

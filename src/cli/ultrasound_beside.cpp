@@ -14,7 +14,7 @@
 #include "io/resources.h"
 #include "io/sequence_header.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
@@ -58,10 +58,10 @@ StoredPicture stored_png(const fs::path& file, const std::optional<std::size_t>&
     throw InputError(fmt::format("--beside asks for frame {} of {}, which is one picture; leave out ':{}'", *frame,
                                  file.string(), *frame));
   }
-  const ImageRgb image = decode_png(read_text_file(file, largest_png), file.string());
+  const imaging::ImageRgb image = imaging::decode_png(io::read_text_file(file, largest_png), file.string());
   StoredPicture stored{image.width, image.height, {}, 0.0, 0.0, "", file.filename().string()};
   stored.pixels.reserve(image.pixels.size());
-  for (const Rgb& pixel : image.pixels) {  // luma of ITU-R BT.601
+  for (const imaging::Rgb& pixel : image.pixels) {  // luma of ITU-R BT.601
     stored.pixels.push_back(
         static_cast<std::uint8_t>((299 * pixel.red + 587 * pixel.green + 114 * pixel.blue + 500) / 1000));
   }
@@ -69,7 +69,7 @@ StoredPicture stored_png(const fs::path& file, const std::optional<std::size_t>&
 }
 
 StoredPicture stored_image(const fs::path& file, const std::optional<std::size_t>& asked) {
-  const LabelVolume volume = read_labels_isolated(file);  // whole numbers of 16 bits
+  const anatomy::LabelVolume volume = io::read_labels_isolated(file);  // whole numbers of 16 bits
   const std::array<int, 3>& size = volume.grid.size;
   const std::size_t frame = asked.value_or(0);
   if (frame >= static_cast<std::size_t>(size[2])) {
@@ -87,7 +87,7 @@ StoredPicture stored_image(const fs::path& file, const std::optional<std::size_t
     }
     stored.pixels.push_back(static_cast<std::uint8_t>(volume.voxels[at]));
   }
-  const SequenceHeader header = read_sequence_header(file, frame);
+  const io::SequenceHeader header = io::read_sequence_header(file, frame);
   stored.orientation = header.orientation;
   const Vec3& spacing = volume.grid.spacing;
   if (header.calibrated()) {
@@ -102,7 +102,7 @@ StoredPicture stored_image(const fs::path& file, const std::optional<std::size_t
 
 // The columns and rows that --beside-crop leaves.
 void crop(StoredPicture& stored, const BesideOptions& options) {
-  PixelWindow part{0, 0, stored.width, stored.height};
+  imaging::PixelWindow part{0, 0, stored.width, stored.height};
   if (!options.crop.empty()) {
     const std::vector<double> numbers = parse_numbers(options.crop, 4, "--beside-crop");
     const bool whole = std::all_of(numbers.begin(), numbers.end(), [](double n) { return n == std::floor(n); });
@@ -157,7 +157,7 @@ double pixel_of(const StoredPicture& stored, const BesideOptions& options) {
   return pixel;
 }
 
-std::vector<std::uint8_t> turned(const GreyPicture& picture, bool columns, bool rows) {
+std::vector<std::uint8_t> turned(const imaging::GreyPicture& picture, bool columns, bool rows) {
   std::vector<std::uint8_t> pixels;
   pixels.reserve(picture.pixels.size());
   for (int row = 0; row < picture.height; ++row) {
@@ -171,7 +171,7 @@ std::vector<std::uint8_t> turned(const GreyPicture& picture, bool columns, bool 
   return pixels;
 }
 
-GreyWindow window_of(const std::string& text, const std::string& option) {
+imaging::GreyWindow window_of(const std::string& text, const std::string& option) {
   const std::vector<double> numbers = parse_numbers(text, 4, option);
   if (!(numbers[2] > 0.0 && numbers[3] > 0.0)) {
     throw InputError(fmt::format(
@@ -180,10 +180,10 @@ GreyWindow window_of(const std::string& text, const std::string& option) {
   return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
-GreyStatistics statistics_in(const GreyPicture& picture, const GreyWindow& window, const char* option,
-                             const char* which) {
-  const std::optional<PixelWindow> pixels = pixels_in(picture, window);
-  if (pixels) return grey_statistics(picture, *pixels);
+imaging::GreyStatistics statistics_in(const imaging::GreyPicture& picture, const imaging::GreyWindow& window,
+                                      const char* option, const char* which) {
+  const std::optional<imaging::PixelWindow> pixels = imaging::pixels_in(picture, window);
+  if (pixels) return imaging::grey_statistics(picture, *pixels);
   const double half = 0.5 * picture.width * picture.pixel;
   throw InputError(fmt::format(
       "the window {:g},{:g},{:g},{:g} (across, depth, width, height in mm) does not lie in the {} picture with 8 x 8 "
@@ -194,7 +194,7 @@ GreyStatistics statistics_in(const GreyPicture& picture, const GreyWindow& windo
       picture.top + picture.pixel * picture.height, option));
 }
 
-double bottom_of(const GreyPicture& picture) {
+double bottom_of(const imaging::GreyPicture& picture) {
   return picture.top + picture.pixel * picture.height;
 }
 
@@ -217,7 +217,8 @@ void add_beside_options(CLI::App& command, BesideOptions& options) {
   add_text(command, "--beside-window", options.real_window, "The same in the real picture (default: as --window)");
 }
 
-RealPicture read_real_picture(const BesideOptions& options, const UltrasoundProbe& probe, MarkSide mark) {
+imaging::RealPicture read_real_picture(const BesideOptions& options, const anatomy::UltrasoundProbe& probe,
+                                       imaging::MarkSide mark) {
   const auto [file, frame] = file_and_frame(options.file);
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) {
@@ -229,23 +230,25 @@ RealPicture read_real_picture(const BesideOptions& options, const UltrasoundProb
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   StoredPicture stored = ending == ".png" ? stored_png(file, frame) : stored_image(file, frame);
   crop(stored, options);
-  RealPicture real;
+  imaging::RealPicture real;
   real.caption = stored.caption;
-  GreyPicture& picture = real.picture;
+  imaging::GreyPicture& picture = real.picture;
   picture = {stored.width, stored.height, pixel_of(stored, options), 0.0, std::move(stored.pixels)};
-  for (const Eigen::Vector2d& corner : field_of_view(probe, 1.0)) picture.top = std::min(picture.top, corner.y());
+  for (const Eigen::Vector2d& corner : imaging::field_of_view(probe, 1.0))
+    picture.top = std::min(picture.top, corner.y());
   const std::string& orientation = stored.orientation;
   if (orientation.size() < 2 || (orientation[0] != 'M' && orientation[0] != 'U') ||
       (orientation[1] != 'F' && orientation[1] != 'N')) {
     return real;
   }
   const bool stored_right = orientation[0] == 'M';  // the marked side: where the columns go
-  picture.pixels = turned(picture, stored_right != (mark == MarkSide::right), orientation[1] == 'N');
+  picture.pixels = turned(picture, stored_right != (mark == imaging::MarkSide::right), orientation[1] == 'N');
   real.mark = mark;
   return real;
 }
 
-void match_real_picture(const UltrasoundOptions& options, const RealPicture& real, UltrasoundChoice& choice) {
+void match_real_picture(const UltrasoundOptions& options, const imaging::RealPicture& real,
+                        station::UltrasoundChoice& choice) {
   const double pixel = real.picture.pixel;
   if (!options.depth_given.given()) {
     const double depth = bottom_of(real.picture) - pixel;  // of the last row's centres
@@ -260,7 +263,7 @@ void match_real_picture(const UltrasoundOptions& options, const RealPicture& rea
   }
   if (options.size_given.given()) return;
   Eigen::Vector2d low = Eigen::Vector2d::Zero(), high = low;
-  for (const Eigen::Vector2d& corner : field_of_view(choice.probe, choice.settings.depth)) {
+  for (const Eigen::Vector2d& corner : imaging::field_of_view(choice.probe, choice.settings.depth)) {
     low = low.cwiseMin(corner);
     high = high.cwiseMax(corner);
   }
@@ -271,14 +274,16 @@ void match_real_picture(const UltrasoundOptions& options, const RealPicture& rea
   choice.detail.height = pixels(high.y() - low.y());
 }
 
-BesideCompared compare_greys(const BesideOptions& options, const GreyPicture& simulated, const GreyPicture& real) {
+BesideCompared compare_greys(const BesideOptions& options, const imaging::GreyPicture& simulated,
+                             const imaging::GreyPicture& real) {
   BesideCompared compared;
   const double wide = std::min(simulated.width * simulated.pixel, real.width * real.pixel);
   const double deep = std::min(bottom_of(simulated), bottom_of(real));
   const double least = least_window * std::max(simulated.pixel, real.pixel);
   compared.simulated_window =
-      options.window.empty() ? GreyWindow{0.0, 0.5 * deep, std::max(wide / 3.0, least), std::max(deep / 10.0, least)}
-                             : window_of(options.window, "--window");
+      options.window.empty()
+          ? imaging::GreyWindow{0.0, 0.5 * deep, std::max(wide / 3.0, least), std::max(deep / 10.0, least)}
+          : window_of(options.window, "--window");
   compared.real_window =
       options.real_window.empty() ? compared.simulated_window : window_of(options.real_window, "--beside-window");
   compared.simulated = statistics_in(simulated, compared.simulated_window, "--window", "simulated");
@@ -286,11 +291,11 @@ BesideCompared compare_greys(const BesideOptions& options, const GreyPicture& si
   return compared;
 }
 
-std::vector<std::string> statistics_words(const GreyStatistics& statistics) {
+std::vector<std::string> statistics_words(const imaging::GreyStatistics& statistics) {
   const auto& p = statistics.percentiles;
   return {fmt::format("grey 5, 25, 50, 75, 95 %: {}, {}, {}, {}, {}", p[0], p[1], p[2], p[3], p[4]),
           fmt::format("half-width across {}, along {} mm", half_width_words(statistics.across),
                       half_width_words(statistics.along))};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

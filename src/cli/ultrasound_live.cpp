@@ -13,7 +13,7 @@
 #include "core/files.h"
 #include "imaging/ultrasound_screen/machine_picture.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
@@ -33,27 +33,28 @@ std::string free_name(const std::string& base) {
   }
 }
 
-std::string save_picture(const LiveScan& scan, const Case& patient, MarkSide mark, const std::string& base) {
-  MachinePicture picture;
+std::string save_picture(const desktop::LiveScan& scan, const anatomy::Case& patient, imaging::MarkSide mark,
+                         const std::string& base) {
+  imaging::MachinePicture picture;
   picture.moment = scan.screen().moment();
   picture.mark = mark;
   picture.patient = patient.description.name;
   picture.calipers = scan.screen().calipers();
   picture.markers = scan.screen().markers();
   std::vector<Vec3> needle;
-  if (const std::optional<NeedleInSound> in = scan.needle()) {
+  if (const std::optional<imaging::NeedleInSound> in = scan.needle()) {
     needle = {patient.description.procedure.path->entry, in->pose.translation()};
   }
-  picture.ct = ct_panel(patient, picture.moment, mark, needle);
+  picture.ct = imaging::ct_panel(patient, picture.moment, mark, needle);
   std::string name = free_name(base);
-  write_file(name, machine_picture(picture, patient.library).png(1.0));
+  write_file(name, imaging::machine_picture(picture, patient.library).png(1.0));
   return name;
 }
 
 // What the newest picture depends on.
 struct Shown {
   Eigen::Matrix4d pose = Eigen::Matrix4d::Zero();  // no pose at all: nothing is shown yet
-  UltrasoundSettings settings;
+  imaging::UltrasoundSettings settings;
   double needle = -1.0;  // mm beyond its entry
 
   bool same(const Shown& other) const {
@@ -64,29 +65,30 @@ struct Shown {
 }  // namespace
 
 void require_window() {
-  const std::string obstacle = SdlScreen::obstacle();
+  const std::string obstacle = desktop::SdlScreen::obstacle();
   if (!obstacle.empty()) throw InputError(obstacle);
 }
 
-std::vector<std::string> scan_live(const Case& patient, const UltrasoundChoice& choice, const ProbeOnSkin& hand,
-                                   const std::optional<NeedleInSound>& needle, Ultrasound& machine,
+std::vector<std::string> scan_live(const anatomy::Case& patient, const station::UltrasoundChoice& choice,
+                                   const imaging::ProbeOnSkin& hand,
+                                   const std::optional<imaging::NeedleInSound>& needle, imaging::Ultrasound& machine,
                                    const std::string& base) {
-  ScanWindow window(patient, choice.mark);
-  LiveScan scan(patient, choice, hand, needle, ScanWindow::machine_place());
+  desktop::ScanWindow window(patient, choice.mark);
+  desktop::LiveScan scan(patient, choice, hand, needle, desktop::ScanWindow::machine_place());
   std::vector<std::string> saved;
-  ScanPace pace;
+  desktop::ScanPace pace;
   Shown shown;
   auto before = ScanClock::now();
   while (!scan.ended()) {
     const auto begin = ScanClock::now();
-    ScreenEvent event;
+    desktop::ScreenEvent event;
     while (window.next(event)) scan.take(event);
     const double passed = scan_seconds_since(before);
     before = begin;
     scan.advance(passed);
     if (passed > 0.0) pace.frames += 0.1 * (1.0 / passed - pace.frames);
 
-    const std::optional<NeedleInSound> in = scan.needle();
+    const std::optional<imaging::NeedleInSound> in = scan.needle();
     const Pose pose = scan.pose();
     const Shown next{pose.matrix(), scan.settings(), scan.needle_depth()};
     if (!scan.screen().frozen() && !shown.same(next)) {
@@ -96,7 +98,7 @@ std::vector<std::string> scan_live(const Case& patient, const UltrasoundChoice& 
         scan.say(refused.what());
       }
       const auto start = ScanClock::now();
-      const UltrasoundFrame& frame = machine.image(pose, in);
+      const imaging::UltrasoundFrame& frame = machine.image(pose, in);
       pace.picture = 1000.0 * scan_seconds_since(start);
       scan.screen().take({frame, pose, choice.probe, machine.settings(), scan.needle_words()});
       shown = next;
@@ -115,4 +117,4 @@ std::vector<std::string> scan_live(const Case& patient, const UltrasoundChoice& 
   return saved;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

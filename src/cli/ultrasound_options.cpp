@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "io/probe_library_file.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
@@ -62,7 +62,7 @@ std::optional<Pose> given_pose(const UltrasoundOptions& options) {
       throw InputError(fmt::format(
           "--pose is '{}'; expected 12 or 16 numbers, row by row, that take the probe's mm to LPS mm", options.pose));
     }
-    return parse_pose(numbers, "--pose");
+    return station::parse_pose(numbers, "--pose");
   }
   if (!directions) return std::nullopt;
   if (options.face.empty()) throw InputError("--look and --marked turn a probe whose --face x,y,z is missing");
@@ -76,17 +76,17 @@ std::optional<Pose> given_pose(const UltrasoundOptions& options) {
   const Vec3 look =
       options.look.empty() ? Vec3(parse_point(options.at, "--at") - face) : parse_point(options.look, "--look");
   const Vec3 marked = options.marked.empty() ? Vec3(Vec3::UnitZ()) : parse_point(options.marked, "--marked");
-  return probe_pose(face, look, marked);
+  return imaging::probe_pose(face, look, marked);
 }
 
-ScanRequest requested_view(const UltrasoundOptions& options, std::string& at_name) {
-  ScanRequest request;
+imaging::ScanRequest requested_view(const UltrasoundOptions& options, std::string& at_name) {
+  imaging::ScanRequest request;
   if (!options.view.empty()) {
-    const std::optional<ScanView> view = scan_view_from(options.view);
-    if (!view) throw InputError(fmt::format("--view is '{}'; expected {}", options.view, scan_view_names()));
+    const std::optional<imaging::ScanView> view = imaging::scan_view_from(options.view);
+    if (!view) throw InputError(fmt::format("--view is '{}'; expected {}", options.view, imaging::scan_view_names()));
     request.view = *view;
   } else if (!options.at.empty()) {
-    request.view = ScanView::sagittal;
+    request.view = imaging::ScanView::sagittal;
   }
   if (!options.from.empty()) request.outward = outward_from(options.from);
   if (options.at.empty()) return request;
@@ -98,10 +98,10 @@ ScanRequest requested_view(const UltrasoundOptions& options, std::string& at_nam
   return request;
 }
 
-UltrasoundProbe chosen_probe(const UltrasoundOptions& options) {
-  if (options.probes.empty()) return find_probe(options.probe);
-  const std::vector<UltrasoundProbe> probes = read_probes(options.probes);
-  return find_probe(probes, options.probe);
+anatomy::UltrasoundProbe chosen_probe(const UltrasoundOptions& options) {
+  if (options.probes.empty()) return io::find_probe(options.probe);
+  const std::vector<anatomy::UltrasoundProbe> probes = io::read_probes(options.probes);
+  return io::find_probe(probes, options.probe);
 }
 
 }  // namespace
@@ -110,7 +110,7 @@ void add_ultrasound_options(CLI::App& command, UltrasoundOptions& options) {
   add_text(command, "--probe", options.probe, "Name of the probe");
   add_text(command, "--probes", options.probes, "A file of probes (default: those that come with Bodkin)");
   add_text(command, "--view", options.view,
-           "How it is put on the skin: " + scan_view_names() + " (default: paramedian)");
+           "How it is put on the skin: " + imaging::scan_view_names() + " (default: paramedian)");
   add_text(command, "--at", options.at,
            "What it looks at: x,y,z in LPS mm, a landmark or a structure (default: the planned target)");
   add_text(command, "--from", options.from, "The side that it looks from: back, front, left, right");
@@ -146,15 +146,15 @@ void add_ultrasound_options(CLI::App& command, UltrasoundOptions& options) {
                                    .without_default();
 }
 
-UltrasoundChoice choose_ultrasound(const UltrasoundOptions& options) {
-  UltrasoundChoice choice;
+station::UltrasoundChoice choose_ultrasound(const UltrasoundOptions& options) {
+  station::UltrasoundChoice choice;
   choice.pose = given_pose(options);
   if (!choice.pose) choice.request = requested_view(options, choice.at_name);
   choice.press = options.press_given.given() || !choice.pose ? options.press : 0.0;
   if (options.mark != "left" && options.mark != "right") {
     throw InputError(fmt::format("--mark is '{}'; expected left or right", options.mark));
   }
-  choice.mark = options.mark == "left" ? MarkSide::left : MarkSide::right;
+  choice.mark = options.mark == "left" ? imaging::MarkSide::left : imaging::MarkSide::right;
   const auto [width, height] = parse_size(options.size);
   choice.detail.width = width;
   choice.detail.height = height;
@@ -165,7 +165,7 @@ UltrasoundChoice choose_ultrasound(const UltrasoundOptions& options) {
   if (options.slices % 2 == 0) {
     throw InputError(fmt::format("--slices is '{}'; expected 1, 3, 5 or 7", options.slices));
   }
-  UltrasoundSettings& settings = choice.settings;
+  imaging::UltrasoundSettings& settings = choice.settings;
   if (!options.tgc.empty()) {
     const std::vector<double> sliders = parse_numbers(options.tgc, settings.sliders.size(), "--tgc");
     std::copy(sliders.begin(), sliders.end(), settings.sliders.begin());
@@ -177,7 +177,7 @@ UltrasoundChoice choose_ultrasound(const UltrasoundOptions& options) {
   settings.depth = options.depth_given.given() ? options.depth : choice.probe.depth;
   settings.focus = options.focus_given.given() ? options.focus : std::max(5.0, 0.5 * settings.depth);
   if (options.frequency_given.given()) settings.frequency = options.frequency;
-  check(settings, choice.probe);
+  imaging::check(settings, choice.probe);
   return choice;
 }
 
@@ -188,4 +188,4 @@ std::vector<double> parse_numbers(const std::string& text, std::size_t count, co
       fmt::format("{} is '{}'; expected {} finite numbers with commas between them", option, text, count));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -8,7 +8,7 @@
 
 #include "cli/arguments.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 // Probe, its place and the machine's knobs as the command line gives them.
 struct UltrasoundOptions {
@@ -27,9 +27,9 @@ struct UltrasoundOptions {
 void add_ultrasound_options(CLI::App& command, UltrasoundOptions& options);
 
 // Throws InputError naming the option.
-UltrasoundChoice choose_ultrasound(const UltrasoundOptions& options);
+station::UltrasoundChoice choose_ultrasound(const UltrasoundOptions& options);
 
 // "a,b,..." as exactly `count` finite numbers; throws InputError naming `option`.
 std::vector<double> parse_numbers(const std::string& text, std::size_t count, const std::string& option);
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -19,7 +19,7 @@
 #include "io/resources.h"
 #include "io/run_program.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 namespace {
 
@@ -29,7 +29,7 @@ constexpr std::size_t largest_sweep_file = std::size_t{64} << 20U;  // bytes
 constexpr std::size_t largest_sweep = std::size_t{3} << 30U;        // bytes of pixels that are held in memory
 constexpr std::array<const char*, 4> video_endings = {".mp4", ".webm", ".avi", ".gif"};
 
-SweepAngle parse_angle(const std::string& text, const std::string& option) {
+imaging::SweepAngle parse_angle(const std::string& text, const std::string& option) {
   if (text.empty()) return {};
   const std::vector<double> ends = parse_numbers(text, 2, option);
   return {ends[0] * degree, ends[1] * degree};
@@ -60,7 +60,7 @@ std::string numbered(const std::string& pattern, std::size_t number) {
 }
 
 void require_ffmpeg() {
-  if (run_program({"ffmpeg", "-hide_banner", "-version"}, "", "ffmpeg").exit_code != 0) {
+  if (io::run_program({"ffmpeg", "-hide_banner", "-version"}, "", "ffmpeg").exit_code != 0) {
     throw SystemError("the program 'ffmpeg' does not run; install it anew with: apt-get install --reinstall ffmpeg");
   }
 }
@@ -73,7 +73,7 @@ void require_memory(std::size_t frames, std::size_t bytes_a_frame) {
                   frames, largest_sweep / bytes_a_frame));
 }
 
-double number_in(const CsvRow& row, std::size_t field, const std::string& file) {
+double number_in(const io::CsvRow& row, std::size_t field, const std::string& file) {
   const std::string& text = row.fields.at(field);
   double number = 0.0;
   const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -81,7 +81,7 @@ double number_in(const CsvRow& row, std::size_t field, const std::string& file) 
   throw InputError(fmt::format("{}:{}: field {} is '{}', expected a finite number", file, row.line, field + 1, text));
 }
 
-bool is_header(const CsvRow& row) {
+bool is_header(const io::CsvRow& row) {
   return !row.fields.empty() && !row.fields[0].empty() &&
          std::isalpha(static_cast<unsigned char>(row.fields[0][0])) != 0;
 }
@@ -90,31 +90,32 @@ class SweepPictures {
  public:
   explicit SweepPictures(const SweepScene& scene) : scene_(scene) {}
 
-  ImageRgb picture(const UltrasoundFrame& frame, const Pose& pose) {
-    const MarkSide mark = scene_.choice->mark;
-    if (scene_.plain) return grey_picture(frame, mark);
-    MachinePicture picture;
+  imaging::ImageRgb picture(const imaging::UltrasoundFrame& frame, const Pose& pose) {
+    const imaging::MarkSide mark = scene_.choice->mark;
+    if (scene_.plain) return imaging::grey_picture(frame, mark);
+    imaging::MachinePicture picture;
     picture.moment = {frame, pose, scene_.choice->probe, scene_.choice->settings, scene_.needle_words};
     picture.mark = mark;
     picture.patient = scene_.patient->description.name;
     picture.touch = false;
     if (scene_.ct) add_ct(picture);
-    return machine_picture(picture, scene_.patient->library).pixels(1.0);
+    return imaging::machine_picture(picture, scene_.patient->library).pixels(1.0);
   }
 
  private:
-  void add_ct(MachinePicture& picture) {
-    const MarkSide mark = picture.mark;
+  void add_ct(imaging::MachinePicture& picture) {
+    const imaging::MarkSide mark = picture.mark;
     std::vector<Vec3> needle;
     if (scene_.needle) {
       needle = {scene_.patient->description.procedure.path->entry, scene_.needle->pose.translation()};
     }
-    picture.ct = ct_panel(*scene_.patient, picture.moment, mark, needle);
+    picture.ct = imaging::ct_panel(*scene_.patient, picture.moment, mark, needle);
     if (named_.empty()) {
-      std::set<TissueId> seen;
-      for (const SweepPose& at : scene_.poses) {
-        const SlicePlane plane = plane_of(picture.moment.frame, at.pose, mark);
-        for (const TissueId id : tissues_present(cut(plane, scene_.patient->ct, scene_.patient->tissues))) {
+      std::set<anatomy::TissueId> seen;
+      for (const imaging::SweepPose& at : scene_.poses) {
+        const imaging::SlicePlane plane = imaging::plane_of(picture.moment.frame, at.pose, mark);
+        for (const anatomy::TissueId id :
+             imaging::tissues_present(imaging::cut(plane, scene_.patient->ct, scene_.patient->tissues))) {
           seen.insert(id);
         }
       }
@@ -124,13 +125,13 @@ class SweepPictures {
   }
 
   const SweepScene& scene_;
-  std::vector<TissueId> named_;  // the tissues of every CT of the sweep
+  std::vector<anatomy::TissueId> named_;  // the tissues of every CT of the sweep
 };
 
-static_assert(sizeof(Rgb) == 3, "the pixels of a picture are what ffmpeg calls rgb24");
+static_assert(sizeof(imaging::Rgb) == 3, "the pixels of a picture are what ffmpeg calls rgb24");
 
-void append_pixels(std::string& bytes, const ImageRgb& image) {
-  bytes.append(reinterpret_cast<const char*>(image.pixels.data()), sizeof(Rgb) * image.pixels.size());
+void append_pixels(std::string& bytes, const imaging::ImageRgb& image) {
+  bytes.append(reinterpret_cast<const char*>(image.pixels.data()), sizeof(imaging::Rgb) * image.pixels.size());
 }
 
 std::vector<std::string> codec_of(const std::string& ending) {
@@ -155,7 +156,7 @@ void write_video(const std::string& file, const std::string& pixels, int width, 
                                       "-i",        "pipe:0"};
   for (const std::string& word : codec_of(place.extension().string())) command.push_back(word);
   command.push_back("file:" + temporary.string());
-  const ProgramResult result = run_program(command, pixels, "ffmpeg");
+  const io::ProgramResult result = io::run_program(command, pixels, "ffmpeg");
   std::error_code failed;
   if (result.exit_code == 0) fs::rename(temporary, place, failed);
   if (result.exit_code == 0 && !failed) return;
@@ -212,11 +213,11 @@ SweepTarget sweep_target(const std::string& output) {
   return {SweepKind::pictures, (file / "frame-%04d.png").string()};
 }
 
-std::vector<SweepPose> read_sweep(const std::string& file) {
-  const std::vector<CsvRow> rows =
-      read_csv_rows(read_text_file(file, largest_sweep_file), file, {.separator = ',', .comments = true});
-  std::vector<SweepPose> poses;
-  for (const CsvRow& row : rows) {
+std::vector<imaging::SweepPose> read_sweep(const std::string& file) {
+  const std::vector<io::CsvRow> rows =
+      io::read_csv_rows(io::read_text_file(file, largest_sweep_file), file, {.separator = ',', .comments = true});
+  std::vector<imaging::SweepPose> poses;
+  for (const io::CsvRow& row : rows) {
     if (poses.empty() && is_header(row)) continue;
     if (row.fields.size() != 13 && row.fields.size() != 17) {
       throw InputError(
@@ -233,14 +234,14 @@ std::vector<SweepPose> read_sweep(const std::string& file) {
       throw InputError(
           fmt::format("{}:{}: the time {} s is before the row above, expected rising times", file, row.line, time));
     }
-    poses.push_back({time, parse_pose(numbers, fmt::format("{}:{}", file, row.line))});
+    poses.push_back({time, station::parse_pose(numbers, fmt::format("{}:{}", file, row.line))});
   }
   if (poses.empty()) throw InputError(fmt::format("{}: there is no pose in it, expected rows of 13 numbers", file));
   return poses;
 }
 
-SweepMotion motion_of(const SweepOptions& options) {
-  SweepMotion motion;
+imaging::SweepMotion motion_of(const SweepOptions& options) {
+  imaging::SweepMotion motion;
   if (!options.to.empty()) motion.to = parse_point(options.to, "--sweep-to");
   motion.tilt = parse_angle(options.tilt, "--tilt");
   motion.rock = parse_angle(options.rock, "--rock");
@@ -251,18 +252,18 @@ SweepMotion motion_of(const SweepOptions& options) {
   return motion;
 }
 
-SweepMade write_sweep(const SweepScene& scene, Ultrasound& machine, const SweepTarget& target,
+SweepMade write_sweep(const SweepScene& scene, imaging::Ultrasound& machine, const SweepTarget& target,
                       const Progress& progress) {
   SweepMade made;
   SweepPictures pictures(scene);
-  TrackedSequence sequence;
+  imaging::TrackedSequence sequence;
   std::string video;
   int width = 0, height = 0;
   for (std::size_t i = 0; i < scene.poses.size(); ++i) {
     if (progress) progress("scanning", static_cast<double>(i) / static_cast<double>(scene.poses.size()));
-    const SweepPose& at = scene.poses[i];
-    const UltrasoundFrame& frame = machine.image(at.pose, scene.needle);
-    if (frame.why != NoImage::none && made.black++ == 0) made.why = reason(frame.why);
+    const imaging::SweepPose& at = scene.poses[i];
+    const imaging::UltrasoundFrame& frame = machine.image(at.pose, scene.needle);
+    if (frame.why != imaging::NoImage::none && made.black++ == 0) made.why = imaging::reason(frame.why);
     if (target.kind == SweepKind::sequence) {
       if (i == 0) {
         require_memory(scene.poses.size(), frame.pixels.size());
@@ -274,18 +275,18 @@ SweepMade write_sweep(const SweepScene& scene, Ultrasound& machine, const SweepT
                     scene.choice->settings.depth,
                     {}};
       }
-      TrackedFrame tracked{at.time, at.pose, true, std::nullopt, frame.pixels};
+      imaging::TrackedFrame tracked{at.time, at.pose, true, std::nullopt, frame.pixels};
       if (scene.needle) tracked.needle = scene.needle->pose;
       sequence.frames.push_back(std::move(tracked));
       continue;
     }
-    const ImageRgb image = pictures.picture(frame, at.pose);
+    const imaging::ImageRgb image = pictures.picture(frame, at.pose);
     if (target.kind == SweepKind::pictures) {
       made.files.push_back(numbered(target.file, i));
-      write_file(made.files.back(), encode_png(image));
+      write_file(made.files.back(), imaging::encode_png(image));
       continue;
     }
-    if (i == 0) require_memory(scene.poses.size(), sizeof(Rgb) * image.pixels.size());
+    if (i == 0) require_memory(scene.poses.size(), sizeof(imaging::Rgb) * image.pixels.size());
     width = image.width;
     height = image.height;
     append_pixels(video, image);
@@ -293,7 +294,7 @@ SweepMade write_sweep(const SweepScene& scene, Ultrasound& machine, const SweepT
   if (progress) progress("scanning", 1.0);
   if (target.kind == SweepKind::pictures) return made;
   if (target.kind == SweepKind::sequence) {
-    write_file(target.file, sequence_bytes(sequence, true));
+    write_file(target.file, imaging::sequence_bytes(sequence, true));
   } else {
     write_video(target.file, video, width, height, scene.rate);
   }
@@ -301,4 +302,4 @@ SweepMade write_sweep(const SweepScene& scene, Ultrasound& machine, const SweepT
   return made;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

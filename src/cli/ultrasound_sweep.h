@@ -11,7 +11,7 @@
 #include "core/progress.h"
 #include "imaging/ultrasound_screen/sweep.h"
 
-namespace bodkin {
+namespace bodkin::cli {
 
 // A probe in motion as the command line gives it.
 struct SweepOptions {
@@ -40,15 +40,15 @@ struct SweepTarget {
 SweepTarget sweep_target(const std::string& output);
 
 // The poses of a file (rows of t and 12 numbers) or of a motion from `first`. Throws InputError.
-std::vector<SweepPose> read_sweep(const std::string& file);
-SweepMotion motion_of(const SweepOptions& options);
+std::vector<imaging::SweepPose> read_sweep(const std::string& file);
+imaging::SweepMotion motion_of(const SweepOptions& options);
 
 // What a sweep shows.
 struct SweepScene {
-  const Case* patient = nullptr;
-  const UltrasoundChoice* choice = nullptr;
-  std::vector<SweepPose> poses;
-  std::optional<NeedleInSound> needle;
+  const anatomy::Case* patient = nullptr;
+  const station::UltrasoundChoice* choice = nullptr;
+  std::vector<imaging::SweepPose> poses;
+  std::optional<imaging::NeedleInSound> needle;
   std::string needle_words;
   bool plain = false;  // the pixels alone
   bool ct = false;     // the same plane of the CT beside them; not in a sequence
@@ -62,7 +62,7 @@ struct SweepMade {
   std::string why;        // of the first of them
 };
 
-SweepMade write_sweep(const SweepScene& scene, Ultrasound& machine, const SweepTarget& target,
+SweepMade write_sweep(const SweepScene& scene, imaging::Ultrasound& machine, const SweepTarget& target,
                       const Progress& progress);
 
-}  // namespace bodkin
+}  // namespace bodkin::cli

@@ -8,7 +8,7 @@
 
 #include "imaging/mesh_cut.h"
 
-namespace bodkin {
+namespace bodkin::desktop {
 
 namespace {
 
@@ -23,21 +23,22 @@ Corner corner_of(const Vec3& point) {
   return {std::lround(1e3 * point.x()), std::lround(1e3 * point.y()), std::lround(1e3 * point.z())};
 }
 
-Colour colour_of_tissue(const TissueLibrary& library, TissueId id) {
-  const TissueProperties* tissue = library.find(id);
+Colour colour_of_tissue(const anatomy::TissueLibrary& library, anatomy::TissueId id) {
+  const anatomy::TissueProperties* tissue = library.find(id);
   const std::uint32_t colour = tissue == nullptr ? 0x808080U : tissue->colour;
   const auto part = [colour](unsigned shift) { return static_cast<std::uint8_t>((colour >> shift) & 0xFFU); };
   return {part(16), part(8), part(0)};
 }
 
 // The lines of the plane on whose two sides the tissue is not the same, by the tissue with the higher number there.
-std::map<TissueId, std::vector<Vec3>> borders_in(const TetrahedralMesh& mesh, const SlicePlane& plane) {
+std::map<anatomy::TissueId, std::vector<Vec3>> borders_in(const anatomy::TetrahedralMesh& mesh,
+                                                          const imaging::SlicePlane& plane) {
   struct Sides {
     Vec3 from, to;
-    std::multiset<TissueId> tissues;
+    std::multiset<anatomy::TissueId> tissues;
   };
   std::map<Edge, Sides> edges;
-  for (const CutElement& element : cut_mesh(mesh, plane)) {
+  for (const imaging::CutElement& element : imaging::cut_mesh(mesh, plane)) {
     for (int i = 0; i < element.corners; ++i) {
       const Vec3& from = element.points[static_cast<std::size_t>(i)];
       const Vec3& to = element.points[static_cast<std::size_t>((i + 1) % element.corners)];
@@ -49,7 +50,7 @@ std::map<TissueId, std::vector<Vec3>> borders_in(const TetrahedralMesh& mesh, co
       sides.tissues.insert(element.tissue);
     }
   }
-  std::map<TissueId, std::vector<Vec3>> borders;
+  std::map<anatomy::TissueId, std::vector<Vec3>> borders;
   for (const auto& [edge, sides] : edges) {
     if (sides.tissues.size() == 2 && *sides.tissues.begin() == *sides.tissues.rbegin()) continue;
     std::vector<Vec3>& lines = borders[*sides.tissues.rbegin()];
@@ -61,9 +62,9 @@ std::map<TissueId, std::vector<Vec3>> borders_in(const TetrahedralMesh& mesh, co
 
 }  // namespace
 
-BodyView::BodyView(const Case& patient, const TetrahedralMesh& mesh) {
-  const NeedlePath& path = patient.corridor.path;
-  plane_ = sagittal_plane_along(path, 0.5 * (path.entry + path.target), seen, seen, 1.0);
+BodyView::BodyView(const anatomy::Case& patient, const anatomy::TetrahedralMesh& mesh) {
+  const anatomy::NeedlePath& path = patient.corridor.path;
+  plane_ = imaging::sagittal_plane_along(path, 0.5 * (path.entry + path.target), seen, seen, 1.0);
   for (const auto& [tissue, lines] : borders_in(mesh, plane_)) {
     borders_.emplace_back(colour_of_tissue(patient.library, tissue), lines.size());
     points_.insert(points_.end(), lines.begin(), lines.end());
@@ -102,4 +103,4 @@ void BodyView::draw(SdlScreen& screen, double x, double y, double size, const Po
   screen.segments(drawn_, needle_colour);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::desktop

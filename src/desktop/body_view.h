@@ -12,13 +12,13 @@
 #include "anatomy/tetrahedral_mesh.h"
 #include "imaging/slice.h"
 
-namespace bodkin {
+namespace bodkin::desktop {
 
 // The borders of the tissues in the plane of the planned path, as lines that move with the deformable body: skin that
 // dimples and springs back while the needle goes in.
 class BodyView {
  public:
-  BodyView(const Case& patient, const TetrahedralMesh& mesh);
+  BodyView(const anatomy::Case& patient, const anatomy::TetrahedralMesh& mesh);
 
   // LPS mm at rest: the ends of the lines, whose displacements draw() needs.
   const std::vector<Vec3>& points() const noexcept { return points_; }
@@ -28,10 +28,10 @@ class BodyView {
             std::span<const float> displacements);
 
  private:
-  SlicePlane plane_;
+  imaging::SlicePlane plane_;
   std::vector<std::pair<Colour, std::size_t>> borders_;  // colour and number of points, two a line
   std::vector<Vec3> points_;                             // of all borders in turn
   std::vector<Eigen::Vector2f> drawn_;                   // of one colour, pixels
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::desktop

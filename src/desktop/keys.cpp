@@ -6,7 +6,7 @@
 #include <termios.h>
 #include <unistd.h>
 
-namespace bodkin {
+namespace bodkin::desktop {
 
 struct Keys::Terminal {
   termios settings{};
@@ -34,4 +34,4 @@ std::optional<char> Keys::next() {
   return key;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::desktop

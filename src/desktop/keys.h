@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-namespace bodkin {
+namespace bodkin::desktop {
 
 // Single keys from a terminal, without Enter, for as long as this lives; the terminal is then as it was. Where
 // standard input is no terminal there are none.
@@ -24,4 +24,4 @@ class Keys {
   std::unique_ptr<Terminal> before_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::desktop

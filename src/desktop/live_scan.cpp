@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace bodkin {
+namespace bodkin::desktop {
 
 namespace {
 
@@ -21,8 +21,9 @@ constexpr double hand_room = 200.0;           // mm: a longer drag is none
 
 }  // namespace
 
-LiveScan::LiveScan(const Case& patient, const UltrasoundChoice& choice, const ProbeOnSkin& hand,
-                   const std::optional<NeedleInSound>& needle, const Place& place)
+LiveScan::LiveScan(const anatomy::Case& patient, const station::UltrasoundChoice& choice,
+                   const imaging::ProbeOnSkin& hand, const std::optional<imaging::NeedleInSound>& needle,
+                   const Place& place)
     : patient_(patient),
       probe_(choice.probe),
       hand_(hand),
@@ -36,9 +37,9 @@ LiveScan::LiveScan(const Case& patient, const UltrasoundChoice& choice, const Pr
   }
 }
 
-std::optional<NeedleInSound> LiveScan::needle() const {
+std::optional<imaging::NeedleInSound> LiveScan::needle() const {
   if (!needle_in_) return std::nullopt;
-  return needle_on_path(patient_, needle_depth_);
+  return station::needle_on_path(patient_, needle_depth_);
 }
 
 std::string LiveScan::needle_words() const {
@@ -106,13 +107,13 @@ void LiveScan::advance(double seconds) {
   const auto held = [&](ScreenKey key) { return held_.contains(key) ? 1.0 : 0.0; };
   const double aside = held(ScreenKey::right) - held(ScreenKey::left),
                fan = held(ScreenKey::up) - held(ScreenKey::down);
-  const double angle = turn_speed * share * (mark_ == MarkSide::left ? -1.0 : 1.0);
+  const double angle = turn_speed * share * (mark_ == imaging::MarkSide::left ? -1.0 : 1.0);
   if (aside != 0.0 && shift_) hand_.rock(angle * aside);
   if (aside != 0.0 && !shift_) hand_.rotate(angle * aside);
   if (fan != 0.0) hand_.tilt(turn_speed * share * fan);
   const double right = held(ScreenKey::l) - held(ScreenKey::j), down = held(ScreenKey::k) - held(ScreenKey::i);
   const double way = slide_speed * share;
-  if (right != 0.0 || down != 0.0) slide((mark_ == MarkSide::left ? -way : way) * right, way * down);
+  if (right != 0.0 || down != 0.0) slide((mark_ == imaging::MarkSide::left ? -way : way) * right, way * down);
   const double in = held(ScreenKey::page_down) - held(ScreenKey::page_up);
   if (in != 0.0 && needle_in_) {
     needle_depth_ = std::clamp(needle_depth_ + needle_speed * share * in, 0.0, patient_.description.needle.length);
@@ -124,7 +125,7 @@ void LiveScan::drag(double x, double y) {
   if (!pointer_ || screen_.empty()) return;
   const Eigen::Vector2d way = Eigen::Vector2d(x, y) - *pointer_;
   const double scale = (screen_.to_probe({0.0, 1.0}) - screen_.to_probe({0.0, 0.0})).norm();  // mm a pixel
-  const double along = (mark_ == MarkSide::left ? -1.0 : 1.0) * way.x() * scale, across = way.y() * scale;
+  const double along = (mark_ == imaging::MarkSide::left ? -1.0 : 1.0) * way.x() * scale, across = way.y() * scale;
   slide(along, across);
 }
 
@@ -241,4 +242,4 @@ void LiveScan::press(ScreenKey key, bool shift) {
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::desktop

@@ -11,7 +11,7 @@
 #include "anatomy/case.h"
 #include "imaging/ultrasound_screen/screen.h"
 
-namespace bodkin {
+namespace bodkin::desktop {
 
 // What somebody does with a probe and a machine, from events of mouse and keyboard: where the probe is, how the knobs
 // stand, where the needle is, what is measured. Knows no window.
@@ -27,22 +27,22 @@ class LiveScan {
   };
   static constexpr double slider_row = 18.0;   // pixels from one slider to the next
   static constexpr double slider_most = 20.0;  // dB, up and down
-  LiveScan(const Case& patient, const UltrasoundChoice& choice, const ProbeOnSkin& hand,
-           const std::optional<NeedleInSound>& needle, const Place& place);
+  LiveScan(const anatomy::Case& patient, const station::UltrasoundChoice& choice, const imaging::ProbeOnSkin& hand,
+           const std::optional<imaging::NeedleInSound>& needle, const Place& place);
 
   void take(const ScreenEvent& event);
   // What held keys do in `seconds`.
   void advance(double seconds);
 
   Pose pose() const { return hand_.pose(); }
-  const UltrasoundSettings& settings() const { return settings_; }
+  const imaging::UltrasoundSettings& settings() const { return settings_; }
   // In the patient; nothing where it is out or the case has no path.
-  std::optional<NeedleInSound> needle() const;
+  std::optional<imaging::NeedleInSound> needle() const;
   std::string needle_words() const;
   // mm of the needle beyond its entry; negative where it is out.
   double needle_depth() const { return needle_in_ ? needle_depth_ : -1.0; }
-  UltrasoundScreen& screen() { return screen_; }
-  const UltrasoundScreen& screen() const { return screen_; }
+  imaging::UltrasoundScreen& screen() { return screen_; }
+  const imaging::UltrasoundScreen& screen() const { return screen_; }
 
   bool ended() const { return ended_; }
   bool help() const { return help_; }
@@ -63,15 +63,15 @@ class LiveScan {
   void turn_slider(std::size_t slider, double decibels) { set_slider(slider, settings_.sliders[slider] + decibels); }
   void turn_knob(double& value, double step, bool shift, double low, double high);
 
-  const Case& patient_;
-  UltrasoundProbe probe_;
-  ProbeOnSkin hand_;
-  UltrasoundSettings settings_;
-  UltrasoundScreen screen_;
+  const anatomy::Case& patient_;
+  anatomy::UltrasoundProbe probe_;
+  imaging::ProbeOnSkin hand_;
+  imaging::UltrasoundSettings settings_;
+  imaging::UltrasoundScreen screen_;
   Place place_;
   bool needle_in_ = false;
   double needle_depth_ = 0.0;  // mm
-  MarkSide mark_;
+  imaging::MarkSide mark_;
   bool ended_ = false, help_ = false, calipers_ = false, save_ = false, sliders_ = false;
   std::string message_;
   std::set<ScreenKey> held_;
@@ -80,4 +80,4 @@ class LiveScan {
   std::optional<std::size_t> held_slider_;  // by the mouse
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::desktop

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace bodkin {
+namespace bodkin::desktop {
 
 namespace {
 
@@ -13,7 +13,7 @@ constexpr Colour letter_ink{232, 238, 245}, letter_faint{142, 156, 174}, knob_bl
 
 }  // namespace
 
-void draw_machine(SdlScreen& screen, const LiveScan::Place& place, const UltrasoundScreen& machine) {
+void draw_machine(SdlScreen& screen, const LiveScan::Place& place, const imaging::UltrasoundScreen& machine) {
   screen.picture(place.x, place.y, place.width, place.height, machine.compose());
 }
 
@@ -35,4 +35,4 @@ void draw_sliders(SdlScreen& screen, const LiveScan::Place& place, const std::ar
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::desktop

@@ -14,7 +14,7 @@
 #include "haptics/drivers/driver_settings.h"
 #include "haptics/drivers/vendor_frame.h"
 
-namespace bodkin {
+namespace bodkin::desktop {
 
 namespace {
 
@@ -33,10 +33,10 @@ Meeting& meeting() {
   return one;
 }
 
-PointerSettings read(const char* text) {
-  const DriverSettings settings(
+haptics::PointerSettings read(const char* text) {
+  const haptics::DriverSettings settings(
       text, {"pixel_mm", "wheel_mm", "speed_mm_s", "turn_deg", "turn_deg_s", "smoothing_s", "reach_mm"});
-  PointerSettings pointer;
+  haptics::PointerSettings pointer;
   pointer.pixel = settings.number("pixel_mm", pointer.pixel, 0.001, 10.0);
   pointer.step = settings.number("wheel_mm", pointer.step, 0.01, 20.0);
   pointer.speed = settings.number("speed_mm_s", pointer.speed, 0.1, 200.0);
@@ -47,25 +47,25 @@ PointerSettings read(const char* text) {
   return pointer;
 }
 
-class MouseDevice : public OpenDevice {
+class MouseDevice : public haptics::OpenDevice {
  public:
-  MouseDevice(std::shared_ptr<PointerFeed> feed, const PointerSettings& settings)
+  MouseDevice(std::shared_ptr<PointerFeed> feed, const haptics::PointerSettings& settings)
       : feed_(std::move(feed)), settings_(settings), hand_(settings) {}
 
   void start(bodkin_tick, void*) override {
-    hand_ = PointerHand(settings_);
+    hand_ = haptics::PointerHand(settings_);
     last_ = Clock::now();
   }
   void stop() override {}
   std::string explain() override { return {}; }
 
   int exchange(const bodkin_command&, bodkin_state& state) noexcept override {
-    const PointerState& pointer = feed_->read();
+    const haptics::PointerState& pointer = feed_->read();
     const Clock::time_point now = Clock::now();
     const double dt = std::chrono::duration<double>(now - last_).count();
     last_ = now;
     const Pose& hand = hand_.step(pointer, std::clamp(dt, 0.0, longest_step));
-    state = blank_state();
+    state = haptics::blank_state();
     Eigen::Map<Vec3>(state.position) = hand.translation();
     Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(state.rotation) = hand.linear();
     Eigen::Map<Vec3>(state.velocity) = hand_.velocity();
@@ -75,8 +75,8 @@ class MouseDevice : public OpenDevice {
 
  private:
   std::shared_ptr<PointerFeed> feed_;
-  PointerSettings settings_;
-  PointerHand hand_;
+  haptics::PointerSettings settings_;
+  haptics::PointerHand hand_;
   Clock::time_point last_;
 };
 
@@ -84,22 +84,23 @@ struct Mouse {
   static constexpr const char* name = "mouse";
   static constexpr const char* summary = "mouse and keyboard in a window that shows the force; no force";
 
-  static void list(const char* text, const DeviceSink& found) {
+  static void list(const char* text, const haptics::DeviceSink& found) {
     read(text);
     const std::string obstacle = MouseWindow::obstacle();
-    if (!obstacle.empty()) throw DriverFailure(BODKIN_NOT_CONNECTED, obstacle);
+    if (!obstacle.empty()) throw haptics::DriverFailure(BODKIN_NOT_CONNECTED, obstacle);
     found("", "the mouse and the keyboard of this screen");
   }
 
-  static std::unique_ptr<OpenDevice> open(const std::string&, const char* text, bodkin_abilities& abilities) {
-    const PointerSettings settings = read(text);
+  static std::unique_ptr<haptics::OpenDevice> open(const std::string&, const char* text,
+                                                   bodkin_abilities& abilities) {
+    const haptics::PointerSettings settings = read(text);
     std::shared_ptr<PointerFeed> feed;
     {
       const std::lock_guard lock(meeting().lock);
       feed = meeting().feed.lock();
     }
-    if (feed == nullptr) throw DriverFailure(BODKIN_NOT_CONNECTED, "no window is open that has the mouse");
-    copy_text("mouse", abilities.name, BODKIN_TEXT);
+    if (feed == nullptr) throw haptics::DriverFailure(BODKIN_NOT_CONNECTED, "no window is open that has the mouse");
+    haptics::copy_text("mouse", abilities.name, BODKIN_TEXT);
     abilities.rate = 1000.0;
     std::fill_n(abilities.workspace_low, 3, -settings.reach);
     std::fill_n(abilities.workspace_high, 3, settings.reach);
@@ -116,8 +117,8 @@ void connect_mouse(const std::shared_ptr<PointerFeed>& feed) {
 }
 
 const bodkin_driver& mouse_driver() noexcept {
-  static constexpr bodkin_driver driver = driver_of<Mouse>();
+  static constexpr bodkin_driver driver = haptics::driver_of<Mouse>();
   return driver;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::desktop

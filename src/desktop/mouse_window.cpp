@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace bodkin {
+namespace bodkin::desktop {
 
 namespace {
 
@@ -111,7 +111,7 @@ void MouseWindow::handle(const ScreenEvent& event) {
 }
 
 void MouseWindow::press(ScreenKey key, bool down) {
-  using Move = PointerInput::Key;
+  using Move = haptics::PointerInput::Key;
   const auto command = [&](char letter) {
     if (down) keys_.push_back(letter);
   };
@@ -271,4 +271,4 @@ void MouseWindow::draw_side(const WindowScene& scene) {
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::desktop

@@ -13,7 +13,7 @@
 #include "desktop/sdl_screen.h"
 #include "desktop/ultrasound_pane.h"
 
-namespace bodkin {
+namespace bodkin::desktop {
 
 // What the window shows at one time.
 struct WindowScene {
@@ -29,9 +29,9 @@ struct WindowScene {
   Pose needle = Pose::Identity();
   bool armed = false;
   bool faulted = false;
-  std::span<const float> displacements;     // of the BodyView's points; may be empty
-  const LivePicture* ultrasound = nullptr;  // may be null
-  bool probe_is_held = false;               // by a second hand
+  std::span<const float> displacements;              // of the BodyView's points; may be empty
+  const station::LivePicture* ultrasound = nullptr;  // may be null
+  bool probe_is_held = false;                        // by a second hand
 };
 
 // The window of the mouse: takes what the person does with mouse and keyboard, and shows the force. A device of
@@ -75,7 +75,7 @@ class MouseWindow {
 
   std::string title_;
   SdlScreen screen_;
-  PointerInput input_;
+  haptics::PointerInput input_;
   std::shared_ptr<PointerFeed> feed_ = std::make_shared<PointerFeed>();
   std::optional<Eigen::Vector2d> pointer_;  // where it was, while it is in the window
   std::deque<char> keys_;
@@ -86,4 +86,4 @@ class MouseWindow {
   std::chrono::steady_clock::time_point shown_{};
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::desktop

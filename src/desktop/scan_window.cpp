@@ -12,7 +12,7 @@
 
 #include "imaging/ultrasound_screen/scan_field.h"
 
-namespace bodkin {
+namespace bodkin::desktop {
 
 namespace {
 
@@ -78,14 +78,14 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 16> scan_key
     {"S", "save"},
 }};
 
-bool same_plane(const SlicePlane& a, const SlicePlane& b) {
+bool same_plane(const imaging::SlicePlane& a, const imaging::SlicePlane& b) {
   return a.corner == b.corner && a.right == b.right && a.down == b.down && a.pixel == b.pixel && a.width == b.width &&
          a.height == b.height;
 }
 
 }  // namespace
 
-ScanWindow::ScanWindow(const Case& patient, MarkSide mark)
+ScanWindow::ScanWindow(const anatomy::Case& patient, imaging::MarkSide mark)
     : patient_(patient),
       mark_(mark),
       screen_("Bodkin: ultrasound of " + patient.description.name, scan_width, scan_height) {}
@@ -119,16 +119,16 @@ void ScanWindow::draw_ct(const LiveScan& scan) {
   screen_.fill(ct_x, machine_y, ct_wide, machine_high, scan_black);
   screen_.text(ct_x + 0.5 * ct_wide, machine_y + 10.0, "CT, the same plane", Size::small, scan_faint, Align::middle);
   if (scan.screen().empty()) return;
-  const ScanMoment& moment = scan.screen().moment();
+  const imaging::ScanMoment& moment = scan.screen().moment();
   if (!moment.pose.matrix().allFinite()) return;
-  SlicePlane plane = plane_of(moment.frame, moment.pose, mark_);
+  imaging::SlicePlane plane = imaging::plane_of(moment.frame, moment.pose, mark_);
   const int coarse = std::max(1, static_cast<int>(std::floor(ct_pixel_most / plane.pixel)));
   plane.corner += 0.5 * (coarse - 1) * plane.pixel * (plane.right + plane.down);
   plane.width = std::max(1, plane.width / coarse);
   plane.height = std::max(1, plane.height / coarse);
   plane.pixel *= coarse;
   if (!same_plane(plane, ct_plane_)) {
-    ct_ = paint(cut(plane, patient_.ct, patient_.tissues), patient_.library);
+    ct_ = imaging::paint(imaging::cut(plane, patient_.ct, patient_.tissues), patient_.library);
     ct_plane_ = plane;
   }
   draw_ct_lines(scan);
@@ -144,9 +144,9 @@ void ScanWindow::draw_ct_lines(const LiveScan& scan) {
         Eigen::Vector2d(left, ct_y) + scale * (ct_plane_.place(point) + Eigen::Vector2d::Constant(0.5));
     return at.cwiseMax(Eigen::Vector2d(left, ct_y)).cwiseMin(Eigen::Vector2d(left + wide, ct_y + high)).cast<float>();
   };
-  const ScanMoment& moment = scan.screen().moment();
+  const imaging::ScanMoment& moment = scan.screen().moment();
   std::vector<Eigen::Vector2f> points;
-  for (const Eigen::Vector2d& corner : field_of_view(moment.probe, moment.settings.depth)) {
+  for (const Eigen::Vector2d& corner : imaging::field_of_view(moment.probe, moment.settings.depth)) {
     points.push_back(spot(moment.pose * Vec3(corner.x(), corner.y(), 0.0)));
   }
   points.push_back(points.front());
@@ -164,14 +164,14 @@ void ScanWindow::draw_ct_lines(const LiveScan& scan) {
     }
     screen_.segments(pieces, colour);
   };
-  if (const std::optional<NeedlePath>& path = patient_.description.procedure.path) {
+  if (const std::optional<anatomy::NeedlePath>& path = patient_.description.procedure.path) {
     way(path->entry, path->target, scan_yellow);
     if (const auto needle = scan.needle()) way(path->entry, needle->pose.translation(), scan_teal);
   }
   // On a dark ground, for bone is white.
   const auto letters = [&](double x, double y, const Vec3& direction) {
     screen_.fill(x - 14.0, y, 28.0, 20.0, scan_panel);
-    screen_.text(x, y, direction_letters(direction), Size::normal, scan_ink, Align::middle);
+    screen_.text(x, y, imaging::direction_letters(direction), Size::normal, scan_ink, Align::middle);
   };
   letters(left + 16.0, ct_y + 0.5 * high - 10.0, -ct_plane_.right);
   letters(left + wide - 16.0, ct_y + 0.5 * high - 10.0, ct_plane_.right);
@@ -211,4 +211,4 @@ void ScanWindow::draw_help() {
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::desktop

@@ -7,7 +7,7 @@
 
 #include "imaging/slice.h"
 
-namespace bodkin {
+namespace bodkin::desktop {
 
 // How long it took, for people.
 struct ScanPace {
@@ -19,7 +19,7 @@ struct ScanPace {
 class ScanWindow {
  public:
   // Throws as SdlScreen does.
-  ScanWindow(const Case& patient, MarkSide mark);
+  ScanWindow(const anatomy::Case& patient, imaging::MarkSide mark);
 
   // Where the machine's screen lies in it.
   static LiveScan::Place machine_place();
@@ -35,11 +35,11 @@ class ScanWindow {
   void draw_foot(const LiveScan& scan, const ScanPace& pace);
   void draw_help();
 
-  const Case& patient_;
-  MarkSide mark_;
+  const anatomy::Case& patient_;
+  imaging::MarkSide mark_;
   SdlScreen screen_;
-  SlicePlane ct_plane_;  // that was cut last
-  ImageRgb ct_;
+  imaging::SlicePlane ct_plane_;  // that was cut last
+  imaging::ImageRgb ct_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::desktop

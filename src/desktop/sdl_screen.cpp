@@ -14,7 +14,7 @@
 #include "core/error.h"
 #include "haptics/driver_library.h"
 
-namespace bodkin {
+namespace bodkin::desktop {
 
 namespace {
 
@@ -25,12 +25,12 @@ constexpr float soft_edge = 1.0F;                             // over which it f
 
 // What we use of SDL, by its own declarations.
 struct Sdl {
-  DriverLibrary sdl{
+  haptics::DriverLibrary sdl{
       {.product = "SDL", .chosen = "", .places = {"libSDL2-2.0.so.0"}, .advice = "install libsdl2-2.0-0"}};
-  DriverLibrary ttf{{.product = "SDL_ttf",
-                     .chosen = "",
-                     .places = {"libSDL2_ttf-2.0.so.0"},
-                     .advice = "install libsdl2-ttf-2.0-0"}};
+  haptics::DriverLibrary ttf{{.product = "SDL_ttf",
+                              .chosen = "",
+                              .places = {"libSDL2_ttf-2.0.so.0"},
+                              .advice = "install libsdl2-ttf-2.0-0"}};
   decltype(&SDL_SetHint) set_hint{};
   decltype(&SDL_SetMainReady) set_main_ready{};
   decltype(&SDL_InitSubSystem) init{};
@@ -398,9 +398,9 @@ void SdlScreen::text(double x, double y, const std::string& words, Size size, Co
   impl_->video->destroy_texture(texture);
 }
 
-void SdlScreen::picture(double x, double y, double width, double height, const ImageRgb& image) {
+void SdlScreen::picture(double x, double y, double width, double height, const imaging::ImageRgb& image) {
   if (image.pixels.empty()) return;
-  ImageRgb& pixels = const_cast<ImageRgb&>(image);  // NOLINT: SDL only reads them
+  imaging::ImageRgb& pixels = const_cast<imaging::ImageRgb&>(image);  // NOLINT: SDL only reads them
   SDL_Surface* const surface = impl_->video->surface_from(pixels.pixels.data(), image.width, image.height, 24,
                                                           3 * image.width, SDL_PIXELFORMAT_RGB24);
   if (surface == nullptr) return;
@@ -417,4 +417,4 @@ void SdlScreen::present() {
   impl_->video->present(impl_->renderer);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::desktop

@@ -9,7 +9,7 @@
 
 #include "imaging/image_rgb.h"
 
-namespace bodkin {
+namespace bodkin::desktop {
 
 struct Colour {
   std::uint8_t red = 0, green = 0, blue = 0;
@@ -99,7 +99,7 @@ class SdlScreen {
   // `x` is where the text begins, ends or has its middle, `y` its upper edge.
   void text(double x, double y, const std::string& words, Size size, Colour colour, Align align = Align::left);
   // A picture, stretched to the place.
-  void picture(double x, double y, double width, double height, const ImageRgb& image);
+  void picture(double x, double y, double width, double height, const imaging::ImageRgb& image);
   // Shows what was drawn.
   void present();
 
@@ -108,4 +108,4 @@ class SdlScreen {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::desktop

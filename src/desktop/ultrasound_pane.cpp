@@ -11,7 +11,7 @@
 #include "desktop/machine_view.h"
 #include <fmt/format.h>
 
-namespace bodkin {
+namespace bodkin::desktop {
 
 namespace {
 
@@ -82,12 +82,13 @@ LiveScan::Place pane_place(double x, double y) {
 
 }  // namespace
 
-UltrasoundPane::UltrasoundPane(const Case& patient, const UltrasoundChoice& choice, bool has_body, double x, double y)
+UltrasoundPane::UltrasoundPane(const anatomy::Case& patient, const station::UltrasoundChoice& choice, bool has_body,
+                               double x, double y)
     : probe_(choice.probe),
       needle_(patient.description.needle),
       x_(x),
       y_(y),
-      scan_(patient, choice, hold_probe(choice, patient), std::nullopt, pane_place(x, y)),
+      scan_(patient, choice, station::hold_probe(choice, patient), std::nullopt, pane_place(x, y)),
       has_body_(has_body) {}
 
 bool UltrasoundPane::handle(const ScreenEvent& event) {
@@ -101,7 +102,7 @@ bool UltrasoundPane::handle(const ScreenEvent& event) {
   return true;
 }
 
-void UltrasoundPane::update(const LivePicture& picture, bool probe_is_held) {
+void UltrasoundPane::update(const station::LivePicture& picture, bool probe_is_held) {
   const double now = seconds_now();
   if (updated_ >= 0.0) scan_.advance(now - updated_);
   updated_ = now;
@@ -152,4 +153,4 @@ void UltrasoundPane::draw(SdlScreen& screen) const {
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::desktop

@@ -9,7 +9,7 @@
 
 #include "anatomy/case.h"
 
-namespace bodkin {
+namespace bodkin::desktop {
 
 // The ultrasound beside a needle that somebody holds: the newest picture, and the keys of the machine and the probe.
 // All of it for one thread.
@@ -19,20 +19,21 @@ class UltrasoundPane {
 
   // `has_body`: the pictures show how a deformable body moves. `x`, `y`: its corner in the window. Throws InputError
   // when there is no place for the probe.
-  UltrasoundPane(const Case& patient, const UltrasoundChoice& choice, bool has_body, double x, double y);
+  UltrasoundPane(const anatomy::Case& patient, const station::UltrasoundChoice& choice, bool has_body, double x,
+                 double y);
 
   // Handles a key if it is one of the pane's; otherwise returns false.
   bool handle(const ScreenEvent& event);
   // Advances what held keys do, and shows this picture from now on; some sixty times a second. `probe_is_held`: a
   // second hand holds the probe.
-  void update(const LivePicture& picture, bool probe_is_held);
+  void update(const station::LivePicture& picture, bool probe_is_held);
   // Where the keys have the probe, and how they have set the machine.
-  ScanOrder order() const { return {scan_.pose(), scan_.settings()}; }
+  station::ScanOrder order() const { return {scan_.pose(), scan_.settings()}; }
   void draw(SdlScreen& screen) const;
 
  private:
-  UltrasoundProbe probe_;
-  Needle needle_;
+  anatomy::UltrasoundProbe probe_;
+  anatomy::Needle needle_;
   double x_, y_;
   LiveScan scan_;
   bool held_ = false;      // by a second hand
@@ -45,4 +46,4 @@ class UltrasoundPane {
   bool has_body_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::desktop

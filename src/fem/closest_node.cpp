@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -17,8 +17,8 @@ constexpr double nearer = 0.9;        // of the distance to the node that has th
 
 }  // namespace
 
-ClosestNodeContact::ClosestNodeContact(const CondensedBody& body, const ContactTissues& tissues,
-                                       const ClosestNodeSettings& settings, double dt)
+ClosestNodeContact::ClosestNodeContact(const anatomy::CondensedBody& body, const ContactTissues& tissues,
+                                       const anatomy::ClosestNodeSettings& settings, double dt)
     : body_(body), tissues_(tissues), settings_(settings), dt_(dt), punctured_(body.nodes.size(), 0) {
   check_contact_tissues(tissues);
   check(settings, "closest_node");
@@ -34,7 +34,7 @@ ClosestNodeContact::ClosestNodeContact(const CondensedBody& body, const ContactT
 }
 
 void ClosestNodeContact::take_punctures(const ClosestNodeContact& other) noexcept {
-  take_marks(body_, punctured_, other.body_, other.punctured_);
+  anatomy::take_marks(body_, punctured_, other.body_, other.punctured_);
 }
 
 void ClosestNodeContact::reset() noexcept {
@@ -161,4 +161,4 @@ NodeForces ClosestNodeContact::node_forces() const noexcept {
   return forces;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

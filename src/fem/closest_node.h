@@ -11,7 +11,7 @@
 #include "fem/embedded_needle.h"
 #include "fem/node_forces.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 struct ClosestNodeForce {
   double resistance = 0.0;            // R, N, positive pushes the hand out
@@ -38,8 +38,8 @@ struct ClosestNodeForce {
 class ClosestNodeContact {
  public:
   // `body` is kept by reference. Throws InputError for settings or tissues out of range. `dt`: s, 1e-6 to 0.1.
-  ClosestNodeContact(const CondensedBody& body, const ContactTissues& tissues, const ClosestNodeSettings& settings,
-                     double dt);
+  ClosestNodeContact(const anatomy::CondensedBody& body, const ContactTissues& tissues,
+                     const anatomy::ClosestNodeSettings& settings, double dt);
 
   // The needle touches at `entry` and goes along the unit vector `direction`. Punctured nodes are remembered.
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
@@ -63,9 +63,9 @@ class ClosestNodeContact {
   void follow(const Vec3& tip) noexcept;
   double shaft_limit(double depth) noexcept;
 
-  const CondensedBody& body_;
+  const anatomy::CondensedBody& body_;
   ContactTissues tissues_;
-  ClosestNodeSettings settings_;
+  anatomy::ClosestNodeSettings settings_;
   double dt_;
   std::vector<std::uint8_t> punctured_;  // by node
   std::vector<double> limits_;           // N of friction from the entry to each layer's end
@@ -81,4 +81,4 @@ class ClosestNodeContact {
   double relaxed_ = 0.0;                // 0 to 1
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

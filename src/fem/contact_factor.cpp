@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "fem/upper_triangular.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -230,4 +230,4 @@ void ContactFactor::copy(const ContactFactor& other) noexcept {
   corner_known_ = false;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

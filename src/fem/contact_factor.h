@@ -11,7 +11,7 @@
 #include "core/geometry.h"
 #include "fem/needle_beam.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // The directions in which a node is constrained: 1 to 3 orthonormal columns.
 using ConstraintDirections = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
@@ -105,4 +105,4 @@ class ContactFactor {
   bool corner_known_ = false;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

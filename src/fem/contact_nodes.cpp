@@ -5,9 +5,9 @@
 #include <limits>
 #include <tuple>
 
-namespace bodkin {
+namespace bodkin::fem {
 
-ContactNodes::ContactNodes(const CondensedBody& body, double radius, double spacing)
+ContactNodes::ContactNodes(const anatomy::CondensedBody& body, double radius, double spacing)
     : body_(body), radius_(radius), spacing_(spacing), candidates_(body.nodes.size()), nodes_(body.nodes.size()) {}
 
 // Sorts the nodes near the line by cell, the closest of each cell first.
@@ -35,7 +35,7 @@ void ContactNodes::append(std::size_t found, const ContactTissues& tissues) noex
   for (std::size_t i = 0; i < found; ++i) {
     const Candidate& here = candidates_[i];
     if (i > 0 && here.cell == candidates_[i - 1].cell) continue;
-    const TissueId at = body_.tissues[here.node];
+    const anatomy::TissueId at = body_.tissues[here.node];
     const double before = count_ == 0 ? 0.0 : tissues[nodes_[count_ - 1].tissue].puncture_force;
     if (count_ > 0) nodes_[count_ - 1].length = here.depth - nodes_[count_ - 1].depth;
     if (!add({.index = here.node,
@@ -79,4 +79,4 @@ void ContactNodes::continue_from(std::size_t kept, double depth, const ContactTi
   append(left, tissues);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -7,12 +7,12 @@
 #include "anatomy/condensed_body.h"
 #include "fem/contact_tissues.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // A node of the corridor on the path of a needle.
 struct ContactNode {
   std::uint32_t index = 0;  // in the corridor
-  TissueId tissue = tissue::air;
+  anatomy::TissueId tissue = anatomy::tissue::air;
   double depth = 0.0;    // mm along the line, at rest; 0 for the first node, which represents the surface
   double length = 0.0;   // mm of the line that it represents, from its depth on; infinite for the last node
   bool resists = false;  // first node of a tissue whose puncture force is higher than that of the tissue before
@@ -23,7 +23,7 @@ struct ContactNode {
 class ContactNodes {
  public:
   // `radius`, `spacing`: mm, > 0. Allocates memory for all nodes of the corridor.
-  ContactNodes(const CondensedBody& body, double radius, double spacing);
+  ContactNodes(const anatomy::CondensedBody& body, double radius, double spacing);
 
   // Finds the nodes along a line; the cost is linear in the nodes of the corridor. Never throws or allocates.
   void begin(const Vec3& entry, const Vec3& direction, const ContactTissues& tissues) noexcept;
@@ -47,7 +47,7 @@ class ContactNodes {
     double depth;       // mm
   };
 
-  const CondensedBody& body_;
+  const anatomy::CondensedBody& body_;
   double radius_, spacing_;
   std::vector<Candidate> candidates_;  // size: nodes of the corridor
   std::vector<ContactNode> nodes_;     // size: nodes of the corridor
@@ -55,4 +55,4 @@ class ContactNodes {
   Vec3 entry_ = Vec3::Zero(), direction_ = Vec3::UnitZ();  // of the last find_candidates()
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -4,21 +4,25 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 ContactTissues default_contact_tissues() {
   ContactTissues tissues;
   const ContactTissue soft{.friction = 0.02, .puncture_force = 0.9, .stiffness = 0.3};
   const ContactTissue ligament{.friction = 0.2, .puncture_force = 4.7, .stiffness = 1.0};
   tissues.fill(soft);
-  for (const TissueId fluid : {tissue::air, tissue::gas, tissue::cerebrospinal_fluid}) tissues[fluid] = {};
-  tissues[tissue::epidural_fat] = {.friction = 0.02, .puncture_force = 0.0, .stiffness = 0.3};
-  tissues[tissue::skin] = {.friction = 0.02, .puncture_force = 1.5, .stiffness = 0.3};
-  tissues[tissue::ligamentum_flavum] = ligament;
-  for (const TissueId other : {tissue::supraspinous_ligament, tissue::interspinous_ligament}) {
+  for (const anatomy::TissueId fluid :
+       {anatomy::tissue::air, anatomy::tissue::gas, anatomy::tissue::cerebrospinal_fluid})
+    tissues[fluid] = {};
+  tissues[anatomy::tissue::epidural_fat] = {.friction = 0.02, .puncture_force = 0.0, .stiffness = 0.3};
+  tissues[anatomy::tissue::skin] = {.friction = 0.02, .puncture_force = 1.5, .stiffness = 0.3};
+  tissues[anatomy::tissue::ligamentum_flavum] = ligament;
+  for (const anatomy::TissueId other :
+       {anatomy::tissue::supraspinous_ligament, anatomy::tissue::interspinous_ligament}) {
     tissues[other] = {.friction = 0.2, .puncture_force = 0.9, .stiffness = 0.3};
   }
-  for (const TissueId hard : {tissue::cortical_bone, tissue::cancellous_bone, tissue::metal}) {
+  for (const anatomy::TissueId hard :
+       {anatomy::tissue::cortical_bone, anatomy::tissue::cancellous_bone, anatomy::tissue::metal}) {
     tissues[hard] = {.friction = 0.2, .puncture_force = 100.0, .stiffness = 1.0};
   }
   return tissues;
@@ -38,4 +42,4 @@ void check_contact_tissues(const ContactTissues& tissues) {
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

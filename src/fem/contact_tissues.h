@@ -4,7 +4,7 @@
 
 #include "anatomy/tissue.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // What a needle meets in a tissue of a deformable body.
 struct ContactTissue {
@@ -24,4 +24,4 @@ ContactTissues default_contact_tissues();
 // Throws InputError naming tissue, quantity, value and range when a number is outside its range.
 void check_contact_tissues(const ContactTissues& tissues);
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

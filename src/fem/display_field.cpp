@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "core/simd.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -125,4 +125,4 @@ double DisplayField::left_out(const NodeForces& forces) const noexcept {
   return sum;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -10,7 +10,7 @@
 #include "fem/node_forces.h"
 #include "fem/zero_pages.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // How the visible points of a body move by the forces of a needle: u = columns(nodes) f, the same operator as in the
 // tick, so that display and hand show one body. For a thread that draws; the tick hands it NodeForces through
@@ -51,4 +51,4 @@ class DisplayField {
   std::vector<std::uint32_t> places_;  // by node: where its columns are, or none
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

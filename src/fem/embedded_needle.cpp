@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "fem/upper_triangular.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -18,7 +18,7 @@ constexpr double least_captured_part = 1e-6;  // of the full-capture length; bel
 constexpr std::size_t bevelled_nodes = 4;     // behind the tip, whose holes a bevel may move
 constexpr int most_captures = 2;              // per tick; the others follow in the next
 
-const CondensedBody& checked_body(const CondensedBody& body) {
+const anatomy::CondensedBody& checked_body(const anatomy::CondensedBody& body) {
   const std::size_t nodes = body.nodes.size();
   if (nodes > 0 && body.tissues.size() == nodes && static_cast<std::size_t>(body.compliance.rows()) == 3 * nodes) {
     return body;
@@ -29,7 +29,7 @@ const CondensedBody& checked_body(const CondensedBody& body) {
                    " rows; expected as many tissues as nodes and 3 rows for each");
 }
 
-std::size_t checked_room(const EmbeddedNeedleSettings& settings) {
+std::size_t checked_room(const anatomy::EmbeddedNeedleSettings& settings) {
   check(settings, "embedded_needle");
   check_range("embedded_needle", "most nodes", static_cast<double>(settings.most_nodes),
               {1.0, static_cast<double>(NodeForces::capacity - 1)}, "");
@@ -38,8 +38,8 @@ std::size_t checked_room(const EmbeddedNeedleSettings& settings) {
 
 }  // namespace
 
-EmbeddedNeedle::EmbeddedNeedle(const CondensedBody& body, const ContactTissues& tissues,
-                               const EmbeddedNeedleSettings& settings, double dt,
+EmbeddedNeedle::EmbeddedNeedle(const anatomy::CondensedBody& body, const ContactTissues& tissues,
+                               const anatomy::EmbeddedNeedleSettings& settings, double dt,
                                const std::optional<NeedleBeam>& beam)
     : body_(checked_body(body)),
       tissues_(tissues),
@@ -268,4 +268,4 @@ const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle, double press
   return force_;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -13,11 +13,11 @@
 #include "fem/node_forces.h"
 #include "fem/shaft_constraints.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // The needle has punctured a tissue.
 struct TissuePuncture {
-  TissueId tissue = tissue::air;
+  anatomy::TissueId tissue = anatomy::tissue::air;
   double depth = 0.0;  // mm, of the tip below the entry, along the line
   double force = 0.0;  // N, along the needle
 };
@@ -70,8 +70,9 @@ class EmbeddedNeedle {
   // `body` is kept by reference and must outlive this. Throws InputError for settings or tissues out of range, or if
   // the body's arrays differ in size. `dt`: s, 1e-6 to 0.1. `beam`: none for a rigid needle. The settings' own
   // `bending` and `body` are not read here: they say how a case sets up beam and body.
-  EmbeddedNeedle(const CondensedBody& body, const ContactTissues& tissues, const EmbeddedNeedleSettings& settings,
-                 double dt, const std::optional<NeedleBeam>& beam = {});
+  EmbeddedNeedle(const anatomy::CondensedBody& body, const ContactTissues& tissues,
+                 const anatomy::EmbeddedNeedleSettings& settings, double dt,
+                 const std::optional<NeedleBeam>& beam = {});
 
   // Starts an insertion: the needle touches the body at `entry` and goes along the unit vector `direction` (LPS).
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
@@ -153,9 +154,9 @@ class EmbeddedNeedle {
     return constraints_.compliance().displacement(index, forces_);
   }
 
-  const CondensedBody& body_;
+  const anatomy::CondensedBody& body_;
   ContactTissues tissues_;
-  EmbeddedNeedleSettings settings_;
+  anatomy::EmbeddedNeedleSettings settings_;
   double dt_;
   std::optional<NeedleBeam> beam_;
   ContactNodes contact_nodes_;
@@ -179,4 +180,4 @@ class EmbeddedNeedle {
   NodeForces published_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -4,7 +4,7 @@
 
 #include "fem/embedded_needle.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -126,4 +126,4 @@ void EmbeddedNeedle::solve_contacts() noexcept {
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

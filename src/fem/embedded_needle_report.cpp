@@ -3,7 +3,7 @@
 
 #include "fem/embedded_needle.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 void EmbeddedNeedle::report() noexcept {
   const std::size_t known = constraints_.known();
@@ -69,4 +69,4 @@ double EmbeddedNeedle::stored_energy() const noexcept {
   return sum;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

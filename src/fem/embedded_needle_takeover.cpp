@@ -3,7 +3,7 @@
 
 #include "fem/embedded_needle.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 void EmbeddedNeedle::take_punctures(const EmbeddedNeedle& other) noexcept {
   auto old = other.names_.begin();
@@ -130,4 +130,4 @@ bool EmbeddedNeedle::take_state_of(const EmbeddedNeedle& other) noexcept {
   return true;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

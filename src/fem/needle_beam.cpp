@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -23,7 +23,7 @@ void check_beam_setting(double value, double low, double high, const char* name,
 NeedleBeam::NeedleBeam(const NeedleBeamSettings& settings)
     : settings_(settings),
       compliance_(1.0 / settings.rigidity),
-      turning_(settings.hold == NeedleHold::pinned ? freest_hub : 0.0) {
+      turning_(settings.hold == anatomy::NeedleHold::pinned ? freest_hub : 0.0) {
   if (!std::isinf(settings.rigidity) || settings.rigidity < 0.0)
     check_beam_setting(settings.rigidity, 0.1, 1e9, "bending stiffness", "N mm^2");
   check_beam_setting(settings.length, 5.0, 500.0, "length", "mm");
@@ -49,4 +49,4 @@ double NeedleBeam::push_back(const ShaftRoot& root, double force, double moment,
   return 0.5 * compliance_ * moment * moment - force * turn;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -4,13 +4,13 @@
 
 #include "anatomy/force_settings.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 struct NeedleBeamSettings {
   double rigidity = 877.94;  // E I, N mm^2 (bending_stiffness() in forces/beam.h); 0.1 to 1e9, or infinite
                              // [24G tube of steel]
   double length = 90.0;      // mm, hub to tip; 5 to 500
-  NeedleHold hold = NeedleHold::clamped;
+  anatomy::NeedleHold hold = anatomy::NeedleHold::clamped;
   double cut_offset = 0.0;  // mm, of a bevelled needle: lateral offset of the cut from its axis, towards its point;
                             // 0 to 2, 0 = a symmetric point
 };
@@ -60,4 +60,4 @@ class NeedleBeam {
   double turning_ = 0.0;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

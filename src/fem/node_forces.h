@@ -6,7 +6,7 @@
 
 #include "anatomy/condensed_body.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // What a needle does to one node: of the corridor, or of the mesh, as who gives it says.
 struct NodeForce {
@@ -24,9 +24,9 @@ struct NodeForces {
 };
 
 // Forces on nodes of a corridor, by the nodes of its mesh.
-inline NodeForces of_mesh(NodeForces forces, const CondensedBody& corridor) noexcept {
+inline NodeForces of_mesh(NodeForces forces, const anatomy::CondensedBody& corridor) noexcept {
   for (std::size_t i = 0; i < forces.count; ++i) forces.nodes[i].node = corridor.mesh_nodes[forces.nodes[i].node];
   return forces;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -4,7 +4,7 @@
 
 #include "fem/upper_triangular.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -73,4 +73,4 @@ void ShaftCompliance::displace(std::span<const double> forces, std::span<double>
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

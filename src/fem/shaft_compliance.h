@@ -9,7 +9,7 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // The compliance between the nodes along a needle, in the frame of the insertion: along the needle and two directions
 // across it, 3 numbers for each node. It is copied from the corridor's compliance, where it is scattered over much
@@ -47,4 +47,4 @@ class ShaftCompliance {
   Mat3 frame_ = Mat3::Identity();
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -7,7 +7,7 @@
 
 #include "fem/upper_triangular.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -359,4 +359,4 @@ Eigen::Vector2d ShaftConstraints::solve(std::span<const double> displacements, s
   return solve_across(forces);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -10,7 +10,7 @@
 #include "fem/shaft_compliance.h"
 #include "fem/shaft_schur_complement.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // The constraints along and across the shaft of a needle at its contact nodes, and their forces. Nodes are added and
 // removed at the tip; along the needle each can be constrained or released at any time. Vectors have 3 numbers for
@@ -136,4 +136,4 @@ class ShaftConstraints {
   bool border_valid_ = false, last_valid_ = false;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

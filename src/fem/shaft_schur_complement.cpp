@@ -6,7 +6,7 @@
 #include "fem/upper_triangular.h"
 #include "fem/zero_pages.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -221,4 +221,4 @@ void ShaftSchurComplement::backward(double* values) const noexcept {
   upper_triangular::solve({triangle_.data(), stride_, sticking_}, values);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

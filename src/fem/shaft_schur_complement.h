@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // The Schur complement of a shaft's contact equations: what remains for the forces along the shaft after the lateral
 // contact forces have been eliminated,
@@ -95,4 +95,4 @@ class ShaftSchurComplement {
   bool changed_ = true;  // T has changed since the last refresh()
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

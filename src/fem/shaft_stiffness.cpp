@@ -8,9 +8,9 @@
 
 #include "fem/contact_nodes.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
-double shaft_stiffness(const CondensedBody& body, const Vec3& entry, const Vec3& direction, double length,
+double shaft_stiffness(const anatomy::CondensedBody& body, const Vec3& entry, const Vec3& direction, double length,
                        double radius, double spacing, std::size_t most_nodes) {
   ContactNodes stations(body, radius, spacing);
   stations.begin(entry, direction, {});
@@ -28,4 +28,4 @@ double shaft_stiffness(const CondensedBody& body, const Vec3& entry, const Vec3&
   return Eigen::SelfAdjointEigenSolver<Mat3>(stiffness, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -5,7 +5,7 @@
 
 #include "core/simd.h"
 
-namespace bodkin::upper_triangular {
+namespace bodkin::fem::upper_triangular {
 
 namespace {
 
@@ -203,4 +203,4 @@ void subtract_squares(const double* from, std::size_t from_stride, const double*
   }
 }
 
-}  // namespace bodkin::upper_triangular
+}  // namespace bodkin::fem::upper_triangular

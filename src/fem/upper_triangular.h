@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace bodkin::upper_triangular {
+namespace bodkin::fem::upper_triangular {
 
 // Dense kernels for an upper triangular matrix U, stored by rows, and for rows of numbers in general. Each is
 // compiled for plain x86-64 and for AVX2 (BODKIN_PROCESSOR_CLONES). Sums are added in a fixed order, so both give the
@@ -46,4 +46,4 @@ void multiply(const double* rows, std::size_t stride, std::size_t count, const d
 void subtract_squares(const double* from, std::size_t from_stride, const double* a, const double* b, std::size_t size,
                       double* to, std::size_t to_stride) noexcept;
 
-}  // namespace bodkin::upper_triangular
+}  // namespace bodkin::fem::upper_triangular

@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 ZeroPages::ZeroPages(std::size_t count) : bytes_(count * sizeof(double)) {
   if (bytes_ == 0) return;
@@ -33,4 +33,4 @@ ZeroPages& ZeroPages::operator=(ZeroPages&& other) noexcept {
   return *this;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

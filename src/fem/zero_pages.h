@@ -4,7 +4,7 @@
 
 #include "core/large_pages.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // Many numbers, all zero at first. The machine gives the pages when they are first written to, large ones (2 MiB)
 // where it has them, and takes them back at the end.
@@ -28,4 +28,4 @@ class ZeroPages {
   std::size_t bytes_ = 0;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -8,13 +8,13 @@
 #include "forces/device_stability.h"
 #include "forces/model_input.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 double bending_stiffness(double modulus, double outer_diameter, double inner_diameter) {
   return modulus * std::numbers::pi / 64.0 * (std::pow(outer_diameter, 4) - std::pow(inner_diameter, 4));
 }
 
-Beam::Beam(const BeamSettings& settings, const Needle& needle, double dt)
+Beam::Beam(const anatomy::BeamSettings& settings, const anatomy::Needle& needle, double dt)
     : length_(needle.length), limit_(settings.limit), outside_(settings.smoothing, dt) {
   constexpr auto model = "beam";
   check_tick(model, dt);
@@ -54,9 +54,9 @@ Vec3 Beam::step(const Vec3& tip, const Vec3& axis) noexcept {
   return offset * (-std::min(k * distance, limit_) / distance);
 }
 
-Beam::Beam(const Case& patient, const BeamSettings& settings, double dt)
+Beam::Beam(const anatomy::Case& patient, const anatomy::BeamSettings& settings, double dt)
     : Beam(settings, patient.description.needle, dt) {
   require_stable("beam", "largest stiffness", settings.largest_stiffness, patient.description.device);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

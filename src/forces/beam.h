@@ -6,7 +6,7 @@
 #include "core/one_pole.h"
 #include "forces/constraint_model.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // Bending stiffness of a tube, N mm^2: E pi/64 (D^4 - d^4). Diameters mm, modulus MPa.
 double bending_stiffness(double modulus, double outer_diameter, double inner_diameter);
@@ -22,13 +22,13 @@ double bending_stiffness(double modulus, double outer_diameter, double inner_dia
 // docs/models/beam.md.
 class Beam {
  public:
-  using Settings = BeamSettings;
+  using Settings = anatomy::BeamSettings;
   static constexpr ConstraintTraits traits = {.name = "beam"};
 
   // Throws InputError for settings or a needle out of range. `dt`: s, 1e-6 to 0.1.
-  Beam(const BeamSettings& settings, const Needle& needle, double dt);
+  Beam(const anatomy::BeamSettings& settings, const anatomy::Needle& needle, double dt);
   // Of a patient: also refuses what the device cannot render stably.
-  Beam(const Case& patient, const BeamSettings& settings, double dt);
+  Beam(const anatomy::Case& patient, const anatomy::BeamSettings& settings, double dt);
 
   // Clamps the needle at `entry` along the unit vector `direction`: call it at the puncture. `tip`: where it is now.
   void begin(const Vec3& entry, const Vec3& direction, const Vec3& tip) noexcept;
@@ -49,4 +49,4 @@ class Beam {
 
 static_assert(ConstraintModel<Beam>);
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

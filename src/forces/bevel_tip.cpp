@@ -5,7 +5,7 @@
 
 #include "forces/model_input.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 namespace {
 
 // exp of the twist (w, v) on SE(3).
@@ -98,4 +98,4 @@ const Pose& BevelTip::step(double advance, double roll) noexcept {
   return tip_;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -4,7 +4,7 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // kappa = tan(phi)/l1, 1/mm: the bicycle form; phi steering angle, rad; l1 wheel base, mm.
 double bevel_curvature(double angle, double base);
@@ -57,4 +57,4 @@ class BevelTip {
   double roll_ = 0.0, length_ = 0.0, cut_ = 0.0;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -5,7 +5,7 @@
 
 #include "forces/model_input.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 ChannelMemory::ChannelMemory(double same_distance, double same_angle) : same_distance_(same_distance) {
   check_range("channel_memory", "distance of entries of one channel", same_distance, {0.0, 100.0}, "mm");
@@ -36,4 +36,4 @@ void ChannelMemory::clear() noexcept {
   current_ = oldest_ = size_ = 0;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -5,7 +5,7 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // The channels that a needle has cut during a session, and how deep each is. Tissue once cut does not have to be cut
 // again, so a model asks here whether an entry is new. An entry is a known channel's when it lies within
@@ -44,4 +44,4 @@ class ChannelMemory {
   std::array<Channel, capacity> channels_{};  // capacity; [0] serves until enter() is called
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

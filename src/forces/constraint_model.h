@@ -6,7 +6,7 @@
 #include "anatomy/case.h"
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // Where the needle is, as far as a constraint needs to know.
 struct HeldNeedle {
@@ -25,7 +25,7 @@ struct ConstraintTraits {
 // step() gives force and torque about the tip, on the hand. Nothing in the tick allocates or throws.
 template <typename Model>
 concept ConstraintModel = std::same_as<decltype(Model::traits), const ConstraintTraits> &&
-    std::constructible_from<Model, const Case&, const typename Model::Settings&, double> &&
+    std::constructible_from<Model, const anatomy::Case&, const typename Model::Settings&, double> &&
     requires(Model model, const HeldNeedle& needle, const Vec3& vector) {
   { model.begin(vector, vector, vector) }
   noexcept;
@@ -38,4 +38,4 @@ inline Wrench from_hub(const Vec3& force, const HeldNeedle& needle) noexcept {
   return {force, (-needle.length * needle.axis).cross(force)};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -6,7 +6,7 @@
 #include "forces/model_input.h"
 #include "forces/syringe.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 namespace {
 
 constexpr double weight = 9.80665e-6;  // rho g, MPa/mm, of water
@@ -18,7 +18,7 @@ double opening(double open, bool stylet) noexcept {
 
 }  // namespace
 
-CsfFlow::CsfFlow(const CsfFlowSettings& settings, double dt) : settings_(settings), dt_(dt) {
+CsfFlow::CsfFlow(const anatomy::CsfFlowSettings& settings, double dt) : settings_(settings), dt_(dt) {
   constexpr auto model = "csf_flow";
   check_tick(model, dt);
   check(settings, model);
@@ -51,4 +51,4 @@ const CsfState& CsfFlow::step_drip(double open, bool stylet) noexcept {
   return state_;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -2,7 +2,7 @@
 
 #include "anatomy/part_settings.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 struct CsfState {
   double height = 0.0;     // mm of fluid in the manometer
@@ -19,7 +19,7 @@ struct CsfState {
 class CsfFlow {
  public:
   // Throws InputError for a setting outside its range. `dt`: s, 1e-6 to 0.1.
-  CsfFlow(const CsfFlowSettings& settings, double dt);
+  CsfFlow(const anatomy::CsfFlowSettings& settings, double dt);
 
   // `open`: part of the opening in fluid, 0 to 1 (clamped; NaN = 0). Nothing flows when 0 or with the stylet in.
   const CsfState& step_manometer(double open, bool stylet) noexcept;
@@ -31,9 +31,9 @@ class CsfFlow {
   double time_constant() const noexcept;                      // tau of the manometer, s
 
  private:
-  CsfFlowSettings settings_;
+  anatomy::CsfFlowSettings settings_;
   double dt_, resistance_;
   CsfState state_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

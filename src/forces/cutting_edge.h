@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // A constant force at the tip of a needle that cuts, without the jumps of a sign function: a stiff spring whose far
 // end W follows the tip once the force is reached, and never comes back. Behind W the channel is cut and free.
@@ -31,4 +31,4 @@ class CuttingEdge {
   double wall_ = 0.0;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

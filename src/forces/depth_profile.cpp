@@ -7,16 +7,17 @@
 #include "forces/device_stability.h"
 #include "forces/model_input.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-DepthProfile::DepthProfile(const TissueLibrary& library, const DepthProfileSettings& settings, double dt)
+DepthProfile::DepthProfile(const anatomy::TissueLibrary& library, const anatomy::DepthProfileSettings& settings,
+                           double dt)
     : settings_(settings),
-      tissues_(library.by_id(&TissueProperties::depth_profile)),
+      tissues_(library.by_id(&anatomy::TissueProperties::depth_profile)),
       dt_(dt),
       filter_(settings.filter, dt),
       punctures_(settings.channel_radius, settings.channel_tilt),
@@ -24,7 +25,7 @@ DepthProfile::DepthProfile(const TissueLibrary& library, const DepthProfileSetti
   constexpr auto model = "depth_profile";
   check_tick(model, dt);
   check(settings, model);
-  check_tissues(library, &TissueProperties::depth_profile, model);
+  check_tissues(library, &anatomy::TissueProperties::depth_profile, model);
 }
 
 void DepthProfile::begin(const Vec3& entry, const Vec3& direction) noexcept {
@@ -39,7 +40,7 @@ void DepthProfile::reset() noexcept {
 
 // A change of tissue counts at once; taking it back needs one voxel of travel, so that labels which flicker at the
 // border of two tissues do not.
-void DepthProfile::settle(double depth, TissueId tissue) noexcept {
+void DepthProfile::settle(double depth, anatomy::TissueId tissue) noexcept {
   if (tissue == settled_) return;
   if (tissue == previous_ && std::abs(depth - changed_at_) < settings_.hysteresis) return;
   previous_ = settled_;
@@ -48,7 +49,7 @@ void DepthProfile::settle(double depth, TissueId tissue) noexcept {
 }
 
 double DepthProfile::filtered_stiffness(double depth) noexcept {
-  const DepthProfileTissue& here = tissues_[settled_];
+  const anatomy::DepthProfileTissue& here = tissues_[settled_];
   const double before = filter_.value();
   const double after = filter_.step(std::clamp(here.stiffness + here.slope * depth, 0.0, 10.0));
   const double fastest = settings_.stiffening * dt_;
@@ -90,8 +91,8 @@ double DepthProfile::skin_force(const AxialMotion& motion, TickEvents& events) n
   const double force = settings_.skin_stiffness * d;
   if (d < settings_.puncture_depth) return force;
   punctured_ = true;
-  events.push({EventKind::puncture, tissue::skin, d, std::min(force, settings_.limit)});
-  const DepthProfileTissue& here = tissues_[settled_];
+  events.push({EventKind::puncture, anatomy::tissue::skin, d, std::min(force, settings_.limit)});
+  const anatomy::DepthProfileTissue& here = tissues_[settled_];
   filter_.reset(std::clamp(here.stiffness + here.slope * d, 0.0, 10.0));
   k_ = filter_.value();
   releasing_ = 0.0;
@@ -99,8 +100,8 @@ double DepthProfile::skin_force(const AxialMotion& motion, TickEvents& events) n
   return soft_force(motion);
 }
 
-void DepthProfile::watch_bone(double depth, TissueId tissue, TickEvents& events) noexcept {
-  const bool bone_here = tissues_[tissue].kind == DepthProfileKind::bone;
+void DepthProfile::watch_bone(double depth, anatomy::TissueId tissue, TickEvents& events) noexcept {
+  const bool bone_here = tissues_[tissue].kind == anatomy::DepthProfileKind::bone;
   if (in_bone_ && depth < bone_) {
     in_bone_ = false;
     events.push({EventKind::bone_left, tissue, depth, 0.0});
@@ -113,7 +114,7 @@ void DepthProfile::watch_bone(double depth, TissueId tissue, TickEvents& events)
   }
 }
 
-double DepthProfile::step(const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept {
+double DepthProfile::step(const AxialMotion& motion, anatomy::TissueId tissue, TickEvents& events) noexcept {
   const double d = motion.depth;
   if (!usable(motion)) {
     events.push({EventKind::fault, tissue, reference_, 0.0});
@@ -133,43 +134,43 @@ double DepthProfile::step(const AxialMotion& motion, TissueId tissue, TickEvents
     settled_ = previous_ = tissue;
     changed_at_ = reference_ = 0.0;
     releasing_ = 0.0;
-    const DepthProfileTissue& here = tissues_[tissue];
+    const anatomy::DepthProfileTissue& here = tissues_[tissue];
     filter_.reset(here.stiffness);
     k_ = here.stiffness;
   }
   punctures_.deepen(d);
   watch_bone(d, tissue, events);
 
-  const TissueId before = settled_;
-  if (tissues_[tissue].kind != DepthProfileKind::bone) settle(d, tissue);
-  const DepthProfileKind kind = tissues_[settled_].kind;
-  if (settled_ != before && kind == DepthProfileKind::organ) {
+  const anatomy::TissueId before = settled_;
+  if (tissues_[tissue].kind != anatomy::DepthProfileKind::bone) settle(d, tissue);
+  const anatomy::DepthProfileKind kind = tissues_[settled_].kind;
+  if (settled_ != before && kind == anatomy::DepthProfileKind::organ) {
     events.push({EventKind::tissue_entered, settled_, d, 0.0});
   }
 
   double force = 0.0;
   if (!punctured_) {
     force = skin_force(motion, events);
-  } else if (kind == DepthProfileKind::nothing || kind == DepthProfileKind::organ) {
+  } else if (kind == anatomy::DepthProfileKind::nothing || kind == anatomy::DepthProfileKind::organ) {
     reference_ = d;
     releasing_ = 0.0;
     filter_.reset(0.0);
     k_ = 0.0;
   } else {
-    if (!in_bone_ && kind == DepthProfileKind::soft) change_stiffness(d, filtered_stiffness(d));
+    if (!in_bone_ && kind == anatomy::DepthProfileKind::soft) change_stiffness(d, filtered_stiffness(d));
     force = soft_force(motion);
   }
   if (in_bone_) force = std::max(force, settings_.bone_stiffness * (d - bone_));
   return std::clamp(force, 0.0, settings_.limit);
 }
 
-DepthProfile::DepthProfile(const Case& patient, const DepthProfileSettings& settings, double dt)
+DepthProfile::DepthProfile(const anatomy::Case& patient, const anatomy::DepthProfileSettings& settings, double dt)
     : DepthProfile(patient.library, settings, dt) {
-  const DeviceLimits& device = patient.description.device;
+  const anatomy::DeviceLimits& device = patient.description.device;
   require_stable("depth_profile", "skin stiffness", settings.skin_stiffness, device);
   require_stable("depth_profile", "bone stiffness", settings.bone_stiffness, device);
   firm_stiffness_ = std::max(settings.bone_stiffness, settings.skin_stiffness);
-  for (const TissueProperties& tissue : patient.library.tissues()) {
+  for (const anatomy::TissueProperties& tissue : patient.library.tissues()) {
     require_stable("depth_profile", "the spring of " + tissue.title, tissue.depth_profile.stiffness, device);
     firm_stiffness_ = std::max(firm_stiffness_, tissue.depth_profile.stiffness);
   }
@@ -180,4 +181,4 @@ ResistanceForce DepthProfile::step(const NeedleInTissue& needle, TickEvents& eve
   return {.along = force, .in_contact = needle.motion.depth > 0.0};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -11,7 +11,7 @@
 #include "forces/events.h"
 #include "forces/resistance_model.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // The spring without damping of the KAIST spine biopsy simulator (Kwon, Kyung, Kwon, Ra, Park, Kang, Zeng, Cleary
 // 2001, section 3.1, Fig. 7), reconstructed: the flow chart is lost, this is consistent with all that the text says
@@ -28,22 +28,22 @@ namespace bodkin {
 // the stored energy k (d - Xr)^2 / 2 never grows by itself, so the model is passive.
 class DepthProfile : public ResistanceDefaults {
  public:
-  using Settings = DepthProfileSettings;
+  using Settings = anatomy::DepthProfileSettings;
   static constexpr ResistanceTraits traits = {
       .name = "depth_profile",
       .diagnostics = {{{"reference_mm", "depth Xr where the spring is slack"}}},
   };
 
   // Throws InputError for a setting outside its range. `dt`: s, 1e-6 to 0.1.
-  DepthProfile(const TissueLibrary& library, const DepthProfileSettings& settings, double dt);
+  DepthProfile(const anatomy::TissueLibrary& library, const anatomy::DepthProfileSettings& settings, double dt);
   // Of a patient: also refuses what the device cannot render stably.
-  DepthProfile(const Case& patient, const DepthProfileSettings& settings, double dt);
+  DepthProfile(const anatomy::Case& patient, const anatomy::DepthProfileSettings& settings, double dt);
 
   // The needle meets the skin at `entry` along the unit `direction`; a puncture that it knows is gone through freely.
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   // R in N, 0 to `limit`. Events: contact, puncture (value = force), bone_contact, bone_left, tissue_entered
   // (an organ, once per entry), withdrawn, fault (unusable motion: R = 0, state unchanged).
-  double step(const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept;
+  double step(const AxialMotion& motion, anatomy::TissueId tissue, TickEvents& events) noexcept;
   ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
   // Forgets everything, the punctures too.
   void reset() noexcept;
@@ -52,29 +52,29 @@ class DepthProfile : public ResistanceDefaults {
   ModelDiagnostics diagnostics() const noexcept { return {reference_}; }
 
  private:
-  void settle(double depth, TissueId tissue) noexcept;
+  void settle(double depth, anatomy::TissueId tissue) noexcept;
   double filtered_stiffness(double depth) noexcept;
   void change_stiffness(double depth, double k) noexcept;
   double soft_force(const AxialMotion& motion) noexcept;
   double skin_force(const AxialMotion& motion, TickEvents& events) noexcept;
-  void watch_bone(double depth, TissueId tissue, TickEvents& events) noexcept;
+  void watch_bone(double depth, anatomy::TissueId tissue, TickEvents& events) noexcept;
 
-  DepthProfileSettings settings_;
-  std::array<DepthProfileTissue, 256> tissues_;  // 256, by TissueId
+  anatomy::DepthProfileSettings settings_;
+  std::array<anatomy::DepthProfileTissue, 256> tissues_;  // 256, by TissueId
   double dt_;
   OnePole filter_;
   ChannelMemory punctures_;
   bool inside_ = false, punctured_ = false, in_bone_ = false;
-  TissueId settled_ = tissue::air;   // the tip's tissue after hysteresis
-  TissueId previous_ = tissue::air;  // the one before
-  double changed_at_ = 0.0;          // depth of the last change, mm
-  double bone_;                      // Xb, mm; infinity while no bone is known
-  double reference_ = 0.0;           // Xr, mm
-  double k_ = 0.0;                   // stiffness that Xr refers to, N/mm
-  double releasing_ = 0.0;           // ticks of withdrawal so far
-  double firm_stiffness_ = 0.0;      // N/mm, of skin, bone and the stiffest tissue
+  anatomy::TissueId settled_ = anatomy::tissue::air;   // the tip's tissue after hysteresis
+  anatomy::TissueId previous_ = anatomy::tissue::air;  // the one before
+  double changed_at_ = 0.0;                            // depth of the last change, mm
+  double bone_;                                        // Xb, mm; infinity while no bone is known
+  double reference_ = 0.0;                             // Xr, mm
+  double k_ = 0.0;                                     // stiffness that Xr refers to, N/mm
+  double releasing_ = 0.0;                             // ticks of withdrawal so far
+  double firm_stiffness_ = 0.0;                        // N/mm, of skin, bone and the stiffest tissue
 };
 
 static_assert(ResistanceModel<DepthProfile>);
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -5,9 +5,10 @@
 #include "core/error.h"
 #include "core/sampled_stability.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
-void require_stable(const std::string& model, const std::string& what, double stiffness, const DeviceLimits& device) {
+void require_stable(const std::string& model, const std::string& what, double stiffness,
+                    const anatomy::DeviceLimits& device) {
   if (stiffness <= device.stiffness) return;
   std::ostringstream text;
   text << model << ": " << what << " is " << stiffness << " N/mm, but the device (" << device.profile
@@ -16,8 +17,8 @@ void require_stable(const std::string& model, const std::string& what, double st
   throw InputError(text.str());
 }
 
-void require_stable_damping(const std::string& model, double stiffness, double damping, const DeviceLimits& device,
-                            double dt) {
+void require_stable_damping(const std::string& model, double stiffness, double damping,
+                            const anatomy::DeviceLimits& device, double dt) {
   const double allowed = damping_allowed(stiffness, device.stiffness, dt);
   if (damping <= allowed * (1.0 + 1e-9)) return;
   std::ostringstream text;
@@ -27,4 +28,4 @@ void require_stable_damping(const std::string& model, double stiffness, double d
   throw InputError(text.str());
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // A number that a force model publishes every tick in addition to its force: the wall of a tracking wall, the energy
 // stored in a membrane. It is recorded, exported and plotted under its name; nothing in the tick depends on it.
@@ -30,4 +30,4 @@ constexpr std::size_t count_of(std::span<const DiagnosticName> names) noexcept {
   return count;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

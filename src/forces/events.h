@@ -6,7 +6,7 @@
 
 #include "anatomy/tissue.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // What can happen to a needle, as the force models notice it.
 enum class EventKind : std::uint8_t {
@@ -30,7 +30,7 @@ enum class EventKind : std::uint8_t {
 
 struct Event {
   EventKind kind = EventKind::contact;
-  TissueId tissue = tissue::air;
+  anatomy::TissueId tissue = anatomy::tissue::air;
   double depth = 0.0;  // mm along the insertion line
   double value = 0.0;  // see EventKind
 };
@@ -62,4 +62,4 @@ class TickEvents {
   std::size_t lost_ = 0;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

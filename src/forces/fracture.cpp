@@ -5,9 +5,9 @@
 #include "forces/device_stability.h"
 #include "forces/model_input.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
-Fracture::Fracture(const FractureSettings& settings)
+Fracture::Fracture(const anatomy::FractureSettings& settings)
     : settings_(settings),
       membrane_(VoigtSum::cubic, settings.stiffness, 0.0, settings.spacing),
       edge_(cutting_force(settings.cutting_toughness, settings.width), settings.cutting_stiffness) {
@@ -35,7 +35,7 @@ double Fracture::stiffness_at_rupture() const noexcept {
   return membrane_.tangent(high);
 }
 
-double Fracture::step(const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept {
+double Fracture::step(const AxialMotion& motion, anatomy::TissueId tissue, TickEvents& events) noexcept {
   const double x = motion.depth;
   stored_ = 0.0;
   if (!usable(motion)) {
@@ -69,8 +69,9 @@ double Fracture::step(const AxialMotion& motion, TissueId tissue, TickEvents& ev
   return std::min(force, settings_.limit);
 }
 
-Fracture::Fracture(const Case& patient, const FractureSettings& settings, double) : Fracture(settings) {
-  const DeviceLimits& device = patient.description.device;
+Fracture::Fracture(const anatomy::Case& patient, const anatomy::FractureSettings& settings, double)
+    : Fracture(settings) {
+  const anatomy::DeviceLimits& device = patient.description.device;
   require_stable("fracture", "cutting stiffness", settings.cutting_stiffness, device);
   require_stable("fracture", "the stiffness at which the membrane tears", stiffness_at_rupture(), device);
 }
@@ -80,4 +81,4 @@ ResistanceForce Fracture::step(const NeedleInTissue& needle, TickEvents& events)
   return {.along = force, .in_contact = needle.motion.depth > 0.0};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

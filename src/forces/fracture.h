@@ -9,7 +9,7 @@
 #include "forces/resistance_model.h"
 #include "forces/voigt_law.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // F_cut = J w, N: steady cutting of a crack of width w (mm) in tissue of toughness J (N/mm = 1000 J/m^2).
 constexpr double cutting_force(double toughness, double width) noexcept {
@@ -38,20 +38,20 @@ constexpr double rupture_force(double base, double rate, double slowest, double 
 // No velocity is needed; the needle's toughness and width decide. Passive.
 class Fracture : public ResistanceDefaults {
  public:
-  using Settings = FractureSettings;
+  using Settings = anatomy::FractureSettings;
   static constexpr ResistanceTraits traits = {
       .name = "fracture",
       .diagnostics = {{{"stored_N_mm", "energy stored in the membrane"}, {"wall_mm", "depth W to which it is cut"}}},
   };
 
   // Throws InputError for a setting outside its range.
-  explicit Fracture(const FractureSettings& settings);
+  explicit Fracture(const anatomy::FractureSettings& settings);
   // Of a patient: also refuses what the device cannot render stably.
-  Fracture(const Case& patient, const FractureSettings& settings, double dt);
+  Fracture(const anatomy::Case& patient, const anatomy::FractureSettings& settings, double dt);
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   // R in N, 0 to `limit`. Events: contact, puncture (value = force), withdrawn, fault.
-  double step(const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept;
+  double step(const AxialMotion& motion, anatomy::TissueId tissue, TickEvents& events) noexcept;
   ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
   void reset() noexcept;
   // N/mm, the membrane's tangent where it tears.
@@ -60,7 +60,7 @@ class Fracture : public ResistanceDefaults {
   ModelDiagnostics diagnostics() const noexcept { return {stored_, torn_ ? edge_.wall() : 0.0}; }
 
  private:
-  FractureSettings settings_;
+  anatomy::FractureSettings settings_;
   VoigtLaw membrane_;
   ChannelMemory channels_;  // depths of torn channels
   CuttingEdge edge_;
@@ -70,4 +70,4 @@ class Fracture : public ResistanceDefaults {
 
 static_assert(ResistanceModel<Fracture>);
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

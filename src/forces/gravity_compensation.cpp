@@ -8,13 +8,13 @@
 #include "core/error.h"
 #include "forces/model_input.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
-GravitySettings fit_gravity(std::span<const GravitySample> samples, const Vec3& up) {
+anatomy::GravitySettings fit_gravity(std::span<const GravitySample> samples, const Vec3& up) {
   if (samples.empty()) {
     throw InputError("gravity_compensation: there is no sample to fit; hold the device still at four places or more");
   }
-  GravitySettings settings;
+  anatomy::GravitySettings settings;
   settings.up = up;
   double sum = 0.0;
   for (const GravitySample& sample : samples) {
@@ -39,7 +39,7 @@ GravitySettings fit_gravity(std::span<const GravitySample> samples, const Vec3& 
   return settings;
 }
 
-GravityCompensation::GravityCompensation(const GravitySettings& settings) : settings_(settings) {
+GravityCompensation::GravityCompensation(const anatomy::GravitySettings& settings) : settings_(settings) {
   constexpr auto model = "gravity_compensation";
   check_range(model, "length of the upward direction", settings.up.norm(), {0.999, 1.001}, "");
   check(settings, model);
@@ -51,4 +51,4 @@ Vec3 GravityCompensation::step(const Vec3& position) const noexcept {
   return settings_.up * std::clamp(weight, 0.0, settings_.limit);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

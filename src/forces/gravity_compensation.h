@@ -5,7 +5,7 @@
 #include "anatomy/force_settings.h"
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // A force that was found to hold the device still at a position.
 struct GravitySample {
@@ -15,7 +15,7 @@ struct GravitySample {
 
 // The settings whose affine weight fits the samples best (least squares); one to three samples give a constant.
 // Throws InputError when the list is empty or a sample is not finite.
-GravitySettings fit_gravity(std::span<const GravitySample> samples, const Vec3& up);
+anatomy::GravitySettings fit_gravity(std::span<const GravitySample> samples, const Vec3& up);
 
 // Holds the device's own weight, also in air (Heng et al. 2004, eq. 8 and section 6.1):
 //
@@ -27,13 +27,13 @@ GravitySettings fit_gravity(std::span<const GravitySample> samples, const Vec3& 
 class GravityCompensation {
  public:
   // Throws InputError for a setting outside its range.
-  explicit GravityCompensation(const GravitySettings& settings);
+  explicit GravityCompensation(const anatomy::GravitySettings& settings);
 
   // Force on the device at `position`, N. Zero for a position that is not finite.
   Vec3 step(const Vec3& position) const noexcept;
 
  private:
-  GravitySettings settings_;
+  anatomy::GravitySettings settings_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

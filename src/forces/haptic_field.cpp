@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "forces/model_input.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 namespace {
 
 // Convolves the lines of `values` along one axis with `kernel` (odd length); the border value continues outwards.
@@ -35,37 +35,37 @@ void convolve(std::vector<float>& values, const std::array<int, 3>& size, int ax
 
 }  // namespace
 
-HapticField::HapticField(const CtVolume& ct, const TissueVolume& tissues, const TissueLibrary& library,
-                         const HapticFieldSettings& settings)
+HapticField::HapticField(const anatomy::CtVolume& ct, const anatomy::TissueVolume& tissues,
+                         const anatomy::TissueLibrary& library, const anatomy::HapticFieldSettings& settings)
     : tissues_(&tissues) {
   constexpr auto model = "volume_proxy";
-  const auto value_of = library.by_id(&TissueProperties::volume_proxy);
-  check_tissues(library, &TissueProperties::volume_proxy, model);
+  const auto value_of = library.by_id(&anatomy::TissueProperties::volume_proxy);
+  check_tissues(library, &anatomy::TissueProperties::volume_proxy, model);
   check(settings, model);
   if (ct.empty() || tissues.empty()) {
     throw InputError("volume_proxy: the case has no CT or no tissues; this model needs both");
   }
-  const Grid& grid = tissues.grid;
+  const anatomy::Grid& grid = tissues.grid;
   to_index_ = grid.spacing.cwiseInverse().asDiagonal() * grid.direction.transpose();
   to_patient_gradient_ = grid.direction * grid.spacing.cwiseInverse().asDiagonal();
 
   values_.resize(grid.voxel_count());
   std::transform(tissues.voxels.begin(), tissues.voxels.end(), values_.begin(),
-                 [&](TissueId id) { return static_cast<float>(value_of[id].field_value); });
+                 [&](anatomy::TissueId id) { return static_cast<float>(value_of[id].field_value); });
   if (settings.smoothing > 0.0) smooth(settings.smoothing);
 
   const double low = settings.lowest_hounsfield, scale = settings.ct_range / (settings.highest_hounsfield - low);
   const auto add = [&](std::size_t voxel, double hounsfield) {
     values_[voxel] += static_cast<float>((std::clamp(hounsfield, low, settings.highest_hounsfield) - low) * scale);
   };
-  if (same_lattice(ct.grid, grid)) {
+  if (anatomy::same_lattice(ct.grid, grid)) {
     for (std::size_t voxel = 0; voxel < values_.size(); ++voxel) add(voxel, ct.voxels[voxel]);
     return;
   }
   for (int k = 0; k < grid.size[2]; ++k) {
     for (int j = 0; j < grid.size[1]; ++j) {
       for (int i = 0; i < grid.size[0]; ++i) {
-        add(grid.offset(i, j, k), linear(ct, grid.to_patient(Vec3(i, j, k)), low));
+        add(grid.offset(i, j, k), anatomy::linear(ct, grid.to_patient(Vec3(i, j, k)), low));
       }
     }
   }
@@ -84,7 +84,7 @@ void HapticField::smooth(double sigma) {
 }
 
 FieldSample HapticField::sample(const Vec3& point) const noexcept {
-  const Grid& grid = tissues_->grid;
+  const anatomy::Grid& grid = tissues_->grid;
   const Vec3 index = to_index_ * (point - grid.origin);
   // Four neighbours along each axis, with the weights of the value (the inner two) and of the slope (central
   // differences at the inner two, interpolated between them).
@@ -130,4 +130,4 @@ FieldSample HapticField::sample(const Vec3& point) const noexcept {
   return {value, to_patient_gradient_ * Vec3(slope_i, slope_j, slope_k), true};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

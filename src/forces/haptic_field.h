@@ -7,7 +7,7 @@
 #include "anatomy/tissue.h"
 #include "anatomy/volume.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // The field and its slope at a point.
 struct FieldSample {
@@ -23,21 +23,23 @@ class HapticField {
  public:
   // Throws InputError for settings out of range or an empty volume. Takes 4 bytes a voxel and a second or two for a
   // large patient. `tissues` must outlive the field.
-  HapticField(const CtVolume& ct, const TissueVolume& tissues, const TissueLibrary& library,
-              const HapticFieldSettings& settings);
+  HapticField(const anatomy::CtVolume& ct, const anatomy::TissueVolume& tissues,
+              const anatomy::TissueLibrary& library, const anatomy::HapticFieldSettings& settings);
 
   // Never throws; NaN is outside.
   FieldSample sample(const Vec3& point) const noexcept;
   // Air outside.
-  TissueId tissue(const Vec3& point) const noexcept { return nearest(*tissues_, point, tissue::air); }
+  anatomy::TissueId tissue(const Vec3& point) const noexcept {
+    return anatomy::nearest(*tissues_, point, anatomy::tissue::air);
+  }
 
  private:
   void smooth(double sigma);
 
-  const TissueVolume* tissues_;
+  const anatomy::TissueVolume* tissues_;
   Mat3 to_index_;              // LPS mm from the origin -> continuous index
   Mat3 to_patient_gradient_;   // per voxel -> per mm, LPS
   std::vector<float> values_;  // V, grid.voxel_count(), i fastest
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

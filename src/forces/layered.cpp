@@ -8,7 +8,7 @@
 #include "core/random.h"
 #include "forces/model_input.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 namespace {
 
@@ -24,23 +24,23 @@ constexpr std::uint64_t rough_seed = 0x6e65656c65;
 
 }  // namespace
 
-Layered::Layered(const TissueLibrary& library, const LayeredSettings& settings, double device_stiffness, double dt,
-                 double longest)
+Layered::Layered(const anatomy::TissueLibrary& library, const anatomy::LayeredSettings& settings,
+                 double device_stiffness, double dt, double longest)
     : layer_(settings.layer),
       dt_(dt),
       device_stiffness_(device_stiffness),
       strict_(settings.strict),
       sliver_layers_(std::max(0, static_cast<int>(std::ceil(sliver / settings.layer - 1e-9)) - 1)) {
-  const VoigtSum sum = settings.law == LayeredLaw::cubic ? VoigtSum::cubic : VoigtSum::piecewise;
+  const VoigtSum sum = settings.law == anatomy::LayeredLaw::cubic ? VoigtSum::cubic : VoigtSum::piecewise;
   check(settings, "layered");
-  check_tissues(library, &TissueProperties::layered, "layered");
-  for (const TissueProperties& tissue : library.tissues()) {
-    const LayeredTissue& p = tissue.layered;
+  check_tissues(library, &anatomy::TissueProperties::layered, "layered");
+  for (const anatomy::TissueProperties& tissue : library.tissues()) {
+    const anatomy::LayeredTissue& p = tissue.layered;
     Law& law = laws_[tissue.id];
     law.kind = p.kind;
     law.drag = p.drag;
     law.contact_stiffness = std::min(p.contact_stiffness, device_stiffness);
-    if (p.kind != LayeredKind::viscoelastic) continue;
+    if (p.kind != anatomy::LayeredKind::viscoelastic) continue;
     law.push = VoigtLaw(sum, p.stiffness, p.viscosity, p.element_spacing);
     // The law is stiffest where it breaks. A tissue too stiff for the device gives way over a longer distance, at the
     // same forces.
@@ -74,17 +74,17 @@ void Layered::begin() noexcept {
 // Makes blocks of the layers that the tip has reached. A run thinner than 1 mm (the voxel of the paper) with the same
 // tissue on both sides is noise of the labels, not an organ to be punctured; bone is never taken for noise. Nothing
 // behind bone is reached.
-void Layered::reveal(int tip_layer, std::span<const TissueId> layers) noexcept {
+void Layered::reveal(int tip_layer, std::span<const anatomy::TissueId> layers) noexcept {
   const int end = static_cast<int>(layers.size());
   while (revealed_ < tip_layer && revealed_ + 1 < end && bone_near_ == std::numeric_limits<double>::infinity()) {
     const int next = revealed_ + 1;
-    const TissueId tissue = layers[static_cast<std::size_t>(next)];
+    const anatomy::TissueId tissue = layers[static_cast<std::size_t>(next)];
     if (known_ > 0) {
       Block& current = blocks_[known_ - 1];
       int resumes = next;  // the layer at which the current tissue continues
       while (resumes < end && resumes - next <= sliver_layers_ &&
              layers[static_cast<std::size_t>(resumes)] != current.tissue &&
-             laws_[layers[static_cast<std::size_t>(resumes)]].kind != LayeredKind::rigid) {
+             laws_[layers[static_cast<std::size_t>(resumes)]].kind != anatomy::LayeredKind::rigid) {
         ++resumes;
       }
       if (resumes < end && resumes - next <= sliver_layers_ &&
@@ -97,7 +97,7 @@ void Layered::reveal(int tip_layer, std::span<const TissueId> layers) noexcept {
     blocks_[known_] = Block{.tissue = tissue, .first = next, .last = next, .near = next * layer_};
     ++known_;
     revealed_ = next;
-    if (laws_[tissue].kind == LayeredKind::rigid) bone_near_ = next * layer_;
+    if (laws_[tissue].kind == anatomy::LayeredKind::rigid) bone_near_ = next * layer_;
   }
 }
 
@@ -210,7 +210,7 @@ void Layered::report_bone(double depth, bool in_bone, TickEvents& events) noexce
   }
 }
 
-LayeredForce Layered::step(const AxialMotion& motion, std::span<const TissueId> layers, TickEvents& events,
+LayeredForce Layered::step(const AxialMotion& motion, std::span<const anatomy::TissueId> layers, TickEvents& events,
                            double grip) noexcept {
   grip_ = grip;
   const double advance = motion.depth - last_depth_;
@@ -227,7 +227,7 @@ LayeredForce Layered::step(const AxialMotion& motion, std::span<const TissueId> 
   for (std::size_t index = 0; index < known_; ++index) {
     Block& block = blocks_[index];
     const Law& law = laws_[block.tissue];
-    if (law.kind == LayeredKind::viscoelastic) {
+    if (law.kind == anatomy::LayeredKind::viscoelastic) {
       if (block.mode == Mode::untouched && tip_layer >= block.first) touch(block);
       if (block.mode == Mode::pressed) {
         press(block, law, motion, sums, events);
@@ -236,10 +236,10 @@ LayeredForce Layered::step(const AxialMotion& motion, std::span<const TissueId> 
       } else if (block.mode == Mode::sliding) {
         slide(block, law, motion, sums);
       }
-    } else if (law.kind == LayeredKind::viscous) {
+    } else if (law.kind == anatomy::LayeredKind::viscous) {
       const double reach = std::min(motion.depth, sums.first_pressed);
       viscous_length_drag += law.drag * std::clamp(reach - block.near, 0.0, length(block));  // eq. 13
-    } else if (law.kind == LayeredKind::rigid && in_bone) {
+    } else if (law.kind == anatomy::LayeredKind::rigid && in_bone) {
       sums.resistance += law.contact_stiffness * (motion.depth - block.near);
       sums.firm_stiffness += law.contact_stiffness;
     }
@@ -261,7 +261,8 @@ LayeredForce Layered::step(const AxialMotion& motion, std::span<const TissueId> 
           .in_bone = in_bone};
 }
 
-LayeredResistance::LayeredResistance(const Case& patient, const LayeredSettings& settings, double dt)
+LayeredResistance::LayeredResistance(const anatomy::Case& patient, const anatomy::LayeredSettings& settings,
+                                     double dt)
     : model_(patient.library, settings, patient.description.device.stiffness, dt, longest_path),
       path_(settings.layer, longest_path),
       volume_(&patient.tissues) {}
@@ -277,4 +278,4 @@ ResistanceForce LayeredResistance::step(const NeedleInTissue& needle, TickEvents
   return {.along = found_.resistance, .stiffness = found_.stiffness, .in_contact = found_.in_contact};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -14,7 +14,7 @@
 #include "forces/tissue_path.h"
 #include "forces/voigt_law.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // What `layered` found in one tick.
 struct LayeredForce {
@@ -42,15 +42,15 @@ class Layered {
  public:
   // Throws InputError naming tissue and value when a parameter is outside its range. `device_stiffness`: N/mm > 0,
   // what the device renders stably. `longest`: mm, the deepest depth that will be asked for.
-  Layered(const TissueLibrary& library, const LayeredSettings& settings, double device_stiffness, double dt,
-          double longest);
+  Layered(const anatomy::TissueLibrary& library, const anatomy::LayeredSettings& settings, double device_stiffness,
+          double dt, double longest);
 
   // A new line: nothing touched, nothing punctured.
   void begin() noexcept;
   // One tick. `layers`: tissues along the line in steps of settings.layer, known at least as far as the tip plus
   // look_ahead(). Events are appended. `grip`: factor on the friction of the shaft, 0.1 to 10
   // (forces/needle_grasp.h).
-  LayeredForce step(const AxialMotion& motion, std::span<const TissueId> layers, TickEvents& events,
+  LayeredForce step(const AxialMotion& motion, std::span<const anatomy::TissueId> layers, TickEvents& events,
                     double grip = 1.0) noexcept;
 
   // mm beyond the tip that must be known to distinguish a sliver from a tissue.
@@ -62,7 +62,7 @@ class Layered {
   enum class Mode : std::uint8_t { untouched, pressed, held, sliding };
 
   struct Law {
-    LayeredKind kind = LayeredKind::none;
+    anatomy::LayeredKind kind = anatomy::LayeredKind::none;
     bool rough = false;
     VoigtLaw push, grip;
     double break_force = 0.0, break_force_rate = 0.0;
@@ -74,7 +74,7 @@ class Layered {
   };
 
   struct Block {
-    TissueId tissue = tissue::air;
+    anatomy::TissueId tissue = anatomy::tissue::air;
     Mode mode = Mode::untouched;
     std::int8_t slide = 0;    // sense of sliding, -1 or +1
     int first = 0, last = 0;  // layers, as far as known
@@ -94,7 +94,7 @@ class Layered {
     bool gripped = false;
   };
 
-  void reveal(int tip_layer, std::span<const TissueId> layers) noexcept;
+  void reveal(int tip_layer, std::span<const anatomy::TissueId> layers) noexcept;
   void touch(Block& block) const noexcept;
   void press(Block& block, const Law& law, const AxialMotion& motion, Sums& sums, TickEvents& events) noexcept;
   void hold(Block& block, const Law& law, const AxialMotion& motion, double advance, Sums& sums) noexcept;
@@ -127,7 +127,7 @@ class Layered {
 // `layered` in the tissues of a patient along the frozen line.
 class LayeredResistance : public ResistanceDefaults {
  public:
-  using Settings = LayeredSettings;
+  using Settings = anatomy::LayeredSettings;
   static constexpr ResistanceTraits traits = {
       .name = "layered",
       .has_shaft_friction = true,
@@ -135,7 +135,7 @@ class LayeredResistance : public ResistanceDefaults {
       .diagnostics = {{{"tip_N", "force at the tip"}, {"shaft_N", "friction of the shaft"}}},
   };
 
-  LayeredResistance(const Case& patient, const LayeredSettings& settings, double dt);
+  LayeredResistance(const anatomy::Case& patient, const anatomy::LayeredSettings& settings, double dt);
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
@@ -147,10 +147,10 @@ class LayeredResistance : public ResistanceDefaults {
  private:
   Layered model_;
   TissuePath path_;
-  const TissueVolume* volume_;
+  const anatomy::TissueVolume* volume_;
   LayeredForce found_;  // in the last tick
 };
 
 static_assert(ResistanceModel<LayeredResistance>);
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

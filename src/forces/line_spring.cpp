@@ -7,9 +7,9 @@
 #include "core/error.h"
 #include "core/sampled_stability.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
-LineSpring::LineSpring(const LineSpringSettings& settings, double device_stiffness, double dt)
+LineSpring::LineSpring(const anatomy::LineSpringSettings& settings, double device_stiffness, double dt)
     : stiffness_(std::min(settings.stiffness, device_stiffness)),
       damping_(std::min(settings.damping, damping_allowed(stiffness_, device_stiffness, dt))),
       limit_(settings.limit),
@@ -35,4 +35,4 @@ Vec3 LineSpring::step(const Vec3& tip) noexcept {
   return size > limit_ ? Vec3(force * (limit_ / size)) : force;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

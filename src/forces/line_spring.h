@@ -5,7 +5,7 @@
 #include "core/one_pole.h"
 #include "forces/constraint_model.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // The constraint that keeps a needle on the line on which it touched the body (Heng et al. 2004, eq. 9):
 //
@@ -17,12 +17,12 @@ namespace bodkin {
 // (core/sampled_stability.h).
 class LineSpring {
  public:
-  using Settings = LineSpringSettings;
+  using Settings = anatomy::LineSpringSettings;
   static constexpr ConstraintTraits traits = {.name = "line_spring"};
 
   // Throws InputError for values outside the ranges of LineSpringSettings. `device_stiffness`: N/mm, > 0.
-  LineSpring(const LineSpringSettings& settings, double device_stiffness, double dt);
-  LineSpring(const Case& patient, const LineSpringSettings& settings, double dt)
+  LineSpring(const anatomy::LineSpringSettings& settings, double device_stiffness, double dt);
+  LineSpring(const anatomy::Case& patient, const anatomy::LineSpringSettings& settings, double dt)
       : LineSpring(settings, patient.description.device.stiffness, dt) {}
 
   // Freezes the line through `entry` along the unit vector `direction`.
@@ -46,4 +46,4 @@ class LineSpring {
 
 static_assert(ConstraintModel<LineSpring>);
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -8,14 +8,15 @@
 #include "core/axial_motion.h"
 #include "core/settings_check.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // What every force model does with its settings and its input before it trusts them.
 
 // Throws InputError naming model, tissue and parameter unless the property of every tissue is in order.
 template <typename Property>
-void check_tissues(const TissueLibrary& library, Property TissueProperties::*property, std::string_view model) {
-  for (const TissueProperties& tissue : library.tissues())
+void check_tissues(const anatomy::TissueLibrary& library, Property anatomy::TissueProperties::*property,
+                   std::string_view model) {
+  for (const anatomy::TissueProperties& tissue : library.tissues())
     check(tissue.*property, std::string(model) + ", tissue '" + tissue.name + "'");
 }
 
@@ -29,4 +30,4 @@ inline bool usable(const AxialMotion& motion) noexcept {
   return std::abs(motion.depth) <= farthest_depth && std::abs(motion.velocity) <= fastest_motion;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

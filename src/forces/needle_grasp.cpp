@@ -6,9 +6,9 @@
 
 #include "forces/model_input.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
-NeedleGrasp::NeedleGrasp(const NeedleGraspSettings& settings) : settings_(settings) {
+NeedleGrasp::NeedleGrasp(const anatomy::NeedleGraspSettings& settings) : settings_(settings) {
   check(settings, "needle_grasp");
 }
 
@@ -36,4 +36,4 @@ void NeedleGrasp::reset() noexcept {
   last_ = net_ = total_ = 0.0;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

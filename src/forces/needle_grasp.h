@@ -2,7 +2,7 @@
 
 #include "anatomy/force_settings.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // Acupuncture's needle grasp: turning the needle winds tissue round it, and it holds more firmly (Langevin et al.
 // 2001).
@@ -15,7 +15,7 @@ namespace bodkin {
 class NeedleGrasp {
  public:
   // Throws InputError for a setting outside its range.
-  explicit NeedleGrasp(const NeedleGraspSettings& settings);
+  explicit NeedleGrasp(const anatomy::NeedleGraspSettings& settings);
 
   // `roll`: of the shaft, rad, any multiple of a turn left out or not; steps of less than half a turn are followed.
   // Not finite: as if unchanged. Returns the factor.
@@ -27,7 +27,7 @@ class NeedleGrasp {
  private:
   double factor() const noexcept;
 
-  NeedleGraspSettings settings_;
+  anatomy::NeedleGraspSettings settings_;
   bool started_ = false;
   double last_ = 0.0;   // rad
   double net_ = 0.0;    // turns
@@ -39,4 +39,4 @@ constexpr double twisting_torque(double diameter, double friction, double length
   return 0.5 * diameter * friction * length;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

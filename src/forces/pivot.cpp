@@ -5,9 +5,9 @@
 
 #include "forces/model_input.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
-Pivot::Pivot(const PivotSettings& settings, double length) : settings_(settings), length_(length) {
+Pivot::Pivot(const anatomy::PivotSettings& settings, double length) : settings_(settings), length_(length) {
   constexpr auto model = "pivot";
   check(settings, model);
   check_range(model, "needle length", length, {10.0, 500.0}, "mm");
@@ -31,4 +31,4 @@ Vec3 Pivot::step(const Vec3& tip, const Vec3& axis) const noexcept {
   return across * (-std::min(correction * inside / outside, settings_.limit) / size);  // eq. 2, direction reversed
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -4,7 +4,7 @@
 #include "core/geometry.h"
 #include "forces/constraint_model.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // The constraint of a device that can only push, not turn: the puncture O is a pivot, the tissue holds the tip, and
 // the device renders at the gimbal (the hub) the force that balances the tip's about O (Kwon et al. 2001, eq. 2,
@@ -19,12 +19,12 @@ namespace bodkin {
 // (docs/models/pivot.md).
 class Pivot {
  public:
-  using Settings = PivotSettings;
+  using Settings = anatomy::PivotSettings;
   static constexpr ConstraintTraits traits = {.name = "pivot"};
 
   // Throws InputError for a setting outside its range. `length`: mm, hub to tip, 10 to 500.
-  Pivot(const PivotSettings& settings, double length);
-  Pivot(const Case& patient, const PivotSettings& settings, double)
+  Pivot(const anatomy::PivotSettings& settings, double length);
+  Pivot(const anatomy::Case& patient, const anatomy::PivotSettings& settings, double)
       : Pivot(settings, patient.description.needle.length) {}
 
   // Freezes the pivot at `entry` and the direction (unit).
@@ -36,7 +36,7 @@ class Pivot {
   Wrench step(const HeldNeedle& needle) const noexcept { return from_hub(step(needle.tip, needle.axis), needle); }
 
  private:
-  PivotSettings settings_;
+  anatomy::PivotSettings settings_;
   double length_;
   Vec3 entry_ = Vec3::Zero();
   Vec3 direction_ = Vec3::UnitZ();
@@ -44,4 +44,4 @@ class Pivot {
 
 static_assert(ConstraintModel<Pivot>);
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -4,9 +4,9 @@
 
 #include "forces/model_input.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
-PronyRelaxation::PronyRelaxation(std::span<const PronyTerm> terms, double dt) : count_(terms.size()) {
+PronyRelaxation::PronyRelaxation(std::span<const anatomy::PronyTerm> terms, double dt) : count_(terms.size()) {
   constexpr auto model = "prony_relaxation";
   check_tick(model, dt);
   check_range(model, "number of terms", static_cast<double>(terms.size()), {0.0, static_cast<double>(capacity)}, "");
@@ -37,4 +37,4 @@ void PronyRelaxation::reset() noexcept {
   last_ = 0.0;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

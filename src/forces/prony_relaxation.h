@@ -6,7 +6,7 @@
 
 #include "anatomy/force_settings.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // Stress relaxation: filters an elastic force F0 so that a held deformation loses part of it with time.
 //
@@ -21,7 +21,7 @@ class PronyRelaxation {
   static constexpr std::size_t capacity = 4;
 
   // Throws InputError for more than four terms, values out of range or shares that add up to more than 1.
-  PronyRelaxation(std::span<const PronyTerm> terms, double dt);
+  PronyRelaxation(std::span<const anatomy::PronyTerm> terms, double dt);
 
   // F of this tick. An F0 that is not finite gives 0 and changes nothing.
   double step(double elastic) noexcept;
@@ -35,4 +35,4 @@ class PronyRelaxation {
   std::array<double, capacity> decay_{}, gain_{}, part_{};  // capacity: e_i; g_i tau_i/dt (1 - e_i); h_i, N
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -7,9 +7,9 @@
 #include "forces/device_stability.h"
 #include "forces/model_input.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
-Rail::Rail(const RailSettings& settings) : settings_(settings) {
+Rail::Rail(const anatomy::RailSettings& settings) : settings_(settings) {
   check(settings, "rail");
 }
 
@@ -46,7 +46,7 @@ Wrench Rail::step(const Vec3& tip, const Vec3& axis) const noexcept {
   return wrench;
 }
 
-Rail::Rail(const Case& patient, const RailSettings& settings, double) : Rail(settings) {
+Rail::Rail(const anatomy::Case& patient, const anatomy::RailSettings& settings, double) : Rail(settings) {
   require_stable("rail", "stiffness", settings.stiffness, patient.description.device);
 }
 
@@ -56,4 +56,4 @@ Wrench Rail::step(const HeldNeedle& needle) const noexcept {
   return wrench;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

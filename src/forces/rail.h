@@ -4,7 +4,7 @@
 #include "core/geometry.h"
 #include "forces/constraint_model.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // The needle's body in tissue (Faerber, Heller, Handels, section 2.1.4, Fig. 5): at the skin puncture a line (p, d)
 // is stored. The proxy is projected onto it, so that the spring k pulls the tip towards it; and a torque turns the
@@ -18,13 +18,13 @@ namespace bodkin {
 // roll is free. g grows with depth at no cost along the needle, as in the paper: **active**, see docs/models/rail.md.
 class Rail {
  public:
-  using Settings = RailSettings;
+  using Settings = anatomy::RailSettings;
   static constexpr ConstraintTraits traits = {.name = "rail"};
 
   // Throws InputError for a setting outside its range.
-  explicit Rail(const RailSettings& settings);
+  explicit Rail(const anatomy::RailSettings& settings);
   // Of a patient: also refuses what the device cannot render stably.
-  Rail(const Case& patient, const RailSettings& settings, double dt);
+  Rail(const anatomy::Case& patient, const anatomy::RailSettings& settings, double dt);
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   // The point of the line nearest to `proxy`.
@@ -38,11 +38,11 @@ class Rail {
   Vec3 torque(const Vec3& axis, double depth) const noexcept;
 
  private:
-  RailSettings settings_;
+  anatomy::RailSettings settings_;
   Vec3 entry_ = Vec3::Zero();
   Vec3 direction_ = Vec3::UnitZ();
 };
 
 static_assert(ConstraintModel<Rail>);
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -10,17 +10,17 @@
 #include "forces/events.h"
 #include "forces/rail.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // Where the needle is, as far as a resistance needs to know.
 struct NeedleInTissue {
-  AxialMotion motion;             // along the frozen line
-  Vec3 tip = Vec3::Zero();        // LPS mm
-  TissueId tissue = tissue::air;  // at the tip
-  Vec3 axis = Vec3::UnitZ();      // unit, hub to tip
-  Vec3 side = Vec3::UnitX();      // unit, across the needle, turns with its shaft
-  const Rail* rail = nullptr;     // holds the proxy on the line, if that is the case's constraint
-  double grip = 1.0;              // factor on the friction of the shaft, by turning the needle (needle_grasp.h)
+  AxialMotion motion;                               // along the frozen line
+  Vec3 tip = Vec3::Zero();                          // LPS mm
+  anatomy::TissueId tissue = anatomy::tissue::air;  // at the tip
+  Vec3 axis = Vec3::UnitZ();                        // unit, hub to tip
+  Vec3 side = Vec3::UnitX();                        // unit, across the needle, turns with its shaft
+  const Rail* rail = nullptr;                       // holds the proxy on the line, if that is the case's constraint
+  double grip = 1.0;  // factor on the friction of the shaft, by turning the needle (needle_grasp.h)
 };
 
 // The force that a resistance found in one tick.
@@ -59,7 +59,7 @@ struct ResistanceDefaults {
 // docs/adding-a-force-model.md shows a whole one.
 template <typename Model>
 concept ResistanceModel = std::same_as<decltype(Model::traits), const ResistanceTraits> &&
-    std::constructible_from<Model, const Case&, const typename Model::Settings&, double> &&
+    std::constructible_from<Model, const anatomy::Case&, const typename Model::Settings&, double> &&
     requires(Model model, const Model& seen, const NeedleInTissue& needle, TickEvents& events, const Vec3& vector) {
   { model.begin(vector, vector) }
   noexcept;
@@ -75,4 +75,4 @@ concept ResistanceModel = std::same_as<decltype(Model::traits), const Resistance
   noexcept->std::same_as<ModelDiagnostics>;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -5,7 +5,7 @@
 
 #include "forces/model_input.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 namespace {
 
@@ -15,14 +15,14 @@ constexpr double least_hold_share = 0.1;  // of the device's stiffness, left to 
 
 }  // namespace
 
-ShaftContact shaft_contact(std::span<const TissueId> layers, double layer, double depth,
-                           const std::array<ShaftFrictionTissue, 256>& tissues) noexcept {
+ShaftContact shaft_contact(std::span<const anatomy::TissueId> layers, double layer, double depth,
+                           const std::array<anatomy::ShaftFrictionTissue, 256>& tissues) noexcept {
   ShaftContact sum;
   if (!(layer > 0.0) || !(depth > 0.0)) return sum;
   double left = depth;
-  for (const TissueId id : layers) {
+  for (const anatomy::TissueId id : layers) {
     if (left <= 0.0) break;
-    const ShaftFrictionTissue& here = tissues[id];
+    const anatomy::ShaftFrictionTissue& here = tissues[id];
     const double length = std::min(left, layer);
     sum.coulomb += here.coulomb * length;
     sum.static_force += here.static_force * length;
@@ -33,13 +33,14 @@ ShaftContact shaft_contact(std::span<const TissueId> layers, double layer, doubl
   return sum;
 }
 
-ShaftFriction::ShaftFriction(const ShaftFrictionSettings& settings) : stribeck_velocity_(settings.stribeck_velocity) {
+ShaftFriction::ShaftFriction(const anatomy::ShaftFrictionSettings& settings)
+    : stribeck_velocity_(settings.stribeck_velocity) {
   check(settings, "shaft_friction");
 }
 
 double ShaftFriction::step(const AxialMotion& motion, const ShaftContact& contact, TickEvents& events) noexcept {
   if (!usable(motion)) {
-    events.push({EventKind::fault, tissue::air, last_depth_, 0.0});
+    events.push({EventKind::fault, anatomy::tissue::air, last_depth_, 0.0});
     return 0.0;
   }
   if (fresh_) {
@@ -61,15 +62,15 @@ double ShaftFriction::step(const AxialMotion& motion, const ShaftContact& contac
   return contact.stiffness * stretch_ + contact.viscous * motion.velocity;
 }
 
-ShaftFrictionResistance::ShaftFrictionResistance(const Case& patient, const ShaftFrictionSettings& settings, double,
-                                                 double firm)
+ShaftFrictionResistance::ShaftFrictionResistance(const anatomy::Case& patient,
+                                                 const anatomy::ShaftFrictionSettings& settings, double, double firm)
     : model_(settings),
-      tissues_(patient.library.by_id(&TissueProperties::shaft_friction)),
+      tissues_(patient.library.by_id(&anatomy::TissueProperties::shaft_friction)),
       path_(path_layer, longest_shaft),
       volume_(&patient.tissues),
       budget_(std::max(patient.description.device.stiffness - firm,
                        least_hold_share * patient.description.device.stiffness)) {
-  check_tissues(patient.library, &TissueProperties::shaft_friction, "shaft_friction");
+  check_tissues(patient.library, &anatomy::TissueProperties::shaft_friction, "shaft_friction");
 }
 
 void ShaftFrictionResistance::begin(const Vec3& entry, const Vec3& direction) noexcept {
@@ -88,4 +89,4 @@ ResistanceForce ShaftFrictionResistance::step(const NeedleInTissue& needle, Tick
   return {.along = model_.step(needle.motion, contact, events), .in_contact = needle.motion.depth > 0.0};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -11,7 +11,7 @@
 #include "forces/resistance_model.h"
 #include "forces/tissue_path.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // The friction of all of the shaft that is in tissue: sums of what its tissues do per mm (ShaftFrictionTissue).
 struct ShaftContact {
@@ -22,8 +22,8 @@ struct ShaftContact {
 };
 
 // Sums over the layers (each `layer` mm thick) down to `depth` mm. Never throws.
-ShaftContact shaft_contact(std::span<const TissueId> layers, double layer, double depth,
-                           const std::array<ShaftFrictionTissue, 256>& tissues) noexcept;
+ShaftContact shaft_contact(std::span<const anatomy::TissueId> layers, double layer, double depth,
+                           const std::array<anatomy::ShaftFrictionTissue, 256>& tissues) noexcept;
 
 // g(v) = Fc + (Fs - Fc) exp(-(v/vs)^2), N: the friction at steady speed without its viscous part.
 inline double stribeck(const ShaftContact& contact, double velocity, double stribeck_velocity) noexcept {
@@ -42,7 +42,7 @@ inline double stribeck(const ShaftContact& contact, double velocity, double stri
 class ShaftFriction {
  public:
   // Throws InputError for a setting outside its range.
-  explicit ShaftFriction(const ShaftFrictionSettings& settings);
+  explicit ShaftFriction(const anatomy::ShaftFrictionSettings& settings);
 
   void begin() noexcept { fresh_ = true; }
   // R in N. Unusable motion: 0, a `fault` event and an unchanged state.
@@ -63,7 +63,7 @@ class ShaftFriction {
 // part that is added to resistances without one.
 class ShaftFrictionResistance : public ResistanceDefaults {
  public:
-  using Settings = ShaftFrictionSettings;
+  using Settings = anatomy::ShaftFrictionSettings;
   static constexpr ResistanceTraits traits = {
       .name = "shaft_friction",
       .has_shaft_friction = true,
@@ -73,7 +73,8 @@ class ShaftFrictionResistance : public ResistanceDefaults {
 
   // Throws InputError for settings or tissues outside their ranges. `firm`: N/mm of the device's stiffness that
   // another resistance has already, see ResistanceDefaults::firm_stiffness().
-  ShaftFrictionResistance(const Case& patient, const ShaftFrictionSettings& settings, double dt, double firm = 0.0);
+  ShaftFrictionResistance(const anatomy::Case& patient, const anatomy::ShaftFrictionSettings& settings, double dt,
+                          double firm = 0.0);
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
@@ -83,12 +84,12 @@ class ShaftFrictionResistance : public ResistanceDefaults {
 
  private:
   ShaftFriction model_;
-  std::array<ShaftFrictionTissue, 256> tissues_;  // 256, by TissueId
+  std::array<anatomy::ShaftFrictionTissue, 256> tissues_;  // 256, by TissueId
   TissuePath path_;
-  const TissueVolume* volume_;
+  const anatomy::TissueVolume* volume_;
   double budget_;  // N/mm that the tissue's spring on the shaft may have
 };
 
 static_assert(ResistanceModel<ShaftFrictionResistance>);
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -5,13 +5,13 @@
 #include "forces/device_stability.h"
 #include "forces/model_input.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
-SpringDamperWall::SpringDamperWall(const SpringDamperWallSettings& settings) : settings_(settings) {
+SpringDamperWall::SpringDamperWall(const anatomy::SpringDamperWallSettings& settings) : settings_(settings) {
   check(settings, "spring_damper_wall");
 }
 
-double SpringDamperWall::step(const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept {
+double SpringDamperWall::step(const AxialMotion& motion, anatomy::TissueId tissue, TickEvents& events) noexcept {
   if (!usable(motion)) {
     events.push({EventKind::fault, tissue, settings_.wall, 0.0});
     return 0.0;
@@ -21,9 +21,10 @@ double SpringDamperWall::step(const AxialMotion& motion, TissueId tissue, TickEv
   return std::clamp(force, 0.0, settings_.limit);  // eq. 2; a wall pushes, it never holds
 }
 
-SpringDamperWall::SpringDamperWall(const Case& patient, const SpringDamperWallSettings& settings, double dt)
+SpringDamperWall::SpringDamperWall(const anatomy::Case& patient, const anatomy::SpringDamperWallSettings& settings,
+                                   double dt)
     : SpringDamperWall(settings) {
-  const DeviceLimits& device = patient.description.device;
+  const anatomy::DeviceLimits& device = patient.description.device;
   require_stable("spring_damper_wall", "stiffness", settings.stiffness, device);
   require_stable_damping("spring_damper_wall", settings.stiffness, settings.damping, device, dt);
 }
@@ -35,4 +36,4 @@ ResistanceForce SpringDamperWall::step(const NeedleInTissue& needle, TickEvents&
       .along = force, .stiffness = force > 0.0 ? settings_.stiffness : 0.0, .in_contact = needle.motion.depth > 0.0};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -6,7 +6,7 @@
 #include "forces/events.h"
 #include "forces/resistance_model.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // The fixed wall that haptic rendering begins with, and the baseline that `tracking_wall` improves on:
 //
@@ -16,7 +16,7 @@ namespace bodkin {
 // kind: no puncture, no relaxation, no channel. Entering at speed makes one bounded step B v. docs/models has more.
 class SpringDamperWall : public ResistanceDefaults {
  public:
-  using Settings = SpringDamperWallSettings;
+  using Settings = anatomy::SpringDamperWallSettings;
   static constexpr ResistanceTraits traits = {
       .name = "spring_damper_wall",
       .can_relax = true,
@@ -24,12 +24,12 @@ class SpringDamperWall : public ResistanceDefaults {
   };
 
   // Throws InputError for a setting outside its range.
-  explicit SpringDamperWall(const SpringDamperWallSettings& settings);
+  explicit SpringDamperWall(const anatomy::SpringDamperWallSettings& settings);
   // Of a patient: also refuses what the device cannot render stably.
-  SpringDamperWall(const Case& patient, const SpringDamperWallSettings& settings, double dt);
+  SpringDamperWall(const anatomy::Case& patient, const anatomy::SpringDamperWallSettings& settings, double dt);
 
   // R in N, 0 to `limit`. Unusable motion (model_input.h): 0 and a `fault` event.
-  double step(const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept;
+  double step(const AxialMotion& motion, anatomy::TissueId tissue, TickEvents& events) noexcept;
   ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
   void begin(const Vec3&, const Vec3&) noexcept {}
   void reset() noexcept {}
@@ -38,10 +38,10 @@ class SpringDamperWall : public ResistanceDefaults {
   ModelDiagnostics diagnostics() const noexcept { return {penetration_}; }
 
  private:
-  SpringDamperWallSettings settings_;
+  anatomy::SpringDamperWallSettings settings_;
   double penetration_ = 0.0;  // mm
 };
 
 static_assert(ResistanceModel<SpringDamperWall>);
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -7,7 +7,7 @@
 #include "forces/device_stability.h"
 #include "forces/model_input.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 namespace {
 
 constexpr double least_slide = 1e-9;  // mm: shorter slides are rounding
@@ -51,7 +51,7 @@ HeldWay held_way(const Vec3& pull, const std::array<Vec3, 3>& normals, std::size
   return {Vec3::Zero(), {}, count};  // in a corner
 }
 
-SurfaceProxy::SurfaceProxy(const SurfaceProxySettings& settings, const Surface& surface, double dt)
+SurfaceProxy::SurfaceProxy(const anatomy::SurfaceProxySettings& settings, const anatomy::Surface& surface, double dt)
     : settings_(settings), tree_(surface), dt_(dt) {
   constexpr auto model = "surface_proxy";
   check_tick(model, dt);
@@ -113,7 +113,7 @@ void SurfaceProxy::follow(const Vec3& tip) noexcept {
 
 Vec3 SurfaceProxy::step(const Vec3& tip, TickEvents& events) noexcept {
   if (!(tip.norm() <= farthest_depth)) {
-    events.push({EventKind::fault, tissue::air, 0.0, 0.0});
+    events.push({EventKind::fault, anatomy::tissue::air, 0.0, 0.0});
     return Vec3::Zero();
   }
   if (!placed_) proxy_ = tip;
@@ -131,8 +131,10 @@ constexpr double before_skin = 5.0;
 
 }  // namespace
 
-SurfaceProxyResistance::SurfaceProxyResistance(const Case& patient, const SurfaceProxySettings& settings, double dt)
-    : model_(settings, tissue_surface(patient.tissues, body_tissues(), {}), dt), stiffness_(settings.stiffness) {
+SurfaceProxyResistance::SurfaceProxyResistance(const anatomy::Case& patient,
+                                               const anatomy::SurfaceProxySettings& settings, double dt)
+    : model_(settings, anatomy::tissue_surface(patient.tissues, anatomy::body_tissues(), {}), dt),
+      stiffness_(settings.stiffness) {
   require_stable("surface_proxy", "stiffness", settings.stiffness, patient.description.device);
 }
 
@@ -152,4 +154,4 @@ ResistanceForce SurfaceProxyResistance::step(const NeedleInTissue& needle, TickE
           .in_contact = needle.motion.depth > 0.0 || model_.constraints() > 0};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -10,7 +10,7 @@
 #include "forces/resistance_model.h"
 #include "forces/triangle_tree.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // The displacement of a point pulled by `pull` (mm) and held back by up to three planes.
 struct HeldWay {
@@ -45,7 +45,7 @@ class SurfaceProxy {
 
   // Throws InputError for a setting outside its range. `dt`: s, 1e-6 to 0.1. Sorts the triangles into a tree and
   // keeps a copy of them.
-  SurfaceProxy(const SurfaceProxySettings& settings, const Surface& surface, double dt);
+  SurfaceProxy(const anatomy::SurfaceProxySettings& settings, const anatomy::Surface& surface, double dt);
 
   // Force on the hand, LPS N, at most `limit`. The first call puts the proxy at the tip; where that is inside,
   // nothing is felt until the tip has left. A tip that is not finite or farther than 1e4 mm: zero, a `fault` event,
@@ -64,7 +64,7 @@ class SurfaceProxy {
 
   void follow(const Vec3& tip) noexcept;
 
-  SurfaceProxySettings settings_;
+  anatomy::SurfaceProxySettings settings_;
   TriangleTree tree_;
   double dt_;
   Vec3 proxy_ = Vec3::Zero();
@@ -77,7 +77,7 @@ class SurfaceProxy {
 // `surface_proxy` on the skin of a patient (anatomy/tissue_surface.h): palpation with the tip, which never goes in.
 class SurfaceProxyResistance : public ResistanceDefaults {
  public:
-  using Settings = SurfaceProxySettings;
+  using Settings = anatomy::SurfaceProxySettings;
   static constexpr ResistanceTraits traits = {
       .name = "surface_proxy",
       .holds_laterally = true,
@@ -90,7 +90,7 @@ class SurfaceProxyResistance : public ResistanceDefaults {
 
   // Draws the skin, which takes a second for a torso. Throws InputError for settings out of range, a patient without
   // tissues and a spring that the device cannot render stably.
-  SurfaceProxyResistance(const Case& patient, const SurfaceProxySettings& settings, double dt);
+  SurfaceProxyResistance(const anatomy::Case& patient, const anatomy::SurfaceProxySettings& settings, double dt);
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
@@ -109,4 +109,4 @@ class SurfaceProxyResistance : public ResistanceDefaults {
 
 static_assert(ResistanceModel<SurfaceProxyResistance>);
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

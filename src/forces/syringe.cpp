@@ -6,7 +6,7 @@
 
 #include "forces/model_input.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 namespace {
 
 constexpr double atmosphere = 0.1013;       // MPa
@@ -19,14 +19,14 @@ double tube_resistance(double viscosity, double length, double bore) {
   return 128.0 * viscosity * length / (std::numbers::pi * std::pow(bore, 4));
 }
 
-Syringe::Syringe(const TissueLibrary& library, const SyringeSettings& settings, double dt)
-    : settings_(settings), tissues_(library.by_id(&TissueProperties::syringe)), dt_(dt) {
+Syringe::Syringe(const anatomy::TissueLibrary& library, const anatomy::SyringeSettings& settings, double dt)
+    : settings_(settings), tissues_(library.by_id(&anatomy::TissueProperties::syringe)), dt_(dt) {
   constexpr auto model = "syringe";
   check_tick(model, dt);
   check(settings, model);
   check_range(model, "needle bore", settings.needle_bore, {0.1, 5.0}, "mm");
   check_range(model, "needle length", settings.needle_length, {10.0, 300.0}, "mm");
-  check_tissues(library, &TissueProperties::syringe, model);
+  check_tissues(library, &anatomy::TissueProperties::syringe, model);
   area_ = std::numbers::pi * settings.bore * settings.bore / 4.0;
   needle_resistance_ = tube_resistance(settings.viscosity, settings.needle_length, settings.needle_bore);
 }
@@ -37,11 +37,11 @@ double Syringe::relax(double pressure, double outside, double inflow, double com
   return pressure - (steady - pressure) * std::expm1(-dt / (resistance * compliance));
 }
 
-const SyringeState& Syringe::step(double plunger_speed, TissueId tissue) noexcept {
+const SyringeState& Syringe::step(double plunger_speed, anatomy::TissueId tissue) noexcept {
   const double speed = std::abs(plunger_speed) <= 1e4 ? plunger_speed : 0.0;  // NaN too
-  const SyringeTissue& here = tissues_[tissue];
+  const anatomy::SyringeTissue& here = tissues_[tissue];
   const double resistance = needle_resistance_ + here.resistance;
-  const double compliance = settings_.filling == SyringeFilling::saline
+  const double compliance = settings_.filling == anatomy::SyringeFilling::saline
                                 ? settings_.saline_compliance
                                 : settings_.air_volume / (atmosphere + state_.pressure);
   state_.pressure = std::clamp(relax(state_.pressure, here.pressure, area_ * speed, compliance, resistance, dt_),
@@ -52,4 +52,4 @@ const SyringeState& Syringe::step(double plunger_speed, TissueId tissue) noexcep
   return state_;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -5,7 +5,7 @@
 #include "anatomy/part_settings.h"
 #include "anatomy/tissue.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // R = 128 mu L / (pi d^4), MPa s/mm^3: laminar flow in a tube (Hagen and Poiseuille). mu MPa s (water 1e-9), mm.
 double tube_resistance(double viscosity, double length, double bore);
@@ -27,10 +27,10 @@ struct SyringeState {
 class Syringe {
  public:
   // Throws InputError for a setting outside its range. `dt`: s, 1e-6 to 0.1.
-  Syringe(const TissueLibrary& library, const SyringeSettings& settings, double dt);
+  Syringe(const anatomy::TissueLibrary& library, const anatomy::SyringeSettings& settings, double dt);
 
   // `plunger_speed`: mm/s inwards; not finite or beyond 1e4: as 0. `tissue`: at the needle's tip.
-  const SyringeState& step(double plunger_speed, TissueId tissue) noexcept;
+  const SyringeState& step(double plunger_speed, anatomy::TissueId tissue) noexcept;
   void reset() noexcept { state_ = {}; }
   const SyringeState& state() const noexcept { return state_; }
 
@@ -41,10 +41,10 @@ class Syringe {
   double needle_resistance() const noexcept { return needle_resistance_; }  // MPa s/mm^3
 
  private:
-  SyringeSettings settings_;
-  std::array<SyringeTissue, 256> tissues_;  // 256, by TissueId of the needle's tip
+  anatomy::SyringeSettings settings_;
+  std::array<anatomy::SyringeTissue, 256> tissues_;  // 256, by TissueId of the needle's tip
   double dt_, area_, needle_resistance_;
   SyringeState state_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

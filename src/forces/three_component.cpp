@@ -7,9 +7,9 @@
 #include "forces/device_stability.h"
 #include "forces/model_input.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
-ThreeComponent::ThreeComponent(const ThreeComponentSettings& settings)
+ThreeComponent::ThreeComponent(const anatomy::ThreeComponentSettings& settings)
     : settings_(settings), edge_(settings.cutting_force, settings.cutting_stiffness) {
   check(settings, "three_component");
 }
@@ -27,7 +27,7 @@ void ThreeComponent::reset() noexcept {
 double ThreeComponent::friction(const AxialMotion& motion) noexcept {
   const double dx = motion.depth - last_depth_;
   const bool inwards = dx != 0.0 ? dx > 0.0 : motion.velocity > 0.0;
-  const KarnoppFriction& side = inwards ? settings_.inwards : settings_.outwards;
+  const anatomy::KarnoppFriction& side = inwards ? settings_.inwards : settings_.outwards;
   const bool sliding = std::abs(motion.velocity) >= 0.5 * settings_.dead_band;
   const double most = sliding ? side.coulomb : side.static_force;
   if (dx != 0.0) {
@@ -38,7 +38,7 @@ double ThreeComponent::friction(const AxialMotion& motion) noexcept {
   return motion.depth * (settings_.hold * stretch_ + (sliding ? side.viscous * motion.velocity : 0.0));
 }
 
-double ThreeComponent::step(const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept {
+double ThreeComponent::step(const AxialMotion& motion, anatomy::TissueId tissue, TickEvents& events) noexcept {
   const double x = motion.depth;
   cutting_ = friction_ = 0.0;
   if (!usable(motion)) {
@@ -75,9 +75,9 @@ double ThreeComponent::step(const AxialMotion& motion, TissueId tissue, TickEven
   return std::clamp(force, -settings_.limit, settings_.limit);
 }
 
-ThreeComponent::ThreeComponent(const Case& patient, const ThreeComponentSettings& settings, double)
+ThreeComponent::ThreeComponent(const anatomy::Case& patient, const anatomy::ThreeComponentSettings& settings, double)
     : ThreeComponent(settings) {
-  const DeviceLimits& device = patient.description.device;
+  const anatomy::DeviceLimits& device = patient.description.device;
   require_stable("three_component", "cutting stiffness", settings.cutting_stiffness, device);
   // R = a1 x + a2 x^2 has its steepest slope where it breaks: dR/dx = sqrt(a1^2 + 4 a2 R).
   require_stable("three_component", "the stiffness at which the capsule gives way",
@@ -90,4 +90,4 @@ ResistanceForce ThreeComponent::step(const NeedleInTissue& needle, TickEvents& e
   return {.along = force, .in_contact = needle.motion.depth > 0.0};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -8,7 +8,7 @@
 #include "forces/events.h"
 #include "forces/resistance_model.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // Force of needle insertion as a sum of three (Simone and Okamura 2002; Okamura, Simone, O'Leary 2004):
 //
@@ -21,7 +21,7 @@ namespace bodkin {
 // shaft_friction.h) holds with at most D. Cutting acts where tissue is still whole (cutting_edge.h). Passive.
 class ThreeComponent : public ResistanceDefaults {
  public:
-  using Settings = ThreeComponentSettings;
+  using Settings = anatomy::ThreeComponentSettings;
   static constexpr ResistanceTraits traits = {
       .name = "three_component",
       .has_shaft_friction = true,
@@ -29,14 +29,14 @@ class ThreeComponent : public ResistanceDefaults {
   };
 
   // Throws InputError for a setting outside its range.
-  explicit ThreeComponent(const ThreeComponentSettings& settings);
+  explicit ThreeComponent(const anatomy::ThreeComponentSettings& settings);
   // Of a patient: also refuses what the device cannot render stably.
-  ThreeComponent(const Case& patient, const ThreeComponentSettings& settings, double dt);
+  ThreeComponent(const anatomy::Case& patient, const anatomy::ThreeComponentSettings& settings, double dt);
 
   // Meets the capsule at `entry` along the unit `direction`; a punctured channel (1 mm, 3 degrees) stays so.
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   // R in N, -limit to limit. Events: contact, puncture (value = force), withdrawn, fault.
-  double step(const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept;
+  double step(const AxialMotion& motion, anatomy::TissueId tissue, TickEvents& events) noexcept;
   ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
   void reset() noexcept;
 
@@ -45,7 +45,7 @@ class ThreeComponent : public ResistanceDefaults {
  private:
   double friction(const AxialMotion& motion) noexcept;
 
-  ThreeComponentSettings settings_;
+  anatomy::ThreeComponentSettings settings_;
   ChannelMemory channels_;  // depths of punctured channels
   CuttingEdge edge_;
   double stretch_ = 0.0;                   // z, mm
@@ -56,4 +56,4 @@ class ThreeComponent : public ResistanceDefaults {
 
 static_assert(ResistanceModel<ThreeComponent>);
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

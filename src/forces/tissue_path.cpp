@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bodkin {
+namespace bodkin::forces {
 
 TissuePath::TissuePath(double layer, double longest)
-    : layer_(layer), layers_(static_cast<std::size_t>(std::ceil(longest / layer)) + 1, tissue::air) {}
+    : layer_(layer), layers_(static_cast<std::size_t>(std::ceil(longest / layer)) + 1, anatomy::tissue::air) {}
 
 void TissuePath::restart(const Vec3& entry, const Vec3& direction) noexcept {
   entry_ = entry;
@@ -14,14 +14,15 @@ void TissuePath::restart(const Vec3& entry, const Vec3& direction) noexcept {
   known_ = 0;
 }
 
-void TissuePath::extend_to(double depth, const TissueVolume& tissues) noexcept {
+void TissuePath::extend_to(double depth, const anatomy::TissueVolume& tissues) noexcept {
   if (!(depth >= 0.0)) return;
   const double last = std::min(std::floor(depth / layer_), static_cast<double>(layers_.size() - 1));
   const auto wanted = static_cast<std::size_t>(last) + 1;
   for (; known_ < wanted; ++known_) {
     const double middle = (static_cast<double>(known_) + 0.5) * layer_;
-    layers_[known_] = nearest<TissueId>(tissues, entry_ + middle * direction_, tissue::air);
+    layers_[known_] =
+        anatomy::nearest<anatomy::TissueId>(tissues, entry_ + middle * direction_, anatomy::tissue::air);
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -7,7 +7,7 @@
 #include "anatomy/tissue.h"
 #include "anatomy/volume.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // The tissues along a frozen insertion line, in layers of equal thickness. Layer 0 begins at the entry point, each
 // layer carries the tissue at its middle. Layers are looked up once, as the needle reaches them, into memory taken at
@@ -20,9 +20,9 @@ class TissuePath {
   // Starts a new line at `entry` along the unit vector `direction` (LPS). Forgets the old layers.
   void restart(const Vec3& entry, const Vec3& direction) noexcept;
   // Makes the layers up to the one that holds `depth` known (at most `longest`). Beyond the volume is air.
-  void extend_to(double depth, const TissueVolume& tissues) noexcept;
+  void extend_to(double depth, const anatomy::TissueVolume& tissues) noexcept;
 
-  std::span<const TissueId> layers() const noexcept { return {layers_.data(), known_}; }
+  std::span<const anatomy::TissueId> layers() const noexcept { return {layers_.data(), known_}; }
   double layer() const noexcept { return layer_; }
 
  private:
@@ -30,7 +30,7 @@ class TissuePath {
   std::size_t known_ = 0;
   Vec3 entry_ = Vec3::Zero();
   Vec3 direction_ = Vec3::UnitZ();
-  std::vector<TissueId> layers_;
+  std::vector<anatomy::TissueId> layers_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

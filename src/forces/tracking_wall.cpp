@@ -9,16 +9,18 @@
 #include "forces/device_stability.h"
 #include "forces/model_input.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
-void check_tracking_wall(const TissueLibrary& library, const TrackingWallSettings& settings, const char* model) {
+void check_tracking_wall(const anatomy::TissueLibrary& library, const anatomy::TrackingWallSettings& settings,
+                         const char* model) {
   check(settings, model);
-  check_tissues(library, &TissueProperties::tracking_wall, model);
+  check_tissues(library, &anatomy::TissueProperties::tracking_wall, model);
 }
 
-TrackingWall::TrackingWall(const TissueLibrary& library, const TrackingWallSettings& settings, double dt)
+TrackingWall::TrackingWall(const anatomy::TissueLibrary& library, const anatomy::TrackingWallSettings& settings,
+                           double dt)
     : settings_(settings),
-      tissues_(library.by_id(&TissueProperties::tracking_wall)),
+      tissues_(library.by_id(&anatomy::TissueProperties::tracking_wall)),
       dt_(dt),
       channels_(settings.channel_radius, settings.channel_tilt),
       firm_stiffness_(stiffest_wall(library)) {
@@ -40,7 +42,7 @@ void TrackingWall::begin(const Vec3& entry, const Vec3& direction) noexcept {
   wall_ = settings_.surface;
 }
 
-const TrackingWallTissue& TrackingWall::layer_at(double depth, TissueId tissue) const noexcept {
+const anatomy::TrackingWallTissue& TrackingWall::layer_at(double depth, anatomy::TissueId tissue) const noexcept {
   if (settings_.layers.empty()) return tissues_[tissue];
   std::size_t i = settings_.layers.size() - 1;
   while (i > 0 && depth - settings_.surface < settings_.layers[i].from) --i;
@@ -58,7 +60,7 @@ void TrackingWall::rebase(double depth, double stiffness) noexcept {
   stiffness_ = stiffness;
 }
 
-double TrackingWall::step(const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept {
+double TrackingWall::step(const AxialMotion& motion, anatomy::TissueId tissue, TickEvents& events) noexcept {
   const double x = motion.depth;
   if (!usable(motion)) {
     events.push({EventKind::fault, tissue, wall_, 0.0});
@@ -86,7 +88,7 @@ double TrackingWall::step(const AxialMotion& motion, TissueId tissue, TickEvents
   }
   channels_.deepen(x - surface);
 
-  const TrackingWallTissue& layer = layer_at(x, tissue);
+  const anatomy::TrackingWallTissue& layer = layer_at(x, tissue);
   rebase(x, layer.stiffness);
   if (motion.stopped || motion.direction == 0) {
     if (mode_ != Mode::stop) {  // eq. 5
@@ -113,22 +115,22 @@ double TrackingWall::step(const AxialMotion& motion, TissueId tissue, TickEvents
   return std::min(force, settings_.limit);
 }
 
-void require_stable_walls(const Case& patient, const TrackingWallSettings& settings) {
-  const DeviceLimits& device = patient.description.device;
-  for (const TissueProperties& tissue : patient.library.tissues())
+void require_stable_walls(const anatomy::Case& patient, const anatomy::TrackingWallSettings& settings) {
+  const anatomy::DeviceLimits& device = patient.description.device;
+  for (const anatomy::TissueProperties& tissue : patient.library.tissues())
     require_stable("tracking_wall", "the spring of " + tissue.title, tissue.tracking_wall.stiffness, device);
-  for (const TrackingWallDepthLayer& layer : settings.layers)
+  for (const anatomy::TrackingWallDepthLayer& layer : settings.layers)
     require_stable("tracking_wall", "the spring of a layer", layer.layer.stiffness, device);
 }
 
-double stiffest_wall(const TissueLibrary& library) {
+double stiffest_wall(const anatomy::TissueLibrary& library) {
   double stiffest = 0.0;
-  for (const TissueProperties& tissue : library.tissues())
+  for (const anatomy::TissueProperties& tissue : library.tissues())
     stiffest = std::max(stiffest, tissue.tracking_wall.stiffness);
   return stiffest;
 }
 
-TrackingWall::TrackingWall(const Case& patient, const TrackingWallSettings& settings, double dt)
+TrackingWall::TrackingWall(const anatomy::Case& patient, const anatomy::TrackingWallSettings& settings, double dt)
     : TrackingWall(patient.library, settings, dt) {
   require_stable_walls(patient, settings);
 }
@@ -138,4 +140,4 @@ ResistanceForce TrackingWall::step(const NeedleInTissue& needle, TickEvents& eve
   return {.along = force, .in_contact = needle.motion.depth > 0.0};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -11,15 +11,16 @@
 #include "forces/events.h"
 #include "forces/resistance_model.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // Throws InputError for settings or tissues outside their ranges; `model` names the culprit.
-void check_tracking_wall(const TissueLibrary& library, const TrackingWallSettings& settings, const char* model);
+void check_tracking_wall(const anatomy::TissueLibrary& library, const anatomy::TrackingWallSettings& settings,
+                         const char* model);
 
 // Throws InputError when a tissue or layer has a spring that the device of the patient cannot render stably.
-void require_stable_walls(const Case& patient, const TrackingWallSettings& settings);
+void require_stable_walls(const anatomy::Case& patient, const anatomy::TrackingWallSettings& settings);
 // The stiffest tissue, N/mm.
-double stiffest_wall(const TissueLibrary& library);
+double stiffest_wall(const anatomy::TissueLibrary& library);
 
 // A spring whose wall W follows the tip at the distance D = f_R / K_t, so that the force stops growing at f_R; at
 // rest the wall catches up with the tip and the force fades; a channel that is cut already is free to its old depth.
@@ -36,7 +37,7 @@ double stiffest_wall(const TissueLibrary& library);
 // In three dimensions the scalar law runs along the frozen insertion line: F_hand = -R u, wall at entry + W u.
 class TrackingWall : public ResistanceDefaults {
  public:
-  using Settings = TrackingWallSettings;
+  using Settings = anatomy::TrackingWallSettings;
   static constexpr ResistanceTraits traits = {
       .name = "tracking_wall",
       .can_relax = true,
@@ -44,15 +45,15 @@ class TrackingWall : public ResistanceDefaults {
   };
 
   // Throws InputError for a setting outside its range. `dt`: s, 1e-6 to 0.1.
-  TrackingWall(const TissueLibrary& library, const TrackingWallSettings& settings, double dt);
+  TrackingWall(const anatomy::TissueLibrary& library, const anatomy::TrackingWallSettings& settings, double dt);
   // Of a patient: also refuses what the device cannot render stably.
-  TrackingWall(const Case& patient, const TrackingWallSettings& settings, double dt);
+  TrackingWall(const anatomy::Case& patient, const anatomy::TrackingWallSettings& settings, double dt);
 
   // The needle meets the skin at `entry` along the unit `direction`: opens a channel, or goes back to one.
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   // R in N, 0 to `limit`. `tissue` at the tip chooses the layer unless the settings give layers by depth.
   // Events: contact, withdrawn, fault (unusable motion: R = 0, state unchanged).
-  double step(const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept;
+  double step(const AxialMotion& motion, anatomy::TissueId tissue, TickEvents& events) noexcept;
   ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
   // Forgets everything, the channels too.
   void reset() noexcept;
@@ -66,11 +67,11 @@ class TrackingWall : public ResistanceDefaults {
  private:
   enum class Mode : std::uint8_t { outside, free, insert, stop, unload };
 
-  const TrackingWallTissue& layer_at(double depth, TissueId tissue) const noexcept;
+  const anatomy::TrackingWallTissue& layer_at(double depth, anatomy::TissueId tissue) const noexcept;
   void rebase(double depth, double stiffness) noexcept;
 
-  TrackingWallSettings settings_;
-  std::array<TrackingWallTissue, 256> tissues_;  // 256, by TissueId
+  anatomy::TrackingWallSettings settings_;
+  std::array<anatomy::TrackingWallTissue, 256> tissues_;  // 256, by TissueId
   double dt_;
   ChannelMemory channels_;
   Mode mode_ = Mode::outside;
@@ -85,4 +86,4 @@ class TrackingWall : public ResistanceDefaults {
 
 static_assert(ResistanceModel<TrackingWall>);
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -4,11 +4,12 @@
 
 #include "forces/model_input.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
-TrackingWallLeash::TrackingWallLeash(const TissueLibrary& library, const TrackingWallSettings& settings, double dt)
+TrackingWallLeash::TrackingWallLeash(const anatomy::TissueLibrary& library,
+                                     const anatomy::TrackingWallSettings& settings, double dt)
     : settings_(settings),
-      tissues_(library.by_id(&TissueProperties::tracking_wall)),
+      tissues_(library.by_id(&anatomy::TissueProperties::tracking_wall)),
       dt_(dt),
       firm_stiffness_(stiffest_wall(library)) {
   check_tracking_wall(library, settings, "tracking_wall (leash)");
@@ -26,14 +27,15 @@ void TrackingWallLeash::reset() noexcept {
   begin(Vec3::Zero(), Vec3::UnitZ());
 }
 
-const TrackingWallTissue& TrackingWallLeash::layer_at(double depth, TissueId tissue) const noexcept {
+const anatomy::TrackingWallTissue& TrackingWallLeash::layer_at(double depth,
+                                                               anatomy::TissueId tissue) const noexcept {
   if (settings_.layers.empty()) return tissues_[tissue];
   std::size_t i = settings_.layers.size() - 1;
   while (i > 0 && depth < settings_.layers[i].from) --i;
   return settings_.layers[i].layer;
 }
 
-Vec3 TrackingWallLeash::step(const Vec3& tip, const AxialMotion& motion, TissueId tissue,
+Vec3 TrackingWallLeash::step(const Vec3& tip, const AxialMotion& motion, anatomy::TissueId tissue,
                              TickEvents& events) noexcept {
   const double x = (tip - entry_).dot(direction_);
   if (!usable(motion) || !((tip - entry_).norm() <= farthest_depth)) {
@@ -57,7 +59,7 @@ Vec3 TrackingWallLeash::step(const Vec3& tip, const AxialMotion& motion, TissueI
   free_ = false;
   deepest_ = std::max(deepest_, x);
 
-  const TrackingWallTissue layer = layer_at(x, tissue);
+  const anatomy::TrackingWallTissue layer = layer_at(x, tissue);
   if (stiffness_ > 0.0 && layer.stiffness != stiffness_) {
     wall_ = tip - stiffness_ / layer.stiffness * (tip - wall_);  // same force before and after
     stopped_ = false;
@@ -91,7 +93,8 @@ Vec3 TrackingWallLeash::step(const Vec3& tip, const AxialMotion& motion, TissueI
   return size > settings_.limit ? Vec3(force * (settings_.limit / size)) : force;
 }
 
-TrackingWallLeash::TrackingWallLeash(const Case& patient, const TrackingWallSettings& settings, double dt)
+TrackingWallLeash::TrackingWallLeash(const anatomy::Case& patient, const anatomy::TrackingWallSettings& settings,
+                                     double dt)
     : TrackingWallLeash(patient.library, settings, dt) {
   require_stable_walls(patient, settings);
 }
@@ -102,4 +105,4 @@ ResistanceForce TrackingWallLeash::step(const NeedleInTissue& needle, TickEvents
   return {.along = along, .across = force + along * direction_, .in_contact = needle.motion.depth > 0.0};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -5,7 +5,7 @@
 #include "forces/events.h"
 #include "forces/tracking_wall.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // The tracking wall on a path that may bend: the wall is a point W on a leash behind the tip P.
 //
@@ -17,20 +17,20 @@ namespace bodkin {
 // withdrawal. Uses surface = 0 and ignores `strict` and the memory of channels: another entry begins anew.
 class TrackingWallLeash : public ResistanceDefaults {
  public:
-  using Settings = TrackingWallSettings;
+  using Settings = anatomy::TrackingWallSettings;
   static constexpr ResistanceTraits traits = {
       .name = "tracking_wall",
       .diagnostics = {{{"wall_mm", "position W of the wall"}}},
   };
 
   // Throws InputError for a setting outside its range. `dt`: s, 1e-6 to 0.1.
-  TrackingWallLeash(const TissueLibrary& library, const TrackingWallSettings& settings, double dt);
+  TrackingWallLeash(const anatomy::TissueLibrary& library, const anatomy::TrackingWallSettings& settings, double dt);
   // Of a patient: also refuses what the device cannot render stably.
-  TrackingWallLeash(const Case& patient, const TrackingWallSettings& settings, double dt);
+  TrackingWallLeash(const anatomy::Case& patient, const anatomy::TrackingWallSettings& settings, double dt);
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   // Force on the hand, LPS N, at most `limit`. `motion` is that of the depth x. Events: contact, withdrawn, fault.
-  Vec3 step(const Vec3& tip, const AxialMotion& motion, TissueId tissue, TickEvents& events) noexcept;
+  Vec3 step(const Vec3& tip, const AxialMotion& motion, anatomy::TissueId tissue, TickEvents& events) noexcept;
   ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
   void reset() noexcept;
 
@@ -41,10 +41,10 @@ class TrackingWallLeash : public ResistanceDefaults {
   ModelDiagnostics diagnostics() const noexcept { return {(wall_ - entry_).dot(direction_)}; }
 
  private:
-  const TrackingWallTissue& layer_at(double depth, TissueId tissue) const noexcept;
+  const anatomy::TrackingWallTissue& layer_at(double depth, anatomy::TissueId tissue) const noexcept;
 
-  TrackingWallSettings settings_;
-  std::array<TrackingWallTissue, 256> tissues_;  // 256, by TissueId
+  anatomy::TrackingWallSettings settings_;
+  std::array<anatomy::TrackingWallTissue, 256> tissues_;  // 256, by TissueId
   double dt_;
   Vec3 entry_ = Vec3::Zero();
   Vec3 direction_ = Vec3::UnitZ();
@@ -59,4 +59,4 @@ class TrackingWallLeash : public ResistanceDefaults {
 
 static_assert(ResistanceModel<TrackingWallLeash>);
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

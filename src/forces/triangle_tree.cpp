@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-namespace bodkin {
+namespace bodkin::forces {
 namespace {
 
 constexpr std::uint32_t leaf_size = 4;
@@ -24,7 +24,7 @@ float above(double x) {
 
 }  // namespace
 
-TriangleTree::TriangleTree(const Surface& surface) {
+TriangleTree::TriangleTree(const anatomy::Surface& surface) {
   std::vector<Box> bounds;
   std::vector<Side> sides;
   const auto count = static_cast<std::uint32_t>(surface.triangles().size());
@@ -162,4 +162,4 @@ SurfaceHit TriangleTree::first_entry(const Vec3& start, const Vec3& ray) const n
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

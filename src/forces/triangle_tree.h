@@ -7,7 +7,7 @@
 #include "anatomy/surface.h"
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // Where a segment first enters a surface.
 struct SurfaceHit {
@@ -20,7 +20,7 @@ struct SurfaceHit {
 class TriangleTree {
  public:
   // Takes n log n time. The tree keeps a copy of the triangles.
-  explicit TriangleTree(const Surface& surface);
+  explicit TriangleTree(const anatomy::Surface& surface);
 
   // Where the segment from `start` along `ray` (mm) first passes through a triangle from outside to inside; leaving
   // is free. A start up to 1e-9 mm behind a triangle still counts as before it, and triangles reach 1e-7 mm beyond
@@ -50,4 +50,4 @@ class TriangleTree {
   std::vector<Side> sides_;  // in the order of the leaves
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

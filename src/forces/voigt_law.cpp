@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace bodkin {
+namespace bodkin::forces {
 
 double VoigtLaw::elastic(double x) const noexcept {
   const double a = x / dx_;
@@ -48,4 +48,4 @@ double VoigtLaw::grip(double x, double v) const noexcept {
   return std::copysign(elastic(size), x) + damping(size) * v;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // How the elements of the incremental Voigt law add up.
 enum class VoigtSum {
@@ -47,4 +47,4 @@ class VoigtLaw {
   double k_ = 0.0, rho_ = 0.0, dx_ = 1.0;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

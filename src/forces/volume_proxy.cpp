@@ -8,10 +8,11 @@
 #include "forces/device_stability.h"
 #include "forces/model_input.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 namespace {
 
-ProxyProperties blend(const ProxyProperties& a, const ProxyProperties& b, double part) noexcept {
+anatomy::ProxyProperties blend(const anatomy::ProxyProperties& a, const anatomy::ProxyProperties& b,
+                               double part) noexcept {
   const auto mix = [part](double from, double to) { return from + (to - from) * part; };
   return {mix(a.penetrability, b.penetrability), mix(a.friction, b.friction), mix(a.drag, b.drag),
           mix(a.viscosity, b.viscosity)};
@@ -19,8 +20,8 @@ ProxyProperties blend(const ProxyProperties& a, const ProxyProperties& b, double
 
 }  // namespace
 
-Vec3 advance_proxy(const Vec3& proxy, const Vec3& tip, const Vec3& normal, const ProxyProperties& properties,
-                   double stiffness, ProxyVariant variant, bool two_sided, double dt) noexcept {
+Vec3 advance_proxy(const Vec3& proxy, const Vec3& tip, const Vec3& normal, const anatomy::ProxyProperties& properties,
+                   double stiffness, anatomy::ProxyVariant variant, bool two_sided, double dt) noexcept {
   const Vec3 stretch = tip - proxy;              // d
   const double along = stretch.dot(normal);      // dn
   const Vec3 across = stretch - along * normal;  // t
@@ -36,27 +37,31 @@ Vec3 advance_proxy(const Vec3& proxy, const Vec3& tip, const Vec3& normal, const
   const double slide = across.norm(), hold = properties.friction / stiffness;
   if (slide > hold) moved += across * ((slide - hold) / slide);  // eq. 4
   const Vec3 step = moved - proxy;                               // e
-  if (variant == ProxyVariant::viscous) {
+  if (variant == anatomy::ProxyVariant::viscous) {
     return proxy + step * (stiffness * dt / (stiffness * dt + properties.viscosity));
   }
   const double length = step.norm(), back = properties.drag / stiffness;
   return length > back ? Vec3(moved - step * (back / length)) : (back > 0.0 ? proxy : moved);  // eq. 5
 }
 
-VolumeProxy::VolumeProxy(const TissueLibrary& library, const VolumeProxySettings& settings, const HapticField& field,
-                         double dt)
-    : settings_(settings), tissues_(library.by_id(&TissueProperties::volume_proxy)), field_(&field), dt_(dt) {
+VolumeProxy::VolumeProxy(const anatomy::TissueLibrary& library, const anatomy::VolumeProxySettings& settings,
+                         const HapticField& field, double dt)
+    : settings_(settings),
+      tissues_(library.by_id(&anatomy::TissueProperties::volume_proxy)),
+      field_(&field),
+      dt_(dt) {
   constexpr auto model = "volume_proxy";
   check_tick(model, dt);
   check(settings, model);
-  check_tissues(library, &TissueProperties::volume_proxy, model);
+  check_tissues(library, &anatomy::TissueProperties::volume_proxy, model);
 }
 
-ProxyProperties VolumeProxy::properties(const FieldSample& here) const noexcept {
+anatomy::ProxyProperties VolumeProxy::properties(const FieldSample& here) const noexcept {
   const auto& points = settings_.transfer;
   if (points.empty()) return tissues_[field_->tissue(proxy_)].properties;
-  const auto above = std::upper_bound(points.begin(), points.end(), here.value,
-                                      [](double value, const TransferPoint& point) { return value < point.value; });
+  const auto above =
+      std::upper_bound(points.begin(), points.end(), here.value,
+                       [](double value, const anatomy::TransferPoint& point) { return value < point.value; });
   if (above == points.begin()) return points.front().properties;
   if (above == points.end()) return points.back().properties;
   const auto below = above - 1;
@@ -65,14 +70,14 @@ ProxyProperties VolumeProxy::properties(const FieldSample& here) const noexcept 
 
 Vec3 VolumeProxy::step(const Vec3& tip, const Rail* rail, TickEvents& events) noexcept {
   if (!(tip.norm() <= farthest_depth)) {
-    events.push({EventKind::fault, tissue::air, 0.0, 0.0});
+    events.push({EventKind::fault, anatomy::tissue::air, 0.0, 0.0});
     return Vec3::Zero();
   }
   if (!placed_) proxy_ = tip;
   placed_ = true;
   const FieldSample here = field_->sample(proxy_);
   if (here.inside) {
-    ProxyProperties local = properties(here);
+    anatomy::ProxyProperties local = properties(here);
     const double slope = here.gradient.norm();
     Vec3 normal = Vec3::Zero();
     if (slope > settings_.gradient_least) {
@@ -91,13 +96,13 @@ Vec3 VolumeProxy::step(const Vec3& tip, const Rail* rail, TickEvents& events) no
   return size > settings_.limit ? Vec3(force * (settings_.limit / size)) : force;
 }
 
-VolumeProxy::VolumeProxy(const Case& patient, const VolumeProxySettings& settings, std::unique_ptr<HapticField> field,
-                         double dt)
+VolumeProxy::VolumeProxy(const anatomy::Case& patient, const anatomy::VolumeProxySettings& settings,
+                         std::unique_ptr<HapticField> field, double dt)
     : VolumeProxy(patient.library, settings, *field, dt) {
   own_field_ = std::move(field);
 }
 
-VolumeProxy::VolumeProxy(const Case& patient, const VolumeProxySettings& settings, double dt)
+VolumeProxy::VolumeProxy(const anatomy::Case& patient, const anatomy::VolumeProxySettings& settings, double dt)
     : VolumeProxy(patient, settings,
                   std::make_unique<HapticField>(patient.ct, patient.tissues, patient.library, settings.field), dt) {
   require_stable("volume_proxy", "stiffness", settings.stiffness, patient.description.device);
@@ -117,4 +122,4 @@ ResistanceForce VolumeProxy::step(const NeedleInTissue& needle, TickEvents& even
           .in_contact = needle.motion.depth > 0.0};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -11,11 +11,11 @@
 #include "forces/rail.h"
 #include "forces/resistance_model.h"
 
-namespace bodkin {
+namespace bodkin::forces {
 
 // One proxy step, eq. 2-5, in a field whose unit gradient is `normal` (zero where the field is flat).
-Vec3 advance_proxy(const Vec3& proxy, const Vec3& tip, const Vec3& normal, const ProxyProperties& properties,
-                   double stiffness, ProxyVariant variant, bool two_sided, double dt) noexcept;
+Vec3 advance_proxy(const Vec3& proxy, const Vec3& tip, const Vec3& normal, const anatomy::ProxyProperties& properties,
+                   double stiffness, anatomy::ProxyVariant variant, bool two_sided, double dt) noexcept;
 
 // Haptic rendering of a volume with a proxy (Faerber, Heller, Handels, section 2.1.2, eq. 1-5; after Lundin et al.
 // 2002): a spring k ties the tip x_t to a proxy x_p that moves only as the field V and the tissue allow.
@@ -32,7 +32,7 @@ Vec3 advance_proxy(const Vec3& proxy, const Vec3& tip, const Vec3& normal, const
 // before the force is taken. Readings: docs/models/volume_proxy.md.
 class VolumeProxy : public ResistanceDefaults {
  public:
-  using Settings = VolumeProxySettings;
+  using Settings = anatomy::VolumeProxySettings;
   static constexpr ResistanceTraits traits = {
       .name = "volume_proxy",
       .holds_laterally = true,
@@ -40,9 +40,10 @@ class VolumeProxy : public ResistanceDefaults {
   };
 
   // Throws InputError for a setting outside its range. `dt`: s, 1e-6 to 0.1. `field` must outlive the object.
-  VolumeProxy(const TissueLibrary& library, const VolumeProxySettings& settings, const HapticField& field, double dt);
+  VolumeProxy(const anatomy::TissueLibrary& library, const anatomy::VolumeProxySettings& settings,
+              const HapticField& field, double dt);
   // Of a patient, whose field it makes and keeps: also refuses what the device cannot render stably.
-  VolumeProxy(const Case& patient, const VolumeProxySettings& settings, double dt);
+  VolumeProxy(const anatomy::Case& patient, const anatomy::VolumeProxySettings& settings, double dt);
 
   // Force on the hand, LPS N, at most `limit`. `rail`: nullptr = the tip is free. The first call puts the proxy at
   // the tip. A tip that is not finite or farther than 1e4 mm: zero, a `fault` event, state unchanged.
@@ -56,13 +57,13 @@ class VolumeProxy : public ResistanceDefaults {
   ModelDiagnostics diagnostics() const noexcept { return {proxy_.x(), proxy_.y(), proxy_.z()}; }
 
  private:
-  VolumeProxy(const Case& patient, const VolumeProxySettings& settings, std::unique_ptr<HapticField> field,
-              double dt);
-  ProxyProperties properties(const FieldSample& here) const noexcept;
+  VolumeProxy(const anatomy::Case& patient, const anatomy::VolumeProxySettings& settings,
+              std::unique_ptr<HapticField> field, double dt);
+  anatomy::ProxyProperties properties(const FieldSample& here) const noexcept;
 
-  VolumeProxySettings settings_;
-  std::array<VolumeProxyTissue, 256> tissues_;  // 256, by TissueId
-  std::unique_ptr<HapticField> own_field_;      // of a patient
+  anatomy::VolumeProxySettings settings_;
+  std::array<anatomy::VolumeProxyTissue, 256> tissues_;  // 256, by TissueId
+  std::unique_ptr<HapticField> own_field_;               // of a patient
   const HapticField* field_;
   double dt_;
   Vec3 proxy_ = Vec3::Zero();
@@ -72,4 +73,4 @@ class VolumeProxy : public ResistanceDefaults {
 
 static_assert(ResistanceModel<VolumeProxy>);
 
-}  // namespace bodkin
+}  // namespace bodkin::forces

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 constexpr double forget_without_force = 0.5;  // s without force
@@ -33,4 +33,4 @@ Vec3 AxisPassivity::damped(const Vec3& wanted, const Vec3& velocity, double dt, 
   return force;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -2,7 +2,7 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // Time-domain passivity at the hand (Hannaford and Ryu 2002), one observer and one controller per axis of the
 // operator's frame. Between two ticks a device holds its force, so what the hand has given to an axis is known
@@ -37,4 +37,4 @@ class AxisPassivity {
   double time_without_force_ = 0.0;  // s
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -23,7 +23,7 @@ extern "C" {
 #define BODKIN_TEXT 128
 #define BODKIN_MESSAGE 512
 
-/* Results. The order is that of bodkin::DeviceFault. */
+/* Results. The order is that of bodkin::haptics::DeviceFault. */
 enum {
   BODKIN_OK,
   BODKIN_NOT_INSTALLED,

@@ -6,7 +6,7 @@
 #include <thread>
 #include <utility>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 bool returns_within(std::chrono::milliseconds limit, std::function<void()> call, std::function<void()> late) {
   struct Meeting {
@@ -40,4 +40,4 @@ bool returns_within(std::chrono::milliseconds limit, std::function<void()> call,
   return false;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

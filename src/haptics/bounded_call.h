@@ -3,7 +3,7 @@
 #include <chrono>
 #include <functional>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // Runs `call` on a thread of its own and waits for it no longer than `limit`. False when it had not returned by then:
 // the thread is left to itself, and should the call come back after all, `late` is run on it (may be empty). Both
@@ -11,4 +11,4 @@ namespace bodkin {
 // std::system_error when the system has no thread left.
 bool returns_within(std::chrono::milliseconds limit, std::function<void()> call, std::function<void()> late);
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -12,7 +12,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -193,4 +193,4 @@ void apply(const DeviceCalibration& calibration, ServoSettings& settings) {
   if (calibration.weight) settings.weight = *calibration.weight;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -7,7 +7,7 @@
 #include "haptics/device_calibration.h"
 #include "haptics/servo_tick.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // Calibration of a device from its readings. All throw InputError, in one sentence that says what to do differently,
 // when the readings do not determine what is asked for. Poses and positions are those of DeviceState::hand.
@@ -46,4 +46,4 @@ void apply(const DeviceCalibration& calibration, DeviceAbilities& abilities);
 // already lies in the patient as for a device that stands straight.
 void apply(const DeviceCalibration& calibration, ServoSettings& settings);
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

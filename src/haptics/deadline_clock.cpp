@@ -11,7 +11,7 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -77,4 +77,4 @@ RealTimePriority::~RealTimePriority() {
   prctl(PR_SET_TIMERSLACK, default_timer_slack);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

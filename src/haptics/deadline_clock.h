@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // Wakes a servo thread at absolute moments of the monotonic clock, `period` apart, and counts the wake-ups that came
 // too late to do a tick's work in time. wait() neither locks nor allocates.
@@ -53,4 +53,4 @@ class RealTimePriority {
   std::vector<std::string> refused_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

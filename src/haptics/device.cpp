@@ -1,6 +1,6 @@
 #include "haptics/device.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 std::string_view text_of(DeviceFault fault) noexcept {
   switch (fault) {
@@ -36,4 +36,4 @@ std::string_view text_of(DeviceFault fault) noexcept {
   return "vendor error";
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

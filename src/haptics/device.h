@@ -8,7 +8,7 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // The operator's frame, in which every device speaks to Bodkin: right-handed, +X to the operator's right, +Y away
 // from the operator, +Z up, origin in the middle of the device's workspace, mm. A vendor's own axes and units exist
@@ -66,4 +66,4 @@ struct DeviceState {
   bool ended() const noexcept { return (buttons >> 31U) != 0; }
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

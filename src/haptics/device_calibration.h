@@ -5,7 +5,7 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // What was measured of one device where it stands: `bodkin devices calibrate` finds it and keeps it. What was not
 // measured is empty. Frames as in haptics/device.h.
@@ -36,4 +36,4 @@ struct DeviceCalibration {
   bool empty() const { return !reach && !mounting && !tip_offset && !tool_axis && !weight; }
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

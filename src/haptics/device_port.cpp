@@ -10,7 +10,7 @@
 #include "haptics/bounded_call.h"
 #include "haptics/driver_values.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -235,4 +235,4 @@ std::string DevicePort::explain() const {
   return text_of(message);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -10,7 +10,7 @@
 #include "haptics/bodkin_driver.h"
 #include "haptics/device.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // A driver refused. The message is one sentence that says what to do.
 class DeviceError : public SystemError {
@@ -97,4 +97,4 @@ class DevicePort {
   bool lost_ = false;  // a call was given up
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // A number that a device is known for. 0 where nothing is known.
 enum class DeviceQuantity : std::uint8_t {
@@ -50,4 +50,4 @@ struct DeviceProfile {
   const ProfileValue& of(DeviceQuantity quantity) const { return values[static_cast<std::size_t>(quantity)]; }
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -50,4 +50,4 @@ void complete(DeviceAbilities& abilities, const DeviceProfile& profile) {
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

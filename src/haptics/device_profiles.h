@@ -6,7 +6,7 @@
 #include "haptics/device.h"
 #include "haptics/device_profile.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // The profile of a model by its name or another name of it, whatever the case of its letters; null where there is
 // none.
@@ -19,4 +19,4 @@ DeviceAbilities abilities_of(const DeviceProfile& profile);
 // device's own peak.
 void complete(DeviceAbilities& abilities, const DeviceProfile& profile);
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

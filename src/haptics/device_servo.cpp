@@ -3,7 +3,7 @@
 #include <exception>
 #include <utility>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -77,4 +77,4 @@ std::string DeviceServo::explain() const {
   return shared_->port.explain();
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -9,7 +9,7 @@
 #include "haptics/servo_thread.h"
 #include "haptics/servo_tick.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // An open device with its servo, whoever owns the loop: a vendor's thread, or one of ours. Without start() and an arm
 // command no force leaves.
@@ -47,4 +47,4 @@ class DeviceServo {
   bool started_ = false;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

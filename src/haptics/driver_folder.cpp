@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace fs = std::filesystem;
 
@@ -29,4 +29,4 @@ std::vector<std::string> driver_files() {
   return files;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // Where other people's drivers are looked for: the folder that the environment variable BODKIN_DRIVERS names, or
 // bodkin/drivers in the library folder that belongs to this program. A path that is not absolute counts as none, so
@@ -15,4 +15,4 @@ std::filesystem::path driver_folder();
 // loaded.
 std::vector<std::string> driver_files();
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -8,7 +8,7 @@
 #include <dlfcn.h>
 #include <link.h>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -98,4 +98,4 @@ void DriverLibrary::unload() noexcept {
   handle_ = nullptr;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

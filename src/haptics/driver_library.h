@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // A library that could not be loaded, or that lacks what was expected of it.
 class LibraryError : public SystemError {
@@ -67,4 +67,4 @@ class DriverLibrary {
   std::string advice_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

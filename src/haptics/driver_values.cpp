@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -92,4 +92,4 @@ bodkin_command command_from(const Wrench& wrench) noexcept {
   return command;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -4,7 +4,7 @@
 #include "haptics/bodkin_driver.h"
 #include "haptics/device.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // Between the structures of the C interface to drivers and our own. What a driver says is not believed: numbers that
 // are not finite, flags and codes out of range never come through. None of these allocates, save abilities_from.
@@ -21,4 +21,4 @@ void read_state(const bodkin_state& from, DeviceState& state) noexcept;
 // A wrench that is not finite commands nothing.
 bodkin_command command_from(const Wrench& wrench) noexcept;
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -5,7 +5,7 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // How a force may change from tick to tick and how large it may be: what ForceGovernor and HandGuard have in common.
 // Plain functions of their arguments, for forces (N) and torques (N mm) alike.
@@ -45,4 +45,4 @@ inline double thermal_bound(double mean_square, double continuous_force, double 
   return peak_force + spent * (continuous_force - peak_force);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

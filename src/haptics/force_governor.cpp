@@ -5,7 +5,7 @@
 
 #include "haptics/force_change.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -96,4 +96,4 @@ Vec3 ForceGovernor::step(const ForceRequest& request) noexcept {
   return force;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

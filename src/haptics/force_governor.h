@@ -5,7 +5,7 @@
 #include "core/geometry.h"
 #include "haptics/passivity_controller.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // Why the force that left differs from the force that was asked for; bits of TickOutput::limits.
 namespace force_limit {
@@ -88,4 +88,4 @@ class ForceGovernor {
   bool failed_ = false;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -1,6 +1,6 @@
 #include "haptics/guard_event.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 std::string_view text_of(GuardState state) noexcept {
   switch (state) {
@@ -83,4 +83,4 @@ std::string_view text_of(GuardReason reason) noexcept {
   return "nothing";
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -7,7 +7,7 @@
 
 #include "haptics/device.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // What HandGuard is doing.
 enum class GuardState : std::uint8_t {
@@ -92,4 +92,4 @@ class GuardEvents {
   std::size_t size_ = 0;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

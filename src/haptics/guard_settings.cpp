@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -76,4 +76,4 @@ void check(const GuardSettings& settings) {
   require_of_device(positive(settings.thermal_time), "the thermal time", settings.thermal_time, "more than 0 s");
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -5,7 +5,7 @@
 #include "core/geometry.h"
 #include "haptics/device.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // What HandGuard allows. guard_settings() makes it from what a device reports; the other numbers are choices of this
 // project (docs/safety.md gives reasons).
@@ -40,4 +40,4 @@ GuardSettings guard_settings(const DeviceAbilities& abilities, double rate);
 // inside out.
 void check(const GuardSettings& settings);
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -6,7 +6,7 @@
 #include "haptics/force_change.h"
 #include "haptics/tick_clock.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -316,4 +316,4 @@ const Wrench& HandGuard::step(const DeviceState& device, const GuardInput& input
   return applied_;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -11,7 +11,7 @@
 #include "haptics/motion_watch.h"
 #include "haptics/oscillation_watch.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // Whether the pose is plausible: finite, a proper rotation, and within 5 m of the workspace.
 bool is_possible(const Pose& hand) noexcept;
@@ -121,4 +121,4 @@ class HandGuard {
   int fast_ticks_ = 0;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

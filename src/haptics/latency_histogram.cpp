@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 constexpr double longest = 0.1;  // s
@@ -54,4 +54,4 @@ double LatencyHistogram::percentile(double share) const noexcept {
   return maximum_;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // How long something took, again and again: fixed bins from 1 ns to 100 ms, sixteen to an octave, so that a
 // percentile is at most 1/16 too high whatever the scale, and one bin for what took longer. record() is noexcept,
@@ -46,4 +46,4 @@ class LatencyHistogram {
   double maximum_ = 0.0;  // s
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 constexpr double window_time = 0.010;   // s
@@ -52,4 +52,4 @@ void MotionWatch::step(const Pose& hand, const Vec3& velocity, double dt) noexce
   ++seen_;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

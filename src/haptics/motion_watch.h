@@ -5,7 +5,7 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // How a device's hand moves, as far as safety needs to know: speed, rest, jumps and readings that stand still. Makes
 // do with positions when the device reports no velocity. step() is noexcept and allocates nothing.
@@ -57,4 +57,4 @@ class MotionWatch {
   bool jumped_ = false;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

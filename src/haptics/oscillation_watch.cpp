@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 constexpr double least_force = 0.1;       // N, below which nothing shakes the hand
@@ -65,4 +65,4 @@ bool OscillationWatch::step(const Vec3& moved, const Vec3& force, double dt) noe
   return true;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -2,7 +2,7 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // Which shaking is looked for.
 struct ShakingPattern {
@@ -50,4 +50,4 @@ class OscillationWatch {
   double way_ = 0.0, way_before_ = 0.0;      // mm^2/s, time integral of the squared speed
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

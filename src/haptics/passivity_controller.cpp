@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 constexpr double forget_out_of_contact = 0.5;  // s out of contact
@@ -23,4 +23,4 @@ double PassivityController::step(double resistance, double velocity, bool in_con
   return std::clamp(resistance + damping_ * velocity, -force_limit_, force_limit_);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

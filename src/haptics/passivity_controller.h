@@ -1,6 +1,6 @@
 #pragma once
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // Time-domain passivity (Hannaford and Ryu 2002): what comes out of the tissue along the needle is never more energy
 // than the hand has put in.
@@ -31,4 +31,4 @@ class PassivityController {
   double time_outside_ = 0.0;  // s
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -2,7 +2,7 @@
 
 #include "haptics/driver_library.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -43,4 +43,4 @@ const bodkin_driver& load_plugin(const std::string& path) {
   return *driver;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -4,7 +4,7 @@
 
 #include "haptics/bodkin_driver.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // Loads a third-party driver, a shared library that exports bodkin_driver_entry (bodkin_driver.h; docs/devices.md
 // says how to write one). The library stays loaded. Throws SystemError: no such file, no driver, or an interface of
@@ -15,4 +15,4 @@ const bodkin_driver& load_plugin(const std::string& path);
 // messages.
 void check(const bodkin_driver& driver, const std::string& origin);
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -71,4 +71,4 @@ const Pose& PointerHand::step(const PointerState& state, double dt) noexcept {
   return hand_;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

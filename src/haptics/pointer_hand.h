@@ -2,7 +2,7 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // What a mouse and a keyboard have done since a window was opened: plain numbers that a loop reads whole. Counts only
 // grow or shrink by what happened, so a state that was not read in time loses nothing.
@@ -74,4 +74,4 @@ class PointerHand {
   Pose hand_ = Pose::Identity();
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

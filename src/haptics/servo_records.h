@@ -9,7 +9,7 @@
 #include "haptics/guard_event.h"
 #include "haptics/latency_histogram.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // Input and output records of a servo tick, plain data of fixed size.
 
@@ -70,4 +70,4 @@ struct FaultReport {
   std::array<ServoSample, most> ticks{};  // [0, count)
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

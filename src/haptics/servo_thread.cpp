@@ -12,7 +12,7 @@
 #include "haptics/deadline_clock.h"
 #include "haptics/tick_clock.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -164,4 +164,4 @@ std::uint64_t ServoThread::missed() const noexcept {
   return shared_->missed.load(std::memory_order_relaxed);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -9,7 +9,7 @@
 
 #include "haptics/device.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 struct ServoThreadSettings {
   double period = 0.001;           // s; 0.00025 to 0.005
@@ -67,4 +67,4 @@ class ServoThread {
   bool stopped_in_time_ = true;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -204,4 +204,4 @@ Wrench ServoTick::step(const DeviceState& reported, double dt, double lateness) 
   return applied;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -13,7 +13,7 @@
 #include "haptics/tick_clock.h"
 #include "haptics/workspace_map.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // Input of a controller, once a tick.
 struct ControlInput {
@@ -127,4 +127,4 @@ class ServoTick {
   std::atomic<std::uint64_t> lost_events_{0};
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "core/random.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -93,4 +93,4 @@ const Pose& SimulatedHand::step(const Pose& intended, const Wrench& on_hand) noe
   return needle_;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -6,7 +6,7 @@
 #include "core/geometry.h"
 #include "haptics/tremor.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // A hand and forearm that hold the needle: at the tip a mass on a spring and a damper whose other end is where the
 // person means the needle to be (the equilibrium point that the muscles set). The needle's rotation yields in the
@@ -70,4 +70,4 @@ class SimulatedHand {
   Vec3 turn_rate_ = Vec3::Zero();
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

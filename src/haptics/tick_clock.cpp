@@ -2,7 +2,7 @@
 
 #include <ctime>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -22,4 +22,4 @@ double monotonic_seconds() noexcept {
   return static_cast<double>(monotonic(nullptr)) * 1e-9;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // Where a servo tick reads the time that it measures itself with; no force depends on it. Virtual in tests.
 struct TickClock {
@@ -20,4 +20,4 @@ double monotonic_seconds() noexcept;
 // s; a longer pause between two ticks counts as this.
 inline constexpr double longest_dt = 1.0;
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -5,7 +5,7 @@
 
 #include "core/random.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 Tremor::Tremor(double size, double dt, std::uint64_t seed) : axes_{} {
   Random random(seed);
@@ -32,4 +32,4 @@ Vec3 Tremor::next() noexcept {
   return sum;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -5,7 +5,7 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // Physiological tremor: along each axis a sum of six sinusoids of equal size, their frequencies drawn from 8 to 12 Hz
 // (the band of the physiological tremor of the hand, Elble and Koller 1990) and their phases from the whole circle.
@@ -30,4 +30,4 @@ class Tremor {
   std::array<std::array<Wave, waves>, 3> axes_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 constexpr double smoothing = 0.010;  // s, of the velocity
@@ -26,4 +26,4 @@ Control Weighing::step(const ControlInput& input) noexcept {
   return {{force, Vec3::Zero()}, 0.0};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

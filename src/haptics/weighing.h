@@ -6,7 +6,7 @@
 #include "core/latest_value.h"
 #include "haptics/servo_tick.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // A controller that carries the handle of a device that no hand holds, so that the handle's weight can be identified:
 // a weak, damped spring to a target that moves at constant speed. One observer sets the target; step() belongs to the
@@ -39,4 +39,4 @@ class Weighing {
   bool seen_ = false;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

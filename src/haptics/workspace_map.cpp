@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -110,4 +110,4 @@ Wrench WorkspaceMap::felt(const Wrench& on_needle) const noexcept {
   return hand;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -2,7 +2,7 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // How the hand's workspace lies in the patient, and how the needle lies in the hand.
 struct WorkspaceSettings {
@@ -85,4 +85,4 @@ class WorkspaceMap {
   bool begun_ = false;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

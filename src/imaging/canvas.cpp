@@ -7,7 +7,7 @@
 #include "imaging/markup.h"
 #include "imaging/png_file.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 Path Path::segment(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
   return polyline({from, to});
@@ -84,4 +84,4 @@ std::string Canvas::png(double zoom) const {
   return encode_png(pixels(zoom));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

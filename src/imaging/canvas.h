@@ -10,7 +10,7 @@
 #include "core/geometry.h"
 #include "imaging/image_rgb.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // Every picture of the program is drawn on a canvas: slices, meshes, plots and the screen of the ultrasound machine.
 // Lengths are px of the picture, from its upper left corner to the right and down.
@@ -132,4 +132,4 @@ class Canvas {
 // px that a text is wide in the font of the pictures, DejaVu Sans.
 double text_width(std::string_view text, double size, bool bold = false);
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

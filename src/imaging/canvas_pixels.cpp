@@ -21,7 +21,7 @@ extern "C" const char* __lsan_default_options() {  // NOLINT(bugprone-reserved-i
 }
 #endif
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -227,4 +227,4 @@ double text_width(std::string_view text, double size, bool bold) {
   return advance_of(context.get(), printable_utf8(text));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

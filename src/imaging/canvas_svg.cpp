@@ -8,7 +8,7 @@
 #include "imaging/markup.h"
 #include "imaging/png_file.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -121,4 +121,4 @@ std::string Canvas::svg() const {
   return SvgWriter().write(*this);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 struct Rgb {
   std::uint8_t red = 0;
@@ -39,4 +39,4 @@ struct ImageRgb {
   }
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

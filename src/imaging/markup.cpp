@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 std::string escape_markup(std::string_view text) {
   std::string safe;
@@ -86,4 +86,4 @@ std::string css_colour(std::uint32_t colour) {
   return fmt::format("#{:06x}", colour & 0xFFFFFFU);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // Text made safe for XML and HTML, between tags and inside quotes. Characters that XML forbids become spaces.
 std::string escape_markup(std::string_view text);
@@ -17,4 +17,4 @@ std::string data_uri(std::string_view type, std::string_view bytes);
 // "#rrggbb"
 std::string css_colour(std::uint32_t colour);
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

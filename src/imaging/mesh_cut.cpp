@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-namespace bodkin {
+namespace bodkin::imaging {
 
-std::vector<CutElement> cut_mesh(const TetrahedralMesh& mesh, const SlicePlane& plane) {
+std::vector<CutElement> cut_mesh(const anatomy::TetrahedralMesh& mesh, const SlicePlane& plane) {
   std::vector<double> distance(mesh.nodes.size());
   std::transform(mesh.nodes.begin(), mesh.nodes.end(), distance.begin(),
                  [&](const Vec3& node) { return plane.distance(node); });
@@ -35,4 +35,4 @@ std::vector<CutElement> cut_mesh(const TetrahedralMesh& mesh, const SlicePlane& 
   return cuts;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -9,7 +9,7 @@
 #include "imaging/mesh_cut.h"
 #include "imaging/slice_picture.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 namespace {
 
 constexpr double mesh_panel_height = 560.0;  // px
@@ -28,7 +28,7 @@ struct MeshBox {
   Vec3 low, high;
 };
 
-MeshBox box_of(const TetrahedralMesh& mesh) {
+MeshBox box_of(const anatomy::TetrahedralMesh& mesh) {
   MeshBox box{mesh.nodes.front(), mesh.nodes.front()};
   for (const Vec3& node : mesh.nodes) {
     box.low = box.low.cwiseMin(node);
@@ -37,14 +37,15 @@ MeshBox box_of(const TetrahedralMesh& mesh) {
   return box;
 }
 
-SlicePlane plane_through(const std::optional<NeedlePath>& path, const Vec3& middle, double width, double height) {
+SlicePlane plane_through(const std::optional<anatomy::NeedlePath>& path, const Vec3& middle, double width,
+                         double height) {
   const double pixel = std::max(width, height) / mesh_pixels_across;
   return path ? sagittal_plane_along(*path, middle, width, height, pixel)
               : view_plane(View::sagittal, middle, width, height, pixel);
 }
 
-SlicePanel panel(const TetrahedralMesh& mesh, const SlicePlane& plane, const std::optional<NeedlePath>& path,
-                 const std::string& title) {
+SlicePanel panel(const anatomy::TetrahedralMesh& mesh, const SlicePlane& plane,
+                 const std::optional<anatomy::NeedlePath>& path, const std::string& title) {
   SlicePanel result;
   result.slice.plane = plane;
   result.title = title;
@@ -67,7 +68,7 @@ std::string grouped(std::size_t number) {
 // How the dihedral angles are spread.
 class Chart {
  public:
-  Chart(const MeshQuality& quality, double height)
+  Chart(const anatomy::MeshQuality& quality, double height)
       : quality_(quality), canvas_(chart_left + chart_width + chart_right, height) {}
 
   Canvas draw() {
@@ -83,10 +84,10 @@ class Chart {
       canvas_.stroke(Path::segment({chart_left, y}, {chart_left + chart_width, y}), {0x2B3640});
       text({chart_left - 8.0, y + 4.0}, fmt::format("{} %", percent), TextAnchor::end, 11.0, tick_colour);
     }
-    const double wide = chart_width / angle_bins;
+    const double wide = chart_width / anatomy::angle_bins;
     for (std::size_t bin = 0; bin < quality_.angles.size(); ++bin) {
       const double share = 100.0 * static_cast<double>(quality_.angles[bin]) / static_cast<double>(all) / top;
-      const double degrees = 180.0 / angle_bins * static_cast<double>(bin);
+      const double degrees = 180.0 / anatomy::angle_bins * static_cast<double>(bin);
       const bool poor = degrees < 10.0 || degrees >= 165.0;
       canvas_.fill(Path::rectangle(chart_left + wide * static_cast<double>(bin) + 0.5, height_of(share), wide - 1.0,
                                    chart_top + chart_height - height_of(share)),
@@ -137,14 +138,15 @@ class Chart {
     }
   }
 
-  const MeshQuality& quality_;
+  const anatomy::MeshQuality& quality_;
   Canvas canvas_;
 };
 
 }  // namespace
 
-Canvas mesh_picture(const TetrahedralMesh& mesh, const MeshQuality& quality, const std::optional<NeedlePath>& path,
-                    const TissueLibrary& library, const std::string& title) {
+Canvas mesh_picture(const anatomy::TetrahedralMesh& mesh, const anatomy::MeshQuality& quality,
+                    const std::optional<anatomy::NeedlePath>& path, const anatomy::TissueLibrary& library,
+                    const std::string& title) {
   const MeshBox box = box_of(mesh);
   const Vec3 size = around_mesh * (box.high - box.low), middle = 0.5 * (box.low + box.high);
   std::vector<SlicePanel> panels = {
@@ -165,4 +167,4 @@ Canvas mesh_picture(const TetrahedralMesh& mesh, const MeshQuality& quality, con
   return picture;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "core/files.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 static_assert(sizeof(Rgb) == 3, "pixels are handed to libpng as packed RGB");
 
@@ -64,4 +64,4 @@ void write_png(const ImageRgb& image, const std::filesystem::path& file) {
   write_file(file, encode_png(image));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -6,7 +6,7 @@
 
 #include "imaging/image_rgb.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // The bytes of a PNG file (8 bit RGB, lossless). The picture must not be empty. Throws SystemError when memory is
 // short.
@@ -18,4 +18,4 @@ ImageRgb decode_png(std::string_view bytes, const std::string& origin);
 // Writes a picture as a PNG file. Throws SystemError when the file cannot be written.
 void write_png(const ImageRgb& image, const std::filesystem::path& file);
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -41,13 +41,13 @@ SlicePlane plane_around(const ViewAxes& axes, const Vec3& middle, double width, 
 
 }  // namespace
 
-PatientBox body_box(const TissueVolume& tissues) {
+PatientBox body_box(const anatomy::TissueVolume& tissues) {
   const auto& size = tissues.grid.size;
   std::array<int, 3> low = size, high = {-1, -1, -1};
   for (int k = 0; k < size[2]; ++k) {
     for (int j = 0; j < size[1]; ++j) {
       for (int i = 0; i < size[0]; ++i) {
-        if (tissues.at(i, j, k) == tissue::air) continue;
+        if (tissues.at(i, j, k) == anatomy::tissue::air) continue;
         low = {std::min(low[0], i), std::min(low[1], j), std::min(low[2], k)};
         high = {std::max(high[0], i), std::max(high[1], j), std::max(high[2], k)};
       }
@@ -76,7 +76,7 @@ SlicePlane view_plane(View view, const Vec3& middle, double width, double height
   return plane_around(axes_of(view), middle, width, height, pixel);
 }
 
-SlicePlane sagittal_plane_along(const NeedlePath& path, const Vec3& middle, double width, double height,
+SlicePlane sagittal_plane_along(const anatomy::NeedlePath& path, const Vec3& middle, double width, double height,
                                 double pixel) {
   const Vec3 along = path.direction();
   // The normal nearest to the sagittal plane's among those perpendicular to the path.
@@ -106,7 +106,7 @@ std::string direction_letters(const Vec3& direction) {
   return letters;
 }
 
-Slice cut(const SlicePlane& plane, const CtVolume& ct, const TissueVolume& tissues) {
+Slice cut(const SlicePlane& plane, const anatomy::CtVolume& ct, const anatomy::TissueVolume& tissues) {
   Slice slice;
   slice.plane = plane;
   const std::size_t count = static_cast<std::size_t>(plane.width) * static_cast<std::size_t>(plane.height);
@@ -115,14 +115,15 @@ Slice cut(const SlicePlane& plane, const CtVolume& ct, const TissueVolume& tissu
   for (int row = 0; row < plane.height; ++row) {
     for (int column = 0; column < plane.width; ++column) {
       const Vec3 point = plane.point(column, row);
-      slice.hounsfield.push_back(static_cast<float>(linear(ct, point, std::numeric_limits<double>::quiet_NaN())));
-      slice.tissues.push_back(nearest(tissues, point, Slice::outside));
+      slice.hounsfield.push_back(
+          static_cast<float>(anatomy::linear(ct, point, std::numeric_limits<double>::quiet_NaN())));
+      slice.tissues.push_back(anatomy::nearest(tissues, point, Slice::outside));
     }
   }
   return slice;
 }
 
-ImageRgb paint(const Slice& slice, const TissueLibrary& library, const SliceLook& look) {
+ImageRgb paint(const Slice& slice, const anatomy::TissueLibrary& library, const SliceLook& look) {
   ImageRgb image(slice.plane.width, slice.plane.height);
   const double black = look.level - 0.5 * look.window;
   const auto tissue_at = [&](int column, int row) {
@@ -136,8 +137,8 @@ ImageRgb paint(const Slice& slice, const TissueLibrary& library, const SliceLook
       const double hounsfield = slice.hounsfield[at];
       const double grey =
           std::isnan(hounsfield) ? 0.0 : std::clamp((hounsfield - black) / look.window, 0.0, 1.0) * 255.0;
-      const TissueId here = slice.tissues[at];
-      const TissueProperties* properties = here == tissue::air ? nullptr : library.find(here);
+      const anatomy::TissueId here = slice.tissues[at];
+      const anatomy::TissueProperties* properties = here == anatomy::tissue::air ? nullptr : library.find(here);
       double share = 0.0;
       Rgb colour;
       if (properties != nullptr) {
@@ -156,15 +157,17 @@ ImageRgb paint(const Slice& slice, const TissueLibrary& library, const SliceLook
   return image;
 }
 
-std::vector<TissueId> tissues_present(const Slice& slice) {
+std::vector<anatomy::TissueId> tissues_present(const Slice& slice) {
   std::array<std::size_t, 256> pixels{};
-  for (const TissueId id : slice.tissues) ++pixels[id];
-  std::vector<TissueId> present;
+  for (const anatomy::TissueId id : slice.tissues) ++pixels[id];
+  std::vector<anatomy::TissueId> present;
   for (int id = 0; id < Slice::outside; ++id) {
-    if (id != tissue::air && pixels[static_cast<std::size_t>(id)] > 0) present.push_back(static_cast<TissueId>(id));
+    if (id != anatomy::tissue::air && pixels[static_cast<std::size_t>(id)] > 0)
+      present.push_back(static_cast<anatomy::TissueId>(id));
   }
-  std::stable_sort(present.begin(), present.end(), [&](TissueId a, TissueId b) { return pixels[a] > pixels[b]; });
+  std::stable_sort(present.begin(), present.end(),
+                   [&](anatomy::TissueId a, anatomy::TissueId b) { return pixels[a] > pixels[b]; });
   return present;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -6,7 +6,7 @@
 #include "anatomy/case.h"
 #include "imaging/image_rgb.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // The three views of radiology: axial as seen from the feet (patient's left on the right, back below), coronal as
 // seen from the front (patient's left on the right, head above), sagittal as seen from the patient's left (front on
@@ -41,14 +41,14 @@ struct PatientBox {
 };
 
 // The box around everything that is not air (around the whole volume when there is nothing else).
-PatientBox body_box(const TissueVolume& tissues);
+PatientBox body_box(const anatomy::TissueVolume& tissues);
 
 // The plane of a view through `middle` that covers `width` x `height` mm around it.
 SlicePlane view_plane(View view, const Vec3& middle, double width, double height, double pixel);
 
 // The plane nearest to sagittal that contains a path. A path that runs more than 45 degrees out of the sagittal plane
 // gets the true sagittal plane through its target.
-SlicePlane sagittal_plane_along(const NeedlePath& path, const Vec3& middle, double width, double height,
+SlicePlane sagittal_plane_along(const anatomy::NeedlePath& path, const Vec3& middle, double width, double height,
                                 double pixel);
 
 // The letters of a direction, "A", "P", "L", "R", "S", "I", two when it runs between two axes.
@@ -57,13 +57,13 @@ std::string direction_letters(const Vec3& direction);
 // What lies in a plane, pixel by pixel.
 struct Slice {
   SlicePlane plane;
-  std::vector<float> hounsfield;  // height x width, HU, trilinear; NaN outside the CT
-  std::vector<TissueId> tissues;  // height x width, nearest voxel; 255 outside
+  std::vector<float> hounsfield;           // height x width, HU, trilinear; NaN outside the CT
+  std::vector<anatomy::TissueId> tissues;  // height x width, nearest voxel; 255 outside
 
-  static constexpr TissueId outside = 255;
+  static constexpr anatomy::TissueId outside = 255;
 };
 
-Slice cut(const SlicePlane& plane, const CtVolume& ct, const TissueVolume& tissues);
+Slice cut(const SlicePlane& plane, const anatomy::CtVolume& ct, const anatomy::TissueVolume& tissues);
 
 // How a slice is painted.
 struct SliceLook {
@@ -74,9 +74,9 @@ struct SliceLook {
 };
 
 // The slice as a picture: HU as grey, tissues tinted with the colours of the library and outlined. Air stays black.
-ImageRgb paint(const Slice& slice, const TissueLibrary& library, const SliceLook& look = {});
+ImageRgb paint(const Slice& slice, const anatomy::TissueLibrary& library, const SliceLook& look = {});
 
 // The tissues that a slice holds, without air, most pixels first.
-std::vector<TissueId> tissues_present(const Slice& slice);
+std::vector<anatomy::TissueId> tissues_present(const Slice& slice);
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

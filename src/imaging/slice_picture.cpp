@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -34,7 +34,7 @@ class PanelArtist {
         canvas_(panel.slice.plane.width * panel.slice.plane.pixel * scale,
                 panel.slice.plane.height * panel.slice.plane.pixel * scale) {}
 
-  Canvas draw(const TissueLibrary& library) {
+  Canvas draw(const anatomy::TissueLibrary& library) {
     const double w = canvas_.width(), h = canvas_.height();
     if (panel_.elements.empty()) {
       canvas_.image(paint(panel_.slice, library), 0.0, 0.0, w, h);
@@ -62,8 +62,8 @@ class PanelArtist {
   bool is_near(const Vec3& point) const { return std::abs(panel_.slice.plane.distance(point)) <= near_plane; }
 
   // Cut elements, those of one tissue as one path.
-  void elements(const TissueLibrary& library) {
-    std::map<TissueId, Path> paths;
+  void elements(const anatomy::TissueLibrary& library) {
+    std::map<anatomy::TissueId, Path> paths;
     const double w = canvas_.width(), h = canvas_.height();
     for (const CutElement& cut : panel_.elements) {
       std::vector<Place> corners;
@@ -77,7 +77,7 @@ class PanelArtist {
       paths[cut.tissue].add(Path::polygon(corners));
     }
     for (const auto& [id, path] : paths) {
-      const TissueProperties* properties = library.find(id);
+      const anatomy::TissueProperties* properties = library.find(id);
       canvas_.fill(path, properties == nullptr ? 0x808080 : properties->colour);
       canvas_.stroke(path, {{black, 0.6}, std::clamp(0.12 * scale_, 0.25, 0.7)});
     }
@@ -95,7 +95,7 @@ class PanelArtist {
     canvas_.text(at, text, {.size = size, .ink = colour, .anchor = anchor, .halo = true});
   }
 
-  void planned(const NeedlePath& path) {
+  void planned(const anatomy::NeedlePath& path) {
     const double length = path.length();
     // Split where the path comes near the plane or leaves it, so that each piece is solid or dashed as a whole.
     std::vector<double> cuts = {0.0, 1.0};
@@ -132,7 +132,7 @@ class PanelArtist {
     canvas_.stroke(circle, {black});
   }
 
-  void ends(const NeedlePath& path) {
+  void ends(const anatomy::NeedlePath& path) {
     dot(place(path.entry), 4.0, path_colour);
     const Path cross = Path::cross(place(path.target), 6.0);
     canvas_.stroke(cross, {black, 4.0});
@@ -186,7 +186,7 @@ struct LegendEntry {
   bool is_line;  // else an area
 };
 
-std::vector<LegendEntry> legend_of(const std::vector<SlicePanel>& panels, const TissueLibrary& library) {
+std::vector<LegendEntry> legend_of(const std::vector<SlicePanel>& panels, const anatomy::TissueLibrary& library) {
   std::vector<LegendEntry> entries;
   const auto any = [&panels](auto&& shows) { return std::any_of(panels.begin(), panels.end(), shows); };
   if (any([](const SlicePanel& panel) { return panel.path.has_value(); }))
@@ -195,14 +195,14 @@ std::vector<LegendEntry> legend_of(const std::vector<SlicePanel>& panels, const 
     entries.push_back({"path of the tip", travelled_colour, true});
   if (any([](const SlicePanel& panel) { return !panel.outline.empty(); }))
     entries.push_back({"what the probe sees", outline_colour, true});
-  std::set<TissueId> seen;
+  std::set<anatomy::TissueId> seen;
   for (const SlicePanel& panel : panels) {
-    for (const TissueId id : tissues_present(panel.slice)) seen.insert(id);
+    for (const anatomy::TissueId id : tissues_present(panel.slice)) seen.insert(id);
     seen.insert(panel.named.begin(), panel.named.end());
     for (const CutElement& cut : panel.elements) seen.insert(cut.tissue);
   }
-  for (const TissueId id : seen) {
-    if (const TissueProperties* properties = library.find(id))
+  for (const anatomy::TissueId id : seen) {
+    if (const anatomy::TissueProperties* properties = library.find(id))
       entries.push_back({properties->title, properties->colour, false});
   }
   return entries;
@@ -210,8 +210,8 @@ std::vector<LegendEntry> legend_of(const std::vector<SlicePanel>& panels, const 
 
 }  // namespace
 
-SlicesDrawn draw_slices(const std::vector<SlicePanel>& panels, const TissueLibrary& library, const std::string& title,
-                        double height) {
+SlicesDrawn draw_slices(const std::vector<SlicePanel>& panels, const anatomy::TissueLibrary& library,
+                        const std::string& title, double height) {
   struct DrawnPanel {
     Canvas canvas;
     double x;
@@ -253,17 +253,17 @@ SlicesDrawn draw_slices(const std::vector<SlicePanel>& panels, const TissueLibra
   return {std::move(canvas), top};
 }
 
-Canvas slice_picture(const std::vector<SlicePanel>& panels, const TissueLibrary& library, const std::string& title,
-                     double height) {
+Canvas slice_picture(const std::vector<SlicePanel>& panels, const anatomy::TissueLibrary& library,
+                     const std::string& title, double height) {
   return draw_slices(panels, library, title, height).canvas;
 }
 
-Canvas case_picture(const Case& patient) {
+Canvas case_picture(const anatomy::Case& patient) {
   constexpr double panel_height = 430.0;            // px
   constexpr double closest = 90.0, widest = 440.0;  // mm
   constexpr double pixels_across = 640.0;
   const PatientBox body = body_box(patient.tissues);
-  const std::optional<NeedlePath>& path = patient.description.procedure.path;
+  const std::optional<anatomy::NeedlePath>& path = patient.description.procedure.path;
   const Vec3 room = (body.high - body.low + Vec3::Constant(8.0)).cwiseMin(widest);
   const Vec3 target = path ? path->target : Vec3(0.5 * (body.low + body.high));
   // The middle of the body, or of the part around the target when the body is larger than the picture.
@@ -295,4 +295,4 @@ Canvas case_picture(const Case& patient) {
   return slice_picture(panels, patient.library, patient.description.name, panel_height);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

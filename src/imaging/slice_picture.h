@@ -9,17 +9,18 @@
 #include "imaging/mesh_cut.h"
 #include "imaging/slice.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // One slice of a picture and what is drawn upon it.
 struct SlicePanel {
   Slice slice;
   std::string title;
-  std::optional<NeedlePath> path;         // planned: entry dot, line, depth ticks every 10 mm, target cross
-  std::vector<Vec3> travelled;            // LPS mm, where the tip really went, in order
-  std::vector<CutElement> elements = {};  // of a mesh; where there are any, they are drawn instead of the pixels
-  std::vector<Vec3> outline = {};         // LPS mm, a closed line: what an ultrasound probe sees
-  std::vector<TissueId> named = {};       // in the legend, seen here or not: pictures of a series get one of one size
+  std::optional<anatomy::NeedlePath> path;  // planned: entry dot, line, depth ticks every 10 mm, target cross
+  std::vector<Vec3> travelled;              // LPS mm, where the tip really went, in order
+  std::vector<CutElement> elements = {};    // of a mesh; where there are any, they are drawn instead of the pixels
+  std::vector<Vec3> outline = {};           // LPS mm, a closed line: what an ultrasound probe sees
+  std::vector<anatomy::TissueId> named =
+      {};  // in the legend, seen here or not: pictures of a series get one of one size
 };
 
 struct SlicesDrawn {
@@ -29,13 +30,13 @@ struct SlicesDrawn {
 
 // Slices side by side, all `height` px high, with orientation letters, millimetre bars and the names of the tissues
 // that they show. Parts of a line further than 2 mm from a slice are dashed.
-SlicesDrawn draw_slices(const std::vector<SlicePanel>& panels, const TissueLibrary& library, const std::string& title,
-                        double height);
-Canvas slice_picture(const std::vector<SlicePanel>& panels, const TissueLibrary& library, const std::string& title,
-                     double height);
+SlicesDrawn draw_slices(const std::vector<SlicePanel>& panels, const anatomy::TissueLibrary& library,
+                        const std::string& title, double height);
+Canvas slice_picture(const std::vector<SlicePanel>& panels, const anatomy::TissueLibrary& library,
+                     const std::string& title, double height);
 
 // The three orthogonal slices of a case through its planned path (or its middle, when it has none): sagittal along
 // the path and close to it, axial and coronal through the target and the whole body.
-Canvas case_picture(const Case& patient);
+Canvas case_picture(const anatomy::Case& patient);
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

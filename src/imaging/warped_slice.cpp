@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -65,14 +65,15 @@ std::vector<Vec3> points_of(const SlicePlane& plane) {
   return points;
 }
 
-Slice cut_deformed(const SlicePlane& plane, const CtVolume& ct, const TissueVolume& tissues, const SlicePlane& grid,
-                   std::span<const float> displacements) {
+Slice cut_deformed(const SlicePlane& plane, const anatomy::CtVolume& ct, const anatomy::TissueVolume& tissues,
+                   const SlicePlane& grid, std::span<const float> displacements) {
   Slice slice;
   slice.plane = plane;
   for (const Vec3& pixel : points_of(plane)) {
     const Vec3 rest = rest_place(pixel, grid, displacements);
-    slice.hounsfield.push_back(static_cast<float>(linear(ct, rest, std::numeric_limits<double>::quiet_NaN())));
-    slice.tissues.push_back(nearest(tissues, rest, Slice::outside));
+    slice.hounsfield.push_back(
+        static_cast<float>(anatomy::linear(ct, rest, std::numeric_limits<double>::quiet_NaN())));
+    slice.tissues.push_back(anatomy::nearest(tissues, rest, Slice::outside));
   }
   return slice;
 }
@@ -87,4 +88,4 @@ std::vector<float> displacements_of_places(const SlicePlane& grid, std::span<con
   return moved;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

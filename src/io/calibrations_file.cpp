@@ -12,7 +12,7 @@
 #include "io/xml_document.h"
 #include "io/xml_writer.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 namespace {
 
@@ -29,13 +29,13 @@ Vec3 vector_of(const XmlElement& element, const char* const (&names)[3]) {
   return {element.number(names[0], 0.0), element.number(names[1], 0.0), element.number(names[2], 0.0)};
 }
 
-bool same_device(const DeviceCalibration& calibration, std::string_view driver, std::string_view model,
+bool same_device(const haptics::DeviceCalibration& calibration, std::string_view driver, std::string_view model,
                  std::string_view serial) {
   return calibration.driver == driver && calibration.model == model && calibration.serial == serial;
 }
 
-DeviceCalibration calibration_from(const XmlElement& element, const std::string& origin) {
-  DeviceCalibration found;
+haptics::DeviceCalibration calibration_from(const XmlElement& element, const std::string& origin) {
+  haptics::DeviceCalibration found;
   found.driver = element.string("driver");
   found.model = element.string("model");
   found.serial = element.string("serial");
@@ -69,7 +69,7 @@ DeviceCalibration calibration_from(const XmlElement& element, const std::string&
   return found;
 }
 
-void write(XmlWriter& xml, const DeviceCalibration& calibration) {
+void write(XmlWriter& xml, const haptics::DeviceCalibration& calibration) {
   xml.open("device");
   xml.attribute("driver", calibration.driver);
   xml.attribute("model", calibration.model);
@@ -116,11 +116,11 @@ std::optional<fs::path> calibrations_file() {
   return std::nullopt;
 }
 
-std::vector<DeviceCalibration> parse_calibrations(std::string_view document, const std::string& origin) {
+std::vector<haptics::DeviceCalibration> parse_calibrations(std::string_view document, const std::string& origin) {
   const XmlElement root = XmlSchema("calibrations.xsd").read(document, origin, {.root = "calibrations"});
-  std::vector<DeviceCalibration> found;
+  std::vector<haptics::DeviceCalibration> found;
   for (const XmlElement& element : root.children) {
-    DeviceCalibration next = calibration_from(element, origin);
+    haptics::DeviceCalibration next = calibration_from(element, origin);
     if (find_calibration(found, next.driver, next.model, next.serial) != nullptr) {
       fail_at(origin, element.line,
               fmt::format("a second calibration of {} {} {}, expected one of every device", next.driver, next.model,
@@ -131,38 +131,40 @@ std::vector<DeviceCalibration> parse_calibrations(std::string_view document, con
   return found;
 }
 
-std::vector<DeviceCalibration> read_calibrations(const fs::path& file) {
+std::vector<haptics::DeviceCalibration> read_calibrations(const fs::path& file) {
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return {};
   return parse_calibrations(read_text_file(file, largest_calibrations_file), file.string());
 }
 
-std::string calibrations_xml(std::span<const DeviceCalibration> calibrations) {
+std::string calibrations_xml(std::span<const haptics::DeviceCalibration> calibrations) {
   XmlWriter xml;
   xml.open("calibrations");
   xml.attribute("version", 1);
-  for (const DeviceCalibration& calibration : calibrations) write(xml, calibration);
+  for (const haptics::DeviceCalibration& calibration : calibrations) write(xml, calibration);
   xml.close();
   return xml.finish();
 }
 
-void write_calibrations(std::span<const DeviceCalibration> calibrations, const fs::path& file) {
+void write_calibrations(std::span<const haptics::DeviceCalibration> calibrations, const fs::path& file) {
   const std::string text = calibrations_xml(calibrations);
   parse_calibrations(text, file.string());  // what would not be read back must not be written
   write_file(file, text);
 }
 
-const DeviceCalibration* find_calibration(std::span<const DeviceCalibration> calibrations, std::string_view driver,
-                                          std::string_view model, std::string_view serial) {
+const haptics::DeviceCalibration* find_calibration(std::span<const haptics::DeviceCalibration> calibrations,
+                                                   std::string_view driver, std::string_view model,
+                                                   std::string_view serial) {
   const auto found = std::find_if(
       calibrations.begin(), calibrations.end(),
-      [&](const DeviceCalibration& calibration) { return same_device(calibration, driver, model, serial); });
+      [&](const haptics::DeviceCalibration& calibration) { return same_device(calibration, driver, model, serial); });
   return found == calibrations.end() ? nullptr : &*found;
 }
 
-void merge_calibration(std::vector<DeviceCalibration>& calibrations, const DeviceCalibration& measured) {
+void merge_calibration(std::vector<haptics::DeviceCalibration>& calibrations,
+                       const haptics::DeviceCalibration& measured) {
   const auto found =
-      std::find_if(calibrations.begin(), calibrations.end(), [&](const DeviceCalibration& calibration) {
+      std::find_if(calibrations.begin(), calibrations.end(), [&](const haptics::DeviceCalibration& calibration) {
         return same_device(calibration, measured.driver, measured.model, measured.serial);
       });
   if (found == calibrations.end()) {
@@ -183,4 +185,4 @@ void merge_calibration(std::vector<DeviceCalibration>& calibrations, const Devic
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -9,7 +9,7 @@
 
 #include "haptics/device_calibration.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 // Where the calibrations of this user's devices are kept: bodkin/calibrations.xml below $XDG_CONFIG_HOME, or below
 // ~/.config. None where neither that variable nor HOME is an absolute path.
@@ -17,21 +17,23 @@ std::optional<std::filesystem::path> calibrations_file();
 
 // The calibrations that a file holds (share/bodkin/calibrations.xsd); none where there is no such file. Throws
 // InputError with file and line for an invalid one.
-std::vector<DeviceCalibration> read_calibrations(const std::filesystem::path& file);
+std::vector<haptics::DeviceCalibration> read_calibrations(const std::filesystem::path& file);
 // The same from text already in memory; `origin` names it in messages.
-std::vector<DeviceCalibration> parse_calibrations(std::string_view document, const std::string& origin);
+std::vector<haptics::DeviceCalibration> parse_calibrations(std::string_view document, const std::string& origin);
 
 // The text that reads back to the same bits.
-std::string calibrations_xml(std::span<const DeviceCalibration> calibrations);
+std::string calibrations_xml(std::span<const haptics::DeviceCalibration> calibrations);
 
 // Replaces the file as a whole, with its folders; nothing is half written. Throws SystemError.
-void write_calibrations(std::span<const DeviceCalibration> calibrations, const std::filesystem::path& file);
+void write_calibrations(std::span<const haptics::DeviceCalibration> calibrations, const std::filesystem::path& file);
 
 // The calibration of that device; null when it has none.
-const DeviceCalibration* find_calibration(std::span<const DeviceCalibration> calibrations, std::string_view driver,
-                                          std::string_view model, std::string_view serial);
+const haptics::DeviceCalibration* find_calibration(std::span<const haptics::DeviceCalibration> calibrations,
+                                                   std::string_view driver, std::string_view model,
+                                                   std::string_view serial);
 
 // Puts `measured` in the place of what is there of the same device; what it does not hold stays as it was.
-void merge_calibration(std::vector<DeviceCalibration>& calibrations, const DeviceCalibration& measured);
+void merge_calibration(std::vector<haptics::DeviceCalibration>& calibrations,
+                       const haptics::DeviceCalibration& measured);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

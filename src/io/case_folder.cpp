@@ -9,7 +9,7 @@
 #include "io/tissue_library_file.h"
 #include "io/xml_document.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 namespace fs = std::filesystem;
 
@@ -17,14 +17,14 @@ namespace {
 
 constexpr std::size_t case_limit = 16 << 20;  // bytes of case.xml
 
-TissueLibrary library_of_case(const fs::path& folder, const std::string& file) {
+anatomy::TissueLibrary library_of_case(const fs::path& folder, const std::string& file) {
   if (file.empty()) return default_tissue_library();
   return read_tissue_library(file_inside(folder, file, (folder / "case.xml").string() + ": tissue_library file"));
 }
 
 }  // namespace
 
-CaseDescription read_case_description(const fs::path& folder) {
+anatomy::CaseDescription read_case_description(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored)) {
     throw InputError(
@@ -37,11 +37,11 @@ CaseDescription read_case_description(const fs::path& folder) {
                         [&folder](const std::string& name) { return library_of_case(folder, name); });
 }
 
-TissueLibrary read_case_library(const fs::path& folder, const CaseDescription& description) {
+anatomy::TissueLibrary read_case_library(const fs::path& folder, const anatomy::CaseDescription& description) {
   return library_of_case(folder, description.tissue_library_file);
 }
 
-void write_case_description(const CaseDescription& description, const fs::path& folder) {
+void write_case_description(const anatomy::CaseDescription& description, const fs::path& folder) {
   const fs::path file = folder / "case.xml";
   const std::string text = case_xml(description);
   // What would not be read back must not be written.
@@ -53,4 +53,4 @@ void write_case_description(const CaseDescription& description, const fs::path& 
   write_file(file, text);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

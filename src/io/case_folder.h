@@ -7,29 +7,30 @@
 #include "anatomy/case.h"
 #include "core/progress.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 // Reads case.xml of a case folder, with its schema checked and its tissue library loaded, without the voxels.
 // Throws InputError naming file, line, attribute, what was found and what was expected.
-CaseDescription read_case_description(const std::filesystem::path& folder);
+anatomy::CaseDescription read_case_description(const std::filesystem::path& folder);
 
 // The tissue library of a case: its own, or the one that comes with Bodkin. Throws InputError.
-TissueLibrary read_case_library(const std::filesystem::path& folder, const CaseDescription& description);
+anatomy::TissueLibrary read_case_library(const std::filesystem::path& folder,
+                                         const anatomy::CaseDescription& description);
 
 // Reads a whole case: description, tissue library and volumes. Files that Bodkin wrote are read at the same time in
 // this process (nrrd_reader.h), others through the image worker, which cannot take this process down. Throws
 // InputError when a file is missing, damaged, or does not agree with case.xml.
-Case load_case(const std::filesystem::path& folder, const Progress& progress = {});
+anatomy::Case load_case(const std::filesystem::path& folder, const Progress& progress = {});
 
 // Reads the tissues alone, checked like those of load_case.
-TissueVolume load_case_tissues(const std::filesystem::path& folder, const CaseDescription& description,
-                               const Progress& progress = {});
+anatomy::TissueVolume load_case_tissues(const std::filesystem::path& folder,
+                                        const anatomy::CaseDescription& description, const Progress& progress = {});
 
 // Writes case.xml (and nothing else) into `folder`; an older one is replaced whole. Throws SystemError when that
 // fails, and InputError when read_case_description would refuse what was written.
-void write_case_description(const CaseDescription& description, const std::filesystem::path& folder);
+void write_case_description(const anatomy::CaseDescription& description, const std::filesystem::path& folder);
 
 // Everything that is wrong with a case folder, one sentence each; empty = valid. Never throws for bad content.
 std::vector<std::string> check_case(const std::filesystem::path& folder, const Progress& progress = {});
 
-}  // namespace bodkin
+}  // namespace bodkin::io

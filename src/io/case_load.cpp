@@ -14,7 +14,7 @@
 #include "io/nrrd_reader.h"
 #include "io/resources.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 namespace fs = std::filesystem;
 
@@ -25,7 +25,7 @@ namespace {
 template <typename Voxel>
 class VolumeLoading {
  public:
-  using ForeignReader = Volume<Voxel> (*)(const fs::path&, const Progress&);
+  using ForeignReader = anatomy::Volume<Voxel> (*)(const fs::path&, const Progress&);
 
   VolumeLoading(const fs::path& folder, const char* element, const std::string& file, const std::string& digest,
                 ForeignReader read_foreign)
@@ -33,7 +33,7 @@ class VolumeLoading {
     const std::string what = fmt::format("{}: {} file", (folder / "case.xml").string(), element);
     own_ = std::async(std::launch::async, [this, folder, file, what] {
       path_ = file_inside(folder, file, what);
-      std::optional<Volume<Voxel>> volume = read_nrrd<Voxel>(path_);
+      std::optional<anatomy::Volume<Voxel>> volume = read_nrrd<Voxel>(path_);
       if (volume) accept(*volume);
       return volume;
     });
@@ -42,19 +42,19 @@ class VolumeLoading {
   VolumeLoading& operator=(const VolumeLoading&) = delete;
 
   // The volume; only once. Throws InputError.
-  Volume<Voxel> wait(const Progress& progress) {
-    std::optional<Volume<Voxel>> own = own_.get();
+  anatomy::Volume<Voxel> wait(const Progress& progress) {
+    std::optional<anatomy::Volume<Voxel>> own = own_.get();
     if (own) return std::move(*own);
-    Volume<Voxel> volume = read_foreign_(path_, progress);
+    anatomy::Volume<Voxel> volume = read_foreign_(path_, progress);
     accept(volume);
     return volume;
   }
 
  private:
-  void accept(Volume<Voxel>& volume) const {
-    if constexpr (std::is_same_v<Volume<Voxel>, CtVolume>) {
+  void accept(anatomy::Volume<Voxel>& volume) const {
+    if constexpr (std::is_same_v<anatomy::Volume<Voxel>, anatomy::CtVolume>) {
       // Padding outside the scanned field, which the image worker raises too.
-      for (Voxel& value : volume.voxels) value = std::max(value, lowest_hounsfield);
+      for (Voxel& value : volume.voxels) value = std::max(value, anatomy::lowest_hounsfield);
     }
     if (digest_.empty()) return;
     const std::string found = volume_digest(volume);
@@ -67,14 +67,14 @@ class VolumeLoading {
 
   std::string digest_;
   ForeignReader read_foreign_;
-  fs::path path_;                                  // written by the thread, read after its end
-  std::future<std::optional<Volume<Voxel>>> own_;  // the last member: its thread uses the others
+  fs::path path_;                                           // written by the thread, read after its end
+  std::future<std::optional<anatomy::Volume<Voxel>>> own_;  // the last member: its thread uses the others
 };
 
 // The volumes of a case, all read at the same time.
 class CaseVolumes {
  public:
-  CaseVolumes(const fs::path& folder, const CaseDescription& description)
+  CaseVolumes(const fs::path& folder, const anatomy::CaseDescription& description)
       : ct_(folder, "ct", description.ct_file, description.ct_digest, read_ct_isolated),
         tissues_(folder, "tissues", description.tissues_file, description.tissues_digest, read_tissues_isolated) {
     if (description.structures_file.empty()) return;
@@ -82,11 +82,11 @@ class CaseVolumes {
                         read_labels_isolated);
   }
 
-  CtVolume ct(const Progress& progress) { return ct_.wait(progress); }
-  LabelVolume structures(const Progress& progress) {
-    return structures_ ? structures_->wait(progress) : LabelVolume();
+  anatomy::CtVolume ct(const Progress& progress) { return ct_.wait(progress); }
+  anatomy::LabelVolume structures(const Progress& progress) {
+    return structures_ ? structures_->wait(progress) : anatomy::LabelVolume();
   }
-  TissueVolume tissues(const Progress& progress) { return tissues_.wait(progress); }
+  anatomy::TissueVolume tissues(const Progress& progress) { return tissues_.wait(progress); }
 
  private:
   VolumeLoading<std::int16_t> ct_;
@@ -96,8 +96,8 @@ class CaseVolumes {
 
 }  // namespace
 
-Case load_case(const fs::path& folder, const Progress& progress) {
-  Case patient;
+anatomy::Case load_case(const fs::path& folder, const Progress& progress) {
+  anatomy::Case patient;
   patient.description = read_case_description(folder);
   patient.library = read_case_library(folder, patient.description);
   CaseVolumes volumes(folder, patient.description);
@@ -110,7 +110,8 @@ Case load_case(const fs::path& folder, const Progress& progress) {
   return patient;
 }
 
-TissueVolume load_case_tissues(const fs::path& folder, const CaseDescription& description, const Progress& progress) {
+anatomy::TissueVolume load_case_tissues(const fs::path& folder, const anatomy::CaseDescription& description,
+                                        const Progress& progress) {
   return VolumeLoading<std::uint8_t>(folder, "tissues", description.tissues_file, description.tissues_digest,
                                      read_tissues_isolated)
       .wait(progress);
@@ -127,8 +128,8 @@ std::vector<std::string> check_case(const fs::path& folder, const Progress& prog
       return false;
     }
   };
-  Case patient;
-  CaseDescription& description = patient.description;
+  anatomy::Case patient;
+  anatomy::CaseDescription& description = patient.description;
   if (!attempt([&] { description = read_case_description(folder); })) return problems;
   CaseVolumes volumes(folder, description);
   attempt([&] { patient.library = read_case_library(folder, description); });
@@ -142,4 +143,4 @@ std::vector<std::string> check_case(const fs::path& folder, const Progress& prog
   return problems;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -8,15 +8,15 @@
 
 #include <fmt/format.h>
 
-namespace bodkin {
+namespace bodkin::io {
 
 namespace {
 
-constexpr TissueId outside = 255;       // never a tissue
-constexpr double path_step = 0.25;      // mm
-constexpr double longest_body = 600.0;  // mm that a line can be inside a person
+constexpr anatomy::TissueId outside = 255;  // never a tissue
+constexpr double path_step = 0.25;          // mm
+constexpr double longest_body = 600.0;      // mm that a line can be inside a person
 
-std::string size_of(const Grid& grid) {
+std::string size_of(const anatomy::Grid& grid) {
   return fmt::format("{} x {} x {}", grid.size[0], grid.size[1], grid.size[2]);
 }
 
@@ -25,7 +25,7 @@ std::string point(const Vec3& p) {
 }
 
 // The eight corners of the box that the voxels of a lattice fill.
-std::array<Vec3, 8> box_corners(const Grid& grid) {
+std::array<Vec3, 8> box_corners(const anatomy::Grid& grid) {
   std::array<Vec3, 8> corners;
   for (unsigned corner = 0; corner < 8; ++corner) {
     const Vec3 index((corner & 1U) != 0 ? grid.size[0] - 0.5 : -0.5, (corner & 2U) != 0 ? grid.size[1] - 0.5 : -0.5,
@@ -36,7 +36,7 @@ std::array<Vec3, 8> box_corners(const Grid& grid) {
 }
 
 // The furthest that a corner of one box lies from the same corner of the other, mm.
-double box_distance(const Grid& a, const Grid& b) {
+double box_distance(const anatomy::Grid& a, const anatomy::Grid& b) {
   const auto corners_a = box_corners(a), corners_b = box_corners(b);
   double furthest = 0.0;
   for (std::size_t corner = 0; corner < 8; ++corner) {
@@ -63,14 +63,14 @@ std::string values(const std::vector<std::size_t>& all) {
   return all.size() > shown ? text + fmt::format(" and {} more", all.size() - shown) : text;
 }
 
-void check_structures(const Case& patient, std::vector<std::string>& problems) {
+void check_structures(const anatomy::Case& patient, std::vector<std::string>& problems) {
   const auto counts = histogram(patient.structures.voxels);
   const auto& table = patient.description.structures;
   std::vector<std::size_t> unknown;
   for (std::size_t label = 1; label < counts.size(); ++label) {
-    const bool known = counts[label] == 0 || std::any_of(table.begin(), table.end(), [label](const Structure& entry) {
-                         return entry.label == label;
-                       });
+    const bool known =
+        counts[label] == 0 || std::any_of(table.begin(), table.end(),
+                                          [label](const anatomy::Structure& entry) { return entry.label == label; });
     if (!known) unknown.push_back(label);
   }
   if (unknown.empty()) return;
@@ -79,17 +79,17 @@ void check_structures(const Case& patient, std::vector<std::string>& problems) {
                                  values(unknown)));
 }
 
-void check_tissue_ids(const Case& patient, std::vector<std::string>& problems) {
+void check_tissue_ids(const anatomy::Case& patient, std::vector<std::string>& problems) {
   const auto counts = histogram(patient.tissues.voxels);
   std::vector<std::size_t> unknown;
   for (std::size_t id = 0; id < counts.size(); ++id) {
-    if (counts[id] > 0 && patient.library.find(static_cast<TissueId>(id)) == nullptr) unknown.push_back(id);
+    if (counts[id] > 0 && patient.library.find(static_cast<anatomy::TissueId>(id)) == nullptr) unknown.push_back(id);
   }
   if (!unknown.empty()) {
     problems.push_back(fmt::format("{} has voxels with the tissue id{} {}, which the tissue library does not have",
                                    patient.description.tissues_file, unknown.size() > 1 ? "s" : "", values(unknown)));
   }
-  if (counts[tissue::air] == patient.tissues.voxels.size()) {
+  if (counts[anatomy::tissue::air] == patient.tissues.voxels.size()) {
     problems.push_back(fmt::format("{} holds nothing but air", patient.description.tissues_file));
   }
 }
@@ -97,16 +97,18 @@ void check_tissue_ids(const Case& patient, std::vector<std::string>& problems) {
 // The tissues along a line, from `start` in steps of path_step.
 class Line {
  public:
-  Line(const TissueVolume& tissues, const Vec3& start, const Vec3& direction)
+  Line(const anatomy::TissueVolume& tissues, const Vec3& start, const Vec3& direction)
       : tissues_(tissues), start_(start), direction_(direction) {}
 
-  TissueId at(double distance) const { return nearest<TissueId>(tissues_, start_ + distance * direction_, outside); }
+  anatomy::TissueId at(double distance) const {
+    return anatomy::nearest<anatomy::TissueId>(tissues_, start_ + distance * direction_, outside);
+  }
 
   // The first distance in [0, limit] at which `wanted` holds, or nothing; the search ends where the image does.
   template <typename Wanted>
   std::optional<double> find(double limit, Wanted wanted) const {
     for (int step = 0; step * path_step <= limit; ++step) {
-      const TissueId found = at(step * path_step);
+      const anatomy::TissueId found = at(step * path_step);
       if (wanted(found)) return step * path_step;
       if (found == outside) return std::nullopt;
     }
@@ -114,15 +116,15 @@ class Line {
   }
 
  private:
-  const TissueVolume& tissues_;
+  const anatomy::TissueVolume& tissues_;
   Vec3 start_, direction_;
 };
 
 // The entry must be where air meets the body. A crop may have no skin on the line: then any entry will do.
-void check_entry(const Case& patient, const NeedlePath& path, std::vector<std::string>& problems) {
+void check_entry(const anatomy::Case& patient, const anatomy::NeedlePath& path, std::vector<std::string>& problems) {
   const double tolerance = std::max(3.0, 1.5 * patient.ct.grid.spacing.maxCoeff());
-  const auto is_air = [](TissueId id) { return id == tissue::air; };
-  const auto is_body = [](TissueId id) { return id != tissue::air && id != outside; };
+  const auto is_air = [](anatomy::TissueId id) { return id == anatomy::tissue::air; };
+  const auto is_body = [](anatomy::TissueId id) { return id != anatomy::tissue::air && id != outside; };
   const Line inwards(patient.tissues, path.entry, path.direction());
   if (is_air(inwards.at(0.0))) {
     const auto skin = inwards.find(path.length(), is_body);
@@ -142,10 +144,10 @@ void check_entry(const Case& patient, const NeedlePath& path, std::vector<std::s
   }
 }
 
-void check_path(const Case& patient, std::vector<std::string>& problems) {
-  const CaseDescription& description = patient.description;
+void check_path(const anatomy::Case& patient, std::vector<std::string>& problems) {
+  const anatomy::CaseDescription& description = patient.description;
   if (!description.procedure.path) return;
-  const NeedlePath& path = *description.procedure.path;
+  const anatomy::NeedlePath& path = *description.procedure.path;
   if (path.length() > description.needle.length) {
     problems.push_back(fmt::format(
         "the planned path is {:.1f} mm long, but the needle length_mm is {}; take a longer needle or a nearer target",
@@ -153,17 +155,17 @@ void check_path(const Case& patient, std::vector<std::string>& problems) {
   }
   bool inside = true;
   for (const auto& [name, position] : {std::pair("entry", path.entry), std::pair("target", path.target)}) {
-    if (nearest<TissueId>(patient.tissues, position, outside) != outside) continue;
+    if (anatomy::nearest<anatomy::TissueId>(patient.tissues, position, outside) != outside) continue;
     problems.push_back(fmt::format("the {} {} of the planned path lies outside the image", name, point(position)));
     inside = false;
   }
   if (!inside) return;
   check_entry(patient, path, problems);
-  const TissueProperties* aim = patient.library.find(description.procedure.target_tissue);
+  const anatomy::TissueProperties* aim = patient.library.find(description.procedure.target_tissue);
   if (aim == nullptr) return;
   const Line inwards(patient.tissues, path.entry, path.direction());
   const double reach = path.length() + description.procedure.target_tolerance;
-  if (!inwards.find(reach, [aim](TissueId id) { return id == aim->id; })) {
+  if (!inwards.find(reach, [aim](anatomy::TissueId id) { return id == aim->id; })) {
     problems.push_back(fmt::format(
         "the planned path does not meet the target_tissue '{}' within the target_tolerance_mm of {} after its target",
         aim->name, description.procedure.target_tolerance));
@@ -172,14 +174,14 @@ void check_path(const Case& patient, std::vector<std::string>& problems) {
 
 }  // namespace
 
-std::vector<std::string> lattice_problems(const Case& patient) {
+std::vector<std::string> lattice_problems(const anatomy::Case& patient) {
   constexpr double tolerance = 0.01;  // mm
   std::vector<std::string> problems;
-  const CaseDescription& description = patient.description;
+  const anatomy::CaseDescription& description = patient.description;
   if (patient.ct.empty()) return problems;
-  const Grid& ct = patient.ct.grid;
-  if (!patient.structures.empty() && !same_lattice(ct, patient.structures.grid, tolerance)) {
-    const Grid& grid = patient.structures.grid;
+  const anatomy::Grid& ct = patient.ct.grid;
+  if (!patient.structures.empty() && !anatomy::same_lattice(ct, patient.structures.grid, tolerance)) {
+    const anatomy::Grid& grid = patient.structures.grid;
     problems.push_back(fmt::format(
         "{} ({} voxels, axes {}, from {}) does not lie on the lattice of {} ({} voxels, axes {}, from {})",
         description.structures_file, size_of(grid), grid.axes(), point(grid.origin), description.ct_file, size_of(ct),
@@ -194,7 +196,7 @@ std::vector<std::string> lattice_problems(const Case& patient) {
   return problems;
 }
 
-std::vector<std::string> content_problems(const Case& patient) {
+std::vector<std::string> content_problems(const anatomy::Case& patient) {
   std::vector<std::string> problems;
   if (!patient.structures.empty()) check_structures(patient, problems);
   if (!patient.tissues.empty()) {
@@ -204,4 +206,4 @@ std::vector<std::string> content_problems(const Case& patient) {
   return problems;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

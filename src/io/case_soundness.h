@@ -5,14 +5,14 @@
 
 #include "anatomy/case.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 // Where the volumes of a case do not lie on each other as they must, one sentence each: the structures on the CT's
 // lattice, the tissues over the CT's box. Volumes that are empty are passed over.
-std::vector<std::string> lattice_problems(const Case& patient);
+std::vector<std::string> lattice_problems(const anatomy::Case& patient);
 
 // Everything else that is wrong inside a case, one sentence each: labels and tissue ids that nothing explains, and a
 // planned path that misses the image, the skin or its aim, or is longer than the needle. Empty = valid.
-std::vector<std::string> content_problems(const Case& patient);
+std::vector<std::string> content_problems(const anatomy::Case& patient);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -11,7 +11,7 @@
 #include "io/settings_xml.h"
 #include "io/xml_document.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 namespace {
 
@@ -25,7 +25,7 @@ std::string file_of(const XmlElement& element, const std::string& origin) {
   return name;
 }
 
-void read_volumes(const XmlElement& volumes, const std::string& origin, CaseDescription& description) {
+void read_volumes(const XmlElement& volumes, const std::string& origin, anatomy::CaseDescription& description) {
   const XmlElement& ct = *volumes.child("ct");
   description.ct_file = file_of(ct, origin);
   description.ct_digest = ct.string("digest");
@@ -38,7 +38,7 @@ void read_volumes(const XmlElement& volumes, const std::string& origin, CaseDesc
   description.structures_digest = structures->string("digest");
   std::map<int, int> line_of_label;
   for (const XmlElement& element : structures->children) {
-    Structure entry;
+    anatomy::Structure entry;
     entry.label = static_cast<std::uint16_t>(element.integer("label", 0));
     entry.name = element.string("name");
     entry.tissue = element.string("tissue");
@@ -53,7 +53,7 @@ void read_volumes(const XmlElement& volumes, const std::string& origin, CaseDesc
 
 }  // namespace
 
-Needle read_needle(const XmlElement& element, const std::string& origin) {
+anatomy::Needle read_needle(const XmlElement& element, const std::string& origin) {
   const bool outer = element.find("outer_diameter_mm") != nullptr,
              inner = element.find("inner_diameter_mm") != nullptr;
   if (outer != inner) {
@@ -61,9 +61,9 @@ Needle read_needle(const XmlElement& element, const std::string& origin) {
             fmt::format("needle has one of outer_diameter_mm and inner_diameter_mm, expected both or "
                         "neither (a solid needle has an inner_diameter_mm of 0)"));
   }
-  auto needle = settings_from<Needle>(element, origin);
+  auto needle = settings_from<anatomy::Needle>(element, origin);
   if (outer) return needle;
-  const auto size = gauge_size(needle.gauge);
+  const auto size = anatomy::gauge_size(needle.gauge);
   if (!size) {
     fail_at(origin, element.line,
             fmt::format("needle gauge is {}, expected 10 to 34, or outer_diameter_mm and inner_diameter_mm "
@@ -75,11 +75,12 @@ Needle read_needle(const XmlElement& element, const std::string& origin) {
   return needle;
 }
 
-DeviceLimits read_device(const XmlElement& element, const std::string& origin) {
-  return settings_from<DeviceLimits>(element, origin);
+anatomy::DeviceLimits read_device(const XmlElement& element, const std::string& origin) {
+  return settings_from<anatomy::DeviceLimits>(element, origin);
 }
 
-DeviceLimits parse_device_xml(std::string_view document, const std::string& origin, const XmlSchema& schema) {
+anatomy::DeviceLimits parse_device_xml(std::string_view document, const std::string& origin,
+                                       const XmlSchema& schema) {
   return read_device(schema.read(document, origin, {.root = "device"}), origin);
 }
 
@@ -89,8 +90,8 @@ Vec3 read_point(const XmlElement& element) {
   return {element.number("x_mm", 0.0), element.number("y_mm", 0.0), element.number("z_mm", 0.0)};
 }
 
-std::vector<Landmark> read_landmarks(const XmlElement& element, const std::string& origin) {
-  std::vector<Landmark> landmarks;
+std::vector<anatomy::Landmark> read_landmarks(const XmlElement& element, const std::string& origin) {
+  std::vector<anatomy::Landmark> landmarks;
   std::map<std::string, int> line_of_name;
   for (const XmlElement& child : element.children) {
     const std::string name = child.string("name");
@@ -103,15 +104,15 @@ std::vector<Landmark> read_landmarks(const XmlElement& element, const std::strin
   return landmarks;
 }
 
-Procedure read_procedure(const XmlElement& element, const std::string& origin) {
+anatomy::Procedure read_procedure(const XmlElement& element, const std::string& origin) {
   constexpr double shortest = 0.1;  // mm; a shorter path has no direction worth the name
-  Procedure procedure;
+  anatomy::Procedure procedure;
   procedure.name = element.string("name", procedure.name);
   procedure.target_tissue = element.string("target_tissue");
   procedure.target_tolerance = element.number("target_tolerance_mm", procedure.target_tolerance);
   if (const XmlElement* entry = element.child("entry"); entry != nullptr) {
     const XmlElement& target = *element.child("target");
-    procedure.path = NeedlePath{read_point(*entry), read_point(target)};
+    procedure.path = anatomy::NeedlePath{read_point(*entry), read_point(target)};
     if (procedure.path->length() < shortest) {
       fail_at(origin, target.line,
               fmt::format("target is {} mm from the entry on line {}, expected at least {} mm",
@@ -122,7 +123,7 @@ Procedure read_procedure(const XmlElement& element, const std::string& origin) {
 }
 
 // Tissues that the case names must be in its library.
-void check_tissues(const XmlElement& root, const std::string& origin, const TissueLibrary& library) {
+void check_tissues(const XmlElement& root, const std::string& origin, const anatomy::TissueLibrary& library) {
   const auto require = [&](const XmlElement& element, const char* attribute) {
     const std::string* tissue = element.find(attribute);
     if (tissue == nullptr || tissue->empty() || library.find(*tissue) != nullptr) return;
@@ -141,10 +142,10 @@ void check_tissues(const XmlElement& root, const std::string& origin, const Tiss
 
 }  // namespace
 
-CaseDescription parse_case_xml(std::string_view document, const std::string& origin, const XmlSchema& schema,
-                               const LibraryOf& library_of) {
+anatomy::CaseDescription parse_case_xml(std::string_view document, const std::string& origin, const XmlSchema& schema,
+                                        const LibraryOf& library_of) {
   const XmlElement root = schema.read(document, origin, {.root = "case"});
-  CaseDescription description;
+  anatomy::CaseDescription description;
   description.name = root.string("name");
   description.created_by = root.string("created_by");
   if (const XmlElement* text = root.child("description"); text != nullptr) description.description = text->text;
@@ -170,4 +171,4 @@ CaseDescription parse_case_xml(std::string_view document, const std::string& ori
   return description;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

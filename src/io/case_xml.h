@@ -6,30 +6,30 @@
 
 #include "anatomy/case.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 class XmlSchema;
 struct XmlElement;
 
 // Gives the tissue library that a case names: a file of the case folder, or Bodkin's own for an empty name.
-using LibraryOf = std::function<TissueLibrary(const std::string& file)>;
+using LibraryOf = std::function<anatomy::TissueLibrary(const std::string& file)>;
 
 // Reads case.xml (share/bodkin/case.xsd and docs/case-format.md have the format). `origin` names it in messages and
 // `schema` is case.xsd. Throws InputError naming file, line, attribute, what was found and what was expected.
-CaseDescription parse_case_xml(std::string_view document, const std::string& origin, const XmlSchema& schema,
-                               const LibraryOf& library_of);
+anatomy::CaseDescription parse_case_xml(std::string_view document, const std::string& origin, const XmlSchema& schema,
+                                        const LibraryOf& library_of);
 
 // The needle and the device that elements of the types of case.xsd describe. Throw InputError where one value does
 // not go with another.
-Needle read_needle(const XmlElement& element, const std::string& origin);
-DeviceLimits read_device(const XmlElement& element, const std::string& origin);
+anatomy::Needle read_needle(const XmlElement& element, const std::string& origin);
+anatomy::DeviceLimits read_device(const XmlElement& element, const std::string& origin);
 
 // The same as a document of its own, which a session keeps that was recorded on a device. `schema` is case.xsd.
-std::string device_xml(const DeviceLimits& device);
-DeviceLimits parse_device_xml(std::string_view document, const std::string& origin, const XmlSchema& schema);
+std::string device_xml(const anatomy::DeviceLimits& device);
+anatomy::DeviceLimits parse_device_xml(std::string_view document, const std::string& origin, const XmlSchema& schema);
 
 // The document that parse_case_xml reads back to the same description, every number to the same bits. Texts are made
 // valid: what is not UTF-8 or not allowed in XML becomes U+FFFD.
-std::string case_xml(const CaseDescription& description);
+std::string case_xml(const anatomy::CaseDescription& description);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -3,7 +3,7 @@
 #include "io/settings_xml.h"
 #include "io/xml_writer.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 namespace {
 
@@ -15,13 +15,13 @@ void write_file(XmlWriter& xml, const char* element, const std::string& file, co
   xml.optional("digest", digest);
 }
 
-void write_volumes(XmlWriter& xml, const CaseDescription& description) {
+void write_volumes(XmlWriter& xml, const anatomy::CaseDescription& description) {
   xml.open("volumes");
   write_file(xml, "ct", description.ct_file, description.ct_digest);
   xml.close();
   if (!description.structures_file.empty() || !description.structures.empty()) {
     write_file(xml, "structures", description.structures_file, description.structures_digest);
-    for (const Structure& structure : description.structures) {
+    for (const anatomy::Structure& structure : description.structures) {
       xml.open("structure");
       xml.attribute("label", static_cast<int>(structure.label));
       xml.attribute("name", structure.name);
@@ -36,7 +36,7 @@ void write_volumes(XmlWriter& xml, const CaseDescription& description) {
   xml.close();
 }
 
-void write_procedure(XmlWriter& xml, const Procedure& procedure) {
+void write_procedure(XmlWriter& xml, const anatomy::Procedure& procedure) {
   xml.open("procedure");
   xml.attribute("name", procedure.name);
   xml.optional("target_tissue", procedure.target_tissue);
@@ -54,7 +54,7 @@ void write_procedure(XmlWriter& xml, const Procedure& procedure) {
 
 }  // namespace
 
-std::string case_xml(const CaseDescription& description) {
+std::string case_xml(const anatomy::CaseDescription& description) {
   XmlWriter xml;
   xml.open("case");
   xml.attribute("version", 1);
@@ -71,7 +71,7 @@ std::string case_xml(const CaseDescription& description) {
   write_haptics(xml, description.haptics);
   if (!description.landmarks.empty()) {
     xml.open("landmarks");
-    for (const Landmark& landmark : description.landmarks) {
+    for (const anatomy::Landmark& landmark : description.landmarks) {
       xml.open("landmark");
       xml.attribute("name", landmark.name);
       xml.coordinates(position_names, landmark.position);
@@ -89,10 +89,10 @@ std::string case_xml(const CaseDescription& description) {
   return xml.finish();
 }
 
-std::string device_xml(const DeviceLimits& device) {
+std::string device_xml(const anatomy::DeviceLimits& device) {
   XmlWriter xml;
   write_settings(xml, settings_tree("device", device));
   return xml.finish();
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -18,7 +18,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 constexpr int inherited_descriptor = 3;
@@ -187,4 +187,4 @@ ChildResult run_child(const std::filesystem::path& program, const std::vector<st
   return result;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

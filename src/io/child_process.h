@@ -10,7 +10,7 @@
 
 #include <sys/types.h>
 
-namespace bodkin {
+namespace bodkin::io {
 
 // What a child process may use up.
 struct ChildLimits {
@@ -37,4 +37,4 @@ ChildResult run_child(const std::filesystem::path& program, const std::vector<st
                       std::string_view input, int inherited, const ChildLimits& limits,
                       const std::function<void(std::string_view line)>& on_line);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

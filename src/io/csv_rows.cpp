@@ -10,7 +10,7 @@
 #include "io/text_encoding.h"
 #include "io/xml_document.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 namespace {
 
@@ -94,4 +94,4 @@ std::vector<CsvRow> read_csv_rows(std::string_view text, const std::string& orig
   return std::move(rows.rows);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

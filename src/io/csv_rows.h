@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace bodkin {
+namespace bodkin::io {
 
 // One row of a table in CSV.
 struct CsvRow {
@@ -22,4 +22,4 @@ struct CsvForm {
 // in messages. Throws InputError naming line and column for bytes that are not text and for quotes that do not match.
 std::vector<CsvRow> read_csv_rows(std::string_view text, const std::string& origin, const CsvForm& form = {});
 
-}  // namespace bodkin
+}  // namespace bodkin::io

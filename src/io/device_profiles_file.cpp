@@ -11,7 +11,7 @@
 #include "io/resources.h"
 #include "io/xml_document.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 namespace {
 
@@ -28,17 +28,17 @@ struct QuantityKind {
 };
 
 // In the order of DeviceQuantity.
-constexpr std::array<QuantityKind, device_quantities> quantities = {{{"peak_force", "N", 200.0},
-                                                                     {"continuous_force", "N", 200.0},
-                                                                     {"peak_torque", "N mm", 20000.0},
-                                                                     {"stiffness", "N/mm", 50.0},
-                                                                     {"damping", "N s/mm", 1.0},
-                                                                     {"resolution", "mm", 1.0},
-                                                                     {"workspace_x", "mm", 3000.0},
-                                                                     {"workspace_y", "mm", 3000.0},
-                                                                     {"workspace_z", "mm", 3000.0},
-                                                                     {"friction", "N", 20.0},
-                                                                     {"inertia", "kg", 5.0}}};
+constexpr std::array<QuantityKind, haptics::device_quantities> quantities = {{{"peak_force", "N", 200.0},
+                                                                              {"continuous_force", "N", 200.0},
+                                                                              {"peak_torque", "N mm", 20000.0},
+                                                                              {"stiffness", "N/mm", 50.0},
+                                                                              {"damping", "N s/mm", 1.0},
+                                                                              {"resolution", "mm", 1.0},
+                                                                              {"workspace_x", "mm", 3000.0},
+                                                                              {"workspace_y", "mm", 3000.0},
+                                                                              {"workspace_z", "mm", 3000.0},
+                                                                              {"friction", "N", 20.0},
+                                                                              {"inertia", "kg", 5.0}}};
 
 constexpr std::array<std::string_view, 5> provenances = {"not sourced", "paper", "looked-up", "recalled", "derived"};
 
@@ -56,26 +56,27 @@ class ProfileRow {
 
   bool is_other_name() const { return row_.fields[1] == other_name; }
 
-  DeviceQuantity quantity() const {
+  haptics::DeviceQuantity quantity() const {
     for (std::size_t i = 0; i < quantities.size(); ++i) {
-      if (row_.fields[1] == quantities[i].name) return static_cast<DeviceQuantity>(i);
+      if (row_.fields[1] == quantities[i].name) return static_cast<haptics::DeviceQuantity>(i);
     }
     std::string names = other_name;
     for (const QuantityKind& known : quantities) names += fmt::format(", {}", known.name);
     fail(1, fmt::format("one of {}", names));
   }
 
-  ProfileValue value() const {
+  haptics::ProfileValue value() const {
     const QuantityKind& kind = quantities[static_cast<std::size_t>(quantity())];
     if (row_.fields[3] != kind.unit) fail(3, fmt::format("{} for {}", kind.unit, kind.name));
-    ProfileValue found{.value = number(kind), .source = row_.fields[4], .remark = row_.fields[6]};
+    haptics::ProfileValue found{.value = number(kind), .source = row_.fields[4], .remark = row_.fields[6]};
     const auto* const known = std::find(provenances.begin(), provenances.end(), row_.fields[5]);
     if (known == provenances.end()) fail(5, "paper, looked-up, recalled, derived or not sourced");
-    found.provenance = static_cast<Provenance>(known - provenances.begin());
-    if ((found.provenance == Provenance::unknown) != row_.fields[2].empty()) {
+    found.provenance = static_cast<haptics::Provenance>(known - provenances.begin());
+    if ((found.provenance == haptics::Provenance::unknown) != row_.fields[2].empty()) {
       fail(5, row_.fields[2].empty() ? "not sourced, for there is no value" : "where the value comes from");
     }
-    if (found.provenance != Provenance::unknown && found.source.empty()) fail(4, "where the value comes from");
+    if (found.provenance != haptics::Provenance::unknown && found.source.empty())
+      fail(4, "where the value comes from");
     return found;
   }
 
@@ -103,8 +104,8 @@ class ProfileRow {
 
 // Profiles while they are read, with the lines of their numbers.
 struct Reading {
-  DeviceProfile profile;
-  std::array<int, device_quantities> lines{};
+  haptics::DeviceProfile profile;
+  std::array<int, haptics::device_quantities> lines{};
 };
 
 Reading& profile_named(std::vector<Reading>& readings, const std::string& name) {
@@ -116,17 +117,17 @@ Reading& profile_named(std::vector<Reading>& readings, const std::string& name) 
 }
 
 void check_forces(const Reading& reading, const std::string& origin) {
-  const double peak = reading.profile.of(DeviceQuantity::peak_force).value;
-  const double continuous = reading.profile.of(DeviceQuantity::continuous_force).value;
+  const double peak = reading.profile.of(haptics::DeviceQuantity::peak_force).value;
+  const double continuous = reading.profile.of(haptics::DeviceQuantity::continuous_force).value;
   if (continuous <= peak) return;
-  fail_at(origin, reading.lines[static_cast<std::size_t>(DeviceQuantity::continuous_force)],
+  fail_at(origin, reading.lines[static_cast<std::size_t>(haptics::DeviceQuantity::continuous_force)],
           fmt::format("the continuous force of {} is {} N, expected at most its peak force of {} N",
                       in_quotes(reading.profile.name), continuous, peak));
 }
 
 }  // namespace
 
-std::vector<DeviceProfile> parse_device_profiles(const std::string& text, const std::string& origin) {
+std::vector<haptics::DeviceProfile> parse_device_profiles(const std::string& text, const std::string& origin) {
   const std::vector<CsvRow> rows = read_csv_rows(text, origin, {.comments = true});
   if (rows.empty()) fail_at(origin, 1, fmt::format("the file is empty, expected the header {}", header));
   const std::string first = fmt::format("{}", fmt::join(rows.front().fields, ","));
@@ -151,7 +152,7 @@ std::vector<DeviceProfile> parse_device_profiles(const std::string& text, const 
     reading.lines[index] = row->line;
   }
   if (readings.empty()) fail_at(origin, rows.front().line, "there are no devices under the header");
-  std::vector<DeviceProfile> profiles;
+  std::vector<haptics::DeviceProfile> profiles;
   for (Reading& reading : readings) {
     check_forces(reading, origin);
     profiles.push_back(std::move(reading.profile));
@@ -159,12 +160,12 @@ std::vector<DeviceProfile> parse_device_profiles(const std::string& text, const 
   return profiles;
 }
 
-std::vector<DeviceProfile> read_device_profiles(const std::filesystem::path& file) {
+std::vector<haptics::DeviceProfile> read_device_profiles(const std::filesystem::path& file) {
   return parse_device_profiles(read_text_file(file, table_limit), file.string());
 }
 
-std::vector<DeviceProfile> default_device_profiles() {
+std::vector<haptics::DeviceProfile> default_device_profiles() {
   return read_device_profiles(shared_file("devices.csv"));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -6,18 +6,18 @@
 
 #include "haptics/device_profile.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 // The devices that a table describes, one number a row, with the columns
 // device,quantity,value,unit,source,provenance,remark. An empty value says that no number is known. The rows of a
 // device follow each other or not, as you like; `also_called` gives another name of it instead of a number. Throws
 // InputError naming file and line, what was found and what was expected.
-std::vector<DeviceProfile> read_device_profiles(const std::filesystem::path& file);
+std::vector<haptics::DeviceProfile> read_device_profiles(const std::filesystem::path& file);
 
 // The same from text already in memory; `origin` names it in messages.
-std::vector<DeviceProfile> parse_device_profiles(const std::string& text, const std::string& origin);
+std::vector<haptics::DeviceProfile> parse_device_profiles(const std::string& text, const std::string& origin);
 
 // The devices that come with Bodkin (share/bodkin/devices.csv).
-std::vector<DeviceProfile> default_device_profiles();
+std::vector<haptics::DeviceProfile> default_device_profiles();
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -8,7 +8,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 // Below a millionth of a micrometre nothing is meant: rounding noise of either sign becomes the same zero.
@@ -25,7 +25,7 @@ struct GridKey {
 };
 static_assert(sizeof(GridKey) == 72, "the key must have no padding");
 
-GridKey key_of(const Grid& grid) {
+GridKey key_of(const anatomy::Grid& grid) {
   GridKey key{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<Eigen::Index>(axis);
@@ -42,7 +42,7 @@ GridKey key_of(const Grid& grid) {
 }  // namespace
 
 template <typename Voxel>
-std::string volume_digest(const Volume<Voxel>& volume) {
+std::string volume_digest(const anatomy::Volume<Voxel>& volume) {
   const GridKey key = key_of(volume.grid);
   const XXH64_hash_t seed = XXH3_64bits(&key, sizeof key);
   const XXH128_hash_t hash = XXH3_128bits_withSeed(volume.voxels.data(), volume.voxels.size() * sizeof(Voxel), seed);
@@ -54,8 +54,8 @@ std::string bytes_digest(std::string_view bytes) {
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }
 
-template std::string volume_digest(const CtVolume& volume);
-template std::string volume_digest(const LabelVolume& volume);
-template std::string volume_digest(const TissueVolume& volume);
+template std::string volume_digest(const anatomy::CtVolume& volume);
+template std::string volume_digest(const anatomy::LabelVolume& volume);
+template std::string volume_digest(const anatomy::TissueVolume& volume);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

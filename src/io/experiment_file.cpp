@@ -13,7 +13,7 @@
 #include "io/tissue_library_file.h"
 #include "io/xml_document.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 namespace {
 
@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t largest_experiment_file = 1 << 20;  // bytes
 constexpr double longest = 600.0;                         // s
-constexpr TissueId first_new_id = 32;                     // below are Bodkin's own
-constexpr TissueId last_new_id = 254;
+constexpr anatomy::TissueId first_new_id = 32;            // below are Bodkin's own
+constexpr anatomy::TissueId last_new_id = 254;
 constexpr double multiple_tolerance = 1e-6;
 constexpr double shortest_direction = 1e-6;
 
@@ -57,11 +57,12 @@ ExperimentWindow window_from(const XmlElement& element, const std::string& origi
   return window;
 }
 
-TissueLibrary library_from(const XmlElement* changes, const std::string& origin) {
-  std::vector<TissueProperties> tissues = default_tissue_library().tissues();
-  if (changes == nullptr) return TissueLibrary(std::move(tissues));
+anatomy::TissueLibrary library_from(const XmlElement* changes, const std::string& origin) {
+  std::vector<anatomy::TissueProperties> tissues = default_tissue_library().tissues();
+  if (changes == nullptr) return anatomy::TissueLibrary(std::move(tissues));
   const auto find = [&tissues](const std::string& name) {
-    return std::find_if(tissues.begin(), tissues.end(), [&](const TissueProperties& t) { return t.name == name; });
+    return std::find_if(tissues.begin(), tissues.end(),
+                        [&](const anatomy::TissueProperties& t) { return t.name == name; });
   };
   for (const XmlElement& element : changes->children) {
     const std::string name = element.string("name"), like = element.string("like", name);
@@ -82,11 +83,11 @@ TissueLibrary library_from(const XmlElement* changes, const std::string& origin)
                         in_quotes(name)));
       }
       int id = first_new_id;
-      for (const TissueProperties& tissue : tissues) id = std::max(id, tissue.id + 1);
+      for (const anatomy::TissueProperties& tissue : tissues) id = std::max(id, tissue.id + 1);
       if (id > last_new_id) fail_at(origin, element.line, "there are too many tissues, expected ids up to 254");
-      TissueProperties added = *model;
+      anatomy::TissueProperties added = *model;
       added.name = added.title = name;
-      added.id = static_cast<TissueId>(id);
+      added.id = static_cast<anatomy::TissueId>(id);
       entry = tissues.insert(tissues.end(), std::move(added));
     }
     entry->title = element.string("title", entry->title);
@@ -94,10 +95,11 @@ TissueLibrary library_from(const XmlElement* changes, const std::string& origin)
       entry->colour = static_cast<std::uint32_t>(std::stoul(colour->substr(1), nullptr, 16));
     read_tissue_forces(element, origin, *entry);
   }
-  return TissueLibrary(std::move(tissues));
+  return anatomy::TissueLibrary(std::move(tissues));
 }
 
-ExperimentBody body_from(const XmlElement& element, const TissueLibrary& library, const std::string& origin) {
+ExperimentBody body_from(const XmlElement& element, const anatomy::TissueLibrary& library,
+                         const std::string& origin) {
   const XmlElement& shape = element.children.front();
   ExperimentBody body;
   body.hemisphere = shape.name == "hemisphere";
@@ -212,10 +214,12 @@ void check_quantities(const Experiment& experiment, const std::string& origin) {
     const auto needs = [&](const char* model) {
       throw InputError(fmt::format("{}: the quantity {} needs the resistance {}, found {}", origin,
                                    quantity_names[static_cast<std::size_t>(quantity)].name, model,
-                                   name_of(experiment.haptics.resistance)));
+                                   anatomy::name_of(experiment.haptics.resistance)));
     };
-    if (wall && !std::holds_alternative<TrackingWallSettings>(experiment.haptics.resistance)) needs("tracking_wall");
-    if (proxy && !std::holds_alternative<VolumeProxySettings>(experiment.haptics.resistance)) needs("volume_proxy");
+    if (wall && !std::holds_alternative<anatomy::TrackingWallSettings>(experiment.haptics.resistance))
+      needs("tracking_wall");
+    if (proxy && !std::holds_alternative<anatomy::VolumeProxySettings>(experiment.haptics.resistance))
+      needs("volume_proxy");
   };
   for (const ExperimentPanel& panel : experiment.panels) {
     check(panel.x);
@@ -271,4 +275,4 @@ std::vector<fs::path> shipped_experiments() {
   return files;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

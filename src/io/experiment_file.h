@@ -10,7 +10,7 @@
 
 #include "anatomy/case.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 class XmlSchema;
 
@@ -152,11 +152,11 @@ struct Experiment {
   std::string title;
   std::string paper;  // the publication, empty for an experiment of one's own
   ExperimentCaption caption;
-  TissueLibrary library;  // the library that comes with Bodkin, changed as the experiment says
+  anatomy::TissueLibrary library;  // the library that comes with Bodkin, changed as the experiment says
   ExperimentBody body;
-  Needle needle;
-  DeviceLimits device;
-  HapticSettings haptics;
+  anatomy::Needle needle;
+  anatomy::DeviceLimits device;
+  anatomy::HapticSettings haptics;
   ExperimentMotion motion;
   std::vector<ExperimentPanel> panels;
   std::vector<PublishedValue> values;
@@ -170,4 +170,4 @@ Experiment read_experiment(const std::filesystem::path& file);
 // The experiments that come with Bodkin (share/bodkin/experiments), by name.
 std::vector<std::filesystem::path> shipped_experiments();
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -11,7 +11,7 @@
 #include "io/xml_document.h"
 #include "io/xml_writer.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 namespace {
 
@@ -84,7 +84,7 @@ void write_element(XmlWriter& xml, std::string_view text, const auto& names, con
 }
 
 // Reads what `write` puts into the element `role` of <haptics>.
-HapticSettings read_role(const char* role, const std::string& origin, const auto& write) {
+anatomy::HapticSettings read_role(const char* role, const std::string& origin, const auto& write) {
   XmlWriter xml;
   xml.open("haptics");
   xml.open(role);
@@ -95,19 +95,19 @@ HapticSettings read_role(const char* role, const std::string& origin, const auto
 
 }  // namespace
 
-ResistanceSettings parse_resistance(std::string_view text, const std::string& origin) {
+anatomy::ResistanceSettings parse_resistance(std::string_view text, const std::string& origin) {
   return read_role("resistance", origin,
-                   [&](XmlWriter& xml) { write_element(xml, text, resistance_names, "resistance", origin); })
+                   [&](XmlWriter& xml) { write_element(xml, text, anatomy::resistance_names, "resistance", origin); })
       .resistance;
 }
 
-ConstraintSettings parse_constraint(std::string_view text, const std::string& origin) {
+anatomy::ConstraintSettings parse_constraint(std::string_view text, const std::string& origin) {
   return read_role("constraint", origin,
-                   [&](XmlWriter& xml) { write_element(xml, text, constraint_names, "constraint", origin); })
+                   [&](XmlWriter& xml) { write_element(xml, text, anatomy::constraint_names, "constraint", origin); })
       .constraint;
 }
 
-ForceParts parse_parts(const std::vector<std::string>& texts, const std::string& origin) {
+anatomy::ForceParts parse_parts(const std::vector<std::string>& texts, const std::string& origin) {
   if (texts.size() == 1 && split(texts.front(), blanks) == std::vector<std::string>{"none"}) return {};
   return read_role("parts", origin,
                    [&](XmlWriter& xml) {
@@ -116,18 +116,20 @@ ForceParts parse_parts(const std::vector<std::string>& texts, const std::string&
       .parts;
 }
 
-ForceTexts force_texts(const HapticSettings& haptics) {
+ForceTexts force_texts(const anatomy::HapticSettings& haptics) {
   const auto text_of = [](std::string_view name, const auto& settings) {
     return tree_text(settings_tree(std::string(name), settings));
   };
   ForceTexts texts;
-  texts.resistance = std::visit([&](const auto& settings) { return text_of(name_of(haptics.resistance), settings); },
-                                haptics.resistance);
-  texts.constraint = std::visit([&](const auto& settings) { return text_of(name_of(haptics.constraint), settings); },
-                                haptics.constraint);
+  texts.resistance =
+      std::visit([&](const auto& settings) { return text_of(anatomy::name_of(haptics.resistance), settings); },
+                 haptics.resistance);
+  texts.constraint =
+      std::visit([&](const auto& settings) { return text_of(anatomy::name_of(haptics.constraint), settings); },
+                 haptics.constraint);
   for (const SettingsTree& part : settings_tree("parts", haptics.parts).children)
     texts.parts.push_back(tree_text(part));
   return texts;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -7,9 +7,11 @@
 
 #include "anatomy/force_settings.h"
 
-namespace bodkin {
-
+namespace bodkin::anatomy {
 struct HapticSettings;
+}  // namespace bodkin::anatomy
+
+namespace bodkin::io {
 
 // Force models as people type them: a name and settings, with the names, units, ranges and defaults of case files.
 //   tracking_wall catch_up_s=0.3 leash=true
@@ -17,15 +19,15 @@ struct HapticSettings;
 // The text becomes the element of a case file and is read against the same schema. `origin` names it in messages.
 // Throw InputError naming the setting, what was found and what was expected.
 
-ResistanceSettings parse_resistance(std::string_view text, const std::string& origin);
+anatomy::ResistanceSettings parse_resistance(std::string_view text, const std::string& origin);
 
-ConstraintSettings parse_constraint(std::string_view text, const std::string& origin);
+anatomy::ConstraintSettings parse_constraint(std::string_view text, const std::string& origin);
 
 inline constexpr std::array<std::string_view, 6> part_names = {"relaxation", "shaft_friction", "needle_grasp",
                                                                "bevel_tip",  "csf_flow",       "syringe"};
 
 // One text for each part; "none" alone means no parts.
-ForceParts parse_parts(const std::vector<std::string>& texts, const std::string& origin);
+anatomy::ForceParts parse_parts(const std::vector<std::string>& texts, const std::string& origin);
 
 // Settings as texts that the functions above read back to the same bits.
 struct ForceTexts {
@@ -33,6 +35,6 @@ struct ForceTexts {
   std::string constraint;
   std::vector<std::string> parts;  // empty: none
 };
-ForceTexts force_texts(const HapticSettings& haptics);
+ForceTexts force_texts(const anatomy::HapticSettings& haptics);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -4,7 +4,7 @@
 
 #include <zlib.h>
 
-namespace bodkin {
+namespace bodkin::io {
 
 struct CloseGzip {
   void operator()(gzFile_s* file) const { gzclose(file); }
@@ -13,4 +13,4 @@ struct CloseGzip {
 // A gzip stream, closed at the end of its life. Null when it could not be opened.
 using GzipStream = std::unique_ptr<gzFile_s, CloseGzip>;
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -8,7 +8,7 @@
 #include "anatomy/case.h"
 #include "io/settings_xml.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 namespace {
 
@@ -23,8 +23,8 @@ Models model_from(const XmlElement& parent, const std::string& origin, const aut
   const auto attempt = [&]<std::size_t I>() {
     using Settings = std::variant_alternative_t<I, Models>;
     if (names[I] != element.name) return;
-    if constexpr (std::is_same_v<Settings, RegisteredSettings>) {
-      models.template emplace<I>(registered_from(settings_tree(element)));
+    if constexpr (std::is_same_v<Settings, anatomy::RegisteredSettings>) {
+      models.template emplace<I>(anatomy::registered_from(tree_of(element)));
     } else {
       models.template emplace<I>(settings_from<Settings>(element, origin));
     }
@@ -36,8 +36,8 @@ Models model_from(const XmlElement& parent, const std::string& origin, const aut
   return models;
 }
 
-GravitySettings compensation_from(const XmlElement& element, const std::string& origin) {
-  auto compensation = settings_from<GravitySettings>(element, origin);
+anatomy::GravitySettings compensation_from(const XmlElement& element, const std::string& origin) {
+  auto compensation = settings_from<anatomy::GravitySettings>(element, origin);
   Vec3& up = compensation.up;
   const double length = up.norm();
   if (length < shortest_up) {
@@ -52,29 +52,32 @@ GravitySettings compensation_from(const XmlElement& element, const std::string& 
 
 }  // namespace
 
-HapticSettings read_haptics(const XmlElement& element, const std::string& origin) {
-  HapticSettings haptics;
+anatomy::HapticSettings read_haptics(const XmlElement& element, const std::string& origin) {
+  anatomy::HapticSettings haptics;
   haptics.rate = element.number("rate_Hz", haptics.rate);
   if (const XmlElement* resistance = element.child("resistance"); resistance != nullptr)
-    haptics.resistance = model_from<ResistanceSettings>(*resistance, origin, resistance_names);
+    haptics.resistance = model_from<anatomy::ResistanceSettings>(*resistance, origin, anatomy::resistance_names);
   if (const XmlElement* constraint = element.child("constraint"); constraint != nullptr)
-    haptics.constraint = model_from<ConstraintSettings>(*constraint, origin, constraint_names);
+    haptics.constraint = model_from<anatomy::ConstraintSettings>(*constraint, origin, anatomy::constraint_names);
   if (const XmlElement* parts = element.child("parts"); parts != nullptr)
-    haptics.parts = settings_from<ForceParts>(*parts, origin);
+    haptics.parts = settings_from<anatomy::ForceParts>(*parts, origin);
   if (const XmlElement* compensation = element.child("compensation"); compensation != nullptr)
     haptics.compensation = compensation_from(*compensation, origin);
   return haptics;
 }
 
-HapticSettings parse_haptics_xml(std::string_view document, const std::string& origin, const XmlSchema& schema) {
+anatomy::HapticSettings parse_haptics_xml(std::string_view document, const std::string& origin,
+                                          const XmlSchema& schema) {
   return read_haptics(schema.read(document, origin, {.root = "haptics"}), origin);
 }
 
-SettingsTree haptics_tree(const HapticSettings& haptics) {
+SettingsTree haptics_tree(const anatomy::HapticSettings& haptics) {
   const auto model_tree = [](const char* role, const auto& models) {
     SettingsTree tree{.name = role};
     std::visit(
-        [&](const auto& settings) { tree.children.push_back(settings_tree(std::string(name_of(models)), settings)); },
+        [&](const auto& settings) {
+          tree.children.push_back(settings_tree(std::string(anatomy::name_of(models)), settings));
+        },
         models);
     return tree;
   };
@@ -87,14 +90,14 @@ SettingsTree haptics_tree(const HapticSettings& haptics) {
   return tree;
 }
 
-void write_haptics(XmlWriter& xml, const HapticSettings& haptics) {
+void write_haptics(XmlWriter& xml, const anatomy::HapticSettings& haptics) {
   write_settings(xml, haptics_tree(haptics));
 }
 
-std::string haptics_xml(const HapticSettings& haptics) {
+std::string haptics_xml(const anatomy::HapticSettings& haptics) {
   XmlWriter xml;
   write_haptics(xml, haptics);
   return xml.finish();
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -6,26 +6,30 @@
 #include "anatomy/force_settings.h"
 #include "core/settings_tree.h"
 
-namespace bodkin {
-
+namespace bodkin::anatomy {
 struct HapticSettings;
+}  // namespace bodkin::anatomy
+
+namespace bodkin::io {
+
 struct XmlElement;
 class XmlSchema;
 class XmlWriter;
 
 // The settings that a <haptics> element holds, which the schema (case.xsd) has accepted. Throws InputError naming
 // file, line, attribute, what was found and what was expected where one value does not go with another.
-HapticSettings read_haptics(const XmlElement& element, const std::string& origin);
+anatomy::HapticSettings read_haptics(const XmlElement& element, const std::string& origin);
 
 // The same as a tree of texts: models, parts and compensation with all their values.
-SettingsTree haptics_tree(const HapticSettings& haptics);
+SettingsTree haptics_tree(const anatomy::HapticSettings& haptics);
 
 // Writes a <haptics> element that read_haptics reads back to the same bits. The direction against gravity is a unit
 // vector.
-void write_haptics(XmlWriter& xml, const HapticSettings& haptics);
+void write_haptics(XmlWriter& xml, const anatomy::HapticSettings& haptics);
 
 // The same as documents of their own, which sessions keep. `schema` is case.xsd.
-std::string haptics_xml(const HapticSettings& haptics);
-HapticSettings parse_haptics_xml(std::string_view document, const std::string& origin, const XmlSchema& schema);
+std::string haptics_xml(const anatomy::HapticSettings& haptics);
+anatomy::HapticSettings parse_haptics_xml(std::string_view document, const std::string& origin,
+                                          const XmlSchema& schema);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

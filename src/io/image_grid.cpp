@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 void require_plausible_size(const std::string& name, const std::vector<std::uintmax_t>& sizes,
                             std::uintmax_t voxel_bytes, double limit_bytes) {
@@ -28,8 +28,8 @@ void require_plausible_size(const std::string& name, const std::vector<std::uint
   }
 }
 
-Grid clean_grid(const Grid& grid, const std::string& name) {
-  Grid clean = grid;
+anatomy::Grid clean_grid(const anatomy::Grid& grid, const std::string& name) {
+  anatomy::Grid clean = grid;
   if (!grid.spacing.allFinite() || grid.spacing.minCoeff() <= 0.0) {
     throw InputError(fmt::format("{}: the voxel spacing is {} x {} x {} mm; expected lengths above zero", name,
                                  grid.spacing[0], grid.spacing[1], grid.spacing[2]));
@@ -67,4 +67,4 @@ Grid clean_grid(const Grid& grid, const std::string& name) {
   return clean;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

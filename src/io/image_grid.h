@@ -6,7 +6,7 @@
 
 #include "anatomy/grid.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 // The most voxels an image may have: 800 x 800 x 800.
 inline constexpr std::uintmax_t most_voxels = 512'000'000;
@@ -20,6 +20,6 @@ void require_plausible_size(const std::string& name, const std::vector<std::uint
 // and axes that are orthogonal to 1e-4 (a NIfTI affine has single precision) are made orthonormal to double
 // precision. Everything else is kept to the bit. Throws InputError naming `name` when spacing, origin or direction is
 // not a lattice's: zero, negative or not finite, or sheared.
-Grid clean_grid(const Grid& grid, const std::string& name);
+anatomy::Grid clean_grid(const anatomy::Grid& grid, const std::string& name);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

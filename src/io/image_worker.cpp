@@ -14,7 +14,7 @@
 #include "io/text_encoding.h"
 #include "io/worker_program.h"
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 using nlohmann::json;
@@ -72,8 +72,8 @@ WorkerReport run_reader(const std::string& verb, const std::string& arguments, c
 }
 
 // The worker read a foreign file: what it says of the grid is checked like the file itself.
-std::optional<Grid> grid_from(const json& value) {
-  Grid grid;
+std::optional<anatomy::Grid> grid_from(const json& value) {
+  anatomy::Grid grid;
   const std::vector<double> numbers = value.value("numbers", std::vector<double>{});
   const std::vector<int> size = value.value("size", std::vector<int>{});
   if (numbers.size() != 15 || size.size() != 3) return std::nullopt;
@@ -88,16 +88,16 @@ std::optional<Grid> grid_from(const json& value) {
 }
 
 template <typename Voxel>
-Volume<Voxel> read_isolated(const std::filesystem::path& path, const char* kind, const Progress& progress) {
+anatomy::Volume<Voxel> read_isolated(const std::filesystem::path& path, const char* kind, const Progress& progress) {
   const SharedMemory memory("bodkin-voxels");
   const json request = {{"path", path_text(path)}, {"kind", kind}};
   const WorkerReport report = run_reader("read", request.dump(), path.string(), progress, memory.descriptor());
-  const std::optional<Grid> grid = grid_from(json::parse(report.result, nullptr, false));
+  const std::optional<anatomy::Grid> grid = grid_from(json::parse(report.result, nullptr, false));
   if (!grid || memory.size() != grid->voxel_count() * sizeof(Voxel)) {
     throw InputError(
         fmt::format("{}: the imaging library returned an invalid image; the file is damaged", path.string()));
   }
-  Volume<Voxel> volume(*grid);
+  anatomy::Volume<Voxel> volume(*grid);
   memory.copy_to(volume.voxels.data(), memory.size());
   return volume;
 }
@@ -117,16 +117,16 @@ WorkerReport run_image_worker(const std::string& verb, const std::string& argume
   return run_reader(verb, arguments, subject, progress, -1);
 }
 
-CtVolume read_ct_isolated(const std::filesystem::path& path, const Progress& progress) {
+anatomy::CtVolume read_ct_isolated(const std::filesystem::path& path, const Progress& progress) {
   return read_isolated<std::int16_t>(path, "ct", progress);
 }
 
-LabelVolume read_labels_isolated(const std::filesystem::path& path, const Progress& progress) {
+anatomy::LabelVolume read_labels_isolated(const std::filesystem::path& path, const Progress& progress) {
   return read_isolated<std::uint16_t>(path, "labels", progress);
 }
 
-TissueVolume read_tissues_isolated(const std::filesystem::path& path, const Progress& progress) {
+anatomy::TissueVolume read_tissues_isolated(const std::filesystem::path& path, const Progress& progress) {
   return read_isolated<std::uint8_t>(path, "tissues", progress);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -11,7 +11,7 @@
 // read there, so that nothing in them can crash this process or make it allocate more than they justify, and the
 // imaging libraries load only when an image is read.
 
-namespace bodkin {
+namespace bodkin::io {
 
 // What the worker says of a finished piece of work.
 struct WorkerReport {
@@ -30,8 +30,8 @@ WorkerReport run_image_worker(const std::string& verb, const std::string& argume
                               const Progress& progress);
 
 // Reads one image file (NRRD, NIfTI, MetaImage) or DICOM folder as HU, labels or tissue ids. Throws InputError.
-CtVolume read_ct_isolated(const std::filesystem::path& path, const Progress& progress = {});
-LabelVolume read_labels_isolated(const std::filesystem::path& path, const Progress& progress = {});
-TissueVolume read_tissues_isolated(const std::filesystem::path& path, const Progress& progress = {});
+anatomy::CtVolume read_ct_isolated(const std::filesystem::path& path, const Progress& progress = {});
+anatomy::LabelVolume read_labels_isolated(const std::filesystem::path& path, const Progress& progress = {});
+anatomy::TissueVolume read_tissues_isolated(const std::filesystem::path& path, const Progress& progress = {});
 
-}  // namespace bodkin
+}  // namespace bodkin::io

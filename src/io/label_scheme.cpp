@@ -12,7 +12,7 @@
 #include "io/tissue_library_file.h"
 #include "io/xml_document.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 namespace {
 
@@ -32,8 +32,8 @@ class RowReader {
     }
   }
 
-  Structure structure(const TissueLibrary& library) const {
-    Structure entry;
+  anatomy::Structure structure(const anatomy::TissueLibrary& library) const {
+    anatomy::Structure entry;
     entry.label = label();
     entry.name = row_.fields[1];
     if (entry.name.empty() || entry.name.size() > longest_name ||
@@ -87,17 +87,17 @@ bool is_resolved_by_construction(std::string_view tissue) noexcept {
   return tissue.empty() || tissue == "bone" || tissue == "spinal_canal";
 }
 
-std::vector<Structure> parse_label_scheme(const std::string& text, const std::string& origin,
-                                          const TissueLibrary& library) {
+std::vector<anatomy::Structure> parse_label_scheme(const std::string& text, const std::string& origin,
+                                                   const anatomy::TissueLibrary& library) {
   const std::vector<CsvRow> rows = read_csv_rows(text, origin);
   if (rows.empty()) fail_at(origin, 1, fmt::format("the file is empty, expected the header {}", scheme_header));
   const std::string first = joined(rows.front().fields);
   if (first != scheme_header)
     fail_at(origin, rows.front().line, fmt::format("the header is {}, expected {}", in_quotes(first), scheme_header));
-  std::vector<Structure> structures;
+  std::vector<anatomy::Structure> structures;
   std::map<int, int> line_of_label;
   for (auto row = rows.begin() + 1; row != rows.end(); ++row) {
-    Structure entry = RowReader(*row, origin).structure(library);
+    anatomy::Structure entry = RowReader(*row, origin).structure(library);
     if (const auto [earlier, fresh] = line_of_label.emplace(entry.label, row->line); !fresh) {
       fail_at(origin, row->line,
               fmt::format("column 1: label is {}, which line {} uses already", entry.label, earlier->second));
@@ -108,11 +108,11 @@ std::vector<Structure> parse_label_scheme(const std::string& text, const std::st
   return structures;
 }
 
-std::vector<Structure> parse_label_scheme(const std::string& text, const std::string& origin) {
+std::vector<anatomy::Structure> parse_label_scheme(const std::string& text, const std::string& origin) {
   return parse_label_scheme(text, origin, default_tissue_library());
 }
 
-std::vector<Structure> read_label_scheme(const std::string& scheme, const TissueLibrary& library) {
+std::vector<anatomy::Structure> read_label_scheme(const std::string& scheme, const anatomy::TissueLibrary& library) {
   if (scheme == "totalsegmentator" || scheme == "tptbox") {
     const auto file = shared_file("label_schemes/" + scheme + ".csv");
     return parse_label_scheme(read_text_file(file, scheme_limit), file.string(), library);
@@ -126,8 +126,8 @@ std::vector<Structure> read_label_scheme(const std::string& scheme, const Tissue
   return parse_label_scheme(read_text_file(scheme, scheme_limit), scheme, library);
 }
 
-std::vector<Structure> read_label_scheme(const std::string& scheme) {
+std::vector<anatomy::Structure> read_label_scheme(const std::string& scheme) {
   return read_label_scheme(scheme, default_tissue_library());
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

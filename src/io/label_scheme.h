@@ -7,7 +7,7 @@
 
 #include "anatomy/case.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 // What the labels of a segmentation mean. The tissue of a structure is the name of a tissue of the library, or one of
 // these words, which the construction of the patient resolves voxel by voxel:
@@ -17,19 +17,19 @@ namespace bodkin {
 //
 // `scheme` is "totalsegmentator", "tptbox", or the path of a CSV file with the columns label,name,tissue,critical.
 // Throws InputError naming file, line, column, what was found and what was expected.
-std::vector<Structure> read_label_scheme(const std::string& scheme);
+std::vector<anatomy::Structure> read_label_scheme(const std::string& scheme);
 
 // The same with another tissue library, whose tissues the scheme may name.
-std::vector<Structure> read_label_scheme(const std::string& scheme, const TissueLibrary& library);
+std::vector<anatomy::Structure> read_label_scheme(const std::string& scheme, const anatomy::TissueLibrary& library);
 
 // The same from text already in memory; `origin` names it in messages, `library` holds the tissues it may name.
-std::vector<Structure> parse_label_scheme(const std::string& text, const std::string& origin,
-                                          const TissueLibrary& library);
+std::vector<anatomy::Structure> parse_label_scheme(const std::string& text, const std::string& origin,
+                                                   const anatomy::TissueLibrary& library);
 
 // The same with the library that comes with Bodkin.
-std::vector<Structure> parse_label_scheme(const std::string& text, const std::string& origin);
+std::vector<anatomy::Structure> parse_label_scheme(const std::string& text, const std::string& origin);
 
 // Whether `tissue` is one of the words above rather than the name of a tissue.
 bool is_resolved_by_construction(std::string_view tissue) noexcept;
 
-}  // namespace bodkin
+}  // namespace bodkin::io

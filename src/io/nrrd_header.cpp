@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 constexpr std::array<std::string_view, 3> voxel_types = {"short", "unsigned short", "unsigned char"};
@@ -104,4 +104,4 @@ std::optional<ParsedNrrdHeader> parse_nrrd_header(std::string_view bytes) {
   return ParsedNrrdHeader{header, scanner.position()};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -9,7 +9,7 @@
 
 #include "anatomy/grid.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 // What NRRD calls the type of a voxel.
 template <typename Voxel>
@@ -45,4 +45,4 @@ std::optional<ParsedNrrdHeader> parse_nrrd_header(std::string_view bytes);
 // No header that nrrd_header_text() writes is longer, bytes.
 inline constexpr std::size_t longest_nrrd_header = 1024;
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -15,7 +15,7 @@
 #include "io/image_grid.h"
 #include "io/nrrd_header.h"
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 // Of a gzip stream (RFC 1952), bytes: head and tail; the tail ends with the unpacked length modulo 2^32.
@@ -58,8 +58,8 @@ void require_packed_length(const std::uint8_t* tail, std::size_t packed, std::si
   }
 }
 
-Grid grid_of_header(const NrrdHeader& header, const std::string& name) {
-  Grid grid;
+anatomy::Grid grid_of_header(const NrrdHeader& header, const std::string& name) {
+  anatomy::Grid grid;
   grid.size = header.size;
   grid.origin = header.origin;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -91,7 +91,7 @@ void unpack(const std::vector<std::uint8_t>& packed, std::vector<Voxel>& voxels,
 }  // namespace
 
 template <typename Voxel>
-std::optional<Volume<Voxel>> read_nrrd(const std::filesystem::path& file) {
+std::optional<anatomy::Volume<Voxel>> read_nrrd(const std::filesystem::path& file) {
   const std::string name = file.string();
   std::ifstream stream(file, std::ios::binary);
   std::string head(longest_nrrd_header, '\0');
@@ -109,7 +109,7 @@ std::optional<Volume<Voxel>> read_nrrd(const std::filesystem::path& file) {
   const std::array<int, 3>& size = parsed->header.size;
   require_plausible_size(name, {size.begin(), size.end()}, sizeof(Voxel),
                          static_cast<double>(packed_length) * most_inflation);
-  Volume<Voxel> volume;
+  anatomy::Volume<Voxel> volume;
   volume.grid = grid_of_header(parsed->header, name);
   const std::size_t count = volume.grid.voxel_count();
   std::uint8_t tail[gzip_length];
@@ -124,8 +124,8 @@ std::optional<Volume<Voxel>> read_nrrd(const std::filesystem::path& file) {
   return volume;
 }
 
-template std::optional<CtVolume> read_nrrd(const std::filesystem::path& file);
-template std::optional<LabelVolume> read_nrrd(const std::filesystem::path& file);
-template std::optional<TissueVolume> read_nrrd(const std::filesystem::path& file);
+template std::optional<anatomy::CtVolume> read_nrrd(const std::filesystem::path& file);
+template std::optional<anatomy::LabelVolume> read_nrrd(const std::filesystem::path& file);
+template std::optional<anatomy::TissueVolume> read_nrrd(const std::filesystem::path& file);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

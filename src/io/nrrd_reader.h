@@ -5,7 +5,7 @@
 
 #include "anatomy/volume.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 // Reads a volume that write_nrrd() wrote, in this process and without an imaging library: the header must be Bodkin's
 // own to the letter, its size must agree with the packed bytes before memory is taken (at most the voxels and the
@@ -15,10 +15,10 @@ namespace bodkin {
 // Nothing: the file is not of this form, or holds voxels of another type; the image worker reads such a file. Throws
 // InputError, one sentence that names the file, when it is of this form but truncated or damaged, or cannot be read.
 template <typename Voxel>
-std::optional<Volume<Voxel>> read_nrrd(const std::filesystem::path& file);
+std::optional<anatomy::Volume<Voxel>> read_nrrd(const std::filesystem::path& file);
 
-extern template std::optional<CtVolume> read_nrrd(const std::filesystem::path& file);
-extern template std::optional<LabelVolume> read_nrrd(const std::filesystem::path& file);
-extern template std::optional<TissueVolume> read_nrrd(const std::filesystem::path& file);
+extern template std::optional<anatomy::CtVolume> read_nrrd(const std::filesystem::path& file);
+extern template std::optional<anatomy::LabelVolume> read_nrrd(const std::filesystem::path& file);
+extern template std::optional<anatomy::TissueVolume> read_nrrd(const std::filesystem::path& file);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

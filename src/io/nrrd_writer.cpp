@@ -17,7 +17,7 @@
 #include "io/gzip_stream.h"
 #include "io/nrrd_header.h"
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the header says that voxels are little endian");
@@ -26,7 +26,7 @@ static_assert(std::endian::native == std::endian::little, "the header says that 
 constexpr const char* gzip_mode = "wb1";
 constexpr std::size_t chunk = 16U << 20U;  // bytes per call; gzwrite takes at most an unsigned int
 
-NrrdHeader header_of(const Grid& grid, std::string_view type) {
+NrrdHeader header_of(const anatomy::Grid& grid, std::string_view type) {
   return {std::string(type), grid.size, grid.direction * grid.spacing.asDiagonal(), grid.origin};
 }
 
@@ -37,7 +37,7 @@ NrrdHeader header_of(const Grid& grid, std::string_view type) {
 }  // namespace
 
 template <typename Voxel>
-void write_nrrd(const Volume<Voxel>& volume, const std::filesystem::path& file) {
+void write_nrrd(const anatomy::Volume<Voxel>& volume, const std::filesystem::path& file) {
   const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) fail_to_write(file);
   const std::string header = nrrd_header_text(header_of(volume.grid, nrrd_type<Voxel>()));
@@ -58,8 +58,8 @@ void write_nrrd(const Volume<Voxel>& volume, const std::filesystem::path& file) 
   if (gzclose(stream.release()) != Z_OK) fail_to_write(file);
 }
 
-template void write_nrrd(const CtVolume& volume, const std::filesystem::path& file);
-template void write_nrrd(const LabelVolume& volume, const std::filesystem::path& file);
-template void write_nrrd(const TissueVolume& volume, const std::filesystem::path& file);
+template void write_nrrd(const anatomy::CtVolume& volume, const std::filesystem::path& file);
+template void write_nrrd(const anatomy::LabelVolume& volume, const std::filesystem::path& file);
+template void write_nrrd(const anatomy::TissueVolume& volume, const std::filesystem::path& file);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -11,7 +11,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -102,4 +102,4 @@ void PartialFolder::finish() {
   if (error) throw SystemError(fmt::format("{} cannot be put in its place: {}", final_.string(), error.message()));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -4,7 +4,7 @@
 
 #include <sys/types.h>
 
-namespace bodkin {
+namespace bodkin::io {
 
 // A folder in the making. It is built next to its final place under the name `final.partial-PID` and appears there in
 // one step, by renaming, so that no half-written folder is ever visible. What is not finished is removed.
@@ -28,4 +28,4 @@ class PartialFolder {
 // The name under which process `owner` builds `final`.
 std::filesystem::path partial_name(const std::filesystem::path& final, pid_t owner);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

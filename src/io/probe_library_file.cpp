@@ -10,7 +10,7 @@
 #include "io/settings_xml.h"
 #include "io/xml_document.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 namespace {
 
@@ -25,20 +25,20 @@ std::string small_letters(std::string_view name) {
   return small;
 }
 
-UltrasoundProbe probe_from(const XmlElement& element, const std::string& origin) {
+anatomy::UltrasoundProbe probe_from(const XmlElement& element, const std::string& origin) {
   SettingsTree tree{.name = element.name, .values = element.attributes, .children = {}, .line = element.line};
   tree.values.emplace_back("source", one_line(element.child("source")->text));
-  UltrasoundProbe probe;
+  anatomy::UltrasoundProbe probe;
   read_settings(probe, tree, origin);
-  check(probe, fmt::format("{}, line {}", origin, element.line));
+  anatomy::check(probe, fmt::format("{}, line {}", origin, element.line));
   return probe;
 }
 
 }  // namespace
 
-std::vector<UltrasoundProbe> parse_probes(std::string_view document, const std::string& origin) {
+std::vector<anatomy::UltrasoundProbe> parse_probes(std::string_view document, const std::string& origin) {
   const XmlElement root = XmlSchema("probes.xsd").read(document, origin, {.root = "probe_library"});
-  std::vector<UltrasoundProbe> probes;
+  std::vector<anatomy::UltrasoundProbe> probes;
   std::map<std::string, int> line_of_name;
   for (const XmlElement& element : root.children) {
     probes.push_back(probe_from(element, origin));
@@ -54,27 +54,27 @@ std::vector<UltrasoundProbe> parse_probes(std::string_view document, const std::
   return probes;
 }
 
-std::vector<UltrasoundProbe> read_probes(const std::filesystem::path& file) {
+std::vector<anatomy::UltrasoundProbe> read_probes(const std::filesystem::path& file) {
   return parse_probes(read_text_file(file, largest_probe_library), file.string());
 }
 
-std::vector<UltrasoundProbe> default_probes() {
+std::vector<anatomy::UltrasoundProbe> default_probes() {
   return read_probes(shared_file("probes.xml"));
 }
 
-const UltrasoundProbe& find_probe(std::span<const UltrasoundProbe> probes, std::string_view name) {
+const anatomy::UltrasoundProbe& find_probe(std::span<const anatomy::UltrasoundProbe> probes, std::string_view name) {
   const std::string wanted = small_letters(name);
-  const auto found = std::find_if(probes.begin(), probes.end(), [&wanted](const UltrasoundProbe& probe) {
+  const auto found = std::find_if(probes.begin(), probes.end(), [&wanted](const anatomy::UltrasoundProbe& probe) {
     return small_letters(probe.name) == wanted;
   });
   if (found != probes.end()) return *found;
   std::string names;
-  for (const UltrasoundProbe& probe : probes) names += (names.empty() ? "" : ", ") + probe.name;
+  for (const anatomy::UltrasoundProbe& probe : probes) names += (names.empty() ? "" : ", ") + probe.name;
   throw InputError(fmt::format("there is no ultrasound probe {}, expected one of: {}", in_quotes(name), names));
 }
 
-UltrasoundProbe find_probe(std::string_view name) {
+anatomy::UltrasoundProbe find_probe(std::string_view name) {
   return find_probe(default_probes(), name);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

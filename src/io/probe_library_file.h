@@ -8,23 +8,23 @@
 
 #include "anatomy/ultrasound_probe.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 // Reads ultrasound probes (share/bodkin/probes.xml has the format and those that come with Bodkin, with their
 // sources). At least one; every one passes check(). Throws InputError naming file, line, attribute, what was found
 // and what was expected.
-std::vector<UltrasoundProbe> read_probes(const std::filesystem::path& file);
+std::vector<anatomy::UltrasoundProbe> read_probes(const std::filesystem::path& file);
 
 // The same from a document already in memory; `origin` names it in messages.
-std::vector<UltrasoundProbe> parse_probes(std::string_view document, const std::string& origin);
+std::vector<anatomy::UltrasoundProbe> parse_probes(std::string_view document, const std::string& origin);
 
 // The probes that come with Bodkin. Throws SystemError when the installation lacks them.
-std::vector<UltrasoundProbe> default_probes();
+std::vector<anatomy::UltrasoundProbe> default_probes();
 
 // The probe of that name, in capitals or not. Throws InputError, which lists the known names, when the library has no
 // such probe.
-const UltrasoundProbe& find_probe(std::span<const UltrasoundProbe> probes, std::string_view name);
+const anatomy::UltrasoundProbe& find_probe(std::span<const anatomy::UltrasoundProbe> probes, std::string_view name);
 // The same among the probes that come with Bodkin.
-UltrasoundProbe find_probe(std::string_view name);
+anatomy::UltrasoundProbe find_probe(std::string_view name);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 namespace fs = std::filesystem;
 
@@ -80,4 +80,4 @@ fs::path file_inside(const fs::path& folder, const std::string& name, const std:
   return file;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace bodkin {
+namespace bodkin::io {
 
 // A file that comes with Bodkin, such as "tissues.xml" or "label_schemes/tptbox.csv". Looked for in the folder that
 // the environment variable BODKIN_SHARE names, next to the running program (../share/bodkin), in the source tree, and
@@ -22,4 +22,4 @@ std::filesystem::path file_inside(const std::filesystem::path& folder, const std
 // Whether `name` is a relative file name that stays in its folder judged by its text alone.
 bool is_inside_name(const std::string& name);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -12,7 +12,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 namespace {
 
@@ -87,4 +87,4 @@ ProgramResult run_program(const std::vector<std::string>& command, std::string_v
   return result;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace bodkin {
+namespace bodkin::io {
 
 // What a program left when it ended.
 struct ProgramResult {
@@ -19,4 +19,4 @@ struct ProgramResult {
 ProgramResult run_program(const std::vector<std::string>& command, std::string_view input,
                           const std::string& package);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -12,7 +12,7 @@
 #include "core/error.h"
 #include "core/parameter_value.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 namespace {
 
@@ -70,4 +70,4 @@ SequenceHeader read_sequence_header(const std::filesystem::path& file, std::size
   return parse_sequence_header(bytes, frame);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

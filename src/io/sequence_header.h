@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace bodkin {
+namespace bodkin::io {
 
 // What the header of an ultrasound sequence as PLUS writes it (.igs.mha) says of one of its pictures beyond what
 // every MetaImage says.
@@ -23,4 +23,4 @@ SequenceHeader parse_sequence_header(std::string_view bytes, std::size_t frame);
 // The same of a file, of which at most 16 MB are looked at. Throws InputError when it cannot be opened.
 SequenceHeader read_sequence_header(const std::filesystem::path& file, std::size_t frame);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

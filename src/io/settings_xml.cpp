@@ -1,10 +1,10 @@
 #include "io/settings_xml.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
-SettingsTree settings_tree(const XmlElement& element) {
+SettingsTree tree_of(const XmlElement& element) {
   SettingsTree tree{.name = element.name, .values = element.attributes, .children = {}, .line = element.line};
-  for (const XmlElement& child : element.children) tree.children.push_back(settings_tree(child));
+  for (const XmlElement& child : element.children) tree.children.push_back(tree_of(child));
   return tree;
 }
 
@@ -15,4 +15,4 @@ void write_settings(XmlWriter& xml, const SettingsTree& tree) {
   xml.close();
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -4,11 +4,11 @@
 #include "io/xml_document.h"
 #include "io/xml_writer.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 // Settings in XML: values are attributes, what lies inside are elements.
 
-SettingsTree settings_tree(const XmlElement& element);
+SettingsTree tree_of(const XmlElement& element);
 
 // One element with all inside.
 void write_settings(XmlWriter& xml, const SettingsTree& tree);
@@ -16,7 +16,7 @@ void write_settings(XmlWriter& xml, const SettingsTree& tree);
 // An element that its schema has accepted. Throws InputError for relations between values that no schema can state.
 template <Parameterized Settings>
 Settings settings_from(const XmlElement& element, const std::string& origin) {
-  return settings_from<Settings>(settings_tree(element), origin);
+  return settings_from<Settings>(tree_of(element), origin);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

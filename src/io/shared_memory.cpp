@@ -10,7 +10,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 SharedMemory::SharedMemory(const char* name) : descriptor_(memfd_create(name, MFD_CLOEXEC)) {
   if (descriptor_ < 0) throw SystemError(fmt::format("no shared memory: {}", std::strerror(errno)));
@@ -48,4 +48,4 @@ void SharedMemory::copy_to(void* target, std::size_t size, std::size_t offset) c
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

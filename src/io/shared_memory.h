@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace bodkin {
+namespace bodkin::io {
 
 // A nameless file in memory that this process and a worker fill for each other. Throws SystemError when memory is
 // short.
@@ -24,4 +24,4 @@ class SharedMemory {
   int descriptor_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -1,6 +1,6 @@
 #include "io/text_encoding.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 std::size_t character_length(std::string_view text, std::size_t position) noexcept {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
@@ -36,4 +36,4 @@ std::string printable(std::string_view text) {
   return result;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

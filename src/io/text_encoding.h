@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace bodkin {
+namespace bodkin::io {
 
 // The length in bytes of the character at `position`: well-formed UTF-8 of a character that XML 1.0 allows (no
 // control characters but tab, line feed and carriage return); 0 when all are valid.
@@ -17,4 +17,4 @@ std::string valid_text(std::string_view text);
 // damaged file must not spoil a terminal.
 std::string printable(std::string_view text);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -9,7 +9,7 @@
 #include "io/settings_xml.h"
 #include "io/xml_document.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 namespace {
 
@@ -26,7 +26,7 @@ SettingsTree tissue_tree(const XmlElement& element) {
 
 }  // namespace
 
-void read_tissue_forces(const XmlElement& element, const std::string& origin, TissueProperties& entry) {
+void read_tissue_forces(const XmlElement& element, const std::string& origin, anatomy::TissueProperties& entry) {
   for_each_inside(
       [&](const auto& model, auto& properties) {
         using Properties = std::remove_cvref_t<decltype(properties)>;
@@ -38,21 +38,22 @@ void read_tissue_forces(const XmlElement& element, const std::string& origin, Ti
 
 namespace {
 
-TissueProperties tissue_from(const XmlElement& element, const std::string& origin) {
-  auto entry = settings_from<TissueProperties>(tissue_tree(element), origin);
+anatomy::TissueProperties tissue_from(const XmlElement& element, const std::string& origin) {
+  auto entry = settings_from<anatomy::TissueProperties>(tissue_tree(element), origin);
   read_tissue_forces(element, origin, entry);
   return entry;
 }
 
 }  // namespace
 
-TissueLibrary parse_tissue_library(std::string_view document, const std::string& origin, const XmlSchema& schema) {
+anatomy::TissueLibrary parse_tissue_library(std::string_view document, const std::string& origin,
+                                            const XmlSchema& schema) {
   const XmlElement root = schema.read(document, origin);
-  std::vector<TissueProperties> tissues;
+  std::vector<anatomy::TissueProperties> tissues;
   std::map<int, int> line_of_id;
   std::map<std::string, int> line_of_name;
   for (const XmlElement& element : root.children) {
-    const TissueProperties entry = tissue_from(element, origin);
+    const anatomy::TissueProperties entry = tissue_from(element, origin);
     if (const auto [first, fresh] = line_of_id.emplace(entry.id, element.line); !fresh) {
       fail_at(origin, element.line,
               fmt::format("tissue id is {}, which line {} uses already", entry.id, first->second));
@@ -63,18 +64,19 @@ TissueLibrary parse_tissue_library(std::string_view document, const std::string&
     }
     tissues.push_back(entry);
   }
-  if (!line_of_id.contains(tissue::air)) {
-    fail_at(origin, root.line, fmt::format("there is no tissue with id {}, expected one for air", tissue::air));
+  if (!line_of_id.contains(anatomy::tissue::air)) {
+    fail_at(origin, root.line,
+            fmt::format("there is no tissue with id {}, expected one for air", anatomy::tissue::air));
   }
-  return TissueLibrary(std::move(tissues));
+  return anatomy::TissueLibrary(std::move(tissues));
 }
 
-TissueLibrary read_tissue_library(const std::filesystem::path& file) {
+anatomy::TissueLibrary read_tissue_library(const std::filesystem::path& file) {
   return parse_tissue_library(read_text_file(file, library_limit), file.string(), XmlSchema("tissues.xsd"));
 }
 
-TissueLibrary default_tissue_library() {
+anatomy::TissueLibrary default_tissue_library() {
   return read_tissue_library(shared_file("tissues.xml"));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

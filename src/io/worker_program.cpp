@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 using nlohmann::json;
@@ -54,4 +54,4 @@ WorkerTalk run_worker(const WorkerProgram& program, const std::string& verb, con
   return talk;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

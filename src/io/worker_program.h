@@ -7,7 +7,7 @@
 #include "core/progress.h"
 #include "io/child_process.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 // A program of its own that does work which must not happen in this process. It is asked with one JSON object on
 // standard input and says one JSON object per line: {"progress", "fraction"}, {"note"}, {"error", "kind"},
@@ -37,4 +37,4 @@ std::filesystem::path find_worker(const WorkerProgram& program);
 WorkerTalk run_worker(const WorkerProgram& program, const std::string& verb, const std::string& arguments,
                       int inherited, const ChildLimits& limits, const Progress& progress);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

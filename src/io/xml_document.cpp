@@ -14,7 +14,7 @@
 #include "io/resources.h"
 #include "io/xml_expectations.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 namespace {
 
@@ -240,4 +240,4 @@ XmlElement XmlSchema::read(std::string_view document, const std::string& origin,
   return copy(root, how.lines);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

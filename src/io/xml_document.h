@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace bodkin {
+namespace bodkin::io {
 
 // One element of an XML document that its schema has accepted, so that every value has the type and range it should.
 struct XmlElement {
@@ -61,4 +61,4 @@ std::string in_quotes(std::string_view value);
 // A text with every run of blanks and line ends as one space, none at its ends.
 std::string one_line(std::string_view text);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

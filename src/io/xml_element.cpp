@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "io/xml_document.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 namespace {
 
@@ -88,4 +88,4 @@ std::string one_line(std::string_view text) {
   return line;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

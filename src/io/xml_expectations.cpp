@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <libxml/xmlerror.h>
 
-namespace bodkin {
+namespace bodkin::io {
 
 namespace {
 
@@ -256,4 +256,4 @@ std::string plain_parse_error(int code, const std::string& message) {
   return "the XML is broken: " + collapsed(message);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

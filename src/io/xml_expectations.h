@@ -9,7 +9,7 @@
 
 #include "io/xml_document.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 // What libxml2 says of a document that its schema refuses, and the element it says it of.
 struct SchemaError {
@@ -46,4 +46,4 @@ std::string misplaced_root(std::string_view name);
 // The same for a document that is not well-formed XML.
 std::string plain_parse_error(int code, const std::string& message);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "io/text_encoding.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 namespace {
 
@@ -86,4 +86,4 @@ std::string XmlWriter::finish() {
           static_cast<std::size_t>(xmlBufferLength(impl_->buffer.get()))};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

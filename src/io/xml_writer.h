@@ -5,7 +5,7 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 // Writes an XML document, element by element. Texts are made valid: what is not UTF-8 or not allowed in XML becomes
 // U+FFFD. Throws SystemError when memory runs out.
@@ -36,4 +36,4 @@ class XmlWriter {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -10,27 +10,28 @@
 #include "fem/solid/condensed_cache.h"
 #include "fem/solid/patient_body.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 namespace {
 
 constexpr double farthest_skin = 150.0;  // mm before the tip
 constexpr double skin_step = 0.5;        // mm
 
-bool same(const NeedlePath& one, const NeedlePath& other) {
+bool same(const anatomy::NeedlePath& one, const anatomy::NeedlePath& other) {
   return one.entry == other.entry && one.target == other.target;
 }
 
 }  // namespace
 
-std::shared_ptr<const BodyDescription> prepare_body(Case& patient, const std::filesystem::path& folder,
-                                                    const std::optional<NeedlePath>& path, const Progress& progress,
-                                                    const std::function<void(const std::string&)>& note) {
-  const ResistanceSettings& resistance = patient.description.haptics.resistance;
-  const DeformableBodySettings* settings = body_of(resistance);
+std::shared_ptr<const fem::BodyDescription> prepare_body(anatomy::Case& patient, const std::filesystem::path& folder,
+                                                         const std::optional<anatomy::NeedlePath>& path,
+                                                         const Progress& progress,
+                                                         const std::function<void(const std::string&)>& note) {
+  const anatomy::ResistanceSettings& resistance = patient.description.haptics.resistance;
+  const anatomy::DeformableBodySettings* settings = anatomy::body_of(resistance);
   if (settings == nullptr) return nullptr;
-  const std::optional<NeedlePath>& planned = patient.description.procedure.path;
-  const std::optional<NeedlePath> about = path ? path : planned;
+  const std::optional<anatomy::NeedlePath>& planned = patient.description.procedure.path;
+  const std::optional<anatomy::NeedlePath> about = path ? path : planned;
   if (!about) {
     throw InputError(
         fmt::format("{}: the case has no planned path, about which the deformable body is prepared; give --entry and "
@@ -41,40 +42,44 @@ std::shared_ptr<const BodyDescription> prepare_body(Case& patient, const std::fi
   std::optional<CaseMesh> mesh = read_case_mesh(folder, patient.library);
   if (!mesh) {
     throw InputError(fmt::format("{}: the case has no mesh, which {} needs; make one with: bodkin case mesh {}",
-                                 folder.string(), name_of(resistance), folder.string()));
+                                 folder.string(), anatomy::name_of(resistance), folder.string()));
   }
-  DescribedBody described = describe_body(std::move(mesh->mesh), patient, *settings, *about);
+  fem::DescribedBody described = fem::describe_body(std::move(mesh->mesh), patient, *settings, *about);
   if (note) {
     for (const std::string& sentence : described.notes) note(sentence);
   }
   const bool is_planned = planned && same(*about, *planned);
-  CondensedBody body = is_planned ? condensed_with_cache(folder / body_file_name, described.body, {}, progress, note)
-                                  : condense(described.body, {}, progress, note);
-  take_tissues_of_voxels(body, patient);
-  patient.corridor = {std::make_shared<const CondensedBody>(std::move(body)), *about, {}};
-  return std::make_shared<const BodyDescription>(std::move(described.body));
+  anatomy::CondensedBody body =
+      is_planned ? fem::condensed_with_cache(folder / body_file_name, described.body, {}, progress, note)
+                 : fem::condense(described.body, {}, progress, note);
+  fem::take_tissues_of_voxels(body, patient);
+  patient.corridor = {std::make_shared<const anatomy::CondensedBody>(std::move(body)), *about, {}};
+  return std::make_shared<const fem::BodyDescription>(std::move(described.body));
 }
 
-PreparedCorridor another_corridor(const BodyDescription& body, const Case& patient, const NeedlePath& path,
-                                  std::uint64_t aimed_at, const Progress& progress) {
+anatomy::PreparedCorridor another_corridor(const fem::BodyDescription& body, const anatomy::Case& patient,
+                                           const anatomy::NeedlePath& path, std::uint64_t aimed_at,
+                                           const Progress& progress) {
   std::vector<std::string> notes;
-  BodyDescription described = body;
-  described.corridor = corridor_about(body, path, *body_of(patient.description.haptics.resistance), notes);
-  CondensedBody condensed = condense(described, {}, progress);
-  take_tissues_of_voxels(condensed, patient);
-  return {std::make_shared<const CondensedBody>(std::move(condensed)), path, aimed_at};
+  fem::BodyDescription described = body;
+  described.corridor =
+      fem::corridor_about(body, path, *anatomy::body_of(patient.description.haptics.resistance), notes);
+  anatomy::CondensedBody condensed = fem::condense(described, {}, progress);
+  fem::take_tissues_of_voxels(condensed, patient);
+  return {std::make_shared<const anatomy::CondensedBody>(std::move(condensed)), path, aimed_at};
 }
 
-std::optional<NeedlePath> aimed_path(const Pose& needle, const TissueVolume& tissues, double length) {
+std::optional<anatomy::NeedlePath> aimed_path(const Pose& needle, const anatomy::TissueVolume& tissues,
+                                              double length) {
   const Vec3 tip = needle.translation(), along = needle_axis(needle).normalized();
   if (!tip.allFinite() || !along.allFinite()) return {};
-  if (nearest<TissueId>(tissues, tip, tissue::air) != tissue::air) return {};
+  if (anatomy::nearest<anatomy::TissueId>(tissues, tip, anatomy::tissue::air) != anatomy::tissue::air) return {};
   for (double ahead = skin_step; ahead <= farthest_skin; ahead += skin_step) {
     const Vec3 place = tip + ahead * along;
-    if (nearest<TissueId>(tissues, place, tissue::air) != tissue::air)
-      return NeedlePath{place, place + length * along};
+    if (anatomy::nearest<anatomy::TissueId>(tissues, place, anatomy::tissue::air) != anatomy::tissue::air)
+      return anatomy::NeedlePath{place, place + length * along};
   }
   return {};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -11,7 +11,7 @@
 #include "core/progress.h"
 #include "fem/solid/elastic_body.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // The condensed body is stored next to the mesh that it was made from, in the case folder.
 inline constexpr const char* body_file_name = "body.condensed";
@@ -22,16 +22,19 @@ inline constexpr const char* body_file_name = "body.condensed";
 // nothing done, when the resistance needs no body. `note` hears what was assumed, and what memory the work takes,
 // before it takes it. Throws InputError, one sentence, when there is no path or no mesh, and for everything that
 // describe_body() and condense() refuse.
-std::shared_ptr<const BodyDescription> prepare_body(Case& patient, const std::filesystem::path& folder,
-                                                    const std::optional<NeedlePath>& path, const Progress& progress,
-                                                    const std::function<void(const std::string&)>& note);
+std::shared_ptr<const fem::BodyDescription> prepare_body(anatomy::Case& patient, const std::filesystem::path& folder,
+                                                         const std::optional<anatomy::NeedlePath>& path,
+                                                         const Progress& progress,
+                                                         const std::function<void(const std::string&)>& note);
 
 // Another corridor of the same body. `aimed_at`: the tick whose needle goes along `path`. Throws like prepare_body().
-PreparedCorridor another_corridor(const BodyDescription& body, const Case& patient, const NeedlePath& path,
-                                  std::uint64_t aimed_at, const Progress& progress = {});
+anatomy::PreparedCorridor another_corridor(const fem::BodyDescription& body, const anatomy::Case& patient,
+                                           const anatomy::NeedlePath& path, std::uint64_t aimed_at,
+                                           const Progress& progress = {});
 
 // The path that a needle outside the body would take: from where it would meet the skin, as deep as `length` mm.
 // Nothing when it is in the body already, or when there is none within 150 mm before its tip.
-std::optional<NeedlePath> aimed_path(const Pose& needle, const TissueVolume& tissues, double length);
+std::optional<anatomy::NeedlePath> aimed_path(const Pose& needle, const anatomy::TissueVolume& tissues,
+                                              double length);
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -6,7 +6,7 @@
 #include "report/crossings.h"
 #include "report/force_plot.h"
 
-namespace bodkin {
+namespace bodkin::report {
 
 namespace {
 
@@ -51,10 +51,10 @@ Look look_of(std::string_view name, std::size_t& others) {
 }
 
 // The tissues that the tip passes on the insertion, over depth.
-std::vector<PlotBand> bands_over_depth(const Comparison& comparison, const TissueLibrary& library) {
-  std::vector<TickRecord> ticks;
+std::vector<PlotBand> bands_over_depth(const study::Comparison& comparison, const anatomy::TissueLibrary& library) {
+  std::vector<simulation::TickRecord> ticks;
   for (std::size_t tick = 0; tick < comparison.first[1]; ++tick) {
-    TickRecord record;
+    simulation::TickRecord record;
     record.tick = tick;
     record.output.depth = comparison.depth[tick];
     record.output.tissue = comparison.tissue[tick];
@@ -65,12 +65,12 @@ std::vector<PlotBand> bands_over_depth(const Comparison& comparison, const Tissu
 }
 
 // The same colours over time, without names.
-std::vector<PlotBand> bands_over_time(const Comparison& comparison, const TissueLibrary& library) {
+std::vector<PlotBand> bands_over_time(const study::Comparison& comparison, const anatomy::TissueLibrary& library) {
   std::vector<PlotBand> bands;
   for (std::size_t tick = 0; tick < comparison.tissue.size(); ++tick) {
-    const TissueId here = comparison.tissue[tick];
-    if (here == tissue::air) continue;
-    const TissueProperties* properties = library.find(here);
+    const anatomy::TissueId here = comparison.tissue[tick];
+    if (here == anatomy::tissue::air) continue;
+    const anatomy::TissueProperties* properties = library.find(here);
     const std::uint32_t colour = properties != nullptr ? properties->colour : 0x808080U;
     const double from = static_cast<double>(tick) * comparison.dt, to = from + comparison.dt;
     const bool continues = !bands.empty() && tick > 0 && comparison.tissue[tick - 1] == here;
@@ -83,9 +83,9 @@ std::vector<PlotBand> bands_over_time(const Comparison& comparison, const Tissue
 }
 
 // Where the plot over depth begins, mm: before the skin as far as any model still has a force.
-double least_depth(const Comparison& comparison) {
+double least_depth(const study::Comparison& comparison) {
   double least = 0.0;
-  for (const ModelRun& run : comparison.models) {
+  for (const study::ModelRun& run : comparison.models) {
     for (std::size_t tick = 0; tick < run.force.size(); ++tick) {
       if (run.force[tick] != 0.0) least = std::min(least, comparison.depth[tick]);
     }
@@ -95,7 +95,8 @@ double least_depth(const Comparison& comparison) {
 
 }  // namespace
 
-std::vector<Plot> comparison_plots(const Comparison& comparison, const TissueLibrary& library, double peak_force) {
+std::vector<Plot> comparison_plots(const study::Comparison& comparison, const anatomy::TissueLibrary& library,
+                                   double peak_force) {
   Plot over_depth, over_time;
   over_depth.x_label = "depth, mm (thick: insertion, thin: withdrawal)";
   over_time.x_label = "time, s";
@@ -104,17 +105,18 @@ std::vector<Plot> comparison_plots(const Comparison& comparison, const TissueLib
   over_time.height = 300.0;
   over_depth.bands = bands_over_depth(comparison, library);
   over_time.bands = bands_over_time(comparison, library);
-  for (std::size_t phase = 0; phase < motion_phases; ++phase) {
+  for (std::size_t phase = 0; phase < study::motion_phases; ++phase) {
     if (comparison.first[phase] == comparison.first[phase + 1]) continue;
     over_time.dividers.push_back(
-        {static_cast<double>(comparison.first[phase]) * comparison.dt, std::string(phase_names[phase])});
+        {static_cast<double>(comparison.first[phase]) * comparison.dt, std::string(study::phase_names[phase])});
   }
 
   std::vector<double> time(comparison.depth.size());
   for (std::size_t tick = 0; tick < time.size(); ++tick) time[tick] = static_cast<double>(tick) * comparison.dt;
   const double least = least_depth(comparison);
   // Force over depth from the beginning of one phase to that of another.
-  const auto draw = [&](PlotSeries& series, const ModelRun& run, MotionPhase from, MotionPhase to) {
+  const auto draw = [&](PlotSeries& series, const study::ModelRun& run, study::MotionPhase from,
+                        study::MotionPhase to) {
     const std::size_t end = comparison.first[static_cast<std::size_t>(to)];
     for (std::size_t tick = comparison.first[static_cast<std::size_t>(from)]; tick < end; ++tick) {
       if (comparison.depth[tick] < least) continue;
@@ -128,12 +130,12 @@ std::vector<Plot> comparison_plots(const Comparison& comparison, const TissueLib
   places.series.push_back({.name = "tip", .x = time, .y = comparison.depth, .colour = 0x9AA7B1, .width = 1.0});
   double highest = 0.0;
   std::size_t others = 0;
-  for (const ModelRun& run : comparison.models) {
+  for (const study::ModelRun& run : comparison.models) {
     const Look look = look_of(run.name, others);
     PlotSeries in{.name = run.name, .colour = look.colour, .width = 2.2, .dash = look.dash};
     PlotSeries out{.colour = look.colour, .width = 1.0, .dash = look.dash};
-    draw(in, run, MotionPhase::insertion, MotionPhase::stop);
-    draw(out, run, MotionPhase::stop, MotionPhase::reinsertion);
+    draw(in, run, study::MotionPhase::insertion, study::MotionPhase::stop);
+    draw(out, run, study::MotionPhase::stop, study::MotionPhase::reinsertion);
     PlotSeries whole{.x = time, .y = run.force, .colour = look.colour, .width = 1.6, .dash = look.dash};
     over_depth.series.push_back(std::move(out));
     over_depth.series.push_back(std::move(in));
@@ -159,4 +161,4 @@ std::vector<Plot> comparison_plots(const Comparison& comparison, const TissueLib
   return {over_depth, over_time};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::report

@@ -5,11 +5,12 @@
 #include "report/plot.h"
 #include "study/compare.h"
 
-namespace bodkin {
+namespace bodkin::report {
 
 // Force over depth (insertion thick, withdrawal thin) and force over time, for draw_plots(). Tissues are bands; each
 // model has its colour and its dashes, a variant the colour of its model. Forces far above the peak of the device are
 // cut off.
-std::vector<Plot> comparison_plots(const Comparison& comparison, const TissueLibrary& library, double peak_force);
+std::vector<Plot> comparison_plots(const study::Comparison& comparison, const anatomy::TissueLibrary& library,
+                                   double peak_force);
 
-}  // namespace bodkin
+}  // namespace bodkin::report

@@ -4,14 +4,14 @@
 
 #include <fmt/format.h>
 
-namespace bodkin {
+namespace bodkin::report {
 
-std::vector<TissueCrossing> tissues_crossed(std::span<const TickRecord> ticks, double dt) {
+std::vector<TissueCrossing> tissues_crossed(std::span<const simulation::TickRecord> ticks, double dt) {
   std::vector<TissueCrossing> crossings;
   double deepest = 0.0;
-  for (const TickRecord& record : ticks) {
-    const TickOutput& output = record.output;
-    if (!output.in_contact || output.depth < deepest || output.tissue == tissue::air) continue;
+  for (const simulation::TickRecord& record : ticks) {
+    const simulation::TickOutput& output = record.output;
+    if (!output.in_contact || output.depth < deepest || output.tissue == anatomy::tissue::air) continue;
     const double advance = output.depth - deepest;
     if (crossings.empty() || crossings.back().tissue != output.tissue) {
       // The face lies between the last tick in the old tissue and this one.
@@ -31,11 +31,11 @@ std::vector<TissueCrossing> tissues_crossed(std::span<const TickRecord> ticks, d
   return crossings;
 }
 
-std::vector<Insertion> insertions(std::span<const TickRecord> ticks) {
+std::vector<Insertion> insertions(std::span<const simulation::TickRecord> ticks) {
   std::vector<Insertion> found;
   bool inside = false;
   for (std::size_t i = 0; i < ticks.size(); ++i) {
-    const TickOutput& output = ticks[i].output;
+    const simulation::TickOutput& output = ticks[i].output;
     if (output.in_contact && !inside) found.push_back({i, i, 0.0});
     inside = output.in_contact;
     if (!inside) continue;
@@ -45,59 +45,60 @@ std::vector<Insertion> insertions(std::span<const TickRecord> ticks) {
   return found;
 }
 
-std::string event_text(const Event& event, const TissueLibrary& library) {
+std::string event_text(const forces::Event& event, const anatomy::TissueLibrary& library) {
   const std::string title = library.title(event.tissue);
   switch (event.kind) {
-    case EventKind::contact:
+    case forces::EventKind::contact:
       return "the tip touches the body";
-    case EventKind::puncture:
+    case forces::EventKind::puncture:
       return fmt::format("{} gives way at {:.2f} N", title, event.value);
-    case EventKind::loss_of_resistance:
+    case forces::EventKind::loss_of_resistance:
       return fmt::format("loss of resistance, {:.2f} N fall away", event.value);
-    case EventKind::bone_contact:
+    case forces::EventKind::bone_contact:
       return fmt::format("the tip meets bone ({})", title);
-    case EventKind::bone_left:
+    case forces::EventKind::bone_left:
       return "the tip comes off the bone";
-    case EventKind::tissue_entered:
+    case forces::EventKind::tissue_entered:
       return fmt::format("the tip enters {}", title);
-    case EventKind::withdrawn:
+    case forces::EventKind::withdrawn:
       return "the needle has left the body";
-    case EventKind::force_limited:
+    case forces::EventKind::force_limited:
       return fmt::format("force limited, {:.1f} N were asked for", event.value);
-    case EventKind::corridor_left:
+    case forces::EventKind::corridor_left:
       return "the needle leaves the corridor that the deformable body was prepared for";
-    case EventKind::corridor_taken:
+    case forces::EventKind::corridor_taken:
       return "the needle begins in another corridor of the deformable body";
-    case EventKind::corridor_refreshed:
+    case forces::EventKind::corridor_refreshed:
       return "the needle is in the body as the probe presses it";
-    case EventKind::moving_body_failed:
+    case forces::EventKind::moving_body_failed:
       return "the moving body failed: the probe lost its force, the needle finds the body at rest";
-    case EventKind::fluid_returned:
+    case forces::EventKind::fluid_returned:
       return fmt::format("fluid comes back through the needle, {:.2f} mm^3/s", event.value);
-    case EventKind::pressure_lost:
+    case forces::EventKind::pressure_lost:
       return fmt::format("the plunger gives way, the pressure falls by {:.0f} kPa", 1000.0 * event.value);
-    case EventKind::fault:
+    case forces::EventKind::fault:
       break;
   }
   return "fault: the force was ramped to zero";
 }
 
-bool is_notable(EventKind kind) {
-  return kind == EventKind::puncture || kind == EventKind::loss_of_resistance || kind == EventKind::bone_contact ||
-         kind == EventKind::force_limited || kind == EventKind::fault || kind == EventKind::corridor_left ||
-         kind == EventKind::corridor_taken || kind == EventKind::corridor_refreshed ||
-         kind == EventKind::moving_body_failed || kind == EventKind::fluid_returned ||
-         kind == EventKind::pressure_lost;
+bool is_notable(forces::EventKind kind) {
+  return kind == forces::EventKind::puncture || kind == forces::EventKind::loss_of_resistance ||
+         kind == forces::EventKind::bone_contact || kind == forces::EventKind::force_limited ||
+         kind == forces::EventKind::fault || kind == forces::EventKind::corridor_left ||
+         kind == forces::EventKind::corridor_taken || kind == forces::EventKind::corridor_refreshed ||
+         kind == forces::EventKind::moving_body_failed || kind == forces::EventKind::fluid_returned ||
+         kind == forces::EventKind::pressure_lost;
 }
 
-std::vector<PlotBand> bands_of(std::span<const TissueCrossing> crossings, const TissueLibrary& library) {
+std::vector<PlotBand> bands_of(std::span<const TissueCrossing> crossings, const anatomy::TissueLibrary& library) {
   std::vector<PlotBand> bands;
   for (const TissueCrossing& crossing : crossings) {
-    const TissueProperties* properties = library.find(crossing.tissue);
+    const anatomy::TissueProperties* properties = library.find(crossing.tissue);
     bands.push_back({crossing.from, crossing.to, properties != nullptr ? properties->colour : 0x808080U,
                      library.title(crossing.tissue)});
   }
   return bands;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::report

@@ -12,11 +12,11 @@
 #include "anatomy/case.h"
 #include "simulation/tick_record.h"
 
-namespace bodkin {
+namespace bodkin::report {
 
 // A stretch of one tissue that the tip passed, recorded at its first entry.
 struct TissueCrossing {
-  TissueId tissue = tissue::air;
+  anatomy::TissueId tissue = anatomy::tissue::air;
   double from = 0.0;        // mm, depth of the near face (of the entry of the tip)
   double to = 0.0;          // mm, depth of the far face, or the deepest point in the last one
   double peak_force = 0.0;  // N, largest resistance while the tip passed through it
@@ -26,7 +26,7 @@ struct TissueCrossing {
 
 // The tissues in the order of their depth during one insertion: `ticks` from contact to withdrawal. Ticks outside the
 // body are passed over.
-std::vector<TissueCrossing> tissues_crossed(std::span<const TickRecord> ticks, double dt);
+std::vector<TissueCrossing> tissues_crossed(std::span<const simulation::TickRecord> ticks, double dt);
 
 // An insertion inside a recording: the ticks from the first contact until the needle has left the body.
 struct Insertion {
@@ -36,14 +36,14 @@ struct Insertion {
 };
 
 // The insertions of a recording, in order.
-std::vector<Insertion> insertions(std::span<const TickRecord> ticks);
+std::vector<Insertion> insertions(std::span<const simulation::TickRecord> ticks);
 
 // What happened, for people: "skin gives way at 0.85 N".
-std::string event_text(const Event& event, const TissueLibrary& library);
+std::string event_text(const forces::Event& event, const anatomy::TissueLibrary& library);
 // Whether an event is worth a number in a plot (a tissue entered without more is not).
-bool is_notable(EventKind kind);
+bool is_notable(forces::EventKind kind);
 
 // The crossings as coloured bands of a plot over depth.
-std::vector<PlotBand> bands_of(std::span<const TissueCrossing> crossings, const TissueLibrary& library);
+std::vector<PlotBand> bands_of(std::span<const TissueCrossing> crossings, const anatomy::TissueLibrary& library);
 
-}  // namespace bodkin
+}  // namespace bodkin::report

@@ -6,7 +6,7 @@
 
 #include "report/crossings.h"
 
-namespace bodkin {
+namespace bodkin::report {
 
 namespace {
 
@@ -27,8 +27,8 @@ std::string unit_of_diagnostic(const std::string& name) {
   return {};
 }
 
-std::vector<Plot> diagnostics_against_depth(std::span<const TickRecord> ticks,
-                                            std::span<const RecordedDiagnostic> diagnostics) {
+std::vector<Plot> diagnostics_against_depth(std::span<const simulation::TickRecord> ticks,
+                                            std::span<const session::RecordedDiagnostic> diagnostics) {
   const std::vector<Insertion> all = insertions(ticks);
   if (all.empty()) return {};
   const auto deepest = std::max_element(all.begin(), all.end(),
@@ -48,7 +48,7 @@ std::vector<Plot> diagnostics_against_depth(std::span<const TickRecord> ticks,
                       .colour = diagnostic_colours[plot->series.size() % diagnostic_colours.size()],
                       .width = 1.6};
     for (std::size_t tick = deepest->first; tick <= deepest->last; ++tick) {
-      const TickOutput& output = ticks[tick].output;
+      const simulation::TickOutput& output = ticks[tick].output;
       if (!output.in_contact || !std::isfinite(output.diagnostics[i])) continue;
       series.x.push_back(output.depth);
       series.y.push_back(output.diagnostics[i]);
@@ -58,4 +58,4 @@ std::vector<Plot> diagnostics_against_depth(std::span<const TickRecord> ticks,
   return plots;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::report

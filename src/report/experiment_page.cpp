@@ -8,7 +8,7 @@
 
 #include "imaging/markup.h"
 
-namespace bodkin {
+namespace bodkin::report {
 
 namespace {
 
@@ -34,24 +34,24 @@ std::string in_markdown(std::string_view text) {
   return safe;
 }
 
-const char* take_in_words(Take take) {
+const char* take_in_words(io::Take take) {
   switch (take) {
-    case Take::mean:
+    case io::Take::mean:
       return "mean";
-    case Take::highest:
+    case io::Take::highest:
       return "highest";
-    case Take::lowest:
+    case io::Take::lowest:
       return "lowest";
-    case Take::first:
+    case io::Take::first:
       return "first";
-    case Take::last:
+    case io::Take::last:
       return "last";
   }
   return "";
 }
 
 // The parts of a caption that say something, in their order.
-std::vector<std::pair<const char*, std::string>> parts(const ExperimentCaption& caption) {
+std::vector<std::pair<const char*, std::string>> parts(const io::ExperimentCaption& caption) {
   std::vector<std::pair<const char*, std::string>> all = {{"Reproduces", caption.reproduces},
                                                           {"Parameters", caption.parameters},
                                                           {"Agrees", caption.agrees},
@@ -60,14 +60,14 @@ std::vector<std::pair<const char*, std::string>> parts(const ExperimentCaption& 
   return all;
 }
 
-std::string compared(const PublishedComparison& comparison) {
+std::string compared(const study::PublishedComparison& comparison) {
   return fmt::format("{} ({})", comparison.published.what, take_in_words(comparison.published.take));
 }
 
 }  // namespace
 
-std::string with_unit(double value, Quantity quantity) {
-  const std::string_view label = quantity_names[static_cast<std::size_t>(quantity)].label;
+std::string with_unit(double value, io::Quantity quantity) {
+  const std::string_view label = io::quantity_names[static_cast<std::size_t>(quantity)].label;
   return fmt::format("{} {}", number(value), label.substr(label.find(", ") + 2));
 }
 
@@ -85,23 +85,23 @@ std::string figures_html(const std::vector<Figure>& figures) {
       "<p class=\"under\">Each needle below moved through Bodkin's haptic tick. Dashed lines are the expected "
       "numbers of the tables.</p>\n");
   for (const Figure& figure : figures) {
-    const Experiment& experiment = figure.experiment;
-    emit("<h2 id=\"{0}\">{1}</h2>\n", experiment.name, escape_markup(experiment.title));
-    if (!experiment.paper.empty()) emit("<p class=\"under\">{}</p>\n", escape_markup(experiment.paper));
+    const io::Experiment& experiment = figure.experiment;
+    emit("<h2 id=\"{0}\">{1}</h2>\n", experiment.name, imaging::escape_markup(experiment.title));
+    if (!experiment.paper.empty()) emit("<p class=\"under\">{}</p>\n", imaging::escape_markup(experiment.paper));
     emit("<figure><img src=\"{0}.svg\" alt=\"{1}\"/></figure>\n<dl>\n", experiment.name,
-         escape_markup(experiment.caption.reproduces));
+         imaging::escape_markup(experiment.caption.reproduces));
     for (const auto& [title, text] : parts(experiment.caption))
-      emit("<dt>{}</dt><dd>{}</dd>\n", title, escape_markup(text));
+      emit("<dt>{}</dt><dd>{}</dd>\n", title, imaging::escape_markup(text));
     emit("</dl>\n");
     if (!figure.run.comparisons.empty()) {
       emit(
           "<table>\n<tr><th>what</th><th>from</th><th class=\"n\">expected</th><th class=\"n\">found</th>"
           "<th></th></tr>\n");
-      for (const PublishedComparison& comparison : figure.run.comparisons) {
-        const PublishedValue& published = comparison.published;
+      for (const study::PublishedComparison& comparison : figure.run.comparisons) {
+        const io::PublishedValue& published = comparison.published;
         emit(
             "<tr><td>{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"{}\">{}</td></tr>\n",
-            escape_markup(compared(comparison)), escape_markup(published.source),
+            imaging::escape_markup(compared(comparison)), imaging::escape_markup(published.source),
             with_unit(published.value, published.quantity), with_unit(comparison.found, published.quantity),
             comparison.agrees ? "yes" : "no", comparison.agrees ? "agrees" : "differs");
       }
@@ -124,15 +124,15 @@ std::string figures_markdown(const std::vector<Figure>& figures) {
     fmt::format_to(std::back_inserter(text), part, std::forward<Arguments>(arguments)...);
   };
   for (const Figure& figure : figures) {
-    const Experiment& experiment = figure.experiment;
+    const io::Experiment& experiment = figure.experiment;
     emit("\n## {}\n\n", in_markdown(experiment.title));
     if (!experiment.paper.empty()) emit("{}\n\n", in_markdown(experiment.paper));
     emit("![{0}]({1}.svg)\n\n", in_markdown(experiment.title), experiment.name);
     for (const auto& [title, part] : parts(experiment.caption)) emit("**{}.** {}\n\n", title, in_markdown(part));
     if (figure.run.comparisons.empty()) continue;
     emit("| what | from | expected | found | |\n|---|---|---|---|---|\n");
-    for (const PublishedComparison& comparison : figure.run.comparisons) {
-      const PublishedValue& published = comparison.published;
+    for (const study::PublishedComparison& comparison : figure.run.comparisons) {
+      const io::PublishedValue& published = comparison.published;
       emit("| {} | {} | {} | {} | {} |\n", in_markdown(compared(comparison)), in_markdown(published.source),
            with_unit(published.value, published.quantity), with_unit(comparison.found, published.quantity),
            comparison.agrees ? "agrees" : "differs");
@@ -141,4 +141,4 @@ std::string figures_markdown(const std::vector<Figure>& figures) {
   return text;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::report

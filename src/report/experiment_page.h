@@ -5,16 +5,16 @@
 
 #include "study/experiment.h"
 
-namespace bodkin {
+namespace bodkin::report {
 
 // An experiment that has been played and drawn.
 struct Figure {
-  Experiment experiment;
-  ExperimentRun run;
+  io::Experiment experiment;
+  study::ExperimentRun run;
 };
 
 // "1.50 N", "-0.25 N": a value of a quantity with its unit.
-std::string with_unit(double value, Quantity quantity);
+std::string with_unit(double value, io::Quantity quantity);
 
 // A page with every figure (files NAME.svg beside it), its caption and its table of published and found numbers.
 std::string figures_html(const std::vector<Figure>& figures);
@@ -22,4 +22,4 @@ std::string figures_html(const std::vector<Figure>& figures);
 // The same page as Markdown, for a folder of documentation.
 std::string figures_markdown(const std::vector<Figure>& figures);
 
-}  // namespace bodkin
+}  // namespace bodkin::report

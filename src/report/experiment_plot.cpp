@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-namespace bodkin {
+namespace bodkin::report {
 
 namespace {
 
@@ -16,13 +16,13 @@ constexpr std::uint32_t published_colour = 0xB3261E;
 constexpr double shortest_band = 1e-9;
 constexpr double short_line = 0.04;  // of the panel's width
 
-const std::string label_of(Quantity quantity) {
-  return std::string(quantity_names[static_cast<std::size_t>(quantity)].label);
+const std::string label_of(io::Quantity quantity) {
+  return std::string(io::quantity_names[static_cast<std::size_t>(quantity)].label);
 }
 
 class Panel {
  public:
-  Panel(const Experiment& experiment, const ExperimentRun& run, const ExperimentPanel& panel)
+  Panel(const io::Experiment& experiment, const study::ExperimentRun& run, const io::ExperimentPanel& panel)
       : experiment_(experiment), run_(run), panel_(panel) {}
 
   Plot draw() {
@@ -30,30 +30,30 @@ class Panel {
     plot_.height = panel_.height;
     plot_.y_down = panel_.down;
     plot_.x_label = panel_.x_label.empty() ? label_of(panel_.x) : panel_.x_label;
-    for (const ExperimentCurve& curve : panel_.curves) {
+    for (const io::ExperimentCurve& curve : panel_.curves) {
       std::string& label = curve.right ? plot_.right_label : plot_.y_label;
       const std::string& wanted = curve.right ? panel_.right_label : panel_.y_label;
       if (label.empty()) label = wanted.empty() ? label_of(curve.quantity) : wanted;
       add_curve(curve);
     }
     if (panel_.tissues) add_bands();
-    if (panel_.x == Quantity::time || panel_.x == Quantity::depth) add_published();
+    if (panel_.x == io::Quantity::time || panel_.x == io::Quantity::depth) add_published();
     return std::move(plot_);
   }
 
  private:
   // A new series wherever the quantity is not known in between.
-  void add_curve(const ExperimentCurve& curve) {
+  void add_curve(const io::ExperimentCurve& curve) {
     const std::uint32_t colour = colours[curves_++ % colours.size()];
     const auto series = [&](std::string name) {
       plot_.series.push_back({std::move(name), {}, {}, colour, 1.8, curve.right});
     };
     series(curve.name.empty() && panel_.curves.size() > 1 ? label_of(curve.quantity) : curve.name);
     bool broken = false;
-    for (const ExperimentTick& tick : run_.ticks) {
-      if (!is_inside(panel_.window, tick)) continue;
-      const double x = value_of(curve.x.value_or(panel_.x), tick, experiment_),
-                   y = value_of(curve.quantity, tick, experiment_);
+    for (const study::ExperimentTick& tick : run_.ticks) {
+      if (!study::is_inside(panel_.window, tick)) continue;
+      const double x = study::value_of(curve.x.value_or(panel_.x), tick, experiment_),
+                   y = study::value_of(curve.quantity, tick, experiment_);
       const bool known = std::isfinite(x) && std::isfinite(y);
       if (known && broken && !plot_.series.back().x.empty()) series({});
       broken = !known;
@@ -65,13 +65,13 @@ class Panel {
 
   // The tissue at the tip, where it changes along the x axis.
   void add_bands() {
-    for (const ExperimentTick& tick : run_.ticks) {
-      if (!is_inside(panel_.window, tick) || tick.tissue == tissue::air) {
+    for (const study::ExperimentTick& tick : run_.ticks) {
+      if (!study::is_inside(panel_.window, tick) || tick.tissue == anatomy::tissue::air) {
         open_ = false;
         continue;
       }
-      const double x = value_of(panel_.x, tick, experiment_);
-      const TissueProperties* tissue = experiment_.library.find(tick.tissue);
+      const double x = study::value_of(panel_.x, tick, experiment_);
+      const anatomy::TissueProperties* tissue = experiment_.library.find(tick.tissue);
       if (tissue == nullptr) continue;
       if (open_ && plot_.bands.back().name == tissue->title) {
         plot_.bands.back().to = std::max(plot_.bands.back().to, x);
@@ -97,16 +97,16 @@ class Panel {
       }
     }
     const double width = std::max(0.0, high - low);
-    for (const PublishedComparison& comparison : run_.comparisons) {
-      const PublishedValue& value = comparison.published;
-      const auto shows = [&](const ExperimentCurve& curve) { return curve.quantity == value.quantity; };
+    for (const study::PublishedComparison& comparison : run_.comparisons) {
+      const io::PublishedValue& value = comparison.published;
+      const auto shows = [&](const io::ExperimentCurve& curve) { return curve.quantity == value.quantity; };
       const auto curve = std::find_if(panel_.curves.begin(), panel_.curves.end(), shows);
       if (curve == panel_.curves.end()) continue;
       double from = 0.0, to = 0.0, first = 0.0, last = 0.0;
       bool any = false;
-      for (const ExperimentTick& tick : run_.ticks) {
-        if (!is_inside(panel_.window, tick) || !is_inside(value.window, tick)) continue;
-        const double x = value_of(panel_.x, tick, experiment_);
+      for (const study::ExperimentTick& tick : run_.ticks) {
+        if (!study::is_inside(panel_.window, tick) || !study::is_inside(value.window, tick)) continue;
+        const double x = study::value_of(panel_.x, tick, experiment_);
         from = any ? std::min(from, x) : x;
         to = any ? std::max(to, x) : x;
         if (!any) first = x;
@@ -114,8 +114,8 @@ class Panel {
         any = true;
       }
       if (!any) continue;
-      if (value.take == Take::first || value.take == Take::last) {
-        const double at = value.take == Take::first ? first : last;
+      if (value.take == io::Take::first || value.take == io::Take::last) {
+        const double at = value.take == io::Take::first ? first : last;
         from = std::max(low, at - 0.5 * short_line * width);
         to = std::min(high, at + 0.5 * short_line * width);
       }
@@ -130,9 +130,9 @@ class Panel {
     }
   }
 
-  const Experiment& experiment_;
-  const ExperimentRun& run_;
-  const ExperimentPanel& panel_;
+  const io::Experiment& experiment_;
+  const study::ExperimentRun& run_;
+  const io::ExperimentPanel& panel_;
   Plot plot_;
   std::size_t curves_ = 0;
   bool open_ = false;
@@ -140,9 +140,9 @@ class Panel {
 
 }  // namespace
 
-std::vector<Plot> plots_of(const Experiment& experiment, const ExperimentRun& run) {
+std::vector<Plot> plots_of(const io::Experiment& experiment, const study::ExperimentRun& run) {
   std::vector<Plot> plots;
-  for (const ExperimentPanel& panel : experiment.panels) plots.push_back(Panel(experiment, run, panel).draw());
+  for (const io::ExperimentPanel& panel : experiment.panels) plots.push_back(Panel(experiment, run, panel).draw());
   if (!plots.empty()) {
     std::string& title = plots.front().title;
     title = title.empty() ? experiment.title : experiment.title + ": " + title;
@@ -150,4 +150,4 @@ std::vector<Plot> plots_of(const Experiment& experiment, const ExperimentRun& ru
   return plots;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::report

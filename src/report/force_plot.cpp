@@ -8,7 +8,7 @@
 #include "forces/gravity_compensation.h"
 #include "haptics/force_governor.h"
 
-namespace bodkin {
+namespace bodkin::report {
 
 namespace {
 
@@ -18,16 +18,16 @@ constexpr std::uint32_t earlier_colour = 0x9AA7B1, applied_colour = 0xD9722B, de
 
 }  // namespace
 
-std::vector<SessionEvent> events_of(std::span<const TickRecord> ticks) {
-  std::vector<SessionEvent> events;
-  for (const TickRecord& record : ticks) {
-    for (const Event& event : record.output.events) events.push_back({record.tick, event});
+std::vector<session::SessionEvent> events_of(std::span<const simulation::TickRecord> ticks) {
+  std::vector<session::SessionEvent> events;
+  for (const simulation::TickRecord& record : ticks) {
+    for (const forces::Event& event : record.output.events) events.push_back({record.tick, event});
   }
   return events;
 }
 
-Plot force_against_depth(std::span<const TickRecord> ticks, std::span<const SessionEvent> events, double dt,
-                         const Case& patient) {
+Plot force_against_depth(std::span<const simulation::TickRecord> ticks, std::span<const session::SessionEvent> events,
+                         double dt, const anatomy::Case& patient) {
   Plot plot;
   plot.x_label = "depth along the needle's line, mm";
   plot.y_label = "resistance, N";
@@ -42,14 +42,14 @@ Plot force_against_depth(std::span<const TickRecord> ticks, std::span<const Sess
   force.name = "tissue's resistance";
   earlier = {"other insertions", {}, {}, earlier_colour, 1.0, false};
   applied = {"passed on to the hand", {}, {}, applied_colour, 1.2, false};
-  const GravityCompensation compensation(patient.description.haptics.compensation);
+  const forces::GravityCompensation compensation(patient.description.haptics.compensation);
   double highest = 0.0;
   std::size_t different = 0;
   for (const Insertion& insertion : all) {
     const bool main = insertion.first == deepest->first;
     for (std::size_t i = insertion.first; i <= insertion.last; ++i) {
-      const TickRecord& record = ticks[i];
-      const TickOutput& output = record.output;
+      const simulation::TickRecord& record = ticks[i];
+      const simulation::TickOutput& output = record.output;
       PlotSeries& series = main ? force : earlier;
       series.x.push_back(output.depth);
       series.y.push_back(output.resistance);
@@ -69,11 +69,12 @@ Plot force_against_depth(std::span<const TickRecord> ticks, std::span<const Sess
   const double limit = highest_share * patient.description.device.peak_force;
   if (highest > limit) plot.y_highest = limit;
 
-  for (const SessionEvent& event : events) {
+  for (const session::SessionEvent& event : events) {
     const bool inside = event.tick >= part.front().tick && event.tick <= part.back().tick;
     if (!inside || !is_notable(event.event.kind)) continue;
-    const auto record = std::lower_bound(part.begin(), part.end(), event.tick,
-                                         [](const TickRecord& r, std::uint64_t tick) { return r.tick < tick; });
+    const auto record =
+        std::lower_bound(part.begin(), part.end(), event.tick,
+                         [](const simulation::TickRecord& r, std::uint64_t tick) { return r.tick < tick; });
     if (record == part.end()) continue;
     // What gave way did so at the force of the tick before.
     const auto before = record == part.begin() ? record : record - 1;
@@ -83,7 +84,7 @@ Plot force_against_depth(std::span<const TickRecord> ticks, std::span<const Sess
   return plot;
 }
 
-Plot force_and_depth_against_time(std::span<const TickRecord> ticks, double dt) {
+Plot force_and_depth_against_time(std::span<const simulation::TickRecord> ticks, double dt) {
   Plot plot;
   plot.x_label = "time, s";
   plot.y_label = "resistance, N";
@@ -93,7 +94,7 @@ Plot force_and_depth_against_time(std::span<const TickRecord> ticks, double dt) 
   force.name = "resistance";
   force.width = 1.4;
   depth = {"depth", {}, {}, depth_colour, 1.6, true};
-  for (const TickRecord& record : ticks) {
+  for (const simulation::TickRecord& record : ticks) {
     const double time = static_cast<double>(record.tick) * dt;
     force.x.push_back(time);
     force.y.push_back(record.output.resistance);
@@ -104,7 +105,7 @@ Plot force_and_depth_against_time(std::span<const TickRecord> ticks, double dt) 
   return plot;
 }
 
-Plot energy_against_time(std::span<const TickRecord> ticks, double dt) {
+Plot energy_against_time(std::span<const simulation::TickRecord> ticks, double dt) {
   Plot plot;
   plot.x_label = "time, s";
   plot.y_label = "energy, N mm";
@@ -114,9 +115,9 @@ Plot energy_against_time(std::span<const TickRecord> ticks, double dt) {
   energy.width = 1.4;
   damped = {"not 0: damping was added", {}, {}, applied_colour, 1.2, false};
   bool any = false;
-  for (const TickRecord& record : ticks) {
+  for (const simulation::TickRecord& record : ticks) {
     const double time = static_cast<double>(record.tick) * dt;
-    const bool acted = (record.output.limits & force_limit::passivity) != 0;
+    const bool acted = (record.output.limits & haptics::force_limit::passivity) != 0;
     energy.x.push_back(time);
     energy.y.push_back(record.output.energy);
     damped.x.push_back(time);
@@ -128,16 +129,16 @@ Plot energy_against_time(std::span<const TickRecord> ticks, double dt) {
   return plot;
 }
 
-std::vector<Plot> second_hand_against_time(const Session& session) {
+std::vector<Plot> second_hand_against_time(const session::Session& session) {
   PlotSeries depth, pressure, force;
   depth = {"depth of the needle", {}, {}, depth_colour, 1.6, true};
   pressure.name = "pressure in the syringe";
   pressure.width = force.width = 1.4;
-  for (const TickRecord& record : session.ticks) {
+  for (const simulation::TickRecord& record : session.ticks) {
     depth.x.push_back(static_cast<double>(record.tick) * session.header.dt);
     depth.y.push_back(record.output.depth);
   }
-  for (const SecondSample& sample : session.second) {
+  for (const session::SecondSample& sample : session.second) {
     pressure.x.push_back(sample.time);
     pressure.y.push_back(1000.0 * sample.pressure);
     force.x.push_back(sample.time);
@@ -146,7 +147,7 @@ std::vector<Plot> second_hand_against_time(const Session& session) {
   Plot forces;
   forces.x_label = "time, s";
   forces.height = 200.0;
-  if (!session.header.second || session.header.second->role == SecondRole::probe) {
+  if (!session.header.second || session.header.second->role == session::SecondRole::probe) {
     force.name = "force of the probe on the skin";
     forces.y_label = "force, N";
     forces.series = {force};
@@ -162,4 +163,4 @@ std::vector<Plot> second_hand_against_time(const Session& session) {
   return {pressures, forces};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::report

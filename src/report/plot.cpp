@@ -9,7 +9,7 @@
 #include "report/polyline.h"
 #include <fmt/format.h>
 
-namespace bodkin {
+namespace bodkin::report {
 
 namespace {
 
@@ -123,7 +123,7 @@ class PlotArtist {
     groups_ = group_marks();
   }
 
-  Canvas draw() {
+  imaging::Canvas draw() {
     bands();
     axes();
     series();
@@ -155,7 +155,7 @@ class PlotArtist {
 
     // Slanted names need room above the plot, and on its right for those that lean over the edge.
     double slanted = 0.0;
-    for (const PlotBand& band : bands_) slanted = std::max(slanted, text_width(band.name, small_text));
+    for (const PlotBand& band : bands_) slanted = std::max(slanted, imaging::text_width(band.name, small_text));
     slanted = std::min(slanted, longest_name);
     const double names_room = names_lift + 14.0 + slanted * std::sin(names_slant * degree);
     const double overhang = 20.0 + slanted * std::cos(names_slant * degree);
@@ -175,7 +175,7 @@ class PlotArtist {
     for (const PlotSeries& series : plot_.series) {
       if (series.name.empty()) continue;
       named_.push_back(&series);
-      longest = std::max(longest, text_width(series.name, plain_text));
+      longest = std::max(longest, imaging::text_width(series.name, plain_text));
     }
     if (named_.size() < 2) return named_.clear();
     key_column_ = key_sample + 24.0 + longest;
@@ -202,46 +202,51 @@ class PlotArtist {
   }
   double bottom() const { return top_ + plot_.height; }
 
-  static TextStyle title_style() { return {.size = title_text, .ink = title_ink, .bold = true}; }
-  static TextStyle style(double size, TextAnchor anchor = TextAnchor::start, double angle = 0.0) {
+  static imaging::TextStyle title_style() { return {.size = title_text, .ink = title_ink, .bold = true}; }
+  static imaging::TextStyle style(double size, imaging::TextAnchor anchor = imaging::TextAnchor::start,
+                                  double angle = 0.0) {
     return {.size = size, .ink = text_ink, .anchor = anchor, .angle = angle};
   }
-  void write(const Place& at, const std::string& text, const TextStyle& look) { canvas_.text(at, text, look); }
+  void write(const Place& at, const std::string& text, const imaging::TextStyle& look) {
+    canvas_.text(at, text, look);
+  }
 
   void axes() {
     const AxisTicks x = axis_ticks(x_.low, x_.high, (right_edge_ - left_margin) / x_ticks_apart);
     const AxisTicks y = axis_ticks(y_.low, y_.high, plot_.height / y_ticks_apart);
-    Path grid, ticks;
+    imaging::Path grid, ticks;
     for (const double value : x.values) {
-      grid.add(Path::segment({px_x(value), top_}, {px_x(value), bottom()}));
-      ticks.add(Path::segment({px_x(value), bottom()}, {px_x(value), bottom() + tick_length}));
-      write({px_x(value), bottom() + 21.0}, tick_label(value, x), style(plain_text, TextAnchor::middle));
+      grid.add(imaging::Path::segment({px_x(value), top_}, {px_x(value), bottom()}));
+      ticks.add(imaging::Path::segment({px_x(value), bottom()}, {px_x(value), bottom() + tick_length}));
+      write({px_x(value), bottom() + 21.0}, tick_label(value, x), style(plain_text, imaging::TextAnchor::middle));
     }
     for (const double value : y.values) {
-      grid.add(Path::segment({left_margin, px_y(value)}, {right_edge_, px_y(value)}));
-      ticks.add(Path::segment({left_margin - tick_length, px_y(value)}, {left_margin, px_y(value)}));
+      grid.add(imaging::Path::segment({left_margin, px_y(value)}, {right_edge_, px_y(value)}));
+      ticks.add(imaging::Path::segment({left_margin - tick_length, px_y(value)}, {left_margin, px_y(value)}));
       write({left_margin - 9.0, px_y(value) + label_line * plain_text}, tick_label(value, y),
-            style(plain_text, TextAnchor::end));
+            style(plain_text, imaging::TextAnchor::end));
     }
-    Path border = Path::polyline({{left_margin, top_}, {left_margin, bottom()}, {right_edge_, bottom()}});
+    imaging::Path border =
+        imaging::Path::polyline({{left_margin, top_}, {left_margin, bottom()}, {right_edge_, bottom()}});
     if (!plot_.right_label.empty()) {
       border.line_to({right_edge_, top_});
       const AxisTicks right = axis_ticks(right_.low, right_.high, plot_.height / y_ticks_apart);
       for (const double value : right.values) {
         const double at = px_y(value, true);
-        ticks.add(Path::segment({right_edge_, at}, {right_edge_ + tick_length, at}));
+        ticks.add(imaging::Path::segment({right_edge_, at}, {right_edge_ + tick_length, at}));
         write({right_edge_ + 9.0, at + label_line * plain_text}, tick_label(value, right), style(plain_text));
       }
       write({std::min(width - 14.0, right_edge_ + 54.0), top_ + 0.5 * plot_.height}, plot_.right_label,
-            style(plain_text, TextAnchor::middle, 90.0));
+            style(plain_text, imaging::TextAnchor::middle, 90.0));
     }
     canvas_.stroke(grid, {grid_ink, 0.6});
     if (y_.low < 0.0 && y_.high > 0.0)
-      canvas_.stroke(Path::segment({left_margin, px_y(0.0)}, {right_edge_, px_y(0.0)}), {zero_ink, 0.8});
+      canvas_.stroke(imaging::Path::segment({left_margin, px_y(0.0)}, {right_edge_, px_y(0.0)}), {zero_ink, 0.8});
     canvas_.stroke(border, {axis_ink});
     canvas_.stroke(ticks, {axis_ink});
-    write({0.5 * (left_margin + right_edge_), bottom() + 47.0}, plot_.x_label, style(plain_text, TextAnchor::middle));
-    write({28.0, top_ + 0.5 * plot_.height}, plot_.y_label, style(plain_text, TextAnchor::middle, 90.0));
+    write({0.5 * (left_margin + right_edge_), bottom() + 47.0}, plot_.x_label,
+          style(plain_text, imaging::TextAnchor::middle));
+    write({28.0, top_ + 0.5 * plot_.height}, plot_.y_label, style(plain_text, imaging::TextAnchor::middle, 90.0));
   }
 
   static std::string tick_label(double value, const AxisTicks& ticks) {
@@ -253,7 +258,7 @@ class PlotArtist {
     std::vector<std::string> names;
     std::vector<double> centres;
     for (const PlotBand& band : bands_) {
-      canvas_.fill(Path::rectangle(px_x(band.from), top_, px_x(band.to) - px_x(band.from), plot_.height),
+      canvas_.fill(imaging::Path::rectangle(px_x(band.from), top_, px_x(band.to) - px_x(band.from), plot_.height),
                    {band.colour, band_opacity});
       if (band.name.empty()) continue;
       // A narrow band of a colour that already has its name goes without.
@@ -269,15 +274,16 @@ class PlotArtist {
       limit = places[i] - names_apart;
     }
     for (std::size_t i = 0; i < names.size(); ++i) {
-      canvas_.stroke(Path::segment({centres[i], top_}, {places[i], top_ - names_lift}), {zero_ink});
-      write({places[i] + 5.0, top_ - names_lift - 2.0}, names[i], style(small_text, TextAnchor::start, names_slant));
+      canvas_.stroke(imaging::Path::segment({centres[i], top_}, {places[i], top_ - names_lift}), {zero_ink});
+      write({places[i] + 5.0, top_ - names_lift - 2.0}, names[i],
+            style(small_text, imaging::TextAnchor::start, names_slant));
     }
   }
 
   void dividers() {
     for (const PlotDivider& divider : plot_.dividers) {
       const double x = px_x(divider.x);
-      canvas_.stroke(Path::segment({x, top_}, {x, bottom()}), {axis_ink, 1.0, {3.0, 3.0}});
+      canvas_.stroke(imaging::Path::segment({x, top_}, {x, bottom()}), {axis_ink, 1.0, {3.0, 3.0}});
       write({x + 5.0, top_ + 15.0}, divider.name, style(small_text));
     }
   }
@@ -287,12 +293,14 @@ class PlotArtist {
       const std::size_t row = i / key_columns_, column = i % key_columns_;
       const Place at(left_margin + key_column_ * static_cast<double>(column),
                      bottom() + axis_room + 9.0 + key_row * static_cast<double>(row));
-      canvas_.stroke(Path::segment(at, at + Place(key_sample, 0.0)), line_style(*named_[i]));
+      canvas_.stroke(imaging::Path::segment(at, at + Place(key_sample, 0.0)), line_style(*named_[i]));
       write(at + Place(key_sample + 8.0, label_line * plain_text), named_[i]->name, style(plain_text));
     }
   }
 
-  static LineStyle line_style(const PlotSeries& series) { return {series.colour, series.width, series.dash}; }
+  static imaging::LineStyle line_style(const PlotSeries& series) {
+    return {series.colour, series.width, series.dash};
+  }
 
   // Dots that would cover each other are one dot.
   std::vector<PlotMark> group_marks() const {
@@ -316,9 +324,9 @@ class PlotArtist {
     for (const PlotMark& group : groups_) {
       ++number;
       const auto dot = [&](const Place& at) {
-        canvas_.fill(Path::circle(at, mark_radius), mark_ink);
+        canvas_.fill(imaging::Path::circle(at, mark_radius), mark_ink);
         write(at + Place(0.0, label_line * 10.0), std::to_string(number),
-              {.size = 10.0, .ink = paper, .anchor = TextAnchor::middle, .bold = true});
+              {.size = 10.0, .ink = paper, .anchor = imaging::TextAnchor::middle, .bold = true});
       };
       dot({px_x(group.x), px_y(group.y)});
       dot({left_margin + 8.0, row});
@@ -329,14 +337,14 @@ class PlotArtist {
 
   // Without the points on straight lines between others, as far as can be seen; cut off where the axes end.
   void series() {
-    Canvas area(right_edge_ - left_margin, plot_.height);
+    imaging::Canvas area(right_edge_ - left_margin, plot_.height);
     for (const PlotSeries& series : plot_.series) {
       std::vector<std::array<double, 2>> places;
       for (const std::size_t i : points_to_draw(series))
         places.push_back({px_x(series.x[i]) - left_margin, px_y(series.y[i], series.right_axis) - top_});
       std::vector<Place> points;
       for (const std::size_t i : corners_of(places, invisible)) points.emplace_back(places[i][0], places[i][1]);
-      area.stroke(Path::polyline(points), line_style(series));
+      area.stroke(imaging::Path::polyline(points), line_style(series));
     }
     canvas_.place(std::move(area), left_margin, top_);
   }
@@ -349,7 +357,7 @@ class PlotArtist {
   std::vector<const PlotSeries*> named_;                // in the key; empty: there is none
   std::size_t key_columns_ = 1;
   double key_column_ = 0.0, key_height_ = 0.0;  // px
-  Canvas canvas_{0.0, 0.0};
+  imaging::Canvas canvas_{0.0, 0.0};
 };
 
 }  // namespace
@@ -365,14 +373,14 @@ AxisTicks axis_ticks(double low, double high, double wanted) {
   return ticks;
 }
 
-Canvas draw_plots(std::span<const Plot> plots) {
+imaging::Canvas draw_plots(std::span<const Plot> plots) {
   std::vector<PlotArtist> artists(plots.begin(), plots.end());
   double height = 0.0, right_edge = width;
   for (const PlotArtist& artist : artists) {
     height += artist.height();
     right_edge = std::min(right_edge, artist.right_edge());
   }
-  Canvas canvas(width, std::ceil(height));
+  imaging::Canvas canvas(width, std::ceil(height));
   canvas.fill_all(paper);
   double above = 0.0;
   for (PlotArtist& artist : artists) {
@@ -383,8 +391,8 @@ Canvas draw_plots(std::span<const Plot> plots) {
   return canvas;
 }
 
-Canvas draw_plot(const Plot& plot) {
+imaging::Canvas draw_plot(const Plot& plot) {
   return draw_plots(std::span(&plot, 1));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::report

@@ -8,7 +8,7 @@
 
 #include "imaging/canvas.h"
 
-namespace bodkin {
+namespace bodkin::report {
 
 // A stretch of the x axis with a colour and a name above the plot. Neighbours of one name and colour are drawn as
 // one.
@@ -58,8 +58,8 @@ struct Plot {
 
 // The plots in one picture, the first on top, with one left and right edge. Text comes from anywhere. Series of very
 // many points are thinned to what can be seen, extremes kept.
-Canvas draw_plots(std::span<const Plot> plots);
-Canvas draw_plot(const Plot& plot);
+imaging::Canvas draw_plots(std::span<const Plot> plots);
+imaging::Canvas draw_plot(const Plot& plot);
 
 // Round numbers from `low` to `high`, about as far apart as the room for `wanted` of them says: 1, 2 or 5 times a
 // power of ten.
@@ -69,4 +69,4 @@ struct AxisTicks {
 };
 AxisTicks axis_ticks(double low, double high, double wanted);
 
-}  // namespace bodkin
+}  // namespace bodkin::report

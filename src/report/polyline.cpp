@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-namespace bodkin {
+namespace bodkin::report {
 
 namespace {
 
@@ -56,4 +56,4 @@ std::vector<std::size_t> corners_of(const std::vector<Point>& line, double toler
   return kept;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::report

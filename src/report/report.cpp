@@ -15,7 +15,7 @@
 #include "imaging/slice_picture.h"
 #include "io/force_choice.h"
 
-namespace bodkin {
+namespace bodkin::report {
 
 namespace {
 
@@ -37,14 +37,16 @@ std::string indented(const std::string& text) {
 }
 
 // "median 0.4 us, 99 % within 1.2 us, longest 33.0 us"
-std::string spread(std::span<const TimeBin> bins) {
-  return fmt::format("median {:.1f} us, 99 % within {:.1f} us, longest {:.1f} us", 1e6 * percentile(bins, 0.5),
-                     1e6 * percentile(bins, 0.99), 1e6 * percentile(bins, 1.0));
+std::string spread(std::span<const session::TimeBin> bins) {
+  return fmt::format("median {:.1f} us, 99 % within {:.1f} us, longest {:.1f} us",
+                     1e6 * session::percentile(bins, 0.5), 1e6 * session::percentile(bins, 0.99),
+                     1e6 * session::percentile(bins, 1.0));
 }
 
 class Page {
  public:
-  Page(const Session& session, const Case& patient, const SessionSummary& summary, bool case_changed)
+  Page(const session::Session& session, const anatomy::Case& patient, const SessionSummary& summary,
+       bool case_changed)
       : session_(session), patient_(patient), summary_(summary), case_changed_(case_changed) {}
 
   std::string write() {
@@ -53,9 +55,10 @@ class Page {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{}</title>\n"
         "<style>{}</style>\n</head>\n<body>\n<main>\n",
-        escape_markup(title), report_style());
-    emit("<h1>{}</h1>\n<p class=\"under\">operator {} · {} · {:.1f} s</p>\n", escape_markup(title),
-         escape_markup(session_.header.operator_name), escape_markup(session_.header.started_at), summary_.duration);
+        imaging::escape_markup(title), report_style());
+    emit("<h1>{}</h1>\n<p class=\"under\">operator {} · {} · {:.1f} s</p>\n", imaging::escape_markup(title),
+         imaging::escape_markup(session_.header.operator_name), imaging::escape_markup(session_.header.started_at),
+         summary_.duration);
     verdict();
     tiles();
     force();
@@ -75,18 +78,18 @@ class Page {
     fmt::format_to(std::back_inserter(html_), text, std::forward<Arguments>(arguments)...);
   }
 
-  void figure(const Canvas& picture, const char* kind, const char* description) {
+  void figure(const imaging::Canvas& picture, const char* kind, const char* description) {
     emit("<figure{}><img alt=\"{}\" src=\"{}\"/></figure>\n", kind, description,
-         data_uri("image/svg+xml", picture.svg()));
+         imaging::data_uri("image/svg+xml", picture.svg()));
   }
 
   void verdict() {
     const Verdict verdict = judge(summary_, session_, patient_);
     emit("<div class=\"verdict{}\"><strong>{}</strong>\n", verdict.reached ? " good" : "",
-         escape_markup(verdict.headline));
+         imaging::escape_markup(verdict.headline));
     if (!verdict.remarks.empty()) {
       emit("<ul>\n");
-      for (const std::string& remark : verdict.remarks) emit("<li>{}</li>\n", escape_markup(remark));
+      for (const std::string& remark : verdict.remarks) emit("<li>{}</li>\n", imaging::escape_markup(remark));
       emit("</ul>\n");
     }
     emit("</div>\n");
@@ -137,7 +140,7 @@ class Page {
 
   std::vector<Vec3> travelled() const {
     std::vector<Vec3> points;
-    for (const TickRecord& record : session_.ticks) {
+    for (const simulation::TickRecord& record : session_.ticks) {
       const Vec3 tip = record.input.needle.translation();
       const bool shown = record.output.in_contact || (tip - session_.header.path.entry).norm() < shown_before_contact;
       if (shown && (points.empty() || (tip - points.back()).norm() >= travel_step)) points.push_back(tip);
@@ -147,20 +150,21 @@ class Page {
 
   void pictures() {
     constexpr double panel_height = 455.0, closest = 80.0, furthest = 260.0, pixels = 620.0;
-    const NeedlePath& path = session_.header.path;
+    const anatomy::NeedlePath& path = session_.header.path;
     if (path.length() <= 0.0 || patient_.ct.empty()) return;
     emit("<h2>Where it went</h2>\n");
     const double side = std::clamp(1.35 * path.length(), closest, furthest);
     const Vec3 middle = 0.5 * (path.entry + path.target);
     const Vec3 level(middle.x(), middle.y(), path.target.z());
     const std::vector<Vec3> tip = travelled();
-    std::vector<SlicePanel> panels;
-    panels.push_back(
-        {cut(sagittal_plane_along(path, middle, side, side, side / pixels), patient_.ct, patient_.tissues),
-         "sagittal, along the planned path", path, tip});
-    panels.push_back({cut(view_plane(View::axial, level, side, side, side / pixels), patient_.ct, patient_.tissues),
+    std::vector<imaging::SlicePanel> panels;
+    panels.push_back({imaging::cut(imaging::sagittal_plane_along(path, middle, side, side, side / pixels),
+                                   patient_.ct, patient_.tissues),
+                      "sagittal, along the planned path", path, tip});
+    panels.push_back({imaging::cut(imaging::view_plane(imaging::View::axial, level, side, side, side / pixels),
+                                   patient_.ct, patient_.tissues),
                       "axial, at the level of the target", path, tip});
-    figure(slice_picture(panels, patient_.library, "", panel_height), " class=\"dark\"",
+    figure(imaging::slice_picture(panels, patient_.library, "", panel_height), " class=\"dark\"",
            "Sagittal and axial slices with the planned path and the path of the tip");
   }
 
@@ -174,18 +178,18 @@ class Page {
 
   void second_hand() {
     if (session_.second.empty()) return;
-    const bool is_plunger = session_.header.second->role == SecondRole::plunger;
+    const bool is_plunger = session_.header.second->role == session::SecondRole::plunger;
     emit("<h2>The second hand: {}</h2>\n", is_plunger ? "the plunger" : "the ultrasound probe");
     figure(draw_plots(second_hand_against_time(session_)), "",
            is_plunger ? "Pressure in the syringe and force on the thumb against time, with the needle's depth"
                       : "Force of the probe on the skin against time");
   }
 
-  std::string swatch(TissueId id) const {
-    const TissueProperties* properties = patient_.library.find(id);
+  std::string swatch(anatomy::TissueId id) const {
+    const anatomy::TissueProperties* properties = patient_.library.find(id);
     return fmt::format("<i class=\"swatch\" style=\"background:{}\"></i>{}",
-                       css_colour(properties != nullptr ? properties->colour : 0x808080U),
-                       escape_markup(patient_.library.title(id)));
+                       imaging::css_colour(properties != nullptr ? properties->colour : 0x808080U),
+                       imaging::escape_markup(patient_.library.title(id)));
   }
 
   void tissues() {
@@ -221,11 +225,11 @@ class Page {
         "</tr></thead>\n<tbody>\n");
     const std::size_t rows = std::min(session_.events.size(), most_events);
     for (std::size_t i = 0; i < rows; ++i) {
-      const SessionEvent& event = session_.events[i];
+      const session::SessionEvent& event = session_.events[i];
       emit("<tr><td class=\"n\">{:.3f}</td><td class=\"n\">{:.1f}</td><td>{}</td><td>{}</td></tr>\n",
            static_cast<double>(event.tick) * session_.header.dt, event.event.depth,
-           escape_markup(event_text(event.event, patient_.library)),
-           event.event.tissue == tissue::air ? std::string() : swatch(event.event.tissue));
+           imaging::escape_markup(event_text(event.event, patient_.library)),
+           event.event.tissue == anatomy::tissue::air ? std::string() : swatch(event.event.tissue));
     }
     emit("</tbody>\n</table>\n");
     if (rows < session_.events.size()) {
@@ -234,15 +238,15 @@ class Page {
   }
 
   void row(const char* what, const std::string& value) {
-    emit("<tr><th>{}</th><td class=\"long\">{}</td></tr>\n", what, escape_markup(value));
+    emit("<tr><th>{}</th><td class=\"long\">{}</td></tr>\n", what, imaging::escape_markup(value));
   }
 
   void provenance() {
-    const SessionHeader& header = session_.header;
+    const session::SessionHeader& header = session_.header;
     emit("<h2>Where this comes from</h2>\n<table class=\"whole\">\n");
     row("case", header.case_folder);
     row("fingerprint of the case", header.case_digest);
-    const ForceTexts forces = force_texts(header.haptics);
+    const io::ForceTexts forces = io::force_texts(header.haptics);
     row("resistance", forces.resistance);
     row("constraint", forces.constraint);
     for (const std::string& part : forces.parts) row("with the part", part);
@@ -251,27 +255,28 @@ class Page {
       emit(
           "<tr><th>its settings</th><td class=\"long\"><details><summary>all that makes this operator</summary>"
           "<pre>{}</pre></details></td></tr>\n",
-          escape_markup(indented(header.operator_settings)));
+          imaging::escape_markup(indented(header.operator_settings)));
     }
     if (header.second) {
-      row("second hand", fmt::format("{} {}", name_of(header.second->role), header.second->device));
+      row("second hand", fmt::format("{} {}", session::name_of(header.second->role), header.second->device));
     }
     if (!header.moving_body.empty()) row("body that moved on its own time", header.moving_body);
     row("seed", std::to_string(header.seed));
     row("recorded", header.started_at);
     row("length", fmt::format("{} ticks of {:g} ms", session_.ticks.size(), 1000.0 * header.dt));
     if (session_.timings) {
-      const SessionTimings& timings = *session_.timings;
-      row("kept its time", fmt::format("{} of {} rounds late; lateness {}; a round took {}", timings.overruns,
-                                       count_of(timings.compute), spread(timings.lateness), spread(timings.compute)));
+      const session::SessionTimings& timings = *session_.timings;
+      row("kept its time",
+          fmt::format("{} of {} rounds late; lateness {}; a round took {}", timings.overruns,
+                      session::count_of(timings.compute), spread(timings.lateness), spread(timings.compute)));
     }
     row("complete", session_.finished ? "yes" : "no, the recording broke off; this is what was saved");
     row("Bodkin", header.bodkin_version);
     emit("</table>\n");
   }
 
-  const Session& session_;
-  const Case& patient_;
+  const session::Session& session_;
+  const anatomy::Case& patient_;
   const SessionSummary& summary_;
   bool case_changed_;
   std::string html_;
@@ -279,9 +284,9 @@ class Page {
 
 }  // namespace
 
-std::string report_html(const Session& session, const Case& patient, const SessionSummary& summary,
+std::string report_html(const session::Session& session, const anatomy::Case& patient, const SessionSummary& summary,
                         bool case_changed) {
   return Page(session, patient, summary, case_changed).write();
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::report

@@ -7,13 +7,13 @@
 
 #include "anatomy/case.h"
 
-namespace bodkin {
+namespace bodkin::report {
 
 // A session as one HTML page that stands alone: verdict, measures, plots, slices with the planned path and the one
 // really taken, tissues, events, provenance. Style and pictures lie inside; it refers to nothing outside. All text
 // from files is escaped. `case_changed`: the case on disk is not the one that was recorded, which the page then says.
 // Throws SystemError when gnuplot is missing.
-std::string report_html(const Session& session, const Case& patient, const SessionSummary& summary,
+std::string report_html(const session::Session& session, const anatomy::Case& patient, const SessionSummary& summary,
                         bool case_changed);
 
-}  // namespace bodkin
+}  // namespace bodkin::report

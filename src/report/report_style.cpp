@@ -1,6 +1,6 @@
 #include "report/report_style.h"
 
-namespace bodkin {
+namespace bodkin::report {
 
 std::string_view report_style() {
   return R"css(
@@ -50,4 +50,4 @@ pre { font: 12px/1.4 "DejaVu Sans Mono", Menlo, Consolas, monospace; margin: 8px
 )css";
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::report

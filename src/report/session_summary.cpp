@@ -11,7 +11,7 @@
 #include "core/error.h"
 #include "haptics/force_governor.h"
 
-namespace bodkin {
+namespace bodkin::report {
 
 namespace {
 
@@ -26,10 +26,11 @@ constexpr double outside_before_reentry = 1.0;  // mm travelled outside a critic
 constexpr std::size_t samples_to_enter = 2;
 constexpr double on_target = 0.05;            // mm
 constexpr double limit_worth_telling = 0.05;  // s
-constexpr std::array<std::uint8_t, 5> limit_flags = {force_limit::peak, force_limit::thermal, force_limit::passivity,
-                                                     force_limit::slew, force_limit::fault};
+constexpr std::array<std::uint8_t, 5> limit_flags = {haptics::force_limit::peak, haptics::force_limit::thermal,
+                                                     haptics::force_limit::passivity, haptics::force_limit::slew,
+                                                     haptics::force_limit::fault};
 
-Vec3 tip_of(const TickRecord& record) {
+Vec3 tip_of(const simulation::TickRecord& record) {
   return record.input.needle.translation();
 }
 
@@ -37,14 +38,14 @@ double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b)) * degrees;
 }
 
-double distance_to_segment(const Vec3& point, const NeedlePath& path) {
+double distance_to_segment(const Vec3& point, const anatomy::NeedlePath& path) {
   const Vec3 along = path.target - path.entry;
   const double square = along.squaredNorm();
   const double share = square > 0.0 ? std::clamp((point - path.entry).dot(along) / square, 0.0, 1.0) : 0.0;
   return (path.entry + share * along - point).norm();
 }
 
-TargetError error_of(const Vec3& tip, const NeedlePath& path) {
+TargetError error_of(const Vec3& tip, const anatomy::NeedlePath& path) {
   const Vec3 miss = tip - path.target;
   TargetError error;
   error.distance = miss.norm();
@@ -54,12 +55,12 @@ TargetError error_of(const Vec3& tip, const NeedlePath& path) {
 }
 
 // Counts redirections inside one insertion.
-int redirections_in(std::span<const TickRecord> ticks) {
+int redirections_in(std::span<const simulation::TickRecord> ticks) {
   int count = 0;
   double deepest = 0.0, shallowest = 0.0;
   Vec3 axis_at_deepest = Vec3::UnitZ();
   bool retreated = false;
-  for (const TickRecord& record : ticks) {
+  for (const simulation::TickRecord& record : ticks) {
     const double depth = record.output.depth;
     const Vec3 axis = needle_axis(record.input.needle);
     if (!retreated) {
@@ -84,7 +85,7 @@ int redirections_in(std::span<const TickRecord> ticks) {
 
 class Summariser {
  public:
-  Summariser(const Session& session, const Case& patient)
+  Summariser(const session::Session& session, const anatomy::Case& patient)
       : ticks_(session.ticks),
         session_(session),
         patient_(patient),
@@ -109,24 +110,24 @@ class Summariser {
     }
     finish_tip();
     critical();
-    for (const SessionEvent& event : session_.events) {
-      summary_.bone_contacts += event.event.kind == EventKind::bone_contact ? 1 : 0;
-      summary_.losses_of_resistance += event.event.kind == EventKind::loss_of_resistance ? 1 : 0;
+    for (const session::SessionEvent& event : session_.events) {
+      summary_.bone_contacts += event.event.kind == forces::EventKind::bone_contact ? 1 : 0;
+      summary_.losses_of_resistance += event.event.kind == forces::EventKind::loss_of_resistance ? 1 : 0;
     }
     return std::move(summary_);
   }
 
  private:
-  double time_of(const TickRecord& record) const {
+  double time_of(const simulation::TickRecord& record) const {
     return static_cast<double>(record.tick - ticks_.front().tick) * dt_;
   }
 
   // Everything that one pass over the ticks can find.
   void walk() {
-    const TissueProperties* aim = patient_.library.find(patient_.description.procedure.target_tissue);
+    const anatomy::TissueProperties* aim = patient_.library.find(patient_.description.procedure.target_tissue);
     const double tolerance = patient_.description.procedure.target_tolerance;
     const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(travel_interval / dt_)));
-    std::map<TissueId, TissueTotal> totals;
+    std::map<anatomy::TissueId, TissueTotal> totals;
     double squares = 0.0;
     std::size_t in_body = 0;
     std::optional<double> first_contact;
@@ -134,11 +135,11 @@ class Summariser {
     bool limited_before = false;
     std::array<double, limit_flags.size()> limit_times{};
     for (std::size_t i = 0; i < ticks_.size(); ++i) {
-      const TickRecord& record = ticks_[i];
-      const TickOutput& output = record.output;
+      const simulation::TickRecord& record = ticks_[i];
+      const simulation::TickOutput& output = record.output;
       const Vec3 tip = tip_of(record);
       // A tissue stiffer than the device renders steadily is a warning: the force is passed on as it was asked for.
-      const bool limited = (output.limits & ~force_limit::stiffness) != 0;
+      const bool limited = (output.limits & ~haptics::force_limit::stiffness) != 0;
       for (std::size_t n = 0; n < limit_flags.size(); ++n) {
         if ((output.limits & limit_flags[n]) != 0) limit_times[n] += dt_;
       }
@@ -172,7 +173,7 @@ class Summariser {
         summary_.peak_depth = output.depth;
         summary_.peak_tissue = output.tissue;
       }
-      if (output.tissue == tissue::air) continue;
+      if (output.tissue == anatomy::tissue::air) continue;
       const auto [place, fresh] = totals.try_emplace(output.tissue);
       TissueTotal& total = place->second;
       if (fresh) total = {output.tissue, output.depth, output.depth, 0.0, 0.0, output.depth};
@@ -220,8 +221,8 @@ class Summariser {
       summary_.final_tip = sum / static_cast<double>(window);
       summary_.final_tip_from = FinalTip::last_rest;
     } else {
-      const auto deepest =
-          std::max_element(ticks_.begin(), ticks_.end(), [](const TickRecord& a, const TickRecord& b) {
+      const auto deepest = std::max_element(
+          ticks_.begin(), ticks_.end(), [](const simulation::TickRecord& a, const simulation::TickRecord& b) {
             return (a.output.in_contact ? a.output.depth : -1.0) < (b.output.in_contact ? b.output.depth : -1.0);
           });
       summary_.final_tip = tip_of(*deepest);
@@ -231,7 +232,7 @@ class Summariser {
 
   void critical() {
     if (patient_.structures.empty()) return;
-    for (const Structure& structure : patient_.description.structures) {
+    for (const anatomy::Structure& structure : patient_.description.structures) {
       if (!structure.critical) continue;
       CriticalEntry entry;
       entry.structure = structure.name;
@@ -239,7 +240,7 @@ class Summariser {
       double outside_travel = std::numeric_limits<double>::infinity();
       for (std::size_t i = 0; i < ticks_.size(); ++i) {
         const Vec3 tip = tip_of(ticks_[i]);
-        if (nearest<std::uint16_t>(patient_.structures, tip, 0) != structure.label) {
+        if (anatomy::nearest<std::uint16_t>(patient_.structures, tip, 0) != structure.label) {
           inside = 0;
           if (i > 0) outside_travel += (tip - tip_of(ticks_[i - 1])).norm();
           continue;
@@ -256,11 +257,11 @@ class Summariser {
     }
   }
 
-  std::span<const TickRecord> ticks_;
-  const Session& session_;
-  const Case& patient_;
+  std::span<const simulation::TickRecord> ticks_;
+  const session::Session& session_;
+  const anatomy::Case& patient_;
   double dt_;
-  NeedlePath path_;
+  anatomy::NeedlePath path_;
   SessionSummary summary_;
 };
 
@@ -269,15 +270,15 @@ std::string times(int count) {
 }
 
 // What the governor did to the force under one limit, for the person who held the needle.
-std::string limit_text(std::uint8_t limit, const DeviceLimits& device) {
+std::string limit_text(std::uint8_t limit, const anatomy::DeviceLimits& device) {
   switch (limit) {
-    case force_limit::peak:
+    case haptics::force_limit::peak:
       return fmt::format("the device can push no more than {:g} N", device.peak_force);
-    case force_limit::thermal:
+    case haptics::force_limit::thermal:
       return fmt::format("its motors can hold no more than {:g} N for long", device.continuous_force);
-    case force_limit::passivity:
+    case haptics::force_limit::passivity:
       return "the tissue would have given back more energy than the hand had put in, and was damped";
-    case force_limit::slew:
+    case haptics::force_limit::slew:
       return "the force grew faster than is let through";
     default:
       return "after a fault the force was taken to zero";
@@ -286,19 +287,19 @@ std::string limit_text(std::uint8_t limit, const DeviceLimits& device) {
 
 }  // namespace
 
-SessionSummary summarise(const Session& session, const Case& patient) {
+SessionSummary summarise(const session::Session& session, const anatomy::Case& patient) {
   if (session.ticks.empty()) throw InputError("the session holds no tick, so that there is nothing to report");
   return Summariser(session, patient).summarise();
 }
 
-Verdict judge(const SessionSummary& summary, const Session& session, const Case& patient) {
-  const Procedure& procedure = patient.description.procedure;
+Verdict judge(const SessionSummary& summary, const session::Session& session, const anatomy::Case& patient) {
+  const anatomy::Procedure& procedure = patient.description.procedure;
   Verdict verdict;
   if (summary.insertions == 0) {
     verdict.headline = "The needle never touched the body";
     return verdict;
   }
-  const TissueProperties* aim = patient.library.find(procedure.target_tissue);
+  const anatomy::TissueProperties* aim = patient.library.find(procedure.target_tissue);
   verdict.reached = aim != nullptr ? summary.target_tissue_time.has_value() : summary.time_to_target.has_value();
   if (aim != nullptr) {
     verdict.headline = verdict.reached ? fmt::format("The tip reached the {}", aim->title)
@@ -349,4 +350,4 @@ Verdict judge(const SessionSummary& summary, const Session& session, const Case&
   return verdict;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::report

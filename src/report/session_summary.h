@@ -10,7 +10,7 @@
 
 #include "anatomy/case.h"
 
-namespace bodkin {
+namespace bodkin::report {
 
 // A structure that the needle must not enter, and what happened to it.
 struct CriticalEntry {
@@ -23,7 +23,7 @@ struct CriticalEntry {
 
 // A tissue over the whole session, however often the tip came there.
 struct TissueTotal {
-  TissueId tissue = tissue::air;
+  anatomy::TissueId tissue = anatomy::tissue::air;
   double from = 0.0, to = 0.0;  // mm, shallowest and deepest depth of the tip in it
   double time = 0.0;            // s
   double peak_force = 0.0;      // N, largest resistance with the tip in it
@@ -63,7 +63,7 @@ struct SessionSummary {
   double deepest = 0.0;           // mm
   double peak_force = 0.0;        // N, resistance
   double peak_depth = 0.0;        // mm
-  TissueId peak_tissue = tissue::air;
+  anatomy::TissueId peak_tissue = anatomy::tissue::air;
   double work = 0.0;              // N mm that the hand did against the applied force (sum of -F . dp)
   Vec3 final_tip = Vec3::Zero();  // LPS mm
   FinalTip final_tip_from = FinalTip::deepest_point;
@@ -82,7 +82,7 @@ struct SessionSummary {
 };
 
 // Computes all of it; the definitions stand in docs/reports.md. The session needs at least one tick (InputError).
-SessionSummary summarise(const Session& session, const Case& patient);
+SessionSummary summarise(const session::Session& session, const anatomy::Case& patient);
 
 // The outcome in a few sentences for the person who held the needle, the most important first.
 struct Verdict {
@@ -90,6 +90,6 @@ struct Verdict {
   std::string headline;
   std::vector<std::string> remarks;
 };
-Verdict judge(const SessionSummary& summary, const Session& session, const Case& patient);
+Verdict judge(const SessionSummary& summary, const session::Session& session, const anatomy::Case& patient);
 
-}  // namespace bodkin
+}  // namespace bodkin::report

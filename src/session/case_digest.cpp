@@ -7,7 +7,7 @@
 #include "io/digest.h"
 #include "io/resources.h"
 
-namespace bodkin {
+namespace bodkin::session {
 
 namespace {
 
@@ -33,14 +33,14 @@ void add_parameters(const Settings& settings, std::string& text) {
 }
 
 // What Bodkin 0.1 put into the digest of a case. Its sessions must stay comparable: never change it.
-void add_tissue_of_first_kind(const TissueProperties& tissue, std::string& text) {
-  const LayeredTissue& p = tissue.layered;
+void add_tissue_of_first_kind(const anatomy::TissueProperties& tissue, std::string& text) {
+  const anatomy::LayeredTissue& p = tissue.layered;
   text += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", tissue.id, tissue.name,
                       static_cast<int>(p.kind), p.stiffness, p.viscosity, p.element_spacing, p.break_force,
                       p.break_force_rate, p.shaft_stiffness, p.shaft_viscosity, p.shaft_spacing, p.static_friction,
                       p.dynamic_friction, p.roughness, p.drag, p.contact_stiffness, tissue.title);
-  const ProxyProperties& proxy = tissue.volume_proxy.properties;
-  const ShaftFrictionTissue& friction = tissue.shaft_friction;
+  const anatomy::ProxyProperties& proxy = tissue.volume_proxy.properties;
+  const anatomy::ShaftFrictionTissue& friction = tissue.shaft_friction;
   text += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", tissue.tracking_wall.stiffness,
                       tissue.tracking_wall.force, static_cast<int>(tissue.depth_profile.kind),
                       tissue.depth_profile.stiffness, tissue.depth_profile.slope, proxy.penetrability, proxy.friction,
@@ -51,28 +51,28 @@ void add_tissue_of_first_kind(const TissueProperties& tissue, std::string& text)
 
 }  // namespace
 
-std::string case_digest(const Case& patient, const std::string& case_xml, const std::string& mesh) {
-  std::string all = case_xml + '\n' + volume_digest(patient.tissues) + '\n' + mesh + '\n';
-  for (const TissueProperties& tissue : patient.library.tissues()) add_parameters(tissue, all);
+std::string case_digest(const anatomy::Case& patient, const std::string& case_xml, const std::string& mesh) {
+  std::string all = case_xml + '\n' + io::volume_digest(patient.tissues) + '\n' + mesh + '\n';
+  for (const anatomy::TissueProperties& tissue : patient.library.tissues()) add_parameters(tissue, all);
   return std::string(second_kind) + text_checksum(all);
 }
 
-std::string first_case_digest(const Case& patient, const std::string& case_xml) {
-  std::string all = case_xml + '\n' + volume_digest(patient.tissues) + '\n';
-  for (const TissueProperties& tissue : patient.library.tissues()) add_tissue_of_first_kind(tissue, all);
+std::string first_case_digest(const anatomy::Case& patient, const std::string& case_xml) {
+  std::string all = case_xml + '\n' + io::volume_digest(patient.tissues) + '\n';
+  for (const anatomy::TissueProperties& tissue : patient.library.tissues()) add_tissue_of_first_kind(tissue, all);
   return text_checksum(all);
 }
 
-std::string mesh_digest(const std::filesystem::path& case_folder, const ResistanceSettings& resistance) {
-  const std::filesystem::path file = case_folder / mesh_file_name;
-  if (body_of(resistance) == nullptr || !std::filesystem::exists(file)) return "";
-  return bytes_digest(read_text_file(file, largest_mesh));
+std::string mesh_digest(const std::filesystem::path& case_folder, const anatomy::ResistanceSettings& resistance) {
+  const std::filesystem::path file = case_folder / patient::mesh_file_name;
+  if (anatomy::body_of(resistance) == nullptr || !std::filesystem::exists(file)) return "";
+  return io::bytes_digest(io::read_text_file(file, largest_mesh));
 }
 
-bool is_digest_of_case(const std::string& digest, const Case& patient, const std::string& case_xml,
+bool is_digest_of_case(const std::string& digest, const anatomy::Case& patient, const std::string& case_xml,
                        const std::string& mesh) {
   if (digest.starts_with(second_kind)) return digest == case_digest(patient, case_xml, mesh);
   return digest == first_case_digest(patient, case_xml);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::session

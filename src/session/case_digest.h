@@ -5,22 +5,22 @@
 
 #include "anatomy/case.h"
 
-namespace bodkin {
+namespace bodkin::session {
 
 // A fingerprint of all of a case that a replay depends on: case.xml, the tissue voxels, every parameter of every
 // tissue, and the mesh (`mesh`: mesh_digest()). "2:" and 16 hexadecimal digits.
-std::string case_digest(const Case& patient, const std::string& case_xml, const std::string& mesh);
+std::string case_digest(const anatomy::Case& patient, const std::string& case_xml, const std::string& mesh);
 
 // A fingerprint of the mesh in the case's folder, for a resistance that meets a deformable body; otherwise, and where
 // there is no mesh, nothing. Throws SystemError when the mesh cannot be read.
-std::string mesh_digest(const std::filesystem::path& case_folder, const ResistanceSettings& resistance);
+std::string mesh_digest(const std::filesystem::path& case_folder, const anatomy::ResistanceSettings& resistance);
 
 // The digest of Bodkin 0.1: 16 hexadecimal digits, without the mesh and the parameters `deformable` and `acoustic`.
-std::string first_case_digest(const Case& patient, const std::string& case_xml);
+std::string first_case_digest(const anatomy::Case& patient, const std::string& case_xml);
 
 // True when a session that stored `digest` was recorded on this case. One without "2:" is
 // compared with first_case_digest().
-bool is_digest_of_case(const std::string& digest, const Case& patient, const std::string& case_xml,
+bool is_digest_of_case(const std::string& digest, const anatomy::Case& patient, const std::string& case_xml,
                        const std::string& mesh);
 
-}  // namespace bodkin
+}  // namespace bodkin::session

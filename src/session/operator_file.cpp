@@ -10,14 +10,14 @@
 #include "io/resources.h"
 #include "io/xml_document.h"
 
-namespace bodkin {
+namespace bodkin::session {
 
 namespace {
 
 constexpr std::size_t largest_file = 1 << 20;  // bytes
 
-HandParameters hand_from(const XmlElement& element) {
-  HandParameters hand;
+haptics::HandParameters hand_from(const io::XmlElement& element) {
+  haptics::HandParameters hand;
   hand.mass = element.number("mass_kg", hand.mass);
   hand.stiffness = element.number("stiffness_N_per_mm", hand.stiffness);
   hand.damping = element.number("damping_N_s_per_mm", hand.damping);
@@ -32,25 +32,26 @@ HandParameters hand_from(const XmlElement& element) {
 // Turns the names of phases into their positions.
 class PhaseNames {
  public:
-  PhaseNames(const XmlElement& root, const std::string& origin) : origin_(origin) {
-    for (const XmlElement& element : root.children) {
+  PhaseNames(const io::XmlElement& root, const std::string& origin) : origin_(origin) {
+    for (const io::XmlElement& element : root.children) {
       if (element.name != "phase") continue;
       const std::string name = element.string("name");
       if (name == "end")
-        fail_at(origin, element.line, "a phase is called 'end', expected another name: 'end' ends the script");
+        io::fail_at(origin, element.line, "a phase is called 'end', expected another name: 'end' ends the script");
       const auto [earlier, is_new] = positions_.emplace(name, static_cast<int>(positions_.size()));
       if (!is_new)
-        fail_at(origin, element.line, fmt::format("there is a second phase '{}', expected every name once", name));
+        io::fail_at(origin, element.line,
+                    fmt::format("there is a second phase '{}', expected every name once", name));
     }
   }
 
-  int position(const XmlElement& element, const char* attribute) const {
+  int position(const io::XmlElement& element, const char* attribute) const {
     const std::string name = element.string(attribute, "end");
-    if (name == "end") return OperatorCondition::end;
+    if (name == "end") return simulation::OperatorCondition::end;
     const auto found = positions_.find(name);
     if (found != positions_.end()) return found->second;
-    fail_at(origin_, element.line,
-            fmt::format("{} is '{}', expected the name of a phase of this file or 'end'", attribute, name));
+    io::fail_at(origin_, element.line,
+                fmt::format("{} is '{}', expected the name of a phase of this file or 'end'", attribute, name));
   }
 
  private:
@@ -58,8 +59,9 @@ class PhaseNames {
   std::map<std::string, int> positions_;
 };
 
-OperatorCondition condition_from(const XmlElement& element, const PhaseNames& names, const std::string& origin) {
-  OperatorCondition condition;
+simulation::OperatorCondition condition_from(const io::XmlElement& element, const PhaseNames& names,
+                                             const std::string& origin) {
+  simulation::OperatorCondition condition;
   bool any = false;
   const auto read = [&](const char* attribute, std::optional<double>& value) {
     if (element.find(attribute) == nullptr) return;
@@ -76,13 +78,15 @@ OperatorCondition condition_from(const XmlElement& element, const PhaseNames& na
   read("force_drop_N", condition.force_drop);
   read("hardness_above_N_per_mm", condition.hardness_above);
   if (!any)
-    fail_at(origin, element.line, "this 'until' says nothing to wait for, expected at least one of its conditions");
+    io::fail_at(origin, element.line,
+                "this 'until' says nothing to wait for, expected at least one of its conditions");
   condition.next = names.position(element, "then");
   return condition;
 }
 
-OperatorPhase phase_from(const XmlElement& element, const PhaseNames& names, const std::string& origin) {
-  OperatorPhase phase;
+simulation::OperatorPhase phase_from(const io::XmlElement& element, const PhaseNames& names,
+                                     const std::string& origin) {
+  simulation::OperatorPhase phase;
   phase.name = element.string("name");
   phase.speed = element.number("speed_mm_per_s", 0.0);
   phase.acceleration = element.number("acceleration_mm_per_s2", phase.acceleration);
@@ -92,11 +96,12 @@ OperatorPhase phase_from(const XmlElement& element, const PhaseNames& names, con
   phase.aim_again = element.boolean("aim_again", false);
   phase.at_most = element.integer("at_most", 0);
   phase.otherwise = names.position(element, "otherwise");
-  for (const XmlElement& until : element.children) phase.until.push_back(condition_from(until, names, origin));
+  for (const io::XmlElement& until : element.children) phase.until.push_back(condition_from(until, names, origin));
   return phase;
 }
 
-nlohmann::ordered_json condition_json(const OperatorCondition& condition, const OperatorScript& script) {
+nlohmann::ordered_json condition_json(const simulation::OperatorCondition& condition,
+                                      const simulation::OperatorScript& script) {
   nlohmann::ordered_json json;
   const auto put = [&](const char* key, const std::optional<double>& value) {
     if (value) json[key] = *value;
@@ -114,27 +119,28 @@ nlohmann::ordered_json condition_json(const OperatorCondition& condition, const 
   return json;
 }
 
-nlohmann::ordered_json phase_json(const OperatorPhase& phase, const OperatorScript& script) {
+nlohmann::ordered_json phase_json(const simulation::OperatorPhase& phase, const simulation::OperatorScript& script) {
   nlohmann::ordered_json json = {
       {"name", phase.name},           {"speed_mm_per_s", phase.speed}, {"acceleration_mm_per_s2", phase.acceleration},
       {"step_mm", phase.step},        {"pause_s", phase.pause},        {"tilt_cephalad_deg", phase.tilt / degree},
       {"aim_again", phase.aim_again}, {"at_most", phase.at_most}};
   json["otherwise"] = phase.otherwise < 0 ? "end" : script.phases[static_cast<std::size_t>(phase.otherwise)].name;
-  for (const OperatorCondition& condition : phase.until) json["until"].push_back(condition_json(condition, script));
+  for (const simulation::OperatorCondition& condition : phase.until)
+    json["until"].push_back(condition_json(condition, script));
   return json;
 }
 
 }  // namespace
 
-OperatorScript parse_operator(std::string_view text, const std::string& origin) {
-  static const XmlSchema schema("operator.xsd");
-  const XmlElement root = schema.read(text, origin);
+simulation::OperatorScript parse_operator(std::string_view text, const std::string& origin) {
+  static const io::XmlSchema schema("operator.xsd");
+  const io::XmlElement root = schema.read(text, origin);
   const PhaseNames names(root, origin);
-  OperatorScript script;
+  simulation::OperatorScript script;
   script.name = root.string("name");
-  for (const XmlElement& element : root.children) {
+  for (const io::XmlElement& element : root.children) {
     if (element.name == "description") {
-      script.description = one_line(element.text);
+      script.description = io::one_line(element.text);
     } else if (element.name == "hand") {
       script.hand = hand_from(element);
     } else if (element.name == "accuracy") {
@@ -152,22 +158,22 @@ OperatorScript parse_operator(std::string_view text, const std::string& origin) 
       script.phases.push_back(phase_from(element, names, origin));
     }
   }
-  check(script, origin);
+  simulation::check(script, origin);
   return script;
 }
 
-OperatorScript load_operator(const std::string& name) {
+simulation::OperatorScript load_operator(const std::string& name) {
   const bool bundled = name == "expert" || name == "novice";
   const std::filesystem::path file =
-      bundled ? shared_file("operators/" + name + ".xml") : std::filesystem::path(name);
+      bundled ? io::shared_file("operators/" + name + ".xml") : std::filesystem::path(name);
   if (!bundled && !std::filesystem::exists(file)) {
     throw InputError(
         fmt::format("--operator is '{}', expected 'expert', 'novice' or the name of an operator file", name));
   }
-  return parse_operator(read_text_file(file, largest_file), file.string());
+  return parse_operator(io::read_text_file(file, largest_file), file.string());
 }
 
-std::string operator_json(const OperatorScript& script) {
+std::string operator_json(const simulation::OperatorScript& script) {
   nlohmann::ordered_json json = {{"name", script.name},
                                  {"description", script.description},
                                  {"hand",
@@ -187,8 +193,8 @@ std::string operator_json(const OperatorScript& script) {
                                    {"unsteadiness", script.unsteadiness}}},
                                  {"reaction", {{"time_s", script.reaction}, {"spread_s", script.reaction_spread}}},
                                  {"start", {{"distance_mm", script.start_distance}}}};
-  for (const OperatorPhase& phase : script.phases) json["phases"].push_back(phase_json(phase, script));
+  for (const simulation::OperatorPhase& phase : script.phases) json["phases"].push_back(phase_json(phase, script));
   return json.dump();
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::session

@@ -5,17 +5,17 @@
 
 #include "simulation/operator_script.h"
 
-namespace bodkin {
+namespace bodkin::session {
 
 // The operator that `name` means: "expert" or "novice", which come with Bodkin (share/bodkin/operators), or the path
 // of an operator file (docs/running.md describes the format). Throws InputError naming file, line, what was found and
 // what was expected.
-OperatorScript load_operator(const std::string& name);
+simulation::OperatorScript load_operator(const std::string& name);
 
 // The same from text already in memory; `origin` names it in messages.
-OperatorScript parse_operator(std::string_view text, const std::string& origin);
+simulation::OperatorScript parse_operator(std::string_view text, const std::string& origin);
 
 // Every parameter of a script as one JSON object, units in the keys.
-std::string operator_json(const OperatorScript& script);
+std::string operator_json(const simulation::OperatorScript& script);
 
-}  // namespace bodkin
+}  // namespace bodkin::session

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <utility>
 
-namespace bodkin {
+namespace bodkin::session {
 
 namespace {
 
@@ -23,7 +23,7 @@ Recorder::~Recorder() {
   stop();
 }
 
-void Recorder::push(const TickRecord& record) noexcept {
+void Recorder::push(const simulation::TickRecord& record) noexcept {
   if (!ring_.push(record)) ++lost_;
 }
 
@@ -35,7 +35,7 @@ void Recorder::take_samples() {
 
 void Recorder::work() {
   try {
-    TickRecord record;
+    simulation::TickRecord record;
     auto saved = std::chrono::steady_clock::now();
     for (bool last = false; !last;) {
       // Asked before the ring is emptied: whatever was pushed before the request is still taken.
@@ -70,4 +70,4 @@ void Recorder::finish(const std::optional<SessionTimings>& timings) {
   writer_.finish(timings);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::session

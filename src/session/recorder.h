@@ -13,14 +13,14 @@
 
 #include "core/single_producer_ring.h"
 
-namespace bodkin {
+namespace bodkin::session {
 
 // Stands between a servo thread, which must never wait, and the disk: records go through a ring to a thread of their
 // own, which saves them at least four times a second.
 class Recorder {
  public:
   // Called on the recorder's thread with every record, in order.
-  using Observer = std::function<void(const TickRecord&)>;
+  using Observer = std::function<void(const simulation::TickRecord&)>;
 
   static constexpr std::size_t usual_capacity = 16384;  // 16 s at 1 kHz
 
@@ -33,7 +33,7 @@ class Recorder {
   Recorder& operator=(const Recorder&) = delete;
 
   // Servo thread only; wait-free. A record that finds the ring full is lost and counted.
-  void push(const TickRecord& record) noexcept;
+  void push(const simulation::TickRecord& record) noexcept;
   // Saves what is left and closes the session. Throws what went wrong on the recorder's thread.
   void finish(const std::optional<SessionTimings>& timings = {});
 
@@ -49,7 +49,7 @@ class Recorder {
 
   SessionWriter writer_;
   Observer observer_;
-  SingleProducerRing<TickRecord> ring_;
+  SingleProducerRing<simulation::TickRecord> ring_;
   std::shared_ptr<SecondLink> second_;
   std::uint64_t lost_ = 0;
   std::atomic<bool> stopping_{false};
@@ -58,4 +58,4 @@ class Recorder {
   std::thread thread_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::session

@@ -17,7 +17,7 @@
 #include "io/resources.h"
 #include "simulation/haptic_tick.h"
 
-namespace bodkin {
+namespace bodkin::session {
 
 namespace {
 
@@ -27,9 +27,9 @@ std::string bits_text(double value) {
   return fmt::format("{} (bits {:016x})", value, std::bit_cast<std::uint64_t>(value));
 }
 
-std::string events_text(std::span<const Event> events) {
+std::string events_text(std::span<const forces::Event> events) {
   std::string text;
-  for (const Event& event : events) {
+  for (const forces::Event& event : events) {
     text += fmt::format("{}{} in tissue {} at {} with {}", text.empty() ? "" : "; ", event_kind_name(event.kind),
                         event.tissue, bits_text(event.depth), bits_text(event.value));
   }
@@ -38,27 +38,28 @@ std::string events_text(std::span<const Event> events) {
 
 // Whether the recording has the diagnostics that the tick publishes, which is so unless a later version of a model
 // publishes others.
-bool has_same_diagnostics(const SessionHeader& header, std::span<const DiagnosticName> names) {
-  return std::equal(
-      header.diagnostics.begin(), header.diagnostics.end(), names.begin(), names.end(),
-      [](const RecordedDiagnostic& recorded, const DiagnosticName& name) { return recorded.name == name.name; });
+bool has_same_diagnostics(const SessionHeader& header, std::span<const forces::DiagnosticName> names) {
+  return std::equal(header.diagnostics.begin(), header.diagnostics.end(), names.begin(), names.end(),
+                    [](const RecordedDiagnostic& recorded, const forces::DiagnosticName& name) {
+                      return recorded.name == name.name;
+                    });
 }
 
-std::vector<std::uint8_t> events_bytes(std::span<const Event> events) {
+std::vector<std::uint8_t> events_bytes(std::span<const forces::Event> events) {
   std::vector<std::uint8_t> bytes;
-  for (const Event& event : events) encode_event(0, event, bytes);
+  for (const forces::Event& event : events) encode_event(0, event, bytes);
   return bytes;
 }
 
 // Until version 2 the force models told themselves when resistance was lost, some of them never and each by a rule of
 // its own; the simulation's rule (simulation/loss_of_resistance.h) says something else about the same forces.
-bool is_compared(const Event& event, const Session& session) {
-  return session.version >= 3 || event.kind != EventKind::loss_of_resistance;
+bool is_compared(const forces::Event& event, const Session& session) {
+  return session.version >= 3 || event.kind != forces::EventKind::loss_of_resistance;
 }
 
 // What differs between two ticks that are not equal.
-ReplayDifference difference_of(const TickRecord& recorded, const TickRecord& recomputed, double dt,
-                               std::span<const DiagnosticName> names) {
+ReplayDifference difference_of(const simulation::TickRecord& recorded, const simulation::TickRecord& recomputed,
+                               double dt, std::span<const forces::DiagnosticName> names) {
   ReplayDifference difference{recorded.tick, static_cast<double>(recorded.tick) * dt, {}, {}, {}};
   std::vector<double> before, after;
   tick_numbers(recorded, before);
@@ -93,38 +94,39 @@ ReplayDifference difference_of(const TickRecord& recorded, const TickRecord& rec
 // which the needle took it.
 class CorridorsTaken {
  public:
-  CorridorsTaken(const Session& session, const Case& patient, const BodyDescription* body, const Progress& progress)
+  CorridorsTaken(const Session& session, const anatomy::Case& patient, const fem::BodyDescription* body,
+                 const Progress& progress)
       : session_(session), patient_(patient), body_(body), progress_(progress) {}
 
-  void prepare_for(std::span<const Event> events, HapticTick& haptics) {
-    for (const Event& event : events) {
+  void prepare_for(std::span<const forces::Event> events, simulation::HapticTick& haptics) {
+    for (const forces::Event& event : events) {
       const bool is_another = event.value >= 0.0 && event.value < static_cast<double>(session_.ticks.size());
-      if (event.kind != EventKind::corridor_taken || !is_another) continue;
+      if (event.kind != forces::EventKind::corridor_taken || !is_another) continue;
       const auto aimed_at = static_cast<std::uint64_t>(event.value);
       if (std::find(there_.begin(), there_.end(), aimed_at) != there_.end()) continue;
-      if (BodyPort* const body = haptics.body(); body == nullptr || !body->add_corridor(made(aimed_at))) {
+      if (simulation::BodyPort* const body = haptics.body(); body == nullptr || !body->add_corridor(made(aimed_at))) {
         throw InputError(fmt::format("the session takes more corridors than the {} that there is room for",
-                                     BodyPort::most_corridors));
+                                     simulation::BodyPort::most_corridors));
       }
       there_.push_back(aimed_at);
     }
   }
 
  private:
-  PreparedCorridor made(std::uint64_t aimed_at) const {
-    const NeedlePath& planned = session_.header.path;
-    std::optional<NeedlePath> path;
+  anatomy::PreparedCorridor made(std::uint64_t aimed_at) const {
+    const anatomy::NeedlePath& planned = session_.header.path;
+    std::optional<anatomy::NeedlePath> path;
     if (body_ != nullptr)
-      path = aimed_path(session_.ticks[aimed_at].input.needle, patient_.tissues, planned.length());
-    if (path) return another_corridor(*body_, patient_, *path, aimed_at, progress_);
+      path = patient::aimed_path(session_.ticks[aimed_at].input.needle, patient_.tissues, planned.length());
+    if (path) return patient::another_corridor(*body_, patient_, *path, aimed_at, progress_);
     throw InputError(
         fmt::format("the session takes a corridor that the needle aimed along in tick {}, but {}; record it again",
                     aimed_at, body_ == nullptr ? "its resistance has no deformable body" : "it aims nowhere there"));
   }
 
   const Session& session_;
-  const Case& patient_;
-  const BodyDescription* body_;
+  const anatomy::Case& patient_;
+  const fem::BodyDescription* body_;
   const Progress& progress_;
   std::vector<std::uint64_t> there_;
 };
@@ -133,7 +135,8 @@ class CorridorsTaken {
 
 void check_recomputable(const Session& session) {
   for (const SessionEvent& event : session.events) {
-    if (event.event.kind != EventKind::corridor_refreshed && event.event.kind != EventKind::moving_body_failed)
+    if (event.event.kind != forces::EventKind::corridor_refreshed &&
+        event.event.kind != forces::EventKind::moving_body_failed)
       continue;
     throw InputError(fmt::format(
         "the session cannot be recomputed: at {:.3f} s its needle met a body that moved on a thread of its "
@@ -143,13 +146,13 @@ void check_recomputable(const Session& session) {
   }
 }
 
-ReplayResult replay_session(const Session& session, Case patient, const Progress& progress,
-                            const BodyDescription* body) {
+ReplayResult replay_session(const Session& session, anatomy::Case patient, const Progress& progress,
+                            const fem::BodyDescription* body) {
   if (session.ticks.empty()) throw InputError("the session holds no ticks, there is nothing to replay");
   check_recomputable(session);
   patient.description.haptics = session.header.haptics;
   if (session.header.device) patient.description.device = *session.header.device;
-  HapticTick haptics(patient);
+  simulation::HapticTick haptics(patient);
   if (haptics.dt() != session.header.dt) {
     throw InputError(
         fmt::format("the session has a tick of {} s, but its force models ran with one of {} s; record it again",
@@ -159,19 +162,19 @@ ReplayResult replay_session(const Session& session, Case patient, const Progress
   std::vector<std::uint8_t> was, is, all_events;
   std::uint64_t chain = 0;
   CorridorsTaken corridors(session, patient, body, progress);
-  const std::span<const DiagnosticName> published = haptics.diagnostic_names();
+  const std::span<const forces::DiagnosticName> published = haptics.diagnostic_names();
   const auto names = has_same_diagnostics(session.header, published) ? published : published.first(0);
   auto event = session.events.begin();
-  for (const TickRecord& recorded : session.ticks) {
+  for (const simulation::TickRecord& recorded : session.ticks) {
     if (recorded.tick != result.ticks) {
       throw InputError(
           fmt::format("tick {} is missing from the session, a replay needs every tick from the first", result.ticks));
     }
-    std::vector<Event> recorded_events;
+    std::vector<forces::Event> recorded_events;
     for (; event != session.events.end() && event->tick == recorded.tick; ++event)
       if (is_compared(event->event, session)) recorded_events.push_back(event->event);
     corridors.prepare_for(recorded_events, haptics);
-    TickRecord recomputed{recorded.tick, recorded.input, haptics.step(recorded.input)};
+    simulation::TickRecord recomputed{recorded.tick, recorded.input, haptics.step(recorded.input)};
     was.clear();
     is.clear();
     encode_tick(recorded, was);
@@ -182,8 +185,8 @@ ReplayResult replay_session(const Session& session, Case patient, const Progress
       result.difference = difference_of(recorded, recomputed, session.header.dt, names);
       return result;
     }
-    std::vector<Event> found;
-    for (const Event& one : recomputed.output.events) {
+    std::vector<forces::Event> found;
+    for (const forces::Event& one : recomputed.output.events) {
       if (is_compared(one, session)) found.push_back(one);
     }
     const std::vector<std::uint8_t> found_bytes = events_bytes(found);
@@ -203,8 +206,8 @@ ReplayResult replay_session(const Session& session, Case patient, const Progress
   return result;
 }
 
-void check_same_case(const Session& session, const Case& patient, const std::string& case_folder) {
-  const std::string xml = read_text_file(std::filesystem::path(case_folder) / "case.xml", largest_case_xml);
+void check_same_case(const Session& session, const anatomy::Case& patient, const std::string& case_folder) {
+  const std::string xml = io::read_text_file(std::filesystem::path(case_folder) / "case.xml", largest_case_xml);
   const std::string mesh = mesh_digest(case_folder, session.header.haptics.resistance);
   const std::string& recorded = session.header.case_digest;
   if (is_digest_of_case(recorded, patient, xml, mesh)) return;
@@ -215,4 +218,4 @@ void check_same_case(const Session& session, const Case& patient, const std::str
                                case_folder, what, case_digest(patient, xml, mesh), recorded));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::session

@@ -9,7 +9,7 @@
 #include "core/progress.h"
 #include "fem/solid/elastic_body.h"
 
-namespace bodkin {
+namespace bodkin::session {
 
 // The first place where a recomputation differs from the recording.
 struct ReplayDifference {
@@ -37,10 +37,10 @@ void check_recomputable(const Session& session);
 // session took in addition; may be null for a session that took none. Throws InputError when the session cannot be
 // replayed: it holds no ticks, ticks are missing, its tick is not that of its force models, a corridor that it took
 // cannot be prepared, or check_recomputable() refuses it.
-ReplayResult replay_session(const Session& session, Case patient, const Progress& progress = {},
-                            const BodyDescription* body = nullptr);
+ReplayResult replay_session(const Session& session, anatomy::Case patient, const Progress& progress = {},
+                            const fem::BodyDescription* body = nullptr);
 
 // Throws InputError unless `patient`, read from `case_folder`, is the one that the session was recorded on.
-void check_same_case(const Session& session, const Case& patient, const std::string& case_folder);
+void check_same_case(const Session& session, const anatomy::Case& patient, const std::string& case_folder);
 
-}  // namespace bodkin
+}  // namespace bodkin::session

@@ -9,12 +9,12 @@
 #include "core/latest_value.h"
 #include "core/single_producer_ring.h"
 
-namespace bodkin {
+namespace bodkin::session {
 
 // What a second hand needs to know of the needle.
 struct NeedleSnapshot {
-  double time = -1.0;             // s of the session; negative: the needle has had no tick yet
-  TissueId tissue = tissue::air;  // at the tip
+  double time = -1.0;                               // s of the session; negative: the needle has had no tick yet
+  anatomy::TissueId tissue = anatomy::tissue::air;  // at the tip
 };
 
 // Everything that crosses between the needle's thread, the second hand's and the recorder's. Wait-free on both sides
@@ -25,4 +25,4 @@ struct SecondLink {
   std::atomic<std::uint64_t> lost{0};              // samples that found the ring full
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::session

@@ -6,7 +6,7 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::session {
 
 // What a second hand holds while the first one holds the needle.
 enum class SecondRole {
@@ -44,4 +44,4 @@ struct SecondHeader {
   std::string device;  // JSON: device, driver, identity, settings
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::session

@@ -5,7 +5,7 @@
 #include "session/tick_codec.h"
 #include <fmt/format.h>
 
-namespace bodkin {
+namespace bodkin::session {
 
 namespace {
 
@@ -37,7 +37,7 @@ class TissueNames {
     for (int id = 0; id < 256; ++id) names_.push_back(std::to_string(id));
     for (const TissueName& tissue : header.tissues) names_[tissue.id] = field(tissue.name);
   }
-  const std::string& operator[](TissueId id) const { return names_[id]; }
+  const std::string& operator[](anatomy::TissueId id) const { return names_[id]; }
 
  private:
   std::vector<std::string> names_;  // 256
@@ -55,8 +55,8 @@ void export_ticks(const Session& session, const TextSink& sink) {
   for (const RecordedDiagnostic& diagnostic : session.header.diagnostics) text += ',' + field(diagnostic.name);
   text += '\n';
   const std::size_t diagnostics = session.header.diagnostics.size();
-  for (const TickRecord& record : session.ticks) {
-    const TickOutput& output = record.output;
+  for (const simulation::TickRecord& record : session.ticks) {
+    const simulation::TickOutput& output = record.output;
     fmt::format_to(std::back_inserter(text), "{},{}", record.tick,
                    static_cast<double>(record.tick) * session.header.dt);
     append(record.input.needle.translation(), text);
@@ -111,4 +111,4 @@ void export_second(const Session& session, const TextSink& sink) {
   sink(text);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::session

@@ -6,7 +6,7 @@
 
 #include "session/session_file.h"
 
-namespace bodkin {
+namespace bodkin::session {
 
 // Takes the text of a file piece by piece.
 using TextSink = std::function<void(std::string_view)>;
@@ -24,4 +24,4 @@ void export_events(const Session& session, const TextSink& sink);
 // was no second hand.
 void export_second(const Session& session, const TextSink& sink);
 
-}  // namespace bodkin
+}  // namespace bodkin::session

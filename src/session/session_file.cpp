@@ -12,7 +12,7 @@
 #include "io/case_xml.h"
 #include "io/haptics_xml.h"
 
-namespace bodkin {
+namespace bodkin::session {
 
 namespace {
 
@@ -40,13 +40,13 @@ std::vector<std::pair<std::string, std::string>> header_rows(const SessionHeader
                                                            {"case_xml", header.case_xml},
                                                            {"dt_s", fmt::format("{}", header.dt)},
                                                            {"entry_mm", point_text(header.path.entry)},
-                                                           {"haptics_xml", haptics_xml(header.haptics)},
+                                                           {"haptics_xml", io::haptics_xml(header.haptics)},
                                                            {"operator_name", header.operator_name},
                                                            {"operator_settings", header.operator_settings},
                                                            {"seed", fmt::format("{}", header.seed)},
                                                            {"started_at", header.started_at},
                                                            {"target_mm", point_text(header.path.target)}};
-  if (header.device) rows.emplace_back("device_xml", device_xml(*header.device));
+  if (header.device) rows.emplace_back("device_xml", io::device_xml(*header.device));
   if (header.second) {
     rows.emplace_back("second_device", header.second->device);
     rows.emplace_back("second_role", name_of(header.second->role));
@@ -99,7 +99,7 @@ SessionWriter::Impl::Impl(const fs::path& path, const SessionHeader& header)
       database(path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE),
       chunk_ticks(static_cast<std::uint32_t>(
           std::clamp(std::round(chunk_time / header.dt), 1.0, double{session_schema::most_ticks_of_a_chunk}))),
-      diagnostic_count(std::min(header.diagnostics.size(), most_diagnostics)),
+      diagnostic_count(std::min(header.diagnostics.size(), forces::most_diagnostics)),
       has_second(header.second.has_value()) {
   database.exec(fmt::format("PRAGMA page_size={}", page_size));
   database.exec("PRAGMA synchronous=OFF");  // an empty session is worth no waiting for the disk
@@ -258,14 +258,14 @@ SessionWriter::~SessionWriter() {
 SessionWriter::SessionWriter(SessionWriter&&) noexcept = default;
 SessionWriter& SessionWriter::operator=(SessionWriter&&) noexcept = default;
 
-void SessionWriter::append(const TickRecord& record) {
+void SessionWriter::append(const simulation::TickRecord& record) {
   Impl& writer = *impl_;
   const bool gap = writer.ticks > 0 && record.tick != writer.first_tick + writer.ticks;
   if (gap) commit();
   if (writer.ticks == 0) writer.first_tick = record.tick;
   encode_tick(record, writer.data);
   encode_diagnostics(record, writer.diagnostic_count, writer.diagnostics);
-  for (const Event& event : record.output.events) writer.events.push_back({record.tick, event});
+  for (const forces::Event& event : record.output.events) writer.events.push_back({record.tick, event});
   ++writer.ticks;
   ++writer.total_ticks;
   if (writer.ticks == writer.chunk_ticks) commit();
@@ -304,4 +304,4 @@ void SessionWriter::finish(const std::optional<SessionTimings>& timings) {
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::session

@@ -13,11 +13,11 @@
 #include "anatomy/case.h"
 #include "simulation/tick_record.h"
 
-namespace bodkin {
+namespace bodkin::session {
 
 // What a tissue id of a recording means.
 struct TissueName {
-  TissueId id = tissue::air;
+  anatomy::TissueId id = anatomy::tissue::air;
   std::string name;   // "ligamentum_flavum"
   std::string title;  // "ligamentum flavum"
 };
@@ -37,12 +37,12 @@ struct SessionHeader {
   std::string operator_name;      // "expert", "novice", or the script's name
   std::string operator_settings;  // JSON: every parameter of the operator
   std::uint64_t seed = 0;
-  double dt = 0.001;                   // s
-  std::string started_at;              // ISO 8601, UTC
-  NeedlePath path;                     // that the operator was given
-  HapticSettings haptics;              // that were used: those of the case, or others in their place
-  std::optional<DeviceLimits> device;  // that was held, in place of the case's
-  std::optional<SecondHeader> second;  // a second hand, where there was one
+  double dt = 0.001;                            // s
+  std::string started_at;                       // ISO 8601, UTC
+  anatomy::NeedlePath path;                     // that the operator was given
+  anatomy::HapticSettings haptics;              // that were used: those of the case, or others in their place
+  std::optional<anatomy::DeviceLimits> device;  // that was held, in place of the case's
+  std::optional<SecondHeader> second;           // a second hand, where there was one
   std::string moving_body;          // JSON: of a body that moved on its own time (--body moving); "": it was static
   std::vector<TissueName> tissues;  // of the case's library, in the order of their ids
   std::vector<RecordedDiagnostic> diagnostics;  // in the order of TickOutput::diagnostics, at most most_diagnostics
@@ -51,7 +51,7 @@ struct SessionHeader {
 // An event with its place in the session.
 struct SessionEvent {
   std::uint64_t tick = 0;
-  Event event;
+  forces::Event event;
 };
 
 // Records a session to one SQLite file (write-ahead log) while it runs. append() is called by one thread only and may
@@ -64,7 +64,7 @@ class SessionWriter {
   SessionWriter(SessionWriter&&) noexcept;
   SessionWriter& operator=(SessionWriter&&) noexcept;
 
-  void append(const TickRecord& record);
+  void append(const simulation::TickRecord& record);
   // Of the second hand, which the header names; times rise strictly.
   void append(const SecondSample& sample);
   // Makes everything appended so far safe on disk.
@@ -82,7 +82,7 @@ struct Session {
   SessionHeader header;
   // Of the file's format. Version 2 has no diagnostics, and its loss_of_resistance is what the force model told.
   int version = 3;
-  std::vector<TickRecord> ticks;  // events stand in `events`, not in the records
+  std::vector<simulation::TickRecord> ticks;  // events stand in `events`, not in the records
   std::vector<SessionEvent> events;
   std::vector<SecondSample> second;       // of the second hand
   std::optional<SessionTimings> timings;  // of a finished session that ran on the clock
@@ -92,4 +92,4 @@ struct Session {
 // Throws InputError for anything that is not a valid session file of a known version.
 Session read_session(const std::filesystem::path& file);
 
-}  // namespace bodkin
+}  // namespace bodkin::session

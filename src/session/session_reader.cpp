@@ -17,7 +17,7 @@
 #include "io/haptics_xml.h"
 #include "io/xml_document.h"
 
-namespace bodkin {
+namespace bodkin::session {
 
 namespace {
 
@@ -201,7 +201,7 @@ void Reader::read_header(SQLite::Database& database, Session& session) {
     const bool in_order = header.tissues.empty() || header.tissues.back().id < id;
     if (id < 0 || id > 254 || !in_order) fail("the list of tissues is damaged");
     header.tissues.push_back(
-        {static_cast<TissueId>(id), tissues.getColumn(1).getString(), tissues.getColumn(2).getString()});
+        {static_cast<anatomy::TissueId>(id), tissues.getColumn(1).getString(), tissues.getColumn(2).getString()});
     all += fmt::format("{}\n{}\n{}\n", id, header.tissues.back().name, header.tissues.back().title);
   }
   if (text("checksum") != text_checksum(all)) fail("the header is damaged, its checksum does not fit");
@@ -216,11 +216,11 @@ void Reader::read_header(SQLite::Database& database, Session& session) {
   header.started_at = text("started_at");
   header.path = {point("entry_mm"), point("target_mm")};
   if (!(header.dt > 1e-5 && header.dt < 1.0)) fail(fmt::format("a tick of {} s is out of range", header.dt));
-  header.haptics = parse_haptics_xml(
-      text("haptics_xml"), fmt::format("{}: haptics_xml of the header", file_.string()), XmlSchema("case.xsd"));
+  header.haptics = io::parse_haptics_xml(
+      text("haptics_xml"), fmt::format("{}: haptics_xml of the header", file_.string()), io::XmlSchema("case.xsd"));
   if (header_.contains("device_xml")) {
-    header.device = parse_device_xml(text("device_xml"), fmt::format("{}: device_xml of the header", file_.string()),
-                                     XmlSchema("case.xsd"));
+    header.device = io::parse_device_xml(
+        text("device_xml"), fmt::format("{}: device_xml of the header", file_.string()), io::XmlSchema("case.xsd"));
   }
   if (header_.contains("second_role")) {
     const std::optional<SecondRole> role = second_role(text("second_role"));
@@ -238,7 +238,7 @@ std::vector<RecordedDiagnostic> Reader::diagnostics_of_header() const {
   std::istringstream lines(text("diagnostics"));
   for (std::string line; std::getline(lines, line);) {
     const std::size_t blank = line.find(' ');
-    if (blank == 0 || blank == std::string::npos || all.size() == most_diagnostics)
+    if (blank == 0 || blank == std::string::npos || all.size() == forces::most_diagnostics)
       fail("the header's list of diagnostics is damaged");
     all.push_back({line.substr(0, blank), line.substr(blank + 1)});
   }
@@ -283,7 +283,7 @@ void Reader::read_chunks(SQLite::Database& database, Session& session) const {
       fail("the chunks are not in order");
     }
     if (ticks < 1 || ticks > session_schema::most_ticks_of_a_chunk || events < 0 ||
-        events > ticks * static_cast<std::int64_t>(TickEvents::capacity) ||
+        events > ticks * static_cast<std::int64_t>(forces::TickEvents::capacity) ||
         size != static_cast<std::size_t>(ticks) * encoded_tick_size() +
                     static_cast<std::size_t>(events) * encoded_event_size) {
       fail(fmt::format("the chunk at tick {} has the wrong size", first));
@@ -304,7 +304,7 @@ void Reader::read_chunk(std::uint64_t first_tick, std::uint32_t ticks, std::uint
                         std::span<const std::uint8_t> data, Session& session) const {
   const std::size_t tick_size = encoded_tick_size();
   for (std::uint32_t tick = 0; tick < ticks; ++tick) {
-    TickRecord& record = session.ticks.emplace_back();
+    simulation::TickRecord& record = session.ticks.emplace_back();
     record.tick = first_tick + tick;
     if (!decode_tick(data.subspan(tick * tick_size, tick_size), record)) {
       fail(fmt::format("tick {} holds a value that no tick has", record.tick));
@@ -373,8 +373,8 @@ void Reader::read_timings(SQLite::Database& database, Session& session) const {
     const double up_to = query.getColumn(1).getDouble();
     const std::int64_t count = query.getColumn(2).getInt64();
     const bool known = what == "lateness" || what == "compute" || what == "overruns";
-    if (!known || rows > 2 * LatencyHistogram::bins || !(up_to >= 0.0) || !std::isfinite(up_to) || count < 0 ||
-        static_cast<std::uint64_t>(count) > last_tick) {
+    if (!known || rows > 2 * haptics::LatencyHistogram::bins || !(up_to >= 0.0) || !std::isfinite(up_to) ||
+        count < 0 || static_cast<std::uint64_t>(count) > last_tick) {
       fail("the timings are damaged");
     }
     any = true;
@@ -415,4 +415,4 @@ Session read_session(const std::filesystem::path& file) {
   return Reader(file).read();
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::session

@@ -17,7 +17,7 @@
 #include "simulation/closed_loop.h"
 #include "simulation/resistance_models.h"
 
-namespace bodkin {
+namespace bodkin::session {
 
 namespace {
 
@@ -26,7 +26,8 @@ constexpr std::uint64_t show_interval = 512;  // ticks
 // One run of the loop, told apart by what drives it: the processor's speed or the clock.
 class Run {
  public:
-  Run(const Case& patient, const SessionHeader& header, const RunSettings& settings, const Progress& progress)
+  Run(const anatomy::Case& patient, const SessionHeader& header, const RunSettings& settings,
+      const Progress& progress)
       : settings_(settings),
         progress_(progress),
         loop_(patient, settings.script, settings.path, settings.seed),
@@ -50,7 +51,7 @@ class Run {
 
  private:
   void at_full_speed() {
-    TickRecord record;
+    simulation::TickRecord record;
     for (std::uint64_t tick = 0; tick < most_ticks_ && !loop_.finished(); ++tick) {
       note_phase(loop_.phase());
       loop_.step(record);
@@ -63,16 +64,16 @@ class Run {
 
   void on_the_clock() {
     std::atomic<int> phase{loop_.phase()};
-    Recorder recorder(std::move(writer_), [&](const TickRecord& record) {
+    Recorder recorder(std::move(writer_), [&](const simulation::TickRecord& record) {
       if (record.tick % show_interval == 0) show(phase.load(std::memory_order_relaxed));
     });
-    ServoTimings timings;
+    haptics::ServoTimings timings;
     {
-      const RealTimePriority priority;
+      const haptics::RealTimePriority priority;
       result_.notes = priority.refused();
-      DeadlineClock clock(loop_.dt());
-      const TickClock now = monotonic_clock();
-      TickRecord record;
+      haptics::DeadlineClock clock(loop_.dt());
+      const haptics::TickClock now = haptics::monotonic_clock();
+      simulation::TickRecord record;
       clock.start();
       for (std::uint64_t tick = 0; tick < most_ticks_ && !loop_.finished() && !recorder.failed(); ++tick) {
         note_phase(loop_.phase());
@@ -95,12 +96,12 @@ class Run {
   }
 
   void note_phase(int phase) noexcept {
-    if (phase != OperatorCondition::end) last_phase_ = phase;
+    if (phase != simulation::OperatorCondition::end) last_phase_ = phase;
   }
 
   // On the clock a person watches each phase; at full speed they fly by.
   void show(int phase) const {
-    if (!progress_ || phase == OperatorCondition::end) return;
+    if (!progress_ || phase == simulation::OperatorCondition::end) return;
     const auto& phases = settings_.script.phases;
     const std::string stage =
         settings_.realtime ? "performing: " + phases[static_cast<std::size_t>(phase)].name : "performing";
@@ -109,7 +110,7 @@ class Run {
 
   const RunSettings& settings_;
   const Progress& progress_;
-  ClosedLoop loop_;
+  simulation::ClosedLoop loop_;
   SessionWriter writer_;
   RunResult result_;
   std::uint64_t most_ticks_;
@@ -118,27 +119,28 @@ class Run {
 
 }  // namespace
 
-SessionHeader session_header(const Case& patient, const std::filesystem::path& case_folder, const NeedlePath& path) {
+SessionHeader session_header(const anatomy::Case& patient, const std::filesystem::path& case_folder,
+                             const anatomy::NeedlePath& path) {
   SessionHeader header;
   header.bodkin_version = BODKIN_VERSION;
   header.case_folder = std::filesystem::absolute(case_folder).lexically_normal().string();
-  header.case_xml = read_text_file(case_folder / "case.xml", largest_case_xml);
+  header.case_xml = io::read_text_file(case_folder / "case.xml", largest_case_xml);
   header.case_digest =
       case_digest(patient, header.case_xml, mesh_digest(case_folder, patient.description.haptics.resistance));
   header.dt = 1.0 / patient.description.haptics.rate;
   header.started_at = utc_now();
   header.path = path;
   header.haptics = patient.description.haptics;
-  for (const DiagnosticName& one : diagnostic_names(header.haptics))
+  for (const forces::DiagnosticName& one : simulation::diagnostic_names(header.haptics))
     header.diagnostics.push_back({std::string(one.name), std::string(one.title)});
   for (int id = 0; id < 255; ++id) {
-    const TissueProperties* tissue = patient.library.find(static_cast<TissueId>(id));
+    const anatomy::TissueProperties* tissue = patient.library.find(static_cast<anatomy::TissueId>(id));
     if (tissue != nullptr) header.tissues.push_back({tissue->id, tissue->name, tissue->title});
   }
   return header;
 }
 
-SessionHeader session_header(const Case& patient, const std::filesystem::path& case_folder,
+SessionHeader session_header(const anatomy::Case& patient, const std::filesystem::path& case_folder,
                              const RunSettings& settings) {
   SessionHeader header = session_header(patient, case_folder, settings.path);
   header.operator_name = settings.script.name;
@@ -147,7 +149,7 @@ SessionHeader session_header(const Case& patient, const std::filesystem::path& c
   return header;
 }
 
-RunResult run_session(const Case& patient, const SessionHeader& header, const RunSettings& settings,
+RunResult run_session(const anatomy::Case& patient, const SessionHeader& header, const RunSettings& settings,
                       const Progress& progress) {
   if (!(settings.longest >= 1.0 && settings.longest <= 3600.0)) {
     throw InputError(fmt::format("the longest time is {} s, expected 1 to 3600", settings.longest));
@@ -158,4 +160,4 @@ RunResult run_session(const Case& patient, const SessionHeader& header, const Ru
   return result;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::session

@@ -10,12 +10,12 @@
 #include "core/progress.h"
 #include "simulation/operator_script.h"
 
-namespace bodkin {
+namespace bodkin::session {
 
 struct RunSettings {
-  OperatorScript script;
+  simulation::OperatorScript script;
   std::uint64_t seed = 1;
-  NeedlePath path;
+  anatomy::NeedlePath path;
   double longest = 120.0;        // s of simulated time after which the run ends whatever the operator does; 1 to 3600
   bool realtime = false;         // on the clock instead of as fast as it goes
   std::filesystem::path output;  // the session file
@@ -36,15 +36,16 @@ struct RunResult {
 inline constexpr std::size_t largest_case_xml = std::size_t{16} << 20;  // bytes
 
 // What a recording says about its case, the path and the moment; nothing about who performs.
-SessionHeader session_header(const Case& patient, const std::filesystem::path& case_folder, const NeedlePath& path);
+SessionHeader session_header(const anatomy::Case& patient, const std::filesystem::path& case_folder,
+                             const anatomy::NeedlePath& path);
 
 // What a recording says about its case and operator. `case_folder`: where the case lies; its case.xml is read.
-SessionHeader session_header(const Case& patient, const std::filesystem::path& case_folder,
+SessionHeader session_header(const anatomy::Case& patient, const std::filesystem::path& case_folder,
                              const RunSettings& settings);
 
 // Lets a simulated hand perform the script on the patient and records every tick. Without `realtime` nothing but the
 // case, the script, the path and the seed decides what happens. Throws InputError or SystemError.
-RunResult run_session(const Case& patient, const SessionHeader& header, const RunSettings& settings,
+RunResult run_session(const anatomy::Case& patient, const SessionHeader& header, const RunSettings& settings,
                       const Progress& progress);
 
-}  // namespace bodkin
+}  // namespace bodkin::session

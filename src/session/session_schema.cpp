@@ -7,7 +7,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-namespace bodkin {
+namespace bodkin::session {
 
 std::int64_t chunk_checksum(std::uint64_t first_tick, std::uint32_t ticks, std::uint32_t events,
                             std::span<const std::uint8_t> data) {
@@ -21,4 +21,4 @@ std::string text_checksum(const std::string& text) {
   return fmt::format("{:016x}", static_cast<std::uint64_t>(XXH3_64bits(text.data(), text.size())));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::session

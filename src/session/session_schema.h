@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-namespace bodkin {
+namespace bodkin::session {
 
 // The shape of a session file, version 3; docs/session-format.md explains it to people.
 namespace session_schema {
@@ -52,4 +52,4 @@ std::int64_t chunk_checksum(std::uint64_t first_tick, std::uint32_t ticks, std::
 // XXH3 (64 bits) of a text, as 16 hexadecimal digits.
 std::string text_checksum(const std::string& text);
 
-}  // namespace bodkin
+}  // namespace bodkin::session

@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bodkin {
+namespace bodkin::session {
 
 namespace {
 
-std::vector<TimeBin> bins_of(const LatencyHistogram& histogram) {
+std::vector<TimeBin> bins_of(const haptics::LatencyHistogram& histogram) {
   std::vector<TimeBin> bins;
-  for (std::size_t bin = 0; bin < LatencyHistogram::bins; ++bin) {
+  for (std::size_t bin = 0; bin < haptics::LatencyHistogram::bins; ++bin) {
     if (histogram.count_in(bin) == 0) continue;
     // A reading that is no number counts as longer than everything, and has no length.
-    const double up_to = std::min(LatencyHistogram::upper_edge(bin), histogram.maximum());
+    const double up_to = std::min(haptics::LatencyHistogram::upper_edge(bin), histogram.maximum());
     bins.push_back({bins.empty() ? up_to : std::max(up_to, bins.back().up_to), histogram.count_in(bin)});
   }
   return bins;
@@ -20,7 +20,7 @@ std::vector<TimeBin> bins_of(const LatencyHistogram& histogram) {
 
 }  // namespace
 
-SessionTimings timings_of(const ServoTimings& servo) {
+SessionTimings timings_of(const haptics::ServoTimings& servo) {
   return {bins_of(servo.lateness), bins_of(servo.compute), servo.overruns};
 }
 
@@ -41,4 +41,4 @@ double percentile(std::span<const TimeBin> bins, double share) {
   return 0.0;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::session

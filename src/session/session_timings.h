@@ -6,7 +6,7 @@
 
 #include "haptics/servo_records.h"
 
-namespace bodkin {
+namespace bodkin::session {
 
 // How many rounds took at most so long, and longer than the bin before.
 struct TimeBin {
@@ -21,11 +21,11 @@ struct SessionTimings {
   std::uint64_t overruns = 0;     // rounds that began more than a period late, or took longer than one
 };
 
-SessionTimings timings_of(const ServoTimings& servo);
+SessionTimings timings_of(const haptics::ServoTimings& servo);
 
 // Rounds that the bins hold.
 std::uint64_t count_of(std::span<const TimeBin> bins);
 // s within which `share` (0 to 1) of all lie; 0 when there are none.
 double percentile(std::span<const TimeBin> bins, double share);
 
-}  // namespace bodkin
+}  // namespace bodkin::session

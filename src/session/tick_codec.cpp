@@ -3,7 +3,7 @@
 #include <array>
 #include <bit>
 
-namespace bodkin {
+namespace bodkin::session {
 
 namespace {
 
@@ -92,7 +92,7 @@ std::span<const std::string_view> tick_number_names() {
   return number_names;
 }
 
-void tick_numbers(const TickRecord& record, std::vector<double>& numbers) {
+void tick_numbers(const simulation::TickRecord& record, std::vector<double>& numbers) {
   numbers.clear();
   for_each_number(record, [&](double number) { numbers.push_back(number); });
 }
@@ -101,7 +101,7 @@ std::size_t encoded_tick_size() {
   return number_names.size() * 8 + 4;
 }
 
-void encode_tick(const TickRecord& record, std::vector<std::uint8_t>& bytes) {
+void encode_tick(const simulation::TickRecord& record, std::vector<std::uint8_t>& bytes) {
   std::uint8_t* cursor = grow(bytes, encoded_tick_size());
   for_each_number(record, [&](double number) { cursor = put_double(number, cursor); });
   cursor = put(record.output.tissue, 1, cursor);
@@ -110,7 +110,7 @@ void encode_tick(const TickRecord& record, std::vector<std::uint8_t>& bytes) {
   put(0, 1, cursor);
 }
 
-bool decode_tick(std::span<const std::uint8_t> bytes, TickRecord& record) {
+bool decode_tick(std::span<const std::uint8_t> bytes, simulation::TickRecord& record) {
   if (bytes.size() != encoded_tick_size()) return false;
   const std::uint8_t* cursor = bytes.data();
   record.input.needle = Pose::Identity();
@@ -126,16 +126,16 @@ bool decode_tick(std::span<const std::uint8_t> bytes, TickRecord& record) {
   return true;
 }
 
-void encode_diagnostics(const TickRecord& record, std::size_t count, std::vector<std::uint8_t>& bytes) {
+void encode_diagnostics(const simulation::TickRecord& record, std::size_t count, std::vector<std::uint8_t>& bytes) {
   std::uint8_t* cursor = grow(bytes, count * 8);
   for (std::size_t i = 0; i < count; ++i) cursor = put_double(record.output.diagnostics[i], cursor);
 }
 
-void decode_diagnostics(std::span<const std::uint8_t> bytes, std::size_t count, TickRecord& record) {
+void decode_diagnostics(std::span<const std::uint8_t> bytes, std::size_t count, simulation::TickRecord& record) {
   for (std::size_t i = 0; i < count; ++i) record.output.diagnostics[i] = take_double(bytes.data() + 8 * i);
 }
 
-void encode_event(std::uint32_t tick_of_chunk, const Event& event, std::vector<std::uint8_t>& bytes) {
+void encode_event(std::uint32_t tick_of_chunk, const forces::Event& event, std::vector<std::uint8_t>& bytes) {
   std::uint8_t* cursor = grow(bytes, encoded_event_size);
   cursor = put(tick_of_chunk, 4, cursor);
   cursor = put(static_cast<std::uint64_t>(event.kind), 1, cursor);
@@ -145,20 +145,20 @@ void encode_event(std::uint32_t tick_of_chunk, const Event& event, std::vector<s
   put_double(event.value, cursor);
 }
 
-bool decode_event(std::span<const std::uint8_t> bytes, std::uint32_t& tick_of_chunk, Event& event) {
+bool decode_event(std::span<const std::uint8_t> bytes, std::uint32_t& tick_of_chunk, forces::Event& event) {
   if (bytes.size() != encoded_event_size || bytes[4] >= kind_names.size() || take(bytes.data() + 6, 2) != 0)
     return false;
   tick_of_chunk = static_cast<std::uint32_t>(take(bytes.data(), 4));
-  event.kind = static_cast<EventKind>(bytes[4]);
+  event.kind = static_cast<forces::EventKind>(bytes[4]);
   event.tissue = bytes[5];
   event.depth = take_double(bytes.data() + 8);
   event.value = take_double(bytes.data() + 16);
   return true;
 }
 
-std::string_view event_kind_name(EventKind kind) {
+std::string_view event_kind_name(forces::EventKind kind) {
   const auto position = static_cast<std::size_t>(kind);
   return position < kind_names.size() ? kind_names[position] : "unknown";
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::session

@@ -9,36 +9,36 @@
 
 #include "simulation/tick_record.h"
 
-namespace bodkin {
+namespace bodkin::session {
 
 // The numbers of a tick, in the order in which a recording keeps them, with their names. Columns 0 to 11 are the
 // input: the rotation of the needle's pose, column by column, then its tip. The rest is what the tick found.
 std::span<const std::string_view> tick_number_names();
 
 // The numbers of a record, in the order of tick_number_names().
-void tick_numbers(const TickRecord& record, std::vector<double>& numbers);
+void tick_numbers(const simulation::TickRecord& record, std::vector<double>& numbers);
 
 // The bytes of one tick: every number as an IEEE 754 double, little-endian, bit for bit; then tissue, contact and
 // limits as one byte each, and one byte that is zero.
 std::size_t encoded_tick_size();
 
 // Appends the bytes of a tick; its tick number and its events are not part of them.
-void encode_tick(const TickRecord& record, std::vector<std::uint8_t>& bytes);
+void encode_tick(const simulation::TickRecord& record, std::vector<std::uint8_t>& bytes);
 // Reads what encode_tick wrote. `bytes` holds encoded_tick_size() of them. False when a byte has a value it cannot
 // have.
-bool decode_tick(std::span<const std::uint8_t> bytes, TickRecord& record);
+bool decode_tick(std::span<const std::uint8_t> bytes, simulation::TickRecord& record);
 
 // The first `count` diagnostics of a tick as doubles, 8 bytes each.
-void encode_diagnostics(const TickRecord& record, std::size_t count, std::vector<std::uint8_t>& bytes);
+void encode_diagnostics(const simulation::TickRecord& record, std::size_t count, std::vector<std::uint8_t>& bytes);
 // Reads them; `bytes` holds 8 `count` of them.
-void decode_diagnostics(std::span<const std::uint8_t> bytes, std::size_t count, TickRecord& record);
+void decode_diagnostics(std::span<const std::uint8_t> bytes, std::size_t count, simulation::TickRecord& record);
 
 // The bytes of one event: tick of the chunk (4 bytes), kind, tissue, two zero bytes, depth and value as doubles.
 inline constexpr std::size_t encoded_event_size = 24;
-void encode_event(std::uint32_t tick_of_chunk, const Event& event, std::vector<std::uint8_t>& bytes);
-bool decode_event(std::span<const std::uint8_t> bytes, std::uint32_t& tick_of_chunk, Event& event);
+void encode_event(std::uint32_t tick_of_chunk, const forces::Event& event, std::vector<std::uint8_t>& bytes);
+bool decode_event(std::span<const std::uint8_t> bytes, std::uint32_t& tick_of_chunk, forces::Event& event);
 
 // As sessions and CSV files write the kind of an event: "puncture", "loss_of_resistance", ...
-std::string_view event_kind_name(EventKind kind);
+std::string_view event_kind_name(forces::EventKind kind);
 
-}  // namespace bodkin
+}  // namespace bodkin::session

@@ -6,7 +6,7 @@
 #include "core/geometry.h"
 #include "fem/node_forces.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 // The deformable body that a needle meets in the tick, as the rest of a session sees it: where more of it comes from,
 // and what the needle does to it.
@@ -17,17 +17,17 @@ class BodyPort {
 
   // From one thread other than the tick's: another corridor, for the next needle that touches the body. False, and
   // nothing done, when there are `most_corridors`. Throws InputError for a corridor without a body.
-  virtual bool add_corridor(const PreparedCorridor& corridor) = 0;
+  virtual bool add_corridor(const anatomy::PreparedCorridor& corridor) = 0;
   // From the same thread: the first corridor about another state of the body (PreparedCorridor::state), for the next
   // needle that touches the body and, if it can be transferred, for one that is in. False, and nothing done, when the
   // resistance cannot use one. Throws InputError for one in which there is nothing to feel.
-  virtual bool refresh_corridor(const PreparedCorridor& corridor) = 0;
+  virtual bool refresh_corridor(const anatomy::PreparedCorridor& corridor) = 0;
 
   // From the tick's thread, as all below: from the next contact on the needle meets the body at rest, whatever was or
   // will be refreshed.
   virtual void stay_at_rest() noexcept = 0;
   // The needle's forces on the body in the last tick, by node of its mesh; none without contact.
-  virtual NodeForces node_forces() const noexcept = 0;
+  virtual fem::NodeForces node_forces() const noexcept = 0;
   // mm from the needle in the body to the one in the hand, where the body is stiffer than the device can render or
   // bone is in the way: what is drawn is the hand's needle less this. 0 without contact.
   virtual Vec3 needle_ahead() const noexcept = 0;
@@ -36,4 +36,4 @@ class BodyPort {
   ~BodyPort() = default;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

@@ -6,7 +6,7 @@
 #include "anatomy/case.h"
 #include "forces/events.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 // Bone before the tip of a needle in a deformable body, whose bone does not move and so has no nodes to push: a
 // spring from where the tip met it, that never breaks. The needle in the body stays there, at the bone's surface, so
@@ -14,25 +14,25 @@ namespace bodkin {
 class BoneWall {
  public:
   // No stiffer than the patient's device renders.
-  explicit BoneWall(const Case& patient) {
-    for (const TissueProperties& tissue : patient.library.tissues()) {
-      if (tissue.layered.kind == LayeredKind::rigid)
+  explicit BoneWall(const anatomy::Case& patient) {
+    for (const anatomy::TissueProperties& tissue : patient.library.tissues()) {
+      if (tissue.layered.kind == anatomy::LayeredKind::rigid)
         stiffness_[tissue.id] = std::min(tissue.layered.contact_stiffness, patient.description.device.stiffness);
     }
   }
 
   // N along the line, positive pushes out. `depth`: mm of the tip along the line; `at`: its tissue. The surface stays
   // where the tip met it until the tip is before it and out of the bone.
-  double step(double depth, TissueId at, TickEvents& events) noexcept {
+  double step(double depth, anatomy::TissueId at, forces::TickEvents& events) noexcept {
     if (!met_ && stiffness_[at] > 0.0) {
       met_ = true;
       from_ = depth;
       bone_ = at;
-      events.push({EventKind::bone_contact, at, depth, 0.0});
+      events.push({forces::EventKind::bone_contact, at, depth, 0.0});
     }
     if (met_ && depth < from_ && stiffness_[at] == 0.0) {
       met_ = false;
-      events.push({EventKind::bone_left, bone_, depth, 0.0});
+      events.push({forces::EventKind::bone_left, bone_, depth, 0.0});
     }
     behind_ = met_ ? std::max(depth - from_, 0.0) : 0.0;
     return stiffness_[bone_] * behind_;
@@ -49,7 +49,7 @@ class BoneWall {
   std::array<double, 256> stiffness_{};  // N/mm, by TissueId; 0 = no bone
   bool met_ = false;
   double from_ = 0.0, behind_ = 0.0;  // mm
-  TissueId bone_ = tissue::air;
+  anatomy::TissueId bone_ = anatomy::tissue::air;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

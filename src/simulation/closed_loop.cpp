@@ -1,8 +1,9 @@
 #include "simulation/closed_loop.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
-ClosedLoop::ClosedLoop(const Case& patient, const OperatorScript& script, const NeedlePath& path, std::uint64_t seed)
+ClosedLoop::ClosedLoop(const anatomy::Case& patient, const OperatorScript& script, const anatomy::NeedlePath& path,
+                       std::uint64_t seed)
     : tick_(patient), operator_(script, path, seed, tick_.dt()), hand_(script.hand, tick_.dt(), mix64(seed ^ 0xD7)) {
   hand_.start(operator_.start());
 }
@@ -15,4 +16,4 @@ void ClosedLoop::step(TickRecord& record) noexcept {
   felt_ = record.output.applied;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

@@ -5,7 +5,7 @@
 #include "simulation/haptic_tick.h"
 #include "simulation/operator.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 // An operator's hand in the patient: the operator means, the hand moves, the tick finds the force, the hand feels it
 // one tick later. Equal cases, scripts, paths and seeds give equal bits. step() allocates nothing and locks nothing;
@@ -13,7 +13,8 @@ namespace bodkin {
 class ClosedLoop {
  public:
   // Throws InputError for a script, a path or a patient that cannot be used.
-  ClosedLoop(const Case& patient, const OperatorScript& script, const NeedlePath& path, std::uint64_t seed);
+  ClosedLoop(const anatomy::Case& patient, const OperatorScript& script, const anatomy::NeedlePath& path,
+             std::uint64_t seed);
 
   // One tick; what happened is put into `record`.
   void step(TickRecord& record) noexcept;
@@ -26,9 +27,9 @@ class ClosedLoop {
  private:
   HapticTick tick_;
   Operator operator_;
-  SimulatedHand hand_;
+  haptics::SimulatedHand hand_;
   std::uint64_t ticks_ = 0;
   Wrench felt_;  // on the hand, from the last tick
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

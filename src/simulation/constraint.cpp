@@ -12,32 +12,32 @@
 #include "forces/line_spring.h"
 #include "forces/pivot.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 namespace {
 
 // The needle is free to leave its line.
 struct FreeNeedle {
-  using Settings = NoConstraint;
-  static constexpr ConstraintTraits traits = {.name = "none"};
+  using Settings = anatomy::NoConstraint;
+  static constexpr forces::ConstraintTraits traits = {.name = "none"};
 
-  FreeNeedle(const Case&, const NoConstraint&, double) {}
+  FreeNeedle(const anatomy::Case&, const anatomy::NoConstraint&, double) {}
   void begin(const Vec3&, const Vec3&, const Vec3&) noexcept {}
-  Wrench step(const HeldNeedle&) const noexcept { return {}; }
+  Wrench step(const forces::HeldNeedle&) const noexcept { return {}; }
 };
 
-template <ConstraintModel Model>
+template <forces::ConstraintModel Model>
 class ConstraintOf final : public AnyConstraint {
  public:
-  ConstraintOf(const Case& patient, const typename Model::Settings& settings, double dt)
+  ConstraintOf(const anatomy::Case& patient, const typename Model::Settings& settings, double dt)
       : model_(patient, settings, dt) {}
 
   void begin(const Vec3& entry, const Vec3& direction, const Vec3& tip) noexcept override {
     model_.begin(entry, direction, tip);
   }
-  Wrench step(const HeldNeedle& needle) noexcept override { return model_.step(needle); }
-  const Rail* rail() const noexcept override {
-    if constexpr (std::is_same_v<Model, Rail>) return &model_;
+  Wrench step(const forces::HeldNeedle& needle) noexcept override { return model_.step(needle); }
+  const forces::Rail* rail() const noexcept override {
+    if constexpr (std::is_same_v<Model, forces::Rail>) return &model_;
     return nullptr;
   }
 
@@ -47,23 +47,24 @@ class ConstraintOf final : public AnyConstraint {
 
 struct ConstraintEntry {
   std::string_view name;
-  std::unique_ptr<AnyConstraint> (*make)(const Case& patient, double dt);
+  std::unique_ptr<AnyConstraint> (*make)(const anatomy::Case& patient, double dt);
 };
 
-template <ConstraintModel Model>
+template <forces::ConstraintModel Model>
 constexpr ConstraintEntry entry_of() {
-  return {Model::traits.name, [](const Case& patient, double dt) -> std::unique_ptr<AnyConstraint> {
+  return {Model::traits.name, [](const anatomy::Case& patient, double dt) -> std::unique_ptr<AnyConstraint> {
             const auto& settings = std::get<typename Model::Settings>(patient.description.haptics.constraint);
             return std::make_unique<ConstraintOf<Model>>(patient, settings, dt);
           }};
 }
 
 constexpr ConstraintEntry constraint_models[] = {
-    entry_of<LineSpring>(), entry_of<Pivot>(), entry_of<Rail>(), entry_of<Beam>(), entry_of<FreeNeedle>(),
+    entry_of<forces::LineSpring>(), entry_of<forces::Pivot>(), entry_of<forces::Rail>(),
+    entry_of<forces::Beam>(),       entry_of<FreeNeedle>(),
 };
 
-std::unique_ptr<AnyConstraint> make_constraint(const Case& patient, double dt) {
-  const std::string_view name = name_of(patient.description.haptics.constraint);
+std::unique_ptr<AnyConstraint> make_constraint(const anatomy::Case& patient, double dt) {
+  const std::string_view name = anatomy::name_of(patient.description.haptics.constraint);
   const auto* found = std::find_if(std::begin(constraint_models), std::end(constraint_models),
                                    [&](const ConstraintEntry& entry) { return entry.name == name; });
   if (found != std::end(constraint_models)) return found->make(patient, dt);
@@ -75,7 +76,7 @@ std::unique_ptr<AnyConstraint> make_constraint(const Case& patient, double dt) {
 
 }  // namespace
 
-Constraint::Constraint(const Case& patient, double dt)
+Constraint::Constraint(const anatomy::Case& patient, double dt)
     : model_(make_constraint(patient, dt)), length_(patient.description.needle.length) {}
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

@@ -14,7 +14,7 @@
 #include "forces/resistance_model.h"
 #include "simulation/body_port.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 // The resistance of a deformable body in one of several corridors, each a region of the body with its own Model: the
 // corridor that the patient came with, and more that are added while the needle moves.
@@ -33,16 +33,16 @@ template <typename Model>
 class Corridors final : public BodyPort {
  public:
   using Settings = typename Model::Settings;
-  static constexpr ResistanceTraits traits = Model::traits;
+  static constexpr forces::ResistanceTraits traits = Model::traits;
 
   // `patient` must outlive this and have a corridor.
-  Corridors(const Case& patient, const Settings& settings, double dt)
+  Corridors(const anatomy::Case& patient, const Settings& settings, double dt)
       : patient_(&patient), settings_(settings), dt_(dt), shelf_(std::make_unique<Shelf>()) {
     Corridors::add_corridor(patient.corridor);
     taken_ = &shelf_->places[0];
   }
 
-  bool add_corridor(const PreparedCorridor& corridor) override {
+  bool add_corridor(const anatomy::PreparedCorridor& corridor) override {
     const std::size_t at = shelf_->count.load(std::memory_order_relaxed);
     if (at == most_corridors) return false;
     shelf_->places[at] = {.model = std::make_unique<Model>(*patient_, corridor, settings_, dt_),
@@ -53,7 +53,7 @@ class Corridors final : public BodyPort {
   }
 
   // A corridor that no needle has taken yet is dropped. A model that cannot be transferred cannot use any.
-  bool refresh_corridor(const PreparedCorridor& corridor) override {
+  bool refresh_corridor(const anatomy::PreparedCorridor& corridor) override {
     if constexpr (!transfers) return false;
     auto place = std::make_unique<Place>();
     place->model = std::make_unique<Model>(*patient_, corridor, settings_, dt_);
@@ -64,7 +64,9 @@ class Corridors final : public BodyPort {
   }
   // Until reset().
   void stay_at_rest() noexcept override { at_rest_ = true; }
-  NodeForces node_forces() const noexcept override { return touches_ ? model().node_forces() : NodeForces{}; }
+  fem::NodeForces node_forces() const noexcept override {
+    return touches_ ? model().node_forces() : fem::NodeForces{};
+  }
   Vec3 needle_ahead() const noexcept override { return touches_ ? model().ahead() : Vec3(Vec3::Zero()); }
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept {
@@ -88,14 +90,14 @@ class Corridors final : public BodyPort {
     taken_->model->begin(entry, direction);
   }
 
-  ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept {
+  forces::ResistanceForce step(const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept {
     if (!announced_) {
       const bool at_rest = taken_->state == 0;
-      events.push({at_rest ? EventKind::corridor_taken : EventKind::corridor_refreshed, needle.tissue,
+      events.push({at_rest ? forces::EventKind::corridor_taken : forces::EventKind::corridor_refreshed, needle.tissue,
                    needle.motion.depth, at_rest ? taken_->aimed_at : static_cast<double>(taken_->state)});
       announced_ = true;
     }
-    ResistanceForce force = model().step(needle, events);
+    forces::ResistanceForce force = model().step(needle, events);
     touches_ = force.in_contact;
     if constexpr (transfers) transfer_to_newest();
     return force;
@@ -114,7 +116,7 @@ class Corridors final : public BodyPort {
 
   double firm_stiffness() const noexcept { return 0.0; }
   double stiffness_scale() const noexcept { return model().stiffness_scale(); }
-  ModelDiagnostics diagnostics() const noexcept { return model().diagnostics(); }
+  forces::ModelDiagnostics diagnostics() const noexcept { return model().diagnostics(); }
 
   // In the corridor that the needle is in, or was in last.
   Model& model() noexcept { return *taken_->model; }
@@ -126,7 +128,7 @@ class Corridors final : public BodyPort {
 
   struct Place {
     std::unique_ptr<Model> model;
-    NeedlePath path;
+    anatomy::NeedlePath path;
     double aimed_at = -1.0;   // tick; -1: the patient came with it
     std::uint32_t state = 0;  // of the body; 0: at rest
   };
@@ -155,9 +157,9 @@ class Corridors final : public BodyPort {
       if (model().holds() && take_newest()) follows_ = coming_->model->begin_to_follow(model());
       return;
     }
-    const FollowState state = coming_->model->follow(model());
-    follows_ = state == FollowState::under_way;
-    if (state != FollowState::done) return;
+    const fem::FollowState state = coming_->model->follow(model());
+    follows_ = state == fem::FollowState::under_way;
+    if (state != fem::FollowState::done) return;
     std::unique_ptr<Place> left = std::move(refreshed_);
     refreshed_ = std::move(coming_);
     taken_ = refreshed_.get();
@@ -175,7 +177,7 @@ class Corridors final : public BodyPort {
     std::size_t nearest = 0;
     double least = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
-      const NeedlePath& path = shelf_->places[i].path;
+      const anatomy::NeedlePath& path = shelf_->places[i].path;
       const double away = distance(path.entry, entry, direction) + distance(path.target, entry, direction);
       if (i > 0 && away >= least) continue;
       least = away;
@@ -184,7 +186,7 @@ class Corridors final : public BodyPort {
     return nearest;
   }
 
-  const Case* patient_;
+  const anatomy::Case* patient_;
   Settings settings_;
   double dt_;
   std::unique_ptr<Shelf> shelf_;
@@ -197,4 +199,4 @@ class Corridors final : public BodyPort {
   bool announced_ = true;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

@@ -9,7 +9,7 @@
 #include "fem/shaft_stiffness.h"
 #include "forces/beam.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 namespace {
 
@@ -17,33 +17,36 @@ constexpr double least_friction_share = 0.1;  // of the device's stiffness, left
 constexpr double least_cosine = 0.2;          // between needle and line, as EmbeddedNeedle takes it
 constexpr double least_presliding = 0.01;     // N/mm, that ClosestNodeContact takes
 
-const std::shared_ptr<const CondensedBody>& body_in(const PreparedCorridor& corridor, const Case& patient) {
+const std::shared_ptr<const anatomy::CondensedBody>& body_in(const anatomy::PreparedCorridor& corridor,
+                                                             const anatomy::Case& patient) {
   if (corridor.body != nullptr) return corridor.body;
   throw InputError(
-      std::string(name_of(patient.description.haptics.resistance)) +
+      std::string(anatomy::name_of(patient.description.haptics.resistance)) +
       " needs the deformable body of the case, and none was prepared; make a mesh with: bodkin case mesh");
 }
 
-ContactTissues tissues_in(const Case& patient) {
-  ContactTissues tissues;
-  for (const TissueProperties& tissue : patient.library.tissues()) {
-    const DeformableTissue& here = tissue.deformable;
+fem::ContactTissues tissues_in(const anatomy::Case& patient) {
+  fem::ContactTissues tissues;
+  for (const anatomy::TissueProperties& tissue : patient.library.tissues()) {
+    const anatomy::DeformableTissue& here = tissue.deformable;
     tissues[tissue.id] = {
         .friction = here.friction, .puncture_force = here.puncture_force, .stiffness = here.stiffness};
   }
   return tissues;
 }
 
-double stiffness_on_path(const CondensedBody& body, const NeedlePath& path, const EmbeddedNeedleSettings& settings) {
-  return shaft_stiffness(body, path.entry, path.direction(), path.length() + settings.body.corridor_beyond,
-                         settings.capture_radius, settings.spacing, settings.most_nodes);
+double stiffness_on_path(const anatomy::CondensedBody& body, const anatomy::NeedlePath& path,
+                         const anatomy::EmbeddedNeedleSettings& settings) {
+  return fem::shaft_stiffness(body, path.entry, path.direction(), path.length() + settings.body.corridor_beyond,
+                              settings.capture_radius, settings.spacing, settings.most_nodes);
 }
 
 // The body on a spring: moving all nodes alike is what the hand does, so to every pair of them the spring's
 // compliance is added.
-std::shared_ptr<const CondensedBody> on_spring(const std::shared_ptr<const CondensedBody>& body, double compliance) {
+std::shared_ptr<const anatomy::CondensedBody> on_spring(const std::shared_ptr<const anatomy::CondensedBody>& body,
+                                                        double compliance) {
   if (compliance == 0.0) return body;
-  auto softer = std::make_shared<CondensedBody>(*body);
+  auto softer = std::make_shared<anatomy::CondensedBody>(*body);
   for (Eigen::Index column = 0; column < softer->compliance.cols(); ++column) {
     for (Eigen::Index row = column % 3; row < softer->compliance.rows(); row += 3)
       softer->compliance(row, column) += compliance;
@@ -51,13 +54,13 @@ std::shared_ptr<const CondensedBody> on_spring(const std::shared_ptr<const Conde
   return softer;
 }
 
-bool is_bevelled(NeedleTip tip) {
-  return tip == NeedleTip::quincke || tip == NeedleTip::tuohy || tip == NeedleTip::chiba;
+bool is_bevelled(anatomy::NeedleTip tip) {
+  return tip == anatomy::NeedleTip::quincke || tip == anatomy::NeedleTip::tuohy || tip == anatomy::NeedleTip::chiba;
 }
 
 // The needle of the case as a beam; none when it is to be rigid.
-std::optional<NeedleBeam> beam_in(const Case& patient, const NeedleBendingSettings& settings) {
-  const Needle& needle = patient.description.needle;
+std::optional<fem::NeedleBeam> beam_in(const anatomy::Case& patient, const anatomy::NeedleBendingSettings& settings) {
+  const anatomy::Needle& needle = patient.description.needle;
   if (settings.cut_offset > 0.0 && !settings.flexible) {
     throw InputError("embedded_needle: cut_offset_mm is " + std::to_string(settings.cut_offset) +
                      " for a needle that does not bend; give flexible=true as well, or leave it out");
@@ -65,28 +68,28 @@ std::optional<NeedleBeam> beam_in(const Case& patient, const NeedleBendingSettin
   if (settings.cut_offset > 0.0 && !is_bevelled(needle.tip)) {
     throw InputError(
         "embedded_needle: cut_offset_mm is " + std::to_string(settings.cut_offset) + ", but a " +
-        to_string(needle.tip) +
+        anatomy::to_string(needle.tip) +
         " needle has no bevel and cuts straight; leave it out, or take a quincke, tuohy or chiba needle");
   }
   if (!settings.flexible) return {};
   const double bore = settings.stylet ? 0.0 : needle.inner_diameter;
-  return NeedleBeam({.rigidity = bending_stiffness(settings.modulus, needle.outer_diameter, bore),
-                     .length = needle.length,
-                     .hold = settings.hold,
-                     .cut_offset = settings.cut_offset});
+  return fem::NeedleBeam({.rigidity = forces::bending_stiffness(settings.modulus, needle.outer_diameter, bore),
+                          .length = needle.length,
+                          .hold = settings.hold,
+                          .cut_offset = settings.cut_offset});
 }
 
 // Reports a punctured tissue.
-void report(const std::optional<TissuePuncture>& puncture, double sunk, TickEvents& events) noexcept {
+void report(const std::optional<fem::TissuePuncture>& puncture, double sunk, forces::TickEvents& events) noexcept {
   if (!puncture) return;
   const double depth = puncture->depth + sunk;
-  events.push({EventKind::puncture, puncture->tissue, depth, puncture->force});
+  events.push({forces::EventKind::puncture, puncture->tissue, depth, puncture->force});
 }
 
 // mm along `direction` by which the node has sunk that lay nearest to `entry`; one that rose counts as none, for the
 // tick knows of no contact before the surface at rest.
 double sunk_at(const Vec3& entry, const Vec3& direction, const std::vector<Vec3>& at_rest,
-               const CondensedBody& now) noexcept {
+               const anatomy::CondensedBody& now) noexcept {
   double nearest = std::numeric_limits<double>::infinity(), sunk = 0.0;
   for (std::size_t node = 0; node < at_rest.size(); ++node) {
     const double away = (at_rest[node] - entry).squaredNorm();
@@ -99,21 +102,21 @@ double sunk_at(const Vec3& entry, const Vec3& direction, const std::vector<Vec3>
 
 }  // namespace
 
-DeformableShaft::DeformableShaft(const Case& patient, const PreparedCorridor& corridor,
-                                 const EmbeddedNeedleSettings& settings, double dt)
+DeformableShaft::DeformableShaft(const anatomy::Case& patient, const anatomy::PreparedCorridor& corridor,
+                                 const anatomy::EmbeddedNeedleSettings& settings, double dt)
     : bone_(patient) {
-  const std::shared_ptr<const CondensedBody>& body = body_in(corridor, patient);
+  const std::shared_ptr<const anatomy::CondensedBody>& body = body_in(corridor, patient);
   const double found = stiffness_on_path(*body, corridor.path, settings);
   const double rendered = std::min(found, patient.description.device.stiffness);
   if (rendered < found) scale_ = rendered / found;
   if (rendered < found) spring_ = 1.0 / rendered - 1.0 / found;
   body_ = on_spring(body, spring_);
-  needle_ =
-      std::make_unique<EmbeddedNeedle>(*body_, tissues_in(patient), settings, dt, beam_in(patient, settings.bending));
+  needle_ = std::make_unique<fem::EmbeddedNeedle>(*body_, tissues_in(patient), settings, dt,
+                                                  beam_in(patient, settings.bending));
   if (corridor.state == 0) return;
   at_rest_ = corridor.at_rest;
   if (at_rest_.size() == body->nodes.size()) return;
-  const CondensedBody& first = *body_in(patient.corridor, patient);
+  const anatomy::CondensedBody& first = *body_in(patient.corridor, patient);
   if (!at_rest_.empty() || first.mesh_nodes != body->mesh_nodes) {
     throw InputError(
         "a corridor of the pressed body has other nodes than the one that it began with, and does not say where they "
@@ -136,9 +139,9 @@ void DeformableShaft::reset() noexcept {
   beyond_ = false;
 }
 
-FollowState DeformableShaft::follow(const DeformableShaft& other) noexcept {
-  const FollowState state = needle_->follow(*other.needle_);
-  if (state != FollowState::done) return state;
+fem::FollowState DeformableShaft::follow(const DeformableShaft& other) noexcept {
+  const fem::FollowState state = needle_->follow(*other.needle_);
+  if (state != fem::FollowState::done) return state;
   bone_ = other.bone_;
   direction_ = other.direction_;
   ahead_ = other.ahead_;
@@ -147,7 +150,8 @@ FollowState DeformableShaft::follow(const DeformableShaft& other) noexcept {
   return state;
 }
 
-ResistanceForce DeformableShaft::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
+forces::ResistanceForce DeformableShaft::step(const forces::NeedleInTissue& needle,
+                                              forces::TickEvents& events) noexcept {
   const double bone = bone_.step(needle.motion.depth, needle.tissue, events);
   // At bone the needle in the body ends where the hand's line meets the depth of the bone.
   const double cosine = needle.axis.dot(direction_);
@@ -158,13 +162,13 @@ ResistanceForce DeformableShaft::step(const NeedleInTissue& needle, TickEvents& 
   pose.linear().col(0) = needle.side;
   pose.linear().col(1) = needle.axis.cross(needle.side);
   pose.linear().col(2) = needle.axis;
-  const EmbeddedNeedleForce& found = needle_->step(pose, bone_.behind());
+  const fem::EmbeddedNeedleForce& found = needle_->step(pose, bone_.behind());
   ahead_ = -short_of - spring_ * found.on_hand.force;
   tip_force_ = found.tip_force;
   nodes_ = static_cast<double>(found.nodes);
   report(found.puncture, sunk_, events);
   if (found.beyond && !beyond_ && !bone_.met())  // at bone the nodes end, for it does not move
-    events.push({EventKind::corridor_left, needle.tissue, needle.motion.depth, 0.0});
+    events.push({forces::EventKind::corridor_left, needle.tissue, needle.motion.depth, 0.0});
   beyond_ = found.beyond;
   const Vec3 across = found.on_hand.force + found.resistance * direction_;
   const Vec3 square = across - across.dot(line) * direction_;  // to the needle; what turns it
@@ -174,21 +178,21 @@ ResistanceForce DeformableShaft::step(const NeedleInTissue& needle, TickEvents& 
           .in_contact = needle.motion.depth > 0.0};
 }
 
-DeformableTip::DeformableTip(const Case& patient, const PreparedCorridor& corridor,
-                             const ClosestNodeSettings& settings, double dt)
+DeformableTip::DeformableTip(const anatomy::Case& patient, const anatomy::PreparedCorridor& corridor,
+                             const anatomy::ClosestNodeSettings& settings, double dt)
     : body_(body_in(corridor, patient)), bone_(patient) {
   const double device = patient.description.device.stiffness;
-  ContactTissues tissues = tissues_in(patient);
+  fem::ContactTissues tissues = tissues_in(patient);
   double firm = 0.0;
-  for (ContactTissue& tissue : tissues) {
+  for (fem::ContactTissue& tissue : tissues) {
     if (tissue.stiffness > device) scale_ = std::min(scale_, device / tissue.stiffness);
     tissue.stiffness = std::min(tissue.stiffness, device);
     firm = std::max(firm, tissue.stiffness);
   }
-  ClosestNodeSettings possible = settings;
+  anatomy::ClosestNodeSettings possible = settings;
   possible.presliding =
       std::min(settings.presliding, std::max({device - firm, least_friction_share * device, least_presliding}));
-  contact_ = std::make_unique<ClosestNodeContact>(*body_, tissues, possible, dt);
+  contact_ = std::make_unique<fem::ClosestNodeContact>(*body_, tissues, possible, dt);
 }
 
 void DeformableTip::begin(const Vec3& entry, const Vec3& direction) noexcept {
@@ -202,11 +206,12 @@ void DeformableTip::reset() noexcept {
   bone_.reset();
 }
 
-ResistanceForce DeformableTip::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
+forces::ResistanceForce DeformableTip::step(const forces::NeedleInTissue& needle,
+                                            forces::TickEvents& events) noexcept {
   const double bone = bone_.step(needle.motion.depth, needle.tissue, events);
-  const ClosestNodeForce found = contact_->step(needle.tip - bone_.behind() * direction_);
+  const fem::ClosestNodeForce found = contact_->step(needle.tip - bone_.behind() * direction_);
   report(found.puncture, 0.0, events);
   return {.along = found.resistance + bone, .in_contact = needle.motion.depth > 0.0};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

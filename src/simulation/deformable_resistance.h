@@ -9,7 +9,7 @@
 #include "forces/resistance_model.h"
 #include "simulation/bone_wall.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 // The resistances of a deformable body (docs/fem-contact.md) in the tick, in one of its corridors. The patient must
 // outlive them; its library says what a needle meets in each tissue. Throw InputError when the corridor has no body,
@@ -26,8 +26,8 @@ namespace bodkin {
 // body at rest, as the voxels are.
 class DeformableShaft {
  public:
-  using Settings = EmbeddedNeedleSettings;
-  static constexpr ResistanceTraits traits = {
+  using Settings = anatomy::EmbeddedNeedleSettings;
+  static constexpr forces::ResistanceTraits traits = {
       .name = "embedded_needle",
       .holds_laterally = true,
       .has_shaft_friction = true,
@@ -36,12 +36,12 @@ class DeformableShaft {
                        {"nodes", "nodes of the mesh on the shaft"}}},
   };
 
-  DeformableShaft(const Case& patient, const PreparedCorridor& corridor, const EmbeddedNeedleSettings& settings,
-                  double dt);
+  DeformableShaft(const anatomy::Case& patient, const anatomy::PreparedCorridor& corridor,
+                  const anatomy::EmbeddedNeedleSettings& settings, double dt);
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   void reset() noexcept;
-  ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
+  forces::ResistanceForce step(const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept;
   // mm by which the hand's needle is ahead of the one in the body: the spring between them, and bone.
   Vec3 ahead() const noexcept { return ahead_; }
   // What was punctured in another corridor.
@@ -49,19 +49,19 @@ class DeformableShaft {
   // See EmbeddedNeedle: transfers an inserted needle from another one. Bone stays where that one met it.
   bool holds() const noexcept { return needle_->holds(); }
   bool begin_to_follow(const DeformableShaft& other) noexcept { return needle_->begin_to_follow(*other.needle_); }
-  FollowState follow(const DeformableShaft& other) noexcept;
+  fem::FollowState follow(const DeformableShaft& other) noexcept;
   // Forces on the tissue in the last tick, by node of the mesh.
-  NodeForces node_forces() const noexcept { return of_mesh(needle_->node_forces(), *body_); }
+  fem::NodeForces node_forces() const noexcept { return fem::of_mesh(needle_->node_forces(), *body_); }
   double stiffness_scale() const noexcept { return scale_; }
-  ModelDiagnostics diagnostics() const noexcept { return {tip_force_, ahead_.norm(), nodes_}; }
+  forces::ModelDiagnostics diagnostics() const noexcept { return {tip_force_, ahead_.norm(), nodes_}; }
 
  private:
   double scale_ = 1.0;
-  std::shared_ptr<const CondensedBody> body_;
+  std::shared_ptr<const anatomy::CondensedBody> body_;
   double spring_ = 0.0;  // mm/N, compliance of the spring that the body stands on
   Vec3 ahead_ = Vec3::Zero();
-  double tip_force_ = 0.0, nodes_ = 0.0;    // N, count; of the last tick
-  std::unique_ptr<EmbeddedNeedle> needle_;  // refers to the body
+  double tip_force_ = 0.0, nodes_ = 0.0;         // N, count; of the last tick
+  std::unique_ptr<fem::EmbeddedNeedle> needle_;  // refers to the body
   BoneWall bone_;
   Vec3 direction_ = Vec3::UnitZ();
   bool beyond_ = false;  // the needle has left the corridor
@@ -74,31 +74,31 @@ class DeformableShaft {
 // stiff as it can; stiffness_scale() gives the factor.
 class DeformableTip {
  public:
-  using Settings = ClosestNodeSettings;
-  static constexpr ResistanceTraits traits = {
+  using Settings = anatomy::ClosestNodeSettings;
+  static constexpr forces::ResistanceTraits traits = {
       .name = "closest_node",
       .has_shaft_friction = true,
       .diagnostics = {{{"ahead_mm", "hand ahead of the needle in the body"}}},
   };
 
-  DeformableTip(const Case& patient, const PreparedCorridor& corridor, const ClosestNodeSettings& settings,
-                double dt);
+  DeformableTip(const anatomy::Case& patient, const anatomy::PreparedCorridor& corridor,
+                const anatomy::ClosestNodeSettings& settings, double dt);
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   void reset() noexcept;
-  ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
+  forces::ResistanceForce step(const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept;
   Vec3 ahead() const noexcept { return bone_.behind() * direction_; }
   void take_punctures(const DeformableTip& other) noexcept { contact_->take_punctures(*other.contact_); }
-  NodeForces node_forces() const noexcept { return of_mesh(contact_->node_forces(), *body_); }
+  fem::NodeForces node_forces() const noexcept { return fem::of_mesh(contact_->node_forces(), *body_); }
   double stiffness_scale() const noexcept { return scale_; }
-  ModelDiagnostics diagnostics() const noexcept { return {ahead().norm()}; }
+  forces::ModelDiagnostics diagnostics() const noexcept { return {ahead().norm()}; }
 
  private:
   double scale_ = 1.0;
-  std::shared_ptr<const CondensedBody> body_;
+  std::shared_ptr<const anatomy::CondensedBody> body_;
   BoneWall bone_;
-  std::unique_ptr<ClosestNodeContact> contact_;
+  std::unique_ptr<fem::ClosestNodeContact> contact_;
   Vec3 direction_ = Vec3::UnitZ();
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 namespace {
 
@@ -17,7 +17,7 @@ double checked_rate(double rate) {
 
 }  // namespace
 
-DisplayThread::DisplayThread(DisplayField field, double rate)
+DisplayThread::DisplayThread(fem::DisplayField field, double rate)
     : field_(std::move(field)),
       snapshots_(DisplaySnapshot{0, std::vector<float>(3 * field_.points(), 0.0F), 0.0}),
       thread_([this, pace = checked_rate(rate)](const std::stop_token& stop) { run(stop, pace); }) {}
@@ -28,7 +28,7 @@ void DisplayThread::run(const std::stop_token& stop, double rate) {
   DisplaySnapshot now{0, std::vector<float>(3 * field_.points(), 0.0F), 0.0};
   auto next = std::chrono::steady_clock::now();
   while (!stop.stop_requested()) {
-    const NodeForces& forces = forces_.read();
+    const fem::NodeForces& forces = forces_.read();
     field_.evaluate(forces, now.displacements);
     now.left_out = field_.left_out(forces);
     ++now.frame;
@@ -40,4 +40,4 @@ void DisplayThread::run(const std::stop_token& stop, double rate) {
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

@@ -9,7 +9,7 @@
 #include "fem/display_field.h"
 #include "fem/node_forces.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 // Snapshot for display: how the visible points of a body have moved.
 struct DisplaySnapshot {
@@ -23,20 +23,20 @@ struct DisplaySnapshot {
 class DisplayThread {
  public:
   // `rate`: snapshots per second, 1 to 1000. Throws InputError for another rate.
-  explicit DisplayThread(DisplayField field, double rate = 60.0);
+  explicit DisplayThread(fem::DisplayField field, double rate = 60.0);
 
   // The tick's thread only; wait-free.
-  void set_forces(const NodeForces& forces) noexcept { forces_.write(forces); }
+  void set_forces(const fem::NodeForces& forces) noexcept { forces_.write(forces); }
   // The drawing thread only: the newest snapshot, unchanged until the next call.
   const DisplaySnapshot& snapshot() noexcept { return snapshots_.read(); }
 
  private:
   void run(const std::stop_token& stop, double rate);
 
-  DisplayField field_;
-  LatestValue<NodeForces> forces_;
+  fem::DisplayField field_;
+  LatestValue<fem::NodeForces> forces_;
   LatestValue<DisplaySnapshot> snapshots_;
   std::jthread thread_;  // the last member: it uses the others
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

@@ -8,7 +8,7 @@
 #include "forces/csf_flow.h"
 #include "forces/syringe.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 namespace {
 
@@ -19,9 +19,9 @@ constexpr double longest_path = 400.0;  // mm
 //   F = k w, |F| <= limit      w from the tip across the line to the tip of the free path
 class BevelTipPart final : public ForcePart {
  public:
-  explicit BevelTipPart(const BevelTipSettings& settings)
+  explicit BevelTipPart(const anatomy::BevelTipSettings& settings)
       : settings_(settings), path_(settings.curvature, longest_path) {
-    check(settings, "bevel_tip");
+    bodkin::check(settings, "bevel_tip");
   }
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept override {
@@ -31,7 +31,8 @@ class BevelTipPart final : public ForcePart {
     aside_ = force_ = 0.0;
   }
 
-  void step(const NeedleInTissue& needle, ResistanceForce& force, TickEvents&) noexcept override {
+  void step(const forces::NeedleInTissue& needle, forces::ResistanceForce& force,
+            forces::TickEvents&) noexcept override {
     if (is_new_) start(needle);
     const double roll = std::remainder(roll_of(needle.side) - roll_, 2.0 * std::numbers::pi);
     roll_ += roll;
@@ -57,7 +58,7 @@ class BevelTipPart final : public ForcePart {
 
  private:
   // The frame of the entry: third axis along the line, first the side of the shaft.
-  void start(const NeedleInTissue& needle) noexcept {
+  void start(const forces::NeedleInTissue& needle) noexcept {
     is_new_ = false;
     Vec3 side = needle.side - needle.side.dot(direction_) * direction_;
     side = side.norm() > 1e-6 ? Vec3(side.normalized()) : direction_.unitOrthogonal();
@@ -75,8 +76,8 @@ class BevelTipPart final : public ForcePart {
     return std::atan2(side.dot(direction_.cross(side_)), side.dot(side_));
   }
 
-  BevelTipSettings settings_;
-  BevelTip path_;
+  anatomy::BevelTipSettings settings_;
+  forces::BevelTip path_;
   Vec3 entry_ = Vec3::Zero(), direction_ = Vec3::UnitZ(), side_ = Vec3::UnitX();
   bool is_new_ = true;
   double depth_ = 0.0, roll_ = 0.0;   // mm, rad
@@ -86,7 +87,7 @@ class BevelTipPart final : public ForcePart {
 // Fluid comes back through the needle while its tip is in cerebrospinal fluid.
 class CsfFlowPart final : public ForcePart {
  public:
-  CsfFlowPart(const CsfFlowSettings& settings, const Needle& needle, double dt)
+  CsfFlowPart(const anatomy::CsfFlowSettings& settings, const anatomy::Needle& needle, double dt)
       : settings_(settings), flow_(with_needle(settings, needle), dt) {}
 
   void begin(const Vec3&, const Vec3&) noexcept override {
@@ -94,13 +95,14 @@ class CsfFlowPart final : public ForcePart {
     state_ = {};
     told_ = false;
   }
-  void step(const NeedleInTissue& needle, ResistanceForce&, TickEvents& events) noexcept override {
-    const double open = needle.tissue == tissue::cerebrospinal_fluid ? 1.0 : 0.0;
+  void step(const forces::NeedleInTissue& needle, forces::ResistanceForce&,
+            forces::TickEvents& events) noexcept override {
+    const double open = needle.tissue == anatomy::tissue::cerebrospinal_fluid ? 1.0 : 0.0;
     state_ =
         settings_.manometer ? flow_.step_manometer(open, settings_.stylet) : flow_.step_drip(open, settings_.stylet);
     if (told_ || !(state_.flow > 0.0)) return;
     told_ = true;
-    events.push({EventKind::fluid_returned, needle.tissue, needle.motion.depth, state_.flow});
+    events.push({forces::EventKind::fluid_returned, needle.tissue, needle.motion.depth, state_.flow});
   }
   void reset() noexcept override { begin(Vec3::Zero(), Vec3::UnitZ()); }
   std::size_t publish(std::span<double> values) const noexcept override {
@@ -110,15 +112,15 @@ class CsfFlowPart final : public ForcePart {
   }
 
  private:
-  static CsfFlowSettings with_needle(CsfFlowSettings settings, const Needle& needle) {
+  static anatomy::CsfFlowSettings with_needle(anatomy::CsfFlowSettings settings, const anatomy::Needle& needle) {
     settings.needle_bore = needle.inner_diameter;
     settings.needle_length = needle.length;
     return settings;
   }
 
-  CsfFlowSettings settings_;
-  CsfFlow flow_;
-  CsfState state_;
+  anatomy::CsfFlowSettings settings_;
+  forces::CsfFlow flow_;
+  forces::CsfState state_;
   bool told_ = false;
 };
 
@@ -127,7 +129,8 @@ class CsfFlowPart final : public ForcePart {
 //   s' = max(0, F_thumb - F) / b          b = 2 N s/mm, of the thumb: its own damping, our choice
 class SyringePart final : public ForcePart {
  public:
-  SyringePart(const SyringeSettings& settings, const TissueLibrary& library, const Needle& needle, double dt)
+  SyringePart(const anatomy::SyringeSettings& settings, const anatomy::TissueLibrary& library,
+              const anatomy::Needle& needle, double dt)
       : settings_(settings), dt_(dt), syringe_(library, with_needle(settings, needle), dt) {}
 
   void begin(const Vec3&, const Vec3&) noexcept override {
@@ -135,15 +138,16 @@ class SyringePart final : public ForcePart {
     travel_ = highest_ = 0.0;
     told_ = false;
   }
-  void step(const NeedleInTissue& needle, ResistanceForce&, TickEvents& events) noexcept override {
+  void step(const forces::NeedleInTissue& needle, forces::ResistanceForce&,
+            forces::TickEvents& events) noexcept override {
     const double wanted = std::max(0.0, settings_.thumb_force - syringe_.state().force) / thumb_damping;
     const double speed = travel_ < barrel ? wanted : 0.0;
-    const SyringeState& state = syringe_.step(speed, needle.tissue);
+    const forces::SyringeState& state = syringe_.step(speed, needle.tissue);
     travel_ = std::min(barrel, travel_ + speed * dt_);
     highest_ = std::max(highest_, state.pressure);
     if (told_ || highest_ < least_pressure || state.pressure > 0.5 * highest_ || travel_ >= barrel) return;
     told_ = true;
-    events.push({EventKind::pressure_lost, needle.tissue, needle.motion.depth, highest_ - state.pressure});
+    events.push({forces::EventKind::pressure_lost, needle.tissue, needle.motion.depth, highest_ - state.pressure});
   }
   void reset() noexcept override { begin(Vec3::Zero(), Vec3::UnitZ()); }
   std::size_t publish(std::span<double> values) const noexcept override {
@@ -157,15 +161,15 @@ class SyringePart final : public ForcePart {
   static constexpr double barrel = 60.0;           // mm
   static constexpr double least_pressure = 0.005;  // MPa: less is no wall that could be lost
 
-  static SyringeSettings with_needle(SyringeSettings settings, const Needle& needle) {
+  static anatomy::SyringeSettings with_needle(anatomy::SyringeSettings settings, const anatomy::Needle& needle) {
     settings.needle_bore = needle.inner_diameter;
     settings.needle_length = needle.length;
     return settings;
   }
 
-  SyringeSettings settings_;
+  anatomy::SyringeSettings settings_;
   double dt_;
-  Syringe syringe_;
+  forces::Syringe syringe_;
   double travel_ = 0.0;   // mm
   double highest_ = 0.0;  // MPa
   bool told_ = false;
@@ -173,9 +177,9 @@ class SyringePart final : public ForcePart {
 
 }  // namespace
 
-std::vector<std::unique_ptr<ForcePart>> make_force_parts(const Case& patient, double dt) {
-  const ForceParts& parts = patient.description.haptics.parts;
-  const Needle& needle = patient.description.needle;
+std::vector<std::unique_ptr<ForcePart>> make_force_parts(const anatomy::Case& patient, double dt) {
+  const anatomy::ForceParts& parts = patient.description.haptics.parts;
+  const anatomy::Needle& needle = patient.description.needle;
   std::vector<std::unique_ptr<ForcePart>> made;
   if (parts.bevel_tip) made.push_back(std::make_unique<BevelTipPart>(*parts.bevel_tip));
   if (parts.csf_flow) made.push_back(std::make_unique<CsfFlowPart>(*parts.csf_flow, needle, dt));
@@ -183,15 +187,16 @@ std::vector<std::unique_ptr<ForcePart>> make_force_parts(const Case& patient, do
   return made;
 }
 
-std::vector<DiagnosticName> force_part_diagnostics(const ForceParts& parts) {
-  std::vector<DiagnosticName> names;
+std::vector<forces::DiagnosticName> force_part_diagnostics(const anatomy::ForceParts& parts) {
+  std::vector<forces::DiagnosticName> names;
   if (parts.bevel_tip)
     names.insert(names.end(), {{"bevel_aside_mm", "path of the bevel beside the line"},
                                {"bevel_N", "pull of the tissue on the bevel"}});
   if (parts.csf_flow) {
     names.push_back({"csf_flow_mm3_s", "flow of cerebrospinal fluid"});
-    names.push_back(parts.csf_flow->manometer ? DiagnosticName{"csf_height_mm", "fluid in the manometer"}
-                                              : DiagnosticName{"csf_collected_mm3", "fluid that has dripped"});
+    names.push_back(parts.csf_flow->manometer
+                        ? forces::DiagnosticName{"csf_height_mm", "fluid in the manometer"}
+                        : forces::DiagnosticName{"csf_collected_mm3", "fluid that has dripped"});
   }
   if (parts.syringe)
     names.insert(names.end(),
@@ -199,4 +204,4 @@ std::vector<DiagnosticName> force_part_diagnostics(const ForceParts& parts) {
   return names;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

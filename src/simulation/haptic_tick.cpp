@@ -13,21 +13,22 @@
 #include "simulation/needle_contact.h"
 #include "simulation/resistance.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 namespace {
 
 constexpr double tissue_slack = 0.2;   // mm that the tip must move before another change of tissue is an event
 constexpr int limit_event_rest = 100;  // ticks without intervention before the next one is an event again
-constexpr std::uint8_t interventions = force_limit::passivity | force_limit::peak | force_limit::thermal;
+constexpr std::uint8_t interventions =
+    haptics::force_limit::passivity | haptics::force_limit::peak | haptics::force_limit::thermal;
 
 // The case, if its numbers can be simulated.
-const Case& checked(const Case& patient) {
+const anatomy::Case& checked(const anatomy::Case& patient) {
   if (patient.tissues.empty()) throw InputError("the case has no tissues, so there is nothing to feel");
-  const HapticSettings& haptics = patient.description.haptics;
-  check(haptics, "haptics");
+  const anatomy::HapticSettings& haptics = patient.description.haptics;
+  bodkin::check(haptics, "haptics");
   // A program may simulate a stronger device than a case file names.
-  const DeviceLimits& device = patient.description.device;
+  const anatomy::DeviceLimits& device = patient.description.device;
   constexpr Range positive = {0.0, unbounded, false, false}, not_negative = from_to_below(0.0, unbounded);
   check_range("device", "peak_force_N", device.peak_force, positive, "N");
   check_range("device", "continuous_force_N", device.continuous_force, above(0.0, device.peak_force), "N");
@@ -37,8 +38,8 @@ const Case& checked(const Case& patient) {
   return patient;
 }
 
-GovernorSettings governor_settings(const Case& patient, double dt, double velocity_threshold) {
-  GovernorSettings settings;
+haptics::GovernorSettings governor_settings(const anatomy::Case& patient, double dt, double velocity_threshold) {
+  haptics::GovernorSettings settings;
   settings.dt = dt;
   settings.peak_force = patient.description.device.peak_force;
   settings.continuous_force = patient.description.device.continuous_force;
@@ -50,7 +51,7 @@ GovernorSettings governor_settings(const Case& patient, double dt, double veloci
 }  // namespace
 
 struct HapticTick::State {
-  explicit State(const Case& from)
+  explicit State(const anatomy::Case& from)
       : patient(checked(from)),
         dt(1.0 / from.description.haptics.rate),
         motion(dt, from.description.device.position_resolution),
@@ -59,19 +60,19 @@ struct HapticTick::State {
         compensation(from.description.haptics.compensation),
         governor(governor_settings(from, dt, motion.threshold())) {}
 
-  const Case& patient;
+  const anatomy::Case& patient;
   double dt;
   MotionEstimator motion;
   Resistance resistance;
   Constraint constraint;
-  GravityCompensation compensation;
-  ForceGovernor governor;
+  forces::GravityCompensation compensation;
+  haptics::ForceGovernor governor;
   NeedleContact contact;
   LossOfResistance loss;
   Vec3 last_tip = Vec3::Zero();
-  bool seen = false;                 // there was a tick before
-  TissueId announced = tissue::air;  // tissue of the last tissue_entered
-  Vec3 announced_at = Vec3::Zero();  // LPS mm
+  bool seen = false;                                   // there was a tick before
+  anatomy::TissueId announced = anatomy::tissue::air;  // tissue of the last tissue_entered
+  Vec3 announced_at = Vec3::Zero();                    // LPS mm
   bool anything_announced = false;
   int quiet_ticks = limit_event_rest;  // since the governor last intervened
   TickOutput last;                     // what is repeated while a fault lasts
@@ -88,7 +89,7 @@ void HapticTick::State::announce_tissue(const Vec3& tip, TickOutput& output) noe
   announced = output.tissue;
   announced_at = tip;
   anything_announced = true;
-  output.events.push({EventKind::tissue_entered, announced, output.depth, 0.0});
+  output.events.push({forces::EventKind::tissue_entered, announced, output.depth, 0.0});
 }
 
 void HapticTick::State::announce_limits(const Vec3& wanted, TickOutput& output) noexcept {
@@ -97,7 +98,7 @@ void HapticTick::State::announce_limits(const Vec3& wanted, TickOutput& output) 
     return;
   }
   if (quiet_ticks == limit_event_rest) {
-    output.events.push({EventKind::force_limited, output.tissue, output.depth, wanted.norm()});
+    output.events.push({forces::EventKind::force_limited, output.tissue, output.depth, wanted.norm()});
   }
   quiet_ticks = 0;
 }
@@ -108,7 +109,7 @@ TickOutput HapticTick::State::fault() noexcept {
   output.events.clear();
   if (!governor.failed()) {
     governor.fail();
-    output.events.push({EventKind::fault, output.tissue, output.depth, 0.0});
+    output.events.push({forces::EventKind::fault, output.tissue, output.depth, 0.0});
   }
   output.requested = Wrench{};
   output.resistance = output.constraint = output.velocity = 0.0;
@@ -121,7 +122,7 @@ TickOutput HapticTick::State::fault() noexcept {
 
 TickOutput HapticTick::State::step(const Vec3& tip, const Vec3& axis, const Vec3& side) noexcept {
   TickOutput output;
-  output.tissue = nearest<TissueId>(patient.tissues, tip, tissue::air);
+  output.tissue = anatomy::nearest<anatomy::TissueId>(patient.tissues, tip, anatomy::tissue::air);
   const double advance = seen ? (tip - last_tip).dot(contact.held() ? contact.direction() : axis) : 0.0;
   seen = true;
   last_tip = tip;
@@ -133,7 +134,7 @@ TickOutput HapticTick::State::step(const Vec3& tip, const Vec3& axis, const Vec3
     constraint.begin(contact.entry(), contact.direction(), tip);
     loss.begin();
     motion.rebase(contact.depth(tip) - advance);
-    output.events.push({EventKind::contact, output.tissue, 0.0, 0.0});
+    output.events.push({forces::EventKind::contact, output.tissue, 0.0, 0.0});
   }
 
   // Free, the estimator follows the motion along the needle; held, the depth along the frozen line.
@@ -142,15 +143,15 @@ TickOutput HapticTick::State::step(const Vec3& tip, const Vec3& axis, const Vec3
 
   // Along the frozen line, not the present axis: the deformation is measured there, so the work of the resistance is
   // that of the law, and a tilt of the hand neither gains nor loses energy.
-  ForceRequest request{.axis = contact.held() ? contact.direction() : axis,
-                       .velocity = advance / dt,
-                       .compensation = compensation.step(tip)};
+  haptics::ForceRequest request{.axis = contact.held() ? contact.direction() : axis,
+                                .velocity = advance / dt,
+                                .compensation = compensation.step(tip)};
   double stiffness = 0.0;
   if (contact.held()) {
     output.depth = moving.depth;
-    const NeedleInTissue needle{
+    const forces::NeedleInTissue needle{
         .motion = moving, .tip = tip, .tissue = output.tissue, .axis = axis, .side = side, .rail = constraint.rail()};
-    const ResistanceForce tissue_force = resistance.step(needle, output.events);
+    const forces::ResistanceForce tissue_force = resistance.step(needle, output.events);
     stiffness = tissue_force.stiffness;
     output.diagnostics = resistance.diagnostics();
     if (tissue_force.in_contact) {
@@ -162,7 +163,7 @@ TickOutput HapticTick::State::step(const Vec3& tip, const Vec3& axis, const Vec3
       request.torque = output.requested.torque = tissue_force.torque + held.torque;
       output.constraint = request.constraint.norm();
     } else {
-      output.events.push({EventKind::withdrawn, output.tissue, output.depth, 0.0});
+      output.events.push({forces::EventKind::withdrawn, output.tissue, output.depth, 0.0});
       contact.release();
     }
   }
@@ -173,12 +174,12 @@ TickOutput HapticTick::State::step(const Vec3& tip, const Vec3& axis, const Vec3
   output.applied.torque = governor.torque();
   output.energy = governor.passivity().energy();
   output.limits = governor.flags();
-  if (stiffness > patient.description.device.stiffness) output.limits |= force_limit::stiffness;
+  if (stiffness > patient.description.device.stiffness) output.limits |= haptics::force_limit::stiffness;
   announce_limits(output.requested.force, output);
   return output;
 }
 
-HapticTick::HapticTick(const Case& patient) : state_(std::make_unique<State>(patient)) {}
+HapticTick::HapticTick(const anatomy::Case& patient) : state_(std::make_unique<State>(patient)) {}
 HapticTick::~HapticTick() = default;
 HapticTick::HapticTick(HapticTick&&) noexcept = default;
 HapticTick& HapticTick::operator=(HapticTick&&) noexcept = default;
@@ -191,7 +192,7 @@ BodyPort* HapticTick::body() noexcept {
   return state_->resistance.body();
 }
 
-std::span<const DiagnosticName> HapticTick::diagnostic_names() const noexcept {
+std::span<const forces::DiagnosticName> HapticTick::diagnostic_names() const noexcept {
   return state_->resistance.diagnostic_names();
 }
 
@@ -206,7 +207,7 @@ void HapticTick::reset() noexcept {
   state.governor.reset();
   state.contact.reset();
   state.seen = state.anything_announced = false;
-  state.announced = tissue::air;
+  state.announced = anatomy::tissue::air;
   state.quiet_ticks = limit_event_rest;
   state.last = TickOutput{};
 }
@@ -227,11 +228,11 @@ TickOutput HapticTick::step(const TickInput& input) noexcept {
     state.last.applied = output.applied;
     state.last.limits = output.limits;
     TickOutput failed = state.last;
-    failed.events.push({EventKind::fault, failed.tissue, failed.depth, 0.0});
+    failed.events.push({forces::EventKind::fault, failed.tissue, failed.depth, 0.0});
     return failed;
   }
   state.last = output;
   return output;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

@@ -7,7 +7,7 @@
 #include "simulation/body_port.h"
 #include "simulation/tick_record.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 // The one function that a servo calls a thousand times a second: needle in tissue to force on the hand, through the
 // governor. Deterministic: the same case and the same inputs give the same bits. step() allocates nothing, locks
@@ -15,7 +15,7 @@ namespace bodkin {
 class HapticTick {
  public:
   // Throws InputError when the case's parameters make a model impossible or the case has no tissues.
-  explicit HapticTick(const Case& patient);
+  explicit HapticTick(const anatomy::Case& patient);
   ~HapticTick();
   HapticTick(HapticTick&&) noexcept;
   HapticTick& operator=(HapticTick&&) noexcept;
@@ -25,7 +25,7 @@ class HapticTick {
   BodyPort* body() noexcept;
 
   // Names of TickOutput::diagnostics; they live as long as this.
-  std::span<const DiagnosticName> diagnostic_names() const noexcept;
+  std::span<const forces::DiagnosticName> diagnostic_names() const noexcept;
 
   // s; 1 / rate of the case.
   double dt() const noexcept;
@@ -39,4 +39,4 @@ class HapticTick {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

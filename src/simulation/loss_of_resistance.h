@@ -6,7 +6,7 @@
 #include "core/axial_motion.h"
 #include "forces/events.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 // The loss of resistance by which the epidural space is found, seen from outside any force model: the tip has gone
 // through the ligamentum flavum into the space behind it, and the force along the needle falls.
@@ -32,8 +32,8 @@ class LossOfResistance {
 
   // One tick in contact: the tissue at the tip and the force along the line, N. Appends loss_of_resistance with the
   // tissue of the space and the drop, N.
-  void step(const AxialMotion& motion, TissueId tissue, double force, TickEvents& events) noexcept {
-    const bool in_flavum = tissue == tissue::ligamentum_flavum;
+  void step(const AxialMotion& motion, anatomy::TissueId tissue, double force, forces::TickEvents& events) noexcept {
+    const bool in_flavum = tissue == anatomy::tissue::ligamentum_flavum;
     if (in_flavum && motion.depth > deepest_) {
       if (!watching_) before_ = 0.0;
       watching_ = true;
@@ -49,7 +49,7 @@ class LossOfResistance {
     }
     const double drop = before_ - force;
     if (is_epidural_or_beyond(tissue) && advances && drop >= std::max(least_drop, least_share * before_)) {
-      events.push({EventKind::loss_of_resistance, tissue, motion.depth, drop});
+      events.push({forces::EventKind::loss_of_resistance, tissue, motion.depth, drop});
       watching_ = false;
       return;
     }
@@ -57,9 +57,9 @@ class LossOfResistance {
   }
 
  private:
-  static constexpr bool is_epidural_or_beyond(TissueId tissue) noexcept {
-    return tissue == tissue::epidural_fat || tissue == tissue::dura || tissue == tissue::cerebrospinal_fluid ||
-           tissue == tissue::nerve;
+  static constexpr bool is_epidural_or_beyond(anatomy::TissueId tissue) noexcept {
+    return tissue == anatomy::tissue::epidural_fat || tissue == anatomy::tissue::dura ||
+           tissue == anatomy::tissue::cerebrospinal_fluid || tissue == anatomy::tissue::nerve;
   }
 
   bool watching_ = false;
@@ -69,4 +69,4 @@ class LossOfResistance {
   double last_depth_ = 0.0;  // mm
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

@@ -1,30 +1,32 @@
 #include "simulation/needle_contact.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 namespace {
 
 constexpr int bisections = 24;  // a step of 1 m is then known to 0.1 um
 
-Vec3 surface_between(Vec3 outside, Vec3 inside, const TissueVolume& tissues) noexcept {
+Vec3 surface_between(Vec3 outside, Vec3 inside, const anatomy::TissueVolume& tissues) noexcept {
   for (int step = 0; step < bisections; ++step) {
     const Vec3 middle = 0.5 * (outside + inside);
-    (nearest<TissueId>(tissues, middle, tissue::air) == tissue::air ? outside : inside) = middle;
+    (anatomy::nearest<anatomy::TissueId>(tissues, middle, anatomy::tissue::air) == anatomy::tissue::air ? outside
+                                                                                                        : inside) =
+        middle;
   }
   return inside;
 }
 
 }  // namespace
 
-void NeedleContact::follow(const Vec3& tip, TissueId tissue) noexcept {
+void NeedleContact::follow(const Vec3& tip, anatomy::TissueId tissue) noexcept {
   last_tip_ = tip;
-  was_in_air_ = tissue == tissue::air;
+  was_in_air_ = tissue == anatomy::tissue::air;
   seen_ = true;
 }
 
-bool NeedleContact::touches(const Vec3& tip, const Vec3& axis, TissueId tissue,
-                            const TissueVolume& tissues) noexcept {
-  if (tissue != tissue::air && seen_) {
+bool NeedleContact::touches(const Vec3& tip, const Vec3& axis, anatomy::TissueId tissue,
+                            const anatomy::TissueVolume& tissues) noexcept {
+  if (tissue != anatomy::tissue::air && seen_) {
     const Vec3 entry = was_in_air_ ? surface_between(last_tip_, tip, tissues) : last_tip_;
     // A tip that slides into the body sideways or backwards does not touch it point first; it does once it advances.
     if ((tip - entry).dot(axis) > 0.0) {
@@ -37,4 +39,4 @@ bool NeedleContact::touches(const Vec3& tip, const Vec3& axis, TissueId tissue,
   return held_;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

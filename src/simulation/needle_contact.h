@@ -4,7 +4,7 @@
 #include "anatomy/volume.h"
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 // Finds the moment at which a needle's tip enters the body, and keeps the line on which it did: entry point p0 and
 // direction u0, frozen until release() (Heng et al. 2004, section 6.3).
@@ -14,9 +14,10 @@ class NeedleContact {
   // air into tissue and on along its axis. The entry point is found between the two ticks by bisection on the
   // tissues. A needle whose first pose is inside the body touches it there as soon
   // as it moves on.
-  bool touches(const Vec3& tip, const Vec3& axis, TissueId tissue, const TissueVolume& tissues) noexcept;
+  bool touches(const Vec3& tip, const Vec3& axis, anatomy::TissueId tissue,
+               const anatomy::TissueVolume& tissues) noexcept;
   // A new tick while the line holds.
-  void follow(const Vec3& tip, TissueId tissue) noexcept;
+  void follow(const Vec3& tip, anatomy::TissueId tissue) noexcept;
   // The needle is free again.
   void release() noexcept { held_ = false; }
   void reset() noexcept { *this = NeedleContact(); }
@@ -36,4 +37,4 @@ class NeedleContact {
   Vec3 direction_ = Vec3::UnitZ();
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 namespace {
 
@@ -42,7 +42,7 @@ double Operator::SlowNoise::next() noexcept {
   return from_ + share * (to_ - from_);
 }
 
-Operator::Operator(const OperatorScript& script, const NeedlePath& path, std::uint64_t seed, double dt)
+Operator::Operator(const OperatorScript& script, const anatomy::NeedlePath& path, std::uint64_t seed, double dt)
     : script_((check(script, "operator '" + script.name + "'"), script)),
       path_(path),
       dt_(dt),
@@ -201,4 +201,4 @@ Pose Operator::step(const OperatorSense& sense) noexcept {
   return needle_pose(entry_ + drift + intended_ * direction, direction);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

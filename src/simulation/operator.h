@@ -8,7 +8,7 @@
 #include "core/random.h"
 #include "simulation/operator_script.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 // All that an operator knows of the world at one tick: where the own hand holds the needle, and what the hand feels.
 struct OperatorSense {
@@ -21,7 +21,7 @@ struct OperatorSense {
 class Operator {
  public:
   // Throws InputError for a script that cannot be performed or a path of no length. `dt`: s.
-  Operator(const OperatorScript& script, const NeedlePath& path, std::uint64_t seed, double dt);
+  Operator(const OperatorScript& script, const anatomy::NeedlePath& path, std::uint64_t seed, double dt);
 
   // Where the needle is held before the first tick.
   Pose start() const noexcept;
@@ -63,7 +63,7 @@ class Operator {
   void move() noexcept;
 
   OperatorScript script_;
-  NeedlePath path_;
+  anatomy::NeedlePath path_;
   double dt_;
   Random random_;
   SlowNoise speed_noise_;
@@ -98,4 +98,4 @@ class Operator {
   int sample_ticks_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

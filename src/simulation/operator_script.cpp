@@ -4,7 +4,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 namespace {
 
@@ -72,7 +72,7 @@ void check_phase(const OperatorPhase& phase, int phases, const Checker& checker)
 void check(const OperatorScript& script, const std::string& origin) {
   const Checker checker(origin);
   try {
-    check(script.hand);
+    haptics::check(script.hand);
   } catch (const InputError& error) {
     checker.fail(error.what());
   }
@@ -94,4 +94,4 @@ void check(const OperatorScript& script, const std::string& origin) {
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

@@ -7,7 +7,7 @@
 
 #include "haptics/simulated_hand.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 // When a phase of an operator ends. Everything that is given must hold together. What is felt (the forces and the
 // hardness) is answered after the operator's reaction time, what is planned (time and the needle's marks) at once.
@@ -46,7 +46,7 @@ struct OperatorPhase {
 struct OperatorScript {
   std::string name;
   std::string description;
-  HandParameters hand;
+  haptics::HandParameters hand;
   double aim_position = 0.5;          // mm, standard deviation of the entry point along each of two axes
   double aim_angle = 0.0087;          // rad, standard deviation of the direction about each of two axes
   double reaction = 0.18;             // s, mean from feeling to acting
@@ -62,4 +62,4 @@ struct OperatorScript {
 // phase that follows but does not exist. `origin` names the script in the sentence.
 void check(const OperatorScript& script, const std::string& origin);
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

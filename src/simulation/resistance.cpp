@@ -13,7 +13,7 @@
 #include "simulation/force_part.h"
 #include "simulation/resistance_models.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 namespace {
 
@@ -28,7 +28,7 @@ double roll_about(const Vec3& line, const Vec3& side) noexcept {
 }
 
 // Throws InputError for a part that the model cannot have.
-void check_parts(const ForceParts& parts, const ResistanceTraits& model) {
+void check_parts(const anatomy::ForceParts& parts, const forces::ResistanceTraits& model) {
   if (!parts.relaxation.empty() && !model.can_relax)
     refuse_part("relaxation", model.name, "use it with spring_damper_wall, or with tracking_wall without leash");
   if (parts.shaft_friction && model.has_shaft_friction)
@@ -41,13 +41,13 @@ void check_parts(const ForceParts& parts, const ResistanceTraits& model) {
 }  // namespace
 
 struct Resistance::State {
-  State(const Case& patient, double dt)
+  State(const anatomy::Case& patient, double dt)
       : model(make_resistance(patient, dt)),
         relaxation(patient.description.haptics.parts.relaxation, dt),
         others(make_force_parts(patient, dt)),
-        names(bodkin::diagnostic_names(patient.description.haptics)),
-        model_names(count_of(model->traits().diagnostics)) {
-    const ForceParts& parts = patient.description.haptics.parts;
+        names(bodkin::simulation::diagnostic_names(patient.description.haptics)),
+        model_names(forces::count_of(model->traits().diagnostics)) {
+    const anatomy::ForceParts& parts = patient.description.haptics.parts;
     check_parts(parts, model->traits());
     relaxes = !parts.relaxation.empty();
     if (parts.needle_grasp) grasp.emplace(*parts.needle_grasp);
@@ -55,19 +55,19 @@ struct Resistance::State {
   }
 
   std::unique_ptr<AnyResistance> model;
-  PronyRelaxation relaxation;
+  forces::PronyRelaxation relaxation;
   bool relaxes = false;
-  std::optional<ShaftFrictionResistance> friction;
-  std::optional<NeedleGrasp> grasp;
+  std::optional<forces::ShaftFrictionResistance> friction;
+  std::optional<forces::NeedleGrasp> grasp;
   std::vector<std::unique_ptr<ForcePart>> others;  // the parts that are not above
   Vec3 direction = Vec3::UnitZ();                  // of the frozen line
-  TickEvents found;                                // events of the model, of which some are the tick's to report
+  forces::TickEvents found;                        // events of the model, of which some are the tick's to report
   double grip = 1.0, friction_force = 0.0;         // of the last tick
-  std::vector<DiagnosticName> names;
+  std::vector<forces::DiagnosticName> names;
   std::size_t model_names;  // of them those of the model, the first
 };
 
-Resistance::Resistance(const Case& patient, double dt) : state_(std::make_unique<State>(patient, dt)) {}
+Resistance::Resistance(const anatomy::Case& patient, double dt) : state_(std::make_unique<State>(patient, dt)) {}
 Resistance::~Resistance() = default;
 Resistance::Resistance(Resistance&&) noexcept = default;
 Resistance& Resistance::operator=(Resistance&&) noexcept = default;
@@ -82,12 +82,12 @@ void Resistance::begin(const Vec3& entry, const Vec3& direction) noexcept {
   for (const auto& part : state.others) part->begin(entry, direction);
 }
 
-ResistanceForce Resistance::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
+forces::ResistanceForce Resistance::step(const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept {
   State& state = *state_;
   state.found.clear();
-  NeedleInTissue held = needle;
+  forces::NeedleInTissue held = needle;
   if (state.grasp) held.grip = state.grip = state.grasp->step(roll_about(state.direction, needle.side));
-  ResistanceForce force = state.model->step(held, state.found);
+  forces::ResistanceForce force = state.model->step(held, state.found);
   // Relaxed tissue that is unloaded does not pull the needle in.
   if (state.relaxes) force.along = std::max(0.0, state.relaxation.step(force.along));
   if (state.friction) {
@@ -95,9 +95,10 @@ ResistanceForce Resistance::step(const NeedleInTissue& needle, TickEvents& event
     force.along += state.friction_force;
   }
   for (const auto& part : state.others) part->step(held, force, state.found);
-  for (const Event& event : state.found) {
+  for (const forces::Event& event : state.found) {
     // Contact and withdrawal are the tick's to say; a fault is a motion that the tick does not let through.
-    if (event.kind == EventKind::contact || event.kind == EventKind::withdrawn || event.kind == EventKind::fault)
+    if (event.kind == forces::EventKind::contact || event.kind == forces::EventKind::withdrawn ||
+        event.kind == forces::EventKind::fault)
       continue;
     events.push(event);
   }
@@ -121,14 +122,14 @@ bool Resistance::holds_laterally() const noexcept {
   return state_->model->traits().holds_laterally;
 }
 
-std::span<const DiagnosticName> Resistance::diagnostic_names() const noexcept {
+std::span<const forces::DiagnosticName> Resistance::diagnostic_names() const noexcept {
   return state_->names;
 }
 
-Diagnostics Resistance::diagnostics() const noexcept {
+forces::Diagnostics Resistance::diagnostics() const noexcept {
   const State& state = *state_;
-  Diagnostics values{};
-  const ModelDiagnostics of_model = state.model->diagnostics();
+  forces::Diagnostics values{};
+  const forces::ModelDiagnostics of_model = state.model->diagnostics();
   std::size_t at = 0;
   for (; at < state.model_names; ++at) values[at] = of_model[at];
   if (state.friction) values[at++] = state.friction_force;
@@ -141,4 +142,4 @@ BodyPort* Resistance::body() noexcept {
   return state_->model->body();
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

@@ -7,7 +7,7 @@
 #include "forces/resistance_model.h"
 #include "simulation/body_port.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 // The resistance that a case chooses, with its parts: any of resistance_models(). Deterministic; step() allocates
 // nothing. The case must outlive the object.
@@ -15,7 +15,7 @@ class Resistance {
  public:
   // Throws InputError when settings or tissues make the model impossible, active, or too stiff for the device, and
   // for a part that does not go with the model.
-  Resistance(const Case& patient, double dt);
+  Resistance(const anatomy::Case& patient, double dt);
   ~Resistance();
   Resistance(Resistance&&) noexcept;
   Resistance& operator=(Resistance&&) noexcept;
@@ -23,7 +23,7 @@ class Resistance {
   // A new line: nothing is touched yet. Models that remember channels do.
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   // One tick on the line. Events are appended.
-  ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
+  forces::ResistanceForce step(const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept;
   // Forgets channels too.
   void reset() noexcept;
 
@@ -35,12 +35,12 @@ class Resistance {
   // ResistanceTraits::holds_laterally of the model.
   bool holds_laterally() const noexcept;
   // What model and parts publish each tick, by name; the values of the last tick, in the same order.
-  std::span<const DiagnosticName> diagnostic_names() const noexcept;
-  Diagnostics diagnostics() const noexcept;
+  std::span<const forces::DiagnosticName> diagnostic_names() const noexcept;
+  forces::Diagnostics diagnostics() const noexcept;
 
  private:
   struct State;
   std::unique_ptr<State> state_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

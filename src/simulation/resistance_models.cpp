@@ -21,27 +21,27 @@
 #include "simulation/deformable_resistance.h"
 #include "simulation/force_part.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 namespace {
 
 template <typename Settings>
-const Settings& settings_of(const Case& patient) {
+const Settings& settings_of(const anatomy::Case& patient) {
   return std::get<Settings>(patient.description.haptics.resistance);
 }
 
-template <ResistanceModel Model>
+template <forces::ResistanceModel Model>
 constexpr ResistanceEntry entry_of() {
-  return {Model::traits, [](const Case& patient, double dt) -> std::unique_ptr<AnyResistance> {
+  return {Model::traits, [](const anatomy::Case& patient, double dt) -> std::unique_ptr<AnyResistance> {
             return std::make_unique<ResistanceOf<Model>>(patient, settings_of<typename Model::Settings>(patient), dt);
           }};
 }
 
 // One name for two models: the wall stays on the line, or may leave it.
-std::unique_ptr<AnyResistance> make_tracking_wall(const Case& patient, double dt) {
-  const auto& settings = settings_of<TrackingWallSettings>(patient);
-  if (settings.leash) return std::make_unique<ResistanceOf<TrackingWallLeash>>(patient, settings, dt);
-  return std::make_unique<ResistanceOf<TrackingWall>>(patient, settings, dt);
+std::unique_ptr<AnyResistance> make_tracking_wall(const anatomy::Case& patient, double dt) {
+  const auto& settings = settings_of<anatomy::TrackingWallSettings>(patient);
+  if (settings.leash) return std::make_unique<ResistanceOf<forces::TrackingWallLeash>>(patient, settings, dt);
+  return std::make_unique<ResistanceOf<forces::TrackingWall>>(patient, settings, dt);
 }
 
 // Of programs outside; filled before the first case that needs them.
@@ -51,15 +51,15 @@ std::vector<ResistanceEntry>& registered() {
 }
 
 constexpr ResistanceEntry models[] = {
-    entry_of<LayeredResistance>(),
-    entry_of<SpringDamperWall>(),
-    {TrackingWall::traits, make_tracking_wall},
-    entry_of<DepthProfile>(),
-    entry_of<VolumeProxy>(),
-    entry_of<ThreeComponent>(),
-    entry_of<Fracture>(),
-    entry_of<ShaftFrictionResistance>(),
-    entry_of<SurfaceProxyResistance>(),
+    entry_of<forces::LayeredResistance>(),
+    entry_of<forces::SpringDamperWall>(),
+    {forces::TrackingWall::traits, make_tracking_wall},
+    entry_of<forces::DepthProfile>(),
+    entry_of<forces::VolumeProxy>(),
+    entry_of<forces::ThreeComponent>(),
+    entry_of<forces::Fracture>(),
+    entry_of<forces::ShaftFrictionResistance>(),
+    entry_of<forces::SurfaceProxyResistance>(),
     entry_of<Corridors<DeformableShaft>>(),
     entry_of<Corridors<DeformableTip>>(),
 };
@@ -74,8 +74,8 @@ const ResistanceEntry* find(std::string_view name) {
   return nullptr;
 }
 
-const ResistanceEntry& entry_for(const HapticSettings& haptics) {
-  const std::string name(model_name(haptics.resistance));
+const ResistanceEntry& entry_for(const anatomy::HapticSettings& haptics) {
+  const std::string name(anatomy::model_name(haptics.resistance));
   if (const ResistanceEntry* found = find(name)) return *found;
   std::string names;
   for (const ResistanceEntry& entry : models) names += (names.empty() ? "" : ", ") + std::string(entry.traits.name);
@@ -99,19 +99,19 @@ void register_resistance(const ResistanceEntry& entry) {
   registered().push_back(entry);
 }
 
-std::vector<DiagnosticName> diagnostic_names(const HapticSettings& haptics) {
-  std::vector<DiagnosticName> names;
-  for (const DiagnosticName& name : entry_for(haptics).traits.diagnostics) {
+std::vector<forces::DiagnosticName> diagnostic_names(const anatomy::HapticSettings& haptics) {
+  std::vector<forces::DiagnosticName> names;
+  for (const forces::DiagnosticName& name : entry_for(haptics).traits.diagnostics) {
     if (!name.name.empty()) names.push_back(name);
   }
   if (haptics.parts.shaft_friction) names.push_back({"shaft_friction_N", "friction of the shaft"});
   if (haptics.parts.needle_grasp) names.push_back({"grip", "factor on the friction of the shaft"});
-  for (const DiagnosticName& name : force_part_diagnostics(haptics.parts)) names.push_back(name);
+  for (const forces::DiagnosticName& name : force_part_diagnostics(haptics.parts)) names.push_back(name);
   return names;
 }
 
-std::unique_ptr<AnyResistance> make_resistance(const Case& patient, double dt) {
+std::unique_ptr<AnyResistance> make_resistance(const anatomy::Case& patient, double dt) {
   return entry_for(patient.description.haptics).make(patient, dt);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

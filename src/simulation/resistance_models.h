@@ -8,13 +8,13 @@
 #include "core/settings_tree.h"
 #include "simulation/any_resistance.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 // A resistance that a case can choose by name. `make` reads the settings from the patient's description; it throws
 // InputError as the model's constructor does.
 struct ResistanceEntry {
-  ResistanceTraits traits;
-  std::unique_ptr<AnyResistance> (*make)(const Case& patient, double dt);
+  forces::ResistanceTraits traits;
+  std::unique_ptr<AnyResistance> (*make)(const anatomy::Case& patient, double dt);
 };
 
 // All of Bodkin. To add a model: its file pair in forces, one line here (docs/adding-a-force-model.md).
@@ -27,11 +27,11 @@ void register_resistance(const ResistanceEntry& entry);
 
 // The entry of a model whose settings the case gives as `<registered name="NAME" SETTING="VALUE"/>`, and which it
 // reads with its own table of parameters (core/parameter.h).
-template <ResistanceModel Model>
+template <forces::ResistanceModel Model>
 requires Parameterized<typename Model::Settings>
 constexpr ResistanceEntry registered_entry() {
-  return {Model::traits, [](const Case& patient, double dt) -> std::unique_ptr<AnyResistance> {
-            const auto& chosen = std::get<RegisteredSettings>(patient.description.haptics.resistance);
+  return {Model::traits, [](const anatomy::Case& patient, double dt) -> std::unique_ptr<AnyResistance> {
+            const auto& chosen = std::get<anatomy::RegisteredSettings>(patient.description.haptics.resistance);
             const auto settings = settings_from<typename Model::Settings>(
                 SettingsTree{.name = chosen.name, .values = chosen.values, .children = chosen.children},
                 "resistance");
@@ -40,16 +40,16 @@ constexpr ResistanceEntry registered_entry() {
 }
 
 // Registers a class: `register_resistance<ConstantDrag>();`.
-template <ResistanceModel Model>
+template <forces::ResistanceModel Model>
 requires Parameterized<typename Model::Settings>
 void register_resistance() {
   register_resistance(registered_entry<Model>());
 }
 
 // What the resistance of the settings and its parts publish each tick, in their order in TickOutput::diagnostics.
-std::vector<DiagnosticName> diagnostic_names(const HapticSettings& haptics);
+std::vector<forces::DiagnosticName> diagnostic_names(const anatomy::HapticSettings& haptics);
 
 // The resistance that the description of the patient names.
-std::unique_ptr<AnyResistance> make_resistance(const Case& patient, double dt);
+std::unique_ptr<AnyResistance> make_resistance(const anatomy::Case& patient, double dt);
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

@@ -6,7 +6,7 @@
 #include "forces/diagnostics.h"
 #include "forces/events.h"
 
-namespace bodkin {
+namespace bodkin::simulation {
 
 // What goes into one tick: where the device holds the needle.
 struct TickInput {
@@ -22,11 +22,11 @@ struct TickOutput {
   double resistance = 0.0;  // N along the needle, positive pushes out
   double constraint = 0.0;  // N, size of the constraint force
   double energy = 0.0;      // N mm that the hand has given to the tissue along the needle, as passivity counts it
-  TissueId tissue = tissue::air;  // at the tip
+  anatomy::TissueId tissue = anatomy::tissue::air;  // at the tip
   bool in_contact = false;
-  std::uint8_t limits = 0;    // governor flags, see haptics/force_governor.h
-  Diagnostics diagnostics{};  // of the resistance, in the order of HapticTick::diagnostic_names(); 0 outside
-  TickEvents events;
+  std::uint8_t limits = 0;            // governor flags, see haptics/force_governor.h
+  forces::Diagnostics diagnostics{};  // of the resistance, in the order of HapticTick::diagnostic_names(); 0 outside
+  forces::TickEvents events;
 };
 
 // One tick as a recording keeps it. Time is tick * dt.
@@ -36,4 +36,4 @@ struct TickRecord {
   TickOutput output;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::simulation

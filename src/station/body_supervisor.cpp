@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "simulation/body_port.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 namespace {
 
@@ -28,13 +28,13 @@ std::string slow_motion_warning(std::size_t nodes) {
       nodes, 1e3 * step, 1e3 * body_step_time, 1e3 * std::floor(1e-3 * body_step_time / step_time_per_node));
 }
 
-BodySupervisor::BodySupervisor(std::shared_ptr<const Case> patient, std::shared_ptr<const BodyDescription> body,
-                               double length)
+BodySupervisor::BodySupervisor(std::shared_ptr<const anatomy::Case> patient,
+                               std::shared_ptr<const fem::BodyDescription> body, double length)
     : patient_(std::move(patient)) {
-  keeper_.emplace(patient_, std::move(body), length, BodyPort::most_corridors - 1);
+  keeper_.emplace(patient_, std::move(body), length, simulation::BodyPort::most_corridors - 1);
 }
 
-BodySupervisor::BodySupervisor(std::shared_ptr<const Case> patient, std::shared_ptr<PatientBody> moving)
+BodySupervisor::BodySupervisor(std::shared_ptr<const anatomy::Case> patient, std::shared_ptr<PatientBody> moving)
     : patient_(std::move(patient)), moving_(std::move(moving)) {}
 
 std::vector<std::string> BodySupervisor::update(HandSession& session) {
@@ -59,7 +59,7 @@ void BodySupervisor::update_static(HandSession& session, std::vector<std::string
 }
 
 void BodySupervisor::update_moving(HandSession& session, std::vector<std::string>& news) {
-  const BodySnapshot& body = moving_->snapshot();
+  const fem::BodySnapshot& body = moving_->snapshot();
   steps_ = body.steps;
   most_probe_nodes_ = std::max(most_probe_nodes_, body.probe_nodes);
   if (moving_->failed()) {
@@ -76,7 +76,7 @@ void BodySupervisor::update_moving(HandSession& session, std::vector<std::string
     if (std::optional<std::string> sentence = moving_->follow(needle.needle, *patient_))
       news.push_back(std::move(*sentence));
   }
-  const std::optional<PreparedCorridor> corridor = moving_->take_corridor();
+  const std::optional<anatomy::PreparedCorridor> corridor = moving_->take_corridor();
   if (!corridor) return;
   try {
     session.body()->refresh_corridor(*corridor);
@@ -104,4 +104,4 @@ std::vector<std::string> BodySupervisor::summary(double time) const {
   return sentences;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::station

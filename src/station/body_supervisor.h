@@ -12,7 +12,7 @@
 #include "station/hand_session.h"
 #include "station/patient_body.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 // s of a step of a moving body.
 inline constexpr double body_step_time = 1.0 / 60.0;
@@ -27,9 +27,10 @@ std::string slow_motion_warning(std::size_t nodes);
 class BodySupervisor {
  public:
   // A static body. See CorridorKeeper.
-  BodySupervisor(std::shared_ptr<const Case> patient, std::shared_ptr<const BodyDescription> body, double length);
+  BodySupervisor(std::shared_ptr<const anatomy::Case> patient, std::shared_ptr<const fem::BodyDescription> body,
+                 double length);
   // A moving body.
-  BodySupervisor(std::shared_ptr<const Case> patient, std::shared_ptr<PatientBody> moving);
+  BodySupervisor(std::shared_ptr<const anatomy::Case> patient, std::shared_ptr<PatientBody> moving);
 
   // To be called often; acts ten times a second. Returns news for the person, one sentence each.
   std::vector<std::string> update(HandSession& session);
@@ -40,7 +41,7 @@ class BodySupervisor {
   void update_static(HandSession& session, std::vector<std::string>& news);
   void update_moving(HandSession& session, std::vector<std::string>& news);
 
-  std::shared_ptr<const Case> patient_;
+  std::shared_ptr<const anatomy::Case> patient_;
   std::optional<CorridorKeeper> keeper_;  // of a static body
   std::shared_ptr<PatientBody> moving_;   // or this
   std::chrono::steady_clock::time_point updated_{};
@@ -50,4 +51,4 @@ class BodySupervisor {
   bool corridor_failed_ = false, failed_ = false;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::station

@@ -11,7 +11,7 @@
 #include "core/error.h"
 #include "fem/solid/patient_body.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 namespace {
 
@@ -21,8 +21,8 @@ constexpr double same_place = 5.0;  // mm, within which a path that was refused 
 
 }  // namespace
 
-CorridorKeeper::CorridorKeeper(std::shared_ptr<const Case> patient, std::shared_ptr<const BodyDescription> body,
-                               double length, std::size_t room)
+CorridorKeeper::CorridorKeeper(std::shared_ptr<const anatomy::Case> patient,
+                               std::shared_ptr<const fem::BodyDescription> body, double length, std::size_t room)
     : patient_(std::move(patient)),
       body_(std::move(body)),
       length_(length),
@@ -33,12 +33,12 @@ CorridorKeeper::~CorridorKeeper() {
   given_up_.store(true);
 }
 
-std::optional<NeedlePath> CorridorKeeper::uncovered(const Pose& needle) const {
-  std::optional<NeedlePath> path = aimed_path(needle, patient_->tissues, length_);
+std::optional<anatomy::NeedlePath> CorridorKeeper::uncovered(const Pose& needle) const {
+  std::optional<anatomy::NeedlePath> path = patient::aimed_path(needle, patient_->tissues, length_);
   if (!path) return {};
-  const DeformableBodySettings& settings = *body_of(patient_->description.haptics.resistance);
-  for (const PreparedCorridor& corridor : corridors_)
-    if (covers(corridor, *path, settings)) return {};
+  const anatomy::DeformableBodySettings& settings = *anatomy::body_of(patient_->description.haptics.resistance);
+  for (const anatomy::PreparedCorridor& corridor : corridors_)
+    if (fem::covers(corridor, *path, settings)) return {};
   const auto near = [](const Vec3& one, const Vec3& other) { return (one - other).norm() < same_place; };
   if (refused_ && near(refused_->entry, path->entry) && near(refused_->target, path->target)) return {};
   return path;
@@ -58,7 +58,7 @@ CorridorKeeper::News CorridorKeeper::update(const Pose& needle, std::uint64_t ti
     }
     return news;
   }
-  const std::optional<NeedlePath> path = uncovered(needle);
+  const std::optional<anatomy::NeedlePath> path = uncovered(needle);
   if (!path) return news;
   if (corridors_.size() > room_) {
     if (!std::exchange(said_full_, true)) {
@@ -71,7 +71,7 @@ CorridorKeeper::News CorridorKeeper::update(const Pose& needle, std::uint64_t ti
   }
   wanted_ = *path;
   making_ = std::async(std::launch::async, [this, about = *path, tick] {
-    return another_corridor(*body_, *patient_, about, tick, [this](std::string_view, double) {
+    return patient::another_corridor(*body_, *patient_, about, tick, [this](std::string_view, double) {
       if (given_up_.load()) throw GivenUp();
     });
   });
@@ -80,4 +80,4 @@ CorridorKeeper::News CorridorKeeper::update(const Pose& needle, std::uint64_t ti
   return news;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::station

@@ -12,7 +12,7 @@
 #include "anatomy/case.h"
 #include "fem/solid/elastic_body.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 // Prepares more of a static deformable body while a hand moves: where the needle aims and no corridor covers its
 // path, one is made on a background thread and returned when it is ready. One at a time; where the needle aims
@@ -21,14 +21,14 @@ class CorridorKeeper {
  public:
   // A corridor for the tick (HapticTick::add_corridor), and a sentence for the person.
   struct News {
-    std::optional<PreparedCorridor> ready;
+    std::optional<anatomy::PreparedCorridor> ready;
     std::optional<std::string> sentence;
   };
 
   // `patient`: with its first corridor, and a resistance that has a deformable body. `length`: mm, how deep needles
   // go. `room`: how many more corridors the tick can take.
-  CorridorKeeper(std::shared_ptr<const Case> patient, std::shared_ptr<const BodyDescription> body, double length,
-                 std::size_t room);
+  CorridorKeeper(std::shared_ptr<const anatomy::Case> patient, std::shared_ptr<const fem::BodyDescription> body,
+                 double length, std::size_t room);
 
   // Aborts a corridor that is being made.
   ~CorridorKeeper();
@@ -40,18 +40,18 @@ class CorridorKeeper {
   bool is_preparing() const noexcept { return making_.valid(); }
 
  private:
-  std::optional<NeedlePath> uncovered(const Pose& needle) const;
+  std::optional<anatomy::NeedlePath> uncovered(const Pose& needle) const;
 
-  std::shared_ptr<const Case> patient_;
-  std::shared_ptr<const BodyDescription> body_;
+  std::shared_ptr<const anatomy::Case> patient_;
+  std::shared_ptr<const fem::BodyDescription> body_;
   double length_;
   std::size_t room_;
-  std::vector<PreparedCorridor> corridors_;
-  std::optional<NeedlePath> refused_;  // the last path about which no corridor could be made
-  NeedlePath wanted_;                  // path of the corridor that is being made
+  std::vector<anatomy::PreparedCorridor> corridors_;
+  std::optional<anatomy::NeedlePath> refused_;  // the last path about which no corridor could be made
+  anatomy::NeedlePath wanted_;                  // path of the corridor that is being made
   bool said_full_ = false;
   std::atomic<bool> given_up_{false};
-  std::future<PreparedCorridor> making_;  // the last member: its thread uses the others
+  std::future<anatomy::PreparedCorridor> making_;  // the last member: its thread uses the others
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::station

@@ -15,17 +15,17 @@
 #include "io/calibrations_file.h"
 #include "io/device_profiles_file.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 bool DeviceChoice::is_simulated() const {
-  return driver == &simulated_driver();
+  return driver == &haptics::simulated_driver();
 }
 
 bool DeviceChoice::is_recorded() const {
   return driver == &recorded_driver();
 }
 
-std::string settings_along(const NeedlePath& path, const DeviceChoice& device) {
+std::string settings_along(const anatomy::NeedlePath& path, const DeviceChoice& device) {
   if (!device.is_simulated()) return device.settings;
   constexpr double degrees = 180.0 / std::numbers::pi;
   const Vec3 line = workspace_about(path).rotation.transpose() * path.direction();  // right, away, up
@@ -33,20 +33,22 @@ std::string settings_along(const NeedlePath& path, const DeviceChoice& device) {
                      degrees * std::asin(std::clamp(line.x(), -1.0, 1.0)), path.length(), device.settings);
 }
 
-void complete_from_table(DeviceAbilities& abilities) {
-  const auto profiles = default_device_profiles();
-  if (const DeviceProfile* profile = find_profile(profiles, abilities.name)) complete(abilities, *profile);
+void complete_from_table(haptics::DeviceAbilities& abilities) {
+  const auto profiles = io::default_device_profiles();
+  if (const haptics::DeviceProfile* profile = haptics::find_profile(profiles, abilities.name))
+    haptics::complete(abilities, *profile);
 }
 
-DeviceCalibration calibration_of(const DeviceChoice& choice, const DeviceAbilities& device) {
-  const auto file = calibrations_file();
+haptics::DeviceCalibration calibration_of(const DeviceChoice& choice, const haptics::DeviceAbilities& device) {
+  const auto file = io::calibrations_file();
   if (!file) return {};
-  const std::vector<DeviceCalibration> all = read_calibrations(*file);
-  const DeviceCalibration* known = find_calibration(all, choice.driver->name, device.name, device.serial);
-  return known == nullptr ? DeviceCalibration() : *known;
+  const std::vector<haptics::DeviceCalibration> all = io::read_calibrations(*file);
+  const haptics::DeviceCalibration* known =
+      io::find_calibration(all, choice.driver->name, device.name, device.serial);
+  return known == nullptr ? haptics::DeviceCalibration() : *known;
 }
 
-void require_same_rate(const DeviceChoice& choice, const DeviceAbilities& device, double rate) {
+void require_same_rate(const DeviceChoice& choice, const haptics::DeviceAbilities& device, double rate) {
   constexpr double tolerance = 0.01;  // of the rate
   if (std::abs(device.rate - rate) <= tolerance * rate) return;
   if (choice.is_simulated()) {
@@ -66,4 +68,4 @@ void require_same_rate(const DeviceChoice& choice, const DeviceAbilities& device
       device.rate, rate));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::station

@@ -7,7 +7,7 @@
 #include "haptics/device.h"
 #include "haptics/device_calibration.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 // Which device to open, and how.
 struct DeviceChoice {
@@ -21,16 +21,16 @@ struct DeviceChoice {
 
 // The settings for a driver that performs along `path`: a simulated hand aims at it and goes to its end, unless the
 // choice's own settings, which come last, say otherwise.
-std::string settings_along(const NeedlePath& path, const DeviceChoice& device);
+std::string settings_along(const anatomy::NeedlePath& path, const DeviceChoice& device);
 
 // Completes what the device does not report with what share/bodkin/devices.csv knows of the model.
-void complete_from_table(DeviceAbilities& abilities);
+void complete_from_table(haptics::DeviceAbilities& abilities);
 
 // What 'bodkin devices calibrate' measured of the device; empty if it was never calibrated.
-DeviceCalibration calibration_of(const DeviceChoice& choice, const DeviceAbilities& device);
+haptics::DeviceCalibration calibration_of(const DeviceChoice& choice, const haptics::DeviceAbilities& device);
 
 // Throws InputError, with the remedy, when the device cannot run at the case's `rate` (Hz): each tick of the case is
 // one tick of the device.
-void require_same_rate(const DeviceChoice& choice, const DeviceAbilities& device, double rate);
+void require_same_rate(const DeviceChoice& choice, const haptics::DeviceAbilities& device, double rate);
 
-}  // namespace bodkin
+}  // namespace bodkin::station

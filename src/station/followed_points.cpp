@@ -6,15 +6,16 @@
 
 #include "fem/solid/display_columns.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
-FollowedPoints::FollowedPoints(const ElasticBody& elastic, const TetrahedralMesh& mesh, const NeedlePath& path,
-                               const std::vector<Vec3>& points, const Progress& progress)
-    : display_(std::make_shared<DisplayThread>(
-          display_columns(elastic, find_points(mesh, points), nodes_of_shaft(elastic, mesh, path), progress))) {}
+FollowedPoints::FollowedPoints(const fem::ElasticBody& elastic, const anatomy::TetrahedralMesh& mesh,
+                               const anatomy::NeedlePath& path, const std::vector<Vec3>& points,
+                               const Progress& progress)
+    : display_(std::make_shared<simulation::DisplayThread>(fem::display_columns(
+          elastic, fem::find_points(mesh, points), nodes_of_shaft(elastic, mesh, path), progress))) {}
 
-FollowedPoints::FollowedPoints(const TetrahedralMesh& mesh, const std::vector<Vec3>& points)
-    : points_(find_points(mesh, points)), moved_(3 * points.size(), 0.0F) {}
+FollowedPoints::FollowedPoints(const anatomy::TetrahedralMesh& mesh, const std::vector<Vec3>& points)
+    : points_(fem::find_points(mesh, points)), moved_(3 * points.size(), 0.0F) {}
 
 void FollowedPoints::update(std::span<const float> nodes) noexcept {
   for (std::size_t point = 0; point < points_.size(); ++point) {
@@ -31,4 +32,4 @@ std::span<const float> FollowedPoints::displacements() noexcept {
   return display_ == nullptr ? std::span<const float>(moved_) : display_->snapshot().displacements;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::station

@@ -9,17 +9,17 @@
 #include "core/latest_value.h"
 #include "simulation/haptic_tick.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 namespace {
 constexpr double room_above = 30.0;  // mm between the middle of the workspace and the skin
 }  // namespace
 
-DeviceLimits limits_of(const DeviceAbilities& device, DeviceLimits limits) {
+anatomy::DeviceLimits limits_of(const haptics::DeviceAbilities& device, anatomy::DeviceLimits limits) {
   if (!device.name.empty()) limits.profile = device.name;
   if (device.peak_force > 0.0) {
     limits.peak_force = device.peak_force;
-    limits.continuous_force = guard_settings(device, 1000.0).continuous_force;
+    limits.continuous_force = haptics::guard_settings(device, 1000.0).continuous_force;
     limits.peak_torque = device.peak_torque;
   }
   if (device.stiffness > 0.0) limits.stiffness = device.stiffness;
@@ -27,24 +27,24 @@ DeviceLimits limits_of(const DeviceAbilities& device, DeviceLimits limits) {
   return limits;
 }
 
-WorkspaceSettings workspace_about(const NeedlePath& path) {
-  WorkspaceSettings workspace;
+haptics::WorkspaceSettings workspace_about(const anatomy::NeedlePath& path) {
+  haptics::WorkspaceSettings workspace;
   workspace.rotation << -Vec3::UnitX(), Vec3::UnitZ(), Vec3::UnitY();  // right, away, up: right, head, back
   workspace.centre = path.entry + room_above * Vec3::UnitY();
   return workspace;
 }
 
 struct HandSession::Shared {
-  Shared(std::shared_ptr<const Case> from, const SessionHeader& header, const std::filesystem::path& output,
-         bool overwrite, std::shared_ptr<SecondLink> link)
+  Shared(std::shared_ptr<const anatomy::Case> from, const session::SessionHeader& header,
+         const std::filesystem::path& output, bool overwrite, std::shared_ptr<session::SecondLink> link)
       : patient(std::move(from)),
         tick(*patient),
         body(tick.body()),
         second(std::move(link)),
-        recorder(SessionWriter(output, header, overwrite), {}, Recorder::usual_capacity, second) {}
+        recorder(session::SessionWriter(output, header, overwrite), {}, session::Recorder::usual_capacity, second) {}
 
-  Control step(const ControlInput& input) noexcept {
-    TickRecord record;
+  haptics::Control step(const haptics::ControlInput& input) noexcept {
+    simulation::TickRecord record;
     record.tick = ticks;
     record.input.needle = input.needle;
     record.output = tick.step(record.input);
@@ -55,11 +55,11 @@ struct HandSession::Shared {
     // After the tick itself, so that a recorded sample of the second hand has its tick before it.
     if (second) second->needle.write({static_cast<double>(ticks) * tick.dt(), record.output.tissue});
     ++ticks;
-    for (const Event& event : record.output.events) {
-      if (event.kind == EventKind::contact || event.kind == EventKind::withdrawn ||
-          event.kind == EventKind::corridor_refreshed)
+    for (const forces::Event& event : record.output.events) {
+      if (event.kind == forces::EventKind::contact || event.kind == forces::EventKind::withdrawn ||
+          event.kind == forces::EventKind::corridor_refreshed)
         corridor_left = false;
-      if (event.kind == EventKind::corridor_left) corridor_left = true;
+      if (event.kind == forces::EventKind::corridor_left) corridor_left = true;
     }
     HandSnapshot now{ticks, input.needle, ahead, record.output, corridor_left};
     now.output.events.clear();
@@ -70,46 +70,46 @@ struct HandSession::Shared {
   // To whoever shows the body, the needle in it, and moves it.
   void publish_forces(Pose needle, const Vec3& ahead) noexcept {
     if (!display && !scan && !moving) return;
-    const NodeForces forces = body == nullptr ? NodeForces{} : body->node_forces();
+    const fem::NodeForces forces = body == nullptr ? fem::NodeForces{} : body->node_forces();
     needle.translation() -= ahead;
     if (display) display->set_forces(forces);
     if (scan) scan->set_needle(forces, needle);
     if (moving) moving->set_needle(static_cast<double>(ticks) * tick.dt(), forces);
   }
 
-  void leave_moving_body(TickOutput& output) noexcept {
+  void leave_moving_body(simulation::TickOutput& output) noexcept {
     moving_failed = true;
     if (body != nullptr) body->stay_at_rest();
-    output.events.push({EventKind::moving_body_failed, output.tissue, output.depth, 0.0});
+    output.events.push({forces::EventKind::moving_body_failed, output.tissue, output.depth, 0.0});
   }
 
-  std::shared_ptr<const Case> patient;
-  HapticTick tick;
-  BodyPort* body;                          // of the tick; may be null
-  std::shared_ptr<SecondLink> second;      // may be null
-  std::shared_ptr<DisplayThread> display;  // may be null
-  std::shared_ptr<ScanThread> scan;        // may be null
-  std::shared_ptr<PatientBody> moving;     // may be null
+  std::shared_ptr<const anatomy::Case> patient;
+  simulation::HapticTick tick;
+  simulation::BodyPort* body;                          // of the tick; may be null
+  std::shared_ptr<session::SecondLink> second;         // may be null
+  std::shared_ptr<simulation::DisplayThread> display;  // may be null
+  std::shared_ptr<ScanThread> scan;                    // may be null
+  std::shared_ptr<PatientBody> moving;                 // may be null
   bool moving_failed = false;
-  Recorder recorder;
+  session::Recorder recorder;
   std::uint64_t ticks = 0;
   bool corridor_left = false;
   LatestValue<HandSnapshot> snapshot;
   std::atomic<bool> closed{false};  // the recording has ended, though the loop may not have
 };
 
-HandSession::HandSession(std::shared_ptr<const Case> patient, const SessionHeader& header,
-                         const std::filesystem::path& output, bool overwrite, DevicePort port,
-                         const DeviceAbilities& device, const ServoSettings& settings,
-                         std::shared_ptr<SecondLink> second)
+HandSession::HandSession(std::shared_ptr<const anatomy::Case> patient, const session::SessionHeader& header,
+                         const std::filesystem::path& output, bool overwrite, haptics::DevicePort port,
+                         const haptics::DeviceAbilities& device, const haptics::ServoSettings& settings,
+                         std::shared_ptr<session::SecondLink> second)
     : shared_(std::make_shared<Shared>(std::move(patient), header, output, overwrite, std::move(second))),
-      servo_(std::make_unique<DeviceServo>(
+      servo_(std::make_unique<haptics::DeviceServo>(
           std::move(port), device, settings,
-          [shared = shared_](const ControlInput& input) { return shared->step(input); })) {}
+          [shared = shared_](const haptics::ControlInput& input) { return shared->step(input); })) {}
 
 HandSession::~HandSession() = default;
 
-void HandSession::show_on(std::shared_ptr<DisplayThread> display) {
+void HandSession::show_on(std::shared_ptr<simulation::DisplayThread> display) {
   shared_->display = std::move(display);
 }
 
@@ -129,7 +129,7 @@ const HandSnapshot& HandSession::snapshot() noexcept {
   return shared_->snapshot.read();
 }
 
-BodyPort* HandSession::body() noexcept {
+simulation::BodyPort* HandSession::body() noexcept {
   return shared_->body;
 }
 
@@ -140,7 +140,7 @@ bool HandSession::failed() const noexcept {
 bool HandSession::finish() {
   const bool answered = servo_->stop();
   shared_->closed.store(true, std::memory_order_release);
-  shared_->recorder.finish(timings_of(servo_->tick().timings()));
+  shared_->recorder.finish(session::timings_of(servo_->tick().timings()));
   return answered;
 }
 
@@ -148,4 +148,4 @@ std::uint64_t HandSession::records_lost() const noexcept {
   return shared_->recorder.lost();
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::station

@@ -15,22 +15,22 @@
 #include "simulation/body_port.h"
 #include "simulation/display_thread.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 // The limits that a case takes from the device that is held: the models are then made for it, and the recording says
 // so. What is not known of the device stays as it is in `limits`.
-DeviceLimits limits_of(const DeviceAbilities& device, DeviceLimits limits);
+anatomy::DeviceLimits limits_of(const haptics::DeviceAbilities& device, anatomy::DeviceLimits limits);
 
 // The patient lies prone in front of the operator, head away from him; the path's entry is 30 mm below the middle of
 // the workspace, so that there is room above the skin.
-WorkspaceSettings workspace_about(const NeedlePath& path);
+haptics::WorkspaceSettings workspace_about(const anatomy::NeedlePath& path);
 
 // The newest tick, for an observer.
 struct HandSnapshot {
   std::uint64_t ticks = 0;
   Pose needle = Pose::Identity();
   Vec3 needle_ahead = Vec3::Zero();  // mm, see BodyPort
-  TickOutput output;                 // without events
+  simulation::TickOutput output;     // without events
   bool corridor_left = false;  // the needle is where its deformable body was not prepared: the force is not valid
 };
 
@@ -40,25 +40,26 @@ class HandSession {
  public:
   // `patient` has the device's limits already (limits_of), and so has `header`. `second`: to a second hand, which
   // learns of the needle through it and is recorded; may be null. Throws InputError and SystemError.
-  HandSession(std::shared_ptr<const Case> patient, const SessionHeader& header, const std::filesystem::path& output,
-              bool overwrite, DevicePort port, const DeviceAbilities& device, const ServoSettings& settings,
-              std::shared_ptr<SecondLink> second = nullptr);
+  HandSession(std::shared_ptr<const anatomy::Case> patient, const session::SessionHeader& header,
+              const std::filesystem::path& output, bool overwrite, haptics::DevicePort port,
+              const haptics::DeviceAbilities& device, const haptics::ServoSettings& settings,
+              std::shared_ptr<session::SecondLink> second = nullptr);
   ~HandSession();
   HandSession(const HandSession&) = delete;
   HandSession& operator=(const HandSession&) = delete;
 
   // Every tick passes it the forces on the deformable body; before start().
-  void show_on(std::shared_ptr<DisplayThread> display);
+  void show_on(std::shared_ptr<simulation::DisplayThread> display);
   // Every tick passes it these forces and the needle as it lies in the body; before start().
   void show_on(std::shared_ptr<ScanThread> scan);
   void start();
-  DeviceServo& servo() noexcept { return *servo_; }
+  haptics::DeviceServo& servo() noexcept { return *servo_; }
   // One observer's thread: the newest snapshot, unchanged until the next call.
   const HandSnapshot& snapshot() noexcept;
   // Every tick passes it the time and the needle's forces, and checks whether it has failed; before start().
   void press(std::shared_ptr<PatientBody> body);
   // The deformable body of the tick, for the observer's thread; null for a rigid one.
-  BodyPort* body() noexcept;
+  simulation::BodyPort* body() noexcept;
   // The recording cannot be written; finish() says why.
   bool failed() const noexcept;
 
@@ -72,7 +73,7 @@ class HandSession {
   struct Shared;
 
   std::shared_ptr<Shared> shared_;  // with a loop that may have to be left behind
-  std::unique_ptr<DeviceServo> servo_;
+  std::unique_ptr<haptics::DeviceServo> servo_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::station

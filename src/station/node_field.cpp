@@ -5,7 +5,7 @@
 
 #include "fem/solid/display_columns.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 namespace {
 
@@ -27,22 +27,23 @@ std::vector<std::uint32_t> nearest(std::vector<NearNode>& near, double around, s
 }
 
 // mm between a point and the path from its entry to its target.
-double distance_to(const NeedlePath& path, const Vec3& point) {
+double distance_to(const anatomy::NeedlePath& path, const Vec3& point) {
   const Vec3 from = point - path.entry, along = path.direction();
   return (from - std::clamp(from.dot(along), 0.0, path.length()) * along).norm();
 }
 
 // `held`: how many nodes have columns.
-std::vector<std::uint32_t> nodes_in_sight(const TetrahedralMesh& mesh, const NeedlePath& path, std::size_t held) {
+std::vector<std::uint32_t> nodes_in_sight(const anatomy::TetrahedralMesh& mesh, const anatomy::NeedlePath& path,
+                                          std::size_t held) {
   std::vector<NearNode> near;
   near.reserve(mesh.nodes.size());
   for (std::uint32_t node = 0; node < mesh.nodes.size(); ++node)
     near.emplace_back(distance_to(path, mesh.nodes[node]), node);
-  return nearest(near, seen_around, most_bytes / display_bytes(1, held));
+  return nearest(near, seen_around, most_bytes / fem::display_bytes(1, held));
 }
 
-std::vector<PointInMesh> places_of(const std::vector<std::uint32_t>& nodes) {
-  std::vector<PointInMesh> places;
+std::vector<fem::PointInMesh> places_of(const std::vector<std::uint32_t>& nodes) {
+  std::vector<fem::PointInMesh> places;
   places.reserve(nodes.size());
   for (const std::uint32_t node : nodes) places.push_back({{node, node, node, node}, {1.0, 0.0, 0.0, 0.0}});
   return places;
@@ -50,8 +51,8 @@ std::vector<PointInMesh> places_of(const std::vector<std::uint32_t>& nodes) {
 
 }  // namespace
 
-std::vector<std::uint32_t> nodes_of_shaft(const ElasticBody& elastic, const TetrahedralMesh& mesh,
-                                          const NeedlePath& path, double around, std::size_t most) {
+std::vector<std::uint32_t> nodes_of_shaft(const fem::ElasticBody& elastic, const anatomy::TetrahedralMesh& mesh,
+                                          const anatomy::NeedlePath& path, double around, std::size_t most) {
   std::vector<NearNode> near;
   const Vec3 along = path.direction();
   for (const std::uint32_t node : elastic.corridor()) {
@@ -61,20 +62,21 @@ std::vector<std::uint32_t> nodes_of_shaft(const ElasticBody& elastic, const Tetr
   return nearest(near, around, most);
 }
 
-NodeField::NodeField(const ElasticBody& elastic, const BodyDescription& body, const NeedlePath& path,
-                     const Progress& progress)
+NodeField::NodeField(const fem::ElasticBody& elastic, const fem::BodyDescription& body,
+                     const anatomy::NeedlePath& path, const Progress& progress)
     : NodeField(elastic, body, path, nodes_of_shaft(elastic, body.mesh, path, hand_around, most_hand_nodes),
                 progress) {}
 
-NodeField::NodeField(const ElasticBody& elastic, const BodyDescription& body, const NeedlePath& path,
-                     const std::vector<std::uint32_t>& held, const Progress& progress)
+NodeField::NodeField(const fem::ElasticBody& elastic, const fem::BodyDescription& body,
+                     const anatomy::NeedlePath& path, const std::vector<std::uint32_t>& held,
+                     const Progress& progress)
     : mesh_nodes_(body.mesh.nodes.size()),
       seen_(nodes_in_sight(body.mesh, path, held.size())),
-      field_(display_columns(elastic, places_of(seen_), held, progress)),
+      field_(fem::display_columns(elastic, places_of(seen_), held, progress)),
       moved_(3 * seen_.size(), 0.0F),
       of_mesh_(3 * mesh_nodes_, 0.0F) {}
 
-std::span<const float> NodeField::evaluate(const NodeForces& forces) noexcept {
+std::span<const float> NodeField::evaluate(const fem::NodeForces& forces) noexcept {
   field_.evaluate(forces, moved_);
   for (std::size_t i = 0; i < seen_.size(); ++i)
     std::copy_n(moved_.begin() + static_cast<std::ptrdiff_t>(3 * i), 3,
@@ -82,4 +84,4 @@ std::span<const float> NodeField::evaluate(const NodeForces& forces) noexcept {
   return of_mesh_;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::station

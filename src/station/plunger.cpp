@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace bodkin {
+namespace bodkin::station {
 
 namespace {
 
@@ -13,8 +13,8 @@ constexpr double most_guide_force = 1.0;    // N
 constexpr double largest_compliance = 1e5;  // mm^3/MPa, that a syringe takes
 constexpr double friction_eases_at = 1.0;   // mm/s, see forces/syringe.cpp
 
-SyringeSettings settings_for(double stiffness, double damping) {
-  SyringeSettings settings;
+anatomy::SyringeSettings settings_for(double stiffness, double damping) {
+  anatomy::SyringeSettings settings;
   const double area = std::numbers::pi * settings.bore * settings.bore / 4.0;
   settings.saline_compliance = std::clamp(area * area / stiffness, settings.saline_compliance, largest_compliance);
   settings.friction = std::min(settings.friction, damping * friction_eases_at);
@@ -23,12 +23,12 @@ SyringeSettings settings_for(double stiffness, double damping) {
 
 }  // namespace
 
-Plunger::Plunger(const TissueLibrary& library, double dt, double stiffness, double damping)
+Plunger::Plunger(const anatomy::TissueLibrary& library, double dt, double stiffness, double damping)
     : dt_(dt),
       stiffness_(std::min(stop_stiffness, stiffness)),
       syringe_(library, settings_for(stiffness_, damping), dt) {}
 
-Vec3 Plunger::step(const Vec3& hand, TissueId tissue, bool armed) noexcept {
+Vec3 Plunger::step(const Vec3& hand, anatomy::TissueId tissue, bool armed) noexcept {
   if (!armed) {
     start_ = hand;
     travel_ = force_ = 0.0;
@@ -37,7 +37,7 @@ Vec3 Plunger::step(const Vec3& hand, TissueId tissue, bool armed) noexcept {
   }
   const double inwards = start_.z() - hand.z();
   const double travel = std::clamp(inwards, 0.0, barrel_length);
-  const SyringeState& state = syringe_.step((travel - travel_) / dt_, tissue);
+  const forces::SyringeState& state = syringe_.step((travel - travel_) / dt_, tissue);
   travel_ = travel;
   force_ = inwards > 0.0 ? state.force + stiffness_ * std::max(0.0, inwards - barrel_length) : 0.0;
   Vec3 guide = guide_stiffness * (start_ - hand);
@@ -47,4 +47,4 @@ Vec3 Plunger::step(const Vec3& hand, TissueId tissue, bool armed) noexcept {
   return guide + force_ * Vec3::UnitZ();
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::station

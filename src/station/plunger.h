@@ -4,7 +4,7 @@
 #include "core/geometry.h"
 #include "forces/syringe.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 // The syringe on the needle as a hand on a haptic device feels it: down is in.
 //
@@ -22,11 +22,11 @@ class Plunger {
  public:
   // `dt`: s of a tick, 0.00025 to 0.005. `stiffness`, `damping`: what the device renders stably, N/mm (> 0) and
   // N s/mm (>= 0). Throws InputError as Syringe does.
-  Plunger(const TissueLibrary& library, double dt, double stiffness, double damping);
+  Plunger(const anatomy::TissueLibrary& library, double dt, double stiffness, double damping);
 
   // The force on the hand (N) at `hand` (mm), both in the operator's frame. While it is not armed the hand feels
   // nothing and takes the start along with it; a hand that is armed again has a full syringe.
-  Vec3 step(const Vec3& hand, TissueId tissue, bool armed) noexcept;
+  Vec3 step(const Vec3& hand, anatomy::TissueId tissue, bool armed) noexcept;
 
   double travel() const noexcept { return travel_; }                      // mm, 0 to barrel_length
   double force() const noexcept { return force_; }                        // N upwards, of the last step
@@ -38,10 +38,10 @@ class Plunger {
 
  private:
   double dt_, stiffness_;
-  Syringe syringe_;
+  forces::Syringe syringe_;
   Vec3 start_ = Vec3::Zero();
   double travel_ = 0.0;
   double force_ = 0.0;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::station

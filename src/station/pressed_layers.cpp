@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace bodkin {
+namespace bodkin::station {
 
 namespace {
 
@@ -13,7 +13,7 @@ constexpr int pressed_lines = 65;
 
 }  // namespace
 
-PressedLayers::PressedLayers(std::shared_ptr<const AcousticVolume> patient, UltrasoundProbe probe)
+PressedLayers::PressedLayers(std::shared_ptr<const imaging::AcousticVolume> patient, anatomy::UltrasoundProbe probe)
     : patient_(std::move(patient)), probe_(std::move(probe)) {
   settings_.depth = 0.0;
   detail_.lines = pressed_lines;
@@ -24,7 +24,7 @@ PressedLayers::PressedLayers(std::shared_ptr<const AcousticVolume> patient, Ultr
 void PressedLayers::settle(const Pose& pose, double depth, bool gel) {
   if (depth != settings_.depth) {
     settings_.depth = depth;
-    lines_ = scan_lines(probe_, settings_, detail_);
+    lines_ = imaging::scan_lines(probe_, settings_, detail_);
     origins_.clear();
     directions_.clear();
     for (int line = 0; line < lines_.lines; ++line) {
@@ -33,8 +33,9 @@ void PressedLayers::settle(const Pose& pose, double depth, bool gel) {
     }
   }
   pose_ = pose;
-  const FaceContact contact = face_contact(*patient_, origins_, directions_, pose, gel, gap_, by_line_);
-  press_ = contact.why == NoImage::none && contact.press >= least_layer_press ? contact.press : 0.0;
+  const imaging::FaceContact contact =
+      imaging::face_contact(*patient_, origins_, directions_, pose, gel, gap_, by_line_);
+  press_ = contact.why == imaging::NoImage::none && contact.press >= least_layer_press ? contact.press : 0.0;
   if (press_ > 0.0) compression_.settle(*patient_, pose, press_);
 }
 
@@ -50,4 +51,4 @@ Vec3 PressedLayers::moved(const Vec3& place) const noexcept {
   return compression_.moved(depth) / press_ * press * (pose_.linear() * lines_.direction(line));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::station

@@ -4,7 +4,7 @@
 
 #include "anatomy/tissue.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 namespace {
 
@@ -16,13 +16,15 @@ constexpr double damping = 0.002;       // N s/mm
 constexpr double highest_force = 15.0;  // N
 
 // Whether the point at continuous `index` is in the body rather than in the air.
-bool is_body(const TissueVolume& tissues, const Vec3& index) noexcept {
+bool is_body(const anatomy::TissueVolume& tissues, const Vec3& index) noexcept {
   const Vec3 base = index.array().floor();
   const Vec3 weight = index - base;
   double share = 0.0;
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 offset(corner & 1, (corner >> 1) & 1, (corner >> 2) & 1);
-    if (nearest_at_index(tissues, base + offset, TissueId{tissue::air}) == tissue::air) continue;
+    if (anatomy::nearest_at_index(tissues, base + offset, anatomy::TissueId{anatomy::tissue::air}) ==
+        anatomy::tissue::air)
+      continue;
     double part = 1.0;
     for (int axis = 0; axis < 3; ++axis) part *= offset[axis] > 0.0 ? weight[axis] : 1.0 - weight[axis];
     share += part;
@@ -32,8 +34,8 @@ bool is_body(const TissueVolume& tissues, const Vec3& index) noexcept {
 
 }  // namespace
 
-double depth_below_skin(const TissueVolume& tissues, const Vec3& tip, const Vec3& axis) noexcept {
-  const Grid& grid = tissues.grid;
+double depth_below_skin(const anatomy::TissueVolume& tissues, const Vec3& tip, const Vec3& axis) noexcept {
+  const anatomy::Grid& grid = tissues.grid;
   // Along a line the continuous index is linear, so the grid's axes are needed only twice.
   const Vec3 at_tip = grid.to_index(tip);
   const Vec3 back = at_tip - grid.to_index(tip + axis);  // per mm towards the hand
@@ -53,8 +55,8 @@ double depth_below_skin(const TissueVolume& tissues, const Vec3& tip, const Vec3
   return 0.0;
 }
 
-ProbeContact::ProbeContact(const TissueVolume& tissues, double dt, double resolution, double device_stiffness,
-                           double device_damping)
+ProbeContact::ProbeContact(const anatomy::TissueVolume& tissues, double dt, double resolution,
+                           double device_stiffness, double device_damping)
     : tissues_(tissues),
       stiffness_(std::min(stiffness, device_stiffness)),
       damping_(std::min(damping, device_damping)),
@@ -68,4 +70,4 @@ Vec3 ProbeContact::step(const Pose& probe) noexcept {
   return -force_ * axis;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::station

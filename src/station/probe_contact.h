@@ -4,13 +4,13 @@
 #include "core/geometry.h"
 #include "core/motion_estimator.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 // mm from the skin to `tip` along `axis` (unit, both LPS), 0 when the ray meets only air. The skin is where
 // a ray that begins 40 mm before the tip first leaves the air: steps of 0.5 mm, then bisection. Whether a point is in
 // the body is decided by the eight voxels around it, weighted trilinearly, so that the skin is not a staircase. A ray
 // that begins in the body is 40 mm. Allocates nothing.
-double depth_below_skin(const TissueVolume& tissues, const Vec3& tip, const Vec3& axis) noexcept;
+double depth_below_skin(const anatomy::TissueVolume& tissues, const Vec3& tip, const Vec3& axis) noexcept;
 
 // An ultrasound transducer on the skin: it gives way along its own axis.
 //
@@ -22,7 +22,7 @@ class ProbeContact {
  public:
   // `tissues` must outlive the object. `dt`: s of a tick, 0.00025 to 0.005. `resolution`: mm of one count of the
   // device. `stiffness`, `damping`: what the device renders stably, N/mm and N s/mm.
-  ProbeContact(const TissueVolume& tissues, double dt, double resolution, double stiffness, double damping);
+  ProbeContact(const anatomy::TissueVolume& tissues, double dt, double resolution, double stiffness, double damping);
 
   // The force on the hand (N, LPS) that holds the transducer at `probe` (LPS, third axis out of its tip).
   Vec3 step(const Pose& probe) noexcept;
@@ -31,11 +31,11 @@ class ProbeContact {
   double force() const noexcept { return force_; }  // N out of the skin, along the axis
 
  private:
-  const TissueVolume& tissues_;
+  const anatomy::TissueVolume& tissues_;
   double stiffness_, damping_;
   MotionEstimator motion_;
   double depth_ = 0.0;
   double force_ = 0.0;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::station

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bodkin {
+namespace bodkin::station {
 
 namespace {
 
@@ -23,7 +23,7 @@ ProbeReaction::ProbeReaction(double dt, double device_stiffness) noexcept
     : dt_(dt), stiffness_(std::min(firmest_spring, device_stiffness)), glide_(1.0 - std::exp(-dt / glide_time)) {}
 
 // From the whole displacement since contact and from its last increment; estimates decay slowly.
-void ProbeReaction::find_stiffness(const Vec3& axis, const ProbeReading& reading) noexcept {
+void ProbeReaction::find_stiffness(const Vec3& axis, const fem::ProbeReading& reading) noexcept {
   const double force = reading.on_probe.force.norm();
   const double way = std::max(least_way, std::abs((reading.probe - met_).dot(axis)));
   const double step = std::abs((reading.probe - last_).dot(axis));
@@ -34,7 +34,7 @@ void ProbeReaction::find_stiffness(const Vec3& axis, const ProbeReading& reading
 }
 
 // What a step of the body has brought.
-void ProbeReaction::take(const Vec3& hand, const Vec3& axis, const ProbeReading& reading) noexcept {
+void ProbeReaction::take(const Vec3& hand, const Vec3& axis, const fem::ProbeReading& reading) noexcept {
   steps_ = reading.steps;
   glide_ = 1.0 - std::exp(-dt_ / std::max(glide_time, waited_));
   waited_ = 0.0;
@@ -56,7 +56,7 @@ void ProbeReaction::take(const Vec3& hand, const Vec3& axis, const ProbeReading&
   goal_ = reading.probe + (hand + push - reading.probe) / (1.0 + body_ / stiffness_);
 }
 
-Vec3 ProbeReaction::step(const Pose& hand, const ProbeReading& reading, bool presses) noexcept {
+Vec3 ProbeReaction::step(const Pose& hand, const fem::ProbeReading& reading, bool presses) noexcept {
   const Vec3 at = hand.translation(), axis = needle_axis(hand);
   waited_ += dt_;
   if (reading.steps != steps_) take(at, axis, reading);
@@ -78,4 +78,4 @@ Vec3 ProbeReaction::step(const Pose& hand, const ProbeReading& reading, bool pre
   return sideways - force_ * axis;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::station

@@ -5,7 +5,7 @@
 #include "core/geometry.h"
 #include "fem/moving/body_thread.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 // An ultrasound probe on a body that moves by itself some sixty times a second (BodyThread), as the hand that holds
 // it feels it a thousand times a second.
@@ -32,15 +32,15 @@ class ProbeReaction {
 
   // One tick: the force on the hand (N, LPS) that holds the probe at `hand` (LPS, third axis out of its face).
   // `presses` false: the force goes to zero within 0.3 s, and stays there until it is true again.
-  Vec3 step(const Pose& hand, const ProbeReading& reading, bool presses) noexcept;
+  Vec3 step(const Pose& hand, const fem::ProbeReading& reading, bool presses) noexcept;
 
   // Where the body is to have the probe from now on.
   const Pose& probe() const noexcept { return probe_; }
   double force() const noexcept { return force_; }  // N out of the body, along the axis
 
  private:
-  void take(const Vec3& hand, const Vec3& axis, const ProbeReading& reading) noexcept;
-  void find_stiffness(const Vec3& axis, const ProbeReading& reading) noexcept;
+  void take(const Vec3& hand, const Vec3& axis, const fem::ProbeReading& reading) noexcept;
+  void find_stiffness(const Vec3& axis, const fem::ProbeReading& reading) noexcept;
 
   double dt_, stiffness_;
   double glide_;         // share of the remaining distance to p covered in a tick
@@ -57,4 +57,4 @@ class ProbeReaction {
   std::uint64_t steps_ = 0;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::station

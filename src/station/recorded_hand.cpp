@@ -13,13 +13,13 @@
 #include "haptics/drivers/driver_settings.h"
 #include "haptics/drivers/vendor_frame.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 namespace {
 
 constexpr std::uint64_t longest_gap = 1000;  // ticks; a hand that was not seen for longer cannot be played
 
-class RecordedDevice : public OpenDevice {
+class RecordedDevice : public haptics::OpenDevice {
  public:
   explicit RecordedDevice(std::vector<Pose> poses) : poses_(std::move(poses)) {}
 
@@ -28,7 +28,7 @@ class RecordedDevice : public OpenDevice {
   std::string explain() override { return {}; }
 
   int exchange(const bodkin_command&, bodkin_state& state) noexcept override {
-    state = blank_state();
+    state = haptics::blank_state();
     const bool over = next_ == poses_.size();
     const Pose& hand = poses_[over ? next_ - 1 : next_++];
     Eigen::Map<Vec3>(state.position) = hand.translation();
@@ -46,25 +46,25 @@ struct Recorded {
   static constexpr const char* name = "recorded";
   static constexpr const char* summary = "the hand of a session file; no force";
 
-  static void list(const char* text, const DeviceSink& found) {
-    const DriverSettings none(text, {});
+  static void list(const char* text, const haptics::DeviceSink& found) {
+    const haptics::DriverSettings none(text, {});
     found("FILE.bodkin", "any session that you name");
   }
 
-  static std::unique_ptr<OpenDevice> open(const std::string& identity, const char* text,
-                                          bodkin_abilities& abilities) {
-    const DriverSettings none(text, {});
+  static std::unique_ptr<haptics::OpenDevice> open(const std::string& identity, const char* text,
+                                                   bodkin_abilities& abilities) {
+    const haptics::DriverSettings none(text, {});
     if (identity.empty()) {
-      throw DriverFailure(BODKIN_BAD_SETTINGS, "no session is named; expected recorded:FILE.bodkin");
+      throw haptics::DriverFailure(BODKIN_BAD_SETTINGS, "no session is named; expected recorded:FILE.bodkin");
     }
     try {
       RecordedHand hand = read_recorded_hand(identity);
-      copy_text("recorded hand", abilities.name, BODKIN_TEXT);
+      haptics::copy_text("recorded hand", abilities.name, BODKIN_TEXT);
       abilities.rate = hand.rate;
       abilities.measures_rotation = 1;
       return std::make_unique<RecordedDevice>(std::move(hand.poses));
     } catch (const InputError& error) {
-      throw DriverFailure(BODKIN_BAD_SETTINGS, error.what());
+      throw haptics::DriverFailure(BODKIN_BAD_SETTINGS, error.what());
     }
   }
 };
@@ -72,17 +72,17 @@ struct Recorded {
 }  // namespace
 
 RecordedHand read_recorded_hand(const std::filesystem::path& file) {
-  const Session session = read_session(file);
+  const session::Session session = session::read_session(file);
   if (session.ticks.empty()) {
     throw InputError(file.string() + ": the session has no tick, expected one in which a needle moved");
   }
-  const WorkspaceSettings workspace = workspace_about(session.header.path);
+  const haptics::WorkspaceSettings workspace = workspace_about(session.header.path);
   const Mat3 to_operator = workspace.rotation.transpose();
   RecordedHand hand;
   hand.rate = std::round(1e6 / session.header.dt) * 1e-6;
   hand.limits = session.header.device;
   const std::uint64_t first = session.ticks.front().tick;
-  for (const TickRecord& record : session.ticks) {
+  for (const simulation::TickRecord& record : session.ticks) {
     Pose pose = Pose::Identity();
     pose.translation() = to_operator * (record.input.needle.translation() - workspace.centre);
     pose.linear() = to_operator * record.input.needle.linear();
@@ -98,8 +98,8 @@ RecordedHand read_recorded_hand(const std::filesystem::path& file) {
 }
 
 const bodkin_driver& recorded_driver() noexcept {
-  static constexpr bodkin_driver driver = driver_of<Recorded>();
+  static constexpr bodkin_driver driver = haptics::driver_of<Recorded>();
   return driver;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::station

@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "imaging/warped_slice.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 namespace {
 
@@ -24,8 +24,8 @@ double checked_scan_rate(double rate) {
 }
 
 // The plane that a frame shows, pixel by pixel, at rest.
-SlicePlane plane_of_frame(const UltrasoundFrame& frame, const Pose& probe) {
-  SlicePlane plane;
+imaging::SlicePlane plane_of_frame(const imaging::UltrasoundFrame& frame, const Pose& probe) {
+  imaging::SlicePlane plane;
   plane.corner = probe * frame.corner;
   plane.right = probe.linear().col(0);
   plane.down = probe.linear().col(1);
@@ -44,8 +44,8 @@ double farthest(std::span<const float> moved) {
 
 }  // namespace
 
-ScanThread::ScanThread(std::shared_ptr<const AcousticVolume> patient, Ultrasound machine, const Needle& needle,
-                       ScanBody body, const ScanOrder& first, double rate)
+ScanThread::ScanThread(std::shared_ptr<const imaging::AcousticVolume> patient, imaging::Ultrasound machine,
+                       const anatomy::Needle& needle, ScanBody body, const ScanOrder& first, double rate)
     : machine_(std::move(machine)),
       needle_(needle),
       body_(std::move(body)),
@@ -91,13 +91,13 @@ void ScanThread::make(LivePicture& now) {
     }
   }
   now.order.settings = machine_.settings();
-  std::optional<NeedleInSound> needle;
+  std::optional<imaging::NeedleInSound> needle;
   now.needle.reset();
   if (tick.published) {
     now.needle = tick.needle;
-    needle = NeedleInSound{tick.needle, needle_};
+    needle = imaging::NeedleInSound{tick.needle, needle_};
   }
-  std::optional<ScanDisplacement> displacement;
+  std::optional<imaging::ScanDisplacement> displacement;
   if (slice_ != nullptr && now.order.probe.matrix().allFinite()) {
     // How large a picture of these settings is, only a picture says.
     if (now.order.settings.depth != depth_) now.frame = machine_.image(now.order.probe);
@@ -110,7 +110,7 @@ void ScanThread::make(LivePicture& now) {
 }
 
 // What the probe does on top of what the needle does: both are small.
-void ScanThread::add_layers(LivePicture& now, const SlicePlane& grid) {
+void ScanThread::add_layers(LivePicture& now, const imaging::SlicePlane& grid) {
   layers_->settle(now.order.probe, now.order.settings.depth, now.order.settings.gel);
   if (!layers_->pressed()) return;
   float* moved = now.moved.data();
@@ -122,8 +122,8 @@ void ScanThread::add_layers(LivePicture& now, const SlicePlane& grid) {
   }
 }
 
-void ScanThread::move_tissue(LivePicture& now, const NodeForces& forces) {
-  const SlicePlane grid = warp_grid(plane_of_frame(now.frame, now.order.probe), field_spacing);
+void ScanThread::move_tissue(LivePicture& now, const fem::NodeForces& forces) {
+  const imaging::SlicePlane grid = imaging::warp_grid(plane_of_frame(now.frame, now.order.probe), field_spacing);
   std::span<const float> nodes;
   now.left_out = 0.0;
   if (body_.by_forces != nullptr) {
@@ -133,7 +133,7 @@ void ScanThread::move_tissue(LivePicture& now, const NodeForces& forces) {
     nodes = nodes_.read();
   }
   if (nodes.size() == 3 * body_.mesh->mesh.nodes.size()) {
-    now.moved = displacements_of_places(grid, slice_->displacements(grid, nodes));
+    now.moved = imaging::displacements_of_places(grid, slice_->displacements(grid, nodes));
   } else {  // nothing was published yet
     now.moved.assign(3 * static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height), 0.0F);
   }
@@ -142,4 +142,4 @@ void ScanThread::move_tissue(LivePicture& now, const NodeForces& forces) {
   now.grid = {now.frame.corner, grid.pixel, grid.width, grid.height, {}};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::station

@@ -15,31 +15,32 @@
 #include "fem/node_forces.h"
 #include "imaging/ultrasound/ultrasound.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 // Where the probe is and how the machine is set.
 struct ScanOrder {
   Pose probe = Pose::Identity();  // probe to patient, LPS
-  UltrasoundSettings settings;
+  imaging::UltrasoundSettings settings;
 };
 
 // One picture of a patient who moves.
 struct LivePicture {
   std::uint64_t number = 0;  // counts the pictures that were made; 0: none yet
-  UltrasoundFrame frame;
-  ScanOrder order;             // that it follows
-  std::optional<Pose> needle;  // in it; none before the first tick
-  ScanDisplacement grid;       // of `moved`, whose `moved` is not set; no columns where the tissue is at rest
-  std::vector<float> moved;    // mm, as ScanDisplacement has it
-  double most = 0.0;           // mm, the farthest that the body has moved anything in the picture, layers apart
-  double left_out = 0.0;       // N of the needle's forces that the picture does not show
-  double milliseconds = 0.0;   // that it took
-  bool refused = false;        // the settings of the order cannot be: those of the last picture stayed
+  imaging::UltrasoundFrame frame;
+  ScanOrder order;                 // that it follows
+  std::optional<Pose> needle;      // in it; none before the first tick
+  imaging::ScanDisplacement grid;  // of `moved`, whose `moved` is not set; no columns where the tissue is at rest
+  std::vector<float> moved;        // mm, as ScanDisplacement has it
+  double most = 0.0;               // mm, the farthest that the body has moved anything in the picture, layers apart
+  double left_out = 0.0;           // N of the needle's forces that the picture does not show
+  double milliseconds = 0.0;       // that it took
+  bool refused = false;            // the settings of the order cannot be: those of the last picture stayed
 };
 
 // The deformable body of a live ultrasound, static or moving.
 struct ScanBody {
-  std::shared_ptr<const BodyDescription> mesh;  // null: no body; only the probe compresses tissue, layer by layer
+  std::shared_ptr<const fem::BodyDescription>
+      mesh;  // null: no body; only the probe compresses tissue, layer by layer
   // A static body: its displacements by the needle's forces; the probe's compression is added layer by layer.
   // Null: a moving body, which feels the probe too and gives its displacements by set_displacements().
   std::unique_ptr<NodeField> by_forces;
@@ -50,11 +51,13 @@ struct ScanBody {
 class ScanThread {
  public:
   // `machine`: for `patient`. `rate`: pictures per second at most, 1 to 1000. Throws InputError for another rate.
-  ScanThread(std::shared_ptr<const AcousticVolume> patient, Ultrasound machine, const Needle& needle, ScanBody body,
-             const ScanOrder& first, double rate = 60.0);
+  ScanThread(std::shared_ptr<const imaging::AcousticVolume> patient, imaging::Ultrasound machine,
+             const anatomy::Needle& needle, ScanBody body, const ScanOrder& first, double rate = 60.0);
 
   // The tick's thread only; wait-free. Forces by node of the mesh; the needle as it is in the body.
-  void set_needle(const NodeForces& forces, const Pose& needle) noexcept { ticks_.write({forces, needle, true}); }
+  void set_needle(const fem::NodeForces& forces, const Pose& needle) noexcept {
+    ticks_.write({forces, needle, true});
+  }
 
   // Observer's thread, and so the two below: what the next pictures follow.
   void set_order(const ScanOrder& order) noexcept { orders_.write(order); }
@@ -65,17 +68,17 @@ class ScanThread {
 
  private:
   struct Tick {
-    NodeForces forces;
+    fem::NodeForces forces;
     Pose needle = Pose::Identity();
     bool published = false;
   };
   void run(const std::stop_token& stop, double rate);
   void make(LivePicture& now);
-  void add_layers(LivePicture& now, const SlicePlane& grid);
-  void move_tissue(LivePicture& now, const NodeForces& forces);
+  void add_layers(LivePicture& now, const imaging::SlicePlane& grid);
+  void move_tissue(LivePicture& now, const fem::NodeForces& forces);
 
-  Ultrasound machine_;
-  Needle needle_;
+  imaging::Ultrasound machine_;
+  anatomy::Needle needle_;
   ScanBody body_;
   std::unique_ptr<SliceField> slice_;
   std::optional<PressedLayers> layers_;
@@ -83,10 +86,10 @@ class ScanThread {
   LatestValue<ScanOrder> orders_;
   LatestValue<std::vector<float>> nodes_;
   LatestValue<LivePicture> pictures_;
-  std::optional<UltrasoundSettings> wanted_;  // of the last picture, and its depth, mm: of the thread
+  std::optional<imaging::UltrasoundSettings> wanted_;  // of the last picture, and its depth, mm: of the thread
   double depth_ = 0.0;
   std::vector<float> told_;  // of the observer's thread
   std::jthread thread_;      // the last member: it uses the others
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::station

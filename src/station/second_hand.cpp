@@ -11,7 +11,7 @@
 
 #include "haptics/guard_settings.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 namespace {
 
@@ -21,41 +21,42 @@ constexpr double rounding = 1e-9;         // s
 
 using SecondModel = std::variant<Plunger, ProbeContact, ProbeReaction>;
 
-SecondModel model_for(SecondRole role, const Case& patient, const DeviceAbilities& device, double dt,
-                      bool is_pressed) {
-  const GuardSettings stable = guard_settings(device, 1.0 / dt);
-  if (role == SecondRole::plunger) return Plunger(patient.library, dt, stable.stiffness, stable.damping);
+SecondModel model_for(session::SecondRole role, const anatomy::Case& patient, const haptics::DeviceAbilities& device,
+                      double dt, bool is_pressed) {
+  const haptics::GuardSettings stable = haptics::guard_settings(device, 1.0 / dt);
+  if (role == session::SecondRole::plunger) return Plunger(patient.library, dt, stable.stiffness, stable.damping);
   if (is_pressed) return ProbeReaction(dt, stable.stiffness);
   return ProbeContact(patient.tissues, dt, device.resolution, stable.stiffness, stable.damping);
 }
 
 }  // namespace
 
-WorkspaceSettings second_workspace(SecondRole role, const NeedlePath& path) {
-  if (role == SecondRole::plunger) return {};
-  WorkspaceSettings workspace = workspace_about(path);
+haptics::WorkspaceSettings second_workspace(session::SecondRole role, const anatomy::NeedlePath& path) {
+  if (role == session::SecondRole::plunger) return {};
+  haptics::WorkspaceSettings workspace = workspace_about(path);
   workspace.centre -= to_the_left * workspace.rotation.col(0);
   return workspace;
 }
 
 struct SecondHand::Shared {
-  Shared(SecondRole wanted, std::shared_ptr<const Case> from, const DeviceAbilities& device, double dt,
-         std::shared_ptr<SecondLink> through, std::shared_ptr<PatientBody> body)
+  Shared(session::SecondRole wanted, std::shared_ptr<const anatomy::Case> from,
+         const haptics::DeviceAbilities& device, double dt, std::shared_ptr<session::SecondLink> through,
+         std::shared_ptr<PatientBody> body)
       : role(wanted),
         patient(std::move(from)),
         link(std::move(through)),
         pressed(std::move(body)),
         model(model_for(role, *patient, device, dt, pressed != nullptr)) {}
 
-  Control step(const ControlInput& input) noexcept {
-    const NeedleSnapshot& needle = link->needle.read();
-    SecondSample now;
+  haptics::Control step(const haptics::ControlInput& input) noexcept {
+    const session::NeedleSnapshot& needle = link->needle.read();
+    session::SecondSample now;
     now.time = needle.time;
     now.position = input.needle.translation();
     now.rotation = Eigen::Quaterniond(input.needle.linear()).normalized();
-    Control control;
+    haptics::Control control;
     Pose tool = input.needle;
-    const bool armed = input.guard != GuardState::disarmed && input.guard != GuardState::faulted;
+    const bool armed = input.guard != haptics::GuardState::disarmed && input.guard != haptics::GuardState::faulted;
     if (Plunger* const plunger = std::get_if<Plunger>(&model)) {
       control.wrench.force = plunger->step(now.position, needle.tissue, armed);
       now.force = plunger->force();
@@ -83,24 +84,24 @@ struct SecondHand::Shared {
     return control;
   }
 
-  SecondRole role;
-  std::shared_ptr<const Case> patient;
-  std::shared_ptr<SecondLink> link;
+  session::SecondRole role;
+  std::shared_ptr<const anatomy::Case> patient;
+  std::shared_ptr<session::SecondLink> link;
   std::shared_ptr<PatientBody> pressed;  // may be null
   SecondModel model;
   double next_sample = 0.0;  // s of the session
-  LatestValue<SecondSample> samples;
+  LatestValue<session::SecondSample> samples;
   LatestValue<Pose> tools{Pose::Identity()};
 };
 
-SecondHand::SecondHand(SecondRole role, DevicePort port, const DeviceAbilities& device, const ServoSettings& settings,
-                       std::shared_ptr<const Case> patient, std::shared_ptr<SecondLink> link,
-                       std::shared_ptr<PatientBody> pressed)
+SecondHand::SecondHand(session::SecondRole role, haptics::DevicePort port, const haptics::DeviceAbilities& device,
+                       const haptics::ServoSettings& settings, std::shared_ptr<const anatomy::Case> patient,
+                       std::shared_ptr<session::SecondLink> link, std::shared_ptr<PatientBody> pressed)
     : shared_(std::make_shared<Shared>(role, std::move(patient), device, 1.0 / settings.rate, std::move(link),
                                        std::move(pressed))),
-      servo_(std::make_unique<DeviceServo>(
+      servo_(std::make_unique<haptics::DeviceServo>(
           std::move(port), device, settings,
-          [shared = shared_](const ControlInput& input) { return shared->step(input); })) {}
+          [shared = shared_](const haptics::ControlInput& input) { return shared->step(input); })) {}
 
 SecondHand::~SecondHand() = default;
 
@@ -113,8 +114,8 @@ bool SecondHand::stop() noexcept {
 }
 
 void SecondHand::arm() noexcept {
-  ServoCommand command;
-  command.kind = ServoCommand::Kind::arm;
+  haptics::ServoCommand command;
+  command.kind = haptics::ServoCommand::Kind::arm;
   servo_->tick().command(command);
 }
 
@@ -122,11 +123,11 @@ void SecondHand::disarm() noexcept {
   servo_->tick().disarm();
 }
 
-SecondRole SecondHand::role() const noexcept {
+session::SecondRole SecondHand::role() const noexcept {
   return shared_->role;
 }
 
-const SecondSample& SecondHand::snapshot() noexcept {
+const session::SecondSample& SecondHand::snapshot() noexcept {
   return shared_->samples.read();
 }
 
@@ -134,4 +135,4 @@ const Pose& SecondHand::tool() noexcept {
   return shared_->tools.read();
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::station

@@ -4,24 +4,25 @@
 
 #include "imaging/warped_slice.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 namespace {
 
-bool same_grid(const SlicePlane& a, const SlicePlane& b) {
+bool same_grid(const imaging::SlicePlane& a, const imaging::SlicePlane& b) {
   return a.corner == b.corner && a.right == b.right && a.down == b.down && a.pixel == b.pixel && a.width == b.width &&
          a.height == b.height;
 }
 
 }  // namespace
 
-SliceField::SliceField(std::shared_ptr<const BodyDescription> body) : body_(std::move(body)), finder_(body_->mesh) {}
+SliceField::SliceField(std::shared_ptr<const fem::BodyDescription> body)
+    : body_(std::move(body)), finder_(body_->mesh) {}
 
-std::span<const float> SliceField::displacements(const SlicePlane& grid, std::span<const float> nodes) {
+std::span<const float> SliceField::displacements(const imaging::SlicePlane& grid, std::span<const float> nodes) {
   if (places_.empty() || !same_grid(grid, grid_)) {
     grid_ = grid;
     places_.clear();
-    for (const Vec3& point : points_of(grid)) places_.push_back(finder_.find(point));
+    for (const Vec3& point : imaging::points_of(grid)) places_.push_back(finder_.find(point));
     moved_.resize(3 * places_.size());
   }
   for (std::size_t point = 0; point < places_.size(); ++point) {
@@ -35,4 +36,4 @@ std::span<const float> SliceField::displacements(const SlicePlane& grid, std::sp
   return moved_;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::station

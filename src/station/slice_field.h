@@ -8,25 +8,25 @@
 #include "fem/solid/points_in_mesh.h"
 #include "imaging/slice.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 // How tissue in a plane has moved, from how the nodes of its mesh have: linear within every element. The plane may be
 // another one in every picture.
 class SliceField {
  public:
-  explicit SliceField(std::shared_ptr<const BodyDescription> body);
+  explicit SliceField(std::shared_ptr<const fem::BodyDescription> body);
 
   // mm, x y z of each point of `grid` (a plane whose pixels are the points, LPS mm at rest) in turn, which the next
   // call overwrites. `nodes`: mm, of every node of the mesh. Another grid than the last one is found in the mesh
   // first, which takes some microseconds a point.
-  std::span<const float> displacements(const SlicePlane& grid, std::span<const float> nodes);
+  std::span<const float> displacements(const imaging::SlicePlane& grid, std::span<const float> nodes);
 
  private:
-  std::shared_ptr<const BodyDescription> body_;
-  PointFinder finder_;
-  SlicePlane grid_;  // where places_ are
-  std::vector<PointInMesh> places_;
+  std::shared_ptr<const fem::BodyDescription> body_;
+  fem::PointFinder finder_;
+  imaging::SlicePlane grid_;  // where places_ are
+  std::vector<fem::PointInMesh> places_;
   std::vector<float> moved_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::station

@@ -26,7 +26,7 @@
 #include "imaging/ultrasound/acoustic_volume.h"
 #include "io/calibrations_file.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 namespace {
 
@@ -34,9 +34,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double rate_tolerance = 0.05;  // of the rate; a device that misses it by more is reported
 
-NeedlePath path_of(const StationOptions& options) {
+anatomy::NeedlePath path_of(const StationOptions& options) {
   if (options.path) return *options.path;
-  if (const std::optional<NeedlePath>& planned = options.patient.description.procedure.path) return *planned;
+  if (const std::optional<anatomy::NeedlePath>& planned = options.patient.description.procedure.path) return *planned;
   throw InputError(fmt::format(
       "{}: the case has no planned path, so there is no place to put the hand; make the case with --entry "
       "and --target",
@@ -45,35 +45,37 @@ NeedlePath path_of(const StationOptions& options) {
 
 void check_moving_body(const StationOptions& options) {
   if (!options.moving_body) return;
-  if (!options.second || options.second->role != SecondRole::probe) {
+  if (!options.second || options.second->role != session::SecondRole::probe) {
     throw InputError(
         "--body is 'moving', which a probe presses, but no second device holds one; add --second DEVICE --second-as "
         "probe");
   }
-  const ResistanceSettings& resistance = options.patient.description.haptics.resistance;
-  if (std::holds_alternative<EmbeddedNeedleSettings>(resistance)) return;
+  const anatomy::ResistanceSettings& resistance = options.patient.description.haptics.resistance;
+  if (std::holds_alternative<anatomy::EmbeddedNeedleSettings>(resistance)) return;
   throw InputError(
       fmt::format("--body is 'moving', which only the resistance embedded_needle feels, and this one is {}; add "
                   "--resistance embedded_needle",
-                  name_of(resistance)));
+                  anatomy::name_of(resistance)));
 }
 
-std::string moving_body_record(const ProbeFace& face, std::size_t nodes) {
+std::string moving_body_record(const fem::ProbeFace& face, std::size_t nodes) {
   return nlohmann::ordered_json{
       {"nodes", nodes}, {"width_mm", face.width}, {"thickness_mm", face.thickness}, {"radius_mm", face.radius}}
       .dump();
 }
 
 // Of the device that is held; with a recording, of the device that was held then.
-DeviceLimits limits_of(const DeviceChoice& choice, const DeviceAbilities& device, const DeviceLimits& of_case) {
+anatomy::DeviceLimits limits_with(const DeviceChoice& choice, const haptics::DeviceAbilities& device,
+                                  const anatomy::DeviceLimits& of_case) {
   if (!choice.is_recorded()) return limits_of(device, of_case);
   return read_recorded_hand(choice.identity).limits.value_or(of_case);
 }
 
-std::string sentence_of(const GuardEvent& event) {
-  std::string text(text_of(event.reason));
-  if (event.cause != GuardReason::none) text += fmt::format(": {}", text_of(event.cause));
-  if (event.device_fault != DeviceFault::none) text += fmt::format(": {}", text_of(event.device_fault));
+std::string sentence_of(const haptics::GuardEvent& event) {
+  std::string text(haptics::text_of(event.reason));
+  if (event.cause != haptics::GuardReason::none) text += fmt::format(": {}", haptics::text_of(event.cause));
+  if (event.device_fault != haptics::DeviceFault::none)
+    text += fmt::format(": {}", haptics::text_of(event.device_fault));
   return text;
 }
 
@@ -86,7 +88,7 @@ Pose probe_in_hand(const Pose& tool) {
   return probe;
 }
 
-Pose first_probe(const UltrasoundChoice& choice, const Case& patient) {
+Pose first_probe(const UltrasoundChoice& choice, const anatomy::Case& patient) {
   try {
     return hold_probe(choice, patient).pose();
   } catch (const InputError& refused) {
@@ -101,30 +103,30 @@ struct Station::Parts {
 
   void prepare_patient();
   void follow_points(const std::vector<Vec3>& points);
-  DevicePort open_device();
-  void open_second(const DeviceAbilities& first);
-  SessionHeader header() const;
+  haptics::DevicePort open_device();
+  void open_second(const haptics::DeviceAbilities& first);
+  session::SessionHeader header() const;
   void prepare_ultrasound(const Pose& probe);
 
   double elapsed() const { return std::chrono::duration<double>(Clock::now() - begin).count(); }
   void say(const std::string& sentence);
-  void report_events(ServoTick& servo, bool has_force, const char* whose);
+  void report_events(haptics::ServoTick& servo, bool has_force, const char* whose);
   void disarm_second_on_fault();
   void update_scan();
   void update_displacements();
-  void add_summary(RunResult& run) const;
+  void add_summary(session::RunResult& run) const;
 
   StationOptions options;  // without the patient
   StationObserver& observer;
-  NeedlePath path;
-  std::shared_ptr<Case> patient;
-  std::shared_ptr<const BodyDescription> body;  // null: rigid
-  std::shared_ptr<PatientBody> moving;          // null: rigid or static
-  std::optional<FollowedPoints> points;         // of the observer
-  std::unique_ptr<NodeField> field;             // of a static body, until the ultrasound takes it
-  DeviceAbilities device;
-  DeviceCalibration calibration;
-  ServoSettings servo;
+  anatomy::NeedlePath path;
+  std::shared_ptr<anatomy::Case> patient;
+  std::shared_ptr<const fem::BodyDescription> body;  // null: rigid
+  std::shared_ptr<PatientBody> moving;               // null: rigid or static
+  std::optional<FollowedPoints> points;              // of the observer
+  std::unique_ptr<NodeField> field;                  // of a static body, until the ultrasound takes it
+  haptics::DeviceAbilities device;
+  haptics::DeviceCalibration calibration;
+  haptics::ServoSettings servo;
   std::optional<SecondDevice> second_device;
   std::shared_ptr<ScanThread> scan;  // null: no ultrasound
   ScanOrder order;
@@ -143,16 +145,16 @@ Station::Parts::Parts(StationOptions from, StationObserver& watching)
     : options(std::move(from)),
       observer(watching),
       path(path_of(options)),
-      patient(std::make_shared<Case>(std::move(options.patient))) {}
+      patient(std::make_shared<anatomy::Case>(std::move(options.patient))) {}
 
 void Station::Parts::prepare_patient() {
-  body = prepare_body(*patient, options.case_folder, options.path, observer.progress(),
-                      [this](const std::string& text) { observer.note(text); });
+  body = patient::prepare_body(*patient, options.case_folder, options.path, observer.progress(),
+                               [this](const std::string& text) { observer.note(text); });
   patient->description.procedure.path = path;
   if (!options.moving_body) return;
   const std::string warning = slow_motion_warning(body->mesh.nodes.size());
   if (!warning.empty()) observer.note(warning);
-  BodySolverSettings settings;
+  fem::BodySolverSettings settings;
   settings.motion.dt = body_step_time;
   settings.probe = *options.moving_body;
   moving = std::make_shared<PatientBody>(*patient, *body, settings);
@@ -166,22 +168,22 @@ void Station::Parts::follow_points(const std::vector<Vec3>& wanted) {
     return;
   }
   const Progress progress = observer.progress();
-  const ElasticBody elastic(*body, plan_body(*body, progress), {}, progress);
+  const fem::ElasticBody elastic(*body, fem::plan_body(*body, progress), {}, progress);
   if (!wanted.empty()) points.emplace(elastic, body->mesh, patient->corridor.path, wanted, progress);
   if (options.ultrasound) field = std::make_unique<NodeField>(elastic, *body, path, progress);
 }
 
-DevicePort Station::Parts::open_device() {
+haptics::DevicePort Station::Parts::open_device() {
   const DeviceChoice& choice = options.device;
-  DevicePort port(*choice.driver, choice.identity, settings_along(path, choice));
+  haptics::DevicePort port(*choice.driver, choice.identity, settings_along(path, choice));
   device = port.abilities();
   complete_from_table(device);
   if (options.use_calibration) calibration = calibration_of(choice, device);
-  apply(calibration, device);
+  haptics::apply(calibration, device);
   const double rate = patient->description.haptics.rate;
   require_same_rate(choice, device, rate);
-  DeviceLimits& limits = patient->description.device;  // of what the needle's side may ask for
-  limits = limits_of(choice, device, limits);
+  anatomy::DeviceLimits& limits = patient->description.device;  // of what the needle's side may ask for
+  limits = limits_with(choice, device, limits);
   limits.stiffness /= options.scale * options.force_scale;
   limits.peak_force /= options.force_scale;
   limits.continuous_force /= options.force_scale;
@@ -190,11 +192,11 @@ DevicePort Station::Parts::open_device() {
   servo.workspace = workspace_about(path);
   servo.workspace.scale = options.scale;
   servo.workspace.force_scale = options.force_scale;
-  apply(calibration, servo);
+  haptics::apply(calibration, servo);
   return port;
 }
 
-void Station::Parts::open_second(const DeviceAbilities& first) {
+void Station::Parts::open_second(const haptics::DeviceAbilities& first) {
   if (options.second) {
     second_device.emplace(*options.second, options.device, first, path, patient->description.haptics.rate,
                           options.use_calibration);
@@ -204,8 +206,8 @@ void Station::Parts::open_second(const DeviceAbilities& first) {
   if (!calibration.empty()) observer.note(fmt::format("calibrated {}", calibration.measured_at));
 }
 
-SessionHeader Station::Parts::header() const {
-  SessionHeader header = session_header(*patient, options.case_folder, path);
+session::SessionHeader Station::Parts::header() const {
+  session::SessionHeader header = session::session_header(*patient, options.case_folder, path);
   header.operator_name = "hand";
   header.operator_settings =
       nlohmann::ordered_json{{"device", device.name},
@@ -214,7 +216,7 @@ SessionHeader Station::Parts::header() const {
                              {"settings", options.device.settings},
                              {"scale", options.scale},
                              {"force_scale", options.force_scale},
-                             {"calibration", calibration.empty() ? "" : calibrations_xml({&calibration, 1})}}
+                             {"calibration", calibration.empty() ? "" : io::calibrations_xml({&calibration, 1})}}
           .dump();
   header.device = patient->description.device;
   if (second_device) header.second = second_device->header();
@@ -224,8 +226,9 @@ SessionHeader Station::Parts::header() const {
 
 void Station::Parts::prepare_ultrasound(const Pose& probe) {
   const UltrasoundChoice& choice = *options.ultrasound;
-  const std::shared_ptr<const AcousticVolume> volume = acoustic_volume(*patient, observer.progress());
-  Ultrasound machine(volume, choice.probe, choice.settings, choice.detail);
+  const std::shared_ptr<const imaging::AcousticVolume> volume =
+      imaging::acoustic_volume(*patient, observer.progress());
+  imaging::Ultrasound machine(volume, choice.probe, choice.settings, choice.detail);
   order = {probe, choice.settings};
   scan = std::make_shared<ScanThread>(volume, std::move(machine), patient->description.needle,
                                       ScanBody{body, std::move(field)}, order);
@@ -237,12 +240,12 @@ void Station::Parts::say(const std::string& sentence) {
 }
 
 // `whose`: how a sentence begins.
-void Station::Parts::report_events(ServoTick& from, bool has_force, const char* whose) {
-  GuardEvent event;
+void Station::Parts::report_events(haptics::ServoTick& from, bool has_force, const char* whose) {
+  haptics::GuardEvent event;
   while (from.next_event(event)) {
     // Every puncture limits the slew rate, and every release the passivity: not worth a word.
-    if (event.reason == GuardReason::slew || event.reason == GuardReason::passivity) continue;
-    const bool peak = event.reason == GuardReason::peak || event.reason == GuardReason::torque_peak;
+    if (event.reason == haptics::GuardReason::slew || event.reason == haptics::GuardReason::passivity) continue;
+    const bool peak = event.reason == haptics::GuardReason::peak || event.reason == haptics::GuardReason::torque_peak;
     if (peak && !has_force) continue;  // the peak of a device without force is 0
     say(fmt::format("{:.1f} s: {}{}", event.time, whose, sentence_of(event)));
   }
@@ -250,7 +253,7 @@ void Station::Parts::report_events(ServoTick& from, bool has_force, const char* 
 
 // A plunger that keeps pushing while the needle has been let go belongs to no procedure.
 void Station::Parts::disarm_second_on_fault() {
-  const bool faulted = status.servo.state == GuardState::faulted;
+  const bool faulted = status.servo.state == haptics::GuardState::faulted;
   if (second_runs && faulted && !was_faulted) {
     second->disarm();
     observer.note("the second hand is disarmed too, because the needle's device is at fault; press a to arm both");
@@ -260,14 +263,14 @@ void Station::Parts::disarm_second_on_fault() {
 
 void Station::Parts::update_scan() {
   if (scan == nullptr) return;
-  status.probe_is_held = second_runs && second->role() == SecondRole::probe;
+  status.probe_is_held = second_runs && second->role() == session::SecondRole::probe;
   scan->set_order({status.probe_is_held ? probe_in_hand(second->tool()) : order.probe, order.settings});
   status.ultrasound = &scan->picture();
 }
 
 void Station::Parts::update_displacements() {
   if (moving != nullptr) {
-    const BodySnapshot& now = moving->snapshot();
+    const fem::BodySnapshot& now = moving->snapshot();
     if (now.steps != shown_steps && points) points->update(now.displacements);
     if (now.steps != shown_steps && scan != nullptr) scan->set_displacements(now.displacements);
     shown_steps = now.steps;
@@ -275,7 +278,7 @@ void Station::Parts::update_displacements() {
   if (points) status.displacements = points->displacements();
 }
 
-void Station::Parts::add_summary(RunResult& run) const {
+void Station::Parts::add_summary(session::RunResult& run) const {
   const double rate = static_cast<double>(run.ticks) / run.wall_time;
   if (std::abs(rate - servo.rate) > rate_tolerance * servo.rate) {
     run.notes.push_back(
@@ -304,16 +307,16 @@ Station::Station(StationOptions options, StationObserver& observer) {
   const std::optional<UltrasoundChoice>& ultrasound = parts.options.ultrasound;
   const Pose probe = ultrasound ? first_probe(*ultrasound, *parts.patient) : Pose::Identity();
   parts.follow_points(observer.prepare(*parts.patient, parts.body.get()));
-  DevicePort port = parts.open_device();
+  haptics::DevicePort port = parts.open_device();
   parts.open_second(parts.device);
-  const SessionHeader header = parts.header();
+  const session::SessionHeader header = parts.header();
   if (parts.moving != nullptr) {
     parts.supervisor.emplace(parts.patient, parts.moving);
   } else if (parts.body != nullptr) {
     parts.supervisor.emplace(parts.patient, parts.body, parts.path.length());
   }
   if (ultrasound) parts.prepare_ultrasound(probe);
-  std::shared_ptr<SecondLink> link;
+  std::shared_ptr<session::SecondLink> link;
   if (parts.second_device) {
     parts.second = parts.second_device->hand(parts.patient, parts.moving);
     link = parts.second_device->link();
@@ -379,7 +382,7 @@ bool Station::ended() const noexcept {
 StationResult Station::finish() {
   Parts& parts = *parts_;
   StationResult result;
-  RunResult& run = result.run;
+  session::RunResult& run = result.run;
   run.operator_finished = parts.end_asked.load();
   if (parts.second_runs && !parts.second->stop())
     run.notes.emplace_back("the second device did not let itself be stopped; switch it off and on again");
@@ -389,7 +392,7 @@ StationResult Station::finish() {
     parts.report_events(parts.second->servo().tick(), parts.second_device->has_force(), "second hand: ");
   run.wall_time = parts.elapsed();
   run.ticks = parts.session->snapshot().ticks;
-  const ServoTimings& timings = parts.session->servo().tick().timings();
+  const haptics::ServoTimings& timings = parts.session->servo().tick().timings();
   run.missed_deadlines = timings.overruns;
   run.worst_lateness = timings.lateness.maximum();
   run.records_lost = parts.session->records_lost();
@@ -401,11 +404,11 @@ StationResult Station::finish() {
 }
 
 void Station::command(StationCommand command) {
-  using Kind = ServoCommand::Kind;
+  using Kind = haptics::ServoCommand::Kind;
   Parts& parts = *parts_;
-  ServoTick& servo = parts.session->servo().tick();
+  haptics::ServoTick& servo = parts.session->servo().tick();
   const auto send = [&servo](Kind kind) {
-    ServoCommand order;
+    haptics::ServoCommand order;
     order.kind = kind;
     servo.command(order);
   };
@@ -435,8 +438,8 @@ void Station::set_scan_order(const ScanOrder& order) {
   parts_->order = order;
 }
 
-const Case& Station::patient() const noexcept {
+const anatomy::Case& Station::patient() const noexcept {
   return *parts_->patient;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::station

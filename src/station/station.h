@@ -7,7 +7,7 @@
 #include "station/station_observer.h"
 #include "station/station_options.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 enum class StationCommand {
   arm,            // both hands feel their forces
@@ -18,7 +18,7 @@ enum class StationCommand {
 };
 
 struct StationResult {
-  RunResult run;                          // its notes: all that the person should know
+  session::RunResult run;                 // its notes: all that the person should know
   std::uint64_t ultrasound_pictures = 0;  // made
 };
 
@@ -60,7 +60,7 @@ class Station {
   void set_scan_order(const ScanOrder& order);
 
   // With the limits of the device.
-  const Case& patient() const noexcept;
+  const anatomy::Case& patient() const noexcept;
 
  private:
   struct Parts;
@@ -68,4 +68,4 @@ class Station {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::station

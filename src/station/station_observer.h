@@ -16,19 +16,19 @@
 #include "fem/solid/elastic_body.h"
 #include "haptics/servo_records.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 class Station;
 
 struct SecondStatus {
-  SecondRole role = SecondRole::plunger;
-  SecondSample sample;
+  session::SecondRole role = session::SecondRole::plunger;
+  session::SecondSample sample;
 };
 
 // A running session as an observer sees it.
 struct StationStatus {
   double time = 0.0;  // s on the clock since the start
-  ServoSnapshot servo;
+  haptics::ServoSnapshot servo;
   HandSnapshot needle;
   std::optional<SecondStatus> second;
   std::string message;                      // the newest sentence for the person
@@ -49,11 +49,13 @@ class StationObserver {
   virtual void note(const std::string& /*sentence*/) {}
   // Once, before any device opens. `patient` and `body` (null: rigid) stay valid while the station lives. Returns the
   // points (LPS mm, at rest) whose displacements are wanted in every status.
-  virtual std::vector<Vec3> prepare(const Case& /*patient*/, const BodyDescription* /*body*/) { return {}; }
+  virtual std::vector<Vec3> prepare(const anatomy::Case& /*patient*/, const fem::BodyDescription* /*body*/) {
+    return {};
+  }
   // Time between two calls of update().
   virtual std::chrono::milliseconds interval() const { return std::chrono::milliseconds(100); }
   // While the session runs. May give the station commands.
   virtual void update(Station& /*station*/, const StationStatus& /*status*/) {}
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::station

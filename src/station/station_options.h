@@ -9,26 +9,26 @@
 #include "anatomy/case.h"
 #include "fem/moving/probe_press.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 // Everything that a running session is put together from. Force models, tissues and limits are those of `patient`;
 // change them there to use others.
 struct StationOptions {
-  Case patient;
-  std::filesystem::path case_folder;  // where it was loaded from: its case.xml is recorded, its mesh is read
-  std::optional<NeedlePath> path;     // where the hand is to work; empty: the case's planned path
-  DeviceChoice device;                // holds the needle
-  double scale = 1.0;                 // mm of the needle per mm of the hand, 0.1 to 10
-  double force_scale = 1.0;           // N at the hand per N of the needle, 0.01 to 1
-  bool use_calibration = true;        // what 'bodkin devices calibrate' measured of the devices
+  anatomy::Case patient;
+  std::filesystem::path case_folder;        // where it was loaded from: its case.xml is recorded, its mesh is read
+  std::optional<anatomy::NeedlePath> path;  // where the hand is to work; empty: the case's planned path
+  DeviceChoice device;                      // holds the needle
+  double scale = 1.0;                       // mm of the needle per mm of the hand, 0.1 to 10
+  double force_scale = 1.0;                 // N at the hand per N of the needle, 0.01 to 1
+  bool use_calibration = true;              // what 'bodkin devices calibrate' measured of the devices
   std::optional<SecondChoice> second;
   // Empty: a body is rigid or static, as the resistance has it. Otherwise it moves, pressed by the probe of the
   // second device, which has this face.
-  std::optional<ProbeFace> moving_body;
+  std::optional<fem::ProbeFace> moving_body;
   std::optional<UltrasoundChoice> ultrasound;
   std::filesystem::path output = "session-by-hand.bodkin";
   bool overwrite = false;
   double longest = 600.0;  // s on the clock after which the session ends, more than 0
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::station

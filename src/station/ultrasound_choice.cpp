@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 namespace {
 
@@ -14,15 +14,15 @@ constexpr double rigid_enough = 1e-3;  // by which the columns of a rotation may
 
 }  // namespace
 
-ProbeOnSkin hold_probe(const UltrasoundChoice& choice, const Case& patient) {
+imaging::ProbeOnSkin hold_probe(const UltrasoundChoice& choice, const anatomy::Case& patient) {
   if (choice.pose) {
-    ProbeOnSkin hand(*choice.pose);
+    imaging::ProbeOnSkin hand(*choice.pose);
     hand.press(choice.press);
     return hand;
   }
-  ScanRequest request = choice.request;
+  imaging::ScanRequest request = choice.request;
   if (!choice.at_name.empty()) {
-    request.at = place_named(patient, choice.at_name);
+    request.at = imaging::place_named(patient, choice.at_name);
     if (!request.at) {
       throw InputError(
           fmt::format("--at is '{}', which is no landmark or structure of the case; expected one of them ('bodkin "
@@ -31,13 +31,13 @@ ProbeOnSkin hold_probe(const UltrasoundChoice& choice, const Case& patient) {
                       choice.at_name));
     }
   }
-  ProbeOnSkin hand = place_probe(patient, choice.probe, request);
+  imaging::ProbeOnSkin hand = imaging::place_probe(patient, choice.probe, request);
   hand.press(choice.press);
   return hand;
 }
 
-NeedleInSound needle_on_path(const Case& patient, const std::optional<double>& depth) {
-  const std::optional<NeedlePath>& path = patient.description.procedure.path;
+imaging::NeedleInSound needle_on_path(const anatomy::Case& patient, const std::optional<double>& depth) {
+  const std::optional<anatomy::NeedlePath>& path = patient.description.procedure.path;
   if (!path) throw InputError("the case has no planned path for --needle; make one with --entry and --target");
   const double inside = depth.value_or(path->length());
   return {needle_pose(path->entry + inside * path->direction(), path->direction()), patient.description.needle};
@@ -75,4 +75,4 @@ std::string pose_text(const Pose& pose) {
   return text;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::station

@@ -10,26 +10,26 @@
 #include "imaging/ultrasound_screen/scan_field.h"
 #include "imaging/ultrasound_screen/scan_view.h"
 
-namespace bodkin {
+namespace bodkin::station {
 
 // What the options mean before a patient is known.
 struct UltrasoundChoice {
-  UltrasoundProbe probe;
-  UltrasoundSettings settings;
-  UltrasoundDetail detail;
-  MarkSide mark = MarkSide::left;
-  std::optional<Pose> pose;  // as given
-  ScanRequest request;       // otherwise
-  std::string at_name;       // of a landmark or a structure to look at; empty: request.at
-  double press = 0.0;        // mm
+  anatomy::UltrasoundProbe probe;
+  imaging::UltrasoundSettings settings;
+  imaging::UltrasoundDetail detail;
+  imaging::MarkSide mark = imaging::MarkSide::left;
+  std::optional<Pose> pose;      // as given
+  imaging::ScanRequest request;  // otherwise
+  std::string at_name;           // of a landmark or a structure to look at; empty: request.at
+  double press = 0.0;            // mm
 };
 
 // The probe in the hand that holds it on the patient. Throws InputError when there is no such place.
-ProbeOnSkin hold_probe(const UltrasoundChoice& choice, const Case& patient);
+imaging::ProbeOnSkin hold_probe(const UltrasoundChoice& choice, const anatomy::Case& patient);
 
 // The case's needle on its planned path, `depth` mm beyond the entry, the target's depth by default. Throws
 // InputError when the case has no path.
-NeedleInSound needle_on_path(const Case& patient, const std::optional<double>& depth);
+imaging::NeedleInSound needle_on_path(const anatomy::Case& patient, const std::optional<double>& depth);
 
 // Twelve numbers row by row as a rigid pose, with or without the last row "0 0 0 1"; throws InputError naming
 // `origin` when they are none.
@@ -37,4 +37,4 @@ Pose parse_pose(const std::vector<double>& numbers, const std::string& origin);
 // The inverse of parse_pose().
 std::string pose_text(const Pose& pose);
 
-}  // namespace bodkin
+}  // namespace bodkin::station

@@ -15,7 +15,7 @@
 #include "io/force_choice.h"
 #include "simulation/haptic_tick.h"
 
-namespace bodkin {
+namespace bodkin::study {
 
 namespace {
 
@@ -31,16 +31,16 @@ constexpr std::array<std::string_view, 13> model_names = {
     "shaft_friction", "embedded_needle", "closest_node"};
 
 // The settings of one of `names`. Those of the case's own model are kept, but for what makes the variant.
-ResistanceSettings settings_of(std::string_view name, const ResistanceSettings& own) {
+anatomy::ResistanceSettings settings_of(std::string_view name, const anatomy::ResistanceSettings& own) {
   const bool sum = name.ends_with("_sum"), leash = name.ends_with("_leash"), viscous = name.ends_with("_viscous");
   const std::string_view base = sum || leash || viscous ? name.substr(0, name.rfind('_')) : name;
-  ResistanceSettings settings = base == name_of(own) ? own : parse_resistance(base, option);
-  if (auto* layered = std::get_if<LayeredSettings>(&settings)) {
-    layered->law = sum ? LayeredLaw::sum : LayeredLaw::cubic;
-  } else if (auto* wall = std::get_if<TrackingWallSettings>(&settings)) {
+  anatomy::ResistanceSettings settings = base == anatomy::name_of(own) ? own : io::parse_resistance(base, option);
+  if (auto* layered = std::get_if<anatomy::LayeredSettings>(&settings)) {
+    layered->law = sum ? anatomy::LayeredLaw::sum : anatomy::LayeredLaw::cubic;
+  } else if (auto* wall = std::get_if<anatomy::TrackingWallSettings>(&settings)) {
     wall->leash = leash;
-  } else if (auto* proxy = std::get_if<VolumeProxySettings>(&settings)) {
-    proxy->variant = viscous ? ProxyVariant::viscous : ProxyVariant::drag;
+  } else if (auto* proxy = std::get_if<anatomy::VolumeProxySettings>(&settings)) {
+    proxy->variant = viscous ? anatomy::ProxyVariant::viscous : anatomy::ProxyVariant::drag;
   }
   return settings;
 }
@@ -57,12 +57,13 @@ std::string column_of(const std::string& name, std::string_view quantity) {
 
 // Where the motion ends, mm from the entry: at the end of the line, or so deep in bone that the device has no more
 // force.
-double deepest_place(const StraightPath& line, const Case& patient, Comparison& result) {
-  const DeviceLimits& device = patient.description.device;
+double deepest_place(const StraightPath& line, const anatomy::Case& patient, Comparison& result) {
+  const anatomy::DeviceLimits& device = patient.description.device;
   for (double place = line.surface; place < line.end; place += bone_search) {
-    const TissueId here = nearest<TissueId>(patient.tissues, line.needle_at(place).translation(), tissue::air);
-    const TissueProperties* properties = patient.library.find(here);
-    if (properties == nullptr || properties->layered.kind != LayeredKind::rigid) continue;
+    const anatomy::TissueId here = anatomy::nearest<anatomy::TissueId>(
+        patient.tissues, line.needle_at(place).translation(), anatomy::tissue::air);
+    const anatomy::TissueProperties* properties = patient.library.find(here);
+    if (properties == nullptr || properties->layered.kind != anatomy::LayeredKind::rigid) continue;
     const double stiffness = std::max(least_bone, std::min(properties->layered.contact_stiffness, device.stiffness));
     const double end = place + device.peak_force / stiffness;
     if (end >= line.end) return line.end;
@@ -76,7 +77,8 @@ double deepest_place(const StraightPath& line, const Case& patient, Comparison& 
 }
 
 // The poses of the motion, tick by tick; fills depth, tissue and first of `result`.
-std::vector<TickInput> motion_of(const StraightPath& line, const Case& patient, Comparison& result) {
+std::vector<simulation::TickInput> motion_of(const StraightPath& line, const anatomy::Case& patient,
+                                             Comparison& result) {
   const CompareOptions& options = result.options;
   const double inwards = options.speed * result.dt;  // mm a tick
   const double outwards = options.withdraw_speed.value_or(options.speed) * result.dt;
@@ -104,12 +106,13 @@ std::vector<TickInput> motion_of(const StraightPath& line, const Case& patient, 
   if (options.reinsert) go(line.outside, end, inwards);
   result.first[4] = places.size();
 
-  std::vector<TickInput> motion;
+  std::vector<simulation::TickInput> motion;
   motion.reserve(places.size());
   for (const double place : places) {
     motion.push_back({line.needle_at(place)});
     result.depth.push_back(place - line.surface);
-    result.tissue.push_back(nearest<TissueId>(patient.tissues, motion.back().needle.translation(), tissue::air));
+    result.tissue.push_back(anatomy::nearest<anatomy::TissueId>(patient.tissues, motion.back().needle.translation(),
+                                                                anatomy::tissue::air));
   }
   return motion;
 }
@@ -121,12 +124,12 @@ double processor_time() {
   return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
 }
 
-ModelRun play(const std::string& name, const Case& patient, const std::vector<TickInput>& motion,
+ModelRun play(const std::string& name, const anatomy::Case& patient, const std::vector<simulation::TickInput>& motion,
               const Comparison& result, const Progress& progress) {
   ModelRun run;
   run.name = name;
   run.force.reserve(motion.size());
-  HapticTick haptics(patient);
+  simulation::HapticTick haptics(patient);
   run.diagnostics.assign(haptics.diagnostic_names().begin(), haptics.diagnostic_names().end());
   run.published.reserve(motion.size() * run.diagnostics.size());
   double spent = 0.0;
@@ -134,12 +137,12 @@ ModelRun play(const std::string& name, const Case& patient, const std::vector<Ti
     const std::size_t end = std::min(begin + block, motion.size());
     const double started = processor_time();
     for (std::size_t tick = begin; tick < end; ++tick) {
-      const TickOutput output = haptics.step(motion[tick]);
+      const simulation::TickOutput output = haptics.step(motion[tick]);
       run.force.push_back(output.resistance);
       run.published.insert(run.published.end(), output.diagnostics.begin(),
                            output.diagnostics.begin() + static_cast<std::ptrdiff_t>(run.diagnostics.size()));
-      for (const Event& event : output.events) {
-        if (event.kind != EventKind::puncture) continue;
+      for (const forces::Event& event : output.events) {
+        if (event.kind != forces::EventKind::puncture) continue;
         ++run.punctures[static_cast<std::size_t>(result.phase_of(tick))];
       }
     }
@@ -199,7 +202,7 @@ std::span<const std::string_view> compared_names() {
   return model_names;
 }
 
-std::vector<ComparedModel> models_of(const std::vector<std::string>& texts, const ResistanceSettings& own) {
+std::vector<ComparedModel> models_of(const std::vector<std::string>& texts, const anatomy::ResistanceSettings& own) {
   std::vector<ComparedModel> models;
   if (texts.empty()) {
     for (const std::string_view name : model_names) models.push_back({std::string(name), settings_of(name, own)});
@@ -212,11 +215,12 @@ std::vector<ComparedModel> models_of(const std::vector<std::string>& texts, cons
       continue;
     }
     const std::string_view first = std::string_view(text).substr(0, text.find_first_of(" ;"));
-    if (std::find(resistance_names.begin(), resistance_names.end(), first) == resistance_names.end()) {
+    if (std::find(anatomy::resistance_names.begin(), anatomy::resistance_names.end(), first) ==
+        anatomy::resistance_names.end()) {
       throw InputError(fmt::format("{}: there is no model '{}', expected 'all' or some of {}", option, text,
                                    fmt::join(model_names, ", ")));
     }
-    models.push_back({text, parse_resistance(text, option)});
+    models.push_back({text, io::parse_resistance(text, option)});
   }
   return models;
 }
@@ -227,24 +231,24 @@ MotionPhase Comparison::phase_of(std::size_t tick) const {
   return static_cast<MotionPhase>(phase);
 }
 
-Comparison compare_models(Case patient, const CompareOptions& options, const Progress& progress,
-                          const std::function<void(Case&)>& prepare) {
+Comparison compare_models(anatomy::Case patient, const CompareOptions& options, const Progress& progress,
+                          const std::function<void(anatomy::Case&)>& prepare) {
   check_range("", "--speed", options.speed, {0.5, 500.0}, "mm/s");
   check_range("", "--withdraw-speed", options.withdraw_speed.value_or(options.speed), {0.5, 500.0}, "mm/s");
   check_range("", "--pause", options.pause, {0.0, 60.0}, "s");
   if (options.models.empty()) throw InputError("there is no model to compare");
-  HapticSettings& haptics = patient.description.haptics;
+  anatomy::HapticSettings& haptics = patient.description.haptics;
   haptics.constraint = options.constraint.value_or(haptics.constraint);
   haptics.parts = options.parts.value_or(haptics.parts);
 
   Comparison result;
   result.options = options;
-  result.constraint = name_of(haptics.constraint);
+  result.constraint = anatomy::name_of(haptics.constraint);
   const StraightPath line = straight_path(patient, options.entry, options.target);
   result.path = line.path;
   result.notes = line.notes;
   result.dt = 1.0 / haptics.rate;
-  const std::vector<TickInput> motion = motion_of(line, patient, result);
+  const std::vector<simulation::TickInput> motion = motion_of(line, patient, result);
 
   for (const ComparedModel& model : options.models) {
     haptics.resistance = model.settings;
@@ -270,7 +274,8 @@ std::string comparison_csv(const Comparison& comparison) {
   std::string text = "time_s,depth_mm";
   for (const ModelRun& run : comparison.models) {
     text += ',' + column_of(run.name, "N");
-    for (const DiagnosticName& diagnostic : run.diagnostics) text += ',' + column_of(run.name, diagnostic.name);
+    for (const forces::DiagnosticName& diagnostic : run.diagnostics)
+      text += ',' + column_of(run.name, diagnostic.name);
   }
   text += '\n';
   for (std::size_t tick = 0; tick < comparison.depth.size(); ++tick) {
@@ -287,4 +292,4 @@ std::string comparison_csv(const Comparison& comparison) {
   return text;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::study

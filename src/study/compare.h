@@ -13,12 +13,12 @@
 #include "core/progress.h"
 #include "forces/diagnostics.h"
 
-namespace bodkin {
+namespace bodkin::study {
 
 // A resistance as one curve.
 struct ComparedModel {
   std::string name;
-  ResistanceSettings settings;
+  anatomy::ResistanceSettings settings;
 };
 
 // The names of what is compared by default: those of `resistance_names` in their order, each followed by its
@@ -33,18 +33,18 @@ std::span<const std::string_view> compared_names();
 // of the case's own model, `own`, where they do not make the variant, or a name with settings as in io/force_choice.h
 // ("tracking_wall catch_up_s=0.3"), where settings that are not given have their defaults. Throws InputError for an
 // unknown name, listing the known, and for settings that the model does not have.
-std::vector<ComparedModel> models_of(const std::vector<std::string>& texts, const ResistanceSettings& own);
+std::vector<ComparedModel> models_of(const std::vector<std::string>& texts, const anatomy::ResistanceSettings& own);
 
 // One scripted motion through a patient, the same for every model.
 struct CompareOptions {
-  std::optional<Vec3> entry, target;             // LPS mm; the case's planned path where absent
-  double speed = 10.0;                           // mm/s, 0.5 to 500
-  std::optional<double> withdraw_speed;          // mm/s, 0.5 to 500; `speed` where absent
-  double pause = 2.0;                            // s at the deepest point, 0 to 60
-  bool reinsert = true;                          // after the withdrawal, at `speed` to the same depth
-  std::vector<ComparedModel> models;             // at least one; names differ
-  std::optional<ConstraintSettings> constraint;  // the case's where absent
-  std::optional<ForceParts> parts;               // added to every resistance; the case's where absent
+  std::optional<Vec3> entry, target;                      // LPS mm; the case's planned path where absent
+  double speed = 10.0;                                    // mm/s, 0.5 to 500
+  std::optional<double> withdraw_speed;                   // mm/s, 0.5 to 500; `speed` where absent
+  double pause = 2.0;                                     // s at the deepest point, 0 to 60
+  bool reinsert = true;                                   // after the withdrawal, at `speed` to the same depth
+  std::vector<ComparedModel> models;                      // at least one; names differ
+  std::optional<anatomy::ConstraintSettings> constraint;  // the case's where absent
+  std::optional<anatomy::ForceParts> parts;               // added to every resistance; the case's where absent
 };
 
 enum class MotionPhase : std::uint8_t { insertion, stop, withdrawal, reinsertion };
@@ -56,9 +56,9 @@ inline constexpr std::array<std::string_view, motion_phases> phase_names = {"ins
 // pushes the hand out.
 struct ModelRun {
   std::string name;
-  std::vector<double> force;                // N; motion's ticks
-  std::vector<DiagnosticName> diagnostics;  // that the model publishes
-  std::vector<double> published;            // their values, tick by tick
+  std::vector<double> force;                        // N; motion's ticks
+  std::vector<forces::DiagnosticName> diagnostics;  // that the model publishes
+  std::vector<double> published;                    // their values, tick by tick
 
   double peak = 0.0;          // N, the largest on the insertion; 0 when nothing pushed
   std::size_t peak_tick = 0;  // where that was first
@@ -81,12 +81,12 @@ struct ModelRefused {
 };
 
 struct Comparison {
-  NeedlePath path;
+  anatomy::NeedlePath path;
   CompareOptions options;
   std::string constraint;                              // its name
   double dt = 0.001;                                   // s
   std::vector<double> depth;                           // ticks; mm below the skin, negative before it
-  std::vector<TissueId> tissue;                        // ticks; at the tip
+  std::vector<anatomy::TissueId> tissue;               // ticks; at the tip
   std::array<std::size_t, motion_phases + 1> first{};  // tick of each phase, then their number
   std::vector<ModelRun> models;                        // at least one, in the order asked for
   std::vector<ModelRefused> refused;
@@ -106,11 +106,11 @@ struct Comparison {
 // throw InputError are in `refused`; throws InputError itself when all do, for an option out of its range, a motion
 // of more than 3 million ticks, and when the path is no path or misses the body (saying by how much). `prepare` gives
 // the case what the model in its description needs in addition (its deformable body); it may be empty.
-Comparison compare_models(Case patient, const CompareOptions& options, const Progress& progress = {},
-                          const std::function<void(Case&)>& prepare = {});
+Comparison compare_models(anatomy::Case patient, const CompareOptions& options, const Progress& progress = {},
+                          const std::function<void(anatomy::Case&)>& prepare = {});
 
 // A row per tick: time_s, depth_mm, and per model a column NAME_N and one NAME_DIAGNOSTIC for each that it publishes,
 // where characters of a name that are no letter, digit or point become one underscore.
 std::string comparison_csv(const Comparison& comparison);
 
-}  // namespace bodkin
+}  // namespace bodkin::study

@@ -11,7 +11,7 @@
 #include "imaging/slice_picture.h"
 #include "imaging/warped_slice.h"
 
-namespace bodkin {
+namespace bodkin::study {
 
 namespace {
 
@@ -21,22 +21,23 @@ constexpr double warp_spacing = 1.0;    // mm
 constexpr double panel_height = 460.0;  // px
 
 // mm, of every node of the mesh.
-Eigen::MatrixXd displacement(const BodyDescription& body, const NodeForces& forces, const Progress& progress) {
-  const ElasticBody elastic(body, plan_body(body, progress), {}, progress);
+Eigen::MatrixXd displacement(const fem::BodyDescription& body, const fem::NodeForces& forces,
+                             const Progress& progress) {
+  const fem::ElasticBody elastic(body, fem::plan_body(body, progress), {}, progress);
   Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(elastic.mesh_nodes()), 1);
   for (std::size_t i = 0; i < forces.count; ++i) {
-    const NodeForce& here = forces.nodes[i];
+    const fem::NodeForce& here = forces.nodes[i];
     for (std::size_t axis = 0; axis < 3; ++axis)
       loads(3 * Eigen::Index{here.node} + static_cast<Eigen::Index>(axis)) += static_cast<double>(here.force[axis]);
   }
   return elastic.displacement(loads);
 }
 
-std::vector<float> moved_points(const BodyDescription& body, const std::vector<Vec3>& points,
+std::vector<float> moved_points(const fem::BodyDescription& body, const std::vector<Vec3>& points,
                                 const Eigen::MatrixXd& moved) {
   std::vector<float> displacements;
   displacements.reserve(3 * points.size());
-  for (const PointInMesh& place : find_points(body.mesh, points)) {
+  for (const fem::PointInMesh& place : fem::find_points(body.mesh, points)) {
     Vec3 here = Vec3::Zero();
     for (std::size_t corner = 0; corner < 4; ++corner)
       here += place.weights[corner] * moved.col(0).segment<3>(3 * Eigen::Index{place.nodes[corner]});
@@ -54,28 +55,31 @@ std::string title_of(const DeformedMoment& moment, double most) {
 
 }  // namespace
 
-std::vector<float> displacements_at(const BodyDescription& body, const NodeForces& forces,
+std::vector<float> displacements_at(const fem::BodyDescription& body, const fem::NodeForces& forces,
                                     const std::vector<Vec3>& points, const Progress& progress) {
   return moved_points(body, points, displacement(body, forces, progress));
 }
 
-Canvas deformation_picture(const Case& patient, const BodyDescription& body, const DeformedMoment& moment,
-                           const Progress& progress) {
-  const NeedlePath& path = patient.corridor.path;
+imaging::Canvas deformation_picture(const anatomy::Case& patient, const fem::BodyDescription& body,
+                                    const DeformedMoment& moment, const Progress& progress) {
+  const anatomy::NeedlePath& path = patient.corridor.path;
   const Vec3 tip = moment.needle.translation(), along = needle_axis(moment.needle);
-  const SlicePlane plane = sagittal_plane_along(path, tip - 0.25 * side * along, side, side, side / pixels_across);
-  const SlicePlane grid = warp_grid(plane, warp_spacing);
-  const std::vector<float> displacements = displacements_at(body, moment.forces, points_of(grid), progress);
+  const imaging::SlicePlane plane =
+      imaging::sagittal_plane_along(path, tip - 0.25 * side * along, side, side, side / pixels_across);
+  const imaging::SlicePlane grid = imaging::warp_grid(plane, warp_spacing);
+  const std::vector<float> displacements = displacements_at(body, moment.forces, imaging::points_of(grid), progress);
   double most = 0.0;
   for (std::size_t i = 0; i + 2 < displacements.size(); i += 3)
     most =
         std::max(most, static_cast<double>(std::hypot(displacements[i], displacements[i + 1], displacements[i + 2])));
   const std::vector<Vec3> needle = {tip - std::max(moment.depth - moment.ahead + 25.0, 40.0) * along, tip};
-  std::vector<SlicePanel> panels;
-  panels.push_back({cut(plane, patient.ct, patient.tissues), "at rest", path, {}});
-  panels.push_back(
-      {cut_deformed(plane, patient.ct, patient.tissues, grid, displacements), title_of(moment, most), {}, needle});
-  return slice_picture(panels, patient.library, patient.description.name, panel_height);
+  std::vector<imaging::SlicePanel> panels;
+  panels.push_back({imaging::cut(plane, patient.ct, patient.tissues), "at rest", path, {}});
+  panels.push_back({imaging::cut_deformed(plane, patient.ct, patient.tissues, grid, displacements),
+                    title_of(moment, most),
+                    {},
+                    needle});
+  return imaging::slice_picture(panels, patient.library, patient.description.name, panel_height);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::study

@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "simulation/haptic_tick.h"
 
-namespace bodkin {
+namespace bodkin::study {
 
 namespace {
 
@@ -19,20 +19,20 @@ constexpr double same_time = 1e-9;  // s; the time of a tick is a rounded produc
 constexpr std::int16_t air_hounsfield = -1000;
 
 // Tissue at a depth below the surface, or along the radius of a half ball.
-TissueId tissue_at(const ExperimentBody& body, const std::vector<TissueId>& ids, double depth) {
+anatomy::TissueId tissue_at(const io::ExperimentBody& body, const std::vector<anatomy::TissueId>& ids, double depth) {
   double end = 0.0;
   for (std::size_t i = 0; i < body.layers.size(); ++i) {
     end += body.layers[i].thickness;
     if (depth < end) return ids[i];
   }
-  return body.hemisphere ? ids.back() : tissue::air;
+  return body.hemisphere ? ids.back() : anatomy::tissue::air;
 }
 
-TissueVolume tissues_of(const Experiment& experiment) {
-  const ExperimentBody& body = experiment.body;
-  std::vector<TissueId> ids;
+anatomy::TissueVolume tissues_of(const io::Experiment& experiment) {
+  const io::ExperimentBody& body = experiment.body;
+  std::vector<anatomy::TissueId> ids;
   double total = 0.0;
-  for (const ExperimentLayer& layer : body.layers) {
+  for (const io::ExperimentLayer& layer : body.layers) {
     ids.push_back(experiment.library.find(layer.tissue)->id);
     total += layer.thickness;
   }
@@ -45,11 +45,11 @@ TissueVolume tissues_of(const Experiment& experiment) {
         fmt::format("{}: the body has {:.0f} million voxels, expected at most {:.0f}; make voxel_mm larger",
                     experiment.name, count / 1e6, most_voxels / 1e6));
   }
-  Grid grid;
+  anatomy::Grid grid;
   grid.size = {static_cast<int>(voxels(across)), static_cast<int>(voxels(across)), static_cast<int>(voxels(along))};
   grid.spacing = Vec3::Constant(body.voxel);
   grid.origin = {-0.5 * body.voxel * (grid.size[0] - 1), -0.5 * body.voxel * (grid.size[1] - 1), 0.5 * body.voxel};
-  TissueVolume volume(grid, tissue::air);
+  anatomy::TissueVolume volume(grid, anatomy::tissue::air);
   const Vec3 centre = {0.0, 0.0, body.radius};
   for (int k = 0; k < grid.size[2]; ++k) {
     for (int j = 0; j < grid.size[1]; ++j) {
@@ -63,29 +63,29 @@ TissueVolume tissues_of(const Experiment& experiment) {
   return volume;
 }
 
-CtVolume ct_of(const TissueVolume& tissues, const TissueLibrary& library) {
-  CtVolume ct(tissues.grid, air_hounsfield);
-  const auto hounsfield = library.by_id(&TissueProperties::hounsfield);
+anatomy::CtVolume ct_of(const anatomy::TissueVolume& tissues, const anatomy::TissueLibrary& library) {
+  anatomy::CtVolume ct(tissues.grid, air_hounsfield);
+  const auto hounsfield = library.by_id(&anatomy::TissueProperties::hounsfield);
   std::transform(tissues.voxels.begin(), tissues.voxels.end(), ct.voxels.begin(),
-                 [&](TissueId id) { return static_cast<std::int16_t>(std::lround(hounsfield[id])); });
+                 [&](anatomy::TissueId id) { return static_cast<std::int16_t>(std::lround(hounsfield[id])); });
   return ct;
 }
 
 // Where the needle is at a time.
 class Mover {
  public:
-  explicit Mover(const ExperimentMotion& motion) : motion_(motion) {}
+  explicit Mover(const io::ExperimentMotion& motion) : motion_(motion) {}
 
   // Times must not fall.
-  ExperimentPlace at(double time) {
-    const std::vector<ExperimentPlace>& places = motion_.places;
+  io::ExperimentPlace at(double time) {
+    const std::vector<io::ExperimentPlace>& places = motion_.places;
     while (next_ + 1 < places.size() && places[next_].time < time) ++next_;
-    const ExperimentPlace &from = places[next_ - 1], &to = places[next_];
+    const io::ExperimentPlace &from = places[next_ - 1], &to = places[next_];
     const double part = std::clamp((time - from.time) / (to.time - from.time), 0.0, 1.0);
     const auto between = [part](double a, double b) { return part == 1.0 ? b : a + part * (b - a); };
     return {time, between(from.depth, to.depth), between(from.aside, to.aside), between(from.tilt, to.tilt)};
   }
-  Pose pose(const ExperimentPlace& place) const {
+  Pose pose(const io::ExperimentPlace& place) const {
     const Vec3& along = motion_.direction;
     const Vec3 axis = std::cos(place.tilt) * along + std::sin(place.tilt) * motion_.across;
     const Vec3 side = std::cos(place.tilt) * motion_.across - std::sin(place.tilt) * along;
@@ -95,11 +95,12 @@ class Mover {
   }
 
  private:
-  const ExperimentMotion& motion_;
+  const io::ExperimentMotion& motion_;
   std::size_t next_ = 1;
 };
 
-PublishedComparison compare(const PublishedValue& published, const Experiment& experiment, const ExperimentRun& run) {
+PublishedComparison compare(const io::PublishedValue& published, const io::Experiment& experiment,
+                            const ExperimentRun& run) {
   double sum = 0.0, highest = -std::numeric_limits<double>::infinity(), lowest = -highest, first = 0.0, last = 0.0;
   std::size_t count = 0;
   for (const ExperimentTick& tick : run.ticks) {
@@ -119,19 +120,19 @@ PublishedComparison compare(const PublishedValue& published, const Experiment& e
   }
   PublishedComparison comparison{published};
   switch (published.take) {
-    case Take::mean:
+    case io::Take::mean:
       comparison.found = sum / static_cast<double>(count);
       break;
-    case Take::highest:
+    case io::Take::highest:
       comparison.found = highest;
       break;
-    case Take::lowest:
+    case io::Take::lowest:
       comparison.found = lowest;
       break;
-    case Take::first:
+    case io::Take::first:
       comparison.found = first;
       break;
-    case Take::last:
+    case io::Take::last:
       comparison.found = last;
       break;
   }
@@ -140,14 +141,14 @@ PublishedComparison compare(const PublishedValue& published, const Experiment& e
 }
 
 // mm along the line: W of a tracking wall, its only diagnostic. A wall whose spring is slack is not shown.
-double wall_of(const ExperimentTick& tick, const Experiment& experiment) {
+double wall_of(const ExperimentTick& tick, const io::Experiment& experiment) {
   constexpr double slack = std::numeric_limits<double>::quiet_NaN();
-  if (!tick.in_contact) return std::get<TrackingWallSettings>(experiment.haptics.resistance).surface;
+  if (!tick.in_contact) return std::get<anatomy::TrackingWallSettings>(experiment.haptics.resistance).surface;
   if (!(tick.resistance > 0.0)) return slack;
   return tick.diagnostics[0];
 }
 
-Vec3 wall_place(const ExperimentTick& tick, const Experiment& experiment) {
+Vec3 wall_place(const ExperimentTick& tick, const io::Experiment& experiment) {
   if (!tick.in_contact) return experiment.motion.entry;
   return tick.tip + (wall_of(tick, experiment) - tick.depth) * experiment.motion.direction;
 }
@@ -159,11 +160,11 @@ Vec3 proxy_place(const ExperimentTick& tick) {
 
 }  // namespace
 
-Case experiment_case(const Experiment& experiment) {
-  Case patient;
+anatomy::Case experiment_case(const io::Experiment& experiment) {
+  anatomy::Case patient;
   patient.library = experiment.library;
   patient.tissues = tissues_of(experiment);
-  if (std::holds_alternative<VolumeProxySettings>(experiment.haptics.resistance))
+  if (std::holds_alternative<anatomy::VolumeProxySettings>(experiment.haptics.resistance))
     patient.ct = ct_of(patient.tissues, patient.library);
   patient.description.name = experiment.name;
   patient.description.needle = experiment.needle;
@@ -172,9 +173,9 @@ Case experiment_case(const Experiment& experiment) {
   return patient;
 }
 
-ExperimentRun play(const Experiment& experiment, const Progress& progress) {
-  const Case patient = experiment_case(experiment);
-  HapticTick tick(patient);
+ExperimentRun play(const io::Experiment& experiment, const Progress& progress) {
+  const anatomy::Case patient = experiment_case(experiment);
+  simulation::HapticTick tick(patient);
   Mover mover(experiment.motion);
   ExperimentRun run;
   run.dt = tick.dt();
@@ -182,9 +183,9 @@ ExperimentRun play(const Experiment& experiment, const Progress& progress) {
   const auto count = static_cast<std::size_t>(std::floor(duration / run.dt + 1e-6)) + 1;
   run.ticks.reserve(count);
   for (std::size_t n = 0; n < count; ++n) {
-    const ExperimentPlace place = mover.at(static_cast<double>(n) * run.dt);
+    const io::ExperimentPlace place = mover.at(static_cast<double>(n) * run.dt);
     const Pose pose = mover.pose(place);
-    const TickOutput output = tick.step({pose});
+    const simulation::TickOutput output = tick.step({pose});
     run.ticks.push_back({.time = place.time,
                          .depth = output.depth,
                          .velocity = output.velocity,
@@ -201,11 +202,12 @@ ExperimentRun play(const Experiment& experiment, const Progress& progress) {
     if (progress && n % (count / 16 + 1) == 0)
       progress(experiment.name, static_cast<double>(n) / static_cast<double>(count));
   }
-  for (const PublishedValue& value : experiment.values) run.comparisons.push_back(compare(value, experiment, run));
+  for (const io::PublishedValue& value : experiment.values)
+    run.comparisons.push_back(compare(value, experiment, run));
   return run;
 }
 
-bool is_inside(const ExperimentWindow& window, const ExperimentTick& tick) {
+bool is_inside(const io::ExperimentWindow& window, const ExperimentTick& tick) {
   const auto above = [](const std::optional<double>& low, double value) { return !low || value >= *low; };
   const auto below = [](const std::optional<double>& high, double value) { return !high || value <= *high; };
   const bool deep = window.depth_from || window.depth_to;
@@ -213,74 +215,75 @@ bool is_inside(const ExperimentWindow& window, const ExperimentTick& tick) {
          (!deep || tick.in_contact) && above(window.depth_from, tick.depth) && below(window.depth_to, tick.depth);
 }
 
-double value_of(Quantity quantity, const ExperimentTick& tick, const Experiment& experiment) {
+double value_of(io::Quantity quantity, const ExperimentTick& tick, const io::Experiment& experiment) {
   switch (quantity) {
-    case Quantity::time:
+    case io::Quantity::time:
       return tick.time;
-    case Quantity::depth:
+    case io::Quantity::depth:
       return tick.depth;
-    case Quantity::position:
+    case io::Quantity::position:
       return (tick.tip - experiment.motion.entry).dot(experiment.motion.direction);
-    case Quantity::velocity:
+    case io::Quantity::velocity:
       return tick.velocity;
-    case Quantity::resistance:
+    case io::Quantity::resistance:
       return tick.resistance;
-    case Quantity::force:
+    case io::Quantity::force:
       return tick.requested.force.norm();
-    case Quantity::force_x:
+    case io::Quantity::force_x:
       return tick.requested.force.x();
-    case Quantity::force_y:
+    case io::Quantity::force_y:
       return tick.requested.force.y();
-    case Quantity::force_z:
+    case io::Quantity::force_z:
       return tick.requested.force.z();
-    case Quantity::applied_force:
+    case io::Quantity::applied_force:
       return tick.applied.force.norm();
-    case Quantity::constraint:
+    case io::Quantity::constraint:
       return tick.constraint;
-    case Quantity::torque:
+    case io::Quantity::torque:
       return tick.requested.torque.norm();
-    case Quantity::applied_torque:
+    case io::Quantity::applied_torque:
       return tick.applied.torque.norm();
-    case Quantity::tip_x:
+    case io::Quantity::tip_x:
       return tick.tip.x();
-    case Quantity::tip_y:
+    case io::Quantity::tip_y:
       return tick.tip.y();
-    case Quantity::tip_z:
+    case io::Quantity::tip_z:
       return tick.tip.z();
-    case Quantity::aside:
+    case io::Quantity::aside:
       return tick.aside;
-    case Quantity::tilt:
+    case io::Quantity::tilt:
       return tick.tilt / degree;
-    case Quantity::wall:
+    case io::Quantity::wall:
       return wall_of(tick, experiment);
-    case Quantity::wall_x:
+    case io::Quantity::wall_x:
       return wall_place(tick, experiment).x();
-    case Quantity::wall_y:
+    case io::Quantity::wall_y:
       return wall_place(tick, experiment).y();
-    case Quantity::wall_z:
+    case io::Quantity::wall_z:
       return wall_place(tick, experiment).z();
-    case Quantity::proxy_x:
+    case io::Quantity::proxy_x:
       return proxy_place(tick).x();
-    case Quantity::proxy_y:
+    case io::Quantity::proxy_y:
       return proxy_place(tick).y();
-    case Quantity::proxy_z:
+    case io::Quantity::proxy_z:
       return proxy_place(tick).z();
   }
   return 0.0;
 }
 
-std::string experiment_csv(const Experiment& experiment, const ExperimentRun& run) {
+std::string experiment_csv(const io::Experiment& experiment, const ExperimentRun& run) {
   std::string text;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(Quantity::wall); ++i)
-    fmt::format_to(std::back_inserter(text), "{},", quantity_names[i].name);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(io::Quantity::wall); ++i)
+    fmt::format_to(std::back_inserter(text), "{},", io::quantity_names[i].name);
   text += "tissue\n";
   for (const ExperimentTick& tick : run.ticks) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(Quantity::wall); ++i)
-      fmt::format_to(std::back_inserter(text), "{:.6f},", value_of(static_cast<Quantity>(i), tick, experiment) + 0.0);
-    const TissueProperties* tissue = experiment.library.find(tick.tissue);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(io::Quantity::wall); ++i)
+      fmt::format_to(std::back_inserter(text), "{:.6f},",
+                     value_of(static_cast<io::Quantity>(i), tick, experiment) + 0.0);
+    const anatomy::TissueProperties* tissue = experiment.library.find(tick.tissue);
     fmt::format_to(std::back_inserter(text), "{}\n", tissue != nullptr ? tissue->name : std::to_string(tick.tissue));
   }
   return text;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::study

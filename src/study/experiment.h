@@ -8,7 +8,7 @@
 #include "forces/diagnostics.h"
 #include "io/experiment_file.h"
 
-namespace bodkin {
+namespace bodkin::study {
 
 // One tick of an experiment; see Quantity for what is what.
 struct ExperimentTick {
@@ -21,14 +21,14 @@ struct ExperimentTick {
   double tilt = 0.0;        // rad
   Vec3 tip = Vec3::Zero();  // mm
   Wrench requested, applied;
-  Diagnostics diagnostics{};  // of the resistance, see its ResistanceTraits
-  TissueId tissue = tissue::air;
+  forces::Diagnostics diagnostics{};  // of the resistance, see its ResistanceTraits
+  anatomy::TissueId tissue = anatomy::tissue::air;
   bool in_contact = false;
 };
 
 // A published number and what came out.
 struct PublishedComparison {
-  PublishedValue published;
+  io::PublishedValue published;
   double found = 0.0;
   bool agrees = false;  // |found - published| <= tolerance
 };
@@ -42,19 +42,19 @@ struct ExperimentRun {
 
 // The body, needle and settings of an experiment as a patient in memory: a tissue map, and a CT where the resistance
 // reads one. Throws InputError for a body of more than 60 million voxels or one without tissue.
-Case experiment_case(const Experiment& experiment);
+anatomy::Case experiment_case(const io::Experiment& experiment);
 
 // Moves the needle of an experiment through the same tick that a hand would feel, as its motion says. Throws
 // InputError when body, tissues and settings do not go together or when a published value's window holds no tick.
-ExperimentRun play(const Experiment& experiment, const Progress& progress = {});
+ExperimentRun play(const io::Experiment& experiment, const Progress& progress = {});
 
 // Whether a tick lies in a window; one that says a depth holds ticks in contact only.
-bool is_inside(const ExperimentWindow& window, const ExperimentTick& tick);
+bool is_inside(const io::ExperimentWindow& window, const ExperimentTick& tick);
 
 // A quantity of one tick in its unit; NaN when undefined (a wall whose spring is slack).
-double value_of(Quantity quantity, const ExperimentTick& tick, const Experiment& experiment);
+double value_of(io::Quantity quantity, const ExperimentTick& tick, const io::Experiment& experiment);
 
 // The table of a run, a row per tick.
-std::string experiment_csv(const Experiment& experiment, const ExperimentRun& run);
+std::string experiment_csv(const io::Experiment& experiment, const ExperimentRun& run);
 
-}  // namespace bodkin
+}  // namespace bodkin::study

@@ -9,9 +9,10 @@
 #include "core/settings_check.h"
 #include "simulation/haptic_tick.h"
 
-namespace bodkin {
+namespace bodkin::study {
 
-Profile insert_at_constant_speed(const Case& patient, const ProfileOptions& options, const Progress& progress) {
+Profile insert_at_constant_speed(const anatomy::Case& patient, const ProfileOptions& options,
+                                 const Progress& progress) {
   check_range("", "--speed", options.speed, {0.5, 500.0}, "mm/s");
   check_range("", "--beyond", options.beyond, {0.0, 200.0}, "mm");
   check_range("", "--pause", options.pause, {0.0, 60.0}, "s");
@@ -21,23 +22,23 @@ Profile insert_at_constant_speed(const Case& patient, const ProfileOptions& opti
   profile.path = line.path;
   profile.notes = line.notes;
 
-  HapticTick haptics(patient);
+  simulation::HapticTick haptics(patient);
   profile.dt = haptics.dt();
   profile.diagnostics.assign(haptics.diagnostic_names().begin(), haptics.diagnostic_names().end());
   const double step = options.speed * profile.dt;  // mm a tick
   const double peak_force = patient.description.device.peak_force;
   const auto expected = static_cast<std::size_t>((line.end - line.start) / step);
   profile.ticks.reserve(expected * (options.withdraw ? 2 : 1) + 16);
-  const auto moment = [&haptics](const TickRecord& record) {
-    const BodyPort* const body = haptics.body();
+  const auto moment = [&haptics](const simulation::TickRecord& record) {
+    const simulation::BodyPort* const body = haptics.body();
     const Vec3 ahead = body == nullptr ? Vec3(Vec3::Zero()) : body->needle_ahead();
     Pose needle = record.input.needle;
     needle.translation() -= ahead;
-    return DeformedMoment{body == nullptr ? NodeForces{} : body->node_forces(), needle, ahead.norm(),
+    return DeformedMoment{body == nullptr ? fem::NodeForces{} : body->node_forces(), needle, ahead.norm(),
                           record.output.depth, record.output.resistance};
   };
-  const auto tick = [&](double place) -> const TickOutput& {
-    TickRecord record;
+  const auto tick = [&](double place) -> const simulation::TickOutput& {
+    simulation::TickRecord record;
     record.tick = profile.ticks.size();
     record.input.needle = line.needle_at(place);
     record.output = haptics.step(record.input);
@@ -53,10 +54,10 @@ Profile insert_at_constant_speed(const Case& patient, const ProfileOptions& opti
   tick(line.start);
   double deepest = line.start;
   for (const double place : places_between(line.start, line.end, step)) {
-    const TickOutput& output = tick(place);
+    const simulation::TickOutput& output = tick(place);
     deepest = place;
-    const TissueProperties* properties = patient.library.find(output.tissue);
-    const bool in_bone = properties != nullptr && properties->layered.kind == LayeredKind::rigid;
+    const anatomy::TissueProperties* properties = patient.library.find(output.tissue);
+    const bool in_bone = properties != nullptr && properties->layered.kind == anatomy::LayeredKind::rigid;
     if (in_bone && output.resistance > peak_force) {
       profile.stopped_by_bone = output.depth;
       profile.outcome = fmt::format(
@@ -79,18 +80,18 @@ Profile insert_at_constant_speed(const Case& patient, const ProfileOptions& opti
   return profile;
 }
 
-std::string profile_csv(const Profile& profile, const TissueLibrary& library) {
+std::string profile_csv(const Profile& profile, const anatomy::TissueLibrary& library) {
   std::string text =
       "time_s,depth_mm,velocity_mm_s,resistance_N,requested_L_N,requested_P_N,requested_S_N,applied_L_N,applied_P_N,"
       "applied_S_N,tissue";
-  for (const DiagnosticName& diagnostic : profile.diagnostics)
+  for (const forces::DiagnosticName& diagnostic : profile.diagnostics)
     fmt::format_to(std::back_inserter(text), ",{}", diagnostic.name);
   text += '\n';
-  for (const TickRecord& record : profile.ticks) {
-    const TickOutput& output = record.output;
+  for (const simulation::TickRecord& record : profile.ticks) {
+    const simulation::TickOutput& output = record.output;
     const Vec3& asked = output.requested.force;
     const Vec3& given = output.applied.force;
-    const TissueProperties* properties = library.find(output.tissue);
+    const anatomy::TissueProperties* properties = library.find(output.tissue);
     fmt::format_to(std::back_inserter(text),
                    "{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{}",
                    static_cast<double>(record.tick) * profile.dt, output.depth, output.velocity, output.resistance,
@@ -103,4 +104,4 @@ std::string profile_csv(const Profile& profile, const TissueLibrary& library) {
   return text;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::study

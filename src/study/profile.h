@@ -11,7 +11,7 @@
 #include "core/progress.h"
 #include "simulation/tick_record.h"
 
-namespace bodkin {
+namespace bodkin::study {
 
 // How a needle is driven into a patient by a machine that does not feel: straight, at one speed.
 struct ProfileOptions {
@@ -24,26 +24,27 @@ struct ProfileOptions {
 
 // A finished insertion, tick by tick.
 struct Profile {
-  NeedlePath path;
+  anatomy::NeedlePath path;
   ProfileOptions options;
-  double dt = 0.001;                        // s
-  std::vector<TickRecord> ticks;            // in order; events stand in them
-  std::vector<DiagnosticName> diagnostics;  // that the force models publish in each tick
-  DeformedMoment strongest;                 // where a deformable body resisted most; without forces for other models
-  DeformedMoment last;                      // at the end of the insertion
-  std::optional<double> stopped_by_bone;    // mm; the depth at which bone held more than the device's peak force
-  std::string outcome;                      // how far the needle came, one sentence
-  std::vector<std::string> notes;           // what was assumed, one sentence each
+  double dt = 0.001;                                // s
+  std::vector<simulation::TickRecord> ticks;        // in order; events stand in them
+  std::vector<forces::DiagnosticName> diagnostics;  // that the force models publish in each tick
+  DeformedMoment strongest;               // where a deformable body resisted most; without forces for other models
+  DeformedMoment last;                    // at the end of the insertion
+  std::optional<double> stopped_by_bone;  // mm; the depth at which bone held more than the device's peak force
+  std::string outcome;                    // how far the needle came, one sentence
+  std::vector<std::string> notes;         // what was assumed, one sentence each
 };
 
 // Drives the needle of `patient` along a path, from 10 mm before the skin, through the same tick that a hand would
 // feel. The insertion ends at the target, or in bone once that pushes back with more than the device can show. Throws
 // InputError when the path is no path, lies outside the volume or misses the body (saying by how much), or when an
 // option is out of its range.
-Profile insert_at_constant_speed(const Case& patient, const ProfileOptions& options, const Progress& progress = {});
+Profile insert_at_constant_speed(const anatomy::Case& patient, const ProfileOptions& options,
+                                 const Progress& progress = {});
 
 // The table of a profile, a row per tick: time_s, depth_mm, velocity_mm_s, resistance_N, what the models ask for and
 // what the governor lets through as LPS components in N, the tissue at the tip, then what the force models publish.
-std::string profile_csv(const Profile& profile, const TissueLibrary& library);
+std::string profile_csv(const Profile& profile, const anatomy::TissueLibrary& library);
 
-}  // namespace bodkin
+}  // namespace bodkin::study

@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::study {
 
 namespace {
 
@@ -16,13 +16,13 @@ constexpr double lead = 10.0;            // mm of air before the skin
 constexpr double step_of_search = 0.1;   // mm
 constexpr double shortest_path = 1.0;    // mm
 constexpr double entry_tolerance = 2.0;  // mm that an entry may lie off the skin without a remark
-constexpr TissueId outside = 255;
+constexpr anatomy::TissueId outside = 255;
 
 std::string text_of(const Vec3& point) {
   return fmt::format("({:.1f}, {:.1f}, {:.1f})", point.x(), point.y(), point.z());
 }
 
-void check_inside(const Vec3& point, const char* what, const Grid& grid) {
+void check_inside(const Vec3& point, const char* what, const anatomy::Grid& grid) {
   const Vec3 index = grid.to_index(point);
   const Vec3 last = Vec3(grid.size[0], grid.size[1], grid.size[2]) - Vec3::Constant(0.5);
   if ((index.array() >= -0.5).all() && (index.array() <= last.array()).all()) return;
@@ -37,13 +37,14 @@ void check_inside(const Vec3& point, const char* what, const Grid& grid) {
                                text_of(point), text_of(low), text_of(high)));
 }
 
-NeedlePath path_of(const Case& patient, const std::optional<Vec3>& entry, const std::optional<Vec3>& target) {
-  const std::optional<NeedlePath>& planned = patient.description.procedure.path;
+anatomy::NeedlePath path_of(const anatomy::Case& patient, const std::optional<Vec3>& entry,
+                            const std::optional<Vec3>& target) {
+  const std::optional<anatomy::NeedlePath>& planned = patient.description.procedure.path;
   if (!planned && !(entry && target)) {
     throw InputError(fmt::format("the case '{}' has no planned path; give both --entry and --target in LPS mm",
                                  patient.description.name));
   }
-  NeedlePath path = planned.value_or(NeedlePath{});
+  anatomy::NeedlePath path = planned.value_or(anatomy::NeedlePath{});
   if (entry) path.entry = *entry;
   if (target) path.target = *target;
   if (!path.entry.allFinite() || !path.target.allFinite()) {
@@ -59,14 +60,14 @@ NeedlePath path_of(const Case& patient, const std::optional<Vec3>& entry, const 
 }
 
 // mm from the path to the nearest voxel that is not air; infinite when there is none.
-double distance_to_body(const NeedlePath& path, const TissueVolume& tissues) {
+double distance_to_body(const anatomy::NeedlePath& path, const anatomy::TissueVolume& tissues) {
   const auto& size = tissues.grid.size;
   const Vec3 along = path.target - path.entry;
   double nearest_square = std::numeric_limits<double>::infinity();
   for (int k = 0; k < size[2]; ++k) {
     for (int j = 0; j < size[1]; ++j) {
       for (int i = 0; i < size[0]; ++i) {
-        if (tissues.at(i, j, k) == tissue::air) continue;
+        if (tissues.at(i, j, k) == anatomy::tissue::air) continue;
         const Vec3 point = tissues.grid.to_patient(Vec3(i, j, k));
         const double share = std::clamp((point - path.entry).dot(along) / along.squaredNorm(), 0.0, 1.0);
         nearest_square = std::min(nearest_square, (path.entry + share * along - point).squaredNorm());
@@ -77,24 +78,26 @@ double distance_to_body(const NeedlePath& path, const TissueVolume& tissues) {
 }
 
 // Finds the skin on the path, and with it where the needle starts.
-void find_skin(StraightPath& line, const TissueVolume& tissues) {
-  const NeedlePath& path = line.path;
+void find_skin(StraightPath& line, const anatomy::TissueVolume& tissues) {
+  const anatomy::NeedlePath& path = line.path;
   const Vec3 along = path.direction();
-  const auto tissue_at = [&](double s) { return nearest<TissueId>(tissues, path.entry + s * along, outside); };
-  const bool in_body = tissue_at(0.0) != tissue::air;
+  const auto tissue_at = [&](double s) {
+    return anatomy::nearest<anatomy::TissueId>(tissues, path.entry + s * along, outside);
+  };
+  const bool in_body = tissue_at(0.0) != anatomy::tissue::air;
   // The skin between a place in air and one in tissue, to the last bit that matters.
   const auto skin_between = [&](double in_air, double in_tissue) {
     for (int halving = 0; halving < 20; ++halving) {
       const double middle = 0.5 * (in_air + in_tissue);
-      (tissue_at(middle) == tissue::air ? in_air : in_tissue) = middle;
+      (tissue_at(middle) == anatomy::tissue::air ? in_air : in_tissue) = middle;
     }
     return in_tissue;
   };
   if (!in_body) {
     for (double s = step_of_search; s <= line.end; s += step_of_search) {
-      const TissueId here = tissue_at(s);
+      const anatomy::TissueId here = tissue_at(s);
       if (here == outside) break;
-      if (here == tissue::air) continue;
+      if (here == anatomy::tissue::air) continue;
       line.surface = skin_between(s - step_of_search, s);
       line.start = line.surface - lead;
       if (line.surface > entry_tolerance)
@@ -109,9 +112,9 @@ void find_skin(StraightPath& line, const TissueVolume& tissues) {
             : "the tissue volume holds nothing but air, so that no path can meet a body");
   }
   for (double s = -step_of_search;; s -= step_of_search) {
-    const TissueId here = tissue_at(s);
+    const anatomy::TissueId here = tissue_at(s);
     if (here == outside) break;
-    if (here != tissue::air) continue;
+    if (here != anatomy::tissue::air) continue;
     line.surface = skin_between(s, s + step_of_search);
     line.start = line.surface - lead;
     if (-line.surface > entry_tolerance) {
@@ -131,14 +134,15 @@ Pose StraightPath::needle_at(double place) const {
   return needle;
 }
 
-StraightPath straight_path(const Case& patient, const std::optional<Vec3>& entry, const std::optional<Vec3>& target,
-                           double beyond) {
+StraightPath straight_path(const anatomy::Case& patient, const std::optional<Vec3>& entry,
+                           const std::optional<Vec3>& target, double beyond) {
   StraightPath line;
   line.path = path_of(patient, entry, target);
   const Vec3 along = line.path.direction();
   line.at_entry = needle_pose(line.path.entry, along);
   line.end = line.path.length() + beyond;
-  if (beyond > 0.0 && nearest<TissueId>(patient.tissues, line.path.entry + line.end * along, outside) == outside) {
+  if (beyond > 0.0 &&
+      anatomy::nearest<anatomy::TissueId>(patient.tissues, line.path.entry + line.end * along, outside) == outside) {
     throw InputError(fmt::format("{} mm beyond the target lies outside the volume; give a smaller --beyond", beyond));
   }
   find_skin(line, patient.tissues);
@@ -156,4 +160,4 @@ std::vector<double> places_between(double from, double to, double step) {
   return places;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::study

@@ -7,12 +7,12 @@
 #include "anatomy/case.h"
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::study {
 
 // A straight path of a needle through a patient, as a machine that does not feel would take it. Places on it are mm
 // from the path's entry along its direction, negative before the entry.
 struct StraightPath {
-  NeedlePath path;
+  anatomy::NeedlePath path;
   Pose at_entry = Pose::Identity();  // the needle with its tip on the entry
   double surface = 0.0;              // the skin; depth counts from here
   double start = 0.0;                // 10 mm before the skin; the entry itself in a volume without skin before it
@@ -26,11 +26,11 @@ struct StraightPath {
 
 // The line from `entry` to `target` (LPS mm; the case's planned path where absent) and `beyond` mm further. Throws
 // InputError when that is no path, lies outside the volume or misses the body (saying by how much).
-StraightPath straight_path(const Case& patient, const std::optional<Vec3>& entry, const std::optional<Vec3>& target,
-                           double beyond = 0.0);
+StraightPath straight_path(const anatomy::Case& patient, const std::optional<Vec3>& entry,
+                           const std::optional<Vec3>& target, double beyond = 0.0);
 
 // Where the tip is, tick by tick, on its line from one place to another by `step` mm (> 0) a tick: without `from`,
 // with `to` as the last.
 std::vector<double> places_between(double from, double to, double step);
 
-}  // namespace bodkin
+}  // namespace bodkin::study

@@ -6,6 +6,8 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
 namespace {
 
 Grid random_grid(Random& random) {

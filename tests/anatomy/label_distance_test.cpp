@@ -8,6 +8,8 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
 namespace {
 
 using Labels = Volume<std::uint8_t>;

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
 namespace {
 
 // Two tetrahedra that share a face, one that touches them in an edge, and a node that nothing uses.

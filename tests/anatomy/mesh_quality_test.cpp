@@ -7,6 +7,8 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
 namespace {
 
 // A unit cube as six tetrahedra around its diagonal from (0,0,0) to (1,1,1).

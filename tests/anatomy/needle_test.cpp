@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
 namespace {
 
 TEST(Needle, gauges_are_tubes_that_get_thinner) {

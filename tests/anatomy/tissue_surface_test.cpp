@@ -9,6 +9,8 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
 namespace {
 
 // mm^3 inside a closed surface.

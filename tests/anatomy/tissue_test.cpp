@@ -5,6 +5,8 @@
 #include "core/error.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
 namespace {
 
 TEST(TissueLibrary, finds_tissues_by_id_and_by_name) {

@@ -7,6 +7,8 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
 namespace {
 
 // HU that grow linearly through the volume: trilinear interpolation must reproduce them exactly.

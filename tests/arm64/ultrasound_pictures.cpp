@@ -20,6 +20,8 @@
 namespace {
 
 using namespace bodkin;
+using namespace bodkin::anatomy;
+using namespace bodkin::imaging;
 
 TissueProperties tissue_of(TissueId id, const char* name, double hounsfield, const AcousticTissue& acoustic,
                            double young) {

@@ -18,14 +18,14 @@ inline void expect_same_as_calculix(const std::filesystem::path& folder) {
     return;
   }
   setenv("BODKIN_IMAGES_WORKER", BODKIN_BUILD "/bin/bodkin-images", 1);  // it is not beside the tests
-  const ::bodkin::Case patient = ::bodkin::load_case(folder);
+  const ::bodkin::anatomy::Case patient = ::bodkin::io::load_case(folder);
   unsetenv("BODKIN_IMAGES_WORKER");
-  auto mesh = ::bodkin::read_case_mesh(folder, patient.library);
+  auto mesh = ::bodkin::patient::read_case_mesh(folder, patient.library);
   ASSERT_TRUE(mesh.has_value());
-  ::bodkin::DeformableBodySettings settings;
+  ::bodkin::anatomy::DeformableBodySettings settings;
   settings.corridor_nodes = 300;
   ::bodkin::checks::expect_what_calculix_says(
-      ::bodkin::describe_body(mesh->mesh, patient, settings, *patient.description.procedure.path).body, 60);
+      ::bodkin::fem::describe_body(mesh->mesh, patient, settings, *patient.description.procedure.path).body, 60);
 }
 
 }  // namespace bodkin_test

@@ -25,7 +25,7 @@ class CaseMesh : public PatientCommand {};
 
 // A block of tetrahedra around the middle of the patient, as Gmsh writes it.
 std::string block_in_patient(const json& shown, double scale) {
-  ::bodkin::TetrahedralMesh mesh = ::bodkin::block_mesh(4, 10.0);
+  ::bodkin::anatomy::TetrahedralMesh mesh = ::bodkin::block_mesh(4, 10.0);
   const auto target = shown.at("procedure").at("path").at("target_mm").get<std::array<double, 3>>();
   for (auto& node : mesh.nodes) {
     node = scale * (node + ::bodkin::Vec3(target[0] - 20.0, target[1] - 20.0, target[2] - 20.0));
@@ -47,10 +47,11 @@ TEST_F(CaseMesh, meshes_a_patient_once_and_tells_table_picture_and_json) {
   EXPECT_NEAR(result.at("corridor").at("mean_edge_mm").get<double>() / fine, 1.0, 0.25);
   EXPECT_LT(result.at("corridor").at("mean_edge_mm").get<double>(), result.at("edge_mm").at("mean").get<double>());
   const auto file = folder_ / "patient/mesh.vtu";
-  const auto parsed = ::bodkin::parse_vtu(content_of(file), "mesh.vtu");
+  const auto parsed = ::bodkin::io::parse_vtu(content_of(file), "mesh.vtu");
   EXPECT_EQ(parsed.nodes.size(), result.at("nodes").get<std::size_t>());
   EXPECT_EQ(parsed.elements.size(), result.at("elements").get<std::size_t>());
-  const ::bodkin::ImageRgb picture = ::bodkin::decode_png(content_of(folder_ / "patient/mesh.png"), "mesh.png");
+  const ::bodkin::imaging::ImageRgb picture =
+      ::bodkin::imaging::decode_png(content_of(folder_ / "patient/mesh.png"), "mesh.png");
   EXPECT_GT(picture.width, 1000);
 
   const auto written = fs::last_write_time(file);

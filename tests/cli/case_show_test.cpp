@@ -20,7 +20,7 @@ TEST_F(CaseShow, prints_what_is_in_a_case_and_writes_its_picture) {
                            "lumbar_puncture", "layered, line_spring", "path", "show.png"}) {
     EXPECT_THAT(said.output, HasSubstr(text));
   }
-  const ::bodkin::ImageRgb picture = ::bodkin::decode_png(content_of(file), "show.png");
+  const ::bodkin::imaging::ImageRgb picture = ::bodkin::imaging::decode_png(content_of(file), "show.png");
   EXPECT_GT(picture.width, 1000);
   EXPECT_GT(picture.height, 500);
 }

@@ -50,7 +50,7 @@ TEST_F(DeformableCase, a_patient_is_felt_through_its_mesh) {
   const Outcome paper = bodkin("--json profile patient --beyond 10" + embedded + "-o paper");
   ASSERT_EQ(paper.exit_code, 0) << paper.errors;
   EXPECT_THAT(paper.errors, HasSubstr("preparing a deformable body"));
-  EXPECT_TRUE(fs::exists(folder_ / "patient" / ::bodkin::body_file_name));
+  EXPECT_TRUE(fs::exists(folder_ / "patient" / ::bodkin::patient::body_file_name));
   const json said = json::parse(paper.output);
   EXPECT_FALSE(texts_in(said, "skin gives way at 1.5").empty()) << paper.output;
   EXPECT_FALSE(texts_in(said, "ligamentum flavum gives way at 4.7").empty()) << paper.output;
@@ -88,7 +88,7 @@ TEST_F(DeformableCase, a_patient_is_felt_through_its_mesh) {
   EXPECT_NE(content_of(folder_ / "straight.png"), content_of(folder_ / "drawn.png"));
 
   // Beside the planned path the corridor is another one, and what was cached stays.
-  const auto cached = fs::last_write_time(folder_ / "patient" / ::bodkin::body_file_name);
+  const auto cached = fs::last_write_time(folder_ / "patient" / ::bodkin::patient::body_file_name);
   const auto moved = [&said](const char* end) {
     const json& at = said.at(end);
     return std::to_string(at[0].get<double>() + 35.0) + "," + std::to_string(at[1].get<double>()) + "," +
@@ -100,7 +100,7 @@ TEST_F(DeformableCase, a_patient_is_felt_through_its_mesh) {
   const Outcome elsewhere = bodkin("--json profile patient" + beside + coarse + "-o elsewhere");
   ASSERT_EQ(elsewhere.exit_code, 0) << elsewhere.errors;
   EXPECT_FALSE(texts_in(json::parse(elsewhere.output), "skin gives way at 1.5").empty()) << elsewhere.output;
-  EXPECT_EQ(fs::last_write_time(folder_ / "patient" / ::bodkin::body_file_name), cached);
+  EXPECT_EQ(fs::last_write_time(folder_ / "patient" / ::bodkin::patient::body_file_name), cached);
 
   ASSERT_EQ(bodkin("-q run patient --operator expert" + embedded + "-o session.bodkin").exit_code, 0);
   const Outcome replayed = bodkin("replay session.bodkin");
@@ -118,7 +118,7 @@ TEST_F(DeformableCase, a_damaged_body_file_is_made_anew_and_a_damaged_mesh_is_re
   ASSERT_EQ(bodkin("-q case mesh patient --nodes 1500").exit_code, 0);
   const std::string command = "profile patient --resistance 'closest_node corridor_nodes=100' -o damaged";
   ASSERT_EQ(bodkin(command).exit_code, 0);
-  fs::resize_file(folder_ / "patient" / ::bodkin::body_file_name, 1000);
+  fs::resize_file(folder_ / "patient" / ::bodkin::patient::body_file_name, 1000);
   const Outcome anew = bodkin(command);
   EXPECT_EQ(anew.exit_code, 0);
   EXPECT_THAT(anew.errors, HasSubstr("the body is prepared anew"));

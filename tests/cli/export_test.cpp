@@ -14,7 +14,7 @@ TEST_F(ExportCommand, writes_a_row_per_tick_and_a_row_per_event) {
   ASSERT_EQ(bodkin("--quiet run patient --max-time 6 --output s.bodkin").exit_code, 0);
   const Outcome written = bodkin("--json export s.bodkin --csv ticks.csv --events events.csv");
   ASSERT_EQ(written.exit_code, 0) << written.errors;
-  const ::bodkin::Session session = ::bodkin::read_session(folder_ / "s.bodkin");
+  const ::bodkin::session::Session session = ::bodkin::session::read_session(folder_ / "s.bodkin");
   EXPECT_EQ(nlohmann::json::parse(written.output)["ticks"].get<std::size_t>(), session.ticks.size());
   const std::string ticks = text_of("ticks.csv"), events = text_of("events.csv");
   const auto lines = [](const std::string& text) {

@@ -21,16 +21,16 @@ namespace {
 using ::testing::HasSubstr;
 
 // Skin at y = 0, air behind it, a path straight in.
-::bodkin::Case flat_patient() {
-  ::bodkin::Case patient;
-  ::bodkin::Grid grid;
+::bodkin::anatomy::Case flat_patient() {
+  ::bodkin::anatomy::Case patient;
+  ::bodkin::anatomy::Grid grid;
   grid.size = {101, 61, 101};
   grid.spacing = ::bodkin::Vec3::Constant(2.0);
   grid.origin = ::bodkin::Vec3(-100, -81, -100);
-  patient.tissues = ::bodkin::TissueVolume(grid, ::bodkin::tissue::muscle);
+  patient.tissues = ::bodkin::anatomy::TissueVolume(grid, ::bodkin::anatomy::tissue::muscle);
   for (int k = 0; k < 101; ++k) {
     for (int j = 41; j < 61; ++j) {
-      for (int i = 0; i < 101; ++i) patient.tissues.at(i, j, k) = ::bodkin::tissue::air;
+      for (int i = 0; i < 101; ++i) patient.tissues.at(i, j, k) = ::bodkin::anatomy::tissue::air;
     }
   }
   patient.description.procedure.path = ::bodkin::NeedlePath{{0, 0, 0}, {0, -50, 0}};
@@ -41,12 +41,12 @@ class LiveHand : public ::testing::Test {
  protected:
   LiveHand() {
     choice_.settings.depth = 60.0;
-    scan_.emplace(
-        patient_, choice_,
-        ::bodkin::ProbeOnSkin(::bodkin::probe_pose({0, 0, 0}, -::bodkin::Vec3::UnitY(), ::bodkin::Vec3::UnitZ()),
-                              ::bodkin::Vec3::UnitY()),
-        std::nullopt, ::bodkin::LiveScan::Place{10.0, 20.0, 700, 600, 800.0, 100.0, 200.0});
-    ::bodkin::ScanMoment moment;
+    scan_.emplace(patient_, choice_,
+                  ::bodkin::imaging::ProbeOnSkin(
+                      ::bodkin::imaging::probe_pose({0, 0, 0}, -::bodkin::Vec3::UnitY(), ::bodkin::Vec3::UnitZ()),
+                      ::bodkin::Vec3::UnitY()),
+                  std::nullopt, ::bodkin::desktop::LiveScan::Place{10.0, 20.0, 700, 600, 800.0, 100.0, 200.0});
+    ::bodkin::imaging::ScanMoment moment;
     moment.frame.width = moment.frame.height = 100;
     moment.frame.pixel = 0.6;
     moment.frame.corner = ::bodkin::Vec3(-29.7, 0.3, 0.0);
@@ -54,9 +54,9 @@ class LiveHand : public ::testing::Test {
     moment.settings = choice_.settings;
     scan_->screen().take(moment);
   }
-  void key(::bodkin::ScreenKey key, bool shift = false) {
-    ::bodkin::ScreenEvent event;
-    event.kind = ::bodkin::ScreenEvent::Kind::key;
+  void key(::bodkin::desktop::ScreenKey key, bool shift = false) {
+    ::bodkin::desktop::ScreenEvent event;
+    event.kind = ::bodkin::desktop::ScreenEvent::Kind::key;
     event.key = key;
     event.shift = shift;
     event.down = true;
@@ -65,16 +65,16 @@ class LiveHand : public ::testing::Test {
     scan_->take(event);
   }
   void pointer(const Eigen::Vector2d& place, bool button) {
-    ::bodkin::ScreenEvent event;
-    event.kind = ::bodkin::ScreenEvent::Kind::motion;
+    ::bodkin::desktop::ScreenEvent event;
+    event.kind = ::bodkin::desktop::ScreenEvent::Kind::motion;
     event.x = place.x();
     event.y = place.y();
     event.button = button;
     scan_->take(event);
   }
   void click(const Eigen::Vector2d& place) {
-    ::bodkin::ScreenEvent event;
-    event.kind = ::bodkin::ScreenEvent::Kind::button;
+    ::bodkin::desktop::ScreenEvent event;
+    event.kind = ::bodkin::desktop::ScreenEvent::Kind::button;
     event.x = place.x();
     event.y = place.y();
     event.down = true;
@@ -84,9 +84,9 @@ class LiveHand : public ::testing::Test {
   Eigen::Vector2d at(double x, double y) const {
     return scan_->screen().to_screen({x, y}) + Eigen::Vector2d(10.0, 20.0);
   }
-  void hold(::bodkin::ScreenKey key, double seconds, bool shift = false) {
-    ::bodkin::ScreenEvent event;
-    event.kind = ::bodkin::ScreenEvent::Kind::key;
+  void hold(::bodkin::desktop::ScreenKey key, double seconds, bool shift = false) {
+    ::bodkin::desktop::ScreenEvent event;
+    event.kind = ::bodkin::desktop::ScreenEvent::Kind::key;
     event.key = key;
     event.shift = shift;
     event.down = true;
@@ -96,9 +96,9 @@ class LiveHand : public ::testing::Test {
     scan_->take(event);
   }
 
-  ::bodkin::Case patient_ = flat_patient();
-  ::bodkin::UltrasoundChoice choice_;
-  std::optional<::bodkin::LiveScan> scan_;
+  ::bodkin::anatomy::Case patient_ = flat_patient();
+  ::bodkin::station::UltrasoundChoice choice_;
+  std::optional<::bodkin::desktop::LiveScan> scan_;
 };
 
 TEST_F(LiveHand, a_drag_moves_the_probe_with_the_pointer) {
@@ -125,9 +125,9 @@ TEST_F(LiveHand, beyond_the_skin_the_reason_is_said_and_nothing_stops) {
 }
 
 TEST_F(LiveHand, wheel_and_knobs_stay_in_their_ranges) {
-  using Key = ::bodkin::ScreenKey;
-  ::bodkin::ScreenEvent wheel;
-  wheel.kind = ::bodkin::ScreenEvent::Kind::wheel;
+  using Key = ::bodkin::desktop::ScreenKey;
+  ::bodkin::desktop::ScreenEvent wheel;
+  wheel.kind = ::bodkin::desktop::ScreenEvent::Kind::wheel;
   wheel.steps = 4.0;
   scan_->take(wheel);
   EXPECT_NEAR(scan_->pose().translation().y(), -2.0, 1e-9);
@@ -146,7 +146,7 @@ TEST_F(LiveHand, wheel_and_knobs_stay_in_their_ranges) {
 }
 
 TEST_F(LiveHand, arrows_turn_the_probe_while_they_are_held) {
-  using Key = ::bodkin::ScreenKey;
+  using Key = ::bodkin::desktop::ScreenKey;
   hold(Key::up, 1.0);
   EXPECT_NEAR(std::acos(-scan_->pose().linear()(1, 1)) / ::bodkin::degree, 30.0, 1.0);
   hold(Key::down, 1.0);
@@ -161,7 +161,7 @@ TEST_F(LiveHand, arrows_turn_the_probe_while_they_are_held) {
 }
 
 TEST_F(LiveHand, letters_slide_the_probe_while_they_are_held) {
-  using Key = ::bodkin::ScreenKey;
+  using Key = ::bodkin::desktop::ScreenKey;
   hold(Key::j, 0.5);  // to the left of the picture, where the marked side is
   EXPECT_NEAR((scan_->pose().translation() - ::bodkin::Vec3(0, 0, 10)).norm(), 0.0, 0.5);
   hold(Key::l, 0.5);
@@ -172,7 +172,7 @@ TEST_F(LiveHand, letters_slide_the_probe_while_they_are_held) {
 }
 
 TEST_F(LiveHand, sliders_are_moved_by_keys) {
-  using Key = ::bodkin::ScreenKey;
+  using Key = ::bodkin::desktop::ScreenKey;
   EXPECT_FALSE(scan_->sliders_shown());
   key(Key::three);
   key(Key::three);
@@ -195,7 +195,7 @@ TEST_F(LiveHand, sliders_are_moved_by_keys) {
 TEST_F(LiveHand, sliders_are_moved_by_the_mouse) {
   click({850.0, 145.0});  // while they are not shown, this is no slider
   EXPECT_EQ(scan_->settings().sliders, (std::array<double, 8>{}));
-  key(::bodkin::ScreenKey::t);
+  key(::bodkin::desktop::ScreenKey::t);
   click({850.0, 145.0});
   EXPECT_EQ(scan_->settings().sliders[2], -10.0);
   const ::bodkin::Pose before = scan_->pose();
@@ -208,8 +208,8 @@ TEST_F(LiveHand, sliders_are_moved_by_the_mouse) {
   pointer({950.0, 109.0}, true);  // pressed elsewhere, it is not held
   EXPECT_EQ(scan_->settings().sliders[2], 20.0);
   EXPECT_EQ(scan_->settings().sliders[0], 0.0);
-  ::bodkin::ScreenEvent wheel;
-  wheel.kind = ::bodkin::ScreenEvent::Kind::wheel;
+  ::bodkin::desktop::ScreenEvent wheel;
+  wheel.kind = ::bodkin::desktop::ScreenEvent::Kind::wheel;
   wheel.steps = -3.0;
   pointer({900.0, 100.0 + 7.5 * 18.0}, false);
   scan_->take(wheel);
@@ -218,7 +218,7 @@ TEST_F(LiveHand, sliders_are_moved_by_the_mouse) {
 }
 
 TEST_F(LiveHand, calipers_and_marks_are_set_where_the_pointer_is) {
-  using Key = ::bodkin::ScreenKey;
+  using Key = ::bodkin::desktop::ScreenKey;
   key(Key::c);
   EXPECT_TRUE(scan_->screen().frozen());
   click(at(-10.0, 20.0));
@@ -237,7 +237,7 @@ TEST_F(LiveHand, calipers_and_marks_are_set_where_the_pointer_is) {
 }
 
 TEST_F(LiveHand, the_needle_goes_in_and_out) {
-  using Key = ::bodkin::ScreenKey;
+  using Key = ::bodkin::desktop::ScreenKey;
   EXPECT_FALSE(scan_->needle());
   key(Key::n);
   ASSERT_TRUE(scan_->needle());
@@ -318,10 +318,10 @@ echo $? > code
   EXPECT_GT(std::stod(text_of("difference")), 5000.0);  // the picture and the CT have moved
   const auto said = nlohmann::json::parse(text_of("said"));
   ASSERT_EQ(said.at("pictures").size(), 1U);
-  const ::bodkin::ImageRgb image = ::bodkin::decode_png(text_of("snap-1.png"), "snap-1.png");
+  const ::bodkin::imaging::ImageRgb image = ::bodkin::imaging::decode_png(text_of("snap-1.png"), "snap-1.png");
   EXPECT_GT(image.width, 1200);
   bool yellow = false;  // the caliper
-  for (const ::bodkin::Rgb& pixel : image.pixels) yellow = yellow || pixel == ::bodkin::Rgb{255, 216, 77};
+  for (const ::bodkin::imaging::Rgb& pixel : image.pixels) yellow = yellow || pixel == ::bodkin::Rgb{255, 216, 77};
   EXPECT_TRUE(yellow);
   EXPECT_GT(std::stod(text_of("blue")), 50.0) << "the sliders are not shown";
 }

@@ -15,6 +15,10 @@
 #include "io/tissue_library_file.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
+using namespace bodkin::patient;
 namespace {
 
 constexpr double outer = 30.0, inner = 15.0;  // mm, radii

@@ -6,6 +6,9 @@
 
 namespace bodkin {
 
+using namespace bodkin::desktop;
+using namespace bodkin::haptics;
+
 std::vector<ContractSubject> contract_subjects() {
   for (const char* display : {"DISPLAY", "WAYLAND_DISPLAY"}) unsetenv(display);
   const auto arrange = [] {

@@ -50,24 +50,24 @@ class MouseWindow : public PatientCommand {
       std::filesystem::remove(folder_ / left);
     }
   }
-  static ::bodkin::Session session_of(const std::string& person, const std::string& options = "",
-                                      const std::string& display = "1280x800x24",
-                                      const std::string& device = "mouse") {
+  static ::bodkin::session::Session session_of(const std::string& person, const std::string& options = "",
+                                               const std::string& display = "1280x800x24",
+                                               const std::string& device = "mouse") {
     write("person.sh", script(person, options, display, device));
     const std::string command = "cd '" + folder_.string() + "' && bash person.sh > log 2>&1";
     EXPECT_EQ(std::system(command.c_str()), 0) << text_of("log");
     EXPECT_EQ(text_of("code"), "0\n") << text_of("errors") << text_of("log");
-    return ::bodkin::read_session(folder_ / "mouse.bodkin");
+    return ::bodkin::session::read_session(folder_ / "mouse.bodkin");
   }
   // mm from the planned entry, in the operator's axes: right, away, up.
-  static ::bodkin::Vec3 from_entry(const ::bodkin::Session& session, std::size_t tick) {
+  static ::bodkin::Vec3 from_entry(const ::bodkin::session::Session& session, std::size_t tick) {
     const ::bodkin::Vec3 tip = session.ticks.at(tick).input.needle.translation() - session.header.path.entry;
     return {-tip.x(), tip.z(), tip.y()};
   }
 };
 
 TEST_F(MouseWindow, the_wheel_pushes_the_needle_in_and_space_holds_it) {
-  const ::bodkin::Session session = session_of(R"(
+  const ::bodkin::session::Session session = session_of(R"(
 xdotool click --repeat 42 --delay 40 4
 sleep 1
 import -window root seen.png
@@ -86,7 +86,8 @@ xdotool key Escape)");
   double peak = 0.0;
   bool punctured = false;
   for (const auto& tick : session.ticks) peak = std::max(peak, tick.output.requested.force.norm());
-  for (const auto& event : session.events) punctured = punctured || event.event.kind == ::bodkin::EventKind::puncture;
+  for (const auto& event : session.events)
+    punctured = punctured || event.event.kind == ::bodkin::forces::EventKind::puncture;
   EXPECT_GT(peak, 0.5);
   EXPECT_TRUE(punctured);
   // What comes in steps of 1 mm moves smoothly, even where a tick was late.
@@ -99,7 +100,7 @@ xdotool key Escape)");
 }
 
 TEST_F(MouseWindow, pointer_and_keys_move_sideways_and_tilt) {
-  const ::bodkin::Session session = session_of(R"(
+  const ::bodkin::session::Session session = session_of(R"(
 xdotool mousemove --window $window 480 300
 sleep 0.3
 xdotool mousemove_relative 100 0
@@ -137,7 +138,7 @@ TEST_F(MouseWindow, without_a_display_is_one_sentence) {
 TEST_F(MouseWindow, a_deformable_body_is_seen_and_felt_while_the_needle_goes_in) {
   BODKIN_NEEDS_MESHER();
   ASSERT_EQ(bodkin("-q case mesh patient --nodes 2000").exit_code, 0);
-  const ::bodkin::Session session =
+  const ::bodkin::session::Session session =
       session_of(R"(
 import -window root seen.png
 convert seen.png -crop 324x280+492+392 +repage before.png
@@ -153,7 +154,7 @@ xdotool key Escape)",
   EXPECT_GT(std::stoi(text_of("colours")), 10);        // the tissues' borders are there
   EXPECT_GT(std::stod(text_of("difference")), 100.0);  // needle and skin have moved
   double peak = 0.0;
-  for (const ::bodkin::TickRecord& tick : session.ticks) peak = std::max(peak, tick.output.resistance);
+  for (const ::bodkin::simulation::TickRecord& tick : session.ticks) peak = std::max(peak, tick.output.resistance);
   EXPECT_GT(peak, 0.5);
   EXPECT_EQ(bodkin("-q replay mouse.bodkin").exit_code, 0);
 }
@@ -162,7 +163,8 @@ xdotool key Escape)",
 TEST_F(MouseWindow, ultrasound_shows_needle_and_tissue_while_the_needle_goes_in) {
   BODKIN_NEEDS_MESHER();
   ASSERT_EQ(bodkin("-q case mesh patient --nodes 2000").exit_code, 0);
-  const ::bodkin::Session session = session_of(R"(
+  const ::bodkin::session::Session session =
+      session_of(R"(
 sleep 3
 import -window $window seen.png
 convert seen.png -crop 420x400+1060+50 +repage before.png
@@ -179,9 +181,9 @@ convert seen.png -crop 420x300+1060+50 +repage sliders.png
 convert after.png -crop 420x300+0+0 +repage top.png
 compare -metric AE -fuzz 5% top.png sliders.png moved.png 2> brighter
 xdotool key Escape)",
-                                               "--resistance 'embedded_needle capture_radius_mm=6' --constraint none "
-                                               "--ultrasound 'C5-2 view=transverse depth_mm=60'",
-                                               "1600x900x24");
+                 "--resistance 'embedded_needle capture_radius_mm=6' --constraint none "
+                 "--ultrasound 'C5-2 view=transverse depth_mm=60'",
+                 "1600x900x24");
   EXPECT_TRUE(session.finished);
   EXPECT_GT(std::stoi(text_of("colours")), 100);  // of grey
   EXPECT_GT(std::stod(text_of("difference")), 500.0) << "needle and tissue have not moved";
@@ -194,9 +196,10 @@ xdotool key Escape)",
 }
 
 TEST_F(MouseWindow, ultrasound_beside_a_device_and_in_the_second_hand) {
-  const ::bodkin::Session session = session_of("", "--ultrasound L14-5", "1600x900x24",
-                                               "simulated --settings 'depth_mm=5 wait_s=1' --second simulated "
-                                               "--second-as probe --second-settings 'depth_mm=3 wait_s=30'");
+  const ::bodkin::session::Session session =
+      session_of("", "--ultrasound L14-5", "1600x900x24",
+                 "simulated --settings 'depth_mm=5 wait_s=1' --second simulated "
+                 "--second-as probe --second-settings 'depth_mm=3 wait_s=30'");
   EXPECT_TRUE(session.finished);
   EXPECT_GT(json::parse(text_of("said")).at("ultrasound_pictures").get<int>(), 10);
 }

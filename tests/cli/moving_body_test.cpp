@@ -54,14 +54,16 @@ TEST_F(MovingBodyCommand, a_probe_presses_the_body_and_the_needle_enters_it_so) 
   ASSERT_EQ(outcome.exit_code, 0) << outcome.text();
   EXPECT_THAT(outcome.errors, HasSubstr("the body is pressed: the needle feels that, whether it is in or enters"));
   EXPECT_THAT(outcome.errors, HasSubstr("the body moved "));
-  const ::bodkin::Session session = ::bodkin::read_session(folder_ / "pressed.bodkin");
+  const ::bodkin::session::Session session = ::bodkin::session::read_session(folder_ / "pressed.bodkin");
   EXPECT_TRUE(session.finished);
   EXPECT_EQ(nlohmann::json::parse(session.header.moving_body).at("width_mm"), 50.0);
-  EXPECT_TRUE(std::any_of(session.events.begin(), session.events.end(), [](const ::bodkin::SessionEvent& event) {
-    return event.event.kind == ::bodkin::EventKind::corridor_refreshed;
-  })) << outcome.text();
+  EXPECT_TRUE(std::any_of(session.events.begin(), session.events.end(),
+                          [](const ::bodkin::session::SessionEvent& event) {
+                            return event.event.kind == ::bodkin::forces::EventKind::corridor_refreshed;
+                          }))
+      << outcome.text();
   double pressed = 0.0;
-  for (const ::bodkin::SecondSample& sample : session.second) pressed = std::max(pressed, sample.force);
+  for (const ::bodkin::session::SecondSample& sample : session.second) pressed = std::max(pressed, sample.force);
   EXPECT_GT(pressed, 0.5);
 
   const Outcome replay = bodkin("-q replay pressed.bodkin");

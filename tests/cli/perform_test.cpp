@@ -25,12 +25,12 @@ TEST_F(PerformCommand, records_a_hand_on_a_device_and_the_recording_replays_to_t
   ASSERT_EQ(outcome.exit_code, 0) << outcome.text();
   const json said = json::parse(outcome.output);
   EXPECT_EQ(said.at("operator"), "hand");
-  const ::bodkin::Session session = ::bodkin::read_session(folder_ / "hand.bodkin");
+  const ::bodkin::session::Session session = ::bodkin::session::read_session(folder_ / "hand.bodkin");
   EXPECT_TRUE(session.finished);
   EXPECT_GT(session.ticks.size(), 10u);
   ASSERT_TRUE(session.timings.has_value()) << "how well it kept its time";
-  EXPECT_GT(::bodkin::count_of(session.timings->compute), 0u);
-  EXPECT_LE(::bodkin::count_of(session.timings->compute), session.ticks.size());
+  EXPECT_GT(::bodkin::session::count_of(session.timings->compute), 0u);
+  EXPECT_LE(::bodkin::session::count_of(session.timings->compute), session.ticks.size());
   EXPECT_EQ(said.at("timings").at("overruns"), session.timings->overruns);
   // The models were made for the device that was held, and the recording says so.
   ASSERT_TRUE(session.header.device.has_value());
@@ -45,7 +45,7 @@ TEST_F(PerformCommand, scales_are_recorded_and_the_hand_begins_above_the_skin) {
   const Outcome outcome =
       bodkin("--json -q perform patient " + device + "--max-time 1 --scale 2 --force-scale 0.5 -o scaled.bodkin");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.text();
-  const ::bodkin::Session session = ::bodkin::read_session(folder_ / "scaled.bodkin");
+  const ::bodkin::session::Session session = ::bodkin::session::read_session(folder_ / "scaled.bodkin");
   const json settings = json::parse(session.header.operator_settings);
   EXPECT_EQ(settings.at("scale"), 2.0);
   EXPECT_EQ(settings.at("force_scale"), 0.5);
@@ -66,7 +66,7 @@ TEST_F(PerformCommand, uses_what_was_calibrated_of_the_device_and_says_so) {
         bodkin("--json perform patient " + device + "--max-time 1 --overwrite -o a.bodkin " + more);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.text();
     EXPECT_EQ(outcome.errors.find("calibrated 2026-11-22") != std::string::npos, more.empty()) << outcome.errors;
-    return ::bodkin::read_session(folder_ / "a.bodkin").ticks.front().input.needle.translation();
+    return ::bodkin::session::read_session(folder_ / "a.bodkin").ticks.front().input.needle.translation();
   };
   const ::bodkin::Vec3 plain = first_tip("--no-calibration");
   const ::bodkin::Vec3 calibrated = first_tip("");
@@ -93,9 +93,9 @@ TEST_F(PerformCommand, keeps_a_session_that_is_there_and_says_what_is_missing) {
 
 const std::string quick = "--settings \"speed_mm_s=60 wait_s=0.6\" ";
 
-double deepest(const ::bodkin::Session& session) {
+double deepest(const ::bodkin::session::Session& session) {
   double depth = 0.0;
-  for (const ::bodkin::TickRecord& tick : session.ticks) depth = std::max(depth, tick.output.depth);
+  for (const ::bodkin::simulation::TickRecord& tick : session.ticks) depth = std::max(depth, tick.output.depth);
   return depth;
 }
 
@@ -103,13 +103,13 @@ double deepest(const ::bodkin::Session& session) {
 TEST_F(PerformCommand, a_simulated_hand_aims_at_the_target_and_ends_by_itself) {
   const Outcome outcome = bodkin("--json -q perform patient simulated " + quick + "-o simulated.bodkin");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.text();
-  const ::bodkin::Session session = ::bodkin::read_session(folder_ / "simulated.bodkin");
+  const ::bodkin::session::Session session = ::bodkin::session::read_session(folder_ / "simulated.bodkin");
   EXPECT_TRUE(session.finished);
   const double path = session.header.path.length();
   EXPECT_NEAR(static_cast<double>(session.ticks.size()) * session.header.dt, 2.6 + 2.0 * (path + 30.0) / 60.0, 0.5);
   EXPECT_NEAR(deepest(session), path, 4.0);  // the spring of the hand yields
   double closest = path;
-  for (const ::bodkin::TickRecord& tick : session.ticks) {
+  for (const ::bodkin::simulation::TickRecord& tick : session.ticks) {
     closest = std::min(closest, (tick.input.needle.translation() - session.header.path.target).norm());
   }
   EXPECT_LT(closest, 3.0);
@@ -123,7 +123,7 @@ TEST_F(PerformCommand, the_users_words_come_before_the_planned_path) {
   const Outcome outcome =
       bodkin("--json -q perform patient simulated --settings \"speed_mm_s=200 wait_s=0 depth_mm=5\" -o short.bodkin");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.text();
-  const double depth = deepest(::bodkin::read_session(folder_ / "short.bodkin"));
+  const double depth = deepest(::bodkin::session::read_session(folder_ / "short.bodkin"));
   EXPECT_GT(depth, 1.0);
   EXPECT_LT(depth, 10.0);
 }
@@ -132,8 +132,8 @@ TEST_F(PerformCommand, a_recording_is_a_hand_with_the_same_needle_and_the_same_f
   ASSERT_EQ(bodkin("-q perform patient simulated " + quick + "-o first.bodkin").exit_code, 0);
   const Outcome outcome = bodkin("--json -q perform patient recorded:first.bodkin -o second.bodkin");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.text();
-  const ::bodkin::Session first = ::bodkin::read_session(folder_ / "first.bodkin");
-  const ::bodkin::Session second = ::bodkin::read_session(folder_ / "second.bodkin");
+  const ::bodkin::session::Session first = ::bodkin::session::read_session(folder_ / "first.bodkin");
+  const ::bodkin::session::Session second = ::bodkin::session::read_session(folder_ / "second.bodkin");
   EXPECT_EQ(second.header.device->profile, first.header.device->profile);
   ASSERT_GE(second.ticks.size(), first.ticks.size());
   EXPECT_LT(second.ticks.size(), first.ticks.size() + 2000);
@@ -182,28 +182,29 @@ TEST_F(PerformCommand, a_second_hand_on_the_plunger_feels_the_loss_of_resistance
       "--json -q perform patient simulated --settings \"speed_mm_s=12 wait_s=1\" --second simulated "
       "--second-settings \"speed_mm_s=1 depth_mm=30 tremor_mm=0.02 seed=7\" -o two.bodkin");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.text();
-  const ::bodkin::Session session = ::bodkin::read_session(folder_ / "two.bodkin");
+  const ::bodkin::session::Session session = ::bodkin::session::read_session(folder_ / "two.bodkin");
   ASSERT_TRUE(session.header.second.has_value());
-  EXPECT_EQ(session.header.second->role, ::bodkin::SecondRole::plunger);
+  EXPECT_EQ(session.header.second->role, ::bodkin::session::SecondRole::plunger);
   EXPECT_EQ(json::parse(session.header.second->device).at("driver"), "simulated");
   ASSERT_GT(session.second.size(), 300u);
   // By where the tip was: the highest pressure in ligament, and the last of the first stay in the epidural space.
   double in_ligament = 0.0, thumb = 0.0;
-  for (const ::bodkin::SecondSample& sample : session.second) {
+  for (const ::bodkin::session::SecondSample& sample : session.second) {
     const auto tick = static_cast<std::size_t>(std::lround(sample.time / session.header.dt));
     if (tick >= session.ticks.size()) break;
-    if (session.ticks[tick].output.tissue == ::bodkin::tissue::ligamentum_flavum) {
+    if (session.ticks[tick].output.tissue == ::bodkin::anatomy::tissue::ligamentum_flavum) {
       in_ligament = std::max(in_ligament, sample.pressure);
       thumb = std::max(thumb, sample.force);
     }
   }
   double lowest_after = in_ligament;
   bool lost = false;
-  for (const ::bodkin::SecondSample& sample : session.second) {
+  for (const ::bodkin::session::SecondSample& sample : session.second) {
     const auto tick = static_cast<std::size_t>(std::lround(sample.time / session.header.dt));
     if (tick >= session.ticks.size()) break;
     const auto tissue = session.ticks[tick].output.tissue;
-    lost = lost || tissue == ::bodkin::tissue::epidural_fat || tissue == ::bodkin::tissue::cerebrospinal_fluid;
+    lost = lost || tissue == ::bodkin::anatomy::tissue::epidural_fat ||
+           tissue == ::bodkin::anatomy::tissue::cerebrospinal_fluid;
     if (lost) lowest_after = std::min(lowest_after, sample.pressure);
   }
   EXPECT_TRUE(lost);
@@ -225,8 +226,8 @@ TEST_F(PerformCommand, a_second_hand_holds_a_probe_and_its_fault_leaves_the_need
       "--json perform patient simulated --settings \"speed_mm_s=60 wait_s=0.5\" --second force_dimension "
       "--second-settings library=" BODKIN_STAND_INS "/force_dimension/libdrd.so --second-as probe -o probe.bodkin");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.text();
-  const ::bodkin::Session session = ::bodkin::read_session(folder_ / "probe.bodkin");
-  EXPECT_EQ(session.header.second->role, ::bodkin::SecondRole::probe);
+  const ::bodkin::session::Session session = ::bodkin::session::read_session(folder_ / "probe.bodkin");
+  EXPECT_EQ(session.header.second->role, ::bodkin::session::SecondRole::probe);
   ASSERT_GT(session.second.size(), 50u);
   EXPECT_NEAR((session.second.front().position - session.header.path.entry).x(), 60.0, 30.0) << "left is LPS +x";
 
@@ -237,7 +238,7 @@ TEST_F(PerformCommand, a_second_hand_holds_a_probe_and_its_fault_leaves_the_need
   unsetenv("BODKIN_STAND_IN");
   ASSERT_EQ(unplugged.exit_code, 0) << unplugged.text();
   EXPECT_THAT(unplugged.errors, HasSubstr("second hand: "));
-  EXPECT_GT(deepest(::bodkin::read_session(folder_ / "unplugged.bodkin")), 30.0) << "the needle went on";
+  EXPECT_GT(deepest(::bodkin::session::read_session(folder_ / "unplugged.bodkin")), 30.0) << "the needle went on";
 }
 
 TEST_F(PerformCommand, a_second_device_that_cannot_be_is_one_sentence) {

@@ -18,7 +18,7 @@ TEST_F(ReplayCommand, proves_identity_in_a_process_of_its_own) {
   EXPECT_THAT(replay.output, HasSubstr("identical: "));
   const auto json = nlohmann::json::parse(bodkin("--json replay whole.bodkin").output);
   EXPECT_TRUE(json["identical"].get<bool>());
-  EXPECT_EQ(json["ticks"].get<std::size_t>(), ::bodkin::read_session(folder_ / "whole.bodkin").ticks.size());
+  EXPECT_EQ(json["ticks"].get<std::size_t>(), ::bodkin::session::read_session(folder_ / "whole.bodkin").ticks.size());
   EXPECT_EQ(json["digest"].get<std::string>().size(), 16u);
 }
 
@@ -28,9 +28,10 @@ TEST_F(ReplayCommand, of_a_session_with_other_force_models_needs_no_options) {
       "'rail torsion_N_mm_per_rad=333.3' --part 'relaxation share=0.3 time_s=2' --part shaft_friction");
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_EQ(nlohmann::json::parse(run.output)["resistance"], "tracking_wall");
-  const ::bodkin::HapticSettings used = ::bodkin::read_session(folder_ / "models.bodkin").header.haptics;
-  EXPECT_EQ(std::get<::bodkin::TrackingWallSettings>(used.resistance).catch_up, 0.1);
-  EXPECT_EQ(std::get<::bodkin::RailSettings>(used.constraint).torsion, 333.3);
+  const ::bodkin::anatomy::HapticSettings used =
+      ::bodkin::session::read_session(folder_ / "models.bodkin").header.haptics;
+  EXPECT_EQ(std::get<::bodkin::anatomy::TrackingWallSettings>(used.resistance).catch_up, 0.1);
+  EXPECT_EQ(std::get<::bodkin::anatomy::RailSettings>(used.constraint).torsion, 333.3);
   EXPECT_EQ(used.parts.relaxation.size(), 1u);
   EXPECT_TRUE(used.parts.shaft_friction.has_value());
   const Outcome replay = bodkin("--json replay models.bodkin");
@@ -52,10 +53,10 @@ TEST_F(ReplayCommand, of_a_session_with_other_force_models_needs_no_options) {
 
 TEST_F(ReplayCommand, shows_the_first_difference_and_ends_with_3) {
   ASSERT_EQ(bodkin("--quiet run patient --max-time 8 --output true.bodkin").exit_code, 0);
-  const ::bodkin::Session session = ::bodkin::read_session(folder_ / "true.bodkin");
-  ::bodkin::SessionWriter writer(folder_ / "false.bodkin", session.header, true);
+  const ::bodkin::session::Session session = ::bodkin::session::read_session(folder_ / "true.bodkin");
+  ::bodkin::session::SessionWriter writer(folder_ / "false.bodkin", session.header, true);
   auto event = session.events.begin();
-  for (::bodkin::TickRecord record : session.ticks) {
+  for (::bodkin::simulation::TickRecord record : session.ticks) {
     for (; event != session.events.end() && event->tick == record.tick; ++event)
       record.output.events.push(event->event);
     double& depth = record.output.depth;

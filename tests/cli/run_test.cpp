@@ -23,7 +23,7 @@ TEST_F(RunCommand, of_the_expert_reaches_the_fluid_and_leaves_a_session) {
   EXPECT_GT(json["speed_factor"].get<double>(), 1.0);
   const std::filesystem::path file = json["session"].get<std::string>();
   EXPECT_EQ(file.parent_path(), std::filesystem::canonical(folder_));
-  const bodkin::Session session = bodkin::read_session(file);
+  const bodkin::session::Session session = bodkin::session::read_session(file);
   EXPECT_TRUE(session.finished);
   EXPECT_EQ(session.header.seed, 5u);
   EXPECT_EQ(session.header.operator_name, "expert");
@@ -104,7 +104,7 @@ TEST_F(RunCommand, on_the_clock_survives_a_kill_with_all_but_the_last_second) {
   while (seen < 500 && std::chrono::steady_clock::now() < deadline) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     try {
-      seen = bodkin::read_session(file).ticks.size();
+      seen = bodkin::session::read_session(file).ticks.size();
     } catch (const std::exception&) {
       // not yet there
     }
@@ -115,7 +115,7 @@ TEST_F(RunCommand, on_the_clock_survives_a_kill_with_all_but_the_last_second) {
   ASSERT_EQ(kill(child, SIGKILL), 0);
   const double lived = std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
   waitpid(child, nullptr, 0);
-  const bodkin::Session session = bodkin::read_session(file);
+  const bodkin::session::Session session = bodkin::session::read_session(file);
   EXPECT_FALSE(session.finished);
   // A stalled machine makes ticks late, which are then no loss of the recording: half a second of grace.
   EXPECT_GE(static_cast<double>(session.ticks.size()), static_cast<double>(seen) + (lived - 1.5) * 1000.0);

@@ -35,11 +35,11 @@ class UltrasoundBeside : public PatientCommand {
     EXPECT_EQ(listing(), before) << arguments;
   }
   // White noise averaged over so many pixels across and down: its autocorrelation is a triangle that wide.
-  static ::bodkin::ImageRgb averaged_noise(int width, int height, int across, int down) {
+  static ::bodkin::imaging::ImageRgb averaged_noise(int width, int height, int across, int down) {
     ::bodkin::Random random(17);
     std::vector<double> noise(static_cast<std::size_t>((width + across) * (height + down)));
     for (double& value : noise) value = random.normal();
-    ::bodkin::ImageRgb image(width, height);
+    ::bodkin::imaging::ImageRgb image(width, height);
     for (int row = 0; row < height; ++row) {
       for (int column = 0; column < width; ++column) {
         double sum = 0.0;
@@ -65,7 +65,7 @@ class UltrasoundBeside : public PatientCommand {
 };
 
 TEST_F(UltrasoundBeside, noise_of_known_width_has_it_in_millimetres) {
-  write("noise.png", ::bodkin::encode_png(averaged_noise(600, 500, 10, 6)));
+  write("noise.png", ::bodkin::imaging::encode_png(averaged_noise(600, 500, 10, 6)));
   const json result = beside("--beside noise.png --beside-pixel 0.1 --beside-window 5,20,40,40 -o noise-beside.svg");
   const json& real = result.at("beside").at("real");
   EXPECT_NEAR(real.at("half_width_across_mm").get<double>(), 0.5, 0.04);  // half of 10 pixels
@@ -82,9 +82,9 @@ TEST_F(UltrasoundBeside, noise_of_known_width_has_it_in_millimetres) {
 }
 
 TEST_F(UltrasoundBeside, one_grey_has_no_width) {
-  ::bodkin::ImageRgb image(200, 200);
-  for (::bodkin::Rgb& pixel : image.pixels) pixel = {90, 90, 90};
-  write("grey.png", ::bodkin::encode_png(image));
+  ::bodkin::imaging::ImageRgb image(200, 200);
+  for (::bodkin::imaging::Rgb& pixel : image.pixels) pixel = {90, 90, 90};
+  write("grey.png", ::bodkin::imaging::encode_png(image));
   const json real = beside("--beside grey.png --beside-pixel 0.3 -o grey-beside.png").at("beside").at("real");
   EXPECT_EQ(real.at("grey_percentiles"), json::array({90, 90, 90, 90, 90}));
   EXPECT_TRUE(real.at("half_width_across_mm").is_null());
@@ -131,25 +131,25 @@ TEST_F(UltrasoundBeside, its_own_sequence_is_what_it_simulates) {
 }
 
 TEST_F(UltrasoundBeside, a_crop_is_all_that_is_looked_at) {
-  ::bodkin::ImageRgb screen(300, 260);
+  ::bodkin::imaging::ImageRgb screen(300, 260);
   for (int row = 40; row < 240; ++row) {
     for (int column = 100; column < 250; ++column) screen.at(column, row) = {200, 200, 200};
   }
-  write("screen.png", ::bodkin::encode_png(screen));
+  write("screen.png", ::bodkin::imaging::encode_png(screen));
   const json result =
       beside("--probe L14-5 --beside screen.png --beside-pixel 0.2 --beside-crop 100,40,150,200 -o c.png", "");
   EXPECT_EQ(result.at("size")[1], 200);
   EXPECT_NEAR(result.at("depth_mm").get<double>(), 40.0, 0.3);
   EXPECT_EQ(result.at("beside").at("real").at("grey_percentiles"), json::array({200, 200, 200, 200, 200}));
   // Only the picture that is written has both.
-  const ::bodkin::ImageRgb both = ::bodkin::decode_png(content_of(folder_ / "c.png"), "c.png");
+  const ::bodkin::imaging::ImageRgb both = ::bodkin::imaging::decode_png(content_of(folder_ / "c.png"), "c.png");
   std::ptrdiff_t grey = 0;
-  for (const ::bodkin::Rgb& pixel : both.pixels) grey += pixel == ::bodkin::Rgb{200, 200, 200} ? 1 : 0;
+  for (const ::bodkin::imaging::Rgb& pixel : both.pixels) grey += pixel == ::bodkin::Rgb{200, 200, 200} ? 1 : 0;
   EXPECT_GT(grey, 3 * 150 * 200) << "it is drawn at the scale of the simulated one, 600 px high";
 }
 
 TEST_F(UltrasoundBeside, what_cannot_be_is_one_sentence) {
-  write("grey.png", ::bodkin::encode_png(::bodkin::ImageRgb(200, 150)));
+  write("grey.png", ::bodkin::imaging::encode_png(::bodkin::imaging::ImageRgb(200, 150)));
   const std::string frames(2 * 64 * 48, '\x30');
   write_meta_image("unscaled.mha", "64 48 2", "ElementSpacing = 1 1 1\n", "MET_UCHAR", frames);
   write_meta_image("oblong.mha", "64 48 2", "ElementSpacing = 0.5 0.8 1\n", "MET_UCHAR", frames);

@@ -33,12 +33,12 @@ class UltrasoundCommand : public PatientCommand {
     EXPECT_THAT(outcome.errors, HasSubstr(words));
     EXPECT_EQ(listing(), before) << arguments;
   }
-  static ::bodkin::ImageRgb picture(const std::string& file) {
-    return ::bodkin::decode_png(content_of(folder_ / file), file);
+  static ::bodkin::imaging::ImageRgb picture(const std::string& file) {
+    return ::bodkin::imaging::decode_png(content_of(folder_ / file), file);
   }
-  static double brightness(const ::bodkin::ImageRgb& image) {
+  static double brightness(const ::bodkin::imaging::ImageRgb& image) {
     double sum = 0.0;
-    for (const ::bodkin::Rgb& pixel : image.pixels) sum += pixel.red;
+    for (const ::bodkin::imaging::Rgb& pixel : image.pixels) sum += pixel.red;
     return sum / static_cast<double>(image.pixels.size());
   }
 };
@@ -49,7 +49,7 @@ TEST_F(UltrasoundCommand, without_options_it_shows_the_planned_target_from_the_s
   EXPECT_EQ(result.at("no_image"), "");
   EXPECT_GT(result.at("contact").get<double>(), 0.5);
   EXPECT_GT(result.at("press_mm").get<double>(), 0.5);
-  const ::bodkin::ImageRgb image = picture("first.png");
+  const ::bodkin::imaging::ImageRgb image = picture("first.png");
   EXPECT_GT(image.width, 700);
   EXPECT_GT(image.height, 600);
   EXPECT_GT(brightness(image), 5.0);
@@ -63,7 +63,7 @@ TEST_F(UltrasoundCommand, without_options_it_shows_the_planned_target_from_the_s
 
 TEST_F(UltrasoundCommand, plain_writes_the_pixels_and_the_matrix_says_where_they_are) {
   const json result = said("-o plain.png --plain --mark right");
-  const ::bodkin::ImageRgb image = picture("plain.png");
+  const ::bodkin::imaging::ImageRgb image = picture("plain.png");
   EXPECT_EQ(image.width, 160);
   EXPECT_EQ(image.height, 120);
   EXPECT_GT(brightness(image), 3.0);
@@ -73,7 +73,7 @@ TEST_F(UltrasoundCommand, plain_writes_the_pixels_and_the_matrix_says_where_they
   for (int row = 0; row < 3; ++row) length += std::pow(matrix[row][0].get<double>(), 2);
   EXPECT_NEAR(std::sqrt(length), pixel, 1e-9);
   const json mirrored = said("-o mirrored.png --plain");
-  const ::bodkin::ImageRgb other = picture("mirrored.png");
+  const ::bodkin::imaging::ImageRgb other = picture("mirrored.png");
   for (int column = 0; column < 160; ++column) ASSERT_EQ(image.at(column, 60), other.at(159 - column, 60));
   for (int row = 0; row < 3; ++row) {
     EXPECT_NEAR(mirrored.at("image_to_patient")[row][0].get<double>(), -matrix[row][0].get<double>(), 1e-12);
@@ -139,14 +139,14 @@ TEST_F(UltrasoundCommand, a_sweep_with_the_ct_is_pictures_of_one_size_with_the_p
   const std::string turning = "--rotate 0,90 --frames 3 --needle ";
   const json alone = said(turning + "-o alone"), both = said(turning + "--ct -o both-%02d.png");
   ASSERT_EQ(both.at("files").size(), 3U);
-  const ::bodkin::ImageRgb first = picture("both-00.png"), narrow = picture("alone/frame-0000.png");
+  const ::bodkin::imaging::ImageRgb first = picture("both-00.png"), narrow = picture("alone/frame-0000.png");
   EXPECT_GT(first.width, narrow.width + 500) << "the CT is as wide as the ultrasound";
   for (int number = 0; number < 3; ++number) {
-    const ::bodkin::ImageRgb image = picture("both-0" + std::to_string(number) + ".png");
+    const ::bodkin::imaging::ImageRgb image = picture("both-0" + std::to_string(number) + ".png");
     EXPECT_EQ(image.width, first.width);
     EXPECT_EQ(image.height, first.height);
     // On the left it is the picture without the CT.
-    const ::bodkin::ImageRgb left = picture("alone/frame-000" + std::to_string(number) + ".png");
+    const ::bodkin::imaging::ImageRgb left = picture("alone/frame-000" + std::to_string(number) + ".png");
     std::ptrdiff_t differing = 0;
     for (int row = 0; row < left.height; ++row) {
       for (int column = 0; column < left.width; ++column) {
@@ -157,7 +157,7 @@ TEST_F(UltrasoundCommand, a_sweep_with_the_ct_is_pictures_of_one_size_with_the_p
     // On the right it is what a single picture of the same pose shows, whose legend names fewer tissues.
     if (number > 0) continue;
     said("--needle --ct -o single.png");
-    const ::bodkin::ImageRgb single = picture("single.png");
+    const ::bodkin::imaging::ImageRgb single = picture("single.png");
     ASSERT_EQ(single.width, image.width);
     differing = 0;
     for (int row = 90; row < 500; ++row) {
@@ -167,7 +167,7 @@ TEST_F(UltrasoundCommand, a_sweep_with_the_ct_is_pictures_of_one_size_with_the_p
     }
     EXPECT_EQ(differing, 0);
   }
-  const ::bodkin::ImageRgb last = picture("both-02.png");
+  const ::bodkin::imaging::ImageRgb last = picture("both-02.png");
   std::ptrdiff_t moved = 0;
   for (int column = narrow.width + 40; column < first.width - 40; ++column)
     moved += first.at(column, 300) == last.at(column, 300) ? 0 : 1;

@@ -20,14 +20,15 @@ struct ConstantDragSettings {
 };
 
 // The same force against every motion, whatever the tissue.
-class ConstantDrag : public bodkin::ResistanceDefaults {
+class ConstantDrag : public bodkin::forces::ResistanceDefaults {
  public:
   using Settings = ConstantDragSettings;
-  static constexpr bodkin::ResistanceTraits traits = {.name = "constant_drag"};
+  static constexpr bodkin::forces::ResistanceTraits traits = {.name = "constant_drag"};
 
-  ConstantDrag(const bodkin::Case&, const Settings& settings, double) : force_(settings.force) {}
+  ConstantDrag(const bodkin::anatomy::Case&, const Settings& settings, double) : force_(settings.force) {}
   void begin(const bodkin::Vec3&, const bodkin::Vec3&) noexcept {}
-  bodkin::ResistanceForce step(const bodkin::NeedleInTissue& needle, bodkin::TickEvents&) noexcept {
+  bodkin::forces::ResistanceForce step(const bodkin::forces::NeedleInTissue& needle,
+                                       bodkin::forces::TickEvents&) noexcept {
     return {.along = needle.motion.direction * force_, .in_contact = needle.motion.depth > 0.0};
   }
   void reset() noexcept {}
@@ -39,35 +40,35 @@ class ConstantDrag : public bodkin::ResistanceDefaults {
 }  // namespace
 
 int main() {
-  bodkin::Case patient;
-  bodkin::TissueProperties air{.id = bodkin::tissue::air, .name = "air", .title = "air"};
-  bodkin::TissueProperties skin{.id = bodkin::tissue::skin, .name = "skin", .title = "skin"};
-  skin.layered = {.kind = bodkin::LayeredKind::viscoelastic,
+  bodkin::anatomy::Case patient;
+  bodkin::anatomy::TissueProperties air{.id = bodkin::anatomy::tissue::air, .name = "air", .title = "air"};
+  bodkin::anatomy::TissueProperties skin{.id = bodkin::anatomy::tissue::skin, .name = "skin", .title = "skin"};
+  skin.layered = {.kind = bodkin::anatomy::LayeredKind::viscoelastic,
                   .stiffness = 0.05,
                   .viscosity = 0.001,
                   .break_force = 1.0,
                   .shaft_stiffness = 0.02,
                   .static_friction = 0.024,
                   .dynamic_friction = 0.02};
-  patient.library = bodkin::TissueLibrary({air, skin});
-  bodkin::Grid grid;
+  patient.library = bodkin::anatomy::TissueLibrary({air, skin});
+  bodkin::anatomy::Grid grid;
   grid.size = {40, 40, 60};
   grid.origin = {-20.0, -20.0, 0.0};
-  patient.tissues = bodkin::TissueVolume(grid, bodkin::tissue::skin);
+  patient.tissues = bodkin::anatomy::TissueVolume(grid, bodkin::anatomy::tissue::skin);
 
-  bodkin::HapticTick tick(patient);
+  bodkin::simulation::HapticTick tick(patient);
   double peak = 0.0;
   for (int step = 0; step < 4000; ++step) {
     const bodkin::Vec3 tip(0.0, 0.0, -10.0 + 0.01 * step);
-    const bodkin::TickOutput output = tick.step({bodkin::needle_pose(tip, bodkin::Vec3::UnitZ())});
+    const bodkin::simulation::TickOutput output = tick.step({bodkin::needle_pose(tip, bodkin::Vec3::UnitZ())});
     if (output.resistance > peak) peak = output.resistance;
   }
   std::printf("peak resistance %.3f N\n", peak);
 
-  bodkin::register_resistance<ConstantDrag>();
+  bodkin::simulation::register_resistance<ConstantDrag>();
   patient.description.haptics.resistance =
-      bodkin::RegisteredSettings{.name = "constant_drag", .values = {{"force_N", "0.7"}}, .children = {}};
-  bodkin::HapticTick own(patient);
+      bodkin::anatomy::RegisteredSettings{.name = "constant_drag", .values = {{"force_N", "0.7"}}, .children = {}};
+  bodkin::simulation::HapticTick own(patient);
   double dragged = 0.0;
   for (int step = 0; step < 4000; ++step) {
     const bodkin::Vec3 tip(0.0, 0.0, -10.0 + 0.01 * step);

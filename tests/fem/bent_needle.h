@@ -8,6 +8,9 @@
 
 namespace bodkin::checks {
 
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
+
 inline constexpr double steel_24g = 877.94;  // N mm^2
 
 inline NeedleBeam bending(double rigidity, NeedleHold hold = NeedleHold::clamped, double length = 90.0,

@@ -12,6 +12,10 @@
 #include "forces/bevel_tip.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
+using namespace bodkin::forces;
 namespace {
 
 constexpr double steel_27g = 257.0;  // N mm^2

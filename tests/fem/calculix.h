@@ -18,6 +18,9 @@
 
 namespace bodkin::checks {
 
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
+
 inline bool calculix_is_there() {
   return std::system("command -v ccx > /dev/null 2>&1") == 0;
 }

@@ -11,6 +11,9 @@
 #include "core/error.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
 namespace {
 
 // Nodes 11 mm apart, as 2000 of them are in a block of 200 x 150 x 100 mm: skin, soft tissue, and ligamentum flavum

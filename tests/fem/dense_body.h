@@ -14,6 +14,8 @@
 
 namespace bodkin::checks {
 
+using namespace bodkin::anatomy;
+
 // The displacement of one point by a unit force at another in an elastic space without end (Kelvin's solution, Love
 // 1927, art. 130), with distances no shorter than about `smear`, so that a node may push itself. The matrix of all
 // pairs is positive definite on the lattices below (a Cholesky factorisation that fails would fail the tests).

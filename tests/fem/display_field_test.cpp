@@ -13,6 +13,8 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::fem;
 namespace {
 
 Eigen::MatrixXf random_columns(Eigen::Index points, Eigen::Index nodes, std::uint64_t seed) {

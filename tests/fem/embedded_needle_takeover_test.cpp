@@ -12,6 +12,9 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
 namespace {
 
 using SharedBody = std::shared_ptr<const CondensedBody>;

@@ -13,6 +13,9 @@
 #include "fem/shaft_constraints.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
 namespace {
 
 using checks::bending;

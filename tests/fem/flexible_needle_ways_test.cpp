@@ -11,6 +11,9 @@
 #include "fem/embedded_needle.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
 namespace {
 
 using checks::bending;

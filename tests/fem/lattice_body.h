@@ -12,6 +12,9 @@
 
 namespace bodkin {
 
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
+
 // A box of n[0] x n[1] x n[2] nodes with edges of `sides` mm, from the origin: every cell is cut into the six
 // tetrahedra around its diagonal (Kuhn). Nodes inside are moved by up to `jitter` of a cell in each direction.
 inline TetrahedralMesh kuhn_box(const std::array<std::uint32_t, 3>& n, const Vec3& sides, double jitter = 0.0,

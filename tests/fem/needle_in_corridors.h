@@ -9,6 +9,9 @@
 
 namespace bodkin::checks {
 
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
+
 // A needle in the newest of several corridors of one body, as simulation/corridors.h moves it: at once while it is
 // outside, and node by node, one a tick, while it is in.
 class NeedleInCorridors {

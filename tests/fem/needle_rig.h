@@ -11,6 +11,9 @@
 
 namespace bodkin::checks {
 
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
+
 // Soft everywhere, no puncture anywhere: what is to be felt is set by the test.
 inline ContactTissues plain_tissues(double friction) {
   ContactTissues tissues;

@@ -9,6 +9,9 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
 namespace {
 
 const CondensedBody& flesh_of_shafts() {

@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
 namespace {
 
 TEST(ShaftStiffness, of_one_node_is_that_of_the_node) {

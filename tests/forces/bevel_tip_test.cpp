@@ -10,6 +10,8 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::forces;
 namespace {
 
 // Distance along and across the start axis, and the angle to it in degrees.

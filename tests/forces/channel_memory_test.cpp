@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::forces;
 namespace {
 
 Vec3 place(std::size_t number) {

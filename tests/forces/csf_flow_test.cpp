@@ -8,6 +8,8 @@
 #include "core/error.h"
 
 namespace bodkin {
+
+using namespace bodkin::forces;
 namespace {
 
 TEST(CsfFlow, drips_as_a_tube_lets_it) {

@@ -5,6 +5,9 @@
 
 namespace bodkin::checks {
 
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
+
 // The library that comes with Bodkin.
 inline const TissueLibrary& default_tissues() {
   static const TissueLibrary library = default_tissue_library();

@@ -5,6 +5,9 @@
 #include "core/error.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
 namespace {
 
 struct FractureBench {

@@ -9,6 +9,9 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
 namespace {
 
 TEST(GravityCompensation, is_one_constant_upward_force_without_a_slope) {

@@ -9,6 +9,9 @@
 
 namespace bodkin {
 
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
+
 // The parameters that docs/models/layered.md gives as examples.
 inline LayeredTissue rig_skin() {
   return {.kind = LayeredKind::viscoelastic,

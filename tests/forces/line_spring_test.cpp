@@ -10,6 +10,8 @@
 #include "core/sampled_stability.h"
 
 namespace bodkin {
+
+using namespace bodkin::forces;
 namespace {
 
 void expect_force(const Vec3& force, double x, double y, double z, double tolerance = 1e-12) {

@@ -16,6 +16,8 @@
 
 namespace bodkin::checks {
 
+using namespace bodkin::anatomy;
+
 // Depths of a moving tip to the motion that a model gets: exact speed, "stopped" below 0.5 mm/s.
 class Hand {
  public:

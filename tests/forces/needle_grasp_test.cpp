@@ -9,6 +9,8 @@
 #include "core/error.h"
 
 namespace bodkin {
+
+using namespace bodkin::forces;
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;

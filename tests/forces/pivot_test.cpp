@@ -8,6 +8,9 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
 namespace {
 
 // The force with `inside` mm of a 150 mm needle in the body, its hub turned towards +y about the entry.

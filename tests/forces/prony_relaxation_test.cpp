@@ -7,6 +7,9 @@
 #include "core/error.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
 namespace {
 
 const std::vector<PronyTerm> one_term = {{0.5, 0.2}};

@@ -7,6 +7,9 @@
 #include "core/error.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
 namespace {
 
 Rail rail(const RailSettings& settings = {}) {

@@ -13,6 +13,9 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
 namespace {
 
 constexpr double gap = SurfaceProxy::clearance;

@@ -10,6 +10,8 @@
 
 namespace bodkin::shapes {
 
+using namespace bodkin::anatomy;
+
 using Triangles = std::vector<std::array<int, 3>>;
 
 // Patches of n x n squares spanned by u and v at corner; u x v points outwards.

@@ -9,6 +9,9 @@
 #include "core/error.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
 namespace {
 
 TEST(Syringe, published_forces_and_pressures_belong_to_one_plunger) {

@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
 namespace {
 
 // Slabs along z: tissue z / 4 + 1 in voxels of 1 mm.

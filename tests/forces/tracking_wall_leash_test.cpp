@@ -6,6 +6,9 @@
 #include "tests/forces/model_checks.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
 namespace {
 
 // Moves the tip along z of the line, with a sideways path of its own.

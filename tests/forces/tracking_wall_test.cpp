@@ -8,6 +8,9 @@
 #include "core/error.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
 namespace {
 
 using checks::Hand;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::forces;
 namespace {
 
 constexpr double k = 0.05, rho = 0.001, dx = 1.0;

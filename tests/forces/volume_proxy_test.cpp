@@ -11,6 +11,9 @@
 #include "core/error.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
 namespace {
 
 // Force and proxy after one step from the origin, k 0.5, gradient along +z.

@@ -9,6 +9,8 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 TEST(AxisPassivity, the_energy_of_a_spring_pressed_and_let_go_is_counted_to_the_last_bit) {

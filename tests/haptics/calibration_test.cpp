@@ -11,6 +11,8 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 using ::testing::HasSubstr;

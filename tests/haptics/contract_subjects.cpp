@@ -11,6 +11,8 @@
 
 namespace bodkin {
 
+using namespace bodkin::haptics;
+
 namespace {
 
 // A device with motors, behind the stand-in for its vendor's software.

@@ -6,6 +6,8 @@
 
 namespace bodkin {
 
+using namespace bodkin::haptics;
+
 using namespace std::chrono_literals;
 
 bool comes_true(const std::function<bool()>& condition) {

@@ -10,6 +10,8 @@
 
 namespace bodkin {
 
+using namespace bodkin::haptics;
+
 // Asks again and again until `condition` holds; false after half a minute.
 bool comes_true(const std::function<bool()>& condition);
 

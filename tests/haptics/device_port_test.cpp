@@ -12,6 +12,8 @@
 #include "haptics/driver_values.h"
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 using namespace std::chrono_literals;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 DeviceProfile pen() {

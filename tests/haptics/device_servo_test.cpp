@@ -10,6 +10,8 @@
 
 namespace bodkin {
 
+using namespace bodkin::haptics;
+
 namespace {
 
 using stand_in::Trouble;

@@ -15,6 +15,8 @@
 
 namespace bodkin {
 
+using namespace bodkin::haptics;
+
 void PrintTo(const ContractSubject& subject, std::ostream* to) {
   *to << subject.name;
 }

@@ -9,6 +9,8 @@
 
 namespace bodkin {
 
+using namespace bodkin::haptics;
+
 // A device that can be opened for one test, and what takes it away.
 struct ContractScene {
   std::string identity;

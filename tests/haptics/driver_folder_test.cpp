@@ -9,6 +9,8 @@
 #include <unistd.h>
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 namespace fs = std::filesystem;

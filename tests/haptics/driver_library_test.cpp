@@ -11,6 +11,8 @@
 #include "haptics/bodkin_driver.h"
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 namespace fs = std::filesystem;

@@ -10,6 +10,8 @@
 
 namespace bodkin {
 
+using namespace bodkin::haptics;
+
 using namespace std::chrono_literals;
 using stand_in::Trouble;
 

@@ -12,6 +12,8 @@
 
 namespace bodkin {
 
+using namespace bodkin::haptics;
+
 // A built-in driver and the stand-in that it drives, a library or a service, with what its vendor's frame and units
 // make of known poses and forces (design table of axes: each row is written out, not computed).
 struct DriverSubject {

@@ -9,6 +9,8 @@
 
 namespace bodkin {
 
+using namespace bodkin::haptics;
+
 namespace {
 
 using namespace std::chrono_literals;

@@ -8,6 +8,8 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 constexpr GovernorSettings settings{};

@@ -7,6 +7,8 @@
 
 namespace bodkin {
 
+using namespace bodkin::haptics;
+
 // A guard with a device that reports a hand at rest, alive with the smallest of tremors.
 struct GuardRig {
   explicit GuardRig(const GuardSettings& with = example()) : settings(with), guard(with) {}

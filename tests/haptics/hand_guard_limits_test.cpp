@@ -10,6 +10,8 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 const Vec3 nothing = Vec3::Zero();

@@ -10,6 +10,8 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 const Vec3 push3(0.0, 0.0, 3.0);

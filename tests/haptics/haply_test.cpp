@@ -17,6 +17,8 @@
 #include "haptics/device_port.h"
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 using namespace std::chrono_literals;

@@ -10,6 +10,8 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 TEST(LatencyHistogram, is_empty_at_first) {

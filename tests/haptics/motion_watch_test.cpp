@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 const Vec3 no_velocity = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 // How often a hand that swings at `hertz` and `wide` (mm from the middle) is found to be shaken within a second, by a

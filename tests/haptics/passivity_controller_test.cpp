@@ -9,6 +9,8 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();

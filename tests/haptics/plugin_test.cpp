@@ -7,6 +7,8 @@
 #include "haptics/device_port.h"
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 using testing::HasSubstr;

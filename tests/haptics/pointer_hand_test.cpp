@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 using Key = PointerInput::Key;

@@ -12,6 +12,8 @@
 #include "core/error.h"
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 template <typename Condition>

@@ -12,6 +12,8 @@
 #include "core/error.h"
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 // Time that passes only when it is told to.

@@ -9,6 +9,8 @@
 #include "haptics/drivers/simulated.h"
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 const std::string quick =

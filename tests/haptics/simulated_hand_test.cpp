@@ -12,6 +12,8 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 HandParameters plain_hand() {

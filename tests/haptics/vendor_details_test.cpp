@@ -13,6 +13,8 @@
 #include "haptics/drivers/drivers.h"
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 using stand_in::Trouble;

@@ -8,6 +8,8 @@
 #include "haptics/calibration.h"
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 // A handle that hangs: mass and dry friction, carried by what the controller asks for.

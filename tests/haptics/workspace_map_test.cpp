@@ -9,6 +9,8 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 Mat3 any_rotation(Random& random) {

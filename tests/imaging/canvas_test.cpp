@@ -8,6 +8,9 @@
 #include "io/run_program.h"
 
 namespace bodkin {
+
+using namespace bodkin::imaging;
+using namespace bodkin::io;
 namespace {
 
 using Place = Eigen::Vector2d;

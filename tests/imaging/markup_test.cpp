@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::imaging;
 namespace {
 
 TEST(Markup, base64_agrees_with_the_examples_of_rfc_4648) {

@@ -5,6 +5,9 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::imaging;
 namespace {
 
 double area_of(const CutElement& cut) {

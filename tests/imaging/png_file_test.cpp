@@ -10,6 +10,8 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::imaging;
 namespace {
 
 ImageRgb noise(int width, int height) {

@@ -12,6 +12,11 @@
 #include "io/tissue_library_file.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::imaging;
+using namespace bodkin::io;
+using namespace bodkin::patient;
 namespace {
 
 void expect_well_formed(const std::string& svg) {

@@ -7,6 +7,9 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::imaging;
 namespace {
 
 // A volume whose axes are stored as posterior, inferior, right, as some archives do.

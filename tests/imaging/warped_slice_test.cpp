@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::imaging;
 namespace {
 
 // HU rise by 10 a mm along z; bone for z > 20.

@@ -12,6 +12,9 @@
 #include "core/error.h"
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
+using namespace bodkin::io;
 namespace {
 
 namespace fs = std::filesystem;

@@ -8,6 +8,9 @@
 
 namespace bodkin {
 
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
+
 inline CaseDescription parse(const std::string& document) {
   return parse_case_xml(document, "case.xml", XmlSchema("case.xsd"),
                         [](const std::string&) { return default_tissue_library(); });

@@ -10,6 +10,9 @@
 #include "io/resources.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
 namespace {
 
 namespace fs = std::filesystem;

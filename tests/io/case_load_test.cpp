@@ -12,6 +12,9 @@
 #include "io/nrrd_writer.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
 namespace {
 
 using ::testing::ElementsAre;

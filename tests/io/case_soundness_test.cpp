@@ -7,6 +7,9 @@
 #include "io/tissue_library_file.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
 namespace {
 
 using ::testing::ElementsAre;

@@ -8,6 +8,9 @@
 #include "core/error.h"
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
+using namespace bodkin::io;
 namespace {
 
 const std::string header = "device,quantity,value,unit,source,provenance,remark\n";

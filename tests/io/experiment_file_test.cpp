@@ -9,6 +9,9 @@
 #include <gmock/gmock.h>
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
 namespace {
 
 using ::testing::HasSubstr;

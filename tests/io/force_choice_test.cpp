@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
 namespace {
 
 ResistanceSettings resistance(const std::string& text) {

@@ -10,6 +10,8 @@
 
 namespace bodkin {
 
+using namespace bodkin::anatomy;
+
 // A box of `n` cubes along each axis, each of five tetrahedra, whose tissues are muscle and fat; edges of `edge` mm.
 inline TetrahedralMesh block_mesh(int n, double edge) {
   TetrahedralMesh mesh;

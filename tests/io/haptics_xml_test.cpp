@@ -13,6 +13,9 @@
 #include "io/resources.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
 namespace {
 
 using ::testing::HasSubstr;

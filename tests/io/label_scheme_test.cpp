@@ -11,6 +11,9 @@
 #include "io/tissue_library_file.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
 namespace {
 
 using ::testing::HasSubstr;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::io;
 namespace {
 
 TEST(RunProgram, input_and_arguments_reach_the_program_as_they_are) {

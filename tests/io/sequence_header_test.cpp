@@ -6,6 +6,8 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::io;
 namespace {
 
 // Of pixels 0.08 x 0.1 mm, turned in the patient, as a transform has them.

@@ -16,6 +16,8 @@
 // environment the test writes them; otherwise it compares.
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
 namespace {
 
 namespace fs = std::filesystem;

@@ -13,6 +13,9 @@
 #include "io/resources.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
 namespace {
 
 std::string attribute_of(const xmlNode* node, const char* name) {

@@ -12,6 +12,9 @@
 #include "io/xml_document.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
 namespace {
 
 using ::testing::HasSubstr;

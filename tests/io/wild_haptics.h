@@ -15,6 +15,8 @@
 
 namespace bodkin {
 
+using namespace bodkin::anatomy;
+
 // --- equality to the bit -----------------------------------------------------------------------------------------
 
 // Every member of the settings: a member more or less does not compile.

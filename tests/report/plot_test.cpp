@@ -8,6 +8,10 @@
 #include "io/run_program.h"
 
 namespace bodkin {
+
+using namespace bodkin::imaging;
+using namespace bodkin::io;
+using namespace bodkin::report;
 namespace {
 
 void expect_well_formed(const std::string& svg) {

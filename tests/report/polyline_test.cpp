@@ -7,6 +7,8 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::report;
 namespace {
 
 using ::testing::ElementsAre;

@@ -10,6 +10,12 @@
 #include "io/run_program.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
+using namespace bodkin::report;
+using namespace bodkin::session;
+using namespace bodkin::study;
 namespace {
 
 Session session_of(const Profile& profile) {

@@ -9,6 +9,13 @@
 #include "haptics/force_governor.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
+using namespace bodkin::haptics;
+using namespace bodkin::report;
+using namespace bodkin::session;
+using namespace bodkin::simulation;
 namespace {
 
 // A session written by hand: the tip goes where it is told, through tissues and forces that are told too.

@@ -12,6 +12,10 @@
 #include "io/case_xml.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
+using namespace bodkin::session;
 namespace {
 
 Case patient_of_two_tissues() {

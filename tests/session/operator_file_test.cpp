@@ -11,6 +11,14 @@
 #include "simulation/closed_loop.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
+using namespace bodkin::io;
+using namespace bodkin::patient;
+using namespace bodkin::report;
+using namespace bodkin::session;
+using namespace bodkin::simulation;
 namespace {
 
 using ::testing::AllOf;

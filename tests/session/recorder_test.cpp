@@ -16,6 +16,10 @@
 #include "haptics/deadline_clock.h"
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
+using namespace bodkin::session;
+using namespace bodkin::simulation;
 namespace {
 
 TEST(Ring, hands_over_every_value_in_order_between_two_threads) {

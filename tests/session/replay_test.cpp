@@ -18,6 +18,13 @@
 #include "simulation/resistance_models.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
+using namespace bodkin::haptics;
+using namespace bodkin::io;
+using namespace bodkin::session;
+using namespace bodkin::simulation;
 namespace {
 
 RunSettings settings_for(const Case& patient, const std::string& name, const std::filesystem::path& output) {

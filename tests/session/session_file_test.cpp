@@ -7,6 +7,11 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::forces;
+using namespace bodkin::haptics;
+using namespace bodkin::session;
+using namespace bodkin::simulation;
 namespace {
 
 namespace fs = std::filesystem;

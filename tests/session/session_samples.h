@@ -20,6 +20,12 @@
 
 namespace bodkin {
 
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
+using namespace bodkin::haptics;
+using namespace bodkin::session;
+using namespace bodkin::simulation;
+
 // A session file of a test's own, removed with its log when the test ends.
 class ScratchSession {
  public:

@@ -8,6 +8,9 @@
 
 namespace bodkin {
 
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
+
 // Tissues and their thicknesses in mm, multiples of 0.5, from the skin inwards.
 using Slabs = std::vector<std::pair<TissueId, double>>;
 

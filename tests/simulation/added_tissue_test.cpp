@@ -11,6 +11,11 @@
 #include "simulation/haptic_tick.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
+using namespace bodkin::io;
+using namespace bodkin::simulation;
 namespace {
 
 // What a contributor writes: only what a model asks for. A model for which the tissue states nothing meets no

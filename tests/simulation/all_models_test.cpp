@@ -16,6 +16,9 @@
 #include "simulation/haptic_tick.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::simulation;
 namespace {
 
 // Under a sanitizer every model once is enough.

@@ -8,6 +8,10 @@
 #include "haptics/deadline_clock.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::haptics;
+using namespace bodkin::simulation;
 namespace {
 
 const NeedlePath slab_path{{0, 0, 0}, {0, 0, 40}};

@@ -16,6 +16,11 @@
 #include "simulation/haptic_tick.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
+using namespace bodkin::io;
+using namespace bodkin::simulation;
 namespace {
 
 constexpr double apart = 10.0;  // mm between the two lines

@@ -16,6 +16,12 @@
 #include "simulation/haptic_tick.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
+using namespace bodkin::forces;
+using namespace bodkin::io;
+using namespace bodkin::simulation;
 namespace {
 
 using ::testing::HasSubstr;

@@ -9,6 +9,9 @@
 #include "core/error.h"
 
 namespace bodkin {
+
+using namespace bodkin::fem;
+using namespace bodkin::simulation;
 namespace {
 
 NodeForces push_of(float force, std::uint32_t node = 0) {

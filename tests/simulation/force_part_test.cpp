@@ -13,6 +13,11 @@
 #include "simulation/resistance_models.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
+using namespace bodkin::io;
+using namespace bodkin::simulation;
 namespace {
 
 // The slabs with the tissues that come with Bodkin, and fluid behind the epidural space.

@@ -14,6 +14,10 @@
 #include "simulation/haptic_tick.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
+using namespace bodkin::simulation;
 namespace {
 
 // A few voxels of muscle and a device that can do anything.

@@ -12,6 +12,11 @@
 #include "haptics/force_governor.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
+using namespace bodkin::haptics;
+using namespace bodkin::simulation;
 namespace {
 
 using namespace tissue;

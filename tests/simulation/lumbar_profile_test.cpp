@@ -8,6 +8,12 @@
 #include "simulation/haptic_tick.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
+using namespace bodkin::io;
+using namespace bodkin::patient;
+using namespace bodkin::simulation;
 namespace {
 
 using namespace tissue;

@@ -9,6 +9,9 @@
 #include "simulation/resistance_models.h"
 
 namespace bodkin {
+
+using namespace bodkin::forces;
+using namespace bodkin::simulation;
 namespace {
 
 TEST(ModelPages, list_the_diagnostics_of_their_model) {

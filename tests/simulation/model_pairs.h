@@ -14,6 +14,9 @@
 
 namespace bodkin {
 
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
+
 struct NamedResistance {
   std::string name;
   ResistanceSettings settings;

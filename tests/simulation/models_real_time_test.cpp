@@ -29,6 +29,10 @@
 #include "io/tissue_library_file.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
+using namespace bodkin::io;
 namespace {
 
 struct Slab {  // skin, muscle, bone along z

@@ -5,6 +5,9 @@
 #include "simulation/haptic_tick.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::simulation;
 namespace {
 
 TEST(ObliqueInsertion, the_tracking_wall_saturates_along_the_line_and_not_along_each_axis) {

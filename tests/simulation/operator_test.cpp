@@ -8,6 +8,9 @@
 #include "core/error.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::simulation;
 namespace {
 
 const NeedlePath path{{0, 100, 0}, {0, 50, 0}};  // anterior

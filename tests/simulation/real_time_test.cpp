@@ -12,6 +12,9 @@
 #include "simulation/haptic_tick.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::simulation;
 namespace {
 
 class RealTime : public testing::Test {

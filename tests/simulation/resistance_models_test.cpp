@@ -11,6 +11,10 @@
 #include "simulation/haptic_tick.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
+using namespace bodkin::simulation;
 namespace {
 
 struct DragSettings {

@@ -10,6 +10,9 @@
 #include "simulation/haptic_tick.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::simulation;
 namespace {
 
 Case body(const ResistanceSettings& settings = LayeredSettings{}, const ForceParts& parts = {}) {

@@ -13,6 +13,10 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::haptics;
+using namespace bodkin::io;
 namespace {
 
 constexpr std::uint64_t short_ticks = sanitized ? 30'000 : 1'500'000;

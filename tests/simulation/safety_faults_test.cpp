@@ -15,6 +15,8 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();

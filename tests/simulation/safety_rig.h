@@ -23,6 +23,12 @@
 
 namespace bodkin {
 
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
+using namespace bodkin::haptics;
+using namespace bodkin::io;
+using namespace bodkin::simulation;
+
 // Every device of share/bodkin/devices.csv that is known to render a force.
 inline std::vector<DeviceProfile> devices_with_force() {
   std::vector<DeviceProfile> found;

@@ -9,6 +9,9 @@
 
 namespace bodkin {
 
+using namespace bodkin::anatomy;
+using namespace bodkin::simulation;
+
 // A block of tissue slabs along z, 60 x 60 mm wide, skin at z = 0, voxels of 1 mm: paths through it are known.
 inline TissueLibrary slab_library() {
   std::vector<TissueProperties> tissues;

@@ -23,6 +23,16 @@
 #include "simulation/haptic_tick.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
+using namespace bodkin::forces;
+using namespace bodkin::haptics;
+using namespace bodkin::io;
+using namespace bodkin::patient;
+using namespace bodkin::session;
+using namespace bodkin::simulation;
+using namespace bodkin::station;
 namespace {
 
 using std::chrono::milliseconds;

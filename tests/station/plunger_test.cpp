@@ -10,6 +10,10 @@
 #include "io/tissue_library_file.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
+using namespace bodkin::station;
 namespace {
 
 constexpr double area = 176.71459;  // mm^2, of 15 mm bore

@@ -9,6 +9,9 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::station;
 namespace {
 
 // The skin is the plane z = 0: the last air voxel has its middle at -0.5 mm, the first of the skin at +0.5.

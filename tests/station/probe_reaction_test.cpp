@@ -9,6 +9,10 @@
 #include "haptics/simulated_hand.h"
 
 namespace bodkin {
+
+using namespace bodkin::fem;
+using namespace bodkin::haptics;
+using namespace bodkin::station;
 namespace {
 
 constexpr double tick = 0.001;  // s

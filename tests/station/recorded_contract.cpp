@@ -5,6 +5,11 @@
 
 namespace bodkin {
 
+using namespace bodkin::haptics;
+using namespace bodkin::session;
+using namespace bodkin::simulation;
+using namespace bodkin::station;
+
 std::vector<ContractSubject> contract_subjects() {
   const auto arrange = [] {
     const auto file = std::make_shared<ScratchSession>();

@@ -11,6 +11,12 @@
 #include "haptics/workspace_map.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::haptics;
+using namespace bodkin::session;
+using namespace bodkin::simulation;
+using namespace bodkin::station;
 namespace {
 
 using ::testing::HasSubstr;

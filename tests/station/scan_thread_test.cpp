@@ -19,6 +19,13 @@
 #include "io/tissue_library_file.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
+using namespace bodkin::imaging;
+using namespace bodkin::io;
+using namespace bodkin::station;
+using namespace bodkin::study;
 namespace {
 
 struct SeenBlock {

@@ -12,6 +12,11 @@
 #include "haptics/drivers/simulated.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::haptics;
+using namespace bodkin::session;
+using namespace bodkin::station;
 namespace {
 
 Case lumbar_case() {

@@ -24,6 +24,15 @@
 #include "io/probe_library_file.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
+using namespace bodkin::haptics;
+using namespace bodkin::imaging;
+using namespace bodkin::io;
+using namespace bodkin::patient;
+using namespace bodkin::session;
+using namespace bodkin::station;
 namespace {
 
 using ::testing::HasSubstr;

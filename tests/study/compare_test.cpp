@@ -16,6 +16,13 @@
 #include "io/run_program.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
+using namespace bodkin::io;
+using namespace bodkin::report;
+using namespace bodkin::simulation;
+using namespace bodkin::study;
 namespace {
 
 constexpr std::size_t in = 0, stop = 1, out = 2, again = 3;

@@ -13,6 +13,11 @@
 #include "core/error.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
+using namespace bodkin::report;
+using namespace bodkin::study;
 namespace {
 
 namespace fs = std::filesystem;

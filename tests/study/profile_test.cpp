@@ -13,6 +13,14 @@
 #include "io/run_program.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
+using namespace bodkin::io;
+using namespace bodkin::patient;
+using namespace bodkin::report;
+using namespace bodkin::simulation;
+using namespace bodkin::study;
 namespace {
 
 std::string sentence_of(const Case& patient, const ProfileOptions& options) {

@@ -36,6 +36,11 @@
 namespace {
 
 using namespace bodkin;
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
+using namespace bodkin::forces;
+using namespace bodkin::io;
+using namespace bodkin::report;
 
 constexpr double dt = 1e-3;
 constexpr std::uint32_t blue = 0x12385C, orange = 0xC8641E, green = 0x2E7D5B, grey = 0x8A8F98;

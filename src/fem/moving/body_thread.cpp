@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -106,7 +106,7 @@ bool BodyThread::make_corridor(const std::stop_token& stop) noexcept {
     const auto check_stop = [&stop](std::string_view, double) {
       if (stop.stop_requested()) throw Ended();
     };
-    std::shared_ptr<CondensedBody> corridor = solver_.make_corridor(state_, check_stop, std::move(nodes));
+    std::shared_ptr<anatomy::CondensedBody> corridor = solver_.make_corridor(state_, check_stop, std::move(nodes));
     if (corridor != nullptr) {
       take_corridor_(std::move(corridor));
       return true;
@@ -135,4 +135,4 @@ void BodyThread::publish_snapshot() noexcept {
   snapshots_.write(next_);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -12,7 +12,7 @@
 #include "core/latest_value.h"
 #include "fem/moving/deformable_body_solver.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // Snapshot of a moving body for display and supervision.
 struct BodySnapshot {
@@ -44,7 +44,7 @@ struct ProbeReading {
 class BodyThread {
  public:
   // Receives every new corridor on the thread that makes them. If it throws, the snapshot says corridor_failed.
-  using CorridorTaker = std::function<void(std::shared_ptr<CondensedBody>)>;
+  using CorridorTaker = std::function<void(std::shared_ptr<anatomy::CondensedBody>)>;
 
   // Checks the arguments and starts at rest, with the corridor that condense() makes. Throws InputError. All
   // corridors have the same mesh nodes (CondensedBody::mesh_nodes), in the same order, until move_corridor().
@@ -99,4 +99,4 @@ class BodyThread {
   std::jthread thread_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

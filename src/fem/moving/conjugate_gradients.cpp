@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -75,4 +75,4 @@ int ConjugateGradients::solve(const NodeMatrix& matrix, const NodeVectors& right
   return iteration;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -2,7 +2,7 @@
 
 #include "fem/moving/node_matrix.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 struct GradientsSettings {
   // Of the residual that one begins with, in the norm of the preconditioner; 0 to 1. What is below 1e-6 of the right
@@ -34,4 +34,4 @@ class ConjugateGradients {
   SingleVectors way_, above_, back_, back_scaled_;  // (D + L)^-T direction_; what else the sweeps give
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "fem/solid/element_stiffness.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -56,7 +56,7 @@ CorotationalBody::CorotationalBody(const BodyDescription& body, const Corotation
       masses_(body.mesh.nodes.size(), 0.0),
       inertia_(body.mesh.nodes.size(), 0.0),
       held_(body.mesh.nodes.size(), 0) {
-  const TetrahedralMesh& mesh = body.mesh;
+  const anatomy::TetrahedralMesh& mesh = body.mesh;
   for (const std::uint32_t node : body.fixed) held_[node] = 2;
   for (const auto& element : mesh.elements) {
     const double volume = tetrahedron_gradients({mesh.nodes[element[0]], mesh.nodes[element[1]],
@@ -220,4 +220,4 @@ const CorotationalStep& CorotationalBody::step() noexcept {
   return told_;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

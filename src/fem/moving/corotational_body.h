@@ -9,7 +9,7 @@
 #include "fem/moving/node_matrix.h"
 #include "fem/solid/elastic_body.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 struct CorotationalSettings {
   // s of a step, 1e-5 to 1; 0: no time, every step is one of Newton's towards the place where the body is at rest.
@@ -111,4 +111,4 @@ class CorotationalBody {
   CorotationalStep told_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -5,7 +5,7 @@
 #include "core/simd.h"
 #include "fem/solid/element_stiffness.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -65,7 +65,7 @@ BODKIN_LANES_INLINE void stiffening(const LaneMatrix& y, const Lanes& lambda, co
 
 }  // namespace
 
-CorotationalElements::CorotationalElements(const TetrahedralMesh& mesh, const ElasticMaterials& materials)
+CorotationalElements::CorotationalElements(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials)
     : count_(mesh.elements.size()),
       batches_((count_ + lane_count - 1) / lane_count),
       turned_(batches_.size() * lane_count) {
@@ -176,4 +176,4 @@ double CorotationalElements::evaluate(const NodeVectors& places, NodeVectors& fo
   return evaluate_all(batches_, places.data(), forces.data(), turned_.data());
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -11,7 +11,7 @@
 #include "fem/moving/nearest_rotation.h"
 #include "fem/solid/elastic_material.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // One column a node: x y z and a fourth number that is 0, so that a node is a whole vector of the processor.
 using NodeVectors = Eigen::Matrix4Xd;
@@ -36,7 +36,7 @@ struct alignas(64) TurnedElement {
 class CorotationalElements {
  public:
   // The mesh must be sound (check_mesh) and its tissues have materials. At most 2^28 elements.
-  CorotationalElements(const TetrahedralMesh& mesh, const ElasticMaterials& materials);
+  CorotationalElements(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials);
 
   // Forces (N) of the elements on the nodes at these places (mm), replacing what is in `forces`; returns the energy,
   // N mm. Places that are not finite give an energy that is not. Never throws or allocates; the same places after the
@@ -70,4 +70,4 @@ class CorotationalElements {
   std::vector<TurnedElement> turned_;  // 4 a batch
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -10,7 +10,7 @@
 #include "fem/moving/nearest_rotation.h"
 #include "fem/solid/element_stiffness.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -106,4 +106,4 @@ void assemble_tangent(const BodyDescription& body, const Eigen::Ref<const Eigen:
   if (!held.empty()) hold_nodes(held, system);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -8,7 +8,7 @@
 #include "fem/solid/elastic_assembly.h"
 #include "fem/solid/elastic_body.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // How an element that is turned and strained resists a further small displacement: the derivative of its force
 // (CorotationalElements), with g_a the gradients of the shape functions turned by R, S = R^T F and Y = tr(S) 1 - S,
@@ -33,4 +33,4 @@ void assemble_tangent(const BodyDescription& body, const Eigen::Ref<const Eigen:
 
 inline constexpr double tangent_holding = 1000.0;
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

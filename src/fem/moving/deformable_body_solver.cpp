@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "fem/solid/multifrontal_cholesky.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -75,7 +75,7 @@ void DeformableBodySolver::take_state(BodyState& state) {
   state.needle = needle_;
 }
 
-std::shared_ptr<CondensedBody> DeformableBodySolver::make_corridor() {
+std::shared_ptr<anatomy::CondensedBody> DeformableBodySolver::make_corridor() {
   BodyState state;
   take_state(state);
   return make_corridor(state);
@@ -102,9 +102,9 @@ bool DeformableBodySolver::find_free(const BodyState& state, const Progress& pro
   return false;
 }
 
-std::shared_ptr<CondensedBody> DeformableBodySolver::condense_about(const NodeVectors& places,
-                                                                    std::span<const std::uint8_t> held,
-                                                                    const Progress& progress) {
+std::shared_ptr<anatomy::CondensedBody> DeformableBodySolver::condense_about(const NodeVectors& places,
+                                                                             std::span<const std::uint8_t> held,
+                                                                             const Progress& progress) {
   FactorOptions options;
   options.keep_field = false;
   options.threads = 1;  // in addition to the tick and the display
@@ -112,7 +112,7 @@ std::shared_ptr<CondensedBody> DeformableBodySolver::condense_about(const NodeVe
   for (const StressStiffness stress : {StressStiffness::exact, StressStiffness::positive}) {
     try {
       assemble_tangent(description_, places, held, stress, plan_.system);
-      auto corridor = std::make_shared<CondensedBody>(plan_.corridor);
+      auto corridor = std::make_shared<anatomy::CondensedBody>(plan_.corridor);
       corridor->compliance =
           MultifrontalCholesky(plan_.system.stiffness, plan_.symbolic, options, progress).last_compliance();
       for (std::size_t i = 0; i < corridor->nodes.size(); ++i)
@@ -127,8 +127,9 @@ std::shared_ptr<CondensedBody> DeformableBodySolver::condense_about(const NodeVe
 
 // May run in parallel with step(): it reads what never changes, and writes the corridor, its plan's equations
 // and the body without a needle, which are its own.
-std::shared_ptr<CondensedBody> DeformableBodySolver::make_corridor(const BodyState& state, const Progress& progress,
-                                                                   std::vector<std::uint32_t> nodes) {
+std::shared_ptr<anatomy::CondensedBody> DeformableBodySolver::make_corridor(const BodyState& state,
+                                                                            const Progress& progress,
+                                                                            std::vector<std::uint32_t> nodes) {
   std::optional<BodyPlan> before;
   try {
     if (state.needle && !find_free(state, progress)) return nullptr;
@@ -148,4 +149,4 @@ std::shared_ptr<CondensedBody> DeformableBodySolver::make_corridor(const BodySta
   return nullptr;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

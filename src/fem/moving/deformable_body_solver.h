@@ -14,7 +14,7 @@
 #include "fem/node_forces.h"
 #include "fem/solid/elastic_body.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 struct BodySolverSettings {
   CorotationalSettings motion;
@@ -51,26 +51,27 @@ class DeformableBodySolver {
   // The corridor's nodes where they are now and their compliance there, with the nodes under the probe held a
   // thousand times as firmly as the stiffest node; null when it does not fit into memory. In a state that buckles the
   // stiffness by compressive stress is left out (StressStiffness::positive).
-  std::shared_ptr<CondensedBody> make_corridor();
+  std::shared_ptr<anatomy::CondensedBody> make_corridor();
   // The same in two parts, of which one other thread may do the second while this one keeps stepping: take_state()
   // copies the present state, after which no corridor is due until the body has moved on; make_corridor() makes the
   // corridor about it. `progress` is called from the work, and may abort it by throwing. `nodes`: of the mesh, the
   // corridor from now on; empty: unchanged. If the corridor cannot be made, the previous one stays.
   void take_state(BodyState& state);
-  std::shared_ptr<CondensedBody> make_corridor(const BodyState& state, const Progress& progress = {},
-                                               std::vector<std::uint32_t> nodes = {});
+  std::shared_ptr<anatomy::CondensedBody> make_corridor(const BodyState& state, const Progress& progress = {},
+                                                        std::vector<std::uint32_t> nodes = {});
 
   const CorotationalBody& body() const noexcept { return moving_; }
   const ProbePress& press() const noexcept { return press_; }
   // The corridor's nodes at rest and their tissues, without compliance. For the thread that makes corridors.
-  const CondensedBody& corridor_at_rest() const noexcept { return plan_.corridor; }
+  const anatomy::CondensedBody& corridor_at_rest() const noexcept { return plan_.corridor; }
   bool settled() const noexcept { return settled_; }
 
  private:
   void judge(bool needle) noexcept;
   bool find_free(const BodyState& state, const Progress& progress);
-  std::shared_ptr<CondensedBody> condense_about(const NodeVectors& places, std::span<const std::uint8_t> held,
-                                                const Progress& progress);
+  std::shared_ptr<anatomy::CondensedBody> condense_about(const NodeVectors& places,
+                                                         std::span<const std::uint8_t> held,
+                                                         const Progress& progress);
 
   BodySolverSettings settings_;
   BodyDescription description_;
@@ -83,4 +84,4 @@ class DeformableBodySolver {
   std::optional<CorotationalBody> free_;  // the body without a needle, at rest; for the thread that makes corridors
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

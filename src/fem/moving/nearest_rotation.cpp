@@ -4,7 +4,7 @@
 
 #include <Eigen/Jacobi>
 
-namespace bodkin {
+namespace bodkin::fem {
 
 Eigen::Quaterniond nearest_rotation(const Mat3& matrix) noexcept {
   const double size = matrix.cwiseAbs().maxCoeff();
@@ -38,4 +38,4 @@ Eigen::Quaterniond nearest_rotation(const Mat3& matrix) noexcept {
   return {q(0), q(1), q(2), q(3)};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

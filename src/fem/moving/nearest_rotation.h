@@ -6,7 +6,7 @@
 #include "core/geometry.h"
 #include "core/simd.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // The rotation R that is nearest to a matrix F, |F - R| least: the rotational part of a deformation, F = R S with S
 // symmetric. It is that of the polar decomposition, but never a reflection: for an inverted element (det F < 0) the
@@ -82,4 +82,4 @@ BODKIN_LANES_INLINE void turn_to_nearest(const LaneMatrix& matrix, LaneQuaternio
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -5,7 +5,7 @@
 
 #include "core/simd.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -36,7 +36,7 @@ std::vector<std::uint32_t> sweep_order(const std::vector<std::vector<std::uint32
 
 }  // namespace
 
-NodeMatrix::NodeMatrix(const TetrahedralMesh& mesh) {
+NodeMatrix::NodeMatrix(const anatomy::TetrahedralMesh& mesh) {
   const std::size_t count = mesh.nodes.size();
   std::vector<std::tuple<std::uint32_t, std::uint32_t, Share>> found;  // ascending pairs
   for (std::uint32_t element = 0; element < mesh.elements.size(); ++element) {
@@ -241,4 +241,4 @@ void NodeMatrix::solve_upper(const SingleVectors& right, SingleVectors& x, Singl
   sweep_up(*this, right.data(), x.data(), above.data());
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

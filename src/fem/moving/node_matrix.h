@@ -8,7 +8,7 @@
 #include "anatomy/tetrahedral_mesh.h"
 #include "fem/moving/corotational_elements.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // As NodeVectors, in single precision.
 using SingleVectors = Eigen::Matrix4Xf;
@@ -18,7 +18,7 @@ using SingleVectors = Eigen::Matrix4Xf;
 // where is found once.
 class NodeMatrix {
  public:
-  explicit NodeMatrix(const TetrahedralMesh& mesh);
+  explicit NodeMatrix(const anatomy::TetrahedralMesh& mesh);
 
   // factor K + diagonal: K from the elements, one number a node in `diagonal` (N/mm), for all three of its
   // directions. What a block of the diagonal of K is follows from the others of its row: a translation costs nothing.
@@ -85,4 +85,4 @@ class NodeMatrix {
   std::vector<Share> shares_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

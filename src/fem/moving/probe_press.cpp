@@ -10,7 +10,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -24,7 +24,7 @@ void check_probe_face(double value, double low, double high, const char* name) {
 }
 
 // Nodes of the faces that belong to one element alone.
-std::vector<bool> on_surface(const TetrahedralMesh& mesh) {
+std::vector<bool> on_surface(const anatomy::TetrahedralMesh& mesh) {
   std::vector<std::array<std::uint32_t, 3>> faces;
   faces.reserve(4 * mesh.elements.size());
   for (const auto& element : mesh.elements) {
@@ -53,7 +53,8 @@ bool is_rigid(const Pose& pose) noexcept {
 
 }  // namespace
 
-ProbePress::ProbePress(const TetrahedralMesh& mesh, std::span<const std::uint32_t> fixed, const ProbeFace& face)
+ProbePress::ProbePress(const anatomy::TetrahedralMesh& mesh, std::span<const std::uint32_t> fixed,
+                       const ProbeFace& face)
     : face_(face) {
   check_probe_face(face.width, 1.0, 200.0, "width");
   check_probe_face(face.thickness, 1.0, 100.0, "thickness");
@@ -132,4 +133,4 @@ Wrench ProbePress::on_probe(const CorotationalBody& body) const noexcept {
   return sum;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -7,7 +7,7 @@
 #include "core/geometry.h"
 #include "fem/moving/corotational_body.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // The face of an ultrasound probe, rigid, in the probe's own frame: its middle is the origin, the third axis points
 // out of the probe into the body, the first runs along the array. A linear array is flat; a convex one is a piece of
@@ -28,7 +28,7 @@ struct ProbeFace {
 class ProbePress {
  public:
   // `mesh` and `fixed` as of the body that will be pressed. Throws InputError for a face out of range.
-  ProbePress(const TetrahedralMesh& mesh, std::span<const std::uint32_t> fixed, const ProbeFace& face);
+  ProbePress(const anatomy::TetrahedralMesh& mesh, std::span<const std::uint32_t> fixed, const ProbeFace& face);
 
   // Before a step of the body: takes what the face meets and moves what it has. A pose that is not finite, or not
   // that of a rigid body, is as none.
@@ -56,4 +56,4 @@ class ProbePress {
   Pose probe_ = Pose::Identity();
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -32,4 +32,4 @@ std::size_t available_memory() {
   return std::min(left_on_machine(), left_in_container());
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -2,10 +2,10 @@
 
 #include <cstddef>
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // Bytes of memory that this program can still get: what the machine has left (Linux: MemAvailable), or what the
 // container that it runs in (cgroup, version 2) has left, if that is less. The largest number where neither is said.
 std::size_t available_memory();
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -6,7 +6,7 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // A symmetric sparse matrix of 3 x 3 blocks, one row and column of blocks per node. Only the lower triangle is kept,
 // column by column: the blocks of column j are `start[j]` to `start[j + 1]`, the first is the diagonal's.
@@ -17,4 +17,4 @@ struct BlockMatrix {
   std::vector<Mat3> block;         // of each block; those of the diagonal are whole and symmetric
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -17,7 +17,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -41,7 +41,7 @@ struct CacheHeader {
 static_assert(sizeof(CacheHeader) == 48, "the header must have no padding");
 
 std::uint64_t file_size(std::uint64_t nodes) {
-  return sizeof(CacheHeader) + nodes * (sizeof(Vec3) + sizeof(std::uint32_t) + sizeof(TissueId)) +
+  return sizeof(CacheHeader) + nodes * (sizeof(Vec3) + sizeof(std::uint32_t) + sizeof(anatomy::TissueId)) +
          sizeof(double) * (3 * nodes * (3 * nodes + 1) / 2);
 }
 
@@ -117,9 +117,9 @@ BodyDigest digest_of(const BodyDescription& body) {
   hash.add(body.mesh.elements);
   hash.add(body.mesh.tissues);
   std::array<bool, 256> met{};
-  for (const TissueId tissue : body.mesh.tissues) met[tissue] = true;
+  for (const anatomy::TissueId tissue : body.mesh.tissues) met[tissue] = true;
   for (std::size_t tissue = 0; tissue < met.size(); ++tissue) {
-    const ElasticMaterial* material = body.materials.find(static_cast<TissueId>(tissue));
+    const ElasticMaterial* material = body.materials.find(static_cast<anatomy::TissueId>(tissue));
     if (!met[tissue] || material == nullptr) continue;
     const std::array<double, 3> values = {static_cast<double>(tissue), material->young, material->poisson};
     hash.add(values.data(), sizeof values);
@@ -133,7 +133,7 @@ BodyDigest digest_of(const BodyDescription& body) {
   return {value.high64, value.low64};
 }
 
-void save_condensed(const fs::path& file, const CondensedBody& body, const BodyDigest& digest) {
+void save_condensed(const fs::path& file, const anatomy::CondensedBody& body, const BodyDigest& digest) {
   CacheHeader header;
   header.digest_high = digest.high;
   header.digest_low = digest.low;
@@ -146,7 +146,7 @@ void save_condensed(const fs::path& file, const CondensedBody& body, const BodyD
   append(&header, sizeof header);
   append(body.nodes.data(), body.nodes.size() * sizeof(Vec3));
   append(body.mesh_nodes.data(), body.mesh_nodes.size() * sizeof(std::uint32_t));
-  append(body.tissues.data(), body.tissues.size() * sizeof(TissueId));
+  append(body.tissues.data(), body.tissues.size() * sizeof(anatomy::TissueId));
   const Eigen::Index size = body.compliance.rows();
   for (Eigen::Index column = 0; column < size; ++column)
     append(&body.compliance(column, column), static_cast<std::size_t>(size - column) * sizeof(double));
@@ -157,7 +157,7 @@ void save_condensed(const fs::path& file, const CondensedBody& body, const BodyD
   write_file(file, bytes);
 }
 
-CondensedBody load_condensed(const fs::path& file, const BodyDigest& digest) {
+anatomy::CondensedBody load_condensed(const fs::path& file, const BodyDigest& digest) {
   HashedFile stream(file);
   const std::string name = file.string();
   CacheHeader header;
@@ -168,13 +168,13 @@ CondensedBody load_condensed(const fs::path& file, const BodyDigest& digest) {
   header.checksum = 0;
   stream.hash.add(&header, sizeof header);
 
-  CondensedBody body;
+  anatomy::CondensedBody body;
   body.nodes.resize(header.nodes);
   body.mesh_nodes.resize(header.nodes);
   body.tissues.resize(header.nodes);
   stream.read_and_hash(body.nodes.data(), body.nodes.size() * sizeof(Vec3));
   stream.read_and_hash(body.mesh_nodes.data(), body.mesh_nodes.size() * sizeof(std::uint32_t));
-  stream.read_and_hash(body.tissues.data(), body.tissues.size() * sizeof(TissueId));
+  stream.read_and_hash(body.tissues.data(), body.tissues.size() * sizeof(anatomy::TissueId));
   const auto size = static_cast<Eigen::Index>(3 * header.nodes);
   body.compliance.resize(size, size);
   prefer_large_pages(body.compliance.data(), sizeof(double) * static_cast<std::size_t>(body.compliance.size()));
@@ -187,8 +187,9 @@ CondensedBody load_condensed(const fs::path& file, const BodyDigest& digest) {
   return body;
 }
 
-CondensedBody condensed_with_cache(const fs::path& file, const BodyDescription& body, const FactorOptions& options,
-                                   const Progress& progress, const std::function<void(const std::string&)>& note) {
+anatomy::CondensedBody condensed_with_cache(const fs::path& file, const BodyDescription& body,
+                                            const FactorOptions& options, const Progress& progress,
+                                            const std::function<void(const std::string&)>& note) {
   const BodyDigest digest = digest_of(body);
   std::error_code problem;
   if (fs::exists(file, problem)) {
@@ -198,7 +199,7 @@ CondensedBody condensed_with_cache(const fs::path& file, const BodyDescription& 
       if (note) note(std::string("the body is prepared anew, since ") + error.what());
     }
   }
-  CondensedBody condensed = condense(body, options, progress, note);
+  anatomy::CondensedBody condensed = condense(body, options, progress, note);
   try {
     save_condensed(file, condensed, digest);
   } catch (const SystemError& error) {
@@ -207,4 +208,4 @@ CondensedBody condensed_with_cache(const fs::path& file, const BodyDescription& 
   return condensed;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

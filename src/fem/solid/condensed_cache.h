@@ -7,7 +7,7 @@
 
 #include "fem/solid/elastic_body.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // A fingerprint of everything that a condensed body depends on: the mesh, the materials of its tissues, what is fixed
 // and the corridor in its order. XXH3, 128 bits: it finds accidents, not attacks.
@@ -19,17 +19,17 @@ struct BodyDigest {
 BodyDigest digest_of(const BodyDescription& body);
 
 // Writes a condensed body and the digest of what it was made of to one file, whole or not at all. Throws SystemError.
-void save_condensed(const std::filesystem::path& file, const CondensedBody& body, const BodyDigest& digest);
+void save_condensed(const std::filesystem::path& file, const anatomy::CondensedBody& body, const BodyDigest& digest);
 
 // Reads it back, the same to the last bit. Throws InputError, one sentence, when the file is not there, is none of
 // ours, is of another version, is damaged or cut off, or belongs to a body with another digest.
-CondensedBody load_condensed(const std::filesystem::path& file, const BodyDigest& digest);
+anatomy::CondensedBody load_condensed(const std::filesystem::path& file, const BodyDigest& digest);
 
 // The condensed body from the cache or, when that does not have it, prepared by condense() and put there. `note`
 // hears what condense() notes, and one sentence when a file had to be passed over or could not be written; it may be
 // empty. Throws what condense() does.
-CondensedBody condensed_with_cache(const std::filesystem::path& file, const BodyDescription& body,
-                                   const FactorOptions& options = {}, const Progress& progress = {},
-                                   const std::function<void(const std::string&)>& note = {});
+anatomy::CondensedBody condensed_with_cache(const std::filesystem::path& file, const BodyDescription& body,
+                                            const FactorOptions& options = {}, const Progress& progress = {},
+                                            const std::function<void(const std::string&)>& note = {});
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -6,7 +6,7 @@
 
 #include "fem/solid/dense_kernels.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -114,4 +114,4 @@ void invert_from_lower(ThreadPool& pool, std::size_t size, const double* lower, 
   });
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -4,7 +4,7 @@
 
 #include "core/thread_pool.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // The dense work of the factorisation that is worth sharing out. It is cut into tiles whose size does not depend on
 // the number of threads, and every tile is one call of OpenBLAS on one thread: the bits are the same for any pool.
@@ -19,4 +19,4 @@ std::size_t factorise_front(ThreadPool& pool, std::size_t width, std::size_t hei
 // not read. They must not be the same.
 void invert_from_lower(ThreadPool& pool, std::size_t size, const double* lower, double* inverse);
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -9,7 +9,7 @@ extern "C" {
 void dpotrf_(const char* triangle, const int* n, double* a, const int* lead, int* info, std::size_t triangle_length);
 }
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -114,4 +114,4 @@ void mirror_upper(std::size_t size, double* a, std::size_t lead, std::size_t fro
           a[column * lead + row] = a[row * lead + column];
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // The dense linear algebra of the factorisation, by OpenBLAS. Matrices are column-major; `lead` is the distance
 // between columns. Only the lower triangle of a symmetric or triangular matrix is read or written.
@@ -48,4 +48,4 @@ void mirror_lower(std::size_t size, double* a, std::size_t lead);
 // Columns `from` to `to` of the lower triangle become the mirror of the upper one, whatever stands in the others.
 void mirror_upper(std::size_t size, double* a, std::size_t lead, std::size_t from, std::size_t to);
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "fem/solid/available_memory.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -67,4 +67,4 @@ DisplayField display_columns(const ElasticBody& body, std::span<const PointInMes
   return field;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -10,7 +10,7 @@
 #include "fem/solid/elastic_body.h"
 #include "fem/solid/points_in_mesh.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // Bytes that display_columns() takes for so many points and nodes; temporary memory is at most an eighth of it
 // for bodies with no more nodes than points.
@@ -25,4 +25,4 @@ std::size_t display_bytes(std::size_t points, std::size_t nodes) noexcept;
 DisplayField display_columns(const ElasticBody& body, std::span<const PointInMesh> points,
                              const std::vector<std::uint32_t>& nodes, const Progress& progress = {});
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -6,11 +6,11 @@
 #include "core/error.h"
 #include "fem/solid/element_stiffness.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
-std::array<Vec3, 4> corners_at(const TetrahedralMesh& mesh, std::size_t element) {
+std::array<Vec3, 4> corners_at(const anatomy::TetrahedralMesh& mesh, std::size_t element) {
   const auto& nodes = mesh.elements[element];
   return {mesh.nodes[nodes[0]], mesh.nodes[nodes[1]], mesh.nodes[nodes[2]], mesh.nodes[nodes[3]]};
 }
@@ -21,7 +21,7 @@ struct Incidence {
   std::vector<std::uint32_t> element;
 };
 
-Incidence incidence_of(const TetrahedralMesh& mesh) {
+Incidence incidence_of(const anatomy::TetrahedralMesh& mesh) {
   Incidence incidence;
   incidence.start.assign(mesh.nodes.size() + 1, 0);
   for (const auto& element : mesh.elements)
@@ -35,7 +35,7 @@ Incidence incidence_of(const TetrahedralMesh& mesh) {
 }
 
 // Which free nodes share an element, as the pattern of the matrix.
-void find_pattern(const TetrahedralMesh& mesh, ElasticSystem& system) {
+void find_pattern(const anatomy::TetrahedralMesh& mesh, ElasticSystem& system) {
   const Incidence incidence = incidence_of(mesh);
   BlockMatrix& matrix = system.stiffness;
   matrix.nodes = static_cast<std::uint32_t>(system.mesh_nodes.size());
@@ -57,7 +57,7 @@ void find_pattern(const TetrahedralMesh& mesh, ElasticSystem& system) {
   }
 }
 
-void add_element(const TetrahedralMesh& mesh, const ElasticMaterials& materials, std::size_t element,
+void add_element(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials, std::size_t element,
                  ElasticSystem& system) {
   const TetrahedronGradients shape = tetrahedron_gradients(corners_at(mesh, element));
   const LameConstants constants = lame_constants(*materials.find(mesh.tissues[element]));
@@ -78,7 +78,7 @@ void add_element(const TetrahedralMesh& mesh, const ElasticMaterials& materials,
 
 }  // namespace
 
-ElasticSystem assemble(const TetrahedralMesh& mesh, const ElasticMaterials& materials,
+ElasticSystem assemble(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials,
                        std::span<const std::uint32_t> fixed_nodes) {
   ElasticSystem system;
   system.free_nodes.assign(mesh.nodes.size(), 0);
@@ -98,7 +98,7 @@ ElasticSystem assemble(const TetrahedralMesh& mesh, const ElasticMaterials& mate
   return system;
 }
 
-Eigen::VectorXd elastic_forces(const TetrahedralMesh& mesh, const ElasticMaterials& materials,
+Eigen::VectorXd elastic_forces(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials,
                                const Eigen::VectorXd& displacement) {
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(displacement.size());
   for (std::size_t element = 0; element < mesh.elements.size(); ++element) {
@@ -117,7 +117,8 @@ Eigen::VectorXd elastic_forces(const TetrahedralMesh& mesh, const ElasticMateria
   return forces;
 }
 
-std::vector<std::uint32_t> nodes_of_tissues(const TetrahedralMesh& mesh, std::span<const TissueId> tissues) {
+std::vector<std::uint32_t> nodes_of_tissues(const anatomy::TetrahedralMesh& mesh,
+                                            std::span<const anatomy::TissueId> tissues) {
   std::vector<bool> chosen(mesh.nodes.size(), false);
   for (std::size_t element = 0; element < mesh.elements.size(); ++element) {
     if (std::find(tissues.begin(), tissues.end(), mesh.tissues[element]) == tissues.end()) continue;
@@ -129,11 +130,11 @@ std::vector<std::uint32_t> nodes_of_tissues(const TetrahedralMesh& mesh, std::sp
   return nodes;
 }
 
-std::vector<std::uint32_t> nodes_beyond(const TetrahedralMesh& mesh, const Vec3& point, const Vec3& normal) {
+std::vector<std::uint32_t> nodes_beyond(const anatomy::TetrahedralMesh& mesh, const Vec3& point, const Vec3& normal) {
   std::vector<std::uint32_t> nodes;
   for (std::uint32_t node = 0; node < mesh.nodes.size(); ++node)
     if ((mesh.nodes[node] - point).dot(normal) >= 0.0) nodes.push_back(node);
   return nodes;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -11,7 +11,7 @@
 #include "fem/solid/block_matrix.h"
 #include "fem/solid/elastic_material.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // The equations of a body at rest, stiffness * displacement = force, over the nodes that are free to move.
 struct ElasticSystem {
@@ -23,18 +23,19 @@ struct ElasticSystem {
 
 // Assembles the stiffness of a sound mesh (check_mesh) whose tissues all have a material. `fixed_nodes` do not move;
 // each must be in the mesh, and may be named more than once. Throws InputError when no node is free.
-ElasticSystem assemble(const TetrahedralMesh& mesh, const ElasticMaterials& materials,
+ElasticSystem assemble(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials,
                        std::span<const std::uint32_t> fixed_nodes);
 
 // The force (N) that holds every node of the mesh, fixed or free, at a displacement (mm): element by element, without
 // the assembled matrix. 3 values a node, x y z in turn.
-Eigen::VectorXd elastic_forces(const TetrahedralMesh& mesh, const ElasticMaterials& materials,
+Eigen::VectorXd elastic_forces(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials,
                                const Eigen::VectorXd& displacement);
 
 // Nodes to fix, ascending, each once: those of every element that is of one of the tissues (bone) ...
-std::vector<std::uint32_t> nodes_of_tissues(const TetrahedralMesh& mesh, std::span<const TissueId> tissues);
+std::vector<std::uint32_t> nodes_of_tissues(const anatomy::TetrahedralMesh& mesh,
+                                            std::span<const anatomy::TissueId> tissues);
 // ... and those on or beyond the plane through `point`, on the side to which `normal` points (the far side of a body
 // that lies on a table).
-std::vector<std::uint32_t> nodes_beyond(const TetrahedralMesh& mesh, const Vec3& point, const Vec3& normal);
+std::vector<std::uint32_t> nodes_beyond(const anatomy::TetrahedralMesh& mesh, const Vec3& point, const Vec3& normal);
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -9,7 +9,7 @@
 #include "fem/solid/mesh_place.h"
 #include "fem/solid/mesh_soundness.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -38,11 +38,11 @@ void check_corridor(const BodyDescription& body) {
 }
 
 // For every node of the mesh.
-std::vector<TissueId> all_stiffest_tissues(const BodyDescription& body) {
-  std::vector<TissueId> tissues(body.mesh.nodes.size());
+std::vector<anatomy::TissueId> all_stiffest_tissues(const BodyDescription& body) {
+  std::vector<anatomy::TissueId> tissues(body.mesh.nodes.size());
   std::vector<double> young(body.mesh.nodes.size(), 0.0);
   for (std::size_t element = 0; element < body.mesh.elements.size(); ++element) {
-    const TissueId tissue = body.mesh.tissues[element];
+    const anatomy::TissueId tissue = body.mesh.tissues[element];
     const double stiffness = body.materials.find(tissue)->young;
     for (const std::uint32_t node : body.mesh.elements[element]) {
       if (stiffness <= young[node]) continue;
@@ -77,9 +77,10 @@ std::vector<std::string> check_body(const BodyDescription& body) {
   return warnings;
 }
 
-std::vector<TissueId> stiffest_tissues(const BodyDescription& body, const std::vector<std::uint32_t>& nodes) {
-  const std::vector<TissueId> all = all_stiffest_tissues(body);
-  std::vector<TissueId> tissues;
+std::vector<anatomy::TissueId> stiffest_tissues(const BodyDescription& body,
+                                                const std::vector<std::uint32_t>& nodes) {
+  const std::vector<anatomy::TissueId> all = all_stiffest_tissues(body);
+  std::vector<anatomy::TissueId> tissues;
   for (const std::uint32_t node : nodes) tissues.push_back(all[node]);
   return tissues;
 }
@@ -89,7 +90,7 @@ BodyPlan plan_body(const BodyDescription& body, const Progress& progress) {
   BodyPlan plan;
   plan.system = assemble(body.mesh, body.materials, body.fixed);
   if (progress) progress("ordering the body", 0.0);
-  const std::vector<TissueId> tissues = all_stiffest_tissues(body);
+  const std::vector<anatomy::TissueId> tissues = all_stiffest_tissues(body);
   std::vector<std::uint32_t> last;
   for (const std::uint32_t node : body.corridor) {
     if (plan.system.free_nodes[node] == ElasticSystem::fixed) continue;
@@ -106,8 +107,8 @@ ElasticBody::ElasticBody(const BodyDescription& body, BodyPlan plan, const Facto
                          const Progress& progress)
     : plan_(std::move(plan)), factor_(factorise(body, plan_, options, progress)) {}
 
-CondensedBody ElasticBody::condensed() const {
-  CondensedBody body = plan_.corridor;
+anatomy::CondensedBody ElasticBody::condensed() const {
+  anatomy::CondensedBody body = plan_.corridor;
   body.compliance = factor_.last_compliance();
   return body;
 }
@@ -133,8 +134,8 @@ Eigen::MatrixXd ElasticBody::displacement_by_corridor(const Eigen::MatrixXd& for
   return on_all_nodes(factor_.respond(forces));
 }
 
-CondensedBody condense(const BodyDescription& body, FactorOptions options, const Progress& progress,
-                       const std::function<void(const std::string&)>& note) {
+anatomy::CondensedBody condense(const BodyDescription& body, FactorOptions options, const Progress& progress,
+                                const std::function<void(const std::string&)>& note) {
   for (const std::string& warning : check_body(body)) {
     if (note) note(warning);
   }
@@ -147,4 +148,4 @@ CondensedBody condense(const BodyDescription& body, FactorOptions options, const
   return ElasticBody(body, std::move(plan), options, progress).condensed();
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

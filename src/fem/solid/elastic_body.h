@@ -12,11 +12,11 @@
 #include "fem/solid/elastic_assembly.h"
 #include "fem/solid/multifrontal_cholesky.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // What makes a body: its mesh, what each tissue is made of, which nodes do not move, and which the needle can meet.
 struct BodyDescription {
-  TetrahedralMesh mesh;
+  anatomy::TetrahedralMesh mesh;
   ElasticMaterials materials;
   std::vector<std::uint32_t> fixed;     // nodes of the mesh
   std::vector<std::uint32_t> corridor;  // nodes of the mesh, each once; fixed ones among them are left out
@@ -27,14 +27,14 @@ struct BodyDescription {
 std::vector<std::string> check_body(const BodyDescription& body);
 
 // Of each of these nodes of the mesh, the tissue of the stiffest element that it belongs to.
-std::vector<TissueId> stiffest_tissues(const BodyDescription& body, const std::vector<std::uint32_t>& nodes);
+std::vector<anatomy::TissueId> stiffest_tissues(const BodyDescription& body, const std::vector<std::uint32_t>& nodes);
 
 // The equations of a body and how they will be solved. Says what memory that takes before it is taken:
 // plan.symbolic.bytes().
 struct BodyPlan {
   ElasticSystem system;
   SymbolicFactor symbolic;
-  CondensedBody corridor;  // the free nodes of the corridor; its compliance is still empty
+  anatomy::CondensedBody corridor;  // the free nodes of the corridor; its compliance is still empty
 };
 
 // The body must have passed check_body.
@@ -54,7 +54,7 @@ class ElasticBody {
   // The nodes of the corridor, as the mesh calls them.
   const std::vector<std::uint32_t>& corridor() const noexcept { return plan_.corridor.mesh_nodes; }
   // Takes the memory of one more compliance.
-  CondensedBody condensed() const;
+  anatomy::CondensedBody condensed() const;
 
   // mm, of every node of the mesh (3 rows each) under forces (N) on every node; those on fixed nodes do nothing.
   Eigen::MatrixXd displacement(const Eigen::MatrixXd& forces) const;
@@ -72,7 +72,8 @@ class ElasticBody {
 
 // From the description to the condensed body, checked, in the least memory. `note` hears the warnings of the check,
 // and how large the body is and what memory it will take, before that is taken; it may be empty.
-CondensedBody condense(const BodyDescription& body, FactorOptions options = {}, const Progress& progress = {},
-                       const std::function<void(const std::string&)>& note = {});
+anatomy::CondensedBody condense(const BodyDescription& body, FactorOptions options = {},
+                                const Progress& progress = {},
+                                const std::function<void(const std::string&)>& note = {});
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "fem/solid/mesh_place.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -20,7 +20,7 @@ LameConstants lame_constants(const ElasticMaterial& material) noexcept {
   return {material.young * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)), material.young / (2.0 * (1.0 + nu))};
 }
 
-void ElasticMaterials::set(TissueId tissue, const ElasticMaterial& material) {
+void ElasticMaterials::set(anatomy::TissueId tissue, const ElasticMaterial& material) {
   if (!(material.young > 0.0 && std::isfinite(material.young))) {
     throw InputError(
         fmt::format("the Young's modulus of tissue {} is {} MPa, expected more than 0; soft tissue has "
@@ -36,7 +36,7 @@ void ElasticMaterials::set(TissueId tissue, const ElasticMaterial& material) {
   by_tissue_[tissue] = material;
 }
 
-void check_materials(const TetrahedralMesh& mesh, const ElasticMaterials& materials) {
+void check_materials(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials) {
   for (std::size_t element = 0; element < mesh.elements.size(); ++element) {
     if (materials.find(mesh.tissues[element]) != nullptr) continue;
     throw InputError(
@@ -46,4 +46,4 @@ void check_materials(const TetrahedralMesh& mesh, const ElasticMaterials& materi
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

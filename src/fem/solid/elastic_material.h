@@ -6,7 +6,7 @@
 #include "anatomy/tetrahedral_mesh.h"
 #include "anatomy/tissue.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // A linear elastic isotropic material.
 struct ElasticMaterial {
@@ -26,9 +26,9 @@ LameConstants lame_constants(const ElasticMaterial& material) noexcept;
 class ElasticMaterials {
  public:
   // Throws InputError when a value is outside its range.
-  void set(TissueId tissue, const ElasticMaterial& material);
+  void set(anatomy::TissueId tissue, const ElasticMaterial& material);
   // nullptr when no material has that id.
-  const ElasticMaterial* find(TissueId tissue) const noexcept {
+  const ElasticMaterial* find(anatomy::TissueId tissue) const noexcept {
     return by_tissue_[tissue] ? &*by_tissue_[tissue] : nullptr;
   }
 
@@ -38,6 +38,6 @@ class ElasticMaterials {
 
 // Throws InputError naming the first element whose tissue has no material, and where it is. The mesh's indices must
 // be in range.
-void check_materials(const TetrahedralMesh& mesh, const ElasticMaterials& materials);
+void check_materials(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials);
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-namespace bodkin {
+namespace bodkin::fem {
 
 TetrahedronGradients tetrahedron_gradients(const std::array<Vec3, 4>& corners) {
   const Vec3 a = corners[1] - corners[0], b = corners[2] - corners[0], c = corners[3] - corners[0];
@@ -43,4 +43,4 @@ Eigen::Matrix<double, 12, 12> element_stiffness(const std::array<Vec3, 4>& corne
   return stiffness;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -7,7 +7,7 @@
 #include "core/geometry.h"
 #include "fem/solid/elastic_material.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // The gradients of the four shape functions of a linear tetrahedron, constant inside it, and its volume.
 struct TetrahedronGradients {
@@ -27,4 +27,4 @@ Mat3 stiffness_block(const TetrahedronGradients& element, const LameConstants& m
 // All blocks of one element: rows and columns x y z of the four corners in turn.
 Eigen::Matrix<double, 12, 12> element_stiffness(const std::array<Vec3, 4>& corners, const ElasticMaterial& material);
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -1,6 +1,6 @@
 #include "fem/solid/elimination_tree.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -88,4 +88,4 @@ EliminationTree elimination_tree(const NodeGraph& graph, std::vector<std::uint32
   return tree;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -6,7 +6,7 @@
 
 #include "fem/solid/nested_dissection.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 inline constexpr std::uint32_t no_parent = std::numeric_limits<std::uint32_t>::max();
 
@@ -22,4 +22,4 @@ struct EliminationTree {
 // children (Liu, The role of elimination trees in sparse factorization, 1990).
 EliminationTree elimination_tree(const NodeGraph& graph, std::vector<std::uint32_t>& order, std::uint32_t free);
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

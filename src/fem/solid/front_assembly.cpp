@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace bodkin {
+namespace bodkin::fem {
 
 FrontAssembly::FrontAssembly(const BlockMatrix& matrix, const SymbolicFactor& symbolic)
     : matrix_(matrix), symbolic_(symbolic), start_(std::size_t{matrix.nodes} + 1, 0), place_(matrix.nodes, 0) {
@@ -70,4 +70,4 @@ void FrontAssembly::add_update(const Front& front, const Supernode& child, const
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

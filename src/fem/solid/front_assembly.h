@@ -7,7 +7,7 @@
 #include "fem/solid/block_matrix.h"
 #include "fem/solid/symbolic_factor.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // A dense front: the panel of its supernode, height x width, and the update below and to the right of it, of 3 rows x
 // 3 rows. Column-major, lower triangle.
@@ -52,4 +52,4 @@ class FrontAssembly {
   std::vector<Run> runs_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

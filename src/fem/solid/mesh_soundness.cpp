@@ -13,7 +13,7 @@
 #include "core/error.h"
 #include "fem/solid/mesh_place.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -25,13 +25,13 @@ constexpr std::array<std::array<std::size_t, 2>, 6> edges = {{{0, 1}, {0, 2}, {0
 
 using Corners = std::array<Vec3, 4>;
 
-Corners corners_of(const TetrahedralMesh& mesh, std::size_t element) {
+Corners corners_of(const anatomy::TetrahedralMesh& mesh, std::size_t element) {
   Corners corners;
   for (std::size_t corner = 0; corner < 4; ++corner) corners[corner] = mesh.nodes[mesh.elements[element][corner]];
   return corners;
 }
 
-void check_indices(const TetrahedralMesh& mesh) {
+void check_indices(const anatomy::TetrahedralMesh& mesh) {
   if (mesh.elements.empty()) throw InputError("the mesh has no elements; expected at least one tetrahedron");
   if (mesh.tissues.size() != mesh.elements.size()) {
     throw InputError(fmt::format("the mesh has {} elements but {} tissues, expected one tissue per element",
@@ -71,7 +71,7 @@ void check_indices(const TetrahedralMesh& mesh) {
   }
 }
 
-void refuse_flat(const TetrahedralMesh& mesh, std::size_t element, double volume, double edge) {
+void refuse_flat(const anatomy::TetrahedralMesh& mesh, std::size_t element, double volume, double edge) {
   const double least = flattest * edge * edge * edge;
   if (volume >= least) return;
   if (volume <= -least) {
@@ -89,7 +89,7 @@ void refuse_flat(const TetrahedralMesh& mesh, std::size_t element, double volume
 // The pieces of a mesh that hang together through elements: a union-find over nodes.
 class Pieces {
  public:
-  explicit Pieces(const TetrahedralMesh& mesh) : parent_(mesh.nodes.size()) {
+  explicit Pieces(const anatomy::TetrahedralMesh& mesh) : parent_(mesh.nodes.size()) {
     std::iota(parent_.begin(), parent_.end(), 0U);
     for (const auto& element : mesh.elements)
       for (std::size_t corner = 1; corner < 4; ++corner) join(element[0], element[corner]);
@@ -112,7 +112,7 @@ class Pieces {
 // The fixed nodes of one piece, as far as needed to see that they hold it.
 struct Support {
   std::vector<std::uint32_t> nodes;  // up to three, not on one line
-  void add(const TetrahedralMesh& mesh, std::uint32_t node) {
+  void add(const anatomy::TetrahedralMesh& mesh, std::uint32_t node) {
     if (nodes.size() == 3) return;
     const Vec3& x = mesh.nodes[node];
     if (!nodes.empty() && (x - mesh.nodes[nodes[0]]).norm() == 0.0) return;
@@ -126,7 +126,7 @@ struct Support {
 
 }  // namespace
 
-std::vector<std::string> check_mesh(const TetrahedralMesh& mesh) {
+std::vector<std::string> check_mesh(const anatomy::TetrahedralMesh& mesh) {
   check_indices(mesh);
   std::size_t poor_elements = 0, poorest = 0;
   double smallest_angle = poor_angle;
@@ -134,8 +134,8 @@ std::vector<std::string> check_mesh(const TetrahedralMesh& mesh) {
     const Corners x = corners_of(mesh, element);
     double sum = 0.0;
     for (const auto& [a, b] : edges) sum += (x[b] - x[a]).norm();
-    refuse_flat(mesh, element, element_volume(mesh, element), sum / 6.0);
-    const std::array<double, 6> angles = dihedral_angles(x[0], x[1], x[2], x[3]);
+    refuse_flat(mesh, element, anatomy::element_volume(mesh, element), sum / 6.0);
+    const std::array<double, 6> angles = anatomy::dihedral_angles(x[0], x[1], x[2], x[3]);
     const double angle = *std::min_element(angles.begin(), angles.end());
     if (angle >= poor_angle) continue;
     ++poor_elements;
@@ -150,7 +150,7 @@ std::vector<std::string> check_mesh(const TetrahedralMesh& mesh) {
       poor_elements, mesh.elements.size(), poor_angle, smallest_angle, poorest, place_of_element(mesh, poorest))};
 }
 
-void check_supports(const TetrahedralMesh& mesh, std::span<const std::uint32_t> fixed) {
+void check_supports(const anatomy::TetrahedralMesh& mesh, std::span<const std::uint32_t> fixed) {
   if (fixed.empty()) {
     throw InputError(
         "no node of the body is fixed, so that any force would carry it away; fix its bone or its far side");
@@ -177,4 +177,4 @@ void check_supports(const TetrahedralMesh& mesh, std::span<const std::uint32_t> 
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

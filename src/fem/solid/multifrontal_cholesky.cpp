@@ -12,7 +12,7 @@
 #include "fem/solid/dense_kernels.h"
 #include "fem/solid/front_assembly.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -180,4 +180,4 @@ Eigen::MatrixXd MultifrontalCholesky::respond(const Eigen::MatrixXd& forces_on_l
   return substitute_back(x);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

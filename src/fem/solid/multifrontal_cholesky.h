@@ -13,7 +13,7 @@
 #include "fem/solid/symbolic_factor.h"
 #include "fem/zero_pages.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // The matrix is not positive definite in double precision: at least one node is not constrained.
 class NotPositiveDefinite : public InputError {
@@ -67,4 +67,4 @@ class MultifrontalCholesky {
   ZeroPages last_;    // the panel of the last nodes, unless it is among `panels_`
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

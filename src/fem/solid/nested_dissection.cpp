@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -90,4 +90,4 @@ std::vector<std::uint32_t> nested_dissection(const NodeGraph& graph, std::span<c
   return order;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

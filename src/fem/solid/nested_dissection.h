@@ -7,7 +7,7 @@
 
 #include "fem/solid/block_matrix.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // Which nodes of a symmetric matrix are coupled: for each node, in both directions, without itself, ascending.
 struct NodeGraph {
@@ -23,4 +23,4 @@ NodeGraph graph_of(const BlockMatrix& matrix);
 // when METIS fails, InputError when `last` names a node twice or one that is not in the graph.
 std::vector<std::uint32_t> nested_dissection(const NodeGraph& graph, std::span<const std::uint32_t> last);
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

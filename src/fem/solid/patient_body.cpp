@@ -12,28 +12,29 @@
 #include "core/error.h"
 #include "fem/solid/mesh_place.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
 constexpr double before_skin = 5.0;    // mm of the planned line before the entry that belong to the corridor
 constexpr double behind_face = 2.5;    // mm outwards of a face, where one looks for what lies behind it
 constexpr double closest_voxel = 3.0;  // mm from a node, how far its tissue is looked for
-constexpr TissueId edge_of_volume = 255;
+constexpr anatomy::TissueId edge_of_volume = 255;
 
 // By TissueId: does not move and cannot be punctured.
-std::array<bool, 256> rigid_tissues(const TissueLibrary& library) {
+std::array<bool, 256> rigid_tissues(const anatomy::TissueLibrary& library) {
   std::array<bool, 256> rigid{};
-  for (const TissueProperties& tissue : library.tissues())
-    rigid[tissue.id] = tissue.layered.kind == LayeredKind::rigid;
+  for (const anatomy::TissueProperties& tissue : library.tissues())
+    rigid[tissue.id] = tissue.layered.kind == anatomy::LayeredKind::rigid;
   return rigid;
 }
 
-ElasticMaterials materials_of(const TetrahedralMesh& mesh, const TissueLibrary& library, double scale) {
+ElasticMaterials materials_of(const anatomy::TetrahedralMesh& mesh, const anatomy::TissueLibrary& library,
+                              double scale) {
   std::array<bool, 256> met{};
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    const TissueId id = mesh.tissues[e];
-    const TissueProperties* tissue = library.find(id);
+    const anatomy::TissueId id = mesh.tissues[e];
+    const anatomy::TissueProperties* tissue = library.find(id);
     if (tissue != nullptr && tissue->deformable.young > 0.0) {
       met[id] = true;
       continue;
@@ -45,7 +46,7 @@ ElasticMaterials materials_of(const TetrahedralMesh& mesh, const TissueLibrary& 
                     e, place_of_element(mesh, e), library.title(id)));
   }
   ElasticMaterials materials;
-  for (const TissueProperties& tissue : library.tissues()) {
+  for (const anatomy::TissueProperties& tissue : library.tissues()) {
     if (met[tissue.id])
       materials.set(tissue.id, {.young = scale * tissue.deformable.young, .poisson = tissue.deformable.poisson});
   }
@@ -58,7 +59,7 @@ struct OuterFace {
 };
 
 // Faces that belong to one element only.
-std::vector<OuterFace> outer_faces(const TetrahedralMesh& mesh) {
+std::vector<OuterFace> outer_faces(const anatomy::TetrahedralMesh& mesh) {
   std::map<std::array<std::uint32_t, 3>, std::pair<OuterFace, int>> faces;
   for (const auto& element : mesh.elements) {
     for (std::size_t left_out = 0; left_out < 4; ++left_out) {
@@ -78,16 +79,17 @@ std::vector<OuterFace> outer_faces(const TetrahedralMesh& mesh) {
 }
 
 // Behind the face lies more of the patient.
-bool is_cut(const OuterFace& face, const TetrahedralMesh& mesh, const TissueVolume& tissues) {
+bool is_cut(const OuterFace& face, const anatomy::TetrahedralMesh& mesh, const anatomy::TissueVolume& tissues) {
   const Vec3 &a = mesh.nodes[face.nodes[0]], &b = mesh.nodes[face.nodes[1]], &c = mesh.nodes[face.nodes[2]];
   Vec3 outwards = (b - a).cross(c - a).normalized();
   if (outwards.dot(mesh.nodes[face.opposite] - a) > 0.0) outwards = -outwards;
   const Vec3 behind = (a + b + c) / 3.0 + behind_face * outwards;
-  return nearest<TissueId>(tissues, behind, edge_of_volume) != tissue::air;
+  return anatomy::nearest<anatomy::TissueId>(tissues, behind, edge_of_volume) != anatomy::tissue::air;
 }
 
-std::vector<std::uint32_t> fixed_nodes(const TetrahedralMesh& mesh, const Case& patient, const NeedlePath& path,
-                                       const DeformableBodySettings& settings) {
+std::vector<std::uint32_t> fixed_nodes(const anatomy::TetrahedralMesh& mesh, const anatomy::Case& patient,
+                                       const anatomy::NeedlePath& path,
+                                       const anatomy::DeformableBodySettings& settings) {
   std::vector<bool> fixed(mesh.nodes.size(), false);
   if (settings.fix_bone) {
     const std::array<bool, 256> rigid = rigid_tissues(patient.library);
@@ -117,17 +119,18 @@ double distance_to_segment(const Vec3& point, const Vec3& from, const Vec3& to) 
 }
 
 // The planned path and what lies before and behind it, of which the corridor is prepared.
-std::pair<Vec3, Vec3> corridor_line(const NeedlePath& path, const DeformableBodySettings& settings) {
+std::pair<Vec3, Vec3> corridor_line(const anatomy::NeedlePath& path,
+                                    const anatomy::DeformableBodySettings& settings) {
   return {path.entry - before_skin * path.direction(), path.target + settings.corridor_beyond * path.direction()};
 }
 
 // Tissue of the closest voxel within closest_voxel that is not air; air when there is no such voxel.
-TissueId tissue_beside(const TissueVolume& tissues, const Vec3& point) {
-  const TissueId here = nearest<TissueId>(tissues, point, tissue::air);
-  if (here != tissue::air) return here;
+anatomy::TissueId tissue_beside(const anatomy::TissueVolume& tissues, const Vec3& point) {
+  const anatomy::TissueId here = anatomy::nearest<anatomy::TissueId>(tissues, point, anatomy::tissue::air);
+  if (here != anatomy::tissue::air) return here;
   const Vec3 index = tissues.grid.to_index(point);
   double closest = closest_voxel;
-  TissueId found = tissue::air;
+  anatomy::TissueId found = anatomy::tissue::air;
   std::array<int, 3> low{}, high{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto at = static_cast<Eigen::Index>(axis);
@@ -138,8 +141,8 @@ TissueId tissue_beside(const TissueVolume& tissues, const Vec3& point) {
   for (int k = low[2]; k <= high[2]; ++k) {
     for (int j = low[1]; j <= high[1]; ++j) {
       for (int i = low[0]; i <= high[0]; ++i) {
-        const TissueId there = tissues.at(i, j, k);
-        if (there == tissue::air) continue;
+        const anatomy::TissueId there = tissues.at(i, j, k);
+        if (there == anatomy::tissue::air) continue;
         const double away = (tissues.grid.to_patient(Vec3(i, j, k)) - point).norm();
         if (away >= closest) continue;
         closest = away;
@@ -152,8 +155,9 @@ TissueId tissue_beside(const TissueVolume& tissues, const Vec3& point) {
 
 }  // namespace
 
-std::vector<std::uint32_t> corridor_about(const BodyDescription& body, const NeedlePath& path,
-                                          const DeformableBodySettings& settings, std::vector<std::string>& notes) {
+std::vector<std::uint32_t> corridor_about(const BodyDescription& body, const anatomy::NeedlePath& path,
+                                          const anatomy::DeformableBodySettings& settings,
+                                          std::vector<std::string>& notes) {
   if (!(path.length() > 0.0)) {
     throw InputError(
         "the path about which the deformable body is prepared ends where it begins; give another target");
@@ -187,21 +191,22 @@ std::vector<std::uint32_t> corridor_about(const BodyDescription& body, const Nee
   return nodes;
 }
 
-double corridor_reach(const PreparedCorridor& corridor, const DeformableBodySettings& settings) {
+double corridor_reach(const anatomy::PreparedCorridor& corridor, const anatomy::DeformableBodySettings& settings) {
   const auto [from, to] = corridor_line(corridor.path, settings);
   double reach = 0.0;
   for (const Vec3& node : corridor.body->nodes) reach = std::max(reach, distance_to_segment(node, from, to));
   return reach;
 }
 
-bool covers(const PreparedCorridor& corridor, const NeedlePath& path, const DeformableBodySettings& settings) {
+bool covers(const anatomy::PreparedCorridor& corridor, const anatomy::NeedlePath& path,
+            const anatomy::DeformableBodySettings& settings) {
   const auto [from, to] = corridor_line(corridor.path, settings);
   const double reach = corridor_reach(corridor, settings);
   return distance_to_segment(path.entry, from, to) < reach && distance_to_segment(path.target, from, to) < reach;
 }
 
-DescribedBody describe_body(TetrahedralMesh mesh, const Case& patient, const DeformableBodySettings& settings,
-                            const NeedlePath& path) {
+DescribedBody describe_body(anatomy::TetrahedralMesh mesh, const anatomy::Case& patient,
+                            const anatomy::DeformableBodySettings& settings, const anatomy::NeedlePath& path) {
   DescribedBody described;
   BodyDescription& body = described.body;
   body.mesh = std::move(mesh);
@@ -211,12 +216,12 @@ DescribedBody describe_body(TetrahedralMesh mesh, const Case& patient, const Def
   return described;
 }
 
-void take_tissues_of_voxels(CondensedBody& body, const Case& patient) {
+void take_tissues_of_voxels(anatomy::CondensedBody& body, const anatomy::Case& patient) {
   const std::array<bool, 256> rigid = rigid_tissues(patient.library);
   for (std::size_t node = 0; node < body.nodes.size(); ++node) {
-    const TissueId found = tissue_beside(patient.tissues, body.nodes[node]);
-    if (found != tissue::air && !rigid[found]) body.tissues[node] = found;
+    const anatomy::TissueId found = tissue_beside(patient.tissues, body.nodes[node]);
+    if (found != anatomy::tissue::air && !rigid[found]) body.tissues[node] = found;
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

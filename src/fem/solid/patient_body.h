@@ -7,7 +7,7 @@
 #include "anatomy/case.h"
 #include "fem/solid/elastic_body.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // A patient's mesh as a body that can be condensed, and the assumptions made, one sentence each.
 struct DescribedBody {
@@ -20,24 +20,26 @@ struct DescribedBody {
 // rigid in `layered`), the faces where the mesh ends but the patient does not (behind them lies tissue, or the edge
 // of the volume), and what lies beyond a depth along the planned path (`path` when the case has none). Throws
 // InputError when a tissue of the mesh has no material, and what corridor_about() does.
-DescribedBody describe_body(TetrahedralMesh mesh, const Case& patient, const DeformableBodySettings& settings,
-                            const NeedlePath& path);
+DescribedBody describe_body(anatomy::TetrahedralMesh mesh, const anatomy::Case& patient,
+                            const anatomy::DeformableBodySettings& settings, const anatomy::NeedlePath& path);
 
 // The nodes of a body that make the corridor about a path: the free ones that are closest to it, in ascending order.
 // A note is added when they exceed the limit. Throws InputError when the path has no length or no node
 // lies near it.
-std::vector<std::uint32_t> corridor_about(const BodyDescription& body, const NeedlePath& path,
-                                          const DeformableBodySettings& settings, std::vector<std::string>& notes);
+std::vector<std::uint32_t> corridor_about(const BodyDescription& body, const anatomy::NeedlePath& path,
+                                          const anatomy::DeformableBodySettings& settings,
+                                          std::vector<std::string>& notes);
 
 // mm from a corridor's path within which its nodes lie.
-double corridor_reach(const PreparedCorridor& corridor, const DeformableBodySettings& settings);
+double corridor_reach(const anatomy::PreparedCorridor& corridor, const anatomy::DeformableBodySettings& settings);
 
 // Whether a needle that goes along `path` stays within the reach of a corridor.
-bool covers(const PreparedCorridor& corridor, const NeedlePath& path, const DeformableBodySettings& settings);
+bool covers(const anatomy::PreparedCorridor& corridor, const anatomy::NeedlePath& path,
+            const anatomy::DeformableBodySettings& settings);
 
 // The tissue that a needle meets at each node of a condensed body: that of the voxel there or, where that is air, of
 // the closest one within 3 mm that is not, so that thin layers which the mesh has merged are felt. Nodes next to
 // rigid tissue keep the tissue of the mesh.
-void take_tissues_of_voxels(CondensedBody& body, const Case& patient);
+void take_tissues_of_voxels(anatomy::CondensedBody& body, const anatomy::Case& patient);
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -6,7 +6,7 @@
 
 #include <Eigen/LU>
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -17,7 +17,7 @@ constexpr double elements_a_cell = 2.0;  // about
 using ElementNodes = std::array<std::uint32_t, 4>;
 using CornerWeights = std::array<double, 4>;
 
-CornerWeights weights_in(const TetrahedralMesh& mesh, const ElementNodes& corners, const Vec3& point) {
+CornerWeights weights_in(const anatomy::TetrahedralMesh& mesh, const ElementNodes& corners, const Vec3& point) {
   const Vec3& origin = mesh.nodes[corners[0]];
   Mat3 edges;
   for (int i = 0; i < 3; ++i) edges.col(i) = mesh.nodes[corners[static_cast<std::size_t>(i) + 1]] - origin;
@@ -48,7 +48,7 @@ std::array<double, 3> closest_in_triangle(const Vec3& a, const Vec3& b, const Ve
 // A regular grid over the mesh; every cell knows the elements whose boxes reach into it.
 class PointFinder::Grid {
  public:
-  explicit Grid(const TetrahedralMesh& mesh) : mesh_(mesh) {
+  explicit Grid(const anatomy::TetrahedralMesh& mesh) : mesh_(mesh) {
     low_ = high_ = mesh.nodes.front();
     for (const Vec3& node : mesh.nodes) {
       low_ = low_.cwiseMin(node);
@@ -111,7 +111,7 @@ class PointFinder::Grid {
     for_cells_between(low, high, visit);
   }
 
-  const TetrahedralMesh& mesh_;
+  const anatomy::TetrahedralMesh& mesh_;
   Vec3 low_, high_;
   double cell_ = 1.0;  // mm
   std::array<int, 3> size_{};
@@ -142,7 +142,7 @@ PointInMesh PointFinder::Grid::closest_place(const Vec3& point, double reach) co
   return found;
 }
 
-PointFinder::PointFinder(const TetrahedralMesh& mesh)
+PointFinder::PointFinder(const anatomy::TetrahedralMesh& mesh)
     : mesh_(mesh), grid_(mesh.elements.empty() ? nullptr : std::make_unique<const Grid>(mesh)) {}
 
 PointFinder::~PointFinder() = default;
@@ -161,7 +161,8 @@ PointInMesh PointFinder::find(const Vec3& point, double reach) const {
   return met ? found : grid_->closest_place(point, reach);
 }
 
-std::vector<PointInMesh> find_points(const TetrahedralMesh& mesh, std::span<const Vec3> points, double reach) {
+std::vector<PointInMesh> find_points(const anatomy::TetrahedralMesh& mesh, std::span<const Vec3> points,
+                                     double reach) {
   const PointFinder finder(mesh);
   std::vector<PointInMesh> found;
   found.reserve(points.size());
@@ -169,4 +170,4 @@ std::vector<PointInMesh> find_points(const TetrahedralMesh& mesh, std::span<cons
   return found;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

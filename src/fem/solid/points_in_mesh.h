@@ -11,7 +11,7 @@
 
 #include "anatomy/tetrahedral_mesh.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // Where points lie in a mesh, so that they move with it: the four corners of an element and the weight of each.
 struct PointInMesh {
@@ -23,12 +23,13 @@ struct PointInMesh {
 // Finds the element of each point (LPS mm). A point outside the mesh, as skin is that the mesh has rounded off, moves
 // with the closest place of the closest element within `reach` mm; one further away does not move. The mesh must be
 // sound (check_mesh).
-std::vector<PointInMesh> find_points(const TetrahedralMesh& mesh, std::span<const Vec3> points, double reach = 5.0);
+std::vector<PointInMesh> find_points(const anatomy::TetrahedralMesh& mesh, std::span<const Vec3> points,
+                                     double reach = 5.0);
 
 // The same for points that are asked for again and again: it keeps what it knows of the mesh, which must outlive it.
 class PointFinder {
  public:
-  explicit PointFinder(const TetrahedralMesh& mesh);
+  explicit PointFinder(const anatomy::TetrahedralMesh& mesh);
   ~PointFinder();
   PointFinder(const PointFinder&) = delete;
   PointFinder& operator=(const PointFinder&) = delete;
@@ -37,8 +38,8 @@ class PointFinder {
 
  private:
   class Grid;
-  const TetrahedralMesh& mesh_;
+  const anatomy::TetrahedralMesh& mesh_;
   std::unique_ptr<const Grid> grid_;  // none of a mesh without elements
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

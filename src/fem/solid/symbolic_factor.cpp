@@ -5,7 +5,7 @@
 
 #include "fem/solid/elimination_tree.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 namespace {
 
@@ -220,4 +220,4 @@ SymbolicFactor analyse(const NodeGraph& graph, std::span<const std::uint32_t> la
   return result;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

@@ -8,7 +8,7 @@
 
 #include "fem/solid/nested_dissection.h"
 
-namespace bodkin {
+namespace bodkin::fem {
 
 // Columns of the Cholesky factor that have the same rows below them, kept as one dense panel of 3 (columns + rows) by
 // 3 columns numbers.
@@ -57,4 +57,4 @@ struct SymbolicFactor {
 // dense blocks are faster. Throws what nested_dissection throws.
 SymbolicFactor analyse(const NodeGraph& graph, std::span<const std::uint32_t> last);
 
-}  // namespace bodkin
+}  // namespace bodkin::fem

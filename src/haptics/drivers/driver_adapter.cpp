@@ -5,7 +5,7 @@
 
 #include "haptics/driver_library.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -41,4 +41,4 @@ int guarded(char* message, const std::function<void()>& call) noexcept {
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -8,7 +8,7 @@
 
 #include "haptics/bodkin_driver.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // What a built-in driver throws where it refuses: a result of bodkin_driver.h and one sentence.
 class DriverFailure : public std::runtime_error {
@@ -83,4 +83,4 @@ constexpr bodkin_driver driver_of() {
   return driver;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -6,7 +6,7 @@
 
 #include "haptics/drivers/driver_adapter.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -70,4 +70,4 @@ bool DriverSettings::flag(const std::string& key, bool otherwise) const {
   return value == "yes";
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

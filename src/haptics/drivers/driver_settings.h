@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // The "key=value" words that a user gives to a driver; a value with spaces stands in double quotes.
 class DriverSettings {
@@ -23,4 +23,4 @@ class DriverSettings {
   std::map<std::string, std::string> values_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -7,7 +7,7 @@
 #include "haptics/drivers/simulated.h"
 #include "haptics/drivers/spacemouse.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 std::span<const bodkin_driver* const> built_in_drivers() noexcept {
   static const bodkin_driver* const all[] = {&openhaptics_driver(), &force_dimension_driver(), &haption_driver(),
@@ -22,4 +22,4 @@ const bodkin_driver* find_driver(std::string_view name) noexcept {
   return nullptr;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

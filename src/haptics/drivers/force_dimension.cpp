@@ -10,7 +10,7 @@
 #include "haptics/drivers/force_dimension_library.h"
 #include "haptics/drivers/vendor_frame.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -342,4 +342,4 @@ const bodkin_driver& force_dimension_driver() noexcept {
   return driver;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -1,6 +1,6 @@
 #include "haptics/drivers/force_dimension_library.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -59,4 +59,4 @@ ForceDimensionLibrary::ForceDimensionLibrary(const std::string& chosen) : librar
   library.take(drdStop, "drdStop");
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

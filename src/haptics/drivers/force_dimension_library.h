@@ -4,7 +4,7 @@
 
 #include "haptics/driver_library.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // The functions of Force Dimension's SDK (DHD and DRD) that the driver uses, under the vendor's names. Lengths m,
 // angles rad, forces N, torques N m; X towards the operator, Y right, Z up. A negative result is a failure; 1 (time
@@ -63,4 +63,4 @@ enum Error { error_com = 2, error_busy = 3, error_no_driver = 4, error_no_device
 
 }  // namespace force_dimension
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

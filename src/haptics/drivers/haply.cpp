@@ -15,7 +15,7 @@
 #include "haptics/drivers/haply_service.h"
 #include "haptics/drivers/vendor_frame.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -390,4 +390,4 @@ const bodkin_driver& haply_driver() noexcept {
   return driver;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -21,7 +21,7 @@
 #include "haptics/bodkin_driver.h"
 #include "haptics/drivers/driver_adapter.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -256,4 +256,4 @@ void HaplyConnection::abandon() noexcept {
   stream_->raw().close();
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 struct HaplyAddress {
   std::string host;
@@ -52,4 +52,4 @@ class HaplyConnection {
   std::unique_ptr<Stream> stream_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -10,7 +10,7 @@
 #include "haptics/bodkin_driver.h"
 #include "haptics/drivers/driver_adapter.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -104,4 +104,4 @@ HaplyInventory parse_haply_inventory(std::string_view text) {
   return inventory;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

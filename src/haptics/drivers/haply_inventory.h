@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // What Haply's service reports about itself and the connected devices, before any is driven.
 
@@ -34,4 +34,4 @@ struct HaplyInventory {
 // DriverFailure{BODKIN_BAD_DATA} for text that is not an inventory.
 HaplyInventory parse_haply_inventory(std::string_view text);
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

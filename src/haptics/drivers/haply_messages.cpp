@@ -6,7 +6,7 @@
 
 #include <simdjson.h>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -235,4 +235,4 @@ std::string_view HaplyCommandWriter::write(const std::string& beginning, const V
   return {begin, static_cast<std::size_t>(to - begin)};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

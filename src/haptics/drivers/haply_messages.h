@@ -10,7 +10,7 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // The JSON that passes in every tick between Haply's Inverse service and us: state messages in, commands out. Nothing
 // here allocates once an object is made. Lengths m, forces N, the service's axes.
@@ -76,4 +76,4 @@ class HaplyCommandWriter {
   std::string text_;  // with room for the longest command
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -7,7 +7,7 @@
 #include "haptics/drivers/driver_adapter.h"
 #include "haptics/drivers/haply_messages.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -82,4 +82,4 @@ HaplySession open_haply_session(const HaplyService& service) {
   return session;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -7,7 +7,7 @@
 #include "haptics/drivers/haply_connection.h"
 #include "haptics/drivers/haply_inventory.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // Where Haply's service is, and which one it is.
 struct HaplyService {
@@ -28,4 +28,4 @@ struct HaplySession {
 // Throws DriverFailure for the same reasons.
 HaplySession open_haply_session(const HaplyService& service);
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -16,7 +16,7 @@
 #include "haptics/drivers/vendor_frame.h"
 #include "haptics/tick_clock.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -315,4 +315,4 @@ const bodkin_driver& haption_driver() noexcept {
   return driver;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -1,6 +1,6 @@
 #include "haptics/drivers/haption_library.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 HaptionLibrary::HaptionLibrary(const std::string& chosen)
     : library({.product = "Haption",
@@ -38,4 +38,4 @@ HaptionLibrary::HaptionLibrary(const std::string& chosen)
   library.need(virtGetErrorMessage, "virtGetErrorMessage");
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -4,7 +4,7 @@
 
 #include "haptics/driver_library.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // The functions of Haption's Virtuose API 4 that the driver uses, under the vendor's names. m, rad, N, N m; X towards
 // the operator, Y right, Z up; a pose is x y z and a quaternion x y z w, a force Fx Fy Fz Tx Ty Tz. 0 is success.
@@ -61,4 +61,4 @@ enum Error {
 
 }  // namespace haption
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

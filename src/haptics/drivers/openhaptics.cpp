@@ -11,7 +11,7 @@
 #include "haptics/drivers/vendor_frame.h"
 #include "haptics/tick_clock.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -365,4 +365,4 @@ const bodkin_driver& openhaptics_driver() noexcept {
   return driver;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

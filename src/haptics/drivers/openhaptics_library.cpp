@@ -1,6 +1,6 @@
 #include "haptics/drivers/openhaptics_library.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 OpenHapticsLibrary::OpenHapticsLibrary(const std::string& chosen)
     : library({.product = "OpenHaptics",
@@ -31,4 +31,4 @@ OpenHapticsLibrary::OpenHapticsLibrary(const std::string& chosen)
   library.take(hdGetBooleanv, "hdGetBooleanv");
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

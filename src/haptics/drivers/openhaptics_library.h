@@ -5,7 +5,7 @@
 
 #include "haptics/driver_library.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // The functions of OpenHaptics' HD interface that the driver uses, under the vendor's names. mm, N, N mm (mN m), rad.
 struct OpenHapticsLibrary {
@@ -70,4 +70,4 @@ constexpr unsigned short default_priority = 32767;
 
 }  // namespace openhaptics
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -4,7 +4,7 @@
 
 #include "haptics/drivers/driver_adapter.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -79,4 +79,4 @@ std::string OpenHapticsSession::words(unsigned code) const {
   return std::string("error ") + number + (text == nullptr ? "" : ", '" + std::string(text) + "'");
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -9,7 +9,7 @@
 
 #include "haptics/drivers/openhaptics_library.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // HD is one per process: one scheduler thread for all devices, one stack of errors. A session is shared by the
 // devices that are open, and rations both.
@@ -50,4 +50,4 @@ class OpenHapticsSession {
   std::array<std::atomic<unsigned>, most_devices> pending_{};  // errors by handle modulo size
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -14,7 +14,7 @@
 #include "haptics/simulated_hand.h"
 #include "haptics/tremor.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -148,4 +148,4 @@ const bodkin_driver& simulated_driver() noexcept {
   return driver;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -21,7 +21,7 @@
 #include "haptics/drivers/vendor_frame.h"
 #include "haptics/tick_clock.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 namespace {
 
@@ -231,4 +231,4 @@ const bodkin_driver& spacemouse_driver() noexcept {
   return driver;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 bodkin_state blank_state() noexcept {
   bodkin_state state{};
@@ -12,4 +12,4 @@ bodkin_state blank_state() noexcept {
   return state;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

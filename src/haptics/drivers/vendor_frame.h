@@ -3,7 +3,7 @@
 #include "core/geometry.h"
 #include "haptics/bodkin_driver.h"
 
-namespace bodkin {
+namespace bodkin::haptics {
 
 // A vendor's axes, unit of length and unit of torque, and the transform into the operator's frame (X right, Y away, Z
 // up; mm, N mm). Forces are N everywhere.
@@ -62,4 +62,4 @@ inline VendorFrame metres(VendorFrame frame) {
 // A state at the workspace's centre, tool away from the operator, with nothing else known.
 bodkin_state blank_state() noexcept;
 
-}  // namespace bodkin
+}  // namespace bodkin::haptics

@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "imaging/ultrasound/bone_surface.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -50,18 +50,18 @@ class HounsfieldTable {
 };
 
 bool is_bone(std::size_t id) {
-  return id == tissue::cortical_bone || id == tissue::cancellous_bone;
+  return id == anatomy::tissue::cortical_bone || id == anatomy::tissue::cancellous_bone;
 }
 
 // Tissues too thin for a CT: they are constructed where anatomy puts them, and the HU there are of their neighbours.
-constexpr std::array<TissueId, 8> constructed = {tissue::skin,
-                                                 tissue::supraspinous_ligament,
-                                                 tissue::interspinous_ligament,
-                                                 tissue::ligamentum_flavum,
-                                                 tissue::epidural_fat,
-                                                 tissue::dura,
-                                                 tissue::cerebrospinal_fluid,
-                                                 tissue::nerve};
+constexpr std::array<anatomy::TissueId, 8> constructed = {anatomy::tissue::skin,
+                                                          anatomy::tissue::supraspinous_ligament,
+                                                          anatomy::tissue::interspinous_ligament,
+                                                          anatomy::tissue::ligamentum_flavum,
+                                                          anatomy::tissue::epidural_fat,
+                                                          anatomy::tissue::dura,
+                                                          anatomy::tissue::cerebrospinal_fluid,
+                                                          anatomy::tissue::nerve};
 
 bool hounsfield_tell(std::size_t id, double impedance) {
   return !is_bone(id) && impedance >= softest && impedance <= hardest &&
@@ -76,10 +76,10 @@ struct ImpedanceRule {
 };
 
 // Every tissue by id. Without an impedance of its own a tissue has that of its HU, whatever they are.
-std::array<ImpedanceRule, 256> impedance_rules(const TissueLibrary& library) {
+std::array<ImpedanceRule, 256> impedance_rules(const anatomy::TissueLibrary& library) {
   std::array<ImpedanceRule, 256> rules;
   for (std::size_t id = 0; id < rules.size(); ++id) {
-    const TissueProperties* entry = library.find(static_cast<TissueId>(id));
+    const anatomy::TissueProperties* entry = library.find(static_cast<anatomy::TissueId>(id));
     const double own = entry == nullptr ? 0.0 : entry->acoustic.impedance;
     if (own == 0.0) {
       rules[id].most = 100.0F;
@@ -89,20 +89,20 @@ std::array<ImpedanceRule, 256> impedance_rules(const TissueLibrary& library) {
     rules[id].typical = static_cast<float>(impedance_of_hounsfield(entry->hounsfield));
     if (hounsfield_tell(id, own)) rules[id].most = static_cast<float>(largest_variation * own);
   }
-  rules[tissue::air] = {.own = static_cast<float>(air_impedance)};
+  rules[anatomy::tissue::air] = {.own = static_cast<float>(air_impedance)};
   return rules;
 }
 
-bool is_soft(const TissueProperties& entry) {
+bool is_soft(const anatomy::TissueProperties& entry) {
   return !is_bone(entry.id) && entry.hounsfield > surely_air && entry.hounsfield < surely_not_soft;
 }
 
 // HU of the tissue lattice's voxels, slice by slice.
 class HounsfieldSlices {
  public:
-  explicit HounsfieldSlices(const Case& patient)
-      : ct_(patient.ct), tissues_(patient.tissues), same_(same_lattice(ct_.grid, tissues_.grid)) {
-    for (const TissueProperties& entry : patient.library.tissues())
+  explicit HounsfieldSlices(const anatomy::Case& patient)
+      : ct_(patient.ct), tissues_(patient.tissues), same_(anatomy::same_lattice(ct_.grid, tissues_.grid)) {
+    for (const anatomy::TissueProperties& entry : patient.library.tissues())
       typical_[entry.id] = static_cast<float>(entry.hounsfield);
   }
 
@@ -111,12 +111,12 @@ class HounsfieldSlices {
     const std::size_t position = tissues_.grid.offset(i, j, k);
     if (same_) return static_cast<float>(ct_.voxels[position]);
     const Vec3 index = ct_.grid.to_index(tissues_.grid.to_patient(Vec3(i, j, k)));
-    const double value = linear_at_index(ct_, index, std::numeric_limits<double>::quiet_NaN());
+    const double value = anatomy::linear_at_index(ct_, index, std::numeric_limits<double>::quiet_NaN());
     return std::isnan(value) ? typical_[tissues_.voxels[position]] : static_cast<float>(value);
   }
   // The same of all voxels of slice k.
   void read(int k, std::vector<float>& slice) const {
-    const Grid& grid = tissues_.grid;
+    const anatomy::Grid& grid = tissues_.grid;
     float* row = slice.data();
     for (int j = 0; j < grid.size[1]; ++j, row += grid.size[0]) {
       const Vec3 first = ct_.grid.to_index(grid.to_patient(Vec3(0, j, k)));
@@ -150,23 +150,23 @@ class HounsfieldSlices {
     return low_side + w * (high_side - low_side);
   }
 
-  const CtVolume& ct_;
-  const TissueVolume& tissues_;
+  const anatomy::CtVolume& ct_;
+  const anatomy::TissueVolume& tissues_;
   std::array<float, 256> typical_{};
   bool same_;
 };
 
 // The mean by which soft tissue misses its typical HU, over at most a million voxels; 0 without soft tissue.
-double soft_tissue_error(const Case& patient, const HounsfieldSlices& hounsfield) {
-  const Grid& grid = patient.tissues.grid;
-  std::array<const TissueProperties*, 256> soft{};
-  for (const TissueProperties& entry : patient.library.tissues())
+double soft_tissue_error(const anatomy::Case& patient, const HounsfieldSlices& hounsfield) {
+  const anatomy::Grid& grid = patient.tissues.grid;
+  std::array<const anatomy::TissueProperties*, 256> soft{};
+  for (const anatomy::TissueProperties& entry : patient.library.tissues())
     if (is_soft(entry)) soft[entry.id] = &entry;
   const std::size_t stride = grid.voxel_count() / largest_sample + 1;
   double sum = 0.0, count = 0.0;
   const auto columns = static_cast<std::size_t>(grid.size[0]), rows = static_cast<std::size_t>(grid.size[1]);
   for (std::size_t position = 0; position < grid.voxel_count(); position += stride) {
-    const TissueProperties* entry = soft[patient.tissues.voxels[position]];
+    const anatomy::TissueProperties* entry = soft[patient.tissues.voxels[position]];
     if (entry == nullptr) continue;
     const auto i = static_cast<int>(position % columns), j = static_cast<int>(position / columns % rows),
                k = static_cast<int>(position / columns / rows);
@@ -176,14 +176,14 @@ double soft_tissue_error(const Case& patient, const HounsfieldSlices& hounsfield
   return count > 0.0 ? sum / count : 0.0;
 }
 
-void check_hounsfield(const Case& patient, const HounsfieldSlices& hounsfield) {
+void check_hounsfield(const anatomy::Case& patient, const HounsfieldSlices& hounsfield) {
   const auto& voxels = patient.ct.voxels;
   const auto& tissues = patient.tissues.voxels;
   if (voxels.empty() || voxels.size() != patient.ct.grid.voxel_count())
     throw InputError("the case has no CT, which ultrasound is computed from; import the patient again");
   if (tissues.empty() || tissues.size() != patient.tissues.grid.voxel_count())
     throw InputError("the case has no tissues, which ultrasound is computed from; import the patient again");
-  const auto airy = [](std::uint8_t id) { return id == tissue::air; };
+  const auto airy = [](std::uint8_t id) { return id == anatomy::tissue::air; };
   if (std::all_of(tissues.begin(), tissues.end(), airy))
     throw InputError("the case holds nothing but air, expected a patient; import one whose skin is in the CT");
   const auto [least, most] = std::minmax_element(voxels.begin(), voxels.end());
@@ -212,7 +212,7 @@ void check_hounsfield(const Case& patient, const HounsfieldSlices& hounsfield) {
 // that are of the same tissue: borders stay where they are.
 class TissueSmoother {
  public:
-  TissueSmoother(const HounsfieldSlices& hounsfield, const TissueVolume& tissues)
+  TissueSmoother(const HounsfieldSlices& hounsfield, const anatomy::TissueVolume& tissues)
       : hounsfield_(hounsfield),
         tissues_(tissues),
         row_(static_cast<std::size_t>(tissues.grid.size[0])),
@@ -286,7 +286,7 @@ class TissueSmoother {
   }
 
   const HounsfieldSlices& hounsfield_;
-  const TissueVolume& tissues_;
+  const anatomy::TissueVolume& tissues_;
   std::size_t row_, column_, slice_;                             // voxels
   std::vector<float> weight_, smooth_;                           // of one slice
   std::array<std::vector<float>, 2 * gaussian_reach + 1> ring_;  // HU, smooth in their planes
@@ -307,13 +307,14 @@ double impedance_of_hounsfield(double hounsfield) {
   return std::clamp(1e-6 * density * (density + mast_offset) / mast_slope, air_impedance, greatest_impedance);
 }
 
-std::shared_ptr<const AcousticVolume> acoustic_volume(const Case& patient, const Progress& progress) {
+std::shared_ptr<const AcousticVolume> acoustic_volume(const anatomy::Case& patient, const Progress& progress) {
   const HounsfieldSlices hounsfield(patient);
   check_hounsfield(patient, hounsfield);
   auto volume = std::make_shared<AcousticVolume>();
   volume->grid = patient.tissues.grid;
-  volume->media = patient.library.by_id(&TissueProperties::acoustic);
-  for (const TissueProperties& entry : patient.library.tissues()) volume->young[entry.id] = entry.deformable.young;
+  volume->media = patient.library.by_id(&anatomy::TissueProperties::acoustic);
+  for (const anatomy::TissueProperties& entry : patient.library.tissues())
+    volume->young[entry.id] = entry.deformable.young;
   const auto& tissues = patient.tissues.voxels;
   volume->voxels.reserve(tissues.size());
 
@@ -328,7 +329,7 @@ std::shared_ptr<const AcousticVolume> acoustic_volume(const Case& patient, const
     if (progress && k % (slices / progress_reports + 1) == 0)
       progress("acoustic volume", static_cast<double>(k) / slices);
     for (const float value : smoother.slice(k)) {
-      const TissueId id = tissues[position++];
+      const anatomy::TissueId id = tissues[position++];
       const ImpedanceRule& rule = rules[id];
       const float change = std::clamp(map(value) - rule.typical, -rule.most, rule.most);
       const auto impedance = static_cast<std::int16_t>(std::min((rule.own + change) * steps + 0.5F, highest));
@@ -340,4 +341,4 @@ std::shared_ptr<const AcousticVolume> acoustic_volume(const Case& patient, const
   return volume;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

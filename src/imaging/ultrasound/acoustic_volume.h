@@ -9,7 +9,7 @@
 #include "core/large_pages.h"
 #include "core/progress.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // Impedance of soft tissue from its HU, MRayl: density by the fit to Schneider, Pedroni and Lomax 1996, speed by Mast
 // 2000. Held between 0.0004 (air) and 8.
@@ -20,20 +20,22 @@ double impedance_of_hounsfield(double hounsfield);
 struct AcousticVolume {
   static constexpr double unit = 1.0 / 4096.0;  // MRayl of one step of an impedance
 
-  Grid grid;
+  anatomy::Grid grid;
   // Voxel by voxel: the impedance in `unit`, 0 to 32767, the tissue's own, varied by the HU there; and from bit 16 on
   // the tissue's id.
   LargePageVector<std::uint32_t> voxels;
-  std::array<AcousticTissue, 256> media;  // by tissue id
+  std::array<anatomy::AcousticTissue, 256> media;  // by tissue id
   std::array<double, 256> young{};  // MPa by tissue id, for tissue under the probe; 0 where the library says nothing
 
-  static std::uint32_t voxel(std::int16_t impedance, TissueId id) noexcept {
+  static std::uint32_t voxel(std::int16_t impedance, anatomy::TissueId id) noexcept {
     return static_cast<std::uint32_t>(impedance) | static_cast<std::uint32_t>(id) << 16;
   }
   std::int16_t impedance(std::size_t position) const noexcept {
     return static_cast<std::int16_t>(voxels[position] & 0xFFFFU);
   }
-  TissueId tissue(std::size_t position) const noexcept { return static_cast<TissueId>(voxels[position] >> 16); }
+  anatomy::TissueId tissue(std::size_t position) const noexcept {
+    return static_cast<anatomy::TissueId>(voxels[position] >> 16);
+  }
 };
 
 // The acoustic volume of a case. Bone (cortical or cancellous) has its own impedance whatever its HU, and so have the
@@ -41,6 +43,6 @@ struct AcousticVolume {
 // else its tissue's, plus what impedance_of_hounsfield says of the difference between the voxel's HU, smoothed
 // against the noise of the CT, and the HU typical of the tissue, within 8 %. Throws InputError when the CT is not in
 // HU or nothing but air.
-std::shared_ptr<const AcousticVolume> acoustic_volume(const Case& patient, const Progress& progress);
+std::shared_ptr<const AcousticVolume> acoustic_volume(const anatomy::Case& patient, const Progress& progress);
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

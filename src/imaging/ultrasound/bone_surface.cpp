@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -32,7 +32,7 @@ struct Neighbour {
 };
 
 // The voxels around one, itself among them.
-std::vector<Neighbour> neighbours_of(const Grid& grid) {
+std::vector<Neighbour> neighbours_of(const anatomy::Grid& grid) {
   std::array<int, 3> reach{};
   for (int axis = 0; axis < 3; ++axis)
     reach[static_cast<std::size_t>(axis)] = grid.spacing[axis] <= 1.5 * grid.spacing.minCoeff() ? 1 : 0;
@@ -46,20 +46,21 @@ std::vector<Neighbour> neighbours_of(const Grid& grid) {
   return neighbours;
 }
 
-bool of_bone(TissueId id) {
-  return id == tissue::cortical_bone || id == tissue::cancellous_bone;
+bool of_bone(anatomy::TissueId id) {
+  return id == anatomy::tissue::cortical_bone || id == anatomy::tissue::cancellous_bone;
 }
 
 // Calls `visit(position, weight)` of every neighbour within the volume.
 template <typename Visit>
-void around(const Grid& grid, const std::vector<Neighbour>& neighbours, const std::array<int, 3>& at, Visit&& visit) {
+void around(const anatomy::Grid& grid, const std::vector<Neighbour>& neighbours, const std::array<int, 3>& at,
+            Visit&& visit) {
   for (const Neighbour& neighbour : neighbours) {
     const int i = at[0] + neighbour.step[0], j = at[1] + neighbour.step[1], k = at[2] + neighbour.step[2];
     if (grid.contains(i, j, k)) visit(grid.offset(i, j, k), neighbour.weight);
   }
 }
 
-std::array<int, 3> index_of(const Grid& grid, std::size_t position) {
+std::array<int, 3> index_of(const anatomy::Grid& grid, std::size_t position) {
   const auto row = static_cast<std::size_t>(grid.size[0]), column = static_cast<std::size_t>(grid.size[1]);
   return {static_cast<int>(position % row), static_cast<int>(position / row % column),
           static_cast<int>(position / (row * column))};
@@ -104,4 +105,4 @@ void smooth_bone_surface(AcousticVolume& volume) {
     volume.voxels[border[n]] = AcousticVolume::voxel(smooth[n], volume.tissue(border[n]));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -2,7 +2,7 @@
 
 #include "imaging/ultrasound/acoustic_volume.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // Labels make stairs of a bone's surface, and sound would show every step of them. Voxels at the border of bone get
 // an impedance between that of the bone and that of the tissue about them, by the share that bone has there (voxels
@@ -11,4 +11,4 @@ namespace bodkin {
 // more than 1.5 times as long as the shortest are left out.
 void smooth_bone_surface(AcousticVolume& volume);
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // The echoes of a picture before its beam is given a width: rows of `stride` floats, a row a sample.
 struct EchoRows {
@@ -25,4 +25,4 @@ struct EchoRows {
   }
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -23,7 +23,7 @@ struct Feeler {
                         index.y() < size[1] && index.z() < size[2];
     if (!within) return true;
     return patient.tissue(patient.grid.offset(static_cast<int>(index.x()), static_cast<int>(index.y()),
-                                              static_cast<int>(index.z()))) == tissue::air;
+                                              static_cast<int>(index.z()))) == anatomy::tissue::air;
   }
   // Whether air has a share in what is interpolated between the voxels there.
   bool partly_air(double distance) const noexcept {
@@ -34,7 +34,8 @@ struct Feeler {
       const int i = static_cast<int>((corner & 1) != 0 ? high.x() : low.x()),
                 j = static_cast<int>((corner & 2) != 0 ? high.y() : low.y()),
                 k = static_cast<int>((corner & 4) != 0 ? high.z() : low.z());
-      if (!patient.grid.contains(i, j, k) || patient.tissue(patient.grid.offset(i, j, k)) == tissue::air) return true;
+      if (!patient.grid.contains(i, j, k) || patient.tissue(patient.grid.offset(i, j, k)) == anatomy::tissue::air)
+        return true;
     }
     return false;
   }
@@ -79,7 +80,7 @@ FaceContact face_contact(const AcousticVolume& patient, std::span<const Vec3> or
     contact.why = NoImage::broken_pose;
     return contact;
   }
-  const Grid& grid = patient.grid;
+  const anatomy::Grid& grid = patient.grid;
   const Mat3 into_voxels = grid.spacing.cwiseInverse().asDiagonal() * grid.direction.transpose();
   const double reach = gel ? thickest_gel : touching;
   const Mat3 turned = into_voxels * pose.linear();
@@ -107,4 +108,4 @@ FaceContact face_contact(const AcousticVolume& patient, std::span<const Vec3> or
   return contact;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -5,7 +5,7 @@
 #include "imaging/ultrasound/acoustic_volume.h"
 #include "imaging/ultrasound/frame.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 inline constexpr double thickest_gel = 5.0;    // mm
 inline constexpr double deepest_press = 40.0;  // mm; a face further below the skin is inside the body
@@ -25,4 +25,4 @@ FaceContact face_contact(const AcousticVolume& patient, std::span<const Vec3> or
                          std::span<const Vec3> directions, const Pose& pose, bool gel, std::span<float> gap,
                          std::span<float> press) noexcept;
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -1,6 +1,6 @@
 #include "imaging/ultrasound/frame.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 std::string_view reason(NoImage why) {
   switch (why) {
@@ -18,4 +18,4 @@ std::string_view reason(NoImage why) {
   return "The reason is unknown.";
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -6,7 +6,7 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // Why a picture is black, or parts of it.
 enum class NoImage : std::uint8_t { none, outside_volume, no_contact, inside_body, broken_pose };
@@ -30,4 +30,4 @@ struct UltrasoundFrame {
   Pose image_to_patient(const Pose& probe) const { return probe * Eigen::Translation3d(corner); }
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

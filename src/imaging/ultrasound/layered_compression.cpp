@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -27,8 +27,9 @@ double modulus_at(const AcousticVolume& patient, const Vec3& point) noexcept {
   if (!inside) return LayeredCompression::soft_modulus;
   const std::size_t voxel = patient.grid.offset(static_cast<int>(rounded.x()), static_cast<int>(rounded.y()),
                                                 static_cast<int>(rounded.z()));
-  const TissueId id = patient.tissue(voxel);
-  const bool bone = id == tissue::cortical_bone || id == tissue::cancellous_bone || id == tissue::metal;
+  const anatomy::TissueId id = patient.tissue(voxel);
+  const bool bone =
+      id == anatomy::tissue::cortical_bone || id == anatomy::tissue::cancellous_bone || id == anatomy::tissue::metal;
   return std::max(patient.young[id], bone ? LayeredCompression::rigid_modulus : 0.0);
 }
 
@@ -120,4 +121,4 @@ double LayeredCompression::rest_depth(double depth) const noexcept {
          share * static_cast<double>(rest_depths_[cell + 1]);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

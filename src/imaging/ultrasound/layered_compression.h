@@ -6,7 +6,7 @@
 #include "core/geometry.h"
 #include "imaging/ultrasound/acoustic_volume.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // Tissue under a probe that presses, where no finite-element field is at hand: along one line, springs in series by
 // Young's moduli from the skin to the first bone, which does not move, or to a depth that does not. The softer a
@@ -57,4 +57,4 @@ class LayeredCompression {
   std::vector<float> rest_depths_;  // mm
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

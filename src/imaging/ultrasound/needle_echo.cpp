@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -80,4 +80,4 @@ void add_needle(const EchoRows& rows, const ScanLines& lines, const SoundBeam& b
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -5,7 +5,7 @@
 #include "imaging/ultrasound/sound_beam.h"
 #include "imaging/ultrasound/ultrasound.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // How much of a full mirror's echo comes back from a steel shaft whose axis makes an angle with the beam, as the
 // squared sine of it: a mirror's lobe about the right angle, and a little from its roughness in all directions.
@@ -17,4 +17,4 @@ double shaft_echo(double sine_squared) noexcept;
 void add_needle(const EchoRows& rows, const ScanLines& lines, const SoundBeam& beam,
                 const NeedleInSound& needle) noexcept;
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

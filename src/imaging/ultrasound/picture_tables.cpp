@@ -5,7 +5,7 @@
 
 #include "imaging/ultrasound/scatterers.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -31,7 +31,7 @@ std::uint32_t byte_share(double share) {
 void set_media(PictureTables& tables, const AcousticVolume& patient, double frequency, double spacing) {
   tables.media.assign(scan::media, 0);
   for (std::size_t id = 0; id < patient.media.size(); ++id) {
-    const AcousticTissue& medium = patient.media[id];
+    const anatomy::AcousticTissue& medium = patient.media[id];
     const double both_ways = 2.0 * medium.attenuation * std::pow(frequency, medium.power) * spacing / 10.0;
     const auto fall = __builtin_bit_cast(std::uint32_t, static_cast<float>(from_decibels(-both_ways)));
     const double density = std::max(medium.density, 1e-3);
@@ -44,7 +44,7 @@ void set_media(PictureTables& tables, const AcousticVolume& patient, double freq
 
 // Cells of `size` mm along the lattice's axes. They are counted from the patient's origin, so that a part cut out of
 // a CT has the speckle of the whole.
-PictureTables::Cells cells_of(const Grid& grid, const Vec3& size) {
+PictureTables::Cells cells_of(const anatomy::Grid& grid, const Vec3& size) {
   constexpr double middle = 32768.0;  // a multiple of every period: only for the numbers to be positive
   PictureTables::Cells cells;
   const Vec3 start = grid.direction.transpose() * grid.origin;
@@ -58,7 +58,7 @@ PictureTables::Cells cells_of(const Grid& grid, const Vec3& size) {
 
 // The same for bundles of fibres, which run from head to foot, as those of the back do: along the lattice's axis that
 // is nearest to it.
-PictureTables::Cells bundles_of(const Grid& grid) {
+PictureTables::Cells bundles_of(const anatomy::Grid& grid) {
   constexpr double thick = 1.3, long_ = 16.0;  // mm
   Vec3 size = Vec3::Constant(thick);
   int along = 0;
@@ -167,7 +167,7 @@ void PictureTables::describe(int sample, scan::Row& described) const noexcept {
   described.gain = gain[k];
 }
 
-PictureTables picture_tables(const AcousticVolume& patient, const UltrasoundProbe& probe,
+PictureTables picture_tables(const AcousticVolume& patient, const anatomy::UltrasoundProbe& probe,
                              const UltrasoundSettings& settings, const UltrasoundDetail& detail,
                              const ScanLines& lines, const SoundBeam& beam, const std::vector<SliceRay>& rays,
                              const std::vector<SlicePass>& passes) {
@@ -197,4 +197,4 @@ PictureTables picture_tables(const AcousticVolume& patient, const UltrasoundProb
   return tables;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -12,7 +12,7 @@
 #include "imaging/ultrasound/slice_rays.h"
 #include "imaging/ultrasound/sound_beam.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // What a picture looks up, computed when a setting changes.
 struct PictureTables {
@@ -43,9 +43,9 @@ struct PictureTables {
   void describe(int sample, scan::Row& described) const noexcept;
 };
 
-PictureTables picture_tables(const AcousticVolume& patient, const UltrasoundProbe& probe,
+PictureTables picture_tables(const AcousticVolume& patient, const anatomy::UltrasoundProbe& probe,
                              const UltrasoundSettings& settings, const UltrasoundDetail& detail,
                              const ScanLines& lines, const SoundBeam& beam, const std::vector<SliceRay>& rays,
                              const std::vector<SlicePass>& passes);
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -4,7 +4,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -49,4 +49,4 @@ Pose probe_pose(const Vec3& face, const Vec3& depth, const Vec3& marked) {
   return pose;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -4,7 +4,7 @@
 
 #include "imaging/ultrasound/scan_kernel.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace scan {
 
@@ -70,4 +70,4 @@ ProcessorPath best_processor_path() {
   return processor_paths().back();
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // The inner loops are compiled several times from one source; all give the same bits.
 enum class ProcessorPath : std::uint8_t { scalar, sse2, avx2, avx512 };
@@ -15,4 +15,4 @@ std::string_view name_of(ProcessorPath path);
 std::span<const ProcessorPath> processor_paths();
 ProcessorPath best_processor_path();
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

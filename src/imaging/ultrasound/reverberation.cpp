@@ -6,7 +6,7 @@
 #include "imaging/ultrasound/scan_kernel.h"
 #include "imaging/ultrasound/scatterers.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -45,4 +45,4 @@ void add_reverberation(const EchoRows& rows, std::span<const float> strong_at, s
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

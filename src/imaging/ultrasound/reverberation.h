@@ -4,7 +4,7 @@
 
 #include "imaging/ultrasound/echo_rows.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // What a probe's face throws back of an echo that returns to it, as an amplitude.
 inline constexpr double face_reflects = 0.25;
@@ -16,4 +16,4 @@ inline constexpr double face_reflects = 0.25;
 void add_reverberation(const EchoRows& rows, std::span<const float> strong_at, std::span<const float> strong_echo,
                        double spacing) noexcept;
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

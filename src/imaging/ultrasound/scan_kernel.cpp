@@ -6,7 +6,7 @@
 #include "core/simd.h"
 #include "imaging/ultrasound/scan_sample.h"
 
-namespace bodkin::scan {
+namespace bodkin::imaging::scan {
 
 namespace {
 
@@ -285,4 +285,4 @@ extern const Kernel BODKIN_JOIN(kernel_, BODKIN_PATH);
 const Kernel BODKIN_JOIN(kernel_, BODKIN_PATH) = {march, BODKIN_JOIN(compress_, BODKIN_PATH),
                                                   BODKIN_JOIN(convert_, BODKIN_PATH)};
 
-}  // namespace bodkin::scan
+}  // namespace bodkin::imaging::scan

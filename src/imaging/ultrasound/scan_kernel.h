@@ -9,7 +9,7 @@
 // no inline functions of other headers except those of core/simd.h, which are always inlined: so code for one
 // processor cannot be linked into what another one runs.
 
-namespace bodkin::scan {
+namespace bodkin::imaging::scan {
 
 inline constexpr int lanes = 32;     // scanlines side by side
 inline constexpr int coarse = 8;     // samples between two rows of the displacement table
@@ -118,4 +118,4 @@ void BODKIN_JOIN(compress_, BODKIN_PATH)(const Row& row) noexcept;
 void BODKIN_JOIN(convert_, BODKIN_PATH)(const Conversion& in, std::size_t first, std::size_t last) noexcept;
 #endif
 
-}  // namespace bodkin::scan
+}  // namespace bodkin::imaging::scan

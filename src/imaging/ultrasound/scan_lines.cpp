@@ -4,41 +4,41 @@
 #include <cmath>
 #include <limits>
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 Vec3 ScanLines::origin(double line) const {
   const double at = first + step * line;
-  if (kind == ProbeKind::linear) return {at, 0.0, 0.0};
+  if (kind == anatomy::ProbeKind::linear) return {at, 0.0, 0.0};
   return {radius * std::sin(at), radius * (std::cos(at) - 1.0), 0.0};
 }
 
 Vec3 ScanLines::direction(double line) const {
-  if (kind == ProbeKind::linear) return Vec3::UnitY();
+  if (kind == anatomy::ProbeKind::linear) return Vec3::UnitY();
   const double at = first + step * line;
   return {std::sin(at), std::cos(at), 0.0};
 }
 
 double ScanLines::apart(double depth) const {
-  return kind == ProbeKind::linear ? step : step * (radius + depth);
+  return kind == anatomy::ProbeKind::linear ? step : step * (radius + depth);
 }
 
 Eigen::Vector2d ScanLines::place(const Vec3& point) const {
-  if (kind == ProbeKind::linear) return {(point.x() - first) / step, point.y() / spacing};
+  if (kind == anatomy::ProbeKind::linear) return {(point.x() - first) / step, point.y() / spacing};
   const double across = point.x(), along = point.y() + radius;
   return {(std::atan2(across, along) - first) / step, (std::hypot(across, along) - radius) / spacing};
 }
 
-ScanLines scan_lines(const UltrasoundProbe& probe, const UltrasoundSettings& settings,
+ScanLines scan_lines(const anatomy::UltrasoundProbe& probe, const UltrasoundSettings& settings,
                      const UltrasoundDetail& detail) {
   ScanLines lines;
   lines.kind = probe.kind;
-  lines.radius = probe.kind == ProbeKind::curvilinear ? probe.radius : 0.0;
+  lines.radius = probe.kind == anatomy::ProbeKind::curvilinear ? probe.radius : 0.0;
   lines.lines = detail.lines;
   lines.samples = detail.samples;
   lines.spacing = settings.depth / (detail.samples - 1);
   double whole = probe.aperture();
-  if (probe.kind == ProbeKind::curvilinear) whole /= probe.radius;
-  if (probe.kind == ProbeKind::phased) whole = probe.sector * degree;
+  if (probe.kind == anatomy::ProbeKind::curvilinear) whole /= probe.radius;
+  if (probe.kind == anatomy::ProbeKind::phased) whole = probe.sector * degree;
   lines.first = -0.5 * whole;
   lines.step = whole / (detail.lines - 1);
   return lines;
@@ -92,4 +92,4 @@ ScanConversion scan_conversion(const ScanLines& lines, int width, int height, in
   return picture;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -7,11 +7,11 @@
 #include "imaging/ultrasound/probe.h"
 #include "imaging/ultrasound/settings.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // Where the scanlines of a probe run, in its own frame (z = 0), and where the pixels of its picture lie among them.
 struct ScanLines {
-  ProbeKind kind = ProbeKind::linear;
+  anatomy::ProbeKind kind = anatomy::ProbeKind::linear;
   double radius = 0.0;  // mm, of the face; 0: flat
   double first = 0.0;   // of the first line: mm along the face (linear) or radians from the middle
   double step = 0.0;    // from line to line, in the same unit
@@ -28,7 +28,7 @@ struct ScanLines {
   Eigen::Vector2d place(const Vec3& point) const;
 };
 
-ScanLines scan_lines(const UltrasoundProbe& probe, const UltrasoundSettings& settings,
+ScanLines scan_lines(const anatomy::UltrasoundProbe& probe, const UltrasoundSettings& settings,
                      const UltrasoundDetail& detail);
 
 // The pixels of a picture among rows of samples that are `stride` long: for each the position of the sample before it
@@ -49,4 +49,4 @@ struct ScanConversion {
 
 ScanConversion scan_conversion(const ScanLines& lines, int width, int height, int stride);
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

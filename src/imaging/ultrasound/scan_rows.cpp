@@ -4,7 +4,7 @@
 #include "core/simd.h"
 #include "imaging/ultrasound/scan_kernel.h"
 
-namespace bodkin::scan {
+namespace bodkin::imaging::scan {
 
 namespace {
 
@@ -113,4 +113,4 @@ void BODKIN_JOIN(convert_, BODKIN_PATH)(const Conversion& in, std::size_t first,
   }
 }
 
-}  // namespace bodkin::scan
+}  // namespace bodkin::imaging::scan

@@ -10,7 +10,7 @@
 // What lies at a sample of each line: the part of the inner loops that reads the patient. Everything has internal
 // linkage, for it is compiled once for every processor path.
 
-namespace bodkin::scan {
+namespace bodkin::imaging::scan {
 
 // Which scatterer and which bundle of fibres are there.
 struct Scatterer {
@@ -185,4 +185,4 @@ static inline void meet(const March& __restrict in, int line, Sample& __restrict
   }
 }
 
-}  // namespace bodkin::scan
+}  // namespace bodkin::imaging::scan

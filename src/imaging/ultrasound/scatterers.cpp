@@ -7,7 +7,7 @@
 #include "core/random.h"
 #include "imaging/ultrasound/scan_kernel.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -41,4 +41,4 @@ const Scatterers& scatterers() {
   return all;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // What makes speckle: a block of cells, each with a scatterer of random strength and phase (complex, normal) and a
 // number that decides whether a tissue of low density has it. The patient is filled with it, over and over; so
@@ -17,4 +17,4 @@ struct Scatterers {
 // The one block that all patients share, made on first use.
 const Scatterers& scatterers();
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

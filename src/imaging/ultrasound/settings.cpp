@@ -7,7 +7,7 @@
 #include "anatomy/ultrasound_probe.h"
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -36,7 +36,7 @@ UltrasoundDetail paper_detail() {
   return detail;
 }
 
-void check(const UltrasoundSettings& settings, const UltrasoundProbe& probe) {
+void check(const UltrasoundSettings& settings, const anatomy::UltrasoundProbe& probe) {
   check_setting("depth", settings.depth, " mm", 10.0, 400.0);
   check_setting("gain", settings.gain, " dB", -40.0, 40.0);
   check_setting("dynamic range", settings.dynamic_range, " dB", 20.0, 120.0);
@@ -67,4 +67,4 @@ void check(const UltrasoundDetail& detail) {
   check_count("threads", detail.threads, 1, 64);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -2,9 +2,11 @@
 
 #include <array>
 
-namespace bodkin {
-
+namespace bodkin::anatomy {
 struct UltrasoundProbe;
+}  // namespace bodkin::anatomy
+
+namespace bodkin::imaging {
 
 // What a sonographer sets on a machine.
 struct UltrasoundSettings {
@@ -41,8 +43,8 @@ UltrasoundDetail paper_detail();
 
 // Throws InputError naming the field, what it is and what is expected, when a setting is out of range, not a number,
 // or a frequency that the probe has not.
-void check(const UltrasoundSettings& settings, const UltrasoundProbe& probe);
+void check(const UltrasoundSettings& settings, const anatomy::UltrasoundProbe& probe);
 // The same of a detail.
 void check(const UltrasoundDetail& detail);
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

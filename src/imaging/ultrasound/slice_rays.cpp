@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 std::vector<SliceRay> slice_rays(int count) {
   if (count <= 1) return {SliceRay{}};
@@ -59,4 +59,4 @@ std::vector<double> half_gaussian(double deviation, int half) {
   return weights;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // One of the rays by which a slice gets its thickness: `off` standard deviations of the beam's elevation width from
 // the middle, and its share of the sum.
@@ -36,4 +36,4 @@ double variance_left(const std::vector<double>& weights, double apart);
 // together add up to 1.
 std::vector<double> half_gaussian(double deviation, int half);
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -31,7 +31,7 @@ double SoundBeam::elevation(double depth) const {
   return one_way(wavelength, height, lens, depth) / std::sqrt(2.0);
 }
 
-SoundBeam sound_beam(const UltrasoundProbe& probe, const UltrasoundSettings& settings) {
+SoundBeam sound_beam(const anatomy::UltrasoundProbe& probe, const UltrasoundSettings& settings) {
   SoundBeam beam;
   beam.wavelength = speed_in_tissue / (settings.frequency > 0.0 ? settings.frequency : probe.frequency);
   beam.pulse = 0.5 * probe.cycles * beam.wavelength;
@@ -43,4 +43,4 @@ SoundBeam sound_beam(const UltrasoundProbe& probe, const UltrasoundSettings& set
   return beam;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -3,7 +3,7 @@
 #include "imaging/ultrasound/probe.h"
 #include "imaging/ultrasound/settings.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // The beam of a probe: how wide a point's echo is drawn, as full widths at half maximum of its amplitude, there and
 // back. All three are Gaussian in shape. An aperture `a` that focuses at `F` sends a beam whose pressure at depth z
@@ -25,9 +25,9 @@ struct SoundBeam {
   double elevation(double depth) const;
 };
 
-SoundBeam sound_beam(const UltrasoundProbe& probe, const UltrasoundSettings& settings);
+SoundBeam sound_beam(const anatomy::UltrasoundProbe& probe, const UltrasoundSettings& settings);
 
 // Standard deviation of a Gaussian, of its full width at half maximum.
 inline constexpr double deviation_of_width = 0.42466090;
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -20,7 +20,7 @@
 #include "imaging/ultrasound/scatterers.h"
 #include "imaging/ultrasound/sound_beam.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -58,7 +58,7 @@ Vec3 displacement_at(const ScanDisplacement& field, const Vec3& point) noexcept 
 }
 
 // Steps after which a line leaves a lattice, its outermost voxels included.
-double samples_within(const Grid& grid, const Vec3& start, const Vec3& step) noexcept {
+double samples_within(const anatomy::Grid& grid, const Vec3& start, const Vec3& step) noexcept {
   double least = 1e6;  // more than any line has
   for (int axis = 0; axis < 3; ++axis) {
     const double far = step[axis] > 0.0 ? grid.size[static_cast<std::size_t>(axis)] - 0.5 : -0.5;
@@ -117,7 +117,7 @@ struct Ultrasound::Lines {
 };
 
 struct Ultrasound::Machine {
-  Machine(std::shared_ptr<const AcousticVolume> volume, UltrasoundProbe used, UltrasoundDetail asked,
+  Machine(std::shared_ptr<const AcousticVolume> volume, anatomy::UltrasoundProbe used, UltrasoundDetail asked,
           ProcessorPath path)
       : patient(std::move(volume)),
         probe(std::move(used)),
@@ -134,7 +134,7 @@ struct Ultrasound::Machine {
   scan::March marching(std::size_t pass) const noexcept;
 
   std::shared_ptr<const AcousticVolume> patient;
-  UltrasoundProbe probe;
+  anatomy::UltrasoundProbe probe;
   UltrasoundSettings settings;
   UltrasoundDetail detail;
   const scan::Kernel& kernel;
@@ -183,7 +183,7 @@ void Ultrasound::Machine::prepare(const UltrasoundSettings& wanted) {
 }
 
 void Ultrasound::Machine::aim(const Pose& pose) noexcept {
-  const Grid& grid = patient->grid;
+  const anatomy::Grid& grid = patient->grid;
   const Mat3 into_lattice = grid.direction.transpose() * pose.linear();
   const Vec3 per_mm = grid.spacing.cwiseInverse();
   const Mat3 face_into_voxels = per_mm.asDiagonal() * into_lattice;
@@ -216,7 +216,7 @@ void Ultrasound::Machine::move(const Pose& pose, const std::optional<ScanDisplac
   if (!given && !pressed) return;
   is_moved = true;
   if (!given) compression.settle(*patient, pose, frame.press);
-  const Grid& grid = patient->grid;
+  const anatomy::Grid& grid = patient->grid;
   const Mat3 into_voxels = grid.spacing.cwiseInverse().asDiagonal() * grid.direction.transpose();
   const int rows = lines.samples / scan::coarse + 2;
   for (int row = 0; row < rows; ++row) {
@@ -237,7 +237,7 @@ void Ultrasound::Machine::move(const Pose& pose, const std::optional<ScanDisplac
 }
 
 scan::March Ultrasound::Machine::marching(std::size_t pass) const noexcept {
-  const Grid& grid = patient->grid;
+  const anatomy::Grid& grid = patient->grid;
   scan::March march{};
   march.voxels = patient->voxels.data();
   for (int axis = 0; axis < 3; ++axis) {
@@ -330,10 +330,10 @@ void Ultrasound::Machine::draw(const Pose& pose, const std::optional<NeedleInSou
   pool.run((frame.height + rows_a_turn - 1) / rows_a_turn, convert_rows);
 }
 
-Ultrasound::Ultrasound(std::shared_ptr<const AcousticVolume> patient, UltrasoundProbe probe,
+Ultrasound::Ultrasound(std::shared_ptr<const AcousticVolume> patient, anatomy::UltrasoundProbe probe,
                        UltrasoundSettings settings, UltrasoundDetail detail, ProcessorPath path) {
   check(patient.get());
-  check(probe, "the probe");
+  anatomy::check(probe, "the probe");
   check(detail);
   machine_ = std::make_unique<Machine>(std::move(patient), std::move(probe), detail, path);
   machine_->prepare(settings);
@@ -343,7 +343,7 @@ Ultrasound::Ultrasound(Ultrasound&&) noexcept = default;
 Ultrasound& Ultrasound::operator=(Ultrasound&&) noexcept = default;
 Ultrasound::~Ultrasound() = default;
 
-const UltrasoundProbe& Ultrasound::probe() const {
+const anatomy::UltrasoundProbe& Ultrasound::probe() const {
   return machine_->probe;
 }
 
@@ -378,4 +378,4 @@ const UltrasoundFrame& Ultrasound::image(const Pose& pose, const std::optional<N
   return machine.frame;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -12,12 +12,12 @@
 #include "imaging/ultrasound/processor_path.h"
 #include "imaging/ultrasound/settings.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // A needle as sound sees it.
 struct NeedleInSound {
   Pose pose = Pose::Identity();  // tip and axis, patient
-  Needle needle;
+  anatomy::Needle needle;
 };
 
 // How tissue has moved, on a plane of points through the scan plane: u(x), mm, of the place that now is at x. Row by
@@ -37,13 +37,14 @@ class Ultrasound {
  public:
   // Throws InputError when the probe, a setting or a detail is out of range, or the patient has fewer than two voxels
   // along an axis.
-  Ultrasound(std::shared_ptr<const AcousticVolume> patient, UltrasoundProbe probe, UltrasoundSettings settings = {},
-             UltrasoundDetail detail = {}, ProcessorPath path = best_processor_path());
+  Ultrasound(std::shared_ptr<const AcousticVolume> patient, anatomy::UltrasoundProbe probe,
+             UltrasoundSettings settings = {}, UltrasoundDetail detail = {},
+             ProcessorPath path = best_processor_path());
   Ultrasound(Ultrasound&&) noexcept;
   Ultrasound& operator=(Ultrasound&&) noexcept;
   ~Ultrasound();
 
-  const UltrasoundProbe& probe() const;
+  const anatomy::UltrasoundProbe& probe() const;
   const UltrasoundSettings& settings() const;
   const UltrasoundDetail& detail() const;
   // Throws InputError as the constructor does, and leaves everything as it was then.
@@ -60,4 +61,4 @@ class Ultrasound {
   std::unique_ptr<Machine> machine_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

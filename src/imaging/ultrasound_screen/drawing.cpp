@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 void paste_grey(ImageRgb& image, const UltrasoundFrame& frame, MarkSide mark, double x, double y, double scale) {
   const int left = std::max(0, static_cast<int>(std::ceil(x))), top = std::max(0, static_cast<int>(std::ceil(y)));
@@ -37,4 +37,4 @@ ImageRgb grey_ramp(int width, int height) {
   return ramp;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -4,7 +4,7 @@
 #include "imaging/ultrasound/frame.h"
 #include "imaging/ultrasound_screen/scan_field.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // The frame with its upper left corner at (x, y), `scale` pixels of the image per pixel of the frame, smoothly. What
 // lies outside the image is left out.
@@ -13,4 +13,4 @@ void paste_grey(ImageRgb& image, const UltrasoundFrame& frame, MarkSide mark, do
 // The greys from white at the top to black.
 ImageRgb grey_ramp(int width, int height);
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

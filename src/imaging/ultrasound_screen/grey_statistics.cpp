@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -104,4 +104,4 @@ GreyStatistics grey_statistics(const GreyPicture& picture, const PixelWindow& wi
   return statistics;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

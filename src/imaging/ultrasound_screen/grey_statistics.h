@@ -8,7 +8,7 @@
 #include "imaging/ultrasound/frame.h"
 #include "imaging/ultrasound_screen/scan_field.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // An ultrasound picture as it is looked at, a simulated or a real one.
 struct GreyPicture {
@@ -51,4 +51,4 @@ struct GreyStatistics {
 
 GreyStatistics grey_statistics(const GreyPicture& picture, const PixelWindow& window);
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

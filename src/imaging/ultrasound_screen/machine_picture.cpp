@@ -8,7 +8,7 @@
 
 #include "imaging/ultrasound_screen/drawing.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -31,7 +31,7 @@ class MachineArtist {
     scale_ = std::clamp(static_cast<double>(frame_.height), least_height, most_height) / frame_.height;
   }
 
-  Canvas draw(const TissueLibrary& library) {
+  Canvas draw(const anatomy::TissueLibrary& library) {
     double width = right() + machine_right, height = bottom() + machine_bottom;
     const double real_x = width;
     if (picture_.window) height += words_height;
@@ -252,11 +252,12 @@ class MachineArtist {
 
 }  // namespace
 
-Canvas machine_picture(const MachinePicture& picture, const TissueLibrary& library) {
+Canvas machine_picture(const MachinePicture& picture, const anatomy::TissueLibrary& library) {
   return MachineArtist(picture).draw(library);
 }
 
-SlicePanel ct_panel(const Case& patient, const ScanMoment& moment, MarkSide mark, const std::vector<Vec3>& needle) {
+SlicePanel ct_panel(const anatomy::Case& patient, const ScanMoment& moment, MarkSide mark,
+                    const std::vector<Vec3>& needle) {
   SlicePanel panel;
   panel.slice = cut(plane_of(moment.frame, moment.pose, mark), patient.ct, patient.tissues);
   panel.title = "CT, the same plane";
@@ -268,4 +269,4 @@ SlicePanel ct_panel(const Case& patient, const ScanMoment& moment, MarkSide mark
   return panel;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -10,7 +10,7 @@
 #include "imaging/ultrasound_screen/grey_statistics.h"
 #include "imaging/ultrasound_screen/screen.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // A window in a picture and what is said of it.
 struct WindowSaid {
@@ -39,10 +39,11 @@ struct MachinePicture {
   bool touch = true;             // says how the probe touches the patient
 };
 
-Canvas machine_picture(const MachinePicture& picture, const TissueLibrary& library);
+Canvas machine_picture(const MachinePicture& picture, const anatomy::TissueLibrary& library);
 
 // The CT in the plane of a frame with the border of what the probe sees; `path` and `needle` (places from its entry
 // to its tip, LPS mm) are drawn where there are any.
-SlicePanel ct_panel(const Case& patient, const ScanMoment& moment, MarkSide mark, const std::vector<Vec3>& needle);
+SlicePanel ct_panel(const anatomy::Case& patient, const ScanMoment& moment, MarkSide mark,
+                    const std::vector<Vec3>& needle);
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -5,7 +5,7 @@
 
 #include "imaging/ultrasound_screen/skin.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -28,7 +28,7 @@ void ProbeOnSkin::press(double millimetres) {
   press_ = std::clamp(millimetres, -most_lifted, most_pressed);
 }
 
-bool ProbeOnSkin::slide(const TissueVolume& tissues, double along, double across) {
+bool ProbeOnSkin::slide(const anatomy::TissueVolume& tissues, double along, double across) {
   Vec3 shift = along * pose_.linear().col(0) + across * pose_.linear().col(2);
   const double length = shift.norm();
   shift -= shift.dot(outward_) * outward_;
@@ -62,4 +62,4 @@ void ProbeOnSkin::rock(double angle) {
   pose_.rotate(Eigen::AngleAxisd(angle, Vec3::UnitZ()));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

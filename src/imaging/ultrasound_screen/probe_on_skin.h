@@ -2,7 +2,7 @@
 
 #include "anatomy/volume.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // Where a hand holds a probe: a place on the skin, how the probe stands on it and how far it is pressed in. Slid
 // along the body it stays on the skin and keeps its angle to it.
@@ -21,7 +21,7 @@ class ProbeOnSkin {
 
   // Moves the face over the skin, mm along the probe's marked side and across the slice. False, and nothing moves,
   // where there is no skin.
-  bool slide(const TissueVolume& tissues, double along, double across);
+  bool slide(const anatomy::TissueVolume& tissues, double along, double across);
   // rad about the depth axis: the slice turns on the spot.
   void rotate(double angle);
   // rad about the marked axis: the slice fans.
@@ -35,4 +35,4 @@ class ProbeOnSkin {
   double press_ = 0.0;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -14,11 +14,11 @@ Eigen::Vector2d on_arc(double centre, double radius, double angle) {
 
 }  // namespace
 
-std::vector<Eigen::Vector2d> field_of_view(const UltrasoundProbe& probe, double depth) {
+std::vector<Eigen::Vector2d> field_of_view(const anatomy::UltrasoundProbe& probe, double depth) {
   const double half = 0.5 * probe.aperture();
-  if (probe.kind == ProbeKind::linear) return {{-half, 0.0}, {half, 0.0}, {half, depth}, {-half, depth}};
+  if (probe.kind == anatomy::ProbeKind::linear) return {{-half, 0.0}, {half, 0.0}, {half, depth}, {-half, depth}};
   std::vector<Eigen::Vector2d> corners;
-  const bool curved = probe.kind == ProbeKind::curvilinear;
+  const bool curved = probe.kind == anatomy::ProbeKind::curvilinear;
   const double widest = curved ? half / probe.radius : 0.5 * probe.sector * degree;
   const double centre = curved ? -probe.radius : 0.0;
   const double inner = curved ? probe.radius : 0.0;
@@ -59,4 +59,4 @@ ImageRgb grey_picture(const UltrasoundFrame& frame, MarkSide mark) {
   return picture;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

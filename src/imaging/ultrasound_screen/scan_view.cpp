@@ -10,7 +10,7 @@
 #include "imaging/slice.h"
 #include "imaging/ultrasound_screen/skin.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -30,33 +30,33 @@ std::string point_words(const Vec3& point) {
   return fmt::format("{:.1f},{:.1f},{:.1f}", point.x(), point.y(), point.z());
 }
 
-Vec3 middle_of_body(const Case& patient) {
+Vec3 middle_of_body(const anatomy::Case& patient) {
   const PatientBox body = body_box(patient.tissues);
   return 0.5 * (body.low + body.high);
 }
 
-Vec3 kidney_of(const Case& patient) {
+Vec3 kidney_of(const anatomy::Case& patient) {
   for (const char* name : {"kidney_left", "left_kidney", "kidney_right", "right_kidney", "kidney"}) {
     if (const std::optional<Vec3> place = place_named(patient, name)) return *place;
   }
   throw InputError("the case has no structure kidney_left or kidney_right to look at; say where with --at x,y,z");
 }
 
-Vec3 looked_at(const Case& patient, const ScanRequest& request) {
+Vec3 looked_at(const anatomy::Case& patient, const ScanRequest& request) {
   if (request.at) return *request.at;
   if (request.view == ScanView::kidney) return kidney_of(patient);
-  const std::optional<NeedlePath>& path = patient.description.procedure.path;
+  const std::optional<anatomy::NeedlePath>& path = patient.description.procedure.path;
   return path ? path->target : middle_of_body(patient);
 }
 
 // Towards the probe, before a view leans it.
-Vec3 way_out(const Case& patient, const ScanRequest& request, const Vec3& at) {
+Vec3 way_out(const anatomy::Case& patient, const ScanRequest& request, const Vec3& at) {
   if (request.outward) return request.outward->normalized();
   if (request.view == ScanView::kidney) {
     const double side = at.x() < middle_of_body(patient).x() ? -1.0 : 1.0;
     return Vec3(side, 0.8, 0.0).normalized();  // from the flank, behind the bowel and its gas
   }
-  const std::optional<NeedlePath>& path = patient.description.procedure.path;
+  const std::optional<anatomy::NeedlePath>& path = patient.description.procedure.path;
   return path && !request.at ? Vec3(-path->direction()) : Vec3(Vec3::UnitY());
 }
 
@@ -65,8 +65,8 @@ Vec3 marked_side(ScanView view, const Vec3& outward) {
   return std::abs(outward.normalized().x()) > 0.9 ? Vec3::UnitY() : Vec3(-Vec3::UnitX());
 }
 
-SkinPoint skin_from(const Case& patient, const Vec3& at, const Vec3& outward) {
-  if (nearest(patient.tissues, at, tissue::air) == tissue::air) {
+SkinPoint skin_from(const anatomy::Case& patient, const Vec3& at, const Vec3& outward) {
+  if (anatomy::nearest(patient.tissues, at, anatomy::tissue::air) == anatomy::tissue::air) {
     throw InputError(
         fmt::format("the point {} to look at is not in the body, expected one inside it, LPS mm", point_words(at)));
   }
@@ -78,8 +78,8 @@ SkinPoint skin_from(const Case& patient, const Vec3& at, const Vec3& outward) {
 }
 
 // Beside the entry on its head's side, or on the feet's where the image ends there.
-ProbeOnSkin beside_needle(const Case& patient, const UltrasoundProbe& probe) {
-  const std::optional<NeedlePath>& path = patient.description.procedure.path;
+ProbeOnSkin beside_needle(const anatomy::Case& patient, const anatomy::UltrasoundProbe& probe) {
+  const std::optional<anatomy::NeedlePath>& path = patient.description.procedure.path;
   if (!path)
     throw InputError("the case has no planned path, which the view 'needle' looks at; choose another --view");
   const Vec3 in = path->direction();
@@ -114,13 +114,13 @@ std::string scan_view_names() {
   return names;
 }
 
-std::optional<Vec3> place_named(const Case& patient, std::string_view name) {
-  for (const Landmark& landmark : patient.description.landmarks) {
+std::optional<Vec3> place_named(const anatomy::Case& patient, std::string_view name) {
+  for (const anatomy::Landmark& landmark : patient.description.landmarks) {
     if (landmark.name == name) return landmark.position;
   }
-  for (const Structure& structure : patient.description.structures) {
+  for (const anatomy::Structure& structure : patient.description.structures) {
     if (structure.name != name) continue;
-    const LabelVolume& labels = patient.structures;
+    const anatomy::LabelVolume& labels = patient.structures;
     Vec3 sum = Vec3::Zero();
     double voxels = 0.0;
     for (int k = 0; k < labels.grid.size[2]; ++k) {
@@ -137,7 +137,8 @@ std::optional<Vec3> place_named(const Case& patient, std::string_view name) {
   return std::nullopt;
 }
 
-ProbeOnSkin place_probe(const Case& patient, const UltrasoundProbe& probe, const ScanRequest& request) {
+ProbeOnSkin place_probe(const anatomy::Case& patient, const anatomy::UltrasoundProbe& probe,
+                        const ScanRequest& request) {
   if (request.view == ScanView::needle && !request.at && !request.outward) return beside_needle(patient, probe);
   const Vec3 at = looked_at(patient, request);
   Vec3 outward = way_out(patient, request, at);
@@ -152,4 +153,4 @@ ProbeOnSkin place_probe(const Case& patient, const UltrasoundProbe& probe, const
   return {probe_pose(skin.place, -outward, marked_side(request.view, outward)), skin.outward};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

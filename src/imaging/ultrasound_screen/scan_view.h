@@ -8,7 +8,7 @@
 #include "imaging/ultrasound/probe.h"
 #include "imaging/ultrasound_screen/probe_on_skin.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // How a sonographer puts the probe down.
 enum class ScanView {
@@ -32,9 +32,10 @@ struct ScanRequest {
 };
 
 // Where a landmark or the middle of a structure of that name lies, LPS mm; nothing when the case has none.
-std::optional<Vec3> place_named(const Case& patient, std::string_view name);
+std::optional<Vec3> place_named(const anatomy::Case& patient, std::string_view name);
 
 // The probe on the skin, not pressed. Throws InputError when what a view needs is not there: a path, a kidney, skin.
-ProbeOnSkin place_probe(const Case& patient, const UltrasoundProbe& probe, const ScanRequest& request);
+ProbeOnSkin place_probe(const anatomy::Case& patient, const anatomy::UltrasoundProbe& probe,
+                        const ScanRequest& request);
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "imaging/ultrasound_screen/drawing.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -204,4 +204,4 @@ int centimetres_between_numbers(double depth) {
   return depth <= 80.0 ? 1 : depth <= 160.0 ? 2 : 5;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -10,13 +10,13 @@
 #include "imaging/ultrasound/settings.h"
 #include "imaging/ultrasound_screen/scan_field.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // A picture with all that made it.
 struct ScanMoment {
   UltrasoundFrame frame;
   Pose pose = Pose::Identity();
-  UltrasoundProbe probe;
+  anatomy::UltrasoundProbe probe;
   UltrasoundSettings settings;
   std::string needle;  // what is said of the needle in it; empty where there is none
 };
@@ -97,4 +97,4 @@ std::vector<std::string> machine_lines(const ScanMoment& moment, bool touch = tr
 // cm between the numbers of the depth's scale, so that there are not too many.
 int centimetres_between_numbers(double depth);
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

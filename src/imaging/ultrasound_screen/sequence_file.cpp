@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -116,4 +116,4 @@ std::string sequence_bytes(const TrackedSequence& sequence, bool compressed) {
   return text;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -7,7 +7,7 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // One frame of a tracked sequence.
 struct TrackedFrame {
@@ -34,4 +34,4 @@ struct TrackedSequence {
 // the rest.
 std::string sequence_bytes(const TrackedSequence& sequence, bool compressed);
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

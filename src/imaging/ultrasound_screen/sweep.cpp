@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "imaging/ultrasound_screen/skin.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 namespace {
 
@@ -19,14 +19,14 @@ double between(const SweepAngle& angle, double share) {
 }
 
 // mm of the face beyond the skin along `depth`; 0 where there is no skin.
-double depth_in_skin(const TissueVolume& tissues, const Vec3& face, const Vec3& depth) {
+double depth_in_skin(const anatomy::TissueVolume& tissues, const Vec3& face, const Vec3& depth) {
   const std::optional<SkinPoint> skin = skin_near(tissues, face, -depth, sweep_reach);
   return skin ? depth.dot(face - skin->place) : 0.0;
 }
 
 }  // namespace
 
-std::vector<SweepPose> sweep_of(const Pose& first, const SweepMotion& motion, const TissueVolume& tissues) {
+std::vector<SweepPose> sweep_of(const Pose& first, const SweepMotion& motion, const anatomy::TissueVolume& tissues) {
   if (motion.frames < 1 || motion.frames > most_frames || !(motion.rate > 0.0)) {
     throw InputError(fmt::format("a sweep of {} frames at {} a second is none, expected 1 to {} frames",
                                  motion.frames, motion.rate, most_frames));
@@ -52,4 +52,4 @@ std::vector<SweepPose> sweep_of(const Pose& first, const SweepMotion& motion, co
   return poses;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -6,7 +6,7 @@
 #include "anatomy/volume.h"
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::imaging {
 
 // Where a probe is at one moment of a sweep.
 struct SweepPose {
@@ -31,6 +31,6 @@ struct SweepMotion {
 };
 
 // The poses of a motion. `tissues` locate the skin. Throws InputError when a number is out of range.
-std::vector<SweepPose> sweep_of(const Pose& first, const SweepMotion& motion, const TissueVolume& tissues);
+std::vector<SweepPose> sweep_of(const Pose& first, const SweepMotion& motion, const anatomy::TissueVolume& tissues);
 
-}  // namespace bodkin
+}  // namespace bodkin::imaging

@@ -16,7 +16,7 @@
 #include "io/images/image_file.h"
 #include "io/images/memory_budget.h"
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 // An image of one value packs into almost nothing, so the bound on compressed slices is wide; it only has to keep a
@@ -143,4 +143,4 @@ std::vector<std::int16_t> decode_slices(const DicomSeries& series, HounsfieldLos
   return voxels;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -7,7 +7,7 @@
 #include "io/images/dicom_scan.h"
 #include "io/images/image_values.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 // Decodes the pixels of every slice of a series, in the order given, into HU: slice by slice, row by row. All
 // transfer syntaxes of GDCM are read (raw, RLE, JPEG, JPEG-LS, JPEG 2000); two slices are decoded at a time. Throws
@@ -15,4 +15,4 @@ namespace bodkin {
 std::vector<std::int16_t> decode_slices(const DicomSeries& series, HounsfieldLosses& losses,
                                         const Progress& progress = {});
 
-}  // namespace bodkin
+}  // namespace bodkin::io

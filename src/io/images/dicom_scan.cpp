@@ -20,7 +20,7 @@
 #include "io/images/memory_budget.h"
 #include "io/text_encoding.h"
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 constexpr std::size_t most_files = 20000;
@@ -224,4 +224,4 @@ DicomFolder scan_dicom(const std::filesystem::path& path, const Progress& progre
   return folder;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -7,7 +7,7 @@
 #include "core/geometry.h"
 #include "core/progress.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 // What the header of one DICOM image says, as far as it matters here.
 struct DicomSlice {
@@ -46,4 +46,4 @@ struct DicomFolder {
 // DICOM is passed over. Throws InputError when there is nothing, or far too much, to read.
 DicomFolder scan_dicom(const std::filesystem::path& path, const Progress& progress = {});
 
-}  // namespace bodkin
+}  // namespace bodkin::io

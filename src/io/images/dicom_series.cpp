@@ -11,7 +11,7 @@
 #include "io/images/image_file.h"
 #include "io/images/slice_stack.h"
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 constexpr double same_place = 0.01;     // mm; slices closer than this are two images of one place
@@ -185,7 +185,7 @@ DicomVolume read_dicom(const std::filesystem::path& path, const DicomOptions& op
   const double thickness = series.thickness > 0.0 ? series.thickness : 1.0;
   const StackGeometry geometry = measure_stack(stack, thickness);
   judge_geometry(stack, geometry, name, options, result.notes);
-  const Grid grid =
+  const anatomy::Grid grid =
       clean_grid(geometry.regular() ? regular_grid(stack, geometry) : resampled_grid(stack, geometry), name);
   require_plausible_size(name,
                          {static_cast<std::uintmax_t>(grid.size[0]), static_cast<std::uintmax_t>(grid.size[1]),
@@ -201,10 +201,10 @@ DicomVolume read_dicom(const std::filesystem::path& path, const DicomOptions& op
     result.volume.voxels = std::move(voxels);
   } else {
     if (progress) progress("resampling", 0.0);
-    result.volume = resample_stack(stack, grid, voxels, lowest_hounsfield);
+    result.volume = resample_stack(stack, grid, voxels, anatomy::lowest_hounsfield);
     result.resampled = true;
   }
   return result;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

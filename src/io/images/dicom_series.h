@@ -9,7 +9,7 @@
 #include "core/progress.h"
 #include "io/images/dicom_scan.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 struct DicomOptions {
   std::optional<int> series;  // which one of several, counted from 1 as series_listing numbers them
@@ -19,7 +19,7 @@ struct DicomOptions {
 
 // A series as a volume of HU (or of whatever its rescaled values mean).
 struct DicomVolume {
-  CtVolume volume;
+  anatomy::CtVolume volume;
   bool resampled = false;          // the stack was sheared, uneven or had gaps: voxels lie on a grid of our own
   std::vector<std::string> notes;  // one sentence each
 };
@@ -33,4 +33,4 @@ DicomVolume read_dicom(const std::filesystem::path& path, const DicomOptions& op
 // The image series of a folder, one per line, numbered from 1: "  1: series 3 'abdomen', CT, 55 slices of 172 x 160".
 std::string series_listing(const DicomFolder& folder);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -12,7 +12,7 @@
 #include "core/error.h"
 #include "io/images/image_format.h"
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 // niftilib derives file names from file names: asked for a.nii.gz it may read the voxels of an a.nii in the same
@@ -75,8 +75,8 @@ std::string reason(const itk::ExceptionObject& error) {
   return text.substr(0, 200);
 }
 
-Grid grid_of(const itk::ImageIOBase& io) {
-  Grid grid;
+anatomy::Grid grid_of(const itk::ImageIOBase& io) {
+  anatomy::Grid grid;
   for (unsigned axis = 0; axis < 3; ++axis) {
     grid.size[axis] = static_cast<int>(io.GetDimensions(axis));
     grid.spacing[axis] = io.GetSpacing(axis);
@@ -186,4 +186,4 @@ ImageFile read_image_file(const std::filesystem::path& file) {
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

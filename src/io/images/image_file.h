@@ -9,7 +9,7 @@
 #include "anatomy/volume.h"
 #include "io/image_grid.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 // Voxels in the type that the file stores, i fastest.
 using VoxelBuffer =
@@ -18,7 +18,7 @@ using VoxelBuffer =
                  std::vector<std::int64_t>, std::vector<std::uint64_t>, std::vector<float>, std::vector<double>>;
 
 struct ImageFile {
-  Grid grid;
+  anatomy::Grid grid;
   VoxelBuffer voxels;
 };
 
@@ -27,4 +27,4 @@ struct ImageFile {
 // takes memory for voxels that the file cannot hold.
 ImageFile read_image_file(const std::filesystem::path& file);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 constexpr std::size_t dicom_preamble = 128;  // bytes before "DICM"
@@ -85,4 +85,4 @@ ImageFormat detect_image_format(const std::filesystem::path& file) {
                   file.string()));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace bodkin {
+namespace bodkin::io {
 
 enum class ImageFormat { nifti, nrrd, meta_image, dicom };
 
@@ -27,4 +27,4 @@ Payload inspect_nifti(const std::filesystem::path& file);
 Payload inspect_nrrd(const std::filesystem::path& file);
 Payload inspect_meta_image(const std::filesystem::path& file);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

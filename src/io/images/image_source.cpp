@@ -9,7 +9,7 @@
 #include "io/images/image_format.h"
 #include "io/images/image_values.h"
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 bool holds_dicom(const std::filesystem::path& path) {
@@ -34,7 +34,7 @@ CtImage read_ct(const std::filesystem::path& path, const DicomOptions& options, 
   return result;
 }
 
-LabelVolume read_labels(const std::filesystem::path& path, const Progress& progress) {
+anatomy::LabelVolume read_labels(const std::filesystem::path& path, const Progress& progress) {
   if (holds_dicom(path)) {
     DicomOptions options;
     options.any_modality = true;
@@ -45,8 +45,8 @@ LabelVolume read_labels(const std::filesystem::path& path, const Progress& progr
   return to_labels(read_image_file(path), path.string());
 }
 
-TissueVolume read_tissues(const std::filesystem::path& path) {
+anatomy::TissueVolume read_tissues(const std::filesystem::path& path) {
   return to_tissues(read_image_file(path), path.string());
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -8,11 +8,11 @@
 #include "core/progress.h"
 #include "io/images/dicom_series.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 // A CT as read from a file or a DICOM folder.
 struct CtImage {
-  CtVolume ct;
+  anatomy::CtVolume ct;
   bool resampled = false;  // voxels lie on a grid of our own (see DicomVolume)
   std::vector<std::string> notes;
 };
@@ -21,9 +21,9 @@ struct CtImage {
 CtImage read_ct(const std::filesystem::path& path, const DicomOptions& options = {}, const Progress& progress = {});
 
 // Reads labels from any of the same. Throws InputError.
-LabelVolume read_labels(const std::filesystem::path& path, const Progress& progress = {});
+anatomy::LabelVolume read_labels(const std::filesystem::path& path, const Progress& progress = {});
 
 // Reads tissue ids from a NIfTI, NRRD or MetaImage file. Throws InputError.
-TissueVolume read_tissues(const std::filesystem::path& path);
+anatomy::TissueVolume read_tissues(const std::filesystem::path& path);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -9,15 +9,15 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 constexpr std::int16_t highest = 32767;
 constexpr std::int16_t darkest_of_soft_tissue = -50;  // HU; fat is darker (-120 to -60), air and lung far darker
 
 template <typename Voxel>
-Volume<Voxel> on_grid(const Grid& grid, std::vector<Voxel>&& voxels) {
-  Volume<Voxel> volume;
+anatomy::Volume<Voxel> on_grid(const anatomy::Grid& grid, std::vector<Voxel>&& voxels) {
+  anatomy::Volume<Voxel> volume;
   volume.grid = grid;
   volume.voxels = std::move(voxels);
   return volume;
@@ -25,8 +25,8 @@ Volume<Voxel> on_grid(const Grid& grid, std::vector<Voxel>&& voxels) {
 
 // Each voxel of `source` through `convert`, on the same grid.
 template <typename Target, typename Convert>
-Volume<Target> converted(ImageFile&& image, const Convert& convert) {
-  Volume<Target> result;
+anatomy::Volume<Target> converted(ImageFile&& image, const Convert& convert) {
+  anatomy::Volume<Target> result;
   result.grid = image.grid;
   std::visit(
       [&](auto& source) {
@@ -39,7 +39,7 @@ Volume<Target> converted(ImageFile&& image, const Convert& convert) {
 }
 
 template <typename Target>
-Volume<Target> whole_numbers(ImageFile&& image, const std::string& name, const char* what) {
+anatomy::Volume<Target> whole_numbers(ImageFile&& image, const std::string& name, const char* what) {
   if (auto* same = std::get_if<std::vector<Target>>(&image.voxels)) return on_grid(image.grid, std::move(*same));
   constexpr double largest = std::numeric_limits<Target>::max();
   return converted<Target>(std::move(image), [&](auto value) {
@@ -76,11 +76,11 @@ std::vector<std::string> HounsfieldLosses::notes() const {
 std::int16_t to_hounsfield(double value, HounsfieldLosses& losses) {
   if (std::isnan(value)) {
     ++losses.not_numbers;
-    return lowest_hounsfield;
+    return anatomy::lowest_hounsfield;
   }
-  if (value < lowest_hounsfield) {
+  if (value < anatomy::lowest_hounsfield) {
     ++losses.padded;
-    return lowest_hounsfield;
+    return anatomy::lowest_hounsfield;
   }
   if (value > highest) {
     ++losses.too_high;
@@ -91,13 +91,13 @@ std::int16_t to_hounsfield(double value, HounsfieldLosses& losses) {
   return static_cast<std::int16_t>(whole);
 }
 
-CtVolume to_ct(ImageFile&& image, std::vector<std::string>& notes) {
+anatomy::CtVolume to_ct(ImageFile&& image, std::vector<std::string>& notes) {
   HounsfieldLosses losses;
-  CtVolume ct;
+  anatomy::CtVolume ct;
   if (auto* same = std::get_if<std::vector<std::int16_t>>(&image.voxels)) {
     ct = on_grid(image.grid, std::move(*same));
     for (std::int16_t& value : ct.voxels) {
-      if (value < lowest_hounsfield) value = to_hounsfield(value, losses);
+      if (value < anatomy::lowest_hounsfield) value = to_hounsfield(value, losses);
     }
   } else {
     ct = converted<std::int16_t>(std::move(image),
@@ -108,19 +108,19 @@ CtVolume to_ct(ImageFile&& image, std::vector<std::string>& notes) {
   return ct;
 }
 
-LabelVolume to_labels(ImageFile&& image, const std::string& name) {
+anatomy::LabelVolume to_labels(ImageFile&& image, const std::string& name) {
   return whole_numbers<std::uint16_t>(std::move(image), name, "labels");
 }
 
-LabelVolume to_labels(CtVolume&& image, const std::string& name) {
+anatomy::LabelVolume to_labels(anatomy::CtVolume&& image, const std::string& name) {
   return to_labels(ImageFile{image.grid, std::move(image.voxels)}, name);
 }
 
-TissueVolume to_tissues(ImageFile&& image, const std::string& name) {
+anatomy::TissueVolume to_tissues(ImageFile&& image, const std::string& name) {
   return whole_numbers<std::uint8_t>(std::move(image), name, "tissue numbers");
 }
 
-void require_hounsfield(const CtVolume& ct, const std::string& name) {
+void require_hounsfield(const anatomy::CtVolume& ct, const std::string& name) {
   const auto [least, most] = std::minmax_element(ct.voxels.begin(), ct.voxels.end());
   if (least == ct.voxels.end() || *least < darkest_of_soft_tissue) return;
   throw InputError(
@@ -129,4 +129,4 @@ void require_hounsfield(const CtVolume& ct, const std::string& name) {
                   name, *least, *most));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

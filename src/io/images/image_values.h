@@ -6,7 +6,7 @@
 #include "anatomy/volume.h"
 #include "io/images/image_file.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 // What happened to values in the conversion to HU, gathered over all voxels of an image.
 struct HounsfieldLosses {
@@ -22,16 +22,16 @@ struct HounsfieldLosses {
 std::int16_t to_hounsfield(double value, HounsfieldLosses& losses);
 
 // A CT from a file's voxels. Whole numbers in range are kept exactly.
-CtVolume to_ct(ImageFile&& image, std::vector<std::string>& notes);
+anatomy::CtVolume to_ct(ImageFile&& image, std::vector<std::string>& notes);
 
 // Labels or tissue ids from a file's voxels. Throws InputError naming `name` when a voxel is not a whole number from
 // 0 to the largest of the type.
-LabelVolume to_labels(ImageFile&& image, const std::string& name);
-TissueVolume to_tissues(ImageFile&& image, const std::string& name);
-LabelVolume to_labels(CtVolume&& image, const std::string& name);
+anatomy::LabelVolume to_labels(ImageFile&& image, const std::string& name);
+anatomy::TissueVolume to_tissues(ImageFile&& image, const std::string& name);
+anatomy::LabelVolume to_labels(anatomy::CtVolume&& image, const std::string& name);
 
 // Throws InputError naming `name` when the values cannot be HU: every body has fat below -50 HU or air at -1000, so
 // an image without a voxel below -50 HU was windowed, scaled, or never was a CT.
-void require_hounsfield(const CtVolume& ct, const std::string& name);
+void require_hounsfield(const anatomy::CtVolume& ct, const std::string& name);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

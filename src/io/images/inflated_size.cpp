@@ -5,7 +5,7 @@
 
 #include <zlib.h>
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 constexpr int any_header = 15 + 32;  // zlib's code for a gzip or a zlib header
@@ -51,4 +51,4 @@ std::optional<std::uintmax_t> inflated_size(const std::filesystem::path& file, s
   return total;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

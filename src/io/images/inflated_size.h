@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace bodkin {
+namespace bodkin::io {
 
 // How many bytes the gzip or zlib stream that starts at byte `offset` of a file unpacks to, or nothing when it is
 // damaged or cut off (its checksum is looked at). The bytes are thrown away, so this takes no memory however much a
@@ -12,4 +12,4 @@ namespace bodkin {
 std::optional<std::uintmax_t> inflated_size(const std::filesystem::path& file, std::uintmax_t offset,
                                             std::uintmax_t enough);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -21,7 +21,7 @@
 
 // The NIfTI-1 header (nifti1.h, Cox et al. 2004): 348 bytes, fields at fixed places, either byte order.
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 constexpr std::size_t header_size = 348;
@@ -226,4 +226,4 @@ Payload inspect_nifti(const std::filesystem::path& file) {
   return payload;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -18,7 +18,7 @@
 // NRRD (teem.sourceforge.net/nrrd/format.html) and MetaImage both start with lines of text, "key: value" and
 // "Key = Value". Only what makes a file unsafe or ambiguous is looked at here; ITK reads the rest.
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 constexpr std::size_t longest_header = 16U << 20U;  // bytes; tracked ultrasound sequences carry long ones
@@ -221,4 +221,4 @@ Payload inspect_meta_image(const std::filesystem::path& file) {
   return payload;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 constexpr double lattice_tolerance =
@@ -20,18 +20,18 @@ struct IndexMap {
   Vec3 offset;
 };
 
-IndexMap index_map(const Grid& from, const Grid& to) {
+IndexMap index_map(const anatomy::Grid& from, const anatomy::Grid& to) {
   const Mat3 per_voxel = to.spacing.cwiseInverse().asDiagonal() * to.direction.transpose();
   return {per_voxel * from.direction * from.spacing.asDiagonal(), per_voxel * (from.origin - to.origin)};
 }
 
-Vec3 corner_of(const Grid& grid, int corner) {
+Vec3 corner_of(const anatomy::Grid& grid, int corner) {
   return {(corner & 1) != 0 ? grid.size[0] - 1.0 : 0.0, (corner & 2) != 0 ? grid.size[1] - 1.0 : 0.0,
           (corner & 4) != 0 ? grid.size[2] - 1.0 : 0.0};
 }
 
 // Largest distance, in voxels of the target, between where a map and its whole-number version put a corner.
-double misfit(const IndexMap& map, const IndexMap& whole, const Grid& from) {
+double misfit(const IndexMap& map, const IndexMap& whole, const anatomy::Grid& from) {
   double worst = 0.0;
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 index = corner_of(from, corner);
@@ -42,7 +42,7 @@ double misfit(const IndexMap& map, const IndexMap& whole, const Grid& from) {
 }
 
 // The nearest map that only permutes, flips and shifts whole voxels; its matrix may still fail to be a permutation.
-IndexMap whole_map(const IndexMap& map, const Grid& from) {
+IndexMap whole_map(const IndexMap& map, const anatomy::Grid& from) {
   IndexMap whole;
   whole.matrix = map.matrix.array().round();
   // The offset is rounded where it matters: at the middle of the image.
@@ -57,7 +57,7 @@ bool permutes_axes(const Mat3& matrix) {
          (matrix.cwiseAbs().rowwise().sum().array() == 1.0).all();
 }
 
-std::string describe(const Grid& grid) {
+std::string describe(const anatomy::Grid& grid) {
   const Vec3 centre = grid.to_patient(0.5 * corner_of(grid, 7));
   return fmt::format("{} x {} x {} voxels of {:.4g} x {:.4g} x {:.4g} mm, axes {}, centre ({:.1f}, {:.1f}, {:.1f})",
                      grid.size[0], grid.size[1], grid.size[2], grid.spacing[0], grid.spacing[1], grid.spacing[2],
@@ -65,7 +65,7 @@ std::string describe(const Grid& grid) {
 }
 
 // Copies labels by index. Returns how many labelled voxels fell outside the CT.
-std::size_t copy_by_index(const LabelVolume& labels, const IndexMap& whole, LabelVolume& result) {
+std::size_t copy_by_index(const anatomy::LabelVolume& labels, const IndexMap& whole, anatomy::LabelVolume& result) {
   std::array<std::array<int, 3>, 3> step{};  // [axis of the CT][axis of the labels]
   std::array<int, 3> offset{};
   for (Eigen::Index row = 0; row < 3; ++row) {
@@ -96,27 +96,28 @@ std::size_t copy_by_index(const LabelVolume& labels, const IndexMap& whole, Labe
   return outside;
 }
 
-void copy_nearest(const LabelVolume& labels, LabelVolume& result) {
+void copy_nearest(const anatomy::LabelVolume& labels, anatomy::LabelVolume& result) {
   const IndexMap map = index_map(result.grid, labels.grid);
   std::size_t position = 0;
   for (int k = 0; k < result.grid.size[2]; ++k) {
     for (int j = 0; j < result.grid.size[1]; ++j) {
       for (int i = 0; i < result.grid.size[0]; ++i, ++position) {
         const Vec3 index = map.matrix * Vec3(i, j, k) + map.offset;
-        result.voxels[position] = nearest_at_index(labels, index, std::uint16_t{0});
+        result.voxels[position] = anatomy::nearest_at_index(labels, index, std::uint16_t{0});
       }
     }
   }
 }
 
-std::size_t labelled(const LabelVolume& labels) {
+std::size_t labelled(const anatomy::LabelVolume& labels) {
   return labels.voxels.size() -
          static_cast<std::size_t>(std::count(labels.voxels.begin(), labels.voxels.end(), std::uint16_t{0}));
 }
 
 }  // namespace
 
-LabelPlacement place_labels(LabelVolume&& labels, const Grid& ct, bool resample, const std::string& name) {
+LabelPlacement place_labels(anatomy::LabelVolume&& labels, const anatomy::Grid& ct, bool resample,
+                            const std::string& name) {
   LabelPlacement placed;
   if (labelled(labels) == 0) {
     throw InputError(
@@ -133,7 +134,7 @@ LabelPlacement place_labels(LabelVolume&& labels, const Grid& ct, bool resample,
     return placed;
   }
 
-  placed.labels = LabelVolume(ct);
+  placed.labels = anatomy::LabelVolume(ct);
   if (same_lattice_points) {
     const std::size_t outside = copy_by_index(labels, whole, placed.labels);
     if (outside > 0) {
@@ -159,4 +160,4 @@ LabelPlacement place_labels(LabelVolume&& labels, const Grid& ct, bool resample,
   return placed;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

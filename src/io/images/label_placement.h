@@ -5,10 +5,10 @@
 
 #include "anatomy/volume.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 struct LabelPlacement {
-  LabelVolume labels;  // on the CT's grid; 0 where the segmentation does not reach
+  anatomy::LabelVolume labels;  // on the CT's grid; 0 where the segmentation does not reach
   std::vector<std::string> notes;
 };
 
@@ -16,6 +16,7 @@ struct LabelPlacement {
 // order and direction, whole or a part of it, are only re-indexed. Any other lattice is refused with an InputError
 // that says by how much it is off (`name` is the file), unless `resample`: then each CT voxel takes the nearest
 // label.
-LabelPlacement place_labels(LabelVolume&& labels, const Grid& ct, bool resample, const std::string& name);
+LabelPlacement place_labels(anatomy::LabelVolume&& labels, const anatomy::Grid& ct, bool resample,
+                            const std::string& name);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -6,7 +6,7 @@
 
 #include <unistd.h>
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 #ifdef BODKIN_ADDRESS_SANITIZER
@@ -39,4 +39,4 @@ MemoryBudget::~MemoryBudget() {
   if (set_) setrlimit(RLIMIT_DATA, &before_);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -4,7 +4,7 @@
 
 #include <sys/resource.h>
 
-namespace bodkin {
+namespace bodkin::io {
 
 // While it lives, the process may take no more than `bytes` of writable memory beyond what it has; what wants more
 // gets std::bad_alloc. For a library that believes the lengths in a file before it has seen the bytes. Address space
@@ -23,4 +23,4 @@ class MemoryBudget {
   bool set_ = false;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::io

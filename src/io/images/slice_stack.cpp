@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 constexpr double drift_tolerance = 0.1;  // pixels: less shear than this moves nothing that can be seen
@@ -97,8 +97,8 @@ StackGeometry measure_stack(const SliceStack& stack, double thickness) {
   return geometry;
 }
 
-Grid regular_grid(const SliceStack& stack, const StackGeometry& geometry) {
-  Grid grid;
+anatomy::Grid regular_grid(const SliceStack& stack, const StackGeometry& geometry) {
+  anatomy::Grid grid;
   grid.size = {stack.columns, stack.rows, static_cast<int>(stack.positions.size())};
   grid.spacing = Vec3(stack.column_spacing, stack.row_spacing, geometry.step);
   grid.direction << stack.row_direction, stack.column_direction, stack.normal();
@@ -106,7 +106,7 @@ Grid regular_grid(const SliceStack& stack, const StackGeometry& geometry) {
   return grid;
 }
 
-Grid resampled_grid(const SliceStack& stack, const StackGeometry& geometry) {
+anatomy::Grid resampled_grid(const SliceStack& stack, const StackGeometry& geometry) {
   // The grid must hold every slice: it starts at the smallest drift and is longer by the range of drifts.
   double least_i = 0.0, most_i = 0.0, least_j = 0.0, most_j = 0.0;
   for (std::size_t slice = 0; slice < stack.positions.size(); ++slice) {
@@ -119,7 +119,7 @@ Grid resampled_grid(const SliceStack& stack, const StackGeometry& geometry) {
   const double steps = std::floor(heights(stack).back() / geometry.step + step_tolerance);
   const auto clamped = [](double size) { return static_cast<int>(std::min(size, 1e6)); };
 
-  Grid grid = regular_grid(stack, geometry);
+  anatomy::Grid grid = regular_grid(stack, geometry);
   grid.size = {clamped(stack.columns + std::ceil(most_i - whole) - start_i),
                clamped(stack.rows + std::ceil(most_j - whole) - start_j), clamped(steps + 1.0)};
   grid.origin +=
@@ -127,8 +127,8 @@ Grid resampled_grid(const SliceStack& stack, const StackGeometry& geometry) {
   return grid;
 }
 
-CtVolume resample_stack(const SliceStack& stack, const Grid& grid, std::span<const std::int16_t> voxels,
-                        std::int16_t outside) {
+anatomy::CtVolume resample_stack(const SliceStack& stack, const anatomy::Grid& grid,
+                                 std::span<const std::int16_t> voxels, std::int16_t outside) {
   const std::size_t slices = stack.positions.size();
   const std::vector<double> height = heights(stack);
   const std::size_t slice_size = static_cast<std::size_t>(stack.columns) * static_cast<std::size_t>(stack.rows);
@@ -142,7 +142,7 @@ CtVolume resample_stack(const SliceStack& stack, const Grid& grid, std::span<con
                         static_cast<double>(outside)};
   };
 
-  CtVolume result(grid, outside);
+  anatomy::CtVolume result(grid, outside);
   std::size_t below = 0;
   for (int k = 0; k < grid.size[2]; ++k) {
     const double z = std::min(k * grid.spacing[2], height.back());
@@ -165,4 +165,4 @@ CtVolume resample_stack(const SliceStack& stack, const Grid& grid, std::span<con
   return result;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

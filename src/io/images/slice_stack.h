@@ -9,7 +9,7 @@
 // A stack of parallel slices as a scanner leaves it. A regular stack is a Grid; a sheared one (gantry tilt) or one
 // with uneven steps is not, and is resampled onto one.
 
-namespace bodkin {
+namespace bodkin::io {
 
 // What all slices of a stack share, and where each one is.
 struct SliceStack {
@@ -38,15 +38,15 @@ struct StackGeometry {
 StackGeometry measure_stack(const SliceStack& stack, double thickness);
 
 // The lattice of a regular stack.
-Grid regular_grid(const SliceStack& stack, const StackGeometry& geometry);
+anatomy::Grid regular_grid(const SliceStack& stack, const StackGeometry& geometry);
 
 // The lattice onto which an irregular stack is resampled: the stack's in-plane spacing and step, large enough to hold
 // every slice. Sizes are clamped to a million, so that absurd positions can be noticed.
-Grid resampled_grid(const SliceStack& stack, const StackGeometry& geometry);
+anatomy::Grid resampled_grid(const SliceStack& stack, const StackGeometry& geometry);
 
 // Resamples the slices of a stack (voxels slice by slice) onto its resampled_grid: bilinear within a slice, linear
 // between slices; a slice that already lies where the grid wants one is only shifted. `outside` fills the rest.
-CtVolume resample_stack(const SliceStack& stack, const Grid& grid, std::span<const std::int16_t> voxels,
-                        std::int16_t outside);
+anatomy::CtVolume resample_stack(const SliceStack& stack, const anatomy::Grid& grid,
+                                 std::span<const std::int16_t> voxels, std::int16_t outside);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

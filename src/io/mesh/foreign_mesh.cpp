@@ -5,7 +5,7 @@
 #include "core/error.h"
 #include "io/resources.h"
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 constexpr std::size_t largest_mesh_file = std::size_t{2} << 30U;  // bytes
@@ -22,4 +22,4 @@ ForeignMesh read_foreign_mesh(const std::filesystem::path& file) {
   return ending == ".msh" ? parse_gmsh(bytes, file.string()) : parse_vtu(bytes, file.string());
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

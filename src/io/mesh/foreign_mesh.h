@@ -10,7 +10,7 @@
 
 #include "anatomy/tetrahedral_mesh.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 // A mesh as a file of another program gives it: its region numbers have the meaning that program chose. Coordinates
 // are finite and within 1e5 mm, corners are nodes and differ from each other.
@@ -39,6 +39,6 @@ ForeignMesh parse_gmsh(std::string_view text, const std::string& origin);
 ForeignMesh parse_vtu(std::string_view bytes, const std::string& origin);
 
 // A mesh as such a file: ascii, cell array `tissue`; numbers read back to the same bits.
-std::string vtu_text(const TetrahedralMesh& mesh);
+std::string vtu_text(const anatomy::TetrahedralMesh& mesh);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

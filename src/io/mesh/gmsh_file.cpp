@@ -11,7 +11,7 @@
 #include "io/mesh/mesh_builder.h"
 #include "io/xml_document.h"
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 constexpr std::size_t least_bytes_per_node = 6;     // "0 0 0\n" of version 4.1
@@ -333,4 +333,4 @@ ForeignMesh parse_gmsh(std::string_view text, const std::string& origin) {
   return GmshReader(text, origin).read();
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

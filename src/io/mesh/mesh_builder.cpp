@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 void MeshBuilder::add_node(const Vec3& point, const std::string& where) {
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -58,4 +58,4 @@ ForeignMesh MeshBuilder::finish(const std::string& origin) {
   return std::move(mesh_);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

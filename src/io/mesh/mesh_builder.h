@@ -5,7 +5,7 @@
 
 #include "io/mesh/foreign_mesh.h"
 
-namespace bodkin {
+namespace bodkin::io {
 
 // Puts a foreign mesh together from what a reader finds, and refuses what no mesh can be. `where` begins every
 // message: "mesh.msh, line 12".
@@ -24,4 +24,4 @@ class MeshBuilder {
   ForeignMesh mesh_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -14,7 +14,7 @@
 #include "core/error.h"
 #include "io/xml_document.h"
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary VTK data is read as this machine stores numbers");
@@ -275,4 +275,4 @@ bool is_whole_type(std::string_view type) {
   return found != nullptr && found->whole;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace bodkin {
+namespace bodkin::io {
 
 // How the arrays of a VTK XML file are stored.
 struct VtuStorage {
@@ -40,4 +40,4 @@ std::vector<std::int64_t> vtu_wholes(const VtuArray& array, const VtuStorage& st
 
 bool is_whole_type(std::string_view type);
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -16,7 +16,7 @@
 #include "io/mesh/vtu_array.h"
 #include "io/xml_document.h"
 
-namespace bodkin {
+namespace bodkin::io {
 namespace {
 
 constexpr int vtk_tetrahedron = 10;
@@ -265,7 +265,7 @@ ForeignMesh parse_vtu(std::string_view bytes, const std::string& origin) {
   return VtuReader(bytes, origin).read();
 }
 
-std::string vtu_text(const TetrahedralMesh& mesh) {
+std::string vtu_text(const anatomy::TetrahedralMesh& mesh) {
   std::string text;
   text.reserve(60 * mesh.nodes.size() + 40 * mesh.elements.size() + 2000);
   auto out = std::back_inserter(text);
@@ -287,9 +287,9 @@ std::string vtu_text(const TetrahedralMesh& mesh) {
   text +=
       "</DataArray>\n</Cells>\n<CellData Scalars=\"tissue\">\n<DataArray type=\"UInt8\" Name=\"tissue\" "
       "format=\"ascii\">\n";
-  for (const TissueId id : mesh.tissues) fmt::format_to(out, "{}\n", id);
+  for (const anatomy::TissueId id : mesh.tissues) fmt::format_to(out, "{}\n", id);
   text += "</DataArray>\n</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
   return text;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::io

@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "core/parallel_for.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 constexpr double block_edge = 2.5;         // mm, wished
@@ -25,12 +25,13 @@ constexpr float even_hounsfield = 25.0F;  // of blocks that are alike
 constexpr double least_even = 0.62;  // share of alike blocks: 0.73 to 1 in real rooms, 0.38 to 0.53 in a real lung
 
 // Means of whole blocks of voxels; the last block of an axis may be smaller. Labelled lung counts as solid.
-Volume<float> block_means(const CtVolume& ct, const LabelVolume& structures, const std::vector<Structure>& table) {
+anatomy::Volume<float> block_means(const anatomy::CtVolume& ct, const anatomy::LabelVolume& structures,
+                                   const std::vector<anatomy::Structure>& table) {
   std::vector<bool> lung(65536, false);
-  for (const Structure& structure : table) lung[structure.label] = structure.tissue == "lung";
+  for (const anatomy::Structure& structure : table) lung[structure.label] = structure.tissue == "lung";
   const bool labels_lung = !structures.empty() && std::find(lung.begin(), lung.end(), true) != lung.end();
   std::array<int, 3> block{};
-  Grid grid = ct.grid;
+  anatomy::Grid grid = ct.grid;
   Vec3 first;
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
@@ -40,7 +41,7 @@ Volume<float> block_means(const CtVolume& ct, const LabelVolume& structures, con
     first[axis] = 0.5 * (block[a] - 1);
   }
   grid.origin = ct.grid.to_patient(first);
-  Volume<float> means(grid);
+  anatomy::Volume<float> means(grid);
   parallel_for(grid.size[2], [&](int k) {
     for (int j = 0; j < grid.size[1]; ++j) {
       for (int i = 0; i < grid.size[0]; ++i) {
@@ -64,14 +65,14 @@ Volume<float> block_means(const CtVolume& ct, const LabelVolume& structures, con
 }
 
 template <typename Predicate>
-MaskVolume mask_where(const Grid& grid, const Predicate& predicate) {
+MaskVolume mask_where(const anatomy::Grid& grid, const Predicate& predicate) {
   MaskVolume mask(grid);
   for (std::size_t v = 0; v < mask.voxels.size(); ++v) mask.voxels[v] = predicate(v) ? 1 : 0;
   return mask;
 }
 
 // The largest solid thing without sheets and without what hangs on by less than twice the opening.
-MaskVolume solid_body(const Volume<float>& means, std::vector<std::string>& notes) {
+MaskVolume solid_body(const anatomy::Volume<float>& means, std::vector<std::string>& notes) {
   auto solid = mask_where(means.grid, [&](std::size_t v) { return means.voxels[v] > skin_surface_hounsfield; });
   const auto filled = static_cast<std::size_t>(std::count(solid.voxels.begin(), solid.voxels.end(), 1));
   if (filled == solid.voxels.size()) return solid;
@@ -109,14 +110,14 @@ MaskVolume solid_body(const Volume<float>& means, std::vector<std::string>& note
 }
 
 // The axis that runs along the patient; its two faces are cuts, never the room.
-Eigen::Index axis_along(const Grid& grid) {
+Eigen::Index axis_along(const anatomy::Grid& grid) {
   Eigen::Index along = 0;
   grid.direction.row(2).cwiseAbs().maxCoeff(&along);
   return along;
 }
 
 // How many of the lateral, front and back faces of the image a voxel lies in; 2 in its corners.
-int faces_at(const Grid& grid, int i, int j, int k, Eigen::Index along) {
+int faces_at(const anatomy::Grid& grid, int i, int j, int k, Eigen::Index along) {
   const std::array<int, 3> at = {i, j, k};
   int faces = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -148,9 +149,9 @@ struct AirPiece {
   std::vector<float> deep = {};  // HU of the blocks well inside it
 };
 
-std::vector<AirPiece> know_pieces(const Volume<float>& means, const Volume<std::uint32_t>& pieces,
-                                  const Volume<float>& depth, const Volume<float>& from_body) {
-  const Grid& grid = means.grid;
+std::vector<AirPiece> know_pieces(const anatomy::Volume<float>& means, const anatomy::Volume<std::uint32_t>& pieces,
+                                  const anatomy::Volume<float>& depth, const anatomy::Volume<float>& from_body) {
+  const anatomy::Grid& grid = means.grid;
   const auto mixed = static_cast<float>(-2.5 * grid.spacing.maxCoeff());  // nearer to solid: not air alone
   const auto lining = static_cast<float>(2.0 * grid.spacing.maxCoeff());
   std::vector<AirPiece> known(*std::max_element(pieces.voxels.begin(), pieces.voxels.end()) + 1);
@@ -185,8 +186,8 @@ std::vector<AirPiece> know_pieces(const Volume<float>& means, const Volume<std::
 // Air inside the body although a thin wall, which is no part of `body`, or the image border opens it: gas that the
 // body encloses, and lung, which is large and uneven and reaches no corner of the image, as the room about a body
 // does. With it the solid blocks outside `body` that lie nearer to it than to other air: walls, linings, vessels.
-MaskVolume inner_air(const Volume<float>& means, const MaskVolume& body) {
-  const Grid& grid = means.grid;
+MaskVolume inner_air(const anatomy::Volume<float>& means, const MaskVolume& body) {
+  const anatomy::Grid& grid = means.grid;
   const auto air = mask_where(grid, [&](std::size_t v) { return means.voxels[v] <= skin_surface_hounsfield; });
   const auto pieces = number_pieces(air);
   auto known = know_pieces(means, pieces, signed_distance(air), signed_distance(body));
@@ -211,8 +212,8 @@ MaskVolume inner_air(const Volume<float>& means, const MaskVolume& body) {
 
 // Air that belongs to the room: pieces that reach the lateral, front or back faces of the image broadly and are
 // empty.
-MaskVolume outside_air(const Volume<float>& means, const MaskVolume& body) {
-  const Grid& grid = means.grid;
+MaskVolume outside_air(const anatomy::Volume<float>& means, const MaskVolume& body) {
+  const anatomy::Grid& grid = means.grid;
   const auto inner = inner_air(means, body);
   const auto pieces =
       number_pieces(mask_where(grid, [&](std::size_t v) { return body.voxels[v] == 0 && inner.voxels[v] == 0; }));
@@ -243,7 +244,7 @@ MaskVolume outside_air(const Volume<float>& means, const MaskVolume& body) {
   });
 }
 
-MaskVolume find_lung(const Volume<float>& means, const MaskVolume& outside) {
+MaskVolume find_lung(const anatomy::Volume<float>& means, const MaskVolume& outside) {
   const auto pieces = number_pieces(mask_where(
       means.grid, [&](std::size_t v) { return outside.voxels[v] == 0 && means.voxels[v] < gas_hounsfield; }));
   const std::uint32_t count = *std::max_element(pieces.voxels.begin(), pieces.voxels.end());
@@ -270,7 +271,8 @@ MaskVolume find_lung(const Volume<float>& means, const MaskVolume& outside) {
 
 }  // namespace
 
-BodySurface find_body(const CtVolume& ct, const LabelVolume& structures, const std::vector<Structure>& table) {
+BodySurface find_body(const anatomy::CtVolume& ct, const anatomy::LabelVolume& structures,
+                      const std::vector<anatomy::Structure>& table) {
   BodySurface surface;
   const auto means = block_means(ct, structures, table);
   surface.edge = means.grid.spacing.maxCoeff();
@@ -281,10 +283,10 @@ BodySurface find_body(const CtVolume& ct, const LabelVolume& structures, const s
   if (surface.has_skin) {
     surface.distance = signed_distance(mask_where(means.grid, [&](std::size_t v) { return outside.voxels[v] == 0; }));
   } else {
-    surface.distance = Volume<float>(means.grid, -20.0F);
+    surface.distance = anatomy::Volume<float>(means.grid, -20.0F);
     surface.notes.emplace_back("The image lies wholly inside the body, so this patient has no skin.");
   }
   return surface;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

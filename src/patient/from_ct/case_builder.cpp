@@ -19,7 +19,7 @@
 #include "io/partial_folder.h"
 #include "io/tissue_library_file.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 constexpr const char* maker = "bodkin";
@@ -30,20 +30,20 @@ Progress stretch(const Progress& progress, double from, double to) {
   return [=](std::string_view stage, double fraction) { progress(stage, from + (to - from) * fraction); };
 }
 
-Needle needle_of(int gauge) {
-  const std::optional<GaugeSize> size = gauge_size(gauge);
+anatomy::Needle needle_of(int gauge) {
+  const std::optional<anatomy::GaugeSize> size = anatomy::gauge_size(gauge);
   if (!size) {
-    throw InputError(fmt::format("--needle-gauge is {}; expected {} to {}", gauge, gauge_sizes().front().gauge,
-                                 gauge_sizes().back().gauge));
+    throw InputError(fmt::format("--needle-gauge is {}; expected {} to {}", gauge,
+                                 anatomy::gauge_sizes().front().gauge, anatomy::gauge_sizes().back().gauge));
   }
-  Needle needle;
+  anatomy::Needle needle;
   needle.gauge = gauge;
   needle.outer_diameter = size->outer_diameter;
   needle.inner_diameter = size->inner_diameter;
   return needle;
 }
 
-void require_path(const std::optional<NeedlePath>& path) {
+void require_path(const std::optional<anatomy::NeedlePath>& path) {
   if (path && path->length() < 1.0) {
     throw InputError(fmt::format("--entry and --target are {:.2g} mm apart; expected at least 1 mm", path->length()));
   }
@@ -55,14 +55,14 @@ std::string case_name(const NewCase& wanted) {
   return (normal.has_filename() ? normal : normal.parent_path()).filename().string();
 }
 
-std::vector<TissueAmount> amounts_of(const TissueVolume& tissues, const TissueLibrary& library) {
+std::vector<TissueAmount> amounts_of(const anatomy::TissueVolume& tissues, const anatomy::TissueLibrary& library) {
   std::array<std::size_t, 256> counts{};
-  for (const TissueId id : tissues.voxels) ++counts[id];
+  for (const anatomy::TissueId id : tissues.voxels) ++counts[id];
   const double voxel = tissues.grid.spacing.prod() / 1000.0;
   std::vector<TissueAmount> amounts;
   for (std::size_t id = 1; id < counts.size(); ++id) {
     if (counts[id] == 0) continue;
-    amounts.push_back({library.title(static_cast<TissueId>(id)), static_cast<double>(counts[id]) * voxel});
+    amounts.push_back({library.title(static_cast<anatomy::TissueId>(id)), static_cast<double>(counts[id]) * voxel});
   }
   std::stable_sort(amounts.begin(), amounts.end(),
                    [](const TissueAmount& a, const TissueAmount& b) { return a.millilitres > b.millilitres; });
@@ -71,38 +71,38 @@ std::vector<TissueAmount> amounts_of(const TissueVolume& tissues, const TissueLi
 
 // Writes a volume and returns its digest; runs on a thread of its own, packing is what takes the time.
 template <typename Voxel>
-std::future<std::string> write_beside(const Volume<Voxel>& volume, const std::filesystem::path& file) {
+std::future<std::string> write_beside(const anatomy::Volume<Voxel>& volume, const std::filesystem::path& file) {
   return std::async(std::launch::async, [&volume, file] {
-    write_nrrd(volume, file);
-    return volume_digest(volume);
+    io::write_nrrd(volume, file);
+    return io::volume_digest(volume);
   });
 }
 
 struct Volumes {
-  const CtVolume& ct;
-  const LabelVolume& structures;  // may be empty
-  const TissueVolume& tissues;
+  const anatomy::CtVolume& ct;
+  const anatomy::LabelVolume& structures;  // may be empty
+  const anatomy::TissueVolume& tissues;
 };
 
 // Writes everything into `folder` and completes `description` with file names and digests.
-void write_case(const std::filesystem::path& folder, const Volumes& volumes, CaseDescription& description) {
+void write_case(const std::filesystem::path& folder, const Volumes& volumes, anatomy::CaseDescription& description) {
   description.ct_file = "ct.nrrd";
   description.tissues_file = "tissues.nrrd";
   std::future<std::string> ct = write_beside(volumes.ct, folder / description.ct_file);
   std::future<std::string> tissues = write_beside(volumes.tissues, folder / description.tissues_file);
   if (!volumes.structures.empty()) {
     description.structures_file = "structures.nrrd";
-    write_nrrd(volumes.structures, folder / description.structures_file);
-    description.structures_digest = volume_digest(volumes.structures);
+    io::write_nrrd(volumes.structures, folder / description.structures_file);
+    description.structures_digest = io::volume_digest(volumes.structures);
   }
   description.ct_digest = ct.get();
   description.tissues_digest = tissues.get();
-  write_case_description(description, folder);
+  io::write_case_description(description, folder);
 }
 
 // A lumbar puncture where there is a lumbar spine, otherwise a plain insertion.
-Procedure procedure_for(const std::optional<NeedlePath>& path, bool lumbar) {
-  Procedure procedure;
+anatomy::Procedure procedure_for(const std::optional<anatomy::NeedlePath>& path, bool lumbar) {
+  anatomy::Procedure procedure;
   procedure.path = path;
   procedure.name = lumbar ? "lumbar_puncture" : "needle_insertion";
   if (lumbar) procedure.target_tissue = "cerebrospinal_fluid";
@@ -110,13 +110,14 @@ Procedure procedure_for(const std::optional<NeedlePath>& path, bool lumbar) {
 }
 
 // Only the structures that occur; a scheme lists many more.
-std::vector<Structure> present_structures(std::vector<Structure> table, const LabelVolume& labels,
-                                          std::vector<std::string>& notes) {
+std::vector<anatomy::Structure> present_structures(std::vector<anatomy::Structure> table,
+                                                   const anatomy::LabelVolume& labels,
+                                                   std::vector<std::string>& notes) {
   std::vector<bool> present(65536, false);
   for (const std::uint16_t label : labels.voxels) present[label] = true;
   present[0] = false;
-  std::erase_if(table, [&](const Structure& structure) { return !present[structure.label]; });
-  for (const Structure& structure : table) present[structure.label] = false;
+  std::erase_if(table, [&](const anatomy::Structure& structure) { return !present[structure.label]; });
+  for (const anatomy::Structure& structure : table) present[structure.label] = false;
   const auto unknown = std::count(present.begin(), present.end(), true);
   if (unknown > 0) {
     const auto first = std::find(present.begin(), present.end(), true) - present.begin();
@@ -132,16 +133,16 @@ std::vector<Structure> present_structures(std::vector<Structure> table, const La
 }
 
 // The library of the new case. A patient may be made of any of Bodkin's own tissues, so none may be missing.
-TissueLibrary library_for(const std::filesystem::path& file) {
-  TissueLibrary own = default_tissue_library();
+anatomy::TissueLibrary library_for(const std::filesystem::path& file) {
+  anatomy::TissueLibrary own = io::default_tissue_library();
   if (file.empty()) return own;
-  TissueLibrary library = read_tissue_library(file);
-  for (int id = 0; id < tissue::count; ++id) {
-    if (library.find(static_cast<TissueId>(id)) != nullptr) continue;
+  anatomy::TissueLibrary library = io::read_tissue_library(file);
+  for (int id = 0; id < anatomy::tissue::count; ++id) {
+    if (library.find(static_cast<anatomy::TissueId>(id)) != nullptr) continue;
     throw InputError(fmt::format(
         "{}: there is no tissue with id {} ({}), expected all of Bodkin's own, 0 to {}; begin with a copy "
         "of share/bodkin/tissues.xml",
-        file.string(), id, own.title(static_cast<TissueId>(id)), tissue::count - 1));
+        file.string(), id, own.title(static_cast<anatomy::TissueId>(id)), anatomy::tissue::count - 1));
   }
   return library;
 }
@@ -160,26 +161,27 @@ void append(std::vector<std::string>& notes, const std::vector<std::string>& mor
 }  // namespace
 
 CaseSummary build_imported_case(const NewCase& wanted, const ImportOptions& options, const Progress& progress) {
-  CaseDescription description;
+  anatomy::CaseDescription description;
   description.needle = needle_of(wanted.needle_gauge);
   require_path(wanted.path);
-  const TissueLibrary library = library_for(options.tissues);
-  std::vector<Structure> table;
-  if (!options.labels.empty()) table = read_label_scheme(options.scheme, library);
-  PartialFolder folder(wanted.folder, wanted.overwrite);
+  const anatomy::TissueLibrary library = library_for(options.tissues);
+  std::vector<anatomy::Structure> table;
+  if (!options.labels.empty()) table = io::read_label_scheme(options.scheme, library);
+  io::PartialFolder folder(wanted.folder, wanted.overwrite);
   if (!options.tissues.empty()) {
     description.tissue_library_file = "tissues.xml";
     copy_in(options.tissues, folder.path() / description.tissue_library_file);
   }
 
-  CtImage image = read_ct(options.ct, {options.series, options.fill_missing, false}, stretch(progress, 0.0, 0.3));
-  if (!options.assume_hounsfield) require_hounsfield(image.ct, options.ct.string());
+  io::CtImage image =
+      io::read_ct(options.ct, {options.series, options.fill_missing, false}, stretch(progress, 0.0, 0.3));
+  if (!options.assume_hounsfield) io::require_hounsfield(image.ct, options.ct.string());
   append(description.notes, image.notes);
-  LabelPlacement placed;
+  io::LabelPlacement placed;
   if (!options.labels.empty()) {
-    LabelVolume labels = read_labels(options.labels, stretch(progress, 0.3, 0.4));
-    placed = place_labels(std::move(labels), image.ct.grid, options.resample_labels || image.resampled,
-                          options.labels.string());
+    anatomy::LabelVolume labels = io::read_labels(options.labels, stretch(progress, 0.3, 0.4));
+    placed = io::place_labels(std::move(labels), image.ct.grid, options.resample_labels || image.resampled,
+                              options.labels.string());
     append(description.notes, placed.notes);
     table = present_structures(std::move(table), placed.labels, description.notes);
   }
@@ -204,11 +206,11 @@ CaseSummary build_imported_case(const NewCase& wanted, const ImportOptions& opti
 
 CaseSummary build_synthetic_case(const NewCase& wanted, const LumbarParameters& parameters,
                                  const Progress& progress) {
-  CaseDescription description;
+  anatomy::CaseDescription description;
   description.needle = needle_of(wanted.needle_gauge);
   require_path(wanted.path);
-  const TissueLibrary library = default_tissue_library();
-  PartialFolder folder(wanted.folder, wanted.overwrite);
+  const anatomy::TissueLibrary library = io::default_tissue_library();
+  io::PartialFolder folder(wanted.folder, wanted.overwrite);
   SyntheticPatient patient = synthesize_lumbar(parameters, library, stretch(progress, 0.0, 0.85));
 
   description.name = case_name(wanted);
@@ -225,4 +227,4 @@ CaseSummary build_synthetic_case(const NewCase& wanted, const LumbarParameters& 
   return {description, patient.ct.grid, patient.tissues.grid, amounts_of(patient.tissues, library)};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

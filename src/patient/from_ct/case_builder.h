@@ -10,7 +10,7 @@
 #include "anatomy/case.h"
 #include "core/progress.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // What every new case needs to know.
 struct NewCase {
@@ -18,7 +18,8 @@ struct NewCase {
   bool overwrite = false;        // replace a case folder that is there
   std::string name;              // of the patient; empty = the folder's name
   int needle_gauge = 22;
-  std::optional<NeedlePath> path;  // the planned path; without it one is planned where a lumbar spine is found
+  std::optional<anatomy::NeedlePath>
+      path;  // the planned path; without it one is planned where a lumbar spine is found
 };
 
 // A case from foreign images.
@@ -40,8 +41,8 @@ struct TissueAmount {
 
 // What was made, for people.
 struct CaseSummary {
-  CaseDescription description;
-  Grid ct, tissues;
+  anatomy::CaseDescription description;
+  anatomy::Grid ct, tissues;
   std::vector<TissueAmount> amounts;  // by amount, largest first; air is left out
 };
 
@@ -53,4 +54,4 @@ CaseSummary build_imported_case(const NewCase& wanted, const ImportOptions& opti
 CaseSummary build_synthetic_case(const NewCase& wanted, const LumbarParameters& parameters,
                                  const Progress& progress = {});
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

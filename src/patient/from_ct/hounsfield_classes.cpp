@@ -12,7 +12,7 @@
 #include "core/error.h"
 #include "core/parallel_for.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 // Borders between classes, HU. Fat is about -100, muscle 10 to 40, cortical bone 400 and more, lung -900
@@ -30,43 +30,44 @@ constexpr float viscera_depth = 45.0F;  // mm below the skin: deeper unlabelled 
 using LabelAction = std::uint16_t;
 constexpr LabelAction by_bone = 1000, by_hounsfield = 1001;
 
-const std::map<std::string, TissueId, std::less<>>& tissue_names() {
-  static const std::map<std::string, TissueId, std::less<>> names = {
-      {"air", tissue::air},
-      {"skin", tissue::skin},
-      {"fat", tissue::fat},
-      {"muscle", tissue::muscle},
-      {"soft", tissue::soft},
-      {"cortical_bone", tissue::cortical_bone},
-      {"cancellous_bone", tissue::cancellous_bone},
-      {"disc", tissue::disc},
-      {"supraspinous_ligament", tissue::supraspinous_ligament},
-      {"interspinous_ligament", tissue::interspinous_ligament},
-      {"ligamentum_flavum", tissue::ligamentum_flavum},
-      {"epidural_fat", tissue::epidural_fat},
-      {"dura", tissue::dura},
-      {"cerebrospinal_fluid", tissue::cerebrospinal_fluid},
-      {"nerve", tissue::nerve},
-      {"vessel", tissue::vessel},
-      {"organ", tissue::organ},
-      {"lung", tissue::lung},
-      {"gas", tissue::gas},
-      {"metal", tissue::metal},
-      {"mass", tissue::mass},
-      {"cartilage", tissue::cartilage}};
+const std::map<std::string, anatomy::TissueId, std::less<>>& tissue_names() {
+  static const std::map<std::string, anatomy::TissueId, std::less<>> names = {
+      {"air", anatomy::tissue::air},
+      {"skin", anatomy::tissue::skin},
+      {"fat", anatomy::tissue::fat},
+      {"muscle", anatomy::tissue::muscle},
+      {"soft", anatomy::tissue::soft},
+      {"cortical_bone", anatomy::tissue::cortical_bone},
+      {"cancellous_bone", anatomy::tissue::cancellous_bone},
+      {"disc", anatomy::tissue::disc},
+      {"supraspinous_ligament", anatomy::tissue::supraspinous_ligament},
+      {"interspinous_ligament", anatomy::tissue::interspinous_ligament},
+      {"ligamentum_flavum", anatomy::tissue::ligamentum_flavum},
+      {"epidural_fat", anatomy::tissue::epidural_fat},
+      {"dura", anatomy::tissue::dura},
+      {"cerebrospinal_fluid", anatomy::tissue::cerebrospinal_fluid},
+      {"nerve", anatomy::tissue::nerve},
+      {"vessel", anatomy::tissue::vessel},
+      {"organ", anatomy::tissue::organ},
+      {"lung", anatomy::tissue::lung},
+      {"gas", anatomy::tissue::gas},
+      {"metal", anatomy::tissue::metal},
+      {"mass", anatomy::tissue::mass},
+      {"cartilage", anatomy::tissue::cartilage}};
   return names;
 }
 
-std::vector<LabelAction> label_actions(const std::vector<Structure>& table, const TissueLibrary& library) {
+std::vector<LabelAction> label_actions(const std::vector<anatomy::Structure>& table,
+                                       const anatomy::TissueLibrary& library) {
   std::vector<LabelAction> actions(65536, by_hounsfield);
-  for (const Structure& structure : table) {
+  for (const anatomy::Structure& structure : table) {
     LabelAction& action = actions[structure.label];
     if (structure.tissue.empty() || structure.tissue == "spinal_canal") continue;
     if (structure.tissue == "bone") {
       action = by_bone;
     } else if (const auto found = tissue_names().find(structure.tissue); found != tissue_names().end()) {
       action = found->second;
-    } else if (const TissueProperties* entry = library.find(structure.tissue); entry != nullptr) {
+    } else if (const anatomy::TissueProperties* entry = library.find(structure.tissue); entry != nullptr) {
       action = entry->id;
     } else {
       throw InputError(
@@ -79,9 +80,9 @@ std::vector<LabelAction> label_actions(const std::vector<Structure>& table, cons
 }
 
 // CT with noise finer than about a millimetre averaged out; coarse voxels stay nearly as they are.
-CtVolume smoothed(const CtVolume& ct) {
+anatomy::CtVolume smoothed(const anatomy::CtVolume& ct) {
   constexpr double sigma = 1.0;  // mm
-  CtVolume out = ct;
+  anatomy::CtVolume out = ct;
   const auto& size = ct.grid.size;
   // One line of voxels, `step` apart in memory.
   const auto smooth_line = [](std::int16_t* line, int count, std::size_t step, float side) {
@@ -112,7 +113,7 @@ CtVolume smoothed(const CtVolume& ct) {
 }
 
 // Whether a label voxel has a neighbour of another label.
-bool at_border(const LabelVolume& labels, int i, int j, int k) {
+bool at_border(const anatomy::LabelVolume& labels, int i, int j, int k) {
   const std::uint16_t here = labels.at(i, j, k);
   for (int n = 0; n < 6; ++n) {
     const int step = n % 2 == 0 ? -1 : 1;
@@ -128,36 +129,38 @@ struct Sample {
   bool in_lung;
 };
 
-TissueId soft_class(const Sample& s) {
-  if (s.smooth < fat_below) return tissue::fat;
-  return s.in_lung || s.depth > viscera_depth ? tissue::soft : tissue::muscle;
+anatomy::TissueId soft_class(const Sample& s) {
+  if (s.smooth < fat_below) return anatomy::tissue::fat;
+  return s.in_lung || s.depth > viscera_depth ? anatomy::tissue::soft : anatomy::tissue::muscle;
 }
 
-TissueId by_hounsfield_alone(const Sample& s) {
-  if (s.raw < gas_below) return s.in_lung ? tissue::lung : tissue::gas;
-  if (s.raw > metal_above) return tissue::metal;
+anatomy::TissueId by_hounsfield_alone(const Sample& s) {
+  if (s.raw < gas_below) return s.in_lung ? anatomy::tissue::lung : anatomy::tissue::gas;
+  if (s.raw > metal_above) return anatomy::tissue::metal;
   const bool bone = (s.raw > bone_above && s.smooth > bone_smooth_above) || s.smooth > bone_above + 20;
-  if (bone) return s.raw > cortical_above ? tissue::cortical_bone : tissue::cancellous_bone;
+  if (bone) return s.raw > cortical_above ? anatomy::tissue::cortical_bone : anatomy::tissue::cancellous_bone;
   return soft_class(s);
 }
 
-TissueId by_label(LabelAction action, const Sample& s, bool border) {
-  const TissueId alone = by_hounsfield_alone(s);
-  if (action == by_hounsfield || alone == tissue::metal) return alone;
-  if (action == tissue::lung)
-    return alone == tissue::gas ? tissue::lung : tissue::soft == alone ? tissue::lung : alone;
-  if (alone == tissue::gas || alone == tissue::lung) return alone;
+anatomy::TissueId by_label(LabelAction action, const Sample& s, bool border) {
+  const anatomy::TissueId alone = by_hounsfield_alone(s);
+  if (action == by_hounsfield || alone == anatomy::tissue::metal) return alone;
+  if (action == anatomy::tissue::lung)
+    return alone == anatomy::tissue::gas    ? anatomy::tissue::lung
+           : anatomy::tissue::soft == alone ? anatomy::tissue::lung
+                                            : alone;
+  if (alone == anatomy::tissue::gas || alone == anatomy::tissue::lung) return alone;
   if (action == by_bone) {
     if (border && s.smooth < clear_fat_below) return alone;
-    return s.raw > cortical_above ? tissue::cortical_bone : tissue::cancellous_bone;
+    return s.raw > cortical_above ? anatomy::tissue::cortical_bone : anatomy::tissue::cancellous_bone;
   }
-  if (action == tissue::muscle && is_bone(alone)) return alone;
-  return static_cast<TissueId>(action);
+  if (action == anatomy::tissue::muscle && is_bone(alone)) return alone;
+  return static_cast<anatomy::TissueId>(action);
 }
 
 // The shell of a bone is cortical whatever partial volume made of its HU.
-void draw_cortex(TissueVolume& tissues) {
-  const Grid& grid = tissues.grid;
+void draw_cortex(anatomy::TissueVolume& tissues) {
+  const anatomy::Grid& grid = tissues.grid;
   const auto& size = grid.size;
   const auto row = static_cast<std::ptrdiff_t>(size[0]), slice = row * size[1];
   const std::array<std::ptrdiff_t, 6> neighbours = {-1, 1, -row, row, -slice, slice};
@@ -166,12 +169,13 @@ void draw_cortex(TissueVolume& tissues) {
     const int k = below + 1;
     for (int j = 1; j < size[1] - 1; ++j) {
       for (int i = 1; i < size[0] - 1; ++i) {
-        TissueId* voxel = &tissues.at(i, j, k);
-        if (*voxel != tissue::cancellous_bone) continue;
+        anatomy::TissueId* voxel = &tissues.at(i, j, k);
+        if (*voxel != anatomy::tissue::cancellous_bone) continue;
         for (const std::ptrdiff_t step : neighbours) {
-          const TissueId other = std::atomic_ref<TissueId>(voxel[step]).load(std::memory_order_relaxed);
-          if (is_bone(other) || other == tissue::disc || other == tissue::cartilage) continue;
-          std::atomic_ref<TissueId>(*voxel).store(tissue::cortical_bone, std::memory_order_relaxed);
+          const anatomy::TissueId other =
+              std::atomic_ref<anatomy::TissueId>(voxel[step]).load(std::memory_order_relaxed);
+          if (is_bone(other) || other == anatomy::tissue::disc || other == anatomy::tissue::cartilage) continue;
+          std::atomic_ref<anatomy::TissueId>(*voxel).store(anatomy::tissue::cortical_bone, std::memory_order_relaxed);
           break;
         }
       }
@@ -181,16 +185,18 @@ void draw_cortex(TissueVolume& tissues) {
 
 }  // namespace
 
-bool is_bone(TissueId id) {
-  return id == tissue::cortical_bone || id == tissue::cancellous_bone || id == tissue::metal;
+bool is_bone(anatomy::TissueId id) {
+  return id == anatomy::tissue::cortical_bone || id == anatomy::tissue::cancellous_bone ||
+         id == anatomy::tissue::metal;
 }
 
-TissueVolume classify_tissues(const CtVolume& ct, const LabelVolume& structures, const std::vector<Structure>& table,
-                              const TissueLibrary& library, const TissueLattice& lattice, const BodySurface& body,
-                              const Progress& progress) {
+anatomy::TissueVolume classify_tissues(const anatomy::CtVolume& ct, const anatomy::LabelVolume& structures,
+                                       const std::vector<anatomy::Structure>& table,
+                                       const anatomy::TissueLibrary& library, const TissueLattice& lattice,
+                                       const BodySurface& body, const Progress& progress) {
   const auto actions = label_actions(table, library);
-  const CtVolume calm = smoothed(ct);
-  TissueVolume tissues(lattice.grid);
+  const anatomy::CtVolume calm = smoothed(ct);
+  anatomy::TissueVolume tissues(lattice.grid);
   const RowSampler raw(ct, lattice.grid), smooth(calm, lattice.grid);
   const RowSampler distance(body.distance, lattice.grid);
   const RowSampler lung(body.lung, lattice.grid);
@@ -205,7 +211,7 @@ TissueVolume classify_tissues(const CtVolume& ct, const LabelVolume& structures,
       raw.read(j, k, raws, scratch);
       smooth.read(j, k, smooths, scratch);
       lung.read(j, k, lungs, scratch);
-      TissueId* row = &tissues.at(0, j, k);
+      anatomy::TissueId* row = &tissues.at(0, j, k);
       for (std::size_t i = 0; i < raws.size(); ++i) {
         const float d = distances[i];
         // Blocks separate inside from outside, except for one block around the surface, where the skin's own HU
@@ -230,8 +236,8 @@ TissueVolume classify_tissues(const CtVolume& ct, const LabelVolume& structures,
   return tissues;
 }
 
-void draw_skin(TissueVolume& tissues) {
-  const Grid& grid = tissues.grid;
+void draw_skin(anatomy::TissueVolume& tissues) {
+  const anatomy::Grid& grid = tissues.grid;
   const auto& size = grid.size;
   struct Step {
     int i, j, k;
@@ -247,22 +253,22 @@ void draw_skin(TissueVolume& tissues) {
     }
   }
   const auto body_at = [&](int i, int j, int k) {
-    return grid.contains(i, j, k) && tissues.at(i, j, k) != tissue::air;
+    return grid.contains(i, j, k) && tissues.at(i, j, k) != anatomy::tissue::air;
   };
   for (int k = 0; k < size[2]; ++k) {
     for (int j = 0; j < size[1]; ++j) {
       for (int i = 0; i < size[0]; ++i) {
-        if (tissues.at(i, j, k) != tissue::air) continue;
+        if (tissues.at(i, j, k) != anatomy::tissue::air) continue;
         if (!body_at(i - 1, j, k) && !body_at(i + 1, j, k) && !body_at(i, j - 1, k) && !body_at(i, j + 1, k) &&
             !body_at(i, j, k - 1) && !body_at(i, j, k + 1)) {
           continue;
         }
         for (const Step& s : ball) {
-          if (body_at(i + s.i, j + s.j, k + s.k)) tissues.at(i + s.i, j + s.j, k + s.k) = tissue::skin;
+          if (body_at(i + s.i, j + s.j, k + s.k)) tissues.at(i + s.i, j + s.j, k + s.k) = anatomy::tissue::skin;
         }
       }
     }
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

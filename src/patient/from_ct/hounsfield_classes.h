@@ -8,7 +8,7 @@
 #include "anatomy/case.h"
 #include "core/progress.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // Thickness of the skin of the waist, 1.91 mm (Laurent et al. 2007, reference/layer_thickness.csv), to the nearest
 // half millimetre of the lattices it is drawn on.
@@ -19,15 +19,16 @@ inline constexpr double skin_thickness = 2.0;
 // in cortical bone, nothing but gas in gas. Voxels of the structures "spinal_canal" are left to HU here. No skin yet.
 // `structures` lies on the lattice of `ct` or is empty. Structures name tissues of
 // Bodkin or of `library`; throws InputError when one names another.
-TissueVolume classify_tissues(const CtVolume& ct, const LabelVolume& structures, const std::vector<Structure>& table,
-                              const TissueLibrary& library, const TissueLattice& lattice, const BodySurface& body,
-                              const Progress& progress);
+anatomy::TissueVolume classify_tissues(const anatomy::CtVolume& ct, const anatomy::LabelVolume& structures,
+                                       const std::vector<anatomy::Structure>& table,
+                                       const anatomy::TissueLibrary& library, const TissueLattice& lattice,
+                                       const BodySurface& body, const Progress& progress);
 
 // Turns the outermost `skin_thickness` of the body into skin where it meets air; faces where the image cuts the body
 // meet nothing.
-void draw_skin(TissueVolume& tissues);
+void draw_skin(anatomy::TissueVolume& tissues);
 
 // True for tissues that stop a needle as bone does.
-bool is_bone(TissueId id);
+bool is_bone(anatomy::TissueId id);
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

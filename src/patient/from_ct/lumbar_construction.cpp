@@ -7,7 +7,7 @@
 
 #include "core/parallel_for.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 using namespace lumbar_size;
@@ -118,28 +118,30 @@ bool is_nerve(const ConstructedSection& s, double x, double y, bool above_conus)
 }
 
 // What the construction puts at a point, or air for nothing. The sac comes out as cerebrospinal fluid.
-TissueId tissue_at(const ConstructedSection& s, double x, double y) {
+anatomy::TissueId tissue_at(const ConstructedSection& s, double x, double y) {
   const double middle = 0.5 * (s.front + s.back), u = x - s.x;
   const double wall = s.back - s.bulge * std::min(1.0, square(u / 9.0));  // the bulge is in the midline
   const double v = y - middle;
   const double rho = oval(u / s.half_width, v / (v > 0.0 ? wall - middle : middle - s.front));
-  if (rho < 1.0) return in_sac(s, x, y) ? tissue::cerebrospinal_fluid : tissue::epidural_fat;
-  if (!s.ligaments || v <= 0.0) return tissue::air;
+  if (rho < 1.0) return in_sac(s, x, y) ? anatomy::tissue::cerebrospinal_fluid : anatomy::tissue::epidural_fat;
+  if (!s.ligaments || v <= 0.0) return anatomy::tissue::air;
   const double beyond = std::hypot(u, v) * (1.0 - 1.0 / rho);
-  if (beyond < s.flavum) return tissue::ligamentum_flavum;
+  if (beyond < s.flavum) return anatomy::tissue::ligamentum_flavum;
   // Interspinous ligament: from the flavum to the tips, in the plane of the processes.
   const double begin = wall + s.flavum, end = s.tip - 1.0;
-  if (y < begin - 1.0 || y > end + supraspinous_depth) return tissue::air;
+  if (y < begin - 1.0 || y > end + supraspinous_depth) return anatomy::tissue::air;
   const double f = std::clamp((y - begin) / std::max(1.0, end - begin), 0.0, 1.0);
   const double centre = s.x + f * (s.tip_x - s.x);
-  if (y >= end) return std::abs(x - centre) < 0.5 * interspinous_back ? tissue::supraspinous_ligament : tissue::air;
+  if (y >= end)
+    return std::abs(x - centre) < 0.5 * interspinous_back ? anatomy::tissue::supraspinous_ligament
+                                                          : anatomy::tissue::air;
   const double width = interspinous_front * (1 - f) * (1 - 2 * f) + interspinous_middle * 4 * f * (1 - f) +
                        interspinous_back * f * (2 * f - 1);  // parabola through the three widths
-  return std::abs(x - centre) < 0.5 * width ? tissue::interspinous_ligament : tissue::air;
+  return std::abs(x - centre) < 0.5 * width ? anatomy::tissue::interspinous_ligament : anatomy::tissue::air;
 }
 
-bool may_become(TissueId old) {
-  return !is_bone(old) && old != tissue::disc && old != tissue::skin && old != tissue::air;
+bool may_become(anatomy::TissueId old) {
+  return !is_bone(old) && old != anatomy::tissue::disc && old != anatomy::tissue::skin && old != anatomy::tissue::air;
 }
 
 // The indices of a lattice whose voxels may lie in a box.
@@ -147,7 +149,7 @@ struct IndexBox {
   std::array<int, 3> low, high;
 };
 
-IndexBox indices_of(const Grid& grid, const Vec3& low, const Vec3& high) {
+IndexBox indices_of(const anatomy::Grid& grid, const Vec3& low, const Vec3& high) {
   Vec3 least = Vec3::Constant(1e9), most = Vec3::Constant(-1e9);
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 point((corner & 1) != 0 ? high.x() : low.x(), (corner & 2) != 0 ? high.y() : low.y(),
@@ -164,7 +166,7 @@ IndexBox indices_of(const Grid& grid, const Vec3& low, const Vec3& high) {
   return box;
 }
 
-IndexBox box_about(const Grid& grid, const LumbarSpine& spine) {
+IndexBox box_about(const anatomy::Grid& grid, const LumbarSpine& spine) {
   Vec3 low = Vec3::Constant(1e9), high = Vec3::Constant(-1e9);
   for (std::size_t n = 0; n < spine.tip.size(); ++n) {
     const CanalSection& s = spine.canal.sections[n];
@@ -175,13 +177,13 @@ IndexBox box_about(const Grid& grid, const LumbarSpine& spine) {
   return indices_of(grid, low, high);
 }
 
-bool touches_other(const TissueVolume& tissues, int i, int j, int k) {
+bool touches_other(const anatomy::TissueVolume& tissues, int i, int j, int k) {
   for (int dk = -1; dk <= 1; ++dk) {
     for (int dj = -1; dj <= 1; ++dj) {
       for (int di = -1; di <= 1; ++di) {
         if (!tissues.grid.contains(i + di, j + dj, k + dk)) continue;
-        const TissueId other = tissues.at(i + di, j + dj, k + dk);
-        if (other != tissue::cerebrospinal_fluid && other != tissue::dura) return true;
+        const anatomy::TissueId other = tissues.at(i + di, j + dj, k + dk);
+        if (other != anatomy::tissue::cerebrospinal_fluid && other != anatomy::tissue::dura) return true;
       }
     }
   }
@@ -198,8 +200,8 @@ Vec3 sac_centre(const LumbarSpine& spine, double z) {
   return {s.x, s.sac_y, z};
 }
 
-void draw_lumbar(TissueVolume& tissues, const LumbarSpine& spine) {
-  const Grid& grid = tissues.grid;
+void draw_lumbar(anatomy::TissueVolume& tissues, const LumbarSpine& spine) {
+  const anatomy::Grid& grid = tissues.grid;
   const IndexBox box = box_about(grid, spine);
   constexpr double fine = 0.25;  // mm between prepared sections
   const std::vector<ConstructedSection> sections = sections_of(spine, fine);
@@ -216,12 +218,12 @@ void draw_lumbar(TissueVolume& tissues, const LumbarSpine& spine) {
     });
   };
   each([&](int i, int j, int k) {
-    TissueId& voxel = tissues.at(i, j, k);
+    anatomy::TissueId& voxel = tissues.at(i, j, k);
     if (!may_become(voxel)) return;
     const Vec3 p = grid.to_patient(Vec3(i, j, k));
     if (!spine.canal.covers(p.z())) return;
-    const TissueId drawn = tissue_at(section_of(p.z()), p.x(), p.y());
-    if (drawn != tissue::air) voxel = drawn;
+    const anatomy::TissueId drawn = tissue_at(section_of(p.z()), p.x(), p.y());
+    if (drawn != anatomy::tissue::air) voxel = drawn;
   });
 
   // The rim of the sac becomes dura; marked first, so that the rim does not creep inwards.
@@ -230,34 +232,34 @@ void draw_lumbar(TissueVolume& tissues, const LumbarSpine& spine) {
   for (std::size_t axis = 0; axis < 3; ++axis) rim.grid.size[axis] = box.high[axis] - box.low[axis] + 1;
   rim.voxels.assign(rim.grid.voxel_count(), 0);
   each([&](int i, int j, int k) {
-    if (tissues.at(i, j, k) != tissue::cerebrospinal_fluid || !touches_other(tissues, i, j, k)) return;
+    if (tissues.at(i, j, k) != anatomy::tissue::cerebrospinal_fluid || !touches_other(tissues, i, j, k)) return;
     rim.at(i - box.low[0], j - box.low[1], k - box.low[2]) = 1;
   });
   const double conus = conus_of(spine);
   each([&](int i, int j, int k) {
-    TissueId& voxel = tissues.at(i, j, k);
-    if (voxel != tissue::cerebrospinal_fluid) return;
+    anatomy::TissueId& voxel = tissues.at(i, j, k);
+    if (voxel != anatomy::tissue::cerebrospinal_fluid) return;
     if (rim.at(i - box.low[0], j - box.low[1], k - box.low[2]) == 1) {
-      voxel = tissue::dura;
+      voxel = anatomy::tissue::dura;
       return;
     }
     const Vec3 p = grid.to_patient(Vec3(i, j, k));
-    if (is_nerve(section_of(p.z()), p.x(), p.y(), p.z() > conus)) voxel = tissue::nerve;
+    if (is_nerve(section_of(p.z()), p.x(), p.y(), p.z() > conus)) voxel = anatomy::tissue::nerve;
   });
 }
 
-void muscle_behind(TissueVolume& tissues, const SpinalCanal& canal) {
-  const Grid& grid = tissues.grid;
+void muscle_behind(anatomy::TissueVolume& tissues, const SpinalCanal& canal) {
+  const anatomy::Grid& grid = tissues.grid;
   parallel_for(grid.size[2], [&](int k) {
     for (int j = 0; j < grid.size[1]; ++j) {
-      TissueId* row = &tissues.at(0, j, k);
+      anatomy::TissueId* row = &tissues.at(0, j, k);
       for (int i = 0; i < grid.size[0]; ++i) {
-        if (row[i] != tissue::soft) continue;
+        if (row[i] != anatomy::tissue::soft) continue;
         const Vec3 p = grid.to_patient(Vec3(i, j, k));
-        if (canal.covers(p.z()) && p.y() > canal.at(p.z()).front) row[i] = tissue::muscle;
+        if (canal.covers(p.z()) && p.y() > canal.at(p.z()).front) row[i] = anatomy::tissue::muscle;
       }
     }
   });
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -6,7 +6,7 @@
 
 #include "anatomy/volume.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // Thicknesses of what no CT shows, mm (reference/layer_thickness.csv).
 namespace lumbar_size {
@@ -29,9 +29,9 @@ Vec3 sac_centre(const LumbarSpine& spine, double z);
 // along the whole canal. Bone, discs, skin and air stay what they are. A straight line from behind that meets no bone
 // crosses flavum before epidural space, and no line reaches cerebrospinal fluid but through dura: dura is every voxel
 // of the sac that touches, even by a corner, what is not sac.
-void draw_lumbar(TissueVolume& tissues, const LumbarSpine& spine);
+void draw_lumbar(anatomy::TissueVolume& tissues, const LumbarSpine& spine);
 
 // Nameless soft tissue behind the vertebral bodies, over the height of the canal, is muscle of the back.
-void muscle_behind(TissueVolume& tissues, const SpinalCanal& canal);
+void muscle_behind(anatomy::TissueVolume& tissues, const SpinalCanal& canal);
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

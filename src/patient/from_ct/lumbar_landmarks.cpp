@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 constexpr double deepest_search = 60.0;                // mm behind the canal that is searched for spinous processes
@@ -149,7 +149,7 @@ std::optional<double> fat_behind(const SpineView& view, const SpinalCanal& canal
     for (double z = gap.middle() - 3.0; z <= gap.middle() + 3.0; z += 1.0) {
       const CanalSection s = canal.at(z);
       for (double x = s.x - 2.0; x <= s.x + 2.0; x += 1.0, ++count) {
-        sum += linear(view.hounsfield, Vec3(x, s.back + n, z), 0.0);
+        sum += anatomy::linear(view.hounsfield, Vec3(x, s.back + n, z), 0.0);
       }
     }
     profile[static_cast<std::size_t>(n - from)] = sum / count;
@@ -228,4 +228,4 @@ LumbarSpine find_interspaces(const SpineView& view, SpinalCanal canal) {
   return spine;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -5,7 +5,7 @@
 
 #include "patient/from_ct/spinal_canal.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // A gap between two laminae in the midline.
 struct Interspace {
@@ -30,4 +30,4 @@ struct LumbarSpine {
 // else counted up from the sacrum (a dorsal plate of bone longer than 35 mm), else numbered from below.
 LumbarSpine find_interspaces(const SpineView& view, SpinalCanal canal);
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

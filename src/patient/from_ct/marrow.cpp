@@ -7,7 +7,7 @@
 
 #include "core/parallel_for.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 constexpr double half_breadth = 14.0;   // mm about the midline
@@ -72,7 +72,7 @@ MarrowSection holes_of(const MarrowSection& walls, double most) {
 
 }  // namespace
 
-void fill_marrow(SpineView& view, TissueVolume& tissues, const SpinalCanal& canal) {
+void fill_marrow(SpineView& view, anatomy::TissueVolume& tissues, const SpinalCanal& canal) {
   const auto& size = view.grid().size;
   const double x = canal.at(0.5 * (canal.lowest + canal.highest())).x;
   MaskVolume marrow(view.grid());
@@ -93,16 +93,18 @@ void fill_marrow(SpineView& view, TissueVolume& tissues, const SpinalCanal& cana
       }
     }
   }
-  const Grid& grid = tissues.grid;
+  const anatomy::Grid& grid = tissues.grid;
   parallel_for(grid.size[2], [&](int k) {
     for (int j = 0; j < grid.size[1]; ++j) {
-      TissueId* row = &tissues.at(0, j, k);
+      anatomy::TissueId* row = &tissues.at(0, j, k);
       for (int i = 0; i < grid.size[0]; ++i) {
-        if (row[i] != tissue::muscle && row[i] != tissue::soft && row[i] != tissue::fat) continue;
-        if (nearest(marrow, grid.to_patient(Vec3(i, j, k)), std::uint8_t{0}) != 0) row[i] = tissue::cancellous_bone;
+        if (row[i] != anatomy::tissue::muscle && row[i] != anatomy::tissue::soft && row[i] != anatomy::tissue::fat)
+          continue;
+        if (anatomy::nearest(marrow, grid.to_patient(Vec3(i, j, k)), std::uint8_t{0}) != 0)
+          row[i] = anatomy::tissue::cancellous_bone;
       }
     }
   });
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

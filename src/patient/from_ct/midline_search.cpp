@@ -9,7 +9,7 @@
 
 #include "core/parallel_for.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 constexpr double spacing = 2.0;           // mm, of the view that is searched
@@ -24,7 +24,7 @@ std::vector<bool> slices_without_lung(const SpineView& view, const BodySurface& 
     int lung = 0, count = 0;
     for (int j = 0; j < size[1]; j += 3) {
       for (int i = 0; i < size[0]; i += 3, ++count) {
-        lung += nearest(body.lung, view.grid().to_patient(Vec3(i, j, k)), std::uint8_t{0});
+        lung += anatomy::nearest(body.lung, view.grid().to_patient(Vec3(i, j, k)), std::uint8_t{0});
       }
     }
     free[static_cast<std::size_t>(k)] = lung < most_lung * count;
@@ -34,7 +34,8 @@ std::vector<bool> slices_without_lung(const SpineView& view, const BodySurface& 
 
 }  // namespace
 
-std::optional<SpineMidline> find_midline(const CtVolume& ct, const TissueVolume& tissues, const BodySurface& body) {
+std::optional<SpineMidline> find_midline(const anatomy::CtVolume& ct, const anatomy::TissueVolume& tissues,
+                                         const BodySurface& body) {
   const SpineView view = view_spine(ct, {}, {}, tissues, box_of_image(ct.grid), spacing);
   const auto& size = view.grid().size;
   const auto free = slices_without_lung(view, body);
@@ -100,4 +101,4 @@ std::optional<SpineMidline> find_midline(const CtVolume& ct, const TissueVolume&
   return found;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -7,7 +7,7 @@
 #include <itkRelabelComponentImageFilter.h>
 #include <itkSignedMaurerDistanceMapImageFilter.h>
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 using MaskImage = itk::Image<std::uint8_t, 3>;
@@ -30,8 +30,8 @@ MaskImage::Pointer to_itk(const MaskVolume& mask) {
 }
 
 template <typename Image>
-Volume<typename Image::PixelType> from_itk(const Image& image, const Grid& grid) {
-  Volume<typename Image::PixelType> volume;
+anatomy::Volume<typename Image::PixelType> from_itk(const Image& image, const anatomy::Grid& grid) {
+  anatomy::Volume<typename Image::PixelType> volume;
   volume.grid = grid;
   volume.voxels.assign(image.GetBufferPointer(), image.GetBufferPointer() + grid.voxel_count());
   return volume;
@@ -39,7 +39,7 @@ Volume<typename Image::PixelType> from_itk(const Image& image, const Grid& grid)
 
 }  // namespace
 
-Volume<float> signed_distance(const MaskVolume& mask) {
+anatomy::Volume<float> signed_distance(const MaskVolume& mask) {
   auto filter = itk::SignedMaurerDistanceMapImageFilter<MaskImage, DistanceImage>::New();
   filter->SetInput(to_itk(mask));
   filter->SetUseImageSpacing(true);
@@ -49,7 +49,7 @@ Volume<float> signed_distance(const MaskVolume& mask) {
   return from_itk(*filter->GetOutput(), mask.grid);
 }
 
-Volume<std::uint32_t> number_pieces(const MaskVolume& mask) {
+anatomy::Volume<std::uint32_t> number_pieces(const MaskVolume& mask) {
   auto pieces = itk::ConnectedComponentImageFilter<MaskImage, PieceImage>::New();
   pieces->SetInput(to_itk(mask));
   auto ordered = itk::RelabelComponentImageFilter<PieceImage, PieceImage>::New();
@@ -66,4 +66,4 @@ MaskVolume largest_piece(const MaskVolume& mask) {
   return largest;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -4,18 +4,18 @@
 
 #include "anatomy/volume.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
-using MaskVolume = Volume<std::uint8_t>;  // 0 or 1
+using MaskVolume = anatomy::Volume<std::uint8_t>;  // 0 or 1
 
 // Distance in mm from each voxel centre to the surface of the mask: negative inside, positive outside. The border of
 // the image is no surface. The mask must hold both 0 and 1 (else every value is far beyond the image's size).
-Volume<float> signed_distance(const MaskVolume& mask);
+anatomy::Volume<float> signed_distance(const MaskVolume& mask);
 
 // The largest piece of the mask that hangs together through voxel faces; empty when the mask is.
 MaskVolume largest_piece(const MaskVolume& mask);
 
 // Numbers the pieces that hang together through voxel faces 1, 2, ..., the largest first; 0 outside the mask.
-Volume<std::uint32_t> number_pieces(const MaskVolume& mask);
+anatomy::Volume<std::uint32_t> number_pieces(const MaskVolume& mask);
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

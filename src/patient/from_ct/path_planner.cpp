@@ -7,7 +7,7 @@
 #include "patient/from_ct/hounsfield_classes.h"
 #include "patient/from_ct/lumbar_construction.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 constexpr double enough = 2.5;  // mm of room to bone that a planned path should leave
@@ -20,40 +20,42 @@ struct Crossing {
   double ligament = 0.0;  // mm in the supraspinous and interspinous ligaments: how well it keeps to the midline
 };
 
-std::optional<Crossing> crossing_along(const TissueVolume& tissues, const Volume<float>& distance,
-                                       const NeedlePath& path) {
+std::optional<Crossing> crossing_along(const anatomy::TissueVolume& tissues, const anatomy::Volume<float>& distance,
+                                       const anatomy::NeedlePath& path) {
   Crossing crossing;
   const Vec3 along = path.direction();
   for (double depth = 0.0; depth <= path.length(); depth += step) {
     const Vec3 p = path.entry + depth * along;
-    const TissueId here = nearest(tissues, p, tissue::air);
+    const anatomy::TissueId here = anatomy::nearest(tissues, p, anatomy::tissue::air);
     if (is_bone(here)) return std::nullopt;
-    if (here == tissue::supraspinous_ligament || here == tissue::interspinous_ligament) crossing.ligament += step;
-    crossing.room = std::min(crossing.room, linear(distance, p, 1e3));
+    if (here == anatomy::tissue::supraspinous_ligament || here == anatomy::tissue::interspinous_ligament)
+      crossing.ligament += step;
+    crossing.room = std::min(crossing.room, anatomy::linear(distance, p, 1e3));
   }
   return crossing;
 }
 
 }  // namespace
 
-SkinPoint skin_along(const TissueVolume& tissues, const Vec3& inside, const Vec3& direction) {
+SkinPoint skin_along(const anatomy::TissueVolume& tissues, const Vec3& inside, const Vec3& direction) {
   constexpr double fine = 0.1;
-  constexpr TissueId outside = 255;
+  constexpr anatomy::TissueId outside = 255;
   Vec3 last = inside;
   for (double distance = fine; distance < 400.0; distance += fine) {
     const Vec3 p = inside + distance * direction;
-    const TissueId here = nearest(tissues, p, outside);
-    if (here == tissue::air) return {last, true};
+    const anatomy::TissueId here = anatomy::nearest(tissues, p, outside);
+    if (here == anatomy::tissue::air) return {last, true};
     if (here == outside) return {last, false};
     last = p;
   }
   return {last, false};
 }
 
-std::vector<PlannedPath> plan_paths(const TissueVolume& tissues, const SpineView& view, const LumbarSpine& spine) {
+std::vector<PlannedPath> plan_paths(const anatomy::TissueVolume& tissues, const SpineView& view,
+                                    const LumbarSpine& spine) {
   std::vector<PlannedPath> found;
   if (spine.interspaces.empty()) return found;
-  const Volume<float> distance = signed_distance(view.bone);
+  const anatomy::Volume<float> distance = signed_distance(view.bone);
   for (const Interspace& gap : spine.interspaces) {
     std::optional<PlannedPath> best;
     double most = -1e9;
@@ -65,7 +67,7 @@ std::vector<PlannedPath> plan_paths(const TissueVolume& tissues, const SpineView
           const Vec3 outwards(std::sin(aside * degree), std::cos(aside * degree) * std::cos(up * degree),
                               -std::cos(aside * degree) * std::sin(up * degree));
           const SkinPoint skin = skin_along(tissues, target, outwards);
-          const NeedlePath path{skin.point, target};
+          const anatomy::NeedlePath path{skin.point, target};
           const auto crossing = crossing_along(tissues, distance, path);
           if (!crossing) continue;
           // Room up to 5 mm counts, 8 mm of ligament as much as 1 mm of room; then a slight cephalad tilt is usual.
@@ -105,4 +107,4 @@ std::optional<PlannedPath> best_path(const std::vector<PlannedPath>& paths) {
   return roomiest == paths.end() ? std::nullopt : std::optional(*roomiest);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

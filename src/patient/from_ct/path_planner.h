@@ -8,12 +8,12 @@
 
 #include "anatomy/case.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // A straight path from the skin through one interspace into the dural sac.
 struct PlannedPath {
   std::string interspace;
-  NeedlePath path;
+  anatomy::NeedlePath path;
   double clearance = 0.0;  // mm from the needle's axis to the nearest bone
   double cephalad = 0.0;   // degrees towards the head
   bool from_skin = true;   // false: the image ends before the skin
@@ -22,7 +22,8 @@ struct PlannedPath {
 // For every interspace the path with the most clearance to bone, of those 0 to 24 degrees cephalad and up to 4
 // degrees sideways that meet no bone; interspaces without such a path are left out. The order is that of
 // `spine.interspaces`.
-std::vector<PlannedPath> plan_paths(const TissueVolume& tissues, const SpineView& view, const LumbarSpine& spine);
+std::vector<PlannedPath> plan_paths(const anatomy::TissueVolume& tissues, const SpineView& view,
+                                    const LumbarSpine& spine);
 
 // The path to propose: L3/L4, else L4/L5, else L2/L3, each when it leaves 2.5 mm to bone; else the roomiest.
 std::optional<PlannedPath> best_path(const std::vector<PlannedPath>& paths);
@@ -36,6 +37,6 @@ struct SkinPoint {
   Vec3 point;
   bool skin;
 };
-SkinPoint skin_along(const TissueVolume& tissues, const Vec3& inside, const Vec3& direction);
+SkinPoint skin_along(const anatomy::TissueVolume& tissues, const Vec3& inside, const Vec3& direction);
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

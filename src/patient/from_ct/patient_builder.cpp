@@ -15,7 +15,7 @@
 #include "patient/from_ct/tissue_lattice.h"
 #include <fmt/format.h>
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 constexpr double least_labelled_laminae = 15.0;  // mm of laminae that labels of vertebrae must show to be a spine
@@ -55,7 +55,7 @@ FoundSpine found_in(SpineView view, SpinalCanal canal, const char* source) {
 // LPS z of the lowest lung in the image; far above the image when it shows none.
 double lung_base(const BodySurface& body) {
   double base = 1e9;
-  const Grid& grid = body.lung.grid;
+  const anatomy::Grid& grid = body.lung.grid;
   for (int k = 0; k < grid.size[2]; ++k) {
     for (int j = 0; j < grid.size[1]; ++j) {
       for (int i = 0; i < grid.size[0]; ++i) {
@@ -68,7 +68,7 @@ double lung_base(const BodySurface& body) {
 
 // Why a spine that only bone shows is no lumbar spine that a needle could be planned into, as the end of a sentence;
 // empty when it may be one.
-std::string why_not_lumbar(const LumbarSpine& spine, const CtVolume& ct, const BodySurface& body) {
+std::string why_not_lumbar(const LumbarSpine& spine, const anatomy::CtVolume& ct, const BodySurface& body) {
   const PatientBox image = box_of_image(ct.grid);
   const auto& sections = spine.canal.sections;
   const auto cut = std::count_if(sections.begin(), sections.end(), [&](const CanalSection& section) {
@@ -83,8 +83,8 @@ std::string why_not_lumbar(const LumbarSpine& spine, const CtVolume& ct, const B
 }
 
 // `why_not` becomes what speaks against a spine that bone shows, when it was not taken.
-std::optional<FoundSpine> find_spine(const CtVolume& ct, const LabelVolume& structures,
-                                     const std::vector<std::uint8_t>& roles, TissueVolume& tissues,
+std::optional<FoundSpine> find_spine(const anatomy::CtVolume& ct, const anatomy::LabelVolume& structures,
+                                     const std::vector<std::uint8_t>& roles, anatomy::TissueVolume& tissues,
                                      const BodySurface& body, std::string& why_not) {
   constexpr double spacing = 1.0;
   const auto bones = box_of_roles(structures, roles, 1, spine_role::vertebra);
@@ -196,7 +196,7 @@ void build_lumbar(BuiltPatient& patient, const FoundSpine& found, bool plan) {
 
 // Sides on which the image border cuts the body, for people.
 void note_cut_faces(BuiltPatient& patient) {
-  const Grid& grid = patient.tissues.grid;
+  const anatomy::Grid& grid = patient.tissues.grid;
   static constexpr std::array<const char*, 6> sides = {"right", "left", "front", "back", "foot", "head"};
   std::string cut;
   for (int lps = 0; lps < 3; ++lps) {
@@ -211,7 +211,7 @@ void note_cut_faces(BuiltPatient& patient) {
       for (int k = low[2]; k <= top[2]; k += 2) {
         for (int j = low[1]; j <= top[1]; j += 2) {
           for (int i = low[0]; i <= top[0]; i += 2, ++count)
-            body += patient.tissues.at(i, j, k) != tissue::air ? 1 : 0;
+            body += patient.tissues.at(i, j, k) != anatomy::tissue::air ? 1 : 0;
         }
       }
       if (body > count / 50) {
@@ -226,7 +226,7 @@ void note_cut_faces(BuiltPatient& patient) {
 
 void note_metal(BuiltPatient& patient) {
   const auto& voxels = patient.tissues.voxels;
-  const auto metal = static_cast<double>(std::count(voxels.begin(), voxels.end(), tissue::metal));
+  const auto metal = static_cast<double>(std::count(voxels.begin(), voxels.end(), anatomy::tissue::metal));
   if (metal == 0.0) return;
   patient.notes.push_back(fmt::format("Metal in the body ({:.1f} mL above 2500 HU) stops the needle as bone does.",
                                       metal * patient.tissues.grid.spacing.prod() / 1e3));
@@ -234,8 +234,9 @@ void note_metal(BuiltPatient& patient) {
 
 }  // namespace
 
-BuiltPatient build_patient(const CtVolume& ct, const LabelVolume& structures, const std::vector<Structure>& table,
-                           const PatientOptions& options, const Progress& progress) {
+BuiltPatient build_patient(const anatomy::CtVolume& ct, const anatomy::LabelVolume& structures,
+                           const std::vector<anatomy::Structure>& table, const PatientOptions& options,
+                           const Progress& progress) {
   const auto report = [&](const char* stage, double fraction) {
     if (progress) progress(stage, fraction);
   };
@@ -268,4 +269,4 @@ BuiltPatient build_patient(const CtVolume& ct, const LabelVolume& structures, co
   return patient;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -7,7 +7,7 @@
 
 #include "anatomy/volume.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // Reads one image along the rows of another lattice that has the same axes but other voxel edges: trilinear between
 // voxel centres, border values beyond the outermost centres. A row costs four loads per source voxel and two per
@@ -16,7 +16,7 @@ template <typename Voxel>
 class RowSampler {
  public:
   // `target` must have the direction cosines of `source`.
-  RowSampler(const Volume<Voxel>& source, const Grid& target) : source_(source) {
+  RowSampler(const anatomy::Volume<Voxel>& source, const anatomy::Grid& target) : source_(source) {
     const Vec3 first = source.grid.to_index(target.origin);
     for (int axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
@@ -60,8 +60,8 @@ class RowSampler {
     int low, high;
     float weight;  // of `high`
   };
-  const Volume<Voxel>& source_;
+  const anatomy::Volume<Voxel>& source_;
   std::array<std::vector<Tap>, 3> taps_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
@@ -249,4 +249,4 @@ std::optional<SpinalCanal> canal_from_bone(const SpineView& view, const std::vec
   return canal;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -5,7 +5,7 @@
 
 #include "patient/from_ct/spine_view.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // The spinal canal at one height.
 struct CanalSection {
@@ -47,4 +47,4 @@ std::optional<CanalGap> canal_gap(const SpineView& view, int i, int k);
 // Moving average over +-`reach` entries; shorter at the ends.
 std::vector<double> moving_average(const std::vector<double>& values, int reach);
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -10,10 +10,10 @@
 
 #include "core/parallel_for.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
-std::uint8_t role_of(const Structure& structure) {
+std::uint8_t role_of(const anatomy::Structure& structure) {
   if (structure.tissue == "spinal_canal") return spine_role::canal;
   if (structure.tissue.find("bone") == std::string::npos) return spine_role::none;
   std::string name = structure.name;
@@ -34,9 +34,9 @@ std::uint8_t role_of(const Structure& structure) {
 
 }  // namespace
 
-std::vector<std::uint8_t> spine_roles(const std::vector<Structure>& table) {
+std::vector<std::uint8_t> spine_roles(const std::vector<anatomy::Structure>& table) {
   std::vector<std::uint8_t> roles(65536, spine_role::none);
-  for (const Structure& structure : table) roles[structure.label] = role_of(structure);
+  for (const anatomy::Structure& structure : table) roles[structure.label] = role_of(structure);
   return roles;
 }
 
@@ -56,10 +56,10 @@ int SpineView::k_of(double z) const {
   return static_cast<int>(std::lround((z - grid().origin.z()) / grid().spacing.z()));
 }
 
-std::optional<PatientBox> box_of_roles(const LabelVolume& structures, const std::vector<std::uint8_t>& roles,
+std::optional<PatientBox> box_of_roles(const anatomy::LabelVolume& structures, const std::vector<std::uint8_t>& roles,
                                        std::uint8_t first, std::uint8_t last) {
   if (structures.empty()) return std::nullopt;
-  const Grid& grid = structures.grid;
+  const anatomy::Grid& grid = structures.grid;
   const int step = grid.voxel_count() > 8'000'000 ? 2 : 1;  // vertebrae are larger than two voxels
   PatientBox box{Vec3::Constant(1e9), Vec3::Constant(-1e9)};
   for (int k = 0; k < grid.size[2]; k += step) {
@@ -77,7 +77,7 @@ std::optional<PatientBox> box_of_roles(const LabelVolume& structures, const std:
   return box;
 }
 
-PatientBox box_of_image(const Grid& grid) {
+PatientBox box_of_image(const anatomy::Grid& grid) {
   PatientBox box{Vec3::Constant(1e9), Vec3::Constant(-1e9)};
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 index((corner & 1) != 0 ? grid.size[0] - 1 : 0, (corner & 2) != 0 ? grid.size[1] - 1 : 0,
@@ -89,31 +89,32 @@ PatientBox box_of_image(const Grid& grid) {
   return box;
 }
 
-SpineView view_spine(const CtVolume& ct, const LabelVolume& structures, const std::vector<std::uint8_t>& roles,
-                     const TissueVolume& tissues, const PatientBox& box, double spacing) {
+SpineView view_spine(const anatomy::CtVolume& ct, const anatomy::LabelVolume& structures,
+                     const std::vector<std::uint8_t>& roles, const anatomy::TissueVolume& tissues,
+                     const PatientBox& box, double spacing) {
   const PatientBox image = box_of_image(ct.grid);
   const Vec3 low = box.low.cwiseMax(image.low), high = box.high.cwiseMin(image.high).cwiseMax(low);
-  Grid grid;
+  anatomy::Grid grid;
   grid.origin = low;
   grid.spacing = Vec3::Constant(spacing);
   for (int axis = 0; axis < 3; ++axis) {
     grid.size[static_cast<std::size_t>(axis)] = static_cast<int>((high[axis] - low[axis]) / spacing) + 1;
   }
   SpineView view;
-  view.hounsfield = Volume<std::int16_t>(grid);
+  view.hounsfield = anatomy::Volume<std::int16_t>(grid);
   view.bone = MaskVolume(grid);
-  view.role = Volume<std::uint8_t>(grid);
+  view.role = anatomy::Volume<std::uint8_t>(grid);
   parallel_for(grid.size[2], [&](int k) {
     for (int j = 0; j < grid.size[1]; ++j) {
       for (int i = 0; i < grid.size[0]; ++i) {
         const Vec3 point = grid.to_patient(Vec3(i, j, k));
-        view.hounsfield.at(i, j, k) = static_cast<std::int16_t>(std::lround(linear(ct, point, -1000.0)));
-        view.bone.at(i, j, k) = is_bone(nearest(tissues, point, tissue::air)) ? 1 : 0;
-        if (!structures.empty()) view.role.at(i, j, k) = roles[nearest(structures, point, std::uint16_t{0})];
+        view.hounsfield.at(i, j, k) = static_cast<std::int16_t>(std::lround(anatomy::linear(ct, point, -1000.0)));
+        view.bone.at(i, j, k) = is_bone(anatomy::nearest(tissues, point, anatomy::tissue::air)) ? 1 : 0;
+        if (!structures.empty()) view.role.at(i, j, k) = roles[anatomy::nearest(structures, point, std::uint16_t{0})];
       }
     }
   });
   return view;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

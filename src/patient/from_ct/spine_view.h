@@ -9,7 +9,7 @@
 
 #include "anatomy/case.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // What a structure means for the spine.
 namespace spine_role {
@@ -23,7 +23,7 @@ inline constexpr std::uint8_t canal = 22;
 
 // Reads roles off the names of structures ("vertebrae_L3", "L3", "sacrum", "Arcus_Vertebrae", ...) and off the tissue
 // "spinal_canal". One entry per label, 65536.
-std::vector<std::uint8_t> spine_roles(const std::vector<Structure>& table);
+std::vector<std::uint8_t> spine_roles(const std::vector<anatomy::Structure>& table);
 
 // "L3", "T12", "S1"; empty for roles that name no level.
 std::string level_name(std::uint8_t role);
@@ -31,11 +31,11 @@ std::string level_name(std::uint8_t role);
 // A stretch of the spine on its own lattice, whatever the axes of the CT: isotropic, i to the left, j to the back, k
 // to the head.
 struct SpineView {
-  Volume<std::int16_t> hounsfield;
+  anatomy::Volume<std::int16_t> hounsfield;
   MaskVolume bone;
-  Volume<std::uint8_t> role;
+  anatomy::Volume<std::uint8_t> role;
 
-  const Grid& grid() const { return hounsfield.grid; }
+  const anatomy::Grid& grid() const { return hounsfield.grid; }
   // Nearest indices of LPS coordinates.
   int i_of(double x) const;
   int j_of(double y) const;
@@ -53,12 +53,13 @@ struct PatientBox {
 };
 
 // Box about all voxels of the roles `first` to `last`, if there are any.
-std::optional<PatientBox> box_of_roles(const LabelVolume& structures, const std::vector<std::uint8_t>& roles,
+std::optional<PatientBox> box_of_roles(const anatomy::LabelVolume& structures, const std::vector<std::uint8_t>& roles,
                                        std::uint8_t first, std::uint8_t last);
 // Box about the whole image.
-PatientBox box_of_image(const Grid& grid);
+PatientBox box_of_image(const anatomy::Grid& grid);
 
-SpineView view_spine(const CtVolume& ct, const LabelVolume& structures, const std::vector<std::uint8_t>& roles,
-                     const TissueVolume& tissues, const PatientBox& box, double spacing);
+SpineView view_spine(const anatomy::CtVolume& ct, const anatomy::LabelVolume& structures,
+                     const std::vector<std::uint8_t>& roles, const anatomy::TissueVolume& tissues,
+                     const PatientBox& box, double spacing);
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

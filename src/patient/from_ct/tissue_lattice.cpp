@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bodkin {
+namespace bodkin::patient {
 
-TissueLattice divide_lattice(const Grid& ct, double spacing, std::size_t most) {
+TissueLattice divide_lattice(const anatomy::Grid& ct, double spacing, std::size_t most) {
   constexpr double forgiven = 1.05;
   TissueLattice lattice;
   auto& parts = lattice.parts;
@@ -41,4 +41,4 @@ TissueLattice divide_lattice(const Grid& ct, double spacing, std::size_t most) {
   return lattice;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -5,17 +5,17 @@
 
 #include "anatomy/grid.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // A CT lattice with every voxel cut into whole parts.
 struct TissueLattice {
-  Grid grid;
+  anatomy::Grid grid;
   std::array<int, 3> parts = {1, 1, 1};  // tissue voxels per CT voxel along i, j, k
 };
 
 // Divides each axis of `ct` by the smallest whole number that leaves no voxel edge longer than `spacing` (mm, > 0; 5
 // % over is forgiven). The faces of CT voxels stay faces of tissue voxels. When that makes more than `most` voxels,
 // the axis with the shortest edges is divided less, until it fits or nothing is left to take back.
-TissueLattice divide_lattice(const Grid& ct, double spacing, std::size_t most = 200'000'000);
+TissueLattice divide_lattice(const anatomy::Grid& ct, double spacing, std::size_t most = 200'000'000);
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 // [D] How edges grow with the distance from where they are fine.
@@ -21,12 +21,12 @@ struct Box {
   std::array<int, 3> low, high;  // voxels, both included
 };
 
-Box whole(const Grid& grid) {
+Box whole(const anatomy::Grid& grid) {
   return {{0, 0, 0}, {grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1}};
 }
 
 // The voxels within `reach` of the corridor; nothing when it misses the lattice.
-std::optional<Box> around(const Grid& grid, const NeedlePath& path, const MeshSettings& settings) {
+std::optional<Box> around(const anatomy::Grid& grid, const anatomy::NeedlePath& path, const MeshSettings& settings) {
   const double reach = settings.corridor_radius + settings.reach;
   const Vec3 end = path.target + settings.corridor_beyond * path.direction();
   Box box = whole(grid);
@@ -43,13 +43,13 @@ std::optional<Box> around(const Grid& grid, const NeedlePath& path, const MeshSe
 }
 
 // The part of a box that holds tissue; nothing when it holds none.
-std::optional<Box> with_tissue(const TissueVolume& tissues, const Box& box) {
+std::optional<Box> with_tissue(const anatomy::TissueVolume& tissues, const Box& box) {
   Box found{box.high, box.low};
   bool any = false;
   for (int k = box.low[2]; k <= box.high[2]; ++k) {
     for (int j = box.low[1]; j <= box.high[1]; ++j) {
       for (int i = box.low[0]; i <= box.high[0]; ++i) {
-        if (tissues.at(i, j, k) == tissue::air) continue;
+        if (tissues.at(i, j, k) == anatomy::tissue::air) continue;
         any = true;
         const std::array<int, 3> voxel = {i, j, k};
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -63,7 +63,7 @@ std::optional<Box> with_tissue(const TissueVolume& tissues, const Box& box) {
   return found;
 }
 
-std::array<int, 3> stride_of(const Grid& grid, const Box& box, double fine) {
+std::array<int, 3> stride_of(const anatomy::Grid& grid, const Box& box, double fine) {
   std::array<int, 3> stride{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double spacing = grid.spacing[static_cast<Eigen::Index>(axis)];
@@ -87,8 +87,9 @@ std::array<int, 3> stride_of(const Grid& grid, const Box& box, double fine) {
 }
 
 // Every `stride`-th voxel of a box, in one layer of air.
-TissueVolume take_out(const TissueVolume& tissues, const Box& box, const std::array<int, 3>& stride) {
-  Grid grid = tissues.grid;
+anatomy::TissueVolume take_out(const anatomy::TissueVolume& tissues, const Box& box,
+                               const std::array<int, 3>& stride) {
+  anatomy::Grid grid = tissues.grid;
   Vec3 first;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<Eigen::Index>(axis);
@@ -97,7 +98,7 @@ TissueVolume take_out(const TissueVolume& tissues, const Box& box, const std::ar
     first[i] = box.low[axis] - stride[axis];
   }
   grid.origin = tissues.grid.to_patient(first);
-  TissueVolume part(grid, tissue::air);
+  anatomy::TissueVolume part(grid, anatomy::tissue::air);
   for (int k = 1; k + 1 < grid.size[2]; ++k) {
     for (int j = 1; j + 1 < grid.size[1]; ++j) {
       for (int i = 1; i + 1 < grid.size[0]; ++i) {
@@ -109,8 +110,8 @@ TissueVolume take_out(const TissueVolume& tissues, const Box& box, const std::ar
   return part;
 }
 
-void wish_edges(const std::optional<NeedlePath>& path, const MeshSettings& settings, MeshPlan& plan) {
-  const Grid& grid = plan.tissues.grid;
+void wish_edges(const std::optional<anatomy::NeedlePath>& path, const MeshSettings& settings, MeshPlan& plan) {
+  const anatomy::Grid& grid = plan.tissues.grid;
   plan.border_edges.reserve(grid.voxel_count());
   plan.inner_edges.reserve(grid.voxel_count());
   for (int k = 0; k < grid.size[2]; ++k) {
@@ -128,7 +129,7 @@ void wish_edges(const std::optional<NeedlePath>& path, const MeshSettings& setti
 
 }  // namespace
 
-double distance_to_corridor(const Vec3& point, const NeedlePath& path, const MeshSettings& settings) {
+double distance_to_corridor(const Vec3& point, const anatomy::NeedlePath& path, const MeshSettings& settings) {
   const Vec3 axis = path.direction();
   const double along = axis.dot(point - path.entry);
   const double across = (point - path.entry - along * axis).norm();
@@ -137,7 +138,8 @@ double distance_to_corridor(const Vec3& point, const NeedlePath& path, const Mes
   return std::hypot(lengthwise, std::max(0.0, across - settings.corridor_radius));
 }
 
-MeshPlan plan_mesh(const TissueVolume& tissues, const std::optional<NeedlePath>& path, const MeshSettings& settings) {
+MeshPlan plan_mesh(const anatomy::TissueVolume& tissues, const std::optional<anatomy::NeedlePath>& path,
+                   const MeshSettings& settings) {
   const Box all = whole(tissues.grid);
   const std::optional<Box> box = path ? around(tissues.grid, *path, settings) : all;
   const std::optional<Box> body = box ? with_tissue(tissues, *box) : std::nullopt;
@@ -155,4 +157,4 @@ MeshPlan plan_mesh(const TissueVolume& tissues, const std::optional<NeedlePath>&
   return plan;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -7,7 +7,7 @@
 
 #include "anatomy/case.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // How a body is to be meshed. Lengths are mean edge lengths in mm before they are scaled to the number of nodes.
 struct MeshSettings {
@@ -24,17 +24,18 @@ struct MeshSettings {
 // Where and how finely: the part of the tissue lattice that is meshed, with a layer of air around it, and the wished
 // edges at each of its voxels for a scale of 1.
 struct MeshPlan {
-  TissueVolume tissues;             // tissue ids; air and the outermost layer are 0, which is not meshed
+  anatomy::TissueVolume tissues;    // tissue ids; air and the outermost layer are 0, which is not meshed
   std::vector<float> border_edges;  // mm, at a border between tissues, were there one at the voxel
   std::vector<float> inner_edges;   // mm, far from any border
   bool boxed = false;               // the volume was larger than what is meshed
 };
 
 // The plan for a case's tissues. Throws InputError when there is no tissue in reach of the path.
-MeshPlan plan_mesh(const TissueVolume& tissues, const std::optional<NeedlePath>& path, const MeshSettings& settings);
+MeshPlan plan_mesh(const anatomy::TissueVolume& tissues, const std::optional<anatomy::NeedlePath>& path,
+                   const MeshSettings& settings);
 
 // mm from `point` to the corridor: the cylinder around the path, from `corridor_radius` before the entry to
 // `corridor_beyond` behind the target; 0 inside.
-double distance_to_corridor(const Vec3& point, const NeedlePath& path, const MeshSettings& settings);
+double distance_to_corridor(const Vec3& point, const anatomy::NeedlePath& path, const MeshSettings& settings);
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

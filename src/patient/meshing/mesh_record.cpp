@@ -13,7 +13,7 @@
 #include "io/resources.h"
 #include "io/text_encoding.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 using nlohmann::json;
@@ -37,32 +37,33 @@ std::optional<MeshRecord> parse_record(const std::string& text) {
 std::optional<MeshRecord> record_for(const fs::path& folder, std::string_view mesh_bytes) {
   std::error_code ignored;
   if (!fs::is_regular_file(folder / mesh_record_name, ignored)) return std::nullopt;
-  std::optional<MeshRecord> record = parse_record(read_text_file(folder / mesh_record_name, largest_record));
-  if (record && record->mesh_digest != bytes_digest(mesh_bytes)) return std::nullopt;
+  std::optional<MeshRecord> record = parse_record(io::read_text_file(folder / mesh_record_name, largest_record));
+  if (record && record->mesh_digest != io::bytes_digest(mesh_bytes)) return std::nullopt;
   return record;
 }
 
 }  // namespace
 
-std::string mesh_made_from(const TissueVolume& tissues, const std::optional<NeedlePath>& path,
+std::string mesh_made_from(const anatomy::TissueVolume& tissues, const std::optional<anatomy::NeedlePath>& path,
                            const MeshSettings& settings) {
   std::string text = fmt::format("mesher {} tissues {} nodes {} fine {} coarse {} corridor {} {} reach {}",
-                                 mesher_version, volume_digest(tissues), settings.nodes, settings.fine,
+                                 mesher_version, io::volume_digest(tissues), settings.nodes, settings.fine,
                                  settings.coarse, settings.corridor_radius, settings.corridor_beyond, settings.reach);
   if (path) {
     for (const Vec3& end : {path->entry, path->target}) text += fmt::format(" {} {} {}", end.x(), end.y(), end.z());
   }
-  return bytes_digest(text);
+  return io::bytes_digest(text);
 }
 
 std::string mesh_made_from(std::string_view mesh_bytes, std::string_view scheme_bytes) {
-  return bytes_digest(fmt::format("imported {} {}", bytes_digest(mesh_bytes), bytes_digest(scheme_bytes)));
+  return io::bytes_digest(
+      fmt::format("imported {} {}", io::bytes_digest(mesh_bytes), io::bytes_digest(scheme_bytes)));
 }
 
 std::optional<MeshRecord> read_mesh_record(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::is_regular_file(folder / mesh_file_name, ignored)) return std::nullopt;
-  return record_for(folder, read_text_file(folder / mesh_file_name, largest_mesh));
+  return record_for(folder, io::read_text_file(folder / mesh_file_name, largest_mesh));
 }
 
 bool case_mesh_is_ours(const fs::path& folder) {
@@ -70,27 +71,27 @@ bool case_mesh_is_ours(const fs::path& folder) {
   return !fs::exists(fs::symlink_status(folder / mesh_file_name, ignored)) || read_mesh_record(folder).has_value();
 }
 
-std::optional<CaseMesh> read_case_mesh(const fs::path& folder, const TissueLibrary& library) {
+std::optional<CaseMesh> read_case_mesh(const fs::path& folder, const anatomy::TissueLibrary& library) {
   const fs::path file = folder / mesh_file_name;
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return std::nullopt;
-  const std::string bytes = read_text_file(file, largest_mesh);
+  const std::string bytes = io::read_text_file(file, largest_mesh);
   std::vector<std::string> notes;
-  CaseMesh found{with_tissues(parse_vtu(bytes, file.string()), library, {}, file.string(), notes),
+  CaseMesh found{with_tissues(io::parse_vtu(bytes, file.string()), library, {}, file.string(), notes),
                  record_for(folder, bytes)};
   return found;
 }
 
-void write_case_mesh(const TetrahedralMesh& mesh, MeshRecord record, const fs::path& folder) {
-  const std::string text = vtu_text(mesh);
-  record.mesh_digest = bytes_digest(text);
+void write_case_mesh(const anatomy::TetrahedralMesh& mesh, MeshRecord record, const fs::path& folder) {
+  const std::string text = io::vtu_text(mesh);
+  record.mesh_digest = io::bytes_digest(text);
   const json value = {{"made_from", record.made_from},
                       {"mesh_digest", record.mesh_digest},
                       {"scale", record.scale},
-                      {"source", valid_text(record.source)},
+                      {"source", io::valid_text(record.source)},
                       {"notes", record.notes}};
   write_file(folder / mesh_file_name, text);
   write_file(folder / mesh_record_name, value.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -9,32 +9,33 @@
 #include "core/error.h"
 #include "io/label_scheme.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 constexpr double least_volume = 1e-9;  // mm^3
 
-std::string region_name(const ForeignMesh& foreign, std::int64_t region) {
+std::string region_name(const io::ForeignMesh& foreign, std::int64_t region) {
   const auto name = foreign.names.find(region);
   return name == foreign.names.end() ? fmt::format("region {}", region)
                                      : fmt::format("region {} ('{}')", region, name->second);
 }
 
-TissueId tissue_of(const ForeignMesh& foreign, std::int64_t region, const TissueLibrary& library,
-                   const std::vector<Structure>& scheme, const std::string& origin) {
+anatomy::TissueId tissue_of(const io::ForeignMesh& foreign, std::int64_t region,
+                            const anatomy::TissueLibrary& library, const std::vector<anatomy::Structure>& scheme,
+                            const std::string& origin) {
   if (scheme.empty()) {
-    const bool known = region > 0 && region < 255 && library.find(static_cast<TissueId>(region)) != nullptr;
+    const bool known = region > 0 && region < 255 && library.find(static_cast<anatomy::TissueId>(region)) != nullptr;
     if (!known) {
       throw InputError(
           fmt::format("{}: {} is the id of no tissue of the case; say with --regions what the regions are made of",
                       origin, region_name(foreign, region)));
     }
-    return static_cast<TissueId>(region);
+    return static_cast<anatomy::TissueId>(region);
   }
-  for (const Structure& entry : scheme) {
+  for (const anatomy::Structure& entry : scheme) {
     if (entry.label != region) continue;
-    const TissueProperties* found = library.find(entry.tissue);
-    if (found == nullptr || is_resolved_by_construction(entry.tissue) || found->id == tissue::air) {
+    const anatomy::TissueProperties* found = library.find(entry.tissue);
+    if (found == nullptr || io::is_resolved_by_construction(entry.tissue) || found->id == anatomy::tissue::air) {
       throw InputError(
           fmt::format("{}: the tissue of {} is '{}', expected the name of one tissue, such as "
                       "cortical_bone",
@@ -47,11 +48,11 @@ TissueId tissue_of(const ForeignMesh& foreign, std::int64_t region, const Tissue
 
 }  // namespace
 
-TetrahedralMesh with_tissues(const ForeignMesh& foreign, const TissueLibrary& library,
-                             const std::vector<Structure>& scheme, const std::string& origin,
-                             std::vector<std::string>& notes) {
-  TetrahedralMesh mesh{foreign.nodes, foreign.elements, {}};
-  std::map<std::int64_t, TissueId> known;
+anatomy::TetrahedralMesh with_tissues(const io::ForeignMesh& foreign, const anatomy::TissueLibrary& library,
+                                      const std::vector<anatomy::Structure>& scheme, const std::string& origin,
+                                      std::vector<std::string>& notes) {
+  anatomy::TetrahedralMesh mesh{foreign.nodes, foreign.elements, {}};
+  std::map<std::int64_t, anatomy::TissueId> known;
   mesh.tissues.reserve(foreign.regions.size());
   for (const std::int64_t region : foreign.regions) {
     auto found = known.find(region);
@@ -60,11 +61,11 @@ TetrahedralMesh with_tissues(const ForeignMesh& foreign, const TissueLibrary& li
     }
     mesh.tissues.push_back(found->second);
   }
-  if (const std::size_t turned = orient_elements(mesh); turned > 0) {
+  if (const std::size_t turned = anatomy::orient_elements(mesh); turned > 0) {
     notes.push_back(fmt::format("{} tetrahedra were inside out and have been turned.", turned));
   }
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    if (element_volume(mesh, e) >= least_volume) continue;
+    if (anatomy::element_volume(mesh, e) >= least_volume) continue;
     const Vec3& place = mesh.nodes[mesh.elements[e].front()];
     throw InputError(
         fmt::format("{}: tetrahedron {} of the mesh, at ({:.1f}, {:.1f}, {:.1f}) mm, has no volume; "
@@ -74,4 +75,4 @@ TetrahedralMesh with_tissues(const ForeignMesh& foreign, const TissueLibrary& li
   return mesh;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -6,14 +6,14 @@
 #include "anatomy/case.h"
 #include "io/mesh/foreign_mesh.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // A foreign mesh with the tissues of a case: what each region is made of stands in a label scheme
 // (io/label_scheme.h; `origin` names it), or, without a scheme, the region is the id of a tissue. Elements of
 // negative volume are turned. What was done is appended to `notes`. Throws InputError for a region that has no
 // tissue, and for an element without volume (below 1e-9 mm^3), naming it.
-TetrahedralMesh with_tissues(const ForeignMesh& foreign, const TissueLibrary& library,
-                             const std::vector<Structure>& scheme, const std::string& origin,
-                             std::vector<std::string>& notes);
+anatomy::TetrahedralMesh with_tissues(const io::ForeignMesh& foreign, const anatomy::TissueLibrary& library,
+                                      const std::vector<anatomy::Structure>& scheme, const std::string& origin,
+                                      std::vector<std::string>& notes);
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

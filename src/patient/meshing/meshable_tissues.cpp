@@ -6,48 +6,48 @@
 
 #include "anatomy/label_distance.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 constexpr double thinnest = 0.8;            // [D] of the local edge: below, a tissue is merged
 constexpr double growth_from_border = 0.6;  // [D] mm of edge per mm away from a border
 constexpr double nodes_per_cube = 1.25;     // nodes in a cube of one edge; measured on lumbar patients
-constexpr TissueId unknown = 255;           // a voxel that came from another family
+constexpr anatomy::TissueId unknown = 255;  // a voxel that came from another family
 
-using Voxels = std::vector<TissueId>;
+using Voxels = std::vector<anatomy::TissueId>;
 
 // The family of a tissue, named after one of its members.
-TissueId family_of(TissueId id) {
+anatomy::TissueId family_of(anatomy::TissueId id) {
   switch (id) {
-    case tissue::skin:
-      return tissue::fat;
-    case tissue::cancellous_bone:
-    case tissue::cartilage:
-      return tissue::cortical_bone;
-    case tissue::supraspinous_ligament:
-    case tissue::ligamentum_flavum:
-      return tissue::interspinous_ligament;
-    case tissue::epidural_fat:
-    case tissue::dura:
-    case tissue::nerve:
-      return tissue::cerebrospinal_fluid;
+    case anatomy::tissue::skin:
+      return anatomy::tissue::fat;
+    case anatomy::tissue::cancellous_bone:
+    case anatomy::tissue::cartilage:
+      return anatomy::tissue::cortical_bone;
+    case anatomy::tissue::supraspinous_ligament:
+    case anatomy::tissue::ligamentum_flavum:
+      return anatomy::tissue::interspinous_ligament;
+    case anatomy::tissue::epidural_fat:
+    case anatomy::tissue::dura:
+    case anatomy::tissue::nerve:
+      return anatomy::tissue::cerebrospinal_fluid;
     default:
       return id;
   }
 }
 
 // Steps to the six neighbours of a voxel inside the outermost layer, which is air.
-std::array<std::ptrdiff_t, 6> neighbour_steps(const Grid& grid) {
+std::array<std::ptrdiff_t, 6> neighbour_steps(const anatomy::Grid& grid) {
   const std::ptrdiff_t row = grid.size[0], layer = row * grid.size[1];
   return {-layer, -row, -1, 1, row, layer};
 }
 
 // Spreads what is in `given` (0 = nothing) from voxel to voxel as far as `may` allows, nearest first.
 template <typename Allowed>
-void spread(const Grid& grid, Voxels& given, const Allowed& may) {
+void spread(const anatomy::Grid& grid, Voxels& given, const Allowed& may) {
   std::vector<std::size_t> front;
   for (std::size_t i = 0; i < given.size(); ++i) {
-    if (given[i] != tissue::air) front.push_back(i);
+    if (given[i] != anatomy::tissue::air) front.push_back(i);
   }
   const auto steps = neighbour_steps(grid);
   while (!front.empty()) {
@@ -55,7 +55,7 @@ void spread(const Grid& grid, Voxels& given, const Allowed& may) {
     for (const std::size_t i : front) {
       for (const std::ptrdiff_t step : steps) {
         const std::size_t j = i + static_cast<std::size_t>(step);
-        if (given[j] != tissue::air || !may(i, j)) continue;
+        if (given[j] != anatomy::tissue::air || !may(i, j)) continue;
         given[j] = given[i];
         next.push_back(j);
       }
@@ -67,7 +67,7 @@ void spread(const Grid& grid, Voxels& given, const Allowed& may) {
 // Calls `visit` with the voxels of each part that hangs together by faces, where `inside` voxels are joined if
 // `same`.
 template <typename Inside, typename Same, typename Visit>
-void for_parts(const Grid& grid, const Inside& inside, const Same& same, const Visit& visit) {
+void for_parts(const anatomy::Grid& grid, const Inside& inside, const Same& same, const Visit& visit) {
   std::vector<bool> seen(grid.voxel_count(), false);
   std::vector<std::size_t> part;
   const auto steps = neighbour_steps(grid);
@@ -88,9 +88,10 @@ void for_parts(const Grid& grid, const Inside& inside, const Same& same, const V
 }
 
 // What of `labels` stays; the rest is 0.
-Voxels thick_parts(const Volume<TissueId>& labels, const std::vector<float>& radius) {
-  const std::vector<std::uint8_t> kept = thick_enough(labels, distance_to_other_label(labels), radius);
-  Voxels thick(labels.voxels.size(), tissue::air);
+Voxels thick_parts(const anatomy::Volume<anatomy::TissueId>& labels, const std::vector<float>& radius) {
+  const std::vector<std::uint8_t> kept =
+      anatomy::thick_enough(labels, anatomy::distance_to_other_label(labels), radius);
+  Voxels thick(labels.voxels.size(), anatomy::tissue::air);
   for (std::size_t i = 0; i < thick.size(); ++i) {
     if (kept[i] != 0 && labels.voxels[i] != unknown) thick[i] = labels.voxels[i];
   }
@@ -98,44 +99,48 @@ Voxels thick_parts(const Volume<TissueId>& labels, const std::vector<float>& rad
 }
 
 // Families of the voxels, thin parts given to their neighbours; 0 outside and where nothing is thick.
-Voxels merge_families(const TissueVolume& tissues, const std::vector<float>& radius) {
-  Volume<TissueId> families(tissues.grid);
+Voxels merge_families(const anatomy::TissueVolume& tissues, const std::vector<float>& radius) {
+  anatomy::Volume<anatomy::TissueId> families(tissues.grid);
   std::transform(tissues.voxels.begin(), tissues.voxels.end(), families.voxels.begin(), family_of);
   Voxels merged = thick_parts(families, radius);
-  spread(tissues.grid, merged, [&](std::size_t, std::size_t j) { return families.voxels[j] != tissue::air; });
+  spread(tissues.grid, merged,
+         [&](std::size_t, std::size_t j) { return families.voxels[j] != anatomy::tissue::air; });
   return merged;
 }
 
 // The tissues of each family, thin parts given to others of the family.
-void merge_tissues(const Voxels& families, const std::vector<float>& radius, TissueVolume& tissues) {
+void merge_tissues(const Voxels& families, const std::vector<float>& radius, anatomy::TissueVolume& tissues) {
   for (std::size_t i = 0; i < families.size(); ++i) {
-    TissueId& id = tissues.voxels[i];
-    if (family_of(id) != families[i]) id = families[i] == tissue::air ? tissue::air : unknown;
+    anatomy::TissueId& id = tissues.voxels[i];
+    if (family_of(id) != families[i]) id = families[i] == anatomy::tissue::air ? anatomy::tissue::air : unknown;
   }
   const auto same = [&](std::size_t i, std::size_t j) { return families[i] == families[j]; };
   Voxels merged = thick_parts(tissues, radius);
   spread(tissues.grid, merged, same);
-  const auto left = [&](std::size_t i) { return families[i] != tissue::air && merged[i] == tissue::air; };
+  const auto left = [&](std::size_t i) {
+    return families[i] != anatomy::tissue::air && merged[i] == anatomy::tissue::air;
+  };
   for_parts(tissues.grid, left, same, [&](const std::vector<std::size_t>& part) {
     std::array<std::size_t, 256> voxels{};
     for (const std::size_t i : part) ++voxels[tissues.voxels[i]];
     voxels[unknown] = 0;
     const auto most = std::max_element(voxels.begin(), voxels.end());
-    const TissueId id = *most == 0 ? families[part.front()] : static_cast<TissueId>(most - voxels.begin());
+    const anatomy::TissueId id =
+        *most == 0 ? families[part.front()] : static_cast<anatomy::TissueId>(most - voxels.begin());
     for (const std::size_t i : part) merged[i] = id;
   });
   tissues.voxels = std::move(merged);
 }
 
-void keep_largest(TissueVolume& tissues) {
+void keep_largest(anatomy::TissueVolume& tissues) {
   std::vector<std::size_t> largest;
   for_parts(
-      tissues.grid, [&](std::size_t i) { return tissues.voxels[i] != tissue::air; },
+      tissues.grid, [&](std::size_t i) { return tissues.voxels[i] != anatomy::tissue::air; },
       [](std::size_t, std::size_t) { return true; },
       [&](const std::vector<std::size_t>& part) {
         if (part.size() > largest.size()) largest = part;
       });
-  Voxels kept(tissues.voxels.size(), tissue::air);
+  Voxels kept(tissues.voxels.size(), anatomy::tissue::air);
   for (const std::size_t i : largest) kept[i] = tissues.voxels[i];
   tissues.voxels = std::move(kept);
 }
@@ -145,22 +150,22 @@ void keep_largest(TissueVolume& tissues) {
 MeshableTissues meshable_tissues(const MeshPlan& plan, double scale) {
   MeshableTissues result;
   result.tissues = plan.tissues;
-  TissueVolume& tissues = result.tissues;
+  anatomy::TissueVolume& tissues = result.tissues;
   std::vector<float> radius(plan.border_edges.size());
   std::transform(plan.border_edges.begin(), plan.border_edges.end(), radius.begin(), [scale](float edge) {
     return static_cast<float>(0.5 * thinnest * scale * static_cast<double>(edge));
   });
   merge_tissues(merge_families(tissues, radius), radius, tissues);
   keep_largest(tissues);
-  result.edges = distance_to_other_label(tissues);
+  result.edges = anatomy::distance_to_other_label(tissues);
   for (std::size_t i = 0; i < result.edges.size(); ++i) {
     const double border =
         static_cast<double>(plan.border_edges[i]) * scale + growth_from_border * static_cast<double>(result.edges[i]);
     result.edges[i] = static_cast<float>(std::min(scale * static_cast<double>(plan.inner_edges[i]), border));
-    const TissueId was = plan.tissues.voxels[i], is = tissues.voxels[i];
-    if (was == tissue::air) continue;
+    const anatomy::TissueId was = plan.tissues.voxels[i], is = tissues.voxels[i];
+    if (was == anatomy::tissue::air) continue;
     ++result.before[was];
-    is == tissue::air ? ++result.dropped : ++result.after[is];
+    is == anatomy::tissue::air ? ++result.dropped : ++result.after[is];
   }
   return result;
 }
@@ -168,11 +173,11 @@ MeshableTissues meshable_tissues(const MeshPlan& plan, double scale) {
 double expected_nodes(const MeshableTissues& meshable) {
   double cubes = 0.0;
   for (std::size_t i = 0; i < meshable.edges.size(); ++i) {
-    if (meshable.tissues.voxels[i] == tissue::air) continue;
+    if (meshable.tissues.voxels[i] == anatomy::tissue::air) continue;
     const double edge = static_cast<double>(meshable.edges[i]);
     cubes += 1.0 / (edge * edge * edge);
   }
   return nodes_per_cube * cubes * meshable.tissues.grid.spacing.prod();
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

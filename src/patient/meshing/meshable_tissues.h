@@ -8,11 +8,11 @@
 
 #include "anatomy/volume.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // Tissues that can be meshed, and how finely.
 struct MeshableTissues {
-  TissueVolume tissues;                            // on the plan's lattice
+  anatomy::TissueVolume tissues;                   // on the plan's lattice
   std::vector<float> edges;                        // mm, one per voxel, scaled
   std::array<std::size_t, 256> before{}, after{};  // voxels by tissue, in the plan and here
   std::size_t dropped = 0;  // voxels that became air: in no thick part, or in no touch with the largest part
@@ -29,4 +29,4 @@ MeshableTissues meshable_tissues(const MeshPlan& plan, double scale);
 // The number of nodes that a mesh of them is expected to have.
 double expected_nodes(const MeshableTissues& meshable);
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -13,12 +13,12 @@
 #include "io/shared_memory.h"
 #include "io/worker_program.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 using nlohmann::json;
 
-const WorkerProgram mesh_program{"bodkin-mesher", "BODKIN_MESHER_WORKER", "BODKIN_MESHER"};
+const io::WorkerProgram mesh_program{"bodkin-mesher", "BODKIN_MESHER_WORKER", "BODKIN_MESHER"};
 
 constexpr int guesses = 1;  // of the scale, before anything is meshed
 constexpr int most_rounds = 5;
@@ -30,31 +30,31 @@ constexpr std::size_t bytes_per_node = 3 * sizeof(double), bytes_per_element = 4
 
 struct Attempt {
   std::size_t refined_nodes = 0;
-  TetrahedralMesh mesh;  // empty when the number of nodes was missed
+  anatomy::TetrahedralMesh mesh;  // empty when the number of nodes was missed
 };
 
-ChildLimits mesher_limits() {
-  ChildLimits limits;
+io::ChildLimits mesher_limits() {
+  io::ChildLimits limits;
 #ifndef BODKIN_ADDRESS_SANITIZER  // its shadow memory alone is larger
   limits.memory = 8ULL << 30U;
 #endif
   return limits;
 }
 
-[[noreturn]] void fail_worker(const WorkerTalk& talk) {
+[[noreturn]] void fail_worker(const io::WorkerTalk& talk) {
   if (talk.kind == "memory") throw SystemError("the mesh needs more memory than there is; ask for fewer nodes");
   if (!talk.error.empty()) throw SystemError(fmt::format("bodkin-mesher failed: {}", talk.error));
-  if (talk.child.end == ChildEnd::out_of_time) {
+  if (talk.child.end == io::ChildEnd::out_of_time) {
     throw SystemError("meshing took more than ten minutes and was given up; ask for fewer nodes");
   }
   throw SystemError("bodkin-mesher ended without a word; ask for fewer nodes");
 }
 
 // The mesh that the worker left in shared memory, in patient coordinates.
-TetrahedralMesh take_mesh(const SharedMemory& memory, const json& result, const Grid& grid) {
+anatomy::TetrahedralMesh take_mesh(const io::SharedMemory& memory, const json& result, const anatomy::Grid& grid) {
   const std::size_t nodes = result.value("nodes", std::size_t{0}),
                     elements = result.value("elements", std::size_t{0});
-  TetrahedralMesh mesh;
+  anatomy::TetrahedralMesh mesh;
   if (nodes > memory.size() / bytes_per_node || elements > memory.size() / bytes_per_element ||
       memory.size() != nodes * bytes_per_node + elements * bytes_per_element) {
     throw SystemError(
@@ -78,15 +78,15 @@ TetrahedralMesh take_mesh(const SharedMemory& memory, const json& result, const 
 }
 
 Attempt run_mesher(const MeshableTissues& meshable, const json& wish, const Progress& progress) {
-  SharedMemory memory("bodkin-mesh");
+  io::SharedMemory memory("bodkin-mesh");
   memory.append(meshable.tissues.voxels.data(), meshable.tissues.voxels.size());
   memory.append(meshable.edges.data(), meshable.edges.size() * sizeof(float));
   json request = wish;
-  const Grid& grid = meshable.tissues.grid;
+  const anatomy::Grid& grid = meshable.tissues.grid;
   request["size"] = grid.size;
   request["spacing"] = {grid.spacing.x(), grid.spacing.y(), grid.spacing.z()};
-  const WorkerTalk talk =
-      run_worker(mesh_program, "mesh", request.dump(), memory.descriptor(), mesher_limits(), progress);
+  const io::WorkerTalk talk =
+      io::run_worker(mesh_program, "mesh", request.dump(), memory.descriptor(), mesher_limits(), progress);
   if (!talk.succeeded()) fail_worker(talk);
   const json result = json::parse(talk.result, nullptr, false);
   return {result.value("refined_nodes", std::size_t{0}), take_mesh(memory, result, grid)};
@@ -94,13 +94,13 @@ Attempt run_mesher(const MeshableTissues& meshable, const json& wish, const Prog
 
 // Which tissues lost half of their voxels or more to their neighbours, and what was cut off.
 std::vector<std::string> merge_notes(const MeshPlan& plan, const MeshableTissues& merged,
-                                     const TissueLibrary& library) {
+                                     const anatomy::TissueLibrary& library) {
   std::vector<std::string> notes;
   std::string names;
   for (std::size_t id = 0; id < merged.before.size(); ++id) {
     const double left = static_cast<double>(merged.after[id]);
     if (merged.before[id] == 0 || left > mostly_gone * static_cast<double>(merged.before[id])) continue;
-    names += fmt::format("{}{}{}", names.empty() ? "" : ", ", library.title(static_cast<TissueId>(id)),
+    names += fmt::format("{}{}{}", names.empty() ? "" : ", ", library.title(static_cast<anatomy::TissueId>(id)),
                          merged.after[id] == 0 ? "" : " (in part)");
   }
   if (!names.empty()) {
@@ -121,15 +121,16 @@ std::vector<std::string> merge_notes(const MeshPlan& plan, const MeshableTissues
 bool mesher_present() {
   try {
     std::error_code ignored;
-    return std::filesystem::exists(find_worker(mesh_program), ignored);
+    return std::filesystem::exists(io::find_worker(mesh_program), ignored);
   } catch (const SystemError&) {
     return false;
   }
 }
 
-MeshedBody mesh_tissues(const TissueVolume& tissues, const std::optional<NeedlePath>& path,
-                        const TissueLibrary& library, const MeshSettings& settings, const Progress& progress) {
-  find_worker(mesh_program);
+MeshedBody mesh_tissues(const anatomy::TissueVolume& tissues, const std::optional<anatomy::NeedlePath>& path,
+                        const anatomy::TissueLibrary& library, const MeshSettings& settings,
+                        const Progress& progress) {
+  io::find_worker(mesh_program);
   const auto report = [&](std::string_view stage, double fraction) {
     if (progress) progress(stage, fraction);
   };
@@ -167,12 +168,12 @@ MeshedBody mesh_tissues(const TissueVolume& tissues, const std::optional<NeedleP
       continue;
     }
     MeshedBody body{std::move(made.mesh), scale, merge_notes(plan, meshable, library)};
-    orient_elements(body.mesh);
-    if (const std::size_t removed = keep_largest_part(body.mesh); removed > 0) {
+    anatomy::orient_elements(body.mesh);
+    if (const std::size_t removed = anatomy::keep_largest_part(body.mesh); removed > 0) {
       body.notes.push_back(fmt::format("{} elements that hung on nothing by a face were left out.", removed));
     }
     return body;
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

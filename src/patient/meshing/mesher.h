@@ -14,10 +14,10 @@
 // the GPL, and because it takes much memory for a moment. Labels go there and the mesh comes back through memory that
 // the two share.
 
-namespace bodkin {
+namespace bodkin::patient {
 
 struct MeshedBody {
-  TetrahedralMesh mesh;            // one part that hangs together, every element positive
+  anatomy::TetrahedralMesh mesh;   // one part that hangs together, every element positive
   double scale = 1.0;              // its edges are about this times those of the settings
   std::vector<std::string> notes;  // what was merged, cut off or missed, one sentence each
 };
@@ -26,10 +26,11 @@ struct MeshedBody {
 // of nodes: the edges are scaled, at most five times, until the number lies within 10 %; what is then missed is
 // noted. `library` gives the names for notes. The same input gives the same mesh. Throws InputError when nothing can
 // be meshed or the number of nodes cannot be reached, SystemError when bodkin-mesher is missing or fails.
-MeshedBody mesh_tissues(const TissueVolume& tissues, const std::optional<NeedlePath>& path,
-                        const TissueLibrary& library, const MeshSettings& settings, const Progress& progress = {});
+MeshedBody mesh_tissues(const anatomy::TissueVolume& tissues, const std::optional<anatomy::NeedlePath>& path,
+                        const anatomy::TissueLibrary& library, const MeshSettings& settings,
+                        const Progress& progress = {});
 
 // Whether bodkin-mesher is there.
 bool mesher_present();
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -1,6 +1,6 @@
 #include "patient/synthetic/approach.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 // Steps of the search, and how long a needle's path may be (mm).
@@ -62,4 +62,4 @@ Approach plan_approach(const LumbarModel& model, int upper) {
   return best;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -2,11 +2,11 @@
 
 #include "patient/synthetic/model.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // A midline lumbar puncture between the spinous processes of vertebra `upper` and the next one.
 struct Approach {
-  NeedlePath path;
+  anatomy::NeedlePath path;
   double clearance = 0.0;  // mm from the path to the nearest bone; negative: it passes through bone
   double angle = 0.0;      // rad that the needle points towards the head
 };
@@ -15,4 +15,4 @@ struct Approach {
 // the usual slight angle towards the head.
 Approach plan_approach(const LumbarModel& model, int upper);
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

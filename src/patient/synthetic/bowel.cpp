@@ -4,7 +4,7 @@
 
 #include "core/random.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 constexpr double kCell = 25.0;  // mm
@@ -53,4 +53,4 @@ const Bowel::Loop* Bowel::at(const Vec3& p, double& depth) const {
   return nullptr;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

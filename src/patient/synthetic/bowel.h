@@ -6,7 +6,7 @@
 
 #include "core/geometry.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // Loops of small bowel: ellipsoids of 25 to 35 mm at jittered places of a lattice that grow into one another.
 class Bowel {
@@ -30,4 +30,4 @@ class Bowel {
   std::vector<Loop> loops_;  // size_[0] * size_[1] * size_[2], x fastest
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

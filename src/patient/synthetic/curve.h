@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // A smooth function through knots: cubic Hermite with the slopes of the neighbours' chords. Linear beyond the ends.
 class Curve {
@@ -42,4 +42,4 @@ class Curve {
   std::vector<Knot> knots_;  // ascending z
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

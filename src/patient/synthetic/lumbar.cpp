@@ -7,14 +7,14 @@
 
 #include "core/parallel_for.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 constexpr double kMargin = 9.0;  // mm of air around the body
 constexpr double kAbove = 14.0;  // mm of the spine above the highest point of L1
 
 // An axial volume from a little below S1 to a part of T12; the frame is the patient's (LPS).
-Grid make_grid(const LumbarModel& model, double spacing) {
+anatomy::Grid make_grid(const LumbarModel& model, double spacing) {
   const Spine& spine = model.spine();
   const double bottom = spine.bottom(), top = spine.top() + kAbove;
   double back = -1e6;
@@ -25,7 +25,7 @@ Grid make_grid(const LumbarModel& model, double spacing) {
   const double half_width = model.torso().half_width() + kMargin;
   const double front = model.torso().front() - kMargin;
   back += kMargin;
-  Grid grid;
+  anatomy::Grid grid;
   grid.spacing = Vec3::Constant(spacing);
   const auto voxels = [&](double length) { return static_cast<int>(std::ceil(length / spacing)); };
   grid.size = {2 * voxels(half_width), voxels(back - front), voxels(top - bottom)};
@@ -33,9 +33,9 @@ Grid make_grid(const LumbarModel& model, double spacing) {
   return grid;
 }
 
-std::vector<Landmark> make_landmarks(const LumbarModel& model) {
+std::vector<anatomy::Landmark> make_landmarks(const LumbarModel& model) {
   static constexpr std::array<const char*, 5> kNames = {"L1_L2", "L2_L3", "L3_L4", "L4_L5", "L5_S1"};
-  std::vector<Landmark> landmarks;
+  std::vector<anatomy::Landmark> landmarks;
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     const int upper = level::l1 + static_cast<int>(i);
     landmarks.push_back({kNames[i], model.spine().interspace(upper)});
@@ -45,12 +45,13 @@ std::vector<Landmark> make_landmarks(const LumbarModel& model) {
 }
 
 // The path with its target in the middle of the fluid behind the roots, as the voxels have it.
-NeedlePath aim_at_fluid(const NeedlePath& path, const TissueVolume& tissues) {
+anatomy::NeedlePath aim_at_fluid(const anatomy::NeedlePath& path, const anatomy::TissueVolume& tissues) {
   const Vec3 direction = path.direction();
   double begin = -1.0, end = -1.0;
   for (double depth = 0.0; depth < path.length() + 12.0; depth += 0.25) {
-    const TissueId id = nearest(tissues, Vec3(path.entry + depth * direction), tissue::air);
-    if (id == tissue::cerebrospinal_fluid) {
+    const anatomy::TissueId id =
+        anatomy::nearest(tissues, Vec3(path.entry + depth * direction), anatomy::tissue::air);
+    if (id == anatomy::tissue::cerebrospinal_fluid) {
       if (begin < 0.0) begin = depth;
       end = depth;
     } else if (begin >= 0.0) {
@@ -63,7 +64,7 @@ NeedlePath aim_at_fluid(const NeedlePath& path, const TissueVolume& tissues) {
 
 }  // namespace
 
-SyntheticPatient synthesize_lumbar(const LumbarParameters& parameters, const TissueLibrary& library,
+SyntheticPatient synthesize_lumbar(const LumbarParameters& parameters, const anatomy::TissueLibrary& library,
                                    const Progress& progress) {
   check_parameters(parameters);
   const LumbarSizes sizes = lumbar_sizes(parameters);
@@ -71,9 +72,9 @@ SyntheticPatient synthesize_lumbar(const LumbarParameters& parameters, const Tis
 
   SyntheticPatient patient;
   patient.landmarks = make_landmarks(model);
-  const Grid grid = make_grid(model, parameters.spacing);
-  patient.tissues = TissueVolume(grid);
-  patient.structures = LabelVolume(grid);
+  const anatomy::Grid grid = make_grid(model, parameters.spacing);
+  patient.tissues = anatomy::TissueVolume(grid);
+  patient.structures = anatomy::LabelVolume(grid);
   parallel_for(grid.size[2], "anatomy", progress, [&](int k) {
     const double z = grid.to_patient(Vec3(0.0, 0.0, k)).z();
     const LumbarModel::Slice slice = model.slice(z, parameters.spacing);
@@ -92,4 +93,4 @@ SyntheticPatient synthesize_lumbar(const LumbarParameters& parameters, const Tis
   return patient;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -7,7 +7,7 @@
 #include "anatomy/case.h"
 #include "core/progress.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // What a synthetic lumbar torso is made from. Difficulty and variety come from these.
 struct LumbarParameters {
@@ -20,17 +20,17 @@ struct LumbarParameters {
 };
 
 struct SyntheticPatient {
-  CtVolume ct;
-  LabelVolume structures;  // TotalSegmentator ids where it has one
-  std::vector<Structure> structure_table;
-  TissueVolume tissues;
-  std::vector<Landmark> landmarks;  // names as build_patient gives them
-  NeedlePath path;                  // planned lumbar puncture at L3/L4, midline
+  anatomy::CtVolume ct;
+  anatomy::LabelVolume structures;  // TotalSegmentator ids where it has one
+  std::vector<anatomy::Structure> structure_table;
+  anatomy::TissueVolume tissues;
+  std::vector<anatomy::Landmark> landmarks;  // names as build_patient gives them
+  anatomy::NeedlePath path;                  // planned lumbar puncture at L3/L4, midline
 };
 
 // The same parameters give the same voxels on every machine. HU and their noise come from `library`. Throws
 // InputError naming the parameter, its value and its range.
-SyntheticPatient synthesize_lumbar(const LumbarParameters& parameters, const TissueLibrary& library,
+SyntheticPatient synthesize_lumbar(const LumbarParameters& parameters, const anatomy::TissueLibrary& library,
                                    const Progress& progress = {});
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -2,7 +2,7 @@
 
 #include <set>
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 // Thickness of cortical bone (mm), our choice: bodies have a thin shell, arches and pelvis a thicker one.
@@ -48,19 +48,19 @@ Material LumbarModel::bone(const Vec3& p, const BoneHit& hit, const Slice& slice
     material.label = static_cast<std::uint16_t>(structure::t11 - hit.bone);
     shell = p.y() > slice.here().canal_y - 4.0 ? kArchShell : kBodyShell;
   }
-  material.tissue = hit.distance > -shell ? tissue::cortical_bone : tissue::cancellous_bone;
+  material.tissue = hit.distance > -shell ? anatomy::tissue::cortical_bone : anatomy::tissue::cancellous_bone;
   return material;
 }
 
 Material LumbarModel::sac(const Vec3& p, const Slice& slice, double distance) const {
-  Material material{tissue::cerebrospinal_fluid, structure::canal};
+  Material material{anatomy::tissue::cerebrospinal_fluid, structure::canal};
   const double step = slice.spacing;
   if (distance > -2.6 * step) {
     for (int n = 0; n < 27; ++n) {
       const int across = n % 3 - 1, back = n / 3 % 3 - 1, up = n / 9 - 1;
       const Vec3 q = p + step * Vec3(across, back, up);
       if (Spine::sac_distance(q, slice.spine[static_cast<std::size_t>(n / 9)]) >= 0.0) {
-        material.tissue = tissue::dura;
+        material.tissue = anatomy::tissue::dura;
         return material;
       }
     }
@@ -68,7 +68,7 @@ Material LumbarModel::sac(const Vec3& p, const Slice& slice, double distance) co
   const SpineSection& s = slice.here();
   const double x = p.x() - s.canal_x, y = (p.y() - s.canal_y) * s.tilt - s.sac_y;
   if (s.cord_half_depth > 0.4 && shapes::ellipse(x, y, s.cord_half_width, s.cord_half_depth) < 0.0) {
-    material.tissue = tissue::nerve;
+    material.tissue = anatomy::tissue::nerve;
     return material;
   }
   // Cauda equina: roots sink to the front of the sac of a prone patient.
@@ -84,7 +84,7 @@ Material LumbarModel::sac(const Vec3& p, const Slice& slice, double distance) co
   const double root = 0.16 * s.sac_half_depth;
   for (const auto& place : kRoots) {
     const double dx = std::abs(x) - place[0] * s.sac_half_width, dy = y - place[1] * s.sac_half_depth;
-    if (dx * dx + dy * dy < root * root) material.tissue = tissue::nerve;
+    if (dx * dx + dy * dy < root * root) material.tissue = anatomy::tissue::nerve;
   }
   return material;
 }
@@ -95,7 +95,7 @@ Material LumbarModel::ligament(const Vec3& p, const Slice& slice, double canal) 
   if (p.y() < s.canal_y || x > 16.0) return {};
   const double scale = torso_.sizes().scale;
   if (canal < s.flavum && x < 13.0 * scale && spine_.above_second_sacral(p) > 14.0 * scale)
-    return {tissue::ligamentum_flavum, 0};
+    return {anatomy::tissue::ligamentum_flavum, 0};
   const double behind_tip = p.y() - s.tip_y;
   const double l5_tip = (spine_.pose(level::l5) * spine_.vertebra(level::l5).process_tip()).z();
   // 3.7 mm thick; where the fat begins a little further back, the ligament reaches up to it.
@@ -103,7 +103,7 @@ Material LumbarModel::ligament(const Vec3& p, const Slice& slice, double canal) 
   if (behind_bone &&
       (behind_tip < 3.7 || (behind_tip < 5.5 && Torso::outline_distance(p, slice.torso, slice.torso.fascia) < 0.0))) {
     // The supraspinous ligament ends at L5; below, fascia covers the gap.
-    return {p.z() > l5_tip ? tissue::supraspinous_ligament : tissue::soft, 0};
+    return {p.z() > l5_tip ? anatomy::tissue::supraspinous_ligament : anatomy::tissue::soft, 0};
   }
   if (behind_tip > 0.0 || x > 4.8) return {};
   const int upper = spine_.between_processes(p);
@@ -113,15 +113,15 @@ Material LumbarModel::ligament(const Vec3& p, const Slice& slice, double canal) 
   const double v = std::clamp((p.y() - front) / length, 0.0, 1.0);
   if (x > interspinous_half_width(v)) return {};
   const bool gap = spine_.sizes().below[static_cast<std::size_t>(upper)].ligament_gap;
-  if (gap && v > 0.12 && v < 0.12 + 3.5 / length) return {tissue::fat, 0};
-  return {tissue::interspinous_ligament, 0};
+  if (gap && v > 0.12 && v < 0.12 + 3.5 / length) return {anatomy::tissue::fat, 0};
+  return {anatomy::tissue::interspinous_ligament, 0};
 }
 
 Material LumbarModel::at(const Vec3& p, const Slice& slice) const {
   const TorsoSection& torso = slice.torso;
   const double skin = Torso::outline_distance(p, torso, torso.skin);
   if (skin > 0.0) return {};
-  if (skin > -std::max(torso_.sizes().skin, slice.spacing)) return {tissue::skin, 0};
+  if (skin > -std::max(torso_.sizes().skin, slice.spacing)) return {anatomy::tissue::skin, 0};
 
   const SpineSection& s = slice.here();
   const double sac_distance = Spine::sac_distance(p, s);
@@ -135,20 +135,20 @@ Material LumbarModel::at(const Vec3& p, const Slice& slice) const {
   if (bones != 0) {
     const BoneHit hit = spine_.bones_at(p, s, bones);
     if (hit.distance < 0.0) return bone(p, hit, slice);
-    if (hit.second < 1.4 && lateral > 5.0) return {tissue::cartilage, 0};
+    if (hit.second < 1.4 && lateral > 5.0) return {anatomy::tissue::cartilage, 0};
   }
   if (near_spine) {
     const double canal = Spine::canal_distance(p, s);
-    if (canal < 0.0) return {tissue::epidural_fat, structure::canal};
-    if (spine_.disc_at(p, slice.bones) >= 0) return {tissue::disc, 0};
-    if (const Material found = ligament(p, slice, canal); found.tissue != tissue::air) return found;
-    if (spine_.root_at(p)) return {tissue::nerve, 0};
+    if (canal < 0.0) return {anatomy::tissue::epidural_fat, structure::canal};
+    if (spine_.disc_at(p, slice.bones) >= 0) return {anatomy::tissue::disc, 0};
+    if (const Material found = ligament(p, slice, canal); found.tissue != anatomy::tissue::air) return found;
+    if (spine_.root_at(p)) return {anatomy::tissue::nerve, 0};
   }
   return torso_.soft_tissue(p, torso, s);
 }
 
-std::vector<Structure> lumbar_structures(const LabelVolume& labels) {
-  static const std::vector<Structure> kAll = {
+std::vector<anatomy::Structure> lumbar_structures(const anatomy::LabelVolume& labels) {
+  static const std::vector<anatomy::Structure> kAll = {
       {structure::kidney_right, "kidney_right", "organ", true},
       {structure::kidney_left, "kidney_left", "organ", true},
       {structure::liver, "liver", "organ", true},
@@ -178,10 +178,10 @@ std::vector<Structure> lumbar_structures(const LabelVolume& labels) {
       {structure::iliopsoas_right, "iliopsoas_right", "muscle", false},
   };
   const std::set<std::uint16_t> present(labels.voxels.begin(), labels.voxels.end());
-  std::vector<Structure> table;
-  for (const Structure& structure : kAll)
+  std::vector<anatomy::Structure> table;
+  for (const anatomy::Structure& structure : kAll)
     if (present.contains(structure.label)) table.push_back(structure);
   return table;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

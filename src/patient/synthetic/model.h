@@ -5,7 +5,7 @@
 
 #include "patient/synthetic/torso.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // The whole synthetic patient as a function of position. Constant once made: many threads may ask at once.
 class LumbarModel {
@@ -43,6 +43,6 @@ class LumbarModel {
 };
 
 // What the labels mean, for the structures that `labels` holds.
-std::vector<Structure> lumbar_structures(const LabelVolume& labels);
+std::vector<anatomy::Structure> lumbar_structures(const anatomy::LabelVolume& labels);
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

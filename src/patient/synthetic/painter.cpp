@@ -7,7 +7,7 @@
 #include "core/parallel_for.h"
 #include "core/random.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 constexpr double kPointSpread = 0.7;    // mm, standard deviation
@@ -84,21 +84,22 @@ struct Palette {
   std::array<float, 256> deviation{};
 };
 
-Palette make_palette(const TissueVolume& tissues, const TissueLibrary& library, const LumbarSizes& sizes) {
+Palette make_palette(const anatomy::TissueVolume& tissues, const anatomy::TissueLibrary& library,
+                     const LumbarSizes& sizes) {
   std::array<bool, 256> used{};
-  for (const TissueId id : tissues.voxels) used[id] = true;
+  for (const anatomy::TissueId id : tissues.voxels) used[id] = true;
   Palette palette;
   for (std::size_t id = 0; id < used.size(); ++id) {
     if (!used[id]) continue;
-    const TissueProperties* properties = library.find(static_cast<TissueId>(id));
+    const anatomy::TissueProperties* properties = library.find(static_cast<anatomy::TissueId>(id));
     if (properties == nullptr)
       throw InputError("synthetic patient: the tissue library has no tissue with id " + std::to_string(id) +
                        ", which the patient is made of; add it to the library");
     double value = properties->hounsfield;
-    if (id == tissue::cancellous_bone) value *= sizes.cancellous_factor;
-    if (id == tissue::cortical_bone) value *= sizes.cortical_factor;
+    if (id == anatomy::tissue::cancellous_bone) value *= sizes.cancellous_factor;
+    if (id == anatomy::tissue::cortical_bone) value *= sizes.cortical_factor;
     // Fatty change lowers the muscles of the old: 25 HU over a lifetime, our choice.
-    if (id == tissue::muscle) value -= 25.0 * sizes.torso.muscle_fat;
+    if (id == anatomy::tissue::muscle) value -= 25.0 * sizes.torso.muscle_fat;
     palette.value[id] = static_cast<float>(value);
     palette.deviation[id] = static_cast<float>(properties->hounsfield_noise);
   }
@@ -107,9 +108,9 @@ Palette make_palette(const TissueVolume& tissues, const TissueLibrary& library, 
 
 }  // namespace
 
-CtVolume paint_ct(const TissueVolume& tissues, const TissueLibrary& library, const LumbarSizes& sizes,
-                  std::uint64_t seed, const Progress& progress) {
-  const Grid& grid = tissues.grid;
+anatomy::CtVolume paint_ct(const anatomy::TissueVolume& tissues, const anatomy::TissueLibrary& library,
+                           const LumbarSizes& sizes, std::uint64_t seed, const Progress& progress) {
+  const anatomy::Grid& grid = tissues.grid;
   const Palette palette = make_palette(tissues, library, sizes);
   const std::vector<float> spread = point_spread(grid.spacing.x());
   const int reach = static_cast<int>(spread.size()) / 2;
@@ -124,13 +125,13 @@ CtVolume paint_ct(const TissueVolume& tissues, const TissueLibrary& library, con
   const auto columns = static_cast<std::size_t>(nx);
   const std::size_t plane = columns * static_cast<std::size_t>(ny);
 
-  CtVolume ct(grid);
+  anatomy::CtVolume ct(grid);
   parallel_for(nz, "Hounsfield units", progress, [&](int k) {
     // The point spread is separable: along z, then y, then x.
     std::vector<float> along_z(plane, 0.0f), row(columns), texture(columns);
     for (int dk = -reach; dk <= reach; ++dk) {
       const float weight = tap(dk);
-      const TissueId* slice = &tissues.voxels[grid.offset(0, 0, std::clamp(k + dk, 0, nz - 1))];
+      const anatomy::TissueId* slice = &tissues.voxels[grid.offset(0, 0, std::clamp(k + dk, 0, nz - 1))];
       for (std::size_t n = 0; n < plane; ++n) along_z[n] += weight * palette.value[slice[n]];
     }
     for (int j = 0; j < ny; ++j) {
@@ -163,4 +164,4 @@ CtVolume paint_ct(const TissueVolume& tissues, const TissueLibrary& library, con
   return ct;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

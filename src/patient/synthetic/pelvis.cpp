@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace bodkin {
+namespace bodkin::patient {
 
 using shapes::blend;
 using shapes::Rod;
@@ -102,4 +102,4 @@ double Ilium::distance(const Vec3& p) const {
   return best * scale_;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

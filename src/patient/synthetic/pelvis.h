@@ -5,7 +5,7 @@
 #include "patient/synthetic/shapes.h"
 #include "patient/synthetic/sizes.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // The sacrum as an implicit shape in its own frame: origin in the middle of the upper endplate of S1, x left,
 // y posterior, z along the sacrum's axis upwards. The sacral canal is not cut out here.
@@ -40,4 +40,4 @@ class Ilium {
   double scale_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -8,7 +8,7 @@
 // Implicit shapes from which the synthetic patient is built: functions of position that are negative inside, positive
 // outside and near the surface about the distance to it in mm. Only + - * / and square roots are used, which IEEE 754
 // rounds alike everywhere, so that the same parameters give the same voxels on every machine.
-namespace bodkin::shapes {
+namespace bodkin::patient::shapes {
 
 // sin and cos by their series (Taylor to the 15th and 16th power; error below 1e-12 for |angle| <= 1.6 rad). The
 // mathematical library's differ in the last bit from machine to machine.
@@ -93,4 +93,4 @@ inline double distance(const Rod& rod, const Vec3& p) {
   return ellipsoid(p - rod.a - t * axis, rod.radii_a + t * (rod.radii_b - rod.radii_a));
 }
 
-}  // namespace bodkin::shapes
+}  // namespace bodkin::patient::shapes

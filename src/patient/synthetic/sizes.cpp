@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "core/random.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 using shapes::degrees;
@@ -163,4 +163,4 @@ LumbarSizes lumbar_sizes(const LumbarParameters& parameters) {
   return sizes;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -4,7 +4,7 @@
 
 #include "patient/synthetic/lumbar.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // Positions of the vertebrae in the arrays below. T11 only shapes the curves above the volume.
 namespace level {
@@ -72,4 +72,4 @@ void check_parameters(const LumbarParameters& parameters);
 // varied by a few percent from the seed.
 LumbarSizes lumbar_sizes(const LumbarParameters& parameters);
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -2,7 +2,7 @@
 
 #include <tuple>
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 // Facet joints and spinous processes of two bones stay this far apart (mm): the space of the joint's cartilage.
@@ -276,4 +276,4 @@ int Spine::between_processes(const Vec3& p) const {
   return -1;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

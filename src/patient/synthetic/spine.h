@@ -8,7 +8,7 @@
 #include "patient/synthetic/pelvis.h"
 #include "patient/synthetic/vertebra.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // Cross-sections of everything that runs along the spine, at one height z (patient frame, mm). The canal's section is
 // taken across the canal: y is shortened by `tilt`, the cosine of its slope.
@@ -85,4 +85,4 @@ class Spine {
   std::vector<shapes::Rod> roots_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

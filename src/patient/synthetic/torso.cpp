@@ -1,6 +1,6 @@
 #include "patient/synthetic/torso.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 namespace {
 
 // Depth of the groove between the two columns of back muscle, and how far the supraspinous ligament stands behind the
@@ -99,15 +99,15 @@ Material Torso::back_muscle(const Vec3& p, double fascia, const TorsoSection& to
     const double cleft_half = (0.3 + 0.8 * wave(depth / 17.0 + p.z() / 23.0)) * (1.0 + 3.0 * sizes_.muscle_fat);
     const bool in_cleft = std::abs(x - cleft) < cleft_half && p.y() > plane + 4.0 && depth > 6.0;
     const bool in_front = erector > -1.1 && p.y() < middle && x > 20.0 * s;
-    if (in_cleft || in_front) return {tissue::fat, 0};
-    return {tissue::muscle, left ? structure::autochthon_left : structure::autochthon_right};
+    if (in_cleft || in_front) return {anatomy::tissue::fat, 0};
+    return {anatomy::tissue::muscle, left ? structure::autochthon_left : structure::autochthon_right};
   }
-  if (erector < 1.0 || x < half_width) return {x < half_width ? tissue::muscle : tissue::fat, 0};
+  if (erector < 1.0 || x < half_width) return {x < half_width ? anatomy::tissue::muscle : anatomy::tissue::fat, 0};
   // Lateral to the column the wall of the flank comes round to the back, with fat in front of it that ends above the
   // pelvis.
   const double arch = s1_z_ + 20.0 * s + 0.9 * (p.y() - spine.canal_y) + 12.0 * s * square((x / s - 88.0) / 18.0);
   const bool fat = fascia < -wall_thickness(p, torso) && p.z() > arch;
-  return {fat ? tissue::fat : tissue::muscle, 0};
+  return {fat ? anatomy::tissue::fat : anatomy::tissue::muscle, 0};
 }
 
 Material Torso::vessel(const Vec3& p, const SpineSection& spine) const {
@@ -119,21 +119,21 @@ Material Torso::vessel(const Vec3& p, const SpineSection& spine) const {
   const double y = p.y() - front;
   if (artery_drop <= 0.0) {
     if (shapes::ellipse(p.x() - 9.0 * s, y + 11.0 * s, 8.5 * s, 8.5 * s) < 0.0)
-      return {tissue::vessel, structure::aorta};
+      return {anatomy::tissue::vessel, structure::aorta};
   } else {
     const double spread = (4.0 + 0.55 * artery_drop / s) * s;
     for (const double side : {-1.0, 1.0})
       if (shapes::ellipse(p.x() - 5.0 * s - side * spread, y + 10.0 * s, 5.5 * s, 5.5 * s) < 0.0)
-        return {tissue::vessel, side > 0.0 ? structure::iliac_artery_left : structure::iliac_artery_right};
+        return {anatomy::tissue::vessel, side > 0.0 ? structure::iliac_artery_left : structure::iliac_artery_right};
   }
   if (vein_drop <= 0.0) {
     if (shapes::ellipse(p.x() + 15.0 * s, y + 9.0 * s, 11.0 * s, 8.0 * s) < 0.0)
-      return {tissue::vessel, structure::vena_cava};
+      return {anatomy::tissue::vessel, structure::vena_cava};
   } else {
     const double spread = (6.0 + 0.6 * vein_drop / s) * s;
     for (const double side : {-1.0, 1.0})
       if (shapes::ellipse(p.x() + 8.0 * s - side * spread, y + 6.0 * s, 6.5 * s, 5.5 * s) < 0.0)
-        return {tissue::vessel, side > 0.0 ? structure::iliac_vein_left : structure::iliac_vein_right};
+        return {anatomy::tissue::vessel, side > 0.0 ? structure::iliac_vein_left : structure::iliac_vein_right};
   }
   return {};
 }
@@ -151,16 +151,16 @@ Material Torso::kidney(const Vec3& p) const {
   const Vec3 sinus = q + side * Vec3(15.0 * s, 0.0, 0.0);
   if (shapes::ellipsoid(sinus, Vec3(15.0, 8.0, 25.0) * s) < 0.0) {
     const bool pelvis = shapes::ellipsoid(sinus - side * Vec3(3.0 * s, 0.0, 0.0), Vec3(9.0, 4.0, 15.0) * s) < 0.0;
-    return pelvis ? Material{tissue::soft, 0} : Material{tissue::fat, 0};
+    return pelvis ? Material{anatomy::tissue::soft, 0} : Material{anatomy::tissue::fat, 0};
   }
-  return {tissue::organ, left ? structure::kidney_left : structure::kidney_right};
+  return {anatomy::tissue::organ, left ? structure::kidney_left : structure::kidney_right};
 }
 
 Material Torso::gut(const Vec3& p, const SpineSection& spine) const {
   const double s = sizes_.scale;
   // Liver: the lower part of the right lobe.
   const Vec3 liver = p - Vec3(-74.0 * s, -58.0 * s, l1_z_ + 40.0 * s);
-  if (shapes::ellipsoid(liver, Vec3(62.0, 66.0, 82.0) * s) < 0.0) return {tissue::organ, structure::liver};
+  if (shapes::ellipsoid(liver, Vec3(62.0, 66.0, 82.0) * s) < 0.0) return {anatomy::tissue::organ, structure::liver};
   // Ascending and descending colon with haustra. Gas rises to the back of a prone patient.
   for (const double side : {-1.0, 1.0}) {
     const Vec3 centre(side * 88.0 * s, spine.body_y - 38.0 * s, 0.0);
@@ -169,19 +169,19 @@ Material Torso::gut(const Vec3& p, const SpineSection& spine) const {
     const double r = std::sqrt(dx * dx + dy * dy);
     if (r > radius) continue;
     const bool gas = r < radius - 2.5 && dy > (side > 0.0 ? 1.0 : 6.0) * s;
-    return {gas ? tissue::gas : tissue::soft, structure::colon};
+    return {gas ? anatomy::tissue::gas : anatomy::tissue::soft, structure::colon};
   }
   double depth = 0.0;
   const Bowel::Loop* loop = bowel_.at(p, depth);
   if (loop == nullptr) return {};
   const bool gas = loop->gas && depth > 2.5 && p.y() > loop->centre.y() + 2.0;
-  return {gas ? tissue::gas : tissue::soft, structure::small_bowel};
+  return {gas ? anatomy::tissue::gas : anatomy::tissue::soft, structure::small_bowel};
 }
 
 Material Torso::soft_tissue(const Vec3& p, const TorsoSection& torso, const SpineSection& spine) const {
   const double s = sizes_.scale;
   const double fascia = outline_distance(p, torso, torso.fascia);
-  if (fascia > 0.0) return {tissue::fat, 0};
+  if (fascia > 0.0) return {anatomy::tissue::fat, 0};
   const double x = std::abs(p.x() - spine.body_x);
   const bool left = p.x() > spine.body_x;
 
@@ -192,30 +192,30 @@ Material Torso::soft_tissue(const Vec3& p, const TorsoSection& torso, const Spin
     const double centre_x = spine.body_half_width + (0.62 + 0.25 * down) * radius;
     const double centre_y = (down > 0.8 ? spine.body_y - 40.0 * s * (down - 0.8) : spine.body_y) + 2.0 * s;
     const double psoas = shapes::ellipse(x - centre_x, p.y() - centre_y, radius, 1.12 * radius);
-    if (psoas < 0.0) return {tissue::muscle, left ? structure::iliopsoas_left : structure::iliopsoas_right};
-    if (psoas < 1.2) return {tissue::fat, 0};
+    if (psoas < 0.0) return {anatomy::tissue::muscle, left ? structure::iliopsoas_left : structure::iliopsoas_right};
+    if (psoas < 1.2) return {anatomy::tissue::fat, 0};
   }
   // Quadratus lumborum: from the transverse processes outwards, above the crest of the ilium.
   const double quadratus =
       shapes::ellipse(x - 61.0 * s, p.y() - spine.canal_y + 0.12 * (x - 61.0 * s), 22.0 * s, 8.0 * s);
-  if (quadratus < 0.0) return {tissue::muscle, 0};
-  if (quadratus < 1.0) return {tissue::fat, 0};
+  if (quadratus < 0.0) return {anatomy::tissue::muscle, 0};
+  if (quadratus < 1.0) return {anatomy::tissue::fat, 0};
   // The foramina hold fat around the roots.
   const bool beside_canal = p.y() < spine.canal_y + 6.0 * s && p.y() > spine.body_y;
   if (beside_canal &&
       shapes::ellipse(x, p.y() - spine.canal_y + 4.0 * s, spine.canal_half_width + 11.0 * s, 13.0 * s) < 0.0)
-    return {tissue::fat, 0};
+    return {anatomy::tissue::fat, 0};
 
   if (p.y() > spine.canal_y) return back_muscle(p, fascia, torso, spine);
   if (fascia > -wall_thickness(p, torso)) {
     // Thin layers of fat part the three muscles of the flank.
     const bool layer = std::abs(fascia + 6.8 * s) < 0.6 || std::abs(fascia + 13.0 * s) < 0.6;
-    return {x > 66.0 * s && layer ? tissue::fat : tissue::muscle, 0};
+    return {x > 66.0 * s && layer ? anatomy::tissue::fat : anatomy::tissue::muscle, 0};
   }
   if (const Material found = vessel(p, spine); found.label != 0) return found;
-  if (const Material found = kidney(p); found.tissue != tissue::air) return found;
+  if (const Material found = kidney(p); found.tissue != anatomy::tissue::air) return found;
   if (const Material found = gut(p, spine); found.label != 0) return found;
-  return {tissue::fat, 0};
+  return {anatomy::tissue::fat, 0};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -5,11 +5,11 @@
 #include "patient/synthetic/bowel.h"
 #include "patient/synthetic/spine.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // What one voxel is: tissue and structure label (0: none).
 struct Material {
-  TissueId tissue = tissue::air;
+  anatomy::TissueId tissue = anatomy::tissue::air;
   std::uint16_t label = 0;
 };
 
@@ -60,4 +60,4 @@ class Torso {
   Bowel bowel_;
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

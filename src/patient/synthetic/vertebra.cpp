@@ -1,6 +1,6 @@
 #include "patient/synthetic/vertebra.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 using shapes::blend;
 
@@ -124,4 +124,4 @@ double Vertebra::distance(const Vec3& p) const {
   return blend(body, arch(p), 3.0);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

@@ -6,7 +6,7 @@
 #include "patient/synthetic/shapes.h"
 #include "patient/synthetic/sizes.h"
 
-namespace bodkin {
+namespace bodkin::patient {
 
 // The bone of one vertebra as an implicit shape in its own frame: origin in the middle of the body, x left,
 // y posterior, z superior. The spinal canal is not cut out here.
@@ -53,4 +53,4 @@ class Vertebra {
   std::vector<BoundedRod> arch_rods_;  // right and left are mirror images: for x >= 0
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::patient

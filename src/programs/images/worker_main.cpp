@@ -21,7 +21,7 @@
 #include "core/error.h"
 #include "io/images/image_source.h"
 
-namespace bodkin {
+namespace bodkin::programs {
 namespace {
 
 using nlohmann::json;
@@ -43,7 +43,7 @@ json point(const Vec3& p) {
 }
 
 // Doubles in JSON come back to the bit: nlohmann writes the shortest text that does.
-json grid_json(const Grid& grid) {
+json grid_json(const anatomy::Grid& grid) {
   std::vector<double> numbers(grid.spacing.data(), grid.spacing.data() + 3);
   numbers.insert(numbers.end(), grid.direction.data(), grid.direction.data() + 9);
   numbers.insert(numbers.end(), grid.origin.data(), grid.origin.data() + 3);
@@ -51,7 +51,7 @@ json grid_json(const Grid& grid) {
 }
 
 template <typename Voxel>
-void hand_over(const Volume<Voxel>& volume) {
+void hand_over(const anatomy::Volume<Voxel>& volume) {
   const char* bytes = reinterpret_cast<const char*>(volume.voxels.data());
   std::size_t left = volume.voxels.size() * sizeof(Voxel);
   while (left > 0) {
@@ -68,13 +68,13 @@ void read_image(const json& request) {
   const std::filesystem::path path = request.at("path").get<std::string>();
   const std::string kind = request.at("kind");
   if (kind == "ct") {
-    const CtImage image = read_ct(path, {}, report_progress);
+    const io::CtImage image = io::read_ct(path, {}, report_progress);
     for (const std::string& note : image.notes) say({{"note", note}});
     hand_over(image.ct);
   } else if (kind == "labels") {
-    hand_over(read_labels(path, report_progress));
+    hand_over(io::read_labels(path, report_progress));
   } else {
-    hand_over(read_tissues(path));
+    hand_over(io::read_tissues(path));
   }
 }
 
@@ -83,25 +83,25 @@ Vec3 point_from(const json& value) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-NewCase new_case(const json& request) {
-  NewCase wanted;
+patient::NewCase new_case(const json& request) {
+  patient::NewCase wanted;
   wanted.folder = request.at("folder").get<std::string>();
   wanted.overwrite = request.value("overwrite", false);
   wanted.name = request.value("name", "");
   wanted.needle_gauge = request.value("needle_gauge", wanted.needle_gauge);
   if (request.contains("entry")) {
-    wanted.path = NeedlePath{point_from(request.at("entry")), point_from(request.at("target"))};
+    wanted.path = anatomy::NeedlePath{point_from(request.at("entry")), point_from(request.at("target"))};
   }
   return wanted;
 }
 
-json summary_json(const CaseSummary& summary) {
+json summary_json(const patient::CaseSummary& summary) {
   json tissues = json::array();
-  for (const TissueAmount& amount : summary.amounts) {
+  for (const patient::TissueAmount& amount : summary.amounts) {
     tissues.push_back({{"tissue", amount.title}, {"volume_ml", amount.millilitres}});
   }
   json landmarks = json::array();
-  for (const Landmark& landmark : summary.description.landmarks) {
+  for (const anatomy::Landmark& landmark : summary.description.landmarks) {
     landmarks.push_back({{"name", landmark.name}, {"position_mm", point(landmark.position)}});
   }
   json result = {{"name", summary.description.name},
@@ -121,13 +121,13 @@ json summary_json(const CaseSummary& summary) {
   return result;
 }
 
-void finish_case(const CaseSummary& summary) {
+void finish_case(const patient::CaseSummary& summary) {
   for (const std::string& note : summary.description.notes) say({{"note", note}});
   say({{"result", summary_json(summary)}});
 }
 
 void make_imported_case(const json& request) {
-  ImportOptions options;
+  patient::ImportOptions options;
   options.ct = request.at("ct").get<std::string>();
   options.labels = request.value("labels", "");
   options.scheme = request.value("scheme", options.scheme);
@@ -136,24 +136,24 @@ void make_imported_case(const json& request) {
   options.resample_labels = request.value("resample_labels", false);
   options.fill_missing = request.value("fill_missing", false);
   options.assume_hounsfield = request.value("assume_hu", false);
-  finish_case(build_imported_case(new_case(request), options, report_progress));
+  finish_case(patient::build_imported_case(new_case(request), options, report_progress));
 }
 
 void make_synthetic_case(const json& request) {
-  LumbarParameters parameters;
+  patient::LumbarParameters parameters;
   parameters.seed = request.value("seed", parameters.seed);
   parameters.age = request.value("age", parameters.age);
   parameters.height = request.value("height", parameters.height);
   parameters.weight = request.value("weight", parameters.weight);
   parameters.flexion = request.value("flexion", parameters.flexion);
   parameters.spacing = request.value("spacing", parameters.spacing);
-  finish_case(build_synthetic_case(new_case(request), parameters, report_progress));
+  finish_case(patient::build_synthetic_case(new_case(request), parameters, report_progress));
 }
 
 void list_series(const json& request) {
-  const DicomFolder folder = scan_dicom(request.at("path").get<std::string>(), report_progress);
+  const io::DicomFolder folder = io::scan_dicom(request.at("path").get<std::string>(), report_progress);
   json series = json::array();
-  for (const DicomSeries& one : folder.series) {
+  for (const io::DicomSeries& one : folder.series) {
     series.push_back({{"number", one.number},
                       {"description", one.description},
                       {"modality", one.modality},
@@ -188,7 +188,7 @@ int fail(const std::string& sentence, const char* kind) {
 }
 
 }  // namespace
-}  // namespace bodkin
+}  // namespace bodkin::programs
 
 int main(int argc, char** argv) {
   if (argc != 2) {
@@ -196,16 +196,16 @@ int main(int argc, char** argv) {
     return 1;
   }
   try {
-    return bodkin::run(argv[1]);
+    return bodkin::programs::run(argv[1]);
   } catch (const bodkin::InputError& error) {
-    return bodkin::fail(error.what(), "input");
+    return bodkin::programs::fail(error.what(), "input");
   } catch (const bodkin::SystemError& error) {
-    return bodkin::fail(error.what(), "system");
+    return bodkin::programs::fail(error.what(), "system");
   } catch (const std::bad_alloc&) {
-    return bodkin::fail("out of memory", "memory");
+    return bodkin::programs::fail("out of memory", "memory");
   } catch (const std::length_error&) {
-    return bodkin::fail("out of memory", "memory");
+    return bodkin::programs::fail("out of memory", "memory");
   } catch (const std::exception& error) {
-    return bodkin::fail(error.what(), "system");
+    return bodkin::programs::fail(error.what(), "system");
   }
 }

@@ -14,7 +14,7 @@
 #include <CGAL/perturb_mesh_3.h>
 #include <CGAL/refine_mesh_3.h>
 
-namespace bodkin {
+namespace bodkin::programs {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -231,4 +231,4 @@ LabelMesh mesh_labels(const LabelLattice& lattice, const LabelMeshing& meshing,
   return plain(complex);
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::programs

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace bodkin {
+namespace bodkin::programs {
 
 // What is to be meshed: labels on a lattice of its own, x = spacing * (i, j, k), and the wanted edge length at every
 // voxel. The outermost layer of voxels must be 0.
@@ -37,4 +37,4 @@ struct LabelMesh {
 LabelMesh mesh_labels(const LabelLattice& lattice, const LabelMeshing& meshing,
                       const std::function<void(const char* stage, double fraction)>& progress);
 
-}  // namespace bodkin
+}  // namespace bodkin::programs

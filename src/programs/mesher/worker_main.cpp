@@ -18,7 +18,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::programs {
 namespace {
 
 using nlohmann::json;
@@ -97,18 +97,18 @@ int fail(const std::string& sentence, const char* kind, int exit_code) {
 }
 
 }  // namespace
-}  // namespace bodkin
+}  // namespace bodkin::programs
 
 int main(int argc, char** argv) {
   if (argc != 2 || std::string_view(argv[1]) != "mesh") {
-    std::fputs(bodkin::about, argc == 2 && std::string_view(argv[1]) == "--help" ? stdout : stderr);
+    std::fputs(bodkin::programs::about, argc == 2 && std::string_view(argv[1]) == "--help" ? stdout : stderr);
     return argc == 2 && std::string_view(argv[1]) == "--help" ? 0 : 1;
   }
   try {
-    return bodkin::run();
+    return bodkin::programs::run();
   } catch (const std::bad_alloc&) {
-    return bodkin::fail("out of memory", "memory", 2);
+    return bodkin::programs::fail("out of memory", "memory", 2);
   } catch (const std::exception& error) {
-    return bodkin::fail(error.what(), "system", 1);
+    return bodkin::programs::fail(error.what(), "system", 1);
   }
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bodkin {
+namespace bodkin::study {
 
 namespace {
 
@@ -99,4 +99,4 @@ CurveShape shape_of(const MeasuredCurve& curve, double contact, std::size_t yiel
   return shape;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::study

@@ -7,7 +7,7 @@
 #include "study/fitting/fit_model.h"
 #include "study/fitting/measured_curve.h"
 
-namespace bodkin {
+namespace bodkin::study {
 
 // mm, the depth at which the force begins to rise out of its noise.
 double contact_of(const MeasuredCurve& curve);
@@ -22,4 +22,4 @@ double noise_of(const MeasuredCurve& curve);
 // What the curve looks like when the tissue gives way before sample `yield`; 0: it does not.
 CurveShape shape_of(const MeasuredCurve& curve, double contact, std::size_t yield);
 
-}  // namespace bodkin
+}  // namespace bodkin::study

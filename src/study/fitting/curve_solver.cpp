@@ -8,7 +8,7 @@
 #include "study/fitting/curve_shape.h"
 #include <Eigen/QR>
 
-namespace bodkin {
+namespace bodkin::study {
 
 namespace {
 
@@ -260,4 +260,4 @@ Eigen::VectorXd CurveSolver::yield_gradient(const CurveSolution& solution, const
   return gradient;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::study

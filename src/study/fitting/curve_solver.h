@@ -8,7 +8,7 @@
 #include "study/fitting/least_squares.h"
 #include "study/fitting/measured_curve.h"
 #include "study/fitting/needle_history.h"
-namespace bodkin {
+namespace bodkin::study {
 
 // The values of a model that are looked for and those that are kept, and how well they describe the curve.
 struct CurveSolution {
@@ -82,4 +82,4 @@ class CurveSolver {
   std::size_t grid_step_ = 1;      // ticks between two places where the tissue may give way
 };
 
-}  // namespace bodkin
+}  // namespace bodkin::study

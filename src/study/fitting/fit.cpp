@@ -11,7 +11,7 @@
 #include "core/error.h"
 #include "core/settings_check.h"
 
-namespace bodkin {
+namespace bodkin::study {
 
 namespace {
 
@@ -28,7 +28,7 @@ std::size_t place_of(const FitModel& model, const std::string& name) {
     if (model.parameters[i].name == name) return i;
   std::string names;
   for (const FitParameter& one : model.parameters) names += fmt::format("{}{}", names.empty() ? "" : ", ", one.name);
-  throw InputError(fmt::format("{} has no parameter {}, expected one of {}", model.name, in_quotes(name), names));
+  throw InputError(fmt::format("{} has no parameter {}, expected one of {}", model.name, io::in_quotes(name), names));
 }
 
 double within_range(const FitModel& model, std::size_t place, double value, const char* option) {
@@ -357,4 +357,4 @@ CurveFit fit_curve(const MeasuredCurve& curve, const FitRequest& request) {
   return fit;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::study

@@ -9,7 +9,7 @@
 #include "study/fitting/fit_model.h"
 #include "study/fitting/measured_curve.h"
 
-namespace bodkin {
+namespace bodkin::study {
 
 // A value for a parameter by its name.
 using NamedValue = std::pair<std::string, double>;
@@ -70,4 +70,4 @@ CurveFit fit_curve(const MeasuredCurve& curve, const FitRequest& request);
 // The fitted values as an XML document: elements of the tissue library and of a case, ready to be copied.
 std::string fitted_xml(const CurveFit& fit, const MeasuredCurve& curve);
 
-}  // namespace bodkin
+}  // namespace bodkin::study

@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::study {
 
 const std::vector<FitModel>& fit_models() {
   static const std::vector<FitModel> models = {
@@ -21,7 +21,7 @@ const FitModel& fit_model(std::string_view name) {
   if (found != models.end()) return *found;
   std::string names;
   for (const FitModel& model : models) names += fmt::format("{}{}", names.empty() ? "" : ", ", model.name);
-  throw InputError(fmt::format("the model is {}, expected one of {}", in_quotes(name), names));
+  throw InputError(fmt::format("the model is {}, expected one of {}", io::in_quotes(name), names));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::study

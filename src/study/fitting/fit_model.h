@@ -11,7 +11,7 @@
 
 #include "io/xml_document.h"
 
-namespace bodkin {
+namespace bodkin::study {
 
 // One number of a model that a curve may determine.
 struct FitParameter {
@@ -36,8 +36,8 @@ struct CurveShape {
 
 // Where the fitted values belong.
 struct FittedElements {
-  std::optional<XmlElement> tissue;      // in a <tissue> of the tissue library
-  std::optional<XmlElement> resistance;  // in the <resistance> of a case
+  std::optional<io::XmlElement> tissue;      // in a <tissue> of the tissue library
+  std::optional<io::XmlElement> resistance;  // in the <resistance> of a case
 };
 
 // A force model as a function of a few numbers and the needle's history. `values` always are all of `parameters`, in
@@ -75,4 +75,4 @@ FitModel three_component_fit();
 FitModel fracture_fit();
 FitModel shaft_friction_fit();
 
-}  // namespace bodkin
+}  // namespace bodkin::study

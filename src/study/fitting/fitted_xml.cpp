@@ -5,15 +5,15 @@
 
 #include "io/xml_writer.h"
 
-namespace bodkin {
+namespace bodkin::study {
 
 namespace {
 
-void write(const XmlElement& element, XmlWriter& writer) {
+void write(const io::XmlElement& element, io::XmlWriter& writer) {
   if (!element.text.empty()) return writer.text_element(element.name, element.text);
   writer.open(element.name);
   for (const auto& [name, value] : element.attributes) writer.attribute(name, value);
-  for (const XmlElement& child : element.children) write(child, writer);
+  for (const io::XmlElement& child : element.children) write(child, writer);
   writer.close();
 }
 
@@ -32,11 +32,11 @@ std::string source_of(const CurveFit& fit, const MeasuredCurve& curve) {
 }  // namespace
 
 std::string fitted_xml(const CurveFit& fit, const MeasuredCurve& curve) {
-  XmlElement root;
+  io::XmlElement root;
   root.name = "fit";
   root.attributes.emplace_back("model", fit.model);
   if (fit.elements.tissue) {
-    XmlElement tissue, source;
+    io::XmlElement tissue, source;
     tissue.name = "tissue";
     source.name = "source";
     source.text = source_of(fit, curve);
@@ -44,16 +44,16 @@ std::string fitted_xml(const CurveFit& fit, const MeasuredCurve& curve) {
     root.children.push_back(std::move(tissue));
   }
   if (fit.elements.resistance) {
-    XmlElement haptics, resistance;
+    io::XmlElement haptics, resistance;
     haptics.name = "haptics";
     resistance.name = "resistance";
     resistance.children = {*fit.elements.resistance};
     haptics.children = {std::move(resistance)};
     root.children.push_back(std::move(haptics));
   }
-  XmlWriter writer;
+  io::XmlWriter writer;
   write(root, writer);
   return writer.finish();
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::study

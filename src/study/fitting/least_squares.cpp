@@ -10,7 +10,7 @@
 
 #include "core/error.h"
 
-namespace bodkin {
+namespace bodkin::study {
 
 namespace {
 
@@ -138,4 +138,4 @@ double joint_quantile(double alpha, std::size_t parameters, std::size_t degrees_
   return std::sqrt(count * boost::math::quantile(boost::math::complement(distribution, alpha)));
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::study

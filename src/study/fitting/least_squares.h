@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-namespace bodkin {
+namespace bodkin::study {
 
 // min over x of sum r_i(x)^2 with low <= x <= high. `scale` is the size in which a parameter typically changes, > 0:
 // steps and tolerances are relative to it. `residuals` is asked within the bounds only, may have kinks and jumps, and
@@ -42,4 +42,4 @@ Eigen::MatrixXd inverse_normal_matrix(const Eigen::MatrixXd& jacobian);
 // value that Fisher's F with n and `degrees_of_freedom` exceeds with the probability `alpha`, 0 < alpha < 1.
 double joint_quantile(double alpha, std::size_t parameters, std::size_t degrees_of_freedom);
 
-}  // namespace bodkin
+}  // namespace bodkin::study

@@ -13,7 +13,7 @@
 #include "io/resources.h"
 #include "io/xml_document.h"
 
-namespace bodkin {
+namespace bodkin::study {
 
 namespace {
 
@@ -50,31 +50,32 @@ char separator_of(std::string_view text) {
 }
 
 // Which of `columns` each column of the table is.
-std::vector<std::size_t> columns_of(const CsvRow& header, const std::string& origin) {
+std::vector<std::size_t> columns_of(const io::CsvRow& header, const std::string& origin) {
   std::vector<std::size_t> order;
   for (const std::string& field : header.fields) {
     const auto same = std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return field == c.name; });
     if (same == columns.end()) {
       for (const Column& column : columns) {
         if (!field.starts_with(column.quantity)) continue;
-        fail_at(origin, header.line,
-                fmt::format("the column {} is not in the unit that is expected, {}; convert its values and rename it",
-                            in_quotes(field), column.name));
+        io::fail_at(
+            origin, header.line,
+            fmt::format("the column {} is not in the unit that is expected, {}; convert its values and rename it",
+                        io::in_quotes(field), column.name));
       }
-      fail_at(origin, header.line,
-              fmt::format("there is a column {}, expected the header {} (time_s may be missing)", in_quotes(field),
-                          expected_header));
+      io::fail_at(origin, header.line,
+                  fmt::format("there is a column {}, expected the header {} (time_s may be missing)",
+                              io::in_quotes(field), expected_header));
     }
     const auto place = static_cast<std::size_t>(same - columns.begin());
     if (std::find(order.begin(), order.end(), place) != order.end())
-      fail_at(origin, header.line, fmt::format("the column {} stands there twice", field));
+      io::fail_at(origin, header.line, fmt::format("the column {} stands there twice", field));
     order.push_back(place);
   }
   for (const std::size_t needed : {std::size_t{1}, std::size_t{2}}) {
     if (std::find(order.begin(), order.end(), needed) == order.end())
-      fail_at(origin, header.line,
-              fmt::format("there is no column {}, expected the header {} (time_s may be missing)",
-                          columns[needed].name, expected_header));
+      io::fail_at(origin, header.line,
+                  fmt::format("there is no column {}, expected the header {} (time_s may be missing)",
+                              columns[needed].name, expected_header));
   }
   return order;
 }
@@ -83,8 +84,9 @@ double number_of(const std::string& field, const char* column, int line, const s
   double value = 0.0;
   const auto [end, problem] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (problem != std::errc() || end != field.data() + field.size() || !std::isfinite(value)) {
-    fail_at(origin, line,
-            fmt::format("{} is {}, expected a finite number with a point as in 1.5", column, in_quotes(field)));
+    io::fail_at(
+        origin, line,
+        fmt::format("{} is {}, expected a finite number with a point as in 1.5", column, io::in_quotes(field)));
   }
   return value;
 }
@@ -151,8 +153,9 @@ void check_units(const MeasuredCurve& curve) {
 }  // namespace
 
 MeasuredCurve parse_measured_curve(std::string_view text, const std::string& origin) {
-  const std::vector<CsvRow> rows = read_csv_rows(text, origin, {.separator = separator_of(text), .comments = true});
-  if (rows.empty()) fail_at(origin, 1, fmt::format("the file is empty, expected the header {}", expected_header));
+  const std::vector<io::CsvRow> rows =
+      io::read_csv_rows(text, origin, {.separator = separator_of(text), .comments = true});
+  if (rows.empty()) io::fail_at(origin, 1, fmt::format("the file is empty, expected the header {}", expected_header));
   const std::vector<std::size_t> order = columns_of(rows.front(), origin);
   if (rows.size() - 1 < fewest_samples || rows.size() - 1 > most_samples) {
     throw InputError(fmt::format("{}: there are {} samples, expected {} to {}", origin, rows.size() - 1,
@@ -161,15 +164,15 @@ MeasuredCurve parse_measured_curve(std::string_view text, const std::string& ori
   MeasuredCurve curve;
   curve.name = origin;
   const std::array<std::vector<double>*, 3> values = {&curve.time, &curve.depth, &curve.force};
-  for (const CsvRow& row : std::span(rows).subspan(1)) {
+  for (const io::CsvRow& row : std::span(rows).subspan(1)) {
     if (row.fields.size() != order.size())
-      fail_at(origin, row.line,
-              fmt::format("there are {} columns, expected {} as in the header", row.fields.size(), order.size()));
+      io::fail_at(origin, row.line,
+                  fmt::format("there are {} columns, expected {} as in the header", row.fields.size(), order.size()));
     for (std::size_t i = 0; i < order.size(); ++i)
       values[order[i]]->push_back(number_of(row.fields[i], columns[order[i]].name, row.line, origin));
     const std::size_t n = curve.time.size();
     if (n > 1 && curve.time[n - 1] <= curve.time[n - 2]) {
-      fail_at(
+      io::fail_at(
           origin, row.line,
           fmt::format("time_s is {} after {}, expected times that increase", curve.time[n - 1], curve.time[n - 2]));
     }
@@ -179,7 +182,7 @@ MeasuredCurve parse_measured_curve(std::string_view text, const std::string& ori
 }
 
 MeasuredCurve read_measured_curve(const std::filesystem::path& file) {
-  return parse_measured_curve(read_text_file(file, curve_limit), file.string());
+  return parse_measured_curve(io::read_text_file(file, curve_limit), file.string());
 }
 
 std::vector<double> sample_times(const MeasuredCurve& curve, std::optional<double> speed) {
@@ -198,4 +201,4 @@ std::vector<double> sample_times(const MeasuredCurve& curve, std::optional<doubl
   return times;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::study

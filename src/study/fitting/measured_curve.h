@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace bodkin {
+namespace bodkin::study {
 
 // What a testing machine or an instrumented needle measured, sample by sample.
 struct MeasuredCurve {
@@ -31,4 +31,4 @@ MeasuredCurve parse_measured_curve(std::string_view text, const std::string& ori
 // curve has neither.
 std::vector<double> sample_times(const MeasuredCurve& curve, std::optional<double> speed);
 
-}  // namespace bodkin
+}  // namespace bodkin::study

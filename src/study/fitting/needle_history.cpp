@@ -5,7 +5,7 @@
 
 #include "core/motion_estimator.h"
 
-namespace bodkin {
+namespace bodkin::study {
 
 NeedleHistory needle_history(std::span<const double> times, std::span<const double> depths, double resolution) {
   NeedleHistory history;
@@ -38,4 +38,4 @@ void at_samples(const NeedleHistory& history, std::span<const double> force, std
   }
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::study

@@ -5,7 +5,7 @@
 
 #include "core/axial_motion.h"
 
-namespace bodkin {
+namespace bodkin::study {
 
 // The motion of a needle as the tick would have seen it.
 struct NeedleHistory {
@@ -22,4 +22,4 @@ NeedleHistory needle_history(std::span<const double> times, std::span<const doub
 // A force of every tick, taken at the samples; `force` has as many values as `history.ticks`.
 void at_samples(const NeedleHistory& history, std::span<const double> force, std::span<double> sampled);
 
-}  // namespace bodkin
+}  // namespace bodkin::study

@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
-namespace bodkin {
+namespace bodkin::study {
 
-XmlElement numbers_element(const std::string& name, std::initializer_list<std::pair<const char*, double>> numbers) {
-  XmlElement element;
+io::XmlElement numbers_element(const std::string& name,
+                               std::initializer_list<std::pair<const char*, double>> numbers) {
+  io::XmlElement element;
   element.name = name;
   for (const auto& [attribute, value] : numbers) element.attributes.emplace_back(attribute, fmt::format("{}", value));
   return element;
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::study

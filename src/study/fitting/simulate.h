@@ -10,14 +10,14 @@
 
 #include "forces/events.h"
 
-namespace bodkin {
+namespace bodkin::study {
 
 // Drives a model through a history. `begin()` opens a line when the tip meets the tissue at `contact` (mm), as the
 // tick does; `step(motion, events)` returns the force, N, for depths below the contact; a line ends when the tip is
 // out.
 template <typename Begin, typename Step>
 void simulate_axial(const NeedleHistory& history, double contact, std::span<double> force, Begin begin, Step step) {
-  TickEvents events;
+  forces::TickEvents events;
   bool inside = false;
   for (std::size_t n = 0; n < history.ticks.size(); ++n) {
     AxialMotion motion = history.ticks[n];
@@ -30,9 +30,10 @@ void simulate_axial(const NeedleHistory& history, double contact, std::span<doub
 }
 
 // An element of numbers in the form of the tissue library and of case files: the shortest text that reads back alike.
-XmlElement numbers_element(const std::string& name, std::initializer_list<std::pair<const char*, double>> numbers);
+io::XmlElement numbers_element(const std::string& name,
+                               std::initializer_list<std::pair<const char*, double>> numbers);
 
 // What models do that have no limit of the device: it would bend the curve of the tissue.
 inline constexpr double no_limit = 100.0;  // N, the highest that a setting allows
 
-}  // namespace bodkin
+}  // namespace bodkin::study

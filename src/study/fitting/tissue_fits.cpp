@@ -10,13 +10,13 @@
 #include "forces/three_component.h"
 #include "forces/voigt_law.h"
 
-namespace bodkin {
+namespace bodkin::study {
 
 namespace {
 
 // The cubic law's force for k = 1: for the k that a force at a depth implies.
 double cubic_per_stiffness(double spacing, double depth) {
-  return VoigtLaw(VoigtSum::cubic, 1.0, 0.0, spacing).elastic(std::max(depth, 0.01));
+  return forces::VoigtLaw(forces::VoigtSum::cubic, 1.0, 0.0, spacing).elastic(std::max(depth, 0.01));
 }
 
 namespace layered {
@@ -34,9 +34,9 @@ enum : std::size_t {
 constexpr double rigid_device = 1e12;  // N/mm: nothing is softened for the sake of a device
 constexpr double layer = 0.5;          // mm
 
-LayeredTissue tissue_of(std::span<const double> p) {
-  LayeredTissue one;
-  one.kind = LayeredKind::viscoelastic;
+anatomy::LayeredTissue tissue_of(std::span<const double> p) {
+  anatomy::LayeredTissue one;
+  one.kind = anatomy::LayeredKind::viscoelastic;
   one.stiffness = p[stiffness];
   one.viscosity = p[viscosity];
   one.element_spacing = p[spacing];
@@ -52,12 +52,12 @@ void simulate(std::span<const double> p, const NeedleHistory& history, std::span
   double deepest = 0.0;
   for (const AxialMotion& motion : history.ticks) deepest = std::max(deepest, motion.depth - p[contact]);
   const double longest = deepest + 2.0;
-  const std::vector<TissueId> layers(static_cast<std::size_t>(longest / layer) + 1, tissue::soft);
-  TissueProperties soft;
-  soft.id = tissue::soft;
+  const std::vector<anatomy::TissueId> layers(static_cast<std::size_t>(longest / layer) + 1, anatomy::tissue::soft);
+  anatomy::TissueProperties soft;
+  soft.id = anatomy::tissue::soft;
   soft.layered = tissue_of(p);
-  Layered model(TissueLibrary({soft}), {.layer = layer}, rigid_device, history.dt, longest);
-  TickEvents events;
+  forces::Layered model(anatomy::TissueLibrary({soft}), {.layer = layer}, rigid_device, history.dt, longest);
+  forces::TickEvents events;
   bool inside = false;  // this model also holds a needle that is just leaving
   for (std::size_t n = 0; n < history.ticks.size(); ++n) {
     AxialMotion motion = history.ticks[n];
@@ -69,7 +69,7 @@ void simulate(std::span<const double> p, const NeedleHistory& history, std::span
     force[n] = 0.0;
     if (!inside) continue;
     events.clear();
-    const LayeredForce found = model.step(motion, layers, events);
+    const forces::LayeredForce found = model.step(motion, layers, events);
     force[n] = found.resistance;
     inside = found.in_contact;
   }
@@ -77,7 +77,7 @@ void simulate(std::span<const double> p, const NeedleHistory& history, std::span
 
 double yields_in(std::span<const double> p, const AxialMotion& motion) {
   if (motion.direction <= 0) return 0.0;
-  const VoigtLaw push(VoigtSum::cubic, p[stiffness], p[viscosity], p[spacing]);
+  const forces::VoigtLaw push(forces::VoigtSum::cubic, p[stiffness], p[viscosity], p[spacing]);
   return push.push(motion.depth - p[contact], motion.velocity);
 }
 
@@ -92,8 +92,8 @@ void guess(const CurveShape& shape, std::span<double> p) {
 }
 
 FittedElements elements(std::span<const double> p) {
-  const LayeredTissue one = tissue_of(p);
-  XmlElement element;
+  const anatomy::LayeredTissue one = tissue_of(p);
+  io::XmlElement element;
   element.name = "layered";
   element.children.push_back(numbers_element("viscoelastic", {{"stiffness_N_per_mm", one.stiffness},
                                                               {"viscosity_N_s_per_mm", one.viscosity},
@@ -122,8 +122,8 @@ enum : std::size_t {
   contact
 };
 
-ThreeComponentSettings settings_of(std::span<const double> p) {
-  ThreeComponentSettings settings;
+anatomy::ThreeComponentSettings settings_of(std::span<const double> p) {
+  anatomy::ThreeComponentSettings settings;
   settings.linear = p[linear];
   settings.quadratic = std::max(p[quadratic], p[linear] > 0.0 ? 0.0 : 1e-9);
   settings.puncture_force = p[puncture_force];
@@ -137,12 +137,14 @@ ThreeComponentSettings settings_of(std::span<const double> p) {
 }
 
 void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> force) {
-  ThreeComponentSettings settings = settings_of(p);
+  anatomy::ThreeComponentSettings settings = settings_of(p);
   settings.limit = no_limit;
-  ThreeComponent model(settings);
+  forces::ThreeComponent model(settings);
   simulate_axial(
       history, p[contact], force, [&] { model.begin(Vec3::Zero(), Vec3::UnitZ()); },
-      [&](const AxialMotion& motion, TickEvents& events) { return model.step(motion, tissue::soft, events); });
+      [&](const AxialMotion& motion, forces::TickEvents& events) {
+        return model.step(motion, anatomy::tissue::soft, events);
+      });
 }
 
 double yields_in(std::span<const double> p, const AxialMotion& motion) {
@@ -162,14 +164,14 @@ void guess(const CurveShape& shape, std::span<double> p) {
 }
 
 FittedElements elements(std::span<const double> p) {
-  const ThreeComponentSettings s = settings_of(p);
-  XmlElement element = numbers_element("three_component", {{"linear_N_per_mm", s.linear},
-                                                           {"quadratic_N_per_mm2", s.quadratic},
-                                                           {"puncture_force_N", s.puncture_force},
-                                                           {"cutting_force_N", s.cutting_force},
-                                                           {"cutting_stiffness_N_per_mm", s.cutting_stiffness},
-                                                           {"hold_N_per_mm2", s.hold}});
-  const auto friction = [](const char* name, const KarnoppFriction& one) {
+  const anatomy::ThreeComponentSettings s = settings_of(p);
+  io::XmlElement element = numbers_element("three_component", {{"linear_N_per_mm", s.linear},
+                                                               {"quadratic_N_per_mm2", s.quadratic},
+                                                               {"puncture_force_N", s.puncture_force},
+                                                               {"cutting_force_N", s.cutting_force},
+                                                               {"cutting_stiffness_N_per_mm", s.cutting_stiffness},
+                                                               {"hold_N_per_mm2", s.hold}});
+  const auto friction = [](const char* name, const anatomy::KarnoppFriction& one) {
     return numbers_element(name, {{"coulomb_N_per_mm", one.coulomb},
                                   {"viscous_N_s_per_mm2", one.viscous},
                                   {"static_N_per_mm", one.static_force}});
@@ -182,8 +184,8 @@ FittedElements elements(std::span<const double> p) {
 namespace fracture {
 enum : std::size_t { stiffness, toughness, cutting_toughness, cutting_stiffness, spacing, width, thickness, contact };
 
-FractureSettings settings_of(std::span<const double> p) {
-  FractureSettings settings;
+anatomy::FractureSettings settings_of(std::span<const double> p) {
+  anatomy::FractureSettings settings;
   settings.stiffness = p[stiffness];
   settings.spacing = p[spacing];
   settings.toughness = p[toughness];
@@ -195,17 +197,19 @@ FractureSettings settings_of(std::span<const double> p) {
 }
 
 void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> force) {
-  FractureSettings settings = settings_of(p);
+  anatomy::FractureSettings settings = settings_of(p);
   settings.limit = no_limit;
-  Fracture model(settings);
+  forces::Fracture model(settings);
   simulate_axial(
       history, p[contact], force, [&] { model.begin(Vec3::Zero(), Vec3::UnitZ()); },
-      [&](const AxialMotion& motion, TickEvents& events) { return model.step(motion, tissue::soft, events); });
+      [&](const AxialMotion& motion, forces::TickEvents& events) {
+        return model.step(motion, anatomy::tissue::soft, events);
+      });
 }
 
 double yields_in(std::span<const double> p, const AxialMotion& motion) {
   const double x = motion.depth - p[contact];
-  return x > 0.0 ? stored_energy(p[stiffness], p[spacing], x) / (p[width] * p[thickness]) : 0.0;
+  return x > 0.0 ? forces::stored_energy(p[stiffness], p[spacing], x) / (p[width] * p[thickness]) : 0.0;
 }
 
 void guess(const CurveShape& shape, std::span<double> p) {
@@ -215,7 +219,7 @@ void guess(const CurveShape& shape, std::span<double> p) {
 }
 
 FittedElements elements(std::span<const double> p) {
-  const FractureSettings s = settings_of(p);
+  const anatomy::FractureSettings s = settings_of(p);
   return {.resistance = numbers_element("fracture", {{"stiffness_N_per_mm", s.stiffness},
                                                      {"spacing_mm", s.spacing},
                                                      {"toughness_N_per_mm", s.toughness},
@@ -230,11 +234,11 @@ namespace friction {
 enum : std::size_t { coulomb, stiffness, viscous, static_friction, stribeck, contact };
 
 void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> force) {
-  ShaftFriction model({.stribeck_velocity = p[stribeck]});
+  forces::ShaftFriction model({.stribeck_velocity = p[stribeck]});
   const double most = std::max(p[static_friction], p[coulomb]);
   simulate_axial(
       history, p[contact], force, [&] { model.begin(); },
-      [&](const AxialMotion& motion, TickEvents& events) {
+      [&](const AxialMotion& motion, forces::TickEvents& events) {
         const double length = std::max(0.0, motion.depth);
         return model.step(motion, {p[coulomb] * length, most * length, p[stiffness] * length, p[viscous] * length},
                           events);
@@ -336,4 +340,4 @@ FitModel shaft_friction_fit() {
           .elements = friction::elements};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::study

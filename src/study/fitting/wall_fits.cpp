@@ -8,7 +8,7 @@
 #include "forces/spring_damper_wall.h"
 #include "forces/tracking_wall.h"
 
-namespace bodkin {
+namespace bodkin::study {
 
 namespace {
 
@@ -16,10 +16,11 @@ namespace wall {
 enum : std::size_t { stiffness, wall, damping };
 
 void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> force) {
-  SpringDamperWall model({.stiffness = p[stiffness], .damping = p[damping], .wall = p[wall], .limit = no_limit});
-  TickEvents events;
+  forces::SpringDamperWall model(
+      {.stiffness = p[stiffness], .damping = p[damping], .wall = p[wall], .limit = no_limit});
+  forces::TickEvents events;
   for (std::size_t n = 0; n < history.ticks.size(); ++n)
-    force[n] = model.step(history.ticks[n], tissue::soft, events);
+    force[n] = model.step(history.ticks[n], anatomy::tissue::soft, events);
 }
 
 void guess(const CurveShape& shape, std::span<double> p) {
@@ -38,14 +39,16 @@ namespace tracking {
 enum : std::size_t { stiffness, force, catch_up, contact };
 
 void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> forces) {
-  TrackingWallSettings settings;
+  anatomy::TrackingWallSettings settings;
   settings.catch_up = p[catch_up];
   settings.limit = no_limit;
   settings.layers = {{.from = 0.0, .layer = {.stiffness = p[stiffness], .force = p[force]}}};
-  TrackingWall model(TissueLibrary(), settings, history.dt);
+  forces::TrackingWall model(anatomy::TissueLibrary(), settings, history.dt);
   simulate_axial(
       history, p[contact], forces, [&] { model.begin(Vec3::Zero(), Vec3::UnitZ()); },
-      [&](const AxialMotion& motion, TickEvents& events) { return model.step(motion, tissue::soft, events); });
+      [&](const AxialMotion& motion, forces::TickEvents& events) {
+        return model.step(motion, anatomy::tissue::soft, events);
+      });
 }
 
 void guess(const CurveShape& shape, std::span<double> p) {
@@ -64,18 +67,20 @@ namespace profile {
 enum : std::size_t { skin_stiffness, puncture_depth, stiffness, slope, trailing, contact };
 
 void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> force) {
-  DepthProfileSettings settings;
+  anatomy::DepthProfileSettings settings;
   settings.skin_stiffness = p[skin_stiffness];
   settings.puncture_depth = p[puncture_depth];
   settings.trailing = std::min(p[trailing], p[puncture_depth]);
   settings.limit = no_limit;
-  TissueProperties soft;
-  soft.id = tissue::soft;
-  soft.depth_profile = {.kind = DepthProfileKind::soft, .stiffness = p[stiffness], .slope = p[slope]};
-  DepthProfile model(TissueLibrary({soft}), settings, history.dt);
+  anatomy::TissueProperties soft;
+  soft.id = anatomy::tissue::soft;
+  soft.depth_profile = {.kind = anatomy::DepthProfileKind::soft, .stiffness = p[stiffness], .slope = p[slope]};
+  forces::DepthProfile model(anatomy::TissueLibrary({soft}), settings, history.dt);
   simulate_axial(
       history, p[contact], force, [&] { model.begin(Vec3::Zero(), Vec3::UnitZ()); },
-      [&](const AxialMotion& motion, TickEvents& events) { return model.step(motion, tissue::soft, events); });
+      [&](const AxialMotion& motion, forces::TickEvents& events) {
+        return model.step(motion, anatomy::tissue::soft, events);
+      });
 }
 
 double yields_in(std::span<const double> p, const AxialMotion& motion) {
@@ -93,7 +98,7 @@ void guess(const CurveShape& shape, std::span<double> p) {
 }
 
 FittedElements elements(std::span<const double> p) {
-  XmlElement tissue =
+  io::XmlElement tissue =
       numbers_element("depth_profile", {{"stiffness_N_per_mm", p[stiffness]}, {"slope_N_per_mm2", p[slope]}});
   tissue.attributes.insert(tissue.attributes.begin(), {"kind", "soft"});
   return {
@@ -146,4 +151,4 @@ FitModel depth_profile_fit() {
           .elements = profile::elements};
 }
 
-}  // namespace bodkin
+}  // namespace bodkin::study

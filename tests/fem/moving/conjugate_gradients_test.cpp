@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::fem;
 namespace {
 
 // The matrix of a box at rest, some of its nodes held, and what the sweeps and the solver say of it.

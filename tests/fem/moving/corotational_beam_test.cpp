@@ -11,6 +11,9 @@
 #include "fem/moving/corotational_body.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
 namespace {
 
 // Where the tip of an inextensible bar of length 1, held at one end, goes by a force across it that keeps its

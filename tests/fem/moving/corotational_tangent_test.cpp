@@ -9,6 +9,9 @@
 #include "fem/moving/corotational_body.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
 namespace {
 
 Eigen::MatrixXd dense_of(const BlockMatrix& matrix) {

@@ -11,6 +11,8 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::fem;
 namespace {
 
 Mat3 random_matrix(Random& random) {

@@ -4,6 +4,8 @@
 
 namespace bodkin::checks {
 
+using namespace bodkin::fem;
+
 // A body without time, whose steps are solved nearly exactly.
 inline CorotationalSettings to_rest() {
   CorotationalSettings settings;

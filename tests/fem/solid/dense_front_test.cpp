@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::fem;
 namespace {
 
 Eigen::MatrixXd random_positive(Eigen::Index size, std::uint64_t seed) {

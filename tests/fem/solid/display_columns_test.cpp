@@ -9,6 +9,8 @@
 #include "core/error.h"
 
 namespace bodkin {
+
+using namespace bodkin::fem;
 namespace {
 
 using ::testing::HasSubstr;

@@ -11,6 +11,9 @@
 #include "fem/solid/available_memory.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
 namespace {
 
 using ::testing::AllOf;

@@ -6,6 +6,9 @@
 #include "fem/solid/elastic_body.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
 namespace {
 
 constexpr double patch_side = 10.0;  // mm

@@ -6,6 +6,8 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::fem;
 namespace {
 
 using Corners = std::array<Vec3, 4>;

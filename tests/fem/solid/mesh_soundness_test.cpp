@@ -10,6 +10,9 @@
 #include "fem/solid/elastic_body.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
 namespace {
 
 using ::testing::AllOf;

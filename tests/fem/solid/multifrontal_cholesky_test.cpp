@@ -11,6 +11,9 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
 namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;

@@ -7,6 +7,9 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
 namespace {
 
 Vec3 place_in_mesh(const TetrahedralMesh& mesh, const PointInMesh& point) {

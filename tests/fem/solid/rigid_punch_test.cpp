@@ -12,6 +12,9 @@
 #include "fem/solid/elastic_body.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
 namespace {
 
 constexpr double punch_young = 0.02, punch_poisson = 0.3;

@@ -6,6 +6,8 @@
 #include "haptics/drivers/driver_adapter.h"
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 using testing::ElementsAre;

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 namespace bodkin {
+
+using namespace bodkin::haptics;
 namespace {
 
 const std::string whole = R"({"inverse3":[{"device_id":"04BA","state":{

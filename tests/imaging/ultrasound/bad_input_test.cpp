@@ -10,6 +10,9 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::imaging;
 namespace {
 
 using ::testing::HasSubstr;

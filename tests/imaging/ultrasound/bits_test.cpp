@@ -7,6 +7,9 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::imaging;
 namespace {
 
 // Lumps of every kind of medium, with noise in their impedances.

@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::imaging;
 namespace {
 
 const double soft_impedance = 1.6, bone_impedance = 7.8;

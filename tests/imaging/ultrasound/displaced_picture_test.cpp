@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::imaging;
 namespace {
 
 std::shared_ptr<AcousticVolume> patient_of_balls() {

@@ -5,6 +5,8 @@
 #include "imaging/ultrasound/reverberation.h"
 
 namespace bodkin {
+
+using namespace bodkin::imaging;
 namespace {
 
 std::shared_ptr<AcousticVolume> surface_at_depth(double depth, double impedance, double voxel = 0.25) {

@@ -13,6 +13,9 @@
 // Patients made by hand, whose every number is known, and pictures whose pixels are samples.
 namespace bodkin::checks {
 
+using namespace bodkin::anatomy;
+using namespace bodkin::imaging;
+
 // A box of voxels about the middle of a face at (0, 0, 0) that looks along y: pose identity lays the probe on a skin
 // at y = 0.
 struct Block {

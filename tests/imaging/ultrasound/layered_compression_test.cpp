@@ -9,6 +9,9 @@
 #include "anatomy/tissue.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::imaging;
 namespace {
 
 constexpr double soft_young = 0.01, firm_young = 0.04;  // MPa

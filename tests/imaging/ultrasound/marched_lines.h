@@ -11,6 +11,9 @@
 
 namespace bodkin::checks {
 
+using namespace bodkin::anatomy;
+using namespace bodkin::imaging;
+
 // As many lines as the kernel takes at once, through a patient, marched by the kernel alone: echoes and what is left
 // of the sound at every sample, before anything is done with them.
 struct MarchedLines {

@@ -6,6 +6,8 @@
 #include "imaging/ultrasound/sound_beam.h"
 
 namespace bodkin {
+
+using namespace bodkin::imaging;
 namespace {
 
 constexpr double shaft_range = 80.0;  // dB

@@ -7,6 +7,9 @@
 #include "imaging/ultrasound/sound_beam.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::imaging;
 namespace {
 
 // A point of the scan plane: a needle's tip whose shaft leaves the slice at a right angle.

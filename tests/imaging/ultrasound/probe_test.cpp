@@ -7,6 +7,9 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::imaging;
 namespace {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();

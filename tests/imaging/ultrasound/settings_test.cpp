@@ -11,6 +11,9 @@
 #include "imaging/ultrasound/frame.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::imaging;
 namespace {
 
 const UltrasoundProbe probe_of_settings = {.name = "C5-2", .frequency = 3.5, .lowest = 2.0, .highest = 5.0};

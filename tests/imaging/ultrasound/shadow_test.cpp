@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::imaging;
 namespace {
 
 constexpr double target_at = 35.0;  // mm: a surface behind everything, which shadows fall on

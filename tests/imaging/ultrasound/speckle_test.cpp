@@ -9,6 +9,9 @@
 #include "imaging/ultrasound/sound_beam.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::imaging;
 namespace {
 
 constexpr double speckle_range = 100.0;  // dB shown, to read levels from pixels

@@ -9,6 +9,8 @@
 #include "core/random.h"
 
 namespace bodkin {
+
+using namespace bodkin::imaging;
 namespace {
 
 GreyPicture grey_picture_of(int width, int height, double pixel) {

@@ -13,6 +13,9 @@
 #include "imaging/ultrasound_screen/sweep.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::imaging;
 namespace {
 
 constexpr double body_radius = 60.0;  // mm

@@ -10,6 +10,8 @@
 #include "core/error.h"
 
 namespace bodkin {
+
+using namespace bodkin::imaging;
 namespace {
 
 struct Parsed {

@@ -10,6 +10,9 @@
 #include "imaging/ultrasound_screen/screen.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::imaging;
 namespace {
 
 using ::testing::HasSubstr;

@@ -17,6 +17,9 @@
 // Damaged and dishonest files of every format: each is refused with one sentence that names the file.
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
 namespace {
 
 using test::sentence_of;

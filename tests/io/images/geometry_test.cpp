@@ -16,6 +16,9 @@
 #include "io/nrrd_writer.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
 namespace {
 
 using test::sentence_of;

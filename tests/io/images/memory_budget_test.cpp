@@ -7,6 +7,8 @@
 #include <sys/mman.h>
 
 namespace bodkin {
+
+using namespace bodkin::io;
 namespace {
 
 #ifndef BODKIN_ADDRESS_SANITIZER

@@ -9,6 +9,8 @@
 #include <zlib.h>
 
 namespace bodkin::test {
+
+using namespace bodkin::anatomy;
 namespace {
 
 template <typename Number>

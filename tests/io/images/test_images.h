@@ -15,6 +15,8 @@
 
 namespace bodkin::test {
 
+using namespace bodkin::anatomy;
+
 // The folder of real CT data, or an empty path when it is not here.
 inline std::filesystem::path data_folder() {
   const char* named = std::getenv("BODKIN_DATA");

@@ -10,6 +10,9 @@
 #include "io/mesh/foreign_mesh.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
 namespace {
 
 using ::testing::HasSubstr;

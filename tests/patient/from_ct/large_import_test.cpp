@@ -15,6 +15,10 @@
 // The size of a clinical CT: 512 x 512 x 300 slices of DICOM with labels, imported as `bodkin case new` does it.
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
+using namespace bodkin::patient;
 namespace {
 
 constexpr int columns = 512, rows = 512, slices = 300;

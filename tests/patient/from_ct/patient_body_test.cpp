@@ -10,6 +10,10 @@
 // CT with the traps that real CT has.
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
+using namespace bodkin::patient;
 namespace {
 
 using test::crossings;

@@ -19,6 +19,10 @@
 
 namespace bodkin::test {
 
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
+using namespace bodkin::patient;
+
 // A stretch of one tissue along a path, mm from the entry.
 struct Crossing {
   TissueId tissue;

@@ -12,6 +12,10 @@
 // without labels, and against the known tissues of the synthetic patient.
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
+using namespace bodkin::patient;
 namespace {
 
 using test::Crossing;

@@ -13,6 +13,9 @@
 // Every CT and label set of the real data, with the outcome that its README documents.
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
 namespace {
 
 using test::sentence_of;

@@ -15,6 +15,9 @@
 // label at each millimetre. Reading, geometry and interpolation together must give the same numbers.
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
 namespace {
 
 struct Images {

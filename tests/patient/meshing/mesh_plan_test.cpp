@@ -9,6 +9,9 @@
 #include "core/error.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::patient;
 namespace {
 
 constexpr double voxel = 1.0;  // mm

@@ -14,6 +14,10 @@
 #include "io/tissue_library_file.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
+using namespace bodkin::patient;
 namespace {
 
 SyntheticPatient synthesize(LumbarParameters parameters) {

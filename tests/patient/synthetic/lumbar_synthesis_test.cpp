@@ -13,6 +13,10 @@
 #include "io/tissue_library_file.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::io;
+using namespace bodkin::patient;
 namespace {
 
 LumbarParameters coarse(std::uint64_t seed = 1) {

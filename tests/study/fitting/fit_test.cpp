@@ -12,6 +12,11 @@
 #include "io/tissue_library_file.h"
 
 namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
+using namespace bodkin::io;
+using namespace bodkin::study;
 namespace {
 
 using ::testing::HasSubstr;

@@ -9,6 +9,8 @@
 
 namespace bodkin {
 
+using namespace bodkin::study;
+
 // A stretch of a needle's way at one speed; a stop where the speed is 0.
 struct Stretch {
   double speed = 0.0;     // mm/s, negative: out

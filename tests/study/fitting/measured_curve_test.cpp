@@ -11,6 +11,8 @@
 #include "core/error.h"
 
 namespace bodkin {
+
+using namespace bodkin::study;
 namespace {
 
 using ::testing::ElementsAre;
