@@ -321,7 +321,8 @@ echo $? > code
   const ::bodkin::imaging::ImageRgb image = ::bodkin::imaging::decode_png(text_of("snap-1.png"), "snap-1.png");
   EXPECT_GT(image.width, 1200);
   bool yellow = false;  // the caliper
-  for (const ::bodkin::imaging::Rgb& pixel : image.pixels) yellow = yellow || pixel == ::bodkin::Rgb{255, 216, 77};
+  for (const ::bodkin::imaging::Rgb& pixel : image.pixels)
+    yellow = yellow || pixel == ::bodkin::imaging::Rgb{255, 216, 77};
   EXPECT_TRUE(yellow);
   EXPECT_GT(std::stod(text_of("blue")), 50.0) << "the sliders are not shown";
 }

@@ -144,7 +144,8 @@ TEST_F(UltrasoundBeside, a_crop_is_all_that_is_looked_at) {
   // Only the picture that is written has both.
   const ::bodkin::imaging::ImageRgb both = ::bodkin::imaging::decode_png(content_of(folder_ / "c.png"), "c.png");
   std::ptrdiff_t grey = 0;
-  for (const ::bodkin::imaging::Rgb& pixel : both.pixels) grey += pixel == ::bodkin::Rgb{200, 200, 200} ? 1 : 0;
+  for (const ::bodkin::imaging::Rgb& pixel : both.pixels)
+    grey += pixel == ::bodkin::imaging::Rgb{200, 200, 200} ? 1 : 0;
   EXPECT_GT(grey, 3 * 150 * 200) << "it is drawn at the scale of the simulated one, 600 px high";
 }
 
