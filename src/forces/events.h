@@ -29,16 +29,26 @@ enum class EventKind : std::uint8_t {
 };
 
 struct Event {
-  EventKind kind = EventKind::contact;
-  anatomy::TissueId tissue = anatomy::tissue::air;
-  double depth = 0.0;  // mm along the insertion line
-  double value = 0.0;  // see EventKind
+  EventKind kind;
+  anatomy::TissueId tissue;
+  double depth;  // mm along the insertion line
+  double value;  // see EventKind
 };
 
-// Events of one tick, in order. Holds at most `capacity`; more are counted, not kept.
+// Events of one tick, in order. Holds at most `capacity`; more are counted, not kept. Most ticks have none, so only
+// the events that there are get written and copied.
 class TickEvents {
  public:
   static constexpr std::size_t capacity = 16;
+
+  TickEvents() noexcept {}  // NOLINT(modernize-use-equals-default,*-member-init): no event is read before it is there
+  TickEvents(const TickEvents& other) noexcept { *this = other; }
+  TickEvents& operator=(const TickEvents& other) noexcept {
+    size_ = other.size_;
+    lost_ = other.lost_;
+    for (std::size_t i = 0; i < size_; ++i) events_[i] = other.events_[i];
+    return *this;
+  }
 
   void push(const Event& event) noexcept {
     if (size_ < capacity) {
@@ -57,7 +67,7 @@ class TickEvents {
   std::size_t lost() const noexcept { return lost_; }
 
  private:
-  std::array<Event, capacity> events_{};  // capacity
+  std::array<Event, capacity> events_;  // the first size_
   std::size_t size_ = 0;
   std::size_t lost_ = 0;
 };

@@ -51,7 +51,7 @@ struct SessionHeader {
 // An event with its place in the session.
 struct SessionEvent {
   std::uint64_t tick = 0;
-  forces::Event event;
+  forces::Event event{};
 };
 
 // Records a session to one SQLite file (write-ahead log) while it runs. append() is called by one thread only and may

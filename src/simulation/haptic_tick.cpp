@@ -153,7 +153,7 @@ TickOutput HapticTick::State::step(const Vec3& tip, const Vec3& axis, const Vec3
         .motion = moving, .tip = tip, .tissue = output.tissue, .axis = axis, .side = side, .rail = constraint.rail()};
     const forces::ResistanceForce tissue_force = resistance.step(needle, output.events);
     stiffness = tissue_force.stiffness;
-    output.diagnostics = resistance.diagnostics();
+    resistance.publish(output.diagnostics);
     if (tissue_force.in_contact) {
       request.in_contact = output.in_contact = true;
       request.resistance = output.resistance = tissue_force.along;

@@ -45,6 +45,7 @@ struct Resistance::State {
       : model(make_resistance(patient, dt)),
         relaxation(patient.description.haptics.parts.relaxation, dt),
         others(make_force_parts(patient, dt)),
+        holds_laterally(model->traits().holds_laterally),
         names(bodkin::simulation::diagnostic_names(patient.description.haptics)),
         model_names(forces::count_of(model->traits().diagnostics)) {
     const anatomy::ForceParts& parts = patient.description.haptics.parts;
@@ -63,6 +64,7 @@ struct Resistance::State {
   Vec3 direction = Vec3::UnitZ();                  // of the frozen line
   forces::TickEvents found;                        // events of the model, of which some are the tick's to report
   double grip = 1.0, friction_force = 0.0;         // of the last tick
+  bool holds_laterally;
   std::vector<forces::DiagnosticName> names;
   std::size_t model_names;  // of them those of the model, the first
 };
@@ -85,8 +87,17 @@ void Resistance::begin(const Vec3& entry, const Vec3& direction) noexcept {
 forces::ResistanceForce Resistance::step(const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept {
   State& state = *state_;
   state.found.clear();
-  forces::NeedleInTissue held = needle;
-  if (state.grasp) held.grip = state.grip = state.grasp->step(roll_about(state.direction, needle.side));
+  if (state.grasp) {
+    forces::NeedleInTissue held = needle;
+    held.grip = state.grip = state.grasp->step(roll_about(state.direction, needle.side));
+    return step_held(held, events);
+  }
+  return step_held(needle, events);
+}
+
+forces::ResistanceForce Resistance::step_held(const forces::NeedleInTissue& held,
+                                              forces::TickEvents& events) noexcept {
+  State& state = *state_;
   forces::ResistanceForce force = state.model->step(held, state.found);
   // Relaxed tissue that is unloaded does not pull the needle in.
   if (state.relaxes) force.along = std::max(0.0, state.relaxation.step(force.along));
@@ -119,23 +130,24 @@ double Resistance::stiffness_scale() const noexcept {
 }
 
 bool Resistance::holds_laterally() const noexcept {
-  return state_->model->traits().holds_laterally;
+  return state_->holds_laterally;
 }
 
 std::span<const forces::DiagnosticName> Resistance::diagnostic_names() const noexcept {
   return state_->names;
 }
 
-forces::Diagnostics Resistance::diagnostics() const noexcept {
+void Resistance::publish(forces::Diagnostics& values) const noexcept {
   const State& state = *state_;
-  forces::Diagnostics values{};
-  const forces::ModelDiagnostics of_model = state.model->diagnostics();
-  std::size_t at = 0;
-  for (; at < state.model_names; ++at) values[at] = of_model[at];
+  if (state.names.empty()) return;
+  std::size_t at = state.model_names;
+  if (at > 0) {
+    const forces::ModelDiagnostics of_model = state.model->diagnostics();
+    std::copy_n(of_model.begin(), at, values.begin());
+  }
   if (state.friction) values[at++] = state.friction_force;
   if (state.grasp) values[at++] = state.grip;
   for (const auto& part : state.others) at += part->publish(std::span(values).subspan(at));
-  return values;
 }
 
 BodyPort* Resistance::body() noexcept {

@@ -34,12 +34,17 @@ class Resistance {
   double stiffness_scale() const noexcept;
   // ResistanceTraits::holds_laterally of the model.
   bool holds_laterally() const noexcept;
-  // What model and parts publish each tick, by name; the values of the last tick, in the same order.
+  // What model and parts publish each tick, by name.
   std::span<const forces::DiagnosticName> diagnostic_names() const noexcept;
-  forces::Diagnostics diagnostics() const noexcept;
+  // The values of the last tick, in the same order; those after them stay as they are.
+  void publish(forces::Diagnostics& values) const noexcept;
 
  private:
   struct State;
+
+  // One tick, with the grip of the hand.
+  forces::ResistanceForce step_held(const forces::NeedleInTissue& held, forces::TickEvents& events) noexcept;
+
   std::unique_ptr<State> state_;
 };
 
