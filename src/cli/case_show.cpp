@@ -12,6 +12,7 @@
 #include "cli/console.h"
 #include "cli/force_options.h"
 #include "cli/json_values.h"
+#include "cli/settings_json.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "imaging/slice_picture.h"
@@ -131,10 +132,12 @@ nlohmann::json json_of(const anatomy::Case& patient) {
   const auto [low, high] = std::minmax_element(patient.ct.voxels.begin(), patient.ct.voxels.end());
   result["hounsfield"] = {*low, *high};
   result["tissue_lattice"] = json_of(patient.tissues.grid);
+  result["tissues"] = nlohmann::json::object();
   result["tissues_ml"] = nlohmann::json::object();
   for (const TissueShare& share : tissue_shares(patient.tissues)) {
     const anatomy::TissueProperties* properties = patient.library.find(share.id);
     result["tissues_ml"][properties != nullptr ? properties->name : std::to_string(share.id)] = share.millilitres;
+    if (properties != nullptr) result["tissues"][properties->name] = settings_json(*properties);
   }
   result["structures"] = nlohmann::json::array();
   for (const anatomy::Structure& structure : about.structures) {
@@ -146,17 +149,16 @@ nlohmann::json json_of(const anatomy::Case& patient) {
   result["landmarks"] = nlohmann::json::object();
   for (const anatomy::Landmark& landmark : about.landmarks)
     result["landmarks"][landmark.name] = json_point(landmark.position);
-  result["needle"] = {{"gauge", about.needle.gauge},
-                      {"tip", anatomy::to_string(about.needle.tip)},
-                      {"outer_diameter_mm", about.needle.outer_diameter},
-                      {"length_mm", about.needle.length}};
-  result["device"] = {{"profile", about.device.profile},
-                      {"peak_force_N", about.device.peak_force},
-                      {"continuous_force_N", about.device.continuous_force},
-                      {"stiffness_N_mm", about.device.stiffness}};
+  result["needle"] = settings_json(about.needle);
+  result["device"] = settings_json(about.device);
+  const auto values_of = [](const auto& settings) { return settings_json(settings); };
   const io::ForceTexts forces = io::force_texts(about.haptics);
-  result["resistance"] = {{"model", anatomy::name_of(about.haptics.resistance)}, {"settings", forces.resistance}};
-  result["constraint"] = {{"model", anatomy::name_of(about.haptics.constraint)}, {"settings", forces.constraint}};
+  result["resistance"] = {{"model", anatomy::name_of(about.haptics.resistance)},
+                          {"settings", forces.resistance},
+                          {"values", std::visit(values_of, about.haptics.resistance)}};
+  result["constraint"] = {{"model", anatomy::name_of(about.haptics.constraint)},
+                          {"settings", forces.constraint},
+                          {"values", std::visit(values_of, about.haptics.constraint)}};
   result["parts"] = forces.parts;
   result["procedure"] = {{"name", about.procedure.name}, {"target_tissue", about.procedure.target_tissue}};
   if (const auto& path = about.procedure.path) {

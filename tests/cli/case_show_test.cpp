@@ -35,7 +35,12 @@ TEST_F(CaseShow, tells_the_same_in_json) {
   EXPECT_GT(result.at("procedure").at("path").at("length_mm").get<double>(), 20.0);
   EXPECT_EQ(result.at("resistance").at("model"), "layered");
   EXPECT_EQ(result.at("resistance").at("settings"), "layered law=cubic strict=false layer_mm=0.5");
+  EXPECT_EQ(result.at("resistance").at("values").at("layer_mm"), 0.5);
+  EXPECT_EQ(result.at("resistance").at("values").at("strict"), false);
   EXPECT_EQ(result.at("constraint").at("model"), "line_spring");
+  EXPECT_EQ(result.at("needle").at("tip"), "quincke");
+  EXPECT_GT(result.at("device").at("peak_force_N").get<double>(), 0.0);
+  EXPECT_GT(result.at("tissues").at("skin").at("layered").at("viscoelastic").at("break_force_N").get<double>(), 0.0);
   EXPECT_TRUE(result.at("parts").empty());
   EXPECT_EQ(result.at("picture"), file.string());
   EXPECT_THAT(content_of(file), HasSubstr("planned path"));
