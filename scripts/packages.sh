@@ -8,6 +8,7 @@ packages_to_run=(
   libinsighttoolkit5-dev libgdcm-dev libgdcm-tools
   libsdl2-dev libsdl2-ttf-dev
   libcairo2-dev fonts-dejavu-core
+  qtbase5-dev libvtk9-dev libvtk9-qt-dev fonts-roboto-unhinted
 )
 
 packages_to_test=(

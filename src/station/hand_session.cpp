@@ -7,12 +7,14 @@
 #include "session/recorder.h"
 
 #include "core/latest_value.h"
+#include "core/single_producer_ring.h"
 #include "simulation/haptic_tick.h"
 
 namespace bodkin::station {
 
 namespace {
 constexpr double room_above = 30.0;  // mm between the middle of the workspace and the skin
+constexpr std::size_t observed_ticks = 8000, observed_events = 512;  // two seconds at the highest rate
 }  // namespace
 
 anatomy::DeviceLimits limits_of(const haptics::DeviceAbilities& device, anatomy::DeviceLimits limits) {
@@ -55,7 +57,11 @@ struct HandSession::Shared {
     // After the tick itself, so that a recorded sample of the second hand has its tick before it.
     if (second) second->needle.write({static_cast<double>(ticks) * tick.dt(), record.output.tissue});
     ++ticks;
+    const Wrench& asked = record.output.requested;
+    samples.push({static_cast<double>(record.tick) * tick.dt(), record.output.depth, asked.force.norm(),
+                  record.output.resistance, record.output.constraint, record.output.tissue});
     for (const forces::Event& event : record.output.events) {
+      events.push({record.tick, event});
       if (event.kind == forces::EventKind::contact || event.kind == forces::EventKind::withdrawn ||
           event.kind == forces::EventKind::corridor_refreshed)
         corridor_left = false;
@@ -95,6 +101,8 @@ struct HandSession::Shared {
   std::uint64_t ticks = 0;
   bool corridor_left = false;
   LatestValue<HandSnapshot> snapshot;
+  SingleProducerRing<HandSample> samples{observed_ticks};
+  SingleProducerRing<session::SessionEvent> events{observed_events};
   std::atomic<bool> closed{false};  // the recording has ended, though the loop may not have
 };
 
@@ -127,6 +135,18 @@ void HandSession::start() {
 
 const HandSnapshot& HandSession::snapshot() noexcept {
   return shared_->snapshot.read();
+}
+
+bool HandSession::next_sample(HandSample& sample) noexcept {
+  return shared_->samples.pop(sample);
+}
+
+bool HandSession::next_event(session::SessionEvent& event) noexcept {
+  return shared_->events.pop(event);
+}
+
+std::span<const forces::DiagnosticName> HandSession::diagnostic_names() const noexcept {
+  return shared_->tick.diagnostic_names();
 }
 
 simulation::BodyPort* HandSession::body() noexcept {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,16 @@ anatomy::DeviceLimits limits_of(const haptics::DeviceAbilities& device, anatomy:
 // The patient lies prone in front of the operator, head away from him; the path's entry is 30 mm below the middle of
 // the workspace, so that there is room above the skin.
 haptics::WorkspaceSettings workspace_about(const anatomy::NeedlePath& path);
+
+// What every tick leaves for an observer who draws curves.
+struct HandSample {
+  double time = 0.0;                                // s of the session
+  double depth = 0.0;                               // mm along the needle's line
+  double force = 0.0;                               // N that the models ask for, its size
+  double resistance = 0.0;                          // N along the needle
+  double constraint = 0.0;                          // N across it, its size
+  anatomy::TissueId tissue = anatomy::tissue::air;  // at the tip
+};
 
 // The newest tick, for an observer.
 struct HandSnapshot {
@@ -56,6 +67,12 @@ class HandSession {
   haptics::DeviceServo& servo() noexcept { return *servo_; }
   // One observer's thread: the newest snapshot, unchanged until the next call.
   const HandSnapshot& snapshot() noexcept;
+  // The same thread: the next tick, and the next event of the needle, that it has not seen; false when there is none.
+  // Two seconds are kept; what comes while nobody looks is lost.
+  bool next_sample(HandSample& sample) noexcept;
+  bool next_event(session::SessionEvent& event) noexcept;
+  // Of HandSnapshot::output; they live as long as this.
+  std::span<const forces::DiagnosticName> diagnostic_names() const noexcept;
   // Every tick passes it the time and the needle's forces, and checks whether it has failed; before start().
   void press(std::shared_ptr<PatientBody> body);
   // The deformable body of the tick, for the observer's thread; null for a rigid one.

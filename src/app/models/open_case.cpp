@@ -1,0 +1,33 @@
+#include "app/models/open_case.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace bodkin::app {
+
+std::string readable_structure(const std::string& name) {
+  std::string text = name;
+  if (text.starts_with("vertebrae_")) text.replace(0, 10, "vertebra ");
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
+std::string readable_procedure(const std::string& name) {
+  std::string text = name;
+  std::replace(text.begin(), text.end(), '_', ' ');
+  if (!text.empty()) text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
+}
+
+std::string place_name(const anatomy::Case& patient, const Vec3& point) {
+  const anatomy::TissueId tissue = anatomy::nearest(patient.tissues, point, anatomy::tissue::air);
+  const std::string title = patient.library.title(tissue);
+  if (patient.structures.empty()) return title;
+  const std::uint16_t label = anatomy::nearest(patient.structures, point, std::uint16_t{0});
+  for (const anatomy::Structure& structure : patient.description.structures) {
+    if (structure.label == label && label != 0) return readable_structure(structure.name);
+  }
+  return title;
+}
+
+}  // namespace bodkin::app
