@@ -137,12 +137,18 @@ const HandSnapshot& HandSession::snapshot() noexcept {
   return shared_->snapshot.read();
 }
 
-bool HandSession::next_sample(HandSample& sample) noexcept {
-  return shared_->samples.pop(sample);
+std::span<const HandSample> HandSession::take_samples() {
+  samples_.clear();
+  HandSample sample;
+  while (shared_->samples.pop(sample)) samples_.push_back(sample);
+  return samples_;
 }
 
-bool HandSession::next_event(session::SessionEvent& event) noexcept {
-  return shared_->events.pop(event);
+std::span<const session::SessionEvent> HandSession::take_events() {
+  events_.clear();
+  session::SessionEvent event;
+  while (shared_->events.pop(event)) events_.push_back(event);
+  return events_;
 }
 
 std::span<const forces::DiagnosticName> HandSession::diagnostic_names() const noexcept {

@@ -67,10 +67,10 @@ class HandSession {
   haptics::DeviceServo& servo() noexcept { return *servo_; }
   // One observer's thread: the newest snapshot, unchanged until the next call.
   const HandSnapshot& snapshot() noexcept;
-  // The same thread: the next tick, and the next event of the needle, that it has not seen; false when there is none.
-  // Two seconds are kept; what comes while nobody looks is lost.
-  bool next_sample(HandSample& sample) noexcept;
-  bool next_event(session::SessionEvent& event) noexcept;
+  // The same thread: the ticks, and the needle's events, since the last call; valid until the next one. Two seconds
+  // are kept; what comes while nobody looks is lost.
+  std::span<const HandSample> take_samples();
+  std::span<const session::SessionEvent> take_events();
   // Of HandSnapshot::output; they live as long as this.
   std::span<const forces::DiagnosticName> diagnostic_names() const noexcept;
   // Every tick passes it the time and the needle's forces, and checks whether it has failed; before start().
@@ -91,6 +91,8 @@ class HandSession {
 
   std::shared_ptr<Shared> shared_;  // with a loop that may have to be left behind
   std::unique_ptr<haptics::DeviceServo> servo_;
+  std::vector<HandSample> samples_;  // the observer's
+  std::vector<session::SessionEvent> events_;
 };
 
 }  // namespace bodkin::station

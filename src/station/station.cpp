@@ -112,7 +112,6 @@ struct Station::Parts {
   void say(const std::string& sentence);
   void report_events(haptics::ServoTick& servo, bool has_force, const char* whose);
   void disarm_second_on_fault();
-  void take_samples();
   void update_scan();
   void update_displacements();
   void add_summary(session::RunResult& run) const;
@@ -137,8 +136,6 @@ struct Station::Parts {
   std::unique_ptr<HandSession> session;
   bool second_runs = false;
   bool was_faulted = false;
-  std::vector<HandSample> samples;  // of the newest status
-  std::vector<session::SessionEvent> events;
   Clock::time_point begin = Clock::now();
   std::atomic<bool> end_asked{false};
   StationStatus status;
@@ -264,17 +261,6 @@ void Station::Parts::disarm_second_on_fault() {
   was_faulted = faulted;
 }
 
-void Station::Parts::take_samples() {
-  samples.clear();
-  events.clear();
-  HandSample sample;
-  while (session->next_sample(sample)) samples.push_back(sample);
-  session::SessionEvent event;
-  while (session->next_event(event)) events.push_back(event);
-  status.samples = samples;
-  status.events = events;
-}
-
 void Station::Parts::update_scan() {
   if (scan == nullptr) return;
   status.probe_is_held = second_runs && second->role() == session::SecondRole::probe;
@@ -382,7 +368,9 @@ const StationStatus& Station::update() {
   status.servo = parts.session->servo().tick().snapshot();
   status.timings = parts.session->servo().tick().timings();
   status.needle = parts.session->snapshot();
-  parts.take_samples();
+  status.diagnostic_names = parts.session->diagnostic_names();
+  status.samples = parts.session->take_samples();
+  status.events = parts.session->take_events();
   if (parts.second_runs) status.second = SecondStatus{parts.second->role(), parts.second->snapshot()};
   if (status.servo.device.ended()) end();
   parts.disarm_second_on_fault();
@@ -456,10 +444,6 @@ void Station::set_scan_order(const ScanOrder& order) {
 
 const anatomy::Case& Station::patient() const noexcept {
   return *parts_->patient;
-}
-
-std::span<const forces::DiagnosticName> Station::diagnostic_names() const noexcept {
-  return parts_->session->diagnostic_names();
 }
 
 }  // namespace bodkin::station

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 
 #include "session/session_run.h"
 #include "station/station_observer.h"
@@ -62,8 +61,6 @@ class Station {
 
   // With the limits of the device.
   const anatomy::Case& patient() const noexcept;
-  // Of the diagnostics in StationStatus::needle; they live as long as this.
-  std::span<const forces::DiagnosticName> diagnostic_names() const noexcept;
 
  private:
   struct Parts;

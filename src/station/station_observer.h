@@ -30,9 +30,10 @@ struct StationStatus {
   double time = 0.0;  // s on the clock since the start
   haptics::ServoSnapshot servo;
   HandSnapshot needle;
-  std::span<const HandSample> samples;            // every tick since the last status
-  std::span<const session::SessionEvent> events;  // of the needle, since then
-  haptics::ServoTimings timings;                  // published every hundred ticks
+  std::span<const forces::DiagnosticName> diagnostic_names;  // of its output
+  std::span<const HandSample> samples;                       // every tick since the last status
+  std::span<const session::SessionEvent> events;             // of the needle, since then
+  haptics::ServoTimings timings;                             // published every hundred ticks
   std::optional<SecondStatus> second;
   std::string message;                      // the newest sentence for the person
   std::span<const float> displacements;     // mm, x y z of every point of StationObserver::prepare() in turn
