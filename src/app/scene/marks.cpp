@@ -1,0 +1,48 @@
+#include "app/scene/marks.h"
+
+#include <array>
+
+#include "app/scene/strokes.h"
+
+namespace bodkin::app {
+
+namespace {
+
+constexpr double ahead_of_skin = 40.0;     // mm of the path's line that are shown outside the body
+constexpr double path_dash = 3.0;          // mm
+constexpr double entry_ring_radius = 6.0;  // mm
+
+void draw_path(const anatomy::NeedlePath& path, const Line& line, const Projection& projection,
+               MovingPixels& pixels) {
+  const std::array<Vec3, 2> ends = {path.entry - ahead_of_skin * path.direction(), path.target};
+  draw_line(ends, line, projection, pixels);
+}
+
+}  // namespace
+
+void draw_marks(const SceneMarks& marks, const Projection& projection, MovingPixels& pixels) {
+  Line line{.colour = marks.colour, .width = 1.5, .dash = path_dash, .opacity = 1.0F, .behind = 0.6F};
+  for (const anatomy::NeedlePath& path : marks.other_paths) {
+    Line faint = line;
+    faint.opacity = 0.45F;
+    draw_path(path, faint, projection, pixels);
+  }
+  if (!marks.path) return;
+  if (marks.path_shown) {
+    draw_path(*marks.path, line, projection, pixels);
+    Line ring = line;
+    ring.dash = 0.0;
+    ring.width = 2.0;
+    draw_circle(marks.path->target, projection.axes().col(2), marks.target_tolerance, ring, projection, pixels);
+  }
+  if (marks.insert_here) {
+    const auto pulse = static_cast<float>(*marks.insert_here);
+    Line ring{.colour = marks.colour, .width = 2.5, .dash = 0.0, .opacity = 0.55F + 0.45F * pulse, .behind = 0.2F};
+    const Vec3 centre = marks.path->entry + 0.8 * marks.entry_normal;  // just above the skin, so as not to be in it
+    draw_circle(centre, marks.entry_normal, entry_ring_radius * (0.85 + 0.3 * static_cast<double>(pulse)), ring,
+                projection, pixels);
+    draw_circle(centre, marks.entry_normal, 1.0, ring, projection, pixels);
+  }
+}
+
+}  // namespace bodkin::app

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/scene/camera.h"
+#include "app/scene/moving_pixels.h"
+
+#include "anatomy/needle_path.h"
+
+namespace bodkin::app {
+
+// What is drawn beside patient and needles.
+struct SceneMarks {
+  std::optional<anatomy::NeedlePath> path;  // planned: a dashed line, a ring at the target, one at the entry
+  double target_tolerance = 3.0;            // mm, radius of the ring at the target
+  bool path_shown = true;                   // the aid can be switched off
+  // "Insert here": the ring on the skin, 0 to 1 as it pulses; nothing: not shown.
+  std::optional<double> insert_here;
+  Vec3 entry_normal = Vec3::UnitY();             // unit, of the skin there, outwards
+  std::vector<anatomy::NeedlePath> other_paths;  // fainter: proposals, earlier attempts
+  std::uint32_t colour = 0x2EE6C5;               // 0xRRGGBB, of plan and target
+};
+
+void draw_marks(const SceneMarks& marks, const Projection& projection, MovingPixels& pixels);
+
+}  // namespace bodkin::app
