@@ -1,0 +1,184 @@
+#include "app/frame_maker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace bodkin::app {
+
+namespace {
+
+constexpr double moved_enough = 0.05;            // mm
+constexpr double turned_enough = 0.05 * degree;  // rad
+constexpr double surely_inside = 8.0;            // mm, deeper than any skin dimples before it gives way
+constexpr double down_soon = -0.5;               // mm above the skin
+
+// The diagnostic of this name; nothing where the model has none.
+std::optional<double> diagnostic(const StationNews& news, std::string_view name) {
+  for (std::size_t i = 0; i < news.diagnostic_names.size(); ++i) {
+    if (news.diagnostic_names[i].name == name) return news.needle.output.diagnostics[i];
+  }
+  return std::nullopt;
+}
+
+bool same_pose(const Pose& a, const Pose& b) {
+  return (a.translation() - b.translation()).norm() <= moved_enough &&
+         Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle() <= turned_enough;
+}
+
+}  // namespace
+
+void FrameMaker::begin(std::shared_ptr<const OpenCase> patient, const std::optional<anatomy::NeedlePath>& plan) {
+  patient_ = std::move(patient);
+  plan_ = plan;
+  touching_ = punctured_ = on_bone_ = false;
+  new_attempt_ = true;
+  time_in_body_ = last_time_ = 0.0;
+}
+
+void FrameMaker::follow_events(const StationNews& news) {
+  using forces::EventKind;
+  for (const session::SessionEvent& event : news.events) {
+    switch (event.event.kind) {
+      case EventKind::puncture:
+      case EventKind::loss_of_resistance:
+        punctured_ = true;
+        break;
+      case EventKind::bone_contact:
+        on_bone_ = true;
+        break;
+      case EventKind::bone_left:
+        on_bone_ = false;
+        break;
+      case EventKind::withdrawn:
+        punctured_ = on_bone_ = false;
+        break;
+      default:
+        break;
+    }
+  }
+  const simulation::TickOutput& now = news.needle.output;
+  touching_ = now.depth > 0.0 && now.in_contact;
+  if (touching_ && now.depth > surely_inside) punctured_ = true;
+  if (!touching_) punctured_ = on_bone_ = false;
+}
+
+void FrameMaker::place_needle(Frame& frame, const StationNews& news, const NeedleControl* control,
+                              const HandReport& hand) const {
+  frame.has_needle = news.needle.ticks > 0;
+  frame.needle = news.needle.needle;
+  frame.needle.translation() -= news.needle.needle_ahead;
+  frame.hand = frame.needle;
+  if (control == nullptr) return;
+  frame.hand = hand.meant;
+  // On its way to the skin it is drawn where it will arrive in a moment: there the force is zero, as it is above.
+  const bool is_down = control->is_down() && (touching_ || (hand.is_on_line && hand.depth > down_soon));
+  if (!is_down && !touching_) frame.needle = frame.hand = control->hovering();
+}
+
+SkinDimple FrameMaker::dimple_of(const Frame& frame, const StationNews& news) const {
+  SkinDimple dimple;
+  if (!touching_) return dimple;
+  dimple.inwards = needle_axis(frame.needle);
+  dimple.at = frame.needle.translation() - frame.depth * dimple.inwards;
+  const std::optional<double> wall = diagnostic(news, "wall_mm");
+  if (!punctured_) {
+    dimple.depth = std::clamp(wall ? frame.depth - *wall : frame.depth, 0.0, frame.depth);
+  } else if (const std::optional<double> stretch = diagnostic(news, "stretch_mm")) {
+    dimple.depth = *stretch;  // the tissue that clings to the shaft takes the skin with it
+  }
+  return dimple;
+}
+
+void FrameMaker::measure_plan(Frame& frame) const {
+  frame.plan = plan_;
+  if (!plan_ || plan_->length() <= 0.0) return;
+  const Vec3 along = plan_->direction(), tip = frame.needle.translation();
+  const Vec3 from_entry = tip - plan_->entry;
+  frame.off_path_vector = from_entry - along * along.dot(from_entry);
+  frame.off_path = frame.off_path_vector.norm();
+  const Vec3 axis = needle_axis(frame.needle);
+  frame.off_angle = std::atan2(along.cross(axis).norm(), along.dot(axis));
+  frame.target_distance = (plan_->target - tip).norm();
+  const anatomy::Procedure& procedure = patient_->description().procedure;
+  frame.target_tolerance = procedure.target_tolerance;
+  const anatomy::TissueProperties* tissue = patient_->patient.library.find(procedure.target_tissue);
+  const bool in_target =
+      tissue != nullptr ? frame.tissue == tissue->id : frame.target_distance <= procedure.target_tolerance;
+  frame.target_reached = touching_ && punctured_ && in_target;
+}
+
+void FrameMaker::update(Frame& frame, const StationNews& news, const NeedleControl* control, const HandReport& hand) {
+  follow_events(news);
+  const simulation::TickOutput& now = news.needle.output;
+  frame.time = news.time;
+  if (touching_ && last_time_ > 0.0) time_in_body_ += std::max(0.0, news.time - last_time_);
+  last_time_ = news.time;
+  frame.time_in_body = time_in_body_;
+  frame.depth = touching_ ? now.depth : 0.0;
+  frame.velocity = now.velocity;
+  frame.tissue = touching_ ? now.tissue : anatomy::tissue::air;
+  frame.force = now.requested.force.norm();
+  frame.resistance = now.resistance;
+  frame.constraint = now.constraint;
+  frame.applied = now.applied.force;
+  frame.energy = now.energy;
+  frame.diagnostics = now.diagnostics;
+  frame.diagnostic_names = news.diagnostic_names;
+  frame.samples = news.samples;
+  frame.events = news.events;
+  frame.displacements = news.displacements;
+  place_needle(frame, news, control, hand);
+  frame.entry.reset();
+  if (touching_) frame.entry = frame.needle.translation() - frame.depth * needle_axis(frame.needle);
+  frame.dimple = dimple_of(frame, news);
+  if (patient_ != nullptr) {
+    frame.place = touching_ ? place_name(patient_->patient, frame.needle.translation()) : std::string();
+    measure_plan(frame);
+  }
+  frame.device = news.device;
+  frame.guard = news.servo.state;
+  frame.fault = news.servo.fault;
+  frame.limits = news.servo.limits;
+  frame.ticks = news.timings.ticks;
+  frame.late_ticks = news.timings.overruns;
+  frame.recent_success = news.timings.recent_success;
+  frame.timings = news.needle.ticks > 0 ? &news.timings : nullptr;
+  frame.ultrasound = news.ultrasound.get();
+  frame.message = news.needle.corridor_left
+                      ? "The deformable body is not prepared here: draw the needle back to the skin."
+                      : news.message;
+  if (frame.follows_tip && touching_) frame.crosshair = frame.needle.translation();
+}
+
+Changes FrameMaker::changes(const Frame& frame) {
+  Changes changes;
+  changes.needle = frame.has_needle != last_.has_needle || !same_pose(frame.needle, last_.needle) ||
+                   !same_pose(frame.hand, last_.hand);
+  changes.tissue = frame.tissue != last_.tissue || frame.place != last_.place;
+  changes.dimple = std::abs(frame.dimple.depth - last_.dimple.depth) > 0.5 * moved_enough ||
+                   (frame.dimple.depth != 0.0 && (frame.dimple.at - last_.dimple.at).norm() > moved_enough) ||
+                   !frame.displacements.empty();
+  changes.force = !frame.samples.empty() || !frame.events.empty();
+  changes.state = frame.state != last_.state;
+  const auto same_plan = [&] {
+    if (frame.plan.has_value() != last_.plan.has_value()) return false;
+    return !frame.plan || (frame.plan->entry == last_.plan->entry && frame.plan->target == last_.plan->target);
+  };
+  changes.plan = !same_plan();
+  changes.crosshair = (frame.crosshair - last_.crosshair).norm() > moved_enough;
+  changes.warning = frame.warning.has_value() != last_.warning.has_value() ||
+                    (frame.warning && frame.warning->title != last_.warning->title);
+  changes.attempt = new_attempt_;
+  new_attempt_ = false;
+  last_ = frame;
+  last_.samples = {};
+  last_.events = {};
+  last_.displacements = {};
+  last_.diagnostic_names = {};
+  last_.timings = nullptr;
+  last_.ultrasound = nullptr;
+  return changes;
+}
+
+}  // namespace bodkin::app

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+
+#include "app/changes.h"
+#include "app/frame.h"
+#include "app/hand/needle_control.h"
+#include "app/models/open_case.h"
+#include "app/models/station_link.h"
+
+namespace bodkin::app {
+
+// Makes the frame of a moment from what the station, the hand and the patient say, and finds what is new in it. It
+// remembers what a single moment does not show: whether the skin has given way, whether the tip is on bone, how long
+// the needle has been in the body.
+class FrameMaker {
+ public:
+  // A new attempt on this patient (null: none).
+  void begin(std::shared_ptr<const OpenCase> patient, const std::optional<anatomy::NeedlePath>& plan);
+
+  // Everything of the frame but its state, warning, hint and clock. `control`: null where another device holds the
+  // needle. `hand`: of the mouse.
+  void update(Frame& frame, const StationNews& news, const NeedleControl* control, const HandReport& hand);
+  // What differs from the frame of the last call; to be called once the frame is complete.
+  Changes changes(const Frame& frame);
+
+  bool is_touching() const noexcept { return touching_; }
+  bool has_punctured() const noexcept { return punctured_; }
+  bool is_on_bone() const noexcept { return on_bone_; }
+
+ private:
+  void follow_events(const StationNews& news);
+  void place_needle(Frame& frame, const StationNews& news, const NeedleControl* control,
+                    const HandReport& hand) const;
+  void measure_plan(Frame& frame) const;
+  SkinDimple dimple_of(const Frame& frame, const StationNews& news) const;
+
+  std::shared_ptr<const OpenCase> patient_;
+  std::optional<anatomy::NeedlePath> plan_;
+  bool touching_ = false, punctured_ = false, on_bone_ = false, new_attempt_ = true;
+  double time_in_body_ = 0.0, last_time_ = 0.0;
+  Frame last_;
+};
+
+}  // namespace bodkin::app

@@ -1,0 +1,88 @@
+#include "app/hand/mouse_hand.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bodkin::app {
+
+namespace {
+
+constexpr double same_place = 1e-3, same_direction = 1e-4;  // mm, rad
+constexpr double near_skin = 3.0;                           // mm above it, where the hand slows down
+
+// The unease of a hand at rest, far below what is seen; a device whose readings stand still under force is taken for
+// broken by the guard.
+constexpr double unease = 0.002;  // mm
+
+haptics::HandParameters hand_parameters() {
+  haptics::HandParameters hand;
+  hand.mass = 0.1;
+  hand.stiffness = MouseHand::stiffness;
+  hand.damping = 0.02;  // critical
+  hand.tremor = unease;
+  return hand;
+}
+
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+}  // namespace
+
+MouseHand::MouseHand(double dt) : dt_(dt), hand_(hand_parameters(), dt, 1) {}
+
+void MouseHand::start(const HandWish& wish) noexcept {
+  at_ = wish.at;
+  axis_ = wish.axis;
+  place_ = -waiting;
+  speed_ = 0.0;
+  const Pose pose = needle_pose(at_ + place_ * axis_, axis_);
+  hand_.start(pose);
+  report_ = {pose, pose, place_, true};
+}
+
+void MouseHand::turn_towards(const Vec3& axis) noexcept {
+  const double angle = angle_between(axis_, axis);
+  if (angle < same_direction) {
+    axis_ = axis;
+    return;
+  }
+  const double step = std::min(angle, turning_speed * dt_);
+  const Vec3 about = axis_.cross(axis);
+  if (about.norm() < 1e-9) return;  // opposite: no way is the shorter one
+  axis_ = (Eigen::AngleAxisd(step, about.normalized()) * axis_).normalized();
+}
+
+void MouseHand::follow_line(const HandWish& wish) noexcept {
+  const Vec3 way = wish.at - at_;
+  const bool is_elsewhere = way.norm() > same_place;
+  const bool is_up = place_ < -0.5 * waiting;
+  if (is_elsewhere && is_up) {
+    at_ += std::min(1.0, aiming_speed * dt_ / way.norm()) * way;
+    turn_towards(wish.axis);
+  } else if (!is_elsewhere && (place_ <= shallow || report_.depth <= shallow)) {
+    at_ = wish.at;
+    turn_towards(wish.axis);
+  }
+}
+
+const Pose& MouseHand::step(const HandWish& wish, const Vec3& force) noexcept {
+  follow_line(wish);
+  report_.is_on_line = (wish.at - at_).norm() <= same_place && angle_between(axis_, wish.axis) <= same_direction;
+  const bool may_go_down =
+      wish.is_down && (report_.is_on_line || place_ > -0.5 * waiting) && (wish.at - at_).norm() <= same_place;
+  const double goal = may_go_down ? wish.depth : -waiting;
+  const bool in_air = place_ < -near_skin && report_.depth < -near_skin;
+  const double most = in_air ? air_speed : wish.speed;
+  const double wanted = std::clamp((goal - place_) / (2.0 * smoothing), -most, most);
+  speed_ += (wanted - speed_) * std::min(1.0, 2.0 * dt_ / smoothing);
+  place_ += speed_ * dt_;
+  const Pose meant = needle_pose(at_ + place_ * axis_, axis_);
+  const Vec3 along = axis_ * axis_.dot(force);
+  report_.needle = hand_.step(meant, {along, Vec3::Zero()});
+  report_.meant = meant;
+  report_.depth = axis_.dot(report_.needle.translation() - at_);
+  return report_.needle;
+}
+
+}  // namespace bodkin::app

@@ -1,0 +1,114 @@
+#include "app/hand/needle_control.h"
+
+#include <algorithm>
+
+namespace bodkin::app {
+
+namespace {
+
+constexpr double usual_speed = 30.0;          // mm/s
+constexpr double touch_depth = 0.3;           // mm beyond the skin, so that the first notch touches it
+constexpr double lifted_height = 5.0;         // mm above the skin, where a withdrawn needle ends
+constexpr double out_of_skin = -1.0;          // mm
+constexpr double straightest = 1.0 * degree;  // within which a tilt snaps to the plan
+
+}  // namespace
+
+void NeedleControl::begin(const std::optional<anatomy::NeedlePath>& plan, const SkinPoint& entry) {
+  plan_ = plan;
+  wish_ = HandWish{};
+  wish_.at = entry.point;
+  wish_.axis = aimed_axis(entry, plan);
+  hand_ = HandReport{};
+  hand_.depth = -MouseHand::waiting;
+  key_ = 0;
+  fine_ = held_ = withdrawing_ = false;
+}
+
+void NeedleControl::aim(const SkinPoint& skin) {
+  if (wish_.is_down || held_) return;
+  wish_.at = skin.point;
+  wish_.axis = aimed_axis(skin, plan_);
+}
+
+void NeedleControl::put_down() {
+  if (wish_.is_down || held_) return;
+  wish_.is_down = true;
+  wish_.depth = touch_depth;
+  wish_.speed = usual_speed;
+}
+
+void NeedleControl::move(double millimetres) {
+  if (held_) return;
+  if (withdrawing_) {  // any input stops it
+    withdrawing_ = false;
+    wish_.depth = hand_.depth;
+    wish_.speed = usual_speed;
+  }
+  if (!wish_.is_down) {
+    if (millimetres > 0.0) put_down();
+    return;
+  }
+  wish_.depth = std::min(wish_.depth + millimetres, std::max(hand_.depth, 0.0) + lead);
+}
+
+void NeedleControl::push(double notches, bool fine) {
+  move(notches * (fine ? fine_notch : notch));
+}
+
+void NeedleControl::drag(double millimetres) {
+  move(millimetres);
+}
+
+void NeedleControl::hold_key(int direction, bool fine) {
+  key_ = direction;
+  fine_ = fine;
+}
+
+bool NeedleControl::tilt(double right, double cranial) {
+  if (held_ || (wish_.is_down && std::max(hand_.depth, wish_.depth) > MouseHand::shallow)) return false;
+  // The tip's end of the needle goes with the drag: about the patient's vertical axes as the operator sees them.
+  const Mat3 turn =
+      (Eigen::AngleAxisd(right, Vec3::UnitZ()) * Eigen::AngleAxisd(cranial, Vec3::UnitX())).toRotationMatrix();
+  Vec3 axis = (turn * wish_.axis).normalized();
+  if (plan_ && plan_->length() > 0.0) {
+    const Vec3 planned = plan_->direction();
+    if (axis.cross(planned).norm() < straightest && axis.dot(planned) > 0.0) axis = planned;
+  }
+  wish_.axis = axis;
+  return true;
+}
+
+void NeedleControl::withdraw() {
+  if (held_ || !wish_.is_down) return;
+  withdrawing_ = true;
+  wish_.depth = -lifted_height;
+  wish_.speed = withdrawing;
+}
+
+void NeedleControl::hold(bool on) {
+  if (on == held_) return;
+  held_ = on;
+  key_ = 0;
+  if (on && wish_.is_down) {
+    withdrawing_ = false;
+    wish_.depth = hand_.depth;
+  }
+}
+
+void NeedleControl::update(double dt, const HandReport& hand) {
+  hand_ = hand;
+  if (key_ != 0 && !held_) move(key_ * dt * (fine_ ? fine_key_speed : key_speed));
+  if (!wish_.is_down) return;
+  // Drawn back out of the skin: the needle is free again.
+  if (wish_.depth <= out_of_skin && hand.depth <= out_of_skin) {
+    const bool has_left = !withdrawing_ || hand.depth <= -0.8 * lifted_height;
+    if (has_left) {
+      wish_.is_down = false;
+      wish_.speed = usual_speed;
+      withdrawing_ = false;
+    }
+  }
+}
+
+}  // namespace bodkin::app

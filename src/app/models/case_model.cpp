@@ -1,0 +1,165 @@
+#include "app/models/case_model.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <system_error>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "io/case_folder.h"
+#include "io/image_worker.h"
+
+namespace bodkin::app {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+namespace {
+
+// Thrown out of a Progress to end the work.
+struct Cancelled : std::exception {
+  const char* what() const noexcept override { return "cancelled"; }
+};
+
+}  // namespace
+
+struct CaseModel::Job {
+  mutable std::mutex lock;  // guards the three below
+  Status status;
+  std::shared_ptr<const OpenCase> opened;
+  std::atomic<bool> given_up{false};
+  Clock::time_point begin = Clock::now();
+
+  Progress progress() {
+    return [this](std::string_view stage, double fraction) {
+      if (given_up.load()) throw Cancelled();
+      const std::lock_guard guard(lock);
+      status.stage = stage;
+      status.fraction = fraction;
+    };
+  }
+
+  void make(const std::string& verb, const nlohmann::json& request, const std::string& subject) {
+    const io::WorkerReport report = io::run_image_worker(verb, request.dump(), subject, progress());
+    const std::lock_guard guard(lock);
+    status.notes.insert(status.notes.end(), report.notes.begin(), report.notes.end());
+  }
+
+  void load(const fs::path& folder) {
+    progress()("reading the patient", 0.0);
+    auto read = std::make_shared<OpenCase>();
+    read->patient = io::load_case(folder, progress());
+    read->folder = folder;
+    read->title = read->description().name;
+    read->procedure = readable_procedure(read->description().procedure.name);
+    const std::lock_guard guard(lock);
+    opened = std::move(read);
+  }
+};
+
+CaseModel::CaseModel(fs::path data) : data_(std::move(data)) {}
+
+CaseModel::~CaseModel() {
+  cancel();
+}
+
+void CaseModel::cancel() {
+  if (job_ == nullptr) return;
+  job_->given_up.store(true);
+  job_.reset();
+}
+
+void CaseModel::start(std::function<void(Job&)> work) {
+  cancel();
+  job_ = std::make_shared<Job>();
+  job_->status.is_busy = true;
+  threads_.emplace_back([job = job_, work = std::move(work)] {
+    std::string error;
+    try {
+      work(*job);
+    } catch (const std::exception& failure) {
+      error = failure.what();
+    }
+    const std::lock_guard guard(job->lock);
+    job->status.error = error;
+    job->status.is_busy = false;
+  });
+}
+
+void CaseModel::open_built_in() {
+  const fs::path folder = built_in_folder();
+  start([folder](Job& job) {
+    if (!fs::exists(folder / "case.xml")) {
+      fs::create_directories(folder.parent_path());
+      const nlohmann::json request = {{"folder", io::path_text(folder)},
+                                      {"overwrite", true},
+                                      {"name", "Synthetic torso"},
+                                      {"needle_gauge", 22},
+                                      {"seed", 1},
+                                      {"age", 45.0},
+                                      {"height", 1.72},
+                                      {"weight", 72.0},
+                                      {"flexion", 0.5},
+                                      {"spacing", 1.0}};
+      job.make("case-synthesize", request, folder.string());
+    }
+    job.load(folder);
+  });
+}
+
+void CaseModel::open(const fs::path& path) {
+  const fs::path data = data_;
+  start([path, data](Job& job) {
+    const fs::path whole = path.has_filename() ? path : path.parent_path();
+    if (fs::exists(whole / "case.xml")) return job.load(whole);
+    if (!fs::exists(whole)) throw InputError("there is no " + whole.string() + "; choose a folder or an image file");
+    std::string name = fs::is_directory(whole) ? whole.filename().string() : whole.stem().string();
+    if (name.ends_with(".nii")) name.resize(name.size() - 4);
+    const fs::path folder = data / "patients" / name;
+    if (!fs::exists(folder / "case.xml")) {
+      fs::create_directories(folder.parent_path());
+      const nlohmann::json request = {{"folder", io::path_text(folder)},
+                                      {"overwrite", false},
+                                      {"name", name},
+                                      {"needle_gauge", 22},
+                                      {"ct", io::path_text(whole)},
+                                      {"resample_labels", false},
+                                      {"fill_missing", false},
+                                      {"assume_hu", false}};
+      job.make("case-new", request, whole.string());
+    }
+    job.load(folder);
+  });
+}
+
+CaseModel::Status CaseModel::status() const {
+  if (job_ == nullptr) return {};
+  const std::lock_guard guard(job_->lock);
+  Status status = job_->status;
+  status.seconds = std::chrono::duration<double>(Clock::now() - job_->begin).count();
+  return status;
+}
+
+std::shared_ptr<const OpenCase> CaseModel::take() {
+  if (job_ == nullptr) return nullptr;
+  const std::lock_guard guard(job_->lock);
+  return std::exchange(job_->opened, nullptr);
+}
+
+std::vector<fs::path> CaseModel::known() const {
+  std::vector<std::pair<fs::file_time_type, fs::path>> found;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(data_ / "patients", ignored)) {
+    const fs::path file = entry.path() / "case.xml";
+    if (fs::exists(file, ignored)) found.emplace_back(fs::last_write_time(file, ignored), entry.path());
+  }
+  std::sort(found.rbegin(), found.rend());
+  std::vector<fs::path> folders;
+  for (auto& [time, folder] : found) folders.push_back(std::move(folder));
+  return folders;
+}
+
+}  // namespace bodkin::app

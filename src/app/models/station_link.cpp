@@ -1,0 +1,180 @@
+#include "app/models/station_link.h"
+
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <utility>
+
+#include "report/session_summary.h"
+#include "session/session_file.h"
+
+namespace bodkin::app {
+
+namespace {
+
+constexpr std::chrono::milliseconds watch_interval{4};
+constexpr std::size_t most_samples = 20000;  // that wait for a window which does not look
+
+AttemptResult result_of(const std::filesystem::path& file, const anatomy::Case& patient, session::RunResult run) {
+  AttemptResult result;
+  result.session = file;
+  result.run = std::move(run);
+  const session::Session saved = session::read_session(file);
+  const report::SessionSummary summary = report::summarise(saved, patient);
+  const report::Verdict verdict = report::judge(summary, saved, patient);
+  result.reached = verdict.reached;
+  result.headline = verdict.headline;
+  result.remarks = verdict.remarks;
+  result.deepest = summary.deepest;
+  result.peak_force = summary.peak_force;
+  result.target_distance = summary.final_error.distance;
+  result.time_in_body = summary.time_in_body;
+  result.bone_contacts = summary.bone_contacts;
+  return result;
+}
+
+}  // namespace
+
+struct StationLink::Shared {
+  std::mutex lock;  // guards all but `ended`
+  StationNews news;
+  std::vector<station::StationCommand> commands;
+  std::optional<station::ScanOrder> order;
+  std::atomic<bool> ended{false};
+};
+
+class StationLink::Observer : public station::StationObserver {
+ public:
+  Observer(std::shared_ptr<Shared> shared, Points points) : shared_(std::move(shared)), points_(std::move(points)) {}
+
+  Progress progress() override {
+    return [shared = shared_](std::string_view stage, double fraction) {
+      const std::lock_guard guard(shared->lock);
+      shared->news.stage = stage;
+      shared->news.fraction = fraction;
+    };
+  }
+
+  void note(const std::string& sentence) override {
+    const std::lock_guard guard(shared_->lock);
+    shared_->news.notes.push_back(sentence);
+  }
+
+  std::vector<Vec3> prepare(const anatomy::Case& patient, const fem::BodyDescription* body) override {
+    return points_ ? points_(patient, body) : std::vector<Vec3>();
+  }
+
+  std::chrono::milliseconds interval() const override { return watch_interval; }
+
+  void update(station::Station& station, const station::StationStatus& status) override {
+    std::vector<station::StationCommand> commands;
+    std::optional<station::ScanOrder> order;
+    std::shared_ptr<const station::LivePicture> picture;
+    if (status.ultrasound != nullptr && status.ultrasound->number != shown_picture_) {
+      shown_picture_ = status.ultrasound->number;
+      picture = std::make_shared<const station::LivePicture>(*status.ultrasound);
+    }
+    {
+      const std::lock_guard guard(shared_->lock);
+      commands.swap(shared_->commands);
+      order.swap(shared_->order);
+      publish(status, std::move(picture));
+    }
+    for (const station::StationCommand command : commands) station.command(command);
+    if (order) station.set_scan_order(*order);
+    if (shared_->ended.load()) station.end();
+  }
+
+ private:
+  void publish(const station::StationStatus& status, std::shared_ptr<const station::LivePicture> picture) {
+    StationNews& news = shared_->news;
+    news.time = status.time;
+    news.servo = status.servo;
+    news.needle = status.needle;
+    news.timings = status.timings;
+    news.message = status.message;
+    if (news.diagnostic_names.empty())
+      news.diagnostic_names.assign(status.diagnostic_names.begin(), status.diagnostic_names.end());
+    if (news.samples.size() < most_samples)
+      news.samples.insert(news.samples.end(), status.samples.begin(), status.samples.end());
+    news.events.insert(news.events.end(), status.events.begin(), status.events.end());
+    news.displacements.assign(status.displacements.begin(), status.displacements.end());
+    if (picture != nullptr) news.ultrasound = std::move(picture);
+  }
+
+  std::shared_ptr<Shared> shared_;
+  Points points_;
+  std::uint64_t shown_picture_ = 0;
+};
+
+StationLink::~StationLink() {
+  stop();
+}
+
+void StationLink::stop() {
+  end();
+  if (thread_.joinable()) thread_.join();
+}
+
+void StationLink::start(station::StationOptions options, const std::string& device, Points points) {
+  stop();
+  shared_ = std::make_shared<Shared>();
+  shared_->news.phase = StationNews::Phase::preparing;
+  shared_->news.device = device;
+  news_ = StationNews{};
+  thread_ = std::jthread([shared = shared_, options = std::move(options), points = std::move(points)]() mutable {
+    const auto enter = [&shared](StationNews::Phase phase) {
+      const std::lock_guard guard(shared->lock);
+      shared->news.phase = phase;
+    };
+    try {
+      Observer observer(shared, std::move(points));
+      const std::filesystem::path file = options.output;
+      station::Station station(std::move(options), observer);
+      station.start();
+      enter(StationNews::Phase::running);
+      while (!station.ended()) {
+        std::this_thread::sleep_for(watch_interval);
+        observer.update(station, station.update());
+      }
+      enter(StationNews::Phase::finishing);
+      session::RunResult run = station.finish().run;
+      AttemptResult result = result_of(file, station.patient(), std::move(run));
+      const std::lock_guard guard(shared->lock);
+      shared->news.result = std::move(result);
+      shared->news.phase = StationNews::Phase::finished;
+    } catch (const std::exception& failure) {
+      const std::lock_guard guard(shared->lock);
+      shared->news.error = failure.what();
+      shared->news.phase = StationNews::Phase::failed;
+    }
+  });
+}
+
+void StationLink::command(station::StationCommand command) {
+  if (shared_ == nullptr) return;
+  const std::lock_guard guard(shared_->lock);
+  shared_->commands.push_back(command);
+}
+
+void StationLink::set_scan_order(const station::ScanOrder& order) {
+  if (shared_ == nullptr) return;
+  const std::lock_guard guard(shared_->lock);
+  shared_->order = order;
+}
+
+void StationLink::end() {
+  if (shared_ != nullptr) shared_->ended.store(true);
+}
+
+const StationNews& StationLink::poll() {
+  if (shared_ == nullptr) return news_;
+  const std::lock_guard guard(shared_->lock);
+  news_ = shared_->news;
+  shared_->news.notes.clear();
+  shared_->news.samples.clear();
+  shared_->news.events.clear();
+  return news_;
+}
+
+}  // namespace bodkin::app

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "session/session_run.h"
+#include "station/station.h"
+#include "station/station_observer.h"
+
+namespace bodkin::app {
+
+// How an attempt went, read from the session that was saved.
+struct AttemptResult {
+  std::filesystem::path session;
+  session::RunResult run;
+  bool reached = false;
+  std::string headline;              // the verdict, one sentence
+  std::vector<std::string> remarks;  // more of them, the worst first
+  double deepest = 0.0;              // mm
+  double peak_force = 0.0;           // N
+  double target_distance = 0.0;      // mm
+  double time_in_body = 0.0;         // s
+  int bone_contacts = 0;
+};
+
+// What the window knows of the station, plain values.
+struct StationNews {
+  enum class Phase { idle, preparing, running, finishing, finished, failed };
+  Phase phase = Phase::idle;
+  std::string stage;      // while preparing
+  double fraction = 0.0;  // of the stage
+  std::string error;      // why it failed
+
+  double time = 0.0;  // s since the start
+  haptics::ServoSnapshot servo;
+  station::HandSnapshot needle;
+  haptics::ServoTimings timings;
+  std::vector<forces::DiagnosticName> diagnostic_names;
+  std::string device;
+  std::string message;                       // the newest sentence
+  std::vector<std::string> notes;            // since the last poll
+  std::vector<station::HandSample> samples;  // since the last poll
+  std::vector<session::SessionEvent> events;
+  std::vector<float> displacements;  // mm, of the points that were asked for
+  std::shared_ptr<const station::LivePicture> ultrasound;
+  std::optional<AttemptResult> result;  // when it has finished
+};
+
+// Runs a station on a thread of its own. The window takes the news once a frame and gives commands; neither waits for
+// the other longer than a copy takes, and the haptic tick waits for none of them.
+class StationLink {
+ public:
+  // Which points of a deformable body shall be followed; called on the station's thread.
+  using Points = std::function<std::vector<Vec3>(const anatomy::Case&, const fem::BodyDescription*)>;
+
+  StationLink() = default;
+  // Ends the session and saves it.
+  ~StationLink();
+  StationLink(const StationLink&) = delete;
+  StationLink& operator=(const StationLink&) = delete;
+
+  // Ends what runs, and begins another session.
+  void start(station::StationOptions options, const std::string& device, Points points = {});
+  void command(station::StationCommand command);
+  void set_scan_order(const station::ScanOrder& order);
+  // Ends the session; the news say when it is saved.
+  void end();
+  // Ends it, and waits until it is saved.
+  void stop();
+
+  // What is new since the last call; valid until the next one.
+  const StationNews& poll();
+
+ private:
+  class Observer;
+  struct Shared;
+
+  std::shared_ptr<Shared> shared_;
+  std::jthread thread_;
+  StationNews news_;
+};
+
+}  // namespace bodkin::app

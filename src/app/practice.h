@@ -1,0 +1,99 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/frame.h"
+#include "app/frame_maker.h"
+#include "app/hand/mouse_driver.h"
+#include "app/hand/needle_control.h"
+#include "app/models/case_model.h"
+#include "app/models/station_link.h"
+
+namespace bodkin::app {
+
+// A person practises: patient, station, hand and state put together, without a widget. All calls from the window's
+// thread; advance() once a frame.
+class Practice {
+ public:
+  // `data`: where patients that are made here are kept.
+  explicit Practice(const std::filesystem::path& data);
+  // Saves what runs.
+  ~Practice();
+
+  // A patient is opened, and an attempt begins. From the start page and the results only.
+  void choose_built_in();
+  void choose(const std::filesystem::path& path);
+  void cancel();  // the preparation
+
+  // What a person may wish of an attempt; ignored where the state does not allow it.
+  void again();
+  void end();
+  void leave();
+  void pause(bool on);
+  void toggle_hold();
+  void arm();
+  void acknowledge();  // the warning was seen
+
+  // The pointer over the patient.
+  void aim(const SkinPoint& skin);
+  void aim_left();
+  void put_down();
+  void push(double notches, bool fine);
+  void drag(double millimetres);
+  void tilt(double right, double cranial);
+  void hold_key(int direction, bool fine);
+  void withdraw();
+  void set_crosshair(const Vec3& point);
+  void toggle_follow();
+
+  // The next frame, `clock` s after the window opened.
+  const Frame& advance(double clock);
+  const Frame& frame() const noexcept { return frame_; }
+  const Changes& changes() const noexcept { return changes_; }  // of the newest frame
+
+  State state() const noexcept { return machine_.state(); }
+  const std::shared_ptr<const OpenCase>& patient() const noexcept { return patient_; }
+  // While it prepares: what, how far, and for how long, s.
+  CaseModel::Status preparation() const;
+  // Why the last preparation came to nothing; empty: it did not.
+  const std::string& failure() const noexcept { return failure_; }
+  // Of the attempt that has ended, as soon as it is saved.
+  const std::optional<AttemptResult>& result() const noexcept { return result_; }
+  // Sentences of station and guard of this attempt, the newest last.
+  const std::vector<std::string>& log() const noexcept { return log_; }
+  CaseModel& cases() noexcept { return cases_; }
+  // Points of a deformable body that a view wants to follow.
+  void follow(StationLink::Points points) { points_ = std::move(points); }
+
+ private:
+  void begin_attempt();
+  void take_patient();
+  void take_news(const StationNews& news);
+  void follow_needle();
+  void follow_warning();
+  std::string hint() const;
+  bool may_steer() const;
+
+  CaseModel cases_;
+  StationLink link_;
+  StateMachine machine_;
+  FrameMaker maker_;
+  NeedleControl control_;
+  std::shared_ptr<MouseFeed> feed_;
+  std::shared_ptr<const OpenCase> patient_;
+  std::optional<AttemptResult> result_;
+  StationLink::Points points_;
+  Frame frame_;
+  Changes changes_;
+  std::string failure_;
+  std::string refusal_;  // why the last wish was not done
+  std::vector<std::string> log_;
+  double refused_at_ = 0.0, safe_since_ = 0.0, clock_ = 0.0;
+  bool again_wanted_ = false, acknowledged_ = false, was_forbidden_ = false;
+  double longest_ = 3600.0;  // s
+};
+
+}  // namespace bodkin::app
