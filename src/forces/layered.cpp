@@ -55,7 +55,8 @@ Layered::Layered(const anatomy::TissueLibrary& library, const anatomy::LayeredSe
     law.roughness = p.roughness;
     law.rough = p.roughness > 0.0;
     law.slip_strain = law.grip.inverse(p.dynamic_friction);
-    law.breakaway_tangent = law.grip.tangent(law.grip.inverse(p.static_friction));
+    law.most_strain = law.grip.inverse(p.static_friction);
+    law.breakaway_tangent = law.grip.tangent(law.most_strain);
   }
   blocks_.resize(static_cast<std::size_t>(std::ceil(longest / layer_)) + 2);
 }
@@ -144,14 +145,16 @@ void Layered::press(Block& block, const Law& law, const AxialMotion& motion, Sum
 }
 
 void Layered::hold(Block& block, const Law& law, const AxialMotion& motion, double advance, Sums& sums) noexcept {
-  block.strain += softening_ * advance;
+  // No tissue is stretched further than its static friction holds, however far the needle moved in one tick.
+  block.strain = std::clamp(block.strain + softening_ * advance, -law.most_strain, law.most_strain);
   const double friction = law.grip.grip(block.strain, motion.velocity * viscous_);  // eq. 4
   sums.resistance += grip_ * friction * block.contact;
   sums.shaft += grip_ * friction * block.contact;
   sums.friction_stiffness += grip_ * law.breakaway_tangent * block.contact;
   sums.held_stiffness += softening_ * grip_ * law.grip.tangent(std::abs(block.strain)) * block.contact;
   sums.gripped = true;
-  if (std::abs(friction) > law.static_friction && block.strain * advance > 0.0) {  // eq. 14
+  const bool at_limit = std::abs(friction) > law.static_friction || std::abs(block.strain) == law.most_strain;
+  if (at_limit && block.strain * advance > 0.0) {  // eq. 14
     block.mode = Mode::sliding;
     block.slide = block.strain > 0.0 ? 1 : -1;
     block.furthest = motion.depth;
@@ -177,13 +180,14 @@ void Layered::slide(Block& block, const Law& law, const AxialMotion& motion, Sum
   const double back = softening_ * sense * (block.furthest - motion.depth);
   const bool ends = motion.stopped || motion.direction == -block.slide;
   if (law.rough && (back > 0.0 || ends)) slip = law.grip.inverse(std::min(dynamic, law.static_friction));
-  const double friction = back > 0.0 ? law.grip.grip(sense * (slip - back), 0.0) : sense * dynamic;
+  const double strain = std::max(slip - back, -law.most_strain);
+  const double friction = back > 0.0 ? law.grip.grip(sense * strain, 0.0) : sense * dynamic;
   sums.resistance += grip_ * friction * block.contact;
   sums.shaft += grip_ * friction * block.contact;
   sums.friction_stiffness += grip_ * law.breakaway_tangent * block.contact;
   if (ends) {
     block.mode = Mode::held;
-    block.strain = sense * (slip - back);
+    block.strain = sense * strain;
   }
 }
 

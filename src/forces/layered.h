@@ -68,6 +68,7 @@ class Layered {
     double break_force = 0.0, break_force_rate = 0.0;
     double static_friction = 0.0, dynamic_friction = 0.0, roughness = 0.0;
     double slip_strain = 0.0;        // Einv(D), mm
+    double most_strain = 0.0;        // Einv(S), mm
     double breakaway_tangent = 0.0;  // dE/dx at Einv(S), N/mm^2
     double drag = 0.0;
     double contact_stiffness = 0.0;

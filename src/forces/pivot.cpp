@@ -18,17 +18,27 @@ void Pivot::begin(const Vec3& entry, const Vec3& direction) noexcept {
   direction_ = direction;
 }
 
-Vec3 Pivot::step(const Vec3& tip, const Vec3& axis) const noexcept {
-  const double inside = std::min((tip - entry_).dot(axis), length_);  // l1
-  const Vec3 turned = direction_ - axis;                              // (V_i - V_c) / L
+// Of the turn alone: eq. 2, direction reversed. Zero for a needle that points along the frozen direction.
+Vec3 Pivot::turning_back(const Vec3& axis, double inside) const noexcept {
+  const Vec3 turned = direction_ - axis;  // (V_i - V_c) / L
   const Vec3 across = turned - turned.dot(axis) * axis;
   const double size = across.norm();
-  // Written so that NaN fails too.
-  if (!(inside > 0.0) || !(size > 1e-12) || !std::isfinite(size)) return Vec3::Zero();
+  if (size <= 1e-12) return Vec3::Zero();
   const double chord = std::min(turned.norm(), 2.0 * std::sin(0.5 * settings_.largest_angle));
-  const double correction = settings_.gain * settings_.stiffness * length_ * chord;    // |F_c|
-  const double outside = std::max(length_ - inside, settings_.shortest_outside);       // l2
-  return across * (-std::min(correction * inside / outside, settings_.limit) / size);  // eq. 2, direction reversed
+  const double correction = settings_.gain * settings_.stiffness * length_ * chord;  // |F_c|
+  const double outside = std::max(length_ - inside, settings_.shortest_outside);     // l2
+  return across * (-correction * inside / outside / size);
+}
+
+Vec3 Pivot::step(const Vec3& tip, const Vec3& axis) const noexcept {
+  const Vec3 to_entry = entry_ - tip;
+  const double inside = std::min(-to_entry.dot(axis), length_);  // l1
+  if (!(inside > 0.0)) return Vec3::Zero();                      // written so that NaN fails too
+  const Vec3 from_hole = to_entry - to_entry.dot(axis) * axis;
+  const Vec3 force = turning_back(axis, inside) + settings_.gain * settings_.stiffness * from_hole;
+  const double size = force.norm();
+  if (!std::isfinite(size)) return Vec3::Zero();
+  return size > settings_.limit ? Vec3(force * (settings_.limit / size)) : force;
 }
 
 }  // namespace bodkin::forces

@@ -11,12 +11,14 @@ namespace bodkin::forces {
 // Fig. 5 and 9):
 //
 //   F_c = c k_t (V_i - V_c)          V_i = L u0, V_c = L u
-//   F_gimbal = -F_c l1 / l2          l1 = (tip - O) . u inside, l2 = L - l1 outside; |F_gimbal| <= limit
+//   F_gimbal = -F_c l1 / l2 + c k_t e     l1 = (tip - O) . u inside, l2 = L - l1 outside; |F_gimbal| <= limit
+//   e        = O - tip, its part across u
 //
-// u0 direction frozen at puncture, u the needle's now, L its length mm. Only F_c's direction across u counts; its
-// size is that of the whole chord. The lateral stiffness grows with l1 but costs nothing along the needle, as in the
-// paper, so closed paths that tilt shallow and return deep give energy: this constraint is **active**
-// (docs/models/pivot.md).
+// u0 direction frozen at puncture, u the needle's now, L its length mm, e from the shaft to the hole in the skin.
+// Only F_c's direction across u counts; its size is that of the whole chord. The second term is ours: a hole does not
+// let a needle move sideways; the paper's needle only turns. The lateral stiffness grows with l1 but costs nothing
+// along the needle, as in the paper, so closed paths that tilt shallow and return deep give energy: this constraint
+// is **active** (docs/models/pivot.md).
 class Pivot {
  public:
   using Settings = anatomy::PivotSettings;
@@ -36,6 +38,8 @@ class Pivot {
   Wrench step(const HeldNeedle& needle) const noexcept { return from_hub(step(needle.tip, needle.axis), needle); }
 
  private:
+  Vec3 turning_back(const Vec3& axis, double inside) const noexcept;
+
   anatomy::PivotSettings settings_;
   double length_;
   Vec3 entry_ = Vec3::Zero();

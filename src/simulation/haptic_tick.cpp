@@ -17,6 +17,7 @@ namespace bodkin::simulation {
 
 namespace {
 
+constexpr double farthest_tip = 1e5;   // mm from the origin; further away the pose is an error of the device
 constexpr double tissue_slack = 0.2;   // mm that the tip must move before another change of tissue is an event
 constexpr int limit_event_rest = 100;  // ticks without intervention before the next one is an event again
 constexpr std::uint8_t interventions =
@@ -217,7 +218,7 @@ TickOutput HapticTick::step(const TickInput& input) noexcept {
   const Vec3 tip = input.needle.translation();
   const Vec3 axis = needle_axis(input.needle);
   const double length = axis.norm();
-  const bool usable = tip.allFinite() && std::isfinite(length) && length > 1e-6;
+  const bool usable = (tip.array().abs() <= farthest_tip).all() && length > 1e-6 && length < 1e6;  // NaN is not
   if (state.governor.failed() || !usable) return state.fault();
 
   TickOutput output = state.step(tip, axis / length, input.needle.linear().col(0));

@@ -132,6 +132,20 @@ TEST(Layered, jitter_around_rest_does_not_chatter) {
   }
 }
 
+// No force at rest can exceed what static friction holds, whatever the motion before it.
+TEST(Layered, a_jump_and_back_leaves_no_more_than_static_friction) {
+  for (const double jump : {0.5, 3.0, 10.0, -3.0, -10.0}) {
+    LayeredRig rig({{skin, 2}, {muscle, 60}});
+    rig.move(30.0, 5.0);
+    rig.rest(50);
+    const double limit = 0.024 * 2.0 + 0.018 * (28.0 + std::max(0.0, jump));  // of all the shaft that was gripped
+    rig.to(30.0 + jump);
+    EXPECT_LE(std::abs(rig.last.resistance), limit + 1e-9) << jump;
+    rig.to(30.0);
+    EXPECT_LE(std::abs(rig.rest(50).resistance), limit + 1e-9) << jump;
+  }
+}
+
 TEST(Layered, withdrawal_pulls_the_needle_in_by_its_friction) {
   LayeredRig rig({{skin, 2}, {muscle, 60}});
   rig.move(22.0, 5.0);

@@ -53,6 +53,15 @@ TEST(Pivot, is_nothing_outside_the_body_and_on_the_line) {
   EXPECT_EQ(pivot_force(50.0, 0.0), Vec3::Zero());
 }
 
+TEST(Pivot, holds_the_shaft_in_its_hole) {
+  Pivot pivot({.stiffness = 0.2, .gain = 1.5, .limit = 2.0}, 150.0);
+  pivot.begin(Vec3(10.0, 20.0, 30.0), Vec3::UnitZ());
+  const auto moved = [&](double x, double y) { return pivot.step({10.0 + x, 20.0 + y, 70.0}, Vec3::UnitZ()); };
+  EXPECT_TRUE(moved(2.0, -1.0).isApprox(Vec3(-0.6, 0.3, 0.0), 1e-12));
+  EXPECT_TRUE(moved(30.0, 0.0).isApprox(Vec3(-2.0, 0.0, 0.0), 1e-12));
+  EXPECT_EQ(moved(0.0, 0.0), Vec3::Zero());
+}
+
 TEST(Pivot, fades_in_with_the_depth) {
   EXPECT_LT(pivot_force(0.01, 2.0 * degree).norm(), 1e-4);
 }
