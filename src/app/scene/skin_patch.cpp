@@ -169,29 +169,36 @@ void SkinPatch::divide(const Vec3& middle) {
   }
 }
 
+std::size_t SkinPatch::nearest_to(const Vec3& point) const {
+  const auto distance = [&](const Vec3& rest) { return (rest - point).squaredNorm(); };
+  const auto nearest = std::min_element(rest_.begin(), rest_.end(),
+                                        [&](const Vec3& a, const Vec3& b) { return distance(a) < distance(b); });
+  return static_cast<std::size_t>(nearest - rest_.begin());
+}
+
 void SkinPatch::deform(const SkinDent& dent, std::span<const float> displacements) {
   if (empty()) return;
   const bool moved = displacements.size() == 3 * rest_.size();
   const Vec3 along = dent.direction.normalized();
-  // The drawn surface and the tissues meet the needle's line at places that differ by parts of a voxel: while the
-  // needle touches, the drawn one is moved to where the model has it.
-  const double gap = (dent.entry - rest_[bottom_]).dot(along);
+  bottom_ = nearest_to(dent.entry);
   const auto moved_by = [&](std::size_t i) {
     return Vec3(Eigen::Map<const Eigen::Vector3f>(displacements.data() + 3 * i).cast<double>());
   };
-  // What the deformable body does not show at the needle, finer than its elements, is the dent.
-  const double shown = moved ? moved_by(bottom_).dot(along) : 0.0;
-  const double depth = dent.depth != 0.0 ? dent.depth + gap - shown : 0.0;
+  // The drawn surface and the tissues meet the needle's line at places that differ by parts of a voxel, and a body's
+  // displacements are coarser than a dent: what is missing at the needle is the dent.
+  Vec3 dip = Vec3::Zero();
+  if (dent.depth != 0.0) dip = dent.entry + dent.depth * along - rest_[bottom_];
+  if (dent.depth != 0.0 && moved) dip -= moved_by(bottom_);
   for (std::size_t i = 0; i < rest_.size(); ++i) {
     Vec3 point = rest_[i];
     const Vec3 from = point - rest_[bottom_];
     const Dent here = dent_at(from, along, reach_);
     if (moved) point += std::clamp((reach_ - from.norm()) / fading, 0.0, 1.0) * moved_by(i);
-    mesh_.points[i] = (point + depth * here.shape * along).cast<float>();
-    // Normals turn with the inverse transpose of the deformation's gradient 1 + along (depth gradient)^T.
-    const Vec3 normal = rest_normals_[i].cast<double>(), gradient = depth * here.gradient;
-    const double stretch = std::max(0.05, 1.0 + along.dot(gradient));
-    mesh_.normals[i] = (normal - gradient * (along.dot(normal) / stretch)).normalized().cast<float>();
+    mesh_.points[i] = (point + here.shape * dip).cast<float>();
+    // Normals turn with the inverse transpose of the deformation's gradient 1 + dip gradient^T.
+    const Vec3 normal = rest_normals_[i].cast<double>();
+    const double stretch = std::max(0.05, 1.0 + dip.dot(here.gradient));
+    mesh_.normals[i] = (normal - here.gradient * (dip.dot(normal) / stretch)).normalized().cast<float>();
   }
 }
 

@@ -40,17 +40,18 @@ class SkinPatch {
   const SceneMesh& mesh() const { return mesh_; }
   // At rest, LPS mm: where displacements of a deformable body are wanted.
   const std::vector<Vec3>& rest() const { return rest_; }
-  // The point at the needle: its index in mesh().points.
+  // The point that the last dent brought to the needle's tip: its index in mesh().points.
   std::size_t bottom() const { return bottom_; }
 
   // `displacements`: of a deformable body, mm, x y z of every point of rest() in turn; or empty. A dent is added to
-  // them; depth 0 and no displacements are the skin at rest.
+  // them, about the point that is nearest to its entry; depth 0 and no displacements are the skin at rest.
   void deform(const SkinDent& dent, std::span<const float> displacements = {});
 
   static constexpr double radius = 32.0;     // mm
   static constexpr double dent_width = 3.0;  // mm
 
  private:
+  std::size_t nearest_to(const Vec3& point) const;
   void find_reach(const Vec3& middle);
   void divide(const Vec3& middle);
 

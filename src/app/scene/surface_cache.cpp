@@ -159,6 +159,7 @@ std::string surfaces_digest(const anatomy::TissueVolume& tissues) {
 
 PatientSurfaces surfaces_of_case(const anatomy::TissueVolume& tissues, const std::filesystem::path& folder,
                                  const Progress& progress) {
+  if (folder.empty()) return make_surfaces(tissues, progress);
   const std::string digest = surfaces_digest(tissues);
   const std::filesystem::path file = folder / "surfaces.vtp";
   if (std::optional<PatientSurfaces> kept = read_surfaces(file, digest)) return std::move(*kept);

@@ -1,0 +1,308 @@
+#include "app/views/view3d.h"
+
+#include <QPaintEvent>
+#include <QPainter>
+#include <QPushButton>
+#include <algorithm>
+#include <cmath>
+
+#include "app/theme.h"
+#include "app/views/orientation_cube.h"
+#include "app/views/paint_kit.h"
+
+namespace bodkin::app {
+
+namespace {
+
+constexpr double most_pixels = 1920.0 * 1080.0;  // that are drawn; a larger widget scales the picture up
+constexpr double settles_after = 0.12;           // s after the last movement of the camera full detail comes back
+constexpr double flight_time = 0.35;             // s
+// mm from where the skin was cut out at which it is cut out anew. With a deformable body that is avoided, since its
+// displacements are those of the points that were asked for.
+constexpr double other_entry = 0.05, other_entry_of_body = 15.0;
+constexpr int margin_of_tip = 9;    // pixels about the tip that its mark takes
+constexpr double cube_size = 76.0;  // pixels
+
+// Frames are kept for painting, but not what they only lend.
+Frame without_spans(const Frame& frame) {
+  Frame kept = frame;
+  kept.displacements = {};
+  kept.diagnostic_names = {};
+  kept.samples = {};
+  kept.events = {};
+  kept.timings = nullptr;
+  kept.ultrasound = nullptr;
+  return kept;
+}
+
+ViewSubject subject_of(const OpenCase& patient, const SceneMesh& skin) {
+  ViewSubject subject;
+  if (const auto& path = patient.description().procedure.path) {
+    subject.middle = 0.5 * (path->entry + path->target);
+    subject.direction = path->direction();
+    return subject;
+  }
+  Eigen::AlignedBox3f box;
+  for (const Eigen::Vector3f& point : skin.points) box.extend(point);
+  subject.middle = box.center().cast<double>();
+  subject.height = 1.2 * static_cast<double>(box.sizes().maxCoeff());
+  return subject;
+}
+
+}  // namespace
+
+View3d::View3d(const QString& place, QWidget* parent) : View(parent) {
+  setObjectName(place + QStringLiteral(".view3d"));
+  setAccessibleName(tr("Patient in 3-D"));
+  setToolTip(
+      tr("Drag to turn the patient, Ctrl and the wheel to zoom, 0 to 6 for standard views, P for what is shown"));
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  setMinimumSize(160, 120);
+  const std::array<QString, 4> names = {tr("Skin"), tr("Cut-away"), tr("Bones"), tr("See-through")};
+  const std::array<QString, 4> tips = {
+      tr("What the patient looks like (P: next)"), tr("An opening in the skin over the path (P: next)"),
+      tr("Bones and what lies between them (P: next)"), tr("Everything under a faint skin (P: next)")};
+  for (std::size_t i = 0; i < buttons_.size(); ++i) {
+    const Preset preset = presets[i];
+    buttons_[i] = new QPushButton(names[i], this);
+    buttons_[i]->setObjectName(place + QStringLiteral(".preset.") + QString::fromLatin1(name_of(preset).data()));
+    buttons_[i]->setAccessibleName(names[i]);
+    buttons_[i]->setToolTip(tips[i]);
+    buttons_[i]->setCheckable(true);
+    buttons_[i]->setChecked(preset == preset_);
+    buttons_[i]->setFocusPolicy(Qt::NoFocus);
+    connect(buttons_[i], &QPushButton::clicked, this, [this, preset] { set_preset(preset); });
+  }
+}
+
+View3d::~View3d() = default;
+
+void View3d::set_case(std::shared_ptr<const OpenCase> patient) {
+  job_.reset();
+  scene_.reset();
+  flight_.reset();
+  left_needles_.clear();
+  has_needle_ = aimed_ = false;
+  shown_percent_ = -1;
+  patient_ = std::move(patient);
+  if (patient_) {
+    job_ = std::make_unique<SurfaceJob>(
+        std::shared_ptr<const anatomy::TissueVolume>(patient_, &patient_->patient.tissues), patient_->folder);
+  }
+  update();
+}
+
+void View3d::take_surfaces() {
+  const SurfaceJob::Status status = job_->status();
+  if (!status.done) {
+    const int percent = static_cast<int>(100.0 * status.fraction);
+    if (percent != shown_percent_) update();
+    shown_percent_ = percent;
+    return;
+  }
+  const std::shared_ptr<const PatientSurfaces> surfaces = job_->surfaces();
+  if (!surfaces) {
+    if (shown_percent_ != 100) update();  // paint_preparation() says why
+    shown_percent_ = 100;
+    return;
+  }
+  job_.reset();
+  scene_ = std::make_unique<SoftwareView>(surfaces);
+  subject_ = subject_of(*patient_, surfaces->skin());
+  camera_ = standard_view(StandardView::operator_side, subject_);
+  scene_->set_camera(camera_);
+  scene_->set_preset(preset_);
+  Opening opening;
+  opening.centre = subject_.middle;
+  scene_->set_opening(opening);
+  if (const auto& path = patient_->description().procedure.path) scene_->set_entry(path->entry, path->direction());
+  needle_.shape = patient_->description().needle;
+  fit_picture();
+  emit ready();
+}
+
+void View3d::fit_picture() {
+  if (!scene_) return;
+  const double ratio = devicePixelRatioF();
+  const double pixels = width() * ratio * height() * ratio;
+  scale_ = pixels > most_pixels ? ratio * std::sqrt(most_pixels / pixels) : ratio;
+  scene_->set_size(static_cast<int>(std::lround(width() * scale_)), static_cast<int>(std::lround(height() * scale_)));
+  update();
+}
+
+void View3d::resizeEvent(QResizeEvent* event) {
+  View::resizeEvent(event);
+  place_buttons();
+  fit_picture();
+}
+
+void View3d::place_buttons() {
+  int x = width() - 12;
+  for (auto button = buttons_.rbegin(); button != buttons_.rend(); ++button) {
+    (*button)->adjustSize();
+    x -= (*button)->width();
+    (*button)->move(x, 12);
+    x -= 4;
+  }
+}
+
+void View3d::set_preset(Preset preset) {
+  preset_ = preset;
+  for (std::size_t i = 0; i < buttons_.size(); ++i) buttons_[i]->setChecked(presets[i] == preset);
+  if (scene_) scene_->set_preset(preset);
+  emit preset_changed(preset);
+}
+
+void View3d::choose_view(StandardView view) {
+  if (!scene_) return;
+  flight_.emplace(camera_, standard_view(view, subject_), flight_time);
+  flight_began_ = clock_;
+}
+
+void View3d::set_camera(const Camera& camera) {
+  flight_.reset();
+  camera_ = camera;
+}
+
+void View3d::set_left_needles(std::vector<NeedleLook> needles) {
+  left_needles_ = std::move(needles);
+}
+
+void View3d::set_plan_shown(bool shown) {
+  plan_shown_ = shown;
+}
+
+std::vector<Vec3> View3d::deformable_points() const {
+  return scene_ ? scene_->patch().rest() : std::vector<Vec3>{};
+}
+
+void View3d::show_frame(const Frame& frame, const Changes& changes) {
+  clock_ = frame.clock;
+  if (job_) take_surfaces();
+  if (!scene_) return;
+  if (pointer_moved_) aim();
+  if (flight_) {
+    camera_ = flight_->at(clock_ - flight_began_);
+    if (flight_->ended(clock_ - flight_began_)) flight_.reset();
+  }
+  if (!(camera_ == scene_->camera())) camera_moved_ = clock_;
+  const bool moves = camera_moved_ >= 0.0 && clock_ - camera_moved_ < settles_after;
+  scene_->set_detail(moves ? 1 : 2);
+  scene_->set_camera(camera_);
+  update_scene(frame);
+  const PixelBox drawn = scene_->draw();
+  const bool framed = shown_.warning.has_value() != frame.warning.has_value() ||
+                      (shown_.state == State::reached) != (frame.state == State::reached);
+  shown_ = without_spans(frame);
+  const QRect tip = tip_mark();
+  if (framed || changes.theme) {
+    update();
+    return;
+  }
+  QRect region = on_screen(drawn);
+  if (tip != shown_tip_ || changes.tissue || changes.needle) region = region.united(tip).united(shown_tip_);
+  shown_tip_ = tip;
+  if (!region.isEmpty()) update(region);
+}
+
+void View3d::update_scene(const Frame& frame) {
+  has_needle_ = frame.has_needle;
+  std::vector<NeedleLook> needles = left_needles_;
+  if (has_needle_) {
+    needle_.pose = frame.needle;
+    const double ahead = (frame.hand.translation() - frame.needle.translation()).dot(needle_axis(frame.needle));
+    needle_.ghost = needle_is_down(frame.state) && ahead > 0.5 ? ahead : 0.0;
+    needle_.ghost_on_bone = frame.warning && frame.warning->kind == Warning::Kind::bone;
+    needles.push_back(needle_);
+  }
+  scene_->set_needles(std::move(needles));
+  SceneMarks marks;
+  marks.path = frame.plan;
+  marks.target_tolerance = frame.target_tolerance;
+  marks.path_shown = plan_shown_;
+  if (frame.plan && (frame.state == State::ready || frame.state == State::aiming)) {
+    marks.insert_here = 0.5 + 0.5 * std::sin(2.0 * 3.14159265358979 * frame.clock);  // 1 Hz
+    marks.entry_normal = -frame.plan->direction();
+  }
+  scene_->set_marks(std::move(marks));
+  update_skin(frame);
+}
+
+void View3d::update_skin(const Frame& frame) {
+  const SkinDimple& dimple = frame.dimple;
+  if (dimple.depth != 0.0) {
+    const Vec3 from = dimple.at - scene_->patch().entry();
+    const double far = frame.displacements.empty() ? other_entry : other_entry_of_body;
+    if (scene_->patch().empty() || from.norm() > far) scene_->set_entry(dimple.at, dimple.inwards);
+    scene_->set_dent(SkinDent{dimple.at, dimple.inwards, dimple.depth}, frame.displacements);
+  } else {
+    scene_->set_dent(std::nullopt, frame.displacements);
+  }
+}
+
+QPointF View3d::on_screen(const Place& place) const {
+  return QPointF(place.x, place.y) / scale_;
+}
+
+QRect View3d::on_screen(const PixelBox& pixels) const {
+  if (pixels.empty()) return {};
+  const QRectF box(pixels.left / scale_, pixels.top / scale_, pixels.width() / scale_, pixels.height() / scale_);
+  return box.toAlignedRect().adjusted(-1, -1, 1, 1);
+}
+
+QRect View3d::tip_mark() const {
+  if (!has_needle_) return {};
+  const auto place = scene_->projection().place(needle_.pose.translation());
+  if (!place) return {};
+  // Under a closed skin nobody sees the tip.
+  if (preset_ == Preset::skin && shown_.depth > std::max(1.0, shown_.dimple.depth + 0.5)) return {};
+  const QPoint at = on_screen(*place).toPoint();
+  return {at.x() - margin_of_tip, at.y() - margin_of_tip, 2 * margin_of_tip, 2 * margin_of_tip};
+}
+
+void View3d::paintEvent(QPaintEvent* event) {
+  QPainter painter(this);
+  if (!scene_) {
+    paint_preparation(painter);
+    return;
+  }
+  const Picture& picture = scene_->picture();
+  const QImage image(reinterpret_cast<const uchar*>(picture.pixels.data()), picture.width, picture.height,
+                     4 * picture.width, QImage::Format_RGB32);
+  if (scale_ == 1.0) {
+    painter.drawImage(event->rect(), image, event->rect());
+  } else {
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(QRectF(rect()), image, QRectF(0, 0, picture.width, picture.height));
+  }
+  if (!tip_mark().isEmpty()) {
+    const auto place = scene_->projection().place(needle_.pose.translation());
+    draw_tip(painter, on_screen(*place), tip_shape(shown_), tissue_colour(shown_.tissue, patient_->patient.library));
+  }
+  draw_orientation_cube(painter, cube_place(), camera_.axes());
+  if (shown_.warning || shown_.state == State::reached) {
+    painter.setPen(QPen(shown_.warning ? Theme::dark().danger : Theme::dark().plan, 3.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(QRectF(rect()).adjusted(1.5, 1.5, -1.5, -1.5));
+  }
+}
+
+void View3d::paint_preparation(QPainter& painter) {
+  painter.fillRect(rect(), Theme::dark().ground);
+  if (!patient_ || !job_) return;
+  const SurfaceJob::Status status = job_->status();
+  const QString text = status.error.empty()
+                           ? tr("Preparing the patient in 3-D: %1 %").arg(static_cast<int>(100.0 * status.fraction))
+                           : tr("The patient cannot be shown in 3-D: %1").arg(QString::fromStdString(status.error));
+  set_font(painter, text_size);
+  painter.setPen(Theme::dark().second);
+  painter.drawText(rect().adjusted(24, 0, -24, 0), static_cast<int>(Qt::AlignCenter) | Qt::TextWordWrap, text);
+}
+
+QRectF View3d::cube_place() const {
+  return {12.0, height() - cube_size - 12.0, cube_size, cube_size};
+}
+
+}  // namespace bodkin::app
