@@ -20,15 +20,34 @@ namespace {
 using bodkin_test::frame_at;
 using bodkin_test::layered_patient;
 
+// The made-up patient as a block of voxels of 2 mm, whose surfaces are made in no time.
+std::shared_ptr<const OpenCase> coarse_patient() {
+  static const std::shared_ptr<const OpenCase> made = [] {
+    auto open = std::make_shared<OpenCase>(*layered_patient());
+    anatomy::Grid grid;
+    grid.size = {50, 50, 50};
+    grid.spacing = Vec3::Constant(2.0);
+    grid.origin = Vec3(-49.0, -49.0, -49.0);
+    open->patient.tissues = anatomy::TissueVolume(grid);
+    for (int k = 0; k < 50; ++k) {
+      for (int j = 0; j < 40; ++j) {  // to y = 30 mm
+        for (int i = 0; i < 50; ++i) open->patient.tissues.at(i, j, k) = anatomy::tissue::muscle;
+      }
+    }
+    return open;
+  }();
+  return made;
+}
+
 // The view with its surfaces, 400 x 300.
 class View3dTest : public testing::Test {
  protected:
   View3dTest() {
     view_.resize(400, 300);
     view_.show();
-    view_.set_case(layered_patient());
+    view_.set_case(coarse_patient());
     Frame frame;
-    for (int i = 0; i < 2000 && !view_.is_ready(); ++i) {
+    for (int i = 0; i < 20000 && !view_.is_ready(); ++i) {
       view_.show_frame(frame, {});
       QTest::qWait(5);
     }
