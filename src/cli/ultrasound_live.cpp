@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <thread>
 
-#include "desktop/live_scan.h"
 #include "desktop/scan_window.h"
+#include "station/live_scan.h"
 #include <fmt/format.h>
 
 #include "core/error.h"
@@ -33,7 +33,7 @@ std::string free_name(const std::string& base) {
   }
 }
 
-std::string save_picture(const desktop::LiveScan& scan, const anatomy::Case& patient, imaging::MarkSide mark,
+std::string save_picture(const station::LiveScan& scan, const anatomy::Case& patient, imaging::MarkSide mark,
                          const std::string& base) {
   imaging::MachinePicture picture;
   picture.moment = scan.screen().moment();
@@ -74,14 +74,14 @@ std::vector<std::string> scan_live(const anatomy::Case& patient, const station::
                                    const std::optional<imaging::NeedleInSound>& needle, imaging::Ultrasound& machine,
                                    const std::string& base) {
   desktop::ScanWindow window(patient, choice.mark);
-  desktop::LiveScan scan(patient, choice, hand, needle, desktop::ScanWindow::machine_place());
+  station::LiveScan scan(patient, choice, hand, needle, desktop::ScanWindow::machine_place());
   std::vector<std::string> saved;
   desktop::ScanPace pace;
   Shown shown;
   auto before = ScanClock::now();
   while (!scan.ended()) {
     const auto begin = ScanClock::now();
-    desktop::ScreenEvent event;
+    station::ScreenEvent event;
     while (window.next(event)) scan.take(event);
     const double passed = scan_seconds_since(before);
     before = begin;

@@ -90,11 +90,11 @@ ScanWindow::ScanWindow(const anatomy::Case& patient, imaging::MarkSide mark)
       mark_(mark),
       screen_("Bodkin: ultrasound of " + patient.description.name, scan_width, scan_height) {}
 
-LiveScan::Place ScanWindow::machine_place() {
+station::LiveScan::Place ScanWindow::machine_place() {
   return {machine_x, machine_y, machine_wide, machine_high, sliders_left, keys_y + 22.0, sliders_wide};
 }
 
-void ScanWindow::draw(const LiveScan& scan, const ScanPace& pace) {
+void ScanWindow::draw(const station::LiveScan& scan, const ScanPace& pace) {
   screen_.clear(scan_panel);
   screen_.text(24.0, 14.0, patient_.description.name, Size::large, scan_ink);
   draw_machine(screen_, machine_place(), scan.screen());
@@ -109,13 +109,13 @@ void ScanWindow::draw(const LiveScan& scan, const ScanPace& pace) {
   screen_.present();
 }
 
-void ScanWindow::draw_gain(const LiveScan& scan) {
+void ScanWindow::draw_gain(const station::LiveScan& scan) {
   screen_.text(ct_x + 16.0, keys_y, "Time-gain compensation: 1 to 8, mouse, wheel; T closes", Size::small,
                scan_faint);
   draw_sliders(screen_, machine_place(), scan.settings().sliders, scan.settings().depth);
 }
 
-void ScanWindow::draw_ct(const LiveScan& scan) {
+void ScanWindow::draw_ct(const station::LiveScan& scan) {
   screen_.fill(ct_x, machine_y, ct_wide, machine_high, scan_black);
   screen_.text(ct_x + 0.5 * ct_wide, machine_y + 10.0, "CT, the same plane", Size::small, scan_faint, Align::middle);
   if (scan.screen().empty()) return;
@@ -134,7 +134,7 @@ void ScanWindow::draw_ct(const LiveScan& scan) {
   draw_ct_lines(scan);
 }
 
-void ScanWindow::draw_ct_lines(const LiveScan& scan) {
+void ScanWindow::draw_ct_lines(const station::LiveScan& scan) {
   const double scale = std::min(ct_wide / ct_.width, ct_high / ct_.height);
   const double wide = scale * ct_.width, high = scale * ct_.height;
   const double left = ct_x + 0.5 * (ct_wide - wide);
@@ -189,7 +189,7 @@ void ScanWindow::draw_keys() {
   }
 }
 
-void ScanWindow::draw_foot(const LiveScan& scan, const ScanPace& pace) {
+void ScanWindow::draw_foot(const station::LiveScan& scan, const ScanPace& pace) {
   constexpr double y = scan_height - 36.0;
   const std::string words = !scan.message().empty() ? scan.message()
                             : scan.measuring()      ? "Calipers: click two places; C again to move the probe"

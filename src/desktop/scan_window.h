@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "desktop/live_scan.h"
 #include "desktop/sdl_screen.h"
+#include "station/live_scan.h"
 
 #include "imaging/slice.h"
 
@@ -22,17 +22,17 @@ class ScanWindow {
   ScanWindow(const anatomy::Case& patient, imaging::MarkSide mark);
 
   // Where the machine's screen lies in it.
-  static LiveScan::Place machine_place();
+  static station::LiveScan::Place machine_place();
 
   bool next(ScreenEvent& event) { return screen_.next(event); }
-  void draw(const LiveScan& scan, const ScanPace& pace);
+  void draw(const station::LiveScan& scan, const ScanPace& pace);
 
  private:
-  void draw_gain(const LiveScan& scan);
-  void draw_ct(const LiveScan& scan);
-  void draw_ct_lines(const LiveScan& scan);
+  void draw_gain(const station::LiveScan& scan);
+  void draw_ct(const station::LiveScan& scan);
+  void draw_ct_lines(const station::LiveScan& scan);
   void draw_keys();
-  void draw_foot(const LiveScan& scan, const ScanPace& pace);
+  void draw_foot(const station::LiveScan& scan, const ScanPace& pace);
   void draw_help();
 
   const anatomy::Case& patient_;

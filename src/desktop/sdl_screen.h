@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "station/screen_event.h"
 #include <Eigen/Core>
 
 #include "imaging/image_rgb.h"
@@ -15,60 +16,8 @@ struct Colour {
   std::uint8_t red = 0, green = 0, blue = 0;
 };
 
-enum class ScreenKey {
-  other,
-  space,
-  escape,
-  question,
-  up,
-  down,
-  left,
-  right,
-  page_up,
-  page_down,
-  a,
-  c,
-  d,
-  e,
-  f,
-  g,
-  h,
-  i,
-  j,
-  k,
-  l,
-  m,
-  n,
-  o,
-  q,
-  r,
-  s,
-  t,
-  u,
-  w,
-  x,
-  zero,
-  one,
-  two,
-  three,
-  four,
-  five,
-  six,
-  seven,
-  eight
-};
-
-// What a person did in the window. Pixels, right and down.
-struct ScreenEvent {
-  enum class Kind { motion, button, leave, wheel, key, focus_lost, close };
-  Kind kind = Kind::close;
-  double x = 0.0, y = 0.0;  // motion, button: where the pointer is
-  double steps = 0.0;       // wheel: forwards
-  ScreenKey key = ScreenKey::other;
-  bool down = false;    // key, button: pressed, not let go
-  bool shift = false;   // is held
-  bool button = false;  // motion: a button of the mouse is held
-};
+using station::ScreenEvent;
+using station::ScreenKey;
 
 // A window with a picture that is drawn anew each time, by SDL 2 and its SDL_ttf, which are loaded when the first one
 // is opened. All of it is for one thread. Places are pixels from the upper left corner of a picture of the size that

@@ -74,9 +74,9 @@ std::optional<ScreenKey> machine_key(ScreenKey key) {
   }
 }
 
-LiveScan::Place pane_place(double x, double y) {
+station::LiveScan::Place pane_place(double x, double y) {
   return {x + margin,     y + machine_top, machine_width,
-          machine_height, x + 150.0,       y + 452.0 - 8.0 * LiveScan::slider_row,
+          machine_height, x + 150.0,       y + 452.0 - 8.0 * station::LiveScan::slider_row,
           200.0};
 }
 
@@ -128,12 +128,12 @@ void UltrasoundPane::draw(SdlScreen& screen) const {
               PaneSize::small, pane_faint);
   screen.text(x_ + width - 24.0, y_ + 27.0, fmt::format("{:.1f} ms, {:.0f} pictures/s", milliseconds_, rate_),
               PaneSize::small, pane_faint, SdlScreen::Align::right);
-  const LiveScan::Place place = pane_place(x_, y_);
+  const station::LiveScan::Place place = pane_place(x_, y_);
   draw_machine(screen, place, scan_.screen());
   if (scan_.sliders_shown()) {
     constexpr double aside = 92.0, above = 8.0;  // pixels
     screen.fill(place.sliders_x - aside, place.sliders_y - above, place.sliders_width + 2.0 * aside,
-                8.0 * LiveScan::slider_row + 2.0 * above, pane_ground);
+                8.0 * station::LiveScan::slider_row + 2.0 * above, pane_ground);
     draw_sliders(screen, place, scan_.settings().sliders, scan_.settings().depth);
   }
   std::string words = !has_body_ ? "This resistance moves no tissue in the picture"

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "desktop/live_scan.h"
 #include "desktop/sdl_screen.h"
+#include "station/live_scan.h"
 #include "station/scan_thread.h"
 #include "station/ultrasound_choice.h"
 
@@ -35,7 +35,7 @@ class UltrasoundPane {
   anatomy::UltrasoundProbe probe_;
   anatomy::Needle needle_;
   double x_, y_;
-  LiveScan scan_;
+  station::LiveScan scan_;
   bool held_ = false;      // by a second hand
   double updated_ = -1.0;  // s of the steady clock
   std::uint64_t made_ = 0;

@@ -8,12 +8,13 @@
 
 namespace bodkin::app {
 
-const std::array<WindowPreset, 6> window_presets = {{{QT_TRANSLATE_NOOP("SliceView", "Spine"), 620.0, 130.0},
-                                                     {QT_TRANSLATE_NOOP("SliceView", "Soft tissue"), 400.0, 40.0},
-                                                     {QT_TRANSLATE_NOOP("SliceView", "Bone"), 1800.0, 400.0},
-                                                     {QT_TRANSLATE_NOOP("SliceView", "Lung"), 1500.0, -600.0},
-                                                     {QT_TRANSLATE_NOOP("SliceView", "Liver"), 150.0, 60.0},
-                                                     {QT_TRANSLATE_NOOP("SliceView", "Brain"), 80.0, 40.0}}};
+const std::array<WindowPreset, 6> window_presets = {
+    {{QT_TRANSLATE_NOOP("bodkin::app::SliceView", "Spine"), 620.0, 130.0},
+     {QT_TRANSLATE_NOOP("bodkin::app::SliceView", "Soft tissue"), 400.0, 40.0},
+     {QT_TRANSLATE_NOOP("bodkin::app::SliceView", "Bone"), 1800.0, 400.0},
+     {QT_TRANSLATE_NOOP("bodkin::app::SliceView", "Lung"), 1500.0, -600.0},
+     {QT_TRANSLATE_NOOP("bodkin::app::SliceView", "Liver"), 150.0, 60.0},
+     {QT_TRANSLATE_NOOP("bodkin::app::SliceView", "Brain"), 80.0, 40.0}}};
 
 namespace {
 

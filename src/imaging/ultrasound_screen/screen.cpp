@@ -19,6 +19,7 @@ constexpr std::uint32_t scale_ink = 0x96A0AC, plain_ink = 0xE8EEF5, faint_ink = 
                         caliper_ink = 0xFFD84D, marker_ink = 0x4CC2FF, mark_ink = 0x46C878, focus_ink = 0xF5B942;
 constexpr double letter_size = 13.0, base_line = 13.0;     // pixels; from the upper edge of a line of words
 constexpr double line_height = 19.0;                       // pixels
+constexpr int least_width = 200, least_height = 150;       // pixels
 constexpr int grey_bar_width = 10, grey_bar_height = 120;  // pixels
 
 void require_place(bool empty, const Place2& place) {
@@ -29,7 +30,12 @@ void require_place(bool empty, const Place2& place) {
 }  // namespace
 
 UltrasoundScreen::UltrasoundScreen(int width, int height, MarkSide mark)
-    : width_(std::max(width, 200)), height_(std::max(height, 150)), mark_(mark) {}
+    : width_(std::max(width, least_width)), height_(std::max(height, least_height)), mark_(mark) {}
+
+void UltrasoundScreen::resize(int width, int height) {
+  width_ = std::max(width, least_width);
+  height_ = std::max(height, least_height);
+}
 
 void UltrasoundScreen::take(const ScanMoment& moment) {
   if (!frozen_) moment_ = moment;

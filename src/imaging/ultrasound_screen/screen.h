@@ -39,6 +39,8 @@ class UltrasoundScreen {
  public:
   // `width` x `height` pixels, at least 200 x 150; `mark`: where the probe's marked side stands.
   UltrasoundScreen(int width, int height, MarkSide mark);
+  // Of another size from now on, at least as large as that.
+  void resize(int width, int height);
 
   // The newest picture; a frozen screen does not take it.
   void take(const ScanMoment& moment);

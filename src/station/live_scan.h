@@ -5,13 +5,13 @@
 #include <set>
 #include <string>
 
-#include "desktop/sdl_screen.h"
+#include "station/screen_event.h"
 #include "station/ultrasound_choice.h"
 
 #include "anatomy/case.h"
 #include "imaging/ultrasound_screen/screen.h"
 
-namespace bodkin::desktop {
+namespace bodkin::station {
 
 // What somebody does with a probe and a machine, from events of mouse and keyboard: where the probe is, how the knobs
 // stand, where the needle is, what is measured. Knows no window.
@@ -27,8 +27,12 @@ class LiveScan {
   };
   static constexpr double slider_row = 18.0;   // pixels from one slider to the next
   static constexpr double slider_most = 20.0;  // dB, up and down
-  LiveScan(const anatomy::Case& patient, const station::UltrasoundChoice& choice, const imaging::ProbeOnSkin& hand,
+  LiveScan(const anatomy::Case& patient, const UltrasoundChoice& choice, const imaging::ProbeOnSkin& hand,
            const std::optional<imaging::NeedleInSound>& needle, const Place& place);
+
+  // Elsewhere or of another size in the window.
+  void set_place(const Place& place);
+  const Place& place() const { return place_; }
 
   void take(const ScreenEvent& event);
   // What held keys do in `seconds`.
@@ -80,4 +84,4 @@ class LiveScan {
   std::optional<std::size_t> held_slider_;  // by the mouse
 };
 
-}  // namespace bodkin::desktop
+}  // namespace bodkin::station

@@ -1,4 +1,4 @@
-#include "desktop/live_scan.h"
+#include "station/live_scan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace bodkin::desktop {
+namespace bodkin::station {
 
 namespace {
 
@@ -21,9 +21,8 @@ constexpr double hand_room = 200.0;           // mm: a longer drag is none
 
 }  // namespace
 
-LiveScan::LiveScan(const anatomy::Case& patient, const station::UltrasoundChoice& choice,
-                   const imaging::ProbeOnSkin& hand, const std::optional<imaging::NeedleInSound>& needle,
-                   const Place& place)
+LiveScan::LiveScan(const anatomy::Case& patient, const UltrasoundChoice& choice, const imaging::ProbeOnSkin& hand,
+                   const std::optional<imaging::NeedleInSound>& needle, const Place& place)
     : patient_(patient),
       probe_(choice.probe),
       hand_(hand),
@@ -39,7 +38,7 @@ LiveScan::LiveScan(const anatomy::Case& patient, const station::UltrasoundChoice
 
 std::optional<imaging::NeedleInSound> LiveScan::needle() const {
   if (!needle_in_) return std::nullopt;
-  return station::needle_on_path(patient_, needle_depth_);
+  return needle_on_path(patient_, needle_depth_);
 }
 
 std::string LiveScan::needle_words() const {
@@ -48,6 +47,11 @@ std::string LiveScan::needle_words() const {
 
 bool LiveScan::take_save() {
   return std::exchange(save_, false);
+}
+
+void LiveScan::set_place(const Place& place) {
+  place_ = place;
+  screen_.resize(place.width, place.height);
 }
 
 void LiveScan::take(const ScreenEvent& event) {
@@ -242,4 +246,4 @@ void LiveScan::press(ScreenKey key, bool shift) {
   }
 }
 
-}  // namespace bodkin::desktop
+}  // namespace bodkin::station
