@@ -31,7 +31,7 @@ inline constexpr TissueId ligamentum_flavum = 10;
 inline constexpr TissueId epidural_fat = 11;  // the epidural space
 inline constexpr TissueId dura = 12;          // dura with arachnoid
 inline constexpr TissueId cerebrospinal_fluid = 13;
-inline constexpr TissueId nerve = 14;  // cord and cauda equina
+inline constexpr TissueId nerve = 14;  // nerve roots, the cauda equina among them
 inline constexpr TissueId vessel = 15;
 inline constexpr TissueId organ = 16;
 inline constexpr TissueId lung = 17;
@@ -39,7 +39,8 @@ inline constexpr TissueId gas = 18;  // inside the body: bowel gas
 inline constexpr TissueId metal = 19;
 inline constexpr TissueId mass = 20;  // a lesion, the target of a biopsy
 inline constexpr TissueId cartilage = 21;
-inline constexpr int count = 22;
+inline constexpr TissueId spinal_cord = 22;  // with the conus medullaris, its lower end
+inline constexpr int count = 23;
 }  // namespace tissue
 
 // One tissue of the library.

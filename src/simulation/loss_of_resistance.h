@@ -59,7 +59,8 @@ class LossOfResistance {
  private:
   static constexpr bool is_epidural_or_beyond(anatomy::TissueId tissue) noexcept {
     return tissue == anatomy::tissue::epidural_fat || tissue == anatomy::tissue::dura ||
-           tissue == anatomy::tissue::cerebrospinal_fluid || tissue == anatomy::tissue::nerve;
+           tissue == anatomy::tissue::cerebrospinal_fluid || tissue == anatomy::tissue::nerve ||
+           tissue == anatomy::tissue::spinal_cord;
   }
 
   bool watching_ = false;

@@ -310,7 +310,8 @@ TEST(TissueLibraryFile, the_library_that_comes_with_bodkin_has_every_tissue_of_t
                                                     {tissue::gas, "gas"},
                                                     {tissue::metal, "metal"},
                                                     {tissue::mass, "mass"},
-                                                    {tissue::cartilage, "cartilage"}};
+                                                    {tissue::cartilage, "cartilage"},
+                                                    {tissue::spinal_cord, "spinal_cord"}};
   std::set<std::uint32_t> colours;
   for (const auto& [id, name] : names) {
     const TissueProperties* entry = read.find(name);

@@ -62,7 +62,8 @@ TEST(LossOfResistance, is_told_once_with_the_drop_and_the_tissue_behind_at_any_s
 
 TEST(LossOfResistance, counts_into_every_tissue_of_the_canal_and_into_no_other) {
   const auto force = [](double depth) { return depth < 14.0 ? 4.0 : 1.0; };
-  for (const TissueId behind : {epidural_fat, tissue::dura, tissue::cerebrospinal_fluid, tissue::nerve}) {
+  for (const TissueId behind :
+       {epidural_fat, tissue::dura, tissue::cerebrospinal_fluid, tissue::nerve, tissue::spinal_cord}) {
     Line line(behind);
     line.go(20.0, 10.0, force);
     ASSERT_EQ(line.losses.size(), 1U) << int{behind};

@@ -54,14 +54,15 @@ bool is_bone(std::size_t id) {
 }
 
 // Tissues too thin for a CT: they are constructed where anatomy puts them, and the HU there are of their neighbours.
-constexpr std::array<anatomy::TissueId, 8> constructed = {anatomy::tissue::skin,
+constexpr std::array<anatomy::TissueId, 9> constructed = {anatomy::tissue::skin,
                                                           anatomy::tissue::supraspinous_ligament,
                                                           anatomy::tissue::interspinous_ligament,
                                                           anatomy::tissue::ligamentum_flavum,
                                                           anatomy::tissue::epidural_fat,
                                                           anatomy::tissue::dura,
                                                           anatomy::tissue::cerebrospinal_fluid,
-                                                          anatomy::tissue::nerve};
+                                                          anatomy::tissue::nerve,
+                                                          anatomy::tissue::spinal_cord};
 
 bool hounsfield_tell(std::size_t id, double impedance) {
   return !is_bone(id) && impedance >= softest && impedance <= hardest &&

@@ -53,7 +53,8 @@ const std::map<std::string, anatomy::TissueId, std::less<>>& tissue_names() {
       {"gas", anatomy::tissue::gas},
       {"metal", anatomy::tissue::metal},
       {"mass", anatomy::tissue::mass},
-      {"cartilage", anatomy::tissue::cartilage}};
+      {"cartilage", anatomy::tissue::cartilage},
+      {"spinal_cord", anatomy::tissue::spinal_cord}};
   return names;
 }
 

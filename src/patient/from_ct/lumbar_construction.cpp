@@ -244,7 +244,9 @@ void draw_lumbar(anatomy::TissueVolume& tissues, const LumbarSpine& spine) {
       return;
     }
     const Vec3 p = grid.to_patient(Vec3(i, j, k));
-    if (is_nerve(section_of(p.z()), p.x(), p.y(), p.z() > conus)) voxel = anatomy::tissue::nerve;
+    const bool cord = p.z() > conus;
+    if (is_nerve(section_of(p.z()), p.x(), p.y(), cord))
+      voxel = cord ? anatomy::tissue::spinal_cord : anatomy::tissue::nerve;
   });
 }
 

@@ -30,6 +30,7 @@ anatomy::TissueId family_of(anatomy::TissueId id) {
     case anatomy::tissue::epidural_fat:
     case anatomy::tissue::dura:
     case anatomy::tissue::nerve:
+    case anatomy::tissue::spinal_cord:
       return anatomy::tissue::cerebrospinal_fluid;
     default:
       return id;

@@ -41,6 +41,7 @@ std::vector<anatomy::Landmark> make_landmarks(const LumbarModel& model) {
     landmarks.push_back({kNames[i], model.spine().interspace(upper)});
     landmarks.push_back({std::string(kNames[i]) + "_skin", plan_approach(model, upper).path.entry});
   }
+  landmarks.push_back({"conus", model.spine().conus()});
   return landmarks;
 }
 

@@ -24,7 +24,7 @@ struct SyntheticPatient {
   anatomy::LabelVolume structures;  // TotalSegmentator ids where it has one
   std::vector<anatomy::Structure> structure_table;
   anatomy::TissueVolume tissues;
-  std::vector<anatomy::Landmark> landmarks;  // names as build_patient gives them
+  std::vector<anatomy::Landmark> landmarks;  // names as build_patient gives them, and "conus"
   anatomy::NeedlePath path;                  // planned lumbar puncture at L3/L4, midline
 };
 

@@ -68,7 +68,7 @@ Material LumbarModel::sac(const Vec3& p, const Slice& slice, double distance) co
   const SpineSection& s = slice.here();
   const double x = p.x() - s.canal_x, y = (p.y() - s.canal_y) * s.tilt - s.sac_y;
   if (s.cord_half_depth > 0.4 && shapes::ellipse(x, y, s.cord_half_width, s.cord_half_depth) < 0.0) {
-    material.tissue = anatomy::tissue::nerve;
+    material.tissue = anatomy::tissue::spinal_cord;
     return material;
   }
   // Cauda equina: roots sink to the front of the sac of a prone patient.

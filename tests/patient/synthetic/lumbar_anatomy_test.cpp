@@ -224,12 +224,44 @@ TEST(LumbarAnatomy, the_spine_grows_with_body_height) {
 
 TEST(LumbarAnatomy, every_tissue_of_the_back_is_there) {
   const std::set<TissueId> present(default_patient().tissues.voxels.begin(), default_patient().tissues.voxels.end());
-  for (const TissueId id :
-       {tissue::air, tissue::skin, tissue::fat, tissue::muscle, tissue::soft, tissue::cortical_bone,
-        tissue::cancellous_bone, tissue::disc, tissue::supraspinous_ligament, tissue::interspinous_ligament,
-        tissue::ligamentum_flavum, tissue::epidural_fat, tissue::dura, tissue::cerebrospinal_fluid, tissue::nerve,
-        tissue::vessel, tissue::organ, tissue::gas, tissue::cartilage})
+  for (const TissueId id : {tissue::air,
+                            tissue::skin,
+                            tissue::fat,
+                            tissue::muscle,
+                            tissue::soft,
+                            tissue::cortical_bone,
+                            tissue::cancellous_bone,
+                            tissue::disc,
+                            tissue::supraspinous_ligament,
+                            tissue::interspinous_ligament,
+                            tissue::ligamentum_flavum,
+                            tissue::epidural_fat,
+                            tissue::dura,
+                            tissue::cerebrospinal_fluid,
+                            tissue::nerve,
+                            tissue::spinal_cord,
+                            tissue::vessel,
+                            tissue::organ,
+                            tissue::gas,
+                            tissue::cartilage})
     EXPECT_TRUE(present.contains(id)) << default_tissue_library().title(id);
+}
+
+TEST(LumbarAnatomy, the_cord_ends_at_the_conus_and_roots_hang_below_it) {
+  const SyntheticPatient& patient = default_patient();
+  const auto conus = std::find_if(patient.landmarks.begin(), patient.landmarks.end(),
+                                  [](const Landmark& landmark) { return landmark.name == "conus"; });
+  ASSERT_NE(conus, patient.landmarks.end());
+  double lowest = 1e9;
+  for (int k = 0; k < patient.tissues.grid.size[2]; ++k) {
+    for (int j = 0; j < patient.tissues.grid.size[1]; ++j) {
+      for (int i = 0; i < patient.tissues.grid.size[0]; ++i) {
+        if (patient.tissues.at(i, j, k) == tissue::spinal_cord)
+          lowest = std::min(lowest, patient.tissues.grid.to_patient(Vec3(i, j, k)).z());
+      }
+    }
+  }
+  EXPECT_NEAR(lowest, conus->position.z(), 3.0);
 }
 
 TEST(LumbarAnatomy, each_vertebra_is_one_piece_of_plausible_size) {
@@ -293,9 +325,10 @@ TEST(LumbarAnatomy, no_line_reaches_the_fluid_without_crossing_the_dura) {
       TissueId last = tissue::cerebrospinal_fluid;
       for (double t = 0.0; t < 80.0; t += 0.05) {
         const TissueId id = nearest(patient.tissues, Vec3(inside + t * direction), tissue::air);
-        if (id != last && last != tissue::nerve && last != tissue::cerebrospinal_fluid) break;
+        if (id != last && last != tissue::nerve && last != tissue::spinal_cord && last != tissue::cerebrospinal_fluid)
+          break;
         if (id == tissue::dura) break;
-        ASSERT_TRUE(id == tissue::cerebrospinal_fluid || id == tissue::nerve)
+        ASSERT_TRUE(id == tissue::cerebrospinal_fluid || id == tissue::nerve || id == tissue::spinal_cord)
             << default_tissue_library().title(id) << " next to fluid at " << (inside + t * direction).transpose();
         last = id;
       }
