@@ -13,7 +13,8 @@ namespace {
 
 struct CaseNewOptions {
   NewCaseOptions common;
-  std::string ct, labels, scheme, tissues;
+  std::string ct, labels, scheme, tissues, level, lowest_vertebra, conus;
+  double age = -1.0;
   std::int64_t series = 0;
   bool resample_labels = false, fill_missing = false, assume_hu = false;
 };
@@ -24,6 +25,8 @@ constexpr const char* case_new_footer = R"(Examples:
   bodkin case new patient --ct ct.nrrd --labels vertebrae.nii.gz --scheme tptbox
   bodkin case new patient --ct ct.mha --labels mine.nrrd --scheme mine.csv
   bodkin case new patient --ct ct.mha --labels mine.nrrd --scheme mine.csv --tissues mine.xml
+  bodkin case new patient --ct ct.nii.gz --level L4_L5
+  bodkin case new patient --ct ct.nii.gz --lowest-vertebra L5
   bodkin case new patient --ct dicom_folder --series 2 --entry 4.5,-45,293 --target 3,-117.5,294
 
 The geometry of the CT is carried exactly; nothing is flipped or resampled, except a stack of slices that no regular grid
@@ -39,6 +42,14 @@ void run_case_new(const CaseNewOptions& options, const CommandContext& context) 
     throw InputError("--scheme and --resample-labels say something about labels; give the file with --labels");
   }
   if (!options.tissues.empty()) request["tissues"] = io::path_text(options.tissues);
+  if (!options.level.empty()) {
+    if (request.contains("entry"))
+      throw InputError("--level plans a path, --entry and --target give one; say either");
+    request["level"] = options.level;
+  }
+  if (!options.lowest_vertebra.empty()) request["lowest_vertebra"] = options.lowest_vertebra;
+  if (!options.conus.empty()) request["conus"] = options.conus;
+  if (options.age >= 0.0) request["age"] = options.age;
   if (options.series != 0) request["series"] = options.series;
   request["resample_labels"] = options.resample_labels;
   request["fill_missing"] = options.fill_missing;
@@ -61,6 +72,17 @@ void add_case_new_command(CLI::App& case_group, CommandContext& context) {
   add_text(*command, "--tissues", options->tissues,
            "Tissue library of the case, XML, with Bodkin's own tissues and yours (default: the one that comes with "
            "Bodkin)");
+  add_text(
+      *command, "--level", options->level,
+      "Interspace to plan the puncture at, such as L4_L5 (default: L3_L4, L4_L5 or L2_L3, never higher unless named "
+      "here)");
+  add_text(
+      *command, "--lowest-vertebra", options->lowest_vertebra,
+      "Vertebra above the lowest interspace in the CT, such as L5, where the CT itself does not tell the levels");
+  add_text(*command, "--conus", options->conus,
+           "Where the spinal cord ends: a vertebra, its middle, or an interspace (default: lower third of L1)");
+  add_number(*command, "--age", options->age, 0.0, 120.0, "Years, 0 to 120: below 2 the spinal cord ends lower")
+      .without_default();
   add_whole_number(*command, "--series", options->series, 1, 100000,
                    "Which series of a DICOM folder, counted from 1 as it is listed")
       .without_default();

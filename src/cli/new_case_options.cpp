@@ -47,7 +47,8 @@ void say_summary(const json& result, const Console& console, const std::string& 
         "  path      from ({:.1f}, {:.1f}, {:.1f}) to ({:.1f}, {:.1f}, {:.1f}) mm, {:.1f} mm long", entry[0],
         entry[1], entry[2], target[0], target[1], target[2], result["path"].value("length_mm", 0.0)));
   } else {
-    console.line("  path      none was found; give --entry and --target");
+    console.line(
+        "  path      none was planned; the notes say why. Give --entry and --target, or what the notes ask for");
   }
   console.line(fmt::format("Next: bodkin case show {0}, bodkin profile {0}", folder));
 }

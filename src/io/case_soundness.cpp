@@ -144,6 +144,18 @@ void check_entry(const anatomy::Case& patient, const anatomy::NeedlePath& path, 
   }
 }
 
+// No needle may be planned into the spinal cord.
+void check_cord(const anatomy::Case& patient, const anatomy::NeedlePath& path, std::vector<std::string>& problems) {
+  const Line inwards(patient.tissues, path.entry, path.direction());
+  const auto cord =
+      inwards.find(path.length(), [](anatomy::TissueId id) { return id == anatomy::tissue::spinal_cord; });
+  if (!cord) return;
+  problems.push_back(
+      fmt::format("the planned path goes into the spinal cord {:.1f} mm from its entry; plan it below the conus, at "
+                  "L2/L3 or lower",
+                  *cord));
+}
+
 void check_path(const anatomy::Case& patient, std::vector<std::string>& problems) {
   const anatomy::CaseDescription& description = patient.description;
   if (!description.procedure.path) return;
@@ -161,6 +173,7 @@ void check_path(const anatomy::Case& patient, std::vector<std::string>& problems
   }
   if (!inside) return;
   check_entry(patient, path, problems);
+  check_cord(patient, path, problems);
   const anatomy::TissueProperties* aim = patient.library.find(description.procedure.target_tissue);
   if (aim == nullptr) return;
   const Line inwards(patient.tissues, path.entry, path.direction());

@@ -12,7 +12,8 @@ namespace bodkin::io {
 std::vector<std::string> lattice_problems(const anatomy::Case& patient);
 
 // Everything else that is wrong inside a case, one sentence each: labels and tissue ids that nothing explains, and a
-// planned path that misses the image, the skin or its aim, or is longer than the needle. Empty = valid.
+// planned path that misses the image, the skin or its aim, goes into the spinal cord, or is longer than the needle.
+// Empty = valid.
 std::vector<std::string> content_problems(const anatomy::Case& patient);
 
 }  // namespace bodkin::io

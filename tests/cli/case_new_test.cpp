@@ -64,6 +64,11 @@ TEST_F(CaseNew, options_out_of_range_are_refused_before_anything_is_read) {
   expect_refusal(start + "--entry 1,2,nan --target 1,2,3", "--entry");
   expect_refusal(start + "--entry 1,2,3 --target 1,2,3", "both 1,2,3");
   expect_refusal(start + "--series 0", "--series");
+  expect_refusal(start + "--level L3", "--level is 'L3'; expected an interspace, T12_L1 to L5_S1");
+  expect_refusal(start + "--level L3_L4 --entry 1,2,3 --target 4,5,6", "say either");
+  expect_refusal(start + "--lowest-vertebra five", "--lowest-vertebra is 'five'");
+  expect_refusal(start + "--conus C3", "--conus is 'C3'");
+  expect_refusal(start + "--age -1", "--age");
   expect_refusal(start + "--scheme tptbox", "--labels");
   expect_refusal("case new missing/patient --ct ct.nrrd", "does not exist");
   expect_refusal("case synthesize lumbar patient --age 7", "--age");
@@ -102,6 +107,27 @@ TEST_F(CaseNew, a_real_ct_with_labels_becomes_a_case_that_case_check_finds_sound
   EXPECT_EQ(again.exit_code, 2);
   EXPECT_THAT(again.errors, HasSubstr("--overwrite"));
   EXPECT_EQ(bodkin(arguments + " --overwrite --quiet").exit_code, 0);
+}
+
+TEST_F(CaseNew, levels_are_planned_by_name_and_never_in_the_cord) {
+  if (data().empty()) GTEST_SKIP() << "no real CT data: set BODKIN_DATA to its folder";
+  const std::string crop = data().string() + "/derived_same_crop_three_formats/lumbar_crop_";
+  const std::string bare = "case new patient --ct '" + crop + "ct.nrrd' ";
+  const std::string labelled = bare + "--labels '" + crop + "labels.nrrd' ";
+  expect_refusal(labelled + "--level L5_L6",
+                 "--level is L5_L6, where no path can be planned: the interspaces found are");
+  expect_refusal(labelled + "--level L3_L4 --conus L4", "of the spinal cord, which ends at the middle of L4");
+  expect_refusal(labelled + "--entry 4.4,-46,339 --target 4.3,-107,361", "goes into the spinal cord");
+  expect_refusal(labelled + "--entry 4.4,-46,339 --target 4.3,-107,900", "lies outside the CT");
+  expect_refusal(bare + "--level T12_L1", "the interspaces found are");
+  const auto height = [&](const std::string& arguments) {
+    const Outcome made = bodkin("--json " + arguments + " --overwrite");
+    EXPECT_EQ(made.exit_code, 0) << made.errors;
+    return nlohmann::json::parse(made.output).at("path").at("target_mm").at(2).get<double>();
+  };
+  EXPECT_NEAR(height(labelled + "--level L4_L5"), 269.0, 10.0);
+  EXPECT_NEAR(height(bare + "--lowest-vertebra L4 --level L2_L3"), 321.0, 10.0) << "the user's word names the levels";
+  EXPECT_LT(height(labelled + "--age 0"), 292.0) << "a newborn's cord ends at L3";
 }
 
 // Bodkin's own tissues and a tumour with the id 40.

@@ -126,6 +126,18 @@ TEST(CaseSoundness, a_planned_path_stays_in_the_image_and_meets_its_aim) {
   EXPECT_THAT(content_problems(patient), IsEmpty()) << "within the tolerance";
 }
 
+TEST(CaseSoundness, a_planned_path_stays_out_of_the_spinal_cord) {
+  Case patient = small_patient();
+  for (int k = 0; k < edge; ++k) {
+    for (int i = 0; i < edge; ++i) patient.tissues.at(i, 26, k) = tissue::spinal_cord;
+  }
+  EXPECT_THAT(content_problems(patient),
+              ElementsAre("the planned path goes into the spinal cord 32.0 mm from its entry; plan it below the "
+                          "conus, at L2/L3 or lower"));
+  for (TissueId& id : patient.tissues.voxels) id = id == tissue::spinal_cord ? tissue::nerve : id;
+  EXPECT_THAT(content_problems(patient), IsEmpty()) << "roots may be touched";
+}
+
 TEST(CaseSoundness, a_planned_path_is_no_longer_than_the_needle) {
   Case patient = small_patient();
   patient.description.needle.length = 30.0;

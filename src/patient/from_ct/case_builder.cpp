@@ -49,6 +49,18 @@ void require_path(const std::optional<anatomy::NeedlePath>& path) {
   }
 }
 
+// A path that leaves the image cannot be performed.
+void require_inside(const anatomy::NeedlePath& path, const anatomy::Grid& image) {
+  for (const auto& [option, point] : {std::pair("--entry", path.entry), std::pair("--target", path.target)}) {
+    const Vec3 index = image.to_index(point);
+    const Vec3 last(image.size[0] - 0.5, image.size[1] - 0.5, image.size[2] - 0.5);
+    if ((index.array() >= -0.5).all() && (index.array() <= last.array()).all()) continue;
+    throw InputError(
+        fmt::format("{} is ({:.1f}, {:.1f}, {:.1f}), which lies outside the CT; give a point inside it, LPS mm",
+                    option, point.x(), point.y(), point.z()));
+  }
+}
+
 std::string case_name(const NewCase& wanted) {
   if (!wanted.name.empty()) return wanted.name;
   const std::filesystem::path normal = std::filesystem::absolute(wanted.folder).lexically_normal();
@@ -147,6 +159,23 @@ anatomy::TissueLibrary library_for(const std::filesystem::path& file) {
   return library;
 }
 
+// Where the patient's cord ends, by the user's word or by age.
+SpinePlace conus_of(const ImportOptions& options) {
+  if (options.conus.empty()) return options.age ? conus_at_age(*options.age) : adult_conus;
+  const auto place = place_named(options.conus);
+  if (!place || *place < 0.0 || *place > 5.0) {
+    throw InputError(fmt::format("--conus is '{}'; expected a vertebra, T12 to L4, or an interspace, T12_L1 to L4_L5",
+                                 options.conus));
+  }
+  return *place;
+}
+
+void require_level(const std::string& level) {
+  if (!level.empty() && !interspace_named(level)) {
+    throw InputError(fmt::format("--level is '{}'; expected an interspace, T12_L1 to L5_S1", level));
+  }
+}
+
 void copy_in(const std::filesystem::path& from, const std::filesystem::path& to) {
   std::error_code failed;
   std::filesystem::copy_file(from, to, failed);
@@ -164,6 +193,9 @@ CaseSummary build_imported_case(const NewCase& wanted, const ImportOptions& opti
   anatomy::CaseDescription description;
   description.needle = needle_of(wanted.needle_gauge);
   require_path(wanted.path);
+  require_level(options.level);
+  if (!options.lowest_vertebra.empty()) require_vertebra(options.lowest_vertebra);
+  const SpinePlace conus = conus_of(options);
   const anatomy::TissueLibrary library = library_for(options.tissues);
   std::vector<anatomy::Structure> table;
   if (!options.labels.empty()) table = io::read_label_scheme(options.scheme, library);
@@ -177,6 +209,7 @@ CaseSummary build_imported_case(const NewCase& wanted, const ImportOptions& opti
       io::read_ct(options.ct, {options.series, options.fill_missing, false}, stretch(progress, 0.0, 0.3));
   if (!options.assume_hounsfield) io::require_hounsfield(image.ct, options.ct.string());
   append(description.notes, image.notes);
+  if (wanted.path) require_inside(*wanted.path, image.ct.grid);
   io::LabelPlacement placed;
   if (!options.labels.empty()) {
     anatomy::LabelVolume labels = io::read_labels(options.labels, stretch(progress, 0.3, 0.4));
@@ -189,6 +222,9 @@ CaseSummary build_imported_case(const NewCase& wanted, const ImportOptions& opti
   PatientOptions patient_options;
   patient_options.path = wanted.path;
   patient_options.library = library;
+  patient_options.level = options.level;
+  patient_options.lowest_vertebra = options.lowest_vertebra;
+  patient_options.conus = conus;
   BuiltPatient patient = build_patient(image.ct, placed.labels, table, patient_options, stretch(progress, 0.4, 0.85));
   append(description.notes, patient.notes);
 

@@ -32,6 +32,10 @@ struct ImportOptions {
   bool resample_labels = false;             // take the nearest label where the lattices differ
   bool fill_missing = false;                // interpolate missing slices
   bool assume_hounsfield = false;           // do not ask whether the values can be HU
+  std::string level;                        // the interspace to plan at, "L3_L4", or empty; see choose_path
+  std::string lowest_vertebra;              // the vertebra above the lowest interspace, "L5", or empty
+  std::string conus;                        // where the cord ends, "L1" or "L1_L2"; empty = by `age`
+  std::optional<double> age;                // years, for the level of the conus; without it an adult's
 };
 
 struct TissueAmount {

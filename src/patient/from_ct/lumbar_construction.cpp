@@ -59,7 +59,7 @@ ConstructedSection section_at(const LumbarSpine& spine, double z) {
   s.epidural = open * std::min(epidural_depth / cosine, epidural_share * (s.back - s.front)) +
                (1 - open) * epidural_under_lamina;
   s.sac_half_width = s.half_width - lateral_epidural;
-  if (!spine.interspaces.empty() && spine.interspaces.back().name == "L5_S1") {
+  if (!spine.interspaces.empty() && spine.interspaces.back().name.ends_with("_S1")) {
     const double above_end = z - (spine.interspaces.back().middle() - dural_end);
     const double taper = std::sqrt(std::clamp(above_end / 15.0, 0.0, 1.0));
     s.sac_half_width *= taper;
@@ -91,12 +91,9 @@ std::vector<ConstructedSection> sections_of(const LumbarSpine& spine, double ste
   return sections;
 }
 
-// Height of the conus: L1/L2. Where levels are unknown everything counts as below it.
+// Height of the conus. Where levels are unknown it may be anywhere, so everything counts as cord.
 double conus_of(const LumbarSpine& spine) {
-  for (const Interspace& gap : spine.interspaces) {
-    if (gap.name == "L1_L2") return gap.middle();
-  }
-  return 1e9;
+  return spine.conus.value_or(-1e9);
 }
 
 // 1 on the oval |u/a|^2.5 + |v/b|^2.5 = 1, less inside.
@@ -109,10 +106,17 @@ bool in_sac(const ConstructedSection& s, double x, double y) {
   return oval((x - s.x) / s.sac_half_width, (y - s.sac_y) / s.sac_half_depth) < 1.0;
 }
 
-bool is_nerve(const ConstructedSection& s, double x, double y, bool above_conus) {
+// The cord, 9 mm wide and 8 mm deep, thins out over the last 28 mm above the conus.
+bool is_cord(const ConstructedSection& s, double x, double y, double above_conus) {
+  const double thin = std::sqrt(std::clamp(above_conus / 28.0, 0.0, 1.0));
+  if (thin <= 0.0) return false;
+  const double u = (x - s.x) / (4.5 * thin), v = (y - s.sac_y) / (std::min(4.0, 0.6 * s.sac_half_depth) * thin);
+  return square(u) + square(v) < 1.0;
+}
+
+// Cauda equina: the roots hang in two bundles on either side of the midline, towards the back.
+bool is_root(const ConstructedSection& s, double x, double y) {
   const double u = x - s.x, v = y - s.sac_y;
-  if (above_conus) return square(u / 4.5) + square(v / std::min(4.0, 0.6 * s.sac_half_depth)) < 1.0;
-  // Cauda equina: the roots hang in two bundles on either side of the midline, towards the back.
   const double side = (std::abs(u) - 0.72 * s.sac_half_width) / (0.14 * s.sac_half_width);
   return square(side) + square((v - 0.15 * s.sac_half_depth) / (0.5 * s.sac_half_depth)) < 1.0;
 }
@@ -244,9 +248,12 @@ void draw_lumbar(anatomy::TissueVolume& tissues, const LumbarSpine& spine) {
       return;
     }
     const Vec3 p = grid.to_patient(Vec3(i, j, k));
-    const bool cord = p.z() > conus;
-    if (is_nerve(section_of(p.z()), p.x(), p.y(), cord))
-      voxel = cord ? anatomy::tissue::spinal_cord : anatomy::tissue::nerve;
+    const ConstructedSection& section = section_of(p.z());
+    if (is_cord(section, p.x(), p.y(), p.z() - conus)) {
+      voxel = anatomy::tissue::spinal_cord;
+    } else if (is_root(section, p.x(), p.y())) {
+      voxel = anatomy::tissue::nerve;
+    }
   });
 }
 

@@ -6,13 +6,11 @@
 #include <map>
 #include <optional>
 
-#include <fmt/format.h>
-
 namespace bodkin::patient {
 namespace {
 
 constexpr double deepest_search = 60.0;                // mm behind the canal that is searched for spinous processes
-constexpr double sacral_plate = 35.0;                  // mm: no lumbar lamina is so high
+constexpr double within_sacrum = 12.0;                 // mm below its top: a gap there is none of the lumbar spine
 constexpr double least_gap = 3.0, least_lamina = 4.0;  // mm of height
 
 // Thickness of the ligamentum flavum in mm (Khasawneh, Abu El-Rub and Allouh 2023, MRI of 350 adults;
@@ -26,6 +24,26 @@ double flavum_thickness(const std::string& name) {
 
 double ahead(const SpinalCanal& canal, std::size_t n) {
   return canal.lowest + static_cast<double>(n);
+}
+
+// LPS z of the conus, between two named interspaces or beyond them at their mean distance.
+std::optional<double> conus_height(const LevelEvidence& evidence, const VertebralLevels& levels, SpinePlace conus) {
+  constexpr double usual = 32.0;  // mm from interspace to interspace, where only one is seen
+  const auto& gaps = evidence.interspaces;
+  std::optional<std::size_t> first, last;  // named ones
+  for (std::size_t n = 0; n < gaps.size(); ++n) {
+    if (!levels.places[n]) continue;
+    if (!first) first = n;
+    last = n;
+  }
+  if (!first) return std::nullopt;
+  for (std::size_t n = *first; n < *last; ++n) {
+    const double above = *levels.places[n], below = *levels.places[n + 1];
+    if (conus >= above && conus <= below) return gaps[n].z + (conus - above) * (gaps[n + 1].z - gaps[n].z);
+  }
+  const double step = *last > *first ? (gaps[*first].z - gaps[*last].z) / static_cast<double>(*last - *first) : usual;
+  if (conus < *levels.places[*first]) return gaps[*first].z + (*levels.places[*first] - conus) * step;
+  return gaps[*last].z - (conus - *levels.places[*last]) * step;
 }
 
 // Line along the tips: the hindmost bone of each height, carried across the gaps between processes.
@@ -80,6 +98,41 @@ void find_tips(const SpineView& view, LumbarSpine& spine) {
   spine.tip_x = moving_average(spine.tip_x, 8);
 }
 
+// Bone in the midline just behind the canal, and whose it is.
+struct BehindCanal {
+  int bone = 0, count = 0;
+  std::array<int, 256> roles{};
+  bool lamina() const { return bone > 0.15 * count; }
+};
+
+// At section n, along a line backwards that rises by `slope` mm a millimetre.
+BehindCanal behind_canal(const SpineView& view, const SpinalCanal& canal, std::size_t n, double slope) {
+  const CanalSection& s = canal.sections[n];
+  const double z = ahead(canal, n), along = 1.0 / std::sqrt(1.0 + slope * slope);
+  const int middle = view.i_of(s.x);
+  BehindCanal behind;
+  for (double d = -1.0; d <= 8.0; d += 1.0) {
+    const int j = view.j_of(s.back + d * along), k = view.k_of(z + d * along * slope);
+    for (int i = middle - 2; i <= middle + 2; ++i, ++behind.count) {
+      if (!view.bone_at(i, j, k)) continue;
+      ++behind.bone;
+      ++behind.roles[view.role.at(i, j, k)];
+    }
+  }
+  return behind;
+}
+
+// Laminae overhang the gap below them, so a gap is looked for on the level. Where the canal runs steeply backwards,
+// as at L5/S1, a level line meets the lamina above and the sacrum below at once; there a line across the canal finds
+// the gap.
+bool lamina_behind(const SpineView& view, const SpinalCanal& canal, std::size_t n, BehindCanal& level) {
+  level = behind_canal(view, canal, n, 0.0);
+  if (!level.lamina()) return false;
+  constexpr double steep = 0.3;
+  const double z = ahead(canal, n), slope = (canal.at(z - 6.0).back - canal.at(z + 6.0).back) / 12.0;
+  return slope < steep || behind_canal(view, canal, n, slope).lamina();
+}
+
 // A stretch of heights with or without a lamina in the midline.
 struct Stretch {
   int first, last;  // sections
@@ -97,24 +150,14 @@ std::vector<Stretch> stretches_of(const SpineView& view, const SpinalCanal& cana
     votes.fill(0);
   };
   for (int n = 0; n < static_cast<int>(canal.sections.size()); ++n) {
-    const CanalSection& s = canal.sections[static_cast<std::size_t>(n)];
-    const int k = view.k_of(ahead(canal, static_cast<std::size_t>(n))), middle = view.i_of(s.x);
-    int bone = 0, count = 0;
-    std::array<int, 256> here{};
-    for (int j = view.j_of(s.back - 1.0); j <= view.j_of(s.back + 8.0); ++j) {
-      for (int i = middle - 2; i <= middle + 2; ++i, ++count) {
-        if (!view.bone_at(i, j, k)) continue;
-        ++bone;
-        ++here[view.role.at(i, j, k)];
-      }
-    }
-    const bool lamina = bone > 0.15 * count;
+    BehindCanal here;
+    const bool lamina = lamina_behind(view, canal, static_cast<std::size_t>(n), here);
     if (stretches.empty() || stretches.back().bone != lamina) {
       close_stretch();
       stretches.push_back({n, n, lamina, spine_role::none});
     }
     stretches.back().last = n;
-    for (std::size_t v = 0; v < here.size(); ++v) votes[v] += here[v];
+    for (std::size_t v = 0; v < votes.size(); ++v) votes[v] += here.roles[v];
   }
   close_stretch();
   return stretches;
@@ -162,60 +205,42 @@ std::optional<double> fat_behind(const SpineView& view, const SpinalCanal& canal
   return std::clamp(static_cast<double>(edge - profile.begin() + from) - 0.5, 0.0, most);
 }
 
-std::vector<Interspace> gaps_between(const std::vector<Stretch>& stretches, const SpinalCanal& canal,
-                                     LumbarSpine& spine) {
-  struct Gap {
-    Interspace space;
-    std::uint8_t above, below;
-    double below_height;  // mm of lamina below the gap
-  };
-  std::vector<Gap> gaps;  // from head to foot
+// The gaps between the laminae with what names them; fills spine.interspaces with those of the lumbar spine.
+void name_gaps(const std::vector<Stretch>& stretches, const SpinalCanal& canal, const LevelWords& words,
+               LumbarSpine& spine) {
+  LevelEvidence evidence;
+  std::vector<Interspace> gaps;  // from head to foot
   for (std::size_t n = stretches.size(); n-- > 0;) {
     if (stretches[n].bone || n == 0 || n + 1 == stretches.size()) continue;
     const Stretch& below = stretches[n - 1];
-    gaps.push_back({{"", ahead(canal, static_cast<std::size_t>(stretches[n].first)) - 0.5,
-                     ahead(canal, static_cast<std::size_t>(stretches[n].last)) + 0.5, 0.0},
-                    stretches[n + 1].level,
-                    below.level,
-                    static_cast<double>(below.last - below.first + 1)});
+    Interspace gap{"", ahead(canal, static_cast<std::size_t>(stretches[n].first)) - 0.5,
+                   ahead(canal, static_cast<std::size_t>(stretches[n].last)) + 0.5, 0.0};
+    if (words.landmarks.sacrum && gap.middle() < *words.landmarks.sacrum - within_sacrum) continue;
+    evidence.interspaces.push_back({gap.middle(), stretches[n + 1].level, below.level});
+    gaps.push_back(gap);
   }
-  std::vector<Interspace> found;
-  const bool named = std::any_of(gaps.begin(), gaps.end(), [](const Gap& g) { return g.above != 0 && g.below != 0; });
-  const auto sacrum =
-      std::find_if(gaps.begin(), gaps.end(), [](const Gap& g) { return g.below_height > sacral_plate; });
-  if (named) {
-    spine.levels_known = true;
-    for (Gap& g : gaps) {
-      const bool lumbar =
-          g.below >= spine_role::l1 && g.below <= spine_role::sacrum && g.above >= 12 && g.above < g.below;
-      if (!lumbar) continue;
-      g.space.name = level_name(g.above) + "_" + level_name(g.below);
-      found.push_back(g.space);
-    }
-  } else if (sacrum != gaps.end()) {
-    spine.levels_known = spine.counted_from_sacrum = true;
-    const auto count = sacrum - gaps.begin() + 1;  // interspaces at and above the sacrum
-    for (std::ptrdiff_t n = std::max<std::ptrdiff_t>(0, count - 5); n < count; ++n) {
-      const auto upper = 5 - (count - 1 - n);
-      gaps[static_cast<std::size_t>(n)].space.name = upper == 5 ? "L5_S1" : fmt::format("L{}_L{}", upper, upper + 1);
-      found.push_back(gaps[static_cast<std::size_t>(n)].space);
-    }
-  } else {
-    for (std::size_t n = 0; n < gaps.size(); ++n) {
-      gaps[n].space.name = fmt::format("interspace_{}", gaps.size() - n);
-      found.push_back(gaps[n].space);
-    }
+  evidence.sacrum = words.landmarks.sacrum;
+  evidence.lowest_rib = words.landmarks.lowest_rib;
+  evidence.iliac_crest = words.landmarks.iliac_crest;
+  evidence.lowest_vertebra = words.lowest_vertebra;
+  spine.levels = name_levels(evidence);
+  spine.conus_place = words.conus;
+  if (spine.levels.known()) spine.conus = conus_height(evidence, spine.levels, words.conus);
+  for (std::size_t n = 0; n < gaps.size(); ++n) {
+    gaps[n].name = spine.levels.names[n];
+    gaps[n].place = spine.levels.places[n];
+    const bool lumbar = !spine.levels.known() || (gaps[n].place && *gaps[n].place >= 1.0);
+    if (lumbar && !gaps[n].name.empty()) spine.interspaces.push_back(gaps[n]);
   }
-  return found;
 }
 
 }  // namespace
 
-LumbarSpine find_interspaces(const SpineView& view, SpinalCanal canal) {
+LumbarSpine find_interspaces(const SpineView& view, SpinalCanal canal, const LevelWords& words) {
   LumbarSpine spine;
   auto stretches = stretches_of(view, canal);
   drop_short(stretches);
-  spine.interspaces = gaps_between(stretches, canal, spine);
+  name_gaps(stretches, canal, words, spine);
   spine.canal = std::move(canal);
   for (Interspace& gap : spine.interspaces) {
     gap.flavum = flavum_thickness(gap.name);
@@ -226,6 +251,39 @@ LumbarSpine find_interspaces(const SpineView& view, SpinalCanal canal) {
   }
   find_tips(view, spine);
   return spine;
+}
+
+void mark_cut(LumbarSpine& spine, const anatomy::Grid& image, const anatomy::LabelVolume& structures,
+              const std::vector<std::uint8_t>& roles) {
+  constexpr double vertebra = 40.0,
+                   sacrum = 25.0;  // mm of image from the middle of an interspace
+  const auto within = [&](double x, double y, double z) {
+    const Vec3 index = image.to_index(Vec3(x, y, z));
+    for (int axis = 0; axis < 3; ++axis) {
+      if (index[axis] < -0.5 || index[axis] > image.size[static_cast<std::size_t>(axis)] - 0.5) return false;
+    }
+    return true;
+  };
+  const auto labelled_cut = [&](int vertebra_number) -> std::optional<bool> {
+    const int role = spine_role::l1 + vertebra_number - 1;
+    const auto known = static_cast<std::uint8_t>(vertebra_number < 1 ? 12 + vertebra_number : role);
+    if (vertebra_number > 6 || known < 1) return std::nullopt;
+    const auto box = box_of_roles(structures, roles, known, known);
+    if (!box) return std::nullopt;
+    const PatientBox border = box_of_image(image);
+    const double edge = 1.5 * image.spacing.maxCoeff();
+    return box->low.z() < border.low.z() + edge || box->high.z() > border.high.z() - edge;
+  };
+  for (Interspace& gap : spine.interspaces) {
+    const CanalSection canal = spine.canal.at(gap.middle());
+    const double front = canal.front - 15.0;
+    const int above = gap.place ? static_cast<int>(*gap.place) - 1 : -100;
+    const bool on_sacrum = gap.name.ends_with("_S1");
+    const auto above_cut = gap.place ? labelled_cut(above) : std::nullopt;
+    const auto below_cut = gap.place && !on_sacrum ? labelled_cut(above + 1) : std::nullopt;
+    gap.cut = above_cut.value_or(!within(canal.x, front, gap.middle() + vertebra)) ||
+              below_cut.value_or(!within(canal.x, front, gap.middle() - (on_sacrum ? sacrum : vertebra)));
+  }
 }
 
 }  // namespace bodkin::patient

@@ -3,16 +3,21 @@
 #include <string>
 #include <vector>
 
+#include "patient/from_ct/level_landmarks.h"
 #include "patient/from_ct/spinal_canal.h"
+#include "patient/from_ct/vertebral_levels.h"
 
 namespace bodkin::patient {
 
 // A gap between two laminae in the midline.
 struct Interspace {
-  std::string name;    // "L3_L4"; "interspace_1" (the lowest) where levels are unknown
-  double low, high;    // LPS z of the edges of the two laminae
-  double flavum;       // mm, thickness of its ligamentum flavum
-  double bulge = 0.0;  // mm by which the wall of the canal stands back here behind `CanalSection::back`
+  std::string name;                      // "L3_L4"; "interspace_1" (the lowest) where levels are unknown
+  double low, high;                      // LPS z of the edges of the two laminae
+  double flavum;                         // mm, thickness of its ligamentum flavum
+  double bulge = 0.0;                    // mm by which the wall of the canal stands back here
+                                         // behind `CanalSection::back`
+  std::optional<SpinePlace> place = {};  // nothing where levels are unknown
+  bool cut = false;                      // the image border cuts one of its two vertebrae
   double middle() const { return 0.5 * (low + high); }
 };
 
@@ -22,12 +27,27 @@ struct LumbarSpine {
   std::vector<double> tip;              // LPS y of the line along the tips of the spinous processes
   std::vector<double> tip_x;            // LPS x of the spinous processes
   std::vector<Interspace> interspaces;  // from head to foot; lumbar ones only (T12_L1 to L5_S1)
-  bool levels_known = false;            // interspaces carry the names of vertebrae
-  bool counted_from_sacrum = false;     // those names were counted, not read from labels
+  VertebralLevels levels;               // of all interspaces found, also of those that are not lumbar
+  SpinePlace conus_place = adult_conus;
+  std::optional<double> conus;  // LPS z of the lower end of the cord; nothing
+                                // where levels are unknown
 };
 
-// Finds the interspaces and the spinous processes about `canal`. Levels are named by the labels of the vertebrae,
-// else counted up from the sacrum (a dorsal plate of bone longer than 35 mm), else numbered from below.
-LumbarSpine find_interspaces(const SpineView& view, SpinalCanal canal);
+// What else speaks for the levels: the user's words, and what the image shows beside the spine.
+struct LevelWords {
+  LevelLandmarks landmarks;
+  std::string lowest_vertebra;  // the vertebra above the lowest interspace,
+                                // "L5"; empty = not said
+  SpinePlace conus = adult_conus;
+};
+
+// Finds the interspaces and the spinous processes about `canal`, and names them by name_levels().
+LumbarSpine find_interspaces(const SpineView& view, SpinalCanal canal, const LevelWords& words = {});
+
+// Marks the interspaces one of whose vertebrae the image border cuts at head or foot: whose labelled vertebra reaches
+// the border, or, without labels, which have less than 40 mm of image above or below their middle (25 mm below that
+// of the sacrum, which may be cut lower down).
+void mark_cut(LumbarSpine& spine, const anatomy::Grid& image, const anatomy::LabelVolume& structures,
+              const std::vector<std::uint8_t>& roles);
 
 }  // namespace bodkin::patient

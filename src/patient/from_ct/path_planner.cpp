@@ -6,18 +6,23 @@
 
 #include "patient/from_ct/hounsfield_classes.h"
 #include "patient/from_ct/lumbar_construction.h"
+#include <fmt/format.h>
+
+#include "core/error.h"
 
 namespace bodkin::patient {
 namespace {
 
-constexpr double enough = 2.5;  // mm of room to bone that a planned path should leave
-constexpr double step = 0.5;    // mm between looks along a path
+constexpr double enough = 2.5;         // mm of room to bone that a planned path should leave
+constexpr double step = 0.5;           // mm between looks along a path
+constexpr double clear_of_cord = 5.0;  // mm after the target that must be free of cord as well
 constexpr std::array<const char*, 3> preferred = {"L3_L4", "L4_L5", "L2_L3"};
 
 // What a path crosses; nothing when it meets bone.
 struct Crossing {
   double room = 1e3;      // mm, the least distance to bone
-  double ligament = 0.0;  // mm in the supraspinous and interspinous ligaments: how well it keeps to the midline
+  double ligament = 0.0;  // mm in the supraspinous and interspinous ligaments:
+                          // how well it keeps to the midline
 };
 
 std::optional<Crossing> crossing_along(const anatomy::TissueVolume& tissues, const anatomy::Volume<float>& distance,
@@ -32,10 +37,59 @@ std::optional<Crossing> crossing_along(const anatomy::TissueVolume& tissues, con
       crossing.ligament += step;
     crossing.room = std::min(crossing.room, anatomy::linear(distance, p, 1e3));
   }
+  if (depth_of_cord(tissues, path, clear_of_cord)) return std::nullopt;
   return crossing;
 }
 
+const PlannedPath* path_at(const std::vector<PlannedPath>& paths, std::string_view name) {
+  const auto found =
+      std::find_if(paths.begin(), paths.end(), [&](const PlannedPath& path) { return path.interspace == name; });
+  return found == paths.end() ? nullptr : &*found;
+}
+
+std::string names_of(const LumbarSpine& spine) {
+  std::string text;
+  for (const Interspace& gap : spine.interspaces) text += (text.empty() ? "" : ", ") + gap.name;
+  return text;
+}
+
+// How the user can tell the levels, as the end of a sentence.
+std::string how_to_tell(const LumbarSpine& spine) {
+  return fmt::format("say with --lowest-vertebra which vertebra lies above the lowest interspace, at z = {:.0f}",
+                     spine.interspaces.back().middle());
+}
+
+// The path at an interspace that the user named.
+PlannedPath path_at_level(const std::vector<PlannedPath>& paths, const LumbarSpine& spine, const std::string& level) {
+  const auto refuse = [&](const std::string& why) {
+    throw InputError(fmt::format("--level is {}, where no path can be planned: {}", level, why));
+  };
+  if (!spine.levels.known()) refuse(fmt::format("{}; {}", spine.levels.evidence, how_to_tell(spine)));
+  const auto gap = std::find_if(spine.interspaces.begin(), spine.interspaces.end(),
+                                [&](const Interspace& one) { return one.name == level; });
+  if (gap == spine.interspaces.end()) refuse(fmt::format("the interspaces found are {}", names_of(spine)));
+  if (gap->cut) refuse("the image border cuts one of its vertebrae");
+  const PlannedPath* path = path_at(paths, level);
+  if (path == nullptr) {
+    refuse(fmt::format("no straight path there stays clear of bone and of the spinal cord, which ends at the {}",
+                       describe_place(spine.conus_place)));
+  }
+  return *path;
+}
+
 }  // namespace
+
+std::optional<double> depth_of_cord(const anatomy::TissueVolume& tissues, const anatomy::NeedlePath& path,
+                                    double beyond) {
+  constexpr double fine = 0.25;
+  const Vec3 along = path.direction();
+  for (double depth = 0.0; depth <= path.length() + beyond; depth += fine) {
+    if (anatomy::nearest(tissues, Vec3(path.entry + depth * along), anatomy::tissue::air) ==
+        anatomy::tissue::spinal_cord)
+      return depth;
+  }
+  return std::nullopt;
+}
 
 SkinPoint skin_along(const anatomy::TissueVolume& tissues, const Vec3& inside, const Vec3& direction) {
   constexpr double fine = 0.1;
@@ -84,27 +138,47 @@ std::vector<PlannedPath> plan_paths(const anatomy::TissueVolume& tissues, const 
   return found;
 }
 
-std::vector<PlannedPath> passed_over(const std::vector<PlannedPath>& paths, const PlannedPath& taken) {
-  std::vector<PlannedPath> narrow;
-  for (const char* name : preferred) {
-    if (taken.interspace == name) break;
-    const auto found =
-        std::find_if(paths.begin(), paths.end(), [&](const PlannedPath& p) { return p.interspace == name; });
-    if (found != paths.end()) narrow.push_back(*found);
+PathChoice choose_path(const std::vector<PlannedPath>& paths, const LumbarSpine& spine, const std::string& level) {
+  if (!level.empty()) return {path_at_level(paths, spine, level), {}, ""};
+  if (!spine.levels.known()) {
+    return {
+        std::nullopt, {}, fmt::format("the levels are not known: {}; {}", spine.levels.evidence, how_to_tell(spine))};
   }
-  return narrow;
-}
-
-std::optional<PlannedPath> best_path(const std::vector<PlannedPath>& paths) {
-  for (const char* name : preferred) {
-    const auto found =
-        std::find_if(paths.begin(), paths.end(), [&](const PlannedPath& p) { return p.interspace == name; });
-    if (found != paths.end() && found->clearance >= enough) return *found;
+  std::vector<PlannedPath> allowed;
+  bool low_enough = false, whole = false;
+  for (const Interspace& gap : spine.interspaces) {
+    if (!gap.place || !may_plan_at(*gap.place, spine.conus_place)) continue;
+    low_enough = true;
+    if (gap.cut) continue;
+    whole = true;
+    if (const PlannedPath* path = path_at(paths, gap.name)) allowed.push_back(*path);
   }
-  const auto roomiest = std::max_element(paths.begin(), paths.end(), [](const PlannedPath& a, const PlannedPath& b) {
-    return a.clearance < b.clearance;
-  });
-  return roomiest == paths.end() ? std::nullopt : std::optional(*roomiest);
+  PathChoice choice;
+  for (const char* name : preferred) {
+    const PlannedPath* path = path_at(allowed, name);
+    if (path == nullptr) continue;
+    if (path->clearance >= enough) {
+      choice.path = *path;
+      return choice;
+    }
+    choice.passed_over.push_back(*path);
+  }
+  const auto roomiest =
+      std::max_element(allowed.begin(), allowed.end(),
+                       [](const PlannedPath& a, const PlannedPath& b) { return a.clearance < b.clearance; });
+  if (roomiest != allowed.end()) {
+    choice.path = *roomiest;
+    std::erase_if(choice.passed_over, [&](const PlannedPath& p) { return p.interspace == roomiest->interspace; });
+    return choice;
+  }
+  choice.passed_over.clear();
+  choice.why_not = !low_enough ? fmt::format(
+                                     "no interspace here lies at L2/L3 or below and a whole vertebra below the cord, "
+                                     "which ends at the {}; name one with --level to plan there anyway",
+                                     describe_place(spine.conus_place))
+                   : !whole ? "the image border cuts a vertebra of every interspace from L2/L3 down"
+                            : "no straight path through an interspace from L2/L3 down stays clear of bone";
+  return choice;
 }
 
 }  // namespace bodkin::patient

@@ -20,16 +20,27 @@ struct PlannedPath {
 };
 
 // For every interspace the path with the most clearance to bone, of those 0 to 24 degrees cephalad and up to 4
-// degrees sideways that meet no bone; interspaces without such a path are left out. The order is that of
-// `spine.interspaces`.
+// degrees sideways that meet neither bone nor spinal cord, also not in the 5 mm after their target; interspaces
+// without such a path are left out. The order is that of `spine.interspaces`.
 std::vector<PlannedPath> plan_paths(const anatomy::TissueVolume& tissues, const SpineView& view,
                                     const LumbarSpine& spine);
 
-// The path to propose: L3/L4, else L4/L5, else L2/L3, each when it leaves 2.5 mm to bone; else the roomiest.
-std::optional<PlannedPath> best_path(const std::vector<PlannedPath>& paths);
+struct PathChoice {
+  std::optional<PlannedPath> path;
+  std::vector<PlannedPath> passed_over;  // narrower paths that would have been taken before it
+  std::string why_not;                   // the end of a sentence; empty with a path
+};
 
-// The narrower paths that best_path() would rather have taken than `taken`, in its order.
-std::vector<PlannedPath> passed_over(const std::vector<PlannedPath>& paths, const PlannedPath& taken);
+// The path to propose. Without `level` only where levels are known, at interspaces
+// that may_plan_at() allows and whose vertebrae the image border does not cut: L3/L4, else L4/L5, else L2/L3, each
+// when it leaves 2.5 mm to bone; else the roomiest of them. With `level`, the name of an interspace, the path there;
+// throws InputError saying why when there is none, and when levels are not known.
+PathChoice choose_path(const std::vector<PlannedPath>& paths, const LumbarSpine& spine, const std::string& level);
+
+// Depth (mm from the entry) at which a path first meets spinal cord, up to `beyond` mm after its target; nothing when
+// it stays clear of it.
+std::optional<double> depth_of_cord(const anatomy::TissueVolume& tissues, const anatomy::NeedlePath& path,
+                                    double beyond);
 
 // The last point of the body on the ray from `inside` along `direction` (unit), and whether it is skin that ends
 // there.

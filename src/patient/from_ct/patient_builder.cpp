@@ -6,133 +6,16 @@
 #include "patient/from_ct/body_surface.h"
 #include "patient/from_ct/hounsfield_classes.h"
 #include "patient/from_ct/lumbar_construction.h"
-#include "patient/from_ct/lumbar_landmarks.h"
-#include "patient/from_ct/marrow.h"
-#include "patient/from_ct/midline_search.h"
 #include "patient/from_ct/path_planner.h"
-#include "patient/from_ct/spinal_canal.h"
+#include "patient/from_ct/spine_search.h"
 #include "patient/from_ct/spine_view.h"
 #include "patient/from_ct/tissue_lattice.h"
 #include <fmt/format.h>
 
+#include "core/error.h"
+
 namespace bodkin::patient {
 namespace {
-
-constexpr double least_labelled_laminae = 15.0;  // mm of laminae that labels of vertebrae must show to be a spine
-constexpr double below_lung = 60.0;  // mm, two vertebrae: how far below lung an interspace counts as lumbar
-constexpr double least_side = 6.0;   // mm of image on either side of the midline, about half a canal
-
-// The middle of the labelled vertebrae, slice by slice; labels of the sides balance.
-std::vector<double> midline_of_labels(const SpineView& view) {
-  const auto& size = view.grid().size;
-  std::vector<double> x;
-  double last = 0.5 * (view.x_of(0) + view.x_of(size[0] - 1));
-  for (int k = 0; k < size[2]; ++k) {
-    double sum = 0.0;
-    int count = 0;
-    for (int j = 0; j < size[1]; ++j) {
-      for (int i = 0; i < size[0]; ++i) {
-        if (view.role.at(i, j, k) != spine_role::none) sum += view.x_of(i), ++count;
-      }
-    }
-    if (count > 100) last = sum / count;
-    x.push_back(last);
-  }
-  return moving_average(x, 25);
-}
-
-struct FoundSpine {
-  SpineView view;
-  LumbarSpine spine;
-  std::string source;  // how it was found, for people
-};
-
-FoundSpine found_in(SpineView view, SpinalCanal canal, const char* source) {
-  LumbarSpine spine = find_interspaces(view, std::move(canal));
-  return {std::move(view), std::move(spine), source};
-}
-
-// LPS z of the lowest lung in the image; far above the image when it shows none.
-double lung_base(const BodySurface& body) {
-  double base = 1e9;
-  const anatomy::Grid& grid = body.lung.grid;
-  for (int k = 0; k < grid.size[2]; ++k) {
-    for (int j = 0; j < grid.size[1]; ++j) {
-      for (int i = 0; i < grid.size[0]; ++i) {
-        if (body.lung.at(i, j, k) == 1) base = std::min(base, grid.to_patient(Vec3(i, j, k)).z());
-      }
-    }
-  }
-  return base;
-}
-
-// Why a spine that only bone shows is no lumbar spine that a needle could be planned into, as the end of a sentence;
-// empty when it may be one.
-std::string why_not_lumbar(const LumbarSpine& spine, const anatomy::CtVolume& ct, const BodySurface& body) {
-  const PatientBox image = box_of_image(ct.grid);
-  const auto& sections = spine.canal.sections;
-  const auto cut = std::count_if(sections.begin(), sections.end(), [&](const CanalSection& section) {
-    return std::min(section.x - image.low.x(), image.high.x() - section.x) < least_side;
-  });
-  if (cut > static_cast<std::ptrdiff_t>(sections.size() / 2)) return "the image border cuts it lengthwise";
-  if (spine.interspaces.back().middle() > lung_base(body) - below_lung) {
-    return fmt::format("it lies at the level of the lungs or less than {:.0f} mm below, where vertebrae are thoracic",
-                       below_lung);
-  }
-  return "";
-}
-
-// `why_not` becomes what speaks against a spine that bone shows, when it was not taken.
-std::optional<FoundSpine> find_spine(const anatomy::CtVolume& ct, const anatomy::LabelVolume& structures,
-                                     const std::vector<std::uint8_t>& roles, anatomy::TissueVolume& tissues,
-                                     const BodySurface& body, std::string& why_not) {
-  constexpr double spacing = 1.0;
-  const auto bones = box_of_roles(structures, roles, 1, spine_role::vertebra);
-  const auto canal_box = box_of_roles(structures, roles, spine_role::canal, spine_role::canal);
-  std::optional<SpinalCanal> canal;
-  if (canal_box) {
-    PatientBox box = *canal_box;
-    const double middle = 0.5 * (box.low.x() + box.high.x()),
-                 half = std::max(35.0, 0.5 * (box.high.x() - box.low.x()) + 20.0);
-    box.low.x() = middle - half, box.high.x() = middle + half;
-    box.low.y() -= 10.0;
-    box.high.y() = std::max(box.high.y() + 70.0, bones ? bones->high.y() + 10.0 : box.high.y());
-    SpineView view = view_spine(ct, structures, roles, tissues, box, spacing);
-    canal = canal_from_label(view);
-    if (canal) return found_in(std::move(view), std::move(*canal), "the labels of the spinal canal");
-  }
-  if (bones) {
-    PatientBox box = *bones;
-    box.low -= Vec3(2.0, 2.0, 2.0), box.high += Vec3(2.0, 15.0, 2.0);
-    SpineView view = view_spine(ct, structures, roles, tissues, box, spacing);
-    canal = canal_from_bone(view, midline_of_labels(view), least_labelled_laminae);
-    if (canal) return found_in(std::move(view), std::move(*canal), "the labels of the vertebrae");
-  }
-  if (const auto midline = find_midline(ct, tissues, body)) {
-    SpineView view = view_spine(ct, structures, roles, tissues, midline->box, spacing);
-    std::vector<double> x;
-    for (int k = 0; k < view.grid().size[2]; ++k) x.push_back(midline->x_at(view.z_of(k)));
-    canal = canal_from_bone(view, x, 2 * least_labelled_laminae);
-    // The spinous processes show the midline finer than the search did.
-    for (int pass = 0; pass < 2 && canal; ++pass) {
-      const LumbarSpine spine = find_interspaces(view, *canal);
-      for (std::size_t k = 0; k < x.size(); ++k) {
-        const double n = std::clamp(view.z_of(static_cast<int>(k)) - canal->lowest, 0.0, spine.tip_x.size() - 1.0);
-        x[k] = spine.tip_x[static_cast<std::size_t>(n)];
-      }
-      canal = canal_from_bone(view, x, 2 * least_labelled_laminae);
-    }
-    if (!canal) return std::nullopt;
-    const LumbarSpine bare = find_interspaces(view, *canal);
-    if (bare.interspaces.empty()) return std::nullopt;  // without them bone alone proves no spine
-    why_not = why_not_lumbar(bare, ct, body);
-    if (!why_not.empty()) return std::nullopt;
-    fill_marrow(view, tissues, *canal);
-    FoundSpine found = found_in(std::move(view), std::move(*canal), "bone and midline of the CT");
-    if (!found.spine.interspaces.empty()) return found;
-  }
-  return std::nullopt;
-}
 
 std::string list_of(const std::vector<Interspace>& spaces) {
   std::string text;
@@ -141,6 +24,10 @@ std::string list_of(const std::vector<Interspace>& spaces) {
 }
 
 void add_landmarks(BuiltPatient& patient, const LumbarSpine& spine, const std::vector<PlannedPath>& paths) {
+  if (spine.conus && spine.canal.covers(*spine.conus)) {
+    const CanalSection canal = spine.canal.at(*spine.conus);
+    patient.landmarks.push_back({"conus", Vec3(canal.x, 0.5 * (canal.front + canal.back), *spine.conus)});
+  }
   for (const Interspace& gap : spine.interspaces) {
     const CanalSection canal = spine.canal.at(gap.middle());
     const Vec3 centre(canal.x, 0.5 * (canal.front + canal.back), gap.middle());
@@ -155,43 +42,72 @@ void add_landmarks(BuiltPatient& patient, const LumbarSpine& spine, const std::v
   }
 }
 
-void build_lumbar(BuiltPatient& patient, const FoundSpine& found, bool plan) {
+// How the levels are known, and where the cord ends.
+void note_levels(BuiltPatient& patient, const LumbarSpine& spine) {
+  const VertebralLevels& levels = spine.levels;
+  if (!levels.known()) {
+    patient.notes.push_back(fmt::format(
+        "The levels of the vertebrae are not known, so interspaces are numbered from below and the whole canal "
+        "counts as holding cord: {}.",
+        levels.evidence));
+    return;
+  }
+  patient.notes.push_back(fmt::format("{} Confidence: {}.", levels.evidence, to_string(levels.confidence)));
+  patient.notes.push_back(fmt::format("The spinal cord is drawn down to the {}{}.", describe_place(spine.conus_place),
+                                      spine.conus_place == adult_conus ? ", the mean of adults" : ""));
+}
+
+std::string path_note(const PathChoice& choice) {
+  const PlannedPath& best = *choice.path;
+  std::string passed;
+  for (const PlannedPath& narrow : choice.passed_over) {
+    passed += fmt::format("{} {} {:.1f} mm", passed.empty() ? ";" : ",", narrow.interspace, narrow.clearance);
+  }
+  if (!passed.empty()) passed += choice.passed_over.size() == 1 ? " is narrower" : " are narrower";
+  return fmt::format(
+      "The path was planned through {}, {:.0f} degrees cephalad, {:.0f} mm long, with {:.1f} mm to the nearest "
+      "bone{}{}.",
+      best.interspace, best.cephalad, best.path.length(), best.clearance, passed,
+      best.from_skin ? "" : "; it starts where the image ends, because there is no skin");
+}
+
+void build_lumbar(BuiltPatient& patient, const FoundSpine& found, const PatientOptions& options) {
   const LumbarSpine& spine = found.spine;
   draw_lumbar(patient.tissues, spine);
   muscle_behind(patient.tissues, spine.canal);
   if (spine.interspaces.empty()) {
     patient.notes.push_back(
-        fmt::format("A spinal canal was found from {}, but no lumbar interspace: its contents are "
-                    "constructed, ligaments are not.",
+        fmt::format("A spinal canal was found from {}, but no lumbar interspace: its contents are constructed, "
+                    "ligaments are not.",
                     found.source));
     return;
   }
   patient.notes.push_back(fmt::format(
       "Ligaments, epidural space and dura are constructed from {} with textbook thicknesses; interspaces found: {}.",
       found.source, list_of(spine.interspaces)));
-  if (spine.counted_from_sacrum) {
-    patient.notes.emplace_back("Levels are counted up from the sacrum, assuming five lumbar vertebrae.");
-  } else if (!spine.levels_known) {
-    patient.notes.emplace_back("The levels of the vertebrae are not known, so interspaces are numbered from below.");
-  }
+  note_levels(patient, spine);
   const auto paths = plan_paths(patient.tissues, found.view, spine);
   add_landmarks(patient, spine, paths);
-  if (!plan) return;
-  if (const auto best = best_path(paths)) {
-    patient.path = best->path;
-    std::string passed;
-    for (const PlannedPath& narrow : passed_over(paths, *best)) {
-      passed += fmt::format("{} {} {:.1f} mm", passed.empty() ? ";" : ",", narrow.interspace, narrow.clearance);
-    }
-    if (!passed.empty()) passed += passed.find(',') == std::string::npos ? " is narrower" : " are narrower";
-    patient.notes.push_back(
-        fmt::format("The path was planned through {}, {:.0f} degrees cephalad, {:.0f} mm long, with {:.1f} mm to the "
-                    "nearest bone{}{}.",
-                    best->interspace, best->cephalad, best->path.length(), best->clearance, passed,
-                    best->from_skin ? "" : "; it starts where the image ends, because there is no skin"));
-  } else {
-    patient.notes.emplace_back("No straight path through an interspace stays clear of bone; give one yourself.");
+  if (options.path) return;
+  const PathChoice choice = choose_path(paths, spine, options.level);
+  if (choice.path) patient.path = choice.path->path;
+  patient.notes.push_back(choice.path ? path_note(choice)
+                                      : fmt::format("No path was planned, because {}.", choice.why_not));
+}
+
+// The user's path must not go into cord, nor may a level be asked for where no spine was found.
+void check_wishes(const BuiltPatient& patient, const PatientOptions& options, bool levels_known) {
+  if (!options.level.empty() && !patient.path) {
+    throw InputError(fmt::format("--level is {}, but no lumbar interspace was found in this CT", options.level));
   }
+  if (!options.path) return;
+  const auto depth = depth_of_cord(patient.tissues, *options.path, 0.0);
+  if (!depth) return;
+  throw InputError(fmt::format(
+      "the path from --entry to --target goes into the spinal cord {:.1f} mm from its entry; {}", *depth,
+      levels_known ? "choose a target below the conus, or say with --conus where the cord of this patient ends"
+                   : "the levels of this spine are not known: if it is the cauda equina, say with "
+                     "--lowest-vertebra which vertebra lies above the lowest interspace"));
 }
 
 // Sides on which the image border cuts the body, for people.
@@ -256,14 +172,20 @@ BuiltPatient build_patient(const anatomy::CtVolume& ct, const anatomy::LabelVolu
     report("Building the spine", 0.0);
     const auto roles = spine_roles(table);
     std::string why_not;
-    if (const auto found = find_spine(ct, structures, roles, patient.tissues, body, why_not)) {
-      build_lumbar(patient, *found, !options.path.has_value());
+    bool levels_known = false;
+    if (const auto found = find_spine({ct, structures, roles, patient.tissues, body, options}, why_not)) {
+      build_lumbar(patient, *found, options);
+      levels_known = found->spine.levels.known();
     } else {
       patient.notes.push_back(fmt::format(
           "No {} was constructed, because {}.",
           options.path ? "ligament and no dura" : "path was planned, and no ligament and no dura",
-          why_not.empty() ? "no lumbar spine was found" : "the spine that was found is not lumbar: " + why_not));
+          why_not.empty() ? "no lumbar spine was found"
+                          : fmt::format("the spine that was found is not taken for lumbar: {}; if it is, say with "
+                                        "--lowest-vertebra which vertebra lies above its lowest interspace",
+                                        why_not)));
     }
+    check_wishes(patient, options, levels_known);
   }
   report("Building the spine", 1.0);
   return patient;

@@ -136,6 +136,10 @@ void make_imported_case(const json& request) {
   options.resample_labels = request.value("resample_labels", false);
   options.fill_missing = request.value("fill_missing", false);
   options.assume_hounsfield = request.value("assume_hu", false);
+  options.level = request.value("level", "");
+  options.lowest_vertebra = request.value("lowest_vertebra", "");
+  options.conus = request.value("conus", "");
+  if (request.contains("age")) options.age = request.at("age").get<double>();
   finish_case(patient::build_imported_case(new_case(request), options, report_progress));
 }
 

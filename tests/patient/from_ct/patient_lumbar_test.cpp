@@ -197,7 +197,12 @@ CtVolume upper_spine(bool lung) {
 TEST(Thorax, a_spine_close_below_lung_is_not_lumbar) {
   expect_no_lumbar_spine(build_patient(upper_spine(true), {}, {}, {}, {}), "less than 60 mm below");
   const BuiltPatient lumbar = build_patient(upper_spine(false), {}, {}, {}, {});
-  EXPECT_TRUE(lumbar.path.has_value()) << "the same spine without lung is taken for what it is";
+  EXPECT_FALSE(lumbar.landmarks.empty()) << "the same spine without lung is taken for what it is";
+  EXPECT_FALSE(lumbar.path.has_value()) << "but nothing in it tells the levels";
+  PatientOptions word;
+  word.lowest_vertebra = "L2";
+  const BuiltPatient overruled = build_patient(upper_spine(true), {}, {}, word, {});
+  EXPECT_LT(test::landmark(overruled.landmarks, "L2_L3").z(), 1e6) << "the user's word overrules the guard";
 }
 
 // Random needles about a planned path: whichever meets no bone first meets flavum before epidural space, and no
