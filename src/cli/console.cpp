@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
+
+#include "cli/standard_streams.h"
 
 namespace bodkin::cli {
 
@@ -36,7 +37,7 @@ void Console::draw(std::string_view stage, double fraction) {
     clear_bar();
     stage_ = stage;
     stage_start_ = now;
-    if (!terminal_) fmt::print(stderr, "{} ...\n", stage_);
+    if (!terminal_) write_remark(stage_ + " ...\n");
   }
   if (!terminal_ || now - stage_start_ < bar_patience || (now - last_draw_ < draw_interval && fraction < 1.0)) return;
   last_draw_ = now;
@@ -46,30 +47,28 @@ void Console::draw(std::string_view stage, double fraction) {
   for (int cell = 0; cell < bar_width; ++cell) bar += cell < filled ? "█" : "░";
   const double elapsed = std::chrono::duration<double>(now - stage_start_).count();
   const std::string left = share > 0.05 ? fmt::format("{:.0f} s left", elapsed * (1.0 - share) / share) : "";
-  fmt::print(stderr, "\r\033[K{:<34} {} {:3.0f} %  {}", stage_, bar, 100.0 * share, left);
-  std::fflush(stderr);
+  write_remark(fmt::format("\r\033[K{:<34} {} {:3.0f} %  {}", stage_, bar, 100.0 * share, left));
   drawn_ = true;
 }
 
 void Console::clear_bar() {
   if (!drawn_) return;
-  fmt::print(stderr, "\r\033[K");
-  std::fflush(stderr);
+  write_remark("\r\033[K");
   drawn_ = false;
 }
 
 void Console::note(std::string_view sentence) {
   if (quiet_) return;
   clear_bar();
-  fmt::print(stderr, "note: {}\n", sentence);
+  write_remark(fmt::format("note: {}\n", sentence));
 }
 
 void Console::line(std::string_view text) const {
-  if (!json_) fmt::print("{}\n", text);
+  if (!json_) write_output(fmt::format("{}\n", text));
 }
 
 void Console::json(std::string_view text) const {
-  if (json_) fmt::print("{}\n", text);
+  if (json_) write_output(fmt::format("{}\n", text));
 }
 
 }  // namespace bodkin::cli

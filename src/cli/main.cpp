@@ -1,4 +1,3 @@
-#include <cstdio>
 #include <exception>
 #include <string_view>
 
@@ -8,6 +7,7 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/driver_inquiry.h"
+#include "cli/standard_streams.h"
 #include "core/error.h"
 
 namespace {
@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
   if (argc == 2 && std::string_view(argv[1]) == bodkin::cli::driver_inquiry_argument) {
     return bodkin::cli::answer_driver_inquiry();
   }
+  bodkin::cli::survive_closed_pipes();
   CLI::App app{"Bodkin: put needles into bodies, feel what they meet, and see how well it went."};
   app.footer(main_footer);
   app.require_subcommand(1);
@@ -77,13 +78,15 @@ int main(int argc, char** argv) {
     return context.exit_code;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
-    fmt::print(stderr, "bodkin: {}\n", bodkin::cli::usage_sentence(app, error));
+    bodkin::cli::write_remark(fmt::format("bodkin: {}\n", bodkin::cli::usage_sentence(app, error)));
     return exit_input_error;
+  } catch (const bodkin::cli::OutputClosed&) {
+    return context.exit_code != 0 ? context.exit_code : bodkin::cli::exit_output_closed;
   } catch (const bodkin::InputError& error) {
-    fmt::print(stderr, "bodkin: {}\n", error.what());
+    bodkin::cli::write_remark(fmt::format("bodkin: {}\n", error.what()));
     return exit_input_error;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "bodkin: {}\n", error.what());
+    bodkin::cli::write_remark(fmt::format("bodkin: {}\n", error.what()));
     return exit_system_error;
   }
 }

@@ -1,3 +1,4 @@
+#include <array>
 #include <atomic>
 #include <csignal>
 #include <memory>
@@ -20,27 +21,35 @@ namespace {
 
 std::atomic<station::Station*> running{nullptr};
 
-// Ctrl-C ends the session as q does.
+// Ctrl-C ends the session as q does. The end of the terminal or of the machine ends it too: force to zero, devices
+// stopped, the recording complete.
 class EndOnSignal {
  public:
-  explicit EndOnSignal(station::Station& station)
-      : interrupt_(std::signal(SIGINT, &end)), terminate_(std::signal(SIGTERM, &end)) {
+  explicit EndOnSignal(station::Station& station) {
     running.store(&station);
+    for (std::size_t i = 0; i < signals.size(); ++i) before_[i] = std::signal(signals[i], &end);
   }
   ~EndOnSignal() {
-    std::signal(SIGINT, interrupt_);
-    std::signal(SIGTERM, terminate_);
+    for (std::size_t i = 0; i < signals.size(); ++i) std::signal(signals[i], before_[i]);
     running.store(nullptr);
   }
   EndOnSignal(const EndOnSignal&) = delete;
   EndOnSignal& operator=(const EndOnSignal&) = delete;
 
+  // 0, or the signal that a shell reports as the end of the command: all but Ctrl-C, with which a person ends a
+  // session.
+  static int reason() noexcept { return ended_by.load() == SIGINT ? 0 : ended_by.load(); }
+
  private:
-  static void end(int) {
+  static constexpr std::array<int, 3> signals = {SIGINT, SIGTERM, SIGHUP};
+
+  static void end(int signal) {
+    ended_by.store(signal);
     if (station::Station* const station = running.load()) station->end();
   }
-  void (*interrupt_)(int);
-  void (*terminate_)(int);
+
+  static inline std::atomic<int> ended_by{0};
+  std::array<void (*)(int), signals.size()> before_{};
 };
 
 station::StationResult run_with_keys(station::Station& station, PerformScreen& screen) {
@@ -52,13 +61,18 @@ station::StationResult run_with_keys(station::Station& station, PerformScreen& s
   return result;
 }
 
-void run_perform(const PerformOptions& arguments, const CommandContext& context) {
+void run_perform(const PerformOptions& arguments, CommandContext& context) {
   Console console(context);
   station::StationOptions options = station_options(arguments, console);
   PerformScreen screen(console, options.ultrasound, is_mouse(options.device), options.longest);
   station::Station station(std::move(options), screen);
   station::StationResult result = run_with_keys(station, screen);
   console.clear_bar();
+  if (const int signal = EndOnSignal::reason(); signal != 0) {
+    context.exit_code = 128 + signal;
+    console.note(signal == SIGHUP ? "the terminal was closed, which ended the session; it is complete"
+                                  : "the session was ended from outside (SIGTERM); it is complete");
+  }
   const Outcome outcome = read_outcome(arguments.output, station.patient(), std::move(result.run));
   for (const std::string& note : outcome.run.notes) console.note(note);
   console.note(fmt::format("{} of {} ticks were late (by {:.2f} ms at worst)", outcome.run.missed_deadlines,

@@ -1,0 +1,76 @@
+#include <string>
+
+#include "session/session_file.h"
+#include "tests/cli/bodkin_command.h"
+#include <gmock/gmock.h>
+
+// How commands end when nobody reads what they say, when the disk behind standard output is full, and when the
+// terminal or the machine goes away while a needle is held.
+
+namespace bodkin_test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class StandardStreams : public PatientCommand {
+ protected:
+  static Outcome shell(const std::string& command) {
+    const std::string line = "cd '" + folder_.string() + "' && " + command;
+    FILE* pipe = popen(("exec bash -c \"" + line + "\" 2>&1").c_str(), "r");
+    Outcome outcome;
+    char block[4096];
+    for (std::size_t n = 0; (n = fread(block, 1, sizeof block, pipe)) > 0;) outcome.output.append(block, n);
+    const int status = pclose(pipe);
+    outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return outcome;
+  }
+
+  static inline const std::string program = "'" BODKIN_BUILD "/bin/bodkin' ";
+
+  // A session of a second, with what goes before and behind the command.
+  static Outcome perform(const std::string& before, const std::string& behind, const std::string& time = "1") {
+    std::filesystem::remove(folder_ / "hand.bodkin");
+    return shell(before + " " + program + "perform patient force_dimension --settings library='" +
+                 BODKIN_STAND_INS "/force_dimension/libdrd.so' --max-time " + time + " -o hand.bodkin " + behind);
+  }
+  static void expect_complete_session() {
+    EXPECT_TRUE(::bodkin::session::read_session(folder_ / "hand.bodkin").finished);
+  }
+};
+
+TEST_F(StandardStreams, nobody_who_reads_the_result_is_no_error_of_the_data) {
+  const Outcome said = shell("set -o pipefail; " + program + "-q --json case show patient | true");
+  EXPECT_EQ(said.exit_code, 141);
+  EXPECT_EQ(said.output, "");
+}
+
+TEST_F(StandardStreams, a_full_disk_behind_the_result_is_one_sentence) {
+  const Outcome said = shell(program + "-q case show patient > /dev/full");
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.output, HasSubstr("the result cannot be written to standard output: No space left on device"));
+}
+
+TEST_F(StandardStreams, a_session_does_not_need_a_standard_error) {
+  for (const char* behind : {"2> /dev/full", "2>&-", "2> >(exec 0<&-)"}) {
+    const Outcome said = perform("", behind);
+    EXPECT_EQ(said.exit_code, 0) << behind << said.output;
+    expect_complete_session();
+  }
+}
+
+TEST_F(StandardStreams, a_session_whose_result_nobody_reads_is_complete) {
+  const Outcome said = perform("set -o pipefail; ", "| true");
+  EXPECT_EQ(said.exit_code, 141) << said.output;
+  expect_complete_session();
+}
+
+TEST_F(StandardStreams, the_end_of_the_terminal_or_the_machine_ends_a_session_and_the_exit_code_tells) {
+  for (const auto& [signal, code] : {std::pair{"HUP", 129}, {"TERM", 143}, {"INT", 0}}) {
+    const Outcome said = perform(std::string("timeout --preserve-status -s ") + signal + " 4", "", "60");
+    EXPECT_EQ(said.exit_code, code) << signal << said.output;
+    expect_complete_session();
+  }
+}
+
+}  // namespace
+}  // namespace bodkin_test
