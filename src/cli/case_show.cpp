@@ -151,14 +151,13 @@ nlohmann::json json_of(const anatomy::Case& patient) {
     result["landmarks"][landmark.name] = json_point(landmark.position);
   result["needle"] = settings_json(about.needle);
   result["device"] = settings_json(about.device);
-  const auto values_of = [](const auto& settings) { return settings_json(settings); };
   const io::ForceTexts forces = io::force_texts(about.haptics);
   result["resistance"] = {{"model", anatomy::name_of(about.haptics.resistance)},
                           {"settings", forces.resistance},
-                          {"values", std::visit(values_of, about.haptics.resistance)}};
+                          {"values", settings_json(about.haptics.resistance)}};
   result["constraint"] = {{"model", anatomy::name_of(about.haptics.constraint)},
                           {"settings", forces.constraint},
-                          {"values", std::visit(values_of, about.haptics.constraint)}};
+                          {"values", settings_json(about.haptics.constraint)}};
   result["parts"] = forces.parts;
   result["procedure"] = {{"name", about.procedure.name}, {"target_tissue", about.procedure.target_tissue}};
   if (const auto& path = about.procedure.path) {

@@ -79,6 +79,28 @@ TEST(Layout, includes_go_downwards) {
   EXPECT_GT(checked, 20);
 }
 
+// What a module declares is bodkin::MODULE; the names of core are bodkin's own. A name of another module is declared
+// only ahead of its definition, in a block of its own.
+TEST(Layout, a_module_has_one_namespace) {
+  static const std::regex opening(R"((^|\n)namespace bodkin(::(\w+))?[\w:]* \{)");
+  static const std::regex ahead(R"(namespace bodkin::\w+ \{\n((struct|class|enum class) \w+;\n)+\})");
+  int checked = 0;
+  for (const fs::path& file : sources(repository / "src")) {
+    const std::string module = module_of(file);
+    const std::string text = std::regex_replace(read_text(file), ahead, "");
+    for (std::sregex_iterator found(text.begin(), text.end(), opening), end; found != end; ++found) {
+      ++checked;
+      const std::string name = (*found)[3];
+      if (module == "core") {
+        EXPECT_FALSE(levels.contains(name)) << file << ": namespace bodkin::" << name;
+      } else {
+        EXPECT_EQ(name, module) << file << ": namespace bodkin::" << name << ", expected bodkin::" << module;
+      }
+    }
+  }
+  EXPECT_GT(checked, 300);
+}
+
 TEST(Layout, heavy_headers_stay_in_source_files_of_the_modules_that_own_them) {
   struct Rule {
     std::regex header;
