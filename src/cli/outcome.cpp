@@ -4,10 +4,12 @@
 #include <utility>
 
 #include "report/crossings.h"
+#include "report/force_limits.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/force_options.h"
+#include "training/case_score.h"
 
 namespace bodkin::cli {
 
@@ -54,14 +56,17 @@ Outcome read_outcome(const fs::path& file, const anatomy::Case& patient, session
   outcome.run = std::move(run);
   outcome.file = fs::absolute(file).lexically_normal();
   outcome.session = session::read_session(file);
-  outcome.summary = report::summarise(outcome.session, patient);
-  outcome.verdict = report::judge(outcome.summary, outcome.session, patient);
+  outcome.score = training::score_on_case(outcome.session, patient);
   return outcome;
 }
 
 nlohmann::ordered_json json_of(const Outcome& outcome, const anatomy::Case& patient) {
-  const report::SessionSummary& summary = outcome.summary;
+  const training::Score& score = outcome.score;
   const anatomy::TissueLibrary& library = patient.library;
+  const auto metric = [&score](const char* name) {
+    const training::MetricResult* result = score.find(name);
+    return result == nullptr ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(result->value);
+  };
   nlohmann::ordered_json json = {{"session", outcome.file.string()},
                                  {"operator", outcome.session.header.operator_name},
                                  {"seed", outcome.session.header.seed},
@@ -71,23 +76,27 @@ nlohmann::ordered_json json_of(const Outcome& outcome, const anatomy::Case& pati
                                  {"wall_time_s", outcome.run.wall_time},
                                  {"speed_factor", outcome.speed()},
                                  {"operator_finished", outcome.run.operator_finished},
-                                 {"reached", outcome.verdict.reached},
-                                 {"verdict", outcome.verdict.headline},
-                                 {"target_distance_mm", summary.final_error.distance},
-                                 {"target_axial_mm", summary.final_error.axial},
-                                 {"target_lateral_mm", summary.final_error.lateral},
-                                 {"deepest_mm", summary.deepest},
-                                 {"peak_force_N", summary.peak_force},
-                                 {"peak_depth_mm", summary.peak_depth},
+                                 {"verdict", training::name_of(score.verdict)},
+                                 {"headline", score.headline},
+                                 {"reached", score.reached},
+                                 {"reached_s", score.reached_time ? nlohmann::ordered_json(*score.reached_time)
+                                                                  : nlohmann::ordered_json(nullptr)},
+                                 {"final_distance_mm", metric("final_distance_mm")},
+                                 {"final_axial_mm", metric("final_axial_mm")},
+                                 {"final_lateral_mm", metric("final_lateral_mm")},
+                                 {"deepest_mm", metric("deepest_mm")},
+                                 {"peak_force_N", metric("peak_force_N")},
                                  {"peak_applied_force_N", outcome.peak_applied()},
-                                 {"peak_tissue", library.title(summary.peak_tissue)},
-                                 {"bone_contacts", summary.bone_contacts},
-                                 {"insertions", summary.insertions},
+                                 {"bone_contacts", metric("bone_contacts")},
+                                 {"insertions", metric("insertions")},
                                  {"missed_deadlines", outcome.run.missed_deadlines},
                                  {"worst_lateness_s", outcome.run.worst_lateness},
                                  {"records_lost", outcome.run.records_lost}};
-  json["target_tissue_time_s"] = summary.target_tissue_time ? nlohmann::ordered_json(*summary.target_tissue_time)
-                                                            : nlohmann::ordered_json(nullptr);
+  json["findings"] = nlohmann::ordered_json::array();
+  for (const training::Finding& each : score.findings) {
+    json["findings"].push_back(
+        {{"grade", training::name_of(each.grade)}, {"subject", each.subject}, {"sentence", each.sentence}});
+  }
   if (const auto& timings = outcome.session.timings) {
     const auto spread = [](const std::vector<session::TimeBin>& bins) {
       return nlohmann::ordered_json{{"median_s", session::percentile(bins, 0.5)},
@@ -100,7 +109,7 @@ nlohmann::ordered_json json_of(const Outcome& outcome, const anatomy::Case& pati
                        {"compute", spread(timings->compute)}};
   }
   json["tissues"] = nlohmann::ordered_json::array();
-  for (const report::TissueTotal& tissue : summary.tissues) {
+  for (const training::TissueTotal& tissue : outcome.score.tissues) {
     json["tissues"].push_back({{"tissue", library.title(tissue.tissue)},
                                {"from_mm", tissue.from},
                                {"to_mm", tissue.to},
@@ -118,23 +127,24 @@ nlohmann::ordered_json json_of(const Outcome& outcome, const anatomy::Case& pati
 }
 
 void print(const Console& console, const Outcome& outcome, const anatomy::Case& patient) {
-  const report::SessionSummary& summary = outcome.summary;
-  console.line(outcome.verdict.headline);
-  for (const std::string& remark : outcome.verdict.remarks) console.line("  " + remark);
+  const training::Score& score = outcome.score;
+  console.line(score.headline);
+  for (const training::Finding& each : score.findings) console.line("  " + each.sentence);
+  const std::string limits = report::force_limits(outcome.session).sentence(patient.description.device);
+  if (!limits.empty()) console.line("  " + limits);
   console.line(fmt::format("\n{:<26} {:>8} {:>8} {:>10}", "tissue", "from mm", "to mm", "peak N"));
-  for (const report::TissueTotal& tissue : summary.tissues) {
+  for (const training::TissueTotal& tissue : outcome.score.tissues) {
     console.line(fmt::format("{:<26} {:>8.1f} {:>8.1f} {:>10.2f}", patient.library.title(tissue.tissue), tissue.from,
                              tissue.to, tissue.peak_force));
   }
   print_events(console, outcome, patient);
   console.line(fmt::format("\n{:<14} {:.1f} s simulated in {:.2f} s, {:.0f} times real time", "time", outcome.time(),
                            outcome.run.wall_time, outcome.speed()));
-  console.line(fmt::format("{:<14} {:.1f} mm from the target ({:+.1f} along the path, {:.1f} across it)", "tip",
-                           summary.final_error.distance, summary.final_error.axial, summary.final_error.lateral));
-  console.line(fmt::format("{:<14} {:.2f} N of resistance in {} at {:.1f} mm; at most {:.2f} N reached the hand",
-                           "peak force", summary.peak_force, patient.library.title(summary.peak_tissue),
-                           summary.peak_depth, outcome.peak_applied()));
-  console.line(fmt::format("{:<14} {}", "bone contacts", summary.bone_contacts));
+  if (const training::MetricResult* peak = score.find("peak_force_N")) {
+    console.line(fmt::format("{:<14} {:.2f} N of resistance; at most {:.2f} N reached the hand", "peak force",
+                             peak->value, outcome.peak_applied()));
+  }
+  console.line(fmt::format("{:<14} {:g}", "bone contacts", score.find("bone_contacts")->value));
   console.line(fmt::format("{:<14} {}", "force models", force_names(outcome.session.header.haptics)));
   console.line(fmt::format("{:<14} {}", "session", outcome.file.string()));
 }

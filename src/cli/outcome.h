@@ -2,12 +2,12 @@
 
 #include <filesystem>
 
-#include "report/session_summary.h"
 #include "session/session_file.h"
 #include "session/session_run.h"
 #include <nlohmann/json_fwd.hpp>
 
 #include "cli/console.h"
+#include "training/score.h"
 
 namespace bodkin::cli {
 
@@ -15,8 +15,7 @@ namespace bodkin::cli {
 struct Outcome {
   session::RunResult run;
   session::Session session;  // as it was saved
-  report::SessionSummary summary;
-  report::Verdict verdict;
+  training::Score score;
   std::filesystem::path file;
 
   double time() const;  // s of the session
@@ -25,7 +24,7 @@ struct Outcome {
   double speed() const;  // times real time
 };
 
-// Reads the session file that was just written.
+// Reads the session file that was just written and judges it by the case's procedure.
 Outcome read_outcome(const std::filesystem::path& file, const anatomy::Case& patient, session::RunResult run);
 
 // On one screen.

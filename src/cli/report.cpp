@@ -6,7 +6,7 @@
 #include <iterator>
 #include <memory>
 
-#include "report/session_summary.h"
+#include "report/force_limits.h"
 #include "session/case_digest.h"
 #include "session/session_file.h"
 #include "session/session_run.h"
@@ -21,6 +21,8 @@
 #include "core/files.h"
 #include "io/case_folder.h"
 #include "io/run_program.h"
+#include "training/procedure_file.h"
+#include "training/score_json.h"
 
 namespace bodkin::cli {
 
@@ -32,6 +34,8 @@ struct ReportArguments {
   std::string session;
   std::string folder;
   std::string output;
+  std::string procedure;
+  std::string experts;
   bool open = false;
 };
 
@@ -39,60 +43,6 @@ constexpr const char* report_footer = R"(Examples:
   bodkin report session.bodkin                       writes session.html beside it
   bodkin report session.bodkin -o report.html --open
   bodkin report session.bodkin --case moved/patient  when the case is not where it was recorded)";
-
-nlohmann::json optional_json(const std::optional<double>& value) {
-  return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
-}
-
-nlohmann::json json_of(const report::SessionSummary& summary, const report::Verdict& verdict,
-                       const anatomy::TissueLibrary& library) {
-  nlohmann::json result = {{"headline", verdict.headline},
-                           {"remarks", verdict.remarks},
-                           {"reached", verdict.reached},
-                           {"duration_s", summary.duration},
-                           {"time_in_body_s", summary.time_in_body},
-                           {"time_to_target_s", optional_json(summary.time_to_target)},
-                           {"target_tissue_at_s", optional_json(summary.target_tissue_time)},
-                           {"insertions", summary.insertions},
-                           {"redirections", summary.redirections},
-                           {"path_length_mm", summary.path_length},
-                           {"deviation_rms_mm", summary.deviation_rms},
-                           {"deviation_max_mm", summary.deviation_max},
-                           {"angle_at_contact_deg", summary.angle_at_contact},
-                           {"angle_at_end_deg", summary.angle_at_end},
-                           {"deepest_mm", summary.deepest},
-                           {"peak_force_N", summary.peak_force},
-                           {"peak_depth_mm", summary.peak_depth},
-                           {"peak_tissue", library.title(summary.peak_tissue)},
-                           {"work_N_mm", summary.work},
-                           {"final_tip_mm", json_point(summary.final_tip)},
-                           {"final_distance_mm", summary.final_error.distance},
-                           {"final_axial_mm", summary.final_error.axial},
-                           {"final_lateral_mm", summary.final_error.lateral},
-                           {"closest_distance_mm", summary.closest_distance},
-                           {"bone_contacts", summary.bone_contacts},
-                           {"losses_of_resistance", summary.losses_of_resistance},
-                           {"interventions", summary.interventions},
-                           {"limited_time_s", summary.limited_time}};
-  result["critical"] = nlohmann::json::array();
-  for (const report::CriticalEntry& entry : summary.critical) {
-    result["critical"].push_back({{"structure", entry.structure},
-                                  {"first_time_s", entry.time},
-                                  {"first_depth_mm", entry.depth},
-                                  {"time_inside_s", entry.time_inside},
-                                  {"entries", entry.entries}});
-  }
-  result["tissues"] = nlohmann::json::array();
-  for (const report::TissueTotal& total : summary.tissues) {
-    result["tissues"].push_back({{"tissue", library.title(total.tissue)},
-                                 {"from_mm", total.from},
-                                 {"to_mm", total.to},
-                                 {"time_s", total.time},
-                                 {"peak_force_N", total.peak_force},
-                                 {"peak_depth_mm", total.peak_depth}});
-  }
-  return result;
-}
 
 std::string text_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -124,18 +74,32 @@ void run_report(const ReportArguments& arguments, const CommandContext& context)
   const bool changed = !session::is_digest_of_case(session.header.case_digest, patient, text_of(folder / "case.xml"),
                                                    session::mesh_digest(folder, session.header.haptics.resistance));
   if (changed) console.note("the case has changed since the recording; slices and tissues show what it is now");
-  const report::SessionSummary summary = report::summarise(session, patient);
-  const report::Verdict verdict = report::judge(summary, session, patient);
-  const std::string html = report::report_html(session, patient, summary, changed);
+  const anatomy::CaseDescription description = training::description_of(session);
+  const training::Procedure procedure = arguments.procedure.empty()
+                                            ? training::procedure_of_case(description.procedure.name)
+                                            : training::find_procedure(arguments.procedure);
+  const auto experts = arguments.experts.empty() ? training::ExpertSet::shipped(procedure.name)
+                                                 : training::ExpertSet::read(arguments.experts);
+  // Voxels of another patient than the recorded one say nothing about what the needle met.
+  const training::PatientVolumes volumes =
+      changed ? training::PatientVolumes{} : training::PatientVolumes{&patient.structures, &patient.tissues};
+  const training::Score score =
+      training::score(session, description, procedure, volumes, experts ? &*experts : nullptr);
+  const std::string html = report::report_html(session, patient, score, changed);
 
   write_file(file, html);
-  console.line(verdict.headline);
-  for (const std::string& remark : verdict.remarks) console.line("  " + remark);
+  console.line(score.headline);
+  for (const training::Finding& each : score.findings) console.line("  " + each.sentence);
   console.line(fs::absolute(file).string());
-  nlohmann::json result = json_of(summary, verdict, patient.library);
+  nlohmann::ordered_json result;
   result["resistance"] = anatomy::name_of(session.header.haptics.resistance);
   result["constraint"] = anatomy::name_of(session.header.haptics.constraint);
+  const report::ForceLimits limits = report::force_limits(session);
+  result["interventions"] = limits.interventions;
+  result["limited_time_s"] = limits.time;
   result["report"] = fs::absolute(file).string();
+  const training::Attempt attempt(session, description);
+  result["score"] = nlohmann::ordered_json::parse(training::score_json(score, attempt, arguments.session));
   console.json(result.dump(2));
   if (!arguments.open) return;
   if (!has_display()) {
@@ -154,6 +118,8 @@ void add_report_command(CLI::App& app, CommandContext& context) {
   add_text(*command, "SESSION", arguments->session, "File of the session").required();
   add_text(*command, "--case", arguments->folder, "Folder of the case (default: where it was recorded)");
   add_text(*command, "-o,--output", arguments->output, "The report (default: beside the session, ending .html)");
+  add_text(*command, "--procedure", arguments->procedure, "Name or file of a procedure (default: the case's)");
+  add_text(*command, "--experts", arguments->experts, "Table of attempts of experts to compare with");
   add_switch(*command, "--open", arguments->open, "Open the report when there is a display");
   on_run(*command, [arguments, &context] { run_report(*arguments, context); });
 }

@@ -26,6 +26,10 @@ anatomy::Case load_case(const std::filesystem::path& folder, const Progress& pro
 anatomy::TissueVolume load_case_tissues(const std::filesystem::path& folder,
                                         const anatomy::CaseDescription& description, const Progress& progress = {});
 
+// Reads the segmentation alone, the same way; empty where the case has none.
+anatomy::LabelVolume load_case_structures(const std::filesystem::path& folder,
+                                          const anatomy::CaseDescription& description, const Progress& progress = {});
+
 // Writes case.xml (and nothing else) into `folder`; an older one is replaced whole. Throws SystemError when that
 // fails, and InputError when read_case_description would refuse what was written.
 void write_case_description(const anatomy::CaseDescription& description, const std::filesystem::path& folder);

@@ -117,6 +117,14 @@ anatomy::TissueVolume load_case_tissues(const fs::path& folder, const anatomy::C
       .wait(progress);
 }
 
+anatomy::LabelVolume load_case_structures(const fs::path& folder, const anatomy::CaseDescription& description,
+                                          const Progress& progress) {
+  if (description.structures_file.empty()) return {};
+  return VolumeLoading<std::uint16_t>(folder, "structures", description.structures_file, description.structures_digest,
+                                      read_labels_isolated)
+      .wait(progress);
+}
+
 std::vector<std::string> check_case(const fs::path& folder, const Progress& progress) {
   std::vector<std::string> problems;
   const auto attempt = [&problems](const auto& work) {

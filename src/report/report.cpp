@@ -6,6 +6,7 @@
 
 #include "report/crossings.h"
 #include "report/diagnostic_plot.h"
+#include "report/force_limits.h"
 #include "report/force_plot.h"
 #include "report/report_style.h"
 #include <fmt/format.h>
@@ -45,9 +46,8 @@ std::string spread(std::span<const session::TimeBin> bins) {
 
 class Page {
  public:
-  Page(const session::Session& session, const anatomy::Case& patient, const SessionSummary& summary,
-       bool case_changed)
-      : session_(session), patient_(patient), summary_(summary), case_changed_(case_changed) {}
+  Page(const session::Session& session, const anatomy::Case& patient, const training::Score& score, bool case_changed)
+      : session_(session), patient_(patient), score_(score), case_changed_(case_changed) {}
 
   std::string write() {
     const std::string title = spoken(patient_.description.procedure.name) + ", " + patient_.description.name;
@@ -58,15 +58,17 @@ class Page {
         imaging::escape_markup(title), report_style());
     emit("<h1>{}</h1>\n<p class=\"under\">operator {} · {} · {:.1f} s</p>\n", imaging::escape_markup(title),
          imaging::escape_markup(session_.header.operator_name), imaging::escape_markup(session_.header.started_at),
-         summary_.duration);
+         static_cast<double>(session_.ticks.back().tick - session_.ticks.front().tick) * session_.header.dt);
     verdict();
     tiles();
+    steps();
     force();
     pictures();
     course();
     second_hand();
     tissues();
     events();
+    measures();
     provenance();
     emit("</main>\n</body>\n</html>\n");
     return std::move(html_);
@@ -84,15 +86,14 @@ class Page {
   }
 
   void verdict() {
-    const Verdict verdict = judge(summary_, session_, patient_);
-    emit("<div class=\"verdict{}\"><strong>{}</strong>\n", verdict.reached ? " good" : "",
-         imaging::escape_markup(verdict.headline));
-    if (!verdict.remarks.empty()) {
-      emit("<ul>\n");
-      for (const std::string& remark : verdict.remarks) emit("<li>{}</li>\n", imaging::escape_markup(remark));
-      emit("</ul>\n");
+    const std::string_view grade = training::name_of(score_.verdict);
+    emit("<div class=\"verdict {}\"><strong>{}</strong>\n<ul>\n", grade, imaging::escape_markup(score_.headline));
+    for (const training::Finding& each : score_.findings) {
+      emit("<li class=\"{}\">{}</li>\n", training::name_of(each.grade), imaging::escape_markup(each.sentence));
     }
-    emit("</div>\n");
+    const std::string limits = force_limits(session_).sentence(patient_.description.device);
+    if (!limits.empty()) emit("<li>{}</li>\n", imaging::escape_markup(limits));
+    emit("</ul>\n</div>\n<p class=\"under\">Judged as {}.</p>\n", imaging::escape_markup(score_.title));
     if (case_changed_) {
       emit(
           "<p class=\"under\">The case on disk has changed since the recording; slices and tissues show what it is "
@@ -101,34 +102,67 @@ class Page {
     }
   }
 
-  void tile(const std::string& value, const char* what) {
-    emit("<div class=\"tile\"><b>{}</b><span>{}</span></div>\n", value, what);
+  // A few measures that say most; measures() has them all.
+  void tiles() {
+    emit("<div class=\"tiles\">\n");
+    for (const char* name :
+         {"final_distance_mm", "closest_distance_mm", "past_target_mm", "loss_overshoot_mm", "time_in_body_s",
+          "deviation_max_mm", "angle_at_contact_deg", "insertions", "redirections", "bone_contacts", "peak_force_N",
+          "path_length_mm", "smoothness", "tremor_mm"}) {
+      const training::MetricResult* result = score_.find(name);
+      if (result == nullptr) continue;
+      emit("<div class=\"tile{}\"><b>{}</b><span>{}</span></div>\n", grade_class(*result),
+           training::metric_text(*result->metric, result->value), result->metric->title);
+    }
+    emit("</div>\n");
   }
 
-  void tiles() {
-    const SessionSummary& s = summary_;
-    emit("<div class=\"tiles\">\n");
-    tile(fmt::format("{:.1f} mm", s.final_error.distance), "from the target at the end");
-    tile(fmt::format("{:.1f} mm", s.closest_distance), "from the target at the closest");
-    tile(s.time_to_target ? fmt::format("{:.1f} s", *s.time_to_target) : "never", "from skin to target");
-    tile(fmt::format("{:.1f} s", s.time_in_body), "in the body");
-    tile(fmt::format("{:.1f} mm", s.deviation_max), "off the planned path at most");
-    tile(fmt::format("{:.1f} mm", s.deviation_rms), "off the planned path, RMS");
-    tile(fmt::format("{:.1f}°", s.angle_at_contact), "off the planned axis at the skin");
-    tile(fmt::format("{:.1f}°", s.angle_at_end), "off the planned axis at the end");
-    tile(std::to_string(s.insertions), s.insertions == 1 ? "insertion" : "insertions");
-    tile(std::to_string(s.redirections), s.redirections == 1 ? "redirection" : "redirections");
-    tile(std::to_string(s.bone_contacts), s.bone_contacts == 1 ? "contact with bone" : "contacts with bone");
-    tile(fmt::format("{:.2f} N", s.peak_force), "largest resistance");
-    tile(fmt::format("{:.0f} mJ", s.work), "work done by the hand");
-    tile(fmt::format("{:.0f} mm", s.path_length), "travelled in the body");
-    tile(std::to_string(s.interventions), "times that the force was limited");
-    emit("</div>\n");
+  static std::string grade_class(const training::MetricResult& result) {
+    return result.grade ? fmt::format(" {}", training::name_of(*result.grade)) : std::string();
+  }
+
+  void steps() {
+    if (score_.steps.empty()) return;
+    emit(
+        "<h2>Step by step</h2>\n<table class=\"whole\">\n<thead><tr><th>step</th><th class=\"n\">reached at, s</th>"
+        "<th class=\"n\">depth, mm</th><th>what to do</th></tr></thead>\n<tbody>\n");
+    for (const training::StepResult& each : score_.steps) {
+      emit("<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"none\">{}</td></tr>\n",
+           imaging::escape_markup(each.title), each.time ? fmt::format("{:.1f}", *each.time) : "",
+           each.depth ? fmt::format("{:.1f}", *each.depth) : "", imaging::escape_markup(each.text));
+    }
+    emit("</tbody>\n</table>\n");
+  }
+
+  void measures() {
+    emit("<h2>Everything that was measured</h2>\n");
+    const bool experts = score_.experts > 0;
+    if (experts) {
+      emit(
+          "<p class=\"under\">Beside each value: the middle nine tenths of {} attempts of experts, and the share of "
+          "them with a smaller value.</p>\n",
+          score_.experts);
+    }
+    emit("<table>\n<thead><tr><th>measure</th><th class=\"n\">value</th>{}</tr></thead>\n<tbody>\n",
+         experts ? "<th class=\"n\">experts</th><th class=\"n\">percentile</th>" : "");
+    for (const training::MetricResult& each : score_.metrics) {
+      emit("<tr><td>{}</td><td class=\"n{}\">{}</td>", each.metric->title, grade_class(each),
+           training::metric_text(*each.metric, each.value));
+      if (experts && each.experts) {
+        emit("<td class=\"n\">{} to {}</td><td class=\"n\">{:.0f}</td>",
+             training::metric_text(*each.metric, each.experts->low),
+             training::metric_text(*each.metric, each.experts->high), each.experts->percentile);
+      } else if (experts) {
+        emit("<td></td><td></td>");
+      }
+      emit("</tr>\n");
+    }
+    emit("</tbody>\n</table>\n");
   }
 
   void force() {
     emit("<h2>What the needle felt</h2>\n");
-    if (summary_.insertions == 0) {
+    if (!score_.final_tip) {
       emit("<p class=\"none\">Nothing: it never touched the body.</p>\n");
       return;
     }
@@ -194,7 +228,7 @@ class Page {
 
   void tissues() {
     emit("<h2>Tissues that the tip was in</h2>\n");
-    if (summary_.tissues.empty()) {
+    if (score_.tissues.empty()) {
       emit("<p class=\"none\">None.</p>\n");
       return;
     }
@@ -204,7 +238,7 @@ class Page {
         "class=\"n\">time, "
         "s</th>"
         "<th class=\"n\">peak resistance, N</th><th class=\"n\">at, mm</th></tr></thead>\n<tbody>\n");
-    for (const TissueTotal& total : summary_.tissues) {
+    for (const training::TissueTotal& total : score_.tissues) {
       emit(
           "<tr><td>{}</td><td class=\"n\">{:.1f}</td><td class=\"n\">{:.1f}</td><td class=\"n\">{:.2f}</td>"
           "<td class=\"n\">{:.2f}</td><td class=\"n\">{:.1f}</td></tr>\n",
@@ -277,16 +311,16 @@ class Page {
 
   const session::Session& session_;
   const anatomy::Case& patient_;
-  const SessionSummary& summary_;
+  const training::Score& score_;
   bool case_changed_;
   std::string html_;
 };
 
 }  // namespace
 
-std::string report_html(const session::Session& session, const anatomy::Case& patient, const SessionSummary& summary,
+std::string report_html(const session::Session& session, const anatomy::Case& patient, const training::Score& score,
                         bool case_changed) {
-  return Page(session, patient, summary, case_changed).write();
+  return Page(session, patient, score, case_changed).write();
 }
 
 }  // namespace bodkin::report

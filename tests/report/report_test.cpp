@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "io/run_program.h"
+#include "training/procedure_file.h"
+#include "training/score.h"
 
 namespace bodkin {
 
@@ -32,6 +34,9 @@ Session session_of(const Profile& profile) {
   session.header.seed = 42;
   session.header.started_at = "2026-11-21T02:00:00Z";
   session.finished = true;
+  const TissueLibrary library = default_tissue_library();
+  for (const TissueProperties& each : library.tissues())
+    session.header.tissues.push_back({each.id, each.name, each.title});
   return session;
 }
 
@@ -40,7 +45,10 @@ struct Made {
   Session session = session_of(insert_at_constant_speed(patient, {}));
 
   std::string html(bool changed = false) {
-    return report_html(session, patient, summarise(session, patient), changed);
+    return report_html(session, patient,
+                       training::score(session, patient.description, training::find_procedure("lumbar_puncture"),
+                                       {&patient.structures, &patient.tissues}),
+                       changed);
   }
 };
 
@@ -103,9 +111,19 @@ TEST(Report, tables_repeat_their_heads_on_paper_and_settings_are_folded_away) {
     for (std::size_t at = html.find(text); at != std::string::npos; at = html.find(text, at + 1)) ++found;
     return found;
   };
-  EXPECT_EQ(count("<thead>"), 2);  // tissues and events
+  EXPECT_EQ(count("<thead>"), 4);  // steps, tissues, events and measures
   EXPECT_EQ(count("<details>"), 1);
   EXPECT_NE(html.find("\n  &quot;hand&quot;: {"), std::string::npos) << html.substr(html.find("<details>"), 300);
+}
+
+TEST(Report, is_green_for_a_pass_alone) {
+  Made made;
+  for (simulation::TickRecord& record : made.session.ticks) {
+    if (record.output.depth > 44.0) record.output.tissue = tissue::nerve;
+  }
+  EXPECT_NE(made.html().find("<div class=\"verdict dangerous\"><strong>Dangerous: the tip entered the cord"),
+            std::string::npos);
+  EXPECT_EQ(made.html().find("<div class=\"verdict pass\">"), std::string::npos);
 }
 
 TEST(Report, of_a_recording_that_broke_off_says_so) {

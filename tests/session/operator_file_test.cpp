@@ -1,22 +1,13 @@
 #include "session/operator_file.h"
 
-#include "patient/synthetic/lumbar.h"
-#include "report/session_summary.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "io/tissue_library_file.h"
-#include "simulation/closed_loop.h"
 
 namespace bodkin {
 
-using namespace bodkin::anatomy;
-using namespace bodkin::forces;
-using namespace bodkin::io;
-using namespace bodkin::patient;
-using namespace bodkin::report;
 using namespace bodkin::session;
 using namespace bodkin::simulation;
 namespace {
@@ -79,72 +70,6 @@ TEST(OperatorFile, faults_are_told_with_file_and_line) {
   EXPECT_THAT(refusal_of_text(file_with("<phase name=\"end\" speed_mm_per_s=\"5\">" + stop + "</phase>")),
               HasSubstr("called 'end'"));
   EXPECT_THROW(load_operator("/no/such/operator.xml"), InputError);
-}
-
-// The two operators that come with Bodkin, on the synthetic patient.
-class LumbarPuncture : public ::testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    patient_ = new Case;
-    patient_->library = default_tissue_library();
-    SyntheticPatient torso = synthesize_lumbar({}, patient_->library);
-    patient_->ct = std::move(torso.ct);
-    patient_->tissues = std::move(torso.tissues);
-    patient_->structures = std::move(torso.structures);
-    patient_->description.structures = std::move(torso.structure_table);
-    patient_->description.procedure.path = torso.path;
-    patient_->description.procedure.target_tissue = "cerebrospinal_fluid";
-  }
-  static void TearDownTestSuite() { delete patient_; }
-
-  static SessionSummary attempt(const std::string& name, std::uint64_t seed) {
-    const OperatorScript script = load_operator(name);
-    const NeedlePath path = *patient_->description.procedure.path;
-    ClosedLoop loop(*patient_, script, path, seed);
-    Session session;
-    session.header.dt = loop.dt();
-    session.header.path = path;
-    session.finished = true;
-    while (!loop.finished() && session.ticks.size() < 120000) {
-      TickRecord& record = session.ticks.emplace_back();
-      loop.step(record);
-      for (const Event& event : record.output.events) session.events.push_back({record.tick, event});
-    }
-    EXPECT_TRUE(loop.finished()) << name << ' ' << seed;
-    return summarise(session, *patient_);
-  }
-
-  static Case* patient_;
-};
-
-Case* LumbarPuncture::patient_ = nullptr;
-
-TEST_F(LumbarPuncture, the_expert_reaches_the_fluid_without_touching_bone) {
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    const SessionSummary summary = attempt("expert", seed);
-    EXPECT_TRUE(summary.target_tissue_time.has_value()) << seed;
-    EXPECT_EQ(summary.bone_contacts, 0) << seed;
-    EXPECT_GE(summary.losses_of_resistance, 1) << seed;
-    EXPECT_LT(summary.final_error.distance, 5.0) << seed;
-  }
-}
-
-TEST_F(LumbarPuncture, novices_stray_overshoot_and_strike_bone_more_than_experts) {
-  constexpr std::uint64_t people = 12;
-  SessionSummary sum[2];
-  for (std::uint64_t seed = 1; seed <= people; ++seed) {
-    for (const int who : {0, 1}) {
-      const SessionSummary summary = attempt(who == 0 ? "expert" : "novice", seed);
-      sum[who].deviation_max += summary.deviation_max;
-      sum[who].deepest += summary.deepest;
-      sum[who].bone_contacts += summary.bone_contacts;
-      sum[who].final_error.distance += summary.final_error.distance;
-    }
-  }
-  EXPECT_GT(sum[1].deviation_max, 2.0 * sum[0].deviation_max);
-  EXPECT_GT(sum[1].deepest, sum[0].deepest + 3.0 * people) << "3 mm deeper on average";
-  EXPECT_GE(sum[1].bone_contacts, sum[0].bone_contacts);
-  EXPECT_GT(sum[1].final_error.distance, 1.5 * sum[0].final_error.distance);
 }
 
 }  // namespace

@@ -5,8 +5,9 @@
 #include <exception>
 #include <utility>
 
-#include "report/session_summary.h"
 #include "session/session_file.h"
+
+#include "training/case_score.h"
 
 namespace bodkin::app {
 
@@ -20,16 +21,20 @@ AttemptResult result_of(const std::filesystem::path& file, const anatomy::Case& 
   result.session = file;
   result.run = std::move(run);
   const session::Session saved = session::read_session(file);
-  const report::SessionSummary summary = report::summarise(saved, patient);
-  const report::Verdict verdict = report::judge(summary, saved, patient);
-  result.reached = verdict.reached;
-  result.headline = verdict.headline;
-  result.remarks = verdict.remarks;
-  result.deepest = summary.deepest;
-  result.peak_force = summary.peak_force;
-  result.target_distance = summary.final_error.distance;
-  result.time_in_body = summary.time_in_body;
-  result.bone_contacts = summary.bone_contacts;
+  const training::Score score = training::score_on_case(saved, patient);
+  const auto value = [&score](const char* metric) {
+    const training::MetricResult* found = score.find(metric);
+    return found == nullptr ? 0.0 : found->value;
+  };
+  result.verdict = score.verdict;
+  result.reached = score.reached;
+  result.headline = score.headline;
+  for (const training::Finding& each : score.findings) result.remarks.push_back(each.sentence);
+  result.deepest = value("deepest_mm");
+  result.peak_force = value("peak_force_N");
+  result.target_distance = value("final_distance_mm");
+  result.time_in_body = value("time_in_body_s");
+  result.bone_contacts = static_cast<int>(value("bone_contacts"));
   return result;
 }
 

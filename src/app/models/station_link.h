@@ -13,12 +13,15 @@
 #include "station/station.h"
 #include "station/station_observer.h"
 
+#include "training/procedure.h"
+
 namespace bodkin::app {
 
 // How an attempt went, read from the session that was saved.
 struct AttemptResult {
   std::filesystem::path session;
   session::RunResult run;
+  training::Grade verdict = training::Grade::fail;
   bool reached = false;
   std::string headline;              // the verdict, one sentence
   std::vector<std::string> remarks;  // more of them, the worst first

@@ -1,0 +1,162 @@
+#include "training/attempt.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/geometry.h"
+#include "io/case_xml.h"
+#include "io/xml_document.h"
+
+namespace bodkin::training {
+
+namespace {
+
+constexpr double shortest_absence = 0.5;  // s outside, after which a contact is a new insertion
+constexpr double shortest_way_out = 5.0;  // mm outside, the same
+constexpr double rest_speed = 1.0;        // mm/s
+constexpr double rest_span = 0.1;         // s over which that speed is taken
+constexpr double rest_length = 0.5;       // s
+constexpr double same_depth = 1.0;        // mm within which two rests are equally deep
+constexpr double usual_tick = 1.5;        // ticks apart; more means that some were lost
+
+}  // namespace
+
+Attempt::Attempt(const session::Session& session, const anatomy::CaseDescription& description)
+    : session_(session), description_(description) {
+  if (session.ticks.empty()) throw InputError("the session holds no tick, so that there is nothing to judge");
+  const std::size_t count = session.ticks.size();
+  time.reserve(count), tip.reserve(count), axis.reserve(count), depth.reserve(count), resistance.reserve(count);
+  force.reserve(count), tissue.reserve(count), inside.reserve(count);
+  const std::uint64_t first = session.ticks.front().tick;
+  for (const simulation::TickRecord& record : session.ticks) {
+    const simulation::TickOutput& output = record.output;
+    time.push_back(static_cast<double>(record.tick - first) * dt());
+    tip.push_back(record.input.needle.translation());
+    axis.push_back(needle_axis(record.input.needle));
+    depth.push_back(output.depth);
+    resistance.push_back(output.resistance);
+    force.push_back(output.applied.force);
+    tissue.push_back(output.tissue);
+    inside.push_back(output.in_contact ? 1 : 0);
+    const std::size_t last = time.size() - 1;
+    if (last > 0 && inside[last] + inside[last - 1] > 0 && time[last] - time[last - 1] > usual_tick * dt())
+      missing += time[last] - time[last - 1] - dt();
+  }
+  find_insertions();
+  if (insertions.empty()) return;
+  find_rests();
+  find_final_tip();
+}
+
+void Attempt::find_insertions() {
+  double way_out = 0.0;  // mm outside since the last contact
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (inside[i] == 0) {
+      if (!insertions.empty()) way_out = std::max(way_out, (tip[i] - tip[insertions.back().last]).norm());
+      continue;
+    }
+    const bool is_new = insertions.empty() ||
+                        (insertions.back().last + 1 < i &&
+                         (way_out > shortest_way_out || time[i] - time[insertions.back().last] > shortest_absence));
+    if (is_new) insertions.push_back({i, i, 0.0});
+    insertions.back().last = i;
+    insertions.back().deepest = std::max(insertions.back().deepest, depth[i]);
+    way_out = 0.0;
+  }
+}
+
+void Attempt::find_rests() {
+  const Insertion& insertion = insertions.back();
+  const auto span = static_cast<std::size_t>(std::max(1.0, std::round(rest_span / dt())));
+  Rest rest;
+  Vec3 sum = Vec3::Zero();
+  double depths = 0.0;
+  std::size_t count = 0;
+  const auto close = [&] {
+    if (count > 0 && time[rest.last] - time[rest.first] >= rest_length - 0.5 * dt()) {
+      rest.tip = sum / static_cast<double>(count);
+      rest.depth = depths / static_cast<double>(count);
+      rests.push_back(rest);
+    }
+    count = 0;
+    sum.setZero();
+    depths = 0.0;
+  };
+  for (std::size_t i = insertion.first + span; i <= insertion.last; ++i) {
+    const double passed = time[i] - time[i - span];
+    const bool resting = inside[i] != 0 && (tip[i] - tip[i - span]).norm() < rest_speed * passed;
+    if (!resting) {
+      close();
+      continue;
+    }
+    if (count++ == 0) rest.first = i;
+    rest.last = i;
+    sum += tip[i];
+    depths += depth[i];
+  }
+  close();
+}
+
+void Attempt::find_final_tip() {
+  FinalPosition found;
+  if (!rests.empty()) {
+    const auto deeper = [](const Rest& a, const Rest& b) { return a.depth < b.depth; };
+    const double deepest = std::max_element(rests.begin(), rests.end(), deeper)->depth;
+    const auto last = std::find_if(rests.rbegin(), rests.rend(),
+                                   [&](const Rest& rest) { return rest.depth >= deepest - same_depth; });
+    found = {true, last->last, last->tip, last->depth, tissue_of(*last)};
+  } else {
+    const Insertion& insertion = insertions.back();
+    std::size_t deepest = insertion.first;
+    for (std::size_t i = insertion.first; i <= insertion.last; ++i)
+      if (inside[i] != 0 && depth[i] > depth[deepest]) deepest = i;
+    found = {false, deepest, tip[deepest], depth[deepest], tissue[deepest]};
+  }
+  final_tip = found;
+}
+
+anatomy::TissueId Attempt::tissue_of(const Rest& rest) const {
+  std::array<std::size_t, 256> ticks{};
+  for (std::size_t i = rest.first; i <= rest.last; ++i) ++ticks[tissue[i]];
+  return static_cast<anatomy::TissueId>(std::max_element(ticks.begin(), ticks.end()) - ticks.begin());
+}
+
+std::size_t Attempt::index_of(const session::SessionEvent& event) const {
+  const auto& ticks = session_.ticks;
+  const auto found =
+      std::lower_bound(ticks.begin(), ticks.end(), event.tick,
+                       [](const simulation::TickRecord& record, std::uint64_t tick) { return record.tick < tick; });
+  return found == ticks.end() ? size() - 1 : static_cast<std::size_t>(found - ticks.begin());
+}
+
+std::optional<anatomy::TissueId> Attempt::find_tissue(const std::string& name) const {
+  for (const session::TissueName& each : session_.header.tissues)
+    if (each.name == name) return each.id;
+  return std::nullopt;
+}
+
+std::string Attempt::title_of(anatomy::TissueId id) const {
+  for (const session::TissueName& each : session_.header.tissues)
+    if (each.id == id) return each.title;
+  return fmt::format("tissue {}", id);
+}
+
+anatomy::CaseDescription description_of(const session::Session& session) {
+  std::vector<anatomy::TissueProperties> tissues;
+  for (const session::TissueName& each : session.header.tissues) {
+    tissues.emplace_back();
+    tissues.back().id = each.id;
+    tissues.back().name = each.name;
+    tissues.back().title = each.title;
+  }
+  const anatomy::TissueLibrary library(std::move(tissues));
+  static const io::XmlSchema schema("case.xsd");
+  return io::parse_case_xml(session.header.case_xml, "the case.xml that the session keeps", schema,
+                            [&](const std::string&) { return library; });
+}
+
+}  // namespace bodkin::training

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "session/session_file.h"
+
+#include "anatomy/case.h"
+
+namespace bodkin::training {
+
+// An insertion: from the contact with the skin until the needle has left the body. A needle that comes back within
+// half a second, having been less than 5 mm outside, is still the same insertion.
+struct Insertion {
+  std::size_t first = 0;  // index of the first tick in contact
+  std::size_t last = 0;   // of the last one
+  double deepest = 0.0;   // mm
+};
+
+// A place in the body where the tip stayed for at least half a second: slower than 1 mm/s, measured over 0.1 s, so
+// that neither tremor nor the resolution of a device counts as motion.
+struct Rest {
+  std::size_t first = 0;
+  std::size_t last = 0;
+  Vec3 tip = Vec3::Zero();  // mean, LPS mm
+  double depth = 0.0;       // mean, mm
+};
+
+// Where the tip ended: the deepest rest of the last insertion (the last one of those within 1 mm of it), or the
+// insertion's deepest point when it did not rest. A rest before the skin was pierced is in air and none.
+struct FinalPosition {
+  bool is_rest = false;
+  std::size_t tick = 0;     // index: the end of the rest, or the deepest tick
+  Vec3 tip = Vec3::Zero();  // LPS mm
+  double depth = 0.0;       // mm
+  anatomy::TissueId tissue = anatomy::tissue::air;
+};
+
+// One recorded attempt, laid out for measuring: a column per quantity, all of one length. Everything comes from the
+// session, and the description from the case.xml that it keeps.
+class Attempt {
+ public:
+  // Throws InputError for a session without ticks. `session` must outlive the object.
+  Attempt(const session::Session& session, const anatomy::CaseDescription& description);
+
+  const session::Session& session() const { return session_; }
+  const anatomy::CaseDescription& description() const { return description_; }
+  const anatomy::NeedlePath& path() const { return session_.header.path; }
+  std::size_t size() const { return time.size(); }
+  double dt() const { return session_.header.dt; }
+
+  std::vector<double> time;                // s since the first tick
+  std::vector<Vec3> tip;                   // LPS mm
+  std::vector<Vec3> axis;                  // unit, hub to tip
+  std::vector<double> depth;               // mm along the needle's line
+  std::vector<double> resistance;          // N
+  std::vector<Vec3> force;                 // N, applied to the hand
+  std::vector<anatomy::TissueId> tissue;   // at the tip
+  std::vector<char> inside;                // 1: the needle touches the body
+  std::vector<Insertion> insertions;       // in order
+  std::vector<Rest> rests;                 // in the last insertion, in order
+  std::optional<FinalPosition> final_tip;  // none without an insertion
+  double missing = 0.0;                    // s of ticks that were lost while the needle was in the body
+
+  // Index of the first tick in contact, and of the last; only with an insertion.
+  std::size_t first_contact() const { return insertions.front().first; }
+  std::size_t last_contact() const { return insertions.back().last; }
+  // Index of the tick of an event.
+  std::size_t index_of(const session::SessionEvent& event) const;
+  // The tissue of that name in the session's own list.
+  std::optional<anatomy::TissueId> find_tissue(const std::string& name) const;
+  // "ligamentum flavum", or "tissue N" for an id that the session does not name.
+  std::string title_of(anatomy::TissueId id) const;
+
+ private:
+  void find_insertions();
+  void find_rests();
+  void find_final_tip();
+  anatomy::TissueId tissue_of(const Rest& rest) const;  // where the tip was for most of it
+
+  const session::Session& session_;
+  anatomy::CaseDescription description_;
+};
+
+// The description that the session keeps of its case. Throws InputError when it is none.
+anatomy::CaseDescription description_of(const session::Session& session);
+
+}  // namespace bodkin::training

@@ -1,0 +1,14 @@
+#include "training/case_score.h"
+
+#include "training/procedure_file.h"
+
+namespace bodkin::training {
+
+Score score_on_case(const session::Session& session, const anatomy::Case& patient) {
+  const Procedure procedure = procedure_of_case(patient.description.procedure.name);
+  const auto experts = ExpertSet::shipped(procedure.name);
+  return score(session, patient.description, procedure, {&patient.structures, &patient.tissues},
+               experts ? &*experts : nullptr);
+}
+
+}  // namespace bodkin::training

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "session/session_file.h"
+
+#include "training/score.h"
+
+namespace bodkin::training {
+
+// Judges a session that was just recorded on `patient`: by the procedure that the case names, with all its voxels,
+// and compared with the experts that come with Bodkin for it. Throws InputError.
+Score score_on_case(const session::Session& session, const anatomy::Case& patient);
+
+}  // namespace bodkin::training

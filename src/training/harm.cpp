@@ -1,0 +1,198 @@
+#include "training/harm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+
+namespace bodkin::training {
+
+namespace {
+
+constexpr double outside_before_reentry = 1.0;  // mm travelled outside before an entry counts again
+constexpr double near_miss_step = 0.25;         // mm of travel between two looks
+constexpr double organ_wall = 10.0;             // mm of the planned path before the target in which its organ begins
+
+// "inferior_vena_cava" becomes "inferior vena cava".
+std::string spoken_name(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+class HarmSearch {
+ public:
+  HarmSearch(const Attempt& attempt, const Procedure& procedure, const PatientVolumes& volumes)
+      : attempt_(attempt), procedure_(procedure), volumes_(volumes), covered_(attempt.size(), 0) {}
+
+  HarmReport search() {
+    structures();
+    tissues();
+    std::stable_sort(report_.harms.begin(), report_.harms.end(), [](const Harm& a, const Harm& b) {
+      return a.grade != b.grade ? a.grade > b.grade : a.first_time < b.first_time;
+    });
+    return std::move(report_);
+  }
+
+ private:
+  const Forbidden* rule_about(const std::string& structure) const {
+    for (const Forbidden& each : procedure_.forbidden)
+      if (each.structure == structure) return &each;
+    return nullptr;
+  }
+
+  bool forbids_tissue(const std::string& tissue) const {
+    return !tissue.empty() && std::any_of(procedure_.forbidden.begin(), procedure_.forbidden.end(),
+                                          [&](const Forbidden& each) { return each.tissue == tissue; });
+  }
+
+  // Labels of the organ that the planned target lies in: from the target back along the path, as long as the label is
+  // that of a structure that must not be entered.
+  std::set<std::uint16_t> meant(const std::set<std::uint16_t>& guarded) const {
+    std::set<std::uint16_t> found;
+    const anatomy::NeedlePath& path = attempt_.path();
+    const double length = path.length();
+    for (double back = 0.0; back <= std::min(length, organ_wall); back += 0.5) {
+      const Vec3 point = path.target - (length > 0.0 ? back * path.direction() : Vec3(Vec3::Zero()));
+      const auto label = anatomy::nearest<std::uint16_t>(*volumes_.structures, point, 0);
+      if (guarded.contains(label)) found.insert(label);
+      if (label != 0 && !guarded.contains(label) && !found.empty()) break;
+    }
+    return found;
+  }
+
+  void structures() {
+    std::set<std::uint16_t> guarded;
+    for (const anatomy::Structure& each : attempt_.description().structures)
+      if (each.critical || rule_about(each.name) != nullptr) guarded.insert(each.label);
+    if (guarded.empty()) return;
+    const bool can_look = volumes_.structures != nullptr && !volumes_.structures->empty();
+    const std::set<std::uint16_t> aim = can_look ? meant(guarded) : std::set<std::uint16_t>();
+    for (const anatomy::Structure& each : attempt_.description().structures) {
+      if (!guarded.contains(each.label) || aim.contains(each.label)) continue;
+      if (!can_look) {
+        if (!forbids_tissue(each.tissue)) report_.unchecked.push_back(spoken_name(each.name));
+        continue;
+      }
+      const Forbidden* rule = rule_about(each.name);
+      Forbidden forbidden;
+      if (rule != nullptr) forbidden = *rule;
+      if (forbidden.title.empty()) forbidden.title = "the " + spoken_name(each.name);
+      const auto is_in = [&](std::size_t i) {
+        return anatomy::nearest<std::uint16_t>(*volumes_.structures, attempt_.tip[i], 0) == each.label;
+      };
+      const auto distance = [&](const Vec3& tip) {
+        return distance_to_value(*volumes_.structures, tip, each.label, forbidden.margin);
+      };
+      look_for(forbidden, true, is_in, distance);
+    }
+  }
+
+  void tissues() {
+    for (const Forbidden& each : procedure_.forbidden) {
+      if (each.tissue.empty()) continue;
+      const auto id = attempt_.find_tissue(each.tissue);
+      if (!id) {
+        throw InputError(fmt::format(
+            "the procedure {} forbids the tissue '{}', which the session's patient does not know; name one of its "
+            "tissues in a procedure file of your own and give it with --procedure",
+            procedure_.name, each.tissue));
+      }
+      Forbidden forbidden = each;
+      if (forbidden.title.empty()) forbidden.title = attempt_.title_of(*id);
+      const auto is_in = [&](std::size_t i) { return attempt_.tissue[i] == *id && covered_[i] == 0; };
+      const bool can_look = volumes_.tissues != nullptr && !volumes_.tissues->empty();
+      const auto distance = [&](const Vec3& tip) {
+        return can_look ? distance_to_value(*volumes_.tissues, tip, *id, forbidden.margin) : forbidden.margin;
+      };
+      look_for(forbidden, false, is_in, distance);
+    }
+  }
+
+  template <typename IsIn, typename Distance>
+  void look_for(const Forbidden& forbidden, bool covers, const IsIn& is_in, const Distance& distance) {
+    Harm harm{.title = forbidden.title, .consequence = forbidden.consequence, .grade = forbidden.grade};
+    double outside = std::numeric_limits<double>::infinity();  // mm travelled since the tip was last in it
+    double since_look = std::numeric_limits<double>::infinity();
+    harm.closest = forbidden.margin;
+    for (std::size_t i = 0; i < attempt_.size(); ++i) {
+      const double step = i > 0 ? (attempt_.tip[i] - attempt_.tip[i - 1]).norm() : 0.0;
+      since_look += step;
+      if (attempt_.inside[i] == 0 || !is_in(i)) {
+        outside += step;
+        const bool look =
+            forbidden.margin > 0.0 && !harm.entered && attempt_.inside[i] != 0 && since_look >= near_miss_step;
+        if (!look) continue;
+        since_look = 0.0;
+        const double here = distance(attempt_.tip[i]);
+        if (here < harm.closest) {
+          harm.closest = here;
+          harm.first_time = attempt_.time[i];
+          harm.first_depth = attempt_.depth[i];
+        }
+        continue;
+      }
+      if (covers) covered_[i] = 1;
+      harm.time_inside += attempt_.dt();
+      if (!harm.entered) {
+        harm.entered = true;
+        harm.first_time = attempt_.time[i];
+        harm.first_depth = harm.deepest = attempt_.depth[i];
+      }
+      if (outside >= outside_before_reentry) ++harm.entries;
+      outside = 0.0;
+      harm.deepest = std::max(harm.deepest, attempt_.depth[i]);
+    }
+    if (harm.entered) {
+      harm.closest = 0.0;
+      report_.harms.push_back(harm);
+    } else if (harm.closest < forbidden.margin) {
+      harm.grade = Grade::borderline;
+      report_.harms.push_back(harm);
+    }
+  }
+
+  const Attempt& attempt_;
+  const Procedure& procedure_;
+  const PatientVolumes& volumes_;
+  std::vector<char> covered_;  // ticks that an entry into a structure accounts for
+  HarmReport report_;
+};
+
+}  // namespace
+
+HarmReport find_harm(const Attempt& attempt, const Procedure& procedure, const PatientVolumes& volumes) {
+  return HarmSearch(attempt, procedure, volumes).search();
+}
+
+template <typename Voxel>
+double distance_to_value(const anatomy::Volume<Voxel>& volume, const Vec3& point, Voxel value, double limit) {
+  const Vec3 index = volume.grid.to_index(point);
+  int low[3], high[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    const double reach = limit / volume.grid.spacing[axis] + 1.0;
+    const double last = volume.grid.size[static_cast<std::size_t>(axis)] - 1;
+    if (!(index[axis] + reach >= 0.0 && index[axis] - reach <= last)) return limit;
+    low[axis] = static_cast<int>(std::max(0.0, std::floor(index[axis] - reach)));
+    high[axis] = static_cast<int>(std::min(last, std::ceil(index[axis] + reach)));
+  }
+  double nearest = limit * limit;
+  for (int k = low[2]; k <= high[2]; ++k) {
+    for (int j = low[1]; j <= high[1]; ++j) {
+      for (int i = low[0]; i <= high[0]; ++i) {
+        if (volume.at(i, j, k) != value) continue;
+        const Vec3 beyond = ((Vec3(i, j, k) - index).cwiseAbs().array() - 0.5).max(0.0);
+        nearest = std::min(nearest, beyond.cwiseProduct(volume.grid.spacing).squaredNorm());
+      }
+    }
+  }
+  return std::sqrt(nearest);
+}
+
+template double distance_to_value(const anatomy::LabelVolume&, const Vec3&, std::uint16_t, double);
+template double distance_to_value(const anatomy::TissueVolume&, const Vec3&, std::uint8_t, double);
+
+}  // namespace bodkin::training

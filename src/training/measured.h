@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "training/attempt.h"
+#include "training/motion.h"
+
+namespace bodkin::training {
+
+// What followed when a tissue gave way.
+struct Puncture {
+  forces::EventKind kind = forces::EventKind::puncture;
+  anatomy::TissueId tissue = anatomy::tissue::air;  // that gave way
+  double time = 0.0;                                // s since the first tick
+  double depth = 0.0;                               // mm
+  double force = 0.0;                               // N: at which it gave way; of a loss of resistance, the drop
+  double overshoot = 0.0;  // mm that the tip went further until it stopped (slower than 1 mm/s inwards)
+  double speed = 0.0;      // mm/s, greatest on that way, over 20 ms
+  double reaction = 0.0;   // s until it stopped
+};
+
+// A tissue over the whole session, however often the tip came there.
+struct TissueTotal {
+  anatomy::TissueId tissue = anatomy::tissue::air;
+  double from = 0.0, to = 0.0;  // mm, shallowest and deepest depth of the tip in it
+  double time = 0.0;            // s
+  double peak_force = 0.0;      // N, largest resistance with the tip in it
+  double peak_depth = 0.0;      // mm
+  double work = 0.0;            // N mm that the hand did with the tip in it
+};
+
+// Where the planned target lies from a point.
+struct TargetError {
+  double distance = 0.0;  // mm
+  double axial = 0.0;     // mm along the planned path, positive = too deep
+  double lateral = 0.0;   // mm across it
+};
+TargetError target_error(const Vec3& tip, const anatomy::NeedlePath& path);
+
+// What several metrics are made from, found once.
+struct Measured {
+  explicit Measured(const Attempt& its_attempt);
+
+  const Attempt& attempt;
+  Motion motion;
+  double path_length = 0.0;  // mm in the body
+  std::optional<Tremor> tremor;
+  std::vector<Puncture> punctures;   // punctures and losses of resistance or pressure, in order
+  std::vector<TissueTotal> tissues;  // in the order of their first depth
+  int redirections = 0;              // retreats of over 5 mm, then an advance with the axis turned by over 3 deg
+  double work = 0.0;                 // N mm that the hand did against the applied force
+  double peak_force = 0.0;           // N, largest resistance in the body
+  double peak_depth = 0.0;           // mm, where that was
+  anatomy::TissueId peak_tissue = anatomy::tissue::air;
+
+  // The first loss of resistance, or else of pressure; nullptr when there was none.
+  const Puncture* loss() const;
+};
+
+}  // namespace bodkin::training

@@ -1,0 +1,158 @@
+#include "training/motion.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace bodkin::training {
+
+namespace {
+
+constexpr double cut_off = 10.0;         // Hz
+constexpr double rate = 100.0;           // Hz
+constexpr double filter_width = 3.0;     // standard deviations to each side
+constexpr double shortest_motion = 0.1;  // s
+constexpr int window = 100;              // samples of a spectrum, at `rate`: 1 Hz between its lines
+constexpr int lowest_line = 4;           // Hz
+constexpr int highest_line = 12;         // Hz
+
+// Means of the tip over 10 ms: what a spectrum at 100 Hz can show, and nothing folded into it that matters.
+struct Means {
+  std::vector<Vec3> tip;
+  std::vector<char> inside;  // all ticks of it
+};
+
+Means means_of(const Attempt& attempt) {
+  const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(1.0 / (rate * attempt.dt()))));
+  Means means;
+  for (std::size_t first = 0; first + stride <= attempt.size(); first += stride) {
+    Vec3 sum = Vec3::Zero();
+    bool inside = true;
+    for (std::size_t i = first; i < first + stride; ++i) {
+      sum += attempt.tip[i];
+      inside = inside && attempt.inside[i] != 0;
+    }
+    means.tip.push_back(sum / static_cast<double>(stride));
+    means.inside.push_back(inside ? 1 : 0);
+  }
+  return means;
+}
+
+// Adds the power of one window to `power` (mm^2, by line).
+void add_window(const std::vector<Vec3>& tip, std::size_t first, std::array<double, highest_line + 1>& power) {
+  static const std::array<double, window> weight = [] {
+    std::array<double, window> hann{};
+    for (int i = 0; i < window; ++i)
+      hann[static_cast<std::size_t>(i)] = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * (i + 0.5) / window);
+    return hann;
+  }();
+  // The trend: a line by least squares.
+  Vec3 mean = Vec3::Zero(), slope = Vec3::Zero();
+  double squares = 0.0;
+  for (int i = 0; i < window; ++i) {
+    const double x = i - 0.5 * (window - 1);
+    mean += tip[first + static_cast<std::size_t>(i)] / window;
+    slope += x * tip[first + static_cast<std::size_t>(i)];
+    squares += x * x;
+  }
+  slope /= squares;
+  double weights = 0.0;
+  for (const double each : weight) weights += each * each;
+  for (int line = lowest_line; line <= highest_line; ++line) {
+    Vec3 cosine = Vec3::Zero(), sine = Vec3::Zero();
+    for (int i = 0; i < window; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const double phase = 2.0 * std::numbers::pi * line * i / window, x = i - 0.5 * (window - 1);
+      const Vec3 value = weight[at] * (tip[first + at] - mean - x * slope);
+      cosine += std::cos(phase) * value;
+      sine += std::sin(phase) * value;
+    }
+    // One-sided, so that the lines of a window add up to the mean square of what lies in it.
+    power[static_cast<std::size_t>(line)] += 2.0 * (cosine.squaredNorm() + sine.squaredNorm()) / (weights * window);
+  }
+}
+
+}  // namespace
+
+Motion filtered_motion(const Attempt& attempt) {
+  const double sigma = std::sqrt(std::numbers::ln2) / (2.0 * std::numbers::pi * cut_off);  // s
+  const auto half = static_cast<std::ptrdiff_t>(std::ceil(filter_width * sigma / attempt.dt()));
+  std::vector<double> weights;
+  for (std::ptrdiff_t k = -half; k <= half; ++k) {
+    const double x = static_cast<double>(k) * attempt.dt() / sigma;
+    weights.push_back(std::exp(-0.5 * x * x));
+  }
+  const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(1.0 / (rate * attempt.dt()))));
+  Motion motion;
+  motion.interval = static_cast<double>(stride) * attempt.dt();
+  const auto count = static_cast<std::ptrdiff_t>(attempt.size());
+  for (std::size_t i = 0; i < attempt.size(); i += stride) {
+    Vec3 sum = Vec3::Zero();
+    double weight = 0.0;
+    for (std::ptrdiff_t k = -half; k <= half; ++k) {
+      const std::ptrdiff_t j = static_cast<std::ptrdiff_t>(i) + k;
+      if (j < 0 || j >= count) continue;
+      sum += weights[static_cast<std::size_t>(k + half)] * attempt.tip[static_cast<std::size_t>(j)];
+      weight += weights[static_cast<std::size_t>(k + half)];
+    }
+    motion.time.push_back(attempt.time[i]);
+    motion.tip.push_back(sum / weight);
+    motion.inside.push_back(attempt.inside[i]);
+  }
+  return motion;
+}
+
+double path_length(const Motion& motion) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < motion.tip.size(); ++i) {
+    if (motion.inside[i] != 0 && motion.inside[i - 1] != 0) length += (motion.tip[i] - motion.tip[i - 1]).norm();
+  }
+  return length;
+}
+
+std::optional<double> smoothness(const Motion& motion, double until) {
+  std::size_t first = 0;
+  while (first < motion.tip.size() && motion.inside[first] == 0) ++first;
+  std::size_t last = first;
+  while (last + 1 < motion.tip.size() && motion.time[last + 1] <= until) ++last;
+  const double h = motion.interval, duration = static_cast<double>(last - first) * h;
+  if (last <= first || duration < shortest_motion) return std::nullopt;
+  double fastest = 0.0, jerk = 0.0;
+  for (std::size_t i = first + 2; i + 2 <= last; ++i) {
+    // Central differences.
+    const Vec3 third = (motion.tip[i + 2] - 2.0 * motion.tip[i + 1] + 2.0 * motion.tip[i - 1] - motion.tip[i - 2]) /
+                       (2.0 * h * h * h);
+    jerk += third.squaredNorm() * h;
+    fastest = std::max(fastest, (motion.tip[i + 1] - motion.tip[i - 1]).norm() / (2.0 * h));
+  }
+  if (!(fastest > 0.0) || !(jerk > 0.0)) return std::nullopt;
+  return -std::log(duration * duration * duration / (fastest * fastest) * jerk);
+}
+
+std::optional<Tremor> tremor(const Attempt& attempt) {
+  const Means means = means_of(attempt);
+  std::array<double, highest_line + 1> power{};
+  int windows = 0;
+  for (std::size_t first = 0; first + window <= means.tip.size(); first += window / 2) {
+    const auto begin = means.inside.begin() + static_cast<std::ptrdiff_t>(first);
+    if (!std::all_of(begin, begin + window, [](char inside) { return inside != 0; })) continue;
+    add_window(means.tip, first, power);
+    ++windows;
+  }
+  if (windows == 0) return std::nullopt;
+  Tremor found;
+  double sum = 0.0, strongest = -1.0;
+  for (int line = lowest_line; line <= highest_line; ++line) {
+    const double here = power[static_cast<std::size_t>(line)] / windows;
+    sum += here;
+    if (here > strongest) {
+      strongest = here;
+      found.frequency = line;
+    }
+  }
+  found.amplitude = std::sqrt(sum);
+  return found;
+}
+
+}  // namespace bodkin::training

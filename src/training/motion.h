@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "training/attempt.h"
+
+namespace bodkin::training {
+
+// The tip's motion without the noise of the device: filtered by a Gaussian that halves the power at 10 Hz, without
+// delay, and sampled at 100 Hz. Third differences of positions at 1 kHz would be noise alone.
+struct Motion {
+  double interval = 0.01;    // s between points
+  std::vector<double> time;  // s since the first tick
+  std::vector<Vec3> tip;     // LPS mm
+  std::vector<char> inside;  // of the tick in the middle
+};
+Motion filtered_motion(const Attempt& attempt);
+
+// mm; sum of the distances between neighbouring points that are both in the body.
+double path_length(const Motion& motion);
+
+// Smoothness of the motion from the first point in the body to the point at time `until` (s): the logarithmic
+// dimensionless jerk
+//
+//   LDLJ = -ln( T^3 / v_peak^2 * integral of |j|^2 dt )
+//
+// (Hogan and Sternad 2009; Balasubramanian, Melendez-Calderon and Burdet 2012). A single movement of least jerk has
+// -ln(204.8) = -5.32; hesitation and correction make it lower. Nothing for less than 0.1 s or without motion.
+std::optional<double> smoothness(const Motion& motion, double until);
+
+// Involuntary trembling of the tip in the body.
+struct Tremor {
+  double amplitude = 0.0;  // mm, root mean square of the motion from 4 to 12 Hz, all directions together
+  double frequency = 0.0;  // Hz, where the power is greatest in that band
+};
+// Welch's estimate: windows of one second, half overlapping, Hann-weighted, each without its straight trend. Only
+// windows wholly in the body count; nothing without one.
+std::optional<Tremor> tremor(const Attempt& attempt);
+
+}  // namespace bodkin::training

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "session/session_file.h"
+
+#include "core/progress.h"
+#include "training/harm.h"
+#include "training/procedure.h"
+
+namespace bodkin::training {
+
+// The voxels of the patient that a session was recorded on, as far as a score can use them.
+struct RecordedPatient {
+  std::optional<anatomy::LabelVolume> structures;
+  std::optional<anatomy::TissueVolume> tissues;
+  std::string missing;  // why there are none: one sentence; empty where they were read
+
+  PatientVolumes volumes() const { return {structures ? &*structures : nullptr, tissues ? &*tissues : nullptr}; }
+};
+
+// Reads from the case in `folder` what `procedure` needs: the segmentation, and the tissues for near misses. The case
+// must be the session's own, its case.xml the same to the letter and its volumes those of the digests in it; if it is
+// gone or another one, `missing` says so. The CT is not read. Throws InputError for a damaged volume.
+RecordedPatient read_recorded_patient(const session::Session& session, const anatomy::CaseDescription& description,
+                                      const std::filesystem::path& folder, const Procedure& procedure,
+                                      const Progress& progress = {});
+
+}  // namespace bodkin::training

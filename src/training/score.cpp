@@ -1,0 +1,277 @@
+#include "training/score.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "session/tick_codec.h"
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/error.h"
+#include "training/sentences.h"
+
+namespace bodkin::training {
+
+namespace {
+
+constexpr std::string_view skin_suffix = "_skin";
+constexpr double longest_gap = 0.005;  // s of lost ticks in the body that hide nothing
+
+bool is_event_of(const session::SessionEvent& each, const std::string& name) {
+  return session::event_kind_name(each.event.kind) == name;
+}
+
+// Whether a name is one of those in a text with blanks between.
+bool is_among(std::string_view names, std::string_view name) {
+  for (std::size_t at = names.find(name); at != std::string_view::npos; at = names.find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    if ((at == 0 || names[at - 1] == ' ') && (end == names.size() || names[end] == ' ')) return true;
+  }
+  return false;
+}
+
+class Scorer {
+ public:
+  Scorer(const Attempt& attempt, const Procedure& procedure, const PatientVolumes& volumes, const ExpertSet* experts)
+      : attempt_(attempt), procedure_(procedure), volumes_(volumes), experts_(experts), measured_(attempt) {}
+
+  Score judge() {
+    score_.procedure = procedure_.name;
+    score_.title = procedure_.title;
+    score_.tissues = measured_.tissues;
+    score_.punctures = measured_.punctures;
+    score_.final_tip = attempt_.final_tip;
+    score_.experts = experts_ == nullptr ? 0 : experts_->size();
+    measure();
+    follow_steps();
+    const HarmReport harm = find_harm(attempt_, procedure_, volumes_);
+    score_.harms = harm.harms;
+    for (const Harm& each : harm.harms) add(each.grade, "harm", harm_sentence(each));
+    if (attempt_.insertions.empty()) {
+      add(Grade::fail, "goal", "The needle never touched the body.");
+    } else {
+      if (!harm.unchecked.empty()) {
+        add(Grade::borderline, "harm",
+            fmt::format("The patient's segmentation is not at hand, so that it could not be seen whether the tip "
+                        "entered {}; name the case with --case.",
+                        fmt::join(harm.unchecked, ", ")));
+      }
+      find_goal();
+      add(Grade::pass, "goal", ending_sentence(*attempt_.final_tip, attempt_));
+      tell_loss();
+      find_level();
+      check_needle();
+      rules();
+    }
+    check_recording();
+    finish();
+    return std::move(score_);
+  }
+
+ private:
+  void add(Grade grade, const std::string& subject, std::string sentence) {
+    score_.findings.push_back({grade, subject, std::move(sentence)});
+  }
+
+  void measure() {
+    for (const Metric& metric : all_metrics()) {
+      const std::optional<double> value = metric.compute(measured_);
+      if (!value) continue;
+      MetricResult result{.metric = &metric, .value = *value, .grade = {}, .experts = {}};
+      if (experts_ != nullptr) result.experts = experts_->place(metric.name, *value);
+      score_.metrics.push_back(result);
+    }
+  }
+
+  std::optional<std::size_t> first_in(const std::string& tissue) const {
+    const auto id = attempt_.find_tissue(tissue);
+    if (!id) {
+      throw InputError(
+          fmt::format("the procedure {} names the tissue '{}', which the session's patient does not know",
+                      procedure_.name, tissue));
+    }
+    for (std::size_t i = 0; i < attempt_.size(); ++i)
+      if (attempt_.inside[i] != 0 && attempt_.tissue[i] == *id) return i;
+    return std::nullopt;
+  }
+
+  std::optional<std::size_t> first_event(const std::string& name) const {
+    for (const session::SessionEvent& each : attempt_.session().events)
+      if (is_event_of(each, name)) return attempt_.index_of(each);
+    return std::nullopt;
+  }
+
+  void follow_steps() {
+    for (const Step& step : procedure_.steps) {
+      StepResult result{.title = step.title, .text = step.text, .time = {}, .depth = {}};
+      std::optional<std::size_t> at;
+      if (!step.tissue.empty()) at = first_in(step.tissue);
+      if (!step.event.empty()) at = first_event(step.event);
+      if (at) {
+        result.time = attempt_.time[*at];
+        result.depth = attempt_.depth[*at];
+      }
+      score_.steps.push_back(std::move(result));
+    }
+  }
+
+  // The tick at which a goal was reached.
+  std::optional<std::size_t> reached_at(const Goal& goal) const {
+    const FinalPosition& final_tip = *attempt_.final_tip;
+    switch (goal.by) {
+      case GoalKind::rest: {
+        const auto first = first_in(goal.tissue);  // which refuses an unknown tissue
+        const bool there = first && final_tip.is_rest && final_tip.tissue == *attempt_.find_tissue(goal.tissue);
+        return there ? std::optional(final_tip.tick) : std::nullopt;
+      }
+      case GoalKind::touch:
+        return first_in(goal.tissue);
+      case GoalKind::event:
+        return first_event(goal.event);
+      case GoalKind::near_target:
+        break;
+    }
+    const double within = goal.within > 0.0 ? goal.within : attempt_.description().procedure.target_tolerance;
+    const bool there = target_error(final_tip.tip, attempt_.path()).distance <= within;
+    return there ? std::optional(final_tip.tick) : std::nullopt;
+  }
+
+  void find_goal() {
+    std::optional<std::size_t> first;
+    for (const Goal& goal : procedure_.goals) {
+      const auto at = reached_at(goal);
+      if (!at || (first && *first <= *at)) continue;
+      first = at;
+      reached_words_ = goal_words(goal, attempt_, false);
+    }
+    score_.reached = first.has_value();
+    if (first) {
+      score_.reached_time = attempt_.time[*first];
+      return;
+    }
+    std::vector<std::string> wanted;
+    for (const Goal& goal : procedure_.goals) wanted.push_back(goal_words(goal, attempt_, true));
+    add(Grade::fail, "goal", fmt::format("The aim was not reached, that the tip {}.", fmt::join(wanted, ", or ")));
+  }
+
+  void tell_loss() {
+    const Puncture* loss = measured_.loss();
+    if (loss == nullptr) return;
+    Grade grade = Grade::pass;
+    std::string advice;
+    for (const Rule& rule : procedure_.rules) {
+      if (rule.metric != "loss_overshoot_mm") continue;
+      grade = rule.grade_of(loss->overshoot);
+      if (grade != Grade::pass && !rule.advice.empty()) advice = " " + rule.advice;
+    }
+    add(grade, "loss_overshoot_mm", loss_sentence(*loss, grade != Grade::pass) + advice);
+  }
+
+  void find_level() {
+    const Vec3& entry = attempt_.tip[attempt_.insertions.back().first];
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const anatomy::Landmark& each : attempt_.description().landmarks) {
+      if (!each.name.ends_with(skin_suffix)) continue;
+      const double distance = (each.position - entry).norm();
+      if (distance >= nearest) continue;
+      nearest = distance;
+      score_.level = each.name.substr(0, each.name.size() - skin_suffix.size());
+    }
+    if (score_.level.empty() || procedure_.levels.empty()) return;
+    const auto spoken = [](std::string name) {
+      std::replace(name.begin(), name.end(), '_', '/');
+      return name;
+    };
+    if (is_among(procedure_.levels, score_.level)) {
+      add(Grade::pass, "level", fmt::format("You entered at {}.", spoken(score_.level)));
+    } else {
+      add(Grade::fail, "level",
+          fmt::format("You entered at {}, expected {}.", spoken(score_.level), spoken(procedure_.levels)));
+    }
+  }
+
+  void check_needle() {
+    const int gauge = attempt_.description().needle.gauge;
+    if (gauge >= procedure_.thickest_gauge && gauge <= procedure_.thinnest_gauge) return;
+    add(Grade::pass, "needle",
+        fmt::format("A needle of {}G is unusual here: {}G to {}G is.", gauge, procedure_.thickest_gauge,
+                    procedure_.thinnest_gauge));
+  }
+
+  void rules() {
+    for (const Rule& rule : procedure_.rules) {
+      const auto result = std::find_if(score_.metrics.begin(), score_.metrics.end(),
+                                       [&](const MetricResult& each) { return each.metric->name == rule.metric; });
+      if (result == score_.metrics.end()) continue;
+      const Grade grade = rule.grade_of(result->value);
+      result->grade = worse(grade, result->grade.value_or(Grade::pass));
+      const bool told = rule.metric == "loss_overshoot_mm";  // by tell_loss()
+      if (grade != Grade::pass && !told) add(grade, rule.metric, rule_sentence(rule, *result->metric, result->value));
+    }
+  }
+
+  void check_recording() {
+    const session::Session& session = attempt_.session();
+    if (!session.finished)
+      add(Grade::borderline, "recording", "The recording broke off before its end; this is what was saved.");
+    if (attempt_.missing > longest_gap) {
+      add(Grade::borderline, "recording",
+          fmt::format("{:.3f} s of the recording are missing while the needle was in the body.", attempt_.missing));
+    }
+    if (first_event("fault"))
+      add(Grade::borderline, "recording", "A fault took the force away, so that you did not feel the tissue.");
+  }
+
+  void finish() {
+    std::stable_sort(score_.findings.begin(), score_.findings.end(),
+                     [](const Finding& a, const Finding& b) { return a.grade > b.grade; });
+    score_.verdict = Grade::pass;
+    for (const Finding& each : score_.findings) score_.verdict = worse(score_.verdict, each.grade);
+    score_.headline = headline();
+  }
+
+  std::string headline() const {
+    if (attempt_.insertions.empty()) return "Failed: the needle never touched the body";
+    const std::string ending = score_.reached ? fmt::format("the tip {}", reached_words_) : "the aim was not reached";
+    switch (score_.verdict) {
+      case Grade::pass:
+        return "Passed: " + ending;
+      case Grade::borderline:
+        return fmt::format("Borderline: {}, but not without fault", ending);
+      case Grade::fail:
+      case Grade::dangerous:
+        break;
+    }
+    const char* word = score_.verdict == Grade::dangerous ? "Dangerous" : "Failed";
+    if (!score_.harms.empty() && score_.harms.front().entered && score_.harms.front().grade == score_.verdict)
+      return fmt::format("{}: the tip entered {}", word, score_.harms.front().title);
+    if (!score_.reached) return fmt::format("{}: the aim was not reached", word);
+    std::string reason = score_.findings.front().subject;
+    if (const MetricResult* result = score_.find(reason)) reason = result->metric->title;
+    return fmt::format("{}: {}, but with a fault of {}", word, ending, reason);
+  }
+
+  const Attempt& attempt_;
+  const Procedure& procedure_;
+  const PatientVolumes& volumes_;
+  const ExpertSet* experts_;
+  Measured measured_;
+  Score score_;
+  std::string reached_words_;
+};
+
+}  // namespace
+
+const MetricResult* Score::find(std::string_view metric) const {
+  const auto found = std::find_if(metrics.begin(), metrics.end(),
+                                  [&](const MetricResult& each) { return each.metric->name == metric; });
+  return found == metrics.end() ? nullptr : &*found;
+}
+
+Score score(const session::Session& session, const anatomy::CaseDescription& description, const Procedure& procedure,
+            const PatientVolumes& volumes, const ExpertSet* experts) {
+  const Attempt attempt(session, description);
+  return Scorer(attempt, procedure, volumes, experts).judge();
+}
+
+}  // namespace bodkin::training

@@ -1,0 +1,202 @@
+#include "training/metric.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <numbers>
+#include <set>
+
+#include "tests/training/written_session.h"
+#include <gtest/gtest.h>
+
+#include "core/random.h"
+
+namespace bodkin {
+
+using namespace bodkin::forces;
+using namespace bodkin::training;
+namespace {
+
+std::optional<double> value_of(WrittenSession& written, std::string_view metric) {
+  const Attempt attempt(written.session(), written_description());
+  return find_metric(metric)->compute(Measured(attempt));
+}
+
+// A motion along the path of this length and time, by the polynomial of least jerk.
+WrittenSession least_jerk(double length, int ticks) {
+  WrittenSession written;
+  written.to(0, 100, WrittenSession::air).rest(300, WrittenSession::air);
+  for (int i = 0; i <= ticks; ++i) {
+    const double s = static_cast<double>(i) / ticks;
+    const double share = s * s * s * (10.0 - 15.0 * s + 6.0 * s * s);
+    written.add(Vec3(0, -length * share, 0), {true, tissue::fat, 1.0});
+  }
+  written.rest(300, {});  // too short to be a rest
+  return written;
+}
+
+TEST(Metric, names_are_unique_and_say_their_unit) {
+  std::set<std::string_view> names;
+  for (const Metric& metric : all_metrics()) {
+    EXPECT_TRUE(names.insert(metric.name).second) << metric.name;
+    EXPECT_EQ(find_metric(metric.name), &metric);
+    EXPECT_FALSE(metric.title.empty() || metric.definition.empty() || metric.source.empty()) << metric.name;
+    if (metric.unit == "mm") {
+      EXPECT_TRUE(metric.name.ends_with("_mm")) << metric.name;
+    }
+    if (metric.unit == "s") {
+      EXPECT_TRUE(metric.name.ends_with("_s")) << metric.name;
+    }
+  }
+  EXPECT_GE(names.size(), 35U);
+}
+
+TEST(Metric, a_straight_insertion_to_the_target_has_the_numbers_that_it_was_made_with) {
+  WrittenSession written;
+  written.to(0, 1000, WrittenSession::air);
+  written.to(50, 5000, {true, tissue::fat, 2.0}).rest(1000, {true, tissue::fat, 1.0});
+  EXPECT_NEAR(*value_of(written, "duration_s"), 7.0, 1e-9);
+  EXPECT_NEAR(*value_of(written, "time_in_body_s"), 6.0, 1e-9);
+  EXPECT_NEAR(*value_of(written, "final_distance_mm"), 0.0, 1e-9);
+  EXPECT_NEAR(*value_of(written, "deviation_max_mm"), 0.0, 1e-9);
+  EXPECT_NEAR(*value_of(written, "path_length_mm"), 50.0, 0.1);
+  EXPECT_NEAR(*value_of(written, "path_inefficiency_percent"), 0.0, 0.2);
+  EXPECT_NEAR(*value_of(written, "travel_along_mm"), 50.0, 0.1);
+  EXPECT_NEAR(*value_of(written, "swept_area_mm2"), 0.0, 1e-9);
+  EXPECT_NEAR(*value_of(written, "work_N_mm"), 100.0, 0.1);  // 2 N over 50 mm
+  EXPECT_NEAR(*value_of(written, "peak_force_N"), 2.0, 1e-12);
+  EXPECT_NEAR(*value_of(written, "mean_force_N"), 11.0 / 6.0, 1e-3);
+  EXPECT_EQ(*value_of(written, "insertions"), 1.0);
+  EXPECT_FALSE(value_of(written, "loss_depth_mm").has_value());
+  EXPECT_FALSE(value_of(written, "tip_to_slice_mean_mm").has_value());
+}
+
+TEST(Metric, a_miss_is_split_into_depth_and_side) {
+  WrittenSession written;
+  written.go(Vec3(4, 0, 3), 100, WrittenSession::air);
+  written.go(Vec3(4, -42, 3), 2000, {}).go(Vec3(4, -42, 3), 1000, {});
+  EXPECT_NEAR(*value_of(written, "final_axial_mm"), -8.0, 1e-6);
+  EXPECT_NEAR(*value_of(written, "final_lateral_mm"), 5.0, 1e-6);
+  EXPECT_NEAR(*value_of(written, "final_distance_mm"), std::sqrt(64.0 + 25.0), 1e-6);
+  EXPECT_NEAR(*value_of(written, "deviation_rms_mm"), 5.0, 1e-6);
+  EXPECT_EQ(*value_of(written, "past_target_mm"), 0.0);
+}
+
+TEST(Metric, drawing_back_and_turning_is_a_redirection_and_drawing_back_alone_is_none) {
+  const Vec3 turned = Vec3(std::sin(0.1), -std::cos(0.1), 0.0);  // 5.7 degrees
+  for (const bool turn : {false, true}) {
+    WrittenSession written;
+    written.to(30, 3000, {}).to(15, 1000, {});
+    written.go(Vec3(0, -40, 0), 2000, {}, turn ? turned : Vec3(-Vec3::UnitY()));
+    EXPECT_EQ(*value_of(written, "redirections"), turn ? 1.0 : 0.0);
+  }
+}
+
+TEST(Metric, a_needle_that_leaves_for_a_moment_is_still_the_same_insertion) {
+  WrittenSession written;
+  written.to(10, 500, {}).to(0, 200, {}).to(-1, 100, WrittenSession::air).to(10, 500, {});  // 0.1 s and 1 mm outside
+  EXPECT_EQ(*value_of(written, "insertions"), 1.0);
+  written.to(0, 200, {}).to(-8, 100, WrittenSession::air).to(10, 500, {});  // 8 mm
+  EXPECT_EQ(*value_of(written, "insertions"), 2.0);
+  written.to(0, 200, {}).to(-1, 600, WrittenSession::air).to(10, 500, {});  // 0.6 s
+  EXPECT_EQ(*value_of(written, "insertions"), 3.0);
+}
+
+TEST(Metric, the_final_position_is_the_deepest_rest_and_the_last_of_equal_ones) {
+  WrittenSession written;
+  written.to(20, 1000, {}).rest(1000, {}).to(40, 1000, {}).rest(1000, {}).to(39.5, 500, {}).rest(1000, {});
+  written.to(15, 1000, {}).rest(1000, {});
+  EXPECT_NEAR(*value_of(written, "final_axial_mm"), -10.5, 0.02);
+}
+
+TEST(Metric, tremor_does_not_lengthen_the_path_much_and_is_found_with_amplitude_and_frequency) {
+  WrittenSession written;
+  written.to(0, 100, WrittenSession::air);
+  constexpr double amplitude = 0.2, frequency = 9.0;  // mm, Hz
+  for (int i = 0; i < 5000; ++i) {
+    const double wave = amplitude * std::sin(2.0 * std::numbers::pi * frequency * i * 0.001);
+    written.add(Vec3(wave, -0.008 * i, 0), {});
+  }
+  EXPECT_NEAR(*value_of(written, "tremor_mm"), amplitude / std::sqrt(2.0), 0.02 * amplitude);
+  EXPECT_EQ(*value_of(written, "tremor_Hz"), frequency);
+  WrittenSession noisy;
+  noisy.to(0, 100, WrittenSession::air);
+  Random random(3);
+  for (int i = 0; i < 5000; ++i) noisy.add(Vec3(0.01 * random.normal(), -0.008 * i, 0.01 * random.normal()), {});
+  EXPECT_NEAR(*value_of(noisy, "path_length_mm"), 40.0, 0.3);  // 80 mm when every tick counts
+}
+
+// T^3/v^2 times the integral of the squared jerk is 720/1.875^2 = 204.8, whatever the length and the time.
+TEST(Metric, a_movement_of_least_jerk_has_the_smoothness_of_the_literature) {
+  for (const double length : {20.0, 45.0}) {
+    for (const int ticks : {2000, 4000}) {
+      WrittenSession written = least_jerk(length, ticks);
+      EXPECT_NEAR(*value_of(written, "smoothness"), -std::log(204.8), 0.2) << length << ' ' << ticks;
+    }
+  }
+  WrittenSession steps;
+  steps.to(0, 100, WrittenSession::air);
+  for (int i = 1; i <= 8; ++i) steps.to(5.0 * i, 200, {}).rest(200, {});
+  EXPECT_LT(*value_of(steps, "smoothness"), -8.0);
+}
+
+TEST(Metric, a_needle_turned_about_its_entry_sweeps_a_sector) {
+  WrittenSession written;
+  written.to(0, 100, WrittenSession::air).to(40, 1000, {});
+  const double straight = *value_of(written, "swept_area_mm2");
+  constexpr double turn = 0.2;  // rad
+  for (int i = 1; i <= 1000; ++i) {
+    const double angle = turn * i / 1000.0;
+    const Vec3 axis(std::sin(angle), -std::cos(angle), 0.0);
+    written.add(40.0 * axis, {}, axis);
+    written.session().ticks.back().output.depth = 40.0;
+  }
+  EXPECT_NEAR(*value_of(written, "swept_area_mm2") - straight, 0.5 * 40.0 * 40.0 * turn, 0.5);
+  EXPECT_NEAR(*value_of(written, "shaft_sweep_deg"), turn / degree, 0.1);
+}
+
+TEST(Metric, force_on_bone_is_that_between_meeting_and_leaving_it) {
+  WrittenSession written;
+  written.to(0, 100, WrittenSession::air).to(30, 1000, {true, tissue::muscle, 9.0});
+  written.to(30.1, 10, {true, tissue::cortical_bone, 2.0}).event(EventKind::bone_contact, tissue::cortical_bone);
+  written.rest(100, {true, tissue::cortical_bone, 4.5}).to(29, 10, {true, tissue::muscle, 1.0});
+  written.event(EventKind::bone_left).to(10, 500, {true, tissue::muscle, 8.0});
+  EXPECT_NEAR(*value_of(written, "bone_force_N"), 4.5, 1e-12);
+  EXPECT_EQ(*value_of(written, "bone_contacts"), 1.0);
+}
+
+TEST(Metric, the_needle_in_an_ultrasound_slice_is_measured_from_the_probes_pose) {
+  WrittenSession written;
+  written.to(0, 100, WrittenSession::air).to(40, 4000, {});
+  written.session().header.second = session::SecondHeader{session::SecondRole::probe, "{}"};
+  for (int i = 0; i < 400; ++i) {
+    session::SecondSample sample;
+    sample.time = 0.01 * i;
+    sample.position = Vec3(20, 0, 3);  // the slice lies in x and y, 3 mm beside the needle
+    sample.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(EIGEN_PI / 2, Vec3::UnitX()));
+    written.session().second.push_back(sample);
+  }
+  EXPECT_NEAR(*value_of(written, "tip_to_slice_mean_mm"), 3.0, 1e-9);
+  EXPECT_NEAR(*value_of(written, "tip_to_slice_max_mm"), 3.0, 1e-9);
+  EXPECT_NEAR(*value_of(written, "tip_in_slice_percent"), 0.0, 1e-9);
+  EXPECT_NEAR(*value_of(written, "needle_to_slice_deg"), 0.0, 1e-9);
+}
+
+// docs/metrics.md holds the table of all metrics; BODKIN_WRITE_PAGES=1 writes it.
+TEST(Metric, the_page_defines_every_one) {
+  const std::string file = BODKIN_REPOSITORY "/docs/metrics.md";
+  std::ifstream stream(file);
+  std::string page{std::istreambuf_iterator<char>(stream), {}};
+  const std::string table = metrics_table();
+  const std::size_t begin = page.find("| name |"), end = page.find("\n\n", begin);
+  ASSERT_NE(begin, std::string::npos);
+  if (std::getenv("BODKIN_WRITE_PAGES") != nullptr) {
+    page.replace(begin, end == std::string::npos ? std::string::npos : end + 1 - begin, table);
+    std::ofstream(file) << page;
+  }
+  EXPECT_NE(page.find(table), std::string::npos) << "BODKIN_WRITE_PAGES=1 training_tests writes the table";
+}
+
+}  // namespace
+}  // namespace bodkin

@@ -1,0 +1,63 @@
+#include "training/simulated_attempt.h"
+
+#include "session/operator_file.h"
+#include "tests/training/lumbar_patient.h"
+#include <gtest/gtest.h>
+
+#include "core/random.h"
+#include "training/procedure_file.h"
+#include "training/score.h"
+
+namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::training;
+namespace {
+
+Score attempt_score(const std::string& name, std::uint64_t seed) {
+  const Case& patient = lumbar_patient();
+  const session::Session session =
+      simulate_attempt(patient, session::load_operator(name), *patient.description.procedure.path, seed);
+  return score(session, patient.description, find_procedure("lumbar_puncture"),
+               {&patient.structures, &patient.tissues});
+}
+
+double value(const Score& score, const char* metric) {
+  const MetricResult* result = score.find(metric);
+  EXPECT_NE(result, nullptr) << metric;
+  return result == nullptr ? 0.0 : result->value;
+}
+
+// The two operators that come with Bodkin, on the synthetic patient.
+TEST(SimulatedAttempt, the_expert_reaches_the_fluid_without_touching_bone_and_passes) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const Score result = attempt_score("expert", seed);
+    EXPECT_EQ(result.verdict, Grade::pass) << seed << ' ' << result.headline << result.findings[0].sentence;
+    EXPECT_EQ(result.level, "L3_L4");
+    EXPECT_EQ(value(result, "bone_contacts"), 0.0) << seed;
+    EXPECT_LT(value(result, "final_distance_mm"), 5.0) << seed;
+  }
+}
+
+TEST(SimulatedAttempt, novices_stray_overshoot_and_strike_bone_more_than_experts) {
+  constexpr std::uint64_t people = 12;
+  double deviation[2] = {}, deepest[2] = {}, bone[2] = {}, distance[2] = {}, tremor[2] = {};
+  for (std::uint64_t seed = 1; seed <= people; ++seed) {
+    for (const int who : {0, 1}) {
+      const Score result = attempt_score(who == 0 ? "expert" : "novice", seed);
+      deviation[who] += value(result, "deviation_max_mm");
+      deepest[who] += value(result, "deepest_mm");
+      bone[who] += value(result, "bone_contacts");
+      distance[who] += value(result, "final_distance_mm");
+      tremor[who] += value(result, "tremor_mm");
+    }
+  }
+  EXPECT_GT(deviation[1], 2.0 * deviation[0]);
+  EXPECT_GT(deepest[1], deepest[0] + 3.0 * people) << "3 mm deeper on average";
+  EXPECT_GE(bone[1], bone[0]);
+  EXPECT_GT(distance[1], 1.5 * distance[0]);
+  EXPECT_GT(tremor[1], 2.0 * tremor[0]);
+}
+
+}  // namespace
+}  // namespace bodkin
