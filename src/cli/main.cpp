@@ -68,6 +68,7 @@ int main(int argc, char** argv) {
   bodkin::cli::add_perform_command(app, context);
   bodkin::cli::add_replay_command(app, context);
   bodkin::cli::add_export_command(app, context);
+  bodkin::cli::add_cohort_command(app, context);
   bodkin::cli::add_score_command(app, context);
   bodkin::cli::add_report_command(app, context);
   bodkin::cli::add_fit_command(app, context);

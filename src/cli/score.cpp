@@ -43,6 +43,14 @@ constexpr const char* score_footer = R"(Examples:
 Exit code 0: pass or borderline. 3: one of the attempts failed or was dangerous. docs/training.md explains the verdict
 and procedures of your own.)";
 
+// A field of RFC 4180: in quotes where it has to be.
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char character : text) quoted += character == '"' ? std::string("\"\"") : std::string(1, character);
+  return quoted + '"';
+}
+
 void print_score(const Console& console, const training::Score& score) {
   console.line(score.headline);
   for (const training::Finding& each : score.findings) {
@@ -64,7 +72,7 @@ void run_score(const ScoreArguments& arguments, CommandContext& context) {
   if (!arguments.procedure.empty()) chosen = training::find_procedure(arguments.procedure);
   std::optional<training::ExpertSet> given;
   if (!arguments.experts.empty()) given = training::ExpertSet::read(arguments.experts);
-  std::string table = training::score_csv_header();
+  std::string table = "session," + training::score_csv_columns() + "\n";
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const std::string& file : arguments.sessions) {
     const session::Session session = session::read_session(file);
@@ -92,7 +100,7 @@ void run_score(const ScoreArguments& arguments, CommandContext& context) {
     } else {
       print_score(console, score);
     }
-    table += training::score_csv_row(score, fs::path(file).filename().string());
+    table += fmt::format("{},{}\n", csv_field(fs::path(file).filename().string()), training::score_csv_fields(score));
     if (context.json) {
       const training::Attempt attempt(session, description);
       all.push_back(nlohmann::ordered_json::parse(training::score_json(score, attempt, file)));

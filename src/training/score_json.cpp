@@ -106,20 +106,20 @@ std::string score_json(const Score& score, const Attempt& attempt, const std::st
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace);
 }
 
-std::string score_csv_header() {
-  std::string text = "attempt,verdict,reached";
+std::string score_csv_columns() {
+  std::string text = "verdict,reached";
   for (const Metric& metric : all_metrics()) text += fmt::format(",{}", metric.name);
-  return text + "\n";
+  return text;
 }
 
-std::string score_csv_row(const Score& score, const std::string& attempt) {
-  std::string text = fmt::format("{},{},{}", attempt, name_of(score.verdict), score.reached ? 1 : 0);
+std::string score_csv_fields(const Score& score) {
+  std::string text = fmt::format("{},{}", name_of(score.verdict), score.reached ? 1 : 0);
   for (const Metric& metric : all_metrics()) {
     const MetricResult* result = score.find(metric.name);
     text += ",";
     if (result != nullptr && std::isfinite(result->value)) text += number_text(result->value);
   }
-  return text + "\n";
+  return text;
 }
 
 }  // namespace bodkin::training

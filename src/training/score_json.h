@@ -13,9 +13,9 @@ inline constexpr int score_version = 1;
 // does not have is null. `session`: the file that was scored.
 std::string score_json(const Score& score, const Attempt& attempt, const std::string& session);
 
-// One row of a table of attempts: the names of its columns, and the values of one score. Fields that a score does not
-// have are empty.
-std::string score_csv_header();
-std::string score_csv_row(const Score& score, const std::string& attempt);
+// A score in a table of attempts: the names of its columns, and its values in them, with commas between. Fields that
+// a score does not have are empty.
+std::string score_csv_columns();
+std::string score_csv_fields(const Score& score);
 
 }  // namespace bodkin::training

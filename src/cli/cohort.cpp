@@ -1,0 +1,140 @@
+#include "training/cohort.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "patient/prepared_body.h"
+#include "session/operator_file.h"
+#include "session/session_run.h"
+#include "session/session_schema.h"
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "core/error.h"
+#include "io/case_folder.h"
+#include "io/resources.h"
+#include "training/procedure_file.h"
+
+namespace bodkin::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t most_trainees = 1'000'000;
+constexpr std::int64_t most_threads = 1024;
+
+struct CohortArguments {
+  std::string plan;
+  std::string output = "cohort.csv";
+  std::string performer;
+  std::int64_t trainees = 100;
+  std::int64_t seed = 1;
+  std::int64_t threads = 0;
+};
+
+constexpr const char* cohort_footer = R"(Examples:
+  bodkin cohort plan.xml --trainees 1000 --seed 7       simulated trainees who learn
+  bodkin cohort plan.xml --operator expert -o experts.csv
+                                                         a table of experts, for 'bodkin score --experts'
+
+The same plan, seed and patients give the same table for any number of threads. A call that was interrupted is continued
+by the same call. docs/cohorts.md explains plans, trainees and the table.)";
+
+// The patients of a plan, each loaded once.
+using Patients = std::map<std::string, anatomy::Case>;
+
+training::CohortSettings cohort_settings(const CohortArguments& arguments, Patients& patients, Console& console) {
+  training::CohortSettings settings;
+  settings.trainees = static_cast<std::uint64_t>(arguments.trainees);
+  settings.seed = static_cast<std::uint64_t>(arguments.seed);
+  settings.threads = static_cast<int>(arguments.threads);
+  settings.output = arguments.output;
+  settings.novice = session::load_operator("novice");
+  settings.expert = session::load_operator("expert");
+  if (!arguments.performer.empty()) settings.performer = session::load_operator(arguments.performer);
+  const training::Plan plan = training::read_plan(arguments.plan);
+  std::string all = fmt::format(
+      "{} {} {} {}", BODKIN_VERSION, settings.trainees, settings.seed,
+      session::operator_json(settings.performer.value_or(settings.expert)) + session::operator_json(settings.novice));
+  for (const training::PlanStage& each : plan.stages) {
+    training::CohortStage stage{.plan = each, .procedure = {}, .patient = nullptr, .path = {}};
+    const auto [place, is_new] = patients.try_emplace(each.patient);
+    anatomy::Case& patient = place->second;
+    if (is_new) patient = io::load_case(each.patient, console.progress());
+    if (!patient.description.procedure.path) {
+      throw InputError(fmt::format("{}: stage '{}': the case {} has no planned path; plan one with 'bodkin case new'",
+                                   arguments.plan, each.title, each.patient));
+    }
+    stage.path = *patient.description.procedure.path;
+    if (is_new) {
+      patient::prepare_body(patient, each.patient, stage.path, console.progress(),
+                            [&](const std::string& text) { console.note(text); });
+    }
+    stage.patient = &patient;
+    stage.procedure = each.procedure.empty() ? training::procedure_of_case(patient.description.procedure.name)
+                                             : training::find_procedure(each.procedure);
+    all += fmt::format(" {} {} {} {}", stage.procedure.name, each.attempts, each.passes,
+                       io::read_text_file(fs::path(each.patient) / "case.xml", session::largest_case_xml));
+    settings.stages.push_back(std::move(stage));
+  }
+  settings.fingerprint = session::text_checksum(all);
+  return settings;
+}
+
+void print_cohort(const Console& console, const training::CohortResult& result, const CohortArguments& arguments) {
+  console.line(fmt::format("{} attempts of {} trainees", result.attempts, arguments.trainees));
+  for (const auto& [verdict, count] : result.verdicts)
+    console.line(fmt::format("  {:<11} {:>7}  {:5.1f} %", verdict, count,
+                             100.0 * count / static_cast<double>(result.attempts)));
+  console.line("passed, by number of the attempt");
+  for (std::size_t i = 0; i < result.passed_by_attempt.size(); ++i)
+    console.line(fmt::format("  {:>4} {:6.1f} %", i + 1, 100.0 * result.passed_by_attempt[i]));
+  if (arguments.performer.empty())
+    console.line(fmt::format("mastery shown by {} of {} (CUSUM)", result.mastered, arguments.trainees));
+  console.line(fs::absolute(arguments.output).lexically_normal().string());
+}
+
+void run_cohort_command(const CohortArguments& arguments, const CommandContext& context) {
+  Console console(context);
+  require_writable(arguments.output, "--output", arguments.plan);
+  Patients patients;
+  const training::CohortSettings settings = cohort_settings(arguments, patients, console);
+  const training::CohortResult result = training::run_cohort(settings, console.progress());
+  console.clear_bar();
+  if (result.continued > 0) console.note(fmt::format("{} trainees had been done before", result.continued));
+  print_cohort(console, result, arguments);
+  console.json(nlohmann::ordered_json{{"attempts", result.attempts},
+                                      {"trainees", arguments.trainees},
+                                      {"continued", result.continued},
+                                      {"verdicts", result.verdicts},
+                                      {"passed_by_attempt", result.passed_by_attempt},
+                                      {"mastered", result.mastered},
+                                      {"table", fs::absolute(arguments.output).lexically_normal().string()}}
+                   .dump(2));
+}
+
+}  // namespace
+
+void add_cohort_command(CLI::App& app, CommandContext& context) {
+  auto arguments = std::make_shared<CohortArguments>();
+  CLI::App* command = add_command(app, "cohort", "Simulated trainees go through a plan, on all cores", cohort_footer);
+  add_text(*command, "PLAN", arguments->plan, "File of the plan").required();
+  add_whole_number(*command, "--trainees", arguments->trainees, 1, most_trainees, "How many, 1 to 1000000");
+  add_whole_number(*command, "--seed", arguments->seed, 0, std::numeric_limits<std::int64_t>::max(),
+                   "What chance is made from");
+  add_text(*command, "--operator", arguments->performer,
+           "expert, novice or an operator file: performs in place of trainees who learn");
+  add_text(*command, "-o,--output", arguments->output, "The table (default: cohort.csv); it is replaced");
+  add_whole_number(*command, "--threads", arguments->threads, 0, most_threads, "0: as many as the machine has cores");
+  on_run(*command, [arguments, &context] { run_cohort_command(*arguments, context); });
+}
+
+}  // namespace bodkin::cli

@@ -1,0 +1,169 @@
+#include "training/cohort.h"
+
+#include <algorithm>
+#include <fstream>
+#include <mutex>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/parallel_for.h"
+#include "core/random.h"
+#include "training/cusum.h"
+#include "training/score.h"
+#include "training/score_json.h"
+#include "training/simulated_attempt.h"
+#include "training/trainee.h"
+
+namespace bodkin::training {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view end_of_trainee = "# end of trainee ";
+
+// The rows of one trainee, each with its line end.
+using Block = std::string;
+
+class Cohort {
+ public:
+  explicit Cohort(const CohortSettings& settings)
+      : settings_(settings),
+        partial_(settings.output.string() + ".partial"),
+        first_line_(fmt::format("# {}\n", settings.fingerprint)),
+        blocks_(settings.trainees) {}
+
+  CohortResult run(const Progress& progress) {
+    load_partial();
+    // Written anew, so that a row that broke off is not continued.
+    std::string known = first_line_;
+    for (std::uint64_t trainee = 0; trainee < blocks_.size(); ++trainee) {
+      if (blocks_[trainee].empty()) continue;
+      known += blocks_[trainee] + end_line(trainee);
+      ++result_.continued;
+    }
+    write_file(partial_, known);
+    stream_.open(partial_, std::ios::binary | std::ios::app);
+    parallel_for(
+        blocks_.size(), "practising", progress,
+        [&](std::size_t trainee) {
+          if (blocks_[trainee].empty()) finish(trainee, practise(trainee));
+        },
+        settings_.threads);
+    std::string table = "trainee,stage,attempt,skill," + score_csv_columns() + "\n";
+    for (const Block& block : blocks_) table += block;
+    write_file(settings_.output, table);
+    stream_.close();
+    fs::remove(partial_);
+    summarise();
+    return std::move(result_);
+  }
+
+ private:
+  static std::string end_line(std::uint64_t trainee) { return fmt::format("{}{}\n", end_of_trainee, trainee); }
+
+  void load_partial() {
+    std::ifstream stream(partial_, std::ios::binary);
+    std::string line;
+    if (!stream || !std::getline(stream, line)) return;
+    if (line + "\n" != first_line_) {
+      throw InputError(fmt::format(
+          "{} was begun with another plan, seed, patient or version; remove it, or give another name with --output",
+          partial_.string()));
+    }
+    Block block;
+    while (std::getline(stream, line)) {
+      if (!line.starts_with(end_of_trainee)) {
+        block += line + "\n";
+        continue;
+      }
+      std::uint64_t trainee = blocks_.size();
+      std::istringstream(line.substr(end_of_trainee.size())) >> trainee;
+      if (trainee < blocks_.size()) blocks_[trainee] = block;
+      block.clear();
+    }
+  }
+
+  Block practise(std::uint64_t number) const {
+    const Trainee trainee = draw_trainee(settings_.seed, number);
+    Block rows;
+    int done = 0;
+    for (std::size_t stage = 0; stage < settings_.stages.size(); ++stage) {
+      const CohortStage& here = settings_.stages[stage];
+      int in_a_row = 0;
+      for (int attempt = 1; attempt <= here.plan.attempts; ++attempt, ++done) {
+        const double skill = settings_.performer ? 1.0 : trainee.skill_after(done);
+        const simulation::OperatorScript script =
+            settings_.performer ? *settings_.performer : operator_of_skill(settings_.novice, settings_.expert, skill);
+        const std::uint64_t chance =
+            mix64(settings_.seed) ^ mix64(number + 1) ^ mix64(0x5EED0000ULL + static_cast<std::uint64_t>(done));
+        const session::Session session = simulate_attempt(*here.patient, script, here.path, chance);
+        const Score result = score(session, here.patient->description, here.procedure,
+                                   {&here.patient->structures, &here.patient->tissues});
+        rows +=
+            fmt::format("{},{},{},{},{}\n", number, stage + 1, attempt, number_text(skill), score_csv_fields(result));
+        in_a_row = result.verdict == Grade::pass ? in_a_row + 1 : 0;
+        if (here.plan.passes > 0 && in_a_row >= here.plan.passes) {
+          ++done;
+          break;
+        }
+      }
+    }
+    return rows;
+  }
+
+  void finish(std::uint64_t trainee, Block rows) {
+    const std::lock_guard guard(lock_);
+    stream_ << rows << end_line(trainee) << std::flush;
+    if (!stream_) throw SystemError(fmt::format("{} cannot be written; is the disk full?", partial_.string()));
+    blocks_[trainee] = std::move(rows);
+  }
+
+  void summarise() {
+    std::vector<int> passed, all;
+    const Cusum cusum({});
+    for (const Block& block : blocks_) {
+      std::istringstream lines(block);
+      std::vector<char> failed;
+      for (std::string line; std::getline(lines, line);) {
+        std::istringstream fields(line);
+        std::string verdict;
+        for (int field = 0; field < 5; ++field) std::getline(fields, verdict, ',');
+        ++result_.attempts;
+        ++result_.verdicts[verdict];
+        const std::size_t attempt = failed.size();
+        failed.push_back(verdict == name_of(Grade::fail) || verdict == name_of(Grade::dangerous) ? 1 : 0);
+        if (passed.size() <= attempt) {
+          passed.push_back(0);
+          all.push_back(0);
+        }
+        passed[attempt] += verdict == name_of(Grade::pass) ? 1 : 0;
+        ++all[attempt];
+      }
+      const std::vector<Cusum::Point> curve = cusum.curve(failed);
+      result_.mastered +=
+          std::any_of(curve.begin(), curve.end(), [](const Cusum::Point& point) { return point.mastery; }) ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < all.size(); ++i)
+      result_.passed_by_attempt.push_back(static_cast<double>(passed[i]) / all[i]);
+  }
+
+  const CohortSettings& settings_;
+  fs::path partial_;
+  std::string first_line_;
+  std::vector<Block> blocks_;  // by trainee; empty: not done
+  std::mutex lock_;            // guards stream_
+  std::ofstream stream_;
+  CohortResult result_;
+};
+
+}  // namespace
+
+CohortResult run_cohort(const CohortSettings& settings, const Progress& progress) {
+  return Cohort(settings).run(progress);
+}
+
+}  // namespace bodkin::training

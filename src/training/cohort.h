@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "anatomy/case.h"
+#include "core/progress.h"
+#include "simulation/operator_script.h"
+#include "training/plan.h"
+#include "training/procedure.h"
+
+namespace bodkin::training {
+
+// A stage with what it needs, loaded.
+struct CohortStage {
+  PlanStage plan;
+  Procedure procedure;
+  const anatomy::Case* patient = nullptr;
+  anatomy::NeedlePath path;
+};
+
+struct CohortSettings {
+  std::vector<CohortStage> stages;
+  std::uint64_t trainees = 1;
+  std::uint64_t seed = 1;
+  // Who performs: an operator that never learns, or, without one, trainees between these two.
+  std::optional<simulation::OperatorScript> performer;
+  simulation::OperatorScript novice, expert;
+  std::string fingerprint;       // of all that decides the numbers; a table begun with another one is not continued
+  std::filesystem::path output;  // the table
+  int threads = 0;               // 0: as many as the machine has cores
+};
+
+// What a whole cohort came to.
+struct CohortResult {
+  std::uint64_t attempts = 0;
+  std::uint64_t continued = 0;            // trainees that an earlier, interrupted call had done
+  std::map<std::string, int> verdicts;    // by name
+  std::vector<double> passed_by_attempt;  // share of the n-th attempts of all trainees that passed
+  int mastered = 0;  // trainees whose CUSUM crossed the lower limit; 10 % failures acceptable, 30 % not
+};
+
+// Lets simulated trainees go through a plan on all cores and writes a table in CSV, one row for each attempt:
+// trainee, stage, attempt, skill, verdict, every metric. An attempt depends on nothing but the plan, the seed and the
+// trainee's number, so that the table has the same bytes for any number of threads. Trainees that are done stand in
+// `output`.partial: a call that was interrupted is continued by the same call. Throws InputError and SystemError.
+CohortResult run_cohort(const CohortSettings& settings, const Progress& progress = {});
+
+}  // namespace bodkin::training

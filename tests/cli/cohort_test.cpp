@@ -1,0 +1,37 @@
+#include "tests/cli/bodkin_command.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace bodkin_test {
+namespace {
+
+using ::testing::HasSubstr;
+using CohortCommand = PatientCommand;
+
+const char* const plan =
+    "<plan version=\"1\" name=\"p\" title=\"P\"><stage title=\"a\" case=\"patient\" attempts=\"2\"/></plan>";
+
+TEST_F(CohortCommand, of_experts_makes_a_table_that_score_compares_with) {
+  write("plan.xml", plan);
+  const Outcome made = bodkin("-q --json cohort plan.xml --trainees 3 --operator expert -o experts.csv");
+  ASSERT_EQ(made.exit_code, 0) << made.text();
+  const auto json = nlohmann::json::parse(made.output);
+  EXPECT_EQ(json.at("attempts"), 6);
+  EXPECT_EQ(lines_of(text_of("experts.csv")), 7);
+  ASSERT_EQ(bodkin("-q run patient -o s.bodkin").exit_code, 0);
+  const Outcome said = bodkin("-q --json score s.bodkin --experts experts.csv");
+  ASSERT_EQ(said.exit_code, 0) << said.text();
+  EXPECT_EQ(nlohmann::json::parse(said.output).at("experts"), 6);
+}
+
+TEST_F(CohortCommand, refuses_a_plan_of_a_case_that_there_is_not) {
+  write("lost.xml", "<plan version=\"1\" name=\"p\" title=\"P\"><stage title=\"a\" case=\"nowhere\"/></plan>");
+  const Outcome said = bodkin("-q cohort lost.xml");
+  EXPECT_EQ(said.exit_code, 2);
+  EXPECT_THAT(said.errors, HasSubstr("nowhere"));
+  EXPECT_EQ(bodkin("-q cohort no_plan.xml").exit_code, 2);
+}
+
+}  // namespace
+}  // namespace bodkin_test
