@@ -129,7 +129,7 @@ class Page {
     for (const training::StepResult& each : score_.steps) {
       emit("<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"none\">{}</td></tr>\n",
            imaging::escape_markup(each.title), each.time ? fmt::format("{:.1f}", *each.time) : "",
-           each.depth ? fmt::format("{:.1f}", *each.depth) : "", imaging::escape_markup(each.text));
+           each.depth ? fmt::format("{:.1f}", std::max(0.0, *each.depth)) : "", imaging::escape_markup(each.text));
     }
     emit("</tbody>\n</table>\n");
   }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "io/tissue_library_file.h"
 
 namespace bodkin::training {
 
@@ -96,10 +97,8 @@ class HarmSearch {
       if (each.tissue.empty()) continue;
       const auto id = attempt_.find_tissue(each.tissue);
       if (!id) {
-        throw InputError(fmt::format(
-            "the procedure {} forbids the tissue '{}', which the session's patient does not know; name one of its "
-            "tissues in a procedure file of your own and give it with --procedure",
-            procedure_.name, each.tissue));
+        require_known_tissue(each.tissue, procedure_);
+        continue;  // a session from before Bodkin knew it
       }
       Forbidden forbidden = each;
       if (forbidden.title.empty()) forbidden.title = attempt_.title_of(*id);
@@ -163,6 +162,15 @@ class HarmSearch {
 };
 
 }  // namespace
+
+void require_known_tissue(const std::string& tissue, const Procedure& procedure) {
+  static const anatomy::TissueLibrary library = io::default_tissue_library();
+  if (library.find(tissue) != nullptr) return;
+  throw InputError(fmt::format(
+      "the procedure {} names the tissue '{}', which neither the session's patient nor Bodkin knows; correct "
+      "the name",
+      procedure.name, tissue));
+}
 
 HarmReport find_harm(const Attempt& attempt, const Procedure& procedure, const PatientVolumes& volumes) {
   return HarmSearch(attempt, procedure, volumes).search();

@@ -40,8 +40,12 @@ struct HarmReport {
 //
 // The tissue at the tip is the session's own. Structures need `volumes.structures`; without, those whose tissue the
 // procedure forbids too are still found by it, and the others are told as unchecked. Near misses need the volumes.
-// Throws InputError for a forbidden tissue that the session does not know: it would never be found.
+// Throws InputError for a forbidden tissue that neither the session nor Bodkin knows: it would never be found.
 HarmReport find_harm(const Attempt& attempt, const Procedure& procedure, const PatientVolumes& volumes);
+
+// Throws InputError unless `tissue` is one of the library that comes with Bodkin: for a tissue that a session's
+// patient does not have.
+void require_known_tissue(const std::string& tissue, const Procedure& procedure);
 
 // mm from a point (LPS) to the nearest voxel that has this value, measured to the voxel's box; `limit` where there is
 // none within it.

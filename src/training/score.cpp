@@ -86,9 +86,8 @@ class Scorer {
   std::optional<std::size_t> first_in(const std::string& tissue) const {
     const auto id = attempt_.find_tissue(tissue);
     if (!id) {
-      throw InputError(
-          fmt::format("the procedure {} names the tissue '{}', which the session's patient does not know",
-                      procedure_.name, tissue));
+      require_known_tissue(tissue, procedure_);
+      return std::nullopt;
     }
     for (std::size_t i = 0; i < attempt_.size(); ++i)
       if (attempt_.inside[i] != 0 && attempt_.tissue[i] == *id) return i;

@@ -59,7 +59,7 @@ struct Score {
 // procedure or the case forbids is never a pass, whatever else it reached. Everything is computed from the session;
 // `volumes` adds what it does not keep (see find_harm), and where a critical structure could not be looked for, the
 // verdict is borderline at best. `experts` may be null. Throws InputError for a session without ticks, and for a
-// procedure that names a tissue that the session does not know.
+// procedure that names a tissue that neither the session nor Bodkin knows.
 Score score(const session::Session& session, const anatomy::CaseDescription& description, const Procedure& procedure,
             const PatientVolumes& volumes = {}, const ExpertSet* experts = nullptr);
 

@@ -121,7 +121,7 @@ TEST(Report, is_green_for_a_pass_alone) {
   for (simulation::TickRecord& record : made.session.ticks) {
     if (record.output.depth > 44.0) record.output.tissue = tissue::nerve;
   }
-  EXPECT_NE(made.html().find("<div class=\"verdict dangerous\"><strong>Dangerous: the tip entered the cord"),
+  EXPECT_NE(made.html().find("<div class=\"verdict dangerous\"><strong>Dangerous: the tip entered a nerve root"),
             std::string::npos);
   EXPECT_EQ(made.html().find("<div class=\"verdict pass\">"), std::string::npos);
 }

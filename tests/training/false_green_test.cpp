@@ -37,10 +37,10 @@ std::vector<Victim> victims_of(const Case& patient) {
       for (int i = 0; i < grid.size[0]; ++i) {
         const Vec3 point = grid.to_patient(Vec3(i, j, k));
         const TissueId id = patient.tissues.at(i, j, k);
-        const char* what = id == tissue::nerve    ? "nerve"
-                           : id == tissue::vessel ? "vessel"
-                           : id == tissue::organ  ? "organ"
-                                                  : nullptr;
+        const char* what = id == tissue::nerve || id == tissue::spinal_cord ? "nerve"
+                           : id == tissue::vessel                           ? "vessel"
+                           : id == tissue::organ                            ? "organ"
+                                                                            : nullptr;
         const auto label = anatomy::nearest<std::uint16_t>(patient.structures, point, 0);
         for (const Structure& each : patient.description.structures) {
           if (each.label == label && (each.name == "colon" || each.name == "small_bowel")) what = "bowel";

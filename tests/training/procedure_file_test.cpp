@@ -49,7 +49,8 @@ TEST(ProcedureFile, those_that_come_with_bodkin_are_sound) {
         return each.tissue == tissue && each.grade == Grade::dangerous;
       });
     };
-    for (const char* tissue : {"nerve", "vessel", "lung"}) EXPECT_TRUE(forbids(tissue)) << name << ' ' << tissue;
+    for (const char* tissue : {"spinal_cord", "nerve", "vessel", "lung"})
+      EXPECT_TRUE(forbids(tissue)) << name << ' ' << tissue;
   }
   for (const char* name :
        {"lumbar_puncture", "epidural", "spinal_anaesthesia", "ct_guided_biopsy", "joint_injection"})

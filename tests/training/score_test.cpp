@@ -72,7 +72,7 @@ TEST(Score, one_tick_in_a_nerve_is_dangerous_whatever_else_was_reached) {
     written.session().ticks[at].output.tissue = tissue::nerve;
     const Score result = score_of(written);
     EXPECT_EQ(result.verdict, Grade::dangerous) << at;
-    EXPECT_EQ(result.headline, "Dangerous: the tip entered the cord or a nerve root");
+    EXPECT_EQ(result.headline, "Dangerous: the tip entered a nerve root");
     ASSERT_EQ(result.harms.size(), 1U);
     EXPECT_NEAR(result.harms[0].time_inside, 0.001, 1e-9);
   }
