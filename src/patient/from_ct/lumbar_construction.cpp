@@ -43,10 +43,14 @@ ConstructedSection section_at(const LumbarSpine& spine, double z) {
   s.x = canal.x, s.front = canal.front, s.half_width = canal.half_width;
   s.tip = spine.tip[n], s.tip_x = spine.tip_x[n];
   double open = 0.0, nearest = 1e9;
+  std::optional<Measured> fat;
   for (const Interspace& gap : spine.interspaces) {
     const double near = nearness(gap, z);
-    open = std::max(open, near);
-    s.bulge = std::max(s.bulge, near * gap.bulge);
+    if (near > open) {
+      open = near;
+      s.bulge = near * gap.bulge;
+      fat = gap.seen.epidural;
+    }
     if (const double away = std::abs(z - gap.middle()); away < nearest)
       nearest = away, s.flavum = gap.flavum / cosine;
   }
@@ -56,8 +60,8 @@ ConstructedSection section_at(const LumbarSpine& spine, double z) {
     s.ligaments = z <= top && z >= bottom;
   }
   if (!s.ligaments) s.flavum = 0.0;
-  s.epidural = open * std::min(epidural_depth / cosine, epidural_share * (s.back - s.front)) +
-               (1 - open) * epidural_under_lamina;
+  const double usual = std::min(epidural_depth / cosine, epidural_share * (s.back - s.front));
+  s.epidural = open * (fat ? std::max(fat->value, least_epidural) : usual) + (1 - open) * epidural_under_lamina;
   s.sac_half_width = s.half_width - lateral_epidural;
   if (!spine.interspaces.empty() && spine.interspaces.back().name.ends_with("_S1")) {
     const double above_end = z - (spine.interspaces.back().middle() - dural_end);

@@ -180,31 +180,6 @@ void drop_short(std::vector<Stretch>& stretches) {
   }
 }
 
-// How far the true wall of the canal stands behind `back` in an interspace: the posterior epidural fat shows where it
-// ends. Nothing when no fat is seen.
-std::optional<double> fat_behind(const SpineView& view, const SpinalCanal& canal, const Interspace& gap,
-                                 double most) {
-  constexpr int from = -4, to = 10;  // mm about `back`
-  std::array<double, to - from + 1> profile{};
-  for (int n = from; n <= to; ++n) {
-    double sum = 0.0;
-    int count = 0;
-    for (double z = gap.middle() - 3.0; z <= gap.middle() + 3.0; z += 1.0) {
-      const CanalSection s = canal.at(z);
-      for (double x = s.x - 2.0; x <= s.x + 2.0; x += 1.0, ++count) {
-        sum += anatomy::linear(view.hounsfield, Vec3(x, s.back + n, z), 0.0);
-      }
-    }
-    profile[static_cast<std::size_t>(n - from)] = sum / count;
-  }
-  const auto least = std::min_element(profile.begin(), profile.begin() + (4 - from) + 1);
-  if (*least > 5.0) return std::nullopt;
-  const double ligament = *std::max_element(least, profile.end());
-  const double border = 0.5 * (*least + std::clamp(ligament, 20.0, 60.0));
-  const auto edge = std::find_if(least, profile.end(), [&](double hu) { return hu > border; });
-  return std::clamp(static_cast<double>(edge - profile.begin() + from) - 0.5, 0.0, most);
-}
-
 // The gaps between the laminae with what names them; fills spine.interspaces with those of the lumbar spine.
 void name_gaps(const std::vector<Stretch>& stretches, const SpinalCanal& canal, const LevelWords& words,
                LumbarSpine& spine) {
@@ -244,10 +219,11 @@ LumbarSpine find_interspaces(const SpineView& view, SpinalCanal canal, const Lev
   spine.canal = std::move(canal);
   for (Interspace& gap : spine.interspaces) {
     gap.flavum = flavum_thickness(gap.name);
-    // A label reaches the wall or falls short of the fat; the line along the fronts of the laminae always runs in
-    // front of the flavum, which bridges their backs.
-    constexpr double most = 3.0;
-    gap.bulge = fat_behind(view, spine.canal, gap, most).value_or(spine.canal.labelled ? 0.0 : most);
+    gap.seen = see_layers(view, spine.canal, gap.low + 1.0, gap.high - 1.0, words.voxel);
+    // Where the CT shows no wall: a label ends at it, and the line along the fronts of the laminae runs in front of
+    // the flavum, which bridges their backs.
+    constexpr double in_front = 3.0;
+    gap.bulge = gap.seen.wall ? gap.seen.wall->value : spine.canal.labelled ? 0.0 : in_front;
   }
   find_tips(view, spine);
   return spine;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "patient/from_ct/layer_search.h"
 #include "patient/from_ct/level_landmarks.h"
 #include "patient/from_ct/spinal_canal.h"
 #include "patient/from_ct/vertebral_levels.h"
@@ -11,11 +12,11 @@ namespace bodkin::patient {
 
 // A gap between two laminae in the midline.
 struct Interspace {
-  std::string name;                      // "L3_L4"; "interspace_1" (the lowest) where levels are unknown
-  double low, high;                      // LPS z of the edges of the two laminae
-  double flavum;                         // mm, thickness of its ligamentum flavum
-  double bulge = 0.0;                    // mm by which the wall of the canal stands back here
-                                         // behind `CanalSection::back`
+  std::string name;      // "L3_L4"; "interspace_1" (the lowest) where levels are unknown
+  double low, high;      // LPS z of the edges of the two laminae
+  double flavum;         // mm, thickness of its ligamentum flavum
+  double bulge = 0.0;    // mm by which the wall of the canal stands behind `CanalSection::back`; may be < 0
+  LayersSeen seen = {};  // what the CT shows of its layers; the rest is textbook
   std::optional<SpinePlace> place = {};  // nothing where levels are unknown
   bool cut = false;                      // the image border cuts one of its two vertebrae
   double middle() const { return 0.5 * (low + high); }
@@ -29,16 +30,15 @@ struct LumbarSpine {
   std::vector<Interspace> interspaces;  // from head to foot; lumbar ones only (T12_L1 to L5_S1)
   VertebralLevels levels;               // of all interspaces found, also of those that are not lumbar
   SpinePlace conus_place = adult_conus;
-  std::optional<double> conus;  // LPS z of the lower end of the cord; nothing
-                                // where levels are unknown
+  std::optional<double> conus;  // LPS z of the lower end of the cord; nothing where levels are unknown
 };
 
 // What else speaks for the levels: the user's words, and what the image shows beside the spine.
 struct LevelWords {
   LevelLandmarks landmarks;
-  std::string lowest_vertebra;  // the vertebra above the lowest interspace,
-                                // "L5"; empty = not said
+  std::string lowest_vertebra;  // the vertebra above the lowest interspace, "L5"; empty = not said
   SpinePlace conus = adult_conus;
+  double voxel = 1.0;  // mm, the longest edge of a CT voxel
 };
 
 // Finds the interspaces and the spinous processes about `canal`, and names them by name_levels().

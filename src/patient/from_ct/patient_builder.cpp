@@ -57,6 +57,21 @@ void note_levels(BuiltPatient& patient, const LumbarSpine& spine) {
                                       spine.conus_place == adult_conus ? ", the mean of adults" : ""));
 }
 
+// Which layers of each interspace the CT shows, and which are textbook.
+void note_layers(BuiltPatient& patient, const LumbarSpine& spine) {
+  std::string text;
+  for (const Interspace& gap : spine.interspaces) {
+    const auto& [wall, fat] = gap.seen;
+    text +=
+        fmt::format("{}{} {}, {}", text.empty() ? "" : "; ", gap.name,
+                    wall ? fmt::format("flavum seen to +-{:.1f} mm", wall->uncertainty)
+                         : std::string("flavum textbook to +-3 mm"),
+                    fat ? fmt::format("epidural fat {:.1f} mm deep seen to +-{:.1f} mm", fat->value, fat->uncertainty)
+                        : std::string("epidural fat textbook to +-2 mm"));
+  }
+  patient.notes.push_back(fmt::format("Layers, front edge of the flavum and depth of the epidural fat: {}.", text));
+}
+
 std::string path_note(const PathChoice& choice) {
   const PlannedPath& best = *choice.path;
   std::string passed;
@@ -82,9 +97,11 @@ void build_lumbar(BuiltPatient& patient, const FoundSpine& found, const PatientO
                     found.source));
     return;
   }
-  patient.notes.push_back(fmt::format(
-      "Ligaments, epidural space and dura are constructed from {} with textbook thicknesses; interspaces found: {}.",
-      found.source, list_of(spine.interspaces)));
+  patient.notes.push_back(
+      fmt::format("Ligaments, epidural space and dura are constructed from {} with textbook thicknesses where the CT "
+                  "shows none; interspaces found: {}.",
+                  found.source, list_of(spine.interspaces)));
+  note_layers(patient, spine);
   note_levels(patient, spine);
   const auto paths = plan_paths(patient.tissues, found.view, spine);
   add_landmarks(patient, spine, paths);

@@ -35,7 +35,7 @@ std::vector<double> midline_of_labels(const SpineView& view) {
 
 FoundSpine found_in(const SpineSearch& search, SpineView view, SpinalCanal canal, const char* source) {
   constexpr double coarse = 2.0;  // mm
-  LevelWords words{{}, search.options.lowest_vertebra, search.options.conus};
+  LevelWords words{{}, search.options.lowest_vertebra, search.options.conus, search.ct.grid.spacing.maxCoeff()};
   LumbarSpine spine = find_interspaces(view, canal, words);
   if (spine.levels.confidence < LevelConfidence::high && !spine.levels.names.empty()) {
     const SpineView wide =

@@ -55,6 +55,27 @@ void expect_puncture(const std::vector<Crossing>& way, bool from_skin) {
   EXPECT_DOUBLE_EQ(last_of(way, tissue::ligamentum_flavum), first_of(way, tissue::epidural_fat));
 }
 
+// LPS y of the front edge of the ligamentum flavum behind the canal, level with an interspace and in its midline.
+double front_of_flavum(const BuiltPatient& built, const char* interspace) {
+  const Vec3 centre = test::landmark(built.landmarks, interspace);
+  for (double y = centre.y(); y < centre.y() + 40.0; y += 0.1) {
+    if (nearest(built.tissues, Vec3(centre.x(), y, centre.z()), tissue::air) == tissue::ligamentum_flavum) return y;
+  }
+  return 1e9;
+}
+
+// Readings of the front edge of the flavum by eye, LPS y, by the protocol in docs/patients.md; the median must lie
+// within 2 mm and the worst within 4.
+void expect_flavum_at(const BuiltPatient& built, const std::vector<std::pair<const char*, double>>& readings) {
+  std::vector<double> errors;
+  for (const auto& [interspace, reading] : readings) {
+    errors.push_back(std::abs(front_of_flavum(built, interspace) - reading));
+    EXPECT_LT(errors.back(), 4.0) << interspace;
+  }
+  std::sort(errors.begin(), errors.end());
+  EXPECT_LT(errors[errors.size() / 2], 2.0);
+}
+
 struct Abdomen : testing::Test {
   static const test::RealPatient& patient(const std::filesystem::path& data) {
     static const auto built = test::build_real(data, "abdomen/abdomen_ct.nii.gz", "abdomen/abdomen_labels.nii.gz",
@@ -76,6 +97,19 @@ TEST_F(Abdomen, lumbar_punctures_cross_the_layers_in_order_where_the_canal_begin
     // 25 mm of fat lie on this back (HU near -100 along the paths).
     EXPECT_NEAR(first_of(way, tissue::supraspinous_ligament), 30.0, 7.0);
   }
+}
+
+TEST_F(Abdomen, the_flavum_begins_where_a_reader_sees_it) {
+  BODKIN_REQUIRE_DATA(data);
+  expect_flavum_at(patient(data).built, {{"T12_L1", -83.3},
+                                         {"L1_L2", -93.6},
+                                         {"L2_L3", -102.0},
+                                         {"L3_L4", -105.4},
+                                         {"L4_L5", -105.2},
+                                         {"L5_S1", -99.2}});
+  const auto bare = test::build_real(data, "abdomen/abdomen_ct.nii.gz", "", {});
+  expect_flavum_at(bare.built,
+                   {{"T12_L1", -83.2}, {"L1_L2", -95.6}, {"L2_L3", -103.6}, {"L3_L4", -106.1}, {"L4_L5", -104.0}});
 }
 
 TEST_F(Abdomen, bone_stops_what_must_be_stopped) {
@@ -129,6 +163,7 @@ TEST(Lumbosacral, without_labels_the_layers_are_found_from_bone_and_midline) {
   EXPECT_NEAR(first_bone(strike), 38.5, 2.0);  // HU exceeds 250 at 39 mm
   EXPECT_EQ(crossings(tissues, test::trajectory(data, "dicom_ct_lumbosacral", "biopsy_mass")).back().tissue,
             tissue::mass);
+  expect_flavum_at(patient.built, {{"L3_L4", 69.3}, {"L4_L5", 71.5}, {"L5_S1", 79.7}});
   // Counted up from the sacrum.
   EXPECT_NEAR(test::landmark(patient.built.landmarks, "L3_L4").z(), -532.0, 5.0);
   EXPECT_NEAR(test::landmark(patient.built.landmarks, "L4_L5").z(), -562.0, 5.0);
