@@ -13,7 +13,7 @@ namespace bodkin::imaging {
 namespace {
 
 constexpr double machine_left = 124.0, machine_right = 62.0, machine_top = 58.0, machine_bottom = 24.0;  // px
-constexpr double least_height = 600.0, most_height = 1200.0;                                             // px
+constexpr double least_machine_height = 600.0, most_machine_height = 1200.0;                             // px
 constexpr double words_height = 40.0, least_caption = 320.0;  // px, of what is said of a window; of a real picture
 constexpr double caption_size = 15.0;                         // px
 constexpr std::uint32_t plain_colour = 0xE8EEF5;
@@ -28,7 +28,8 @@ using Spot = Eigen::Vector2d;
 class MachineArtist {
  public:
   explicit MachineArtist(const MachinePicture& picture) : picture_(picture), frame_(picture.moment.frame) {
-    scale_ = std::clamp(static_cast<double>(frame_.height), least_height, most_height) / frame_.height;
+    scale_ =
+        std::clamp(static_cast<double>(frame_.height), least_machine_height, most_machine_height) / frame_.height;
   }
 
   Canvas draw(const anatomy::TissueLibrary& library) {
