@@ -1,12 +1,41 @@
 // bodkin-app: the trainer in a window.
 #include <QApplication>
+#include <QCommandLineParser>
+#include <iostream>
 
 #include "app/main_window.h"
+#include "app/models/data_folder.h"
+#include "app/script.h"
 
 int main(int argc, char** argv) {
   QApplication application(argc, argv);
-  QApplication::setApplicationName(QStringLiteral("bodkin"));
-  bodkin::app::MainWindow window;
-  window.show();
-  return QApplication::exec();
+  QApplication::setOrganizationName(QStringLiteral("bodkin"));
+  QApplication::setApplicationName(QStringLiteral("bodkin-app"));
+  QApplication::setApplicationVersion(QStringLiteral(BODKIN_VERSION));
+  QCommandLineParser options;
+  options.setApplicationDescription(
+      QApplication::translate("main", "Bodkin: put needles into patients, and feel it."));
+  options.addHelpOption();
+  options.addVersionOption();
+  options.addPositionalArgument(QStringLiteral("CASE"),
+                                QApplication::translate("main", "A case, a DICOM folder or an image to begin with"));
+  options.addOptions({{QStringLiteral("script"), QApplication::translate("main", "Do what FILE says, and leave"),
+                       QStringLiteral("FILE")},
+                      {QStringLiteral("shots"), QApplication::translate("main", "Folder for the script's pictures"),
+                       QStringLiteral("DIR"), QStringLiteral(".")},
+                      {QStringLiteral("size"), QApplication::translate("main", "Size of the window, 1280x720"),
+                       QStringLiteral("WxH")}});
+  options.process(application);
+  try {
+    bodkin::app::MainWindow window(bodkin::app::data_folder());
+    if (options.isSet(QStringLiteral("size"))) window.resize(bodkin::app::parse_size(options.value("size")));
+    window.show();
+    if (!options.positionalArguments().isEmpty()) window.open(options.positionalArguments().front().toStdString());
+    if (!options.isSet(QStringLiteral("script"))) return QApplication::exec();
+    bodkin::app::Script script(window, options.value("shots"));
+    return script.run(options.value("script")) ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::cerr << "bodkin-app: " << error.what() << '\n';
+    return 2;
+  }
 }

@@ -168,6 +168,7 @@ void Practice::take_patient() {
 void Practice::begin_attempt() {
   result_.reset();
   log_.clear();
+  dangers_.clear();
   again_wanted_ = false;
   acknowledged_ = was_forbidden_ = false;
   const anatomy::Case& patient = patient_->patient;
@@ -240,6 +241,8 @@ void Practice::follow_warning() {
     found = warning_at(patient_->patient, frame_.needle.translation(), frame_.tissue, maker_.is_on_bone());
   if (found) {
     if (!frame_.warning || frame_.warning->title != found->title) acknowledged_ = false;
+    const auto same = [&](const MetDanger& danger) { return danger.warning.title == found->title; };
+    if (std::none_of(dangers_.begin(), dangers_.end(), same)) dangers_.push_back({*found, frame_.time, frame_.depth});
     frame_.warning = found;
     safe_since_ = clock_;
     if (!acknowledged_) machine_.apply(Signal::forbidden);

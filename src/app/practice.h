@@ -14,6 +14,12 @@
 
 namespace bodkin::app {
 
+// A place where the tip must not be, and when and how deep it was met first.
+struct MetDanger {
+  Warning warning;
+  double time = 0.0, depth = 0.0;  // s, mm
+};
+
 // A person practises: patient, station, hand and state put together, without a widget. All calls from the window's
 // thread; advance() once a frame.
 class Practice {
@@ -62,6 +68,8 @@ class Practice {
   const std::string& failure() const noexcept { return failure_; }
   // Of the attempt that has ended, as soon as it is saved.
   const std::optional<AttemptResult>& result() const noexcept { return result_; }
+  // Every place of this attempt where the tip must not be, in the order in which it was met; the same place once.
+  const std::vector<MetDanger>& dangers() const noexcept { return dangers_; }
   // Sentences of station and guard of this attempt, the newest last.
   const std::vector<std::string>& log() const noexcept { return log_; }
   CaseModel& cases() noexcept { return cases_; }
@@ -91,6 +99,7 @@ class Practice {
   std::string failure_;
   std::string refusal_;  // why the last wish was not done
   std::vector<std::string> log_;
+  std::vector<MetDanger> dangers_;
   double refused_at_ = 0.0, safe_since_ = 0.0, clock_ = 0.0;
   bool again_wanted_ = false, acknowledged_ = false, was_forbidden_ = false;
   double longest_ = 3600.0;  // s

@@ -63,6 +63,7 @@ QMainWindow, #ground { background: %3; }
 QLabel[role="label"] { font-size: 11px; color: %6; }
 QLabel[role="second"] { color: %6; }
 QLabel[role="heading"] { font-size: 15px; font-weight: 500; }
+QLabel[role="danger"] { font-size: 15px; font-weight: 500; color: %11; }
 QLabel[role="title"] { font-size: 30px; font-weight: 500; }
 QPushButton { background: %7; border: 1px solid %5; border-radius: 6px; padding: 6px 12px; }
 QPushButton:hover { border-color: %8; }
@@ -73,6 +74,8 @@ QPushButton[role="primary"] { background: %8; border-color: %8; color: %10; font
 QPushButton[role="flat"] { background: transparent; border-color: transparent; }
 QPushButton[role="flat"]:hover { background: %7; }
 QPushButton[role="flat"]:checked { background: %9; border-color: %8; }
+QPushButton[role="drop"] { background: transparent; border: 1px dashed %8; }
+#hero, #card { background: %4; border: 1px solid %5; border-radius: 10px; }
 QToolTip { background: %7; border: 1px solid %5; color: %2; }
 QProgressBar { background: %7; border: none; border-radius: 3px; height: 6px; }
 QProgressBar::chunk { background: %8; border-radius: 3px; }
@@ -88,7 +91,7 @@ QMenu::item:selected { background: %9; }
 )")
       .arg(family(), text.name(), ground.name(), panel.name(), line.name(), second.name(), raised.name(),
            accent.name(), is_dark ? QStringLiteral("#1B3350") : QStringLiteral("#D6E6F8"))
-      .arg(on_accent);
+      .arg(on_accent, danger.name());
 }
 
 QFont font(int pixels, bool strong) {

@@ -90,10 +90,8 @@ void NeedleControl::hold(bool on) {
   if (on == held_) return;
   held_ = on;
   key_ = 0;
-  if (on && wish_.is_down) {
-    withdrawing_ = false;
-    wish_.depth = hand_.depth;
-  }
+  // The hand stays where it is, not where it was on its way to.
+  if (on && wish_.is_down) wish_.depth = wish_.axis.dot(hand_.meant.translation() - wish_.at);
 }
 
 void NeedleControl::update(double dt, const HandReport& hand) {

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <chrono>
+
+namespace bodkin::app {
+
+// The one clock that draws: 60 frames a second while the window keeps up, 30 when it has not for three frames, 60
+// again after two quick seconds. With a virtual clock every frame is 1/60 s later than the last one, however long it
+// took.
+class FrameClock : public QObject {
+  Q_OBJECT
+ public:
+  explicit FrameClock(QObject* parent = nullptr);
+
+  void start();
+  void stop() { timer_.stop(); }
+  void use_virtual_time(bool on) { virtual_ = on; }
+  // s since start().
+  double now() const;
+  double milliseconds_of_last_frame() const { return last_; }
+  int rate() const { return timer_.interval() > 20 ? 30 : 60; }
+
+ signals:
+  void frame(double clock);
+
+ private:
+  void tick();
+
+  QTimer timer_;
+  std::chrono::steady_clock::time_point begin_;
+  bool virtual_ = false;
+  double virtual_now_ = 0.0;
+  double last_ = 0.0;  // ms
+  int slow_ = 0, quick_ = 0;
+};
+
+}  // namespace bodkin::app

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <QKeySequence>
+#include <QString>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace bodkin::app {
+
+// Everything that a key, a button, a script or a test can ask the window for.
+enum class Command : std::uint8_t {
+  show_keys,
+  back,  // closes what is open, or pauses
+  open_patient,
+  save_picture,
+  full_screen,
+  toggle_theme,
+  leave_program,
+  next_view,
+  previous_view,
+  begin,  // on the start page
+  hold,
+  push_in,
+  draw_out,
+  push_in_finely,
+  draw_out_finely,
+  withdraw,
+  again,
+  end,
+  arm,
+  show_numbers,
+  show_ladder,
+  fill,
+  of_the_view  // the view with the focus does it
+};
+
+// Where a key is looked up: in the view with the focus, then on the page, then in the window.
+enum class KeyScope : std::uint8_t { window, start, practise, view3d, slice, chart };
+
+struct KeyBinding {
+  KeyScope scope;
+  const char* keys;  // as QKeySequence reads it, "Ctrl+O"
+  Command command;
+  const char* text;  // what it does, English, for tr()
+  bool reserved;     // no view may take it
+};
+
+std::span<const KeyBinding> key_table() noexcept;
+
+// Which scopes a key is looked up in, in this order, when `scope` has the focus.
+std::span<const KeyScope> chain_of(KeyScope scope) noexcept;
+
+// The command of a key in one scope; nothing where it has none.
+std::optional<Command> command_of(KeyScope scope, const QKeySequence& keys);
+// Reserved keys of the window and of `page`: they are looked up before any view sees them.
+std::optional<Command> reserved_command(KeyScope page, const QKeySequence& keys);
+
+// The texts of the table in the language of the window.
+QString text_of(const KeyBinding& binding);
+QString name_of(KeyScope scope);
+
+}  // namespace bodkin::app

@@ -1,0 +1,209 @@
+#include "app/pages/cards.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "app/theme.h"
+
+namespace bodkin::app {
+
+namespace {
+
+constexpr int sheet_width = 520;  // pixels
+constexpr int dimming = 150;      // of 255
+
+}  // namespace
+
+Card::Card(const char* name, QWidget* parent) : QWidget(parent) {
+  setObjectName(QLatin1String(name));
+  auto* across = new QHBoxLayout(this);
+  auto* down = new QVBoxLayout;
+  across->addStretch(1);
+  across->addLayout(down);
+  across->addStretch(1);
+  sheet_ = new QWidget;
+  sheet_->setObjectName(QStringLiteral("card"));
+  sheet_->setAttribute(Qt::WA_StyledBackground);
+  sheet_->setFixedWidth(sheet_width);
+  rows_ = new QVBoxLayout(sheet_);
+  rows_->setContentsMargins(28, 24, 28, 24);
+  rows_->setSpacing(12);
+  down->addStretch(1);
+  down->addWidget(sheet_);
+  down->addStretch(1);
+  hide();
+}
+
+void Card::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  QColor dim = Theme::dark().ground;
+  dim.setAlpha(dimming);
+  painter.fillRect(rect(), dim);
+}
+
+QLabel* Card::add_label(const char* role) {
+  auto* label = new QLabel;
+  label->setProperty("role", QLatin1String(role));
+  label->setWordWrap(true);
+  rows_->addWidget(label);
+  return label;
+}
+
+QPushButton* Card::add_button(QHBoxLayout* row, const char* name, const QString& text, const QString& tip,
+                              bool primary) {
+  auto* button = new QPushButton(text);
+  button->setObjectName(QLatin1String(name));
+  button->setAccessibleName(text);
+  button->setToolTip(tip);
+  button->setMinimumHeight(36);
+  if (primary) button->setProperty("role", QStringLiteral("primary"));
+  row->addWidget(button);
+  return button;
+}
+
+PreparingCard::PreparingCard(QWidget* parent) : Card("preparing", parent) {
+  add_label("heading")->setText(tr("The patient is being prepared"));
+  what_ = add_label("plain");
+  bar_ = new QProgressBar;
+  bar_->setObjectName(QStringLiteral("preparing.bar"));
+  bar_->setTextVisible(false);
+  bar_->setRange(0, 1000);
+  rows()->addWidget(bar_);
+  time_ = add_label("second");
+  auto* row = new QHBoxLayout;
+  row->addStretch(1);
+  connect(add_button(row, "preparing.cancel", tr("Cancel"), tr("Back to the start"), false), &QPushButton::clicked,
+          this, &PreparingCard::cancel_requested);
+  rows()->addLayout(row);
+}
+
+void PreparingCard::show_progress(const QString& what, double fraction, double seconds) {
+  what_->setText(what);
+  bar_->setValue(static_cast<int>(std::lround(1000.0 * fraction)));
+  time_->setText(tr("%1 s so far").arg(static_cast<int>(seconds)));
+}
+
+PauseCard::PauseCard(QWidget* parent) : Card("pause", parent) {
+  title_ = add_label("heading");
+  reason_ = add_label("second");
+  auto* row = new QHBoxLayout;
+  resume_ = add_button(row, "pause.resume", tr("Resume"), tr("Go on where you were (Esc)"), true);
+  connect(resume_, &QPushButton::clicked, this, &PauseCard::resume_requested);
+  connect(add_button(row, "pause.again", tr("Again"), tr("Save this attempt and begin another one"), false),
+          &QPushButton::clicked, this, &PauseCard::again_requested);
+  connect(add_button(row, "pause.end", tr("End"), tr("Save this attempt and see how it went"), false),
+          &QPushButton::clicked, this, &PauseCard::end_requested);
+  connect(add_button(row, "pause.leave", tr("Leave"), tr("Save this attempt and go back to the start"), false),
+          &QPushButton::clicked, this, &PauseCard::leave_requested);
+  rows()->addLayout(row);
+}
+
+void PauseCard::show_reason(State state, const QString& reason) {
+  title_->setText(state == State::faulted       ? tr("The guard took the force away")
+                  : state == State::device_lost ? tr("The device went away")
+                                                : tr("Paused"));
+  reason_->setText(state == State::paused ? tr("The needle stays where it is.") : reason);
+  resume_->setText(state == State::faulted ? tr("Arm again") : tr("Resume"));
+  resume_->setEnabled(state != State::device_lost);
+}
+
+ResultsCard::ResultsCard(QWidget* parent) : Card("results", parent) {
+  dangers_ = add_label("danger");
+  dangers_->setObjectName(QStringLiteral("results.dangers"));
+  headline_ = add_label("heading");
+  headline_->setObjectName(QStringLiteral("results.headline"));
+  remarks_ = add_label("plain");
+  numbers_ = add_label("second");
+  file_ = add_label("label");
+  file_->setObjectName(QStringLiteral("results.file"));
+  file_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* row = new QHBoxLayout;
+  row->addStretch(1);
+  connect(add_button(row, "results.leave", tr("To the start"), tr("Choose another patient"), false),
+          &QPushButton::clicked, this, &ResultsCard::leave_requested);
+  connect(add_button(row, "results.again", tr("Again   A"), tr("The same patient and plan once more"), true),
+          &QPushButton::clicked, this, &ResultsCard::again_requested);
+  rows()->addLayout(row);
+}
+
+void ResultsCard::show_result(const AttemptResult* result, const QStringList& dangers, const QString& failure) {
+  dangers_->setText(dangers.join(QLatin1Char('\n')));
+  dangers_->setVisible(!dangers.isEmpty());
+  if (result == nullptr) {
+    headline_->setText(failure.isEmpty() ? tr("The session is being saved.") : tr("The session has ended."));
+    remarks_->setText(failure);
+    numbers_->clear();
+    file_->clear();
+    return;
+  }
+  headline_->setText(QString::fromStdString(result->headline));
+  QStringList remarks;
+  for (const std::string& remark : result->remarks) remarks << QString::fromStdString(remark);
+  if (!failure.isEmpty()) remarks.prepend(failure);
+  remarks_->setText(remarks.join(QLatin1Char('\n')));
+  numbers_->setText(tr("%1 mm from the target, %2 mm deep, at most %3 N, %4 s in the body")
+                        .arg(result->target_distance, 0, 'f', 1)
+                        .arg(result->deepest, 0, 'f', 1)
+                        .arg(result->peak_force, 0, 'f', 2)
+                        .arg(result->time_in_body, 0, 'f', 0));
+  file_->setText(tr("Saved: %1").arg(QString::fromStdString(result->session.string())));
+}
+
+KeysCard::KeysCard(QWidget* parent) : Card("keys", parent) {
+  add_label("heading")->setText(tr("Keys"));
+  auto* columns = new QHBoxLayout;
+  left_ = new QLabel;
+  right_ = new QLabel;
+  for (QLabel* label : {left_, right_}) {
+    label->setTextFormat(Qt::RichText);
+    label->setAlignment(Qt::AlignTop);
+    label->setWordWrap(true);
+    columns->addWidget(label, 1);
+  }
+  rows()->addLayout(columns);
+}
+
+void KeysCard::show_keys(const std::vector<KeyScope>& scopes) {
+  QString text[2];
+  std::size_t lines[2] = {0, 0};
+  for (const KeyScope scope : scopes) {
+    QString block =
+        QStringLiteral("<p style='color:%1'>%2</p><table>").arg(Theme::now().accent.name(), name_of(scope));
+    QString last;
+    QStringList keys;
+    std::size_t count = 1;
+    const auto flush = [&] {
+      if (keys.isEmpty()) return;
+      block += QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
+                   .arg(keys.join(QLatin1Char(' ')).toHtmlEscaped(), last.toHtmlEscaped());
+      ++count;
+      keys.clear();
+    };
+    for (const KeyBinding& binding : key_table()) {
+      if (binding.scope != scope) continue;
+      const QString words = text_of(binding);
+      if (words != last) flush();
+      last = words;
+      keys << QKeySequence(QLatin1String(binding.keys)).toString(QKeySequence::NativeText);
+    }
+    flush();
+    block += QStringLiteral("</table>");
+    const std::size_t side = lines[0] <= lines[1] ? 0 : 1;
+    text[side] += block;
+    lines[side] += count + 1;
+  }
+  left_->setText(text[0]);
+  right_->setText(text[1]);
+}
+
+void KeysCard::mousePressEvent(QMouseEvent*) {
+  emit closed();
+}
+
+}  // namespace bodkin::app

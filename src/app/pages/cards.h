@@ -1,0 +1,110 @@
+#pragma once
+
+#include <QWidget>
+
+#include "app/key_table.h"
+#include "app/models/case_model.h"
+#include "app/models/station_link.h"
+#include "app/states.h"
+
+class QHBoxLayout;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QVBoxLayout;
+
+namespace bodkin::app {
+
+// A card in the middle of a dimmed page.
+class Card : public QWidget {
+  Q_OBJECT
+ public:
+  Card(const char* name, QWidget* parent);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  QVBoxLayout* rows() { return rows_; }
+  QLabel* add_label(const char* role);
+  QPushButton* add_button(QHBoxLayout* row, const char* name, const QString& text, const QString& tip, bool primary);
+
+ private:
+  QWidget* sheet_;
+  QVBoxLayout* rows_;
+};
+
+// What is being prepared, how far it is, and a way out.
+class PreparingCard : public Card {
+  Q_OBJECT
+ public:
+  explicit PreparingCard(QWidget* parent);
+  void show_progress(const QString& what, double fraction, double seconds);
+
+ signals:
+  void cancel_requested();
+
+ private:
+  QLabel* what_;
+  QLabel* time_;
+  QProgressBar* bar_;
+};
+
+// Resume, Again, End, Leave; also after a fault and where the device has gone.
+class PauseCard : public Card {
+  Q_OBJECT
+ public:
+  explicit PauseCard(QWidget* parent);
+  // `state`: paused, faulted or device_lost.
+  void show_reason(State state, const QString& reason);
+
+ signals:
+  void resume_requested();
+  void again_requested();
+  void end_requested();
+  void leave_requested();
+
+ private:
+  QLabel* title_;
+  QLabel* reason_;
+  QPushButton* resume_;
+};
+
+// How it went.
+class ResultsCard : public Card {
+  Q_OBJECT
+ public:
+  explicit ResultsCard(QWidget* parent);
+  // `result`: null while it is being saved. `dangers`: one sentence each, the worst first. `failure`: why it could
+  // not be saved, or why it ended; empty: nothing is wrong.
+  void show_result(const AttemptResult* result, const QStringList& dangers, const QString& failure);
+
+ signals:
+  void again_requested();
+  void leave_requested();
+
+ private:
+  QLabel* headline_;
+  QLabel* dangers_;
+  QLabel* remarks_;
+  QLabel* numbers_;
+  QLabel* file_;
+};
+
+// The keys of a screen.
+class KeysCard : public Card {
+  Q_OBJECT
+ public:
+  explicit KeysCard(QWidget* parent);
+  void show_keys(const std::vector<KeyScope>& scopes);
+
+ signals:
+  void closed();
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+
+ private:
+  QLabel* left_;
+  QLabel* right_;
+};
+
+}  // namespace bodkin::app

@@ -1,0 +1,202 @@
+#include "app/pages/practise.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace bodkin::app {
+
+namespace {
+
+constexpr int margin = 12;                               // pixels, of what lies on the picture
+constexpr int slice_column = 452, instrument_row = 164;  // pixels at 1280 x 720
+constexpr int gap = 4;
+constexpr int cube = 84;  // the orientation cube of the 3-D view, in its lower left corner
+
+}  // namespace
+
+PractisePage::PractisePage(QWidget* parent)
+    : QWidget(parent),
+      view3d_(new View3d(QStringLiteral("practise"), this)),
+      tip_(new TipLabel(view3d_)),
+      bullseye_(new Bullseye(view3d_)),
+      ladder_(new DepthLadder(view3d_)),
+      banner_(new Banner(view3d_)),
+      chart_(new ForceChart(this)),
+      numbers_(new Numbers(this)) {
+  setObjectName(QStringLiteral("practise"));
+  view3d_->installEventFilter(this);
+  auto measures = std::make_shared<Measures>();
+  for (const auto& [kind, name] : {std::pair{SliceKind::sagittal, "practise.slice.sagittal"},
+                                   std::pair{SliceKind::axial, "practise.slice.axial"},
+                                   std::pair{SliceKind::coronal, "practise.slice.coronal"}}) {
+    auto* slice = new SliceView(kind, this);
+    slice->setObjectName(QLatin1String(name));
+    slice->set_measures(measures);
+    slices_.push_back(slice);
+  }
+  for (SliceView* slice : slices_) {
+    for (SliceView* other : slices_) {
+      if (other != slice) connect(slice, &SliceView::measures_changed, other, qOverload<>(&QWidget::update));
+    }
+    connect(slice, &View::fill_requested, this, [this, slice] { make_big(slice); });
+  }
+  views_ = {view3d_, tip_, bullseye_, ladder_, banner_, chart_, numbers_};
+  views_.insert(views_.end(), slices_.begin(), slices_.end());
+  connect(banner_, &Banner::acknowledged, this, &PractisePage::warning_acknowledged);
+
+  left_ = new QSplitter(Qt::Vertical);
+  left_->setObjectName(QStringLiteral("practise.rows"));
+  left_->addWidget(view3d_);
+  left_->addWidget(make_instruments());
+  left_->setStretchFactor(0, 1);
+  left_->setSizes({508, instrument_row});
+  columns_ = new QSplitter(Qt::Horizontal);
+  columns_->setObjectName(QStringLiteral("practise.columns"));
+  columns_->addWidget(left_);
+  columns_->addWidget(make_slices());
+  columns_->setStretchFactor(0, 3);
+  columns_->setStretchFactor(1, 2);
+  columns_->setSizes({828, slice_column});
+  for (QSplitter* splitter : {left_, columns_}) {
+    splitter->setHandleWidth(gap);
+    splitter->setChildrenCollapsible(false);
+  }
+  auto* whole = new QHBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->addWidget(columns_);
+}
+
+QWidget* PractisePage::make_instruments() {
+  instruments_ = new QWidget;
+  instruments_->setObjectName(QStringLiteral("panel"));
+  instruments_->setAttribute(Qt::WA_StyledBackground);
+  auto* row = new QHBoxLayout(instruments_);
+  row->setContentsMargins(gap, gap, margin, margin - gap);
+  row->setSpacing(margin);
+  chart_->setObjectName(QStringLiteral("practise.chart"));
+  row->addWidget(chart_, 5);
+  auto* side = new QVBoxLayout;
+  side->setSpacing(8);
+  numbers_->setObjectName(QStringLiteral("practise.numbers"));
+  side->addWidget(numbers_, 1);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
+  const auto button = [&](const QString& text, const char* key, const char* name, const QString& tip) {
+    auto* made = new QPushButton(QStringLiteral("%1   %2").arg(text, QLatin1String(key)));
+    made->setObjectName(QLatin1String(name));
+    made->setAccessibleName(text);
+    made->setToolTip(tip);
+    made->setFocusPolicy(Qt::NoFocus);  // keys belong to the views
+    buttons->addWidget(made);
+    return made;
+  };
+  hold_ = button(tr("Hold"), "Space", "practise.hold", tr("The needle stays where it is while you look around"));
+  hold_->setCheckable(true);
+  connect(hold_, &QPushButton::clicked, this, &PractisePage::hold_requested);
+  connect(button(tr("Again"), "A", "practise.again", tr("Save this attempt and begin another one")),
+          &QPushButton::clicked, this, &PractisePage::again_requested);
+  connect(button(tr("End"), "E", "practise.end", tr("Save this attempt and see how it went")), &QPushButton::clicked,
+          this, &PractisePage::end_requested);
+  side->addLayout(buttons);
+  row->addLayout(side, 3);
+  return instruments_;
+}
+
+QWidget* PractisePage::make_slices() {
+  right_ = new QWidget;
+  auto* rows = new QVBoxLayout(right_);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(gap);
+  arrange_slices();
+  return right_;
+}
+
+void PractisePage::arrange_slices() {
+  auto* rows = static_cast<QVBoxLayout*>(right_->layout());
+  while (QLayoutItem* item = rows->takeAt(0)) delete item;  // a layout or what holds a widget, not the widget
+  auto* small = new QHBoxLayout;
+  small->setSpacing(gap);
+  rows->addWidget(slices_[0], 4);
+  for (std::size_t i = 1; i < slices_.size(); ++i) small->addWidget(slices_[i], 1);
+  rows->addLayout(small, 3);
+}
+
+void PractisePage::make_big(View* view) {
+  const auto found = std::find(slices_.begin(), slices_.end(), view);
+  if (found == slices_.end() || found == slices_.begin()) return;
+  std::iter_swap(slices_.begin(), found);
+  arrange_slices();
+}
+
+void PractisePage::toggle_fill() {
+  View* const wanted = qobject_cast<View*>(focusWidget());
+  View* const view = filled_ != nullptr ? nullptr : wanted != nullptr ? wanted : view3d_;
+  if (view != nullptr && view != view3d_ && std::find(slices_.begin(), slices_.end(), view) == slices_.end()) return;
+  filled_ = view;
+  const bool whole = filled_ == nullptr;
+  instruments_->setVisible(whole);
+  left_->setVisible(whole || filled_ == view3d_);
+  right_->setVisible(whole || filled_ != view3d_);
+  for (SliceView* slice : slices_) slice->setVisible(whole || slice == filled_);
+}
+
+void PractisePage::focus_next(bool backwards) {
+  std::vector<View*> order = {view3d_};
+  order.insert(order.end(), slices_.begin(), slices_.end());
+  order.push_back(chart_);
+  const auto now = std::find(order.begin(), order.end(), focusWidget());
+  const auto size = static_cast<std::ptrdiff_t>(order.size());
+  const std::ptrdiff_t at = now == order.end() ? (backwards ? 0 : -1) : now - order.begin();
+  order[static_cast<std::size_t>((at + (backwards ? size - 1 : 1)) % size)]->setFocus(Qt::TabFocusReason);
+}
+
+void PractisePage::toggle_ladder() {
+  ladder_->setVisible(!ladder_->isVisible());
+}
+
+void PractisePage::toggle_numbers() {
+  numbers_->setVisible(!numbers_->isVisible());
+}
+
+void PractisePage::set_case(const std::shared_ptr<const OpenCase>& patient) {
+  for (View* view : views_) view->set_case(patient);
+}
+
+void PractisePage::show_frame(const Frame& frame, const Changes& changes) {
+  hold_->setChecked(frame.state == State::held);
+  for (View* view : views_) {
+    // The chart collects, and the banner appears, while nobody sees them.
+    if (view->isVisible() || view == chart_ || view == banner_) view->show_frame(frame, changes);
+  }
+  if (changes.warning) arrange_overlays();
+}
+
+void PractisePage::arrange_overlays() {
+  const QSize all = view3d_->size();
+  tip_->resize(tip_->sizeHint());
+  tip_->move(margin, margin);
+  const int ladder_height = std::clamp(all.height() - 132, 120, 400);
+  ladder_->setGeometry(all.width() - 118 - gap, 60, 118, ladder_height);
+  const int left = margin + cube;
+  const int bullseye_width = std::min(472, all.width() - margin - left);
+  bullseye_->setGeometry(left, all.height() - 92 - margin, bullseye_width, 92);
+  const QSize words = banner_->sizeHint();
+  const int width = std::min(words.width(), all.width() - 2 * margin);
+  banner_->setGeometry((all.width() - width) / 2, bullseye_->y() - words.height() - margin, width, words.height());
+}
+
+void PractisePage::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  arrange_overlays();
+}
+
+bool PractisePage::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == view3d_ && event->type() == QEvent::Resize) arrange_overlays();
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace bodkin::app

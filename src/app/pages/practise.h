@@ -1,0 +1,75 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+#include "app/views/banner.h"
+#include "app/views/bullseye.h"
+#include "app/views/depth_ladder.h"
+#include "app/views/force_chart.h"
+#include "app/views/numbers.h"
+#include "app/views/slice_view.h"
+#include "app/views/tip_label.h"
+#include "app/views/view3d.h"
+
+class QPushButton;
+class QSplitter;
+
+namespace bodkin::app {
+
+// Where the needle goes in: the patient in 3-D with what matters now in its corners, three slices, the force, four
+// numbers and the buttons. Lays out and connects; draws nothing.
+class PractisePage : public QWidget {
+  Q_OBJECT
+ public:
+  explicit PractisePage(QWidget* parent = nullptr);
+
+  void set_case(const std::shared_ptr<const OpenCase>& patient);
+  void show_frame(const Frame& frame, const Changes& changes);
+
+  const std::vector<View*>& views() const { return views_; }
+  View3d& view3d() { return *view3d_; }
+  // The view that shows the patient and has the focus, or the big one.
+  void focus_next(bool backwards);
+  void toggle_ladder();
+  void toggle_numbers();
+  // The view with the focus into the whole page, and back.
+  void toggle_fill();
+  // This view into the big slot of the slices.
+  void make_big(View* view);
+
+ signals:
+  void hold_requested();
+  void again_requested();
+  void end_requested();
+  void warning_acknowledged();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  QWidget* make_instruments();
+  QWidget* make_slices();
+  void arrange_overlays();
+  void arrange_slices();
+
+  View3d* view3d_;
+  TipLabel* tip_;
+  Bullseye* bullseye_;
+  DepthLadder* ladder_;
+  Banner* banner_;
+  ForceChart* chart_;
+  Numbers* numbers_;
+  std::vector<SliceView*> slices_;  // the first one is big
+  std::vector<View*> views_;        // all of them
+  QSplitter* columns_ = nullptr;
+  QSplitter* left_ = nullptr;
+  QWidget* right_ = nullptr;
+  QWidget* instruments_ = nullptr;
+  QPushButton* hold_ = nullptr;
+  View* filled_ = nullptr;
+};
+
+}  // namespace bodkin::app

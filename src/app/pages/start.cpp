@@ -1,0 +1,173 @@
+#include "app/pages/start.h"
+
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMimeData>
+#include <QPushButton>
+#include <QUrl>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/theme.h"
+
+namespace bodkin::app {
+
+namespace {
+
+constexpr std::size_t most_patients = 2;  // beside the card for dropping
+
+QLabel* label(const QString& text, const char* role) {
+  auto* words = new QLabel(text);
+  words->setProperty("role", QLatin1String(role));
+  words->setWordWrap(true);
+  return words;
+}
+
+}  // namespace
+
+StartPage::StartPage(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("start"));
+  setAcceptDrops(true);
+  auto* columns = new QHBoxLayout(this);
+  columns->setContentsMargins(0, 0, 0, 0);
+  columns->setSpacing(0);
+  columns->addWidget(make_side());
+  auto* main = new QVBoxLayout;
+  main->setContentsMargins(32, 28, 32, 20);
+  main->setSpacing(14);
+  main->addWidget(make_hero(), 3);
+  main->addWidget(label(tr("Patients"), "heading"));
+  patients_ = new QHBoxLayout;
+  patients_->setSpacing(14);
+  main->addLayout(patients_, 1);
+  line_ = label({}, "second");
+  line_->setObjectName(QStringLiteral("start.line"));
+  main->addWidget(line_);
+  columns->addLayout(main, 1);
+  show_patients({});
+}
+
+QWidget* StartPage::make_side() {
+  auto* side = new QWidget;
+  side->setObjectName(QStringLiteral("panel"));
+  side->setAttribute(Qt::WA_StyledBackground);
+  side->setFixedWidth(232);
+  auto* rows = new QVBoxLayout(side);
+  rows->setContentsMargins(14, 24, 14, 20);
+  rows->setSpacing(8);
+  auto* name = new QLabel(QStringLiteral("Bodkin"));
+  name->setStyleSheet(QStringLiteral("font-size: 22px; font-weight: 500; padding: 4px 8px 18px 8px;"));
+  rows->addWidget(name);
+  const auto entry = [&](const QString& text, const QString& object, const QString& tip) {
+    auto* button = new QPushButton(text);
+    button->setObjectName(object);
+    button->setToolTip(tip);
+    button->setAccessibleName(text);
+    button->setProperty("role", QStringLiteral("flat"));
+    button->setStyleSheet(QStringLiteral("text-align: left; padding: 9px 12px;"));
+    rows->addWidget(button);
+    return button;
+  };
+  connect(entry(tr("Practise"), QStringLiteral("start.practise"), tr("Begin on the built-in patient")),
+          &QPushButton::clicked, this, &StartPage::begin_requested);
+  connect(
+      entry(tr("Open a patient"), QStringLiteral("start.open"), tr("A case, a DICOM folder or an image (Ctrl+O)")),
+      &QPushButton::clicked, this, &StartPage::open_requested);
+  rows->addStretch(1);
+  rows->addWidget(label(tr("Version %1").arg(QStringLiteral(BODKIN_VERSION)), "label"));
+  return side;
+}
+
+QWidget* StartPage::make_hero() {
+  auto* hero = new QWidget;
+  hero->setObjectName(QStringLiteral("hero"));
+  hero->setAttribute(Qt::WA_StyledBackground);
+  auto* rows = new QVBoxLayout(hero);
+  rows->setContentsMargins(30, 28, 30, 28);
+  rows->setSpacing(12);
+  rows->addWidget(label(tr("Put a needle in."), "title"));
+  rows->addWidget(label(tr("Lumbar puncture, L3/L4, on the built-in patient. With the mouse, now."), "plain"));
+  auto* buttons = new QHBoxLayout;
+  auto* begin = new QPushButton(tr("Start lumbar puncture     Enter"));
+  begin->setObjectName(QStringLiteral("start.begin"));
+  begin->setToolTip(tr("The first time the patient is made, which takes some seconds"));
+  begin->setAccessibleName(tr("Start lumbar puncture"));
+  begin->setProperty("role", QStringLiteral("primary"));
+  begin->setMinimumHeight(40);
+  connect(begin, &QPushButton::clicked, this, &StartPage::begin_requested);
+  buttons->addWidget(begin);
+  buttons->addStretch(1);
+  rows->addSpacing(8);
+  rows->addLayout(buttons);
+  rows->addSpacing(8);
+  rows->addWidget(
+      label(tr("Point at the back, click, and scroll: the needle goes in. You see the tissue that it is in, "
+               "and the force that it meets."),
+            "second"));
+  rows->addStretch(1);
+  return hero;
+}
+
+QPushButton* StartPage::make_card(const QString& name, const QString& title, const QString& words) {
+  auto* card = new QPushButton;
+  card->setObjectName(name);
+  card->setAccessibleName(title);
+  card->setToolTip(words);
+  card->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  card->setMinimumHeight(86);
+  card->setMaximumHeight(110);
+  auto* rows = new QVBoxLayout(card);
+  rows->setContentsMargins(16, 12, 16, 12);
+  rows->setSpacing(4);
+  rows->addStretch(1);
+  rows->addWidget(label(title, "heading"));
+  rows->addWidget(label(words, "second"));
+  rows->addStretch(1);
+  for (QLabel* child : card->findChildren<QLabel*>()) child->setAttribute(Qt::WA_TransparentForMouseEvents);
+  patients_->addWidget(card, 1);
+  return card;
+}
+
+void StartPage::show_patients(const std::vector<std::filesystem::path>& folders) {
+  while (QLayoutItem* item = patients_->takeAt(0)) {
+    if (item->widget() != nullptr) {
+      item->widget()->hide();
+      item->widget()->deleteLater();  // it may be the card that was clicked
+    }
+    delete item;
+  }
+  connect(make_card(QStringLiteral("start.patient.built_in"), tr("Synthetic lumbar torso"),
+                    tr("45 years, 1.72 m, 72 kg. Built in")),
+          &QPushButton::clicked, this, &StartPage::begin_requested);
+  std::size_t shown = 0;
+  for (const std::filesystem::path& folder : folders) {
+    if (folder.filename() == "synthetic-lumbar") continue;
+    if (++shown > most_patients) break;
+    const QString path = QString::fromStdString(folder.string());
+    connect(make_card(QStringLiteral("start.patient.%1").arg(shown),
+                      QString::fromStdString(folder.filename().string()), tr("Opened before")),
+            &QPushButton::clicked, this, [this, path] { emit patient_chosen(path); });
+  }
+  QPushButton* const drop =
+      make_card(QStringLiteral("start.drop"), tr("Drop a DICOM folder or an image here"), tr("or click to choose"));
+  drop->setProperty("role", QStringLiteral("drop"));
+  connect(drop, &QPushButton::clicked, this, &StartPage::open_requested);
+}
+
+void StartPage::say(const QString& sentence, bool is_trouble) {
+  line_->setText(sentence);
+  line_->setStyleSheet(is_trouble ? QStringLiteral("color: %1;").arg(Theme::now().danger.name()) : QString());
+}
+
+void StartPage::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void StartPage::dropEvent(QDropEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (!urls.isEmpty() && urls.front().isLocalFile()) emit patient_chosen(urls.front().toLocalFile());
+}
+
+}  // namespace bodkin::app

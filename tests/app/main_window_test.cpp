@@ -1,0 +1,195 @@
+// The window, driven as a person would: from the first start to the needle in tissue and the saved session.
+#include "app/main_window.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QLabel>
+#include <QTest>
+#include <QWheelEvent>
+#include <chrono>
+#include <functional>
+
+#include "app/models/data_folder.h"
+#include "app/models/warnings.h"
+#include "app/pages/practise.h"
+#include "session/session_file.h"
+#include <gtest/gtest.h>
+
+namespace bodkin::app {
+namespace {
+
+class Window : public testing::Test {
+ protected:
+  void SetUp() override {
+    window_ = std::make_unique<MainWindow>(data_folder());
+    window_->resize(1280, 720);
+    window_->show();
+  }
+
+  template <typename Widget = QWidget>
+  Widget* find(const char* name) {
+    auto* const found = window_->findChild<Widget*>(QLatin1String(name));
+    EXPECT_NE(found, nullptr) << name;
+    return found;
+  }
+  void click(const char* name) { QTest::mouseClick(find(name), Qt::LeftButton); }
+  void key(int code, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QWidget* const focus = window_->focusWidget();
+    QTest::keyClick(focus != nullptr ? focus : window_.get(), static_cast<Qt::Key>(code), modifiers);
+  }
+  // Notches inwards, over a slice.
+  void push(int notches) {
+    QWidget* const slice = find("practise.slice.sagittal");
+    const QPoint at = slice->rect().center();
+    for (int i = 0; i < notches; ++i) {
+      QWheelEvent event(at, slice->mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                        false);
+      QApplication::sendEvent(slice, &event);
+      QTest::qWait(5);
+    }
+  }
+  bool wait(const std::function<bool()>& until, int seconds) { return QTest::qWaitFor(until, 1000 * seconds); }
+  bool wait(State state, int seconds) {
+    return wait([&] { return window_->practice().state() == state; }, seconds);
+  }
+  const Frame& frame() { return window_->practice().frame(); }
+  bool start() {
+    click("start.begin");
+    const auto decided = [&] {
+      return window_->practice().state() == State::ready || !window_->practice().failure().empty();
+    };
+    return wait(decided, 120) && window_->practice().failure().empty();
+  }
+  // Pushes until the tip is so deep.
+  void push_to(double depth) {
+    for (int i = 0; i < 400 && frame().depth < depth; ++i) push(1);
+  }
+
+  std::unique_ptr<MainWindow> window_;
+};
+
+TEST_F(Window, from_the_start_to_the_needle_in_tissue_and_the_saved_session) {
+  ASSERT_TRUE(start()) << window_->practice().failure();
+  push(1);
+  ASSERT_TRUE(wait(State::touching, 10)) << name_of(window_->practice().state());
+  EXPECT_TRUE(frame().has_needle);
+  push_to(12.0);
+  ASSERT_EQ(window_->practice().state(), State::in_tissue);
+  EXPECT_FALSE(frame().place.empty());
+  const anatomy::Case& patient = window_->practice().patient()->patient;
+  // The frame's tissue is the voxel at its tip.
+  const Vec3 tip = frame().needle.translation();
+  bool near = false;
+  for (const double along : {-0.6, 0.0, 0.6}) {
+    near = near || anatomy::nearest(patient.tissues, Vec3(tip + along * needle_axis(frame().needle)),
+                                    anatomy::tissue::air) == frame().tissue;
+  }
+  EXPECT_TRUE(near) << frame().place;
+  // The hand is ahead of the needle by the resistance.
+  QTest::qWait(600);
+  const double ahead = (frame().hand.translation() - frame().needle.translation()).dot(needle_axis(frame().needle));
+  EXPECT_NEAR(ahead, frame().resistance / MouseHand::stiffness, 0.3);
+  const double deepest = frame().depth;
+  key(Qt::Key_E);
+  ASSERT_EQ(window_->practice().state(), State::ended);
+  ASSERT_TRUE(wait([&] { return window_->practice().result().has_value(); }, 20));
+  const AttemptResult& result = *window_->practice().result();
+  EXPECT_NEAR(result.deepest, deepest, 0.5);
+  const session::Session saved = session::read_session(result.session);
+  EXPECT_TRUE(saved.finished);
+  EXPECT_EQ(saved.ticks.size(), result.run.ticks);
+  QTest::qWait(50);
+  EXPECT_EQ(find<QLabel>("results.headline")->text().toStdString(), result.headline);
+}
+
+TEST_F(Window, moving_the_pointer_moves_no_needle_in_tissue) {
+  ASSERT_TRUE(start()) << window_->practice().failure();
+  push_to(10.0);
+  QTest::qWait(500);
+  const Vec3 before = frame().needle.translation();
+  for (int x = 50; x < 700; x += 50) {
+    QTest::mouseMove(find("practise.view3d"), QPoint(x, 250));
+    QTest::qWait(20);
+  }
+  EXPECT_NEAR((frame().needle.translation() - before).norm(), 0.0, 0.1);
+}
+
+TEST_F(Window, space_holds_the_needle_and_escape_pauses) {
+  ASSERT_TRUE(start()) << window_->practice().failure();
+  push_to(8.0);
+  key(Qt::Key_Space);
+  EXPECT_EQ(window_->practice().state(), State::held);
+  const double depth = frame().depth;
+  push(10);
+  QTest::qWait(300);
+  EXPECT_NEAR(frame().depth, depth, 0.3);
+  key(Qt::Key_Space);
+  EXPECT_TRUE(needle_is_down(window_->practice().state()));
+  key(Qt::Key_Escape);
+  EXPECT_EQ(window_->practice().state(), State::paused);
+  QTest::qWait(50);
+  EXPECT_TRUE(find("pause.resume")->isVisible());
+  click("pause.resume");
+  EXPECT_TRUE(needle_is_down(window_->practice().state()));
+}
+
+TEST_F(Window, bone_holds_the_needle_and_says_so_within_two_frames) {
+  ASSERT_TRUE(start()) << window_->practice().failure();
+  // From the side of the spine onto the lamina: parallel to the plan, 12 mm to the patient's left of it.
+  const OpenCase& patient = *window_->practice().patient();
+  const anatomy::NeedlePath plan = *patient.description().procedure.path;
+  const Vec3 from = plan.entry + 12.0 * Vec3::UnitX() - 30.0 * plan.direction();
+  const std::optional<SkinPoint> skin = skin_on_ray(patient.patient.tissues, from, plan.direction(), 80.0);
+  ASSERT_TRUE(skin.has_value());
+  window_->practice().aim(*skin);
+  window_->practice().put_down();
+  ASSERT_TRUE(wait(State::touching, 10));
+  std::uint64_t met = 0, said = 0;
+  const QMetaObject::Connection watch = QObject::connect(&window_->clock(), &FrameClock::frame, [&] {
+    for (const session::SessionEvent& event : frame().events) {
+      if (event.event.kind == forces::EventKind::bone_contact && met == 0) met = frame().number;
+    }
+    if (frame().warning && said == 0) said = frame().number;
+  });
+  for (int i = 0; i < 250 && said == 0; ++i) push(1);
+  QObject::disconnect(watch);
+  ASSERT_GT(met, 0U);
+  EXPECT_LE(said, met + 2);
+  EXPECT_EQ(window_->practice().state(), State::warning);
+  const double depth = frame().depth;
+  push(20);
+  QTest::qWait(500);
+  EXPECT_LT(frame().depth, depth + 6.0);  // the hand goes on, the needle hardly
+  EXPECT_GT((frame().hand.translation() - frame().needle.translation()).norm(), 2.0);
+}
+
+TEST_F(Window, again_saves_the_attempt_and_begins_another_on_the_same_patient) {
+  ASSERT_TRUE(start()) << window_->practice().failure();
+  const auto patient = window_->practice().patient();
+  push_to(5.0);
+  click("practise.again");
+  ASSERT_TRUE(wait(State::ready, 20)) << window_->practice().failure();
+  EXPECT_EQ(window_->practice().patient(), patient);
+  QTest::qWait(100);
+  EXPECT_EQ(frame().depth, 0.0);
+  EXPECT_EQ(frame().time_in_body, 0.0);
+}
+
+TEST_F(Window, a_folder_that_is_no_patient_gives_a_sentence_and_the_start_page) {
+  window_->open("/no/such/folder");
+  ASSERT_TRUE(wait(State::no_case, 20));
+  QTest::qWait(100);
+  EXPECT_TRUE(find<QLabel>("start.line")->text().contains(QStringLiteral("/no/such/folder")));
+}
+
+TEST_F(Window, every_button_has_a_name_a_tool_tip_and_an_accessible_name) {
+  for (const QAbstractButton* button : window_->findChildren<QAbstractButton*>()) {
+    const std::string what = button->text().toStdString() + " in " + button->parent()->objectName().toStdString();
+    EXPECT_FALSE(button->objectName().isEmpty()) << what;
+    EXPECT_FALSE(button->toolTip().isEmpty()) << what;
+    EXPECT_FALSE(button->accessibleName().isEmpty() && button->text().isEmpty()) << what;
+  }
+}
+
+}  // namespace
+}  // namespace bodkin::app

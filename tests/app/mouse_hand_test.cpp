@@ -1,0 +1,193 @@
+#include "app/hand/mouse_hand.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/hand/needle_control.h"
+#include <gtest/gtest.h>
+
+namespace bodkin::app {
+namespace {
+
+constexpr double dt = 0.001;
+constexpr double unease = 0.02;  // mm, the tremor of the hand and what it does to speeds
+
+HandWish wish_at(const Vec3& at, double depth) {
+  HandWish wish;
+  wish.at = at;
+  wish.axis = Vec3(0.0, -0.8, 0.6);
+  wish.depth = depth;
+  wish.is_down = true;
+  return wish;
+}
+
+MouseHand hand_at_rest(const HandWish& wish, double seconds = 3.0) {
+  MouseHand hand(dt);
+  hand.start(wish);
+  for (int i = 0; i < seconds / dt; ++i) hand.step(wish, Vec3::Zero());
+  return hand;
+}
+
+TEST(MouseHand, waits_above_the_skin_until_it_is_put_down) {
+  HandWish wish = wish_at(Vec3(3.0, 20.0, -5.0), 10.0);
+  wish.is_down = false;
+  const MouseHand hand = hand_at_rest(wish);
+  EXPECT_NEAR(hand.report().depth, -MouseHand::waiting, unease);
+}
+
+TEST(MouseHand, goes_to_the_wished_depth_without_overshoot) {
+  HandWish wish = wish_at(Vec3(3.0, 20.0, -5.0), 0.3);
+  MouseHand hand = hand_at_rest(wish);
+  EXPECT_NEAR(hand.report().depth, 0.3, unease);
+  wish.depth = 25.0;
+  double deepest = 0.0, fastest = 0.0;
+  for (int i = 0; i < 3000; ++i) {
+    const double before = hand.report().meant.translation().dot(wish.axis);
+    hand.step(wish, Vec3::Zero());
+    fastest = std::max(fastest, (hand.report().meant.translation().dot(wish.axis) - before) / dt);
+    deepest = std::max(deepest, hand.report().depth);
+  }
+  EXPECT_NEAR(hand.report().depth, 25.0, unease);
+  EXPECT_LT(deepest, 25.0 + 0.1);
+  EXPECT_LE(fastest, wish.speed + 1e-9);
+}
+
+TEST(MouseHand, a_resistance_holds_the_needle_back_by_a_millimetre_per_newton) {
+  const HandWish wish = wish_at(Vec3::Zero(), 20.0);
+  MouseHand hand = hand_at_rest(wish);
+  const Vec3 resistance = -4.0 * wish.axis;
+  for (int i = 0; i < 2000; ++i) hand.step(wish, resistance);
+  EXPECT_NEAR(hand.report().depth, 20.0 - 4.0 / MouseHand::stiffness, unease);
+  EXPECT_NEAR((hand.report().meant.translation() - 20.0 * wish.axis).norm(), 0.0, 1e-3);
+}
+
+TEST(MouseHand, does_not_yield_across_its_axis) {
+  const HandWish wish = wish_at(Vec3::Zero(), 20.0);
+  MouseHand hand = hand_at_rest(wish);
+  const Vec3 across = wish.axis.unitOrthogonal();
+  for (int i = 0; i < 500; ++i) hand.step(wish, 3.0 * across);
+  EXPECT_NEAR(across.dot(hand.report().needle.translation()), 0.0, unease);
+}
+
+TEST(MouseHand, a_needle_in_tissue_comes_out_before_it_goes_elsewhere) {
+  HandWish wish = wish_at(Vec3::Zero(), 20.0);
+  MouseHand hand = hand_at_rest(wish);
+  wish.at = Vec3(30.0, 0.0, 0.0);
+  while (hand.report().depth > 0.0) {
+    hand.step(wish, Vec3::Zero());
+    const Vec3 tip = hand.report().needle.translation();
+    ASSERT_LT((tip - wish.axis * wish.axis.dot(tip)).norm(), unease) << "moved sideways in tissue";
+  }
+  for (int i = 0; i < 5000; ++i) hand.step(wish, Vec3::Zero());
+  EXPECT_NEAR((hand.report().needle.translation() - (wish.at + 20.0 * wish.axis)).norm(), 0.0, 2.0 * unease);
+}
+
+TEST(MouseHand, the_axis_turns_about_the_skin_while_shallow_and_never_deeper) {
+  HandWish wish = wish_at(Vec3::Zero(), 5.0);
+  MouseHand shallow = hand_at_rest(wish);
+  HandWish turned = wish;
+  turned.axis = Vec3(0.1, -0.8, 0.6).normalized();
+  for (int i = 0; i < 2000; ++i) shallow.step(turned, Vec3::Zero());
+  EXPECT_NEAR((needle_axis(shallow.report().needle) - turned.axis).norm(), 0.0, 1e-3);
+  wish.depth = turned.depth = 20.0;
+  MouseHand deep = hand_at_rest(wish);
+  for (int i = 0; i < 2000; ++i) deep.step(turned, Vec3::Zero());
+  EXPECT_NEAR((needle_axis(deep.report().needle) - wish.axis).norm(), 0.0, 1e-3);
+}
+
+class Control : public testing::Test {
+ protected:
+  Control() {
+    control_.begin(anatomy::NeedlePath{Vec3::Zero(), Vec3(0.0, -60.0, 0.0)}, {Vec3::Zero(), Vec3::UnitY()});
+  }
+  void at_depth(double depth) {
+    HandReport hand;
+    hand.depth = depth;
+    hand.meant = needle_pose(control_.wish().at + depth * control_.wish().axis, control_.wish().axis);
+    control_.update(0.016, hand);
+  }
+  NeedleControl control_;
+};
+
+TEST_F(Control, the_first_notch_brings_the_tip_to_the_skin) {
+  EXPECT_FALSE(control_.is_down());
+  control_.push(1.0, false);
+  EXPECT_TRUE(control_.is_down());
+  EXPECT_GT(control_.wish().depth, 0.0);
+  EXPECT_LT(control_.wish().depth, 1.0);
+}
+
+TEST_F(Control, a_notch_out_of_the_air_does_nothing) {
+  control_.push(-3.0, false);
+  EXPECT_FALSE(control_.is_down());
+}
+
+TEST_F(Control, notches_are_half_a_millimetre_and_fine_ones_a_tenth) {
+  control_.put_down();
+  const double before = control_.wish().depth;
+  control_.push(1.0, false);
+  EXPECT_NEAR(control_.wish().depth - before, 0.5, 1e-12);
+  control_.push(1.0, true);
+  EXPECT_NEAR(control_.wish().depth - before, 0.6, 1e-12);
+}
+
+TEST_F(Control, the_hand_does_not_run_away_from_a_needle_that_stays) {
+  control_.put_down();
+  at_depth(12.0);
+  control_.push(1000.0, false);
+  EXPECT_NEAR(control_.wish().depth, 12.0 + NeedleControl::lead, 1e-12);
+}
+
+TEST_F(Control, the_pointer_moves_no_needle_that_is_down) {
+  control_.put_down();
+  const Vec3 at = control_.wish().at;
+  control_.aim({Vec3(10.0, 0.0, 0.0), Vec3::UnitY()});
+  EXPECT_EQ(control_.wish().at, at);
+}
+
+TEST_F(Control, tilting_deeper_than_a_centimetre_is_refused) {
+  control_.put_down();
+  at_depth(5.0);
+  EXPECT_TRUE(control_.tilt(0.1, 0.0));
+  at_depth(11.0);
+  const Vec3 axis = control_.wish().axis;
+  EXPECT_FALSE(control_.tilt(0.1, 0.0));
+  EXPECT_EQ(control_.wish().axis, axis);
+}
+
+TEST_F(Control, a_tilt_near_the_plan_takes_its_direction) {
+  control_.put_down();
+  EXPECT_TRUE(control_.tilt(0.2, 0.0));
+  EXPECT_GT((control_.wish().axis + Vec3::UnitY()).norm(), 0.1);
+  EXPECT_TRUE(control_.tilt(-0.2 + 0.5 * degree, 0.0));
+  EXPECT_NEAR((control_.wish().axis + Vec3::UnitY()).norm(), 0.0, 1e-12);
+}
+
+TEST_F(Control, a_withdrawn_needle_is_free_again) {
+  control_.put_down();
+  at_depth(20.0);
+  control_.withdraw();
+  EXPECT_LT(control_.wish().depth, 0.0);
+  at_depth(3.0);
+  EXPECT_TRUE(control_.is_down());
+  at_depth(-5.0);
+  EXPECT_FALSE(control_.is_down());
+}
+
+TEST_F(Control, a_held_needle_takes_no_push) {
+  control_.put_down();
+  at_depth(8.0);
+  control_.push(6.0, false);
+  control_.hold(true);
+  const double depth = control_.wish().depth;
+  EXPECT_NEAR(depth, 8.0, 1e-9) << "it stays where it is, not where it was on its way to";
+  control_.push(5.0, false);
+  control_.withdraw();
+  EXPECT_EQ(control_.wish().depth, depth);
+  control_.hold(false);
+  control_.push(1.0, false);
+  EXPECT_NEAR(control_.wish().depth, depth + 0.5, 1e-12);
+}
+
+}  // namespace
+}  // namespace bodkin::app
