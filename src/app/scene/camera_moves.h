@@ -10,8 +10,8 @@ namespace bodkin::app {
 // Directions to look at a patient from. The keys 0 to 6 of the 3-D view choose them in this order.
 enum class StandardView : std::uint8_t {
   operator_side,  // over the entry, from behind the needle's side
-  anterior,
   posterior,
+  anterior,
   left,
   right,
   superior,

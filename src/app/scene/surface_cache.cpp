@@ -24,7 +24,7 @@ namespace bodkin::app {
 
 namespace {
 
-constexpr int surfaces_version = 1;  // another one whenever make_surfaces() makes others from the same tissues
+constexpr int surfaces_version = 2;  // another one whenever make_surfaces() makes others from the same tissues
 
 // All parts as one mesh.
 SceneMesh joined(const PatientSurfaces& surfaces) {

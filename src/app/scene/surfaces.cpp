@@ -132,21 +132,21 @@ std::size_t PatientSurfaces::triangles() const {
 std::vector<SurfacePlan> surface_plans() {
   using enum SurfaceKind;
   return {
-      {skin, "skin", 0xE0B596, anatomy::body_tissues(), {2.5, 1.5}, 18000},
-      {bone, "bone", 0xE9DEC6, anatomy::bone_tissues(), {1.5, 0.8}, 26000},
+      {skin, "skin", 0xE0B596, anatomy::body_tissues(), {2.5, 2.0}, 16000},
+      {bone, "bone", 0xE9DEC6, anatomy::bone_tissues(), {1.5, 0.8}, 25000},
       {tissue, "disc", 0x6EBEC7, set_of({tissue::disc}), {1.5, 0.8}, 3000},
       {tissue, "ligamentum_flavum", 0xD09500, set_of({tissue::ligamentum_flavum}), {1.0, 0.6}, 2500},
       {tissue,
        "dural_sac",
        0x9D4FC6,
-       set_of({tissue::dura, tissue::cerebrospinal_fluid, tissue::nerve}),
+       set_of({tissue::dura, tissue::cerebrospinal_fluid, tissue::nerve, tissue::spinal_cord}),
        {1.0, 0.7},
        3000},
       {tissue, "lesion", 0xCC79A7, set_of({tissue::mass}), {1.0, 0.6}, 1000},
       {tissue, "cartilage", 0xB6D9E0, set_of({tissue::cartilage}), {1.5, 0.8}, 2000},
       {tissue, "metal", 0xA9B4C0, set_of({tissue::metal}), {1.0, 0.4}, 1000},
-      {forbidden, "vessel", 0xD8202C, set_of({tissue::vessel}), {1.5, 0.8}, 2000},
-      {forbidden, "organ", 0x8A5878, set_of({tissue::organ}), {2.5, 1.5}, 1500},
+      {forbidden, "vessel", 0xD8202C, set_of({tissue::vessel}), {1.5, 0.8}, 2500},
+      {forbidden, "organ", 0x8A5878, set_of({tissue::organ}), {2.0, 1.2}, 4000},
   };
 }
 

@@ -51,6 +51,7 @@ class SoftwareView {
   Projection projection() const { return {camera_, picture_.width, picture_.height}; }
   const SkinPatch& patch() const { return patch_; }
   const PatientSurfaces& surfaces() const { return *surfaces_; }
+  const std::shared_ptr<const PatientSurfaces>& shared_surfaces() const { return surfaces_; }
   const StillLayers& layers() const { return *layers_; }
   // The skin at rest under a pixel.
   std::optional<SurfacePoint> skin_at(double x, double y) const;

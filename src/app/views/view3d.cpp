@@ -82,6 +82,9 @@ View3d::~View3d() = default;
 void View3d::set_case(std::shared_ptr<const OpenCase> patient) {
   job_.reset();
   scene_.reset();
+  right_scene_.reset();
+  stereo_ = Stereo::off;
+  said_.clear();
   flight_.reset();
   left_needles_.clear();
   has_needle_ = aimed_ = false;
@@ -109,18 +112,23 @@ void View3d::take_surfaces() {
     return;
   }
   job_.reset();
-  scene_ = std::make_unique<SoftwareView>(surfaces);
   subject_ = subject_of(*patient_, surfaces->skin());
   camera_ = standard_view(StandardView::operator_side, subject_);
-  scene_->set_camera(camera_);
-  scene_->set_preset(preset_);
-  Opening opening;
-  opening.centre = subject_.middle;
-  scene_->set_opening(opening);
-  if (const auto& path = patient_->description().procedure.path) scene_->set_entry(path->entry, path->direction());
+  scene_ = make_scene(surfaces);
   needle_.shape = patient_->description().needle;
   fit_picture();
   emit ready();
+}
+
+std::unique_ptr<SoftwareView> View3d::make_scene(std::shared_ptr<const PatientSurfaces> surfaces) const {
+  auto scene = std::make_unique<SoftwareView>(std::move(surfaces));
+  scene->set_camera(camera_);
+  scene->set_preset(preset_);
+  Opening opening;
+  opening.centre = subject_.middle;
+  scene->set_opening(opening);
+  if (const auto& path = patient_->description().procedure.path) scene->set_entry(path->entry, path->direction());
+  return scene;
 }
 
 void View3d::fit_picture() {
@@ -128,7 +136,9 @@ void View3d::fit_picture() {
   const double ratio = devicePixelRatioF();
   const double pixels = width() * ratio * height() * ratio;
   scale_ = pixels > most_pixels ? ratio * std::sqrt(most_pixels / pixels) : ratio;
-  scene_->set_size(static_cast<int>(std::lround(width() * scale_)), static_cast<int>(std::lround(height() * scale_)));
+  const int columns = static_cast<int>(std::lround(width() * scale_ * (stereo_ == Stereo::side_by_side ? 0.5 : 1.0)));
+  const int rows = static_cast<int>(std::lround(height() * scale_));
+  for (SoftwareView* scene : scenes()) scene->set_size(columns, rows);
   update();
 }
 
@@ -151,7 +161,7 @@ void View3d::place_buttons() {
 void View3d::set_preset(Preset preset) {
   preset_ = preset;
   for (std::size_t i = 0; i < buttons_.size(); ++i) buttons_[i]->setChecked(presets[i] == preset);
-  if (scene_) scene_->set_preset(preset);
+  for (SoftwareView* scene : scenes()) scene->set_preset(preset);
   emit preset_changed(preset);
 }
 
@@ -187,13 +197,18 @@ void View3d::show_frame(const Frame& frame, const Changes& changes) {
     camera_ = flight_->at(clock_ - flight_began_);
     if (flight_->ended(clock_ - flight_began_)) flight_.reset();
   }
-  if (!(camera_ == scene_->camera())) camera_moved_ = clock_;
+  const std::array<Camera, 2> cameras =
+      stereo_ == Stereo::off ? std::array<Camera, 2>{camera_, camera_} : eyes(camera_);
+  if (!(cameras[0] == scene_->camera())) camera_moved_ = clock_;
   const bool moves = camera_moved_ >= 0.0 && clock_ - camera_moved_ < settles_after;
-  scene_->set_detail(moves ? 1 : 2);
-  scene_->set_camera(camera_);
+  scene_->set_camera(cameras[0]);
+  if (right_scene_) right_scene_->set_camera(cameras[1]);
+  for (SoftwareView* scene : scenes()) scene->set_detail(moves ? 1 : 2);
   update_scene(frame);
-  const PixelBox drawn = scene_->draw();
-  const bool framed = shown_.warning.has_value() != frame.warning.has_value() ||
+  const PixelBox drawn = draw_scenes();
+  const bool spoke = !said_.isEmpty() && clock_ >= said_until_;
+  if (spoke) said_.clear();
+  const bool framed = spoke || shown_.warning.has_value() != frame.warning.has_value() ||
                       (shown_.state == State::reached) != (frame.state == State::reached);
   shown_ = without_spans(frame);
   const QRect tip = tip_mark();
@@ -217,7 +232,7 @@ void View3d::update_scene(const Frame& frame) {
     needle_.ghost_on_bone = frame.warning && frame.warning->kind == Warning::Kind::bone;
     needles.push_back(needle_);
   }
-  scene_->set_needles(std::move(needles));
+  for (SoftwareView* scene : scenes()) scene->set_needles(needles);
   SceneMarks marks;
   marks.path = frame.plan;
   marks.target_tolerance = frame.target_tolerance;
@@ -226,19 +241,20 @@ void View3d::update_scene(const Frame& frame) {
     marks.insert_here = 0.5 + 0.5 * std::sin(2.0 * 3.14159265358979 * frame.clock);  // 1 Hz
     marks.entry_normal = -frame.plan->direction();
   }
-  scene_->set_marks(std::move(marks));
+  for (SoftwareView* scene : scenes()) scene->set_marks(marks);
   update_skin(frame);
 }
 
 void View3d::update_skin(const Frame& frame) {
   const SkinDimple& dimple = frame.dimple;
-  if (dimple.depth != 0.0) {
-    const Vec3 from = dimple.at - scene_->patch().entry();
-    const double far = frame.displacements.empty() ? other_entry : other_entry_of_body;
-    if (scene_->patch().empty() || from.norm() > far) scene_->set_entry(dimple.at, dimple.inwards);
-    scene_->set_dent(SkinDent{dimple.at, dimple.inwards, dimple.depth}, frame.displacements);
-  } else {
-    scene_->set_dent(std::nullopt, frame.displacements);
+  std::optional<SkinDent> dent;
+  if (dimple.depth != 0.0) dent = SkinDent{dimple.at, dimple.inwards, dimple.depth};
+  const Vec3 from = dimple.at - scene_->patch().entry();
+  const double far = frame.displacements.empty() ? other_entry : other_entry_of_body;
+  const bool elsewhere = dent && (scene_->patch().empty() || from.norm() > far);
+  for (SoftwareView* scene : scenes()) {
+    if (elsewhere) scene->set_entry(dimple.at, dimple.inwards);
+    scene->set_dent(dent, frame.displacements);
   }
 }
 
@@ -268,7 +284,7 @@ void View3d::paintEvent(QPaintEvent* event) {
     paint_preparation(painter);
     return;
   }
-  const Picture& picture = scene_->picture();
+  const Picture& picture = stereo_ == Stereo::off ? scene_->picture() : stereo_picture_;
   const QImage image(reinterpret_cast<const uchar*>(picture.pixels.data()), picture.width, picture.height,
                      4 * picture.width, QImage::Format_RGB32);
   if (scale_ == 1.0) {
@@ -277,11 +293,15 @@ void View3d::paintEvent(QPaintEvent* event) {
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     painter.drawImage(QRectF(rect()), image, QRectF(0, 0, picture.width, picture.height));
   }
-  if (!tip_mark().isEmpty()) {
+  if (!tip_mark().isEmpty() && stereo_ == Stereo::off) {
     const auto place = scene_->projection().place(needle_.pose.translation());
     draw_tip(painter, on_screen(*place), tip_shape(shown_), tissue_colour(shown_.tissue, patient_->patient.library));
   }
   draw_orientation_cube(painter, cube_place(), camera_.axes());
+  if (!said_.isEmpty()) {
+    set_font(painter, text_size);
+    draw_text_on_picture(painter, QPointF(0.5 * width(), height() - 24.0), said_, Theme::dark().text, Anchor::middle);
+  }
   if (shown_.warning || shown_.state == State::reached) {
     painter.setPen(QPen(shown_.warning ? Theme::dark().danger : Theme::dark().plan, 3.0));
     painter.setBrush(Qt::NoBrush);

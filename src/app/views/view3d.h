@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "app/scene/camera_moves.h"
+#include "app/scene/export_surfaces.h"
+#include "app/scene/stereo.h"
 #include "app/scene/surface_job.h"
 #include "app/scene/view_software.h"
 #include "app/views/view.h"
@@ -40,6 +42,14 @@ class View3d : public View {
   void set_left_needles(std::vector<NeedleLook> needles);
   // The dashed line of the plan, the ring at the target.
   void set_plan_shown(bool shown);
+  void set_stereo(Stereo stereo);
+  Stereo stereo() const { return stereo_; }
+
+  // Writes the surfaces that are shown to a folder; what is said about it stands in the view for some seconds. False:
+  // they could not be written.
+  bool save_surfaces(const QString& folder, SurfaceFormat format);
+  // Writes the view as it is shown. False: it could not be written.
+  bool save_picture(const QString& file);
 
   // The surfaces are there.
   bool is_ready() const { return scene_ != nullptr; }
@@ -68,6 +78,12 @@ class View3d : public View {
   enum class Drag { none, perhaps_turn, turn, pan, hub, hub_along, hub_across };
 
   void take_surfaces();
+  std::unique_ptr<SoftwareView> make_scene(std::shared_ptr<const PatientSurfaces> surfaces) const;
+  // One, or with stereo one for each eye.
+  std::vector<SoftwareView*> scenes() const;
+  PixelBox draw_scenes();
+  void open_menu(const QPoint& at);
+  void say(const QString& sentence);
   void update_scene(const Frame& frame);
   void update_skin(const Frame& frame);
   void aim();
@@ -78,14 +94,18 @@ class View3d : public View {
   QPointF on_screen(const Place& place) const;
   QRect tip_mark() const;
   // In pixels of the picture.
-  QPointF in_picture(const QPointF& at) const { return at * scale_; }
+  QPointF in_picture(const QPointF& at) const;
   void fit_picture();
   void paint_preparation(QPainter& painter);
   void place_buttons();
 
   std::shared_ptr<const OpenCase> patient_;
   std::unique_ptr<SurfaceJob> job_;
-  std::unique_ptr<SoftwareView> scene_;
+  std::unique_ptr<SoftwareView> scene_, right_scene_;  // the second one for the right eye
+  Stereo stereo_ = Stereo::off;
+  Picture stereo_picture_;
+  QString said_;
+  double said_until_ = 0.0;  // s
   int shown_percent_ = -1;
 
   Camera camera_;

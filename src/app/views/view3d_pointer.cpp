@@ -119,6 +119,10 @@ void View3d::mouseReleaseEvent(QMouseEvent* event) {
   drag_ = Drag::none;
   pointer_ = event->localPos();
   setCursor(Qt::ArrowCursor);
+  if (event->button() == Qt::RightButton && length_of(pointer_ - pressed_) <= click_reach) {
+    open_menu(event->globalPos());
+    return;
+  }
   if (ended != Drag::perhaps_turn || !scene_) return;
   if (const auto face = orientation_cube_face(cube_place(), camera_.axes(), pointer_)) {
     choose_view(*face);
@@ -178,6 +182,9 @@ void View3d::keyPressEvent(QKeyEvent* event) {
       break;
     case Qt::Key_Minus:
       set_camera(zoomed(camera_, 1.0 / zoom_per_key, camera_.focus));
+      break;
+    case Qt::Key_Y:
+      set_stereo(static_cast<Stereo>((static_cast<int>(stereo_) + 1) % 3));
       break;
     default:
       View::keyPressEvent(event);

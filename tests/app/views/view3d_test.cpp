@@ -1,9 +1,11 @@
 #include "app/views/view3d.h"
 
 #include <QApplication>
+#include <QFile>
 #include <QImage>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QWheelEvent>
 #include <utility>
@@ -196,10 +198,12 @@ TEST_F(View3dTest, drags_turn_keys_choose_views_and_the_cube_too) {
   const Preset preset = view_.preset();
   QTest::keyClick(&view_, Qt::Key_P);
   EXPECT_NE(view_.preset(), preset);
-  // The cube now shows L to the viewer, in its middle.
-  QTest::keyClick(&view_, Qt::Key_2);
+  QTest::keyClick(&view_, Qt::Key_1);
   show(frame_at(-5.0));
   show(frame_at(-5.0));
+  EXPECT_TRUE(looks_from().isApprox(Vec3::UnitY(), 1e-6)) << "1 is from behind";
+  // The face of the cube that shows in its middle is the one that is seen.
+  QTest::keyClick(&view_, Qt::Key_Right);
   QTest::mouseClick(&view_, Qt::LeftButton, {}, QPoint(12 + 38, 300 - 12 - 38));
   show(frame_at(-5.0));
   EXPECT_TRUE(looks_from().isApprox(Vec3::UnitY(), 1e-6));
@@ -225,6 +229,42 @@ TEST_F(View3dTest, the_dimple_of_a_frame_is_as_deep_in_the_scene) {
   frame.dimple.depth = 0.0;
   show(frame);
   EXPECT_NEAR(patch.mesh().points[patch.bottom()].y(), 30.0F, 0.6F);
+}
+
+TEST_F(View3dTest, stereo_shows_each_eye_its_own_picture) {
+  show(frame_at(-20.0));
+  const Picture mono = view_.scene()->picture();
+  QTest::keyClick(&view_, Qt::Key_Y);
+  EXPECT_EQ(view_.stereo(), Stereo::side_by_side);
+  show(frame_at(-20.0));
+  show(frame_at(-20.0));
+  EXPECT_EQ(view_.scene()->width(), 200);
+  const QImage both = view_.grab().toImage();
+  EXPECT_EQ(both.width(), 400);
+  // The needle stands nearer than the focus: the right eye sees it farther left.
+  const Vec3 hub = hub_middle(NeedleLook{.pose = frame_at(-20.0).needle});
+  const auto left = Projection(eyes(view_.camera())[0], 200, 300).place(hub);
+  const auto right = Projection(eyes(view_.camera())[1], 200, 300).place(hub);
+  EXPECT_LT(right->x, left->x);
+  QTest::keyClick(&view_, Qt::Key_Y);
+  show(frame_at(-20.0));
+  EXPECT_EQ(view_.stereo(), Stereo::anaglyph);
+  EXPECT_EQ(view_.scene()->width(), 400);
+  QTest::keyClick(&view_, Qt::Key_Y);
+  show(frame_at(-20.0));
+  show(frame_at(-20.0));
+  EXPECT_EQ(view_.stereo(), Stereo::off);
+  EXPECT_EQ(view_.scene()->picture().pixels.size(), mono.pixels.size());
+}
+
+TEST_F(View3dTest, saves_surfaces_and_pictures_or_says_why_not) {
+  QTemporaryDir folder;
+  EXPECT_TRUE(view_.save_surfaces(folder.path(), SurfaceFormat::stl));
+  EXPECT_TRUE(QFile::exists(folder.filePath(QStringLiteral("skin.stl"))));
+  EXPECT_FALSE(view_.save_surfaces(QStringLiteral("/proc/no/such"), SurfaceFormat::ply));
+  EXPECT_TRUE(view_.save_picture(folder.filePath(QStringLiteral("view.png"))));
+  EXPECT_EQ(QImage(folder.filePath(QStringLiteral("view.png"))).size(), view_.size());
+  EXPECT_FALSE(view_.save_picture(QStringLiteral("/proc/no/such.png")));
 }
 
 TEST_F(View3dTest, a_warning_frames_the_view_in_red) {
