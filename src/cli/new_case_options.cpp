@@ -11,6 +11,7 @@
 #include "cli/json_values.h"
 #include "core/error.h"
 #include "io/image_worker.h"
+#include "training/procedure_file.h"
 
 namespace bodkin::cli {
 namespace {
@@ -62,6 +63,9 @@ void add_new_case_options(CLI::App& command, NewCaseOptions& options) {
   add_text(command, "--target", options.target, "Where the needle's tip should end: x,y,z in LPS mm");
   add_whole_number(command, "--needle-gauge", options.needle_gauge, anatomy::gauge_sizes().front().gauge,
                    anatomy::gauge_sizes().back().gauge, "Gauge of the needle, 10 to 34");
+  add_text(command, "--procedure", options.procedure,
+           "What is practised: a procedure that comes with Bodkin (default: lumbar_puncture where there is a lumbar "
+           "spine)");
   add_switch(command, "--overwrite", options.overwrite, "Replace a case that is already there");
 }
 
@@ -81,6 +85,12 @@ json new_case_request(const NewCaseOptions& options) {
                   {"overwrite", options.overwrite},
                   {"name", io::path_text(options.name)},
                   {"needle_gauge", options.needle_gauge}};
+  if (!options.procedure.empty()) {
+    const training::Procedure procedure = training::find_shipped_procedure(options.procedure);
+    request["procedure"] = procedure.name;
+    for (const training::Goal& goal : procedure.goals)
+      if (!goal.tissue.empty()) request["target_tissue"] = goal.tissue;
+  }
   if (!options.entry.empty()) {
     request["entry"] = checked_point(options.entry, "--entry");
     request["target"] = checked_point(options.target, "--target");

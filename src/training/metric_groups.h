@@ -11,6 +11,7 @@ std::vector<Metric> metrics_of_time();
 std::vector<Metric> metrics_of_motion();
 std::vector<Metric> metrics_of_target();
 std::vector<Metric> metrics_of_tissue();
+std::vector<Metric> metrics_of_technique();
 std::vector<Metric> metrics_of_ultrasound();
 
 // The value of an attempt that has an insertion, or nothing.

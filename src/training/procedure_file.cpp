@@ -43,6 +43,11 @@ bool is_event(const std::string& name) {
   return false;
 }
 
+bool is_shipped(const std::string& name) {
+  const std::vector<std::string> shipped = shipped_procedures();
+  return std::find(shipped.begin(), shipped.end(), name) != shipped.end();
+}
+
 void check_names(const io::XmlElement& root, const std::string& origin) {
   for (const io::XmlElement& child : root.children) {
     const std::string event = child.string("event"), metric = child.string("metric");
@@ -81,20 +86,22 @@ std::vector<std::string> shipped_procedures() {
   return names;
 }
 
+Procedure find_shipped_procedure(const std::string& name) {
+  if (is_shipped(name)) return read_procedure(io::shared_file("procedures/" + name + ".xml"));
+  throw InputError(fmt::format("there is no procedure {}, expected one of {}", io::in_quotes(name),
+                               fmt::join(shipped_procedures(), ", ")));
+}
+
 Procedure find_procedure(const std::string& name) {
-  const std::vector<std::string> shipped = shipped_procedures();
-  if (std::find(shipped.begin(), shipped.end(), name) != shipped.end())
-    return read_procedure(io::shared_file("procedures/" + name + ".xml"));
   std::error_code error;
-  if (fs::is_regular_file(name, error)) return read_procedure(name);
+  if (!is_shipped(name) && fs::is_regular_file(name, error)) return read_procedure(name);
+  if (is_shipped(name)) return find_shipped_procedure(name);
   throw InputError(fmt::format("there is no procedure {}, expected one of {}, or the name of a procedure file",
-                               io::in_quotes(name), fmt::join(shipped, ", ")));
+                               io::in_quotes(name), fmt::join(shipped_procedures(), ", ")));
 }
 
 Procedure procedure_of_case(const std::string& name) {
-  const std::vector<std::string> shipped = shipped_procedures();
-  const bool known = std::find(shipped.begin(), shipped.end(), name) != shipped.end();
-  return find_procedure(known ? name : "needle_insertion");
+  return find_shipped_procedure(is_shipped(name) ? name : "needle_insertion");
 }
 
 }  // namespace bodkin::training

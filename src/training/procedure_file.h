@@ -19,6 +19,9 @@ Procedure read_procedure(const std::filesystem::path& file);
 // Throws InputError, which lists those that come with Bodkin, when it is neither.
 Procedure find_procedure(const std::string& name);
 
+// The same without files. Throws InputError.
+Procedure find_shipped_procedure(const std::string& name);
+
 // The procedure that a case names, or `needle_insertion`, which holds what all have in common, when it is none of
 // those that come with Bodkin.
 Procedure procedure_of_case(const std::string& name);

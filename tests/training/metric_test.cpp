@@ -183,6 +183,28 @@ TEST(Metric, the_needle_in_an_ultrasound_slice_is_measured_from_the_probes_pose)
   EXPECT_NEAR(*value_of(written, "needle_to_slice_deg"), 0.0, 1e-9);
 }
 
+TEST(Metric, lifting_thrusting_and_twirling_have_the_amplitude_and_frequency_that_they_were_made_with) {
+  WrittenSession written;
+  written.to(0, 100, WrittenSession::air).to(20, 1000, {});
+  constexpr double amplitude = 4.0, lifting = 0.5;  // mm from top to bottom, Hz
+  constexpr double turn = 90.0, twirling = 1.0;     // deg from one side to the other, Hz
+  for (int i = 0; i < 10000; ++i) {
+    const double t = 0.001 * i;
+    written.add(Vec3(0, -20.0 - 0.5 * amplitude * std::sin(2.0 * std::numbers::pi * lifting * t), 0), {});
+    Pose& needle = written.session().ticks.back().input.needle;
+    needle.rotate(
+        Eigen::AngleAxisd(0.5 * turn * degree * std::sin(2.0 * std::numbers::pi * twirling * t), Vec3::UnitZ()));
+  }
+  written.to(0, 1000, {});
+  EXPECT_NEAR(*value_of(written, "lift_thrust_mm"), amplitude, 0.02);
+  EXPECT_NEAR(*value_of(written, "lift_thrust_Hz"), lifting, 0.01);
+  EXPECT_NEAR(*value_of(written, "twirl_deg"), turn, 1.0);
+  EXPECT_NEAR(*value_of(written, "twirl_Hz"), twirling, 0.01);
+  WrittenSession straight = good_puncture();
+  EXPECT_FALSE(value_of(straight, "lift_thrust_mm").has_value());
+  EXPECT_FALSE(value_of(straight, "twirl_deg").has_value());
+}
+
 // docs/metrics.md holds the table of all metrics; BODKIN_WRITE_PAGES=1 writes it.
 TEST(Metric, the_page_defines_every_one) {
   const std::string file = BODKIN_REPOSITORY "/docs/metrics.md";

@@ -112,10 +112,15 @@ void write_case(const std::filesystem::path& folder, const Volumes& volumes, ana
   io::write_case_description(description, folder);
 }
 
-// A lumbar puncture where there is a lumbar spine, otherwise a plain insertion.
-anatomy::Procedure procedure_for(const std::optional<anatomy::NeedlePath>& path, bool lumbar) {
+// What is wanted, or else a lumbar puncture where there is a lumbar spine and a plain insertion where there is none.
+anatomy::Procedure procedure_for(const NewCase& wanted, const std::optional<anatomy::NeedlePath>& path, bool lumbar) {
   anatomy::Procedure procedure;
   procedure.path = path;
+  if (!wanted.procedure.empty()) {
+    procedure.name = wanted.procedure;
+    procedure.target_tissue = wanted.target_tissue;
+    return procedure;
+  }
   procedure.name = lumbar ? "lumbar_puncture" : "needle_insertion";
   if (lumbar) procedure.target_tissue = "cerebrospinal_fluid";
   return procedure;
@@ -233,7 +238,7 @@ CaseSummary build_imported_case(const NewCase& wanted, const ImportOptions& opti
   description.created_by = maker;
   description.structures = std::move(table);
   description.landmarks = std::move(patient.landmarks);
-  description.procedure = procedure_for(patient.path, !description.landmarks.empty());
+  description.procedure = procedure_for(wanted, patient.path, !description.landmarks.empty());
   if (progress) progress("writing the case", 0.9);
   write_case(folder.path(), {image.ct, placed.labels, patient.tissues}, description);
   folder.finish();
@@ -256,7 +261,7 @@ CaseSummary build_synthetic_case(const NewCase& wanted, const LumbarParameters& 
   description.created_by = maker;
   description.structures = std::move(patient.structure_table);
   description.landmarks = std::move(patient.landmarks);
-  description.procedure = procedure_for(wanted.path ? *wanted.path : patient.path, true);
+  description.procedure = procedure_for(wanted, wanted.path ? *wanted.path : patient.path, true);
   if (progress) progress("writing the case", 0.9);
   write_case(folder.path(), {patient.ct, patient.structures, patient.tissues}, description);
   folder.finish();

@@ -1,0 +1,120 @@
+#include <algorithm>
+#include <cmath>
+
+#include "training/metric_groups.h"
+
+namespace bodkin::training {
+
+namespace {
+
+constexpr double least_lift = 0.5;       // mm; a smaller change of direction is tremor
+constexpr double least_twirl = 10.0;     // deg, the same
+constexpr std::size_t fewest_turns = 5;  // of a motion to and fro: two whole cycles
+
+struct Oscillation {
+  double amplitude = 0.0;  // from one end to the other, mean
+  double frequency = 0.0;  // Hz
+};
+
+struct Turn {
+  double time = 0.0, value = 0.0;
+};
+
+// Where a curve turns by at least `least`: maxima and minima in turn. The first and the last belong to the way in and
+// out and are left out.
+std::optional<Oscillation> oscillation(const std::vector<Turn>& curve, double least) {
+  std::vector<Turn> turns;
+  if (curve.empty()) return std::nullopt;
+  Turn low = curve.front(), high = curve.front();
+  int direction = 0;  // 1: rising
+  for (const Turn& here : curve) {
+    if (here.value > high.value) high = here;
+    if (here.value < low.value) low = here;
+    if (direction >= 0 && high.value - here.value >= least) {
+      turns.push_back(high);
+      direction = -1;
+      low = here;
+      high = here;
+    } else if (direction <= 0 && here.value - low.value >= least) {
+      if (direction < 0) turns.push_back(low);
+      direction = 1;
+      low = here;
+      high = here;
+    }
+  }
+  if (turns.size() < fewest_turns) return std::nullopt;
+  Oscillation found;
+  const auto halves = static_cast<double>(turns.size() - 1);
+  for (std::size_t i = 1; i < turns.size(); ++i)
+    found.amplitude += std::abs(turns[i].value - turns[i - 1].value) / halves;
+  found.frequency = 0.5 * halves / (turns.back().time - turns.front().time);
+  return found;
+}
+
+// Depth along the planned path, of the filtered motion.
+std::optional<Oscillation> lifting(const Measured& measured) {
+  const Attempt& attempt = measured.attempt;
+  if (attempt.insertions.empty() || attempt.path().length() <= 0.0) return std::nullopt;
+  const Vec3 along = attempt.path().direction();
+  std::vector<Turn> curve;
+  for (std::size_t i = 0; i < measured.motion.tip.size(); ++i) {
+    if (measured.motion.inside[i] != 0)
+      curve.push_back({measured.motion.time[i], (measured.motion.tip[i] - attempt.path().entry).dot(along)});
+  }
+  return oscillation(curve, least_lift);
+}
+
+// Rotation about the needle's own axis, summed over 10 ms at a time.
+std::optional<Oscillation> twirling(const Measured& measured) {
+  const Attempt& attempt = measured.attempt;
+  constexpr double interval = 0.01;  // s
+  const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(interval / attempt.dt())));
+  std::vector<Turn> curve;
+  double angle = 0.0;
+  for (std::size_t i = stride; i < attempt.size(); i += stride) {
+    if (attempt.inside[i] == 0 || attempt.inside[i - stride] == 0) continue;
+    const auto& ticks = attempt.session().ticks;
+    const Mat3 step = ticks[i - stride].input.needle.linear().transpose() * ticks[i].input.needle.linear();
+    const Eigen::Quaterniond turn(step);
+    angle += 2.0 * std::atan2(turn.z(), turn.w()) / degree;
+    if (turn.w() < 0.0) angle -= turn.z() > 0.0 ? 360.0 : -360.0;
+    curve.push_back({attempt.time[i], angle});
+  }
+  return oscillation(curve, least_twirl);
+}
+
+std::optional<double> lift_amplitude(const Measured& measured) {
+  const auto found = lifting(measured);
+  return found ? std::optional(found->amplitude) : std::nullopt;
+}
+std::optional<double> lift_frequency(const Measured& measured) {
+  const auto found = lifting(measured);
+  return found ? std::optional(found->frequency) : std::nullopt;
+}
+std::optional<double> twirl_amplitude(const Measured& measured) {
+  const auto found = twirling(measured);
+  return found ? std::optional(found->amplitude) : std::nullopt;
+}
+std::optional<double> twirl_frequency(const Measured& measured) {
+  const auto found = twirling(measured);
+  return found ? std::optional(found->frequency) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Metric> metrics_of_technique() {
+  return {
+      {"lift_thrust_mm", "mm", "amplitude of lifting and thrusting",
+       "mean distance between neighbouring turns of at least 0.5 mm along the planned path, filtered motion; from "
+       "two whole cycles on",
+       "Evid.-Based Compl. Alt. Med. 2019, 1725936", lift_amplitude},
+      {"lift_thrust_Hz", "Hz", "frequency of lifting and thrusting",
+       "reciprocal of the mean cycle, which is a thrust and a lift", "Evid.-Based Compl. Alt. Med. 2019, 1725936",
+       lift_frequency},
+      {"twirl_deg", "deg", "amplitude of twirling",
+       "mean angle between neighbouring turns of at least 10 deg about the needle's axis; from two whole cycles on",
+       "Bodkin", twirl_amplitude},
+      {"twirl_Hz", "Hz", "frequency of twirling", "reciprocal of the mean cycle", "Bodkin", twirl_frequency}};
+}
+
+}  // namespace bodkin::training
