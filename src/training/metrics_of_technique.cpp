@@ -12,7 +12,7 @@ constexpr double least_twirl = 10.0;     // deg, the same
 constexpr std::size_t fewest_turns = 5;  // of a motion to and fro: two whole cycles
 
 struct Oscillation {
-  double amplitude = 0.0;  // from one end to the other, mean
+  double amplitude = 0.0;  // from one end to the other, median
   double frequency = 0.0;  // Hz
 };
 
@@ -20,8 +20,14 @@ struct Turn {
   double time = 0.0, value = 0.0;
 };
 
-// Where a curve turns by at least `least`: maxima and minima in turn. The first and the last belong to the way in and
-// out and are left out.
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Where a curve turns by at least `least`: maxima and minima in turn. What comes before the first turn and after the
+// last one is the way in and out.
 std::optional<Oscillation> oscillation(const std::vector<Turn>& curve, double least) {
   std::vector<Turn> turns;
   if (curve.empty()) return std::nullopt;
@@ -43,12 +49,12 @@ std::optional<Oscillation> oscillation(const std::vector<Turn>& curve, double le
     }
   }
   if (turns.size() < fewest_turns) return std::nullopt;
-  Oscillation found;
-  const auto halves = static_cast<double>(turns.size() - 1);
-  for (std::size_t i = 1; i < turns.size(); ++i)
-    found.amplitude += std::abs(turns[i].value - turns[i - 1].value) / halves;
-  found.frequency = 0.5 * halves / (turns.back().time - turns.front().time);
-  return found;
+  std::vector<double> ways, times;
+  for (std::size_t i = 1; i < turns.size(); ++i) {
+    ways.push_back(std::abs(turns[i].value - turns[i - 1].value));
+    times.push_back(turns[i].time - turns[i - 1].time);
+  }
+  return Oscillation{median_of(ways), 0.5 / median_of(times)};
 }
 
 // Depth along the planned path, of the filtered motion.
@@ -105,16 +111,16 @@ std::optional<double> twirl_frequency(const Measured& measured) {
 std::vector<Metric> metrics_of_technique() {
   return {
       {"lift_thrust_mm", "mm", "amplitude of lifting and thrusting",
-       "mean distance between neighbouring turns of at least 0.5 mm along the planned path, filtered motion; from "
+       "median distance between neighbouring turns of at least 0.5 mm along the planned path, filtered motion; from "
        "two whole cycles on",
        "Evid.-Based Compl. Alt. Med. 2019, 1725936", lift_amplitude},
       {"lift_thrust_Hz", "Hz", "frequency of lifting and thrusting",
-       "reciprocal of the mean cycle, which is a thrust and a lift", "Evid.-Based Compl. Alt. Med. 2019, 1725936",
+       "reciprocal of the median cycle, which is a thrust and a lift", "Evid.-Based Compl. Alt. Med. 2019, 1725936",
        lift_frequency},
       {"twirl_deg", "deg", "amplitude of twirling",
-       "mean angle between neighbouring turns of at least 10 deg about the needle's axis; from two whole cycles on",
+       "median angle between neighbouring turns of at least 10 deg about the needle's axis; from two whole cycles on",
        "Bodkin", twirl_amplitude},
-      {"twirl_Hz", "Hz", "frequency of twirling", "reciprocal of the mean cycle", "Bodkin", twirl_frequency}};
+      {"twirl_Hz", "Hz", "frequency of twirling", "reciprocal of the median cycle", "Bodkin", twirl_frequency}};
 }
 
 }  // namespace bodkin::training

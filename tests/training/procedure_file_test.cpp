@@ -104,7 +104,8 @@ TEST(ProcedureFile, a_name_that_is_none_is_refused_with_those_that_are) {
     find_procedure("appendectomy");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("there is no procedure 'appendectomy', expected one of ct_guided_biopsy"));
+    EXPECT_THAT(error.what(),
+                HasSubstr("there is no procedure 'appendectomy', expected one of acupuncture, ct_guided_biopsy"));
   }
 }
 
