@@ -23,6 +23,7 @@ constexpr const char* main_footer = R"(Examples:
   bodkin profile patient                         force against depth along the planned path
   bodkin compare patient                         every force model on the same motion
   bodkin run patient --operator novice           a simulated hand performs the procedure
+  bodkin score session.bodkin                    how good it was, and why
   bodkin report session.bodkin                   what happened, as one HTML file
   bodkin fit layered skin.csv                    parameters of a force model from a measured curve
   bodkin perform patient openhaptics             your own hand performs it on a haptic device
