@@ -1,5 +1,6 @@
 #include "app/scene/marks.h"
 
+#include <algorithm>
 #include <array>
 
 #include "app/scene/strokes.h"
@@ -19,6 +20,17 @@ void draw_path(const anatomy::NeedlePath& path, const Line& line, const Projecti
 }
 
 }  // namespace
+
+bool same_marks(const SceneMarks& a, const SceneMarks& b) {
+  const auto same_path = [](const anatomy::NeedlePath& p, const anatomy::NeedlePath& q) {
+    return p.entry == q.entry && p.target == q.target;
+  };
+  if (a.path.has_value() != b.path.has_value() || (a.path && !same_path(*a.path, *b.path))) return false;
+  return std::equal(a.other_paths.begin(), a.other_paths.end(), b.other_paths.begin(), b.other_paths.end(),
+                    same_path) &&
+         a.target_tolerance == b.target_tolerance && a.path_shown == b.path_shown && a.insert_here == b.insert_here &&
+         a.entry_normal == b.entry_normal && a.colour == b.colour;
+}
 
 void draw_marks(const SceneMarks& marks, const Projection& projection, MovingPixels& pixels) {
   Line line{.colour = marks.colour, .width = 1.5, .dash = path_dash, .opacity = 1.0F, .behind = 0.6F};

@@ -22,6 +22,9 @@ struct SceneMarks {
   std::uint32_t colour = 0x2EE6C5;               // 0xRRGGBB, of plan and target
 };
 
+// They are drawn alike.
+bool same_marks(const SceneMarks& a, const SceneMarks& b);
+
 void draw_marks(const SceneMarks& marks, const Projection& projection, MovingPixels& pixels);
 
 }  // namespace bodkin::app

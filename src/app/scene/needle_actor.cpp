@@ -64,6 +64,12 @@ void draw_hub(const HubAxis& axis, std::uint32_t colour, float opacity, const Pr
 
 }  // namespace
 
+bool same_look(const NeedleLook& a, const NeedleLook& b) {
+  return a.pose.matrix() == b.pose.matrix() && a.shape.outer_diameter == b.shape.outer_diameter &&
+         a.shape.length == b.shape.length && a.shaft == b.shaft && a.hub_colour == b.hub_colour &&
+         a.ghost == b.ghost && a.ghost_on_bone == b.ghost_on_bone && a.opacity == b.opacity;
+}
+
 void draw_needle(const NeedleLook& needle, const Projection& projection, MovingPixels& pixels) {
   const HubAxis hub = hub_axis(needle);
   if (needle.ghost != 0.0) {

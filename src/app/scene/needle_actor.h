@@ -23,6 +23,9 @@ struct NeedleLook {
   float opacity = 1.0F;        // of one that was left in the body less
 };
 
+// They are drawn alike.
+bool same_look(const NeedleLook& a, const NeedleLook& b);
+
 // Draws the needle in its true gauge, but at least 2 pixels wide: steel, with a black ring at every 10 mm from the
 // tip and an orange one at 50 and 100, and a hub of 6 mm. What the patient hides of it shows through faintly.
 void draw_needle(const NeedleLook& needle, const Projection& projection, MovingPixels& pixels);

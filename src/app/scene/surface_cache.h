@@ -19,8 +19,8 @@ std::optional<PatientSurfaces> read_surfaces(const std::filesystem::path& file, 
 // A fingerprint of the tissues and of how surfaces are made from them.
 std::string surfaces_digest(const anatomy::TissueVolume& tissues);
 
-// The surfaces of a case: from surfaces.vtp in its folder, or else made and kept there. A folder that cannot be written
-// is no error; an empty name stands for a case that is in memory only. See make_surfaces().
+// The surfaces of a case: from surfaces.vtp in its folder, or else made and kept there. A folder that cannot be
+// written is no error; an empty name stands for a case that is in memory only. See make_surfaces().
 PatientSurfaces surfaces_of_case(const anatomy::TissueVolume& tissues, const std::filesystem::path& folder,
                                  const Progress& progress = {});
 

@@ -50,11 +50,13 @@ void SoftwareView::set_detail(int detail) {
 }
 
 void SoftwareView::set_needles(std::vector<NeedleLook> needles) {
+  if (std::equal(needles.begin(), needles.end(), needles_.begin(), needles_.end(), same_look)) return;
   needles_ = std::move(needles);
   moving_stale_ = true;
 }
 
 void SoftwareView::set_marks(SceneMarks marks) {
+  if (same_marks(marks, marks_)) return;
   marks_ = std::move(marks);
   moving_stale_ = true;
 }

@@ -38,7 +38,7 @@ Frame without_spans(const Frame& frame) {
 ViewSubject subject_of(const OpenCase& patient, const SceneMesh& skin) {
   ViewSubject subject;
   if (const auto& path = patient.description().procedure.path) {
-    subject.middle = 0.5 * (path->entry + path->target);
+    subject.middle = 0.75 * path->entry + 0.25 * path->target;  // room for the hub
     subject.direction = path->direction();
     return subject;
   }
@@ -126,6 +126,7 @@ std::unique_ptr<SoftwareView> View3d::make_scene(std::shared_ptr<const PatientSu
   scene->set_preset(preset_);
   Opening opening;
   opening.centre = subject_.middle;
+  if (const auto& path = patient_->description().procedure.path) opening.centre = 0.5 * (path->entry + path->target);
   scene->set_opening(opening);
   if (const auto& path = patient_->description().procedure.path) scene->set_entry(path->entry, path->direction());
   return scene;

@@ -78,6 +78,10 @@ TEST(SoftwareView, every_pixel_that_changes_is_within_the_box_that_draw_returns)
     before = view.picture();
   }
   EXPECT_TRUE(view.draw().empty()) << "nothing has changed";
+  view.set_needles(needle_at(9.0));
+  view.set_marks({});
+  view.set_dent(SkinDent{ball_path.entry, ball_path.direction(), 4.5});
+  EXPECT_TRUE(view.draw().empty()) << "all is as it was";
 }
 
 TEST(SoftwareView, the_needle_is_drawn_on_the_projected_line_in_its_true_gauge) {
