@@ -135,7 +135,7 @@ void DiagnosticsDock::draw_loop(QPainter& painter, const QRectF& box) const {
                        colour);
     }
   };
-  bars(late, theme.caution, 0.55);
+  bars(late, theme.caution, 0.7);
   bars(compute, theme.accent, 0.85);
   painter.setPen(QPen(theme.line, 1.0));
   painter.drawLine(plot.bottomLeft(), plot.bottomRight());

@@ -49,9 +49,9 @@ void UltrasoundView::paintEvent(QPaintEvent* /*event*/) {
     draw_machine(painter);
     if (shows_ct()) draw_ct(painter);
     if (scan_->sliders_shown()) draw_sliders(painter);
-    if (scan_->help()) draw_help(painter);
   }
   draw_words(painter);
+  if (scan_ && scan_->help()) draw_help(painter);
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.fillRect(QRectF(0.0, 0.0, width(), 3.0), along_colour);
   if (hasFocus()) {
@@ -102,8 +102,8 @@ void UltrasoundView::draw_ct(QPainter& painter) {
   painter.setClipRect(box);
   painter.setRenderHint(QPainter::Antialiasing);
   QPolygonF field;
-  for (const Eigen::Vector2d& corner : imaging::field_of_view(moment.probe, moment.settings.depth)) {
-    field << spot(moment.pose * Vec3(corner.x(), corner.y(), 0.0));
+  for (const Eigen::Vector2d& border : imaging::field_of_view(moment.probe, moment.settings.depth)) {
+    field << spot(moment.pose * Vec3(border.x(), border.y(), 0.0));
   }
   painter.setPen(QPen(along_colour, 1.25));
   painter.setBrush(Qt::NoBrush);
@@ -165,20 +165,22 @@ void UltrasoundView::draw_sliders(QPainter& painter) const {
 }
 
 void UltrasoundView::draw_help(QPainter& painter) const {
-  constexpr double row = 18.0, words = 118.0;
+  constexpr double around = 22.0, words = 118.0, roomy = 16.0;
+  const double row = std::clamp((height() - around - 6.0) / static_cast<double>(scan_help.size()), 13.0, 18.0);
+  const int size = row < roomy ? label_size : 12;
   const Theme& theme = Theme::dark();
-  QRectF box(0.0, 0.0, 380.0, row * static_cast<double>(scan_help.size()) + 22.0);
+  QRectF box(0.0, 0.0, 380.0, row * static_cast<double>(scan_help.size()) + around);
   box.moveCenter(QRectF(rect()).center());
-  box.moveTop(std::max(box.top(), 6.0));
+  box.moveTop(std::max(box.top(), 3.0));
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(theme.line, 1.0));
   painter.setBrush(theme.raised);
   painter.drawRoundedRect(box, corner, corner);
-  double y = box.top() + 22.0;
+  double y = box.top() + row + 4.0;
   for (const auto& [keys, what] : scan_help) {
-    set_font(painter, 12, true);
+    set_font(painter, size, true);
     draw_text(painter, {box.left() + 14.0, y}, QString::fromLatin1(keys), theme.text);
-    set_font(painter, 12);
+    set_font(painter, size);
     draw_text(painter, {box.left() + 14.0 + words, y}, tr(what), theme.second);
     y += row;
   }
@@ -191,10 +193,9 @@ void UltrasoundView::draw_words(QPainter& painter) const {
   if (!scan_) return;
   if (shows_ct()) draw_text(painter, {ct_box().left() + 10.0, 22.0}, tr("CT, the same plane"), theme.text);
   set_font(painter, text_size);
-  if (!shows_ct() || scan_->screen().frozen()) {
-    const QString right = scan_->screen().frozen() ? tr("frozen") : tr("%1 pictures/s").arg(rate_, 0, 'f', 0);
-    draw_text(painter, {machine_box().right() - 10.0, 22.0}, right,
-              scan_->screen().frozen() ? theme.caution : theme.second, Anchor::right);
+  if (!scan_->screen().frozen()) {
+    draw_text(painter, {machine_box().right() - 10.0, 22.0}, tr("%1 pictures/s").arg(rate_, 0, 'f', 0), theme.second,
+              Anchor::right);
   }
   constexpr double worth_reporting = 0.05;  // N
   QString words = tr("H: keys");

@@ -15,7 +15,8 @@ namespace bodkin::app {
 namespace {
 
 constexpr double machine_head = 30.0, machine_foot = 26.0;  // pixels above and below the machine's picture
-constexpr double wide_for_ct = 1.45;                        // width to height from which the CT stands beside
+constexpr double wide_for_ct = 1.45;                        // width to height from which the CT stands beside,
+constexpr int least_for_ct = 680;                           // and pixels of width
 constexpr double counting_span = 1.0;                       // s
 
 using Kind = station::ScreenEvent::Kind;
@@ -60,7 +61,7 @@ void UltrasoundView::set_scan(const std::optional<station::UltrasoundChoice>& ch
 }
 
 bool UltrasoundView::shows_ct() const {
-  return width() > wide_for_ct * height();
+  return width() >= least_for_ct && width() > wide_for_ct * height();
 }
 
 QRectF UltrasoundView::machine_box() const {
