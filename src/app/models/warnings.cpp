@@ -51,7 +51,7 @@ std::optional<Warning> warning_at(const anatomy::Case& patient, const Vec3& tip,
   const anatomy::Structure* const structure = structure_at(patient, tip);
   const std::string title = patient.library.title(tissue);
   if (target != nullptr && target->id == tissue && !is_on_bone) return std::nullopt;
-  if (tissue == anatomy::tissue::nerve) {
+  if (tissue == anatomy::tissue::nerve || tissue == anatomy::tissue::spinal_cord) {
     return Warning{Warning::Kind::nerve, with_name("Nerve", structure, title),
                    "Stop and draw back at once: the patient feels a shock down the leg."};
   }

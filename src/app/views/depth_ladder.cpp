@@ -26,7 +26,7 @@ std::string short_title(const std::string& title) {
        {"interspinous ligament", "interspinous"},
        {"supraspinous ligament", "supraspinous"},
        {"cerebrospinal fluid", "CSF"},
-       {"spinal cord and nerve roots", "cord, roots"},
+       {"spinal cord", "cord"},
        {"epidural space", "epidural"},
        {"intervertebral disc", "disc"},
        {"other soft tissue", "soft tissue"},

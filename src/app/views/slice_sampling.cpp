@@ -145,7 +145,8 @@ ForbiddenPlaces::ForbiddenPlaces(const anatomy::Case& patient) : patient_(patien
 
 bool ForbiddenPlaces::holds(const Vec3& point) const {
   const anatomy::TissueId tissue = anatomy::nearest(patient_.tissues, point, imaging::Slice::outside);
-  if (tissue == anatomy::tissue::nerve || tissue == anatomy::tissue::vessel) return true;
+  namespace t = anatomy::tissue;
+  if (tissue == t::nerve || tissue == t::spinal_cord || tissue == t::vessel) return true;
   if (critical_.empty() || patient_.structures.empty()) return false;
   const std::uint16_t label = anatomy::nearest(patient_.structures, point, std::uint16_t{0});
   return label < critical_.size() && critical_[label];

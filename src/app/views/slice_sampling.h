@@ -40,7 +40,7 @@ std::array<Tint, 256> tissue_tints(const std::array<std::uint32_t, 256>& colours
 void sample_tints(const imaging::SlicePlane& plane, const anatomy::TissueVolume& tissues,
                   const std::array<Tint, 256>& tints, std::vector<Tint>& pixels);
 
-// Where a needle must not go: the tissues nerve and vessel, and the structures that the case calls critical.
+// Where a needle must not go: cord, nerve and vessel, and the structures that the case calls critical.
 class ForbiddenPlaces {
  public:
   explicit ForbiddenPlaces(const anatomy::Case& patient);
