@@ -19,6 +19,29 @@ struct IndexSteps {
         depth(grid.to_index(plane.corner + plane.normal()) - first) {}
 };
 
+// Trilinear at a continuous index; the border and what lies beyond it as anatomy::linear_at_index has them. Most
+// pixels lie inside, where eight neighbours exist and no axis needs to be looked after.
+double value_at(const anatomy::CtVolume& ct, const Vec3& index) {
+  const std::array<int, 3>& size = ct.grid.size;
+  const double x = index.x(), y = index.y(), z = index.z();
+  const bool inside = x >= 0.0 && y >= 0.0 && z >= 0.0 && x < size[0] - 1 && y < size[1] - 1 && z < size[2] - 1;
+  if (!inside) return anatomy::linear_at_index(ct, index, std::numeric_limits<double>::quiet_NaN());
+  const int i = static_cast<int>(x), j = static_cast<int>(y), k = static_cast<int>(z);
+  const auto u = static_cast<float>(x - i), v = static_cast<float>(y - j), w = static_cast<float>(z - k);
+  const std::size_t row = static_cast<std::size_t>(size[0]), layer = row * static_cast<std::size_t>(size[1]);
+  const std::int16_t* first = ct.voxels.data() + ct.grid.offset(i, j, k);
+  const auto along = [&](const std::int16_t* at) {
+    const auto a = static_cast<float>(at[0]);
+    return a + u * (static_cast<float>(at[1]) - a);
+  };
+  const auto across = [&](const std::int16_t* at) {
+    const float a = along(at);
+    return a + v * (along(at + row) - a);
+  };
+  const float a = across(first);
+  return static_cast<double>(a + w * (across(first + layer) - a));
+}
+
 bool shows_itself(anatomy::TissueId id) {
   namespace t = anatomy::tissue;
   return id == t::air || id == t::skin || id == t::fat || id == t::muscle || id == t::soft ||
@@ -57,15 +80,14 @@ void sample_hounsfield(const imaging::SlicePlane& plane, const anatomy::CtVolume
     for (int column = 0; column < plane.width; ++column, ++pixel) {
       const Vec3 middle = steps.first + column * steps.column + row * steps.row;
       if (samples == 1) {
-        *pixel = static_cast<float>(anatomy::linear_at_index(ct, middle, static_cast<double>(outside)));
+        *pixel = static_cast<float>(value_at(ct, middle));
         continue;
       }
       double sum = 0.0, most = -std::numeric_limits<double>::infinity();
       int inside = 0;
       for (int sample = 0; sample < samples; ++sample) {
         const double along = slab.thickness * (static_cast<double>(sample) / (samples - 1) - 0.5);
-        const double value =
-            anatomy::linear_at_index(ct, Vec3(middle + along * steps.depth), static_cast<double>(outside));
+        const double value = value_at(ct, Vec3(middle + along * steps.depth));
         if (std::isnan(value)) continue;
         sum += value;
         most = std::max(most, value);
@@ -154,11 +176,21 @@ bool ForbiddenPlaces::holds(const Vec3& point) const {
 
 void sample_forbidden(const imaging::SlicePlane& plane, const ForbiddenPlaces& places,
                       std::vector<std::uint8_t>& forbidden) {
-  forbidden.resize(static_cast<std::size_t>(plane.width) * static_cast<std::size_t>(plane.height));
-  std::uint8_t* pixel = forbidden.data();
+  const auto wide = static_cast<std::size_t>(plane.width);
+  forbidden.resize(wide * static_cast<std::size_t>(plane.height));
   for (int row = 0; row < plane.height; ++row) {
-    for (int column = 0; column < plane.width; ++column, ++pixel)
-      *pixel = places.holds(plane.point(column, row)) ? 1 : 0;
+    std::uint8_t* line = forbidden.data() + static_cast<std::size_t>(row) * wide;
+    if (row % 2 != 0) {
+      std::copy_n(line - wide, wide, line);
+      continue;
+    }
+    for (int column = 0; column < plane.width; ++column) {
+      line[column] = column % 2 != 0 ? line[column - 1]
+                     : places.holds(plane.point(std::min(column + 0.5, plane.width - 1.0),
+                                                std::min(row + 0.5, plane.height - 1.0)))
+                         ? 1
+                         : 0;
+    }
   }
 }
 

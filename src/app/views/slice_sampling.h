@@ -52,7 +52,8 @@ class ForbiddenPlaces {
   std::vector<bool> critical_;  // by structure label
 };
 
-// 1 for every pixel of a plane whose middle lies where a needle must not go, else 0, row by row.
+// 1 for every pixel of a plane that lies where a needle must not go, else 0, row by row. Two by two pixels share the
+// place between them: it is for a hatch that is coarser.
 void sample_forbidden(const imaging::SlicePlane& plane, const ForbiddenPlaces& places,
                       std::vector<std::uint8_t>& forbidden);
 
