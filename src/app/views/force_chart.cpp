@@ -116,8 +116,14 @@ void ForceChart::show_frame(const Frame& frame, const Changes& changes) {
     }
   }
   take(frame);
-  if (changes.force || changes.needle || changes.tissue || changes.attempt || changes.theme || !frame.events.empty())
-    update();
+  stale_ = stale_ || changes.force || changes.needle || changes.tissue || changes.attempt || changes.theme ||
+           !frame.events.empty();
+  // A curve is not read faster than this, and it is the dearest of the painted views.
+  constexpr double interval = 1.0 / 30.0;  // s
+  if (!stale_ || (frame.clock >= drawn_ && frame.clock - drawn_ < interval)) return;
+  drawn_ = frame.clock;
+  stale_ = false;
+  update();
 }
 
 void ForceChart::take(const Frame& frame) {

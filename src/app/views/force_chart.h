@@ -117,6 +117,9 @@ class ForceChart : public View {
   double turning_ = 0.0;  // mm, the farthest in the present direction
   double planned_ = 0.0;  // mm, length of the planned path
 
+  bool stale_ = true;
+  double drawn_ = -1.0;  // s on the frame's clock
+
   std::optional<Zoom> zoom_;
   std::optional<QPoint> pointer_, pressed_;
 };

@@ -57,8 +57,8 @@ void ForceChart::draw_ground(QPainter& painter) const {
   const QRectF box = plot();
   set_font(painter, label_size);
   const double low = bottom(), high = top();
-  constexpr int rows = 4;
-  const double row = axis_step(high - low, rows);
+  constexpr double least_row = 18.0;  // pixels
+  const double row = axis_step(high - low, std::max(2, static_cast<int>(box.height() / least_row)));
   for (double force = std::ceil(low / row - 1e-9) * row; force <= high + 1e-9; force += row) {
     const double y = std::round(place(from(), force).y()) + 0.5;
     painter.setPen(QPen(theme.line, std::abs(force) < 1e-9 ? 1.5 : 1.0));

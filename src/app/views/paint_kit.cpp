@@ -23,8 +23,9 @@ void set_font(QPainter& painter, int pixels, bool strong) {
 void draw_text_on_picture(QPainter& painter, const QPointF& at, const QString& text, const QColor& colour,
                           Anchor anchor) {
   const QPointF start = start_of(painter, at, text, anchor);
-  painter.setPen(QColor(0, 0, 0, 130));
-  constexpr std::array<QPointF, 5> around = {QPointF{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {0.7, 0.7}};
+  painter.setPen(QColor(0, 0, 0, 110));
+  constexpr std::array<QPointF, 8> around = {QPointF{-1, 0},  {1, 0},  {0, -1}, {0, 1},
+                                             QPointF{-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
   for (const QPointF& offset : around) painter.drawText(start + offset, text);
   painter.setPen(colour);
   painter.drawText(start, text);
