@@ -8,7 +8,7 @@
 source "$(dirname "$0")/setup.sh"
 
 programs=(tick_bench models_bench servo_bench haply_bench run_bench fem_tick_bench fem_body_bench fem_preparation_bench
-          corotational_bench ultrasound_bench case_load_bench)
+          corotational_bench ultrasound_bench case_load_bench scene_bench)
 results=build/numbers
 
 if [ "${1:-}" != --print ]; then
@@ -77,6 +77,10 @@ case_load_bench:ct_alone the CT, decompressed
 case_load_bench:structures_alone the labels, decompressed
 case_load_bench:tissues_alone the tissues, decompressed
 case_load_bench:digest_of_the_ct digest of the CT
+scene_bench:needle_moves a needle that moves, pixels
+scene_bench:skin_dimples a needle and the skin that it dents, pixels
+scene_bench:camera_turns another camera, pixels, samples along a side of each
+scene_bench:surfaces_are_made surfaces of the lumbar torso, all cores
 NAMES
 }
 
@@ -114,6 +118,7 @@ heading() {
     corotational_bench) echo "Moving body: one step, and one updated submodel" ;;
     ultrasound_bench) echo "Ultrasound: one image" ;;
     case_load_bench) echo "Opening a case: the lumbar torso of 1 mm" ;;
+    scene_bench) echo "The patient in 3-D: one frame" ;;
   esac
 }
 

@@ -14,6 +14,7 @@
 #include <vtkWindowedSincPolyDataFilter.h>
 
 #include "core/error.h"
+#include "core/parallel_for.h"
 
 namespace bodkin::app {
 
@@ -150,38 +151,45 @@ std::vector<SurfacePlan> surface_plans() {
   };
 }
 
+namespace {
+
+// Nothing for a part that the patient does not have, or of which too little is left to be drawn.
+std::optional<PatientSurface> make_surface(const TissueVolume& tissues, const SurfacePlan& plan,
+                                           const TissueSet& inside) {
+  const bool is_skin = plan.kind == SurfaceKind::skin;
+  const std::optional<TissueVolume> part = cut_out(tissues, plan.tissues);
+  if (!part && is_skin) {
+    throw InputError(
+        "surfaces: the tissue map is empty or all air, expected a body; check the case with bodkin case "
+        "check");
+  }
+  if (!part) return std::nullopt;
+  SceneMesh mesh;
+  try {
+    mesh = refined(anatomy::tissue_surface(*part, plan.tissues, plan.settings), plan.most_triangles);
+  } catch (const InputError&) {
+    if (is_skin) throw;
+  }
+  if (mesh.empty()) return std::nullopt;
+  find_openness(tissues, is_skin ? plan.tissues : inside, plan.settings.edge, mesh);
+  return PatientSurface{plan.kind, std::string(plan.name), plan.colour, std::move(mesh)};
+}
+
+}  // namespace
+
 PatientSurfaces make_surfaces(const TissueVolume& tissues, const Progress& progress) {
   const std::vector<SurfacePlan> plans = surface_plans();
   TissueSet inside;
   for (const SurfacePlan& plan : plans) {
     if (plan.kind != SurfaceKind::skin) inside |= plan.tissues;
   }
+  std::vector<std::optional<PatientSurface>> made(plans.size());
+  parallel_for(plans.size(), "drawing surfaces", progress,
+               [&](std::size_t i) { made[i] = make_surface(tissues, plans[i], inside); });
   PatientSurfaces surfaces;
-  for (std::size_t i = 0; i < plans.size(); ++i) {
-    const SurfacePlan& plan = plans[i];
-    if (progress) progress("drawing surfaces", static_cast<double>(i) / static_cast<double>(plans.size()));
-    const std::optional<TissueVolume> part = cut_out(tissues, plan.tissues);
-    if (!part) {
-      if (plan.kind == SurfaceKind::skin) {
-        throw InputError(
-            "surfaces: the tissue map is empty or all air, expected a body; check the case with bodkin "
-            "case check");
-      }
-      continue;
-    }
-    anatomy::Surface surface;
-    try {
-      surface = anatomy::tissue_surface(*part, plan.tissues, plan.settings);
-    } catch (const InputError&) {
-      if (plan.kind == SurfaceKind::skin) throw;
-      continue;  // too thin or too small to be drawn
-    }
-    SceneMesh mesh = refined(surface, plan.most_triangles);
-    if (mesh.empty()) continue;
-    find_openness(tissues, plan.kind == SurfaceKind::skin ? plan.tissues : inside, plan.settings.edge, mesh);
-    surfaces.parts.push_back({plan.kind, std::string(plan.name), plan.colour, std::move(mesh)});
+  for (std::optional<PatientSurface>& part : made) {
+    if (part) surfaces.parts.push_back(std::move(*part));
   }
-  if (progress) progress("drawing surfaces", 1.0);
   return surfaces;
 }
 
