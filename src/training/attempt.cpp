@@ -18,8 +18,8 @@ namespace {
 constexpr double shortest_absence = 0.5;  // s outside, after which a contact is a new insertion
 constexpr double shortest_way_out = 5.0;  // mm outside, the same
 constexpr double rest_speed = 1.0;        // mm/s
-constexpr double rest_span = 0.1;         // s over which that speed is taken
-constexpr double rest_length = 0.5;       // s
+constexpr double rest_half = 0.2;         // s; that speed is between the means of two such stretches of time
+constexpr double shortest_rest = 0.5;     // s
 constexpr double same_depth = 1.0;        // mm within which two rests are equally deep
 constexpr double usual_tick = 1.5;        // ticks apart; more means that some were lost
 
@@ -71,34 +71,36 @@ void Attempt::find_insertions() {
 
 void Attempt::find_rests() {
   const Insertion& insertion = insertions.back();
-  const auto span = static_cast<std::size_t>(std::max(1.0, std::round(rest_span / dt())));
-  Rest rest;
-  Vec3 sum = Vec3::Zero();
-  double depths = 0.0;
-  std::size_t count = 0;
-  const auto close = [&] {
-    if (count > 0 && time[rest.last] - time[rest.first] >= rest_length - 0.5 * dt()) {
-      rest.tip = sum / static_cast<double>(count);
-      rest.depth = depths / static_cast<double>(count);
-      rests.push_back(rest);
-    }
-    count = 0;
-    sum.setZero();
-    depths = 0.0;
-  };
-  for (std::size_t i = insertion.first + span; i <= insertion.last; ++i) {
-    const double passed = time[i] - time[i - span];
-    const bool resting = inside[i] != 0 && (tip[i] - tip[i - span]).norm() < rest_speed * passed;
-    if (!resting) {
-      close();
-      continue;
-    }
-    if (count++ == 0) rest.first = i;
-    rest.last = i;
-    sum += tip[i];
-    depths += depth[i];
+  const auto half = static_cast<std::size_t>(std::max(1.0, std::round(rest_half / dt())));
+  const std::size_t count = insertion.last - insertion.first + 1;
+  std::vector<Vec3> sums = {Vec3::Zero()};  // of the tips before each tick of the insertion
+  std::vector<std::size_t> outside = {0};   // ticks out of contact before each
+  for (std::size_t i = insertion.first; i <= insertion.last; ++i) {
+    sums.push_back(sums.back() + tip[i]);
+    outside.push_back(outside.back() + (inside[i] == 0 ? 1 : 0));
   }
-  close();
+  const auto close = [&](std::size_t from, std::size_t to) {  // middles of windows
+    if (static_cast<double>(to - from) * dt() < shortest_rest - 2.0 * rest_half - 0.5 * dt()) return;
+    Rest rest{.first = insertion.first + from, .last = insertion.first + to, .tip = Vec3::Zero(), .depth = 0.0};
+    for (std::size_t i = rest.first; i <= rest.last; ++i) {
+      rest.tip += tip[i] / static_cast<double>(to - from + 1);
+      rest.depth += depth[i] / static_cast<double>(to - from + 1);
+    }
+    rests.push_back(rest);
+  };
+  std::optional<std::size_t> since;
+  for (std::size_t middle = half; middle + half <= count; ++middle) {
+    const Vec3 before = (sums[middle] - sums[middle - half]) / static_cast<double>(half);
+    const Vec3 after = (sums[middle + half] - sums[middle]) / static_cast<double>(half);
+    const bool resting = outside[middle + half] == outside[middle - half] &&
+                         (after - before).norm() < rest_speed * static_cast<double>(half) * dt();
+    if (resting && !since) since = middle;
+    if (!resting && since) {
+      close(*since, middle - 1);
+      since.reset();
+    }
+  }
+  if (since) close(*since, count - half);
 }
 
 void Attempt::find_final_tip() {

@@ -19,10 +19,11 @@ struct Insertion {
   double deepest = 0.0;   // mm
 };
 
-// A place in the body where the tip stayed for at least half a second: slower than 1 mm/s, measured over 0.1 s, so
-// that neither tremor nor the resolution of a device counts as motion.
+// A place in the body where the tip stayed for at least half a second: the mean of its position over 0.2 s moved by
+// less than 1 mm/s from the mean over the 0.2 s before. A tremor of 8 to 12 Hz cancels in these means, so that a
+// trembling hand can rest.
 struct Rest {
-  std::size_t first = 0;
+  std::size_t first = 0;  // ticks at which the tip rested
   std::size_t last = 0;
   Vec3 tip = Vec3::Zero();  // mean, LPS mm
   double depth = 0.0;       // mean, mm

@@ -150,7 +150,7 @@ class Scorer {
     }
     std::vector<std::string> wanted;
     for (const Goal& goal : procedure_.goals) wanted.push_back(goal_words(goal, attempt_, true));
-    add(Grade::fail, "goal", fmt::format("The aim was not reached, that the tip {}.", fmt::join(wanted, ", or ")));
+    add(Grade::fail, "goal", fmt::format("The aim was not reached: the tip must {}.", fmt::join(wanted, ", or ")));
   }
 
   void tell_loss() {

@@ -1,6 +1,7 @@
 #include "training/score.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tests/training/written_session.h"
 #include <gmock/gmock.h>
@@ -105,6 +106,21 @@ TEST(Score, coming_to_rest_past_the_aim_is_not_reaching_it) {
   EXPECT_EQ(result.final_tip->tissue, tissue::cancellous_bone);
   EXPECT_THAT(sentences(result), HasSubstr("12.0 mm too deep"));
   EXPECT_THAT(result.headline, HasSubstr("the aim was not reached"));
+}
+
+TEST(Score, a_hand_that_trembles_can_rest) {
+  WrittenSession written = good_puncture();
+  const Vec3 still = written.session().ticks.back().input.needle.translation();
+  written.session().ticks.resize(written.session().ticks.size() - 1000);  // without its rest
+  for (int i = 0; i < 2000; ++i) {
+    const double t = 0.001 * i;
+    const Vec3 tremor(0.2 * std::sin(56.0 * t), 0.15 * std::sin(63.0 * t + 1.0), 0.2 * std::sin(70.0 * t));
+    written.add(still + tremor, {true, tissue::cerebrospinal_fluid, 0.1});
+  }
+  const Score result = score_of(written);
+  EXPECT_TRUE(result.final_tip->is_rest);
+  EXPECT_TRUE(result.reached);
+  EXPECT_NEAR(result.final_tip->depth, 50.0, 0.05);
 }
 
 TEST(Score, the_event_that_defines_success_reaches_the_aim_too) {
