@@ -1,5 +1,7 @@
 #include "training/simulated_attempt.h"
 
+#include <cmath>
+
 #include "session/operator_file.h"
 #include "tests/training/lumbar_patient.h"
 #include <gtest/gtest.h>
@@ -57,6 +59,21 @@ TEST(SimulatedAttempt, novices_stray_overshoot_and_strike_bone_more_than_experts
   EXPECT_GE(bone[1], bone[0]);
   EXPECT_GT(distance[1], 1.5 * distance[0]);
   EXPECT_GT(tremor[1], 2.0 * tremor[0]);
+}
+
+// The table was made by `bodkin cohort` on the patient with voxels of 1 mm; here they are 1.5 mm.
+TEST(SimulatedAttempt, the_experts_that_come_with_bodkin_are_like_those_that_it_makes_now) {
+  const auto experts = ExpertSet::shipped("lumbar_puncture");
+  ASSERT_TRUE(experts.has_value());
+  EXPECT_EQ(experts->size(), 60U);
+  for (std::uint64_t seed = 101; seed <= 104; ++seed) {
+    const Score result = attempt_score("expert", seed);
+    for (const char* metric : {"deepest_mm", "path_length_mm", "peak_force_N", "time_in_body_s", "tremor_mm"}) {
+      const auto place = experts->place(metric, value(result, metric));
+      ASSERT_TRUE(place.has_value()) << metric;
+      EXPECT_LT(std::abs(place->z), 8.0) << metric << ": make the table again, docs/cohorts.md says how";
+    }
+  }
 }
 
 }  // namespace
