@@ -75,10 +75,33 @@ class RowReader {
   const std::string& origin_;
 };
 
+constexpr const char* named_header = "id,name";
+
 std::string joined(const std::vector<std::string>& fields) {
   std::string text;
   for (const std::string& field : fields) text += (text.empty() ? "" : ",") + field;
   return text;
+}
+
+// A table of ids and names alone, as TotalSegmentator writes it: what a name is made of is known by its name. Other
+// names are decided by HU.
+std::vector<anatomy::Structure> parse_named_labels(const std::vector<CsvRow>& rows, const std::string& origin,
+                                                   const anatomy::TissueLibrary& library) {
+  std::string text = scheme_header;
+  std::map<std::string, anatomy::Structure> known;
+  for (const char* scheme : {"totalsegmentator_v1", "totalsegmentator"}) {
+    for (anatomy::Structure& entry : read_label_scheme(scheme, library)) known[entry.name] = entry;
+  }
+  for (auto row = rows.begin() + 1; row != rows.end(); ++row) {
+    if (row->fields.size() != 2)
+      fail_at(origin, row->line,
+              fmt::format("there are {} columns, expected 2 ({})", row->fields.size(), named_header));
+    const auto entry = known.find(row->fields[1]);
+    const bool found = entry != known.end();
+    text += fmt::format("\n{},{},{},{}", row->fields[0], row->fields[1], found ? entry->second.tissue : "",
+                        found && entry->second.critical ? "yes" : "no");
+  }
+  return parse_label_scheme(text, origin, library);
 }
 
 }  // namespace
@@ -92,6 +115,7 @@ std::vector<anatomy::Structure> parse_label_scheme(const std::string& text, cons
   const std::vector<CsvRow> rows = read_csv_rows(text, origin);
   if (rows.empty()) fail_at(origin, 1, fmt::format("the file is empty, expected the header {}", scheme_header));
   const std::string first = joined(rows.front().fields);
+  if (first == named_header) return parse_named_labels(rows, origin, library);
   if (first != scheme_header)
     fail_at(origin, rows.front().line, fmt::format("the header is {}, expected {}", in_quotes(first), scheme_header));
   std::vector<anatomy::Structure> structures;
@@ -113,15 +137,17 @@ std::vector<anatomy::Structure> parse_label_scheme(const std::string& text, cons
 }
 
 std::vector<anatomy::Structure> read_label_scheme(const std::string& scheme, const anatomy::TissueLibrary& library) {
-  if (scheme == "totalsegmentator" || scheme == "tptbox") {
+  if (scheme == "totalsegmentator" || scheme == "totalsegmentator_v1" || scheme == "tptbox") {
     const auto file = shared_file("label_schemes/" + scheme + ".csv");
     return parse_label_scheme(read_text_file(file, scheme_limit), file.string(), library);
   }
   std::error_code ignored;
   if (!std::filesystem::exists(scheme, ignored)) {
-    throw InputError(fmt::format(
-        "label scheme is {}, expected totalsegmentator, tptbox or the path of a CSV file with the columns {}",
-        in_quotes(scheme), scheme_header));
+    throw InputError(
+        fmt::format("label scheme is {}, expected totalsegmentator, totalsegmentator_v1, tptbox or the path of a CSV "
+                    "file with the "
+                    "columns {}",
+                    in_quotes(scheme), scheme_header));
   }
   return parse_label_scheme(read_text_file(scheme, scheme_limit), scheme, library);
 }

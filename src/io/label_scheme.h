@@ -15,8 +15,9 @@ namespace bodkin::io {
 //   "spinal_canal"  dura, cerebrospinal fluid, cauda equina and epidural space are constructed inside
 //   ""              decided by HU alone
 //
-// `scheme` is "totalsegmentator", "tptbox", or the path of a CSV file with the columns label,name,tissue,critical.
-// Throws InputError naming file, line, column, what was found and what was expected.
+// `scheme` is "totalsegmentator" (version 2), "totalsegmentator_v1" (the older numbers), "tptbox", or the path of a
+// CSV file with the columns label,name,tissue,critical, or id,name with the names of TotalSegmentator, of which
+// tissue and critical then follow. Throws InputError naming file, line, column, what was found and what was expected.
 std::vector<anatomy::Structure> read_label_scheme(const std::string& scheme);
 
 // The same with another tissue library, whose tissues the scheme may name.

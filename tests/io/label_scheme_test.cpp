@@ -128,7 +128,8 @@ TEST(LabelScheme, lines_are_counted_whatever_ends_them) {
 
 TEST(LabelScheme, a_name_that_is_neither_a_scheme_nor_a_file_is_refused) {
   EXPECT_EQ(refusal([] { read_label_scheme("nosuch"); }),
-            "label scheme is 'nosuch', expected totalsegmentator, tptbox or the path of a CSV file with the columns "
+            "label scheme is 'nosuch', expected totalsegmentator, totalsegmentator_v1, tptbox or the path of a CSV "
+            "file with the columns "
             "label,name,tissue,critical");
   const ScratchFolder folder;
   EXPECT_THAT(refusal([&] { read_label_scheme(folder.path()); }), HasSubstr("this is not a file"));
@@ -136,6 +137,23 @@ TEST(LabelScheme, a_name_that_is_neither_a_scheme_nor_a_file_is_refused) {
   EXPECT_THAT(refusal([&] { read_label_scheme(large); }), HasSubstr("larger than the 8192 kB"));
   const auto good = folder.write("good.csv", scheme_header + "1,a,bone,no\n");
   EXPECT_EQ(read_label_scheme(good).size(), 1U);
+}
+
+TEST(LabelScheme, a_table_of_ids_and_names_takes_the_tissues_from_the_names) {
+  const auto scheme = by_label(parse_label_scheme("id,name\n5,vertebrae_L3\n6,aorta\n7,my_thing\n", "mine.csv"));
+  EXPECT_EQ(scheme.at(5).tissue, "bone");
+  EXPECT_EQ(scheme.at(6).tissue, "vessel");
+  EXPECT_TRUE(scheme.at(6).critical);
+  EXPECT_EQ(scheme.at(7).tissue, "") << "decided by HU";
+  EXPECT_THROW(parse_label_scheme("id,name\n5\n", "mine.csv"), InputError);
+}
+
+TEST(LabelScheme, totalsegmentator_v1_holds_its_104_structures) {
+  const auto scheme = by_label(read_label_scheme("totalsegmentator_v1"));
+  EXPECT_EQ(scheme.size(), 104U);
+  EXPECT_EQ(scheme.at(18).name, "vertebrae_L5");
+  EXPECT_EQ(scheme.at(92).name, "sacrum");
+  EXPECT_EQ(scheme.at(103).tissue, "muscle");
 }
 
 TEST(LabelScheme, totalsegmentator_holds_all_117_structures_with_the_tissues_they_are_made_of) {

@@ -5,6 +5,7 @@
 #include <future>
 #include <utility>
 
+#include "patient/from_ct/label_plausibility.h"
 #include "patient/from_ct/patient_builder.h"
 #include <fmt/format.h>
 
@@ -222,6 +223,7 @@ CaseSummary build_imported_case(const NewCase& wanted, const ImportOptions& opti
                               options.labels.string());
     append(description.notes, placed.notes);
     table = present_structures(std::move(table), placed.labels, description.notes);
+    append(description.notes, check_labels(image.ct, placed.labels, table));
   }
 
   PatientOptions patient_options;

@@ -272,4 +272,48 @@ void draw_skin(anatomy::TissueVolume& tissues) {
   }
 }
 
+void thicken_skin(anatomy::TissueVolume& tissues, const BodySurface& body) {
+  constexpr double deepest = 6.0, to_fat = 4.0;  // mm
+  const anatomy::Grid& grid = tissues.grid;
+  const auto depth_at = [&](const Vec3& p) { return -anatomy::linear(body.distance, p, 1e3F); };
+  // Whether skin lies outwards and fat inwards of p, with nothing but dense soft tissue in between.
+  const auto between_skin_and_fat = [&](const Vec3& p) {
+    Vec3 inwards;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec3 step = body.edge * Vec3::Unit(axis);
+      inwards[axis] = depth_at(p + step) - depth_at(p - step);
+    }
+    if (!(inwards.norm() > 1e-6)) return false;
+    inwards.normalize();
+    const auto meets = [&](const Vec3& direction, anatomy::TissueId wanted, double within) {
+      for (double way = 0.5; way <= within; way += 0.5) {
+        const anatomy::TissueId id = anatomy::nearest(tissues, Vec3(p + way * direction), anatomy::tissue::air);
+        if (id == wanted) return true;
+        if (id != anatomy::tissue::muscle && id != anatomy::tissue::skin) return false;
+      }
+      return false;
+    };
+    return meets(-inwards, anatomy::tissue::skin, deepest) && meets(inwards, anatomy::tissue::fat, to_fat);
+  };
+  const RowSampler distance(body.distance, grid);
+  std::vector<std::vector<std::size_t>> dermis(static_cast<std::size_t>(grid.size[2]));  // offsets, by slice
+  parallel_for(grid.size[2], [&](int k) {
+    thread_local std::vector<float> distances, scratch;
+    for (int j = 0; j < grid.size[1]; ++j) {
+      distance.read(j, k, distances, scratch);
+      const auto [nearest_edge, deepest_edge] = std::minmax_element(distances.begin(), distances.end());
+      if (*deepest_edge < -deepest || *nearest_edge > body.edge) continue;  // a row of depth, or of air
+      for (int i = 0; i < grid.size[0]; ++i) {
+        const float depth = -distances[static_cast<std::size_t>(i)];
+        if (depth >= deepest || depth <= -body.edge || tissues.at(i, j, k) != anatomy::tissue::muscle) continue;
+        if (between_skin_and_fat(grid.to_patient(Vec3(i, j, k))))
+          dermis[static_cast<std::size_t>(k)].push_back(grid.offset(i, j, k));
+      }
+    }
+  });
+  for (const std::vector<std::size_t>& slice : dermis) {
+    for (const std::size_t offset : slice) tissues.voxels[offset] = anatomy::tissue::skin;
+  }
+}
+
 }  // namespace bodkin::patient

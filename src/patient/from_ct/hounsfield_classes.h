@@ -28,6 +28,10 @@ anatomy::TissueVolume classify_tissues(const anatomy::CtVolume& ct, const anatom
 // meet nothing.
 void draw_skin(anatomy::TissueVolume& tissues);
 
+// Dermis thicker than `skin_thickness` is as dense as muscle: what lies between skin and subcutaneous fat, no deeper
+// than 6 mm, becomes skin too. Muscle that the skin covers without fat stays muscle.
+void thicken_skin(anatomy::TissueVolume& tissues, const BodySurface& body);
+
 // True for tissues that stop a needle as bone does.
 bool is_bone(anatomy::TissueId id);
 

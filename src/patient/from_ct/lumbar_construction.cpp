@@ -231,6 +231,7 @@ void draw_lumbar(anatomy::TissueVolume& tissues, const LumbarSpine& spine) {
     const Vec3 p = grid.to_patient(Vec3(i, j, k));
     if (!spine.canal.covers(p.z())) return;
     const anatomy::TissueId drawn = tissue_at(section_of(p.z()), p.x(), p.y());
+    if (drawn == anatomy::tissue::supraspinous_ligament && voxel == anatomy::tissue::fat) return;
     if (drawn != anatomy::tissue::air) voxel = drawn;
   });
 

@@ -26,9 +26,10 @@ Vec3 sac_centre(const LumbarSpine& spine, double z);
 
 // Draws supraspinous and interspinous ligaments, ligamentum flavum, epidural space, dura, cerebrospinal fluid, cord
 // and cauda equina into `tissues`: the ligaments from the uppermost to the lowest interspace, the canal's contents
-// along the whole canal. Bone, discs, skin and air stay what they are. A straight line from behind that meets no bone
-// crosses flavum before epidural space, and no line reaches cerebrospinal fluid but through dura: dura is every voxel
-// of the sac that touches, even by a corner, what is not sac.
+// along the whole canal. Bone, discs, skin and air stay what they are, and fat is no supraspinous ligament. A
+// straight line from behind that meets no bone crosses flavum before epidural space, and no line reaches
+// cerebrospinal fluid but through dura: dura is every voxel of the sac that touches, even by a corner, what is not
+// sac.
 void draw_lumbar(anatomy::TissueVolume& tissues, const LumbarSpine& spine);
 
 // Nameless soft tissue behind the vertebral bodies, over the height of the canal, is muscle of the back.

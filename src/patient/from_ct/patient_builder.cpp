@@ -183,6 +183,7 @@ BuiltPatient build_patient(const anatomy::CtVolume& ct, const anatomy::LabelVolu
   patient.tissues = classify_tissues(ct, structures, table, options.library, lattice, body, progress);
   report("Drawing the skin", 0.0);
   draw_skin(patient.tissues);
+  if (body.has_skin) thicken_skin(patient.tissues, body);
   if (body.has_skin) note_cut_faces(patient);
   note_metal(patient);
   if (options.construct_lumbar) {

@@ -207,8 +207,11 @@ TEST(PatientBody, the_arms_and_the_couch_of_the_thorax_have_no_skin) {
     }
   }
   EXPECT_GT(humerus, 1000);
-  // The trunk's circumference is about 1.1 m: 40 mm high, 2 mm thick.
-  EXPECT_NEAR(skin * grid.spacing.prod(), 1100.0 * 40.0 * 2.0, 0.25 * 1100.0 * 40.0 * 2.0);
+  // The trunk's circumference is about 1.1 m, 40 mm high. Its skin is 2 mm thick at least, and as thick as the dermis
+  // that the CT shows over subcutaneous fat: 2 to 3 mm on the back.
+  const double thickness = skin * grid.spacing.prod() / (1100.0 * 40.0);
+  EXPECT_GT(thickness, 1.8);
+  EXPECT_LT(thickness, 3.2);
   // The couch lies more than 20 mm behind the skin of the back.
   const Vec3 back = patient.built.tissues.grid.to_patient(Vec3(256, 405, 20));
   EXPECT_EQ(nearest(patient.built.tissues, Vec3(back + Vec3(0, 25, 0)), tissue::skin), tissue::air);
@@ -350,6 +353,34 @@ TEST(PatientBody, gas_in_the_bowel_behind_a_thin_wall_is_gas_and_neither_air_nor
   }
   EXPECT_GT(count, 1000);
   EXPECT_GT(gas, 0.99 * count);
+}
+
+// A block of a body: 30 mm of air behind it (high y), then `dermis` mm as dense as muscle, fat, muscle.
+CtVolume layered_back(double dermis, double fat) {
+  Grid grid;
+  grid.size = {80, 100, 60};
+  grid.spacing = Vec3::Ones();
+  CtVolume ct(grid, -1000);
+  for (int k = 0; k < 60; ++k) {
+    for (int j = 5; j < 70; ++j) {
+      const double depth = 70.0 - j;
+      const std::int16_t value = depth <= dermis ? 40 : depth <= dermis + fat ? -100 : 50;
+      for (int i = 0; i < 80; ++i) ct.at(i, j, k) = value;
+    }
+  }
+  return ct;
+}
+
+TEST(PatientBody, dermis_over_fat_is_skin_and_muscle_without_fat_is_not) {
+  const auto tissue_at_depth = [](const CtVolume& ct, double depth) {
+    const BuiltPatient built = build_patient(ct, {}, {}, {}, {});
+    return nearest(built.tissues, Vec3(40.0, 69.5 - depth, 30.0), tissue::air);
+  };
+  const CtVolume thick = layered_back(5.0, 15.0);
+  EXPECT_EQ(tissue_at_depth(thick, 1.0), tissue::skin);
+  EXPECT_EQ(tissue_at_depth(thick, 4.0), tissue::skin) << "dermis, not muscle";
+  EXPECT_EQ(tissue_at_depth(thick, 10.0), tissue::fat);
+  EXPECT_EQ(tissue_at_depth(layered_back(30.0, 10.0), 4.0), tissue::muscle) << "nothing but muscle under thin skin";
 }
 
 }  // namespace
