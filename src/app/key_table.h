@@ -31,6 +31,7 @@ enum class Command : std::uint8_t {
   arm,
   show_numbers,
   show_ladder,
+  show_dock,
   fill,
   of_the_view  // the view with the focus does it
 };

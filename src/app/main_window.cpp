@@ -275,6 +275,8 @@ void MainWindow::run(Command command) {
       return practise_->toggle_numbers();
     case Command::show_ladder:
       return practise_->toggle_ladder();
+    case Command::show_dock:
+      return practise_->toggle_dock();
     case Command::fill:
       return practise_->toggle_fill();
     case Command::of_the_view:

@@ -266,8 +266,6 @@ std::string Practice::hint() const {
       return "Pressing on skin. Scroll to push until it gives.";
     case State::in_tissue:
       return "Scroll to push or draw back. Space holds. F1 keys";
-    case State::warning:
-      return frame_.warning ? frame_.warning->advice : std::string();
     case State::reached:
       return fmt::format("Target reached at {:.1f} mm. E ends.", frame_.depth);
     case State::held:

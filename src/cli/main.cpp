@@ -16,6 +16,7 @@ constexpr int exit_system_error = 1;
 constexpr int exit_input_error = 2;
 
 constexpr const char* main_footer = R"(Examples:
+  bodkin app                                     practise in a window
   bodkin case synthesize lumbar patient          make a lumbar torso from nothing but a seed
   bodkin case new patient --ct dicom_folder      make a case from a CT
   bodkin case show patient                       what is in it, as text and as a picture
@@ -63,6 +64,7 @@ int main(int argc, char** argv) {
   bodkin::cli::add_devices_list_command(*devices_group, context);
   bodkin::cli::add_devices_check_command(*devices_group, context);
   bodkin::cli::add_devices_calibrate_command(*devices_group, context);
+  bodkin::cli::add_app_command(app, context);
   bodkin::cli::add_profile_command(app, context);
   bodkin::cli::add_compare_command(app, context);
   bodkin::cli::add_run_command(app, context);

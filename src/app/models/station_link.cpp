@@ -7,6 +7,7 @@
 
 #include "session/session_file.h"
 
+#include "core/error.h"
 #include "training/case_score.h"
 
 namespace bodkin::app {
@@ -21,7 +22,14 @@ AttemptResult result_of(const std::filesystem::path& file, const anatomy::Case& 
   result.session = file;
   result.run = std::move(run);
   const session::Session saved = session::read_session(file);
-  const training::Score score = training::score_on_case(saved, patient);
+  training::Score score;
+  try {
+    score = training::score_on_case(saved, patient);
+  } catch (const InputError& error) {
+    result.headline = "The session is saved, but cannot be judged";
+    result.remarks = {error.what()};
+    return result;
+  }
   const auto value = [&score](const char* metric) {
     const training::MetricResult* found = score.find(metric);
     return found == nullptr ? 0.0 : found->value;

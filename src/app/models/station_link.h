@@ -21,7 +21,7 @@ namespace bodkin::app {
 struct AttemptResult {
   std::filesystem::path session;
   session::RunResult run;
-  training::Grade verdict = training::Grade::fail;
+  std::optional<training::Grade> verdict;  // nothing: the case names no procedure that could judge
   bool reached = false;
   std::string headline;              // the verdict, one sentence
   std::vector<std::string> remarks;  // more of them, the worst first

@@ -51,8 +51,11 @@ std::optional<Warning> warning_at(const anatomy::Case& patient, const Vec3& tip,
   const anatomy::Structure* const structure = structure_at(patient, tip);
   const std::string title = patient.library.title(tissue);
   if (target != nullptr && target->id == tissue && !is_on_bone) return std::nullopt;
-  if (tissue == anatomy::tissue::nerve || tissue == anatomy::tissue::spinal_cord) {
-    return Warning{Warning::Kind::nerve, with_name("Nerve", structure, title),
+  if (tissue == anatomy::tissue::spinal_cord) {
+    return Warning{Warning::Kind::nerve, "Spinal cord", "Stop and draw back at once, and go in two levels lower."};
+  }
+  if (tissue == anatomy::tissue::nerve) {
+    return Warning{Warning::Kind::nerve, with_name("Nerve", nullptr, title),
                    "Stop and draw back at once: the patient feels a shock down the leg."};
   }
   if (tissue == anatomy::tissue::vessel) {

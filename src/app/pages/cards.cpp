@@ -113,7 +113,35 @@ void PauseCard::show_reason(State state, const QString& reason) {
   resume_->setEnabled(state != State::device_lost);
 }
 
+QString ResultsCard::grade_name(training::Grade grade) {
+  switch (grade) {
+    case training::Grade::pass:
+      return tr("Passed");
+    case training::Grade::borderline:
+      return tr("Borderline");
+    case training::Grade::fail:
+      return tr("Not passed");
+    case training::Grade::dangerous:
+      return tr("Dangerous");
+  }
+  return {};
+}
+
+void ResultsCard::show_grade(training::Grade grade) {
+  const bool bad = grade == training::Grade::dangerous || grade == training::Grade::fail;
+  const bool good = grade == training::Grade::pass;
+  const Theme& theme = Theme::now();
+  grade_->setText(grade_name(grade));
+  grade_->setStyleSheet(QStringLiteral("font-size: 15px; font-weight: 500; color: %1;")
+                            .arg((bad    ? theme.danger
+                                  : good ? theme.good
+                                         : theme.caution)
+                                     .name()));
+}
+
 ResultsCard::ResultsCard(QWidget* parent) : Card("results", parent) {
+  grade_ = add_label("heading");
+  grade_->setObjectName(QStringLiteral("results.grade"));
   dangers_ = add_label("danger");
   dangers_->setObjectName(QStringLiteral("results.dangers"));
   headline_ = add_label("heading");
@@ -136,6 +164,7 @@ void ResultsCard::show_result(const AttemptResult* result, const QStringList& da
   dangers_->setText(dangers.join(QLatin1Char('\n')));
   dangers_->setVisible(!dangers.isEmpty());
   if (result == nullptr) {
+    grade_->hide();
     headline_->setText(failure.isEmpty() ? tr("The session is being saved.") : tr("The session has ended."));
     remarks_->setText(failure);
     numbers_->clear();
@@ -143,6 +172,9 @@ void ResultsCard::show_result(const AttemptResult* result, const QStringList& da
     return;
   }
   headline_->setText(QString::fromStdString(result->headline));
+  grade_->setVisible(result->verdict.has_value());
+  if (result->verdict) show_grade(*result->verdict);
+  dangers_->setVisible(!result->verdict && !dangers.isEmpty());  // else they are among the reasons
   QStringList remarks;
   for (const std::string& remark : result->remarks) remarks << QString::fromStdString(remark);
   if (!failure.isEmpty()) remarks.prepend(failure);

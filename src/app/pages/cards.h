@@ -82,6 +82,10 @@ class ResultsCard : public Card {
   void leave_requested();
 
  private:
+  static QString grade_name(training::Grade grade);
+  void show_grade(training::Grade grade);
+
+  QLabel* grade_;
   QLabel* headline_;
   QLabel* dangers_;
   QLabel* remarks_;

@@ -26,7 +26,8 @@ PractisePage::PractisePage(QWidget* parent)
       ladder_(new DepthLadder(view3d_)),
       banner_(new Banner(view3d_)),
       chart_(new ForceChart(this)),
-      numbers_(new Numbers(this)) {
+      numbers_(new Numbers(this)),
+      dock_(new DiagnosticsDock(this)) {
   setObjectName(QStringLiteral("practise"));
   view3d_->installEventFilter(this);
   auto measures = std::make_shared<Measures>();
@@ -44,7 +45,7 @@ PractisePage::PractisePage(QWidget* parent)
     }
     connect(slice, &View::fill_requested, this, [this, slice] { make_big(slice); });
   }
-  views_ = {view3d_, tip_, bullseye_, ladder_, banner_, chart_, numbers_};
+  views_ = {view3d_, tip_, bullseye_, ladder_, banner_, chart_, numbers_, dock_};
   views_.insert(views_.end(), slices_.begin(), slices_.end());
   connect(banner_, &Banner::acknowledged, this, &PractisePage::warning_acknowledged);
 
@@ -58,6 +59,9 @@ PractisePage::PractisePage(QWidget* parent)
   columns_->setObjectName(QStringLiteral("practise.columns"));
   columns_->addWidget(left_);
   columns_->addWidget(make_slices());
+  dock_->setObjectName(QStringLiteral("practise.dock"));
+  dock_->hide();
+  columns_->addWidget(dock_);
   columns_->setStretchFactor(0, 3);
   columns_->setStretchFactor(1, 2);
   columns_->setSizes({828, slice_column});
@@ -140,6 +144,7 @@ void PractisePage::toggle_fill() {
   const bool whole = filled_ == nullptr;
   instruments_->setVisible(whole);
   left_->setVisible(whole || filled_ == view3d_);
+  dock_->hide();
   right_->setVisible(whole || filled_ != view3d_);
   for (SliceView* slice : slices_) slice->setVisible(whole || slice == filled_);
 }
@@ -158,6 +163,13 @@ void PractisePage::toggle_ladder() {
   ladder_->setVisible(!ladder_->isVisible());
 }
 
+void PractisePage::toggle_dock() {
+  const bool shown = !dock_->isVisible();
+  if (filled_ != nullptr) toggle_fill();
+  dock_->setVisible(shown);
+  right_->setVisible(!shown);
+}
+
 void PractisePage::toggle_numbers() {
   numbers_->setVisible(!numbers_->isVisible());
 }
@@ -169,8 +181,8 @@ void PractisePage::set_case(const std::shared_ptr<const OpenCase>& patient) {
 void PractisePage::show_frame(const Frame& frame, const Changes& changes) {
   hold_->setChecked(frame.state == State::held);
   for (View* view : views_) {
-    // The chart collects, and the banner appears, while nobody sees them.
-    if (view->isVisible() || view == chart_ || view == banner_) view->show_frame(frame, changes);
+    // Chart and dock collect, and the banner appears, while nobody sees them.
+    if (view->isVisible() || view == chart_ || view == banner_ || view == dock_) view->show_frame(frame, changes);
   }
   if (changes.warning) arrange_overlays();
 }

@@ -7,6 +7,7 @@
 #include "app/views/banner.h"
 #include "app/views/bullseye.h"
 #include "app/views/depth_ladder.h"
+#include "app/views/diagnostics_dock.h"
 #include "app/views/force_chart.h"
 #include "app/views/numbers.h"
 #include "app/views/slice_view.h"
@@ -34,6 +35,8 @@ class PractisePage : public QWidget {
   void focus_next(bool backwards);
   void toggle_ladder();
   void toggle_numbers();
+  // What researchers want to see, instead of the slices.
+  void toggle_dock();
   // The view with the focus into the whole page, and back.
   void toggle_fill();
   // This view into the big slot of the slices.
@@ -62,6 +65,7 @@ class PractisePage : public QWidget {
   Banner* banner_;
   ForceChart* chart_;
   Numbers* numbers_;
+  DiagnosticsDock* dock_;
   std::vector<SliceView*> slices_;  // the first one is big
   std::vector<View*> views_;        // all of them
   QSplitter* columns_ = nullptr;

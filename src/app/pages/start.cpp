@@ -4,13 +4,19 @@
 #include <QDropEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLinearGradient>
 #include <QMimeData>
+#include <QPainter>
+#include <QPixmap>
 #include <QPushButton>
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/theme.h"
+
+#include "core/error.h"
+#include "io/resources.h"
 
 namespace bodkin::app {
 
@@ -24,6 +30,39 @@ QLabel* label(const QString& text, const char* role) {
   words->setWordWrap(true);
   return words;
 }
+
+// The patient at the edge of the card; nothing where the picture is not installed.
+class HeroPicture : public QWidget {
+ public:
+  HeroPicture() {
+    try {
+      picture_.load(QString::fromStdString(io::shared_file("app/start.png").string()));
+    } catch (const SystemError&) {  // without a picture the page is as good
+    }
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    if (picture_.isNull()) return;
+    const qreal ratio = devicePixelRatioF();
+    QPixmap scaled = picture_.scaled(size() * ratio, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+    const QSize out = scaled.size() - size() * ratio;
+    scaled = scaled.copy(out.width() / 2, out.height() / 2, qRound(width() * ratio), qRound(height() * ratio));
+    QPainter painter(this);
+    painter.drawPixmap(rect(), scaled);
+    // Into the card without an edge.
+    QLinearGradient fade(0.0, 0.0, fade_width, 0.0);
+    QColor ground = Theme::now().panel;
+    fade.setColorAt(0.0, ground);
+    ground.setAlpha(0);
+    fade.setColorAt(1.0, ground);
+    painter.fillRect(QRectF(0.0, 0.0, fade_width, height()), fade);
+  }
+
+ private:
+  static constexpr qreal fade_width = 160.0;  // pixels
+  QPixmap picture_;
+};
 
 }  // namespace
 
@@ -84,9 +123,13 @@ QWidget* StartPage::make_hero() {
   auto* hero = new QWidget;
   hero->setObjectName(QStringLiteral("hero"));
   hero->setAttribute(Qt::WA_StyledBackground);
-  auto* rows = new QVBoxLayout(hero);
-  rows->setContentsMargins(30, 28, 30, 28);
+  auto* columns = new QHBoxLayout(hero);
+  columns->setContentsMargins(30, 1, 1, 1);
+  auto* rows = new QVBoxLayout;
+  rows->setContentsMargins(0, 28, 0, 28);
   rows->setSpacing(12);
+  columns->addLayout(rows, 4);
+  columns->addWidget(new HeroPicture, 5);
   rows->addWidget(label(tr("Put a needle in."), "title"));
   rows->addWidget(label(tr("Lumbar puncture, L3/L4, on the built-in patient. With the mouse, now."), "plain"));
   auto* buttons = new QHBoxLayout;

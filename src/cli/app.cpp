@@ -1,0 +1,62 @@
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "core/error.h"
+#include "io/worker_program.h"
+
+namespace bodkin::cli {
+
+namespace {
+
+struct AppArguments {
+  std::string patient, script, shots, size;
+};
+
+constexpr const char* app_footer = R"(Examples:
+  bodkin app                                   the start page
+  bodkin app patient                           practise on this patient at once
+  bodkin app dicom_folder                      a CT becomes a patient first
+  bodkin app --script walk.txt --shots pictures
+
+docs/app.md describes the window and the lines of a script.)";
+
+// This process becomes the window's.
+void run_app(const AppArguments& arguments) {
+  const std::filesystem::path program = io::find_worker({"bodkin-app", "BODKIN_APP_PROGRAM", "BODKIN_APP"});
+  std::vector<std::string> words = {program.string()};
+  const std::pair<const char*, const std::string*> options[] = {
+      {"--script", &arguments.script}, {"--shots", &arguments.shots}, {"--size", &arguments.size}};
+  for (const auto& [option, value] : options) {
+    if (!value->empty()) words.insert(words.end(), {option, *value});
+  }
+  if (!arguments.patient.empty()) words.insert(words.end(), {"--", arguments.patient});
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  execv(program.c_str(), pointers.data());
+  throw SystemError(fmt::format("{} cannot be started: {}", program.string(), std::strerror(errno)));
+}
+
+}  // namespace
+
+void add_app_command(CLI::App& app, CommandContext& /*context*/) {
+  auto arguments = std::make_shared<AppArguments>();
+  CLI::App* command = add_command(app, "app", "Practise in a window: patient, needle and force", app_footer);
+  add_text(*command, "CASE", arguments->patient, "A case, a DICOM folder or an image to begin with");
+  add_text(*command, "--script", arguments->script, "Do what this file says, and leave");
+  add_text(*command, "--shots", arguments->shots, "Folder of the script's pictures");
+  add_text(*command, "--size", arguments->size, "Size of the window in pixels, such as 1280x720");
+  on_run(*command, [arguments] { run_app(*arguments); });
+}
+
+}  // namespace bodkin::cli
