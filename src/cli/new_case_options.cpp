@@ -63,6 +63,10 @@ void add_new_case_options(CLI::App& command, NewCaseOptions& options) {
   add_text(command, "--target", options.target, "Where the needle's tip should end: x,y,z in LPS mm");
   add_whole_number(command, "--needle-gauge", options.needle_gauge, anatomy::gauge_sizes().front().gauge,
                    anatomy::gauge_sizes().back().gauge, "Gauge of the needle, 10 to 34");
+  add_text(
+      command, "--needle", options.needle,
+      "The whole needle: GAUGE,LENGTH,TIP, such as 18,90,tuohy; tips are quincke, whitacre, tuohy, chiba, trephine, "
+      "filiform");
   add_text(command, "--procedure", options.procedure,
            "What is practised: a procedure that comes with Bodkin (default: lumbar_puncture where there is a lumbar "
            "spine)");
@@ -85,6 +89,7 @@ json new_case_request(const NewCaseOptions& options) {
                   {"overwrite", options.overwrite},
                   {"name", io::path_text(options.name)},
                   {"needle_gauge", options.needle_gauge}};
+  if (!options.needle.empty()) request["needle"] = options.needle;
   if (!options.procedure.empty()) {
     const training::Procedure procedure = training::find_shipped_procedure(options.procedure);
     request["procedure"] = procedure.name;

@@ -64,6 +64,9 @@ TEST_F(CaseNew, options_out_of_range_are_refused_before_anything_is_read) {
   expect_refusal(start + "--entry 1,2,nan --target 1,2,3", "--entry");
   expect_refusal(start + "--entry 1,2,3 --target 1,2,3", "both 1,2,3");
   expect_refusal(start + "--series 0", "--series");
+  expect_refusal(start + "--needle 9,90", "a gauge from 10 to 34 first");
+  expect_refusal(start + "--needle 18,0", "a length of 1 to 1000 mm");
+  expect_refusal(start + "--needle 18,90,blunt", "as the tip");
   expect_refusal(start + "--level L3", "--level is 'L3'; expected an interspace, T12_L1 to L5_S1");
   expect_refusal(start + "--level L3_L4 --entry 1,2,3 --target 4,5,6", "say either");
   expect_refusal(start + "--lowest-vertebra five", "--lowest-vertebra is 'five'");

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "patient/from_ct/label_plausibility.h"
+#include "patient/from_ct/needle_choice.h"
 #include "patient/from_ct/patient_builder.h"
 #include <fmt/format.h>
 
@@ -113,6 +114,14 @@ void write_case(const std::filesystem::path& folder, const Volumes& volumes, ana
   io::write_case_description(description, folder);
 }
 
+constexpr const char* epidural = "epidural_fat";
+
+// Whether a path through an interspace serves what is wanted: a biopsy or an injection needs a target of its own.
+bool is_spinal(const NewCase& wanted) {
+  return wanted.procedure.empty() || wanted.target_tissue == epidural ||
+         wanted.target_tissue == "cerebrospinal_fluid";
+}
+
 // What is wanted, or else a lumbar puncture where there is a lumbar spine and a plain insertion where there is none.
 anatomy::Procedure procedure_for(const NewCase& wanted, const std::optional<anatomy::NeedlePath>& path, bool lumbar) {
   anatomy::Procedure procedure;
@@ -197,7 +206,7 @@ void append(std::vector<std::string>& notes, const std::vector<std::string>& mor
 
 CaseSummary build_imported_case(const NewCase& wanted, const ImportOptions& options, const Progress& progress) {
   anatomy::CaseDescription description;
-  description.needle = needle_of(wanted.needle_gauge);
+  description.needle = wanted.needle.empty() ? needle_of(wanted.needle_gauge) : parse_needle(wanted.needle);
   require_path(wanted.path);
   require_level(options.level);
   if (!options.lowest_vertebra.empty()) require_vertebra(options.lowest_vertebra);
@@ -229,11 +238,18 @@ CaseSummary build_imported_case(const NewCase& wanted, const ImportOptions& opti
   PatientOptions patient_options;
   patient_options.path = wanted.path;
   patient_options.library = library;
+  patient_options.plan = is_spinal(wanted);
   patient_options.level = options.level;
   patient_options.lowest_vertebra = options.lowest_vertebra;
   patient_options.conus = conus;
   BuiltPatient patient = build_patient(image.ct, placed.labels, table, patient_options, stretch(progress, 0.4, 0.85));
   append(description.notes, patient.notes);
+  if (!is_spinal(wanted) && !patient.path) {
+    description.notes.push_back(fmt::format(
+        "No path was planned, because {} has a target of its own; give --entry and --target.", wanted.procedure));
+  }
+  if (patient.path && !wanted.path && wanted.target_tissue == epidural)
+    patient.path = ended_in_epidural_space(*patient.path, patient.tissues);
 
   description.name = case_name(wanted);
   description.description = fmt::format("Made from {}", options.ct.filename().string());
@@ -250,7 +266,7 @@ CaseSummary build_imported_case(const NewCase& wanted, const ImportOptions& opti
 CaseSummary build_synthetic_case(const NewCase& wanted, const LumbarParameters& parameters,
                                  const Progress& progress) {
   anatomy::CaseDescription description;
-  description.needle = needle_of(wanted.needle_gauge);
+  description.needle = wanted.needle.empty() ? needle_of(wanted.needle_gauge) : parse_needle(wanted.needle);
   require_path(wanted.path);
   const anatomy::TissueLibrary library = io::default_tissue_library();
   io::PartialFolder folder(wanted.folder, wanted.overwrite);
@@ -263,6 +279,7 @@ CaseSummary build_synthetic_case(const NewCase& wanted, const LumbarParameters& 
   description.created_by = maker;
   description.structures = std::move(patient.structure_table);
   description.landmarks = std::move(patient.landmarks);
+  if (wanted.target_tissue == epidural) patient.path = ended_in_epidural_space(patient.path, patient.tissues);
   description.procedure = procedure_for(wanted, wanted.path ? *wanted.path : patient.path, true);
   if (progress) progress("writing the case", 0.9);
   write_case(folder.path(), {patient.ct, patient.structures, patient.tissues}, description);

@@ -105,7 +105,7 @@ void build_lumbar(BuiltPatient& patient, const FoundSpine& found, const PatientO
   note_levels(patient, spine);
   const auto paths = plan_paths(patient.tissues, found.view, spine);
   add_landmarks(patient, spine, paths);
-  if (options.path) return;
+  if (options.path || (!options.plan && options.level.empty())) return;
   const PathChoice choice = choose_path(paths, spine, options.level);
   if (choice.path) patient.path = choice.path->path;
   patient.notes.push_back(choice.path ? path_note(choice)

@@ -18,6 +18,7 @@ struct PatientOptions {
   anatomy::TissueLibrary library = {};      // tissues that structures may name besides Bodkin's own
   bool construct_lumbar = true;             // build ligaments, epidural space and dura
                                             // where a lumbar spine is found
+  bool plan = true;                         // without a path, plan one through an interspace
   std::string level = {};                   // the interspace to plan at, "L3_L4"; empty = chosen by choose_path()
   std::string lowest_vertebra = {};         // the user's word on levels, see LevelWords; empty = not said
   SpinePlace conus = adult_conus;           // where the patient's cord ends

@@ -89,6 +89,7 @@ patient::NewCase new_case(const json& request) {
   wanted.overwrite = request.value("overwrite", false);
   wanted.name = request.value("name", "");
   wanted.needle_gauge = request.value("needle_gauge", wanted.needle_gauge);
+  wanted.needle = request.value("needle", "");
   wanted.procedure = request.value("procedure", "");
   wanted.target_tissue = request.value("target_tissue", "");
   if (request.contains("entry")) {
