@@ -162,7 +162,14 @@ Argument add_texts(CLI::App& command, const std::string& name, std::vector<std::
         values = texts;
       },
       help);
-  return Argument(option->allow_extra_args(false)->type_name("TEXT"));
+  // An argument without a name takes all that follow; an option takes one at a time and may be repeated.
+  if (name.starts_with('-')) {
+    option->allow_extra_args(false);
+  } else {
+    constexpr int most = 1 << 20;
+    option->expected(1, most);
+  }
+  return Argument(option->type_name("TEXT"));
 }
 
 Argument add_number(CLI::App& command, const std::string& name, double& value, double low, double high,

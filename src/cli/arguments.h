@@ -51,7 +51,8 @@ void on_run(CLI::App& command, std::function<void()> work);
 // A text that is not empty.
 Argument add_text(CLI::App& command, const std::string& name, std::string& value, const std::string& help);
 
-// Texts that are not empty, in the order in which they are given; the option may be repeated.
+// Texts that are not empty, in the order in which they are given. An option may be repeated; a positional argument
+// takes one text or more.
 Argument add_texts(CLI::App& command, const std::string& name, std::vector<std::string>& values,
                    const std::string& help);
 
