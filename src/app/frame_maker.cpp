@@ -8,7 +8,7 @@ namespace bodkin::app {
 
 namespace {
 
-constexpr double moved_enough = 0.05;            // mm
+constexpr double visible_motion = 0.05;          // mm
 constexpr double turned_enough = 0.05 * degree;  // rad
 constexpr double surely_inside = 8.0;            // mm, deeper than any skin dimples before it gives way
 constexpr double down_soon = -0.5;               // mm above the skin
@@ -22,7 +22,7 @@ std::optional<double> diagnostic(const StationNews& news, std::string_view name)
 }
 
 bool same_pose(const Pose& a, const Pose& b) {
-  return (a.translation() - b.translation()).norm() <= moved_enough &&
+  return (a.translation() - b.translation()).norm() <= visible_motion &&
          Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle() <= turned_enough;
 }
 
@@ -156,8 +156,8 @@ Changes FrameMaker::changes(const Frame& frame) {
   changes.needle = frame.has_needle != last_.has_needle || !same_pose(frame.needle, last_.needle) ||
                    !same_pose(frame.hand, last_.hand);
   changes.tissue = frame.tissue != last_.tissue || frame.place != last_.place;
-  changes.dimple = std::abs(frame.dimple.depth - last_.dimple.depth) > 0.5 * moved_enough ||
-                   (frame.dimple.depth != 0.0 && (frame.dimple.at - last_.dimple.at).norm() > moved_enough) ||
+  changes.dimple = std::abs(frame.dimple.depth - last_.dimple.depth) > 0.5 * visible_motion ||
+                   (frame.dimple.depth != 0.0 && (frame.dimple.at - last_.dimple.at).norm() > visible_motion) ||
                    !frame.displacements.empty();
   changes.force = !frame.samples.empty() || !frame.events.empty();
   changes.state = frame.state != last_.state;
@@ -166,7 +166,7 @@ Changes FrameMaker::changes(const Frame& frame) {
     return !frame.plan || (frame.plan->entry == last_.plan->entry && frame.plan->target == last_.plan->target);
   };
   changes.plan = !same_plan();
-  changes.crosshair = (frame.crosshair - last_.crosshair).norm() > moved_enough;
+  changes.crosshair = (frame.crosshair - last_.crosshair).norm() > visible_motion;
   changes.warning = frame.warning.has_value() != last_.warning.has_value() ||
                     (frame.warning && frame.warning->title != last_.warning->title);
   changes.attempt = new_attempt_;

@@ -14,7 +14,7 @@ namespace {
 constexpr anatomy::TissueId not_met = 255;
 constexpr double least_depth = 60.0, least_time = 30.0;  // mm, s of an empty chart
 constexpr double least_force = 4.0;                      // N
-constexpr double turned = 0.3;                           // mm: less is the tremor of a hand
+constexpr double real_turn = 0.3;                        // mm: less is the tremor of a hand
 constexpr double worth_zooming = 6.0;                    // pixels
 
 }  // namespace
@@ -132,7 +132,7 @@ void ForceChart::take(const Frame& frame) {
     turning_ = !in_body_ ? 0.0 : out_ ? std::min(turning_, sample.depth) : std::max(turning_, sample.depth);
     if (!in_body_) {
       out_ = false;
-    } else if (std::abs(sample.depth - turning_) > turned) {
+    } else if (std::abs(sample.depth - turning_) > real_turn) {
       out_ = !out_;
       turning_ = sample.depth;
     }
