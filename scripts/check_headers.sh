@@ -6,7 +6,9 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-flags=(-std=c++20 -Isrc -isystem /usr/include/eigen3 -isystem /usr/include/SDL2 -Wno-pragma-once-outside-header -w)
+read -r -a window < <(pkg-config --cflags Qt5Widgets)
+flags=(-std=c++20 -fPIC -Isrc -isystem /usr/include/eigen3 -isystem /usr/include/SDL2 -isystem /usr/include/vtk-9.1
+  "${window[@]}" -Wno-pragma-once-outside-header -w)
 
 # The headers that reach Eigen, found by following the lines #include "module/file.h".
 git ls-files 'src/*.h' > "$work/all"

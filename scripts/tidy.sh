@@ -1,13 +1,22 @@
 #!/usr/bin/env bash
-# tidy.sh BUILD_FOLDER: runs clang-tidy over the source files of src/ as the compiler of BUILD_FOLDER sees them: a whole
-# module at once, for it is the headers that take the time.
+# tidy.sh BUILD_FOLDER...: runs clang-tidy over the source files of src/ as the compiler of the first folder that builds
+# them sees them: a whole module at once, for it is the headers that take the time.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"
-mapfile -t units < <(wc -l "$1"/src/*/CMakeFiles/*.dir/Unity/unity_*_cxx.cxx | sort -rn | awk '$2 != "total" {print $2}')
-mapfile -t left_out < <(git ls-files 'src/*.cpp' | while read -r file; do
-  grep -q -F "\"$root/$file\"" "${units[@]}" || echo "$file"
-done)
-# The longest first: the mesher's one file, which includes CGAL, takes longer than any module.
-printf '%s\n' "${left_out[@]}" "${units[@]}" | sed '/^$/d' | xargs -P "$(nproc)" -n 1 clang-tidy -p "$1" --quiet 2>&1 |
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+git ls-files 'src/*.cpp' | sort > "$work/left"
+for build in "$@"; do
+  # Units with a source file that no folder before has; the longest first, as they take longest.
+  for unit in $(wc -l "$build"/src/*/CMakeFiles/*.dir/Unity/unity_*_cxx.cxx | sort -rn | awk '$2 != "total" {print $2}'); do
+    sed -n -E "s|^#include \"$root/(src/.*\.cpp)\"|\1|p" "$unit" | sort > "$work/of_unit"
+    comm -12 "$work/left" "$work/of_unit" | grep -q . || continue
+    comm -23 "$work/left" "$work/of_unit" > "$work/rest" && mv "$work/rest" "$work/left"
+    echo "$build $unit" >> "$work/units"
+  done
+done
+# What is compiled by itself goes first: the mesher's one file, which includes CGAL, takes longer than any module.
+{ sed "s|^|$1 |" "$work/left"; cat "$work/units"; } |
+  xargs -P "$(nproc)" -L 1 clang-tidy --quiet -p 2>&1 |
   { grep -v -E '^[0-9]+ warnings? (generated|treated)|^Suppressed|^Use -header-filter|warnings generated' || true; }
