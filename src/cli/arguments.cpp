@@ -166,8 +166,7 @@ Argument add_texts(CLI::App& command, const std::string& name, std::vector<std::
   if (name.starts_with('-')) {
     option->allow_extra_args(false);
   } else {
-    constexpr int most = 1 << 20;
-    option->expected(1, most);
+    option->expected(-1);
   }
   return Argument(option->type_name("TEXT"));
 }
