@@ -36,6 +36,7 @@ constexpr std::array table = {
     KeyBinding{KeyScope::practise, "F2", Command::show_numbers, BODKIN_TEXT_OF("numbers on, off"), false},
     KeyBinding{KeyScope::practise, "F3", Command::show_ladder, BODKIN_TEXT_OF("depth ladder on, off"), false},
     KeyBinding{KeyScope::practise, "F4", Command::show_dock, BODKIN_TEXT_OF("researchers' numbers on, off"), false},
+    KeyBinding{KeyScope::practise, "U", Command::toggle_ultrasound, BODKIN_TEXT_OF("ultrasound on, off"), false},
     KeyBinding{KeyScope::practise, "Return", Command::fill, BODKIN_TEXT_OF("this view large, small"), false},
     KeyBinding{KeyScope::view3d, "0", Command::of_the_view, BODKIN_TEXT_OF("the view of the procedure"), false},
     KeyBinding{KeyScope::view3d, "1", Command::of_the_view, BODKIN_TEXT_OF("from behind"), false},

@@ -32,6 +32,7 @@ enum class Command : std::uint8_t {
   show_numbers,
   show_ladder,
   show_dock,
+  toggle_ultrasound,
   fill,
   of_the_view  // the view with the focus does it
 };

@@ -17,6 +17,9 @@
 #include "app/theme.h"
 #include "app/views/top_bar.h"
 
+#include "core/error.h"
+#include "io/probe_library_file.h"
+
 namespace bodkin::app {
 
 namespace {
@@ -87,6 +90,10 @@ void MainWindow::connect_views() {
   connect(practise_, &PractisePage::warning_acknowledged, this, [this] { practice_.acknowledge(); });
   connect(bar_, &TopBar::home_requested, this, [this] { run(Command::back); });
   connect(bar_, &TopBar::help_requested, this, [this] { run(Command::show_keys); });
+  connect(bar_, &TopBar::ultrasound_toggled, this, &MainWindow::show_ultrasound);
+  connect(&practise_->ultrasound(), &UltrasoundView::scan_ordered, this,
+          [this](const station::ScanOrder& order) { practice_.order_scan(order); });
+  connect(&practise_->ultrasound(), &UltrasoundView::save_requested, this, [this] { run(Command::save_picture); });
   for (const Stage stage : {Stage::scan, Stage::plan, Stage::review}) bar_->allow(stage, false);
   connect(bar_, &TopBar::stage_chosen, this, [this](Stage stage) {
     if (stage == Stage::patient) run(Command::back);
@@ -119,6 +126,7 @@ void MainWindow::draw(double clock) {
   if (practice_.patient() != shown_) {
     shown_ = practice_.patient();
     practise_->set_case(shown_);
+    if (has_ultrasound_) show_ultrasound(shown_ != nullptr);
     bar_->set_case(shown_);
   }
   if (frame.state != shown_state_ || practice_.failure() != shown_failure_) {
@@ -277,11 +285,34 @@ void MainWindow::run(Command command) {
       return practise_->toggle_ladder();
     case Command::show_dock:
       return practise_->toggle_dock();
+    case Command::toggle_ultrasound:
+      return show_ultrasound(!has_ultrasound_);
     case Command::fill:
       return practise_->toggle_fill();
     case Command::of_the_view:
       return;
   }
+}
+
+// With the probe lengthwise beside the planned way of the needle, which then lies in the slice.
+void MainWindow::show_ultrasound(bool on) {
+  if (shown_ == nullptr) on = false;
+  std::optional<station::UltrasoundChoice> choice;
+  try {
+    if (on) {
+      choice.emplace();
+      choice->probe = io::find_probe("C5-2");
+      choice->settings.depth = 90.0;
+      const bool has_path = shown_->description().procedure.path.has_value();
+      choice->request.view = has_path ? imaging::ScanView::needle : imaging::ScanView::paramedian;
+    }
+    practise_->show_ultrasound(choice);
+    practice_.set_ultrasound(choice);
+    has_ultrasound_ = on;
+  } catch (const InputError& error) {  // no skin there
+    practice_.say(error.what());
+  }
+  bar_->set_ultrasound(has_ultrasound_);
 }
 
 void MainWindow::choose_patient() {

@@ -50,6 +50,7 @@ class MainWindow : public QMainWindow {
   void show_state();
   QStringList dangers() const;
   void choose_patient();
+  void show_ultrasound(bool on);
   void save_picture();
   void apply_theme(bool dark);
   QWidget* focus_or_self();
@@ -68,6 +69,7 @@ class MainWindow : public QMainWindow {
   KeysCard* keys_;
   std::shared_ptr<const OpenCase> shown_;
   std::string shown_failure_;
+  bool has_ultrasound_ = false;
   State shown_state_ = State::ended;  // so that the first frame shows the start
 };
 

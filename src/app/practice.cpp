@@ -128,7 +128,11 @@ void Practice::drag(double millimetres) {
 
 void Practice::tilt(double right, double cranial) {
   if (!may_steer() || control_.tilt(right, cranial)) return;
-  refusal_ = "Draw back to just under the skin, then change the angle.";
+  say("Draw back to just under the skin, then change the angle.");
+}
+
+void Practice::say(const std::string& sentence) {
+  refusal_ = sentence;
   refused_at_ = clock_;
 }
 
@@ -147,6 +151,11 @@ void Practice::set_crosshair(const Vec3& point) {
 
 void Practice::toggle_follow() {
   frame_.follows_tip = !frame_.follows_tip;
+}
+
+void Practice::set_ultrasound(const std::optional<station::UltrasoundChoice>& choice) {
+  ultrasound_ = choice;
+  if (is_attempt(state())) again();
 }
 
 CaseModel::Status Practice::preparation() const {
@@ -186,6 +195,7 @@ void Practice::begin_attempt() {
     options.device.driver = &mouse_driver();
     options.output = new_session_file(patient_->title);
     options.longest = longest_;
+    options.ultrasound = ultrasound_;
     feed_ = std::make_shared<MouseFeed>(station::workspace_about(path));
     feed_->wishes.write(control_.wish());
     connect_mouse(feed_);

@@ -55,6 +55,13 @@ class Practice {
   void set_crosshair(const Vec3& point);
   void toggle_follow();
 
+  // Ultrasound with this probe and machine in the attempts that follow (nothing: without). One that runs is saved,
+  // and another begins.
+  void set_ultrasound(const std::optional<station::UltrasoundChoice>& choice);
+  // A sentence that the hint shows for some seconds.
+  void say(const std::string& sentence);
+  void order_scan(const station::ScanOrder& order) { link_.set_scan_order(order); }
+
   // The next frame, `clock` s after the window opened.
   const Frame& advance(double clock);
   const Frame& frame() const noexcept { return frame_; }
@@ -93,6 +100,7 @@ class Practice {
   std::shared_ptr<MouseFeed> feed_;
   std::shared_ptr<const OpenCase> patient_;
   std::optional<AttemptResult> result_;
+  std::optional<station::UltrasoundChoice> ultrasound_;
   StationLink::Points points_;
   Frame frame_;
   Changes changes_;

@@ -27,7 +27,8 @@ PractisePage::PractisePage(QWidget* parent)
       banner_(new Banner(view3d_)),
       chart_(new ForceChart(this)),
       numbers_(new Numbers(this)),
-      dock_(new DiagnosticsDock(this)) {
+      dock_(new DiagnosticsDock(this)),
+      ultrasound_(new UltrasoundView(this)) {
   setObjectName(QStringLiteral("practise"));
   view3d_->installEventFilter(this);
   auto measures = std::make_shared<Measures>();
@@ -47,6 +48,8 @@ PractisePage::PractisePage(QWidget* parent)
   }
   views_ = {view3d_, tip_, bullseye_, ladder_, banner_, chart_, numbers_, dock_};
   views_.insert(views_.end(), slices_.begin(), slices_.end());
+  views_.push_back(ultrasound_);
+  ultrasound_->setObjectName(QStringLiteral("practise.ultrasound"));
   connect(banner_, &Banner::acknowledged, this, &PractisePage::warning_acknowledged);
 
   left_ = new QSplitter(Qt::Vertical);
@@ -124,8 +127,18 @@ void PractisePage::arrange_slices() {
   while (QLayoutItem* item = rows->takeAt(0)) delete item;  // a layout or what holds a widget, not the widget
   auto* small = new QHBoxLayout;
   small->setSpacing(gap);
-  rows->addWidget(slices_[0], 4);
-  for (std::size_t i = 1; i < slices_.size(); ++i) small->addWidget(slices_[i], 1);
+  const std::size_t most_below = 2;
+  ultrasound_->setVisible(has_ultrasound_);
+  if (has_ultrasound_) rows->addWidget(ultrasound_, 4);
+  for (std::size_t i = 0; i < slices_.size(); ++i) {
+    const bool big = i == 0 && !has_ultrasound_, shown = !has_ultrasound_ || i < most_below;
+    slices_[i]->setVisible(shown);
+    if (big) {
+      rows->addWidget(slices_[i], 4);
+    } else if (shown) {
+      small->addWidget(slices_[i], 1);
+    }
+  }
   rows->addLayout(small, 3);
 }
 
@@ -136,17 +149,27 @@ void PractisePage::make_big(View* view) {
   arrange_slices();
 }
 
+void PractisePage::show_ultrasound(const std::optional<station::UltrasoundChoice>& choice) {
+  ultrasound_->set_scan(choice);
+  has_ultrasound_ = choice.has_value();
+  arrange_slices();
+  if (has_ultrasound_) ultrasound_->setFocus(Qt::OtherFocusReason);
+}
+
 void PractisePage::toggle_fill() {
   View* const wanted = qobject_cast<View*>(focusWidget());
   View* const view = filled_ != nullptr ? nullptr : wanted != nullptr ? wanted : view3d_;
-  if (view != nullptr && view != view3d_ && std::find(slices_.begin(), slices_.end(), view) == slices_.end()) return;
+  const bool is_slice = std::find(slices_.begin(), slices_.end(), view) != slices_.end();
+  if (view != nullptr && view != view3d_ && view != ultrasound_ && !is_slice) return;
   filled_ = view;
   const bool whole = filled_ == nullptr;
   instruments_->setVisible(whole);
   left_->setVisible(whole || filled_ == view3d_);
   dock_->hide();
   right_->setVisible(whole || filled_ != view3d_);
-  for (SliceView* slice : slices_) slice->setVisible(whole || slice == filled_);
+  if (whole) return arrange_slices();
+  for (SliceView* slice : slices_) slice->setVisible(slice == filled_);
+  ultrasound_->setVisible(ultrasound_ == filled_);
 }
 
 void PractisePage::focus_next(bool backwards) {

@@ -12,6 +12,7 @@
 #include "app/views/numbers.h"
 #include "app/views/slice_view.h"
 #include "app/views/tip_label.h"
+#include "app/views/ultrasound_view.h"
 #include "app/views/view3d.h"
 
 class QPushButton;
@@ -39,6 +40,10 @@ class PractisePage : public QWidget {
   void toggle_dock();
   // The view with the focus into the whole page, and back.
   void toggle_fill();
+  // Ultrasound in the big slot, the slices below; nothing: without. Throws InputError when the probe cannot be held
+  // where the choice says; then nothing has changed.
+  void show_ultrasound(const std::optional<station::UltrasoundChoice>& choice);
+  UltrasoundView& ultrasound() { return *ultrasound_; }
   // This view into the big slot of the slices.
   void make_big(View* view);
 
@@ -66,6 +71,8 @@ class PractisePage : public QWidget {
   ForceChart* chart_;
   Numbers* numbers_;
   DiagnosticsDock* dock_;
+  UltrasoundView* ultrasound_;
+  bool has_ultrasound_ = false;
   std::vector<SliceView*> slices_;  // the first one is big
   std::vector<View*> views_;        // all of them
   QSplitter* columns_ = nullptr;

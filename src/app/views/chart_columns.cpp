@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace bodkin::app {
 
@@ -65,6 +66,18 @@ std::vector<ChartColumn> ChartCurve::columns(double from, double to, std::size_t
     for (std::size_t piece = first; piece < std::min(last, columns_.size()); ++piece) found[i].add(columns_[piece]);
   }
   return found;
+}
+
+double ChartCurve::usual_most(std::size_t spikes) const {
+  constexpr std::size_t count = 512;
+  std::vector<float> tops;
+  for (const ChartColumn& column : columns(0.0, std::max(reach(), step_), count)) {
+    if (!column.empty()) tops.push_back(column.most);
+  }
+  if (tops.empty()) return 0.0;
+  std::sort(tops.begin(), tops.end(), std::greater<>());
+  const double rest = tops[std::min(spikes, tops.size() - 1)];
+  return tops.front() > 2.0 * rest && tops.size() > 10 * spikes ? rest : static_cast<double>(tops.front());
 }
 
 double axis_end(double most, double least) {

@@ -43,6 +43,10 @@ class ChartCurve {
   double reach() const { return step_ * static_cast<double>(columns_.size()); }
   // What a chart of `count` pixel columns shows of the axis from `from` to `to`.
   std::vector<ChartColumn> columns(double from, double to, std::size_t count) const;
+  // The greatest value that an axis should hold: of all, unless fewer than `spikes` columns of 512 are more than
+  // twice as high as the rest; those are left to be cut off, for one odd tick would press all else to the ground. 0
+  // for an empty curve.
+  double usual_most(std::size_t spikes = 3) const;
   // The greatest and least of all values.
   const ChartColumn& range() const { return range_; }
 

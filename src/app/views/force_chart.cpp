@@ -200,8 +200,9 @@ double ForceChart::to() const {
 }
 
 double ForceChart::top() const {
-  double most = force_.in_time.range().most;
-  if (components_) most = std::max({most, static_cast<double>(along_.in_time.range().most)});
+  double most = force_.inwards.usual_most();
+  if (axis_ == Axis::time) most = std::max(most, force_.in_time.usual_most());
+  if (components_) most = std::max(most, along_.inwards.usual_most());
   constexpr double room = 1.08;
   return axis_end(room * most, least_force);
 }

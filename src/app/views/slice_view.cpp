@@ -238,10 +238,6 @@ bool SliceView::press(int key) {
     case Qt::Key_Enter:
       emit fill_requested();
       return true;
-    case Qt::Key_Escape:
-      if (!measures_->waiting()) return false;
-      measures_->cancel();
-      break;
     default:
       return false;
   }
@@ -264,6 +260,11 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
     emit measures_changed();
     update();
     return;
+  }
+  if (event->button() == Qt::RightButton && measures_->waiting()) {
+    measures_->cancel();
+    emit measures_changed();
+    return update();
   }
   drag_ = event->button() == Qt::LeftButton     ? Drag::crosshair
           : event->button() == Qt::RightButton  ? Drag::window

@@ -235,7 +235,7 @@ void SliceView::draw_words(QPainter& painter) const {
                                                                        : tr("MIP %1 mm").arg(look_.slab.thickness));
   }
   if (measures_->waiting()) {
-    words = tr("Click the places, Esc cancels");
+    words = tr("Click the places, right click cancels");
   } else if (pointer_ && drag_ != Drag::window) {
     words = words_under_pointer();
   }

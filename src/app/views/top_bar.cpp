@@ -93,6 +93,15 @@ TopBar::TopBar(QWidget* parent) : View(parent) {
   row->addWidget(device_.button);
   row->addWidget(servo_.button);
 
+  ultrasound_ = new QPushButton(tr("Ultrasound"), this);
+  ultrasound_->setObjectName(QStringLiteral("top.ultrasound"));
+  ultrasound_->setCheckable(true);
+  ultrasound_->setFocusPolicy(Qt::TabFocus);
+  ultrasound_->setToolTip(tr("Ultrasound beside the needle (U); a new attempt begins"));
+  ultrasound_->setAccessibleName(tr("Ultrasound"));
+  connect(ultrasound_, &QPushButton::clicked, this, &TopBar::ultrasound_toggled);
+  row->addWidget(ultrasound_);
+
   sound_ = new QPushButton(this);
   sound_->setObjectName(QStringLiteral("top.sound"));
   sound_->setCheckable(true);
@@ -137,6 +146,7 @@ void TopBar::refresh_style() {
 QPushButton { background: %1; color: %2; border: 1px solid %3; border-radius: 6px; padding: 5px 10px; }
 QPushButton:hover, QPushButton:focus { border-color: %4; }
 QPushButton:disabled { color: %5; }
+QPushButton#top\.ultrasound:checked { background: %6; border-color: %4; }
 QPushButton#top\.home { background: transparent; border-color: transparent; font-size: 15px; font-weight: 500; }
 QPushButton#top\.home:focus { border-color: %4; }
 QPushButton[chip="true"] { border-radius: 13px; padding: 4px 10px; }
@@ -164,6 +174,10 @@ void TopBar::set_stage(Stage stage) {
 
 void TopBar::allow(Stage stage, bool allowed) {
   stages_[static_cast<std::size_t>(stage)]->setEnabled(allowed);
+}
+
+void TopBar::set_ultrasound(bool on) {
+  ultrasound_->setChecked(on);
 }
 
 void TopBar::show_frame(const Frame& frame, const Changes& changes) {

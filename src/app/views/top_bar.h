@@ -28,6 +28,9 @@ class TopBar : public View {
   // A stage that cannot be reached now is greyed.
   void allow(Stage stage, bool allowed);
 
+  // Without a signal: ultrasound could not be switched on, or was by other means.
+  void set_ultrasound(bool on);
+
   static constexpr int bar_height = 48;  // pixels
 
  signals:
@@ -35,6 +38,7 @@ class TopBar : public View {
   void stage_chosen(bodkin::app::Stage stage);
   void device_page_requested();
   void servo_page_requested();
+  void ultrasound_toggled(bool on);
   void sound_toggled(bool on);
   void help_requested();
 
@@ -59,6 +63,7 @@ class TopBar : public View {
   QLabel* patient_ = nullptr;
   std::array<QPushButton*, stage_count> stages_{};
   Chip device_, servo_;
+  QPushButton* ultrasound_ = nullptr;
   QPushButton* sound_ = nullptr;
   std::uint64_t late_ = 0;  // ticks when the attempt began
 };

@@ -98,6 +98,11 @@ void UltrasoundView::show_frame(const Frame& frame, const Changes& changes) {
   in_attempt_ = is_attempt(frame.state);
   if (clock_ >= 0.0) scan_->advance(frame.clock - clock_);
   clock_ = frame.clock;
+  if (changes.attempt) {
+    // Another station, which begins with the probe where the choice has it.
+    made_ = counted_ = 0;
+    emit scan_ordered(ordered_);
+  }
   order();
   if (changes.needle || changes.plan) {
     has_needle_ = frame.has_needle;

@@ -21,6 +21,7 @@ constexpr double letter_size = 13.0, base_line = 13.0;     // pixels; from the u
 constexpr double line_height = 19.0;                       // pixels
 constexpr int least_width = 200, least_height = 150;       // pixels
 constexpr int grey_bar_width = 10, grey_bar_height = 120;  // pixels
+constexpr int room_for_words = 250, least_grey_bar = 40;   // pixels
 
 void require_place(bool empty, const Place2& place) {
   if (empty) throw InputError("there is no picture to measure in");
@@ -138,8 +139,10 @@ void UltrasoundScreen::draw_scale(Canvas& canvas) const {
   // The probe's mark, above the picture on its marked side.
   const double mark_x = mark_ == MarkSide::left ? where.x + 12.0 : where.x + where.scale * frame.width - 12.0;
   canvas.fill(Path::circle({mark_x, where.y - 14.0}, 6.0), mark_ink);
-  canvas.image(grey_ramp(grey_bar_width, grey_bar_height), 16.0, height_ - grey_bar_height - 14.0, grey_bar_width,
-               grey_bar_height);
+  // Below the machine's words, where the screen is high enough for both.
+  const int bar_height = std::min(grey_bar_height, height_ - room_for_words);
+  if (bar_height < least_grey_bar) return;
+  canvas.image(grey_ramp(grey_bar_width, bar_height), 16.0, height_ - bar_height - 14.0, grey_bar_width, bar_height);
 }
 
 void UltrasoundScreen::draw_measurements(Canvas& canvas) const {

@@ -38,6 +38,20 @@ TEST(ChartCurve, a_peak_of_one_sample_survives_any_number_of_others) {
   EXPECT_NEAR(columns[60].least, -1.0, 1e-3);
 }
 
+TEST(ChartCurve, one_odd_tick_does_not_set_the_axis_and_a_true_peak_does) {
+  ChartCurve curve(0.05);
+  for (double depth = 0.0; depth < 40.0; depth += 0.05) curve.add(depth, depth == 0.0 ? 0.0 : 0.05 * depth);
+  EXPECT_NEAR(curve.usual_most(), 2.0, 0.01);
+  curve.lift();
+  curve.add(20.0, 25.0);
+  EXPECT_NEAR(curve.usual_most(), 2.0, 0.05) << "cut off";
+  EXPECT_EQ(curve.range().most, 25.0F) << "but not forgotten";
+  curve.lift();
+  for (double depth = 39.0; depth < 41.0; depth += 0.05) curve.add(depth, 6.0);  // two millimetres of bone
+  EXPECT_NEAR(curve.usual_most(), 6.0, 0.01);
+  EXPECT_EQ(ChartCurve(0.1).usual_most(), 0.0);
+}
+
 TEST(ChartCurve, leaves_out_what_has_no_place) {
   ChartCurve curve(1.0);
   curve.add(-1.0, 5.0);

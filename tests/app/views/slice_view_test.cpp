@@ -122,6 +122,18 @@ TEST(SliceView, a_distance_that_was_clicked_reads_50_mm) {
   EXPECT_TRUE(measures->all().empty());
 }
 
+TEST(SliceView, a_right_click_cancels_what_is_being_measured) {
+  ShownSlice slice(SliceKind::axial);
+  auto measures = std::make_shared<Measures>();
+  slice.view.set_measures(measures);
+  QTest::keyClick(&slice.view, Qt::Key_Q);
+  QTest::mouseClick(&slice.view, Qt::LeftButton, {}, QPoint(60, 150));
+  EXPECT_TRUE(measures->waiting());
+  QTest::mouseClick(&slice.view, Qt::RightButton, {}, QPoint(90, 150));
+  EXPECT_FALSE(measures->waiting());
+  EXPECT_TRUE(measures->all().empty());
+}
+
 TEST(SliceView, a_right_drag_sets_the_window_and_brackets_choose_presets) {
   ShownSlice slice(SliceKind::axial);
   const SliceLook before = slice.view.look();

@@ -42,6 +42,7 @@ struct ShownScan {
     frame.ultrasound = &picture;
     frame.clock = 1.0;
     view.show_frame(frame, Changes::all());
+    orders = 0;
   }
   void key(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
     QTest::keyClick(&view, static_cast<Qt::Key>(key), modifiers);
@@ -75,6 +76,17 @@ TEST(UltrasoundView, knobs_and_probe_are_orders_to_the_station) {
   EXPECT_NEAR((shown.view.scan()->pose().translation() - before).norm(), 0.5, 1e-9)
       << "pressed in by half a millimetre";
   EXPECT_EQ(shown.orders, 3);
+}
+
+TEST(UltrasoundView, a_new_attempt_is_told_where_the_probe_is) {
+  ShownScan shown;
+  shown.key(Qt::Key_D);
+  EXPECT_EQ(shown.orders, 1);
+  Changes changes;
+  changes.attempt = true;
+  shown.view.show_frame(shown.frame, changes);
+  EXPECT_EQ(shown.orders, 2) << "its station begins where the choice has the probe";
+  EXPECT_EQ(shown.ordered.settings.depth, 70.0);
 }
 
 TEST(UltrasoundView, held_keys_move_the_probe_while_frames_come) {
