@@ -7,17 +7,17 @@
 namespace bodkin::patient {
 namespace {
 
-constexpr double step = 0.5;                            // mm between looks
+constexpr double look_step = 0.5;                       // mm between looks
 constexpr double first_look = -10.0, last_look = 14.0;  // mm about CanalSection::back
 constexpr double furthest_edge = 7.0;                   // mm behind it
-constexpr double half_breadth = 3.0;                    // mm of the midline
+constexpr double row_half_breadth = 3.0;                // mm of the midline
 
 // Mean HU along the canal's depth, about CanalSection::back.
 struct DepthRow {
   std::vector<double> hounsfield;
   int rows = 0;  // heights that went into it
-  int index(double offset) const { return static_cast<int>(std::lround((offset - first_look) / step)); }
-  double offset(double index) const { return first_look + step * index; }
+  int index(double offset) const { return static_cast<int>(std::lround((offset - first_look) / look_step)); }
+  double offset(double index) const { return first_look + look_step * index; }
   double least(int from, int to) const {
     return *std::min_element(hounsfield.begin() + std::max(0, from), hounsfield.begin() + clip(to) + 1);
   }
@@ -26,7 +26,7 @@ struct DepthRow {
   }
   // Standard deviation of what changes within 2 mm, in front of the layers: noise and roots, but no slow slope.
   double noise() const {
-    constexpr int apart = static_cast<int>(2.0 / step);
+    constexpr int apart = static_cast<int>(2.0 / look_step);
     double sum = 0.0;
     int count = 0;
     for (int n = apart; n + apart <= index(-2.0); ++n, ++count) {
@@ -50,7 +50,7 @@ bool shows_lamina(const SpineView& view, const CanalSection& s, double z) {
 
 DepthRow depth_row(const SpineView& view, const SpinalCanal& canal, double low, double high) {
   DepthRow row;
-  row.hounsfield.assign(static_cast<std::size_t>((last_look - first_look) / step) + 1, 0.0);
+  row.hounsfield.assign(static_cast<std::size_t>((last_look - first_look) / look_step) + 1, 0.0);
   for (double z = low; z <= high; z += 1.0) {
     const CanalSection s = canal.at(z);
     if (shows_lamina(view, s, z)) continue;
@@ -59,7 +59,7 @@ DepthRow depth_row(const SpineView& view, const SpinalCanal& canal, double low, 
       const double y = s.back + row.offset(static_cast<double>(n));
       double sum = 0.0;
       int count = 0;
-      for (double x = s.x - half_breadth; x <= s.x + half_breadth; x += 1.0, ++count)
+      for (double x = s.x - row_half_breadth; x <= s.x + row_half_breadth; x += 1.0, ++count)
         sum += anatomy::linear(view.hounsfield, Vec3(x, y, z), 0.0);
       row.hounsfield[n] += sum / count;
     }
@@ -95,7 +95,7 @@ LayersSeen see_layers(const SpineView& view, const SpinalCanal& canal, double lo
   if (row.rows < 2) return {};
   LayersSeen seen;
   const double step_needed = std::max(least_step, 4.0 * row.noise());
-  const int before = static_cast<int>(5.0 / step), behind = static_cast<int>(4.5 / step);
+  const int before = static_cast<int>(5.0 / look_step), behind = static_cast<int>(4.5 / look_step);
   for (int n = before; n <= row.index(furthest_edge); ++n) {
     const auto here = row.hounsfield[static_cast<std::size_t>(n)];
     const double floor = row.least(n - before, n), top = std::min(row.most(n, n + behind), most_ligament);
@@ -106,7 +106,7 @@ LayersSeen see_layers(const SpineView& view, const SpinalCanal& canal, double lo
            row.hounsfield[static_cast<std::size_t>(lowest) + 1] < row.hounsfield[static_cast<std::size_t>(lowest)])
       ++lowest;
     const double fat = row.least(lowest - before, lowest);
-    const double ligament = std::min(row.most(lowest, lowest + static_cast<int>(5.0 / step)), most_ligament);
+    const double ligament = std::min(row.most(lowest, lowest + static_cast<int>(5.0 / look_step)), most_ligament);
     const auto edge = reaches(row, lowest, 1, 0.5 * (fat + ligament));
     const auto quarter = reaches(row, lowest, 1, 0.75 * fat + 0.25 * ligament);
     const auto three = reaches(row, lowest, 1, 0.25 * fat + 0.75 * ligament);
@@ -114,7 +114,7 @@ LayersSeen see_layers(const SpineView& view, const SpinalCanal& canal, double lo
     seen.wall = Measured{*edge, std::max(0.5 * voxel, 0.5 * (*three - *quarter))};
     // The sac, 4 to 9 mm in front of the fat.
     std::vector<double> sac;
-    for (int m = lowest - static_cast<int>(9.0 / step); m <= lowest - static_cast<int>(4.0 / step); ++m) {
+    for (int m = lowest - static_cast<int>(9.0 / look_step); m <= lowest - static_cast<int>(4.0 / look_step); ++m) {
       if (m >= 0) sac.push_back(row.hounsfield[static_cast<std::size_t>(m)]);
     }
     if (sac.size() < 4) break;

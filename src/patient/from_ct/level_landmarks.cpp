@@ -9,8 +9,8 @@
 namespace bodkin::patient {
 namespace {
 
-constexpr double half_breadth = 100.0;         // mm of the view beside the midline
-constexpr double before = 36.0, behind = 7.0;  // mm of bone looked at in front of the canal and behind it
+constexpr double wide_half_breadth = 100.0;              // mm of the view beside the midline
+constexpr double bone_before = 36.0, bone_behind = 7.0;  // mm of bone looked at in front of the canal and behind it
 
 // Bone beside the spine, slice by slice of the view: mm^2 of each side, -1 where the image does not show the side.
 struct Flanks {
@@ -26,8 +26,8 @@ double bone_beside(const SpineView& view, const CanalSection& section, int k, in
   const int near = view.i_of(section.x + side * from), far = view.i_of(section.x + side * to);
   if (far < 0 || far >= size[0]) return -1.0;
   int count = 0;
-  for (int j = std::max(0, view.j_of(section.front - before));
-       j <= std::min(size[1] - 1, view.j_of(section.back + behind)); ++j) {
+  for (int j = std::max(0, view.j_of(section.front - bone_before));
+       j <= std::min(size[1] - 1, view.j_of(section.back + bone_behind)); ++j) {
     for (int i = std::min(near, far); i <= std::max(near, far); ++i) count += view.hounsfield.at(i, j, k) > least;
   }
   return count * view.grid().spacing.x() * view.grid().spacing.y();
@@ -154,8 +154,8 @@ PatientBox wide_box(const SpinalCanal& canal, const PatientBox& image) {
     front = std::min(front, section.front), back = std::max(back, section.back);
   }
   const double x = canal.sections[canal.sections.size() / 2].x;
-  box.low.x() = x - half_breadth, box.high.x() = x + half_breadth;
-  box.low.y() = front - before - 5.0, box.high.y() = back + 45.0;
+  box.low.x() = x - wide_half_breadth, box.high.x() = x + wide_half_breadth;
+  box.low.y() = front - bone_before - 5.0, box.high.y() = back + 45.0;
   return box;
 }
 

@@ -12,7 +12,7 @@
 namespace bodkin::patient {
 namespace {
 
-constexpr double spacing = 2.0;           // mm, of the view that is searched
+constexpr double search_spacing = 2.0;    // mm, of the view that is searched
 constexpr double least_laminae = 30.0;    // mm of height
 constexpr double longest_process = 45.0;  // mm from the canal to the tip of a spinous process
 constexpr double most_lung = 0.03;        // of a slice's voxels
@@ -36,7 +36,7 @@ std::vector<bool> slices_without_lung(const SpineView& view, const BodySurface& 
 
 std::optional<SpineMidline> find_midline(const anatomy::CtVolume& ct, const anatomy::TissueVolume& tissues,
                                          const BodySurface& body) {
-  const SpineView view = view_spine(ct, {}, {}, tissues, box_of_image(ct.grid), spacing);
+  const SpineView view = view_spine(ct, {}, {}, tissues, box_of_image(ct.grid), search_spacing);
   const auto& size = view.grid().size;
   const auto free = slices_without_lung(view, body);
   // Bone behind the canal, mm, for each sagittal plane and height; 0 where there is no canal.
@@ -80,9 +80,9 @@ std::optional<SpineMidline> find_midline(const anatomy::CtVolume& ct, const anat
     low = std::min(low, view.z_of(k)), high = std::max(high, view.z_of(k));
     front = std::min<double>(front, backs[at]), back = std::max<double>(back, backs[at]);
   }
-  if (rows * spacing < least_laminae) return std::nullopt;
+  if (rows * search_spacing < least_laminae) return std::nullopt;
 
-  const int reach = static_cast<int>(40.0 / spacing);
+  const int reach = static_cast<int>(40.0 / search_spacing);
   std::vector<double> x(heights);
   for (int k = 0; k < size[2]; ++k) {
     x[static_cast<std::size_t>(k)] = view.x_of(best_of(middle - 4, middle + 4, k - reach, k + reach));
@@ -93,7 +93,7 @@ std::optional<SpineMidline> find_midline(const anatomy::CtVolume& ct, const anat
                Vec3(view.x_of(middle) + 32.0, back + 70.0, high + 25.0)};
   const double first = view.z_of(0);
   found.x_at = [line, first](double z) {
-    const double n = std::clamp((z - first) / spacing, 0.0, static_cast<double>(line->size()) - 1.0);
+    const double n = std::clamp((z - first) / search_spacing, 0.0, static_cast<double>(line->size()) - 1.0);
     const auto at = static_cast<std::size_t>(n);
     const auto next = std::min(at + 1, line->size() - 1);
     return (*line)[at] + (n - static_cast<double>(at)) * ((*line)[next] - (*line)[at]);

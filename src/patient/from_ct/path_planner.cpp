@@ -14,7 +14,7 @@ namespace bodkin::patient {
 namespace {
 
 constexpr double enough = 2.5;         // mm of room to bone that a planned path should leave
-constexpr double step = 0.5;           // mm between looks along a path
+constexpr double path_step = 0.5;      // mm between looks along a path
 constexpr double clear_of_cord = 5.0;  // mm after the target that must be free of cord as well
 constexpr std::array<const char*, 3> preferred = {"L3_L4", "L4_L5", "L2_L3"};
 
@@ -29,12 +29,12 @@ std::optional<Crossing> crossing_along(const anatomy::TissueVolume& tissues, con
                                        const anatomy::NeedlePath& path) {
   Crossing crossing;
   const Vec3 along = path.direction();
-  for (double depth = 0.0; depth <= path.length(); depth += step) {
+  for (double depth = 0.0; depth <= path.length(); depth += path_step) {
     const Vec3 p = path.entry + depth * along;
     const anatomy::TissueId here = anatomy::nearest(tissues, p, anatomy::tissue::air);
     if (is_bone(here)) return std::nullopt;
     if (here == anatomy::tissue::supraspinous_ligament || here == anatomy::tissue::interspinous_ligament)
-      crossing.ligament += step;
+      crossing.ligament += path_step;
     crossing.room = std::min(crossing.room, anatomy::linear(distance, p, 1e3));
   }
   if (depth_of_cord(tissues, path, clear_of_cord)) return std::nullopt;
