@@ -199,7 +199,7 @@ void Practice::begin_attempt() {
     feed_ = std::make_shared<MouseFeed>(station::workspace_about(path));
     feed_->wishes.write(control_.wish());
     connect_mouse(feed_);
-    link_.start(std::move(options), "Mouse", points_);
+    link_.start(std::move(options), "Mouse", plan.has_value(), points_);
   } catch (const std::exception& error) {
     failure_ = error.what();
     machine_.apply(Signal::cancelled);

@@ -21,7 +21,7 @@ namespace bodkin::app {
 struct AttemptResult {
   std::filesystem::path session;
   session::RunResult run;
-  std::optional<training::Grade> verdict;  // nothing: the case names no procedure that could judge
+  std::optional<training::Grade> verdict;  // nothing: there is nothing to judge by
   bool reached = false;
   std::string headline;              // the verdict, one sentence
   std::vector<std::string> remarks;  // more of them, the worst first
@@ -68,8 +68,9 @@ class StationLink {
   StationLink(const StationLink&) = delete;
   StationLink& operator=(const StationLink&) = delete;
 
-  // Ends what runs, and begins another session.
-  void start(station::StationOptions options, const std::string& device, Points points = {});
+  // Ends what runs, and begins another session. Without `is_planned` the path of the options is nobody's aim, and the
+  // attempt is not judged.
+  void start(station::StationOptions options, const std::string& device, bool is_planned, Points points = {});
   void command(station::StationCommand command);
   void set_scan_order(const station::ScanOrder& order);
   // Ends the session; the news say when it is saved.

@@ -179,6 +179,7 @@ void ResultsCard::show_result(const AttemptResult* result, const QStringList& da
   for (const std::string& remark : result->remarks) remarks << QString::fromStdString(remark);
   if (!failure.isEmpty()) remarks.prepend(failure);
   remarks_->setText(remarks.join(QLatin1Char('\n')));
+  numbers_->setVisible(result->verdict.has_value());
   numbers_->setText(tr("%1 mm from the target, %2 mm deep, at most %3 N, %4 s in the body")
                         .arg(result->target_distance, 0, 'f', 1)
                         .arg(result->deepest, 0, 'f', 1)
