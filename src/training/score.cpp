@@ -83,32 +83,38 @@ class Scorer {
     }
   }
 
-  std::optional<std::size_t> first_in(const std::string& tissue) const {
+  std::optional<std::size_t> first_in(const std::string& tissue, std::size_t from = 0) const {
     const auto id = attempt_.find_tissue(tissue);
     if (!id) {
       require_known_tissue(tissue, procedure_);
       return std::nullopt;
     }
-    for (std::size_t i = 0; i < attempt_.size(); ++i)
+    for (std::size_t i = from; i < attempt_.size(); ++i)
       if (attempt_.inside[i] != 0 && attempt_.tissue[i] == *id) return i;
     return std::nullopt;
   }
 
-  std::optional<std::size_t> first_event(const std::string& name) const {
-    for (const session::SessionEvent& each : attempt_.session().events)
-      if (is_event_of(each, name)) return attempt_.index_of(each);
+  std::optional<std::size_t> first_event(const std::string& name, std::size_t from = 0) const {
+    for (const session::SessionEvent& each : attempt_.session().events) {
+      if (!is_event_of(each, name)) continue;
+      const std::size_t at = attempt_.index_of(each);
+      if (at >= from) return at;
+    }
     return std::nullopt;
   }
 
+  // Each step is looked for after the one before: a needle that only touched the skin was not withdrawn.
   void follow_steps() {
+    std::size_t from = 0;
     for (const Step& step : procedure_.steps) {
       StepResult result{.title = step.title, .text = step.text, .time = {}, .depth = {}};
       std::optional<std::size_t> at;
-      if (!step.tissue.empty()) at = first_in(step.tissue);
-      if (!step.event.empty()) at = first_event(step.event);
+      if (!step.tissue.empty()) at = first_in(step.tissue, from);
+      if (!step.event.empty()) at = first_event(step.event, from);
       if (at) {
         result.time = attempt_.time[*at];
         result.depth = attempt_.depth[*at];
+        from = *at;
       }
       score_.steps.push_back(std::move(result));
     }

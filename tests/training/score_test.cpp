@@ -51,11 +51,17 @@ TEST(Score, a_puncture_without_fault_passes) {
 
 TEST(Score, every_step_is_found_with_its_time_and_depth) {
   WrittenSession written = withdrawn(good_puncture());
+  // The needle touched the skin before and came off again: that was no withdrawal.
+  written.session().events.insert(written.session().events.begin(),
+                                  {100, {EventKind::withdrawn, tissue::air, 0.0, 0.0}});
   const Score result = score_of(written);
   ASSERT_EQ(result.steps.size(), lumbar().steps.size());
   for (const StepResult& step : result.steps) {
     if (step.title == "Cross the ligamentum flavum") {
       EXPECT_NEAR(*step.depth, 36.0, 0.02);
+    }
+    if (step.title == "Withdraw") {
+      EXPECT_GT(*step.time, 15.0);
     }
     if (step.title == "Let fluid return") {
       EXPECT_FALSE(step.time.has_value());
