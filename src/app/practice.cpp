@@ -294,6 +294,13 @@ const Frame& Practice::advance(double clock) {
   clock_ = clock;
   if (state() == State::preparing && !again_wanted_) take_patient();
   const StationNews& news = link_.poll();
+  // What the last frame looked at lay in the news before these.
+  frame_.samples = {};
+  frame_.events = {};
+  frame_.displacements = {};
+  frame_.diagnostic_names = {};
+  frame_.timings = nullptr;
+  frame_.ultrasound = nullptr;
   take_news(news);
   HandReport hand;
   if (feed_ != nullptr) {
