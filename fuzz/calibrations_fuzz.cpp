@@ -20,7 +20,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const bodkin::haptics::DeviceCalibration& calibration : found) {
     bodkin::haptics::ServoSettings settings;
     bodkin::haptics::apply(calibration, settings);
-    bodkin::haptics::ServoTick(settings, [](const bodkin::haptics::ControlInput&) { return bodkin::haptics::Control{}; });
+    bodkin::haptics::ServoTick(settings,
+                               [](const bodkin::haptics::ControlInput&) { return bodkin::haptics::Control{}; });
   }
   if (bodkin::io::parse_calibrations(bodkin::io::calibrations_xml(found), "again").size() != found.size())
     std::abort();

@@ -89,12 +89,14 @@ void MainWindow::connect_views() {
   connect(practise_, &PractisePage::end_requested, this, [this] { run(Command::end); });
   connect(practise_, &PractisePage::warning_acknowledged, this, [this] { practice_.acknowledge(); });
   connect(bar_, &TopBar::home_requested, this, [this] { run(Command::back); });
+  connect(bar_, &TopBar::device_page_requested, this, [this] { run(Command::show_dock); });
+  connect(bar_, &TopBar::servo_page_requested, this, [this] { run(Command::show_dock); });
   connect(bar_, &TopBar::help_requested, this, [this] { run(Command::show_keys); });
   connect(bar_, &TopBar::ultrasound_toggled, this, &MainWindow::show_ultrasound);
   connect(&practise_->ultrasound(), &UltrasoundView::scan_ordered, this,
           [this](const station::ScanOrder& order) { practice_.order_scan(order); });
   connect(&practise_->ultrasound(), &UltrasoundView::save_requested, this, [this] { run(Command::save_picture); });
-  for (const Stage stage : {Stage::scan, Stage::plan, Stage::review}) bar_->allow(stage, false);
+  bar_->allow(Stage::review, false);
   connect(bar_, &TopBar::stage_chosen, this, [this](Stage stage) {
     if (stage == Stage::patient) run(Command::back);
   });

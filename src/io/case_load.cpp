@@ -120,8 +120,8 @@ anatomy::TissueVolume load_case_tissues(const fs::path& folder, const anatomy::C
 anatomy::LabelVolume load_case_structures(const fs::path& folder, const anatomy::CaseDescription& description,
                                           const Progress& progress) {
   if (description.structures_file.empty()) return {};
-  return VolumeLoading<std::uint16_t>(folder, "structures", description.structures_file, description.structures_digest,
-                                      read_labels_isolated)
+  return VolumeLoading<std::uint16_t>(folder, "structures", description.structures_file,
+                                      description.structures_digest, read_labels_isolated)
       .wait(progress);
 }
 

@@ -299,7 +299,8 @@ TEST(HapticTick, the_energy_is_the_work_that_the_hand_did_along_the_needle) {
 
 TEST(HapticTick, what_is_not_a_number_ends_in_a_ramp_to_zero_and_reset_leads_out) {
   const Case patient = slab_patient();
-  const double bad[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300, -2e5};
+  const double bad[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300,
+                        -2e5};
   for (const double value : bad) {
     Drive drive(patient);
     drive.move(3.5, 10.0);

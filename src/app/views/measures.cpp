@@ -20,30 +20,30 @@ std::string text_of(const Measure& measure) {
 }
 
 void Measures::begin(Measure::Kind kind) {
-  begun_.emplace();
-  begun_->measure.kind = kind;
+  begun_ = Measure{.kind = kind};
+  placed_ = 0;
 }
 
 void Measures::add(const Vec3& place) {
   if (!begun_) return;
-  begun_->measure.places[begun_->placed++] = place;
-  if (begun_->placed < begun_->measure.count()) return;
-  all_.push_back(begun_->measure);
+  begun_->places[placed_++] = place;
+  if (placed_ < begun_->count()) return;
+  all_.push_back(*begun_);
   begun_.reset();
 }
 
 std::optional<std::vector<Vec3>> Measures::preview(const Vec3& pointer) const {
-  if (!begun_ || begun_->placed == 0) return std::nullopt;
-  const auto placed = begun_->measure.places.begin();
-  std::vector<Vec3> places(placed, placed + static_cast<std::ptrdiff_t>(begun_->placed));
+  if (!begun_ || placed_ == 0) return std::nullopt;
+  const auto placed = begun_->places.begin();
+  std::vector<Vec3> places(placed, placed + static_cast<std::ptrdiff_t>(placed_));
   places.push_back(pointer);
   return places;
 }
 
 std::optional<Measure> Measures::with_next(const Vec3& pointer) const {
-  if (!begun_ || begun_->placed + 1 != begun_->measure.count()) return std::nullopt;
-  Measure finished = begun_->measure;
-  finished.places[begun_->placed] = pointer;
+  if (!begun_ || placed_ + 1 != begun_->count()) return std::nullopt;
+  Measure finished = *begun_;
+  finished.places[placed_] = pointer;
   return finished;
 }
 

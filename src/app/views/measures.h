@@ -48,12 +48,9 @@ class Measures {
   std::optional<std::size_t> at(const Vec3& place, double reach) const;
 
  private:
-  struct Begun {
-    Measure measure;
-    std::size_t placed = 0;
-  };
   std::vector<Measure> all_;
-  std::optional<Begun> begun_;
+  std::optional<Measure> begun_;
+  std::size_t placed_ = 0;  // places of `begun_` that are known
 };
 
 // mm from a point to a segment.

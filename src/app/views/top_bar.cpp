@@ -19,12 +19,11 @@ namespace {
 constexpr int wide_enough_for_words = 1200;  // pixels
 constexpr double worrying_success = 0.98;    // share of ticks in time
 
-constexpr std::array<const char*, stage_count> stage_names = {
-    QT_TRANSLATE_NOOP("bodkin::app::TopBar", "Patient"), QT_TRANSLATE_NOOP("bodkin::app::TopBar", "Scan"),
-    QT_TRANSLATE_NOOP("bodkin::app::TopBar", "Plan"), QT_TRANSLATE_NOOP("bodkin::app::TopBar", "Practise"),
-    QT_TRANSLATE_NOOP("bodkin::app::TopBar", "Review")};
-constexpr std::array<const char*, stage_count> stage_objects = {
-    "top.stage.patient", "top.stage.scan", "top.stage.plan", "top.stage.practise", "top.stage.review"};
+constexpr std::array<const char*, stage_count> stage_names = {QT_TRANSLATE_NOOP("bodkin::app::TopBar", "Patient"),
+                                                              QT_TRANSLATE_NOOP("bodkin::app::TopBar", "Practise"),
+                                                              QT_TRANSLATE_NOOP("bodkin::app::TopBar", "Review")};
+constexpr std::array<const char*, stage_count> stage_objects = {"top.stage.patient", "top.stage.practise",
+                                                                "top.stage.review"};
 
 // A needle, from the lower left with its hub at the upper right.
 QPixmap needle_mark(const QColor& colour, qreal ratio) {
@@ -75,7 +74,7 @@ TopBar::TopBar(QWidget* parent) : View(parent) {
   for (std::size_t i = 0; i < stages_.size(); ++i) {
     auto* button = new QPushButton(tr(stage_names[i]), this);
     button->setObjectName(QString::fromLatin1(stage_objects[i]));
-    button->setToolTip(tr("%1 (Ctrl+%2)").arg(tr(stage_names[i])).arg(i + 1));
+    button->setToolTip(tr(stage_names[i]));
     button->setAccessibleName(tr(stage_names[i]));
     button->setCheckable(true);
     button->setAutoExclusive(true);
@@ -101,20 +100,6 @@ TopBar::TopBar(QWidget* parent) : View(parent) {
   ultrasound_->setAccessibleName(tr("Ultrasound"));
   connect(ultrasound_, &QPushButton::clicked, this, &TopBar::ultrasound_toggled);
   row->addWidget(ultrasound_);
-
-  sound_ = new QPushButton(this);
-  sound_->setObjectName(QStringLiteral("top.sound"));
-  sound_->setCheckable(true);
-  sound_->setChecked(true);
-  const auto name_sound = [this](bool on) {
-    sound_->setText(on ? tr("Sound") : tr("Silent"));
-    sound_->setToolTip(on ? tr("Sound is on (Ctrl+M)") : tr("Sound is off (Ctrl+M)"));
-    sound_->setAccessibleName(sound_->toolTip());
-  };
-  name_sound(true);
-  connect(sound_, &QPushButton::toggled, this, name_sound);
-  connect(sound_, &QPushButton::toggled, this, &TopBar::sound_toggled);
-  row->addWidget(sound_);
 
   auto* help = new QPushButton(QStringLiteral("?"), this);
   help->setObjectName(QStringLiteral("top.help"));

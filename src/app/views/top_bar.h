@@ -11,11 +11,11 @@ class QPushButton;
 
 namespace bodkin::app {
 
-enum class Stage : std::uint8_t { patient, scan, plan, practise, review };
-inline constexpr int stage_count = 5;
+enum class Stage : std::uint8_t { patient, practise, review };
+inline constexpr int stage_count = 3;
 
-// The bar above all pages: what is practised on whom, the five stages, and the chips of device and servo. A chip
-// opens its page. Narrow windows leave the chips their colours and shapes only.
+// The bar above all pages: what is practised on whom, the stages, and the chips of device and servo. A chip
+// opens the researchers' dock. Narrow windows leave the chips their colours and shapes only.
 class TopBar : public View {
   Q_OBJECT
  public:
@@ -39,7 +39,6 @@ class TopBar : public View {
   void device_page_requested();
   void servo_page_requested();
   void ultrasound_toggled(bool on);
-  void sound_toggled(bool on);
   void help_requested();
 
  protected:
@@ -64,7 +63,6 @@ class TopBar : public View {
   std::array<QPushButton*, stage_count> stages_{};
   Chip device_, servo_;
   QPushButton* ultrasound_ = nullptr;
-  QPushButton* sound_ = nullptr;
   std::uint64_t late_ = 0;  // ticks when the attempt began
 };
 

@@ -145,8 +145,8 @@ TEST(TopBar, stages_and_chips_ask_for_their_pages) {
   QSignalSpy device(&bar, &TopBar::device_page_requested);
   int chosen = -1;
   QObject::connect(&bar, &TopBar::stage_chosen, [&](Stage stage) { chosen = static_cast<int>(stage); });
-  QTest::mouseClick(bar.findChild<QPushButton*>("top.stage.plan"), Qt::LeftButton);
-  EXPECT_EQ(chosen, static_cast<int>(Stage::plan));
+  QTest::mouseClick(bar.findChild<QPushButton*>("top.stage.practise"), Qt::LeftButton);
+  EXPECT_EQ(chosen, static_cast<int>(Stage::practise));
   QTest::mouseClick(bar.findChild<QPushButton*>("top.device"), Qt::LeftButton);
   EXPECT_EQ(device.count(), 1);
   auto* servo = bar.findChild<QPushButton*>("top.servo");
