@@ -1,4 +1,5 @@
-# What Bodkin needs from Debian 12, sourced by scripts/setup.sh. One list for building and running, one for testing.
+# What Bodkin needs from Debian 12, sourced by scripts/setup.sh. One list for building and running, one for the
+# window, one for testing.
 
 packages_to_run=(
   g++ cmake ninja-build ccache pkg-config
@@ -8,6 +9,10 @@ packages_to_run=(
   libinsighttoolkit5-dev libgdcm-dev libgdcm-tools
   libsdl2-dev libsdl2-ttf-dev
   libcairo2-dev fonts-dejavu-core
+)
+
+# The window, which `./run --without-app` leaves out.
+packages_of_app=(
   qtbase5-dev libvtk9-dev libvtk9-qt-dev fonts-roboto-unhinted
 )
 

@@ -3,6 +3,7 @@
 # stand on them. Builds file by file with precompiled headers (preset dev), and leaves out the tests in
 # tests/slow_tests.txt, all sanitizers, and clang-tidy: those are for the whole ./test.
 source "$(dirname "$0")/setup.sh"
+install_packages "${packages_to_run[@]}" "${packages_of_app[@]}" "${packages_to_test[@]}"
 unset BODKIN_CMAKE_ARGUMENTS
 
 # changed_files: what differs from where this branch left origin/main, committed or not; new files too.
