@@ -71,7 +71,8 @@ DepthRow depth_row(const SpineView& view, const SpinalCanal& canal, double low, 
 // Where the row passes `level` between index n and the next one in direction `way`, as an offset.
 double passing(const DepthRow& row, int n, int way, double level) {
   const double here = row.hounsfield[static_cast<std::size_t>(n)];
-  const double next = row.hounsfield[static_cast<std::size_t>(n + way)];
+  const int beyond = n + way;
+  const double next = row.hounsfield[static_cast<std::size_t>(beyond)];
   const double part = std::abs(next - here) < 1e-9 ? 0.0 : std::clamp((level - here) / (next - here), 0.0, 1.0);
   return row.offset(n + way * part);
 }
@@ -79,8 +80,8 @@ double passing(const DepthRow& row, int n, int way, double level) {
 // The first offset from index n on in direction `way` at which the row reaches `level`, rising.
 std::optional<double> reaches(const DepthRow& row, int n, int way, double level) {
   const int count = static_cast<int>(row.hounsfield.size());
-  for (; n + way >= 0 && n + way < count; n += way) {
-    if (row.hounsfield[static_cast<std::size_t>(n + way)] >= level) return passing(row, n, way, level);
+  for (int next = n + way; next >= 0 && next < count; next += way) {
+    if (row.hounsfield[static_cast<std::size_t>(next)] >= level) return passing(row, next - way, way, level);
   }
   return std::nullopt;
 }
