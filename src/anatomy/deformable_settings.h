@@ -67,8 +67,20 @@ struct NeedleBendingSettings {
   }
 };
 
+// Where a needle's shaft meets a deformable body.
+enum class NeedleContactKind : std::uint8_t {
+  nodes,  // at the nodes of the mesh that lie near its line
+  points  // at points of its line itself, wherever the mesh has its nodes
+};
+constexpr std::array<std::string_view, 2> enumeration_names(NeedleContactKind) {
+  return {"nodes", "points"};
+}
+
 // Settings of EmbeddedNeedle.
 struct EmbeddedNeedleSettings {
+  NeedleContactKind contact = NeedleContactKind::nodes;
+  double tip_radius = 1.0;
+  double point_spacing = 1.0;
   double capture_radius = 1.5;
   double spacing = 0.5;
   double puncture_time = 0.030;
@@ -79,13 +91,20 @@ struct EmbeddedNeedleSettings {
   template <typename S = EmbeddedNeedleSettings>
   static constexpr auto parameters() {
     return std::tuple{
+        Parameter{"contact", &S::contact,
+                  "the shaft meets the mesh's nodes near its line, or points of the line itself", Origin::choice},
+        Parameter{"tip_radius_mm", &S::tip_radius, Range{0.2, 5.0}, "mm",
+                  "of the disk over which the tip pushes; of points only", Origin::choice},
+        Parameter{"point_spacing_mm", &S::point_spacing, Range{0.5, 5.0}, "mm",
+                  "between points of one tissue; of points only", Origin::choice},
         Parameter{"capture_radius_mm", &S::capture_radius, Range{0.05, 20.0}, "mm",
                   "nodes this close to the line are the needle's; half an edge of 3 mm", Origin::choice},
         Parameter{"spacing_mm", &S::spacing, Range{0.05, 20.0}, "mm", "of the line for which one node is kept",
                   Origin::choice},
         Parameter{"puncture_time_s", &S::puncture_time, Range{0.001, 1.0}, "s",
                   "in which the force of a puncture goes", Origin::choice},
-        Inlined{&S::bending}, Inlined{&S::body}};
+        Inlined{&S::bending},
+        Inlined{&S::body}};
   }
 };
 

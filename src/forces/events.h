@@ -25,7 +25,8 @@ enum class EventKind : std::uint8_t {
                        // number
   moving_body_failed,  // the solver of the body that a probe presses failed: the static one is used; value = 0
   fluid_returned,      // cerebrospinal fluid comes back through the needle; value = flow, mm^3/s
-  pressure_lost        // the syringe's plunger gives way; value = drop of pressure, MPa
+  pressure_lost,       // the syringe's plunger gives way; value = drop of pressure, MPa
+  hub_contact          // the needle is in to its whole length, the hub lies on the skin; value = 0
 };
 
 struct Event {

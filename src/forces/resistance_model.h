@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <optional>
 #include <string_view>
 
 #include "anatomy/case.h"
@@ -21,6 +22,7 @@ struct NeedleInTissue {
   Vec3 side = Vec3::UnitX();                        // unit, across the needle, turns with its shaft
   const Rail* rail = nullptr;                       // holds the proxy on the line, if that is the case's constraint
   double grip = 1.0;  // factor on the friction of the shaft, by turning the needle (needle_grasp.h)
+  std::optional<double> thumb_force = {};  // N on the plunger of a syringe; nothing: as the case has it
 };
 
 // The force that a resistance found in one tick.

@@ -48,7 +48,7 @@ bool is_possible(const Pose& hand) noexcept {
 }
 
 HandGuard::HandGuard(const GuardSettings& settings)
-    : settings_((check(settings), settings)),
+    : settings_((bodkin::check(settings, "device"), settings)),
       motion_(settings.dt),
       fast_(fast_shaking(settings.oscillation_amplitude)),
       driven_(driven_shaking(driven_swing * settings.oscillation_amplitude, settings.stiffness, settings.dt)),

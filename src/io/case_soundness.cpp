@@ -156,35 +156,6 @@ void check_cord(const anatomy::Case& patient, const anatomy::NeedlePath& path, s
                   *cord));
 }
 
-void check_path(const anatomy::Case& patient, std::vector<std::string>& problems) {
-  const anatomy::CaseDescription& description = patient.description;
-  if (!description.procedure.path) return;
-  const anatomy::NeedlePath& path = *description.procedure.path;
-  if (path.length() > description.needle.length) {
-    problems.push_back(fmt::format(
-        "the planned path is {:.1f} mm long, but the needle length_mm is {}; take a longer needle or a nearer target",
-        path.length(), description.needle.length));
-  }
-  bool inside = true;
-  for (const auto& [name, position] : {std::pair("entry", path.entry), std::pair("target", path.target)}) {
-    if (anatomy::nearest<anatomy::TissueId>(patient.tissues, position, outside) != outside) continue;
-    problems.push_back(fmt::format("the {} {} of the planned path lies outside the image", name, point(position)));
-    inside = false;
-  }
-  if (!inside) return;
-  check_entry(patient, path, problems);
-  check_cord(patient, path, problems);
-  const anatomy::TissueProperties* aim = patient.library.find(description.procedure.target_tissue);
-  if (aim == nullptr) return;
-  const Line inwards(patient.tissues, path.entry, path.direction());
-  const double reach = path.length() + description.procedure.target_tolerance;
-  if (!inwards.find(reach, [aim](anatomy::TissueId id) { return id == aim->id; })) {
-    problems.push_back(fmt::format(
-        "the planned path does not meet the target_tissue '{}' within the target_tolerance_mm of {} after its target",
-        aim->name, description.procedure.target_tolerance));
-  }
-}
-
 }  // namespace
 
 std::vector<std::string> lattice_problems(const anatomy::Case& patient) {
@@ -209,12 +180,43 @@ std::vector<std::string> lattice_problems(const anatomy::Case& patient) {
   return problems;
 }
 
+std::vector<std::string> path_problems(const anatomy::Case& patient, const anatomy::NeedlePath& path) {
+  std::vector<std::string> problems;
+  const anatomy::CaseDescription& description = patient.description;
+  if (path.length() > description.needle.length) {
+    problems.push_back(fmt::format(
+        "the planned path is {:.1f} mm long, but the needle length_mm is {}; take a longer needle or a nearer target",
+        path.length(), description.needle.length));
+  }
+  bool inside = true;
+  for (const auto& [name, position] : {std::pair("entry", path.entry), std::pair("target", path.target)}) {
+    if (anatomy::nearest<anatomy::TissueId>(patient.tissues, position, outside) != outside) continue;
+    problems.push_back(fmt::format("the {} {} of the planned path lies outside the image", name, point(position)));
+    inside = false;
+  }
+  if (!inside) return problems;
+  check_entry(patient, path, problems);
+  check_cord(patient, path, problems);
+  const anatomy::TissueProperties* aim = patient.library.find(description.procedure.target_tissue);
+  if (aim == nullptr) return problems;
+  const Line inwards(patient.tissues, path.entry, path.direction());
+  const double reach = path.length() + description.procedure.target_tolerance;
+  if (!inwards.find(reach, [aim](anatomy::TissueId id) { return id == aim->id; })) {
+    problems.push_back(fmt::format(
+        "the planned path does not meet the target_tissue '{}' within the target_tolerance_mm of {} after its target",
+        aim->name, description.procedure.target_tolerance));
+  }
+  return problems;
+}
+
 std::vector<std::string> content_problems(const anatomy::Case& patient) {
   std::vector<std::string> problems;
   if (!patient.structures.empty()) check_structures(patient, problems);
   if (!patient.tissues.empty()) {
     check_tissue_ids(patient, problems);
-    if (!patient.ct.empty()) check_path(patient, problems);
+    if (const auto& path = patient.description.procedure.path; path && !patient.ct.empty()) {
+      for (std::string& problem : path_problems(patient, *path)) problems.push_back(std::move(problem));
+    }
   }
   return problems;
 }

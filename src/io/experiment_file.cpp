@@ -251,6 +251,10 @@ Experiment parse_experiment(std::string_view document, const std::string& origin
     experiment.device = read_device(*device, origin);
   experiment.haptics = read_haptics(*root.child("haptics"), origin);
   experiment.motion = motion_from(*root.child("motion"), origin);
+  if (root.child("needle") == nullptr) {  // no hub stops a needle of which nothing is said
+    for (const ExperimentPlace& place : experiment.motion.places)
+      experiment.needle.length = std::max(experiment.needle.length, place.depth + 1.0);
+  }
   for (const XmlElement& panel : root.child("plot")->children) experiment.panels.push_back(panel_from(panel, origin));
   if (const XmlElement* published = root.child("published"); published != nullptr) {
     for (const XmlElement& value : published->children) experiment.values.push_back(value_from(value, origin));

@@ -75,6 +75,33 @@ anatomy::TissueLibrary read_tissue_library(const std::filesystem::path& file) {
   return parse_tissue_library(read_text_file(file, library_limit), file.string(), XmlSchema("tissues.xsd"));
 }
 
+std::string tissue_library_xml(const anatomy::TissueLibrary& library) {
+  XmlWriter xml;
+  xml.open("tissue_library");
+  xml.attribute("version", 1);
+  const anatomy::TissueProperties nothing;
+  for (const anatomy::TissueProperties& tissue : library.tissues()) {
+    xml.open("tissue");
+    xml.attribute("id", static_cast<int>(tissue.id));
+    xml.attribute("name", tissue.name);
+    xml.attribute("title", tissue.title);
+    xml.attribute("colour", fmt::format("#{:06X}", tissue.colour));
+    xml.attribute("hounsfield_HU", tissue.hounsfield);
+    xml.attribute("hounsfield_noise_HU", tissue.hounsfield_noise);
+    for_each_inside(
+        [&xml](const auto& model, const auto& properties, const auto& absent) {
+          // A model that has nothing to say of a tissue has no element; that of `layered` must be there.
+          if (model.name == "layered" || !same_parameters(properties, absent))
+            write_settings(xml, settings_tree(std::string(model.name), properties));
+        },
+        tissue, nothing);
+    xml.text_element("source", tissue.source);
+    xml.close();
+  }
+  xml.close();
+  return xml.finish();
+}
+
 anatomy::TissueLibrary default_tissue_library() {
   return read_tissue_library(shared_file("tissues.xml"));
 }

@@ -23,6 +23,9 @@ anatomy::TissueLibrary parse_tissue_library(std::string_view document, const std
 // without an element keep what they have. Throws InputError where one value does not go with another.
 void read_tissue_forces(const XmlElement& element, const std::string& origin, anatomy::TissueProperties& entry);
 
+// The library as such a file; read_tissue_library() gives the same bits back.
+std::string tissue_library_xml(const anatomy::TissueLibrary& library);
+
 // The library that comes with Bodkin. Throws SystemError when the installation lacks it.
 anatomy::TissueLibrary default_tissue_library();
 

@@ -13,7 +13,7 @@ namespace bodkin::simulation {
 class BodyPort {
  public:
   // Including the one that the patient came with.
-  static constexpr std::size_t most_corridors = 8;
+  static constexpr std::size_t most_corridors = 32;
 
   // From one thread other than the tick's: another corridor, for the next needle that touches the body. False, and
   // nothing done, when there are `most_corridors`. Throws InputError for a corridor without a body.

@@ -124,7 +124,8 @@ class CsfFlowPart final : public ForcePart {
   bool told_ = false;
 };
 
-// A thumb that presses the plunger with one force from the contact on (Syringe), as far as the barrel goes:
+// A thumb that presses the plunger (Syringe), as far as the barrel goes. Its force is the hand's, or the case's where
+// no hand says otherwise:
 //
 //   s' = max(0, F_thumb - F) / b          b = 2 N s/mm, of the thumb: its own damping, our choice
 class SyringePart final : public ForcePart {
@@ -140,7 +141,8 @@ class SyringePart final : public ForcePart {
   }
   void step(const forces::NeedleInTissue& needle, forces::ResistanceForce&,
             forces::TickEvents& events) noexcept override {
-    const double wanted = std::max(0.0, settings_.thumb_force - syringe_.state().force) / thumb_damping;
+    const double thumb = needle.thumb_force.value_or(settings_.thumb_force);
+    const double wanted = std::max(0.0, thumb - syringe_.state().force) / thumb_damping;
     const double speed = travel_ < barrel ? wanted : 0.0;
     const forces::SyringeState& state = syringe_.step(speed, needle.tissue);
     travel_ = std::min(barrel, travel_ + speed * dt_);

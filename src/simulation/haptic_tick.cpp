@@ -9,6 +9,7 @@
 #include "forces/gravity_compensation.h"
 #include "haptics/force_governor.h"
 #include "simulation/constraint.h"
+#include "simulation/hub_stop.h"
 #include "simulation/loss_of_resistance.h"
 #include "simulation/needle_contact.h"
 #include "simulation/resistance.h"
@@ -59,7 +60,8 @@ struct HapticTick::State {
         resistance(from, dt),
         constraint(from, dt),
         compensation(from.description.haptics.compensation),
-        governor(governor_settings(from, dt, motion.threshold())) {}
+        governor(governor_settings(from, dt, motion.threshold())),
+        hub(from.description.needle.length, from.description.device.stiffness) {}
 
   const anatomy::Case& patient;
   double dt;
@@ -68,6 +70,7 @@ struct HapticTick::State {
   Constraint constraint;
   forces::GravityCompensation compensation;
   haptics::ForceGovernor governor;
+  HubStop hub;
   NeedleContact contact;
   LossOfResistance loss;
   Vec3 last_tip = Vec3::Zero();
@@ -78,7 +81,8 @@ struct HapticTick::State {
   int quiet_ticks = limit_event_rest;  // since the governor last intervened
   TickOutput last;                     // what is repeated while a fault lasts
 
-  TickOutput step(const Vec3& tip, const Vec3& axis, const Vec3& side) noexcept;
+  // `axis`: that of the needle, unit.
+  TickOutput step(const TickInput& input, const Vec3& axis) noexcept;
   void announce_tissue(const Vec3& tip, TickOutput& output) noexcept;
   void announce_limits(const Vec3& wanted, TickOutput& output) noexcept;
   TickOutput fault() noexcept;
@@ -121,7 +125,8 @@ TickOutput HapticTick::State::fault() noexcept {
   return output;
 }
 
-TickOutput HapticTick::State::step(const Vec3& tip, const Vec3& axis, const Vec3& side) noexcept {
+TickOutput HapticTick::State::step(const TickInput& input, const Vec3& axis) noexcept {
+  const Vec3 tip = input.needle.translation();
   TickOutput output;
   output.tissue = anatomy::nearest<anatomy::TissueId>(patient.tissues, tip, anatomy::tissue::air);
   const double advance = seen ? (tip - last_tip).dot(contact.held() ? contact.direction() : axis) : 0.0;
@@ -134,6 +139,7 @@ TickOutput HapticTick::State::step(const Vec3& tip, const Vec3& axis, const Vec3
     resistance.begin(contact.entry(), contact.direction());
     constraint.begin(contact.entry(), contact.direction(), tip);
     loss.begin();
+    hub.begin();
     motion.rebase(contact.depth(tip) - advance);
     output.events.push({forces::EventKind::contact, output.tissue, 0.0, 0.0});
   }
@@ -150,14 +156,20 @@ TickOutput HapticTick::State::step(const Vec3& tip, const Vec3& axis, const Vec3
   double stiffness = 0.0;
   if (contact.held()) {
     output.depth = moving.depth;
-    const forces::NeedleInTissue needle{
-        .motion = moving, .tip = tip, .tissue = output.tissue, .axis = axis, .side = side, .rail = constraint.rail()};
+    const forces::NeedleInTissue needle{.motion = moving,
+                                        .tip = tip,
+                                        .tissue = output.tissue,
+                                        .axis = axis,
+                                        .side = input.needle.linear().col(0),
+                                        .rail = constraint.rail(),
+                                        .thumb_force = input.thumb.force()};
     const forces::ResistanceForce tissue_force = resistance.step(needle, output.events);
     stiffness = tissue_force.stiffness;
     resistance.publish(output.diagnostics);
     if (tissue_force.in_contact) {
       request.in_contact = output.in_contact = true;
-      request.resistance = output.resistance = tissue_force.along;
+      request.resistance = output.resistance =
+          tissue_force.along + hub.step(moving.depth, stiffness, output.tissue, output.events);
       loss.step(moving, output.tissue, tissue_force.along, output.events);
       const Wrench held = constraint.step(tip, axis, resistance.holds_laterally());
       request.constraint = tissue_force.across + held.force;
@@ -221,7 +233,7 @@ TickOutput HapticTick::step(const TickInput& input) noexcept {
   const bool usable = (tip.array().abs() <= farthest_tip).all() && length > 1e-6 && length < 1e6;  // NaN is not
   if (state.governor.failed() || !usable) return state.fault();
 
-  TickOutput output = state.step(tip, axis / length, input.needle.linear().col(0));
+  TickOutput output = state.step(input, axis / length);
   if (state.governor.failed()) {  // a model gave something that is not a number: keep what was known before
     state.last.events.clear();
     state.last.requested = Wrench{};

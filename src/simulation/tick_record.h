@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "core/geometry.h"
 #include "forces/diagnostics.h"
@@ -8,9 +11,37 @@
 
 namespace bodkin::simulation {
 
-// What goes into one tick: where the device holds the needle.
+// The thumb on the plunger of a syringe, in steps that a recording keeps in one byte.
+class Thumb {
+ public:
+  static constexpr double step = 0.2;  // N
+
+  // As the case has it: its thumb_force_N.
+  constexpr Thumb() = default;
+  // `force`: N, 0 to 50.8; what is less, more or not a number is taken as the nearest, or as 0.
+  static Thumb of_force(double force) noexcept {
+    const double steps = force > 0.0 ? std::min(std::round(force / step), 254.0) : 0.0;
+    return from_byte(static_cast<std::uint8_t>(1.0 + steps));
+  }
+  static constexpr Thumb from_byte(std::uint8_t byte) noexcept {
+    Thumb thumb;
+    thumb.byte_ = byte;
+    return thumb;
+  }
+
+  constexpr std::uint8_t byte() const noexcept { return byte_; }  // 0: as the case has it
+  constexpr std::optional<double> force() const noexcept {        // N; nothing: as the case has it
+    return byte_ == 0 ? std::nullopt : std::optional(step * (byte_ - 1));
+  }
+
+ private:
+  std::uint8_t byte_ = 0;
+};
+
+// What goes into one tick: where the device holds the needle, and what the other hand does.
 struct TickInput {
   Pose needle = Pose::Identity();  // LPS mm, origin at the tip, third axis hub to tip
+  Thumb thumb = {};                // for the part `syringe`
 };
 
 // What one tick found. Everything that is recorded, plotted and judged comes from here.

@@ -193,7 +193,7 @@ TEST(HandGuardLimits, come_from_what_a_device_reports) {
   touch.workspace_low = Vec3(-80.0, -60.0, -35.0);
   touch.workspace_high = -touch.workspace_low;
   const GuardSettings settings = guard_settings(touch, 1000.0);
-  EXPECT_NO_THROW(check(settings));
+  EXPECT_NO_THROW(bodkin::check(settings, "device"));
   EXPECT_NEAR(HandGuard(settings).bound(), 2.97, 1e-12);
   EXPECT_NEAR(settings.continuous_force, 0.495, 1e-12) << "careful where it is unknown";
   EXPECT_NEAR(settings.oscillation_amplitude, 0.1045, 1e-12);

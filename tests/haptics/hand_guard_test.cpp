@@ -321,7 +321,7 @@ TEST(HandGuard, settings_that_cannot_be_are_refused_in_a_sentence) {
   };
   EXPECT_EQ(sentence([](GuardSettings&) {}), "");
   EXPECT_EQ(sentence([](GuardSettings& s) { s.continuous_force = 11.0; }),
-            "device: the continuous force is 11, expected at most the peak force; correct the device's profile");
+            "device: continuous_force_N is 11 N, expected at most the peak_force_N of 10 N");
   EXPECT_NE(sentence([](GuardSettings& s) { s.peak_force = std::nan(""); }), "");
   EXPECT_NE(sentence([](GuardSettings& s) { s.workspace_high.x() = -90.0; }), "");
   EXPECT_NE(sentence([](GuardSettings& s) { s.fade_time = 0.5; }), "");

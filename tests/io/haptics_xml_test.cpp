@@ -89,11 +89,15 @@ TEST(HapticsXml, every_setting_of_every_resistance_arrives) {
       6.0);
   EXPECT_TRUE(same_bits(
       resistance_of<EmbeddedNeedleSettings>(
-          "<embedded_needle capture_radius_mm='1' spacing_mm='0.8' puncture_time_s='0.02' flexible='true' "
+          "<embedded_needle contact='points' tip_radius_mm='0.5' point_spacing_mm='2' capture_radius_mm='1' "
+          "spacing_mm='0.8' puncture_time_s='0.02' flexible='true' "
           "modulus_MPa='2e5' stylet='true' hold='pinned' cut_offset_mm='0.1' corridor_radius_mm='20' "
           "corridor_beyond_mm='10' corridor_nodes='500' stiffness_scale='2' fix_bone='false' fix_cut='false' "
           "fix_beyond_mm='60'/>"),
-      {1.0,
+      {NeedleContactKind::points,
+       0.5,
+       2.0,
+       1.0,
        0.8,
        0.02,
        EmbeddedNeedleSettings{}.most_nodes,
@@ -242,7 +246,7 @@ TEST(HapticsXml, the_defaults_that_the_schema_states_are_those_of_the_settings) 
                           haptics_of(role.before + "<" + name + "/>" + role.after)))
         << name << all;
   }
-  EXPECT_EQ(checked, 132);
+  EXPECT_EQ(checked, 135);
 }
 
 TEST(HapticsXml, the_defaults_that_the_schema_states_for_friction_are_those_of_the_settings) {

@@ -393,5 +393,15 @@ TEST(TissueLibraryFile, the_documents_validate_for_xmllint_too) {
   EXPECT_EQ(std::system(command.c_str()), 0);
 }
 
+TEST(TissueLibraryFile, a_library_that_is_written_reads_back_to_the_same_bits) {
+  const anatomy::TissueLibrary original = default_tissue_library();
+  const std::string xml = tissue_library_xml(original);
+  const anatomy::TissueLibrary read = parse_tissue_library(xml, "written.xml", XmlSchema("tissues.xsd"));
+  ASSERT_EQ(read.tissues().size(), original.tissues().size());
+  for (std::size_t i = 0; i < read.tissues().size(); ++i)
+    EXPECT_TRUE(same_parameters(read.tissues()[i], original.tissues()[i])) << original.tissues()[i].name;
+  EXPECT_EQ(tissue_library_xml(read), xml);
+}
+
 }  // namespace
 }  // namespace bodkin

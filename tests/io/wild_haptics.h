@@ -85,8 +85,8 @@ inline auto members(const NeedleBendingSettings& s) {
   return std::tie(a, b, c, d, e);
 }
 inline auto members(const EmbeddedNeedleSettings& s) {
-  const auto& [a, b, c, d, e, f] = s;
-  return std::tie(a, b, c, d, e, f);
+  const auto& [a, b, c, d, e, f, g, h, i] = s;
+  return std::tie(a, b, c, d, e, f, g, h, i);
 }
 inline auto members(const ClosestNodeSettings& s) {
   const auto& [a, b, c, d, e, f] = s;
@@ -279,6 +279,9 @@ inline ResistanceSettings wild_resistance(Random& random) {
           number(1.0, 1000.0)};
       if (coin())
         return EmbeddedNeedleSettings{
+            coin() ? NeedleContactKind::points : NeedleContactKind::nodes,
+            number(0.2, 5.0),
+            number(0.5, 5.0),
             number(0.05, 20.0),
             number(0.05, 20.0),
             number(0.001, 1.0),

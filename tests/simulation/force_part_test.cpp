@@ -123,6 +123,43 @@ TEST(ForcePart, the_syringe_holds_pressure_in_the_ligament_and_loses_it_in_the_e
   EXPECT_GT(highest, 0.9 * (5.0 - 0.3) / 176.7);
 }
 
+TEST(ForcePart, the_hand_says_when_the_thumb_presses_the_plunger) {
+  Case patient = fluid_patient();
+  patient.description.haptics.parts.syringe.emplace();
+  HapticTick haptics(patient);
+  // Down into the ligament with the thumb off the plunger, then the thumb presses with 3 N, then with the case's 5 N.
+  TickInput input = needle_at(-2.0);
+  input.thumb = Thumb::of_force(0.0);
+  for (double depth = -2.0; depth < 33.0; depth += 0.05) {
+    input.needle = needle_at(depth).needle;
+    EXPECT_EQ(named(haptics, haptics.step(input), "plunger_mm"), 0.0);
+  }
+  const auto pressure_after_a_second = [&](Thumb thumb) {
+    input.thumb = thumb;
+    for (int tick = 0; tick < 999; ++tick) haptics.step(input);
+    return named(haptics, haptics.step(input), "syringe_pressure_MPa");
+  };
+  const double area = 176.7;  // mm^2, of 15 mm
+  EXPECT_NEAR(pressure_after_a_second(Thumb::of_force(3.0)), 3.0 / area, 0.1 * 3.0 / area);
+  EXPECT_NEAR(pressure_after_a_second(Thumb()), 5.0 / area, 0.1 * 5.0 / area);
+  EXPECT_LE(pressure_after_a_second(Thumb::of_force(0.0)), 5.0 / area) << "who lets go presses no further";
+}
+
+TEST(ForcePart, a_thumb_is_kept_in_steps_of_a_fifth_of_a_newton) {
+  EXPECT_EQ(Thumb().force(), std::nullopt);
+  EXPECT_EQ(Thumb().byte(), 0) << "as recordings from before there was a thumb have it";
+  EXPECT_EQ(*Thumb::of_force(0.0).force(), 0.0);
+  EXPECT_NEAR(*Thumb::of_force(3.09).force(), 3.0, 1e-12);
+  EXPECT_NEAR(*Thumb::of_force(3.11).force(), 3.2, 1e-12);
+  EXPECT_NEAR(*Thumb::of_force(1000.0).force(), 50.8, 1e-12);
+  EXPECT_EQ(*Thumb::of_force(-1.0).force(), 0.0);
+  EXPECT_EQ(*Thumb::of_force(NAN).force(), 0.0);
+  for (int byte = 1; byte < 256; ++byte) {
+    const Thumb thumb = Thumb::from_byte(static_cast<std::uint8_t>(byte));
+    EXPECT_EQ(Thumb::of_force(*thumb.force()).byte(), byte);
+  }
+}
+
 TEST(ForcePart, settings_out_of_range_are_refused_with_their_range) {
   Case patient = fluid_patient();
   patient.description.haptics.parts.bevel_tip = BevelTipSettings{.stiffness = 11.0};

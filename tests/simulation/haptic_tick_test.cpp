@@ -136,6 +136,18 @@ TEST(HapticTick, an_insertion_tells_its_story_in_order) {
   EXPECT_GT(drive.seen(EventKind::loss_of_resistance)[0].value, 2.0);
 }
 
+TEST(HapticTick, the_hub_stops_a_needle_that_is_in_to_its_whole_length) {
+  Case patient = slab_patient();
+  patient.description.needle.length = 20.0;
+  Drive drive(patient);
+  drive.move(19.9, 10.0);
+  EXPECT_TRUE(drive.seen(EventKind::hub_contact).empty());
+  const double before = drive.output.resistance;
+  drive.move(21.0, 10.0);
+  EXPECT_EQ(drive.seen(EventKind::hub_contact).size(), 1u);
+  EXPECT_GT(drive.output.resistance, before + 0.5 * patient.description.device.stiffness);
+}
+
 TEST(HapticTick, withdrawal_ends_contact_and_a_new_entry_meets_whole_skin) {
   const Case patient = slab_patient();
   Drive drive(patient);

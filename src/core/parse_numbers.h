@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/geometry.h"
+
+namespace bodkin {
+
+// Finite numbers with commas or single blanks between them; empty when `text` is anything else.
+std::vector<double> numbers_in(const std::string& text);
+
+// Exactly `count` of them; throws InputError naming `origin`.
+std::vector<double> parse_numbers(const std::string& text, std::size_t count, const std::string& origin);
+
+// "x,y,z" in LPS mm; throws InputError naming `origin` when `text` is not three finite numbers.
+Vec3 parse_point(const std::string& text, const std::string& origin);
+
+}  // namespace bodkin
