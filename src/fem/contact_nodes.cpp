@@ -7,6 +7,13 @@
 
 namespace bodkin::fem {
 
+namespace {
+
+constexpr double contact_point_reach = 5.0;   // mm, between the line of contact points and the needle's
+constexpr double contact_point_before = 1.5;  // mm, before the entry
+
+}  // namespace
+
 ContactNodes::ContactNodes(const anatomy::CondensedBody& body, double radius, double spacing)
     : body_(body), radius_(radius), spacing_(spacing), candidates_(body.nodes.size()), nodes_(body.nodes.size()) {}
 
@@ -19,8 +26,13 @@ void ContactNodes::find_candidates(const Vec3& entry, const Vec3& direction) noe
     const Vec3 from_entry = body_.nodes[node] - entry;
     const double depth = from_entry.dot(direction);
     const double distance = (from_entry - depth * direction).squaredNorm();
-    if (!(distance <= radius_ * radius_) || !(depth > -radius_)) continue;
     const double place = std::max(depth, 0.0);
+    if (body_.has_contact_points()) {
+      if (!(distance <= contact_point_reach * contact_point_reach) || !(depth > -contact_point_before)) continue;
+      candidates_[found++] = {static_cast<std::uint32_t>(node), static_cast<std::int64_t>(node), distance, place};
+      continue;
+    }
+    if (!(distance <= radius_ * radius_) || !(depth > -radius_)) continue;
     candidates_[found++] = {static_cast<std::uint32_t>(node), std::llround(std::floor(place / spacing_)), distance,
                             place};
   }

@@ -19,7 +19,8 @@ struct ContactNode {
 };
 
 // The nodes that a needle passes along a frozen line, in the order of their depth: from each `spacing` mm the one
-// closest to the line, if there is one within `radius`.
+// closest to the line, if there is one within `radius`. Contact points (CondensedBody::has_contact_points) were made
+// for a line: each of them is met, at its depth along the needle's own, if that runs within 5 mm of it.
 class ContactNodes {
  public:
   // `radius`, `spacing`: mm, > 0. Allocates memory for all nodes of the corridor.

@@ -20,7 +20,8 @@ constexpr int most_captures = 2;              // per tick; the others follow in 
 
 const anatomy::CondensedBody& checked_body(const anatomy::CondensedBody& body) {
   const std::size_t nodes = body.nodes.size();
-  if (nodes > 0 && body.tissues.size() == nodes && static_cast<std::size_t>(body.compliance.rows()) == 3 * nodes) {
+  if (nodes > 0 && body.tissues.size() == nodes && static_cast<std::size_t>(body.compliance.rows()) == 3 * nodes &&
+      (!body.has_contact_points() || body.in_mesh.size() == nodes)) {
     return body;
   }
   throw InputError("needle contact: the corridor has " + std::to_string(nodes) + " nodes, " +
@@ -32,7 +33,7 @@ const anatomy::CondensedBody& checked_body(const anatomy::CondensedBody& body) {
 std::size_t checked_room(const anatomy::EmbeddedNeedleSettings& settings) {
   check(settings, "embedded_needle");
   check_range("embedded_needle", "most nodes", static_cast<double>(settings.most_nodes),
-              {1.0, static_cast<double>(NodeForces::capacity - 1)}, "");
+              {1.0, static_cast<double>(NodeForces::most_contacts - 1)}, "");
   return settings.most_nodes;
 }
 

@@ -82,7 +82,8 @@ class EmbeddedNeedle {
   const EmbeddedNeedleForce& step(const Pose& needle, double pressed = 0.0) noexcept;
   // Restores the state after construction: no contact, nothing punctured.
   void reset() noexcept;
-  // Adds the punctures of a needle in another corridor of the same mesh: a mesh node is punctured in both corridors.
+  // Adds the punctures of a needle in another corridor of the same mesh: a mesh node is punctured in both corridors,
+  // a contact point where one of the same tissue was within 1 mm of it.
   void take_punctures(const EmbeddedNeedle& other) noexcept;
 
   // Transfers an inserted needle from `other`, which has the same settings and another corridor of the same mesh, to
@@ -148,6 +149,7 @@ class EmbeddedNeedle {
   void puncture() noexcept;
   void report() noexcept;
   bool take_line_of(const EmbeddedNeedle& other) noexcept;
+  void take_punctures_of_points(const EmbeddedNeedle& other) noexcept;
   void take_sticking_of(const EmbeddedNeedle& other) noexcept;
   bool take_state_of(const EmbeddedNeedle& other) noexcept;
   Vec3 displacement(std::size_t index) const noexcept {

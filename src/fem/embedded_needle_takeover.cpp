@@ -5,7 +5,25 @@
 
 namespace bodkin::fem {
 
+namespace {
+
+constexpr double same_hole = 1.0;  // mm
+
+}  // namespace
+
+// Contact points of two lines are the same hole when they lie close together in one tissue.
+void EmbeddedNeedle::take_punctures_of_points(const EmbeddedNeedle& other) noexcept {
+  for (std::size_t old = 0; old < other.punctured_.size(); ++old) {
+    if (other.punctured_[old] == 0) continue;
+    for (std::size_t here = 0; here < punctured_.size(); ++here) {
+      const double away = (body_.nodes[here] - other.body_.nodes[old]).squaredNorm();
+      if (body_.tissues[here] == other.body_.tissues[old] && away < same_hole * same_hole) punctured_[here] = 1;
+    }
+  }
+}
+
 void EmbeddedNeedle::take_punctures(const EmbeddedNeedle& other) noexcept {
+  if (body_.has_contact_points() && other.body_.has_contact_points()) take_punctures_of_points(other);
   auto old = other.names_.begin();
   for (const auto& [name, node] : names_) {
     while (old != other.names_.end() && old->first < name) ++old;

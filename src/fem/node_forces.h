@@ -17,16 +17,31 @@ struct NodeForce {
 // All of it in one tick: what the graphics thread needs to draw the deformed body, small enough to be handed over by
 // value every tick (core/latest_value.h).
 struct NodeForces {
-  static constexpr std::size_t capacity = 161;
+  static constexpr std::size_t most_contacts = 161;  // of a needle: nodes, or points that four nodes carry
+  static constexpr std::size_t capacity = 4 * most_contacts;
 
   std::size_t count = 0;
   std::array<NodeForce, capacity> nodes{};  // capacity; the first `count` are in use
 };
 
-// Forces on nodes of a corridor, by the nodes of its mesh.
+// Forces on nodes or contact points of a corridor, by the nodes of its mesh. A force on a point is spread over the
+// corners of its element, as the point moves with them.
 inline NodeForces of_mesh(NodeForces forces, const anatomy::CondensedBody& corridor) noexcept {
-  for (std::size_t i = 0; i < forces.count; ++i) forces.nodes[i].node = corridor.mesh_nodes[forces.nodes[i].node];
-  return forces;
+  if (!corridor.has_contact_points()) {
+    for (std::size_t i = 0; i < forces.count; ++i) forces.nodes[i].node = corridor.mesh_nodes[forces.nodes[i].node];
+    return forces;
+  }
+  NodeForces spread;
+  for (std::size_t i = 0; i < forces.count && i < NodeForces::most_contacts; ++i) {
+    const anatomy::PlaceInElement& place = corridor.in_mesh[forces.nodes[i].node];
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      if (place.weights[corner] == 0.0) continue;
+      const auto share = static_cast<float>(place.weights[corner]);
+      const std::array<float, 3>& force = forces.nodes[i].force;
+      spread.nodes[spread.count++] = {place.nodes[corner], {share * force[0], share * force[1], share * force[2]}};
+    }
+  }
+  return spread;
 }
 
 }  // namespace bodkin::fem

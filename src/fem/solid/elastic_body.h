@@ -63,6 +63,7 @@ class ElasticBody {
   Eigen::MatrixXd displacement_by_corridor(const Eigen::MatrixXd& forces) const;
 
   const ElasticSystem& system() const noexcept { return plan_.system; }
+  const MultifrontalCholesky& factor() const noexcept { return factor_; }
 
  private:
   Eigen::MatrixXd on_all_nodes(const Eigen::MatrixXd& of_free_nodes) const;

@@ -61,6 +61,11 @@ double* MultifrontalCholesky::panel(std::size_t supernode) const noexcept {
   return is_last(supernode) ? last_.data() : panels_.data();
 }
 
+const double* MultifrontalCholesky::kept_panel(std::size_t supernode) const {
+  if (!options_.keep_field) throw std::logic_error("the factor was not kept");
+  return panel(supernode);
+}
+
 void MultifrontalCholesky::factorise(const BlockMatrix& matrix, ThreadPool& pool, const Progress& progress) {
   panels_ = ZeroPages(options_.keep_field ? symbolic_.factor_size : symbolic_.largest_panel);
   if (!options_.keep_field) last_ = ZeroPages(symbolic_.last_size());

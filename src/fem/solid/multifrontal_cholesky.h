@@ -53,6 +53,9 @@ class MultifrontalCholesky {
   Eigen::MatrixXd solve(const Eigen::MatrixXd& forces) const;
   // The same for forces on the last nodes alone (3 rows for each of them), at a little more than half the cost.
   Eigen::MatrixXd respond(const Eigen::MatrixXd& forces_on_last) const;
+  // The panel of L of a supernode, column by column: height() x width() numbers; those above the diagonal of its own
+  // columns are meaningless. Only with keep_field.
+  const double* kept_panel(std::size_t supernode) const;
 
  private:
   double* panel(std::size_t supernode) const noexcept;

@@ -1,6 +1,7 @@
 #include "fem/solid/nested_dissection.h"
 
 #include <limits>
+#include <mutex>
 
 #include <fmt/format.h>
 #include <metis.h>
@@ -80,8 +81,14 @@ std::vector<std::uint32_t> nested_dissection(const NodeGraph& graph, std::span<c
   METIS_SetDefaultOptions(options.data());
   options[METIS_OPTION_SEED] = seed;
   options[METIS_OPTION_NUMBERING] = 0;
-  const int status = METIS_NodeND(&count, start.data(), neighbours.data(), nullptr, options.data(),
-                                  permutation.data(), inverse.data());
+  const int status = [&] {
+    // METIS draws from the C library's random numbers, of which the program has one sequence: two orderings at once
+    // would take numbers from each other, and neither be the same again.
+    static std::mutex one_at_a_time;
+    const std::lock_guard lock(one_at_a_time);
+    return METIS_NodeND(&count, start.data(), neighbours.data(), nullptr, options.data(), permutation.data(),
+                        inverse.data());
+  }();
   if (status != METIS_OK) {
     throw SystemError(fmt::format(
         "METIS could not order the {} nodes of the body (status {}); is there enough memory?", count, status));

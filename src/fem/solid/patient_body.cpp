@@ -16,10 +16,11 @@ namespace bodkin::fem {
 
 namespace {
 
-constexpr double before_skin = 5.0;    // mm of the planned line before the entry that belong to the corridor
-constexpr double behind_face = 2.5;    // mm outwards of a face, where one looks for what lies behind it
-constexpr double closest_voxel = 3.0;  // mm from a node, how far its tissue is looked for
-constexpr anatomy::TissueId edge_of_volume = 255;
+constexpr double before_skin = 5.0;         // mm of the planned line before the entry that belong to the corridor
+constexpr double behind_face = 2.5;         // mm outwards of a face, where one looks for what lies behind it
+constexpr double contact_line_reach = 1.5;  // mm: farther away the layers are other ones
+constexpr double closest_voxel = 3.0;       // mm from a node, how far its tissue is looked for
+constexpr anatomy::TissueId outside_volume = 255;
 
 // By TissueId: does not move and cannot be punctured.
 std::array<bool, 256> rigid_tissues(const anatomy::TissueLibrary& library) {
@@ -84,7 +85,7 @@ bool is_cut(const OuterFace& face, const anatomy::TetrahedralMesh& mesh, const a
   Vec3 outwards = (b - a).cross(c - a).normalized();
   if (outwards.dot(mesh.nodes[face.opposite] - a) > 0.0) outwards = -outwards;
   const Vec3 behind = (a + b + c) / 3.0 + behind_face * outwards;
-  return anatomy::nearest<anatomy::TissueId>(tissues, behind, edge_of_volume) != anatomy::tissue::air;
+  return anatomy::nearest<anatomy::TissueId>(tissues, behind, outside_volume) != anatomy::tissue::air;
 }
 
 std::vector<std::uint32_t> fixed_nodes(const anatomy::TetrahedralMesh& mesh, const anatomy::Case& patient,
@@ -192,6 +193,7 @@ std::vector<std::uint32_t> corridor_about(const BodyDescription& body, const ana
 }
 
 double corridor_reach(const anatomy::PreparedCorridor& corridor, const anatomy::DeformableBodySettings& settings) {
+  if (corridor.body->has_contact_points()) return contact_line_reach;
   const auto [from, to] = corridor_line(corridor.path, settings);
   double reach = 0.0;
   for (const Vec3& node : corridor.body->nodes) reach = std::max(reach, distance_to_segment(node, from, to));

@@ -30,7 +30,7 @@ std::vector<std::uint32_t> corridor_about(const BodyDescription& body, const ana
                                           const anatomy::DeformableBodySettings& settings,
                                           std::vector<std::string>& notes);
 
-// mm from a corridor's path within which its nodes lie.
+// mm from a corridor's path within which its nodes lie; of contact points, within which they stand for the line.
 double corridor_reach(const anatomy::PreparedCorridor& corridor, const anatomy::DeformableBodySettings& settings);
 
 // Whether a needle that goes along `path` stays within the reach of a corridor.

@@ -135,6 +135,7 @@ PointInMesh PointFinder::Grid::closest_place(const Vec3& point, double reach) co
       if (away >= closest) continue;
       closest = away;
       found.nodes = corners;
+      found.element = element;
       found.weights = {};
       for (std::size_t i = 0; i < 3; ++i) found.weights[face[i]] = shares[i];
     }
@@ -156,7 +157,7 @@ PointInMesh PointFinder::find(const Vec3& point, double reach) const {
     const CornerWeights weights = weights_in(mesh_, mesh_.elements[element], point);
     if (*std::min_element(weights.begin(), weights.end()) < inside) return;
     met = true;
-    found = {mesh_.elements[element], weights};
+    found = {mesh_.elements[element], weights, element};
   });
   return met ? found : grid_->closest_place(point, reach);
 }

@@ -17,6 +17,7 @@ namespace bodkin::fem {
 struct PointInMesh {
   std::array<std::uint32_t, 4> nodes{};
   std::array<double, 4> weights{};  // 0 to 1, sum 1; all 0 for a point that is too far from the mesh to move with it
+  std::uint32_t element = 0;        // of the mesh; of a point that moves
   bool moves() const noexcept { return weights[0] + weights[1] + weights[2] + weights[3] > 0.5; }
 };
 

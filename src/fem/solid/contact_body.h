@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "anatomy/condensed_body.h"
+#include "core/progress.h"
+#include "fem/solid/elastic_body.h"
+#include "fem/solid/needle_stations.h"
+#include "fem/solid/packed_factor.h"
+#include "fem/solid/points_in_mesh.h"
+
+namespace bodkin::fem {
+
+// A body that a needle can enter anywhere and at any angle: it keeps its factor, and computes the compliance between
+// the contact points of a needle's line when it is asked for one.
+//
+// A point of the line moves with its element, by barycentric weights; one that has to be punctured is a disk over
+// which the tip pushes. The compliance between points is exact for the whole mesh (PackedFactor). To that of a point
+// with itself is added what the mesh lacks: of a disk by local refinement (refinement_gain), of a point on the shaft
+// by Kelvin's solution (shaft_gain), so that what is felt hardly depends on where the mesh has its nodes, and the
+// equations stay regular wherever the points lie.
+class ContactBody {
+ public:
+  // `body`: its corridor is not read. Throws InputError when the body does not fit into memory, or cannot be solved;
+  // see ElasticBody.
+  ContactBody(std::shared_ptr<const BodyDescription> body, const FactorOptions& options = {},
+              const Progress& progress = {});
+
+  const BodyDescription& description() const noexcept { return *body_; }
+  const PackedFactor& factor() const noexcept { return *factor_; }
+
+  // The contact points at these stations of a line along the unit vector `direction`: one node for each, in their
+  // order. Left out are stations farther than 5 mm from the mesh, and the third and further ones without a border in
+  // one element. `tip_radius`: mm, above 0. Any number of threads may ask at once; the same bits for any number of
+  // `threads`, which share the work (0: as many as the machine has cores). Throws InputError when no station is left.
+  anatomy::CondensedBody contact_points(std::span<const NeedleStation> stations, const Vec3& direction,
+                                        double tip_radius, int threads = 0) const;
+
+  // A place of the mesh as a point that its nodes carry; those that are held carry nothing.
+  CarriedPoint carried(const PointInMesh& place) const;
+
+ private:
+  std::shared_ptr<const BodyDescription> body_;
+  std::vector<bool> fixed_;                // by node of the mesh
+  std::vector<std::uint32_t> free_nodes_;  // by node of the mesh, as the equations number it
+  std::unique_ptr<const PackedFactor> factor_;
+  PointFinder finder_;
+};
+
+}  // namespace bodkin::fem

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "anatomy/tetrahedral_mesh.h"
+
+namespace bodkin::fem {
+
+// A part of a mesh with what holds it: the nodes that do not move.
+struct MeshPatch {
+  anatomy::TetrahedralMesh mesh;
+  std::vector<bool> fixed;  // one a node
+};
+
+// The elements with a corner within `radius` mm of `centre`. Its border with the rest of the mesh is held as well as
+// what is fixed already; the surface of the body stays free. May be empty.
+MeshPatch patch_around(const anatomy::TetrahedralMesh& mesh, const std::vector<bool>& fixed, const Vec3& centre,
+                       double radius);
+
+// The same patch with every tetrahedron cut into eight, its octahedron along its shortest diagonal. The linear
+// displacements of the patch are among those of the refined one. The middle of an edge between two fixed nodes is
+// fixed.
+MeshPatch refined(const MeshPatch& patch);
+
+// mm, the edge of a regular tetrahedron of this volume (mm^3).
+double edge_of_volume(double volume) noexcept;
+
+}  // namespace bodkin::fem

@@ -1,0 +1,105 @@
+#include "fem/solid/needle_stations.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bodkin::fem {
+
+namespace {
+
+constexpr double before_entry = 1.0;   // mm: the skin may begin there
+constexpr double step = 0.05;          // mm, at which voxels are looked up
+constexpr double least_layer = 0.3;    // mm
+constexpr double corner_share = 0.75;  // of a voxel
+constexpr double least_rest = 0.5;     // of the distance between stations, that is left to the next border
+
+// A piece of the line in one tissue.
+struct Piece {
+  anatomy::TissueId tissue;
+  double from, to;
+  double length() const { return to - from; }
+};
+
+bool is_rigid(const anatomy::TissueLibrary& library, anatomy::TissueId id) {
+  const anatomy::TissueProperties* tissue = library.find(id);
+  return tissue != nullptr && tissue->layered.kind == anatomy::LayeredKind::rigid;
+}
+
+double puncture_force(const anatomy::TissueLibrary& library, anatomy::TissueId id) {
+  const anatomy::TissueProperties* tissue = library.find(id);
+  return tissue == nullptr ? 0.0 : tissue->deformable.puncture_force;
+}
+
+std::vector<Piece> pieces_along(const anatomy::NeedlePath& path, double length, const anatomy::Case& patient) {
+  std::vector<Piece> pieces;
+  const Vec3 along = path.direction();
+  const auto steps = static_cast<long>(std::floor((before_entry + length) / step));
+  for (long i = 0; i <= steps; ++i) {
+    const double depth = -before_entry + step * static_cast<double>(i);
+    const anatomy::TissueId here =
+        anatomy::nearest<anatomy::TissueId>(patient.tissues, path.entry + depth * along, anatomy::tissue::air);
+    if (is_rigid(patient.library, here)) break;
+    if (pieces.empty() && here == anatomy::tissue::air) continue;
+    if (pieces.empty() || pieces.back().tissue != here)
+      pieces.push_back({here, depth, depth + step});
+    else
+      pieces.back().to = depth + step;
+  }
+  return pieces;
+}
+
+// Joins a piece with its neighbours of the same tissue.
+void join(std::vector<Piece>& pieces) {
+  std::vector<Piece> joined;
+  for (const Piece& piece : pieces) {
+    if (!joined.empty() && joined.back().tissue == piece.tissue)
+      joined.back().to = piece.to;
+    else
+      joined.push_back(piece);
+  }
+  pieces = std::move(joined);
+}
+
+// Gives to the piece before it what is too thin to be a layer, the thinnest first.
+void leave_out_corners(std::vector<Piece>& pieces, double voxel) {
+  for (;;) {
+    std::size_t thinnest = 0;
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+      const bool between = i + 1 < pieces.size() && pieces[i - 1].tissue == pieces[i + 1].tissue;
+      const double least = between ? std::max(least_layer, corner_share * voxel) : least_layer;
+      // The last piece may have been cut off by the end of the line.
+      if (i + 1 == pieces.size() || pieces[i].length() >= least - 0.5 * step) continue;
+      if (thinnest == 0 || pieces[i].length() < pieces[thinnest].length()) thinnest = i;
+    }
+    if (thinnest == 0) return;
+    pieces[thinnest].tissue = pieces[thinnest - 1].tissue;
+    join(pieces);
+  }
+}
+
+}  // namespace
+
+std::vector<NeedleStation> stations_along(const anatomy::NeedlePath& path, double length, double apart,
+                                          const anatomy::Case& patient) {
+  std::vector<Piece> pieces = pieces_along(path, length, patient);
+  // A corner of the skin's staircase before more air is not where the body begins.
+  while (pieces.size() > 1 && pieces[0].length() < corner_share * patient.tissues.grid.spacing.minCoeff() &&
+         pieces[1].tissue == anatomy::tissue::air)
+    pieces.erase(pieces.begin(), pieces.begin() + 2);
+  leave_out_corners(pieces, patient.tissues.grid.spacing.minCoeff());
+  std::vector<NeedleStation> stations;
+  double before = 0.0;
+  for (const Piece& piece : pieces) {
+    const double force = puncture_force(patient.library, piece.tissue);
+    const auto add = [&](double depth, bool border) {
+      const Vec3 place = path.entry + depth * path.direction();
+      stations.push_back({place, depth, piece.tissue, border, border && force > before});
+    };
+    add(piece.from, true);
+    for (int i = 1; piece.from + (i + least_rest) * apart <= piece.to; ++i) add(piece.from + i * apart, false);
+    before = force;
+  }
+  return stations;
+}
+
+}  // namespace bodkin::fem

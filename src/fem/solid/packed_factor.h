@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/geometry.h"
+#include "fem/solid/multifrontal_cholesky.h"
+#include "fem/zero_pages.h"
+
+namespace bodkin::fem {
+
+// A point that moves with a body: the free nodes that carry it, as the equations number them, and the share of each.
+// A force on the point is spread over these nodes by the same shares. Without shares it is held.
+struct CarriedPoint {
+  struct Share {
+    std::uint32_t node = 0;
+    double weight = 0.0;
+  };
+  std::vector<Share> shares;  // each node once
+};
+
+// L^-1 B of one point, B its three columns of unit forces, where it is not zero: on the path of the elimination tree
+// from the point's nodes to the root.
+struct PointResponse {
+  struct Piece {
+    std::uint32_t supernode = 0;
+    std::size_t at = 0;      // where its numbers begin: three columns, one after another
+    std::size_t length = 0;  // of a column, a multiple of 4; what exceeds the supernode is zero
+  };
+  std::vector<Piece> path;  // supernodes ascending
+  std::vector<double> numbers;
+};
+
+// The Cholesky factor of a body's stiffness, kept so that the compliance of a few points can be found at any time:
+// the columns L^-1 B of a point are zero except on its path to the root of the elimination tree, and with them the
+// displacement of point i by a force on point j is (L^-1 B_i)^T (L^-1 B_j), exact for the whole body.
+//
+// Every number is computed by one chain of additions and multiplications in a fixed order, without fused
+// multiply-add: the same bits for a point alone or with others, and with every instruction set. (The factor itself
+// comes from OpenBLAS, whose bits depend on the processor.) Any number of threads may ask at once.
+class PackedFactor {
+ public:
+  // Copies the factor, which must have been kept whole; it may be destroyed afterwards.
+  explicit PackedFactor(const MultifrontalCholesky& factor);
+
+  std::uint32_t nodes() const noexcept { return static_cast<std::uint32_t>(position_.size()); }
+  std::size_t bytes() const noexcept;
+
+  enum class Kernel {
+    widest,  // the widest registers that the processor has
+    plain    // those of every processor of its kind
+  };
+  // Of each point in turn. Points asked for together share reading the factor, so lie close to each other best.
+  std::vector<PointResponse> respond(std::span<const CarriedPoint> points, Kernel kernel = Kernel::widest) const;
+
+ private:
+  struct Part {
+    std::uint32_t first = 0, columns = 0;  // nodes, in the order of elimination
+    std::uint32_t rows = 0;                // nodes below
+    std::size_t rows_at = 0;               // into rows_
+    std::size_t own_at = 0, below_at = 0;  // into numbers_
+    std::uint32_t parent = 0;              // a part after it; itself: none
+  };
+  void pack(const Part& part, const double* panel);
+
+  std::vector<std::uint32_t> position_;  // of each node in the order of elimination
+  std::vector<std::uint32_t> part_of_;   // by position
+  std::vector<std::uint32_t> rows_;      // positions
+  std::vector<Part> parts_;              // one a supernode
+  std::size_t numbers_size_ = 0;
+  ZeroPages numbers_;
+};
+
+// mm/N: the displacement of point `a` (rows x y z) by unit forces on point `b` (columns x y z), from their responses
+// to one factor. compliance_between(b, a) is its transpose to the last bit.
+Mat3 compliance_between(const PointResponse& a, const PointResponse& b,
+                        PackedFactor::Kernel kernel = PackedFactor::Kernel::widest);
+
+}  // namespace bodkin::fem

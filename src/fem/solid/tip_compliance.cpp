@@ -1,0 +1,110 @@
+#include "fem/solid/tip_compliance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numbers>
+#include <optional>
+
+#include "anatomy/mesh_parts.h"
+#include "fem/solid/elastic_assembly.h"
+#include "fem/solid/mesh_patch.h"
+#include "fem/solid/packed_factor.h"
+
+namespace bodkin::fem {
+
+namespace {
+
+constexpr int places_in_disk = 400;
+constexpr double fine_enough = 0.45;  // edge by radius
+constexpr double edges_around = 2.0;  // of elements about the disk that are refined
+constexpr int most_levels = 6;
+constexpr double rest_of_gains =
+    1.0 / 3.0;                           // of the last gain: once the edges are below the disk, gains fall by four
+constexpr double ball_of_element = 0.6;  // radius by edge, as soft as a barycentric point
+constexpr double least_gain = 0.01;
+
+// The places in the disk over which the force is spread: a sunflower's, each with the same area.
+Vec3 place_in(const TipDisk& disk, int i) {
+  const double angle = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
+  const double away = disk.radius * std::sqrt((i + 0.5) / places_in_disk);
+  const Vec3 side = disk.normal.unitOrthogonal(), other = disk.normal.cross(side);
+  return disk.centre + away * (std::cos(angle) * side + std::sin(angle) * other);
+}
+
+// mm, mean over the elements that the disk lies in or next to; 0: it is outside the mesh.
+double edge_about(const anatomy::TetrahedralMesh& mesh, const TipDisk& disk, const PointFinder& finder) {
+  std::map<std::uint32_t, double> met;
+  for (int i = 0; i < places_in_disk; i += 16) {
+    const PointInMesh found = finder.find(place_in(disk, i));
+    if (!found.moves()) continue;
+    met[found.element] = edge_of_volume(anatomy::element_volume(mesh, found.element));
+  }
+  double sum = 0.0;
+  for (const auto& [element, edge] : met) sum += edge;
+  return met.empty() ? 0.0 : sum / static_cast<double>(met.size());
+}
+
+// How the disk moves by forces on it, in a patch; nothing where the patch cannot be solved.
+std::optional<Mat3> compliance_in(const MeshPatch& patch, const ElasticMaterials& materials, const TipDisk& disk) {
+  std::vector<std::uint32_t> held;
+  for (std::uint32_t node = 0; node < patch.fixed.size(); ++node)
+    if (patch.fixed[node]) held.push_back(node);
+  if (held.size() == patch.fixed.size()) return Mat3(Mat3::Zero());
+  const ElasticSystem system = assemble(patch.mesh, materials, held);
+  CarriedPoint carried;
+  for (const auto& [node, weight] : shares_of(disk, PointFinder(patch.mesh))) {
+    const std::uint32_t free = system.free_nodes[node];
+    if (free != ElasticSystem::fixed) carried.shares.push_back({free, weight});
+  }
+  try {
+    const MultifrontalCholesky factor(system.stiffness, analyse(graph_of(system.stiffness), {}), {.threads = 1});
+    const std::vector<PointResponse> responses = PackedFactor(factor).respond({&carried, 1});
+    return compliance_between(responses[0], responses[0]);
+  } catch (const NotPositiveDefinite&) {
+    return {};  // elements of the patch hang together by an edge
+  }
+}
+
+}  // namespace
+
+std::vector<std::pair<std::uint32_t, double>> shares_of(const TipDisk& disk, const PointFinder& finder,
+                                                        double reach) {
+  std::map<std::uint32_t, double> shares;
+  for (int i = 0; i < places_in_disk; ++i) {
+    const PointInMesh found = finder.find(place_in(disk, i), reach);
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      if (found.weights[corner] != 0.0) shares[found.nodes[corner]] += found.weights[corner] / places_in_disk;
+    }
+  }
+  return {shares.begin(), shares.end()};
+}
+
+Mat3 refinement_gain(const anatomy::TetrahedralMesh& mesh, const PointFinder& finder,
+                     const ElasticMaterials& materials, const std::vector<bool>& fixed, const TipDisk& disk) {
+  Mat3 gained = Mat3::Zero(), last = Mat3::Zero();
+  double edge = edge_about(mesh, disk, finder);
+  MeshPatch patch = patch_around(mesh, fixed, disk.centre, edges_around * edge + disk.radius);
+  for (int level = 0; level < most_levels && edge > fine_enough * disk.radius; ++level) {
+    if (patch.mesh.elements.empty()) break;
+    MeshPatch finer = refined(patch);
+    const std::optional<Mat3> coarse = compliance_in(patch, materials, disk);
+    const std::optional<Mat3> fine = compliance_in(finer, materials, disk);
+    if (!coarse || !fine) break;
+    last = *fine - *coarse;
+    gained += last;
+    edge *= 0.5;
+    patch = patch_around(finer.mesh, finer.fixed, disk.centre, edges_around * edge + disk.radius);
+  }
+  return gained + rest_of_gains * last;
+}
+
+double shaft_gain(const ElasticMaterial& material, double edge, double radius) noexcept {
+  const double nu = material.poisson, shear = material.young / (2.0 * (1.0 + nu));
+  const double kelvin = (3.0 - 4.0 * nu + 1.0 / 3.0) / (16.0 * std::numbers::pi * shear * (1.0 - nu));
+  const double there = kelvin * 6.0 / (5.0 * ball_of_element * edge);
+  return std::max(kelvin * 6.0 / (5.0 * radius) - there, least_gain * there);
+}
+
+}  // namespace bodkin::fem

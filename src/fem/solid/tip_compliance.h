@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/geometry.h"
+#include "fem/solid/elastic_material.h"
+#include "fem/solid/points_in_mesh.h"
+
+namespace bodkin::fem {
+
+// The disk over which a needle's tip pushes: across the needle, its force spread evenly.
+struct TipDisk {
+  Vec3 centre = Vec3::Zero();   // mm, LPS
+  Vec3 normal = Vec3::UnitZ();  // along the needle, unit vector
+  double radius = 1.0;          // mm, above 0
+};
+
+// The nodes of a mesh that carry a force on the disk, each once and ascending, with the share of each; the shares add
+// up to 1, or to less where the disk is farther than `reach` mm outside the mesh.
+std::vector<std::pair<std::uint32_t, double>> shares_of(const TipDisk& disk, const PointFinder& finder,
+                                                        double reach = 5.0);
+
+// mm/N, 3 x 3, positive semidefinite: by how much more the disk moves by a force on it than its mesh of linear
+// tetrahedra says, which near a force is too stiff by about as much as its elements are larger than the disk. The
+// elements within two edges of the disk are cut into eight again and again, with the border of this patch held, until
+// their edge is below 0.45 radii; each time the compliance gained is added, and in the end a third of the last gain
+// for what a still finer mesh would add. `finder`: of the mesh; `fixed`: one a node. Zero in a mesh that is as fine
+// already.
+Mat3 refinement_gain(const anatomy::TetrahedralMesh& mesh, const PointFinder& finder,
+                     const ElasticMaterials& materials, const std::vector<bool>& fixed, const TipDisk& disk);
+
+// mm/N: by how much more a point on a needle's shaft moves than a single barycentric point of an element with this
+// edge (mm) says, in a material as far as the eye can see. A force that is spread over a ball of `radius` mm moves it
+// by (3 - 4 nu + 1/3) / (16 pi G (1 - nu)) * 6 / (5 radius) (Kelvin's solution, averaged over the ball twice), a
+// barycentric point by about as much as a ball of 0.6 edges. At least a hundredth of the latter, so that any number
+// of points may lie in one element and the equations stay regular.
+double shaft_gain(const ElasticMaterial& material, double edge, double radius) noexcept;
+
+}  // namespace bodkin::fem

@@ -1,0 +1,118 @@
+#include "fem/solid/needle_stations.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/random.h"
+
+namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
+namespace {
+
+// Layers along z in voxels of 1 mm; the skin begins at z = 0.
+Case layered_patient(const std::vector<std::pair<double, TissueId>>& layers) {
+  Case patient;
+  std::vector<TissueProperties> tissues(5);
+  tissues[0].name = "air";
+  const std::vector<std::pair<TissueId, double>> forces = {
+      {tissue::skin, 1.5}, {tissue::muscle, 0.9}, {tissue::ligamentum_flavum, 4.7}, {tissue::cortical_bone, 100.0}};
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    TissueProperties& each = tissues[i + 1];
+    each.id = forces[i].first;
+    each.name = each.title = "tissue " + std::to_string(i);
+    each.deformable.puncture_force = forces[i].second;
+  }
+  tissues[4].layered.kind = LayeredKind::rigid;
+  patient.library = TissueLibrary(tissues);
+  Grid grid;
+  grid.size = {60, 60, 80};
+  grid.origin = Vec3(-29.5, -29.5, -19.5);
+  patient.tissues = TissueVolume(grid, tissue::air);
+  for (int k = 0; k < 80; ++k) {
+    for (const auto& [from, id] : layers) {
+      if (k - 19.5 < from) continue;
+      for (int j = 0; j < 60; ++j)
+        for (int i = 0; i < 60; ++i) patient.tissues.at(i, j, k) = id;
+    }
+  }
+  return patient;
+}
+
+NeedlePath down(double length, const Vec3& sideways = Vec3::Zero()) {
+  return {Vec3::Zero(), length * (Vec3::UnitZ() + sideways).normalized()};
+}
+
+TEST(NeedleStations, lie_at_every_border_and_at_equal_distances_behind_it) {
+  const Case patient =
+      layered_patient({{0.0, tissue::skin}, {2.0, tissue::muscle}, {6.0, tissue::ligamentum_flavum}});
+  const std::vector<NeedleStation> stations = stations_along(down(10.0), 10.0, 1.0, patient);
+  ASSERT_GE(stations.size(), 10U);
+  std::vector<double> borders;
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    EXPECT_LT((stations[i].place - stations[i].depth * Vec3::UnitZ()).norm(), 1e-12);
+    if (stations[i].border) borders.push_back(stations[i].depth);
+    if (i > 0) {
+      EXPECT_LE(stations[i].depth - stations[i - 1].depth, 1.5 + 1e-9);
+    }
+    if (i > 0) {
+      EXPECT_GE(stations[i].depth - stations[i - 1].depth, 0.4);
+    }
+  }
+  ASSERT_EQ(borders.size(), 3U);
+  EXPECT_NEAR(borders[0], 0.0, 0.051);
+  EXPECT_NEAR(borders[1], 2.0, 0.051);
+  EXPECT_NEAR(borders[2], 6.0, 0.051);
+  EXPECT_TRUE(stations[0].resists);  // skin
+  for (const NeedleStation& station : stations)
+    EXPECT_EQ(station.resists, station.border && station.tissue != tissue::muscle) << station.depth;
+}
+
+TEST(NeedleStations, end_at_what_is_rigid_and_begin_behind_air) {
+  const Case patient = layered_patient({{0.0, tissue::skin}, {5.0, tissue::cortical_bone}});
+  const std::vector<NeedleStation> stations = stations_along(down(20.0), 20.0, 1.0, patient);
+  ASSERT_FALSE(stations.empty());
+  EXPECT_NEAR(stations.front().depth, 0.0, 0.051);
+  EXPECT_LT(stations.back().depth, 5.0);
+  EXPECT_TRUE(stations_along({Vec3(0.0, 0.0, -15.0), Vec3(0.0, 0.0, -5.0)}, 10.0, 1.0, patient).empty());
+}
+
+TEST(NeedleStations, a_layer_of_one_voxel_is_met_from_every_side_and_once) {
+  const Case patient = layered_patient(
+      {{0.0, tissue::skin}, {2.0, tissue::muscle}, {10.0, tissue::ligamentum_flavum}, {11.0, tissue::muscle}});
+  Random random(7);
+  for (int way = 0; way < 200; ++way) {
+    const Vec3 sideways(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), 0.0);
+    int ligaments = 0;
+    for (const NeedleStation& station : stations_along(down(20.0, sideways), 20.0, 1.0, patient)) {
+      if (station.tissue == tissue::ligamentum_flavum && station.border) ++ligaments;
+    }
+    EXPECT_EQ(ligaments, 1) << sideways.transpose();
+  }
+}
+
+// A plane at an angle, in voxels a staircase: the line meets its corners.
+TEST(NeedleStations, the_staircase_of_an_oblique_border_is_one_border) {
+  Case patient = layered_patient({{0.0, tissue::muscle}});
+  const Vec3 normal = Vec3(0.35, 0.2, 1.0).normalized();
+  for (int k = 20; k < 80; ++k)
+    for (int j = 0; j < 60; ++j)
+      for (int i = 0; i < 60; ++i) {
+        const double behind = normal.dot(patient.tissues.grid.to_patient(Vec3(i, j, k)) - Vec3(0.0, 0.0, 12.0));
+        if (behind > 0.0 && behind < 3.0) patient.tissues.at(i, j, k) = tissue::ligamentum_flavum;
+      }
+  Random random(8);
+  for (int way = 0; way < 500; ++way) {
+    const Vec3 sideways(random.uniform(-0.7, 0.7), random.uniform(-0.7, 0.7), 0.0);
+    int ligaments = 0;
+    for (const NeedleStation& station : stations_along(down(30.0, sideways), 30.0, 1.0, patient)) {
+      if (station.tissue == tissue::ligamentum_flavum && station.border) ++ligaments;
+    }
+    EXPECT_EQ(ligaments, 1) << sideways.transpose();
+  }
+}
+
+}  // namespace
+}  // namespace bodkin

@@ -1,0 +1,182 @@
+// Needles enter the back of the synthetic patient anywhere and at any angle, in a mesh that knows nothing of its
+// layers.
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <vector>
+
+#include "patient/synthetic/lumbar.h"
+#include "tests/fem/lattice_body.h"
+#include "tests/sanitized.h"
+#include <gtest/gtest.h>
+
+#include "core/random.h"
+#include "fem/embedded_needle.h"
+#include "fem/solid/contact_body.h"
+#include "io/tissue_library_file.h"
+
+namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
+using namespace bodkin::io;
+using namespace bodkin::patient;
+namespace {
+
+constexpr double deepest = 70.0;  // mm
+
+struct Back {
+  Case patient;
+  NeedlePath planned;
+  std::unique_ptr<const ContactBody> body;
+};
+
+const Back& back() {
+  static const Back made = [] {
+    Back back;
+    back.patient.library = default_tissue_library();
+    SyntheticPatient torso = synthesize_lumbar({}, back.patient.library);
+    back.patient.tissues = std::move(torso.tissues);
+    back.planned = torso.path;
+    BodyDescription body;
+    const double side = 160.0;
+    body.mesh = kuhn_lattice(17, side, 0.1);
+    const Vec3 middle = torso.path.entry + 0.3 * side * torso.path.direction();
+    for (Vec3& node : body.mesh.nodes) node += middle - Vec3::Constant(0.5 * side);
+    body.materials.set(tissue::soft, {2.0, 0.3});
+    // Held far behind the deepest point.
+    body.fixed =
+        nodes_beyond(body.mesh, torso.path.entry + 0.65 * side * torso.path.direction(), torso.path.direction());
+    back.body = std::make_unique<const ContactBody>(std::make_shared<const BodyDescription>(std::move(body)));
+    return back;
+  }();
+  return made;
+}
+
+// A random line through the skin within 25 mm of the planned entry, up to 40 degrees from the planned direction.
+NeedlePath random_path(Random& random) {
+  const Back& here = back();
+  const Vec3 along = here.planned.direction(), side = along.unitOrthogonal(), other = along.cross(side);
+  // One after the other, so that every compiler draws the same.
+  const double right = random.uniform(-25.0, 25.0), up = random.uniform(-25.0, 25.0);
+  const double angle = random.uniform(0.0, 0.7), turn = random.uniform(0.0, 6.28);
+  const Vec3 from = here.planned.entry - 30.0 * along + right * side + up * other;
+  const Vec3 direction = std::cos(angle) * along + std::sin(angle) * (std::cos(turn) * side + std::sin(turn) * other);
+  for (double way = 0.0; way < 80.0; way += 0.01) {
+    const Vec3 place = from + way * along;
+    if (nearest<TissueId>(here.patient.tissues, place, tissue::air) != tissue::air)
+      return {place, place + deepest * direction};
+  }
+  return here.planned;
+}
+
+struct WayLayer {
+  TissueId tissue;
+  double from, to;
+};
+
+// The tissues on the line, down to the first rigid one: what is thicker than 0.3 mm, neighbours of one tissue joined.
+std::vector<WayLayer> way_layers_on(const NeedlePath& path) {
+  std::vector<WayLayer> layers;
+  const TissueVolume& tissues = back().patient.tissues;
+  const double voxel = tissues.grid.spacing.minCoeff();
+  for (double depth = 0.0; depth < deepest; depth += 0.01) {
+    const TissueId id = nearest<TissueId>(tissues, path.entry + depth * path.direction(), tissue::air);
+    const TissueProperties* known = back().patient.library.find(id);
+    if (known != nullptr && known->layered.kind == LayeredKind::rigid) break;
+    if (layers.empty() || layers.back().tissue != id) {
+      // A piece that ends here and was no layer goes to the one before it.
+      if (layers.size() > 1 && layers.back().to - layers.back().from < 0.3) {
+        layers[layers.size() - 2].to = layers.back().to;
+        layers.pop_back();
+      }
+      // So does a corner of the staircase between two pieces of one tissue.
+      if (layers.size() > 1 && layers[layers.size() - 2].tissue == id &&
+          layers.back().to - layers.back().from < 0.75 * voxel)
+        layers.pop_back();
+      if (!layers.empty() && layers.back().tissue == id)
+        layers.back().to = depth;
+      else
+        layers.push_back({id, depth, depth});
+    }
+    layers.back().to = depth + 0.01;
+    // Air behind a corner of the skin: the body begins later.
+    if (layers.size() == 2 && id == tissue::air && layers[0].to - layers[0].from < 0.75 * voxel) layers.clear();
+    if (layers.size() == 1 && id == tissue::air) layers.clear();
+  }
+  return layers;
+}
+
+double puncture_force_of(TissueId id) {
+  const TissueProperties* tissue = back().patient.library.find(id);
+  return tissue == nullptr ? 0.0 : tissue->deformable.puncture_force;
+}
+
+// Everything of `part` is in `all`, in the same order.
+bool holds_in_order(const std::vector<TissueId>& all, const std::vector<TissueId>& part) {
+  auto at = all.begin();
+  for (const TissueId id : part) {
+    at = std::find(at, all.end(), id);
+    if (at == all.end()) return false;
+    ++at;
+  }
+  return true;
+}
+
+// Pushes needles in and compares what gives way with the layers that have to: a tissue that takes more force than the
+// one before it. Returns how many layers there were.
+std::size_t expect_every_layer_once(int ways, std::uint64_t seed) {
+  const Back& here = back();
+  ContactTissues tissues;
+  for (const TissueProperties& tissue : here.patient.library.tissues())
+    tissues[tissue.id] = {0.001, tissue.deformable.puncture_force, 0.0};
+  Random random(seed);
+  std::size_t all = 0;
+  int wrong = 0;
+  for (int way = 0; way < ways; ++way) {
+    const NeedlePath path = random_path(random);
+    const std::vector<NeedleStation> stations = stations_along(path, deepest, 2.0, here.patient);
+    if (stations.empty()) continue;
+    // A wide disk, so that nothing has to be refined: it is the layers that count here.
+    const CondensedBody points = here.body->contact_points(stations, path.direction(), 25.0);
+    EmbeddedNeedle needle(points, tissues, {}, 1e-3);
+    needle.begin(path.entry, path.direction());
+    std::vector<TissueId> felt;
+    for (double depth = 0.0; depth < deepest + 20.0; depth += 0.05) {
+      const auto& now = needle.step(needle_pose(path.entry + depth * path.direction(), path.direction()));
+      if (now.puncture) felt.push_back(now.puncture->tissue);
+    }
+    // What begins in the last millimetre, or is about as thin as a layer may be, may be felt or not.
+    std::vector<TissueId> expected, possible;
+    double before = 0.0;
+    for (const WayLayer& layer : way_layers_on(path)) {
+      const double force = puncture_force_of(layer.tissue);
+      if (force > before) possible.push_back(layer.tissue);
+      if (force > before && layer.to - layer.from >= 0.35 && layer.from < deepest - 1.0)
+        expected.push_back(layer.tissue);
+      before = force;
+    }
+    all += expected.size();
+    if (!holds_in_order(felt, expected) || !holds_in_order(possible, felt)) {
+      ++wrong;
+      std::cout << "way " << way << ": felt " << testing::PrintToString(felt) << ", expected "
+                << testing::PrintToString(expected) << ", at most " << testing::PrintToString(possible) << "\n";
+    }
+  }
+  EXPECT_LE(wrong, ways / 100);
+  return all;
+}
+
+TEST(NeedlePaths, every_layer_on_a_random_way_gives_way_once) {
+  EXPECT_GT(expect_every_layer_once(8, 1), 6U);
+}
+
+TEST(NeedlePaths, in_99_of_100_random_ways_no_layer_is_missed_and_none_felt_twice) {
+  // Under a sanitizer a tenth of them, which take 20 s.
+  const int ways = sanitized ? 20 : 200;
+  EXPECT_GT(expect_every_layer_once(ways, 2), static_cast<std::size_t>(ways));
+}
+
+}  // namespace
+}  // namespace bodkin
