@@ -1,6 +1,7 @@
 #include "patient/prepared_body.h"
 
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "patient/meshing/mesh_record.h"
@@ -19,6 +20,34 @@ constexpr double skin_step = 0.5;        // mm
 
 bool same(const anatomy::NeedlePath& one, const anatomy::NeedlePath& other) {
   return one.entry == other.entry && one.target == other.target;
+}
+
+// The settings of a needle that meets points of its line; nullptr: it meets nodes.
+const anatomy::EmbeddedNeedleSettings* with_points(const anatomy::Case& patient) {
+  const auto* settings = std::get_if<anatomy::EmbeddedNeedleSettings>(&patient.description.haptics.resistance);
+  return settings != nullptr && settings->contact == anatomy::NeedleContactKind::points ? settings : nullptr;
+}
+
+anatomy::CondensedBody points_of(const fem::ContactBody& body, const anatomy::Case& patient,
+                                 const anatomy::NeedlePath& path, const anatomy::EmbeddedNeedleSettings& settings) {
+  const std::vector<fem::NeedleStation> stations =
+      fem::stations_along(path, path.length() + settings.body.corridor_beyond, settings.point_spacing, patient);
+  return body.contact_points(stations, path.direction(), settings.tip_radius);
+}
+
+// Checks the body first, as fem::condense() does.
+std::shared_ptr<const fem::ContactBody> contact_body(const fem::BodyDescription& body, const Progress& progress,
+                                                     const std::function<void(const std::string&)>& note) {
+  for (const std::string& warning : fem::check_body(body)) {
+    if (note) note(warning);
+  }
+  auto whole = std::make_shared<const fem::ContactBody>(std::make_shared<const fem::BodyDescription>(body),
+                                                        fem::FactorOptions{}, progress);
+  if (note) {
+    note(fmt::format("the needle meets points of its line in a body of {} nodes, whose factor takes {:.2f} GB",
+                     body.mesh.nodes.size(), 1e-9 * static_cast<double>(whole->factor().bytes())));
+  }
+  return whole;
 }
 
 }  // namespace
@@ -48,6 +77,12 @@ std::shared_ptr<const fem::BodyDescription> prepare_body(anatomy::Case& patient,
   if (note) {
     for (const std::string& sentence : described.notes) note(sentence);
   }
+  if (const anatomy::EmbeddedNeedleSettings* points = with_points(patient)) {
+    const auto whole = contact_body(described.body, progress, note);
+    patient.corridor = {
+        std::make_shared<const anatomy::CondensedBody>(points_of(*whole, patient, *about, *points)), *about, {}};
+    return std::make_shared<const fem::BodyDescription>(std::move(described.body));
+  }
   const bool is_planned = planned && same(*about, *planned);
   anatomy::CondensedBody body =
       is_planned ? fem::condensed_with_cache(folder / body_file_name, described.body, {}, progress, note)
@@ -59,7 +94,11 @@ std::shared_ptr<const fem::BodyDescription> prepare_body(anatomy::Case& patient,
 
 anatomy::PreparedCorridor another_corridor(const fem::BodyDescription& body, const anatomy::Case& patient,
                                            const anatomy::NeedlePath& path, std::uint64_t aimed_at,
-                                           const Progress& progress) {
+                                           std::shared_ptr<const fem::ContactBody>& kept, const Progress& progress) {
+  if (const anatomy::EmbeddedNeedleSettings* points = with_points(patient)) {
+    if (kept == nullptr) kept = contact_body(body, progress, {});
+    return {std::make_shared<const anatomy::CondensedBody>(points_of(*kept, patient, path, *points)), path, aimed_at};
+  }
   std::vector<std::string> notes;
   fem::BodyDescription described = body;
   described.corridor =

@@ -9,7 +9,7 @@
 
 #include "anatomy/case.h"
 #include "core/progress.h"
-#include "fem/solid/elastic_body.h"
+#include "fem/solid/contact_body.h"
 
 namespace bodkin::patient {
 
@@ -18,18 +18,21 @@ inline constexpr const char* body_file_name = "body.condensed";
 
 // Gives a case the deformable body that its resistance needs, with a corridor about `path` (the planned one where
 // there is none), from the mesh in `folder` and the settings of the resistance: condensed now or, about the planned
-// path, read back when that was done before. Returns what the body was made from, for more corridors; nullptr, and
-// nothing done, when the resistance needs no body. `note` hears what was assumed, and what memory the work takes,
-// before it takes it. Throws InputError, one sentence, when there is no path or no mesh, and for everything that
-// describe_body() and condense() refuse.
+// path, read back when that was done before. With contact points the corridor is the points of the path itself.
+// Returns what the body was made from, for more corridors; nullptr, and nothing done, when the resistance needs no
+// body. `note` hears what was assumed, and what memory the work takes, before it takes it. Throws InputError, one
+// sentence, when there is no path or no mesh, and for everything that describe_body() and condense() refuse.
 std::shared_ptr<const fem::BodyDescription> prepare_body(anatomy::Case& patient, const std::filesystem::path& folder,
                                                          const std::optional<anatomy::NeedlePath>& path,
                                                          const Progress& progress,
                                                          const std::function<void(const std::string&)>& note);
 
-// Another corridor of the same body. `aimed_at`: the tick whose needle goes along `path`. Throws like prepare_body().
+// Another corridor of the same body. `aimed_at`: the tick whose needle goes along `path`. `kept`: of a needle with
+// contact points (EmbeddedNeedleSettings::contact), the factorised body for further calls with the same `body`; a
+// null pointer at first, and nothing else to be done with it. Throws like prepare_body().
 anatomy::PreparedCorridor another_corridor(const fem::BodyDescription& body, const anatomy::Case& patient,
                                            const anatomy::NeedlePath& path, std::uint64_t aimed_at,
+                                           std::shared_ptr<const fem::ContactBody>& kept,
                                            const Progress& progress = {});
 
 // The path that a needle outside the body would take: from where it would meet the skin, as deep as `length` mm.

@@ -8,6 +8,7 @@
 #include "patient/from_ct/label_plausibility.h"
 #include "patient/from_ct/needle_choice.h"
 #include "patient/from_ct/patient_builder.h"
+#include "patient/planning/path_search.h"
 #include <fmt/format.h>
 
 #include "core/error.h"
@@ -53,7 +54,7 @@ void require_path(const std::optional<anatomy::NeedlePath>& path) {
 
 // A path that leaves the image cannot be performed.
 void require_inside(const anatomy::NeedlePath& path, const anatomy::Grid& image) {
-  for (const auto& [option, point] : {std::pair("--entry", path.entry), std::pair("--target", path.target)}) {
+  for (const auto& [option, point] : {std::pair("--target", path.target), std::pair("--entry", path.entry)}) {
     const Vec3 index = image.to_index(point);
     const Vec3 last(image.size[0] - 0.5, image.size[1] - 0.5, image.size[2] - 0.5);
     if ((index.array() >= -0.5).all() && (index.array() <= last.array()).all()) continue;
@@ -134,6 +135,35 @@ anatomy::Procedure procedure_for(const NewCase& wanted, const std::optional<anat
   procedure.name = lumbar ? "lumbar_puncture" : "needle_insertion";
   if (lumbar) procedure.target_tissue = "cerebrospinal_fluid";
   return procedure;
+}
+
+bool has_target(const NewCase& wanted) {
+  return wanted.target || !wanted.target_structure.empty();
+}
+
+// The best path to the user's target; nothing, and a note that says why, where there is none. Throws InputError for a
+// structure that is not there.
+std::optional<anatomy::NeedlePath> path_to_target(const NewCase& wanted, const anatomy::Needle& needle,
+                                                  const PatientView& patient, std::vector<std::string>& notes) {
+  const Vec3 target = wanted.target ? *wanted.target : target_in_structure(patient, wanted.target_structure);
+  const std::string named = wanted.target_structure.empty() ? "the target" : spoken(wanted.target_structure);
+  if (const auto problem = level_problem(patient, wanted.rules, target)) {
+    notes.push_back(fmt::format("No path was planned to {}, because {}.", named, *problem));
+    return std::nullopt;
+  }
+  const Obstacles obstacles = find_obstacles(patient, wanted.rules, target);
+  const PathSearch search = search_paths(patient, obstacles, target, wishes_for(needle, wanted.rules));
+  if (search.proposals.empty()) {
+    notes.push_back(fmt::format("No path was planned to {} at ({:.1f}, {:.1f}, {:.1f}). {}", named, target.x(),
+                                target.y(), target.z(), search.why_not));
+    return std::nullopt;
+  }
+  const PathReport& best = search.proposals.front();
+  notes.push_back(fmt::format(
+      "The path to {} was planned, {:.0f} mm long, {:.0f} degrees cranial and {:.0f} to the left; nearest: {}. "
+      "'bodkin case plan' lists others.",
+      named, best.path.length(), best.cranial, best.lateral, nearest_text(obstacles, best, 3)));
+  return best.path;
 }
 
 // Only the structures that occur; a scheme lists many more.
@@ -225,6 +255,7 @@ CaseSummary build_imported_case(const NewCase& wanted, const ImportOptions& opti
   if (!options.assume_hounsfield) io::require_hounsfield(image.ct, options.ct.string());
   append(description.notes, image.notes);
   if (wanted.path) require_inside(*wanted.path, image.ct.grid);
+  if (wanted.target) require_inside({*wanted.target, *wanted.target}, image.ct.grid);
   io::LabelPlacement placed;
   if (!options.labels.empty()) {
     anatomy::LabelVolume labels = io::read_labels(options.labels, stretch(progress, 0.3, 0.4));
@@ -238,17 +269,21 @@ CaseSummary build_imported_case(const NewCase& wanted, const ImportOptions& opti
   PatientOptions patient_options;
   patient_options.path = wanted.path;
   patient_options.library = library;
-  patient_options.plan = is_spinal(wanted);
+  patient_options.plan = is_spinal(wanted) && !has_target(wanted);
   patient_options.level = options.level;
   patient_options.lowest_vertebra = options.lowest_vertebra;
   patient_options.conus = conus;
   BuiltPatient patient = build_patient(image.ct, placed.labels, table, patient_options, stretch(progress, 0.4, 0.85));
   append(description.notes, patient.notes);
-  if (!is_spinal(wanted) && !patient.path) {
-    description.notes.push_back(fmt::format(
-        "No path was planned, because {} has a target of its own; give --entry and --target.", wanted.procedure));
+  if (has_target(wanted)) {
+    patient.path =
+        path_to_target(wanted, description.needle,
+                       {patient.tissues, placed.labels, table, patient.landmarks, library}, description.notes);
+  } else if (!is_spinal(wanted) && !patient.path) {
+    description.notes.push_back(
+        fmt::format("No path was planned, because {} has a target of its own; give --target.", wanted.procedure));
   }
-  if (patient.path && !wanted.path && wanted.target_tissue == epidural)
+  if (patient.path && !wanted.path && !has_target(wanted) && wanted.target_tissue == epidural)
     patient.path = ended_in_epidural_space(*patient.path, patient.tissues);
 
   description.name = case_name(wanted);
@@ -279,8 +314,16 @@ CaseSummary build_synthetic_case(const NewCase& wanted, const LumbarParameters& 
   description.created_by = maker;
   description.structures = std::move(patient.structure_table);
   description.landmarks = std::move(patient.landmarks);
-  if (wanted.target_tissue == epidural) patient.path = ended_in_epidural_space(patient.path, patient.tissues);
-  description.procedure = procedure_for(wanted, wanted.path ? *wanted.path : patient.path, true);
+  std::optional<anatomy::NeedlePath> path = wanted.path;
+  if (has_target(wanted)) {
+    path =
+        path_to_target(wanted, description.needle,
+                       {patient.tissues, patient.structures, description.structures, description.landmarks, library},
+                       description.notes);
+  } else if (!path) {
+    path = wanted.target_tissue == epidural ? ended_in_epidural_space(patient.path, patient.tissues) : patient.path;
+  }
+  description.procedure = procedure_for(wanted, path, true);
   if (progress) progress("writing the case", 0.9);
   write_case(folder.path(), {patient.ct, patient.structures, patient.tissues}, description);
   folder.finish();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "patient/planning/obstacles.h"
 #include "patient/synthetic/lumbar.h"
 
 #include "anatomy/case.h"
@@ -23,6 +24,11 @@ struct NewCase {
   std::string target_tissue;  // tissue whose entry is its aim; only with `procedure`; empty = the target point counts
   std::optional<anatomy::NeedlePath>
       path;  // the planned path; without it one is planned where a lumbar spine is found
+  // A target of the user's own, by its place or by the name of a structure, to which the best path is planned by
+  // `rules`; not with `path`.
+  std::optional<Vec3> target;
+  std::string target_structure;
+  PlanningRules rules;
 };
 
 // A case from foreign images.
