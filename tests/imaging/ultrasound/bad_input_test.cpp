@@ -168,8 +168,8 @@ TEST(BadInput, impossible_probes_settings_and_details_are_refused_and_change_not
       EXPECT_THAT(made([&](P& probe, auto&, auto&) { probe.*field = value; }), HasSubstr("the probe: probe 'L': "));
   }
   EXPECT_THAT(made([](P& probe, auto&, auto&) { probe.elements = 0; }), HasSubstr("elements is 0"));
-  EXPECT_THAT(made([](auto&, auto& settings, auto&) { settings.depth = nothing; }), HasSubstr("depth is nan"));
-  EXPECT_THAT(made([](auto&, auto&, auto& detail) { detail.slices = 4; }), HasSubstr("slices is 4"));
+  EXPECT_THAT(made([](auto&, auto& settings, auto&) { settings.depth = nothing; }), HasSubstr("depth_mm is nan"));
+  EXPECT_THAT(made([](auto&, auto&, auto& detail) { detail.slices = 4; }), HasSubstr("slices is an even number"));
 
   Ultrasound machine(patient, checks::flat_probe(), {}, small_detail());
   const std::vector<std::uint8_t> before = machine.image(Pose::Identity()).pixels;

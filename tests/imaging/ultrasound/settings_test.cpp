@@ -43,14 +43,10 @@ TEST(UltrasoundSettings, the_defaults_and_the_limits_are_accepted) {
 
 TEST(UltrasoundSettings, what_is_out_of_range_is_refused_with_field_found_and_expected) {
   using S = UltrasoundSettings;
-  EXPECT_EQ(refused_setting(&S::depth, 5.0),
-            "ultrasound depth is 5 mm, expected 10 to 400 mm; choose a value in between");
-  EXPECT_EQ(refused_setting(&S::gain, 41.0),
-            "ultrasound gain is 41 dB, expected -40 to 40 dB; choose a value in between");
-  EXPECT_EQ(refused_setting(&S::dynamic_range, 0.0),
-            "ultrasound dynamic range is 0 dB, expected 20 to 120 dB; choose a value in between");
-  EXPECT_EQ(refused_setting(&S::focus, 500.0),
-            "ultrasound focus is 500 mm, expected 5 to 400 mm; choose a value in between");
+  EXPECT_EQ(refused_setting(&S::depth, 5.0), "ultrasound: depth_mm is 5 mm, expected 10 to 400 mm");
+  EXPECT_EQ(refused_setting(&S::gain, 41.0), "ultrasound: gain_dB is 41 dB, expected -40 to 40 dB");
+  EXPECT_EQ(refused_setting(&S::dynamic_range, 0.0), "ultrasound: dynamic_range_dB is 0 dB, expected 20 to 120 dB");
+  EXPECT_EQ(refused_setting(&S::focus, 500.0), "ultrasound: focus_mm is 500 mm, expected 5 to 400 mm");
   EXPECT_EQ(refused_setting(&S::frequency, 7.0),
             "ultrasound frequency is 7 MHz, expected 2 to 5 MHz, the band of the probe C5-2; choose one in between, "
             "or 0 for its centre");
@@ -60,26 +56,19 @@ TEST(UltrasoundSettings, what_is_out_of_range_is_refused_with_field_found_and_ex
   UltrasoundSettings slid;
   slid.sliders[7] = nan;
   EXPECT_EQ(refusal([&] { check(slid, probe_of_settings); }),
-            "ultrasound slider 8 is nan dB, expected -20 to 20 dB; choose a value in between");
+            "ultrasound: slider 8 is nan dB, expected -20 to 20 dB");
 }
 
 TEST(UltrasoundDetail, what_is_out_of_range_is_refused_with_field_found_and_expected) {
   using D = UltrasoundDetail;
   EXPECT_NO_THROW(check(D{}));
   EXPECT_NO_THROW(check(paper_detail()));
-  EXPECT_EQ(refused_detail(&D::lines, 15),
-            "ultrasound lines is 15, expected a whole number from 16 to 2048; choose one in between");
-  EXPECT_EQ(refused_detail(&D::samples, 5000),
-            "ultrasound samples is 5000, expected a whole number from 32 to 4096; choose one in between");
-  EXPECT_EQ(refused_detail(&D::width, 0),
-            "ultrasound width is 0, expected a whole number from 16 to 4096; choose one in between");
-  EXPECT_EQ(refused_detail(&D::height, -1),
-            "ultrasound height is -1, expected a whole number from 16 to 4096; choose one in between");
-  EXPECT_EQ(refused_detail(&D::slices, 2),
-            "ultrasound slices is 2, expected 1, 3, 5 or 7 rays across the thickness of the slice; choose one of "
-            "them");
-  EXPECT_EQ(refused_detail(&D::threads, 65),
-            "ultrasound threads is 65, expected a whole number from 1 to 64; choose one in between");
+  EXPECT_EQ(refused_detail(&D::lines, 15), "ultrasound: lines is 15, expected 16 to 2048");
+  EXPECT_EQ(refused_detail(&D::samples, 5000), "ultrasound: samples is 5000, expected 32 to 4096");
+  EXPECT_EQ(refused_detail(&D::width, 0), "ultrasound: width is 0, expected 16 to 4096");
+  EXPECT_EQ(refused_detail(&D::height, -1), "ultrasound: height is -1, expected 16 to 4096");
+  EXPECT_EQ(refused_detail(&D::slices, 2), "ultrasound: slices is an even number, expected 1, 3, 5 or 7");
+  EXPECT_EQ(refused_detail(&D::threads, 65), "ultrasound: threads is 65, expected 1 to 64");
 }
 
 TEST(UltrasoundDetail, the_papers_picture_has_what_the_paper_had) {

@@ -1,0 +1,216 @@
+#include "imaging/volume_rendering/ray_caster.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "imaging/volume_rendering/ray_kernel.h"
+
+namespace bodkin::imaging {
+
+namespace {
+
+constexpr int scale_size = 4096;        // HU
+constexpr int scale_from = -1024;       // HU of the first row
+constexpr double most_opacity = 0.999;  // of 1 mm: its optical depth is finite
+constexpr double air_up_to = -900.0;    // HU that weigh nothing in a sum: the noise of air would
+constexpr int tile = 16;                // pixels along each side: neighbouring rays share voxels
+constexpr float light_from_right = -0.35F, light_from_above = -0.45F;  // beside the line of sight
+
+void append_colour(std::vector<float>& table, const std::array<double, 3>& colour) {
+  for (const double part : colour) table.push_back(static_cast<float>(part));
+  table.push_back(0.0F);
+}
+
+std::uint32_t byte_of(float share) {
+  return static_cast<std::uint32_t>(std::clamp(share, 0.0F, 1.0F) * 255.0F + 0.5F);
+}
+
+// From a set of blocks (0) to the distance of each from the nearest of them, the larger of the three directions
+// counting, in two sweeps.
+void find_distances(std::vector<std::uint8_t>& away, const std::array<int, 3>& size) {
+  const auto sweep = [&](int sign) {
+    const auto order = [&](int index, int count) { return sign > 0 ? index : count - 1 - index; };
+    for (int c = 0; c < size[2]; ++c) {
+      for (int b = 0; b < size[1]; ++b) {
+        for (int a = 0; a < size[0]; ++a) {
+          const int i = order(a, size[0]), j = order(b, size[1]), k = order(c, size[2]);
+          const int in_order = (k * size[1] + j) * size[0] + i;
+          std::uint8_t& here = away[static_cast<std::size_t>(in_order)];
+          // The thirteen neighbours that this sweep has been at.
+          for (int n = 0; n < 13 && here > 0; ++n) {
+            const int di = n % 3 - 1, dj = n / 3 % 3 - 1, dk = n / 9 - 1;
+            const int ni = i + sign * di, nj = j + sign * dj, nk = k + sign * dk;
+            if (ni < 0 || nj < 0 || nk < 0 || ni >= size[0] || nj >= size[1] || nk >= size[2]) continue;
+            const int neighbour = (nk * size[1] + nj) * size[0] + ni;
+            const std::uint8_t there = away[static_cast<std::size_t>(neighbour)];
+            here = std::min(here, static_cast<std::uint8_t>(std::min(there + 1, 255)));
+          }
+        }
+      }
+    }
+  };
+  sweep(1);
+  sweep(-1);
+}
+
+}  // namespace
+
+double step_of(const PreparedVolume& volume, double voxels) {
+  return voxels * volume.grid.spacing.minCoeff();
+}
+
+RayCaster::RayCaster(std::shared_ptr<const PreparedVolume> volume, const VolumeLook& look, double step)
+    : volume_(std::move(volume)), look_(look), step_(step) {
+  depth_.resize(scale_size);
+  opacity_.resize(scale_size);
+  colours_.reserve(4 * scale_size);
+  for (int row = 0; row < scale_size; ++row) {
+    const double hounsfield = row + scale_from;
+    const double opacity = std::clamp(look.transfer.opacity_at(hounsfield), 0.0, most_opacity);
+    const bool sums = look.mode == VolumeMode::sum;
+    const double depth =
+        sums ? (hounsfield < air_up_to ? 0.0 : 0.001 * (hounsfield + 1000.0)) : -std::log1p(-opacity);
+    depth_[static_cast<std::size_t>(row)] = static_cast<float>(depth);
+    opacity_[static_cast<std::size_t>(row)] = static_cast<float>(-std::expm1(-depth * step));
+    std::array<double, 3> colour = look.transfer.colour_at(hounsfield);
+    if (look.mode == VolumeMode::grey) {
+      // Never quite black: what is opaque can be told from the background.
+      colour.fill(std::clamp((hounsfield - look.level) / look.window + 0.5, 0.06, 1.0));
+    }
+    append_colour(colours_, colour);
+  }
+  if (look.mode == VolumeMode::colour && look.tissue_colours && !volume_->tissues.empty()) {
+    for (const std::uint32_t colour : look.tissues) {
+      append_colour(tissue_colours_,
+                    {(colour >> 16U & 0xFFU) / 255.0, (colour >> 8U & 0xFFU) / 255.0, (colour & 0xFFU) / 255.0});
+    }
+  }
+  find_skips();
+}
+
+void RayCaster::find_skips() {
+  away_.assign(volume_->ranges.size(), 0);
+  if (look_.mode == VolumeMode::maximum) return;
+  // How many HU up to a row are shown: a range holds some if it holds more than none.
+  std::vector<int> shown(scale_size + 1, 0);
+  for (std::size_t row = 0; row < scale_size; ++row) shown[row + 1] = shown[row] + (depth_[row] > 0.0F ? 1 : 0);
+  for (std::size_t i = 0; i < away_.size(); ++i) {
+    const PreparedVolume::Range& range = volume_->ranges[i];
+    const auto low = static_cast<std::size_t>(range.least - scale_from);
+    const auto high = static_cast<std::size_t>(range.most - scale_from);
+    away_[i] = shown[high + 1] > shown[low] ? 0 : 255;
+  }
+  find_distances(away_, volume_->blocks);
+}
+
+void RayCaster::skip_nothing() {
+  std::fill(away_.begin(), away_.end(), std::uint8_t{0});
+}
+
+CastRay RayCaster::cast(const Vec3& eye, const Vec3& direction, double until) const {
+  const PreparedVolume& volume = *volume_;
+  const Vec3 from = volume.to_index(eye);
+  const Vec3 along = volume.grid.direction.transpose() * direction;  // unit, along i, j, k in mm
+  const Vec3 speed = along.cwiseQuotient(volume.grid.spacing);
+  double enters = 0.0, leaves = until;
+  for (int axis = 0; axis < 3; ++axis) {
+    // The outermost voxels reach half a voxel beyond their centres.
+    const double low = 0.5, high = volume.grid.size[static_cast<std::size_t>(axis)] + 0.5;
+    if (std::abs(speed[axis]) < 1e-12) {
+      if (from[axis] < low || from[axis] > high) return {};
+      continue;
+    }
+    const double a = (low - from[axis]) / speed[axis], b = (high - from[axis]) / speed[axis];
+    enters = std::max(enters, std::min(a, b));
+    leaves = std::min(leaves, std::max(a, b));
+  }
+  const double length = leaves - enters;
+  if (!(length > 1e-6 * step_)) return {};
+  kernel::Way way;
+  way.samples = std::max(1, static_cast<int>(std::ceil(length / step_ - 1e-6)));
+  const double before = (way.samples - 1) * step_;
+  way.last = static_cast<float>(length - before);
+  way.last_at = static_cast<float>(before + 0.5 * (length - before));
+  const Vec3 entry = from + enters * speed;
+  // Light stands beside the viewer, above his shoulder.
+  Vec3 side = direction.cross(Vec3::UnitZ());
+  if (side.squaredNorm() < 1e-6) side = Vec3::UnitX();
+  side.normalize();
+  const Vec3 above = side.cross(direction);
+  const Vec3 light = (-direction - light_from_above * above + light_from_right * side).normalized();
+  const Vec3 light_along = volume.grid.direction.transpose() * light;
+  for (int axis = 0; axis < 3; ++axis) {
+    way.entry[axis] = static_cast<float>(entry[axis]);
+    way.direction[axis] = static_cast<float>(speed[axis]);
+    way.light[axis] = static_cast<float>(light_along[axis]);
+  }
+  kernel::Field field;
+  field.hounsfield = volume.hounsfield.data();
+  field.tissues = tissue_colours_.empty() ? nullptr : volume.tissues.data();
+  field.gradients = look_.shaded ? volume.gradients.data()->data() : nullptr;
+  field.away = away_.data();
+  field.ranges = &volume.ranges.data()->least;
+  for (std::size_t a = 0; a < 3; ++a) {
+    field.size[a] = volume.size[a];
+    field.blocks[a] = volume.blocks[a];
+  }
+  field.depth = depth_.data();
+  field.opacity = opacity_.data();
+  field.colours = colours_.data();
+  field.tissue_colours = tissue_colours_.data();
+  field.step = static_cast<float>(step_);
+  kernel::Met met;
+  switch (look_.mode) {
+    case VolumeMode::colour:
+    case VolumeMode::grey:
+      kernel::cast_light(field, way, met);
+      break;
+    case VolumeMode::maximum:
+      kernel::cast_maximum(field, way, met);
+      break;
+    case VolumeMode::sum:
+      kernel::cast_sum(field, way, met);
+      break;
+  }
+  return {met.red, met.green, met.blue, met.opacity, met.most, met.sum};
+}
+
+std::uint32_t RayCaster::colour(const CastRay& ray) const {
+  if (look_.mode == VolumeMode::maximum || look_.mode == VolumeMode::sum) {
+    double share = 0.0;
+    if (ray.opacity > 0.0F) {
+      share = look_.mode == VolumeMode::maximum ? (static_cast<double>(ray.most) - look_.level) / look_.window + 0.5
+                                                : look_.brightness * static_cast<double>(ray.sum) / volume_->thickest;
+    }
+    const std::uint32_t grey = byte_of(static_cast<float>(share));
+    return 0xFF000000U | grey << 16U | grey << 8U | grey;
+  }
+  const float left = 1.0F - ray.opacity;
+  const auto over = [&](float light, unsigned shift) {
+    return byte_of(light + left * static_cast<float>(look_.background >> shift & 0xFFU) / 255.0F) << shift;
+  };
+  return 0xFF000000U | over(ray.red, 16U) | over(ray.green, 8U) | over(ray.blue, 0U);
+}
+
+bool RayCaster::draw(const VolumeCamera& camera, ThreadPool& pool, std::vector<std::uint32_t>& pixels,
+                     const std::function<bool()>& cancelled) const {
+  const int columns = (camera.width + tile - 1) / tile, rows = (camera.height + tile - 1) / tile;
+  pixels.resize(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
+  std::atomic<bool> stopped = false;
+  pool.run(columns * rows, [&](int index) {
+    if (stopped.load(std::memory_order_relaxed)) return;
+    if (cancelled && cancelled()) return stopped.store(true, std::memory_order_relaxed);
+    const int left = index % columns * tile, top = index / columns * tile;
+    for (int y = top; y < std::min(top + tile, camera.height); ++y) {
+      for (int x = left; x < std::min(left + tile, camera.width); ++x) {
+        const Vec3 direction = (camera.first + x * camera.right + y * camera.down).normalized();
+        pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(camera.width) + static_cast<std::size_t>(x)] =
+            colour(cast(camera.eye, direction, 1e9));
+      }
+    }
+  });
+  return !stopped.load();
+}
+
+}  // namespace bodkin::imaging

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "core/thread_pool.h"
+#include "imaging/volume_rendering/prepared_volume.h"
+#include "imaging/volume_rendering/transfer_function.h"
+
+namespace bodkin::imaging {
+
+enum class VolumeMode : std::uint8_t {
+  colour,   // light through coloured, shaded tissue
+  grey,     // the same in the greys of a window
+  maximum,  // the largest HU on each ray (MIP)
+  sum       // all that a ray meets, weighed as an X-ray does
+};
+
+// What a volume view shows.
+struct VolumeLook {
+  VolumeMode mode = VolumeMode::colour;
+  TransferFunction transfer = preset_function(TransferPreset::bone);  // of colour and grey
+  double window = 1200.0, level = 300.0;                              // HU; of grey and maximum
+  double brightness = 0.75;                  // of sum: 1 is white where the patient is thickest; 0.1 to 10
+  bool shaded = true;                        // light from the viewer's side on edges of HU
+  bool tissue_colours = false;               // colours of the tissues instead of those of the HU
+  std::array<std::uint32_t, 256> tissues{};  // 0xRRGGBB, by TissueId
+  std::uint32_t background = 0x0E1116;       // 0xRRGGBB, of colour and grey; the other modes stand on black
+
+  bool operator==(const VolumeLook&) const = default;
+};
+
+// Rays of a pinhole camera: that of pixel (x, y) runs from `eye` along `first` + x `right` + y `down`, LPS mm.
+struct VolumeCamera {
+  Vec3 eye = Vec3::Zero();
+  Vec3 first = Vec3::UnitY();  // through the middle of the upper left pixel
+  Vec3 right = Vec3::Zero(), down = Vec3::Zero();
+  int width = 0, height = 0;  // pixels
+};
+
+// What one ray met.
+struct CastRay {
+  float red = 0.0F, green = 0.0F, blue = 0.0F;  // 0 to 1, of colour and grey: with what lies before counted in
+  float opacity = 0.0F;                         // 0 to 1
+  float most = -32768.0F;                       // HU, of maximum
+  float sum = 0.0F;                             // mm of water, of sum
+};
+
+// Casts rays through a patient on the processor. Blocks in which nothing is shown are stepped over, which changes no
+// bit of the picture, nor does the number of threads.
+class RayCaster {
+ public:
+  // `step`: mm between samples, above 0; a voxel or less is full quality.
+  RayCaster(std::shared_ptr<const PreparedVolume> volume, const VolumeLook& look, double step);
+
+  // Pixels 0xffRRGGBB, row by row. `cancelled` is asked often, from several threads; once it is true, the pixels that
+  // remain are not computed and the return value is false.
+  bool draw(const VolumeCamera& camera, ThreadPool& pool, std::vector<std::uint32_t>& pixels,
+            const std::function<bool()>& cancelled = {}) const;
+  // One ray from the eye (or from where it enters the patient) to `until` mm from the eye. `direction`: unit.
+  CastRay cast(const Vec3& eye, const Vec3& direction, double until) const;
+  // The colour of what a ray met, 0xffRRGGBB.
+  std::uint32_t colour(const CastRay& ray) const;
+
+  const VolumeLook& look() const { return look_; }
+  const PreparedVolume& volume() const { return *volume_; }
+  double step() const { return step_; }
+  // For tests: every block is walked through.
+  void skip_nothing();
+
+ private:
+  void find_skips();
+
+  std::shared_ptr<const PreparedVolume> volume_;
+  VolumeLook look_;
+  double step_;
+  // By HU from -1024 to 3071.
+  std::vector<float> depth_;           // optical, of 1 mm
+  std::vector<float> opacity_;         // of one step
+  std::vector<float> colours_;         // red, green, blue, 0
+  std::vector<float> tissue_colours_;  // the same by TissueId; empty: not used
+  // Of every block: how many blocks away, in the largest of the three directions, something is shown; 0: in it.
+  std::vector<std::uint8_t> away_;
+};
+
+// A step of so many of the finest voxels of a volume, mm.
+double step_of(const PreparedVolume& volume, double voxels);
+
+}  // namespace bodkin::imaging

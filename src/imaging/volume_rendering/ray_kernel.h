@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace bodkin::imaging::kernel {
+
+// What the inner loops know of a volume and its look: plain pointers, all in the index of the volume with its border.
+struct Field {
+  const std::int16_t* hounsfield = nullptr;
+  const std::uint8_t* tissues = nullptr;   // null: colours by HU
+  const std::int8_t* gradients = nullptr;  // four for each voxel; null: not shaded
+  const std::uint8_t* away = nullptr;      // see RayCaster; for the maximum: null
+  const std::int16_t* ranges = nullptr;    // least and most of every block
+  int size[3] = {};                        // voxels
+  int blocks[3] = {};
+  const float* depth = nullptr;  // by HU + 1024, 4096 of each
+  const float* opacity = nullptr;
+  const float* colours = nullptr;         // four for each
+  const float* tissue_colours = nullptr;  // four for each TissueId
+  float step = 1.0F;                      // mm
+};
+
+// The part of a ray within the volume: sample n lies (n + 1/2) steps behind `entry`; the last one stands for what is
+// left of the way, in its middle.
+struct Way {
+  float entry[3] = {};      // index
+  float direction[3] = {};  // index for each mm
+  float light[3] = {};      // unit, along i, j, k in mm, towards the light
+  int samples = 0;
+  float last = 1.0F;     // mm that the last sample stands for, at most `step`
+  float last_at = 0.0F;  // mm behind `entry` of the last sample
+};
+
+struct Met {
+  float red = 0.0F, green = 0.0F, blue = 0.0F, opacity = 0.0F;
+  float most = -32768.0F;
+  float sum = 0.0F;
+};
+
+void cast_light(const Field& field, const Way& way, Met& met) noexcept;
+void cast_maximum(const Field& field, const Way& way, Met& met) noexcept;
+void cast_sum(const Field& field, const Way& way, Met& met) noexcept;
+
+}  // namespace bodkin::imaging::kernel
