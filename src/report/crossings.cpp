@@ -76,6 +76,8 @@ std::string event_text(const forces::Event& event, const anatomy::TissueLibrary&
       return fmt::format("fluid comes back through the needle, {:.2f} mm^3/s", event.value);
     case forces::EventKind::pressure_lost:
       return fmt::format("the plunger gives way, the pressure falls by {:.0f} kPa", 1000.0 * event.value);
+    case forces::EventKind::hub_contact:
+      return "the hub meets the skin: the needle is in to its whole length";
     case forces::EventKind::fault:
       break;
   }
@@ -88,7 +90,7 @@ bool is_notable(forces::EventKind kind) {
          kind == forces::EventKind::fault || kind == forces::EventKind::corridor_left ||
          kind == forces::EventKind::corridor_taken || kind == forces::EventKind::corridor_refreshed ||
          kind == forces::EventKind::moving_body_failed || kind == forces::EventKind::fluid_returned ||
-         kind == forces::EventKind::pressure_lost;
+         kind == forces::EventKind::hub_contact || kind == forces::EventKind::pressure_lost;
 }
 
 std::vector<PlotBand> bands_of(std::span<const TissueCrossing> crossings, const anatomy::TissueLibrary& library) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -113,12 +114,12 @@ class CorridorsTaken {
   }
 
  private:
-  anatomy::PreparedCorridor made(std::uint64_t aimed_at) const {
+  anatomy::PreparedCorridor made(std::uint64_t aimed_at) {
     const anatomy::NeedlePath& planned = session_.header.path;
     std::optional<anatomy::NeedlePath> path;
     if (body_ != nullptr)
       path = patient::aimed_path(session_.ticks[aimed_at].input.needle, patient_.tissues, planned.length());
-    if (path) return patient::another_corridor(*body_, patient_, *path, aimed_at, progress_);
+    if (path) return patient::another_corridor(*body_, patient_, *path, aimed_at, kept_, progress_);
     throw InputError(
         fmt::format("the session takes a corridor that the needle aimed along in tick {}, but {}; record it again",
                     aimed_at, body_ == nullptr ? "its resistance has no deformable body" : "it aims nowhere there"));
@@ -128,6 +129,7 @@ class CorridorsTaken {
   const anatomy::Case& patient_;
   const fem::BodyDescription* body_;
   const Progress& progress_;
+  std::shared_ptr<const fem::ContactBody> kept_;
   std::vector<std::uint64_t> there_;
 };
 

@@ -22,6 +22,7 @@ struct NeedleSnapshot {
 struct SecondLink {
   LatestValue<NeedleSnapshot> needle;              // written by the needle's thread, read by the second hand's
   SingleProducerRing<SecondSample> samples{4096};  // pushed by the second hand's thread, popped by the recorder's
+  std::atomic<double> thumb_force{0.0};            // N on a plunger, of the second hand's newest tick
   std::atomic<std::uint64_t> lost{0};              // samples that found the ring full
 };
 

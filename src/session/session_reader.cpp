@@ -5,6 +5,7 @@
 #include <map>
 #include <sstream>
 
+#include "session/session_end.h"
 #include "session/session_file.h"
 #include "session/session_schema.h"
 #include "session/tick_codec.h"
@@ -47,6 +48,7 @@ class Reader {
   explicit Reader(const fs::path& file) : file_(file) { check_first_bytes(); }
 
   Session read();
+  bool read_finished();
 
  private:
   [[noreturn]] void fail(const std::string& fault) const {
@@ -409,7 +411,23 @@ Session Reader::read() {
   return session;
 }
 
+bool Reader::read_finished() {
+  try {
+    SQLite::Database database(file_.string(), SQLite::OPEN_READONLY, busy_timeout);
+    restrict_database(database);
+    check_schema(database);
+    SQLite::Statement query(database, "SELECT count(*) FROM header WHERE key = 'finished_after_ticks'");
+    return query.executeStep() && query.getColumn(0).getInt() == 1;
+  } catch (const SQLite::Exception& error) {
+    fail(fmt::format("the file is damaged ({})", error.what()));
+  }
+}
+
 }  // namespace
+
+bool is_finished(const std::filesystem::path& file) {
+  return Reader(file).read_finished();
+}
 
 Session read_session(const std::filesystem::path& file) {
   return Reader(file).read();

@@ -37,10 +37,11 @@ constexpr std::array<std::string_view, 29> number_names = {"needle_x_axis_x",
                                                            "constraint",
                                                            "energy"};
 
-constexpr std::array<std::string_view, 15> kind_names = {
+constexpr std::array<std::string_view, 16> kind_names = {
     "contact",        "puncture",           "loss_of_resistance", "bone_contact",   "bone_left",
     "tissue_entered", "withdrawn",          "force_limited",      "fault",          "corridor_left",
-    "corridor_taken", "corridor_refreshed", "moving_body_failed", "fluid_returned", "pressure_lost"};
+    "corridor_taken", "corridor_refreshed", "moving_body_failed", "fluid_returned", "pressure_lost",
+    "hub_contact"};
 
 // Visits every number of a record in the order of `number_names`; `Record` may be const.
 template <typename Record, typename Visit>
@@ -107,7 +108,7 @@ void encode_tick(const simulation::TickRecord& record, std::vector<std::uint8_t>
   cursor = put(record.output.tissue, 1, cursor);
   cursor = put(record.output.in_contact ? 1 : 0, 1, cursor);
   cursor = put(record.output.limits, 1, cursor);
-  put(0, 1, cursor);
+  put(record.input.thumb.byte(), 1, cursor);
 }
 
 bool decode_tick(std::span<const std::uint8_t> bytes, simulation::TickRecord& record) {
@@ -118,10 +119,11 @@ bool decode_tick(std::span<const std::uint8_t> bytes, simulation::TickRecord& re
     number = take_double(cursor);
     cursor += 8;
   });
-  if (cursor[1] > 1 || cursor[3] != 0) return false;
+  if (cursor[1] > 1) return false;
   record.output.tissue = cursor[0];
   record.output.in_contact = cursor[1] == 1;
   record.output.limits = cursor[2];
+  record.input.thumb = simulation::Thumb::from_byte(cursor[3]);
   record.output.events.clear();
   return true;
 }

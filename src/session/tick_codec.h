@@ -19,7 +19,7 @@ std::span<const std::string_view> tick_number_names();
 void tick_numbers(const simulation::TickRecord& record, std::vector<double>& numbers);
 
 // The bytes of one tick: every number as an IEEE 754 double, little-endian, bit for bit; then tissue, contact and
-// limits as one byte each, and one byte that is zero.
+// limits and thumb as one byte each.
 std::size_t encoded_tick_size();
 
 // Appends the bytes of a tick; its tick number and its events are not part of them.

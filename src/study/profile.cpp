@@ -67,7 +67,9 @@ Profile insert_at_constant_speed(const anatomy::Case& patient, const ProfileOpti
       break;
     }
     if (place >= line.end) {
-      profile.outcome = fmt::format("the end of the path was reached at {:.1f} mm", output.depth);
+      profile.outcome =
+          fmt::format("{} at {:.1f} mm",
+                      line.ends_at_hub ? "the hub met the skin" : "the end of the path was reached", output.depth);
       break;
     }
   }

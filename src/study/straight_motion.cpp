@@ -146,6 +146,14 @@ StraightPath straight_path(const anatomy::Case& patient, const std::optional<Vec
     throw InputError(fmt::format("{} mm beyond the target lies outside the volume; give a smaller --beyond", beyond));
   }
   find_skin(line, patient.tissues);
+  const double hub_on_skin = line.surface + patient.description.needle.length;
+  if (line.end > hub_on_skin) {
+    line.notes.push_back(
+        fmt::format("the needle is {:g} mm long: its hub meets the skin {:.1f} mm before the end of the path",
+                    patient.description.needle.length, line.end - hub_on_skin));
+    line.end = hub_on_skin;
+    line.ends_at_hub = true;
+  }
   line.outside = std::min(line.start, -lead) - lead;
   return line;
 }

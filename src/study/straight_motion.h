@@ -16,8 +16,9 @@ struct StraightPath {
   Pose at_entry = Pose::Identity();  // the needle with its tip on the entry
   double surface = 0.0;              // the skin; depth counts from here
   double start = 0.0;                // 10 mm before the skin; the entry itself in a volume without skin before it
-  double end = 0.0;                  // the target, or so much beyond it as was asked for
-  double outside = 0.0;  // during withdrawal: far enough before the skin for tented skin to let go of the shaft
+  double end = 0.0;          // the target or so much beyond it as was asked for, but no deeper than the hub lets
+  bool ends_at_hub = false;  // the needle is too short for what was asked for
+  double outside = 0.0;      // during withdrawal: far enough before the skin for tented skin to let go of the shaft
   std::vector<std::string> notes;  // what was assumed, one sentence each
 
   // The needle with its tip at a place. Poses differ in their tip alone, so that the axis stays exact.

@@ -12,6 +12,7 @@
 #include "core/parallel_for.h"
 #include "core/random.h"
 #include "training/cusum.h"
+#include "training/plan_progress.h"
 #include "training/score.h"
 #include "training/score_json.h"
 #include "training/simulated_attempt.h"
@@ -93,7 +94,8 @@ class Cohort {
     int done = 0;
     for (std::size_t stage = 0; stage < settings_.stages.size(); ++stage) {
       const CohortStage& here = settings_.stages[stage];
-      int in_a_row = 0;
+      std::vector<StageAttempt> attempts;
+      StageProgress progress;
       for (int attempt = 1; attempt <= here.plan.attempts; ++attempt, ++done) {
         const double skill = settings_.performer ? 1.0 : trainee.skill_after(done);
         const simulation::OperatorScript script =
@@ -105,12 +107,14 @@ class Cohort {
                                    {&here.patient->structures, &here.patient->tissues});
         rows +=
             fmt::format("{},{},{},{},{}\n", number, stage + 1, attempt, number_text(skill), score_csv_fields(result));
-        in_a_row = result.verdict == Grade::pass ? in_a_row + 1 : 0;
-        if (here.plan.passes > 0 && in_a_row >= here.plan.passes) {
+        attempts.push_back({static_cast<int>(stage + 1), result.verdict, score_points(result)});
+        progress = progress_in(here.plan, attempts);
+        if (progress.is_passed) {
           ++done;
           break;
         }
       }
+      if (here.plan.must_pass && !progress.is_passed) break;  // the trainee stays in this stage
     }
     return rows;
   }

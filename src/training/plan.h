@@ -9,6 +9,25 @@
 
 namespace bodkin::training {
 
+// What the window shows to help, as a stage allows it.
+struct PlanAids {
+  bool overlay = true;      // the planned path, the target and the way to it
+  bool slices = true;       // through the scan
+  bool inside = true;       // the 3-D picture may look through the skin
+  bool ladder = true;       // tissues by depth
+  bool ultrasound = false;  // beside the needle
+
+  template <typename S = PlanAids>
+  static constexpr auto parameters() {
+    return std::tuple{
+        Parameter{"overlay", &S::overlay, "the planned path, the target and the way to it are shown", Origin::choice},
+        Parameter{"slices", &S::slices, "slices through the scan are shown", Origin::choice},
+        Parameter{"inside", &S::inside, "the 3-D picture may look through the skin", Origin::choice},
+        Parameter{"ladder", &S::ladder, "the tissues by depth are shown", Origin::choice},
+        Parameter{"ultrasound", &S::ultrasound, "ultrasound is shown", Origin::choice}};
+  }
+};
+
 // A stage of a plan: attempts at one procedure on one patient.
 struct PlanStage {
   std::string title;
@@ -16,6 +35,10 @@ struct PlanStage {
   std::string procedure;
   int attempts = 1;
   int passes = 0;
+  double score_from = 0.0;
+  bool mastery = false;
+  bool must_pass = false;
+  PlanAids aids;
 
   template <typename S = PlanStage>
   static constexpr auto parameters() {
@@ -25,9 +48,18 @@ struct PlanStage {
         Parameter{"procedure", &S::procedure, "its name or file; empty: the one that the case names", Origin::choice},
         Parameter{"attempts", &S::attempts, Range{1.0, 1000.0}, "", "after which the stage ends", Origin::choice},
         Parameter{"passes", &S::passes, Range{0.0, 1000.0}, "",
-                  "in a row, after which it ends earlier; 0: only after all attempts", Origin::choice}};
+                  "in a row, after which it ends earlier; 0: only after all attempts", Origin::choice},
+        Parameter{"score_from", &S::score_from, Range{0.0, 100.0}, "", "that an attempt needs to count as passed",
+                  Origin::choice},
+        Parameter{"mastery", &S::mastery, "CUSUM must show mastery before it ends earlier", Origin::choice},
+        Parameter{"must_pass", &S::must_pass, "it does not end before that, however many attempts it takes",
+                  Origin::choice},
+        Inlined{&S::aids}};
   }
 };
+
+// The folder that a stage names for the patient who comes with the window.
+inline constexpr std::string_view built_in_patient = "built-in";
 
 // What a teacher lets trainees do, in order.
 struct Plan {
@@ -43,10 +75,20 @@ struct Plan {
   }
 };
 
-// Reads a plan (docs/cohorts.md has the format, share/bodkin/plan.xsd its schema); folders of cases become paths from
+// Reads a plan (docs/plans.md has the format, share/bodkin/plan.xsd its schema); folders of cases become paths from
 // the plan's folder. Throws InputError naming file, line, what was found and what was expected.
 Plan read_plan(const std::filesystem::path& file);
 // The same from a document in memory; folders stay as they are.
 Plan parse_plan(std::string_view document, const std::string& origin);
+
+// Throws InputError for the first stage whose procedure or patient does not exist, or whose patient has no planned
+// path. Patients are not read whole.
+void check_names(const Plan& plan, const std::string& origin);
+
+// A plan that comes with Bodkin (share/bodkin/plans), by its name, or the file of that path. Throws InputError, which
+// lists those that come with Bodkin, when it is neither.
+std::filesystem::path find_plan(const std::string& name);
+// Names of the plans that come with Bodkin, in alphabetical order.
+std::vector<std::string> shipped_plans();
 
 }  // namespace bodkin::training

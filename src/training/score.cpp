@@ -279,4 +279,16 @@ Score score(const session::Session& session, const anatomy::CaseDescription& des
   return Scorer(attempt, procedure, volumes, experts).judge();
 }
 
+double score_points(const Score& score) {
+  if (score.verdict == Grade::dangerous || !score.reached) return 0.0;
+  double kept = 0.0, rules = 0.0;
+  for (const MetricResult& each : score.metrics) {
+    if (!each.grade) continue;
+    rules += 1.0;
+    kept += *each.grade == Grade::pass ? 1.0 : *each.grade == Grade::borderline ? 0.5 : 0.0;
+  }
+  if (rules > 0.0) return 100.0 * kept / rules;
+  return score.verdict == Grade::pass ? 100.0 : score.verdict == Grade::borderline ? 50.0 : 0.0;
+}
+
 }  // namespace bodkin::training

@@ -63,4 +63,9 @@ struct Score {
 Score score(const session::Session& session, const anatomy::CaseDescription& description, const Procedure& procedure,
             const PatientVolumes& volumes = {}, const ExpertSet* experts = nullptr);
 
+// One number for a score: the share of the rules about it that the attempt keeps, in percent, a borderline one
+// counted by half; 0 for an attempt that failed to reach its aim or was dangerous. Without rules 100 for a pass, 50
+// for a borderline attempt.
+double score_points(const Score& score);
+
 }  // namespace bodkin::training

@@ -111,6 +111,7 @@ TEST(SessionFile, the_bytes_of_a_tick_do_not_depend_on_the_machine) {
   record.output.tissue = 10;
   record.output.in_contact = true;
   record.output.limits = 5;
+  record.input.thumb = Thumb::of_force(2.0);
   const std::vector<std::uint8_t> bytes = bytes_of(record);
   ASSERT_EQ(bytes.size(), 29u * 8u + 4u);
   EXPECT_EQ(bytes[6], 0xF0);
@@ -119,6 +120,10 @@ TEST(SessionFile, the_bytes_of_a_tick_do_not_depend_on_the_machine) {
   EXPECT_EQ(bytes[29 * 8 + 0], 10);
   EXPECT_EQ(bytes[29 * 8 + 1], 1);
   EXPECT_EQ(bytes[29 * 8 + 2], 5);
+  EXPECT_EQ(bytes[29 * 8 + 3], 11);
+  TickRecord read;
+  ASSERT_TRUE(decode_tick(bytes, read));
+  EXPECT_EQ(read.input.thumb.byte(), 11);
 }
 
 TEST(SessionFile, an_unfinished_session_can_be_read_while_it_is_written_and_afterwards) {

@@ -322,6 +322,7 @@ TEST(Compare, what_makes_no_sense_is_refused_with_a_sentence) {
   refused([](auto& o) { o.entry = Vec3(-10, 12, 0), o.target = Vec3(10, 12, 0); }, "misses the body by 12.2 mm");
   Case fast = slab_case({{tissue::fat, 400.0}});
   fast.description.haptics.rate = 4000.0;
+  fast.description.needle.length = 400.0;
   fast.description.procedure.path->target = Vec3(0, -390, 0);
   EXPECT_NE(comparison_refused(fast, [](auto& o) { o.speed = 0.5; }).find("million ticks"), std::string::npos);
 }

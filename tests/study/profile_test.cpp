@@ -114,6 +114,19 @@ TEST(Profile, bone_ends_the_insertion_at_the_force_the_device_can_show) {
   EXPECT_EQ(profile.outcome.find("stopped by cortical bone at "), 0U) << profile.outcome;
 }
 
+TEST(Profile, a_short_needle_stops_with_its_hub_on_the_skin) {
+  Case patient = slab_case(lumbar_slabs());
+  patient.description.needle.length = 30.0;
+  const Profile profile = insert_at_constant_speed(patient, {});
+  double deepest = 0.0;
+  for (const TickRecord& record : profile.ticks) deepest = std::max(deepest, record.output.depth);
+  EXPECT_NEAR(deepest, 30.0, 0.011);
+  EXPECT_EQ(profile.outcome, "the hub met the skin at 30.0 mm");
+  ASSERT_FALSE(profile.notes.empty());
+  EXPECT_EQ(profile.notes.back(),
+            "the needle is 30 mm long: its hub meets the skin 22.0 mm before the end of the path");
+}
+
 TEST(Profile, a_needle_that_is_withdrawn_ends_outside_after_its_rest) {
   ProfileOptions options;
   options.pause = 0.5;

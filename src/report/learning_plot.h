@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "imaging/canvas.h"
+#include "training/store/cohort_table.h"
+
+namespace bodkin::report {
+
+// The learning curve of one trainee at one procedure: CUSUM against the number of the attempt, a dot where a limit
+// was crossed, and below it the score of each attempt. `attempts`: in the order of time, at least one.
+imaging::Canvas draw_learning_curve(const std::vector<training::AttemptSummary>& attempts,
+                                    const training::CusumSettings& settings = {});
+
+}  // namespace bodkin::report

@@ -1,0 +1,41 @@
+#include "report/recorded_report.h"
+
+#include "report/report.h"
+#include "session/case_digest.h"
+#include "session/session_run.h"
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "io/case_folder.h"
+#include "io/resources.h"
+#include "training/procedure_file.h"
+
+namespace bodkin::report {
+
+namespace fs = std::filesystem;
+
+std::string recorded_report_html(const fs::path& file) {
+  const session::Session session = session::read_session(file);
+  const fs::path folder = session.header.case_folder;
+  std::error_code failure;
+  if (!fs::is_regular_file(folder / "case.xml", failure)) {
+    throw InputError(
+        fmt::format("{} was recorded on the case {}, which holds no case.xml now; put the case back there",
+                    file.string(), folder.string()));
+  }
+  const anatomy::Case patient = io::load_case(folder);
+  const std::string description_text = io::read_text_file(folder / "case.xml", session::largest_case_xml);
+  const bool changed = !session::is_digest_of_case(session.header.case_digest, patient, description_text,
+                                                   session::mesh_digest(folder, session.header.haptics.resistance));
+  const anatomy::CaseDescription description = training::description_of(session);
+  const training::Procedure procedure = training::procedure_of_case(description.procedure.name);
+  const auto experts = training::ExpertSet::shipped(procedure.name);
+  // Voxels of another patient than the recorded one say nothing about what the needle met.
+  const training::PatientVolumes volumes =
+      changed ? training::PatientVolumes{} : training::PatientVolumes{&patient.structures, &patient.tissues};
+  return report_html(session, patient,
+                     training::score(session, description, procedure, volumes, experts ? &*experts : nullptr),
+                     changed);
+}
+
+}  // namespace bodkin::report

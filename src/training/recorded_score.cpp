@@ -1,0 +1,24 @@
+#include "training/recorded_score.h"
+
+#include "training/procedure_file.h"
+#include "training/recorded_patient.h"
+
+namespace bodkin::training {
+
+RecordedScore score_recording(const std::filesystem::path& file, const std::string& procedure,
+                              const std::filesystem::path& folder, const Progress& progress) {
+  RecordedScore result;
+  result.session = session::read_session(file);
+  result.description = description_of(result.session);
+  const Procedure by =
+      procedure.empty() ? procedure_of_case(result.description.procedure.name) : find_procedure(procedure);
+  const RecordedPatient patient = read_recorded_patient(
+      result.session, result.description,
+      folder.empty() ? std::filesystem::path(result.session.header.case_folder) : folder, by, progress);
+  result.missing = patient.missing;
+  const auto experts = ExpertSet::shipped(by.name);
+  result.score = score(result.session, result.description, by, patient.volumes(), experts ? &*experts : nullptr);
+  return result;
+}
+
+}  // namespace bodkin::training

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "training/store/attempt_record.h"
+
+namespace bodkin::training {
+
+// Attempts as a table for statistics, RFC 4180: one row each; trainee, procedure, plan, stage, time, station,
+// patient, duration, verdict, whether the aim was reached, score, and a column for each metric. What an attempt does
+// not have is empty.
+std::string results_csv(const std::vector<AttemptRecord>& attempts);
+
+}  // namespace bodkin::training

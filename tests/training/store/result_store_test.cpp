@@ -1,0 +1,269 @@
+#include "training/store/result_store.h"
+
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <thread>
+
+#include "tests/training/store/stored_attempts.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include "core/error.h"
+#include "training/store/cohort_table.h"
+#include "training/store/migrations.h"
+#include "training/store/outbox.h"
+
+namespace bodkin {
+
+using namespace bodkin::training;
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using std::chrono_literals::operator""ms;
+
+class StoreFile : public ::testing::Test {
+ protected:
+  std::string place() const { return (folder_.path() / "results.sqlite").string(); }
+  fs::path outbox_file() const { return folder_.path() / "outbox.sqlite"; }
+  std::string bytes() const {
+    std::ifstream stream(place(), std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  template <typename Work>
+  static std::string refusal(Work&& work) {
+    try {
+      work();
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(StoreFile, gives_back_what_it_was_given) {
+  AttemptRecord given = attempt_record("trainee-07", 1);
+  given.plan = "first_week";
+  given.stage = 2;
+  given.file = "/sessions/one two.bodkin";
+  EXPECT_TRUE(ResultStore(place()).add(given));
+  const auto found = ResultStore(place()).attempt(given.digest);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->trainee, "trainee-07");
+  EXPECT_EQ(found->procedure, given.procedure);
+  EXPECT_EQ(found->started_at, given.started_at);
+  EXPECT_EQ(found->duration, 61.25);
+  EXPECT_EQ(found->verdict, Grade::pass);
+  EXPECT_TRUE(found->reached);
+  EXPECT_EQ(found->score, 87.5);
+  EXPECT_EQ(found->headline, given.headline);
+  EXPECT_EQ(found->metrics, given.metrics);
+  ASSERT_EQ(found->findings.size(), 1U);
+  EXPECT_EQ(found->findings[0].sentence, "You needed 3 passes.");
+  EXPECT_EQ(found->plan, "first_week");
+  EXPECT_EQ(found->stage, 2);
+  EXPECT_EQ(found->file, given.file);
+  EXPECT_FALSE(ResultStore(place()).attempt("another"));
+}
+
+TEST_F(StoreFile, keeps_no_session_twice_however_many_add_it) {
+  { ResultStore made(place()); }
+  std::vector<std::jthread> stations;
+  for (int station = 0; station < 4; ++station) {
+    stations.emplace_back([&] {
+      ResultStore store(place(), 20000ms);
+      for (int number = 0; number < 10; ++number) store.add(attempt_record("a", number));
+    });
+  }
+  stations.clear();
+  EXPECT_EQ(ResultStore(place()).summaries().size(), 10U);
+  EXPECT_FALSE(ResultStore(place()).add(attempt_record("a", 3)));
+}
+
+TEST_F(StoreFile, sorts_by_trainee_procedure_and_time) {
+  ResultStore store(place());
+  store.add({attempt_record("b", 1), attempt_record("a", 2), attempt_record("a", 1, Grade::fail),
+             attempt_record("a", 5, Grade::pass, "epidural")});
+  const auto all = store.summaries();
+  ASSERT_EQ(all.size(), 4U);
+  EXPECT_EQ(all[0].procedure, "epidural");
+  EXPECT_EQ(all[1].verdict, Grade::fail);
+  EXPECT_EQ(all[3].trainee, "b");
+  EXPECT_EQ(store.summaries("a", "lumbar_puncture").size(), 2U);
+  EXPECT_EQ(store.summaries("", "epidural").size(), 1U);
+  EXPECT_THAT(store.trainees(), ::testing::ElementsAre("a", "b"));
+}
+
+TEST_F(StoreFile, forgets_a_trainee_without_a_trace) {
+  const fs::path owned = folder_.path() / "owned.bodkin", other = folder_.path() / "other.bodkin";
+  std::ofstream(owned) << "x";
+  std::ofstream(other) << "x";
+  ResultStore store(place());
+  std::vector<AttemptRecord> many;
+  for (int number = 0; number < 200; ++number) many.push_back(attempt_record("Forgettable", number));
+  store.add(many);
+  AttemptRecord first = attempt_record("Forgettable", 500), second = attempt_record("Forgettable", 501),
+                far = attempt_record("Forgettable", 502);
+  first.file = owned.string();
+  first.owns_file = true;
+  second.file = other.string();
+  far.file = "/there.bodkin";
+  far.station = "room-3";
+  far.owns_file = true;
+  store.add({first, second, far, attempt_record("Kept", 1)});
+  EXPECT_THAT(bytes(), HasSubstr("Forgettable"));
+  const Deletion done = store.remove_trainee("Forgettable");
+  EXPECT_EQ(done.attempts, 203);
+  EXPECT_FALSE(fs::exists(owned));
+  EXPECT_TRUE(fs::exists(other));
+  EXPECT_THAT(done.other_files, ::testing::ElementsAre("/there.bodkin on room-3"));
+  EXPECT_THAT(bytes(), Not(HasSubstr("Forgettable")));
+  EXPECT_EQ(store.summaries().size(), 1U);
+  EXPECT_THAT(refusal([&] { store.remove_trainee("Forgettable"); }), HasSubstr("has no trainee 'Forgettable'"));
+}
+
+TEST_F(StoreFile, of_the_first_version_is_led_to_the_newest) {
+  {
+    const auto connection = connect_sqlite(place(), 100ms);
+    migrate(*connection, 1);
+    connection->change("INSERT INTO trainees VALUES('old', '2026-01-01T00:00:00Z')");
+    connection->change(
+        "INSERT INTO attempts VALUES('d', 'old', 'epidural', 'slim', 's', '2026-01-01T00:00:00Z', 5, 'fail', 0, "
+        "12.5, "
+        "'Failed', '{\"a\": 1}', '[]', '', 0)");
+  }
+  ResultStore store(place());
+  const auto found = store.attempt("d");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->score, 12.5);
+  EXPECT_EQ(found->plan, "");
+  store.put_plan({"p", "P", "<plan/>"});
+  store.put_plan({"p", "Q", "<plan/>"});
+  ASSERT_EQ(store.plans().size(), 1U);
+  EXPECT_EQ(store.plans()[0].title, "Q");
+}
+
+TEST_F(StoreFile, newer_than_the_program_is_left_as_it_is) {
+  ResultStore(place()).add(attempt_record("a", 1));
+  connect_sqlite(place(), 100ms)->change("UPDATE store_version SET version = 99");
+  const std::string before = bytes();
+  EXPECT_THAT(refusal([&] { ResultStore store(place()); }), HasSubstr("has version 99, made by a newer Bodkin"));
+  EXPECT_EQ(bytes(), before);
+}
+
+TEST_F(StoreFile, that_is_something_else_is_refused) {
+  std::ofstream(place()) << std::string(5000, 'x');
+  EXPECT_THAT(refusal([&] { ResultStore store(place()); }), HasSubstr("is no store of results"));
+  const std::string other = (folder_.path() / "other.sqlite").string();
+  connect_sqlite(other, 100ms)->change("CREATE TABLE songs(title TEXT)");
+  EXPECT_THAT(refusal([&] { ResultStore store(other); }), HasSubstr("is a database of something else"));
+  EXPECT_THAT(refusal([&] { ResultStore store("/nowhere/at/all.sqlite"); }), HasSubstr("cannot be opened"));
+}
+
+TEST_F(StoreFile, that_is_locked_says_so_and_the_attempt_waits) {
+  ResultStore(place()).add(attempt_record("a", 1));
+  {
+    const auto other = connect_sqlite(place(), 100ms);
+    other->begin();
+    EXPECT_THAT(refusal([&] { ResultStore(place(), 50ms).add(attempt_record("a", 2)); }),
+                HasSubstr("is locked by another program; nothing was changed"));
+    Outbox outbox(place(), outbox_file(), 50ms);
+    const Delivery delivery = outbox.add(attempt_record("a", 2));
+    EXPECT_EQ(delivery.state, Delivery::State::waiting);
+    EXPECT_THAT(delivery.reason, HasSubstr("is locked by another program"));
+    EXPECT_EQ(outbox.waiting(), 1);
+    other->roll_back();
+  }
+  const Delivery later = Outbox(place(), outbox_file()).add(attempt_record("a", 3));
+  EXPECT_EQ(later.delivered, 1);
+  EXPECT_EQ(ResultStore(place()).summaries().size(), 3U);
+}
+
+TEST_F(StoreFile, on_a_full_disk_says_so_and_keeps_what_it_had) {
+  ResultStore store(place());
+  store.add(attempt_record("a", 1));
+  std::vector<AttemptRecord> many;
+  for (int number = 2; number < 500; ++number) many.push_back(attempt_record("a", number));
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit small = before;
+  small.rlim_cur = fs::file_size(place()) + 8192;
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::string said = refusal([&] { store.add(many); });
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_THAT(said, HasSubstr("cannot be written; nothing was changed: free space on its disk"));
+  EXPECT_EQ(store.summaries().size(), 1U);
+  EXPECT_EQ(store.add(many), 498);
+}
+
+TEST_F(StoreFile, is_delivered_to_once_where_a_call_was_killed_before_it_forgot) {
+  ResultStore(outbox_file().string()).add({attempt_record("a", 1), attempt_record("a", 2)});
+  ResultStore(place()).add(attempt_record("a", 1));  // the call that was killed had come so far
+  Outbox outbox(place(), outbox_file());
+  EXPECT_EQ(outbox.deliver(), 2);
+  EXPECT_EQ(outbox.deliver(), 0);
+  EXPECT_EQ(ResultStore(place()).summaries().size(), 2U);
+  EXPECT_TRUE(ResultStore(outbox_file().string()).trainees().empty());
+}
+
+TEST_F(StoreFile, refuses_a_label_that_could_be_an_address) {
+  ResultStore store(place());
+  for (const char* label : {"", " a", "a ", "anna@example.org", "a/b", "a\nb"}) {
+    AttemptRecord record = attempt_record("a", 1);
+    record.trainee = label;
+    EXPECT_THAT(refusal([&] { store.add(record); }), HasSubstr("expected a label of 1 to 64 letters")) << label;
+  }
+  EXPECT_NO_THROW(check_label("Zoë 3", "the trainee"));
+  EXPECT_NO_THROW(check_label(std::string(64, 'x'), "the trainee"));
+  EXPECT_THROW(check_label(std::string(65, 'x'), "the trainee"), InputError);
+}
+
+TEST(CohortTable, counts_by_trainee_and_procedure) {
+  std::vector<AttemptSummary> attempts;
+  const auto add = [&](const char* trainee, Grade verdict, double score) {
+    attempts.push_back({trainee, "epidural", "2026", std::to_string(attempts.size()), verdict, score, 0});
+  };
+  add("a", Grade::dangerous, 0.0);
+  add("a", Grade::pass, 80.0);
+  add("a", Grade::borderline, 50.0);
+  add("a", Grade::pass, 90.0);
+  add("a", Grade::pass, 70.0);
+  add("a", Grade::pass, 100.0);
+  add("b", Grade::fail, 10.0);
+  const std::vector<CohortRow> rows = cohort_table(attempts);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].attempts, 6);
+  EXPECT_EQ(rows[0].passed, 4);
+  EXPECT_EQ(rows[0].dangerous, 1);
+  EXPECT_EQ(rows[0].borderline, 1);
+  EXPECT_EQ(rows[0].last_in_a_row, 3);
+  EXPECT_DOUBLE_EQ(rows[0].score, 78.0);  // of the last five
+  EXPECT_FALSE(rows[0].mastery);
+  EXPECT_EQ(rows[1].failed, 1);
+  EXPECT_DOUBLE_EQ(rows[1].score, 10.0);
+}
+
+// With 10 % and 30 % and chances of error of 10 % each, s is 0.186 and h0 1.627 by the formulas of cusum.h: the tenth
+// success without a failure (0.186 n > 1.627 from n = 9 on) has shown mastery, the eighth has not.
+TEST(CohortTable, sees_mastery_where_the_theory_says) {
+  std::vector<AttemptSummary> attempts;
+  for (int number = 0; number < 8; ++number)
+    attempts.push_back({"a", "epidural", "2026", std::to_string(number), Grade::pass, 100.0, 0});
+  EXPECT_FALSE(cohort_table(attempts)[0].mastery);
+  attempts.push_back(attempts.back());
+  EXPECT_TRUE(cohort_table(attempts)[0].mastery);
+  for (int number = 0; number < 4; ++number)
+    attempts.push_back({"a", "epidural", "2026", std::to_string(number), Grade::fail, 0.0, 0});
+  EXPECT_FALSE(cohort_table(attempts)[0].mastery);
+}
+
+}  // namespace
+}  // namespace bodkin
