@@ -1,0 +1,197 @@
+#include "link/contents.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+
+namespace bodkin::link {
+
+namespace {
+
+constexpr std::uint16_t us_ascii = 3;  // of the IANA's numbers of character sets
+constexpr std::uint8_t float64 = 11;   // scalar types of NDARRAY and IMAGE
+constexpr std::uint8_t uint8 = 3;
+constexpr std::uint8_t six_degrees = 2;  // of a tool of TDATA
+constexpr std::size_t most_values = 1 << 22;
+
+Vec3 turned(const Vec3& point) {
+  return {-point.x(), -point.y(), point.z()};
+}
+
+void put_matrix(ByteWriter& writer, const Pose& ras) {
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 3; ++row) writer.f32(static_cast<float>(ras.matrix()(row, column)));
+}
+
+void put_point(ByteWriter& writer, const Vec3& lps) {
+  const Vec3 ras = turned(lps);
+  for (int axis = 0; axis < 3; ++axis) writer.f32(static_cast<float>(ras[axis]));
+}
+
+}  // namespace
+
+Pose turn_axes(const Pose& pose) {
+  const Vec3 signs(-1.0, -1.0, 1.0);
+  Pose result = Pose::Identity();
+  result.linear() = signs.asDiagonal() * pose.linear() * signs.asDiagonal();
+  result.translation() = signs.cwiseProduct(pose.translation());
+  return result;
+}
+
+Bytes transform_content(const Pose& lps) {
+  ByteWriter writer;
+  put_matrix(writer, turn_axes(lps));
+  return writer.take();
+}
+
+Pose read_transform(std::span<const std::uint8_t> content) {
+  ByteReader reader(content);
+  Pose ras = Pose::Identity();
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 3; ++row) ras.matrix()(row, column) = static_cast<double>(reader.f32());
+  if (!ras.matrix().allFinite()) throw InputError("a transform holds something that is not a finite number");
+  return turn_axes(ras);
+}
+
+Bytes string_content(const std::string& text) {
+  const std::size_t size = std::min<std::size_t>(text.size(), std::numeric_limits<std::uint16_t>::max());
+  ByteWriter writer;
+  writer.u16(us_ascii);
+  writer.u16(static_cast<std::uint16_t>(size));
+  writer.field(text, size);
+  return writer.take();
+}
+
+std::string read_string(std::span<const std::uint8_t> content) {
+  ByteReader reader(content);
+  reader.u16();  // the character set: ASCII and UTF-8 are what is sent
+  const std::span<const std::uint8_t> text = reader.raw(reader.u16());
+  return {text.begin(), text.end()};
+}
+
+Bytes status_content(std::uint16_t code, const std::string& name, const std::string& message) {
+  constexpr std::size_t name_size = 20;
+  ByteWriter writer;
+  writer.u16(code);
+  writer.u64(0);
+  writer.field(name, name_size);
+  writer.field(message, message.size() + 1);  // ends with a zero
+  return writer.take();
+}
+
+Bytes array_content(std::span<const double> values, std::size_t columns) {
+  constexpr std::size_t most = std::numeric_limits<std::uint16_t>::max();
+  if (columns == 0 || columns > most || values.size() % columns != 0 || values.size() / columns > most) {
+    throw InputError(fmt::format("{} numbers are no array with rows of {}, expected whole rows, at most {} of them",
+                                 values.size(), columns, most));
+  }
+  ByteWriter writer;
+  writer.u8(float64);
+  writer.u8(2);
+  writer.u16(static_cast<std::uint16_t>(values.size() / columns));
+  writer.u16(static_cast<std::uint16_t>(columns));
+  for (const double value : values) writer.f64(value);
+  return writer.take();
+}
+
+NumberArray read_array(std::span<const std::uint8_t> content) {
+  ByteReader reader(content);
+  if (const int type = reader.u8(); type != float64)
+    throw InputError(fmt::format("an array has numbers of type {}, expected {}, doubles", type, float64));
+  NumberArray array;
+  std::size_t count = 1;
+  const int dimensions = reader.u8();
+  for (int i = 0; i < dimensions; ++i) {
+    array.size.push_back(reader.u16());
+    count *= array.size.back();
+    if (count > most_values) throw InputError(fmt::format("an array has more than {} numbers", most_values));
+  }
+  if (count * sizeof(double) > reader.left())
+    throw InputError(fmt::format("an array of {} numbers comes with {} bytes", count, reader.left()));
+  array.values.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) array.values.push_back(reader.f64());
+  return array;
+}
+
+Bytes points_content(std::span<const NamedPoint> points) {
+  ByteWriter writer;
+  for (const NamedPoint& point : points) {
+    writer.field(point.name, 64);
+    writer.field(point.group, 32);
+    writer.raw(point.colour);
+    put_point(writer, point.place);
+    writer.f32(static_cast<float>(point.radius));
+    writer.field(point.owner, 20);
+  }
+  return writer.take();
+}
+
+Bytes surface_content(std::span<const Vec3> points, std::span<const std::array<int, 3>> triangles,
+                      std::span<const int> line) {
+  constexpr std::size_t word = 4;
+  const auto u32 = [](std::size_t value) { return static_cast<std::uint32_t>(value); };
+  ByteWriter writer;
+  writer.u32(u32(points.size()));
+  writer.u32(0);  // vertices, and their size in bytes
+  writer.u32(0);
+  writer.u32(line.empty() ? 0 : 1);
+  writer.u32(line.empty() ? 0 : u32(word * (line.size() + 1)));
+  writer.u32(u32(triangles.size()));
+  writer.u32(u32(4 * word * triangles.size()));
+  writer.u32(0);  // strips of triangles, and their size
+  writer.u32(0);
+  writer.u32(0);  // attributes
+  for (const Vec3& point : points) put_point(writer, point);
+  if (!line.empty()) {
+    writer.u32(u32(line.size()));
+    for (const int point : line) writer.u32(static_cast<std::uint32_t>(point));
+  }
+  for (const std::array<int, 3>& triangle : triangles) {
+    writer.u32(3);
+    for (const int point : triangle) writer.u32(static_cast<std::uint32_t>(point));
+  }
+  return writer.take();
+}
+
+Bytes image_content(std::span<const std::uint8_t> pixels, int columns, int rows, double pixel, const Pose& pose) {
+  constexpr std::uint16_t image_version = 1;
+  constexpr std::uint8_t either_end = 2, right_anterior_superior = 1;
+  if (columns < 1 || rows < 1 ||
+      pixels.size() != static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {
+    throw InputError(fmt::format("{} pixels are no picture of {} x {}", pixels.size(), columns, rows));
+  }
+  // The centre of the picture, not its corner, is its place.
+  const Vec3 middle = pose * Vec3(0.5 * (columns - 1) * pixel, 0.5 * (rows - 1) * pixel, 0.0);
+  ByteWriter writer;
+  writer.u16(image_version);
+  writer.u8(1);  // numbers a pixel
+  writer.u8(uint8);
+  writer.u8(either_end);
+  writer.u8(right_anterior_superior);
+  const std::array<std::uint16_t, 3> size = {static_cast<std::uint16_t>(columns), static_cast<std::uint16_t>(rows),
+                                             1};
+  for (const std::uint16_t count : size) writer.u16(count);
+  for (int axis = 0; axis < 3; ++axis) put_point(writer, pixel * pose.linear().col(axis));
+  put_point(writer, middle);
+  for (int axis = 0; axis < 3; ++axis) writer.u16(0);  // the whole picture, not a part
+  for (const std::uint16_t count : size) writer.u16(count);
+  writer.raw(pixels);
+  return writer.take();
+}
+
+Bytes tracking_content(std::span<const TrackedTool> tools) {
+  constexpr std::size_t name_size = 20;
+  ByteWriter writer;
+  for (const TrackedTool& tool : tools) {
+    writer.field(tool.name, name_size);
+    writer.u8(six_degrees);
+    writer.u8(0);
+    put_matrix(writer, turn_axes(tool.pose));
+  }
+  return writer.take();
+}
+
+}  // namespace bodkin::link

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "link/bytes.h"
+
+#include "core/geometry.h"
+
+// What the kinds of message contain (OpenIGTLink's protocol, header version 1). Coordinates on the network are RAS in
+// mm, those of Bodkin LPS in mm; every function here takes and gives LPS and turns it.
+namespace bodkin::link {
+
+// A frame to the patient, both turned from LPS to RAS or back: L M L with L = diag(-1, -1, 1).
+Pose turn_axes(const Pose& pose);
+
+// TRANSFORM: the upper three rows, column by column, in single precision.
+Bytes transform_content(const Pose& lps);
+Pose read_transform(std::span<const std::uint8_t> content);
+
+// STRING, in ASCII; text beyond 65,535 bytes is cut.
+Bytes string_content(const std::string& text);
+std::string read_string(std::span<const std::uint8_t> content);
+
+// STATUS. Code 1: all is well.
+Bytes status_content(std::uint16_t code, const std::string& name, const std::string& message);
+
+// NDARRAY of doubles: `values` row by row, `columns` of them in a row; throws InputError where they do not fill rows,
+// or for more than 65,535 rows.
+Bytes array_content(std::span<const double> values, std::size_t columns);
+struct NumberArray {
+  std::vector<std::uint16_t> size;  // along each dimension
+  std::vector<double> values;
+};
+NumberArray read_array(std::span<const std::uint8_t> content);
+
+// POINT: one named place after another.
+struct NamedPoint {
+  std::string name, group;                                    // at most 64 and 32 bytes
+  std::array<std::uint8_t, 4> colour = {255, 255, 255, 255};  // RGBA
+  Vec3 place = Vec3::Zero();                                  // LPS mm
+  double radius = 0.0;                                        // mm
+  std::string owner;                                          // an image's name, at most 20 bytes
+};
+Bytes points_content(std::span<const NamedPoint> points);
+
+// POLYDATA with points (LPS mm), triangles and one line through some of them, in that order.
+Bytes surface_content(std::span<const Vec3> points, std::span<const std::array<int, 3>> triangles,
+                      std::span<const int> line);
+
+// IMAGE of unsigned bytes, `columns` x `rows` x 1 in a row each. `pose`: of the centre of its first pixel, first axis
+// along a row, second down the columns, LPS; `pixel` mm.
+Bytes image_content(std::span<const std::uint8_t> pixels, int columns, int rows, double pixel, const Pose& pose);
+
+// TDATA: one tool after another, each a name of at most 20 bytes and a pose.
+struct TrackedTool {
+  std::string name;
+  Pose pose = Pose::Identity();  // LPS
+};
+Bytes tracking_content(std::span<const TrackedTool> tools);
+
+}  // namespace bodkin::link

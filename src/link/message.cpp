@@ -1,0 +1,99 @@
+#include "link/message.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+
+namespace bodkin::link {
+
+namespace {
+
+constexpr std::size_t type_size = 12, device_size = 20;
+constexpr std::uint64_t crc_polynomial = 0x42F0E1EBA9EA3693ULL;
+constexpr double fraction = 4294967296.0;  // of a second, in a time stamp
+constexpr std::uint16_t newest_version = 255;
+
+constexpr std::array<std::uint64_t, 256> crc_table = [] {
+  std::array<std::uint64_t, 256> table{};
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    std::uint64_t value = static_cast<std::uint64_t>(i) << 56U;
+    for (int bit = 0; bit < 8; ++bit) value = (value << 1U) ^ ((value >> 63U) != 0 ? crc_polynomial : 0);
+    table[i] = value;
+  }
+  return table;
+}();
+
+void check_name(const std::string& name, std::size_t size, const char* what) {
+  if (name.size() <= size) return;
+  throw InputError(
+      fmt::format("the {} of a message is '{}', {} bytes; expected at most {}", what, name, name.size(), size));
+}
+
+bool is_printable(const std::string& text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
+}
+
+}  // namespace
+
+std::uint64_t crc64(std::span<const std::uint8_t> bytes) noexcept {
+  std::uint64_t crc = 0;
+  for (const std::uint8_t byte : bytes) crc = crc_table[(crc >> 56U) ^ byte] ^ (crc << 8U);
+  return crc;
+}
+
+Bytes pack(const Message& message) {
+  check_name(message.type, type_size, "type");
+  check_name(message.device, device_size, "device name");
+  if (message.type.empty()) throw InputError("a message has no type, expected one such as TRANSFORM");
+  ByteWriter header;
+  header.u16(1);
+  header.field(message.type, type_size);
+  header.field(message.device, device_size);
+  const double whole = std::floor(std::max(message.time, 0.0));
+  header.u32(static_cast<std::uint32_t>(whole));
+  header.u32(static_cast<std::uint32_t>((std::max(message.time, 0.0) - whole) * fraction));
+  header.u64(message.content.size());
+  header.u64(crc64(message.content));
+  header.raw(message.content);
+  return header.take();
+}
+
+MessageHeader read_header(std::span<const std::uint8_t> bytes) {
+  ByteReader reader(bytes.first(std::min(bytes.size(), header_size)));
+  MessageHeader header;
+  header.version = reader.u16();
+  header.type = reader.field(type_size);
+  header.device = reader.field(device_size);
+  const std::uint32_t seconds = reader.u32(), parts = reader.u32();
+  header.time = static_cast<double>(seconds) + static_cast<double>(parts) / fraction;
+  header.body_size = reader.u64();
+  header.crc = reader.u64();
+  if (header.version == 0 || header.version > newest_version || header.type.empty() || !is_printable(header.type) ||
+      !is_printable(header.device))
+    throw InputError("this is no header of OpenIGTLink; the other side speaks another protocol");
+  return header;
+}
+
+Message unpack(const MessageHeader& header, std::span<const std::uint8_t> body) {
+  if (const std::uint64_t found = crc64(body); found != header.crc) {
+    throw InputError(fmt::format("a message {} of '{}' arrived damaged: its check sum is {:016x}, expected {:016x}",
+                                 header.type, header.device, found, header.crc));
+  }
+  if (header.version >= 2) {
+    ByteReader extended(body);
+    const std::size_t size = extended.u16(), metadata_header = extended.u16(), metadata = extended.u32();
+    const std::size_t around = size + metadata_header + metadata;
+    if (size < 12 || around > body.size()) {
+      throw InputError(fmt::format("the extended header of a message {} names {} bytes in a body of {}", header.type,
+                                   around, body.size()));
+    }
+    body = body.subspan(size, body.size() - around);
+  }
+  return {header.type, header.device, header.time, Bytes(body.begin(), body.end())};
+}
+
+}  // namespace bodkin::link

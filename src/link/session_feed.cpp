@@ -1,0 +1,228 @@
+#include "link/session_feed.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "link/contents.h"
+#include "session/tick_codec.h"
+#include "station/station.h"
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+
+namespace bodkin::link {
+
+namespace {
+
+constexpr std::size_t force_columns = 6;
+
+// As it lies in tissue that has been pushed ahead.
+Pose needle_in_body(const station::HandSnapshot& needle) {
+  Pose pose = needle.needle;
+  pose.translation() -= needle.needle_ahead;
+  return pose;
+}
+
+// On="true" of a command, or the other way round from `now`.
+bool wanted(const Command& command, bool now) {
+  const auto found = command.values.find("On");
+  if (found == command.values.end()) return !now;
+  if (found->second == "true" || found->second == "1") return true;
+  if (found->second == "false" || found->second == "0") return false;
+  throw InputError(
+      fmt::format("On of the command {} is '{}', expected true or false", command.name, found->second.substr(0, 40)));
+}
+
+}  // namespace
+
+SessionFeed::SessionFeed(Server& server, station::StationObserver& screen,
+                         const std::optional<station::UltrasoundChoice>& ultrasound, double rate)
+    : server_(server), screen_(screen), ultrasound_(ultrasound), rate_(rate) {
+  constexpr double highest_rate = 240.0;
+  if (!(rate >= 1.0 && rate <= highest_rate))
+    throw InputError(fmt::format("the rate is {:g} a second, expected 1 to {:g}", rate, highest_rate));
+}
+
+std::vector<Vec3> SessionFeed::prepare(const anatomy::Case& patient, const fem::BodyDescription* body) {
+  return screen_.prepare(patient, body);
+}
+
+std::chrono::milliseconds SessionFeed::interval() const {
+  return std::min(screen_.interval(), std::chrono::milliseconds(static_cast<int>(1000.0 / rate_)));
+}
+
+void SessionFeed::update(station::Station& station, const station::StationStatus& status) {
+  screen_.update(station, status);
+  const double now = time_now();
+  if (const ServerCounts counts = server_.counts(); counts.accepted != greeted_) {
+    greeted_ = counts.accepted;
+    state_.clear();
+    greet(station.patient(), now);
+  }
+  const anatomy::TissueLibrary& library = station.patient().library;
+  send_poses(status, now);
+  send_forces(status, now);
+  send_events(status, library, now);
+  send_state(status, library, now);
+  if (status.ultrasound != nullptr && status.ultrasound->number != picture_) send_picture(*status.ultrasound, now);
+  answer(station, status, now);
+  for (const std::string& sentence : server_.take_notes()) screen_.note(sentence);
+}
+
+// What does not change: who lies there, and where the needle is to go.
+void SessionFeed::greet(const anatomy::Case& patient, double now) {
+  const anatomy::CaseDescription& about = patient.description;
+  nlohmann::ordered_json json;
+  json["case"] = about.name;
+  json["procedure"] = about.procedure.name;
+  json["needle"] = {{"gauge", about.needle.gauge},
+                    {"outer_diameter_mm", about.needle.outer_diameter},
+                    {"length_mm", about.needle.length},
+                    {"tip", anatomy::to_string(about.needle.tip)}};
+  json["rate_hz"] = about.haptics.rate;
+  json["force_columns"] = {"time_s", "depth_mm", "force_N", "resistance_N", "constraint_N", "tissue"};
+  server_.publish({"STRING", "Case", now, string_content(json.dump())}, false);
+  if (!about.procedure.path) return;
+  const anatomy::NeedlePath& path = *about.procedure.path;
+  const std::array<NamedPoint, 2> points = {
+      {{.name = "entry", .group = "plan", .colour = {46, 230, 197, 255}, .place = path.entry, .radius = 2.0},
+       {.name = "target", .group = "plan", .colour = {46, 230, 197, 255}, .place = path.target, .radius = 4.0}}};
+  server_.publish({"POINT", "Plan", now, points_content(points)}, false);
+  const std::array<Vec3, 2> line = {path.entry, path.target};
+  const std::array<int, 2> order = {0, 1};
+  server_.publish({"POLYDATA", "PlannedPath", now, surface_content(line, {}, order)}, false);
+}
+
+void SessionFeed::send_poses(const station::StationStatus& status, double now) {
+  std::vector<TrackedTool> tools = {{"NeedleTipToReference", needle_in_body(status.needle)}};
+  if (status.ultrasound != nullptr) tools.push_back({"ProbeToReference", status.ultrasound->order.probe});
+  for (const TrackedTool& tool : tools)
+    server_.publish({"TRANSFORM", tool.name, now, transform_content(tool.pose)}, true);
+  server_.publish_tracking({"TDATA", "Bodkin", now, tracking_content(tools)});
+}
+
+// Every tick of the servo, in batches.
+void SessionFeed::send_forces(const station::StationStatus& status, double now) {
+  if (status.samples.empty()) return;
+  std::vector<double> rows;
+  rows.reserve(force_columns * status.samples.size());
+  for (const station::HandSample& sample : status.samples) {
+    rows.insert(rows.end(), {sample.time, sample.depth, sample.force, sample.resistance, sample.constraint,
+                             static_cast<double>(sample.tissue)});
+  }
+  server_.publish({"NDARRAY", "Force", now, array_content(rows, force_columns)}, false);
+}
+
+void SessionFeed::send_events(const station::StationStatus& status, const anatomy::TissueLibrary& library,
+                              double now) {
+  for (const session::SessionEvent& event : status.events) {
+    nlohmann::ordered_json json;
+    json["tick"] = event.tick;
+    json["event"] = session::event_kind_name(event.event.kind);
+    json["tissue"] = library.title(event.event.tissue);
+    json["depth_mm"] = event.event.depth;
+    json["value"] = event.event.value;
+    server_.publish({"STRING", "Event", now, string_content(json.dump())}, false);
+  }
+}
+
+// What a screen would show in words, whenever it changes.
+void SessionFeed::send_state(const station::StationStatus& status, const anatomy::TissueLibrary& library,
+                             double now) {
+  const haptics::ServoSnapshot& servo = status.servo;
+  nlohmann::ordered_json json;
+  json["guard"] = haptics::text_of(servo.state);
+  json["fault"] = servo.state == haptics::GuardState::faulted ? haptics::text_of(servo.fault) : std::string_view();
+  json["held"] = servo.frozen;
+  json["clutched"] = servo.clutched;
+  json["tissue"] = library.title(status.needle.output.tissue);
+  json["in_contact"] = status.needle.output.in_contact;
+  json["message"] = status.message;
+  std::string text = json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  if (text == state_) return;
+  state_ = std::move(text);
+  server_.publish({"STRING", "State", now, string_content(state_)}, true);
+}
+
+void SessionFeed::send_picture(const station::LivePicture& picture, double now) {
+  picture_ = picture.number;
+  const imaging::UltrasoundFrame& frame = picture.frame;
+  if (frame.width < 1 || frame.height < 1) return;
+  server_.publish({"IMAGE", "Image_Reference", now,
+                   image_content(frame.pixels, frame.width, frame.height, frame.pixel,
+                                 frame.image_to_patient(picture.order.probe))},
+                  true);
+}
+
+void SessionFeed::answer(station::Station& station, const station::StationStatus& status, double now) {
+  for (const Received& received : server_.take()) {
+    bool success = false;
+    std::string sentence;
+    try {
+      const std::optional<Command> command = command_of(received.message);
+      if (!command) continue;  // a message that means nothing here
+      sentence = apply(*command, station, status);
+      success = true;
+    } catch (const InputError& error) {
+      sentence = error.what();
+    }
+    server_.send(received.client, reply_to(received.message, success, sentence, now));
+  }
+}
+
+std::string SessionFeed::apply(const Command& command, station::Station& station,
+                               const station::StationStatus& status) {
+  using station::StationCommand;
+  const haptics::ServoSnapshot& servo = status.servo;
+  if (command.name == "Freeze") {
+    const bool on = wanted(command, servo.frozen);
+    if (on != servo.frozen) station.command(StationCommand::toggle_hold);
+    return on ? "the needle is held" : "the needle follows the hand";
+  }
+  if (command.name == "Clutch") {
+    const bool on = wanted(command, servo.clutched);
+    if (on != servo.clutched) station.command(StationCommand::toggle_clutch);
+    return on ? "the hand is free" : "the needle follows the hand";
+  }
+  if (command.name == "Arm") return station.command(StationCommand::arm), "the force is armed";
+  if (command.name == "Disarm") return station.command(StationCommand::disarm), "the force fades";
+  if (command.name == "StopRecording") return station.command(StationCommand::end), "the session ends and is saved";
+  if (command.name == "RequestDeviceIds")
+    return ultrasound_ ? "NeedleTipToReference,ProbeToReference,Image_Reference" : "NeedleTipToReference";
+  if (command.name != "SetUsParameter" && command.name != "GetUsParameter") {
+    throw InputError(
+        fmt::format("the command {} is not known; expected Freeze, Clutch, Arm, Disarm, StopRecording, "
+                    "RequestDeviceIds, SetUsParameter or GetUsParameter",
+                    command.name));
+  }
+  if (!ultrasound_ || status.ultrasound == nullptr)
+    throw InputError("this session has no ultrasound; start bodkin serve with --ultrasound PROBE");
+  station::ScanOrder order = order_.value_or(status.ultrasound->order);
+  order.probe = status.ultrasound->order.probe;
+  if (command.name == "GetUsParameter") {
+    return fmt::format("DepthMm={:g},GainDb={:g},FrequencyMhz={:g},FocusMm={:g}", order.settings.depth,
+                       order.settings.gain, order.settings.frequency, order.settings.focus);
+  }
+  for (const auto& [name, value] : command.values) {
+    if (name == "DepthMm")
+      order.settings.depth = command.number(name);
+    else if (name == "GainDb")
+      order.settings.gain = command.number(name);
+    else if (name == "FrequencyMhz")
+      order.settings.frequency = command.number(name);
+    else if (name == "FocusMm")
+      order.settings.focus = command.number(name);
+    else if (name != "UsDeviceId")
+      throw InputError(
+          fmt::format("{} is no setting of the ultrasound; expected DepthMm, GainDb, FrequencyMhz or FocusMm",
+                      name.substr(0, 40)));
+  }
+  imaging::check(order.settings, ultrasound_->probe);
+  station.set_scan_order(order);
+  order_ = order;
+  return "the ultrasound is set";
+}
+
+}  // namespace bodkin::link

@@ -1,0 +1,216 @@
+// The server against clients that are not ours: one built on the OpenIGTLink library, and hostile ones.
+#include "link/server.h"
+
+#include <chrono>
+#include <functional>
+#include <thread>
+
+#include "link/contents.h"
+#include "tests/link/library_client.h"
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "core/error.h"
+
+namespace bodkin::link {
+namespace {
+
+using namespace std::chrono_literals;
+using ::testing::HasSubstr;
+
+ServerSettings any_port() {
+  ServerSettings settings;
+  settings.port = 0;
+  settings.patience = 300ms;
+  return settings;
+}
+
+bool within(std::chrono::milliseconds most, const std::function<bool()>& reached) {
+  for (const auto end = std::chrono::steady_clock::now() + most; std::chrono::steady_clock::now() < end;) {
+    if (reached()) return true;
+    std::this_thread::sleep_for(2ms);
+  }
+  return reached();
+}
+
+// Bytes that nobody has looked at, straight into the server.
+class RawClient {
+ public:
+  explicit RawClient(std::uint16_t port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(port);
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    EXPECT_EQ(::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  }
+  ~RawClient() { ::close(socket_); }
+  RawClient(const RawClient&) = delete;
+  RawClient& operator=(const RawClient&) = delete;
+
+  void send(std::span<const std::uint8_t> bytes) const {
+    EXPECT_GE(::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL), 0);
+  }
+  // As long as the server lets it.
+  bool flood(std::span<const std::uint8_t> bytes, int times) const {
+    for (int i = 0; i < times; ++i) {
+      if (::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL) < 0) return false;
+    }
+    return true;
+  }
+
+ private:
+  int socket_;
+};
+
+TEST(LinkServer, a_client_of_the_library_sees_the_newest_pose) {
+  Server server(any_port());
+  LibraryClient client(server.port());
+  ASSERT_TRUE(within(2s, [&] { return server.counts().clients == 1; }));
+  Pose pose = Pose::Identity();
+  for (int i = 1; i <= 20; ++i) {
+    pose.translation() = Vec3(10.0 * i, 5.0, -3.0);
+    server.publish({"TRANSFORM", "NeedleTipToReference", time_now(), transform_content(pose)}, true);
+  }
+  ASSERT_TRUE(client.wait_for("TRANSFORM", 2s, [&](const Message& message) {
+    return (read_transform(message.content).translation() - Vec3(200.0, 5.0, -3.0)).norm() < 1e-3;
+  }));
+}
+
+TEST(LinkServer, messages_that_matter_all_arrive_in_order) {
+  Server server(any_port());
+  LibraryClient client(server.port());
+  ASSERT_TRUE(within(2s, [&] { return server.counts().clients == 1; }));
+  for (int i = 0; i < 200; ++i)
+    server.publish({"STRING", "Event", time_now(), string_content(std::to_string(i))}, false);
+  int next = 0;
+  EXPECT_TRUE(client.wait_for("STRING", 3s, [&](const Message& message) {
+    EXPECT_EQ(read_string(message.content), std::to_string(next));
+    return ++next == 200;
+  }));
+}
+
+TEST(LinkServer, tracking_data_comes_to_those_who_ask_and_no_oftener_than_asked) {
+  Server server(any_port());
+  LibraryClient asks(server.port()), silent(server.port());
+  ASSERT_TRUE(within(2s, [&] { return server.counts().clients == 2; }));
+  asks.start_tracking(50);
+  ASSERT_TRUE(asks.wait_for("RTS_TDATA", 2s, [](const Message& message) { return message.content == Bytes{0}; }));
+  const std::array<TrackedTool, 1> tools = {{{"NeedleTipToReference", Pose::Identity()}}};
+  const auto begin = std::chrono::steady_clock::now();
+  for (int i = 0; i < 100; ++i) {
+    server.publish_tracking({"TDATA", "Bodkin", time_now(), tracking_content(tools)});
+    std::this_thread::sleep_for(4ms);
+  }
+  const std::size_t count = asks.count("TDATA", 100ms);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  EXPECT_GE(count, 3U);
+  EXPECT_LE(static_cast<double>(count), took / 45ms + 1.0) << "of 100 in 0.4 s and more";
+  EXPECT_EQ(silent.count("TDATA", 10ms), 0U);
+}
+
+TEST(LinkServer, what_a_client_sends_is_taken_and_answered) {
+  Server server(any_port());
+  LibraryClient client(server.port());
+  client.send_string("CMD_3", "<Command Name='Freeze'/>");
+  std::vector<Received> received;
+  ASSERT_TRUE(within(2s, [&] {
+    for (Received& each : server.take()) received.push_back(std::move(each));
+    return !received.empty();
+  }));
+  EXPECT_EQ(received[0].message.device, "CMD_3");
+  server.send(received[0].client, {"STRING", "ACK_3", time_now(), string_content("done")});
+  EXPECT_TRUE(client.wait_for("STRING", 2s, [](const Message& message) { return message.device == "ACK_3"; }));
+}
+
+TEST(LinkServer, hostile_clients_are_dropped_with_a_reason_and_others_do_not_notice) {
+  ServerSettings settings = any_port();
+  settings.largest_message = 1000;
+  settings.most_messages = 200;
+  Server server(settings);
+  LibraryClient good(server.port());
+  ASSERT_TRUE(within(2s, [&] { return server.counts().clients == 1; }));
+  const RawClient garbage(server.port()), stalling(server.port()), large(server.port()), flooding(server.port()),
+      damaged(server.port());
+  const std::string http = "GET / HTTP/1.1\r\nHost: x\r\nUser-Agent: y y y y y y y y y y y y y y y y\r\n\r\n";
+  garbage.send(std::span(reinterpret_cast<const std::uint8_t*>(http.data()), http.size()));
+  const Bytes message = pack({"STRING", "Text", 0.0, string_content("hello")});
+  stalling.send(std::span(message).first(20));
+  large.send(pack({"STRING", "Text", 0.0, Bytes(2000, 1)}));
+  flooding.flood(message, 3000);
+  Bytes flipped = message;
+  flipped.back() ^= 1;
+  damaged.send(flipped);
+  std::string notes;
+  EXPECT_TRUE(within(3s, [&] {
+    for (const std::string& note : server.take_notes()) notes += note + "\n";
+    return server.counts().dropped == 5;
+  })) << notes;
+  EXPECT_THAT(notes, HasSubstr("another protocol"));
+  EXPECT_THAT(notes, HasSubstr("did not come"));
+  EXPECT_THAT(notes, HasSubstr("2000 bytes"));
+  EXPECT_THAT(notes, HasSubstr("more than 200 messages"));
+  EXPECT_THAT(notes, HasSubstr("arrived damaged"));
+  EXPECT_EQ(server.counts().clients, 1U);
+  server.publish({"STRING", "Event", time_now(), string_content("still here")}, false);
+  EXPECT_TRUE(good.wait_for("STRING", 2s, [](const Message&) { return true; }));
+}
+
+TEST(LinkServer, a_client_that_takes_nothing_costs_bounded_memory_and_then_its_connection) {
+  ServerSettings settings = any_port();
+  settings.largest_queue = 1 << 20;
+  Server server(settings);
+  const RawClient lazy(server.port());
+  ASSERT_TRUE(within(2s, [&] { return server.counts().clients == 1; }));
+  const std::vector<std::uint8_t> picture(300 * 300, 1);
+  const Message image{"IMAGE", "Image_Reference", 0.0, image_content(picture, 300, 300, 1.0, Pose::Identity())};
+  // Pictures replace each other: however many there are, the client only has the newest waiting.
+  for (int i = 0; i < 500; ++i) server.publish(image, true);
+  std::this_thread::sleep_for(50ms);
+  EXPECT_EQ(server.counts().clients, 1U);
+  const Message text{"STRING", "Event", 0.0, string_content(std::string(60000, 'x'))};
+  for (int i = 0; i < 500; ++i) server.publish(text, false);
+  EXPECT_TRUE(within(2s, [&] { return server.counts().clients == 0; }));
+  EXPECT_EQ(server.counts().dropped, 1U);
+}
+
+TEST(LinkServer, clients_come_and_go_two_hundred_times) {
+  Server server(any_port());
+  for (int i = 0; i < 200; ++i) {
+    const RawClient client(server.port());
+    server.publish({"STRING", "Event", 0.0, string_content("x")}, false);
+    if (i % 3 == 0) client.send(Bytes(17, 1));
+  }
+  EXPECT_TRUE(within(2s, [&] { return server.counts().clients == 0; }));
+  EXPECT_GE(server.counts().accepted, 190U);
+}
+
+TEST(LinkServer, a_port_in_use_and_a_foreign_address_are_refused_with_a_sentence) {
+  const Server first(any_port());
+  ServerSettings same = any_port();
+  same.port = first.port();
+  const auto sentence = [](const ServerSettings& settings) -> std::string {
+    try {
+      const Server server(settings);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_THAT(sentence(same), HasSubstr("is in use"));
+  ServerSettings elsewhere = any_port();
+  elsewhere.address = "192.0.2.7";  // set aside for examples
+  EXPECT_THAT(sentence(elsewhere), HasSubstr("192.0.2.7"));
+  elsewhere.address = "somewhere";
+  EXPECT_THAT(sentence(elsewhere), HasSubstr("no address"));
+  EXPECT_FALSE(first.is_exposed());
+  ServerSettings all = any_port();
+  all.address = "0.0.0.0";
+  EXPECT_TRUE(Server(all).is_exposed());
+}
+
+}  // namespace
+}  // namespace bodkin::link

@@ -1,0 +1,164 @@
+// A whole session over the network: a station with a simulated hand, and a client that is not ours.
+#include "link/session_feed.h"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+#include "link/contents.h"
+#include "session/session_file.h"
+#include "station/station.h"
+#include "tests/io/scratch_folder.h"
+#include "tests/link/library_client.h"
+#include "tests/session/slab_case.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "haptics/drivers/simulated.h"
+
+namespace bodkin::link {
+namespace {
+
+using namespace std::chrono_literals;
+using anatomy::tissue::fat;
+using anatomy::tissue::muscle;
+using anatomy::tissue::skin;
+using ::testing::HasSubstr;
+
+// Runs a station on a thread, fed to a server, until the simulated hand or a client ends it.
+class ServedSession {
+ public:
+  explicit ServedSession(const char* hand) : server_(settings()) {
+    folder_.write("case.xml", "<case/>");
+    station::StationOptions options;
+    options.patient = slab_case({{skin, 2.0}, {fat, 12.0}, {muscle, 36.0}});
+    options.patient.description.device.peak_force = 9.0;
+    options.case_folder = folder_.path();
+    options.device = {&haptics::simulated_driver(), "", hand};
+    options.output = file();
+    options.longest = 30.0;
+    feed_ = std::make_unique<SessionFeed>(server_, screen_, std::nullopt, 60.0);
+    station_ = std::make_unique<station::Station>(std::move(options), *feed_);
+  }
+  ~ServedSession() {
+    station_->end();
+    if (thread_.joinable()) thread_.join();
+  }
+  ServedSession(const ServedSession&) = delete;
+  ServedSession& operator=(const ServedSession&) = delete;
+
+  void start() {
+    thread_ = std::thread([this] {
+      result_ = station_->run();
+      finished_ = true;
+    });
+  }
+  void join() { thread_.join(); }
+  bool finished() const { return finished_; }
+  std::filesystem::path file() const { return folder_.path() / "session.bodkin"; }
+  std::uint16_t port() const { return server_.port(); }
+  const station::StationResult& result() const { return result_; }
+
+ private:
+  static ServerSettings settings() {
+    ServerSettings settings;
+    settings.port = 0;
+    return settings;
+  }
+
+  ScratchFolder folder_;
+  Server server_;
+  station::StationObserver screen_;
+  std::unique_ptr<SessionFeed> feed_;
+  std::unique_ptr<station::Station> station_;
+  station::StationResult result_;
+  std::atomic<bool> finished_{false};
+  std::thread thread_;
+};
+
+TEST(SessionFeed, a_client_follows_a_whole_insertion_by_pose_force_and_event) {
+  ServedSession session("speed_mm_s=40 start_mm=10 depth_mm=20 wait_s=0.5");
+  LibraryClient client(session.port());
+  session.start();
+  std::vector<std::string> events;
+  std::string about;
+  double deepest = 0.0, force = 0.0, last_time = -1.0, lowest = 1e9;
+  int poses = 0, points = 0, lines = 0;
+  client.wait_for("", 20s, [&](const Message& message) {
+    if (message.type == "TRANSFORM" && message.device == "NeedleTipToReference") {
+      ++poses;
+      lowest = std::min(lowest, read_transform(message.content).translation().y());
+    }
+    if (message.type == "NDARRAY" && message.device == "Force") {
+      const NumberArray rows = read_array(message.content);
+      EXPECT_EQ(rows.size.at(1), 6);
+      for (std::size_t row = 0; row + 5 < rows.values.size(); row += 6) {
+        EXPECT_GT(rows.values[row], last_time) << "every tick once, in order";
+        last_time = rows.values[row];
+        deepest = std::max(deepest, rows.values[row + 1]);
+        force = std::max(force, rows.values[row + 2]);
+      }
+    }
+    if (message.type == "STRING" && message.device == "Event") events.push_back(read_string(message.content));
+    if (message.type == "STRING" && message.device == "Case") about = read_string(message.content);
+    points += static_cast<int>(message.type == "POINT" && message.content.size() == 2 * 136);
+    lines += static_cast<int>(message.type == "POLYDATA" && message.device == "PlannedPath");
+    return session.finished();
+  });
+  session.join();
+  EXPECT_TRUE(session.result().run.operator_finished);
+  EXPECT_GT(poses, 10);
+  EXPECT_GT(deepest, 15.0);
+  EXPECT_NEAR(-lowest, deepest, 2.0) << "the pose and the depth tell the same; the back is the plane y = 0";
+  EXPECT_GT(force, 0.2);
+  EXPECT_GE(points, 1);
+  EXPECT_GE(lines, 1);
+  EXPECT_THAT(about, HasSubstr("\"length_mm\""));
+  const session::Session recorded = session::read_session(session.file());
+  EXPECT_TRUE(recorded.finished);
+  ASSERT_FALSE(events.empty());
+  EXPECT_THAT(events.front(), HasSubstr("\"contact\""));
+  EXPECT_THAT(events, ::testing::Contains(HasSubstr("\"puncture\"")));
+}
+
+TEST(SessionFeed, commands_hold_the_needle_and_end_the_session_and_unknown_ones_are_answered) {
+  ServedSession session("speed_mm_s=5 start_mm=10 depth_mm=20 wait_s=20");
+  LibraryClient client(session.port());
+  session.start();
+  const auto answer = [&](const std::string& id, const std::string& text) {
+    client.send_string("CMD_" + id, text);
+    std::string reply;
+    EXPECT_TRUE(client.wait_for("STRING", 5s, [&](const Message& message) {
+      if (message.device != "ACK_" + id) return false;
+      reply = read_string(message.content);
+      return true;
+    }));
+    return reply;
+  };
+  EXPECT_THAT(answer("1", "<Command Name='Freeze' On='true'/>"), HasSubstr("SUCCESS"));
+  EXPECT_TRUE(client.wait_for("STRING", 5s, [](const Message& message) {
+    return message.device == "State" && read_string(message.content).find("\"held\":true") != std::string::npos;
+  }));
+  EXPECT_THAT(answer("2", "<Command Name='LoadCase' Folder='/etc'/>"), HasSubstr("is not known"));
+  EXPECT_THAT(answer("3", "<Command Name='SetUsParameter' DepthMm='50'/>"), HasSubstr("has no ultrasound"));
+  EXPECT_THAT(answer("4", "not even XML"), HasSubstr("FAIL"));
+  EXPECT_THAT(answer("5", "<Command Name='Freeze' On='perhaps'/>"), HasSubstr("expected true or false"));
+  EXPECT_THAT(answer("6", "<Command Name='StopRecording'/>"), HasSubstr("SUCCESS"));
+  session.join();
+  EXPECT_TRUE(session::read_session(session.file()).finished);
+}
+
+TEST(SessionFeed, clients_that_vanish_in_the_middle_take_nothing_with_them) {
+  ServedSession session("speed_mm_s=40 start_mm=10 depth_mm=20 wait_s=1");
+  session.start();
+  for (int i = 0; i < 30 && !session.finished(); ++i) {
+    LibraryClient client(session.port());
+    client.wait_for("TRANSFORM", 1s, [](const Message&) { return true; });
+  }
+  session.join();
+  EXPECT_TRUE(session.result().run.operator_finished);
+  EXPECT_EQ(session.result().run.records_lost, 0U);
+}
+
+}  // namespace
+}  // namespace bodkin::link
