@@ -2,14 +2,14 @@
 // which is all that draws.
 #include <memory>
 
-#include "app/scene/camera_moves.h"
-#include "app/scene/view_software.h"
 #include "patient/synthetic/lumbar.h"
+#include "scene/camera_moves.h"
+#include "scene/view_software.h"
 #include <benchmark/benchmark.h>
 
 #include "io/tissue_library_file.h"
 
-namespace bodkin::app {
+namespace bodkin::scene {
 namespace {
 
 struct Patient {
@@ -102,4 +102,4 @@ void surfaces_are_made(benchmark::State& state) {
 BENCHMARK(surfaces_are_made)->Unit(benchmark::kMillisecond)->Iterations(1);
 
 }  // namespace
-}  // namespace bodkin::app
+}  // namespace bodkin::scene

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/states.h"
@@ -70,11 +71,13 @@ struct Frame {
 
   // The plan.
   std::optional<anatomy::NeedlePath> plan;
-  double target_distance = 0.0;         // mm from the tip to the target
-  double target_tolerance = 3.0;        // mm
-  double off_path = 0.0;                // mm from the tip to the planned line
-  Vec3 off_path_vector = Vec3::Zero();  // LPS mm, from the planned line to the tip
-  double off_angle = 0.0;               // rad between the needle and the plan
+  bool is_planning = false;                            // the plan is being made: no needle yet
+  std::vector<std::pair<double, double>> plan_broken;  // mm from its entry: stretches where it must not go
+  double target_distance = 0.0;                        // mm from the tip to the target
+  double target_tolerance = 3.0;                       // mm
+  double off_path = 0.0;                               // mm from the tip to the planned line
+  Vec3 off_path_vector = Vec3::Zero();                 // LPS mm, from the planned line to the tip
+  double off_angle = 0.0;                              // rad between the needle and the plan
   bool target_reached = false;
 
   // The machine.

@@ -17,6 +17,9 @@ enum class Command : std::uint8_t {
   full_screen,
   toggle_theme,
   leave_program,
+  show_palette,
+  toggle_sound,
+  tour,
   next_view,
   previous_view,
   begin,  // on the start page
@@ -26,6 +29,7 @@ enum class Command : std::uint8_t {
   push_in_finely,
   draw_out_finely,
   withdraw,
+  press_plunger,  // while the key is held
   again,
   end,
   arm,
@@ -34,11 +38,27 @@ enum class Command : std::uint8_t {
   show_dock,
   toggle_ultrasound,
   fill,
-  of_the_view  // the view with the focus does it
+  of_the_view,  // the view with the focus does it
+  of_the_page   // the page that is shown does it
 };
 
 // Where a key is looked up: in the view with the focus, then on the page, then in the window.
-enum class KeyScope : std::uint8_t { window, start, practise, view3d, slice, chart };
+enum class KeyScope : std::uint8_t {
+  window,
+  start,
+  practise,
+  view3d,
+  slice,
+  chart,
+  plan,
+  scan,
+  review,
+  models,
+  devices,
+  atlas,
+  volume,
+  ultrasound
+};
 
 struct KeyBinding {
   KeyScope scope;

@@ -19,18 +19,35 @@ int main(int argc, char** argv) {
   options.addVersionOption();
   options.addPositionalArgument(QStringLiteral("CASE"),
                                 QApplication::translate("main", "A case, a DICOM folder or an image to begin with"));
-  options.addOptions({{QStringLiteral("script"), QApplication::translate("main", "Do what FILE says, and leave"),
-                       QStringLiteral("FILE")},
-                      {QStringLiteral("shots"), QApplication::translate("main", "Folder for the script's pictures"),
-                       QStringLiteral("DIR"), QStringLiteral(".")},
-                      {QStringLiteral("size"), QApplication::translate("main", "Size of the window, 1280x720"),
-                       QStringLiteral("WxH")}});
+  options.addOptions(
+      {{QStringLiteral("script"), QApplication::translate("main", "Do what FILE says, and leave"),
+        QStringLiteral("FILE")},
+       {QStringLiteral("shots"), QApplication::translate("main", "Folder for the script's pictures"),
+        QStringLiteral("DIR"), QStringLiteral(".")},
+       {QStringLiteral("size"), QApplication::translate("main", "Size of the window, 1280x720"),
+        QStringLiteral("WxH")},
+       {QStringLiteral("attempt"), QApplication::translate("main", "How to perform, as bodkin perform says it"),
+        QStringLiteral("JSON")},
+       {QStringLiteral("scan"),
+        QApplication::translate("main", "The probe in the hand, as bodkin ultrasound --live says it"),
+        QStringLiteral("JSON")},
+       {QStringLiteral("output"), QApplication::translate("main", "Beginning of the pictures' names"),
+        QStringLiteral("NAME")}});
   options.process(application);
   try {
     bodkin::app::MainWindow window(bodkin::app::data_folder());
     if (options.isSet(QStringLiteral("size"))) window.resize(bodkin::app::parse_size(options.value("size")));
     window.show();
-    if (!options.positionalArguments().isEmpty()) window.open(options.positionalArguments().front().toStdString());
+    const QStringList given = options.positionalArguments();
+    const std::filesystem::path patient = given.isEmpty() ? std::string() : given.front().toStdString();
+    if (options.isSet(QStringLiteral("attempt"))) {
+      window.perform(patient, bodkin::app::read_attempt_options(options.value("attempt").toStdString()));
+    } else if (options.isSet(QStringLiteral("scan"))) {
+      window.scan(patient, bodkin::station::ultrasound_request(options.value("scan").toStdString()),
+                  options.value("output").toStdString());
+    } else if (!patient.empty()) {
+      window.open(patient);
+    }
     if (!options.isSet(QStringLiteral("script"))) return QApplication::exec();
     bodkin::app::Script script(window, options.value("shots"));
     return script.run(options.value("script")) ? 0 : 1;

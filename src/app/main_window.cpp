@@ -1,28 +1,60 @@
 #include "app/main_window.h"
 
+#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDateTime>
-#include <QFileDialog>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QSettings>
 #include <QStackedWidget>
-#include <QStandardPaths>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/models/data_folder.h"
+#include "app/models/kept_sessions.h"
+#include "app/pages/atlas.h"
 #include "app/pages/cards.h"
+#include "app/pages/devices.h"
+#include "app/pages/models.h"
+#include "app/pages/palette.h"
+#include "app/pages/plan.h"
 #include "app/pages/practise.h"
+#include "app/pages/review.h"
+#include "app/pages/scan.h"
 #include "app/pages/start.h"
+#include "app/pages/tour.h"
+#include "app/pages/ultrasound.h"
+#include "app/pages/volume.h"
 #include "app/theme.h"
 #include "app/views/top_bar.h"
-
-#include "core/error.h"
-#include "io/probe_library_file.h"
 
 namespace bodkin::app {
 
 namespace {
+
+// Which page a stage of the bar leads to, and which stage a page belongs to.
+PageId page_of(Stage stage) noexcept {
+  switch (stage) {
+    case Stage::patient:
+      return PageId::start;
+    case Stage::scan:
+      return PageId::scan;
+    case Stage::plan:
+      return PageId::plan;
+    case Stage::practise:
+      return PageId::practise;
+    case Stage::review:
+      return PageId::review;
+  }
+  return PageId::practise;
+}
+
+Stage stage_of(PageId page) noexcept {
+  for (int i = 0; i < stage_count; ++i) {
+    if (page_of(static_cast<Stage>(i)) == page) return static_cast<Stage>(i);
+  }
+  return Stage::patient;
+}
 
 constexpr int least_width = 1024, least_height = 640, first_width = 1280, first_height = 720;  // pixels
 
@@ -37,7 +69,10 @@ MainWindow::MainWindow(const std::filesystem::path& folder)
       preparing_(new PreparingCard(pages_)),
       pause_(new PauseCard(pages_)),
       results_(new ResultsCard(pages_)),
-      keys_(new KeysCard(this)) {
+      keys_(new KeysCard(this)),
+      palette_(new Palette(this)),
+      tour_(new Tour(practise_, &practise_->view3d())),
+      ultrasound_(new UltrasoundPage(folder)) {
   setObjectName(QStringLiteral("window"));
   setWindowTitle(QStringLiteral("Bodkin"));
   setMinimumSize(least_width, least_height);
@@ -60,6 +95,8 @@ MainWindow::MainWindow(const std::filesystem::path& folder)
   restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
   connect_views();
   connect_cards();
+  add_pages();
+  offer_recovered();
   qApp->installEventFilter(this);
   connect(&clock_, &FrameClock::frame, this, &MainWindow::draw);
   clock_.start();
@@ -89,38 +126,173 @@ void MainWindow::connect_views() {
   connect(practise_, &PractisePage::end_requested, this, [this] { run(Command::end); });
   connect(practise_, &PractisePage::warning_acknowledged, this, [this] { practice_.acknowledge(); });
   connect(bar_, &TopBar::home_requested, this, [this] { run(Command::back); });
-  connect(bar_, &TopBar::device_page_requested, this, [this] { run(Command::show_dock); });
+  connect(bar_, &TopBar::device_page_requested, this, [this] { show_page(PageId::devices); });
   connect(bar_, &TopBar::servo_page_requested, this, [this] { run(Command::show_dock); });
   connect(bar_, &TopBar::help_requested, this, [this] { run(Command::show_keys); });
   connect(bar_, &TopBar::ultrasound_toggled, this, &MainWindow::show_ultrasound);
   connect(&practise_->ultrasound(), &UltrasoundView::scan_ordered, this,
           [this](const station::ScanOrder& order) { practice_.order_scan(order); });
   connect(&practise_->ultrasound(), &UltrasoundView::save_requested, this, [this] { run(Command::save_picture); });
-  bar_->allow(Stage::review, false);
+  for (const Stage stage : {Stage::scan, Stage::plan, Stage::review}) bar_->allow(stage, false);
   connect(bar_, &TopBar::stage_chosen, this, [this](Stage stage) {
-    if (stage == Stage::patient) run(Command::back);
+    if (stage == Stage::patient) return page_ != nullptr ? show_page(PageId::start) : run(Command::back);
+    show_page(page_of(stage));
   });
 }
 
 void MainWindow::connect_cards() {
   connect(start_, &StartPage::begin_requested, this, [this] { run(Command::begin); });
+  connect(start_, &StartPage::tour_requested, this, [this] { run(Command::tour); });
+  connect(start_, &StartPage::page_requested, this, &MainWindow::show_page);
   connect(start_, &StartPage::open_requested, this, [this] { run(Command::open_patient); });
   connect(start_, &StartPage::patient_chosen, this, [this](const QString& path) { open(path.toStdString()); });
+  connect(start_, &StartPage::review_requested, this, [this](const QString& file) { review(file.toStdString()); });
+  connect(start_, &StartPage::forget_requested, this, [this](const QString& file) {
+    QSettings settings;
+    const QString key = QStringLiteral("forgotten_sessions");
+    settings.setValue(key, settings.value(key).toStringList() << file);
+    offer_recovered();
+  });
   connect(preparing_, &PreparingCard::cancel_requested, this, [this] { practice_.cancel(); });
   connect(pause_, &PauseCard::resume_requested, this, [this] {
+    if (practice_.state() == State::device_lost) return practice_.again();
     if (practice_.state() == State::faulted) practice_.arm();
     practice_.pause(false);
   });
+  connect(pause_, &PauseCard::mouse_requested, this, [this] { use_device({}, {}); });
   connect(pause_, &PauseCard::again_requested, this, [this] { practice_.again(); });
   connect(pause_, &PauseCard::end_requested, this, [this] { practice_.end(); });
   connect(pause_, &PauseCard::leave_requested, this, [this] { practice_.leave(); });
   connect(results_, &ResultsCard::again_requested, this, [this] { practice_.again(); });
+  connect(results_, &ResultsCard::review_requested, this, [this] {
+    if (practice_.result()) review(practice_.result()->session);
+  });
   connect(results_, &ResultsCard::leave_requested, this, [this] { practice_.leave(); });
   connect(keys_, &KeysCard::closed, keys_, &QWidget::hide);
 }
 
+// Every page of its own has its line here.
+void MainWindow::add_pages() {
+  auto* const plan = new PlanPage;
+  connect(plan, &PlanPage::plan_changed, this, [this](const anatomy::NeedlePath& path) { practice_.set_plan(path); });
+  add_page(plan, tr("Plan"), tr("Choose where to go in, and where to"));
+  review_ = new ReviewPage(data_folder() / "sessions");
+  add_page(review_, tr("Review"), tr("See a session again, moment by moment"));
+  add_page(new ScanPage([this]() -> const Frame& { return practice_.frame(); }), tr("CT scanner"),
+           tr("Scan the patient again, with the needle in place"));
+  add_page(new VolumePage([this]() -> const Frame& { return practice_.frame(); }), tr("Volume"),
+           tr("The inside of the patient: bone, soft tissue, X-ray"));
+  devices_ = new DevicesPage;
+  add_page(devices_, tr("Devices"), tr("What holds the needle: find, check, calibrate"));
+  add_page(new AtlasPage(data_folder()), tr("Acupuncture"), tr("Points and meridians on a whole body"));
+  connect(devices_, &DevicesPage::use_requested, this, &MainWindow::use_device);
+  auto* const models = new ModelsPage;
+  connect(models, &ModelsPage::settings_chosen, this,
+          [this](const ModelSettings& settings) { practice_.set_models(settings); });
+  add_page(models, tr("Model settings"), tr("The numbers of the force model, one a step, and what they do"));
+  add_page(ultrasound_, tr("Ultrasound"), tr("The probe in your hand, with the CT of the same plane"));
+  const QSettings settings;
+  use_device(settings.value(QStringLiteral("device/driver")).toString(),
+             settings.value(QStringLiteral("device/identity")).toString());
+}
+
+// What practises from now on, and the next time; an empty driver: the mouse.
+void MainWindow::use_device(const QString& driver, const QString& identity) {
+  std::optional<PracticeDevice> device;
+  try {
+    DeviceRow row;
+    row.driver = driver.toStdString();
+    row.identity = identity.toStdString();
+    if (!row.is_mouse()) device = PracticeDevice{choice_of(row), driver.toStdString()};
+  } catch (const std::exception& error) {  // a driver that has gone: the mouse is always there
+    practice_.say(error.what());
+  }
+  QSettings settings;
+  settings.setValue(QStringLiteral("device/driver"), device ? driver : QString());
+  settings.setValue(QStringLiteral("device/identity"), device ? identity : QString());
+  devices_->set_used(device ? driver + QLatin1Char(':') + identity : QString());
+  practice_.set_device(device);
+}
+
+// The newest session that a crash has cut off, until a person has forgotten it.
+void MainWindow::offer_recovered() {
+  std::vector<std::filesystem::path> forgotten;
+  for (const QString& file : QSettings().value(QStringLiteral("forgotten_sessions")).toStringList())
+    forgotten.emplace_back(file.toStdString());
+  const std::filesystem::path found = cut_off_session(kept_sessions(data_folder() / "sessions"), forgotten);
+  start_->offer_recovered(QString::fromStdString(found.string()));
+}
+
+void MainWindow::review(const std::filesystem::path& session) {
+  show_page(PageId::review);
+  review_->open(session);
+}
+
+void MainWindow::add_page(Page* page, const QString& entry, const QString& tip) {
+  more_pages_.push_back(page);
+  pages_->addWidget(page);
+  start_->add_entry(page->id(), entry, tip);
+  for (int i = 0; i < stage_count; ++i) {
+    if (page_of(static_cast<Stage>(i)) == page->id()) bar_->allow(static_cast<Stage>(i), true);
+  }
+  connect(page, &Page::page_requested, this, &MainWindow::show_page);
+  connect(page, &Page::practise_requested, this, [this] { show_page(PageId::practise); });
+  connect(page, &Page::patient_requested, this, [this](const QString& path) {
+    if (practice_.state() == State::paused) practice_.leave();  // an attempt is saved and over
+    leave_page();
+    open(path.toStdString());
+  });
+}
+
+void MainWindow::leave_page() {
+  wanted_page_ = nullptr;
+  if (page_ == nullptr) return;
+  page_->leave();
+  page_ = nullptr;
+  if (has_paused_ && practice_.state() == State::paused) practice_.pause(false);
+  has_paused_ = false;
+}
+
+void MainWindow::show_page(PageId id) {
+  if (page_ != nullptr && page_->id() == id) return;
+  const auto found =
+      std::find_if(more_pages_.begin(), more_pages_.end(), [&](Page* page) { return page->id() == id; });
+  leave_page();
+  if (found == more_pages_.end()) {
+    if (id == PageId::start) practice_.leave();
+    if (id == PageId::practise && practice_.state() == State::no_case) practice_.choose_built_in();
+    return show_state();
+  }
+  if ((*found)->needs_patient() && shown_ == nullptr) {
+    wanted_page_ = *found;
+    if (practice_.state() == State::no_case) practice_.choose_built_in();
+    return;
+  }
+  if (is_attempt(practice_.state()) && practice_.state() != State::paused) {
+    practice_.pause(true);
+    has_paused_ = practice_.state() == State::paused;
+  }
+  page_ = *found;
+  page_->enter();
+  show_state();
+  page_->setFocus(Qt::OtherFocusReason);
+}
+
 void MainWindow::open(const std::filesystem::path& patient) {
+  if (patient.extension() == ".bodkin") return review(patient);
   practice_.choose(patient);
+}
+
+void MainWindow::perform(const std::filesystem::path& patient, const AttemptOptions& options) {
+  asked_ultrasound_ = options.ultrasound;
+  has_ultrasound_ = options.ultrasound.has_value();  // shown as soon as there is a patient
+  practice_.perform(patient, options);
+}
+
+void MainWindow::scan(const std::filesystem::path& patient, const station::UltrasoundRequest& request,
+                      const std::filesystem::path& output) {
+  ultrasound_->scan(patient, request, output);
+  show_page(PageId::ultrasound);
 }
 
 void MainWindow::draw(double clock) {
@@ -130,7 +302,10 @@ void MainWindow::draw(double clock) {
     practise_->set_case(shown_);
     if (has_ultrasound_) show_ultrasound(shown_ != nullptr);
     bar_->set_case(shown_);
+    for (Page* page : more_pages_) page->set_case(shown_);
   }
+  if (wanted_page_ != nullptr && shown_ != nullptr && frame.state == State::ready) show_page(wanted_page_->id());
+  if (practice_.state() == State::no_case) wanted_page_ = nullptr;  // the patient could not be opened
   if (frame.state != shown_state_ || practice_.failure() != shown_failure_) {
     shown_state_ = frame.state;
     shown_failure_ = practice_.failure();
@@ -142,10 +317,14 @@ void MainWindow::draw(double clock) {
     preparing_->show_progress(what, status.is_busy ? status.fraction : 1.0, status.seconds);
   }
   if (frame.state == State::ended) {
-    results_->show_result(practice_.result() ? &*practice_.result() : nullptr, dangers(),
-                          QString::fromStdString(practice_.failure()));
+    results_->show_result(
+        practice_.result() ? &*practice_.result() : nullptr, dangers(),
+        QString::fromStdString(practice_.failure().empty() ? practice_.completion() : practice_.failure()));
   }
   bar_->show_frame(frame, practice_.changes());
+  sounds_.follow(frame);
+  tour_->show_frame(frame);
+  if (page_ != nullptr) page_->advance(clock);
   if (pages_->currentWidget() == practise_) practise_->show_frame(frame, practice_.changes());
 }
 
@@ -172,35 +351,39 @@ void MainWindow::show_state() {
     start_->say(QString::fromStdString(practice_.failure()), !practice_.failure().empty());
   }
   const bool has_patient = practice_.patient() != nullptr;
-  pages_->setCurrentWidget(at_start || (state == State::preparing && !has_patient) ? static_cast<QWidget*>(start_)
-                                                                                   : practise_);
-  bar_->setVisible(pages_->currentWidget() == practise_);
-  bar_->set_stage(state == State::ended ? Stage::review : Stage::practise);
+  const bool shows_start = at_start || (state == State::preparing && !has_patient);
+  pages_->setCurrentWidget(page_ != nullptr ? page_ : shows_start ? static_cast<QWidget*>(start_) : practise_);
+  bar_->setVisible(page_ != nullptr || !shows_start);
+  bar_->set_stage(stage_of(page_ != nullptr ? page_->id() : PageId::practise));
   preparing_->setVisible(state == State::preparing);
   const bool paused = state == State::paused || state == State::faulted || state == State::device_lost;
   pause_->show_reason(state, QString::fromStdString(practice_.frame().message));
-  pause_->setVisible(paused);
-  results_->setVisible(state == State::ended);
+  pause_->setVisible(paused && page_ == nullptr);
+  results_->setVisible(state == State::ended && page_ == nullptr);
   for (QWidget* card :
        {static_cast<QWidget*>(preparing_), static_cast<QWidget*>(pause_), static_cast<QWidget*>(results_)}) {
     card->setGeometry(pages_->rect());
     card->raise();
   }
-  if (state == State::ready) practise_->view3d().setFocus(Qt::OtherFocusReason);
+  if (state == State::ready && page_ == nullptr) practise_->view3d().setFocus(Qt::OtherFocusReason);
 }
 
 KeyScope MainWindow::page_scope() const {
+  if (page_ != nullptr) return page_->scope();
   return pages_->currentWidget() == practise_ ? KeyScope::practise : KeyScope::start;
 }
 
 bool MainWindow::press(const QKeySequence& keys, bool before_views) {
   const KeyScope page = page_scope();
   if (before_views) {
-    if (const std::optional<Command> command = reserved_command(page, keys)) return run(*command), true;
-    return false;
+    const std::optional<Command> command = reserved_command(page, keys);
+    if (command == Command::of_the_page) return page_->press(keys);
+    return command ? (run(*command), true) : false;
   }
   for (const KeyScope scope : chain_of(page)) {
-    if (const std::optional<Command> command = command_of(scope, keys)) return run(*command), true;
+    const std::optional<Command> command = command_of(scope, keys);
+    if (command == Command::of_the_page) return page_ != nullptr && page_->press(keys);
+    if (command) return run(*command), true;
   }
   return false;
 }
@@ -214,9 +397,16 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   if (is_release) {
     if ((key->key() == Qt::Key_PageDown || key->key() == Qt::Key_PageUp) && !key->isAutoRepeat())
       practice_.hold_key(0, false);
+    if (key->key() == Qt::Key_B && !key->isAutoRepeat()) practice_.press_plunger(false);
     return QMainWindow::eventFilter(watched, event);
   }
   const Qt::KeyboardModifiers modifiers = key->modifiers() & ~Qt::KeypadModifier;
+  // Who types means the letter.
+  const bool is_typing =
+      qobject_cast<QLineEdit*>(widget) != nullptr || qobject_cast<QAbstractSpinBox*>(widget) != nullptr;
+  const bool is_letter = !key->text().isEmpty() && key->text().front().isPrint() &&
+                         (modifiers & (Qt::ControlModifier | Qt::AltModifier)) == 0;
+  if (is_typing && is_letter) return QMainWindow::eventFilter(watched, event);
   // A character that needs Shift ("?") is itself.
   const bool is_sign =
       key->key() < 0x80 && key->key() > Qt::Key_Space && !(key->key() >= Qt::Key_A && key->key() <= Qt::Key_Z);
@@ -234,111 +424,10 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
   if (!press(QKeySequence(code), false)) QMainWindow::keyPressEvent(event);
 }
 
-void MainWindow::run(Command command) {
-  switch (command) {
-    case Command::show_keys:
-      keys_->show_keys(page_scope() == KeyScope::practise
-                           ? std::vector{KeyScope::practise, KeyScope::view3d, KeyScope::slice, KeyScope::window}
-                           : std::vector{KeyScope::start, KeyScope::window});
-      keys_->setGeometry(rect());
-      keys_->setVisible(!keys_->isVisible());
-      return keys_->raise();
-    case Command::back:
-      if (keys_->isVisible()) return keys_->hide();
-      if (practice_.state() == State::preparing) return practice_.cancel();
-      if (practice_.state() == State::ended) return practice_.leave();
-      return practice_.pause(practice_.state() != State::paused);
-    case Command::open_patient:
-      return choose_patient();
-    case Command::save_picture:
-      return save_picture();
-    case Command::full_screen:
-      return isFullScreen() ? showNormal() : showFullScreen();
-    case Command::toggle_theme:
-      return apply_theme(!Theme::now().is_dark);
-    case Command::leave_program:
-      close();
-      return;
-    case Command::next_view:
-      return practise_->focus_next(false);
-    case Command::previous_view:
-      return practise_->focus_next(true);
-    case Command::begin:
-      return practice_.choose_built_in();
-    case Command::hold:
-      return practice_.toggle_hold();
-    case Command::push_in:
-    case Command::push_in_finely:
-      return practice_.hold_key(1, command == Command::push_in_finely);
-    case Command::draw_out:
-    case Command::draw_out_finely:
-      return practice_.hold_key(-1, command == Command::draw_out_finely);
-    case Command::withdraw:
-      return practice_.withdraw();
-    case Command::again:
-      return practice_.again();
-    case Command::end:
-      return practice_.end();
-    case Command::arm:
-      return practice_.arm();
-    case Command::show_numbers:
-      return practise_->toggle_numbers();
-    case Command::show_ladder:
-      return practise_->toggle_ladder();
-    case Command::show_dock:
-      return practise_->toggle_dock();
-    case Command::toggle_ultrasound:
-      return show_ultrasound(!has_ultrasound_);
-    case Command::fill:
-      return practise_->toggle_fill();
-    case Command::of_the_view:
-      return;
-  }
-}
-
-// With the probe lengthwise beside the planned way of the needle, which then lies in the slice.
-void MainWindow::show_ultrasound(bool on) {
-  if (shown_ == nullptr) on = false;
-  std::optional<station::UltrasoundChoice> choice;
-  try {
-    if (on) {
-      choice.emplace();
-      choice->probe = io::find_probe("C5-2");
-      choice->settings.depth = 90.0;
-      const bool has_path = shown_->description().procedure.path.has_value();
-      choice->request.view = has_path ? imaging::ScanView::needle : imaging::ScanView::paramedian;
-    }
-    practise_->show_ultrasound(choice);
-    practice_.set_ultrasound(choice);
-    has_ultrasound_ = on;
-  } catch (const InputError& error) {  // no skin there
-    practice_.say(error.what());
-  }
-  bar_->set_ultrasound(has_ultrasound_);
-}
-
-void MainWindow::choose_patient() {
-  if (practice_.state() != State::no_case && practice_.state() != State::ended) return practice_.pause(true);
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder of a case, or of DICOM images"));
-  if (!folder.isEmpty()) open(folder.toStdString());
-}
-
-void MainWindow::save_picture() {
-  const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-  const QString name = QDateTime::currentDateTime().toString(QStringLiteral("'bodkin' yyyy-MM-dd hh.mm.ss'.png'"));
-  grab().save(folder + QLatin1Char('/') + name);
-}
-
-void MainWindow::apply_theme(bool dark) {
-  Theme::use(dark);
-  qApp->setStyleSheet(Theme::now().style_sheet());
-  QSettings().setValue(QStringLiteral("dark"), dark);
-  update();
-}
-
 void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
   keys_->setGeometry(rect());
+  palette_->setGeometry(rect());
   for (QWidget* card :
        {static_cast<QWidget*>(preparing_), static_cast<QWidget*>(pause_), static_cast<QWidget*>(results_)})
     card->setGeometry(pages_->rect());
@@ -346,6 +435,7 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   QSettings().setValue(QStringLiteral("geometry"), saveGeometry());
+  practise_->save_layout();
   practice_.leave();  // what runs is saved when the window goes
   event->accept();
 }

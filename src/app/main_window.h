@@ -7,19 +7,27 @@
 
 #include "app/frame_clock.h"
 #include "app/key_table.h"
+#include "app/page.h"
 #include "app/practice.h"
+#include "app/sounds.h"
+#include "station/ultrasound_request.h"
 
 class QStackedWidget;
 
 namespace bodkin::app {
 
+class DevicesPage;
 class KeysCard;
 class PauseCard;
+class Palette;
 class PractisePage;
 class PreparingCard;
 class ResultsCard;
+class ReviewPage;
 class StartPage;
 class TopBar;
+class Tour;
+class UltrasoundPage;
 
 // The window: the bar, the pages below it, and the cards over them. It owns the practice and the frame clock, turns
 // keys and buttons into commands, and commands into what they do.
@@ -31,11 +39,20 @@ class MainWindow : public QMainWindow {
   ~MainWindow() override;
 
   void open(const std::filesystem::path& patient);
+  // As `bodkin perform` and `bodkin ultrasound --live` want it.
+  void perform(const std::filesystem::path& patient, const AttemptOptions& options);
+  void scan(const std::filesystem::path& patient, const station::UltrasoundRequest& request,
+            const std::filesystem::path& output);
   void run(Command command);
+  // Start and practise follow the practice; the others stand over it, and an attempt pauses meanwhile.
+  void show_page(PageId id);
+  // A session file on the review page.
+  void review(const std::filesystem::path& session);
 
   Practice& practice() { return practice_; }
   PractisePage& practise_page() { return *practise_; }
   FrameClock& clock() { return clock_; }
+  const Sounds& sounds() const { return sounds_; }
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -46,10 +63,17 @@ class MainWindow : public QMainWindow {
  private:
   void connect_views();
   void connect_cards();
+  void add_pages();
+  void add_page(Page* page, const QString& entry, const QString& tip);
+  void leave_page();
   void draw(double clock);
   void show_state();
+  void offer_recovered();
+  void use_device(const QString& driver, const QString& identity);
   QStringList dangers() const;
   void choose_patient();
+  void show_palette();
+  void begin_tour();
   void show_ultrasound(bool on);
   void save_picture();
   void apply_theme(bool dark);
@@ -67,10 +91,21 @@ class MainWindow : public QMainWindow {
   PauseCard* pause_;
   ResultsCard* results_;
   KeysCard* keys_;
+  ReviewPage* review_ = nullptr;
+  DevicesPage* devices_ = nullptr;
+  Palette* palette_;
+  Tour* tour_;
+  Sounds sounds_;
+  UltrasoundPage* ultrasound_;
+  std::vector<Page*> more_pages_;  // besides start and practise
+  Page* page_ = nullptr;           // of these, the one that is shown
+  Page* wanted_page_ = nullptr;    // as soon as there is a patient
+  bool has_paused_ = false;        // an attempt, for the page
   std::shared_ptr<const OpenCase> shown_;
   std::string shown_failure_;
   bool has_ultrasound_ = false;
-  State shown_state_ = State::ended;  // so that the first frame shows the start
+  std::optional<station::UltrasoundChoice> asked_ultrasound_;  // instead of the usual one
+  State shown_state_ = State::ended;                           // so that the first frame shows the start
 };
 
 }  // namespace bodkin::app

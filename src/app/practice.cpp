@@ -8,6 +8,9 @@
 #include "station/hand_session.h"
 #include <fmt/format.h>
 
+#include "training/planning_rules.h"
+#include "training/procedure_file.h"
+
 namespace bodkin::app {
 
 namespace {
@@ -47,12 +50,20 @@ Practice::~Practice() {
 void Practice::choose_built_in() {
   if (!machine_.apply(Signal::case_chosen)) return;
   failure_.clear();
+  options_ = {};
   cases_.open_built_in();
 }
 
 void Practice::choose(const std::filesystem::path& path) {
+  perform(path, {});
+}
+
+void Practice::perform(const std::filesystem::path& path, AttemptOptions options) {
   if (!machine_.apply(Signal::case_chosen)) return;
   failure_.clear();
+  if (options.ultrasound) ultrasound_ = options.ultrasound;
+  options_ = std::move(options);
+  attempts_ = 0;
   cases_.open(path);
 }
 
@@ -89,6 +100,7 @@ void Practice::toggle_hold() {
   const bool on = state() != State::held;
   if (!machine_.apply(on ? Signal::hold : Signal::release)) return;
   control_.hold(on);
+  if (feed_ == nullptr) link_.command(station::StationCommand::toggle_hold);
 }
 
 void Practice::arm() {
@@ -101,6 +113,7 @@ void Practice::acknowledge() {
 
 bool Practice::may_steer() const {
   const State now = state();
+  if (feed_ == nullptr) return false;
   return now == State::ready || now == State::aiming || needle_is_down(now);
 }
 
@@ -131,6 +144,11 @@ void Practice::tilt(double right, double cranial) {
   say("Draw back to just under the skin, then change the angle.");
 }
 
+void Practice::set_models(const ModelSettings& models) {
+  models_ = models;
+  if (is_attempt(state())) again();
+}
+
 void Practice::say(const std::string& sentence) {
   refusal_ = sentence;
   refused_at_ = clock_;
@@ -142,6 +160,16 @@ void Practice::hold_key(int direction, bool fine) {
 
 void Practice::withdraw() {
   if (may_steer()) control_.withdraw();
+}
+
+void Practice::press_plunger(bool on) {
+  if (on == plunger_pressed_ || !has_syringe() || (on && !may_steer())) return;
+  plunger_pressed_ = on;
+  link_.command(on ? station::StationCommand::press_plunger : station::StationCommand::release_plunger);
+}
+
+bool Practice::has_syringe() const {
+  return patient_ != nullptr && patient_->patient.description.haptics.parts.syringe.has_value();
 }
 
 void Practice::set_crosshair(const Vec3& point) {
@@ -158,6 +186,16 @@ void Practice::set_ultrasound(const std::optional<station::UltrasoundChoice>& ch
   if (is_attempt(state())) again();
 }
 
+void Practice::set_device(const std::optional<PracticeDevice>& device) {
+  device_ = device;
+  if (is_attempt(state())) again();
+}
+
+void Practice::set_plan(const anatomy::NeedlePath& path) {
+  plan_ = path;
+  if (is_attempt(state()) || state() == State::ended) again();
+}
+
 CaseModel::Status Practice::preparation() const {
   return cases_.status();
 }
@@ -165,6 +203,8 @@ CaseModel::Status Practice::preparation() const {
 void Practice::take_patient() {
   if (std::shared_ptr<const OpenCase> opened = cases_.take()) {
     patient_ = std::move(opened);
+    plan_ = patient_->description().procedure.path;
+    models_.reset();
     begin_attempt();
   }
   const CaseModel::Status status = cases_.status();
@@ -176,12 +216,22 @@ void Practice::take_patient() {
 
 void Practice::begin_attempt() {
   result_.reset();
+  failed_with_.clear();
   log_.clear();
   dangers_.clear();
   again_wanted_ = false;
-  acknowledged_ = was_forbidden_ = false;
+  acknowledged_ = was_forbidden_ = plunger_pressed_ = false;
+  completion_.clear();
+  const std::string completing =
+      training::completing_tissue(training::procedure_of_case(patient_->description().procedure.name));
+  const anatomy::TissueProperties* const lesion = patient_->patient.library.find(completing);
+  completing_.reset();
+  if (lesion != nullptr) completing_ = lesion->id;
+  completes_at_target_ =
+      lesion != nullptr && plan_ &&
+      anatomy::nearest(patient_->patient.tissues, plan_->target, anatomy::tissue::air) != lesion->id;
   const anatomy::Case& patient = patient_->patient;
-  const std::optional<anatomy::NeedlePath>& plan = patient.description.procedure.path;
+  const std::optional<anatomy::NeedlePath>& plan = plan_;
   const anatomy::NeedlePath path = plan ? *plan : unplanned_path(patient.tissues);
   control_.begin(plan, entry_of(patient.tissues, path));
   maker_.begin(patient_, plan);
@@ -190,16 +240,29 @@ void Practice::begin_attempt() {
   try {
     station::StationOptions options;
     options.patient = patient;
+    options.patient.description.procedure.path = plan;
     options.case_folder = patient_->folder;
     options.path = path;
     options.device.driver = &mouse_driver();
-    options.output = new_session_file(patient_->title);
-    options.longest = longest_;
+    const bool is_asked = !options_.output.empty();  // by `bodkin perform`, which names the device
+    if (device_ && !is_asked) options.device = device_->choice;
+    options.output = options_.output.empty() ? new_session_file(patient_->title) : options_.file_of(attempts_);
+    options.overwrite = options_.overwrite && attempts_ == 0;
+    ++attempts_;
+    options_.apply(options);
+    if (models_) {
+      options.patient.description.haptics = models_->haptics;
+      options.patient.library = anatomy::TissueLibrary(models_->tissues);
+    }
     options.ultrasound = ultrasound_;
-    feed_ = std::make_shared<MouseFeed>(station::workspace_about(path));
-    feed_->wishes.write(control_.wish());
-    connect_mouse(feed_);
-    link_.start(std::move(options), "Mouse", plan.has_value(), points_);
+    const bool has_mouse = options.device.driver == &mouse_driver();
+    feed_ = has_mouse ? std::make_shared<MouseFeed>(station::workspace_about(path)) : nullptr;
+    if (has_mouse) {
+      feed_->wishes.write(control_.wish());
+      connect_mouse(feed_);
+    }
+    const std::string device = has_mouse ? "Mouse" : is_asked ? options.device.driver->name : device_->title;
+    link_.start(std::move(options), device, plan.has_value(), points_);
   } catch (const std::exception& error) {
     failure_ = error.what();
     machine_.apply(Signal::cancelled);
@@ -214,8 +277,9 @@ void Practice::take_news(const StationNews& news) {
   const bool over = news.phase == Phase::finished || news.phase == Phase::failed || news.phase == Phase::idle;
   if (again_wanted_ && over && state() == State::preparing) return begin_attempt();
   if (again_wanted_) return;
-  if (news.phase == Phase::failed && failure_ != news.error) {
-    failure_ = news.error;
+  if (news.phase == Phase::failed && failed_with_ != news.error) {
+    failed_with_ = failure_ = news.error;
+    if (feed_ == nullptr && device_) failure_ += "; or choose the mouse on the page Devices";
     if (!machine_.apply(Signal::cancelled)) machine_.apply(Signal::end);
   }
   if (state() == State::preparing && news.phase == Phase::running && news.needle.ticks > 0)
@@ -262,19 +326,33 @@ void Practice::follow_warning() {
   if (is_over || !maker_.is_touching() || (acknowledged_ && !found)) frame_.warning.reset();
 }
 
+// A biopsy is complete when the tip touches the lesion.
+void Practice::follow_completion() {
+  if (!completing_ || !maker_.has_punctured() || !needle_is_down(state())) return;
+  const bool touches = frame_.tissue == *completing_;
+  if (!touches && !(completes_at_target_ && frame_.target_reached)) return;
+  completion_ = fmt::format("The tip {} {:.1f} mm below the skin: the attempt is complete.",
+                            touches ? "touched the lesion" : "reached the target", frame_.depth);
+  end();
+}
+
 std::string Practice::hint() const {
   if (clock_ - refused_at_ < refusal_shown && !refusal_.empty()) return refusal_;
   switch (state()) {
     case State::preparing:
       return "The patient is being prepared.";
     case State::ready:
+      if (feed_ == nullptr) return "Bring the needle to the ring on the skin, and push.";
       return "Point at the ring on the skin and click, or just scroll.";
     case State::aiming:
       return control_.is_down() ? "The needle goes to the skin."
                                 : "Click to put the needle on the skin. Drag the hub to tilt.";
     case State::touching:
+      if (feed_ == nullptr) return "Pressing on skin. Push until it gives.";
       return "Pressing on skin. Scroll to push until it gives.";
     case State::in_tissue:
+      if (has_syringe()) return "Hold B to press the plunger of the syringe. E ends. F1 keys";
+      if (feed_ == nullptr) return "Push or draw back. E ends. F1 keys";
       return "Scroll to push or draw back. Space holds. F1 keys";
     case State::reached:
       return fmt::format("Target reached at {:.1f} mm. E ends.", frame_.depth);
@@ -283,7 +361,7 @@ std::string Practice::hint() const {
     case State::faulted:
       return "The guard took the force away. V arms again.";
     case State::device_lost:
-      return "The device does not answer. Reconnect it, or end.";
+      return "The device does not answer.";
     default:
       return {};
   }
@@ -309,10 +387,12 @@ const Frame& Practice::advance(double clock) {
     feed_->wishes.write(control_.wish());
   }
   const bool lives = is_attempt(state()) || state() == State::ended;
-  if (lives && news.phase != StationNews::Phase::preparing) maker_.update(frame_, news, &control_, hand);
+  if (lives && news.phase != StationNews::Phase::preparing)
+    maker_.update(frame_, news, feed_ != nullptr ? &control_ : nullptr, hand);
   if (is_attempt(state())) {
     follow_needle();
     follow_warning();
+    follow_completion();
   } else {
     frame_.warning.reset();
   }

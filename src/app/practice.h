@@ -9,7 +9,9 @@
 #include "app/frame_maker.h"
 #include "app/hand/mouse_driver.h"
 #include "app/hand/needle_control.h"
+#include "app/models/attempt_options.h"
 #include "app/models/case_model.h"
+#include "app/models/parameter_model.h"
 #include "app/models/station_link.h"
 
 namespace bodkin::app {
@@ -18,6 +20,12 @@ namespace bodkin::app {
 struct MetDanger {
   Warning warning;
   double time = 0.0, depth = 0.0;  // s, mm
+};
+
+// What holds the needle instead of the mouse.
+struct PracticeDevice {
+  station::DeviceChoice choice;
+  std::string title;  // for people
 };
 
 // A person practises: patient, station, hand and state put together, without a widget. All calls from the window's
@@ -32,6 +40,8 @@ class Practice {
   // A patient is opened, and an attempt begins. From the start page and the results only.
   void choose_built_in();
   void choose(const std::filesystem::path& path);
+  // The same, with other models, devices and files than usual, until another patient is chosen.
+  void perform(const std::filesystem::path& path, AttemptOptions options);
   void cancel();  // the preparation
 
   // What a person may wish of an attempt; ignored where the state does not allow it.
@@ -52,12 +62,22 @@ class Practice {
   void tilt(double right, double cranial);
   void hold_key(int direction, bool fine);
   void withdraw();
+  void press_plunger(bool on);  // of the syringe, if the patient's needle has one
   void set_crosshair(const Vec3& point);
   void toggle_follow();
 
   // Ultrasound with this probe and machine in the attempts that follow (nothing: without). One that runs is saved,
   // and another begins.
   void set_ultrasound(const std::optional<station::UltrasoundChoice>& choice);
+  // What holds the needle in the attempts that follow (nothing: the mouse). One that runs is saved, and another
+  // begins.
+  void set_device(const std::optional<PracticeDevice>& device);
+  const std::optional<PracticeDevice>& device() const noexcept { return device_; }
+  // Another path for the attempts that follow. One that runs is saved, and another begins.
+  void set_plan(const anatomy::NeedlePath& path);
+  // Other numbers of the force model in the attempts that follow on this patient. One that runs is saved, and another
+  // begins.
+  void set_models(const ModelSettings& models);
   // A sentence that the hint shows for some seconds.
   void say(const std::string& sentence);
   void order_scan(const station::ScanOrder& order) { link_.set_scan_order(order); }
@@ -73,6 +93,8 @@ class Practice {
   CaseModel::Status preparation() const;
   // Why the last preparation came to nothing; empty: it did not.
   const std::string& failure() const noexcept { return failure_; }
+  // Why the attempt has ended by itself, a sentence: the procedure is complete; empty: it has not.
+  const std::string& completion() const noexcept { return completion_; }
   // Of the attempt that has ended, as soon as it is saved.
   const std::optional<AttemptResult>& result() const noexcept { return result_; }
   // Every place of this attempt where the tip must not be, in the order in which it was met; the same place once.
@@ -89,28 +111,37 @@ class Practice {
   void take_news(const StationNews& news);
   void follow_needle();
   void follow_warning();
+  void follow_completion();
   std::string hint() const;
   bool may_steer() const;
+  bool has_syringe() const;
 
   CaseModel cases_;
   StationLink link_;
   StateMachine machine_;
   FrameMaker maker_;
   NeedleControl control_;
-  std::shared_ptr<MouseFeed> feed_;
+  std::shared_ptr<MouseFeed> feed_;  // null where another device holds the needle
   std::shared_ptr<const OpenCase> patient_;
+  std::optional<anatomy::NeedlePath> plan_;      // instead of the one of the case
+  std::optional<anatomy::TissueId> completing_;  // the tissue whose touch ends the attempt
+  bool completes_at_target_ = false;             // the target is not made of it: reaching it does
+  std::string completion_;
   std::optional<AttemptResult> result_;
   std::optional<station::UltrasoundChoice> ultrasound_;
+  std::optional<PracticeDevice> device_;
+  AttemptOptions options_;
+  std::optional<ModelSettings> models_;
+  int attempts_ = 0;  // with these options
   StationLink::Points points_;
   Frame frame_;
   Changes changes_;
-  std::string failure_;
+  std::string failure_, failed_with_;
   std::string refusal_;  // why the last wish was not done
   std::vector<std::string> log_;
   std::vector<MetDanger> dangers_;
   double refused_at_ = 0.0, safe_since_ = 0.0, clock_ = 0.0;
-  bool again_wanted_ = false, acknowledged_ = false, was_forbidden_ = false;
-  double longest_ = 3600.0;  // s
+  bool again_wanted_ = false, acknowledged_ = false, was_forbidden_ = false, plunger_pressed_ = false;
 };
 
 }  // namespace bodkin::app

@@ -126,6 +126,17 @@ bool Script::wait_for(const QString& state, double seconds) {
   return reached();
 }
 
+bool Script::show_page(const QString& name) {
+  for (int i = 0; i < page_count; ++i) {
+    const auto id = static_cast<PageId>(i);
+    if (name != QLatin1String(name_of(id))) continue;
+    window_.show_page(id);
+    let_pass(2.0 * frame_time);
+    return true;
+  }
+  throw InputError("'" + name.toStdString() + "' is no page");
+}
+
 bool Script::expect(const QString& property, const QString& value) {
   const int dot = property.lastIndexOf(QLatin1Char('.'));
   QWidget* const found = widget(property.left(dot));
@@ -165,6 +176,7 @@ bool Script::step(const QStringList& words) {
   if (verb == QLatin1String("wait") && count == 2) return let_pass(seconds_of(words[1])), true;
   if (verb == QLatin1String("wait") && count == 3) return wait_for(words[1], seconds_of(words[2]));
   if (verb == QLatin1String("expect") && count >= 3) return expect(words[1], words.mid(2).join(QLatin1Char(' ')));
+  if (verb == QLatin1String("page") && count == 2) return show_page(words[1]);
   if (verb == QLatin1String("shot") && count == 2) return shoot(words[1]);
   if (verb == QLatin1String("key") && count == 2) return press(words[1], frame_time), true;
   if (verb == QLatin1String("hold") && count == 3) return press(words[1], seconds_of(words[2])), true;
@@ -174,7 +186,7 @@ bool Script::step(const QStringList& words) {
   const bool wheel = verb == QLatin1String("wheel") && (count == 3 || count == 4);
   if (!click && !move && !drag && !wheel) {
     throw InputError("'" + words.join(QLatin1Char(' ')).toStdString() +
-                     "' is no step; expected click, move, drag, wheel, key, hold, wait, expect or shot");
+                     "' is no step; expected click, move, drag, wheel, key, hold, wait, page, expect or shot");
   }
   QWidget* const target = widget(words[1]);
   if (target == nullptr) return false;

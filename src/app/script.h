@@ -22,6 +22,7 @@ QSize parse_size(const QString& text);
 //   wheel NAME n [modifier]    notches, positive: away from the person; Shift, Ctrl or Alt
 //   key KEYS                   "Ctrl+T", "PgDown"; hold KEYS 2s keeps them down
 //   wait STATE 10s             until the state is reached, or the script has failed; wait 0.5s waits
+//   page NAME                  another page: start, practise, plan, scan, review, ...
 //   expect NAME.property VALUE a property of a widget, as text
 //   shot FILE                  a picture of the window
 //
@@ -44,6 +45,7 @@ class Script {
   bool wait_for(const QString& state, double seconds);
   bool expect(const QString& property, const QString& value);
   void press(const QString& keys, double seconds);
+  bool show_page(const QString& name);
   bool shoot(const QString& name);
 
   MainWindow& window_;

@@ -86,6 +86,13 @@ QScrollBar::handle:vertical { background: %5; border-radius: 5px; min-height: 24
 QScrollBar::add-line, QScrollBar::sub-line { height: 0; width: 0; }
 QSplitter::handle { background: %3; }
 QLineEdit { background: %7; border: 1px solid %5; border-radius: 6px; padding: 6px; }
+QListWidget::item { padding: 5px 8px; border-radius: 6px; }
+QListWidget::item:selected { background: %9; color: %2; }
+QComboBox, QDoubleSpinBox { background: %7; border: 1px solid %5; border-radius: 6px; padding: 5px 8px; }
+QComboBox QAbstractItemView { background: %7; selection-background-color: %9; }
+QSlider::groove:horizontal { background: %5; height: 6px; border-radius: 3px; }
+QSlider::sub-page:horizontal { background: %8; border-radius: 3px; }
+QSlider::handle:horizontal { background: %2; width: 16px; margin: -5px 0; border-radius: 8px; }
 QMenu { background: %7; border: 1px solid %5; }
 QMenu::item { padding: 5px 18px; }
 QMenu::item:selected { background: %9; }

@@ -14,8 +14,9 @@ namespace bodkin::station {
 namespace {
 
 constexpr std::chrono::milliseconds update_interval{100};
-constexpr double step_time_per_node = 2.5e-6;  // s on one core of 2.4 GHz (docs/corotational.md)
-constexpr double slow_motion = 0.9;            // of the steps; fewer are reported
+constexpr std::size_t most_node_corridors = 7;  // beside the first: each takes some 100 MB
+constexpr double step_time_per_node = 2.5e-6;   // s on one core of 2.4 GHz (docs/corotational.md)
+constexpr double slow_motion = 0.9;             // of the steps; fewer are reported
 
 }  // namespace
 
@@ -31,7 +32,9 @@ std::string slow_motion_warning(std::size_t nodes) {
 BodySupervisor::BodySupervisor(std::shared_ptr<const anatomy::Case> patient,
                                std::shared_ptr<const fem::BodyDescription> body, double length)
     : patient_(std::move(patient)) {
-  keeper_.emplace(patient_, std::move(body), length, simulation::BodyPort::most_corridors - 1);
+  const bool points = patient_->corridor.body != nullptr && patient_->corridor.body->has_contact_points();
+  keeper_.emplace(patient_, std::move(body), length,
+                  points ? simulation::BodyPort::most_corridors - 1 : most_node_corridors);
 }
 
 BodySupervisor::BodySupervisor(std::shared_ptr<const anatomy::Case> patient, std::shared_ptr<PatientBody> moving)

@@ -18,6 +18,11 @@ namespace {
 struct GivenUp : std::exception {};
 
 constexpr double same_place = 5.0;  // mm, within which a path that was refused is not tried again
+constexpr double still = 1.0;       // mm, by which a hand that aims may move from update to update
+
+bool within(double distance, const anatomy::NeedlePath& one, const anatomy::NeedlePath& other) {
+  return (one.entry - other.entry).norm() < distance && (one.target - other.target).norm() < distance;
+}
 
 }  // namespace
 
@@ -39,8 +44,7 @@ std::optional<anatomy::NeedlePath> CorridorKeeper::uncovered(const Pose& needle)
   const anatomy::DeformableBodySettings& settings = *anatomy::body_of(patient_->description.haptics.resistance);
   for (const anatomy::PreparedCorridor& corridor : corridors_)
     if (fem::covers(corridor, *path, settings)) return {};
-  const auto near = [](const Vec3& one, const Vec3& other) { return (one - other).norm() < same_place; };
-  if (refused_ && near(refused_->entry, path->entry) && near(refused_->target, path->target)) return {};
+  if (refused_ && within(same_place, *refused_, *path)) return {};
   return path;
 }
 
@@ -59,7 +63,9 @@ CorridorKeeper::News CorridorKeeper::update(const Pose& needle, std::uint64_t ti
     return news;
   }
   const std::optional<anatomy::NeedlePath> path = uncovered(needle);
+  const std::optional<anatomy::NeedlePath> before = std::exchange(aimed_, path);
   if (!path) return news;
+  if (corridors_.front().body->has_contact_points() && !(before && within(still, *before, *path))) return news;
   if (corridors_.size() > room_) {
     if (!std::exchange(said_full_, true)) {
       news.sentence = fmt::format(
@@ -71,7 +77,7 @@ CorridorKeeper::News CorridorKeeper::update(const Pose& needle, std::uint64_t ti
   }
   wanted_ = *path;
   making_ = std::async(std::launch::async, [this, about = *path, tick] {
-    return patient::another_corridor(*body_, *patient_, about, tick, [this](std::string_view, double) {
+    return patient::another_corridor(*body_, *patient_, about, tick, kept_, [this](std::string_view, double) {
       if (given_up_.load()) throw GivenUp();
     });
   });

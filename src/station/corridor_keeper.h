@@ -10,13 +10,15 @@
 #include <vector>
 
 #include "anatomy/case.h"
-#include "fem/solid/elastic_body.h"
+#include "fem/solid/contact_body.h"
 
 namespace bodkin::station {
 
 // Prepares more of a static deformable body while a hand moves: where the needle aims and no corridor covers its
 // path, one is made on a background thread and returned when it is ready. One at a time; where the needle aims
-// meanwhile is checked afterwards. All calls from one thread, none of which waits.
+// meanwhile is checked afterwards. A corridor of contact points, which is for one line and made in a fraction of a
+// second, waits until the needle aims at the same place in two updates. All calls from one thread, none of which
+// waits.
 class CorridorKeeper {
  public:
   // A corridor for the tick (HapticTick::add_corridor), and a sentence for the person.
@@ -50,6 +52,8 @@ class CorridorKeeper {
   std::optional<anatomy::NeedlePath> refused_;  // the last path about which no corridor could be made
   anatomy::NeedlePath wanted_;                  // path of the corridor that is being made
   bool said_full_ = false;
+  std::shared_ptr<const fem::ContactBody> kept_;  // of the thread that makes corridors, one at a time
+  std::optional<anatomy::NeedlePath> aimed_;      // by the needle in the last update, where nothing is prepared
   std::atomic<bool> given_up_{false};
   std::future<anatomy::PreparedCorridor> making_;  // the last member: its thread uses the others
 };

@@ -43,12 +43,15 @@ struct HandSession::Shared {
         tick(*patient),
         body(tick.body()),
         second(std::move(link)),
+        plunger(header.second && header.second->role == session::SecondRole::plunger ? second.get() : nullptr),
+        has_syringe(patient->description.haptics.parts.syringe.has_value()),
         recorder(session::SessionWriter(output, header, overwrite), {}, session::Recorder::usual_capacity, second) {}
 
   haptics::Control step(const haptics::ControlInput& input) noexcept {
     simulation::TickRecord record;
     record.tick = ticks;
     record.input.needle = input.needle;
+    if (has_syringe) record.input.thumb = thumb_now();
     record.output = tick.step(record.input);
     const Vec3 ahead = body == nullptr ? Vec3(Vec3::Zero()) : body->needle_ahead();
     publish_forces(input.needle, ahead);
@@ -73,6 +76,11 @@ struct HandSession::Shared {
     return {record.output.applied, 0.0};
   }
 
+  simulation::Thumb thumb_now() const noexcept {
+    if (plunger == nullptr) return simulation::Thumb::from_byte(thumb.load(std::memory_order_relaxed));
+    return simulation::Thumb::of_force(plunger->thumb_force.load(std::memory_order_relaxed));
+  }
+
   // To whoever shows the body, the needle in it, and moves it.
   void publish_forces(Pose needle, const Vec3& ahead) noexcept {
     if (!display && !scan && !moving) return;
@@ -91,8 +99,11 @@ struct HandSession::Shared {
 
   std::shared_ptr<const anatomy::Case> patient;
   simulation::HapticTick tick;
-  simulation::BodyPort* body;                          // of the tick; may be null
-  std::shared_ptr<session::SecondLink> second;         // may be null
+  simulation::BodyPort* body;                   // of the tick; may be null
+  std::shared_ptr<session::SecondLink> second;  // may be null
+  const session::SecondLink* plunger;           // the same, if the second hand holds the plunger
+  bool has_syringe;
+  std::atomic<std::uint8_t> thumb{0};
   std::shared_ptr<simulation::DisplayThread> display;  // may be null
   std::shared_ptr<ScanThread> scan;                    // may be null
   std::shared_ptr<PatientBody> moving;                 // may be null
@@ -161,6 +172,10 @@ simulation::BodyPort* HandSession::body() noexcept {
 
 bool HandSession::failed() const noexcept {
   return shared_->recorder.failed();
+}
+
+void HandSession::set_thumb(simulation::Thumb thumb) noexcept {
+  shared_->thumb.store(thumb.byte(), std::memory_order_relaxed);
 }
 
 bool HandSession::finish() {

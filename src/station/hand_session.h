@@ -79,6 +79,9 @@ class HandSession {
   simulation::BodyPort* body() noexcept;
   // The recording cannot be written; finish() says why.
   bool failed() const noexcept;
+  // Any thread: the thumb on the plunger of the case's syringe from the next tick on. A second hand on the plunger is
+  // the thumb, whatever this says.
+  void set_thumb(simulation::Thumb thumb) noexcept;
 
   // Zero force, the end of the loop, and the recording closed. False: the device did not let itself be stopped.
   // Throws what went wrong with the recording.

@@ -15,6 +15,12 @@ namespace {
 constexpr double same_line = 5.0;  // mm, within which a refused line is not tried again
 
 anatomy::CondensedBody without_compliance(const anatomy::CondensedBody& body) {
+  if (body.has_contact_points()) {
+    throw InputError(
+        "--body is 'moving', which needs a needle that meets nodes of the mesh, and this one meets points of its "
+        "line; "
+        "leave out contact=points");
+  }
   return {body.nodes, body.mesh_nodes, body.tissues, {}};
 }
 

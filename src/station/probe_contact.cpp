@@ -70,4 +70,11 @@ Vec3 ProbeContact::step(const Pose& probe) noexcept {
   return -force_ * axis;
 }
 
+Pose probe_in_hand(const Pose& tool) {
+  Pose probe = tool;
+  probe.linear().col(1) = tool.linear().col(2);
+  probe.linear().col(2) = -tool.linear().col(1);
+  return probe;
+}
+
 }  // namespace bodkin::station

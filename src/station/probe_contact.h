@@ -38,4 +38,8 @@ class ProbeContact {
   double force_ = 0.0;
 };
 
+// The pose of the machine's probe in the hand that holds `tool` (third axis out of its face, LPS): the tool's third
+// axis is the probe's second, and both have the array along the first.
+Pose probe_in_hand(const Pose& tool);
+
 }  // namespace bodkin::station

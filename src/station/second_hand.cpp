@@ -62,6 +62,7 @@ struct SecondHand::Shared {
       now.force = plunger->force();
       now.pressure = plunger->pressure();
       now.volume = plunger->volume();
+      link->thumb_force.store(now.force, std::memory_order_relaxed);
     } else if (ProbeContact* const probe = std::get_if<ProbeContact>(&model)) {
       control.wrench.force = probe->step(input.needle);
       now.force = probe->force();

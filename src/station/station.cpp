@@ -15,7 +15,9 @@
 #include "station/body_supervisor.h"
 #include "station/device_choice.h"
 #include "station/followed_points.h"
+#include "station/guard_sentence.h"
 #include "station/node_field.h"
+#include "station/probe_contact.h"
 #include "station/recorded_hand.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -71,23 +73,6 @@ anatomy::DeviceLimits limits_with(const DeviceChoice& choice, const haptics::Dev
   return read_recorded_hand(choice.identity).limits.value_or(of_case);
 }
 
-std::string sentence_of(const haptics::GuardEvent& event) {
-  std::string text(haptics::text_of(event.reason));
-  if (event.cause != haptics::GuardReason::none) text += fmt::format(": {}", haptics::text_of(event.cause));
-  if (event.device_fault != haptics::DeviceFault::none)
-    text += fmt::format(": {}", haptics::text_of(event.device_fault));
-  return text;
-}
-
-// The pose of the machine's probe in the hand that holds `tool` (third axis out of its face, LPS): the tool's third
-// axis is the probe's second, and both have the array along the first.
-Pose probe_in_hand(const Pose& tool) {
-  Pose probe = tool;
-  probe.linear().col(1) = tool.linear().col(2);
-  probe.linear().col(2) = -tool.linear().col(1);
-  return probe;
-}
-
 Pose first_probe(const UltrasoundChoice& choice, const anatomy::Case& patient) {
   try {
     return hold_probe(choice, patient).pose();
@@ -111,6 +96,7 @@ struct Station::Parts {
   double elapsed() const { return std::chrono::duration<double>(Clock::now() - begin).count(); }
   void say(const std::string& sentence);
   void report_events(haptics::ServoTick& servo, bool has_force, const char* whose);
+  void press_plunger(bool on);
   void disarm_second_on_fault();
   void update_scan();
   void update_displacements();
@@ -261,6 +247,11 @@ void Station::Parts::disarm_second_on_fault() {
   was_faulted = faulted;
 }
 
+void Station::Parts::press_plunger(bool on) {
+  status.plunger_pressed = on && patient->description.haptics.parts.syringe.has_value();
+  session->set_thumb(on ? simulation::Thumb() : simulation::Thumb::of_force(0.0));
+}
+
 void Station::Parts::update_scan() {
   if (scan == nullptr) return;
   status.probe_is_held = second_runs && second->role() == session::SecondRole::probe;
@@ -350,6 +341,8 @@ void Station::start() {
       parts.observer.note(fmt::format("the second hand takes no part: {}", error.what()));
     }
   }
+  const DeviceChoice& hand = parts.options.device;
+  parts.press_plunger(hand.is_simulated() || hand.is_recorded());
   parts.session->start();
   parts.begin = Clock::now();
   command(StationCommand::arm);
@@ -429,6 +422,10 @@ void Station::command(StationCommand command) {
       return send(servo.snapshot().frozen ? Kind::unfreeze : Kind::freeze);
     case StationCommand::toggle_clutch:
       return send(servo.snapshot().clutched ? Kind::unclutch : Kind::clutch);
+    case StationCommand::press_plunger:
+      return parts.press_plunger(true);
+    case StationCommand::release_plunger:
+      return parts.press_plunger(false);
     case StationCommand::end:
       return end();
   }

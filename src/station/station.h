@@ -10,10 +10,12 @@
 namespace bodkin::station {
 
 enum class StationCommand {
-  arm,            // both hands feel their forces
-  disarm,         // neither does
-  toggle_hold,    // the needle stays where it is while the hand moves, and is taken up again
-  toggle_clutch,  // the needle stays where it is while the hand moves, and follows from there
+  arm,              // both hands feel their forces
+  disarm,           // neither does
+  toggle_hold,      // the needle stays where it is while the hand moves, and is taken up again
+  toggle_clutch,    // the needle stays where it is while the hand moves, and follows from there
+  press_plunger,    // the thumb, on that of the case's syringe; a second hand on the plunger has its own thumb
+  release_plunger,  // as it is at the start; a simulated or recorded hand presses all the time
   end
 };
 

@@ -39,6 +39,7 @@ struct StationStatus {
   std::span<const float> displacements;     // mm, x y z of every point of StationObserver::prepare() in turn
   const LivePicture* ultrasound = nullptr;  // the newest picture; null: no ultrasound
   bool probe_is_held = false;               // the second hand holds the ultrasound probe
+  bool plunger_pressed = false;             // the thumb is on the plunger of the case's syringe
 };
 
 // What watches and steers a running session: a window, a terminal, a server, a test. All calls come from the thread

@@ -19,6 +19,7 @@ class ApplicationWithoutDisplay : public testing::Environment {
     for (const char* variable : {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
       qputenv(variable, folder_.string().c_str());
     qputenv("BODKIN_IMAGES_WORKER", BODKIN_BUILD "/bin/bodkin-images");
+    qputenv("BODKIN_PROGRAM", BODKIN_BUILD "/bin/bodkin");  // which asks drivers what they find
     application_ = std::make_unique<QApplication>(arguments_, names_);
     QApplication::setOrganizationName(QStringLiteral("bodkin"));
     QApplication::setApplicationName(QStringLiteral("app-tests"));

@@ -21,6 +21,7 @@ using namespace bodkin::anatomy;
 using namespace bodkin::fem;
 using namespace bodkin::forces;
 using namespace bodkin::io;
+using namespace bodkin::patient;
 using namespace bodkin::session;
 using namespace bodkin::simulation;
 using namespace bodkin::station;
@@ -36,7 +37,7 @@ struct BlockOfTissue {
 };
 
 // A block of tissue, skin at z = 0, whose planned path runs at x = 15; the corridor reaches 8 mm.
-BlockOfTissue block_of_tissue() {
+BlockOfTissue block_of_tissue(NeedleContactKind contact = NeedleContactKind::nodes) {
   BlockOfTissue made;
   Case& patient = made.patient;
   patient.library = default_tissue_library();
@@ -51,6 +52,7 @@ BlockOfTissue block_of_tissue() {
   patient.description.device = {"strong", 100.0, 50.0, 1e6, 100.0, 0.0};
   patient.description.haptics.constraint = NoConstraint{};
   EmbeddedNeedleSettings settings;
+  settings.contact = contact;
   settings.capture_radius = 4.0;
   settings.spacing = 4.0;
   settings.body.corridor_radius = 8.0;
@@ -62,7 +64,13 @@ BlockOfTissue block_of_tissue() {
   std::fill(mesh.tissues.begin(), mesh.tissues.end(), tissue::muscle);
   const NeedlePath& path = *patient.description.procedure.path;
   made.body = std::make_shared<const BodyDescription>(describe_body(mesh, patient, settings.body, path).body);
-  patient.corridor = {std::make_shared<const CondensedBody>(condense(*made.body)), path, {}};
+  if (contact == NeedleContactKind::points) {
+    std::shared_ptr<const ContactBody> kept;
+    patient.corridor = another_corridor(*made.body, patient, path, 0, kept);
+    patient.corridor.aimed_at.reset();
+  } else {
+    patient.corridor = {std::make_shared<const CondensedBody>(condense(*made.body)), path, {}};
+  }
   return made;
 }
 
@@ -102,6 +110,20 @@ TEST(CorridorKeeper, prepares_where_the_needle_aims_and_nothing_else_covers_its_
   EXPECT_FALSE(keeper.update(needle_over_block(58.0, -10.0), 9).sentence);  // said once
 }
 
+TEST(CorridorKeeper, prepares_the_points_of_every_line_at_which_the_needle_stays_aimed) {
+  const BlockOfTissue block = block_of_tissue(NeedleContactKind::points);
+  CorridorKeeper keeper(std::make_shared<const Case>(block.patient), block.body, 30.0, 31);
+  EXPECT_FALSE(keeper.update(needle_over_block(16.0, -10.0), 1).sentence);  // along the planned path
+  for (int i = 0; i < 20; ++i) keeper.update(needle_over_block(20.0 + 1.5 * i, -10.0), 2);
+  EXPECT_FALSE(keeper.is_preparing());  // the hand was on its way
+  for (const double x : {18.0, 45.0, 31.0}) {
+    const std::optional<PreparedCorridor> made = wait_for(keeper, needle_over_block(x, -10.0), 7);
+    ASSERT_TRUE(made) << x;
+    EXPECT_TRUE(made->body->has_contact_points());
+    for (const Vec3& point : made->body->nodes) EXPECT_LT(std::hypot(point.x() - x, point.y() - 30.0), 1e-9);
+  }
+}
+
 TEST(CorridorKeeper, is_left_at_once_while_it_prepares) {
   const BlockOfTissue block = block_of_tissue();
   const auto before = std::chrono::steady_clock::now();
@@ -113,8 +135,8 @@ TEST(CorridorKeeper, is_left_at_once_while_it_prepares) {
 }
 
 // A session of two punctures, the second where the needle aimed in tick 100, and its replay.
-TEST(CorridorKeeper, a_session_that_took_another_corridor_replays_to_the_bit) {
-  BlockOfTissue block = block_of_tissue();
+void expect_another_corridor_to_replay(NeedleContactKind contact) {
+  BlockOfTissue block = block_of_tissue(contact);
   Session session;
   session.header.path = *block.patient.description.procedure.path;
   session.header.haptics = block.patient.description.haptics;
@@ -151,6 +173,14 @@ TEST(CorridorKeeper, a_session_that_took_another_corridor_replays_to_the_bit) {
   EXPECT_FALSE(same.difference) << same.difference->field << " at tick " << same.difference->tick;
   EXPECT_EQ(same.ticks, session.ticks.size());
   EXPECT_THROW(replay_session(session, block.patient), InputError);  // without the body
+}
+
+TEST(CorridorKeeper, a_session_that_took_another_corridor_replays_to_the_bit) {
+  expect_another_corridor_to_replay(NeedleContactKind::nodes);
+}
+
+TEST(CorridorKeeper, a_session_that_took_the_points_of_another_line_replays_to_the_bit) {
+  expect_another_corridor_to_replay(NeedleContactKind::points);
 }
 
 }  // namespace

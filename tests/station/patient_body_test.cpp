@@ -256,7 +256,8 @@ TEST(PatientBody, leads_the_corridor_to_where_the_needle_aims_and_says_so) {
   EXPECT_NEAR(corridor->path.entry.x(), 30.0, 1e-9);
   for (const Vec3& node : corridor->at_rest) EXPECT_NEAR(node.x(), 30.0, 16.0);
   // As a static body would have it there.
-  const PreparedCorridor expected = another_corridor(*block.body, block.patient, corridor->path, 0);
+  std::shared_ptr<const ContactBody> kept;
+  const PreparedCorridor expected = another_corridor(*block.body, block.patient, corridor->path, 0, kept);
   EXPECT_EQ(corridor->body->mesh_nodes, expected.body->mesh_nodes);
   EXPECT_EQ(corridor->body->tissues, expected.body->tissues);
   EXPECT_EQ(corridor->at_rest, expected.body->nodes);

@@ -181,6 +181,66 @@ TEST_F(StationTest, a_probe_in_the_second_hand_presses_a_moving_body) {
   EXPECT_GT(session.second.size(), 50U);
 }
 
+TEST_F(StationTest, a_second_hand_on_the_plunger_is_the_thumb_of_the_syringe) {
+  patient_.description.haptics.parts.syringe.emplace();
+  StationOptions wanted = options();
+  wanted.device.settings = "speed_mm_s=40 start_mm=5 depth_mm=15 wait_s=1";
+  // 2 s long, from where it was armed straight down.
+  wanted.second = SecondChoice{{&simulated_driver(), "", "speed_mm_s=20 depth_mm=20 wait_s=20"}, SecondRole::plunger};
+  Watcher watcher;
+  Station station(std::move(wanted), watcher);
+  station.run();
+  const Session session = read_session(folder_.path() / "session.bodkin");
+  double most = 0.0;
+  for (const auto& record : session.ticks) {
+    ASSERT_NE(record.input.thumb.byte(), 0) << "tick " << record.tick << ": not the case's constant thumb";
+    most = std::max(most, *record.input.thumb.force());
+  }
+  double most_of_the_hand = 0.0;
+  for (const SecondSample& sample : session.second) most_of_the_hand = std::max(most_of_the_hand, sample.force);
+  EXPECT_GT(most, 0.5);
+  EXPECT_NEAR(most, most_of_the_hand, 0.5) << "samples are a hundred a second";
+  EXPECT_FALSE(replay(station.patient()).difference.has_value());
+}
+
+// Takes the thumb off the plunger, and puts it back after a while.
+struct Presser : Watcher {
+  void update(Station& station, const StationStatus& status) override {
+    Watcher::update(station, status);
+    if (updates == 1) {
+      EXPECT_TRUE(status.plunger_pressed) << "a simulated hand presses all the time";
+      station.command(StationCommand::release_plunger);
+    }
+    if (updates == 3) {
+      EXPECT_FALSE(status.plunger_pressed);
+    }
+    if (updates == 20) station.command(StationCommand::press_plunger);
+  }
+};
+
+TEST_F(StationTest, a_command_presses_the_plunger_and_the_recording_keeps_when) {
+  patient_.description.haptics.parts.syringe.emplace();
+  StationOptions wanted = options();
+  wanted.device.settings = "speed_mm_s=30 start_mm=5 depth_mm=15 wait_s=0.5";
+  Presser presser;
+  Station station(std::move(wanted), presser);
+  station.run();
+  const Session session = read_session(folder_.path() / "session.bodkin");
+  int released = 0, pressed = 0;
+  for (const auto& record : session.ticks) {
+    if (record.input.thumb.byte() == 0) {
+      ++pressed;
+    } else {
+      EXPECT_EQ(*record.input.thumb.force(), 0.0);
+      ++released;
+    }
+  }
+  EXPECT_GT(released, 100);
+  EXPECT_GT(pressed, 100);
+  EXPECT_EQ(session.ticks.back().input.thumb.byte(), 0);
+  EXPECT_FALSE(replay(station.patient()).difference.has_value());
+}
+
 TEST_F(StationTest, ends_by_a_command_by_its_time_and_from_another_thread) {
   StationOptions wanted = options();
   wanted.device.settings = "speed_mm_s=1";

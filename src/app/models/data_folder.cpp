@@ -1,23 +1,20 @@
 #include "app/models/data_folder.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <system_error>
 
 #include <fmt/format.h>
 
 #include "core/error.h"
 #include "core/utc_time.h"
+#include "io/data_folder.h"
 
 namespace bodkin::app {
 
 namespace fs = std::filesystem;
 
 fs::path data_folder() {
-  if (const char* const data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data == '/')
-    return fs::path(data) / "bodkin";
-  const char* const home = std::getenv("HOME");
-  return fs::path(home == nullptr ? "." : home) / ".local" / "share" / "bodkin";
+  return io::data_folder();
 }
 
 fs::path new_session_file(const std::string& patient) {

@@ -95,6 +95,9 @@ PauseCard::PauseCard(QWidget* parent) : Card("pause", parent) {
   auto* row = new QHBoxLayout;
   resume_ = add_button(row, "pause.resume", tr("Resume"), tr("Go on where you were (Esc)"), true);
   connect(resume_, &QPushButton::clicked, this, &PauseCard::resume_requested);
+  mouse_ = add_button(row, "pause.mouse", tr("With the mouse"),
+                      tr("Save this attempt and begin another one with the mouse"), false);
+  connect(mouse_, &QPushButton::clicked, this, &PauseCard::mouse_requested);
   connect(add_button(row, "pause.again", tr("Again"), tr("Save this attempt and begin another one"), false),
           &QPushButton::clicked, this, &PauseCard::again_requested);
   connect(add_button(row, "pause.end", tr("End"), tr("Save this attempt and see how it went"), false),
@@ -109,8 +112,13 @@ void PauseCard::show_reason(State state, const QString& reason) {
                   : state == State::device_lost ? tr("The device went away")
                                                 : tr("Paused"));
   reason_->setText(state == State::paused ? tr("The needle stays where it is.") : reason);
-  resume_->setText(state == State::faulted ? tr("Arm again") : tr("Resume"));
-  resume_->setEnabled(state != State::device_lost);
+  const bool lost = state == State::device_lost;
+  if (lost) {
+    reason_->setText(tr("%1 What was recorded is safe. Reconnecting begins another attempt.")
+                         .arg(reason.isEmpty() ? tr("It does not answer any more; the force is zero.") : reason));
+  }
+  resume_->setText(lost ? tr("Reconnect") : state == State::faulted ? tr("Arm again") : tr("Resume"));
+  mouse_->setVisible(lost);
 }
 
 QString ResultsCard::grade_name(training::Grade grade) {
@@ -155,6 +163,9 @@ ResultsCard::ResultsCard(QWidget* parent) : Card("results", parent) {
   row->addStretch(1);
   connect(add_button(row, "results.leave", tr("To the start"), tr("Choose another patient"), false),
           &QPushButton::clicked, this, &ResultsCard::leave_requested);
+  review_ =
+      add_button(row, "results.review", tr("Review this"), tr("See the attempt again, moment by moment"), false);
+  connect(review_, &QPushButton::clicked, this, &ResultsCard::review_requested);
   connect(add_button(row, "results.again", tr("Again   A"), tr("The same patient and plan once more"), true),
           &QPushButton::clicked, this, &ResultsCard::again_requested);
   rows()->addLayout(row);
@@ -163,6 +174,7 @@ ResultsCard::ResultsCard(QWidget* parent) : Card("results", parent) {
 void ResultsCard::show_result(const AttemptResult* result, const QStringList& dangers, const QString& failure) {
   dangers_->setText(dangers.join(QLatin1Char('\n')));
   dangers_->setVisible(!dangers.isEmpty());
+  review_->setEnabled(result != nullptr);
   if (result == nullptr) {
     grade_->hide();
     headline_->setText(failure.isEmpty() ? tr("The session is being saved.") : tr("The session has ended."));

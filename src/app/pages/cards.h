@@ -57,7 +57,8 @@ class PauseCard : public Card {
   void show_reason(State state, const QString& reason);
 
  signals:
-  void resume_requested();
+  void resume_requested();  // of a device that went away: try it again
+  void mouse_requested();   // go on with the mouse
   void again_requested();
   void end_requested();
   void leave_requested();
@@ -66,6 +67,7 @@ class PauseCard : public Card {
   QLabel* title_;
   QLabel* reason_;
   QPushButton* resume_;
+  QPushButton* mouse_;
 };
 
 // How it went.
@@ -79,6 +81,7 @@ class ResultsCard : public Card {
 
  signals:
   void again_requested();
+  void review_requested();
   void leave_requested();
 
  private:
@@ -91,6 +94,7 @@ class ResultsCard : public Card {
   QLabel* remarks_;
   QLabel* numbers_;
   QLabel* file_;
+  QPushButton* review_;
 };
 
 // The keys of a screen.

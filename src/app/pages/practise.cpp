@@ -1,8 +1,11 @@
 #include "app/pages/practise.h"
 
 #include <QEvent>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QPushButton>
+#include <QScreen>
+#include <QSettings>
 #include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -15,6 +18,13 @@ constexpr int margin = 12;                               // pixels, of what lies
 constexpr int slice_column = 452, instrument_row = 164;  // pixels at 1280 x 720
 constexpr int gap = 4;
 constexpr int cube = 84;  // the orientation cube of the 3-D view, in its lower left corner
+
+// One for each size of screen: what fits a projector does not fit a laptop.
+QString layout_key(const QSplitter& splitter) {
+  const QScreen* const screen = QGuiApplication::primaryScreen();
+  const QSize size = screen == nullptr ? QSize() : screen->size();
+  return QStringLiteral("splitters/%1x%2/%3").arg(size.width()).arg(size.height()).arg(splitter.objectName());
+}
 
 }  // namespace
 
@@ -57,7 +67,6 @@ PractisePage::PractisePage(QWidget* parent)
   left_->addWidget(view3d_);
   left_->addWidget(make_instruments());
   left_->setStretchFactor(0, 1);
-  left_->setSizes({508, instrument_row});
   columns_ = new QSplitter(Qt::Horizontal);
   columns_->setObjectName(QStringLiteral("practise.columns"));
   columns_->addWidget(left_);
@@ -67,7 +76,6 @@ PractisePage::PractisePage(QWidget* parent)
   columns_->addWidget(dock_);
   columns_->setStretchFactor(0, 3);
   columns_->setStretchFactor(1, 2);
-  columns_->setSizes({828, slice_column});
   for (QSplitter* splitter : {left_, columns_}) {
     splitter->setHandleWidth(gap);
     splitter->setChildrenCollapsible(false);
@@ -75,6 +83,25 @@ PractisePage::PractisePage(QWidget* parent)
   auto* whole = new QHBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, 0);
   whole->addWidget(columns_);
+  for (QSplitter* splitter : {left_, columns_}) splitter->handle(1)->installEventFilter(this);
+  reset_layout();
+  restore_layout();
+}
+
+void PractisePage::reset_layout() {
+  left_->setSizes({508, instrument_row});
+  columns_->setSizes({828, slice_column});
+}
+
+void PractisePage::save_layout() const {
+  QSettings settings;
+  for (const QSplitter* splitter : {left_, columns_}) settings.setValue(layout_key(*splitter), splitter->saveState());
+}
+
+void PractisePage::restore_layout() {
+  const QSettings settings;
+  for (QSplitter* splitter : {left_, columns_})
+    splitter->restoreState(settings.value(layout_key(*splitter)).toByteArray());
 }
 
 QWidget* PractisePage::make_instruments() {
@@ -231,6 +258,10 @@ void PractisePage::resizeEvent(QResizeEvent* event) {
 
 bool PractisePage::eventFilter(QObject* watched, QEvent* event) {
   if (watched == view3d_ && event->type() == QEvent::Resize) arrange_overlays();
+  if (event->type() == QEvent::MouseButtonDblClick && qobject_cast<QSplitterHandle*>(watched) != nullptr) {
+    reset_layout();
+    return true;
+  }
   return QWidget::eventFilter(watched, event);
 }
 

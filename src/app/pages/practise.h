@@ -44,6 +44,8 @@ class PractisePage : public QWidget {
   // where the choice says; then nothing has changed.
   void show_ultrasound(const std::optional<station::UltrasoundChoice>& choice);
   UltrasoundView& ultrasound() { return *ultrasound_; }
+  // Where the splitters are, for the next time on a screen of this size.
+  void save_layout() const;
   // This view into the big slot of the slices.
   void make_big(View* view);
 
@@ -62,6 +64,8 @@ class PractisePage : public QWidget {
   QWidget* make_slices();
   void arrange_overlays();
   void arrange_slices();
+  void restore_layout();
+  void reset_layout();
 
   View3d* view3d_;
   TipLabel* tip_;

@@ -2,6 +2,7 @@
 
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLinearGradient>
@@ -76,6 +77,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   auto* main = new QVBoxLayout;
   main->setContentsMargins(32, 28, 32, 20);
   main->setSpacing(14);
+  main->addWidget(make_recovered());
   main->addWidget(make_hero(), 3);
   main->addWidget(label(tr("Patients"), "heading"));
   patients_ = new QHBoxLayout;
@@ -99,24 +101,33 @@ QWidget* StartPage::make_side() {
   auto* name = new QLabel(QStringLiteral("Bodkin"));
   name->setStyleSheet(QStringLiteral("font-size: 22px; font-weight: 500; padding: 4px 8px 18px 8px;"));
   rows->addWidget(name);
-  const auto entry = [&](const QString& text, const QString& object, const QString& tip) {
-    auto* button = new QPushButton(text);
-    button->setObjectName(object);
-    button->setToolTip(tip);
-    button->setAccessibleName(text);
-    button->setProperty("role", QStringLiteral("flat"));
-    button->setStyleSheet(QStringLiteral("text-align: left; padding: 9px 12px;"));
-    rows->addWidget(button);
-    return button;
-  };
-  connect(entry(tr("Practise"), QStringLiteral("start.practise"), tr("Begin on the built-in patient")),
+  entries_ = new QVBoxLayout;
+  entries_->setSpacing(8);
+  rows->addLayout(entries_);
+  connect(make_entry(tr("Practise"), QStringLiteral("start.practise"), tr("Begin on the built-in patient")),
           &QPushButton::clicked, this, &StartPage::begin_requested);
-  connect(
-      entry(tr("Open a patient"), QStringLiteral("start.open"), tr("A case, a DICOM folder or an image (Ctrl+O)")),
-      &QPushButton::clicked, this, &StartPage::open_requested);
+  connect(make_entry(tr("Open a patient"), QStringLiteral("start.open"),
+                     tr("A case, a DICOM folder or an image (Ctrl+O)")),
+          &QPushButton::clicked, this, &StartPage::open_requested);
   rows->addStretch(1);
   rows->addWidget(label(tr("Version %1").arg(QStringLiteral(BODKIN_VERSION)), "label"));
   return side;
+}
+
+QPushButton* StartPage::make_entry(const QString& text, const QString& object, const QString& tip) {
+  auto* button = new QPushButton(text);
+  button->setObjectName(object);
+  button->setToolTip(tip);
+  button->setAccessibleName(text);
+  button->setProperty("role", QStringLiteral("flat"));
+  button->setStyleSheet(QStringLiteral("text-align: left; padding: 9px 12px;"));
+  entries_->addWidget(button);
+  return button;
+}
+
+void StartPage::add_entry(PageId page, const QString& text, const QString& tip) {
+  connect(make_entry(text, QStringLiteral("start.%1").arg(QLatin1String(name_of(page))), tip), &QPushButton::clicked,
+          this, [this, page] { emit page_requested(page); });
 }
 
 QWidget* StartPage::make_hero() {
@@ -141,6 +152,14 @@ QWidget* StartPage::make_hero() {
   begin->setMinimumHeight(40);
   connect(begin, &QPushButton::clicked, this, &StartPage::begin_requested);
   buttons->addWidget(begin);
+  auto* tour = new QPushButton(tr("Two-minute tour     T"));
+  tour->setObjectName(QStringLiteral("start.tour"));
+  tour->setToolTip(tr("Look, aim, push, read: four balloons that end by being done"));
+  tour->setAccessibleName(tr("Two-minute tour"));
+  tour->setMinimumHeight(40);
+  connect(tour, &QPushButton::clicked, this, &StartPage::tour_requested);
+  buttons->addSpacing(8);
+  buttons->addWidget(tour);
   buttons->addStretch(1);
   rows->addSpacing(8);
   rows->addLayout(buttons);
@@ -151,6 +170,37 @@ QWidget* StartPage::make_hero() {
             "second"));
   rows->addStretch(1);
   return hero;
+}
+
+QWidget* StartPage::make_recovered() {
+  recovered_ = new QWidget;
+  recovered_->setObjectName(QStringLiteral("hero"));
+  recovered_->setAttribute(Qt::WA_StyledBackground);
+  auto* row = new QHBoxLayout(recovered_);
+  row->setContentsMargins(18, 10, 14, 10);
+  recovered_words_ = label({}, "plain");
+  row->addWidget(recovered_words_, 1);
+  const auto add = [&](const QString& text, const char* name, const QString& tip) {
+    auto* button = new QPushButton(text);
+    button->setObjectName(QLatin1String(name));
+    button->setAccessibleName(text);
+    button->setToolTip(tip);
+    row->addWidget(button);
+    return button;
+  };
+  connect(add(tr("Review"), "start.recovered.review", tr("See it, as far as it was recorded")), &QPushButton::clicked,
+          this, [this] { emit review_requested(recovered_file_); });
+  connect(add(tr("Forget"), "start.recovered.forget", tr("Offer it no more; the file stays")), &QPushButton::clicked,
+          this, [this] { emit forget_requested(recovered_file_); });
+  recovered_->hide();
+  return recovered_;
+}
+
+void StartPage::offer_recovered(const QString& file) {
+  recovered_file_ = file;
+  recovered_->setVisible(!file.isEmpty());
+  recovered_words_->setText(
+      tr("The last session was cut off. What had been recorded is safe: %1").arg(QFileInfo(file).completeBaseName()));
 }
 
 QPushButton* StartPage::make_card(const QString& name, const QString& title, const QString& words) {

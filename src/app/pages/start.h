@@ -4,8 +4,11 @@
 #include <filesystem>
 #include <vector>
 
+#include "app/page.h"
+
 class QLabel;
 class QHBoxLayout;
+class QVBoxLayout;
 class QPushButton;
 
 namespace bodkin::app {
@@ -21,11 +24,19 @@ class StartPage : public QWidget {
   void show_patients(const std::vector<std::filesystem::path>& folders);
   // One sentence at the foot; empty: none. Trouble is shown as such.
   void say(const QString& sentence, bool is_trouble);
+  // A session that a crash has cut off is offered on top; empty: none.
+  void offer_recovered(const QString& file);
+  // A way to another page, below those that are there.
+  void add_entry(PageId page, const QString& text, const QString& tip);
 
  signals:
   void begin_requested();
+  void tour_requested();
   void patient_chosen(const QString& path);
   void open_requested();
+  void page_requested(bodkin::app::PageId id);
+  void review_requested(const QString& file);
+  void forget_requested(const QString& file);
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -33,11 +44,17 @@ class StartPage : public QWidget {
 
  private:
   QWidget* make_side();
+  QPushButton* make_entry(const QString& text, const QString& object, const QString& tip);
   QWidget* make_hero();
+  QWidget* make_recovered();
   QPushButton* make_card(const QString& name, const QString& title, const QString& words);
 
+  QVBoxLayout* entries_ = nullptr;
   QHBoxLayout* patients_ = nullptr;
   QLabel* line_ = nullptr;
+  QWidget* recovered_ = nullptr;
+  QLabel* recovered_words_ = nullptr;
+  QString recovered_file_;
 };
 
 }  // namespace bodkin::app

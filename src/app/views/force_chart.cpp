@@ -93,6 +93,28 @@ void ForceChart::set_axis(Axis axis) {
   update();
 }
 
+void ForceChart::set_cursor(const std::optional<Cursor>& cursor) {
+  cursor_ = cursor;
+  update();
+}
+
+void ForceChart::compare_with(std::span<const station::HandSample> samples) {
+  other_.clear();
+  double turning = 0.0;
+  bool out = false;
+  for (const station::HandSample& sample : samples) {
+    turning = sample.depth <= 0.0 ? 0.0 : out ? std::min(turning, sample.depth) : std::max(turning, sample.depth);
+    if (sample.depth <= 0.0) {
+      out = false;
+    } else if (std::abs(sample.depth - turning) > real_turn) {
+      out = !out;
+      turning = sample.depth;
+    }
+    other_.add(sample.time, sample.depth, out, sample.force);
+  }
+  update();
+}
+
 void ForceChart::show_components(bool shown) {
   components_ = shown;
   update();
@@ -172,6 +194,9 @@ void ForceChart::flag(const Frame& frame, const session::SessionEvent& event) {
     case EventKind::pressure_lost:
       words = tr("plunger gives way");
       break;
+    case EventKind::hub_contact:
+      words = tr("hub on the skin");
+      break;
     case EventKind::fault:
       words = tr("fault");
       bad = true;
@@ -239,6 +264,8 @@ void ForceChart::mouseReleaseEvent(QMouseEvent* event) {
   if (std::abs(event->pos().x() - begun->x()) > worth_zooming) {
     const double one = along_at(begun->x()), other = along_at(event->pos().x());
     zoom_ = Zoom{std::min(one, other), std::max(one, other)};
+  } else if (cursor_) {
+    emit place_chosen(along_at(event->pos().x()));
   }
   update();
 }

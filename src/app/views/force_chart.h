@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -52,11 +53,25 @@ class ForceChart : public View {
   // A number of the force model by its place in Frame::diagnostic_names, on a scale of its own; none: empty.
   void show_diagnostic(std::optional<std::size_t> index);
 
+  // A moment of a finished session, marked by a line; nothing: the newest sample has a dot instead. A click then asks
+  // for another moment.
+  struct Cursor {
+    double time = 0.0, depth = 0.0, force = 0.0;  // s, mm, N
+    bool operator==(const Cursor&) const = default;
+  };
+  void set_cursor(const std::optional<Cursor>& cursor);
+  // The curve of another session, in a second colour; empty: none.
+  void compare_with(std::span<const station::HandSample> samples);
+
   // Where a place of the axis and a force are drawn, pixels.
   QPointF place(double along, double force) const;
   // The part of the axis that is shown, mm or s.
   double from() const;
   double to() const;
+
+ signals:
+  // Of the axis, mm or s, while there is a cursor.
+  void place_chosen(double along);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -100,6 +115,7 @@ class ForceChart : public View {
   void draw_flags(QPainter& painter) const;
   void draw_legend(QPainter& painter) const;
   void draw_pointer(QPainter& painter) const;
+  void draw_cursor(QPainter& painter) const;
   void open_menu(const QPoint& at);
 
   std::shared_ptr<const OpenCase> patient_;
@@ -108,7 +124,8 @@ class ForceChart : public View {
   std::optional<std::size_t> diagnostic_;
   std::vector<QString> diagnostic_titles_;
 
-  Trace force_, along_, across_, number_;
+  Trace force_, along_, across_, number_, other_;
+  std::optional<Cursor> cursor_;
   MetTissues met_;
   std::vector<Flag> flags_;
   double depth_ = 0.0, time_ = 0.0, now_ = 0.0;  // mm, s, N of the last sample

@@ -39,8 +39,11 @@ void ForceChart::paintEvent(QPaintEvent* /*event*/) {
     const ChartCurve& curve = axis_ == Axis::depth ? number_.inwards : number_.in_time;
     draw_curve(painter, curve, number_ink, 1.25, number_.in_time.range());
   }
+  draw_trace(painter, other_, second_session_colour, 1.5);
   draw_trace(painter, force_, Theme::now().accent, 1.75);
-  if (in_body_ || axis_ == Axis::time) {
+  if (cursor_) {
+    draw_cursor(painter);
+  } else if (in_body_ || axis_ == Axis::time) {
     const QPointF now = place(axis_ == Axis::depth ? depth_ : time_, now_);
     painter.setPen(QPen(Theme::now().panel, 1.5));
     painter.setBrush(Theme::now().accent);
@@ -233,6 +236,17 @@ void ForceChart::draw_pointer(QPainter& painter) const {
   painter.setBrush(Theme::now().raised);
   painter.drawRoundedRect(ground, 4.0, 4.0);
   draw_text(painter, {left + 6.0, ground.bottom() - 6.0}, words, Theme::now().text);
+}
+
+void ForceChart::draw_cursor(QPainter& painter) const {
+  const QRectF box = plot();
+  const double along = axis_ == Axis::depth ? cursor_->depth : cursor_->time;
+  const QPointF at = place(along, cursor_->force);
+  painter.setPen(QPen(Theme::now().text, 1.5));
+  painter.drawLine(QPointF(at.x(), box.top()), QPointF(at.x(), box.bottom()));
+  painter.setPen(QPen(Theme::now().panel, 1.5));
+  painter.setBrush(Theme::now().accent);
+  painter.drawEllipse(at, 4.5, 4.5);
 }
 
 void ForceChart::open_menu(const QPoint& at) {

@@ -14,18 +14,18 @@ namespace {
 
 struct CubeFace {
   char letter;
-  StandardView view;
+  scene::StandardView view;
   Vec3 outwards, right, up;  // LPS, as the letter is read
 };
 
 const std::array<CubeFace, 6>& cube_faces() {
   const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
-  static const std::array<CubeFace, 6> faces = {{{'A', StandardView::anterior, -y, x, z},
-                                                 {'P', StandardView::posterior, y, -x, z},
-                                                 {'L', StandardView::left, x, y, z},
-                                                 {'R', StandardView::right, -x, -y, z},
-                                                 {'S', StandardView::superior, z, x, y * -1.0},
-                                                 {'I', StandardView::inferior, -z, x, y}}};
+  static const std::array<CubeFace, 6> faces = {{{'A', scene::StandardView::anterior, -y, x, z},
+                                                 {'P', scene::StandardView::posterior, y, -x, z},
+                                                 {'L', scene::StandardView::left, x, y, z},
+                                                 {'R', scene::StandardView::right, -x, -y, z},
+                                                 {'S', scene::StandardView::superior, z, x, y * -1.0},
+                                                 {'I', scene::StandardView::inferior, -z, x, y}}};
   return faces;
 }
 
@@ -78,7 +78,7 @@ void draw_orientation_cube(QPainter& painter, const QRectF& place, const Mat3& a
   painter.restore();
 }
 
-std::optional<StandardView> orientation_cube_face(const QRectF& place, const Mat3& axes, const QPointF& at) {
+std::optional<scene::StandardView> orientation_cube_face(const QRectF& place, const Mat3& axes, const QPointF& at) {
   for (const CubeFace& face : cube_faces()) {
     if (towards_viewer(axes, face) > 0.05 && outline(place, axes, face).containsPoint(at, Qt::OddEvenFill)) {
       return face.view;

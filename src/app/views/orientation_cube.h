@@ -5,7 +5,7 @@
 #include <QRectF>
 #include <optional>
 
-#include "app/scene/camera_moves.h"
+#include "scene/camera_moves.h"
 
 namespace bodkin::app {
 
@@ -13,6 +13,6 @@ namespace bodkin::app {
 // S superior, I inferior. `axes`: of the camera.
 void draw_orientation_cube(QPainter& painter, const QRectF& place, const Mat3& axes);
 // The view from the face under a pixel.
-std::optional<StandardView> orientation_cube_face(const QRectF& place, const Mat3& axes, const QPointF& at);
+std::optional<scene::StandardView> orientation_cube_face(const QRectF& place, const Mat3& axes, const QPointF& at);
 
 }  // namespace bodkin::app

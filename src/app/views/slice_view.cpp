@@ -61,6 +61,11 @@ void SliceView::set_measures(std::shared_ptr<Measures> measures) {
   update();
 }
 
+void SliceView::set_trails(std::shared_ptr<const std::vector<scene::Trail>> trails) {
+  trails_ = std::move(trails);
+  update();
+}
+
 void SliceView::set_look(const SliceLook& look) {
   look_ = look;
   look_.window = std::clamp(look.window, 1.0, 6000.0);
@@ -121,6 +126,8 @@ void SliceView::show_frame(const Frame& frame, const Changes& changes) {
   shown_.shape = tip_shape(frame);
   shown_.tissue = frame.tissue;
   shown_.plan = frame.plan;
+  shown_.is_planning = frame.is_planning;
+  shown_.broken = frame.plan_broken;
   shown_.tolerance = frame.target_tolerance;
   shown_.reached = frame.target_reached;
   shown_.crosshair = frame.crosshair;

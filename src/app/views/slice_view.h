@@ -3,12 +3,15 @@
 #include <QPoint>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "app/views/measures.h"
 #include "app/views/paint_kit.h"
 #include "app/views/slice_geometry.h"
 #include "app/views/slice_image.h"
 #include "app/views/view.h"
+#include "scene/marks.h"
 
 namespace bodkin::app {
 
@@ -27,6 +30,11 @@ class SliceView : public View {
 
   // All slices of a page share one list; never null.
   void set_measures(std::shared_ptr<Measures> measures);
+  // Ways of the tip in finished sessions, drawn faintly where they are not near the plane; null: none.
+  void set_trails(std::shared_ptr<const std::vector<scene::Trail>> trails);
+
+  // The next clicks belong to a distance or an angle.
+  bool is_measuring() const { return measures_->waiting(); }
 
   SliceKind kind() const { return kind_; }
   const SliceLook& look() const { return look_; }
@@ -67,7 +75,9 @@ class SliceView : public View {
     TipShape shape = TipShape::hollow;
     anatomy::TissueId tissue = anatomy::tissue::air;
     std::optional<anatomy::NeedlePath> plan;
-    double tolerance = 3.0;  // mm
+    bool is_planning = false;
+    std::vector<std::pair<double, double>> broken;  // mm of the plan from its entry
+    double tolerance = 3.0;                         // mm
     bool reached = false;
     Vec3 crosshair = Vec3::Zero();
     bool follows = true;
@@ -86,6 +96,7 @@ class SliceView : public View {
 
   void draw_crosshair(QPainter& painter) const;
   void draw_plan(QPainter& painter) const;
+  void draw_trails(QPainter& painter) const;
   void draw_needle(QPainter& painter) const;
   void draw_measures(QPainter& painter) const;
   void draw_words(QPainter& painter) const;
@@ -96,6 +107,7 @@ class SliceView : public View {
   SliceKind kind_;
   std::shared_ptr<const OpenCase> patient_;
   std::shared_ptr<Measures> measures_;
+  std::shared_ptr<const std::vector<scene::Trail>> trails_;
   SliceImage image_;
   SliceLook look_;
   Vec3 middle_ = Vec3::Zero();  // LPS mm, in the middle of the view

@@ -61,6 +61,7 @@ void SliceView::paintEvent(QPaintEvent* /*event*/) {
     painter.setRenderHint(QPainter::Antialiasing);
     draw_crosshair(painter);
     draw_plan(painter);
+    draw_trails(painter);
     draw_needle(painter);
     draw_measures(painter);
   }
@@ -100,13 +101,21 @@ void SliceView::draw_plan(QPainter& painter) const {
   const double radius = std::max(least_radius, shown_.tolerance / (plane().pixel * devicePixelRatioF()));
   const QPointF way = target - entry;
   const double length = std::hypot(way.x(), way.y());
+  const double whole = shown_.plan->length();
+  const auto at_depth = [&](double depth) { return entry + (whole > 0.0 ? depth / whole : 0.0) * way; };
+  const double to = length > radius ? whole * (1.0 - radius / length) : 0.0;
   const auto pass = [&](const QColor& ink, double wide) {
     QPen pen(ink, wide);
     pen.setCapStyle(Qt::FlatCap);
     if (length > radius) {
       pen.setDashPattern({6.0 / wide, 4.0 / wide});
       painter.setPen(pen);
-      painter.drawLine(entry, target - radius / length * way);
+      double from = 0.0;
+      for (const auto& [begin, end] : shown_.broken) {
+        if (begin > from) painter.drawLine(at_depth(from), at_depth(begin));
+        from = end;
+      }
+      if (from < to) painter.drawLine(at_depth(from), at_depth(to));
     }
     pen.setStyle(Qt::SolidLine);
     painter.setPen(pen);
@@ -115,6 +124,36 @@ void SliceView::draw_plan(QPainter& painter) const {
   };
   pass(QColor(0, 0, 0, 170), 3.5);
   pass(teal, 1.5);
+  if (shown_.is_planning) {
+    painter.setPen(QPen(QColor(0, 0, 0, 170), 1.0));
+    painter.setBrush(teal);
+    painter.drawEllipse(entry, least_radius, least_radius);
+  }
+  // Where it must not go: a red bar across each end, nothing between.
+  constexpr double half_bar = 5.0;  // pixels
+  if (length <= 0.0) return;
+  const QPointF across = half_bar / length * QPointF(-way.y(), way.x());
+  for (const auto& [begin, end] : shown_.broken) {
+    for (const double depth : {begin, end})
+      draw_line_on_picture(painter, at_depth(depth) - across, at_depth(depth) + across, Theme::dark().danger, 2.0);
+  }
+}
+
+void SliceView::draw_trails(QPainter& painter) const {
+  if (trails_ == nullptr) return;
+  const imaging::SlicePlane now = plane();
+  const double thickness = near_the_plane + 0.5 * look_.slab.thickness;
+  constexpr double faint = 0.45;
+  for (const scene::Trail& trail : *trails_) {
+    const QColor ink(static_cast<QRgb>(trail.colour));
+    for (std::size_t i = 0; i + 1 < trail.points.size(); ++i) {
+      const Vec3 middle = 0.5 * (trail.points[i] + trail.points[i + 1]);
+      painter.setOpacity(std::abs(now.distance(middle)) <= thickness ? 1.0 : faint);
+      draw_line_on_picture(painter, to_widget(trail.points[i]), to_widget(trail.points[i + 1]), ink, trail.width,
+                           1.0);
+    }
+  }
+  painter.setOpacity(1.0);
 }
 
 void SliceView::draw_needle(QPainter& painter) const {

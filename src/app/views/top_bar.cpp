@@ -19,11 +19,12 @@ namespace {
 constexpr int wide_enough_for_words = 1200;  // pixels
 constexpr double worrying_success = 0.98;    // share of ticks in time
 
-constexpr std::array<const char*, stage_count> stage_names = {QT_TRANSLATE_NOOP("bodkin::app::TopBar", "Patient"),
-                                                              QT_TRANSLATE_NOOP("bodkin::app::TopBar", "Practise"),
-                                                              QT_TRANSLATE_NOOP("bodkin::app::TopBar", "Review")};
-constexpr std::array<const char*, stage_count> stage_objects = {"top.stage.patient", "top.stage.practise",
-                                                                "top.stage.review"};
+constexpr std::array<const char*, stage_count> stage_names = {
+    QT_TRANSLATE_NOOP("bodkin::app::TopBar", "Patient"), QT_TRANSLATE_NOOP("bodkin::app::TopBar", "Scan"),
+    QT_TRANSLATE_NOOP("bodkin::app::TopBar", "Plan"), QT_TRANSLATE_NOOP("bodkin::app::TopBar", "Practise"),
+    QT_TRANSLATE_NOOP("bodkin::app::TopBar", "Review")};
+constexpr std::array<const char*, stage_count> stage_objects = {
+    "top.stage.patient", "top.stage.scan", "top.stage.plan", "top.stage.practise", "top.stage.review"};
 
 // A needle, from the lower left with its hub at the upper right.
 QPixmap needle_mark(const QColor& colour, qreal ratio) {

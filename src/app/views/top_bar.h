@@ -11,11 +11,11 @@ class QPushButton;
 
 namespace bodkin::app {
 
-enum class Stage : std::uint8_t { patient, practise, review };
-inline constexpr int stage_count = 3;
+enum class Stage : std::uint8_t { patient, scan, plan, practise, review };
+inline constexpr int stage_count = 5;
 
 // The bar above all pages: what is practised on whom, the stages, and the chips of device and servo. A chip
-// opens the researchers' dock. Narrow windows leave the chips their colours and shapes only.
+// opens its page. Narrow windows leave the chips their colours and shapes only.
 class TopBar : public View {
   Q_OBJECT
  public:

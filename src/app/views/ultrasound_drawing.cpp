@@ -17,7 +17,7 @@ namespace bodkin::app {
 namespace {
 
 // In the order in which a hand needs them.
-constexpr std::array<std::array<const char*, 2>, 17> scan_help = {
+constexpr std::array<std::array<const char*, 2>, 19> scan_help = {
     {{"drag, I J K L", QT_TRANSLATE_NOOP("bodkin::app::UltrasoundView", "slide the probe over the skin")},
      {"wheel", QT_TRANSLATE_NOOP("bodkin::app::UltrasoundView", "press it in, lift it off")},
      {"left, right", QT_TRANSLATE_NOOP("bodkin::app::UltrasoundView", "rotate it on the spot")},
@@ -34,6 +34,8 @@ constexpr std::array<std::array<const char*, 2>, 17> scan_help = {
      {"M", QT_TRANSLATE_NOOP("bodkin::app::UltrasoundView", "mark the place under the pointer")},
      {"X", QT_TRANSLATE_NOOP("bodkin::app::UltrasoundView", "clear calipers and marks")},
      {"S", QT_TRANSLATE_NOOP("bodkin::app::UltrasoundView", "keep the picture")},
+     {"N", QT_TRANSLATE_NOOP("bodkin::app::UltrasoundView", "needle in or out; without an attempt")},
+     {"PgDn, PgUp", QT_TRANSLATE_NOOP("bodkin::app::UltrasoundView", "needle deeper, shallower; without an attempt")},
      {"H", QT_TRANSLATE_NOOP("bodkin::app::UltrasoundView", "these keys")}}};
 
 }  // namespace

@@ -44,20 +44,36 @@ void UltrasoundView::set_case(std::shared_ptr<const OpenCase> patient) {
   update();
 }
 
-void UltrasoundView::set_scan(const std::optional<station::UltrasoundChoice>& choice) {
+void UltrasoundView::set_scan(const std::optional<station::UltrasoundChoice>& choice,
+                              const std::optional<imaging::NeedleInSound>& needle) {
   scan_.reset();
   choice_ = choice;
   made_ = counted_ = 0;
   clock_ = counting_since_ = -1.0;
   rate_ = 0.0;
   if (choice_ && patient_ != nullptr) {
-    scan_.emplace(patient_->patient, *choice_, station::hold_probe(*choice_, patient_->patient), std::nullopt,
+    scan_.emplace(patient_->patient, *choice_, station::hold_probe(*choice_, patient_->patient), needle,
                   station::LiveScan::Place{});
     ordered_ = {scan_->pose(), scan_->settings()};
     resizeEvent(nullptr);
   }
   stale_ = true;
   update();
+}
+
+void UltrasoundView::say(const std::string& sentence) {
+  if (scan_) scan_->say(sentence);
+  update();
+}
+
+bool UltrasoundView::close_help() {
+  if (!scan_ || !scan_->help()) return false;
+  station::ScreenEvent event;
+  event.kind = Kind::key;
+  event.key = station::ScreenKey::escape;
+  event.down = true;
+  pass_on(event);
+  return true;
 }
 
 bool UltrasoundView::shows_ct() const {
@@ -117,9 +133,10 @@ void UltrasoundView::show_frame(const Frame& frame, const Changes& changes) {
   if (picture.number == made_) return;
   made_ = picture.number;
   left_out_ = picture.left_out;
-  const int gauge = patient_->description().needle.gauge;
-  scan_->screen().take({picture.frame, picture.order.probe, choice_->probe, picture.order.settings,
-                        picture.needle ? std::to_string(gauge) + " G" : std::string()});
+  const std::string words = !in_attempt_     ? scan_->needle_words()
+                            : picture.needle ? std::to_string(patient_->description().needle.gauge) + " G"
+                                             : std::string();
+  scan_->screen().take({picture.frame, picture.order.probe, choice_->probe, picture.order.settings, words});
   stale_ = true;
   update();
 }

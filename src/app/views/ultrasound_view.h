@@ -23,7 +23,13 @@ class UltrasoundView : public View {
   void set_case(std::shared_ptr<const OpenCase> patient) override;
   // The probe and machine of the next session, held where the choice says. Throws InputError when there is no such
   // place on the patient. After set_case().
-  void set_scan(const std::optional<station::UltrasoundChoice>& choice);
+  // `needle`: in the patient from the beginning, where there is no attempt.
+  void set_scan(const std::optional<station::UltrasoundChoice>& choice,
+                const std::optional<imaging::NeedleInSound>& needle = std::nullopt);
+  // A sentence below the picture, until the next knob is turned.
+  void say(const std::string& sentence);
+  // The list of keys goes; false: it was not there.
+  bool close_help();
   void show_frame(const Frame& frame, const Changes& changes) override;
 
   // Null: there is none.

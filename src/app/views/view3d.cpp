@@ -35,8 +35,8 @@ Frame without_spans(const Frame& frame) {
   return kept;
 }
 
-ViewSubject subject_of(const OpenCase& patient, const SceneMesh& skin) {
-  ViewSubject subject;
+scene::ViewSubject subject_of(const OpenCase& patient, const scene::SceneMesh& skin) {
+  scene::ViewSubject subject;
   if (const auto& path = patient.description().procedure.path) {
     subject.middle = 0.75 * path->entry + 0.25 * path->target;  // room for the hub
     subject.direction = path->direction();
@@ -65,7 +65,7 @@ View3d::View3d(const QString& place, QWidget* parent) : View(parent) {
       tr("What the patient looks like (P: next)"), tr("An opening in the skin over the path (P: next)"),
       tr("Bones and what lies between them (P: next)"), tr("Everything under a faint skin (P: next)")};
   for (std::size_t i = 0; i < buttons_.size(); ++i) {
-    const Preset preset = presets[i];
+    const scene::Preset preset = scene::presets[i];
     buttons_[i] = new QPushButton(names[i], this);
     buttons_[i]->setObjectName(place + QStringLiteral(".preset.") + QString::fromLatin1(name_of(preset).data()));
     buttons_[i]->setAccessibleName(names[i]);
@@ -83,7 +83,7 @@ void View3d::set_case(std::shared_ptr<const OpenCase> patient) {
   job_.reset();
   scene_.reset();
   right_scene_.reset();
-  stereo_ = Stereo::off;
+  stereo_ = scene::Stereo::off;
   said_.clear();
   flight_.reset();
   left_needles_.clear();
@@ -91,21 +91,21 @@ void View3d::set_case(std::shared_ptr<const OpenCase> patient) {
   shown_percent_ = -1;
   patient_ = std::move(patient);
   if (patient_) {
-    job_ = std::make_unique<SurfaceJob>(
+    job_ = std::make_unique<scene::SurfaceJob>(
         std::shared_ptr<const anatomy::TissueVolume>(patient_, &patient_->patient.tissues), patient_->folder);
   }
   update();
 }
 
 void View3d::take_surfaces() {
-  const SurfaceJob::Status status = job_->status();
+  const scene::SurfaceJob::Status status = job_->status();
   if (!status.done) {
     const int percent = static_cast<int>(100.0 * status.fraction);
     if (percent != shown_percent_) update();
     shown_percent_ = percent;
     return;
   }
-  const std::shared_ptr<const PatientSurfaces> surfaces = job_->surfaces();
+  const std::shared_ptr<const scene::PatientSurfaces> surfaces = job_->surfaces();
   if (!surfaces) {
     if (shown_percent_ != 100) update();  // paint_preparation() says why
     shown_percent_ = 100;
@@ -113,18 +113,19 @@ void View3d::take_surfaces() {
   }
   job_.reset();
   subject_ = subject_of(*patient_, surfaces->skin());
-  camera_ = standard_view(StandardView::operator_side, subject_);
+  camera_ = scene::standard_view(scene::StandardView::operator_side, subject_);
   scene_ = make_scene(surfaces);
   needle_.shape = patient_->description().needle;
   fit_picture();
   emit ready();
 }
 
-std::unique_ptr<SoftwareView> View3d::make_scene(std::shared_ptr<const PatientSurfaces> surfaces) const {
-  auto scene = std::make_unique<SoftwareView>(std::move(surfaces));
+std::unique_ptr<scene::SoftwareView> View3d::make_scene(
+    std::shared_ptr<const scene::PatientSurfaces> surfaces) const {
+  auto scene = std::make_unique<scene::SoftwareView>(std::move(surfaces));
   scene->set_camera(camera_);
   scene->set_preset(preset_);
-  Opening opening;
+  scene::Opening opening;
   opening.centre = subject_.middle;
   if (const auto& path = patient_->description().procedure.path) opening.centre = 0.5 * (path->entry + path->target);
   scene->set_opening(opening);
@@ -137,9 +138,10 @@ void View3d::fit_picture() {
   const double ratio = devicePixelRatioF();
   const double pixels = width() * ratio * height() * ratio;
   scale_ = pixels > most_pixels ? ratio * std::sqrt(most_pixels / pixels) : ratio;
-  const int columns = static_cast<int>(std::lround(width() * scale_ * (stereo_ == Stereo::side_by_side ? 0.5 : 1.0)));
+  const int columns =
+      static_cast<int>(std::lround(width() * scale_ * (stereo_ == scene::Stereo::side_by_side ? 0.5 : 1.0)));
   const int rows = static_cast<int>(std::lround(height() * scale_));
-  for (SoftwareView* scene : scenes()) scene->set_size(columns, rows);
+  for (scene::SoftwareView* scene : scenes()) scene->set_size(columns, rows);
   update();
 }
 
@@ -159,26 +161,30 @@ void View3d::place_buttons() {
   }
 }
 
-void View3d::set_preset(Preset preset) {
+void View3d::set_preset(scene::Preset preset) {
   preset_ = preset;
-  for (std::size_t i = 0; i < buttons_.size(); ++i) buttons_[i]->setChecked(presets[i] == preset);
-  for (SoftwareView* scene : scenes()) scene->set_preset(preset);
+  for (std::size_t i = 0; i < buttons_.size(); ++i) buttons_[i]->setChecked(scene::presets[i] == preset);
+  for (scene::SoftwareView* scene : scenes()) scene->set_preset(preset);
   emit preset_changed(preset);
 }
 
-void View3d::choose_view(StandardView view) {
+void View3d::choose_view(scene::StandardView view) {
   if (!scene_) return;
-  flight_.emplace(camera_, standard_view(view, subject_), flight_time);
+  flight_.emplace(camera_, scene::standard_view(view, subject_), flight_time);
   flight_began_ = clock_;
 }
 
-void View3d::set_camera(const Camera& camera) {
+void View3d::set_camera(const scene::Camera& camera) {
   flight_.reset();
   camera_ = camera;
 }
 
-void View3d::set_left_needles(std::vector<NeedleLook> needles) {
+void View3d::set_left_needles(std::vector<scene::NeedleLook> needles) {
   left_needles_ = std::move(needles);
+}
+
+void View3d::set_skin_tint(const std::vector<std::uint32_t>& tint) {
+  for (scene::SoftwareView* scene : scenes()) scene->set_skin_tint(tint);
 }
 
 void View3d::set_plan_shown(bool shown) {
@@ -198,15 +204,15 @@ void View3d::show_frame(const Frame& frame, const Changes& changes) {
     camera_ = flight_->at(clock_ - flight_began_);
     if (flight_->ended(clock_ - flight_began_)) flight_.reset();
   }
-  const std::array<Camera, 2> cameras =
-      stereo_ == Stereo::off ? std::array<Camera, 2>{camera_, camera_} : eyes(camera_);
+  const std::array<scene::Camera, 2> cameras =
+      stereo_ == scene::Stereo::off ? std::array<scene::Camera, 2>{camera_, camera_} : scene::eyes(camera_);
   if (!(cameras[0] == scene_->camera())) camera_moved_ = clock_;
   const bool moves = camera_moved_ >= 0.0 && clock_ - camera_moved_ < settles_after;
   scene_->set_camera(cameras[0]);
   if (right_scene_) right_scene_->set_camera(cameras[1]);
-  for (SoftwareView* scene : scenes()) scene->set_detail(moves ? 1 : 2);
+  for (scene::SoftwareView* scene : scenes()) scene->set_detail(moves ? 1 : 2);
   update_scene(frame);
-  const PixelBox drawn = draw_scenes();
+  const scene::PixelBox drawn = draw_scenes();
   const bool spoke = !said_.isEmpty() && clock_ >= said_until_;
   if (spoke) said_.clear();
   const bool framed = spoke || shown_.warning.has_value() != frame.warning.has_value() ||
@@ -225,7 +231,7 @@ void View3d::show_frame(const Frame& frame, const Changes& changes) {
 
 void View3d::update_scene(const Frame& frame) {
   has_needle_ = frame.has_needle;
-  std::vector<NeedleLook> needles = left_needles_;
+  std::vector<scene::NeedleLook> needles = left_needles_;
   if (has_needle_) {
     needle_.pose = frame.needle;
     const double ahead = (frame.hand.translation() - frame.needle.translation()).dot(needle_axis(frame.needle));
@@ -233,37 +239,42 @@ void View3d::update_scene(const Frame& frame) {
     needle_.ghost_on_bone = frame.warning && frame.warning->kind == Warning::Kind::bone;
     needles.push_back(needle_);
   }
-  for (SoftwareView* scene : scenes()) scene->set_needles(needles);
-  SceneMarks marks;
+  for (scene::SoftwareView* scene : scenes()) scene->set_needles(needles);
+  scene::SceneMarks marks;
   marks.path = frame.plan;
   marks.target_tolerance = frame.target_tolerance;
   marks.path_shown = plan_shown_;
+  marks.broken = frame.plan_broken;
+  marks.trails = trails_;
   if (frame.plan && (frame.state == State::ready || frame.state == State::aiming)) {
     marks.insert_here = 0.5 + 0.5 * std::sin(2.0 * 3.14159265358979 * frame.clock);  // 1 Hz
     marks.entry_normal = -frame.plan->direction();
+  } else if (frame.plan && frame.is_planning) {
+    marks.insert_here = 1.0;
+    marks.entry_normal = -frame.plan->direction();
   }
-  for (SoftwareView* scene : scenes()) scene->set_marks(marks);
+  for (scene::SoftwareView* scene : scenes()) scene->set_marks(marks);
   update_skin(frame);
 }
 
 void View3d::update_skin(const Frame& frame) {
   const SkinDimple& dimple = frame.dimple;
-  std::optional<SkinDent> dent;
-  if (dimple.depth != 0.0) dent = SkinDent{dimple.at, dimple.inwards, dimple.depth};
+  std::optional<scene::SkinDent> dent;
+  if (dimple.depth != 0.0) dent = scene::SkinDent{dimple.at, dimple.inwards, dimple.depth};
   const Vec3 from = dimple.at - scene_->patch().entry();
   const double far = frame.displacements.empty() ? other_entry : other_entry_of_body;
   const bool elsewhere = dent && (scene_->patch().empty() || from.norm() > far);
-  for (SoftwareView* scene : scenes()) {
+  for (scene::SoftwareView* scene : scenes()) {
     if (elsewhere) scene->set_entry(dimple.at, dimple.inwards);
     scene->set_dent(dent, frame.displacements);
   }
 }
 
-QPointF View3d::on_screen(const Place& place) const {
+QPointF View3d::on_screen(const scene::Place& place) const {
   return QPointF(place.x, place.y) / scale_;
 }
 
-QRect View3d::on_screen(const PixelBox& pixels) const {
+QRect View3d::on_screen(const scene::PixelBox& pixels) const {
   if (pixels.empty()) return {};
   const QRectF box(pixels.left / scale_, pixels.top / scale_, pixels.width() / scale_, pixels.height() / scale_);
   return box.toAlignedRect().adjusted(-1, -1, 1, 1);
@@ -274,7 +285,7 @@ QRect View3d::tip_mark() const {
   const auto place = scene_->projection().place(needle_.pose.translation());
   if (!place) return {};
   // Under a closed skin nobody sees the tip.
-  if (preset_ == Preset::skin && shown_.depth > std::max(1.0, shown_.dimple.depth + 0.5)) return {};
+  if (preset_ == scene::Preset::skin && shown_.depth > std::max(1.0, shown_.dimple.depth + 0.5)) return {};
   const QPoint at = on_screen(*place).toPoint();
   return {at.x() - margin_of_tip, at.y() - margin_of_tip, 2 * margin_of_tip, 2 * margin_of_tip};
 }
@@ -285,7 +296,7 @@ void View3d::paintEvent(QPaintEvent* event) {
     paint_preparation(painter);
     return;
   }
-  const Picture& picture = stereo_ == Stereo::off ? scene_->picture() : stereo_picture_;
+  const scene::Picture& picture = stereo_ == scene::Stereo::off ? scene_->picture() : stereo_picture_;
   const QImage image(reinterpret_cast<const uchar*>(picture.pixels.data()), picture.width, picture.height,
                      4 * picture.width, QImage::Format_RGB32);
   if (scale_ == 1.0) {
@@ -294,7 +305,7 @@ void View3d::paintEvent(QPaintEvent* event) {
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     painter.drawImage(QRectF(rect()), image, QRectF(0, 0, picture.width, picture.height));
   }
-  if (!tip_mark().isEmpty() && stereo_ == Stereo::off) {
+  if (!tip_mark().isEmpty() && stereo_ == scene::Stereo::off) {
     const auto place = scene_->projection().place(needle_.pose.translation());
     draw_tip(painter, on_screen(*place), tip_shape(shown_), tissue_colour(shown_.tissue, patient_->patient.library));
   }
@@ -313,7 +324,7 @@ void View3d::paintEvent(QPaintEvent* event) {
 void View3d::paint_preparation(QPainter& painter) {
   painter.fillRect(rect(), Theme::dark().ground);
   if (!patient_ || !job_) return;
-  const SurfaceJob::Status status = job_->status();
+  const scene::SurfaceJob::Status status = job_->status();
   const QString text = status.error.empty()
                            ? tr("Preparing the patient in 3-D: %1 %").arg(static_cast<int>(100.0 * status.fraction))
                            : tr("The patient cannot be shown in 3-D: %1").arg(QString::fromStdString(status.error));

@@ -7,12 +7,12 @@
 #include <optional>
 #include <vector>
 
-#include "app/scene/camera_moves.h"
-#include "app/scene/export_surfaces.h"
-#include "app/scene/stereo.h"
-#include "app/scene/surface_job.h"
-#include "app/scene/view_software.h"
 #include "app/views/view.h"
+#include "scene/camera_moves.h"
+#include "scene/export_surfaces.h"
+#include "scene/stereo.h"
+#include "scene/surface_job.h"
+#include "scene/view_software.h"
 
 class QPushButton;
 
@@ -35,19 +35,23 @@ class View3d : public View {
   void set_case(std::shared_ptr<const OpenCase> patient) override;
   void show_frame(const Frame& frame, const Changes& changes) override;
 
-  void set_preset(Preset preset);
-  Preset preset() const { return preset_; }
-  void choose_view(StandardView view);
+  void set_preset(scene::Preset preset);
+  scene::Preset preset() const { return preset_; }
+  void choose_view(scene::StandardView view);
   // Needles that were left in the body.
-  void set_left_needles(std::vector<NeedleLook> needles);
+  void set_left_needles(std::vector<scene::NeedleLook> needles);
   // The dashed line of the plan, the ring at the target.
   void set_plan_shown(bool shown);
-  void set_stereo(Stereo stereo);
-  Stereo stereo() const { return stereo_; }
+  // See scene::SoftwareView::set_skin_tint; once is_ready().
+  void set_skin_tint(const std::vector<std::uint32_t>& tint);
+  // Ways of the tip in finished sessions; null: none.
+  void set_trails(std::shared_ptr<const std::vector<scene::Trail>> trails) { trails_ = std::move(trails); }
+  void set_stereo(scene::Stereo stereo);
+  scene::Stereo stereo() const { return stereo_; }
 
   // Writes the surfaces that are shown to a folder; what is said about it stands in the view for some seconds. False:
   // they could not be written.
-  bool save_surfaces(const QString& folder, SurfaceFormat format);
+  bool save_surfaces(const QString& folder, scene::SurfaceFormat format);
   // Writes the view as it is shown. False: it could not be written.
   bool save_picture(const QString& file);
 
@@ -56,13 +60,13 @@ class View3d : public View {
   // LPS mm at rest, whose displacements Frame::displacements brings; empty until is_ready().
   std::vector<Vec3> deformable_points() const;
   // For tests and pictures; null until is_ready().
-  SoftwareView* scene() { return scene_.get(); }
-  Camera camera() const { return camera_; }
-  void set_camera(const Camera& camera);
+  scene::SoftwareView* scene() { return scene_.get(); }
+  scene::Camera camera() const { return camera_; }
+  void set_camera(const scene::Camera& camera);
 
  signals:
   void ready();  // is_ready() from now on
-  void preset_changed(bodkin::app::Preset preset);
+  void preset_changed(bodkin::scene::Preset preset);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -78,10 +82,10 @@ class View3d : public View {
   enum class Drag { none, perhaps_turn, turn, pan, hub, hub_along, hub_across };
 
   void take_surfaces();
-  std::unique_ptr<SoftwareView> make_scene(std::shared_ptr<const PatientSurfaces> surfaces) const;
+  std::unique_ptr<scene::SoftwareView> make_scene(std::shared_ptr<const scene::PatientSurfaces> surfaces) const;
   // One, or with stereo one for each eye.
-  std::vector<SoftwareView*> scenes() const;
-  PixelBox draw_scenes();
+  std::vector<scene::SoftwareView*> scenes() const;
+  scene::PixelBox draw_scenes();
   void open_menu(const QPoint& at);
   void say(const QString& sentence);
   void update_scene(const Frame& frame);
@@ -90,8 +94,8 @@ class View3d : public View {
   void move_hub(const QPointF& from, const QPointF& to);
   bool is_over_hub(const QPointF& at) const;
   QRectF cube_place() const;
-  QRect on_screen(const PixelBox& pixels) const;
-  QPointF on_screen(const Place& place) const;
+  QRect on_screen(const scene::PixelBox& pixels) const;
+  QPointF on_screen(const scene::Place& place) const;
   QRect tip_mark() const;
   // In pixels of the picture.
   QPointF in_picture(const QPointF& at) const;
@@ -100,22 +104,23 @@ class View3d : public View {
   void place_buttons();
 
   std::shared_ptr<const OpenCase> patient_;
-  std::unique_ptr<SurfaceJob> job_;
-  std::unique_ptr<SoftwareView> scene_, right_scene_;  // the second one for the right eye
-  Stereo stereo_ = Stereo::off;
-  Picture stereo_picture_;
+  std::unique_ptr<scene::SurfaceJob> job_;
+  std::unique_ptr<scene::SoftwareView> scene_, right_scene_;  // the second one for the right eye
+  scene::Stereo stereo_ = scene::Stereo::off;
+  scene::Picture stereo_picture_;
   QString said_;
   double said_until_ = 0.0;  // s
   int shown_percent_ = -1;
 
-  Camera camera_;
-  ViewSubject subject_;
-  std::optional<CameraFlight> flight_;
+  scene::Camera camera_;
+  scene::ViewSubject subject_;
+  std::optional<scene::CameraFlight> flight_;
   double flight_began_ = 0.0, camera_moved_ = -1.0, clock_ = 0.0;  // s
-  Preset preset_ = Preset::cut_away;
+  scene::Preset preset_ = scene::Preset::cut_away;
   bool plan_shown_ = true;
-  std::vector<NeedleLook> left_needles_;
-  NeedleLook needle_;
+  std::vector<scene::NeedleLook> left_needles_;
+  std::shared_ptr<const std::vector<scene::Trail>> trails_;
+  scene::NeedleLook needle_;
   bool has_needle_ = false;
   Frame shown_;  // what is painted over the picture; without its spans
   QRect shown_tip_;

@@ -28,8 +28,8 @@ double length_of(const QPointF& vector) {
 
 bool View3d::is_over_hub(const QPointF& at) const {
   if (!scene_ || !has_needle_) return false;
-  const Projection projection = scene_->projection();
-  const auto front = projection.place(hub_middle(needle_)), back = projection.place(hub_end(needle_));
+  const scene::Projection projection = scene_->projection();
+  const auto front = projection.place(scene::hub_middle(needle_)), back = projection.place(scene::hub_end(needle_));
   if (!front || !back) return false;
   const QPointF a = on_screen(*front), b = on_screen(*back), along = b - a, from = at - a;
   const double square = QPointF::dotProduct(along, along);
@@ -72,10 +72,10 @@ void View3d::mouseMoveEvent(QMouseEvent* event) {
       if (length_of(pointer_ - pressed_) > click_reach) drag_ = Drag::turn;
       break;
     case Drag::turn:
-      set_camera(turned(camera_, turn_per_pixel * moved.x(), turn_per_pixel * moved.y()));
+      set_camera(scene::turned(camera_, turn_per_pixel * moved.x(), turn_per_pixel * moved.y()));
       break;
     case Drag::pan:
-      set_camera(panned(camera_, moved.x(), moved.y(), height()));
+      set_camera(scene::panned(camera_, moved.x(), moved.y(), height()));
       break;
     case Drag::hub:
     case Drag::hub_along:
@@ -87,8 +87,8 @@ void View3d::mouseMoveEvent(QMouseEvent* event) {
 
 void View3d::move_hub(const QPointF& from, const QPointF& to) {
   if (!scene_) return;
-  const Projection projection = scene_->projection();
-  const Vec3 axis = needle_axis(needle_.pose), hub = hub_middle(needle_);
+  const scene::Projection projection = scene_->projection();
+  const Vec3 axis = needle_axis(needle_.pose), hub = scene::hub_middle(needle_);
   const double scale = projection.pixels_per_mm(hub) / scale_;  // pixels of the widget for 1 mm
   if (scale <= 0.0) return;
   const Vec3 seen = projection.axes().transpose() * axis;
@@ -151,40 +151,40 @@ void View3d::wheelEvent(QWheelEvent* event) {
   if (!scene_) return;
   const QPointF at = in_picture(event->position());
   const auto skin = scene_->skin_at(at.x(), at.y());
-  set_camera(zoomed(camera_, std::pow(zoom_per_notch, notches), skin ? skin->point : camera_.focus));
+  set_camera(scene::zoomed(camera_, std::pow(zoom_per_notch, notches), skin ? skin->point : camera_.focus));
 }
 
 void View3d::keyPressEvent(QKeyEvent* event) {
   const int key = event->key();
-  if (key >= Qt::Key_0 && key < Qt::Key_0 + standard_view_count) {
-    choose_view(static_cast<StandardView>(key - Qt::Key_0));
+  if (key >= Qt::Key_0 && key < Qt::Key_0 + scene::standard_view_count) {
+    choose_view(static_cast<scene::StandardView>(key - Qt::Key_0));
     return;
   }
   switch (key) {
     case Qt::Key_P:
-      set_preset(presets[(static_cast<std::size_t>(preset_) + 1) % std::size(presets)]);
+      set_preset(scene::presets[(static_cast<std::size_t>(preset_) + 1) % std::size(scene::presets)]);
       break;
     case Qt::Key_Left:
-      set_camera(turned(camera_, -turn_per_key, 0.0));
+      set_camera(scene::turned(camera_, -turn_per_key, 0.0));
       break;
     case Qt::Key_Right:
-      set_camera(turned(camera_, turn_per_key, 0.0));
+      set_camera(scene::turned(camera_, turn_per_key, 0.0));
       break;
     case Qt::Key_Up:
-      set_camera(turned(camera_, 0.0, -turn_per_key));
+      set_camera(scene::turned(camera_, 0.0, -turn_per_key));
       break;
     case Qt::Key_Down:
-      set_camera(turned(camera_, 0.0, turn_per_key));
+      set_camera(scene::turned(camera_, 0.0, turn_per_key));
       break;
     case Qt::Key_Plus:
     case Qt::Key_Equal:
-      set_camera(zoomed(camera_, zoom_per_key, camera_.focus));
+      set_camera(scene::zoomed(camera_, zoom_per_key, camera_.focus));
       break;
     case Qt::Key_Minus:
-      set_camera(zoomed(camera_, 1.0 / zoom_per_key, camera_.focus));
+      set_camera(scene::zoomed(camera_, 1.0 / zoom_per_key, camera_.focus));
       break;
     case Qt::Key_Y:
-      set_stereo(static_cast<Stereo>((static_cast<int>(stereo_) + 1) % 3));
+      set_stereo(static_cast<scene::Stereo>((static_cast<int>(stereo_) + 1) % 3));
       break;
     default:
       View::keyPressEvent(event);

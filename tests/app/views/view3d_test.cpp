@@ -54,7 +54,7 @@ class View3dTest : public testing::Test {
       QTest::qWait(5);
     }
     EXPECT_TRUE(view_.is_ready());
-    look(StandardView::posterior);
+    look(scene::StandardView::posterior);
   }
 
   void show(const Frame& frame) {
@@ -62,11 +62,11 @@ class View3dTest : public testing::Test {
     now.clock = clock_ += 1.0;
     view_.show_frame(now, Changes::all());
   }
-  void look(StandardView view) {
-    ViewSubject subject;
+  void look(scene::StandardView view) {
+    scene::ViewSubject subject;
     subject.middle = Vec3(0.0, 10.0, 0.0);
     subject.height = 120.0;
-    view_.set_camera(standard_view(view, subject));
+    view_.set_camera(scene::standard_view(view, subject));
     show(frame_at(-5.0));
     show(frame_at(-5.0));
   }
@@ -81,7 +81,7 @@ class View3dTest : public testing::Test {
 
 TEST_F(View3dTest, has_names_for_scripts_and_a_text_for_everybody) {
   EXPECT_EQ(view_.objectName(), QStringLiteral("practise.view3d"));
-  for (const Preset preset : presets) {
+  for (const scene::Preset preset : scene::presets) {
     const QString name = QStringLiteral("practise.preset.") + QString::fromLatin1(name_of(preset).data());
     auto* button = view_.findChild<QPushButton*>(name);
     ASSERT_NE(button, nullptr) << name.toStdString();
@@ -97,7 +97,7 @@ TEST_F(View3dTest, paints_the_picture_of_the_scene) {
   view_.findChild<QPushButton*>(QStringLiteral("practise.preset.skin"))->click();
   show(frame_at(-20.0));
   const QImage grabbed = view_.grab().toImage();
-  const Picture& picture = view_.scene()->picture();
+  const scene::Picture& picture = view_.scene()->picture();
   ASSERT_EQ(picture.width, 400);
   int different = 0;
   for (int y = 60; y < 200; ++y) {
@@ -143,18 +143,18 @@ TEST_F(View3dTest, wheel_pushes_and_zooms_with_control) {
 }
 
 TEST_F(View3dTest, the_hub_is_dragged_along_the_needle_millimetre_by_millimetre) {
-  look(StandardView::left);
+  look(scene::StandardView::left);
   show(frame_at(5.0));
   QSignalSpy dragged(&view_, &View::dragged), tilted(&view_, &View::tilted);
-  NeedleLook needle;
+  scene::NeedleLook needle;
   needle.pose = frame_at(5.0).needle;
   needle.shape = layered_patient()->description().needle;
-  Camera camera = view_.camera();
-  camera.focus = hub_middle(needle);
+  scene::Camera camera = view_.camera();
+  camera.focus = scene::hub_middle(needle);
   camera.eye = camera.focus + Vec3(250.0, 0.0, 0.0);
   view_.set_camera(camera);
   show(frame_at(5.0));
-  const Vec3 hub = hub_middle(needle);
+  const Vec3 hub = scene::hub_middle(needle);
   const auto move = [&](const QPoint& from, const QPoint& to) {
     QTest::mousePress(&view_, Qt::LeftButton, {}, from);
     for (int i = 1; i <= 10; ++i) {
@@ -180,7 +180,7 @@ TEST_F(View3dTest, the_hub_is_dragged_along_the_needle_millimetre_by_millimetre)
 }
 
 TEST_F(View3dTest, drags_turn_keys_choose_views_and_the_cube_too) {
-  const Camera before = view_.camera();
+  const scene::Camera before = view_.camera();
   QTest::mousePress(&view_, Qt::LeftButton, {}, QPoint(200, 150));
   for (const int x : {210, 230, 260}) {
     QMouseEvent event(QEvent::MouseMove, QPointF(x, 150), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
@@ -195,7 +195,7 @@ TEST_F(View3dTest, drags_turn_keys_choose_views_and_the_cube_too) {
   show(frame_at(-5.0));
   show(frame_at(-5.0));
   EXPECT_TRUE(looks_from().isApprox(Vec3::UnitX(), 1e-6)) << "3 is the left side";
-  const Preset preset = view_.preset();
+  const scene::Preset preset = view_.preset();
   QTest::keyClick(&view_, Qt::Key_P);
   EXPECT_NE(view_.preset(), preset);
   QTest::keyClick(&view_, Qt::Key_1);
@@ -216,7 +216,7 @@ TEST_F(View3dTest, the_dimple_of_a_frame_is_as_deep_in_the_scene) {
   frame.dimple.inwards = -Vec3::UnitY();
   frame.dimple.depth = 3.0;
   show(frame);
-  const SkinPatch& patch = view_.scene()->patch();
+  const scene::SkinPatch& patch = view_.scene()->patch();
   const Vec3 bottom = patch.mesh().points[patch.bottom()].cast<double>();
   EXPECT_LT((bottom - Vec3(0.4, 27.0, 0.2)).norm(), 1e-3);
   const std::vector<float> displacements(3 * patch.rest().size(), 0.25F);
@@ -233,35 +233,35 @@ TEST_F(View3dTest, the_dimple_of_a_frame_is_as_deep_in_the_scene) {
 
 TEST_F(View3dTest, stereo_shows_each_eye_its_own_picture) {
   show(frame_at(-20.0));
-  const Picture mono = view_.scene()->picture();
+  const scene::Picture mono = view_.scene()->picture();
   QTest::keyClick(&view_, Qt::Key_Y);
-  EXPECT_EQ(view_.stereo(), Stereo::side_by_side);
+  EXPECT_EQ(view_.stereo(), scene::Stereo::side_by_side);
   show(frame_at(-20.0));
   show(frame_at(-20.0));
   EXPECT_EQ(view_.scene()->width(), 200);
   const QImage both = view_.grab().toImage();
   EXPECT_EQ(both.width(), 400);
   // The needle stands nearer than the focus: the right eye sees it farther left.
-  const Vec3 hub = hub_middle(NeedleLook{.pose = frame_at(-20.0).needle});
-  const auto left = Projection(eyes(view_.camera())[0], 200, 300).place(hub);
-  const auto right = Projection(eyes(view_.camera())[1], 200, 300).place(hub);
+  const Vec3 hub = scene::hub_middle(scene::NeedleLook{.pose = frame_at(-20.0).needle});
+  const auto left = scene::Projection(scene::eyes(view_.camera())[0], 200, 300).place(hub);
+  const auto right = scene::Projection(scene::eyes(view_.camera())[1], 200, 300).place(hub);
   EXPECT_LT(right->x, left->x);
   QTest::keyClick(&view_, Qt::Key_Y);
   show(frame_at(-20.0));
-  EXPECT_EQ(view_.stereo(), Stereo::anaglyph);
+  EXPECT_EQ(view_.stereo(), scene::Stereo::anaglyph);
   EXPECT_EQ(view_.scene()->width(), 400);
   QTest::keyClick(&view_, Qt::Key_Y);
   show(frame_at(-20.0));
   show(frame_at(-20.0));
-  EXPECT_EQ(view_.stereo(), Stereo::off);
+  EXPECT_EQ(view_.stereo(), scene::Stereo::off);
   EXPECT_EQ(view_.scene()->picture().pixels.size(), mono.pixels.size());
 }
 
 TEST_F(View3dTest, saves_surfaces_and_pictures_or_says_why_not) {
   QTemporaryDir folder;
-  EXPECT_TRUE(view_.save_surfaces(folder.path(), SurfaceFormat::stl));
+  EXPECT_TRUE(view_.save_surfaces(folder.path(), scene::SurfaceFormat::stl));
   EXPECT_TRUE(QFile::exists(folder.filePath(QStringLiteral("skin.stl"))));
-  EXPECT_FALSE(view_.save_surfaces(QStringLiteral("/proc/no/such"), SurfaceFormat::ply));
+  EXPECT_FALSE(view_.save_surfaces(QStringLiteral("/proc/no/such"), scene::SurfaceFormat::ply));
   EXPECT_TRUE(view_.save_picture(folder.filePath(QStringLiteral("view.png"))));
   EXPECT_EQ(QImage(folder.filePath(QStringLiteral("view.png"))).size(), view_.size());
   EXPECT_FALSE(view_.save_picture(QStringLiteral("/proc/no/such.png")));
@@ -283,13 +283,15 @@ TEST_F(View3dTest, without_a_patient_it_is_plain) {
 }
 
 TEST(OrientationCube, a_click_on_a_letter_gives_its_view) {
-  ViewSubject subject;
+  scene::ViewSubject subject;
   const QRectF place(0, 0, 80, 80);
-  for (const StandardView view : {StandardView::anterior, StandardView::posterior, StandardView::left,
-                                  StandardView::right, StandardView::superior, StandardView::inferior}) {
-    EXPECT_EQ(orientation_cube_face(place, standard_view(view, subject).axes(), QPointF(40, 40)), view);
+  for (const scene::StandardView view :
+       {scene::StandardView::anterior, scene::StandardView::posterior, scene::StandardView::left,
+        scene::StandardView::right, scene::StandardView::superior, scene::StandardView::inferior}) {
+    EXPECT_EQ(orientation_cube_face(place, scene::standard_view(view, subject).axes(), QPointF(40, 40)), view);
   }
-  EXPECT_FALSE(orientation_cube_face(place, standard_view(StandardView::left, subject).axes(), QPointF(2, 2)));
+  EXPECT_FALSE(
+      orientation_cube_face(place, scene::standard_view(scene::StandardView::left, subject).axes(), QPointF(2, 2)));
 }
 
 }  // namespace

@@ -1,0 +1,181 @@
+// What the window does when it is asked for something: by a key, a button, the palette or a script.
+#include <QApplication>
+#include <QDateTime>
+#include <QFileDialog>
+#include <QMenu>
+#include <QSettings>
+#include <QStandardPaths>
+#include <algorithm>
+
+#include "app/main_window.h"
+#include "app/pages/cards.h"
+#include "app/pages/palette.h"
+#include "app/pages/practise.h"
+#include "app/pages/tour.h"
+#include "app/theme.h"
+#include "app/views/top_bar.h"
+
+#include "core/error.h"
+#include "io/probe_library_file.h"
+
+namespace bodkin::app {
+
+void MainWindow::run(Command command) {
+  switch (command) {
+    case Command::show_keys:
+      keys_->show_keys(page_scope() == KeyScope::practise
+                           ? std::vector{KeyScope::practise, KeyScope::view3d, KeyScope::slice, KeyScope::window}
+                           : std::vector{page_scope(), KeyScope::window});
+      keys_->setGeometry(rect());
+      keys_->setVisible(!keys_->isVisible());
+      return keys_->raise();
+    case Command::back:
+      if (palette_->isVisible()) return palette_->hide();
+      if (keys_->isVisible()) return keys_->hide();
+      if (page_ != nullptr && page_->press(QKeySequence(Qt::Key_Escape))) return;  // it has closed something itself
+      if (page_ != nullptr) return show_page(shown_ != nullptr ? PageId::practise : PageId::start);
+      if (practice_.state() == State::preparing) return practice_.cancel();
+      if (practice_.state() == State::ended) return practice_.leave();
+      return practice_.pause(practice_.state() != State::paused);
+    case Command::open_patient:
+      return choose_patient();
+    case Command::save_picture:
+      return save_picture();
+    case Command::full_screen:
+      return isFullScreen() ? showNormal() : showFullScreen();
+    case Command::toggle_theme:
+      return apply_theme(!Theme::now().is_dark);
+    case Command::leave_program:
+      close();
+      return;
+    case Command::show_palette:
+      return show_palette();
+    case Command::toggle_sound:
+      sounds_.toggle();
+      return practice_.say(!sounds_.is_on()     ? tr("Sound is off.").toStdString()
+                           : sounds_.can_play() ? tr("Sound is on.").toStdString()
+                                                : tr("Sound is on, but there is no pw-play, paplay or aplay to play "
+                                                     "it with.")
+                                                      .toStdString());
+    case Command::tour:
+      return begin_tour();
+    case Command::next_view:
+      return practise_->focus_next(false);
+    case Command::previous_view:
+      return practise_->focus_next(true);
+    case Command::begin:
+      return practice_.choose_built_in();
+    case Command::hold:
+      return practice_.toggle_hold();
+    case Command::push_in:
+    case Command::push_in_finely:
+      return practice_.hold_key(1, command == Command::push_in_finely);
+    case Command::draw_out:
+    case Command::draw_out_finely:
+      return practice_.hold_key(-1, command == Command::draw_out_finely);
+    case Command::withdraw:
+      return practice_.withdraw();
+    case Command::press_plunger:
+      return practice_.press_plunger(true);
+    case Command::again:
+      return practice_.again();
+    case Command::end:
+      return practice_.end();
+    case Command::arm:
+      return practice_.arm();
+    case Command::show_numbers:
+      return practise_->toggle_numbers();
+    case Command::show_ladder:
+      return practise_->toggle_ladder();
+    case Command::show_dock:
+      return practise_->toggle_dock();
+    case Command::toggle_ultrasound:
+      return show_ultrasound(!has_ultrasound_);
+    case Command::fill:
+      return practise_->toggle_fill();
+    case Command::of_the_view:
+    case Command::of_the_page:
+      return;
+  }
+}
+
+// With the probe lengthwise beside the planned way of the needle, which then lies in the slice.
+void MainWindow::show_ultrasound(bool on) {
+  if (shown_ == nullptr) on = false;
+  std::optional<station::UltrasoundChoice> choice;
+  try {
+    if (on && asked_ultrasound_) {
+      choice = asked_ultrasound_;
+    } else if (on) {
+      choice.emplace();
+      choice->probe = io::find_probe("C5-2");
+      choice->settings.depth = 90.0;
+      const bool has_path = shown_->description().procedure.path.has_value();
+      choice->request.view = has_path ? imaging::ScanView::needle : imaging::ScanView::paramedian;
+    }
+    practise_->show_ultrasound(choice);
+    practice_.set_ultrasound(choice);
+    has_ultrasound_ = on;
+  } catch (const InputError& error) {  // no skin there
+    practice_.say(error.what());
+  }
+  bar_->set_ultrasound(has_ultrasound_);
+}
+
+void MainWindow::choose_patient() {
+  if (practice_.state() != State::no_case && practice_.state() != State::ended) return practice_.pause(true);
+  QMenu kinds(this);
+  kinds.setObjectName(QStringLiteral("open.menu"));
+  QAction* const folder = kinds.addAction(tr("A folder: a case, or DICOM images"));
+  QAction* const file = kinds.addAction(tr("A file: NIfTI, NRRD, MetaImage, or one DICOM image"));
+  QAction* const chosen = kinds.exec(mapToGlobal(QPoint(width() / 3, height() / 3)));
+  QString path;
+  if (chosen == folder) path = QFileDialog::getExistingDirectory(this, folder->text());
+  if (chosen == file) {
+    path = QFileDialog::getOpenFileName(this, file->text(), {},
+                                        tr("Images (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;All files (*)"));
+  }
+  if (!path.isEmpty()) open(path.toStdString());
+}
+
+void MainWindow::show_palette() {
+  if (palette_->isVisible()) return palette_->hide();
+  std::vector<Palette::Entry> entries;
+  for (const Page* page : more_pages_) {
+    const PageId id = page->id();
+    entries.push_back({tr("go to: %1").arg(name_of(page->scope())), {}, [this, id] { show_page(id); }});
+  }
+  entries.push_back({tr("go to: Practise"), {}, [this] { show_page(PageId::practise); }});
+  std::vector<Command> listed = {Command::of_the_view, Command::of_the_page, Command::show_palette};
+  for (const KeyScope scope : chain_of(page_scope())) {
+    for (const KeyBinding& binding : key_table()) {
+      const Command command = binding.command;
+      if (binding.scope != scope || std::find(listed.begin(), listed.end(), command) != listed.end()) continue;
+      listed.push_back(command);
+      entries.push_back({text_of(binding), QLatin1String(binding.keys), [this, command] { run(command); }});
+    }
+  }
+  palette_->setGeometry(rect());
+  palette_->show_entries(std::move(entries));
+}
+
+void MainWindow::begin_tour() {
+  if (practice_.state() != State::no_case) return;
+  tour_->begin();
+  practice_.choose_built_in();
+}
+
+void MainWindow::save_picture() {
+  const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+  const QString name = QDateTime::currentDateTime().toString(QStringLiteral("'bodkin' yyyy-MM-dd hh.mm.ss'.png'"));
+  grab().save(folder + QLatin1Char('/') + name);
+}
+
+void MainWindow::apply_theme(bool dark) {
+  Theme::use(dark);
+  qApp->setStyleSheet(Theme::now().style_sheet());
+  QSettings().setValue(QStringLiteral("dark"), dark);
+  update();
+}
+
+}  // namespace bodkin::app

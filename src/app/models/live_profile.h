@@ -1,0 +1,61 @@
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/models/parameter_model.h"
+
+namespace bodkin::app {
+
+// The force of one insertion along the planned path, for a chart.
+struct ForceCurve {
+  struct Point {
+    double depth, force;  // mm, N along the needle, positive pushes out
+  };
+  struct Band {
+    double from, to;  // mm
+    anatomy::TissueId tissue;
+  };
+  std::vector<Point> points;
+  std::vector<Band> bands;
+  double strongest = 0.0;            // N
+  std::optional<double> first_give;  // N, the force at which the first layer gave way
+  double milliseconds = 0.0;         // that it took
+  std::string trouble;               // why there is no curve: a sentence; empty: there is one
+};
+
+// Computes the curve of the newest settings on a thread of its own, through the same tick that a hand feels. Settings
+// that came meanwhile replace those that wait. All calls from one thread; none waits.
+class LiveProfile {
+ public:
+  explicit LiveProfile(std::shared_ptr<const OpenCase> patient);
+  ~LiveProfile();
+  LiveProfile(const LiveProfile&) = delete;
+  LiveProfile& operator=(const LiveProfile&) = delete;
+
+  void set(const ModelSettings& settings);
+  // The newest curve; null before the first one.
+  std::shared_ptr<const ForceCurve> curve() const;
+  // The curve of the newest settings is not there yet.
+  bool is_busy() const;
+
+ private:
+  void run(const std::stop_token& stop, const std::shared_ptr<const OpenCase>& patient);
+
+  mutable std::mutex lock_;  // guards all below but the thread
+  std::condition_variable_any changed_;
+  std::optional<ModelSettings> wanted_;
+  bool works_ = false;
+  std::shared_ptr<const ForceCurve> curve_;
+  std::jthread thread_;
+};
+
+// The same at once.
+ForceCurve force_curve(anatomy::Case& patient, const ModelSettings& settings);
+
+}  // namespace bodkin::app

@@ -1,0 +1,314 @@
+#include "app/models/parameter_model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/settings_check.h"
+#include "io/tissue_library_file.h"
+
+namespace bodkin::app {
+
+namespace {
+
+using Place = SettingStep::Place;
+
+constexpr std::array<std::string_view, 8> rigid_models = {
+    "layered",      "spring_damper_wall", "tracking_wall",  "depth_profile",
+    "volume_proxy", "three_component",    "shaft_friction", "fracture"};
+
+// The eleven steps of the acupuncture simulator's wizard.
+struct UsualStep {
+  Place place;
+  anatomy::TissueId tissue;
+  std::string_view name;  // what the parameter's name begins with
+  std::string_view question;
+};
+constexpr std::array usual_steps = {
+    UsualStep{Place::weight, 0, "weight_N", "How heavy is the stylus, of which the hand shall feel nothing?"},
+    UsualStep{Place::tissue, anatomy::tissue::skin, "stiffness", "How stiff is the skin before it gives way?"},
+    UsualStep{Place::tissue, anatomy::tissue::skin, "break_force_N",
+              "How hard must one push before the skin gives way?"},
+    UsualStep{Place::tissue, anatomy::tissue::skin, "static_friction", "How firmly does the skin grip the shaft?"},
+    UsualStep{Place::tissue, anatomy::tissue::fat, "drag", "How viscous is the fat?"},
+    UsualStep{Place::tissue, anatomy::tissue::muscle, "stiffness", "How stiff is the muscle before it gives way?"},
+    UsualStep{Place::tissue, anatomy::tissue::muscle, "static_friction",
+              "How firmly does the muscle grip a needle at rest?"},
+    UsualStep{Place::tissue, anatomy::tissue::muscle, "dynamic_friction",
+              "How much does the muscle resist a needle that slides?"},
+    UsualStep{Place::tissue, anatomy::tissue::muscle, "roughness", "How rough does the needle feel as it slides?"},
+    UsualStep{Place::tissue, anatomy::tissue::cortical_bone, "contact_stiffness", "How hard is bone?"},
+    UsualStep{Place::constraint, 0, "", "How firmly does the body hold the needle on its path?"}};
+
+// Calls visit(settings) with the struct that a step's number stands in; `Settings` may be const.
+template <typename Settings, typename Visit>
+void at_place(Settings& settings, Place place, anatomy::TissueId id, const Visit& visit) {
+  const auto open = [&](auto& value) {
+    if constexpr (Parameterized<std::remove_cvref_t<decltype(value)>>) visit(value);
+  };
+  switch (place) {
+    case Place::resistance:
+      return std::visit(open, settings.haptics.resistance);
+    case Place::constraint:
+      return std::visit(open, settings.haptics.constraint);
+    case Place::weight:
+      return visit(settings.haptics.compensation);
+    case Place::tissue:
+      break;
+  }
+  const auto found = std::find_if(settings.tissues.begin(), settings.tissues.end(),
+                                  [id](const anatomy::TissueProperties& tissue) { return tissue.id == id; });
+  if (found == settings.tissues.end()) return;
+  const std::string_view model = anatomy::name_of(settings.haptics.resistance);
+  if (model == "layered") visit(found->layered);
+  if (model == "tracking_wall") visit(found->tracking_wall);
+  if (model == "depth_profile") visit(found->depth_profile);
+  if (model == "volume_proxy") visit(found->volume_proxy);
+  if (model == "shaft_friction") visit(found->shaft_friction);
+}
+
+// The number of a step, where it counts; null where there is none.
+template <typename Settings>
+auto* number_at(Settings& settings, const SettingStep& step) {
+  using Number = std::conditional_t<std::is_const_v<Settings>, const double, double>;
+  Number* found = nullptr;
+  at_place(settings, step.place, step.tissue, [&](auto& owner) {
+    const std::string_view word = alternative_of(owner);
+    for_each_parameter(
+        [&](const auto& parameter, auto& value) {
+          if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, double>) {
+            if (parameter.name == step.name && counts_for(parameter, word)) found = &value;
+          }
+        },
+        owner);
+  });
+  return found;
+}
+
+// "break_force_N" of unit "N" for people: "break force".
+std::string words_of(std::string_view name, std::string_view unit) {
+  std::string suffix = "_";
+  for (const char c : unit) {
+    if (c == '/')
+      suffix += "_per_";
+    else if (c == ' ')
+      suffix += '_';
+    else if (c != '^')
+      suffix += c;
+  }
+  std::string words(name);
+  if (unit.size() > 0 && words.ends_with(suffix)) words.resize(words.size() - suffix.size());
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+std::string capitalised(std::string words) {
+  if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') words[0] = static_cast<char>(words[0] - 'a' + 'A');
+  return words;
+}
+
+// Where a slider begins and ends about a value: wide enough to feel a difference, within what is allowed.
+void span_slider(SettingStep& step, double value) {
+  constexpr double wide = 3.0;
+  const double size =
+      value != 0.0 ? std::abs(value) : std::min(1.0, std::isfinite(step.range.high) ? step.range.high : 1.0);
+  step.low = std::max(step.range.low, step.range.low < 0.0 ? -wide * size : 0.0);
+  step.high = std::min(step.range.high, wide * size);
+  if (step.high <= step.low) step.high = step.low + size;
+  step.digits = std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 8);
+  step.grain = std::pow(10.0, -step.digits);
+  if (!step.range.includes_low && step.low <= step.range.low) step.low = step.range.low + step.grain;
+  if (!step.range.includes_high && step.high >= step.range.high) step.high = step.range.high - step.grain;
+}
+
+bool same_library(const std::vector<anatomy::TissueProperties>& a, const std::vector<anatomy::TissueProperties>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const auto& one, const auto& other) { return same_parameters(one, other); });
+}
+
+}  // namespace
+
+ParameterModel::ParameterModel(std::shared_ptr<const OpenCase> patient) : patient_(std::move(patient)) {
+  const anatomy::Case& opened = patient_->patient;
+  reference_ = {opened.description.haptics, opened.library.tissues()};
+  now_ = reference_;
+  if (const std::optional<anatomy::NeedlePath>& path = opened.description.procedure.path) {
+    constexpr double stride = 0.25;  // mm
+    for (double depth = 0.0; depth <= path->length(); depth += stride) {
+      const anatomy::TissueId id =
+          anatomy::nearest(opened.tissues, Vec3(path->entry + depth * path->direction()), anatomy::tissue::air);
+      const bool is_new = std::find(on_path_.begin(), on_path_.end(), id) == on_path_.end();
+      if (id != anatomy::tissue::air && is_new) on_path_.push_back(id);
+    }
+  }
+  find_steps();
+}
+
+std::vector<std::string_view> ParameterModel::models() {
+  return {rigid_models.begin(), rigid_models.end()};
+}
+
+std::string_view ParameterModel::model() const {
+  return anatomy::name_of(now_.haptics.resistance);
+}
+
+void ParameterModel::choose_model(std::string_view name) {
+  if (name == model()) return;
+  anatomy::ResistanceSettings chosen;
+  bool found = false;
+  const auto make = [&]<std::size_t... index>(std::index_sequence<index...>) {
+    ((anatomy::resistance_names[index] == name ? (chosen.emplace<index>(), found = true) : false), ...);
+  };
+  make(std::make_index_sequence<std::variant_size_v<anatomy::ResistanceSettings>>{});
+  if (!found) throw InputError(fmt::format("there is no force model '{}'", name));
+  remember(false);
+  now_.haptics.resistance = std::move(chosen);
+  now_.haptics.parts = {};  // they belong to the model that was
+  find_steps();
+}
+
+void ParameterModel::show_all(bool all) {
+  all_ = all;
+  find_steps();
+}
+
+void ParameterModel::find_steps() {
+  steps_.clear();
+  const auto add_all = [this](Place place, anatomy::TissueId id, const std::string& group, const std::string& source,
+                              std::string_view only, std::string_view question) {
+    at_place(std::as_const(now_), place, id, [&](const auto& owner) {
+      const std::string_view word = alternative_of(owner);
+      for_each_parameter(
+          [&](const auto& parameter, const auto& value) {
+            if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, double>) {
+              if (!counts_for(parameter, word) || !parameter.name.starts_with(only)) return;
+              if (!question.empty() && !steps_.empty() && steps_.back().question == question)
+                return;  // the first one
+              SettingStep step;
+              step.place = place;
+              step.tissue = id;
+              step.name = parameter.name;
+              const std::string words = words_of(parameter.name, parameter.unit);
+              step.title = fmt::format("{}: {}", group, words);
+              step.question = question.empty() ? fmt::format("{}: {}", group, words) : std::string(question);
+              step.description = parameter.description;
+              step.unit = parameter.unit;
+              step.range = parameter.range;
+              step.origin = parameter.origin;
+              step.source = source;
+              const double* const was = number_at(std::as_const(reference_), step);
+              span_slider(step, was != nullptr ? *was : value);
+              steps_.push_back(std::move(step));
+            }
+          },
+          owner);
+    });
+  };
+  const auto tissue_called = [this](anatomy::TissueId id) {
+    return std::find_if(now_.tissues.begin(), now_.tissues.end(),
+                        [id](const auto& tissue) { return tissue.id == id; });
+  };
+  const auto add_tissue = [&](anatomy::TissueId id, std::string_view only, std::string_view question) {
+    const auto tissue = tissue_called(id);
+    if (tissue != now_.tissues.end())
+      add_all(Place::tissue, id, capitalised(tissue->title), tissue->source, only, question);
+  };
+  if (model() == "layered" && !all_) {
+    for (const UsualStep& usual : usual_steps) {
+      if (usual.place == Place::tissue)
+        add_tissue(usual.tissue, usual.name, usual.question);
+      else
+        add_all(usual.place, 0, usual.place == Place::weight ? "Stylus" : "Path", {}, usual.name, usual.question);
+    }
+    return;
+  }
+  add_all(Place::resistance, 0, "Model", {}, {}, {});
+  for (const anatomy::TissueId id : on_path_) add_tissue(id, {}, {});
+  add_all(Place::constraint, 0, "Path", {}, {}, {});
+}
+
+double ParameterModel::value(std::size_t step) const {
+  const double* const number = number_at(now_, steps_.at(step));
+  return number == nullptr ? 0.0 : *number;
+}
+
+double ParameterModel::before(std::size_t step) const {
+  const double* const number = number_at(reference_, steps_.at(step));
+  return number == nullptr ? value(step) : *number;  // of another model there was nothing before
+}
+
+std::string ParameterModel::set(std::size_t step, double value, bool continues) {
+  const SettingStep& asked = steps_.at(step);
+  ModelSettings changed = now_;
+  double* const number = number_at(changed, asked);
+  if (number == nullptr || *number == value) return {};
+  *number = value;
+  try {
+    at_place(std::as_const(changed), asked.place, asked.tissue,
+             [&](const auto& owner) { check(owner, asked.title); });
+  } catch (const InputError& refused) {
+    return refused.what();
+  }
+  remember(continues);
+  now_ = std::move(changed);
+  return {};
+}
+
+void ParameterModel::reset(std::size_t step) {
+  set(step, before(step));
+}
+
+void ParameterModel::remember(bool continues) {
+  redone_from_.clear();
+  if (!continues || undone_from_.empty()) undone_from_.push_back(now_);
+}
+
+void ParameterModel::undo() {
+  if (!can_undo()) return;
+  redone_from_.push_back(std::exchange(now_, std::move(undone_from_.back())));
+  undone_from_.pop_back();
+  find_steps();
+}
+
+void ParameterModel::redo() {
+  if (!can_redo()) return;
+  undone_from_.push_back(std::exchange(now_, std::move(redone_from_.back())));
+  redone_from_.pop_back();
+  find_steps();
+}
+
+bool ParameterModel::is_changed() const {
+  const auto differs = [this](Place place) {
+    bool same = true;
+    at_place(now_, place, 0, [&](const auto& owner) {
+      at_place(reference_, place, 0, [&](const auto& other) {
+        if constexpr (std::is_same_v<decltype(owner), decltype(other)>) same = same_parameters(owner, other);
+      });
+    });
+    return !same;
+  };
+  return model() != anatomy::name_of(reference_.haptics.resistance) || differs(Place::resistance) ||
+         differs(Place::constraint) || differs(Place::weight) || !same_library(now_.tissues, reference_.tissues);
+}
+
+void ParameterModel::load(const std::filesystem::path& file) {
+  const anatomy::TissueLibrary library = io::read_tissue_library(file);
+  remember(false);
+  for (anatomy::TissueProperties& tissue : now_.tissues) {
+    if (const anatomy::TissueProperties* const loaded = library.find(tissue.id)) tissue = *loaded;
+  }
+  find_steps();
+}
+
+void ParameterModel::save(const std::filesystem::path& file) const {
+  write_file(file, io::tissue_library_xml(anatomy::TissueLibrary(now_.tissues)));
+}
+
+}  // namespace bodkin::app

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/models/open_case.h"
+
+#include "core/parameter.h"
+
+namespace bodkin::app {
+
+// Everything about a force model that the wizard changes.
+struct ModelSettings {
+  anatomy::HapticSettings haptics;
+  std::vector<anatomy::TissueProperties> tissues;
+};
+
+// One number, as one step of the wizard asks for it. Range, unit, description and origin are those of the parameter's
+// declaration.
+struct SettingStep {
+  enum class Place : std::uint8_t { resistance, constraint, weight, tissue };
+  Place place = Place::resistance;
+  anatomy::TissueId tissue = anatomy::tissue::air;  // of Place::tissue
+  std::string name;                                 // "break_force_N"
+  std::string title;                                // "Skin: break force"
+  std::string question;                             // one sentence
+  std::string description;                          // what the declaration says: "H, at which the tissue gives way"
+  std::string unit;                                 // "N"; empty: none
+  Range range;                                      // what is allowed
+  double low = 0.0, high = 1.0;                     // of the slider, within the range
+  double grain = 0.01;                              // one unit of the last digit that is shown
+  int digits = 2;                                   // after the point
+  Origin origin = Origin::choice;                   // of the default
+  std::string source;                               // what the tissue library says of its numbers; may be empty
+};
+
+// The settings of a patient's force model, step by step, with undo. The steps of `layered` are the eleven of the
+// acupuncture simulator (Heng et al. 2004), or all of its numbers; every other model has a step for each number that
+// it declares and for those of the tissues on the planned path.
+class ParameterModel {
+ public:
+  explicit ParameterModel(std::shared_ptr<const OpenCase> patient);
+
+  // The models that can be chosen: those that need no deformable body.
+  static std::vector<std::string_view> models();
+  std::string_view model() const;
+  // With its default settings; the tissues stay. Can be undone. Throws InputError for a name that there is not.
+  void choose_model(std::string_view name);
+  // All numbers instead of the eleven; only `layered` has a difference.
+  void show_all(bool all);
+  bool shows_all() const { return all_; }
+
+  const std::vector<SettingStep>& steps() const { return steps_; }
+  double value(std::size_t step) const;
+  double before(std::size_t step) const;  // of the reference
+  // Empty, or why the value cannot be; then nothing has changed. `continues`: the same gesture as the last change,
+  // and undone with it.
+  std::string set(std::size_t step, double value, bool continues = false);
+  void reset(std::size_t step);
+
+  bool can_undo() const { return !undone_from_.empty(); }
+  bool can_redo() const { return !redone_from_.empty(); }
+  void undo();
+  void redo();
+
+  const ModelSettings& now() const { return now_; }
+  const ModelSettings& reference() const { return reference_; }
+  bool is_changed() const;
+
+  // The tissues of a library file; ids that the file lacks stay. Throws InputError.
+  void load(const std::filesystem::path& file);
+  // All tissues as a library file. Throws SystemError.
+  void save(const std::filesystem::path& file) const;
+
+ private:
+  void find_steps();
+  void remember(bool continues);
+
+  std::shared_ptr<const OpenCase> patient_;
+  ModelSettings reference_, now_;
+  std::vector<anatomy::TissueId> on_path_;
+  std::vector<SettingStep> steps_;
+  std::vector<ModelSettings> undone_from_, redone_from_;
+  bool all_ = false;
+};
+
+}  // namespace bodkin::app

@@ -1,0 +1,217 @@
+#include "app/models/plan_work.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace bodkin::app {
+
+namespace {
+
+constexpr double publish_after = 0.15;  // s between two states of the map
+constexpr double other_skin = 6.0;      // mm: a way that leaves the body further off leaves it elsewhere
+constexpr double midline = 5.0;         // degrees
+
+// "L3_L4" as people write it.
+std::string written(std::string level) {
+  std::replace(level.begin(), level.end(), '_', '/');
+  return level;
+}
+
+// Where a needle comes from, in words: "from behind on the left".
+std::string way_of(const patient::PathReport& report, const std::string& level) {
+  const Vec3 from = -report.path.direction();
+  if (!level.empty()) {
+    if (std::abs(report.lateral) < midline) return fmt::format("{}, in the midline", written(level));
+    return fmt::format("{}, beside it on the {}", written(level), from.x() > 0.0 ? "left" : "right");
+  }
+  const double aside = std::abs(from.x()), along = std::abs(from.y()), up = std::abs(from.z());
+  if (up > aside && up > along) return from.z() > 0.0 ? "from above" : "from below";
+  const std::string first = from.y() > 0.0 ? "from behind" : "from the front";
+  const std::string side = from.x() > 0.0 ? "left" : "right";
+  if (aside < 0.27 * along) return first;
+  if (along < 0.27 * aside) return fmt::format("from the {}", side);
+  return fmt::format("{} on the {}", first, side);
+}
+
+ProposedPath proposed(patient::PathReport report, const patient::Obstacles& obstacles, const std::string& level) {
+  ProposedPath path;
+  path.way = way_of(report, level);
+  const auto least = std::min_element(report.near.begin(), report.near.end(),
+                                      [](const auto& a, const auto& b) { return a.distance < b.distance; });
+  if (least != report.near.end()) path.nearest = obstacles.kinds[least->kind].title;
+  path.report = std::move(report);
+  return path;
+}
+
+}  // namespace
+
+EntryRoom room_from(const patient::PatientView& patient, const patient::Obstacles& obstacles, const Vec3& skin,
+                    const Vec3& target, const patient::PathWishes& wishes) {
+  using Kind = EntryRoom::Kind;
+  const Vec3 way = skin - target;
+  const double length = way.norm();
+  if (length < 1.0 || length > wishes.longest) return {Kind::out_of_reach, 0.0F};
+  const Vec3 outwards = way / length;
+  const std::optional<Vec3> entry =
+      patient::way_out(patient.tissues, target, outwards, std::min(wishes.longest, length + other_skin));
+  if (!entry || (*entry - skin).norm() > other_skin) return {Kind::out_of_reach, 0.0F};
+  const std::optional<Vec3> normal = patient::skin_normal(patient.tissues, *entry);
+  if (!normal || normal->dot(outwards) < std::cos(wishes.flattest * degree)) return {Kind::out_of_reach, 0.0F};
+  const patient::Room room = patient::room_along(obstacles, {*entry, target}, static_cast<double>(map_top));
+  if (room.blocked || room.spare < 0.0) return {Kind::blocked, 0.0F};
+  return {Kind::open, static_cast<float>(room.clearance)};
+}
+
+std::uint32_t clearance_colour(float clearance) {
+  struct Stop {
+    float at;
+    std::array<float, 3> colour;
+  };
+  // Readable by every eye: from dark to bright, blue to yellow.
+  constexpr std::array<Stop, 4> stops = {Stop{0.0F, {30.0F, 44.0F, 92.0F}}, Stop{0.34F, {92.0F, 98.0F, 120.0F}},
+                                         Stop{0.67F, {176.0F, 160.0F, 92.0F}}, Stop{1.0F, {247.0F, 214.0F, 62.0F}}};
+  const float share = std::clamp(clearance / map_top, 0.0F, 1.0F);
+  std::size_t i = 1;
+  while (i + 1 < stops.size() && share > stops[i].at) ++i;
+  const float t = (share - stops[i - 1].at) / (stops[i].at - stops[i - 1].at);
+  std::uint32_t colour = 0;
+  for (std::size_t part = 0; part < 3; ++part) {
+    const float value = stops[i - 1].colour[part] + t * (stops[i].colour[part] - stops[i - 1].colour[part]);
+    colour = (colour << 8U) | static_cast<std::uint32_t>(std::lround(value));
+  }
+  return colour;
+}
+
+std::uint32_t tint_of(const EntryRoom& room) {
+  constexpr std::uint32_t strong = 0xD8000000U, faint = 0x90000000U, grey = 0x8A8F96U;
+  switch (room.kind) {
+    case EntryRoom::Kind::unknown:
+      return faint | grey;
+    case EntryRoom::Kind::out_of_reach:
+      return 0;
+    case EntryRoom::Kind::blocked:
+      return strong | clearance_colour(0.0F);
+    case EntryRoom::Kind::open:
+      return strong | clearance_colour(room.clearance);
+  }
+  return 0;
+}
+
+PlanWork::PlanWork(Wish wish)
+    : wish_(std::move(wish)),
+      wishes_(patient::wishes_for(wish_.patient->description().needle, wish_.rules)),
+      mapping_([this](const std::stop_token& stop) {
+        try {
+          const auto obstacles = std::make_shared<const patient::Obstacles>(
+              patient::find_obstacles(patient::view_of(wish_.patient->patient), wish_.rules, wish_.target));
+          {
+            const std::scoped_lock lock(mutex_);
+            result_.obstacles = obstacles;
+            ++result_.version;
+            searching_ = std::jthread(
+                [this, obstacles](const std::stop_token& stopped) { make_proposals(stopped, obstacles); });
+          }
+          make_map(stop, *obstacles);
+        } catch (const std::exception& error) {
+          const std::scoped_lock lock(mutex_);
+          result_.failure = error.what();
+          result_.map_done = result_.proposals_done = true;
+          ++result_.version;
+        }
+      }) {}
+
+PlanWork::~PlanWork() {
+  mapping_.request_stop();
+  mapping_.join();  // from here on nobody starts the other one
+  searching_.request_stop();
+}
+
+bool PlanWork::poll(int version, Result& result) const {
+  const std::scoped_lock lock(mutex_);
+  if (result_.version == version) return false;
+  result = result_;
+  return true;
+}
+
+void PlanWork::make_map(const std::stop_token& stop, const patient::Obstacles& obstacles) {
+  using Clock = std::chrono::steady_clock;
+  const std::size_t count = wish_.skin ? wish_.skin->size() : 0;
+  const patient::PatientView view = patient::view_of(wish_.patient->patient);
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto point = [&](std::size_t i) { return Vec3((*wish_.skin)[i].cast<double>()); };
+  std::vector<double> away(count);
+  for (std::size_t i = 0; i < count; ++i) away[i] = (point(i) - wish_.around).squaredNorm();
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return away[a] < away[b]; });
+  // What the needle cannot reach costs nothing and is known at once.
+  std::vector<EntryRoom> map(count);
+  for (std::size_t i = 0; i < count; ++i)
+    if ((point(i) - wish_.target).norm() > wishes_.longest) map[i].kind = EntryRoom::Kind::out_of_reach;
+  const auto publish = [&](bool done) {
+    const std::scoped_lock lock(mutex_);
+    result_.map = map;
+    result_.map_done = done;
+    ++result_.version;
+  };
+  auto published = Clock::now();
+  for (const std::size_t i : order) {
+    if (stop.stop_requested()) return;
+    if (map[i].kind != EntryRoom::Kind::unknown) continue;
+    map[i] = room_from(view, obstacles, point(i), wish_.target, wishes_);
+    if (std::chrono::duration<double>(Clock::now() - published).count() < publish_after) continue;
+    publish(false);
+    published = Clock::now();
+  }
+  publish(true);
+}
+
+void PlanWork::make_proposals(const std::stop_token& stop,
+                              const std::shared_ptr<const patient::Obstacles>& obstacles) {
+  std::vector<ProposedPath> found;
+  std::string why_none, failure;
+  const auto publish = [&](bool done) {
+    const std::scoped_lock lock(mutex_);
+    result_.proposals = found;
+    result_.why_none = why_none;
+    result_.failure = failure;
+    result_.proposals_done = done;
+    ++result_.version;
+  };
+  try {
+    const patient::PatientView view = patient::view_of(wish_.patient->patient);
+    const std::string level = wish_.rules.levels.empty() ? "" : patient::level_at(view, wish_.target);
+    if (const auto problem = patient::level_problem(view, wish_.rules, wish_.target)) {
+      why_none = fmt::format("Nothing is proposed here: {}.", *problem);
+    } else {
+      patient::PathSearch search = patient::search_paths(view, *obstacles, wish_.target, wishes_, stop);
+      why_none = search.why_not;
+      for (patient::PathReport& each : search.proposals)
+        found.push_back(proposed(std::move(each), *obstacles, level));
+      constexpr std::size_t at_this_level = 3;
+      if (!level.empty() && found.size() > at_this_level) found.resize(at_this_level);
+    }
+    publish(false);
+    // The best way in at each other level.
+    for (const anatomy::Landmark& other : patient::allowed_levels(view, wish_.rules)) {
+      if (other.name == level || stop.stop_requested()) continue;
+      const patient::Obstacles there = patient::find_obstacles(view, wish_.rules, other.position);
+      patient::PathWishes one = wishes_;
+      one.count = 1;
+      for (patient::PathReport& each : patient::search_paths(view, there, other.position, one, stop).proposals)
+        found.push_back(proposed(std::move(each), there, other.name));
+      publish(false);
+    }
+  } catch (const std::exception& error) {
+    failure = error.what();
+  }
+  if (!found.empty()) why_none.clear();
+  if (!stop.stop_requested()) publish(true);
+}
+
+}  // namespace bodkin::app

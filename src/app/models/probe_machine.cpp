@@ -1,0 +1,89 @@
+#include "app/models/probe_machine.h"
+
+#include <chrono>
+#include <exception>
+#include <utility>
+
+#include "core/error.h"
+#include "imaging/ultrasound/ultrasound.h"
+
+namespace bodkin::app {
+
+namespace {
+
+bool same_wish(const ProbeMachine::Wish& a, const ProbeMachine::Wish& b) {
+  if (a.needle.has_value() != b.needle.has_value()) return false;
+  if (a.needle && a.needle->pose.matrix() != b.needle->pose.matrix()) return false;
+  return a.order.probe.matrix() == b.order.probe.matrix() && a.order.settings == b.order.settings;
+}
+
+}  // namespace
+
+ProbeMachine::ProbeMachine(std::shared_ptr<const OpenCase> patient, const station::UltrasoundChoice& choice,
+                           Wish first)
+    : wish_(std::move(first)), thread_([this, patient = std::move(patient), choice](const std::stop_token& stop) {
+        try {
+          run(stop, patient, choice);
+        } catch (const std::exception& failure) {
+          const std::lock_guard guard(lock_);
+          trouble_ = failure.what();
+        }
+      }) {}
+
+ProbeMachine::~ProbeMachine() {
+  thread_.request_stop();
+  changed_.notify_all();
+  thread_.join();  // before what it uses goes
+}
+
+void ProbeMachine::run(const std::stop_token& stop, const std::shared_ptr<const OpenCase>& patient,
+                       const station::UltrasoundChoice& choice) {
+  using Clock = std::chrono::steady_clock;
+  imaging::Ultrasound machine(imaging::acoustic_volume(patient->patient, {}), choice.probe, choice.settings,
+                              choice.detail);
+  for (std::uint64_t number = 1; !stop.stop_requested(); ++number) {
+    Wish wish;
+    {
+      std::unique_lock guard(lock_);
+      if (!changed_.wait(guard, stop, [this] { return is_new_; })) return;
+      is_new_ = false;
+      wish = wish_;
+    }
+    auto made = std::make_shared<station::LivePicture>();
+    try {
+      machine.set(wish.order.settings);
+    } catch (const InputError& refused) {
+      made->refused = true;
+      const std::lock_guard guard(lock_);
+      trouble_ = refused.what();
+    }
+    const Clock::time_point begin = Clock::now();
+    made->frame = machine.image(wish.order.probe, wish.needle);
+    made->milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+    made->number = number;
+    made->order = {wish.order.probe, machine.settings()};
+    if (wish.needle) made->needle = wish.needle->pose;
+    const std::lock_guard guard(lock_);
+    picture_ = std::move(made);
+  }
+}
+
+void ProbeMachine::set(const Wish& wish) {
+  const std::lock_guard guard(lock_);
+  if (same_wish(wish, wish_)) return;
+  wish_ = wish;
+  is_new_ = true;
+  changed_.notify_one();
+}
+
+std::shared_ptr<const station::LivePicture> ProbeMachine::picture() const {
+  const std::lock_guard guard(lock_);
+  return picture_;
+}
+
+std::string ProbeMachine::take_trouble() {
+  const std::lock_guard guard(lock_);
+  return std::exchange(trouble_, {});
+}
+
+}  // namespace bodkin::app

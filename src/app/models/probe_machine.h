@@ -1,0 +1,49 @@
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "app/models/open_case.h"
+#include "station/scan_thread.h"
+#include "station/ultrasound_choice.h"
+
+namespace bodkin::app {
+
+// The ultrasound machine of a patient whom nobody needles: makes a picture, on a thread of its own, whenever probe,
+// knobs or needle have changed. The tissue lies still. All calls from one thread; none waits for a picture.
+class ProbeMachine {
+ public:
+  struct Wish {
+    station::ScanOrder order;
+    std::optional<imaging::NeedleInSound> needle;
+  };
+
+  ProbeMachine(std::shared_ptr<const OpenCase> patient, const station::UltrasoundChoice& choice, Wish first);
+  ~ProbeMachine();
+  ProbeMachine(const ProbeMachine&) = delete;
+  ProbeMachine& operator=(const ProbeMachine&) = delete;
+
+  void set(const Wish& wish);
+  // The newest picture; null: none yet.
+  std::shared_ptr<const station::LivePicture> picture() const;
+  // Why there is none, or why the newest settings cannot be: a sentence, said once.
+  std::string take_trouble();
+
+ private:
+  void run(const std::stop_token& stop, const std::shared_ptr<const OpenCase>& patient,
+           const station::UltrasoundChoice& choice);
+
+  mutable std::mutex lock_;  // guards all below but the thread
+  std::condition_variable_any changed_;
+  Wish wish_;
+  bool is_new_ = true;
+  std::shared_ptr<const station::LivePicture> picture_;
+  std::string trouble_;
+  std::jthread thread_;
+};
+
+}  // namespace bodkin::app

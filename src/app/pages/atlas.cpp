@@ -1,0 +1,261 @@
+#include "app/pages/atlas.h"
+
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <random>
+
+#include "app/views/atlas_view.h"
+
+namespace bodkin::app {
+
+namespace {
+
+constexpr int side_width = 316;
+
+QString text(const std::string& words) {
+  return QString::fromStdString(words);
+}
+
+// The Chinese name, where a font for it is installed.
+QString characters(const patient::AtlasPoint& point) {
+  static const bool can = !QFontDatabase().families(QFontDatabase::TraditionalChinese).isEmpty();
+  return can ? text(point.hanzi) : QString();
+}
+
+QPushButton* button(const QString& words, const char* object, const QString& tip, QVBoxLayout& rows) {
+  auto* made = new QPushButton(words);
+  made->setObjectName(QLatin1String(object));
+  made->setAccessibleName(words);
+  made->setToolTip(tip);
+  made->setFocusPolicy(Qt::NoFocus);
+  rows.addWidget(made);
+  return made;
+}
+
+}  // namespace
+
+AtlasPage::AtlasPage(const std::filesystem::path& folder, QWidget* parent)
+    : Page(PageId::atlas, KeyScope::atlas, false, parent),
+      model_(folder),
+      quiz_(std::random_device()()),
+      view_(new AtlasView) {
+  auto* columns = new QHBoxLayout(this);
+  columns->setContentsMargins(0, 0, 0, 0);
+  columns->setSpacing(0);
+  columns->addWidget(view_, 1);
+  columns->addWidget(make_side());
+  connect(view_, &AtlasView::clicked, this, &AtlasPage::take);
+  choose(nullptr, false);
+}
+
+QWidget* AtlasPage::make_side() {
+  auto* side = new QWidget;
+  side->setObjectName(QStringLiteral("panel"));
+  side->setAttribute(Qt::WA_StyledBackground);
+  side->setFixedWidth(side_width);
+  auto* rows = new QVBoxLayout(side);
+  rows->setContentsMargins(14, 14, 14, 14);
+  rows->setSpacing(8);
+  search_ = new QLineEdit;
+  search_->setObjectName(QStringLiteral("atlas.search"));
+  search_->setPlaceholderText(tr("Code, name or meridian"));
+  search_->setAccessibleName(tr("Search"));
+  search_->setClearButtonEnabled(true);
+  rows->addWidget(search_);
+  list_ = new QListWidget;
+  list_->setObjectName(QStringLiteral("atlas.list"));
+  list_->setAccessibleName(tr("Points"));
+  rows->addWidget(list_, 3);
+  card_ = new QLabel;
+  card_->setObjectName(QStringLiteral("atlas.card"));
+  card_->setWordWrap(true);
+  card_->setAlignment(Qt::AlignTop);
+  card_->setTextFormat(Qt::RichText);
+  rows->addWidget(card_, 4);
+  needle_ =
+      button(tr("Practise this point"), "atlas.practise", tr("Needle it in a block of the body about it"), *rows);
+  needle_->setProperty("role", QStringLiteral("primary"));
+  find_ = button(tr("Find points"), "atlas.find", tr("A point is named, you show it on the body (N)"), *rows);
+  again_ = button(tr("The same again"), "atlas.again", tr("Show the same point once more (A)"), *rows);
+  stop_ = button(tr("Back to the atlas"), "atlas.stop", tr("Stop being asked (Esc)"), *rows);
+  score_ = new QLabel;
+  score_->setObjectName(QStringLiteral("atlas.score"));
+  score_->setProperty("role", QStringLiteral("second"));
+  score_->setWordWrap(true);
+  rows->addWidget(score_);
+  auto* remark = new QLabel(tr("For training scenes, not for treatment."));
+  remark->setProperty("role", QStringLiteral("label"));
+  rows->addWidget(remark);
+  again_->hide();
+  stop_->hide();
+
+  connect(search_, &QLineEdit::textChanged, this, &AtlasPage::list_points);
+  connect(search_, &QLineEdit::returnPressed, this, [this] {
+    if (list_->count() > 0) list_->setCurrentRow(0);
+  });
+  connect(list_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
+    if (item != nullptr && atlas_) choose(atlas_->find(item->data(Qt::UserRole).toString().toStdString()), true);
+  });
+  connect(needle_, &QPushButton::clicked, this, [this] {
+    if (chosen_ == nullptr || making_) return;
+    model_.make_case(chosen_->code);
+    making_ = true;
+  });
+  connect(find_, &QPushButton::clicked, this, [this] { ask(false); });
+  connect(again_, &QPushButton::clicked, this, [this] { ask(true); });
+  connect(stop_, &QPushButton::clicked, this, &AtlasPage::stop_asking);
+  return side;
+}
+
+void AtlasPage::enter() {
+  model_.prepare();
+  view_->setFocus();
+}
+
+void AtlasPage::leave() {}
+
+void AtlasPage::advance(double /*clock*/) {
+  const AtlasModel::Status status = model_.status();
+  if (!atlas_) atlas_ = model_.atlas();
+  if (atlas_ && !listed_) {
+    listed_ = true;
+    list_points();
+  }
+  if (!view_->is_ready()) {
+    if (const auto surfaces = model_.surfaces(); surfaces && atlas_) {
+      view_->say({});
+      view_->set_body(atlas_, surfaces);
+    } else {
+      view_->say(status.error.empty() ? tr("Preparing the body: %1 %").arg(qRound(100.0 * status.fraction))
+                                      : text(status.error));
+    }
+  }
+  if (making_) {
+    view_->say(tr("Preparing %1: %2 %").arg(text(chosen_->code)).arg(qRound(100.0 * status.fraction)));
+    if (!status.working) {
+      making_ = false;
+      view_->say(text(status.error));
+      if (status.error.empty()) emit patient_requested(text(status.made.string()));
+    }
+  }
+}
+
+void AtlasPage::list_points() {
+  list_->clear();
+  if (!atlas_) return;
+  const auto found = atlas_->search(search_->text().toStdString());
+  for (const patient::AtlasPoint* point : found) {
+    auto* item = new QListWidgetItem(
+        QStringLiteral("%1   %2   %3").arg(text(point->code), -5).arg(text(point->pinyin), characters(*point)));
+    item->setData(Qt::UserRole, text(point->code));
+    item->setToolTip(text(point->meridian));
+    list_->addItem(item);
+  }
+  if (found.empty()) list_->addItem(tr("No point of that name."));
+}
+
+void AtlasPage::choose(const patient::AtlasPoint* point, bool look) {
+  chosen_ = point;
+  view_->choose(point);
+  needle_->setVisible(point != nullptr);
+  if (point == nullptr) {
+    card_->setText(tr("<p>Touch a point on the body, or search for one.</p>"));
+    return;
+  }
+  if (look) view_->look_at(point->place, point->normal);
+  const patient::Needling how = atlas_->needling(*point);
+  QString words = tr("<p style='font-size:18px'><b>%1</b> %2 %3</p><p>%4 meridian, %5</p>")
+                      .arg(text(point->code), text(point->pinyin), characters(*point), text(point->meridian),
+                           text(point->region).replace(QLatin1Char('_'), QLatin1Char(' ')));
+  words += tr("<p><b>Depth</b> %1 to %2 mm<br><b>Angle</b> %3 degrees to the skin%4</p>")
+               .arg(qRound(how.shallowest))
+               .arg(qRound(how.deepest))
+               .arg(qRound(how.angle))
+               .arg(how.direction.empty() ? QString() : QStringLiteral(", ") + text(how.direction).toHtmlEscaped());
+  if (!how.caution.empty())
+    words += tr("<p style='color:#F2A33C'><b>Caution</b> %1</p>").arg(text(how.caution).toHtmlEscaped());
+  QStringList under;
+  if (point->bone_depth) under << tr("bone at %1 mm").arg(qRound(*point->bone_depth));
+  if (point->danger_depth) under << tr("%1 at %2 mm").arg(text(point->danger)).arg(qRound(*point->danger_depth));
+  if (!under.isEmpty()) words += tr("<p><b>Straight under it</b> %1</p>").arg(under.join(QStringLiteral(", ")));
+  words += how.derived ? tr("<p>Depth derived from this body, not published.</p>")
+                       : tr("<p>%1</p>").arg(text(how.source).toHtmlEscaped());
+  card_->setText(words);
+}
+
+void AtlasPage::take(const Vec3& place, const patient::AtlasPoint* point) {
+  if (!quiz_.asked()) {
+    if (point != nullptr) choose(point, false);
+    return;
+  }
+  quiz_.answer(place);
+  view_->hide_points(false);
+  view_->show_answer(place);
+  choose(quiz_.point(), false);
+  view_->say(tr("%1 %2: you are %3 mm off")
+                 .arg(text(quiz_.point()->code), text(quiz_.point()->pinyin))
+                 .arg(quiz_.miss(), 0, 'f', 0));
+  find_->setText(tr("Next point"));
+  again_->show();
+  show_score();
+}
+
+void AtlasPage::ask(bool same) {
+  if (!atlas_ || !view_->is_ready() || making_) return;
+  if (same) {
+    quiz_.ask_again();
+  } else {
+    quiz_.ask(*atlas_);
+  }
+  choose(nullptr, false);
+  card_->setText(tr("<p>Click on the body where the point is. Drag to turn, wheel to come nearer.</p>"));
+  list_->setEnabled(false);
+  search_->setEnabled(false);
+  view_->show_answer(std::nullopt);
+  view_->hide_points(true);
+  if (!same) view_->look_at_all();
+  view_->say(tr("Where is %1, %2?").arg(text(quiz_.point()->code), text(quiz_.point()->pinyin)));
+  again_->hide();
+  stop_->show();
+  view_->setFocus();
+}
+
+void AtlasPage::stop_asking() {
+  quiz_.stop();
+  list_->setEnabled(true);
+  search_->setEnabled(true);
+  view_->hide_points(false);
+  view_->show_answer(std::nullopt);
+  view_->say({});
+  find_->setText(tr("Find points"));
+  again_->hide();
+  stop_->hide();
+}
+
+void AtlasPage::show_score() {
+  score_->setText(tr("%1 of %2 found within %3 mm; %4 mm off on average")
+                      .arg(quiz_.found())
+                      .arg(quiz_.rounds())
+                      .arg(PointQuiz::near, 0, 'f', 0)
+                      .arg(quiz_.mean_miss(), 0, 'f', 0));
+}
+
+bool AtlasPage::press(const QKeySequence& keys) {
+  if (keys == QKeySequence(Qt::Key_N)) {
+    ask(false);
+  } else if (keys == QKeySequence(Qt::Key_A) && quiz_.answered()) {
+    ask(true);
+  } else if (keys == QKeySequence(Qt::Key_0)) {
+    view_->look_at_all();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace bodkin::app

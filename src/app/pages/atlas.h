@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+
+#include "app/models/atlas_model.h"
+#include "app/page.h"
+
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPushButton;
+
+namespace bodkin::app {
+
+class AtlasView;
+
+// The acupuncture atlas: the body, a search, a card for the chosen point, the way to needle it, and the game of
+// finding points.
+class AtlasPage : public Page {
+  Q_OBJECT
+ public:
+  explicit AtlasPage(const std::filesystem::path& folder, QWidget* parent = nullptr);
+
+  void enter() override;
+  void leave() override;
+  void advance(double clock) override;
+  bool press(const QKeySequence& keys) override;
+
+ private:
+  QWidget* make_side();
+  void list_points();
+  void choose(const patient::AtlasPoint* point, bool look);
+  void take(const Vec3& place, const patient::AtlasPoint* point);
+  void ask(bool same);
+  void stop_asking();
+  void show_score();
+
+  AtlasModel model_;
+  PointQuiz quiz_;
+  AtlasView* view_;
+  QLineEdit* search_ = nullptr;
+  QListWidget* list_ = nullptr;
+  QLabel* card_ = nullptr;
+  QLabel* score_ = nullptr;
+  QPushButton *needle_ = nullptr, *find_ = nullptr, *again_ = nullptr, *stop_ = nullptr;
+  const patient::AtlasPoint* chosen_ = nullptr;
+  std::shared_ptr<const patient::Atlas> atlas_;
+  bool making_ = false, listed_ = false;
+};
+
+}  // namespace bodkin::app

@@ -1,0 +1,162 @@
+#include "app/pages/tour.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <algorithm>
+
+#include "app/theme.h"
+
+namespace bodkin::app {
+
+namespace {
+
+using Step = TourSteps::Step;
+
+constexpr int balloon_width = 330, tail_size = 14, least_drag = 25;  // pixels
+
+// Where the tail of the balloon points to, in shares of the page: what the step is about.
+struct BalloonText {
+  const char* title;
+  const char* words;
+  double x, y;
+};
+constexpr BalloonText balloons[] = {
+    {QT_TRANSLATE_NOOP("bodkin::app::Tour", "Look"),
+     QT_TRANSLATE_NOOP("bodkin::app::Tour",
+                       "Turn the patient: drag beside the needle with the left button, or press an arrow key."),
+     0.20, 0.45},
+    {QT_TRANSLATE_NOOP("bodkin::app::Tour", "Aim"),
+     QT_TRANSLATE_NOOP("bodkin::app::Tour",
+                       "The ring on the skin is where to go in. Point at it and click: the needle goes to the skin."),
+     0.30, 0.42},
+    {QT_TRANSLATE_NOOP("bodkin::app::Tour", "Push"),
+     QT_TRANSLATE_NOOP("bodkin::app::Tour",
+                       "Scroll towards you. The skin dents, the force rises in the chart, then the skin gives."),
+     0.22, 0.80},
+    {QT_TRANSLATE_NOOP("bodkin::app::Tour", "Read"),
+     QT_TRANSLATE_NOOP("bodkin::app::Tour",
+                       "Upper left is the tissue that the tip is in, right of it the ladder of what lies on the "
+                       "needle's line. Push on until the name changes."),
+     0.12, 0.12},
+    {QT_TRANSLATE_NOOP("bodkin::app::Tour", "That is all"),
+     QT_TRANSLATE_NOOP(
+         "bodkin::app::Tour",
+         "Go on until the fluid: scroll on, slowly at the last give. Space holds the needle, E ends and "
+         "shows how it went, F1 shows every key."),
+     0.20, 0.30}};
+
+}  // namespace
+
+Tour::Tour(QWidget* page, QWidget* patient)
+    : QWidget(page),
+      patient_(patient),
+      number_(new QLabel),
+      title_(new QLabel),
+      words_(new QLabel),
+      leave_(new QPushButton(tr("Skip the tour"))) {
+  setObjectName(QStringLiteral("tour"));
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(18 + tail_size, 14, 18, 14);
+  rows->setSpacing(6);
+  number_->setProperty("role", QStringLiteral("label"));
+  title_->setProperty("role", QStringLiteral("heading"));
+  title_->setObjectName(QStringLiteral("tour.title"));
+  words_->setWordWrap(true);
+  words_->setObjectName(QStringLiteral("tour.words"));
+  rows->addWidget(number_);
+  rows->addWidget(title_);
+  rows->addWidget(words_);
+  auto* row = new QHBoxLayout;
+  row->addStretch(1);
+  leave_->setObjectName(QStringLiteral("tour.leave"));
+  leave_->setToolTip(tr("Close this and practise on"));
+  leave_->setFocusPolicy(Qt::NoFocus);  // keys belong to the views
+  connect(leave_, &QPushButton::clicked, this, &Tour::end);
+  row->addWidget(leave_);
+  rows->addLayout(row);
+  patient_->installEventFilter(this);
+  hide();
+}
+
+void Tour::begin() {
+  steps_ = {};
+  running_ = true;
+  shown_ = Step::done;
+}
+
+void Tour::end() {
+  running_ = false;
+  hide();
+}
+
+void Tour::show_frame(const Frame& frame) {
+  if (!running_) return;
+  if (frame.state == State::no_case || frame.state == State::ended) return end();
+  if (frame.state == State::preparing) return;
+  steps_.see(frame);
+  if (isVisible() && shown_ == steps_.step()) return;
+  show_step();
+}
+
+void Tour::show_step() {
+  shown_ = steps_.step();
+  const int index = static_cast<int>(shown_);
+  const BalloonText& text = balloons[index];
+  number_->setText(shown_ == Step::done ? tr("The tour") : tr("%1 of %2").arg(index + 1).arg(TourSteps::count));
+  title_->setText(tr(text.title));
+  words_->setText(tr(text.words));
+  leave_->setText(shown_ == Step::done ? tr("Done") : tr("Skip the tour"));
+  leave_->setAccessibleName(leave_->text());
+  const int high = heightForWidth(balloon_width) > 0 ? heightForWidth(balloon_width) : sizeHint().height();
+  resize(balloon_width, high);
+  const QSize page = parentWidget()->size();
+  const QPoint about(static_cast<int>(text.x * page.width()), static_cast<int>(text.y * page.height()));
+  const int y = std::clamp(about.y() - high / 2, 8, std::max(8, page.height() - high - 8));
+  move(std::min(about.x(), page.width() - balloon_width - 8), y);
+  show();
+  raise();
+  update();
+}
+
+QPoint Tour::tail() const {
+  return {1, height() / 2};
+}
+
+void Tour::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const Theme& theme = Theme::now();
+  QPolygonF pointer;
+  pointer << tail() << QPointF(tail_size + 1.0, tail().y() - 10.0) << QPointF(tail_size + 1.0, tail().y() + 10.0);
+  painter.setPen(QPen(theme.accent, 1.5));
+  painter.setBrush(theme.raised);
+  painter.drawRoundedRect(QRectF(tail_size, 1.0, width() - tail_size - 1.5, height() - 2.0), 10.0, 10.0);
+  painter.drawPolyline(pointer);
+  painter.setPen(Qt::NoPen);
+  painter.drawPolygon(pointer);
+}
+
+bool Tour::eventFilter(QObject* watched, QEvent* event) {
+  if (running_ && steps_.step() == Step::look) {
+    if (event->type() == QEvent::MouseButtonPress) pressed_ = static_cast<QMouseEvent*>(event)->pos();
+    if (event->type() == QEvent::MouseMove) {
+      const auto* const moved = static_cast<QMouseEvent*>(event);
+      if (moved->buttons() != Qt::NoButton && (moved->pos() - pressed_).manhattanLength() > least_drag)
+        steps_.looked();
+    }
+    if (event->type() == QEvent::KeyPress) {
+      const int key = static_cast<QKeyEvent*>(event)->key();
+      if (key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down) steps_.looked();
+    }
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace bodkin::app

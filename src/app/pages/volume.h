@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <functional>
+
+#include "app/frame.h"
+#include "app/page.h"
+#include "app/views/opacity_curve.h"
+#include "app/views/volume_view.h"
+
+class QCheckBox;
+class QPushButton;
+class QSlider;
+
+namespace bodkin::app {
+
+// The volume view as large as the window, with what it shows beside it: mode, preset, opacity curve, two sliders.
+class VolumePage : public Page {
+  Q_OBJECT
+ public:
+  // `frame`: the newest frame of the practice, whose needle and plan are drawn.
+  explicit VolumePage(std::function<const Frame&()> frame, QWidget* parent = nullptr);
+
+  void set_case(std::shared_ptr<const OpenCase> patient) override;
+  void enter() override;
+  void advance(double clock) override;
+  bool press(const QKeySequence& keys) override;
+
+  VolumeView& view() { return *view_; }
+  void set_preset(imaging::TransferPreset preset);
+
+ private:
+  QWidget* make_panel();
+  QSlider* make_slider(QWidget* parent, const char* name, const QString& text, const QString& tip, int low, int high);
+  void use_sliders();
+  void use_curve(const imaging::TransferFunction& function);
+  void show_look();
+
+  std::function<const Frame&()> frame_;
+  VolumeView* view_;
+  OpacityCurve* curve_ = nullptr;
+  std::array<QPushButton*, 4> modes_{}, presets_{};
+  QSlider *shift_ = nullptr, *density_ = nullptr;
+  QCheckBox *shaded_ = nullptr, *tissues_ = nullptr;
+  imaging::TransferFunction base_;  // what the sliders adjust
+  imaging::TransferPreset preset_ = imaging::TransferPreset::bone;
+  bool entered_ = false;
+};
+
+}  // namespace bodkin::app

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scene/camera.h"
+#include "scene/picture.h"
+#include "scene/presets.h"
+#include "scene/raster.h"
+#include "scene/shading.h"
+#include "scene/surfaces.h"
+
+namespace bodkin::scene {
+
+// Colours behind the patient, from the top of the picture to its bottom, 0xRRGGBB.
+struct Sky {
+  std::uint32_t top = 0x0E1218;
+  std::uint32_t bottom = 0x28323E;
+};
+
+// The opening of a cut-away: an oval about a point, wide and high in the picture, whose edge is soft.
+struct Opening {
+  Vec3 centre = Vec3::Zero();  // LPS mm
+  double half_width = 95.0;    // mm
+  double half_height = 80.0;   // mm
+};
+
+// How a part is lit; what is forbidden has a bright rim.
+Material material_of(const PatientSurface& part);
+
+// The patient as the camera sees him, kept in layers for as long as camera and body stand still: what is opaque, and
+// the skin, each with colours and depths, `detail` x `detail` samples for a pixel. What moves (needles, marks) is
+// mixed into the picture between them by depth, so that a frame costs only the pixels that it changes.
+class StillLayers {
+ public:
+  StillLayers(int width, int height, int detail);
+
+  int detail() const { return detail_; }
+  // Pixels of the picture.
+  PixelBox box() const { return {0, 0, width_, height_}; }
+  // The camera with all samples for pixels.
+  Projection samples(const Camera& camera) const { return {camera, width_ * detail_, height_ * detail_}; }
+
+  // Draws all that `preset` shows except the skin, and the triangles of the skin in `skin_triangles`; `skin_tint` as
+  // shade() takes it.
+  void draw(const PatientSurfaces& surfaces, std::span<const std::array<std::int32_t, 3>> skin_triangles,
+            const Camera& camera, Preset preset, std::span<const std::uint32_t> skin_tint = {});
+  // What covers the skin's other triangles as it is now; `points` in samples. Replaces what the last call drew.
+  // Returns the pixels that may have changed.
+  PixelBox draw_patch(std::span<const ScreenPoint> points, std::span<const std::array<std::int32_t, 3>> triangles);
+
+  // How strongly the skin covers, sky, opening. Call compose() afterwards.
+  void set_look(const Camera& camera, Preset preset, const Opening& opening, const Sky& sky);
+  // Writes these pixels of the picture.
+  void compose(const PixelBox& box, Picture& picture) const;
+
+  // A sample of something thin mixed over pixel (x, y) as compose() has it: `opacity` 0 to 1 where it is in front of
+  // all that is opaque, `behind` times that where it is not; the skin covers it as far as the skin is nearer.
+  std::uint32_t mix(int x, int y, float nearness, std::uint32_t colour, float opacity, float behind) const;
+
+  // Of the nearest thing at a pixel that the viewer sees, skin or not; 0: the sky.
+  float nearness_at(int x, int y) const;
+
+ private:
+  float skin_at(int x, int y) const;
+  std::uint32_t sky_at(int y) const { return sky_rows_[static_cast<std::size_t>(y)]; }
+
+  int width_, height_, detail_;
+  Layer opaque_;       // samples
+  Layer skin_;         // samples, with the patch
+  Layer under_patch_;  // samples, what the patch covers
+  std::vector<ScreenPoint> points_;
+  std::vector<std::uint32_t> sky_rows_;  // of pixels
+  float opacity_ = 1.0F;
+  bool cut_ = false;
+  Eigen::Vector2f oval_centre_ = Eigen::Vector2f::Zero();  // pixels
+  Eigen::Vector2f per_radius_ = Eigen::Vector2f::Zero();   // 1 / pixels
+};
+
+}  // namespace bodkin::scene

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "scene/surfaces.h"
+
+namespace bodkin::scene {
+
+// surfaces_of_case() on a thread of its own. One thread calls.
+class SurfaceJob {
+ public:
+  // `tissues` is held until the work is done.
+  SurfaceJob(std::shared_ptr<const anatomy::TissueVolume> tissues, std::filesystem::path folder);
+  // Cancels, and waits for a step of the work that cannot be interrupted: 1 s at most.
+  ~SurfaceJob();
+  SurfaceJob(const SurfaceJob&) = delete;
+  SurfaceJob& operator=(const SurfaceJob&) = delete;
+
+  struct Status {
+    double fraction = 0.0;  // done, 0 to 1
+    bool done = false;      // or failed
+    std::string error;      // why it failed, one sentence
+  };
+  Status status() const;
+  // The surfaces, once they are done; null before, and after a failure.
+  std::shared_ptr<const PatientSurfaces> surfaces() const;
+
+ private:
+  struct Shared;
+
+  std::shared_ptr<Shared> shared_;
+  std::jthread thread_;
+};
+
+}  // namespace bodkin::scene

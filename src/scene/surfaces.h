@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/mesh.h"
+
+#include "anatomy/case.h"
+#include "anatomy/tissue_surface.h"
+#include "core/progress.h"
+
+namespace bodkin::scene {
+
+// What a part of the patient is to the person who looks at it.
+enum class SurfaceKind : std::uint8_t {
+  skin,
+  bone,
+  tissue,    // what helps to find the way: discs, ligamentum flavum, the dural sac, a lesion
+  forbidden  // a vessel or an organ
+};
+
+// The surface of some tissues of a patient.
+struct PatientSurface {
+  SurfaceKind kind = SurfaceKind::tissue;
+  std::string name;          // as files write it: "ligamentum_flavum"
+  std::uint32_t colour = 0;  // 0xRRGGBB, lit from everywhere
+  SceneMesh mesh;            // LPS mm
+};
+
+struct PatientSurfaces {
+  std::vector<PatientSurface> parts;  // the skin first
+
+  std::size_t triangles() const;
+  // Of the skin; throws nothing, parts[0] is always the skin.
+  const SceneMesh& skin() const { return parts.front().mesh; }
+};
+
+// A part as it is drawn: of which tissues, how finely, and with how many triangles.
+struct SurfacePlan {
+  SurfaceKind kind;
+  std::string_view name;
+  std::uint32_t colour;  // of light, natural tones: bone is ivory, not the white of a slice's overlay
+  anatomy::TissueSet tissues;
+  anatomy::TissueSurfaceSettings settings;
+  int most_triangles;
+};
+
+// The parts that are looked for in every patient; those that he does not have are left out. At most 60000 triangles
+// in all.
+std::vector<SurfacePlan> surface_plans();
+
+// The surfaces of a patient: drawn from the tissue map (anatomy::tissue_surface), smoothed by a windowed sinc filter
+// of 15 iterations (Taubin et al. 1996), which keeps the volume, decimated by quadric errors, with normals and the
+// share of the sky that each point sees (openness.h). The same tissues give the same surfaces. Takes seconds, for a
+// thread of its own; `progress` may throw to cancel. Throws InputError for a patient without any tissue.
+PatientSurfaces make_surfaces(const anatomy::TissueVolume& tissues, const Progress& progress = {});
+
+}  // namespace bodkin::scene

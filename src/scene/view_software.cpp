@@ -1,0 +1,131 @@
+#include "scene/view_software.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace bodkin::scene {
+
+SoftwareView::SoftwareView(std::shared_ptr<const PatientSurfaces> surfaces) : surfaces_(std::move(surfaces)) {
+  set_size(16, 16);
+}
+
+void SoftwareView::set_size(int width, int height) {
+  width = std::max(width, 1);
+  height = std::max(height, 1);
+  if (width == picture_.width && height == picture_.height) return;
+  still_ = picture_ = Picture(width, height);
+  moving_.emplace(width, height);
+  layers_.emplace(width, height, detail_);
+  stale_ = true;
+}
+
+void SoftwareView::set_camera(const Camera& camera) {
+  if (camera == camera_) return;
+  camera_ = camera;
+  stale_ = true;
+}
+
+void SoftwareView::set_preset(Preset preset) {
+  if (preset == preset_) return;
+  preset_ = preset;
+  stale_ = true;
+}
+
+void SoftwareView::set_opening(const Opening& opening) {
+  opening_ = opening;
+  look_stale_ = true;
+}
+
+void SoftwareView::set_sky(const Sky& sky) {
+  sky_ = sky;
+  look_stale_ = true;
+}
+
+void SoftwareView::set_detail(int detail) {
+  detail = std::clamp(detail, 1, 4);
+  if (detail == detail_) return;
+  detail_ = detail;
+  layers_.emplace(picture_.width, picture_.height, detail_);
+  stale_ = true;
+}
+
+void SoftwareView::set_needles(std::vector<NeedleLook> needles) {
+  if (std::equal(needles.begin(), needles.end(), needles_.begin(), needles_.end(), same_look)) return;
+  needles_ = std::move(needles);
+  moving_stale_ = true;
+}
+
+void SoftwareView::set_marks(SceneMarks marks) {
+  if (same_marks(marks, marks_)) return;
+  marks_ = std::move(marks);
+  moving_stale_ = true;
+}
+
+void SoftwareView::set_entry(const Vec3& entry, const Vec3& direction) {
+  patch_ = SkinPatch(surfaces_->skin(), entry, direction);
+  dented_ = false;
+  stale_ = true;
+}
+
+void SoftwareView::set_dent(const std::optional<SkinDent>& dent, std::span<const float> displacements) {
+  if (patch_.empty()) return;
+  const SkinDent now = dent.value_or(SkinDent{patch_.entry(), -Vec3::UnitY(), 0.0});
+  const bool dented = now.depth != 0.0 || !displacements.empty();
+  if (!dented && !dented_) return;
+  if (dented == dented_ && displacements.empty() && now.depth == dent_.depth && now.entry == dent_.entry &&
+      now.direction == dent_.direction) {
+    return;
+  }
+  patch_.deform(now, displacements);
+  dent_ = now;
+  dented_ = dented;
+  patch_stale_ = true;
+}
+
+void SoftwareView::set_skin_tint(std::vector<std::uint32_t> tint) {
+  if (!tint.empty() && tint.size() != surfaces_->skin().points.size())
+    throw std::invalid_argument("a tint needs one colour for each point of the skin");
+  if (tint == skin_tint_) return;
+  skin_tint_ = std::move(tint);
+  if (!skin_tint_.empty()) {
+    patch_ = SkinPatch();
+    dented_ = false;
+  }
+  stale_ = true;
+}
+
+PixelBox SoftwareView::draw() {
+  const PixelBox whole = layers_->box();
+  const bool everything = stale_ || look_stale_;
+  if (stale_) {
+    layers_->draw(*surfaces_, patch_.empty() ? surfaces_->skin().triangles : patch_.around(), camera_, preset_,
+                  skin_tint_);
+    patch_stale_ = true;
+  }
+  if (everything) layers_->set_look(camera_, preset_, opening_, sky_);
+  PixelBox changed;
+  if (patch_stale_ && !patch_.empty() && shows(preset_, SurfaceKind::skin)) {
+    shade(patch_.mesh(), material_of(surfaces_->parts.front()), layers_->samples(camera_), points_);
+    changed = layers_->draw_patch(points_, patch_.mesh().triangles);
+  }
+  if (everything) changed = whole;
+  layers_->compose(changed, still_);
+  for (int y = changed.top; y < changed.bottom; ++y) {
+    std::copy(still_.row(y) + changed.left, still_.row(y) + changed.right, picture_.row(y) + changed.left);
+  }
+  if (everything || patch_stale_ || moving_stale_) {
+    const Projection seen = projection();
+    draw_marks(marks_, seen, *moving_);
+    for (const NeedleLook& needle : needles_) draw_needle(needle, seen, *moving_);
+    changed = changed.join(moving_->show(*layers_, still_, picture_));
+  }
+  stale_ = look_stale_ = patch_stale_ = moving_stale_ = false;
+  return changed;
+}
+
+std::optional<SurfacePoint> SoftwareView::skin_at(double x, double y) const {
+  return first_hit(surfaces_->skin(), projection().ray(x, y));
+}
+
+}  // namespace bodkin::scene

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "scene/camera.h"
+#include "scene/marks.h"
+#include "scene/moving_pixels.h"
+#include "scene/needle_actor.h"
+#include "scene/picking.h"
+#include "scene/picture.h"
+#include "scene/presets.h"
+#include "scene/skin_patch.h"
+#include "scene/still_layers.h"
+#include "scene/surfaces.h"
+
+namespace bodkin::scene {
+
+// The picture of patient, needles and marks, drawn by the processor alone. Setters only note what is wished; draw()
+// does what it takes: with camera and body at rest, the pixels of needles and marks; with a dent, also the skin about
+// it; with a new camera or preset, everything. One thread.
+class SoftwareView {
+ public:
+  explicit SoftwareView(std::shared_ptr<const PatientSurfaces> surfaces);
+
+  // Pixels. At most 1920 x 1080 are advised: draw larger ones smaller and scale them up.
+  void set_size(int width, int height);
+  void set_camera(const Camera& camera);
+  void set_preset(Preset preset);
+  void set_opening(const Opening& opening);
+  void set_sky(const Sky& sky);
+  // Samples along each side of a pixel, 1 to 4: 2 smooths edges, 1 is for large pictures while the camera turns.
+  void set_detail(int detail);
+  void set_needles(std::vector<NeedleLook> needles);
+  void set_marks(SceneMarks marks);
+  // The skin about the place where a needle will go in is cut out as a patch, which can dent from then on.
+  void set_entry(const Vec3& entry, const Vec3& direction);
+  // See SkinPatch::deform; nothing: the skin at rest. set_entry() comes first.
+  void set_dent(const std::optional<SkinDent>& dent, std::span<const float> displacements = {});
+
+  // Colours laid over the skin, 0xAARRGGBB for each of its points (surfaces().skin()); empty: none. Tinted skin does
+  // not dent. Throws std::invalid_argument for another number of colours.
+  void set_skin_tint(std::vector<std::uint32_t> tint);
+
+  // Brings the picture up to date. Returns the box of the pixels that were written, empty if none.
+  PixelBox draw();
+
+  const Picture& picture() const { return picture_; }
+  const Camera& camera() const { return camera_; }
+  Preset preset() const { return preset_; }
+  int width() const { return picture_.width; }
+  int height() const { return picture_.height; }
+  Projection projection() const { return {camera_, picture_.width, picture_.height}; }
+  const SkinPatch& patch() const { return patch_; }
+  const PatientSurfaces& surfaces() const { return *surfaces_; }
+  const std::shared_ptr<const PatientSurfaces>& shared_surfaces() const { return surfaces_; }
+  const StillLayers& layers() const { return *layers_; }
+  // The skin at rest under a pixel.
+  std::optional<SurfacePoint> skin_at(double x, double y) const;
+
+ private:
+  std::shared_ptr<const PatientSurfaces> surfaces_;
+  Camera camera_;
+  Preset preset_ = Preset::cut_away;
+  Opening opening_;
+  Sky sky_;
+  int detail_ = 2;
+  std::vector<NeedleLook> needles_;
+  SceneMarks marks_;
+  SkinPatch patch_;
+  std::vector<std::uint32_t> skin_tint_;
+  SkinDent dent_;
+  bool dented_ = false;
+
+  bool stale_ = true;        // layers
+  bool look_stale_ = true;   // what covers what
+  bool patch_stale_ = true;  // the skin about the needle
+  bool moving_stale_ = true;
+  std::optional<StillLayers> layers_;
+  std::optional<MovingPixels> moving_;
+  Picture still_, picture_;
+  std::vector<ScreenPoint> points_;
+};
+
+}  // namespace bodkin::scene

@@ -1,0 +1,200 @@
+#include "station/calibration_steps.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/error.h"
+#include "haptics/calibration.h"
+
+namespace bodkin::station {
+
+namespace {
+
+constexpr std::chrono::milliseconds step_interval{10};
+constexpr double lift = 25.0;            // mm by which the handle is lifted while it is weighed
+constexpr double glide_of_handle = 2.5;  // s for that and for the swinging to end
+constexpr double rest_time = 1.0;        // s over which the force is taken
+constexpr double arming_time = 4.0;      // s within which the force must have come
+constexpr double least_follow = 5.0;     // mm that the handle must have been lifted
+
+struct StepWords {
+  CalibrationStep step;
+  std::string_view name;
+  std::string_view what_to_do;
+};
+
+constexpr std::array<StepWords, 5> step_table = {
+    {{CalibrationStep::workspace, "workspace",
+      "Workspace: move the handle to every corner that you want to use, near and far, left and right, up and down."},
+     {CalibrationStep::mounting, "mounting",
+      "Mounting: hold the handle near you. Then push it straight away from you, 5 cm or more, and leave it there."},
+     {CalibrationStep::tip, "tip",
+      "Tip: put the tool's tip into a dimple that holds it, and swivel the tool about it, 20 degrees or more to "
+      "every "
+      "side."},
+     {CalibrationStep::axis, "axis", "Axis: hold the tool so that it points straight down, and keep it still."},
+     {CalibrationStep::weight, "weight",
+      "Weight: the motors will carry the handle. Hold it in the middle of the workspace; as the force comes, let go "
+      "and "
+      "keep clear until this step is over."}}};
+
+const StepWords& step_words(CalibrationStep step) {
+  return step_table[static_cast<std::size_t>(step)];
+}
+
+double time_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace
+
+std::string_view name_of(CalibrationStep step) {
+  return step_words(step).name;
+}
+
+std::string_view task_of(CalibrationStep step) {
+  return step_words(step).what_to_do;
+}
+
+CalibrationStep calibration_step(const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const StepWords& step : step_table) {
+    if (step.name == name) return step.step;
+    names.push_back(step.name);
+  }
+  throw InputError(fmt::format("--steps: '{}' is no step, expected {}", name, fmt::join(names, ", ")));
+}
+
+std::vector<CalibrationStep> steps_for(const haptics::DeviceAbilities& device) {
+  std::vector<CalibrationStep> steps = {CalibrationStep::workspace, CalibrationStep::mounting};
+  if (device.measures_rotation) steps.insert(steps.end(), {CalibrationStep::tip, CalibrationStep::axis});
+  if (device.peak_force > 0.0) steps.push_back(CalibrationStep::weight);
+  return steps;
+}
+
+CalibrationSteps::CalibrationSteps(haptics::DeviceServo& servo, haptics::Weighing& weighing,
+                                   const CalibrationSettings& settings, CalibrationPerson person)
+    : servo_(servo), weighing_(weighing), settings_(settings), person_(std::move(person)) {}
+
+void CalibrationSteps::require_sound() {
+  const haptics::ServoSnapshot& now = servo_.tick().snapshot();
+  if (now.device.fault != haptics::DeviceFault::none) {
+    const std::string sentence = servo_.explain();
+    throw SystemError(sentence.empty()
+                          ? fmt::format("the device reported a fault: {}", haptics::text_of(now.device.fault))
+                          : sentence);
+  }
+  if (now.state == haptics::GuardState::faulted) {
+    throw SystemError(fmt::format("the force was taken away: {}; try again", haptics::text_of(now.fault)));
+  }
+}
+
+void CalibrationSteps::wait_for_a_person() {
+  const auto begin = std::chrono::steady_clock::now();
+  for (;;) {
+    std::this_thread::sleep_for(step_interval);
+    require_sound();
+    if (person_.goes_on ? person_.goes_on() : time_since(begin) >= settings_.countdown) return;
+  }
+}
+
+std::vector<Pose> CalibrationSteps::watch(double seconds, std::string_view stage, bool may_end_early) {
+  std::vector<Pose> readings;
+  const auto begin = std::chrono::steady_clock::now();
+  while (time_since(begin) < seconds) {
+    std::this_thread::sleep_for(step_interval);
+    require_sound();
+    readings.push_back(servo_.tick().snapshot().device.hand);
+    if (person_.progress) person_.progress(stage, time_since(begin) / seconds);
+    const bool enough = person_.goes_on && person_.goes_on();
+    if (may_end_early && enough) break;
+  }
+  if (person_.waited) person_.waited();
+  return readings;
+}
+
+// N upwards that carries the handle at rest.
+double CalibrationSteps::carried_force(double above, std::string_view stage) {
+  weighing_.carry(above);
+  watch(glide_of_handle, stage, false);
+  double sum = 0.0;
+  int count = 0;
+  const auto begin = std::chrono::steady_clock::now();
+  while (time_since(begin) < rest_time) {
+    std::this_thread::sleep_for(step_interval);
+    require_sound();
+    sum += servo_.tick().snapshot().applied.force.z();
+    ++count;
+  }
+  return sum / count;
+}
+
+void CalibrationSteps::weigh(haptics::DeviceCalibration& measured) {
+  haptics::ServoCommand command;
+  command.kind = haptics::ServoCommand::Kind::arm;
+  servo_.tick().command(command);
+  const auto begin = std::chrono::steady_clock::now();
+  while (servo_.tick().snapshot().state != haptics::GuardState::active) {
+    std::this_thread::sleep_for(step_interval);
+    require_sound();
+    if (time_since(begin) > arming_time) {
+      throw InputError("the force did not come, for the handle was not at rest; hold it still at the beginning");
+    }
+  }
+  carried_force(0.0, "weighing: let go of the handle");
+  const double low = servo_.tick().snapshot().device.hand.translation().z();
+  const double from_below = carried_force(lift, "weighing: the handle goes up");
+  const double followed = servo_.tick().snapshot().device.hand.translation().z() - low;
+  const double from_above = carried_force(0.0, "weighing: the handle goes down");
+  servo_.tick().disarm();
+  if (followed < least_follow) {
+    throw InputError(
+        fmt::format("the handle went up by {:.1f} mm when it was lifted, expected {:g} or more; let it hang freely",
+                    followed, least_follow));
+  }
+  const haptics::WeightFit fit = haptics::weight_of(from_below, from_above);
+  measured.weight = fit.weight;
+  measured.friction = fit.friction;
+  person_.say(fmt::format("  the handle weighs {:.2f} N, its friction is {:.2f} N", fit.weight, fit.friction));
+}
+
+void CalibrationSteps::perform(CalibrationStep step, haptics::DeviceCalibration& measured) {
+  person_.say(std::string(step_words(step).what_to_do));
+  wait_for_a_person();
+  const std::string stage(name_of(step));
+  switch (step) {
+    case CalibrationStep::workspace: {
+      measured.reach = haptics::reach_of(watch(settings_.seconds, stage, true));
+      const Vec3 size = measured.reach->high - measured.reach->low;
+      person_.say(fmt::format("  {:.0f} x {:.0f} x {:.0f} mm", size.x(), size.y(), size.z()));
+      return;
+    }
+    case CalibrationStep::mounting:
+      measured.mounting = haptics::mounting_of(watch(settings_.seconds, stage, true));
+      person_.say(fmt::format("  the device stands turned by {:.1f} degrees", *measured.mounting / degree));
+      return;
+    case CalibrationStep::tip: {
+      const haptics::TipFit fit = haptics::tip_of(watch(settings_.seconds, stage, true));
+      measured.tip_offset = fit.offset;
+      measured.tip_residual = fit.residual;
+      person_.say(fmt::format("  the tip lies {:.1f} mm from the device's point, found within {:.2f} mm",
+                              fit.offset.norm(), fit.residual));
+      return;
+    }
+    case CalibrationStep::axis:
+      measured.tool_axis = haptics::tool_axis_of(watch(std::min(settings_.seconds, 3.0), stage, true));
+      person_.say(fmt::format("  the needle's axis is {:.3f} {:.3f} {:.3f} of the tool's", measured.tool_axis->x(),
+                              measured.tool_axis->y(), measured.tool_axis->z()));
+      return;
+    case CalibrationStep::weight:
+      return weigh(measured);
+  }
+}
+
+}  // namespace bodkin::station

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/progress.h"
+#include "haptics/device_calibration.h"
+#include "haptics/device_servo.h"
+#include "haptics/weighing.h"
+
+namespace bodkin::station {
+
+// What `bodkin devices calibrate` measures, in this order.
+enum class CalibrationStep { workspace, mounting, tip, axis, weight };
+
+// "workspace"
+std::string_view name_of(CalibrationStep step);
+// Throws InputError for a name that no step has.
+CalibrationStep calibration_step(const std::string& name);
+// What the person has to do, one or two sentences.
+std::string_view task_of(CalibrationStep step);
+// The steps that a device allows: tip and axis need rotation, the weight needs force.
+std::vector<CalibrationStep> steps_for(const haptics::DeviceAbilities& device);
+
+struct CalibrationSettings {
+  double seconds = 15.0;   // for the motions of a step
+  double countdown = 3.0;  // s before a step where nobody can say "go on"
+};
+
+// How the steps and the person talk. Called on the thread that performs them.
+struct CalibrationPerson {
+  std::function<void(const std::string& sentence)> say;
+  // The person has said "go on" since the last call: begin the step, or enough of it. Empty: he cannot, and each step
+  // begins after the countdown.
+  std::function<bool()> goes_on;
+  Progress progress;             // may be empty
+  std::function<void()> waited;  // a long measurement is over; may be empty
+};
+
+// Leads a person through the steps with an open device, and keeps what they came to.
+class CalibrationSteps {
+ public:
+  // The servo runs; its controller is `weighing`.
+  CalibrationSteps(haptics::DeviceServo& servo, haptics::Weighing& weighing, const CalibrationSettings& settings,
+                   CalibrationPerson person);
+
+  // Says what to do, waits for the person or the countdown, measures. Throws InputError where the readings do not
+  // do, and SystemError when the device fails.
+  void perform(CalibrationStep step, haptics::DeviceCalibration& measured);
+
+ private:
+  void wait_for_a_person();
+  std::vector<Pose> watch(double seconds, std::string_view stage, bool may_end_early);
+  double carried_force(double above, std::string_view stage);
+  void weigh(haptics::DeviceCalibration& measured);
+  void require_sound();
+
+  haptics::DeviceServo& servo_;
+  haptics::Weighing& weighing_;
+  CalibrationSettings settings_;
+  CalibrationPerson person_;
+};
+
+}  // namespace bodkin::station

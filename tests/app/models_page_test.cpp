@@ -1,0 +1,88 @@
+// The wizard of the force model's numbers, in the window.
+#include <QApplication>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QSlider>
+#include <QTest>
+#include <algorithm>
+
+#include "app/main_window.h"
+#include "app/models/data_folder.h"
+#include "app/pages/models.h"
+#include <gtest/gtest.h>
+
+namespace bodkin::app {
+namespace {
+
+class ModelsWindow : public testing::Test {
+ protected:
+  void SetUp() override {
+    window_.resize(1280, 720);
+    window_.show();
+    QTest::mouseClick(find<QWidget>("start.models"), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return page().isVisible() && page().model() != nullptr; }, 120000))
+        << window_.practice().failure();
+    find<QComboBox>("models.model")->setCurrentIndex(find<QComboBox>("models.model")->findData("layered"));
+    emit find<QComboBox>("models.model")->activated(find<QComboBox>("models.model")->currentIndex());
+    QTest::qWait(50);
+  }
+  template <typename Widget>
+  Widget* find(const char* name) {
+    auto* const found = window_.findChild<Widget*>(QLatin1String(name));
+    EXPECT_NE(found, nullptr) << name;
+    return found;
+  }
+  ModelsPage& page() { return *window_.findChild<ModelsPage*>("models"); }
+  void key(int code, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QTest::keyClick(window_.focusWidget(), static_cast<Qt::Key>(code), modifiers);
+  }
+
+  MainWindow window_{data_folder()};
+};
+
+TEST_F(ModelsWindow, steps_by_keys_and_a_slider_change_the_curve_within_a_moment) {
+  EXPECT_EQ(find<QListWidget>("models.steps")->count(), 11);
+  EXPECT_EQ(find<QLabel>("models.number")->text(), "Step 1 of 11");
+  find<ProfileChart>("models.chart");
+  QTest::qWait(300);
+  key(Qt::Key_Right);
+  key(Qt::Key_Right);
+  EXPECT_EQ(find<QLabel>("models.number")->text(), "Step 3 of 11");
+  const double before = page().model()->value(2);
+  const QImage picture = find<ProfileChart>("models.chart")->grab().toImage();
+  auto* const slider = find<QSlider>("models.slider");
+  slider->setValue(slider->maximum() * 9 / 10);
+  const double after = page().model()->value(2);
+  EXPECT_GT(after, before);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return find<ProfileChart>("models.chart")->grab().toImage() != picture; }, 5000));
+  EXPECT_NEAR(find<QDoubleSpinBox>("models.value")->value(), after, 1e-9);
+  EXPECT_TRUE(find<QLabel>("models.cue")->text().startsWith("higher"));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(page().model()->value(2), before);
+  key(Qt::Key_Up, Qt::ShiftModifier);
+  EXPECT_NEAR(page().model()->value(2), before + 10.0 * page().model()->steps()[2].grain, 1e-9);
+}
+
+TEST_F(ModelsWindow, what_is_practised_feels_the_new_number) {
+  find<QListWidget>("models.steps")->setCurrentRow(2);
+  auto* const value = find<QDoubleSpinBox>("models.value");
+  value->setValue(2.5);
+  ASSERT_NEAR(page().model()->value(2), 2.5, 1e-9);
+  QTest::mouseClick(find<QWidget>("models.use"), Qt::LeftButton);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_.practice().state() == State::ready; }, 60000));
+  EXPECT_FALSE(page().isVisible());
+  // In until the skin gives: the force has been there.
+  double strongest = 0.0;
+  for (int i = 0; i < 200 && window_.practice().state() != State::in_tissue; ++i) {
+    window_.practice().push(1.0, false);
+    QTest::qWait(25);
+    strongest = std::max(strongest, window_.practice().frame().resistance);
+  }
+  EXPECT_EQ(window_.practice().state(), State::in_tissue);
+  EXPECT_GT(strongest, 2.0) << "the skin as it came gives way at 1.3 N";
+}
+
+}  // namespace
+}  // namespace bodkin::app
