@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 read -r -a window < <(pkg-config --cflags Qt5Widgets)
-flags=(-std=c++20 -fPIC -Isrc -isystem /usr/include/eigen3 -isystem /usr/include/SDL2 -isystem /usr/include/vtk-9.1
+flags=(-std=c++20 -fPIC -Isrc -isystem /usr/include/eigen3 -isystem /usr/include/vtk-9.1
   "${window[@]}" -Wno-pragma-once-outside-header -w)
 
 # The headers that reach Eigen, found by following the lines #include "module/file.h".

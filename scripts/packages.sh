@@ -4,10 +4,9 @@
 packages_to_run=(
   g++ cmake ninja-build ccache pkg-config
   libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev
-  libxml2-dev libcsv-dev libpng-dev zlib1g-dev libdeflate-dev libxxhash-dev libsqlitecpp-dev libsqlite3-dev
+  libxml2-dev libcsv-dev libpng-dev zlib1g-dev libdeflate-dev libxxhash-dev libsqlitecpp-dev libsqlite3-dev libpqxx-dev
   libceres-dev libboost-dev libsimdjson-dev libopenblas-dev libmetis-dev libcgal-dev
   libinsighttoolkit5-dev libgdcm-dev libgdcm-tools
-  libsdl2-dev libsdl2-ttf-dev
   libcairo2-dev fonts-dejavu-core
 )
 
@@ -20,6 +19,7 @@ packages_to_test=(
   git libgtest-dev libgmock-dev libbenchmark-dev doxygen
   clang clang-format clang-tidy libclang-rt-14-dev llvm libxml2-utils
   xvfb xauth xdotool imagemagick ffmpeg
-  libsuitesparse-dev calculix-ccx
+  libsuitesparse-dev calculix-ccx libopenigtlink-dev
+  postgresql curl
   g++-aarch64-linux-gnu qemu-user
 )

@@ -1,6 +1,5 @@
 #include "cli/all_drivers.h"
 
-#include "desktop/mouse_driver.h"
 #include "station/recorded_hand.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,7 +12,7 @@ namespace bodkin::cli {
 
 std::vector<const bodkin_driver*> all_drivers() {
   std::vector<const bodkin_driver*> drivers(haptics::built_in_drivers().begin(), haptics::built_in_drivers().end());
-  drivers.insert(drivers.end(), {&station::recorded_driver(), &desktop::mouse_driver()});
+  drivers.push_back(&station::recorded_driver());
   return drivers;
 }
 

@@ -1,18 +1,11 @@
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-#include <unistd.h>
-
+#include "cli/app_window.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
-#include "core/error.h"
-#include "io/worker_program.h"
 
 namespace bodkin::cli {
 
@@ -30,21 +23,16 @@ constexpr const char* app_footer = R"(Examples:
 
 docs/app.md describes the window and the lines of a script.)";
 
-// This process becomes the window's.
 void run_app(const AppArguments& arguments) {
-  const std::filesystem::path program = io::find_worker({"bodkin-app", "BODKIN_APP_PROGRAM", "BODKIN_APP"});
-  std::vector<std::string> words = {program.string()};
+  require_window();
+  std::vector<std::string> words;
   const std::pair<const char*, const std::string*> options[] = {
       {"--script", &arguments.script}, {"--shots", &arguments.shots}, {"--size", &arguments.size}};
   for (const auto& [option, value] : options) {
     if (!value->empty()) words.insert(words.end(), {option, *value});
   }
   if (!arguments.patient.empty()) words.insert(words.end(), {"--", arguments.patient});
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  execv(program.c_str(), pointers.data());
-  throw SystemError(fmt::format("{} cannot be started: {}", program.string(), std::strerror(errno)));
+  become_app(words);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <system_error>
@@ -12,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/parse_numbers.h"
 
 namespace bodkin::cli {
 namespace {
@@ -189,19 +189,7 @@ Argument add_switch(CLI::App& command, const std::string& name, bool& value, con
 }
 
 Vec3 parse_point(const std::string& text, const std::string& option) {
-  Vec3 point = Vec3::Zero();
-  const char* cursor = text.data();
-  const char* const end = text.data() + text.size();
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto [next, failed] = std::from_chars(cursor, end, point[axis]);
-    const bool separated = axis < 2 ? next != end && *next == ',' : next == end;
-    if (failed != std::errc() || !separated || !std::isfinite(point[axis])) {
-      throw InputError(
-          fmt::format("{} is '{}'; expected three finite numbers in LPS mm such as 4.5,-45,293", option, text));
-    }
-    cursor = next + (axis < 2 ? 1 : 0);
-  }
-  return point;
+  return bodkin::parse_point(text, option);
 }
 
 void require_writable(const fs::path& file, const std::string& option, const fs::path& input) {

@@ -27,6 +27,8 @@ constexpr const char* case_new_footer = R"(Examples:
   bodkin case new patient --ct ct.mha --labels mine.nrrd --scheme mine.csv --tissues mine.xml
   bodkin case new patient --ct ct.nii.gz --level L4_L5
   bodkin case new patient --ct ct.nii.gz --lowest-vertebra L5
+  bodkin case new patient --ct ct.nii.gz --labels totalsegmentator.nii.gz --procedure ct_guided_biopsy \
+                          --target liver_lesion --needle 18,150,chiba
   bodkin case new patient --ct dicom_folder --series 2 --entry 4.5,-45,293 --target 3,-117.5,294
 
 The geometry of the CT is carried exactly; nothing is flipped or resampled, except a stack of slices that no regular grid
@@ -43,8 +45,8 @@ void run_case_new(const CaseNewOptions& options, const CommandContext& context) 
   }
   if (!options.tissues.empty()) request["tissues"] = io::path_text(options.tissues);
   if (!options.level.empty()) {
-    if (request.contains("entry"))
-      throw InputError("--level plans a path, --entry and --target give one; say either");
+    if (!options.common.target.empty())
+      throw InputError("--level plans a path through an interspace, --target one to a place of its own; say either");
     request["level"] = options.level;
   }
   if (!options.lowest_vertebra.empty()) request["lowest_vertebra"] = options.lowest_vertebra;

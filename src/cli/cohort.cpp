@@ -66,6 +66,11 @@ training::CohortSettings cohort_settings(const CohortArguments& arguments, Patie
       session::operator_json(settings.performer.value_or(settings.expert)) + session::operator_json(settings.novice));
   for (const training::PlanStage& each : plan.stages) {
     training::CohortStage stage{.plan = each, .procedure = {}, .patient = nullptr, .path = {}};
+    if (each.patient == training::built_in_patient) {
+      throw InputError(fmt::format(
+          "{}: stage '{}': the built-in patient is in the window alone; make a case with 'bodkin case synthesize'",
+          arguments.plan, each.title));
+    }
     const auto [place, is_new] = patients.try_emplace(each.patient);
     anatomy::Case& patient = place->second;
     if (is_new) patient = io::load_case(each.patient, console.progress());
@@ -81,7 +86,8 @@ training::CohortSettings cohort_settings(const CohortArguments& arguments, Patie
     stage.patient = &patient;
     stage.procedure = each.procedure.empty() ? training::procedure_of_case(patient.description.procedure.name)
                                              : training::find_procedure(each.procedure);
-    all += fmt::format(" {} {} {} {}", stage.procedure.name, each.attempts, each.passes,
+    all += fmt::format(" {} {} {} {} {} {} {}", stage.procedure.name, each.attempts, each.passes, each.score_from,
+                       each.mastery, each.must_pass,
                        io::read_text_file(fs::path(each.patient) / "case.xml", session::largest_case_xml));
     settings.stages.push_back(std::move(stage));
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -69,6 +70,16 @@ void Console::line(std::string_view text) const {
 
 void Console::json(std::string_view text) const {
   if (json_) write_output(fmt::format("{}\n", text));
+}
+
+void write_error(std::string_view sentence, int exit_code, bool as_json) {
+  write_remark(fmt::format("bodkin: {}\n", sentence));
+  if (!as_json) return;
+  const nlohmann::ordered_json json = {{"error", {{"sentence", sentence}, {"exit_code", exit_code}}}};
+  try {
+    write_output(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  } catch (...) {  // nobody reads it; standard error has it
+  }
 }
 
 }  // namespace bodkin::cli

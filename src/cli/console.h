@@ -42,4 +42,7 @@ class Console {
   std::chrono::steady_clock::time_point last_draw_{};
 };
 
+// Why a command has failed: to standard error, and with `as_json` as an object on standard output too.
+void write_error(std::string_view sentence, int exit_code, bool as_json);
+
 }  // namespace bodkin::cli

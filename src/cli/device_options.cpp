@@ -2,13 +2,12 @@
 
 #include <vector>
 
-#include "desktop/mouse_driver.h"
+#include "station/driver_inquiry.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "cli/all_drivers.h"
 #include "cli/arguments.h"
-#include "cli/driver_inquiry.h"
 #include "core/error.h"
 #include "haptics/driver_folder.h"
 
@@ -26,7 +25,7 @@ std::string file_of_driver(const std::string& name) {
   std::vector<std::string> names, files;
   for (const bodkin_driver* driver : all_drivers()) names.emplace_back(driver->name);
   for (const std::string& file : haptics::driver_files()) {
-    const DriverAnswer answer = ask_driver(file, "", Inquiry::name);
+    const station::DriverAnswer answer = station::ask_driver(file, "", station::Inquiry::name);
     if (answer.name == name) files.push_back(file);
     if (!answer.name.empty()) names.push_back(answer.name);
   }
@@ -41,13 +40,16 @@ std::string file_of_driver(const std::string& name) {
 
 }  // namespace
 
-std::string driver_of(const DeviceOptions& options) {
-  const std::string name = options.device.substr(0, options.device.find(':'));
-  return name.find('/') != std::string::npos || find_own_driver(name) != nullptr ? name : file_of_driver(name);
+bool is_mouse(const DeviceOptions& options) {
+  return options.device == "mouse";
 }
 
-bool is_mouse(const station::DeviceChoice& choice) {
-  return choice.driver == &desktop::mouse_driver();
+std::string driver_of(const DeviceOptions& options) {
+  const std::string name = options.device.substr(0, options.device.find(':'));
+  if (is_mouse(options)) {
+    throw InputError("the mouse holds a needle in the window only; say 'bodkin perform CASE mouse', or 'bodkin app'");
+  }
+  return name.find('/') != std::string::npos || find_own_driver(name) != nullptr ? name : file_of_driver(name);
 }
 
 station::DeviceChoice choose_device(const DeviceOptions& options) {

@@ -28,6 +28,7 @@ station::DeviceChoice choose_device(const DeviceOptions& options);
 // choose_device() does.
 std::string driver_of(const DeviceOptions& options);
 
-bool is_mouse(const station::DeviceChoice& choice);
+// The mouse, which is a device in the window of bodkin-app alone.
+bool is_mouse(const DeviceOptions& options);
 
 }  // namespace bodkin::cli

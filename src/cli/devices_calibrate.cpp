@@ -1,18 +1,20 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "station/calibration_steps.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.h"
-#include "cli/calibration_steps.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/device_options.h"
+#include "cli/terminal_keys.h"
 #include "core/error.h"
 #include "core/utc_time.h"
 #include "haptics/calibration.h"
@@ -23,6 +25,8 @@ namespace bodkin::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using station::CalibrationSettings;
+using station::CalibrationStep;
 
 struct DevicesCalibrateArguments {
   DeviceOptions device;
@@ -100,11 +104,11 @@ void print(const Console& console, const haptics::DeviceCalibration& calibration
 
 std::vector<CalibrationStep> chosen_steps(const DevicesCalibrateArguments& arguments,
                                           const haptics::DeviceAbilities& device) {
-  std::vector<CalibrationStep> possible = steps_for(device);
+  std::vector<CalibrationStep> possible = station::steps_for(device);
   if (arguments.steps.empty()) return possible;
   std::vector<CalibrationStep> steps;
   for (const std::string& name : arguments.steps) {
-    const CalibrationStep step = calibration_step(name);
+    const CalibrationStep step = station::calibration_step(name);
     if (std::find(possible.begin(), possible.end(), step) == possible.end()) {
       throw InputError(fmt::format("--steps: '{}' needs a device that {}, which {} is not; leave it out", name,
                                    step == CalibrationStep::weight ? "renders force" : "measures rotation",
@@ -127,8 +131,21 @@ haptics::DeviceCalibration measure(haptics::DevicePort port, const haptics::Devi
   haptics::DeviceServo servo(std::move(port), abilities, settings,
                              [weighing](const haptics::ControlInput& input) { return weighing->step(input); });
   servo.start();
-  CalibrationSteps person(servo, *weighing, arguments.settings, console);
-  for (const CalibrationStep step : steps) person.perform(step, measured);
+  TerminalKeys keys;
+  station::CalibrationPerson person;
+  person.say = [&](const std::string& sentence) { console.line(sentence); };
+  person.progress = console.progress();
+  person.waited = [&] { console.clear_bar(); };
+  if (keys.are_there()) {
+    person.goes_on = [&keys] {
+      bool pressed = false;
+      while (const std::optional<char> key = keys.next()) pressed = pressed || *key == '\n' || *key == '\r';
+      return pressed;
+    };
+    console.line("  press Enter to begin each step, and to end it early");
+  }
+  station::CalibrationSteps guide(servo, *weighing, arguments.settings, std::move(person));
+  for (const CalibrationStep step : steps) guide.perform(step, measured);
   if (!servo.stop()) console.note("the device did not let itself be stopped; switch it off and on again");
   return measured;
 }

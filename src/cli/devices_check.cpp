@@ -1,13 +1,8 @@
 #include <algorithm>
-#include <chrono>
-#include <cstdint>
-#include <limits>
 #include <memory>
 #include <string>
-#include <thread>
-#include <vector>
 
-#include "desktop/mouse_window.h"
+#include "station/device_check.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -23,8 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::chrono::milliseconds check_interval{10};
-constexpr double least_success = 0.99;  // of the rounds must be on time
 constexpr int exit_not_ready = 3;
 
 struct DevicesCheckArguments {
@@ -39,90 +32,6 @@ constexpr const char* devices_check_footer = R"(Examples:
 
 No force is ever asked for. Move the device while it is being checked: to every corner, and press its buttons.
 Exit code 0: it is ready. 3: it is not, and the last line says why.)";
-
-// What was seen of the device.
-struct Observation {
-  double seconds = 0.0;
-  std::uint64_t rounds = 0;
-  haptics::ServoTimings timings;
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());  // mm, operator's frame
-  Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
-  std::uint32_t buttons = 0;  // that were pressed
-  double hottest = 0.0;
-  double released = 0.0;  // s without a hand, if the device can detect it
-  haptics::DeviceFault fault = haptics::DeviceFault::none;
-  std::string sentence;
-  double strongest = 0.0;  // N that left; must be 0
-  bool answered = true;    // it let itself be stopped
-
-  double rate() const { return static_cast<double>(rounds) / seconds; }
-};
-
-// `window`: may be null.
-Observation observe(haptics::DeviceServo& servo, double seconds, desktop::MouseWindow* window, Console& console) {
-  Observation seen;
-  const Progress progress = console.progress();
-  servo.start();
-  for (const std::string& sentence : servo.refused()) console.note(sentence);
-  const auto begin = std::chrono::steady_clock::now();
-  const auto elapsed = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  };
-  while (elapsed() < seconds) {
-    std::this_thread::sleep_for(check_interval);
-    if (progress) progress("checking: move the device to every corner, press its buttons", elapsed() / seconds);
-    if (servo.rounds() == 0) continue;
-    if (window != nullptr) {
-      window->poll();
-      desktop::WindowScene scene;
-      scene.time = elapsed();
-      scene.state = "checking";
-      window->show(scene);
-    }
-    const haptics::ServoSnapshot& now = servo.tick().snapshot();
-    if (now.device.fault != haptics::DeviceFault::none) {
-      if (seen.fault == haptics::DeviceFault::none) seen.sentence = servo.explain();
-      seen.fault = now.device.fault;
-      continue;
-    }
-    if (now.device.ended()) break;
-    seen.low = seen.low.cwiseMin(now.device.hand.translation());
-    seen.high = seen.high.cwiseMax(now.device.hand.translation());
-    seen.buttons |= now.device.buttons;
-    seen.hottest = std::max(seen.hottest, now.device.temperature);
-    seen.strongest = std::max(seen.strongest, now.applied.force.norm());
-    if (!now.device.held) seen.released += std::chrono::duration<double>(check_interval).count();
-  }
-  seen.seconds = elapsed();
-  seen.rounds = servo.rounds();
-  seen.timings = servo.tick().timings();
-  seen.answered = servo.stop();
-  console.clear_bar();
-  return seen;
-}
-
-// Empty when the device is ready; else what stands against it.
-std::string obstacle(const Observation& seen, const haptics::DeviceAbilities& abilities) {
-  if (seen.fault != haptics::DeviceFault::none) {
-    return seen.sentence.empty() ? fmt::format("the device reported a fault: {}", haptics::text_of(seen.fault))
-                                 : seen.sentence;
-  }
-  if (seen.rounds == 0) return "the device did not answer once; is it switched on?";
-  if (!seen.answered) return "the device did not let itself be stopped; switch it off and on again";
-  if (seen.rate() < 0.9 * abilities.rate) {
-    return fmt::format("{:.0f} rounds a second instead of {:.0f}; close other programs, or use a lower rate",
-                       seen.rate(), abilities.rate);
-  }
-  const double late = seen.timings.ticks == 0
-                          ? 0.0
-                          : static_cast<double>(seen.timings.overruns) / static_cast<double>(seen.timings.ticks);
-  if (1.0 - late < least_success) {
-    return fmt::format(
-        "{:.1f} % of the rounds were late; close other programs, and permit real-time priority (docs/perform.md)",
-        100.0 * late);
-  }
-  return "";
-}
 
 std::string box_text(const Vec3& low, const Vec3& high) {
   return fmt::format("x {:.0f} to {:.0f}, y {:.0f} to {:.0f}, z {:.0f} to {:.0f} mm", low.x(), high.x(), low.y(),
@@ -159,7 +68,8 @@ Json times_json(const haptics::LatencyHistogram& times) {
           {"longest_s", times.maximum()}};
 }
 
-Json json_of(const Observation& seen, const haptics::DeviceAbilities& device, const std::string& why_not) {
+Json json_of(const station::DeviceObservation& seen, const haptics::DeviceAbilities& device,
+             const std::string& why_not) {
   Json json = {{"ready", why_not.empty()},
                {"name", device.name},
                {"serial", device.serial},
@@ -187,7 +97,6 @@ Json json_of(const Observation& seen, const haptics::DeviceAbilities& device, co
 int run_devices_check(const DevicesCheckArguments& arguments, const CommandContext& context) {
   Console console(context);
   const station::DeviceChoice chosen = choose_device(arguments.device);
-  const auto window = is_mouse(chosen) ? std::make_unique<desktop::MouseWindow>("check of the mouse") : nullptr;
   haptics::DevicePort port(*chosen.driver, chosen.identity, arguments.device.settings);
   haptics::DeviceAbilities abilities = port.abilities();
   station::complete_from_table(abilities);
@@ -196,8 +105,16 @@ int run_devices_check(const DevicesCheckArguments& arguments, const CommandConte
   haptics::DeviceServo servo(std::move(port), abilities, settings,
                              [](const haptics::ControlInput&) { return haptics::Control{}; });
   say_abilities(console, abilities);
-  const Observation seen = observe(servo, arguments.seconds, window.get(), console);
-  const std::string why_not = obstacle(seen, abilities);
+  const Progress progress = console.progress();
+  const auto watch = [&](double elapsed) {
+    if (progress)
+      progress("checking: move the device to every corner, press its buttons", elapsed / arguments.seconds);
+    return true;
+  };
+  const station::DeviceObservation seen = station::observe_device(servo, arguments.seconds, watch);
+  console.clear_bar();
+  for (const std::string& sentence : servo.refused()) console.note(sentence);
+  const std::string why_not = station::why_not_ready(seen, abilities);
   console.line(fmt::format("  rounds      {} in {:.1f} s, {:.0f} a second, {} too late", seen.rounds, seen.seconds,
                            seen.rate(), seen.timings.overruns));
   say_times(console, "lateness", seen.timings.lateness);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "station/driver_inquiry.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -12,13 +13,14 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/device_options.h"
-#include "cli/driver_inquiry.h"
 #include "core/error.h"
 #include "haptics/driver_folder.h"
 
 namespace bodkin::cli {
 
 namespace {
+
+using station::DriverAnswer;
 
 constexpr const char* devices_list_footer = R"(Examples:
   bodkin devices list                                          every driver, and the devices that it finds
@@ -99,7 +101,7 @@ void run_devices_list(const DeviceOptions& options, const CommandContext& contex
   const Console console(context);
   std::vector<DriverAnswer> answers;
   for (const std::string& driver : drivers_of(options)) {
-    answers.push_back(ask_driver(driver, options.settings, Inquiry::devices));
+    answers.push_back(station::ask_driver(driver, options.settings, station::Inquiry::devices));
   }
   if (!options.device.empty() && answers.front().name.empty()) throw SystemError(answers.front().sentence);
   const std::vector<std::string> clash = clashes(answers);

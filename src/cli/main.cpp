@@ -1,12 +1,14 @@
 #include <exception>
 #include <string_view>
 
+#include "station/driver_inquiry.h"
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/all_drivers.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
-#include "cli/driver_inquiry.h"
+#include "cli/console.h"
 #include "cli/standard_streams.h"
 #include "core/error.h"
 
@@ -18,13 +20,16 @@ constexpr int exit_input_error = 2;
 constexpr const char* main_footer = R"(Examples:
   bodkin app                                     practise in a window
   bodkin case synthesize lumbar patient          make a lumbar torso from nothing but a seed
+  bodkin case synthesize body patient --point ST36   a body about an acupuncture point
   bodkin case new patient --ct dicom_folder      make a case from a CT
   bodkin case show patient                       what is in it, as text and as a picture
+  bodkin case plan patient --target liver        paths to any place, and what they keep clear of
   bodkin case mesh patient                       tetrahedra for the deformable body
   bodkin profile patient                         force against depth along the planned path
   bodkin compare patient                         every force model on the same motion
   bodkin run patient --operator novice           a simulated hand performs the procedure
   bodkin score session.bodkin                    how good it was, and why
+  bodkin results list                            how every trainee does
   bodkin report session.bodkin                   what happened, as one HTML file
   bodkin fit layered skin.csv                    parameters of a force model from a measured curve
   bodkin perform patient openhaptics             your own hand performs it on a haptic device
@@ -38,8 +43,8 @@ constexpr const char* main_footer = R"(Examples:
 
 int main(int argc, char** argv) {
   // This program asking a driver in a child process of its own: no command for people.
-  if (argc == 2 && std::string_view(argv[1]) == bodkin::cli::driver_inquiry_argument) {
-    return bodkin::cli::answer_driver_inquiry();
+  if (argc == 2 && std::string_view(argv[1]) == bodkin::station::driver_inquiry_argument) {
+    return bodkin::station::answer_driver_inquiry(bodkin::cli::load_driver);
   }
   bodkin::cli::survive_closed_pipes();
   CLI::App app{"Bodkin: put needles into bodies, feel what they meet, and see how well it went."};
@@ -58,6 +63,7 @@ int main(int argc, char** argv) {
   bodkin::cli::add_case_synthesize_command(*case_group, context);
   bodkin::cli::add_case_check_command(*case_group, context);
   bodkin::cli::add_case_show_command(*case_group, context);
+  bodkin::cli::add_case_plan_command(*case_group, context);
   bodkin::cli::add_case_mesh_command(*case_group, context);
   CLI::App* devices_group = app.add_subcommand("devices", "Find haptic devices and see how well they answer");
   devices_group->require_subcommand(1);
@@ -65,14 +71,19 @@ int main(int argc, char** argv) {
   bodkin::cli::add_devices_check_command(*devices_group, context);
   bodkin::cli::add_devices_calibrate_command(*devices_group, context);
   bodkin::cli::add_app_command(app, context);
+  bodkin::cli::add_points_command(app, context);
   bodkin::cli::add_profile_command(app, context);
   bodkin::cli::add_compare_command(app, context);
   bodkin::cli::add_run_command(app, context);
   bodkin::cli::add_perform_command(app, context);
+  bodkin::cli::add_serve_command(app, context);
   bodkin::cli::add_replay_command(app, context);
   bodkin::cli::add_export_command(app, context);
   bodkin::cli::add_cohort_command(app, context);
   bodkin::cli::add_score_command(app, context);
+  bodkin::cli::add_plan_command(app, context);
+  bodkin::cli::add_results_command(app, context);
+  bodkin::cli::add_teacher_command(app, context);
   bodkin::cli::add_report_command(app, context);
   bodkin::cli::add_fit_command(app, context);
   bodkin::cli::add_figures_command(app, context);
@@ -88,10 +99,10 @@ int main(int argc, char** argv) {
   } catch (const bodkin::cli::OutputClosed&) {
     return context.exit_code != 0 ? context.exit_code : bodkin::cli::exit_output_closed;
   } catch (const bodkin::InputError& error) {
-    bodkin::cli::write_remark(fmt::format("bodkin: {}\n", error.what()));
+    bodkin::cli::write_error(error.what(), exit_input_error, context.json);
     return exit_input_error;
   } catch (const std::exception& error) {
-    bodkin::cli::write_remark(fmt::format("bodkin: {}\n", error.what()));
+    bodkin::cli::write_error(error.what(), exit_system_error, context.json);
     return exit_system_error;
   }
 }

@@ -11,6 +11,7 @@
 #include "cli/json_values.h"
 #include "core/error.h"
 #include "io/image_worker.h"
+#include "training/planning_rules.h"
 #include "training/procedure_file.h"
 
 namespace bodkin::cli {
@@ -27,6 +28,17 @@ json checked_point(const std::string& text, const std::string& option) {
     throw InputError(fmt::format("{} is {}; expected coordinates within {:g} mm", option, text, furthest));
   }
   return json_point(point);
+}
+
+// The rules by which the worker plans.
+void say_rules(const patient::PlanningRules& rules, json& request) {
+  json avoid = json::array();
+  for (const patient::AvoidRule& rule : rules.avoid) {
+    avoid.push_back(
+        {{"tissue", rule.tissue}, {"structure", rule.structure}, {"title", rule.title}, {"margin_mm", rule.margin}});
+  }
+  request["avoid"] = avoid;
+  request["levels"] = rules.levels;
 }
 
 void say_summary(const json& result, const Console& console, const std::string& folder) {
@@ -48,8 +60,7 @@ void say_summary(const json& result, const Console& console, const std::string& 
         "  path      from ({:.1f}, {:.1f}, {:.1f}) to ({:.1f}, {:.1f}, {:.1f}) mm, {:.1f} mm long", entry[0],
         entry[1], entry[2], target[0], target[1], target[2], result["path"].value("length_mm", 0.0)));
   } else {
-    console.line(
-        "  path      none was planned; the notes say why. Give --entry and --target, or what the notes ask for");
+    console.line("  path      none was planned; the notes say why. Give --target, or what the notes ask for");
   }
   console.line(fmt::format("Next: bodkin case show {0}, bodkin profile {0}", folder));
 }
@@ -60,7 +71,9 @@ void add_new_case_options(CLI::App& command, NewCaseOptions& options) {
   add_text(command, "DIR", options.folder, "Folder of the case; it must not exist yet").required();
   add_text(command, "--name", options.name, "Name of the patient (default: the folder's)");
   add_text(command, "--entry", options.entry, "Where the planned path enters the skin: x,y,z in LPS mm");
-  add_text(command, "--target", options.target, "Where the needle's tip should end: x,y,z in LPS mm");
+  add_text(command, "--target", options.target,
+           "Where the needle's tip should end: x,y,z in LPS mm, or a structure by its name, whose middle is meant; "
+           "without --entry the best way in is planned");
   add_whole_number(command, "--needle-gauge", options.needle_gauge, anatomy::gauge_sizes().front().gauge,
                    anatomy::gauge_sizes().back().gauge, "Gauge of the needle, 10 to 34");
   add_text(
@@ -81,20 +94,34 @@ json new_case_request(const NewCaseOptions& options) {
     throw InputError(fmt::format("--needle-gauge is {}; expected {} to {}", options.needle_gauge,
                                  anatomy::gauge_sizes().front().gauge, anatomy::gauge_sizes().back().gauge));
   }
-  if (options.entry.empty() != options.target.empty()) {
-    throw InputError(fmt::format("--{0} is missing: a path needs both --entry and --target",
-                                 options.entry.empty() ? "entry" : "target"));
+  if (!options.entry.empty() && options.target.empty())
+    throw InputError("--target is missing: a path needs both --entry and --target");
+  const bool is_point = options.target.find(',') != std::string::npos;
+  if (!options.entry.empty() && !is_point) {
+    throw InputError(
+        fmt::format("--target is '{}'; expected three numbers x,y,z with --entry; without it the way in is planned",
+                    options.target));
   }
   json request = {{"folder", io::path_text(options.folder)},
                   {"overwrite", options.overwrite},
                   {"name", io::path_text(options.name)},
                   {"needle_gauge", options.needle_gauge}};
   if (!options.needle.empty()) request["needle"] = options.needle;
-  if (!options.procedure.empty()) {
-    const training::Procedure procedure = training::find_shipped_procedure(options.procedure);
+  const bool plans = !options.target.empty() && options.entry.empty();
+  if (!options.procedure.empty() || plans) {
+    const training::Procedure procedure =
+        training::find_shipped_procedure(options.procedure.empty() ? "needle_insertion" : options.procedure);
+    if (plans) say_rules(training::planning_rules(procedure), request);
     request["procedure"] = procedure.name;
     for (const training::Goal& goal : procedure.goals)
       if (!goal.tissue.empty()) request["target_tissue"] = goal.tissue;
+  }
+  if (plans) {
+    if (is_point) {
+      request["target"] = checked_point(options.target, "--target");
+    } else {
+      request["target_structure"] = options.target;
+    }
   }
   if (!options.entry.empty()) {
     request["entry"] = checked_point(options.entry, "--entry");

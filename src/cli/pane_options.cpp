@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/ultrasound_options.h"
 #include "core/error.h"
 
 namespace bodkin::cli {
@@ -32,20 +31,10 @@ struct PaneNumber {
   std::optional<double> value;
 };
 
-// What the options of `bodkin ultrasound` refuse, said of the one here that holds them all.
-template <typename Work>
-auto named_pane(const Work& work) {
-  try {
-    return work();
-  } catch (const InputError& refused) {
-    throw InputError(fmt::format("--ultrasound: {}", refused.what()));
-  }
-}
-
 }  // namespace
 
-station::UltrasoundChoice choose_pane(const std::string& words) {
-  UltrasoundOptions options;
+station::UltrasoundRequest pane_request(const std::string& words) {
+  station::UltrasoundRequest options;
   options.view = "needle";
   options.size = fmt::format("{}x{}", frame_width, frame_height);
   options.lines = options.samples = 300;
@@ -95,19 +84,18 @@ station::UltrasoundChoice choose_pane(const std::string& words) {
       }
     }
   }
-  station::UltrasoundChoice choice = named_pane([&] { return choose_ultrasound(options); });
-  imaging::UltrasoundSettings& settings = choice.settings;
-  choice.press = numbers[0].value.value_or(choice.press);
-  settings.depth = numbers[1].value.value_or(settings.depth);
-  settings.gain = numbers[2].value.value_or(settings.gain);
-  settings.dynamic_range = numbers[3].value.value_or(settings.dynamic_range);
-  settings.focus = numbers[4].value.value_or(std::max(5.0, 0.5 * settings.depth));
-  settings.frequency = numbers[5].value.value_or(settings.frequency);
-  named_pane([&] {
-    imaging::check(settings, choice.probe);
-    return true;
-  });
-  return choice;
+  options.press = numbers[0].value;
+  options.depth = numbers[1].value;
+  options.gain = numbers[2].value.value_or(options.gain);
+  options.dynamic_range = numbers[3].value.value_or(options.dynamic_range);
+  options.focus = numbers[4].value;
+  options.frequency = numbers[5].value;
+  try {
+    station::choose_ultrasound(options);
+  } catch (const InputError& refused) {  // said of the one option here that holds them all
+    throw InputError(fmt::format("--ultrasound: {}", refused.what()));
+  }
+  return options;
 }
 
 }  // namespace bodkin::cli

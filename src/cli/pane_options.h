@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "station/ultrasound_choice.h"
+#include "station/ultrasound_request.h"
 
 namespace bodkin::cli {
 
 // What --ultrasound of `bodkin perform` says: "PROBE SETTING=VALUE ...". Throws InputError naming --ultrasound.
-station::UltrasoundChoice choose_pane(const std::string& words);
+station::UltrasoundRequest pane_request(const std::string& words);
 
 }  // namespace bodkin::cli

@@ -1,59 +1,26 @@
-#include <array>
-#include <atomic>
 #include <csignal>
 #include <memory>
 
-#include "desktop/keys.h"
 #include "station/station.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/app_window.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/end_on_signal.h"
 #include "cli/outcome.h"
 #include "cli/perform_options.h"
 #include "cli/perform_screen.h"
+#include "cli/terminal_keys.h"
 
 namespace bodkin::cli {
 
 namespace {
 
-std::atomic<station::Station*> running{nullptr};
-
-// Ctrl-C ends the session as q does. The end of the terminal or of the machine ends it too: force to zero, devices
-// stopped, the recording complete.
-class EndOnSignal {
- public:
-  explicit EndOnSignal(station::Station& station) {
-    running.store(&station);
-    for (std::size_t i = 0; i < signals.size(); ++i) before_[i] = std::signal(signals[i], &end);
-  }
-  ~EndOnSignal() {
-    for (std::size_t i = 0; i < signals.size(); ++i) std::signal(signals[i], before_[i]);
-    running.store(nullptr);
-  }
-  EndOnSignal(const EndOnSignal&) = delete;
-  EndOnSignal& operator=(const EndOnSignal&) = delete;
-
-  // 0, or the signal that a shell reports as the end of the command: all but Ctrl-C, with which a person ends a
-  // session.
-  static int reason() noexcept { return ended_by.load() == SIGINT ? 0 : ended_by.load(); }
-
- private:
-  static constexpr std::array<int, 3> signals = {SIGINT, SIGTERM, SIGHUP};
-
-  static void end(int signal) {
-    ended_by.store(signal);
-    if (station::Station* const station = running.load()) station->end();
-  }
-
-  static inline std::atomic<int> ended_by{0};
-  std::array<void (*)(int), signals.size()> before_{};
-};
-
 station::StationResult run_with_keys(station::Station& station, PerformScreen& screen) {
-  desktop::Keys keys;
+  TerminalKeys keys;
   const EndOnSignal signals(station);
   screen.listen_to(&keys);
   station::StationResult result = station.run();
@@ -62,9 +29,14 @@ station::StationResult run_with_keys(station::Station& station, PerformScreen& s
 }
 
 void run_perform(const PerformOptions& arguments, CommandContext& context) {
+  if (needs_window(arguments)) {
+    const std::string order = window_order(arguments);
+    require_window();
+    become_app({"--attempt", order, "--", arguments.folder});
+  }
   Console console(context);
   station::StationOptions options = station_options(arguments, console);
-  PerformScreen screen(console, options.ultrasound, is_mouse(options.device), options.longest);
+  PerformScreen screen(console, options.longest);
   station::Station station(std::move(options), screen);
   station::StationResult result = run_with_keys(station, screen);
   console.clear_bar();
@@ -79,7 +51,6 @@ void run_perform(const PerformOptions& arguments, CommandContext& context) {
                            outcome.run.ticks, 1e3 * outcome.run.worst_lateness));
   print(console, outcome, station.patient());
   nlohmann::ordered_json json = json_of(outcome, station.patient());
-  if (!arguments.ultrasound.empty()) json["ultrasound_pictures"] = result.ultrasound_pictures;
   console.json(json.dump(2));
 }
 

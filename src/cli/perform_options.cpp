@@ -1,11 +1,15 @@
 #include "cli/perform_options.h"
 
+#include <filesystem>
 #include <optional>
 #include <utility>
+
+#include <nlohmann/json.hpp>
 
 #include "cli/arguments.h"
 #include "cli/body_options.h"
 #include "cli/pane_options.h"
+#include "core/error.h"
 #include "io/case_folder.h"
 
 namespace bodkin::cli {
@@ -13,7 +17,7 @@ namespace bodkin::cli {
 const char* const perform_footer = R"(Examples:
   bodkin perform patient openhaptics                      the first Touch that is connected
   bodkin perform patient spacemouse                       no force at the hand: it is shown
-  bodkin perform patient mouse                            mouse and keyboard, in a window that shows the force
+  bodkin perform patient mouse                            the mouse, in the window of bodkin-app
   bodkin perform patient simulated                        no hand at all: a simulated one
   bodkin perform patient recorded:mine.bodkin             the hand of a session
   bodkin perform patient force_dimension --force-scale 0.5
@@ -25,7 +29,7 @@ const char* const perform_footer = R"(Examples:
 
 The patient lies prone, the head away from you, the skin below the middle of the workspace. Keys: space holds the
 needle where it is and takes it up again; c presses and releases the clutch; a arms after a fault; d takes the force
-away, both for a second hand too; q ends. 'bodkin devices check' first shows whether the device is well.)";
+away, both for a second hand too; b presses and releases the plunger of a syringe ('--part syringe'); q ends. 'bodkin devices check' first shows whether the device is well.)";
 
 void add_perform_options(CLI::App& command, PerformOptions& options) {
   add_text(command, "CASE", options.folder, "Folder of the case").required();
@@ -44,14 +48,13 @@ void add_perform_options(CLI::App& command, PerformOptions& options) {
   add_force_options(command, options.forces);
   add_body_option(command, options.body);
   add_text(command, "--ultrasound", options.ultrasound,
-           "\"PROBE SETTING=VALUE ...\": its picture live in a window, with the needle and the tissue that it drags; "
+           "\"PROBE SETTING=VALUE ...\": its picture live in the window of bodkin-app, with the needle and the "
+           "tissue that it drags; "
            "view, at, from, press_mm, depth_mm, gain_dB, dynamic_range_dB, focus_mm, frequency_MHz");
 }
 
 station::StationOptions station_options(const PerformOptions& options, Console& console) {
   require_writable(options.output, "--output");
-  std::optional<station::UltrasoundChoice> ultrasound;
-  if (!options.ultrasound.empty()) ultrasound = choose_pane(options.ultrasound);
   station::DeviceChoice device = choose_device(options.device);
   std::optional<station::SecondChoice> second = choose_second(options.second, device);
   std::optional<fem::ProbeFace> moving_body = parse_body(options.body);
@@ -66,10 +69,52 @@ station::StationOptions station_options(const PerformOptions& options, Console& 
           .use_calibration = !options.no_calibration,
           .second = std::move(second),
           .moving_body = moving_body,
-          .ultrasound = std::move(ultrasound),
+          .ultrasound = {},
           .output = options.output,
           .overwrite = options.overwrite,
           .longest = options.longest};
+}
+
+bool needs_window(const PerformOptions& options) {
+  return is_mouse(options.device) || !options.ultrasound.empty();
+}
+
+std::string window_order(const PerformOptions& options) {
+  require_writable(options.output, "--output");
+  const auto words_of = [](const DeviceOptions& device) -> nlohmann::json {
+    const std::size_t colon = device.device.find(':');
+    return {{"driver", driver_of(device)},
+            {"identity", colon == std::string::npos ? "" : device.device.substr(colon + 1)},
+            {"settings", device.settings}};
+  };
+  nlohmann::json order = {{"resistance", options.forces.resistance},
+                          {"constraint", options.forces.constraint},
+                          {"parts", options.forces.parts},
+                          {"output", std::filesystem::absolute(options.output).string()},
+                          {"overwrite", options.overwrite},
+                          {"longest_s", options.longest},
+                          {"scale", options.scale},
+                          {"force_scale", options.force_scale},
+                          {"use_calibration", !options.no_calibration}};
+  station::DeviceChoice device;
+  if (is_mouse(options.device)) {
+    if (!options.device.settings.empty()) throw InputError("the mouse has no settings; leave out --settings");
+  } else {
+    device = choose_device(options.device);
+    order["device"] = words_of(options.device);
+  }
+  if (const std::optional<station::SecondChoice> second = choose_second(options.second, device)) {
+    order["second"] = words_of(options.second.device);
+    order["second_as"] = session::name_of(second->role);
+  }
+  if (const std::optional<fem::ProbeFace> face = parse_body(options.body)) {
+    order["moving_body_mm"] = {face->width, face->thickness, face->radius};
+  }
+  if (!options.ultrasound.empty()) order["ultrasound"] = station::to_json(pane_request(options.ultrasound));
+  io::read_case_description(options.folder);
+  anatomy::HapticSettings unused;
+  apply(options.forces, unused);  // refuses what it cannot read
+  return order.dump();
 }
 
 }  // namespace bodkin::cli

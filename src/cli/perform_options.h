@@ -35,4 +35,9 @@ void add_perform_options(CLI::App& command, PerformOptions& options);
 // Loads the drivers and the case, and turns every text into what it means. Throws InputError naming the option.
 station::StationOptions station_options(const PerformOptions& options, Console& console);
 
+// The mouse holds the needle, or ultrasound is to be seen: bodkin-app does it.
+bool needs_window(const PerformOptions& options);
+// The same for bodkin-app --attempt, as JSON. Checks every text but the case; throws InputError naming the option.
+std::string window_order(const PerformOptions& options);
+
 }  // namespace bodkin::cli

@@ -2,45 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <utility>
+#include <optional>
 
-#include "desktop/keys.h"
 #include "station/station.h"
 #include <fmt/format.h>
+
+#include "cli/terminal_keys.h"
 
 namespace bodkin::cli {
 
 namespace {
-
-constexpr std::chrono::milliseconds terminal_interval{100};
-constexpr std::chrono::milliseconds window_interval{4};  // the pointer of a window must not lag
-
-desktop::WindowScene scene_of(const station::StationStatus& status, const anatomy::Case& patient) {
-  const haptics::ServoSnapshot& servo = status.servo;
-  const station::HandSnapshot& now = status.needle;
-  const anatomy::NeedlePath& path = *patient.description.procedure.path;
-  const Vec3 along = path.direction(), from_entry = servo.needle.translation() - path.entry;
-  desktop::WindowScene scene;
-  scene.time = status.time;
-  scene.force = now.output.requested.force.norm();
-  scene.depth = now.output.depth;
-  scene.tissue = patient.library.title(now.output.tissue);
-  scene.state = haptics::text_of(servo.state);
-  scene.hold = servo.frozen ? "held" : servo.clutched ? "clutch" : "";
-  scene.message =
-      now.corridor_left ? "the deformable body is not prepared here: draw the needle back" : status.message;
-  scene.beside = (from_entry - along * along.dot(from_entry)).norm();
-  scene.angle = std::acos(std::clamp(along.dot(needle_axis(servo.needle)), -1.0, 1.0)) * 180.0 / std::numbers::pi;
-  scene.needle = now.needle;
-  scene.needle.translation() -= now.needle_ahead;
-  scene.armed = servo.state != haptics::GuardState::disarmed;
-  scene.faulted = servo.state == haptics::GuardState::faulted;
-  scene.displacements = status.displacements;
-  scene.ultrasound = status.ultrasound;
-  scene.probe_is_held = status.probe_is_held;
-  return scene;
-}
 
 // "plunger 35.2 kPa 6.21 N", "probe 2.10 N".
 std::string text_of_second(const station::SecondStatus& second) {
@@ -58,61 +29,35 @@ std::string text_of_status(const station::StationStatus& status, const anatomy::
   const char* const place = status.needle.corridor_left ? ", NOT PREPARED HERE, draw back" : "";
   std::string text = fmt::format("{}{}  {:5.1f} mm  {:5.2f} N [{:<20}] {}{}", haptics::text_of(servo.state), hold,
                                  now.depth, force, std::string(bar, '='), library.title(now.tissue), place);
+  if (status.plunger_pressed) text += "  plunger pressed";
   if (status.second) text += "  " + text_of_second(*status.second);
   return text;
 }
 
-void apply_key(char key, station::Station& station) {
+void apply_key(char key, station::Station& station, bool plunger_pressed) {
   if (key == ' ') station.command(station::StationCommand::toggle_hold);
   if (key == 'c') station.command(station::StationCommand::toggle_clutch);
   if (key == 'a') station.command(station::StationCommand::arm);
   if (key == 'd') station.command(station::StationCommand::disarm);
+  if (key == 'b')
+    station.command(plunger_pressed ? station::StationCommand::release_plunger
+                                    : station::StationCommand::press_plunger);
   if (key == 'q') station.command(station::StationCommand::end);
 }
 
 }  // namespace
 
-PerformScreen::PerformScreen(Console& console, std::optional<station::UltrasoundChoice> ultrasound, bool has_mouse,
-                             double longest)
-    : console_(console),
-      line_(console.progress()),
-      ultrasound_(std::move(ultrasound)),
-      has_mouse_(has_mouse),
-      longest_(longest) {}
-
-PerformScreen::~PerformScreen() = default;
+PerformScreen::PerformScreen(Console& console, double longest)
+    : console_(console), line_(console.progress()), longest_(longest) {}
 
 void PerformScreen::note(const std::string& sentence) {
   console_.clear_bar();
   console_.note(sentence);
 }
 
-std::vector<Vec3> PerformScreen::prepare(const anatomy::Case& patient, const fem::BodyDescription* body) {
-  if (!has_mouse_ && !ultrasound_) return {};
-  window_ = std::make_unique<desktop::MouseWindow>(patient.description.name, ultrasound_.has_value(), has_mouse_);
-  if (ultrasound_) {
-    window_->show_ultrasound(std::make_unique<desktop::UltrasoundPane>(patient, *ultrasound_, body != nullptr,
-                                                                       desktop::MouseWindow::ultrasound_x, 0.0));
-  }
-  if (body == nullptr) return {};
-  auto view = std::make_unique<desktop::BodyView>(patient, body->mesh);
-  std::vector<Vec3> points = view->points();
-  window_->show_body(std::move(view));
-  return points;
-}
-
-std::chrono::milliseconds PerformScreen::interval() const {
-  return window_ == nullptr ? terminal_interval : window_interval;
-}
-
 void PerformScreen::update(station::Station& station, const station::StationStatus& status) {
-  while (const std::optional<char> key = keys_ == nullptr ? std::nullopt : keys_->next()) apply_key(*key, station);
-  if (window_ != nullptr) {
-    window_->poll();
-    while (const std::optional<char> key = window_->next_key()) apply_key(*key, station);
-    window_->show(scene_of(status, station.patient()));
-    if (const desktop::UltrasoundPane* pane = window_->ultrasound()) station.set_scan_order(pane->order());
-  }
+  while (const std::optional<char> key = keys_ == nullptr ? std::nullopt : keys_->next())
+    apply_key(*key, station, status.plunger_pressed);
   if (line_) line_(text_of_status(status, station.patient().library), status.time / longest_);
 }
 

@@ -10,13 +10,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/app_window.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/json_values.h"
 #include "cli/ultrasound_beside.h"
 #include "cli/ultrasound_deformed.h"
-#include "cli/ultrasound_live.h"
 #include "cli/ultrasound_options.h"
 #include "cli/ultrasound_sweep.h"
 #include "core/error.h"
@@ -94,7 +94,7 @@ void check_combinations(const UltrasoundArguments& arguments) {
   if (!sweep.any() && (sweep.frames_given.given() || sweep.rate_given.given())) {
     throw InputError("--frames and --rate are of a sweep; say which with --sweep-to, --tilt, --rock or --rotate");
   }
-  if (arguments.deformed && !arguments.options.needle)
+  if (arguments.deformed && !arguments.options.wanted.needle)
     throw InputError("--deformed is a needle's work; add --needle");
   if (arguments.deformed && (arguments.live || sweep.any())) {
     throw InputError("--deformed is for a single picture; leave out --live and the options of a sweep");
@@ -102,7 +102,7 @@ void check_combinations(const UltrasoundArguments& arguments) {
   if (arguments.deformed && arguments.options.press_given.given() && arguments.options.press > 0.0) {
     throw InputError("--deformed shows what the needle does to tissue, not the probe; leave out --press");
   }
-  if (arguments.options.needle_depth_given.given() && !arguments.options.needle) {
+  if (arguments.options.needle_depth_given.given() && !arguments.options.wanted.needle) {
     throw InputError("--needle-depth is the depth of a needle; add --needle");
   }
 }
@@ -278,10 +278,22 @@ void scan_sweep(const UltrasoundArguments& arguments, const ScanScene& scene, st
   console.json(result.dump(2));
 }
 
+// In the window of bodkin-app. A case that is none is refused here, in one sentence.
+[[noreturn]] void show_live(const UltrasoundArguments& arguments, const station::UltrasoundRequest& request) {
+  require_window();
+  io::read_case_description(arguments.folder);
+  const std::string base = fs::path(arguments.output).replace_extension().string();
+  std::vector<std::string> words = {"--scan", station::to_json(request)};
+  if (!base.empty()) words.insert(words.end(), {"--output", fs::absolute(base).string()});
+  words.insert(words.end(), {"--", arguments.folder});
+  become_app(words);
+}
+
 void run_ultrasound(const UltrasoundArguments& arguments, const CommandContext& context) {
   Console console(context);
   check_combinations(arguments);
-  station::UltrasoundChoice choice = choose_ultrasound(arguments.options);
+  const station::UltrasoundRequest request = request_of(arguments.options);
+  station::UltrasoundChoice choice = station::choose_ultrasound(request);
   if (arguments.deformed) choice.press = std::min(choice.press, 0.0);  // the needle's work alone
   const bool sweeping = arguments.sweep.any();
   std::optional<SweepTarget> target;
@@ -299,7 +311,7 @@ void run_ultrasound(const UltrasoundArguments& arguments, const CommandContext& 
   } else {
     check_picture_name(arguments);
   }
-  if (arguments.live) require_window();
+  if (arguments.live) show_live(arguments, request);
   std::optional<imaging::RealPicture> real;
   if (arguments.beside.any()) {
     real = read_real_picture(arguments.beside, choice.probe, choice.mark);
@@ -307,11 +319,7 @@ void run_ultrasound(const UltrasoundArguments& arguments, const CommandContext& 
   }
 
   const anatomy::Case patient = io::load_case(arguments.folder, console.progress());
-  std::optional<imaging::NeedleInSound> needle;
-  if (arguments.options.needle) {
-    const bool deep = arguments.options.needle_depth_given.given();
-    needle = station::needle_on_path(patient, deep ? std::optional(arguments.options.needle_depth) : std::nullopt);
-  }
+  std::optional<imaging::NeedleInSound> needle = station::needle_of(request, patient);
   // A file of poses needs no place to begin from, which a crop of a CT may not have.
   const imaging::ProbeOnSkin hand =
       poses.empty() ? station::hold_probe(choice, patient) : imaging::ProbeOnSkin(poses.front().pose);
@@ -319,16 +327,6 @@ void run_ultrasound(const UltrasoundArguments& arguments, const CommandContext& 
   imaging::Ultrasound machine(imaging::acoustic_volume(patient, console.progress()), choice.probe, choice.settings,
                               choice.detail);
   console.clear_bar();
-  if (arguments.live) {
-    const std::string base = arguments.output.empty() ? scan_file_name(patient.description.name)
-                                                      : fs::path(arguments.output).replace_extension().string();
-    const std::vector<std::string> saved = scan_live(patient, choice, hand, needle, machine, base);
-    for (const std::string& file : saved) console.line(fs::absolute(file).string());
-    nlohmann::json result = json_of(choice);
-    result["pictures"] = saved;
-    console.json(result.dump(2));
-    return;
-  }
   std::optional<DeformedScan> deformed;
   if (arguments.deformed) {
     const imaging::UltrasoundFrame& frame = machine.image(hand.pose());

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/parse_numbers.h"
 #include "imaging/png_file.h"
 #include "io/image_worker.h"
 #include "io/resources.h"

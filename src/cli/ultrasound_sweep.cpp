@@ -12,6 +12,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "core/parse_numbers.h"
 #include "imaging/png_file.h"
 #include "imaging/ultrasound_screen/machine_picture.h"
 #include "imaging/ultrasound_screen/sequence_file.h"

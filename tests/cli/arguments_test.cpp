@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tests/cli/bodkin_command.h"
+#include "tests/cli/command_table.h"
 #include <gmock/gmock.h>
 
 namespace bodkin_test {
@@ -11,238 +12,6 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-
-enum class Kind { text, texts, point, number, whole, toggle };
-
-struct OptionRow {
-  std::string name;
-  Kind kind;
-  std::vector<std::string> out_of_range = {};  // numbers of the right kind that are refused
-};
-
-struct CommandRow {
-  std::string words;      // the command
-  std::string arguments;  // that it cannot do without, all good as far as the command line goes
-  std::string missing;    // the first of them; empty where there is none
-  std::vector<OptionRow> options;
-  bool takes_several = false;  // of the last argument, so that no word is one too many
-};
-
-const std::vector<CommandRow>& table() {
-  static const std::vector<CommandRow> rows = {
-      {"case new",
-       "made --ct ct.nrrd",
-       "DIR",
-       {{"--name", Kind::text},
-        {"--entry", Kind::point},
-        {"--target", Kind::point},
-        {"--needle-gauge", Kind::whole, {"9", "35", "-22"}},
-        {"--needle", Kind::text},
-        {"--procedure", Kind::text},
-        {"--level", Kind::text},
-        {"--lowest-vertebra", Kind::text},
-        {"--conus", Kind::text},
-        {"--age", Kind::number, {"-1", "121"}},
-        {"--overwrite", Kind::toggle},
-        {"--ct", Kind::text},
-        {"--labels", Kind::text},
-        {"--scheme", Kind::text},
-        {"--tissues", Kind::text},
-        {"--series", Kind::whole, {"0", "-1", "100001"}},
-        {"--resample-labels", Kind::toggle},
-        {"--fill-missing", Kind::toggle},
-        {"--assume-hu", Kind::toggle}}},
-      {"case synthesize lumbar",
-       "made",
-       "DIR",
-       {{"--name", Kind::text},
-        {"--entry", Kind::point},
-        {"--target", Kind::point},
-        {"--needle-gauge", Kind::whole, {"9", "35", "-22"}},
-        {"--needle", Kind::text},
-        {"--procedure", Kind::text},
-        {"--overwrite", Kind::toggle},
-        {"--seed", Kind::whole, {"-1"}},
-        {"--age", Kind::number, {"17.9", "95.1", "-40"}},
-        {"--height", Kind::number, {"1.39", "2.06", "-1.7"}},
-        {"--weight", Kind::number, {"39", "161", "-70"}},
-        {"--flexion", Kind::number, {"-0.1", "1.1"}},
-        {"--spacing", Kind::number, {"0", "0.4", "3.1", "-1"}}}},
-      {"case check", "somewhere", "CASE", {}},
-      {"case show", "somewhere", "CASE", {{"--output", Kind::text}}},
-      {"case mesh",
-       "somewhere",
-       "CASE",
-       {{"--nodes", Kind::whole, {"499", "400001", "-5"}},
-        {"--fine", Kind::number, {"0.1", "21", "-1"}},
-        {"--coarse", Kind::number, {"0.1", "101", "-1"}},
-        {"--corridor", Kind::number, {"0.9", "201", "-1"}},
-        {"--import", Kind::text},
-        {"--regions", Kind::text},
-        {"--output", Kind::text},
-        {"--force", Kind::toggle}}},
-      {"devices list", "", "", {{"--driver", Kind::text}, {"--settings", Kind::text}}},
-      {"devices check",
-       "force_dimension",
-       "DEVICE",
-       {{"--settings", Kind::text}, {"--seconds", Kind::number, {"0.09", "3601", "-1"}}}},
-      {"devices calibrate",
-       "force_dimension",
-       "DEVICE",
-       {{"--settings", Kind::text},
-        {"--steps", Kind::texts},
-        {"--seconds", Kind::number, {"0.9", "601", "-1"}},
-        {"--countdown", Kind::number, {"-1", "601"}},
-        {"--file", Kind::text},
-        {"--show", Kind::toggle},
-        {"--forget", Kind::toggle}}},
-      {"profile",
-       "somewhere",
-       "CASE",
-       {{"--entry", Kind::point},
-        {"--target", Kind::point},
-        {"--speed", Kind::number, {"0", "0.4", "501", "-10"}},
-        {"--beyond", Kind::number, {"-1", "201"}},
-        {"--pause", Kind::number, {"-1", "61"}},
-        {"--withdraw", Kind::toggle},
-        {"--deformation", Kind::toggle},
-        {"--resistance", Kind::text},
-        {"--constraint", Kind::text},
-        {"--part", Kind::texts},
-        {"--output", Kind::text}}},
-      {"compare",
-       "somewhere",
-       "CASE",
-       {{"--entry", Kind::point},
-        {"--target", Kind::point},
-        {"--models", Kind::texts},
-        {"--constraint", Kind::text},
-        {"--part", Kind::texts},
-        {"--speed", Kind::number, {"0", "0.4", "501", "-10"}},
-        {"--withdraw-speed", Kind::number, {"0", "0.4", "501", "-10"}},
-        {"--pause", Kind::number, {"-1", "61"}},
-        {"--no-reinsert", Kind::toggle},
-        {"--output", Kind::text}}},
-      {"fit",
-       "layered curve.csv",
-       "MODEL",
-       {{"--from", Kind::number, {"-1001", "1001"}},
-        {"--to", Kind::number, {"-1001", "1001"}},
-        {"--speed", Kind::number, {"0", "1001", "-5"}},
-        {"--resolution", Kind::number, {"-0.1", "1.1"}},
-        {"--fix", Kind::texts},
-        {"--start", Kind::texts},
-        {"--bounds", Kind::texts},
-        {"--free", Kind::texts},
-        {"--output", Kind::text}}},
-      {"figures", "made", "DIR", {{"--experiment", Kind::texts}}},
-      {"ultrasound",
-       "somewhere",
-       "CASE",
-       {{"--probe", Kind::text},
-        {"--probes", Kind::text},
-        {"--view", Kind::text},
-        {"--at", Kind::text},
-        {"--from", Kind::text},
-        {"--face", Kind::point},
-        {"--look", Kind::point},
-        {"--marked", Kind::point},
-        {"--pose", Kind::text},
-        {"--press", Kind::number, {"-61", "41"}},
-        {"--depth", Kind::number, {"9", "401", "-80"}},
-        {"--gain", Kind::number, {"-41", "41"}},
-        {"--dynamic-range", Kind::number, {"19", "121", "-60"}},
-        {"--focus", Kind::number, {"4", "401", "-40"}},
-        {"--frequency", Kind::number, {"0", "31", "-5"}},
-        {"--tgc", Kind::text},
-        {"--no-gel", Kind::toggle},
-        {"--lines", Kind::whole, {"15", "2049", "-1"}},
-        {"--samples", Kind::whole, {"31", "4097", "-1"}},
-        {"--size", Kind::text},
-        {"--slices", Kind::whole, {"0", "8", "-1"}},
-        {"--threads", Kind::whole, {"0", "65", "-1"}},
-        {"--mark", Kind::text},
-        {"--needle", Kind::toggle},
-        {"--needle-depth", Kind::number, {"-1", "301"}},
-        {"--deformed", Kind::toggle},
-        {"--output", Kind::text},
-        {"--plain", Kind::toggle},
-        {"--ct", Kind::toggle},
-        {"--beside", Kind::text},
-        {"--beside-pixel", Kind::number, {"0", "11", "-1"}},
-        {"--beside-crop", Kind::text},
-        {"--window", Kind::text},
-        {"--beside-window", Kind::text},
-        {"--sweep", Kind::text},
-        {"--sweep-to", Kind::point},
-        {"--on-skin", Kind::toggle},
-        {"--tilt", Kind::text},
-        {"--rock", Kind::text},
-        {"--rotate", Kind::text},
-        {"--frames", Kind::whole, {"0", "100001", "-1"}},
-        {"--rate", Kind::number, {"0", "0.9", "201", "-1"}},
-        {"--live", Kind::toggle}}},
-      {"perform",
-       "somewhere force_dimension",
-       "CASE",
-       {{"--settings", Kind::text},
-        {"--output", Kind::text},
-        {"--overwrite", Kind::toggle},
-        {"--scale", Kind::number, {"0.09", "10.1", "-1"}},
-        {"--force-scale", Kind::number, {"0.009", "1.1", "-1"}},
-        {"--no-calibration", Kind::toggle},
-        {"--max-time", Kind::number, {"0.9", "3601"}},
-        {"--second", Kind::text},
-        {"--second-as", Kind::text},
-        {"--second-settings", Kind::text},
-        {"--body", Kind::text},
-        {"--ultrasound", Kind::text},
-        {"--resistance", Kind::text},
-        {"--constraint", Kind::text},
-        {"--part", Kind::texts}}},
-      {"run",
-       "somewhere",
-       "CASE",
-       {{"--operator", Kind::text},
-        {"--seed", Kind::whole, {"-1"}},
-        {"--realtime", Kind::toggle},
-        {"--output", Kind::text},
-        {"--overwrite", Kind::toggle},
-        {"--entry", Kind::point},
-        {"--target", Kind::point},
-        {"--resistance", Kind::text},
-        {"--constraint", Kind::text},
-        {"--part", Kind::texts},
-        {"--max-time", Kind::number, {"0", "0.9", "3601", "-1"}}}},
-      {"replay", "session.bodkin", "SESSION", {{"--case", Kind::text}}},
-      {"export",
-       "session.bodkin",
-       "SESSION",
-       {{"--csv", Kind::text}, {"--events", Kind::text}, {"--second", Kind::text}}},
-      {"report",
-       "session.bodkin",
-       "SESSION",
-       {{"--case", Kind::text},
-        {"--procedure", Kind::text},
-        {"--experts", Kind::text},
-        {"--output", Kind::text},
-        {"--open", Kind::toggle}}},
-      {"score",
-       "session.bodkin",
-       "SESSION",
-       {{"--procedure", Kind::text}, {"--case", Kind::text}, {"--experts", Kind::text}, {"--csv", Kind::text}},
-       true},
-      {"cohort",
-       "plan.xml",
-       "PLAN",
-       {{"--trainees", Kind::whole, {"0", "1000001", "-1"}},
-        {"--seed", Kind::whole, {"-1"}},
-        {"--operator", Kind::text},
-        {"--output", Kind::text},
-        {"--threads", Kind::whole, {"-1", "1025"}}}},
-      {"app", "somewhere", "", {{"--script", Kind::text}, {"--shots", Kind::text}, {"--size", Kind::text}}}};
-  return rows;
-}
 
 class Arguments : public BodkinCommand {
  protected:
@@ -262,7 +31,7 @@ class Arguments : public BodkinCommand {
 
 TEST_F(Arguments, the_table_holds_every_command_and_every_option) {
   const std::regex option(R"(^  (?:-\w,)?(--[a-z-]+))");
-  for (const CommandRow& row : table()) {
+  for (const CommandRow& row : command_table()) {
     const Outcome help = bodkin(row.words + " --help");
     ASSERT_EQ(help.exit_code, 0) << row.words;
     std::set<std::string> told, known = {"--help"};
@@ -275,13 +44,13 @@ TEST_F(Arguments, the_table_holds_every_command_and_every_option) {
     EXPECT_EQ(told, known) << row.words;
   }
   const std::regex command(R"(^  ([a-z]+) +[A-Z])");
-  for (const std::string group : {"", "case", "case synthesize", "devices"}) {
+  for (const std::string group : {"", "case", "case synthesize", "devices", "plan", "results"}) {
     std::istringstream lines(bodkin(group + " --help").output);
     std::smatch match;
     for (std::string line; std::getline(lines, line);) {
       if (!std::regex_search(line, match, command)) continue;
       const std::string words = (group.empty() ? "" : group + " ") + match[1].str();
-      EXPECT_TRUE(std::any_of(table().begin(), table().end(), [&](const CommandRow& row) {
+      EXPECT_TRUE(std::any_of(command_table().begin(), command_table().end(), [&](const CommandRow& row) {
         return row.words == words || row.words.rfind(words + " ", 0) == 0;
       })) << words;
     }
@@ -289,7 +58,7 @@ TEST_F(Arguments, the_table_holds_every_command_and_every_option) {
 }
 
 TEST_F(Arguments, every_bad_value_of_every_option_is_refused) {
-  for (const CommandRow& row : table()) {
+  for (const CommandRow& row : command_table()) {
     const std::string start = row.words + " " + row.arguments + " ";
     for (const OptionRow& option : row.options) {
       if (option.kind == Kind::toggle) {
@@ -331,7 +100,7 @@ TEST_F(Arguments, points_are_three_finite_numbers) {
 }
 
 TEST_F(Arguments, unknown_words_and_missing_ones_are_named) {
-  for (const CommandRow& row : table()) {
+  for (const CommandRow& row : command_table()) {
     const std::string start = row.words + " " + row.arguments;
     expect_refusal(start + " --no-such-option", {"bodkin " + row.words + " has no option --no-such-option"});
     expect_refusal(start + " --no-such-option=1", {"has no option --no-such-option"});
@@ -346,8 +115,9 @@ TEST_F(Arguments, unknown_words_and_missing_ones_are_named) {
   expect_refusal("frob", {"bodkin has no command 'frob'; expected case, "});
   expect_refusal("case", {"bodkin case needs a command; expected new, "});
   expect_refusal("case frob", {"bodkin case has no command 'frob'"});
-  expect_refusal("case synthesize", {"bodkin case synthesize needs a command; expected lumbar"});
-  expect_refusal("case synthesize thorax made", {"bodkin case synthesize has no command 'thorax'; expected lumbar"});
+  expect_refusal("case synthesize", {"bodkin case synthesize needs a command; expected lumbar, body"});
+  expect_refusal("case synthesize thorax made",
+                 {"bodkin case synthesize has no command 'thorax'; expected lumbar, body"});
   expect_refusal("--quiet=maybe run somewhere", {"--quiet", "takes no value"});
   expect_refusal("--frob run somewhere", {"has no option --frob"});
 }

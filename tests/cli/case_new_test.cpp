@@ -147,9 +147,9 @@ TEST_F(CaseNew, a_tissue_library_of_ones_own_gives_labels_tissues_of_their_own) 
   write("mine.csv", "label,name,tissue,critical\n29,vertebrae_L3,tumour,false\n30,other,bone,false\n");
   const std::string crop = data().string() + "/derived_same_crop_three_formats/lumbar_crop_";
   const std::string arguments =
-      "--json case new patient --ct '" + crop + "ct.nrrd' --labels '" + crop + "labels.mha' --scheme mine.csv";
+      "case new patient --ct '" + crop + "ct.nrrd' --labels '" + crop + "labels.mha' --scheme mine.csv";
   expect_refusal(arguments, "tumour");
-  const Outcome made = bodkin(arguments + " --tissues mine.xml");
+  const Outcome made = bodkin("--json " + arguments + " --tissues mine.xml");
   ASSERT_EQ(made.exit_code, 0) << made.errors;
   const auto amounts = nlohmann::json::parse(made.output).at("tissues");
   EXPECT_TRUE(std::any_of(amounts.begin(), amounts.end(), [](const nlohmann::json& amount) {

@@ -24,7 +24,7 @@ TEST_F(DevicesListCommand, says_of_every_driver_what_it_finds_or_lacks) {
   const Outcome outcome = bodkin("devices list");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text();
   for (const char* driver :
-       {"openhaptics", "force_dimension", "haption", "haply", "spacemouse", "simulated", "recorded", "mouse"}) {
+       {"openhaptics", "force_dimension", "haption", "haply", "spacemouse", "simulated", "recorded"}) {
     EXPECT_THAT(outcome.output, HasSubstr(driver));
   }
   const json found = json::parse(bodkin("devices list --json -q").output);
@@ -113,7 +113,7 @@ TEST_F(DevicesListCommand, drivers_in_the_folder_are_called_by_their_names) {
   EXPECT_EQ(json::parse(checked.output).at("name"), "Example");
   const Outcome unknown = bodkin("devices check exemple");
   EXPECT_EQ(unknown.exit_code, 2);
-  EXPECT_THAT(unknown.errors, HasSubstr("mouse, example, or the path"));
+  EXPECT_THAT(unknown.errors, HasSubstr("recorded, example, or the path"));
 }
 
 TEST_F(DevicesListCommand, two_drivers_of_one_name_are_told_apart_by_their_paths) {

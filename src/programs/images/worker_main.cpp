@@ -92,6 +92,13 @@ patient::NewCase new_case(const json& request) {
   wanted.needle = request.value("needle", "");
   wanted.procedure = request.value("procedure", "");
   wanted.target_tissue = request.value("target_tissue", "");
+  wanted.target_structure = request.value("target_structure", "");
+  for (const json& each : request.value("avoid", json::array())) {
+    wanted.rules.avoid.push_back({each.value("tissue", ""), each.value("structure", ""), each.value("title", ""),
+                                  each.value("margin_mm", 0.0)});
+  }
+  wanted.rules.levels = request.value("levels", std::vector<std::string>());
+  if (request.contains("target") && !request.contains("entry")) wanted.target = point_from(request.at("target"));
   if (request.contains("entry")) {
     wanted.path = anatomy::NeedlePath{point_from(request.at("entry")), point_from(request.at("target"))};
   }

@@ -1,0 +1,32 @@
+// bodkin serve: a whole session with nobody looking, and what is refused before a device opens.
+#include "session/session_file.h"
+#include "tests/cli/bodkin_command.h"
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace bodkin_test {
+namespace {
+
+using ::testing::HasSubstr;
+using ServeCommand = PatientCommand;
+
+TEST_F(ServeCommand, records_a_session_with_an_ultrasound_that_nobody_looks_at) {
+  const Outcome served = bodkin(
+      "--json serve patient simulated --settings depth_mm=10 --port 0 --max-time 3 --ultrasound C5-2 -o s.bodkin");
+  ASSERT_EQ(served.exit_code, 0) << served.text();
+  const auto json = nlohmann::json::parse(served.output);
+  EXPECT_EQ(json.at("clients"), 0);
+  EXPECT_EQ(json.at("clients_dropped"), 0);
+  EXPECT_THAT(served.errors, HasSubstr("OpenIGTLink at 127.0.0.1, port "));
+  EXPECT_TRUE(::bodkin::session::read_session(folder_ / "s.bodkin").finished);
+}
+
+TEST_F(ServeCommand, refuses_an_address_that_is_none_before_it_records_anything) {
+  const Outcome served = bodkin("serve patient simulated --listen nowhere -o never.bodkin");
+  EXPECT_EQ(served.exit_code, 2);
+  EXPECT_THAT(served.errors, HasSubstr("'nowhere' is no address"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "never.bodkin"));
+}
+
+}  // namespace
+}  // namespace bodkin_test
