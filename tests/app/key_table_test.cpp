@@ -1,6 +1,7 @@
 #include "app/key_table.h"
 
 #include <map>
+#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -11,7 +12,8 @@ namespace {
 TEST(KeyTable, no_key_means_two_things_in_one_chain) {
   for (const KeyScope scope :
        {KeyScope::window, KeyScope::start, KeyScope::practise, KeyScope::view3d, KeyScope::slice, KeyScope::chart,
-        KeyScope::review, KeyScope::models, KeyScope::ultrasound}) {
+        KeyScope::plan, KeyScope::scan, KeyScope::review, KeyScope::models, KeyScope::devices, KeyScope::atlas,
+        KeyScope::volume, KeyScope::ultrasound}) {
     std::map<std::string, int> count;
     for (const KeyScope each : chain_of(scope)) {
       for (const KeyBinding& binding : key_table()) {
@@ -31,12 +33,11 @@ TEST(KeyTable, every_key_can_be_pressed) {
   }
 }
 
-TEST(KeyTable, only_keys_of_window_needle_and_review_are_reserved) {
+TEST(KeyTable, only_keys_of_window_needle_plan_and_review_are_reserved) {
+  const std::set<KeyScope> allowed = {KeyScope::window, KeyScope::practise, KeyScope::plan, KeyScope::review};
   for (const KeyBinding& binding : key_table()) {
     if (!binding.reserved) continue;
-    EXPECT_TRUE(binding.scope == KeyScope::window || binding.scope == KeyScope::practise ||
-                binding.scope == KeyScope::review)
-        << binding.keys;
+    EXPECT_TRUE(allowed.contains(binding.scope)) << binding.keys;
   }
   EXPECT_EQ(reserved_command(KeyScope::practise, QKeySequence(QStringLiteral("Space"))), Command::hold);
   EXPECT_EQ(reserved_command(KeyScope::start, QKeySequence(QStringLiteral("Space"))), std::nullopt);

@@ -2,7 +2,6 @@
 // layers.
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <memory>
 #include <vector>
 
@@ -76,15 +75,28 @@ struct WayLayer {
   double from, to;
 };
 
+bool is_rigid(TissueId id) {
+  const TissueProperties* known = back().patient.library.find(id);
+  return known != nullptr && known->layered.kind == LayeredKind::rigid;
+}
+
 // The tissues on the line, down to the first rigid one: what is thicker than 0.3 mm, neighbours of one tissue joined.
+// Nothing where a rigid piece is about as thick as a layer has to be, so that either answer is right.
 std::vector<WayLayer> way_layers_on(const NeedlePath& path) {
   std::vector<WayLayer> layers;
   const TissueVolume& tissues = back().patient.tissues;
   const double voxel = tissues.grid.spacing.minCoeff();
+  const auto tissue_at = [&](double depth) {
+    return nearest<TissueId>(tissues, path.entry + depth * path.direction(), tissue::air);
+  };
   for (double depth = 0.0; depth < deepest; depth += 0.01) {
-    const TissueId id = nearest<TissueId>(tissues, path.entry + depth * path.direction(), tissue::air);
-    const TissueProperties* known = back().patient.library.find(id);
-    if (known != nullptr && known->layered.kind == LayeredKind::rigid) break;
+    const TissueId id = tissue_at(depth);
+    if (is_rigid(id)) {
+      double end = depth;
+      while (end - depth < 0.4 && is_rigid(tissue_at(end))) end += 0.01;
+      if (end - depth > 0.395) break;
+      if (end - depth > 0.2) return {};
+    }
     if (layers.empty() || layers.back().tissue != id) {
       // A piece that ends here and was no layer goes to the one before it.
       if (layers.size() > 1 && layers.back().to - layers.back().from < 0.3) {
@@ -113,17 +125,6 @@ double puncture_force_of(TissueId id) {
   return tissue == nullptr ? 0.0 : tissue->deformable.puncture_force;
 }
 
-// Everything of `part` is in `all`, in the same order.
-bool holds_in_order(const std::vector<TissueId>& all, const std::vector<TissueId>& part) {
-  auto at = all.begin();
-  for (const TissueId id : part) {
-    at = std::find(at, all.end(), id);
-    if (at == all.end()) return false;
-    ++at;
-  }
-  return true;
-}
-
 // Pushes needles in and compares what gives way with the layers that have to: a tissue that takes more force than the
 // one before it. Returns how many layers there were.
 std::size_t expect_every_layer_once(int ways, std::uint64_t seed) {
@@ -133,11 +134,11 @@ std::size_t expect_every_layer_once(int ways, std::uint64_t seed) {
     tissues[tissue.id] = {0.001, tissue.deformable.puncture_force, 0.0};
   Random random(seed);
   std::size_t all = 0;
-  int wrong = 0;
   for (int way = 0; way < ways; ++way) {
     const NeedlePath path = random_path(random);
     const std::vector<NeedleStation> stations = stations_along(path, deepest, 2.0, here.patient);
-    if (stations.empty()) continue;
+    const std::vector<WayLayer> layers = way_layers_on(path);
+    if (stations.empty() || layers.empty()) continue;
     // A wide disk, so that nothing has to be refined: it is the layers that count here.
     const CondensedBody points = here.body->contact_points(stations, path.direction(), 25.0);
     EmbeddedNeedle needle(points, tissues, {}, 1e-3);
@@ -150,7 +151,7 @@ std::size_t expect_every_layer_once(int ways, std::uint64_t seed) {
     // What begins in the last millimetre, or is about as thin as a layer may be, may be felt or not.
     std::vector<TissueId> expected, possible;
     double before = 0.0;
-    for (const WayLayer& layer : way_layers_on(path)) {
+    for (const WayLayer& layer : layers) {
       const double force = puncture_force_of(layer.tissue);
       if (force > before) possible.push_back(layer.tissue);
       if (force > before && layer.to - layer.from >= 0.35 && layer.from < deepest - 1.0)
@@ -158,13 +159,10 @@ std::size_t expect_every_layer_once(int ways, std::uint64_t seed) {
       before = force;
     }
     all += expected.size();
-    if (!holds_in_order(felt, expected) || !holds_in_order(possible, felt)) {
-      ++wrong;
-      std::cout << "way " << way << ": felt " << testing::PrintToString(felt) << ", expected "
-                << testing::PrintToString(expected) << ", at most " << testing::PrintToString(possible) << "\n";
+    if (felt != possible) {
+      EXPECT_EQ(felt, expected) << "way " << way;
     }
   }
-  EXPECT_LE(wrong, ways / 100);
   return all;
 }
 
@@ -172,7 +170,7 @@ TEST(NeedlePaths, every_layer_on_a_random_way_gives_way_once) {
   EXPECT_GT(expect_every_layer_once(8, 1), 6U);
 }
 
-TEST(NeedlePaths, in_99_of_100_random_ways_no_layer_is_missed_and_none_felt_twice) {
+TEST(NeedlePaths, of_200_random_ways_no_layer_is_missed_and_none_felt_twice) {
   // Under a sanitizer a tenth of them, which take 20 s.
   const int ways = sanitized ? 20 : 200;
   EXPECT_GT(expect_every_layer_once(ways, 2), static_cast<std::size_t>(ways));
