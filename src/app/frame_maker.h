@@ -2,13 +2,15 @@
 
 #include <optional>
 
-#include "app/changes.h"
-#include "app/frame.h"
 #include "app/hand/needle_control.h"
-#include "app/models/open_case.h"
 #include "app/models/station_link.h"
+#include "views/changes.h"
+#include "views/frame.h"
+#include "views/open_case.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 // Makes the frame of a moment from what the station, the hand and the patient say, and finds what is new in it. It
 // remembers what a single moment does not show: whether the skin has given way, whether the tip is on bone, how long

@@ -25,10 +25,12 @@
 #include "app/pages/tour.h"
 #include "app/pages/ultrasound.h"
 #include "app/pages/volume.h"
-#include "app/theme.h"
-#include "app/views/top_bar.h"
+#include "views/theme.h"
+#include "views/top_bar.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 namespace {
 

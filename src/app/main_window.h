@@ -14,7 +14,13 @@
 
 class QStackedWidget;
 
+namespace bodkin::views {
+class TopBar;
+}
+
 namespace bodkin::app {
+
+using namespace views;
 
 class DevicesPage;
 class KeysCard;
@@ -25,7 +31,6 @@ class PreparingCard;
 class ResultsCard;
 class ReviewPage;
 class StartPage;
-class TopBar;
 class Tour;
 class UltrasoundPage;
 

@@ -12,13 +12,15 @@
 #include "app/pages/palette.h"
 #include "app/pages/practise.h"
 #include "app/pages/tour.h"
-#include "app/theme.h"
-#include "app/views/top_bar.h"
+#include "views/theme.h"
+#include "views/top_bar.h"
 
 #include "core/error.h"
 #include "io/probe_library_file.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 void MainWindow::run(Command command) {
   switch (command) {

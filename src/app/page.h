@@ -6,9 +6,11 @@
 #include <memory>
 
 #include "app/key_table.h"
-#include "app/models/open_case.h"
+#include "views/open_case.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 // What can fill the window below the bar.
 enum class PageId : std::uint8_t { start, practise, plan, scan, review, models, devices, atlas, volume, ultrasound };

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 
-#include "app/frame.h"
 #include "app/frame_maker.h"
 #include "app/hand/mouse_driver.h"
 #include "app/hand/needle_control.h"
@@ -13,8 +12,11 @@
 #include "app/models/case_model.h"
 #include "app/models/parameter_model.h"
 #include "app/models/station_link.h"
+#include "views/frame.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 // A place where the tip must not be, and when and how deep it was met first.
 struct MetDanger {

@@ -9,11 +9,13 @@
 #include <thread>
 #include <vector>
 
-#include "app/models/open_case.h"
+#include "views/open_case.h"
 
 #include "core/progress.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 // Opens patients on a thread of its own: a case folder, a CT that becomes a case first, or the patient that comes
 // with Bodkin, which is made when it is wanted for the first time. One at a time; all calls from one thread.

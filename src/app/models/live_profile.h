@@ -9,25 +9,9 @@
 #include <vector>
 
 #include "app/models/parameter_model.h"
+#include "views/force_curve.h"
 
 namespace bodkin::app {
-
-// The force of one insertion along the planned path, for a chart.
-struct ForceCurve {
-  struct Point {
-    double depth, force;  // mm, N along the needle, positive pushes out
-  };
-  struct Band {
-    double from, to;  // mm
-    anatomy::TissueId tissue;
-  };
-  std::vector<Point> points;
-  std::vector<Band> bands;
-  double strongest = 0.0;            // N
-  std::optional<double> first_give;  // N, the force at which the first layer gave way
-  double milliseconds = 0.0;         // that it took
-  std::string trouble;               // why there is no curve: a sentence; empty: there is one
-};
 
 // Computes the curve of the newest settings on a thread of its own, through the same tick that a hand feels. Settings
 // that came meanwhile replace those that wait. All calls from one thread; none waits.

@@ -7,11 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "app/models/open_case.h"
+#include "views/open_case.h"
 
 #include "core/parameter.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 // Everything about a force model that the wizard changes.
 struct ModelSettings {

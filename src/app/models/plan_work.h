@@ -6,10 +6,13 @@
 #include <thread>
 #include <vector>
 
-#include "app/models/open_case.h"
 #include "patient/planning/path_search.h"
+#include "views/clearance_colour.h"
+#include "views/open_case.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 // A path that the planner proposes.
 struct ProposedPath {
@@ -24,7 +27,6 @@ struct EntryRoom {
   Kind kind = Kind::unknown;
   float clearance = 0.0F;  // mm to the nearest thing to avoid, at most map_top; of open ones
 };
-inline constexpr float map_top = 7.0F;  // mm, where the colours end
 
 // Everything about one target that takes time, on threads of its own: what the way must avoid, how good each point of
 // the skin is as an entry, the paths to propose. What is computed appears in result() piece by piece. One thread
@@ -73,8 +75,6 @@ class PlanWork {
 EntryRoom room_from(const patient::PatientView& patient, const patient::Obstacles& obstacles, const Vec3& skin,
                     const Vec3& target, const patient::PathWishes& wishes);
 
-// 0xRRGGBB: dark blue for what is blocked, over grey to yellow at map_top.
-std::uint32_t clearance_colour(float clearance);
 // 0xAARRGGBB to lay over the skin: grey where it is not known, nothing where no needle reaches.
 std::uint32_t tint_of(const EntryRoom& room);
 

@@ -7,11 +7,13 @@
 #include <string>
 #include <thread>
 
-#include "app/models/open_case.h"
 #include "station/scan_thread.h"
 #include "station/ultrasound_choice.h"
+#include "views/open_case.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 // The ultrasound machine of a patient whom nobody needles: makes a picture, on a thread of its own, whenever probe,
 // knobs or needle have changed. The tissue lies still. All calls from one thread; none waits for a picture.

@@ -8,13 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "app/frame.h"
-#include "app/models/open_case.h"
 #include "session/session_file.h"
+#include "views/frame.h"
+#include "views/open_case.h"
 
 #include "training/score.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 // A session in memory, laid out so that any moment of it can be shown at once. Nothing is recomputed: a moment is
 // what was recorded in its tick. Unchanged while somebody holds it.

@@ -4,11 +4,13 @@
 #include <optional>
 #include <thread>
 
-#include "app/models/open_case.h"
+#include "views/open_case.h"
 
 #include "imaging/ct_scan.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 // Takes the slices of a scan one by one on a thread of its own. One thread calls.
 class Scanner {

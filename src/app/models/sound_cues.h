@@ -4,9 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include "app/frame.h"
+#include "views/frame.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 // What is heard: each is seen as well.
 enum class Sound : std::uint8_t {

@@ -2,9 +2,11 @@
 
 #include <cstdint>
 
-#include "app/frame.h"
+#include "views/frame.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 // How far somebody is on the two-minute tour: look, aim, push, read. Each ends by being done.
 class TourSteps {

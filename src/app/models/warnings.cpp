@@ -1,8 +1,10 @@
 #include "app/models/warnings.h"
 
-#include "app/models/open_case.h"
+#include "views/open_case.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 namespace {
 

@@ -2,11 +2,13 @@
 
 #include <optional>
 
-#include "app/frame.h"
+#include "views/frame.h"
 
 #include "anatomy/case.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 // What is wrong where the tip is: bone under pressure, a nerve or the cord, a vessel, an organ, or a structure that
 // the case calls critical. `is_on_bone`: the models have met bone and not left it. Nothing where all is well, and in

@@ -9,9 +9,11 @@
 #include <QVBoxLayout>
 #include <random>
 
-#include "app/views/atlas_view.h"
+#include "views/atlas_view.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 namespace {
 

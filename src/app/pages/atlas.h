@@ -10,9 +10,13 @@ class QLineEdit;
 class QListWidget;
 class QPushButton;
 
+namespace bodkin::views {
+class AtlasView;
+}
+
 namespace bodkin::app {
 
-class AtlasView;
+using namespace views;
 
 // The acupuncture atlas: the body, a search, a card for the chosen point, the way to needle it, and the game of
 // finding points.

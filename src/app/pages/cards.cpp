@@ -9,9 +9,11 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "app/theme.h"
+#include "views/theme.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include "app/key_table.h"
 #include "app/models/case_model.h"
 #include "app/models/station_link.h"
-#include "app/states.h"
+#include "views/states.h"
 
 class QHBoxLayout;
 class QLabel;
@@ -14,6 +14,8 @@ class QPushButton;
 class QVBoxLayout;
 
 namespace bodkin::app {
+
+using namespace views;
 
 // A card in the middle of a dimmed page.
 class Card : public QWidget {

@@ -10,10 +10,12 @@
 #include <QVariant>
 #include <cmath>
 
-#include "app/theme.h"
-#include "app/views/workspace_picture.h"
+#include "views/theme.h"
+#include "views/workspace_picture.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 namespace {
 

@@ -13,9 +13,13 @@ class QListWidget;
 class QProgressBar;
 class QPushButton;
 
+namespace bodkin::views {
+class WorkspacePicture;
+}
+
 namespace bodkin::app {
 
-class WorkspacePicture;
+using namespace views;
 
 // The devices that can hold the needle: which are there, what is missing of the others, a check without force, the
 // calibration step by step, and which one is used for practising.

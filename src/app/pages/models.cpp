@@ -17,9 +17,11 @@
 #include <exception>
 #include <utility>
 
-#include "app/theme.h"
+#include "views/theme.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include "app/models/live_profile.h"
 #include "app/models/parameter_model.h"
 #include "app/page.h"
-#include "app/views/profile_chart.h"
+#include "views/profile_chart.h"
 
 class QCheckBox;
 class QComboBox;
@@ -17,6 +17,8 @@ class QPushButton;
 class QSlider;
 
 namespace bodkin::app {
+
+using namespace views;
 
 // The settings of the force model, one number a step, with the force along the planned path as it is now against as
 // it was. What is set here is what the next attempts feel, once the person says so.

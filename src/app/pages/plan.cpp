@@ -12,11 +12,13 @@
 #include <array>
 #include <cmath>
 
-#include "app/theme.h"
+#include "views/theme.h"
 
 #include "core/error.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 namespace {
 

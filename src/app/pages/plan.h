@@ -4,13 +4,13 @@
 #include <memory>
 #include <vector>
 
-#include "app/frame.h"
 #include "app/models/plan_model.h"
 #include "app/page.h"
-#include "app/views/clearance_legend.h"
-#include "app/views/measures.h"
-#include "app/views/slice_view.h"
-#include "app/views/view3d.h"
+#include "views/clearance_legend.h"
+#include "views/frame.h"
+#include "views/measures.h"
+#include "views/slice_view.h"
+#include "views/view3d.h"
 
 class QComboBox;
 class QLabel;
@@ -19,6 +19,8 @@ class QPushButton;
 class QTableWidget;
 
 namespace bodkin::app {
+
+using namespace views;
 
 // Where to go in, and where to: by clicks in 3-D and in the slices, or from the proposals. The skin is coloured by
 // how good each entry is. Lays out and connects; PlanModel knows what it means.

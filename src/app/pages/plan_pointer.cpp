@@ -4,10 +4,12 @@
 #include <cmath>
 
 #include "app/pages/plan.h"
-#include "app/views/orientation_cube.h"
 #include "patient/planning/path_search.h"
+#include "views/orientation_cube.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 namespace {
 

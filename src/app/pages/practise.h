@@ -4,21 +4,23 @@
 #include <memory>
 #include <vector>
 
-#include "app/views/banner.h"
-#include "app/views/bullseye.h"
-#include "app/views/depth_ladder.h"
-#include "app/views/diagnostics_dock.h"
-#include "app/views/force_chart.h"
-#include "app/views/numbers.h"
-#include "app/views/slice_view.h"
-#include "app/views/tip_label.h"
-#include "app/views/ultrasound_view.h"
-#include "app/views/view3d.h"
+#include "views/banner.h"
+#include "views/bullseye.h"
+#include "views/depth_ladder.h"
+#include "views/diagnostics_dock.h"
+#include "views/force_chart.h"
+#include "views/numbers.h"
+#include "views/slice_view.h"
+#include "views/tip_label.h"
+#include "views/ultrasound_view.h"
+#include "views/view3d.h"
 
 class QPushButton;
 class QSplitter;
 
 namespace bodkin::app {
+
+using namespace views;
 
 // Where the needle goes in: the patient in 3-D with what matters now in its corners, three slices, the force, four
 // numbers and the buttons. Lays out and connects; draws nothing.

@@ -15,14 +15,16 @@
 
 #include "app/pages/session_list.h"
 #include "app/pages/verdict_panel.h"
-#include "app/theme.h"
 #include "report/report.h"
+#include "views/theme.h"
 
 #include "core/error.h"
 #include "core/files.h"
 #include "io/tissue_library_file.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 namespace {
 

@@ -10,17 +10,19 @@
 #include "app/models/recording_job.h"
 #include "app/page.h"
 #include "app/pages/picture_series.h"
-#include "app/views/force_chart.h"
-#include "app/views/path_picture.h"
-#include "app/views/slice_view.h"
-#include "app/views/timeline.h"
-#include "app/views/view3d.h"
+#include "views/force_chart.h"
+#include "views/path_picture.h"
+#include "views/slice_view.h"
+#include "views/timeline.h"
+#include "views/view3d.h"
 
 class QLabel;
 class QPushButton;
 class QStackedWidget;
 
 namespace bodkin::app {
+
+using namespace views;
 
 class SessionList;
 class VerdictPanel;

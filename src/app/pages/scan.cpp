@@ -15,9 +15,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "app/views/slice_image.h"
+#include "views/slice_image.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 namespace {
 

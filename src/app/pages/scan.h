@@ -4,11 +4,11 @@
 #include <memory>
 #include <vector>
 
-#include "app/frame.h"
 #include "app/models/scan_model.h"
 #include "app/page.h"
-#include "app/views/scan_viewer.h"
-#include "app/views/scout_view.h"
+#include "views/frame.h"
+#include "views/scan_viewer.h"
+#include "views/scout_view.h"
 
 class QButtonGroup;
 class QDoubleSpinBox;
@@ -19,6 +19,8 @@ class QPushButton;
 class QVBoxLayout;
 
 namespace bodkin::app {
+
+using namespace views;
 
 // The console of a CT scanner: scout with the range, protocol, slices that arrive one by one, the scans so far. A
 // scan shows the needle where it is now.

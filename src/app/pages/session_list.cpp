@@ -7,9 +7,11 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "app/theme.h"
+#include "views/theme.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 SessionList::SessionList(QWidget* parent) : QWidget(parent), list_(new QListWidget), line_(new QLabel) {
   auto* rows = new QVBoxLayout(this);

@@ -14,12 +14,14 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/theme.h"
+#include "views/theme.h"
 
 #include "core/error.h"
 #include "io/resources.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 namespace {
 

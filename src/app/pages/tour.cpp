@@ -11,9 +11,11 @@
 #include <QVariant>
 #include <algorithm>
 
-#include "app/theme.h"
+#include "views/theme.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 namespace {
 

@@ -10,9 +10,11 @@
 #include <utility>
 
 #include "app/models/scan_picture.h"
-#include "app/theme.h"
+#include "views/theme.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 namespace {
 

@@ -6,12 +6,14 @@
 #include "app/models/case_model.h"
 #include "app/models/probe_machine.h"
 #include "app/page.h"
-#include "app/views/ultrasound_view.h"
 #include "station/ultrasound_request.h"
+#include "views/ultrasound_view.h"
 
 class QLabel;
 
 namespace bodkin::app {
+
+using namespace views;
 
 // The probe in the hand, without an attempt: the machine's screen and beside it the CT of the same plane. On the
 // patient of the window, on one that is given, or on the built-in one.

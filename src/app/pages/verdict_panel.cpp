@@ -9,10 +9,12 @@
 #include <array>
 #include <string_view>
 
-#include "app/theme.h"
-#include "app/views/paint_kit.h"
+#include "views/paint_kit.h"
+#include "views/theme.h"
 
 namespace bodkin::app {
+
+using namespace views;
 
 namespace {
 

@@ -3,16 +3,18 @@
 #include <array>
 #include <functional>
 
-#include "app/frame.h"
 #include "app/page.h"
-#include "app/views/opacity_curve.h"
-#include "app/views/volume_view.h"
+#include "views/frame.h"
+#include "views/opacity_curve.h"
+#include "views/volume_view.h"
 
 class QCheckBox;
 class QPushButton;
 class QSlider;
 
 namespace bodkin::app {
+
+using namespace views;
 
 // The volume view as large as the window, with what it shows beside it: mode, preset, opacity curve, two sliders.
 class VolumePage : public Page {

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "views/view.h"
+
+namespace bodkin::views {
+
+// A danger by its name and what to do next; nothing is drawn, and clicks go through to what lies below, while there
+// is none. Never a dialog. A click says that it was read.
+class Banner : public View {
+  Q_OBJECT
+ public:
+  explicit Banner(QWidget* parent = nullptr);
+
+  void set_case(std::shared_ptr<const OpenCase> patient) override;
+  void show_frame(const Frame& frame, const Changes& changes) override;
+
+  const std::optional<Warning>& warning() const { return warning_; }
+  // Wide enough for its words.
+  QSize sizeHint() const override;
+
+ signals:
+  void acknowledged();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+
+ private:
+  std::optional<Warning> warning_;
+};
+
+}  // namespace bodkin::views

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "views/depth_segments.h"
+#include "views/view.h"
+
+namespace bodkin::views {
+
+// The tissues along the needle's own line from the skin down, with the tip and the target: the strongest cue of depth
+// and the strongest aid. Before the needle is in, the line is the one that it would take.
+class DepthLadder : public View {
+  Q_OBJECT
+ public:
+  explicit DepthLadder(QWidget* parent = nullptr);
+
+  void set_case(std::shared_ptr<const OpenCase> patient) override;
+  void show_frame(const Frame& frame, const Changes& changes) override;
+
+  const std::vector<DepthSegment>& segments() const { return segments_; }
+  // Pixels from the upper edge at which a depth (mm) is drawn.
+  double row(double depth) const;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void draw_bar(QPainter& painter) const;
+  void draw_names(QPainter& painter) const;
+  void draw_tip_and_target(QPainter& painter) const;
+
+  std::shared_ptr<const OpenCase> patient_;
+  std::vector<DepthSegment> segments_;
+  double length_ = 60.0;  // mm that the bar is long
+  double depth_ = 0.0;    // mm; not more than 0 outside
+  double target_ = -1.0;  // mm; negative: none
+  bool reached_ = false;
+  Vec3 entry_ = Vec3::Zero(), direction_ = Vec3::Zero();  // of the segments
+};
+
+// A tissue's name where there is little room: "ligamentum flavum" is "flavum", "interspinous ligament"
+// "interspinous".
+std::string short_title(const std::string& title);
+
+}  // namespace bodkin::views

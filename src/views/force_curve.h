@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "anatomy/tissue.h"
+
+namespace bodkin::views {
+
+// The force of one insertion along the planned path, for a chart.
+struct ForceCurve {
+  struct Point {
+    double depth, force;  // mm, N along the needle, positive pushes out
+  };
+  struct Band {
+    double from, to;  // mm
+    anatomy::TissueId tissue;
+  };
+  std::vector<Point> points;
+  std::vector<Band> bands;
+  double strongest = 0.0;            // N
+  std::optional<double> first_give;  // N, the force at which the first layer gave way
+  double milliseconds = 0.0;         // that it took
+  std::string trouble;               // why there is no curve: a sentence; empty: there is one
+};
+
+}  // namespace bodkin::views

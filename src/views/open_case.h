@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "anatomy/case.h"
+
+namespace bodkin::views {
+
+// An opened patient, unchanged while somebody holds it. CT, labels and tissues are those of the case; a CT or labels
+// may be absent (empty volumes), the tissues are not.
+struct OpenCase {
+  anatomy::Case patient;
+  std::filesystem::path folder;
+  std::string title;      // of the patient, for people
+  std::string procedure;  // "Lumbar puncture"
+
+  const anatomy::CaseDescription& description() const noexcept { return patient.description; }
+};
+
+// The name of what lies at `point` (LPS mm) for people: the labelled structure ("vertebra L3"), or else the tissue.
+std::string place_name(const anatomy::Case& patient, const Vec3& point);
+
+// "vertebrae_L3" as people read it: "vertebra L3".
+std::string readable_structure(const std::string& name);
+
+// "lumbar_puncture" as people read it: "Lumbar puncture".
+std::string readable_procedure(const std::string& name);
+
+}  // namespace bodkin::views

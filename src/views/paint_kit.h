@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QColor>
+#include <QPainter>
+#include <QPointF>
+#include <QString>
+
+#include "views/frame.h"
+
+namespace bodkin::views {
+
+// The window's font for what is painted next; see font().
+void set_font(QPainter& painter, int pixels, bool strong = false);
+
+// Where a text stands with regard to its point, which lies on its base line.
+enum class Anchor { left, middle, right };
+
+// Text on a picture: with a dark border, so that it is read on white bone too.
+void draw_text_on_picture(QPainter& painter, const QPointF& at, const QString& text, const QColor& colour,
+                          Anchor anchor = Anchor::left);
+// Text on a plain ground.
+void draw_text(QPainter& painter, const QPointF& at, const QString& text, const QColor& colour,
+               Anchor anchor = Anchor::left);
+// A line with a black border of `border` pixels on each side.
+void draw_line_on_picture(QPainter& painter, const QPointF& from, const QPointF& to, const QColor& colour,
+                          double width, double border = 1.5);
+
+// The shape of the needle's tip says where it is, whatever the eye makes of its colour.
+enum class TipShape {
+  hollow,    // above the skin
+  filled,    // in tissue
+  square,    // on bone
+  triangle,  // where it must not be
+  ringed     // at the target
+};
+TipShape tip_shape(const Frame& frame);
+// Nine pixels wide, with a dark rim.
+void draw_tip(QPainter& painter, const QPointF& at, TipShape shape, const QColor& tissue);
+
+}  // namespace bodkin::views

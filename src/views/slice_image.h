@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QImage>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "views/open_case.h"
+#include "views/slice_sampling.h"
+
+namespace bodkin::views {
+
+// What a slice's pixels depend on besides the patient.
+struct SliceLook {
+  double window = 620.0;  // HU from black to white
+  double level = 130.0;   // HU of the middle grey
+  Slab slab;
+  bool tints = true;    // of the tissues
+  bool hatched = true;  // where a needle must not go
+
+  bool operator==(const SliceLook&) const = default;
+};
+
+// The windows in which a CT is usually read; name, window and level in HU.
+struct WindowPreset {
+  const char* name;  // to be translated
+  double window, level;
+};
+extern const std::array<WindowPreset, 6> window_presets;
+
+// The picture of a slice. Only what has changed is computed again: another window needs no new samples, a needle that
+// moves within the plane needs nothing.
+class SliceImage {
+ public:
+  void set_case(std::shared_ptr<const OpenCase> patient);
+  const QImage& picture(const imaging::SlicePlane& plane, const SliceLook& look);
+
+  // Pictures that were computed, for tests of the cache: samples of the patient, and greys from samples.
+  int sampled() const { return sampled_; }
+  int painted() const { return painted_; }
+
+ private:
+  void sample(const imaging::SlicePlane& plane, const SliceLook& look);
+  void paint(const SliceLook& look);
+
+  std::shared_ptr<const OpenCase> patient_;
+  std::optional<ForbiddenPlaces> places_;
+  std::array<Tint, 256> tints_{};
+  imaging::SlicePlane plane_;
+  std::optional<SliceLook> look_;        // of the picture; none: nothing was painted yet
+  std::vector<float> hounsfield_;        // height x width
+  std::vector<Tint> tint_;               // height x width
+  std::vector<std::uint8_t> forbidden_;  // height x width
+  QImage picture_;
+  int sampled_ = 0, painted_ = 0;
+};
+
+}  // namespace bodkin::views

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <QColor>
+#include <QString>
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+namespace bodkin::views {
+
+// The course of a session as one or two lanes: tissues that the tip was in, and what happened as flags with words. A
+// click or drag asks for a moment, a click on a flag for its very moment.
+class Timeline : public QWidget {
+  Q_OBJECT
+ public:
+  struct Band {
+    double from = 0.0, to = 0.0;  // s
+    QColor colour;
+    QString title;
+  };
+  struct Event {
+    double time = 0.0;  // s
+    QString words;
+    bool is_bad = false;
+  };
+  struct Lane {
+    QColor colour;  // of the session
+    std::vector<Band> bands;
+    std::vector<Event> events;
+  };
+
+  explicit Timeline(QWidget* parent = nullptr);
+
+  // `begin`, `end`: s of the axis.
+  void set_lanes(std::vector<Lane> lanes, double begin, double end);
+  void set_time(double time);
+  double time() const { return time_; }
+  // Where a time is drawn, and where the flag of an event is, pixels.
+  double x_of(double time) const;
+  QPoint place_of_event(std::size_t lane, std::size_t event) const;
+
+  QSize sizeHint() const override;
+
+ signals:
+  void sought(double time);  // s
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  double time_at(double x) const;
+  double lane_top(std::size_t lane) const;
+  // The event whose flag is under the pointer.
+  const Event* event_at(const QPoint& at) const;
+  void draw_lane(QPainter& painter, std::size_t index) const;
+
+  std::vector<Lane> lanes_;
+  double begin_ = 0.0, end_ = 1.0, time_ = 0.0;
+  std::optional<QPoint> pointer_;
+};
+
+}  // namespace bodkin::views

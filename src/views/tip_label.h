@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+
+#include "views/view.h"
+
+namespace bodkin::views {
+
+// What the tip is in or on, in words and with the tissue's colour: the answer to "where am I".
+class TipLabel : public View {
+  Q_OBJECT
+ public:
+  explicit TipLabel(QWidget* parent = nullptr);
+
+  void set_case(std::shared_ptr<const OpenCase> patient) override;
+  void show_frame(const Frame& frame, const Changes& changes) override;
+
+  const QString& heading() const { return heading_; }
+  const QString& place() const { return place_; }
+  QSize sizeHint() const override { return {250, 64}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  std::shared_ptr<const OpenCase> patient_;
+  QString heading_, place_;
+  QColor colour_;
+  bool danger_ = false;
+};
+
+}  // namespace bodkin::views

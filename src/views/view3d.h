@@ -1,0 +1,135 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QPointF>
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "scene/camera_moves.h"
+#include "scene/export_surfaces.h"
+#include "scene/stereo.h"
+#include "scene/surface_job.h"
+#include "scene/view_software.h"
+#include "views/view.h"
+
+class QPushButton;
+
+namespace bodkin::views {
+
+// The patient in 3-D with the needle, the skin that it dents, the plan and the target. The picture is drawn by the
+// processor (SoftwareView); the widget paints it like any other.
+//
+// Mouse: over the skin it aims, a click puts the needle down; the wheel pushes, Ctrl and the wheel zoom; the hub is
+// dragged along the needle or across it; a drag anywhere else turns the patient, with the right or middle button it
+// moves him. A click on a face of the cube chooses that view. Keys: 0 to 6 views, P next preset, arrows turn, + -
+// zoom.
+class View3d : public View {
+  Q_OBJECT
+ public:
+  // `place`: what the object names of the view and of its buttons begin with: "practise" for "practise.view3d".
+  explicit View3d(const QString& place, QWidget* parent = nullptr);
+  ~View3d() override;
+
+  void set_case(std::shared_ptr<const OpenCase> patient) override;
+  void show_frame(const Frame& frame, const Changes& changes) override;
+
+  void set_preset(scene::Preset preset);
+  scene::Preset preset() const { return preset_; }
+  void choose_view(scene::StandardView view);
+  // Needles that were left in the body.
+  void set_left_needles(std::vector<scene::NeedleLook> needles);
+  // The dashed line of the plan, the ring at the target.
+  void set_plan_shown(bool shown);
+  // See scene::SoftwareView::set_skin_tint; once is_ready().
+  void set_skin_tint(const std::vector<std::uint32_t>& tint);
+  // Ways of the tip in finished sessions; null: none.
+  void set_trails(std::shared_ptr<const std::vector<scene::Trail>> trails) { trails_ = std::move(trails); }
+  void set_stereo(scene::Stereo stereo);
+  scene::Stereo stereo() const { return stereo_; }
+
+  // Writes the surfaces that are shown to a folder; what is said about it stands in the view for some seconds. False:
+  // they could not be written.
+  bool save_surfaces(const QString& folder, scene::SurfaceFormat format);
+  // Writes the view as it is shown. False: it could not be written.
+  bool save_picture(const QString& file);
+
+  // The surfaces are there.
+  bool is_ready() const { return scene_ != nullptr; }
+  // LPS mm at rest, whose displacements Frame::displacements brings; empty until is_ready().
+  std::vector<Vec3> deformable_points() const;
+  // For tests and pictures; null until is_ready().
+  scene::SoftwareView* scene() { return scene_.get(); }
+  scene::Camera camera() const { return camera_; }
+  void set_camera(const scene::Camera& camera);
+
+ signals:
+  void ready();  // is_ready() from now on
+  void preset_changed(bodkin::scene::Preset preset);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  enum class Drag { none, perhaps_turn, turn, pan, hub, hub_along, hub_across };
+
+  void take_surfaces();
+  std::unique_ptr<scene::SoftwareView> make_scene(std::shared_ptr<const scene::PatientSurfaces> surfaces) const;
+  // One, or with stereo one for each eye.
+  std::vector<scene::SoftwareView*> scenes() const;
+  scene::PixelBox draw_scenes();
+  void open_menu(const QPoint& at);
+  void say(const QString& sentence);
+  void update_scene(const Frame& frame);
+  void update_skin(const Frame& frame);
+  void aim();
+  void move_hub(const QPointF& from, const QPointF& to);
+  bool is_over_hub(const QPointF& at) const;
+  QRectF cube_place() const;
+  QRect on_screen(const scene::PixelBox& pixels) const;
+  QPointF on_screen(const scene::Place& place) const;
+  QRect tip_mark() const;
+  // In pixels of the picture.
+  QPointF in_picture(const QPointF& at) const;
+  void fit_picture();
+  void paint_preparation(QPainter& painter);
+  void place_buttons();
+
+  std::shared_ptr<const OpenCase> patient_;
+  std::unique_ptr<scene::SurfaceJob> job_;
+  std::unique_ptr<scene::SoftwareView> scene_, right_scene_;  // the second one for the right eye
+  scene::Stereo stereo_ = scene::Stereo::off;
+  scene::Picture stereo_picture_;
+  QString said_;
+  double said_until_ = 0.0;  // s
+  int shown_percent_ = -1;
+
+  scene::Camera camera_;
+  scene::ViewSubject subject_;
+  std::optional<scene::CameraFlight> flight_;
+  double flight_began_ = 0.0, camera_moved_ = -1.0, clock_ = 0.0;  // s
+  scene::Preset preset_ = scene::Preset::cut_away;
+  bool plan_shown_ = true;
+  std::vector<scene::NeedleLook> left_needles_;
+  std::shared_ptr<const std::vector<scene::Trail>> trails_;
+  scene::NeedleLook needle_;
+  bool has_needle_ = false;
+  Frame shown_;  // what is painted over the picture; without its spans
+  QRect shown_tip_;
+  double scale_ = 1.0;  // pixels of the picture for one of the widget
+
+  Drag drag_ = Drag::none;
+  QPointF pressed_, pointer_;
+  bool pointer_moved_ = false, aimed_ = false;
+  std::array<QPushButton*, 4> buttons_{};
+};
+
+}  // namespace bodkin::views

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <QPointF>
+#include <memory>
+#include <optional>
+
+#include "scene/camera_moves.h"
+#include "scene/volume_picture.h"
+#include "views/view.h"
+
+namespace bodkin::views {
+
+// The inside of the patient without surfaces: colour, grey, the largest HU or the sum on each ray, with needle, path
+// and target at their depth. The processor draws it on threads of its own: coarsely while the camera or the look
+// changes, in full a moment after.
+//
+// Mouse: a drag turns the patient, with the middle button it moves him, with the right one it sets the window
+// (brightness in a sum); the wheel zooms. Keys: 0 to 6 views, M next mode, P next preset, arrows turn, + - zoom.
+class VolumeView : public View {
+  Q_OBJECT
+ public:
+  explicit VolumeView(const QString& place, QWidget* parent = nullptr);
+  ~VolumeView() override;
+
+  void set_case(std::shared_ptr<const OpenCase> patient) override;
+  void show_frame(const Frame& frame, const Changes& changes) override;
+  // Nothing is prepared before the view is shown for the first time, and nothing drawn while it is not.
+
+  const imaging::VolumeLook& look() const { return look_; }
+  void set_look(const imaging::VolumeLook& look);
+  void set_mode(imaging::VolumeMode mode);
+  const scene::Camera& camera() const { return camera_; }
+  void set_camera(const scene::Camera& camera);
+  void choose_view(scene::StandardView view);
+  bool press(int key);  // false: not a key of this view
+
+  // The patient's volume; null until it is prepared.
+  std::shared_ptr<const imaging::PreparedVolume> volume() const;
+  // What is shown; its base is null before the first picture.
+  const scene::VolumePicture& picture() const { return picture_; }
+  // The picture is as fine as it gets and shows what was set last.
+  bool is_settled() const;
+
+ signals:
+  void ready();  // volume() is there
+  void look_changed();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  scene::VolumeOrder order_of(int level) const;
+  void order_what_is_missing();
+  void take_volume();
+  void show_needle(const Frame& frame);
+
+  std::shared_ptr<const OpenCase> patient_;
+  std::unique_ptr<scene::VolumeJob> job_;
+  scene::VolumePicture picture_;
+  imaging::VolumeLook look_;
+  scene::Camera camera_;
+  scene::ViewSubject subject_;
+  std::optional<scene::CameraFlight> flight_;
+  double flight_began_ = 0.0, clock_ = 0.0, changed_at_ = 0.0;  // s
+  std::optional<scene::VolumeOrder> ordered_;
+  bool has_volume_ = false, moved_ = true;
+  int shown_percent_ = -1;
+  double scale_ = 1.0;  // pixels of the picture for one of the widget
+  std::vector<scene::NeedleLook> needles_;
+  scene::SceneMarks marks_;
+  Qt::MouseButton dragged_ = Qt::NoButton;
+  QPointF pointer_;
+};
+
+}  // namespace bodkin::views

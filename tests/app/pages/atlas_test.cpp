@@ -1,0 +1,89 @@
+// The atlas of acupuncture: its game without a window, its page painted into memory and driven by its widgets.
+#include "app/pages/atlas.h"
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/models/atlas_model.h"
+#include "views/atlas_view.h"
+#include <gtest/gtest.h>
+
+namespace bodkin::app {
+namespace {
+
+const patient::Atlas& atlas_of_tests() {
+  static const patient::Atlas atlas{patient::BodyParameters{}};
+  return atlas;
+}
+
+TEST(PointQuiz, measures_the_miss_to_the_nearer_of_left_and_right) {
+  PointQuiz quiz(3);
+  quiz.ask(atlas_of_tests());
+  ASSERT_TRUE(quiz.asked());
+  const patient::AtlasPoint* point = quiz.point();
+  quiz.answer(point->mirrored() + Vec3(0.0, 0.0, 7.0));
+  EXPECT_NEAR(quiz.miss(), 7.0, 1e-9);
+  EXPECT_EQ(quiz.found(), 1);
+  quiz.ask_again();
+  EXPECT_EQ(quiz.point(), point);
+  quiz.answer(point->place + Vec3(0.0, 0.0, 23.0));
+  EXPECT_EQ(quiz.rounds(), 2);
+  EXPECT_EQ(quiz.found(), 1);
+  EXPECT_NEAR(quiz.mean_miss(), 15.0, 1e-9);
+}
+
+TEST(PointQuiz, takes_one_answer_to_a_question_and_asks_another_point_next) {
+  PointQuiz quiz(5);
+  for (int i = 0; i < 20; ++i) {
+    const patient::AtlasPoint* before = quiz.point();
+    quiz.ask(atlas_of_tests());
+    EXPECT_NE(quiz.point(), before);
+    quiz.answer(Vec3::Zero());
+    quiz.answer(quiz.point()->place);
+    EXPECT_GT(quiz.miss(), 1.0);
+  }
+  EXPECT_EQ(quiz.rounds(), 20);
+}
+
+TEST(AtlasPage, finds_a_point_by_search_shows_its_card_and_plays_the_game) {
+  const QTemporaryDir folder;
+  AtlasPage page(folder.path().toStdString());
+  page.resize(900, 600);
+  page.show();
+  page.enter();
+  auto* view = page.findChild<AtlasView*>(QStringLiteral("atlas.view"));
+  ASSERT_NE(view, nullptr);
+  const auto ready = [&] {
+    page.advance(0.0);
+    return view->is_ready();
+  };
+  ASSERT_TRUE(QTest::qWaitFor(ready, 120000));
+
+  auto* search = page.findChild<QLineEdit*>(QStringLiteral("atlas.search"));
+  auto* list = page.findChild<QListWidget*>(QStringLiteral("atlas.list"));
+  auto* card = page.findChild<QLabel*>(QStringLiteral("atlas.card"));
+  EXPECT_EQ(list->count(), 361);
+  QTest::keyClicks(search, QStringLiteral("st36"));
+  QTest::keyClick(search, Qt::Key_Return);
+  EXPECT_TRUE(card->text().contains(QStringLiteral("Zusanli")));
+  EXPECT_TRUE(card->text().contains(QStringLiteral("22 to 45 mm")));
+  // The view has come to the point: it is near the middle, and a click there chooses it.
+  const patient::AtlasPoint& point = *atlas_of_tests().find("ST36");
+  const auto at = view->place_of(point.place);
+  ASSERT_TRUE(at.has_value());
+  EXPECT_NEAR(at->x(), 0.5 * view->width(), 3.0);
+  EXPECT_NEAR(at->y(), 0.5 * view->height(), 3.0);
+
+  QTest::mouseClick(page.findChild<QPushButton*>(QStringLiteral("atlas.find")), Qt::LeftButton);
+  EXPECT_TRUE(view->said().startsWith(QStringLiteral("Where is ")));
+  QTest::mouseClick(view, Qt::LeftButton, Qt::NoModifier, QPoint(view->width() / 2, view->height() / 3));
+  EXPECT_TRUE(view->said().contains(QStringLiteral("mm off"))) << view->said().toStdString();
+  EXPECT_TRUE(page.findChild<QLabel*>(QStringLiteral("atlas.score"))->text().contains(QStringLiteral("of 1 found")));
+}
+
+}  // namespace
+}  // namespace bodkin::app

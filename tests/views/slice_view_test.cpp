@@ -1,0 +1,255 @@
+#include "views/slice_view.h"
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QSignalSpy>
+#include <QTest>
+#include <QWheelEvent>
+#include <cmath>
+
+#include "tests/views/made_up.h"
+#include "views/theme.h"
+#include <gtest/gtest.h>
+
+namespace bodkin::views {
+namespace {
+
+using bodkin_test::frame_at;
+using bodkin_test::layered_hounsfield;
+
+// A view of a known size that shows the layered patient and a frame.
+struct ShownSlice {
+  SliceView view;
+
+  explicit ShownSlice(SliceKind kind, const Frame& frame = frame_at(20.0)) : view(kind) {
+    view.resize(400, 300);
+    view.set_case(bodkin_test::layered_patient());
+    view.show_frame(frame, Changes::all());
+  }
+  QImage picture() { return view.grab().toImage(); }
+};
+
+int expected_grey(const Vec3& point, const SliceLook& look) {
+  return grey_of(layered_hounsfield(point), look.window, look.level);
+}
+
+TEST(SliceView, a_pixel_shows_the_value_of_its_place_through_window_and_level) {
+  for (const SliceKind kind : {SliceKind::axial, SliceKind::coronal, SliceKind::sagittal, SliceKind::along_needle}) {
+    ShownSlice slice(kind);
+    SliceLook look = slice.view.look();
+    look.window = 400.0;
+    look.level = 60.0;
+    look.tints = false;
+    slice.view.set_look(look);
+    const QImage picture = slice.picture();
+    // Away from needle, crosshair and letters.
+    for (const QPoint place : {QPoint(120, 60), QPoint(300, 90), QPoint(140, 220), QPoint(290, 200)}) {
+      const Vec3 point = slice.view.to_patient(QPointF(place) + QPointF(0.5, 0.5));
+      if (point.cwiseAbs().maxCoeff() > 49.0) continue;
+      EXPECT_NEAR(qRed(picture.pixel(place)), expected_grey(point, look), 1.5) << static_cast<int>(kind);
+    }
+  }
+}
+
+TEST(SliceView, the_slice_at_the_tip_shows_the_voxel_of_the_tip) {
+  for (const SliceKind kind : {SliceKind::axial, SliceKind::coronal, SliceKind::sagittal}) {
+    const Frame frame = frame_at(20.0);
+    ShownSlice slice(kind, frame);
+    const Vec3 tip = frame.needle.translation();
+    EXPECT_NEAR(slice.view.plane().distance(tip), 0.0, 1e-9);
+    const QPointF at = slice.view.to_widget(tip);
+    EXPECT_NEAR((slice.view.to_patient(at) - tip).norm(), 0.0, 1e-9);
+    // The picture below the needle's tip.
+    SliceImage image;
+    image.set_case(bodkin_test::layered_patient());
+    SliceLook look;
+    look.tints = look.hatched = false;
+    const QImage picture = image.picture(slice.view.plane(), look);
+    const QRgb pixel = picture.pixel(static_cast<int>(at.x()), static_cast<int>(at.y()));
+    EXPECT_NEAR(qRed(pixel), expected_grey(tip, look), 1.5);
+    // Upon it the tip has the colour of the tissue that it is in.
+    const QColor drawn = slice.picture().pixelColor(at.toPoint());
+    const QColor muscle = tissue_colour(anatomy::tissue::muscle, bodkin_test::layered_patient()->patient.library);
+    EXPECT_NEAR(drawn.red(), muscle.red(), 12);
+    EXPECT_NEAR(drawn.green(), muscle.green(), 12);
+  }
+}
+
+TEST(SliceView, the_needle_is_white_along_the_computed_line) {
+  Frame frame = frame_at(25.0);
+  const Vec3 axis = Vec3(0.0, -0.95, 0.3).normalized();
+  frame.needle = needle_pose(frame.needle.translation(), axis);
+  ShownSlice slice(SliceKind::sagittal, frame);
+  const QImage picture = slice.picture();
+  int white = 0, checked = 0;
+  for (double along = 3.0; along < 40.0; along += 0.5) {
+    const QPointF at = slice.view.to_widget(frame.needle.translation() - along * axis);
+    if (!picture.rect().adjusted(4, 4, -4, -4).contains(at.toPoint())) continue;
+    if (std::abs(std::remainder(along, 10.0)) < 2.0) continue;  // a tick
+    ++checked;
+    white += qGreen(picture.pixel(static_cast<int>(at.x()), static_cast<int>(at.y()))) > 190 ? 1 : 0;
+    // And beside it the dark border.
+    const QPointF across(axis.z(), axis.y());
+    const QPointF edge = at + 2.0 * QPointF(across.x(), across.y());
+    EXPECT_LT(qGreen(picture.pixel(static_cast<int>(edge.x()), static_cast<int>(edge.y()))), 140) << along;
+  }
+  EXPECT_GT(checked, 30);
+  EXPECT_EQ(white, checked);
+}
+
+TEST(SliceView, a_distance_that_was_clicked_reads_50_mm) {
+  ShownSlice slice(SliceKind::axial);
+  auto measures = std::make_shared<Measures>();
+  slice.view.set_measures(measures);
+  QSignalSpy spy(&slice.view, &SliceView::measures_changed);
+  const double pixel = slice.view.plane().pixel;
+  const QPoint from(60, 150);
+  const QPoint to(from.x() + static_cast<int>(std::lround(50.0 / pixel)), 150);
+  QTest::keyClick(&slice.view, Qt::Key_M);
+  QTest::mouseClick(&slice.view, Qt::LeftButton, {}, from);
+  QTest::mouseClick(&slice.view, Qt::LeftButton, {}, to);
+  ASSERT_EQ(measures->all().size(), 1U);
+  EXPECT_NEAR(value_of(measures->all()[0]), 50.0, pixel);
+  EXPECT_GE(spy.count(), 3);
+
+  // It stays, and X deletes it under the pointer.
+  QTest::mouseMove(&slice.view, QPoint(200, 250));
+  QTest::keyClick(&slice.view, Qt::Key_X);
+  EXPECT_EQ(measures->all().size(), 1U);
+  QMouseEvent over(QEvent::MouseMove, QPointF(120, 151), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+  QApplication::sendEvent(&slice.view, &over);
+  QTest::keyClick(&slice.view, Qt::Key_X);
+  EXPECT_TRUE(measures->all().empty());
+}
+
+TEST(SliceView, a_right_click_cancels_what_is_being_measured) {
+  ShownSlice slice(SliceKind::axial);
+  auto measures = std::make_shared<Measures>();
+  slice.view.set_measures(measures);
+  QTest::keyClick(&slice.view, Qt::Key_Q);
+  QTest::mouseClick(&slice.view, Qt::LeftButton, {}, QPoint(60, 150));
+  EXPECT_TRUE(measures->waiting());
+  QTest::mouseClick(&slice.view, Qt::RightButton, {}, QPoint(90, 150));
+  EXPECT_FALSE(measures->waiting());
+  EXPECT_TRUE(measures->all().empty());
+}
+
+TEST(SliceView, a_right_drag_sets_the_window_and_brackets_choose_presets) {
+  ShownSlice slice(SliceKind::axial);
+  const SliceLook before = slice.view.look();
+  QTest::mousePress(&slice.view, Qt::RightButton, {}, QPoint(100, 100));
+  QMouseEvent drag(QEvent::MouseMove, QPointF(150, 140), Qt::NoButton, Qt::RightButton, Qt::NoModifier);
+  QApplication::sendEvent(&slice.view, &drag);
+  QTest::mouseRelease(&slice.view, Qt::RightButton, {}, QPoint(150, 140));
+  EXPECT_GT(slice.view.look().window, before.window) << "to the right: wider";
+  EXPECT_LT(slice.view.look().level, before.level) << "down: lower, so the picture is brighter";
+  QTest::keyClick(&slice.view, Qt::Key_BracketRight);
+  EXPECT_EQ(slice.view.look().window, window_presets[0].window);
+  QTest::keyClick(&slice.view, Qt::Key_BracketRight);
+  EXPECT_EQ(slice.view.look().window, window_presets[1].window);
+  QTest::keyClick(&slice.view, Qt::Key_BracketLeft);
+  EXPECT_EQ(slice.view.look().level, window_presets[0].level);
+}
+
+TEST(SliceView, the_wheel_pushes_the_needle_in_an_attempt_and_scrolls_with_alt) {
+  ShownSlice slice(SliceKind::axial);
+  QSignalSpy pushed(&slice.view, &View::pushed);
+  int moved = 0;
+  QObject::connect(&slice.view, &View::crosshair_moved, [&] { ++moved; });
+  const auto wheel = [&](int delta, Qt::KeyboardModifiers modifiers) {
+    QWheelEvent event(QPointF(200, 100), QPointF(200, 100), QPoint(), QPoint(0, delta), Qt::NoButton, modifiers,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&slice.view, &event);
+  };
+  wheel(-120, Qt::NoModifier);
+  ASSERT_EQ(pushed.count(), 1);
+  EXPECT_EQ(pushed[0][0].toDouble(), 1.0) << "down is in";
+  EXPECT_FALSE(pushed[0][1].toBool());
+  wheel(-120, Qt::ShiftModifier);
+  EXPECT_TRUE(pushed[1][1].toBool());
+  EXPECT_EQ(moved, 0);
+  wheel(-120, Qt::AltModifier);
+  EXPECT_EQ(moved, 1);
+  EXPECT_EQ(pushed.count(), 2);
+}
+
+TEST(SliceView, zooming_keeps_what_is_under_the_pointer) {
+  ShownSlice slice(SliceKind::coronal);
+  const QPointF pointer(300, 80);
+  const Vec3 before = slice.view.to_patient(pointer);
+  const double field = slice.view.field();
+  QWheelEvent event(pointer, pointer, QPoint(), QPoint(0, 240), Qt::NoButton, Qt::ControlModifier, Qt::NoScrollPhase,
+                    false);
+  QApplication::sendEvent(&slice.view, &event);
+  EXPECT_LT(slice.view.field(), field);
+  EXPECT_NEAR((slice.view.to_patient(pointer) - before).norm(), 0.0, 1e-9);
+}
+
+TEST(SliceView, a_left_click_asks_for_the_crosshair_there) {
+  ShownSlice slice(SliceKind::sagittal);
+  Vec3 asked = Vec3::Zero();
+  QObject::connect(&slice.view, &View::crosshair_moved, [&](const Vec3& point) { asked = point; });
+  QTest::mouseClick(&slice.view, Qt::LeftButton, {}, QPoint(120, 90));
+  EXPECT_NEAR((asked - slice.view.to_patient(QPointF(120, 90))).norm(), 0.0, 1e-9);
+}
+
+TEST(SliceView, says_so_when_no_patient_is_open) {
+  SliceView view(SliceKind::axial);
+  view.resize(300, 200);
+  EXPECT_FALSE(view.grab().isNull());
+  view.set_case(bodkin_test::layered_patient());
+  view.set_case(nullptr);
+  view.show_frame(Frame{}, Changes::all());
+  EXPECT_FALSE(view.grab().isNull());
+}
+
+TEST(SliceImage, computes_again_only_what_has_changed) {
+  SliceImage image;
+  image.set_case(bodkin_test::layered_patient());
+  const imaging::SlicePlane plane = slice_plane(SliceKind::axial, {Vec3::Zero(), 80.0, 160, 120}, Vec3(0, -1, 0));
+  SliceLook look;
+  image.picture(plane, look);
+  image.picture(plane, look);
+  EXPECT_EQ(image.sampled(), 1);
+  EXPECT_EQ(image.painted(), 1);
+  look.level = 200.0;
+  image.picture(plane, look);
+  EXPECT_EQ(image.sampled(), 1);
+  EXPECT_EQ(image.painted(), 2);
+  look.slab.thickness = 10.0;
+  image.picture(plane, look);
+  EXPECT_EQ(image.sampled(), 2);
+}
+
+TEST(SliceImage, what_must_not_be_met_is_hatched) {
+  SliceImage image;
+  image.set_case(bodkin_test::layered_patient());
+  const imaging::SlicePlane plane =
+      slice_plane(SliceKind::sagittal, {Vec3(0, -25, 20), 40.0, 160, 160}, Vec3(0, -1, 0));
+  SliceLook look;
+  look.tints = false;
+  const QImage hatched = image.picture(plane, look);
+  look.hatched = false;
+  const QImage plain = image.picture(plane, look);
+  int inside = 0, outside = 0, marked_inside = 0, marked_outside = 0;
+  for (int row = 0; row < 160; ++row) {
+    for (int column = 0; column < 160; ++column) {
+      const Vec3 point = plane.point(column, row);
+      const double beside = std::hypot(point.y() + 25.0, point.z() - 20.0);
+      const bool marked = hatched.pixel(column, row) != plain.pixel(column, row);
+      if (beside < 3.0) {
+        ++inside;
+        marked_inside += marked ? 1 : 0;
+      } else if (beside > 5.5) {
+        ++outside;
+        marked_outside += marked ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(inside, 300);
+  EXPECT_NEAR(static_cast<double>(marked_inside) / inside, 2.0 / 9.0, 0.04);
+  EXPECT_EQ(marked_outside, 0);
+}
+
+}  // namespace
+}  // namespace bodkin::views
