@@ -17,7 +17,7 @@ packages_of_app=(
 
 packages_to_test=(
   git libgtest-dev libgmock-dev libbenchmark-dev doxygen
-  clang clang-format clang-tidy libclang-rt-14-dev llvm libxml2-utils
+  clang clang-format clang-tidy libclang-rt-14-dev llvm libxml2-utils poppler-utils
   xvfb xauth xdotool imagemagick ffmpeg
   libsuitesparse-dev calculix-ccx libopenigtlink-dev
   postgresql curl

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <memory>
 
+#include "report/document_html.h"
+#include "report/document_pdf.h"
 #include "report/force_limits.h"
 #include "session/case_digest.h"
 #include "session/session_file.h"
@@ -40,8 +42,9 @@ struct ReportArguments {
 };
 
 constexpr const char* report_footer = R"(Examples:
-  bodkin report session.bodkin                       writes session.html beside it
+  bodkin report session.bodkin                       writes session.html next to it
   bodkin report session.bodkin -o report.html --open
+  bodkin report session.bodkin -o report.pdf         pages of A4, to print or to keep
   bodkin report session.bodkin --case moved/patient  when the case is not where it was recorded)";
 
 std::string text_of(const fs::path& file) {
@@ -61,6 +64,11 @@ void run_report(const ReportArguments& arguments, const CommandContext& context)
   Console console(context);
   const fs::path file =
       arguments.output.empty() ? fs::path(arguments.session).replace_extension(".html") : fs::path(arguments.output);
+  const bool is_pdf = file.extension() == ".pdf";
+  if (!is_pdf && file.extension() != ".html" && file.extension() != ".htm") {
+    throw InputError(fmt::format("the report {} has the ending '{}', expected .html or .pdf", file.string(),
+                                 file.extension().string()));
+  }
   require_writable(file, "--output", arguments.session);
   const session::Session session = session::read_session(arguments.session);
   const fs::path folder =
@@ -85,9 +93,9 @@ void run_report(const ReportArguments& arguments, const CommandContext& context)
       changed ? training::PatientVolumes{} : training::PatientVolumes{&patient.structures, &patient.tissues};
   const training::Score score =
       training::score(session, description, procedure, volumes, experts ? &*experts : nullptr);
-  const std::string html = report::report_html(session, patient, score, changed);
+  const report::Document document = report::report_document(session, patient, score, changed);
 
-  write_file(file, html);
+  write_file(file, is_pdf ? report::pdf_of(document) : report::html_of(document));
   console.line(score.headline);
   for (const training::Finding& each : score.findings) console.line("  " + each.sentence);
   console.line(fs::absolute(file).string());
@@ -107,17 +115,19 @@ void run_report(const ReportArguments& arguments, const CommandContext& context)
     return;
   }
   const io::ProgramResult opened = io::run_program({"xdg-open", fs::absolute(file).string()}, "", "xdg-utils");
-  if (opened.exit_code != 0) console.note("no program here opens HTML pages; open the report by its path");
+  if (opened.exit_code != 0) console.note("no program here opens such files; open the report by its path");
 }
 
 }  // namespace
 
 void add_report_command(CLI::App& app, CommandContext& context) {
   auto arguments = std::make_shared<ReportArguments>();
-  CLI::App* command = add_command(app, "report", "What happened in a session, as one HTML file", report_footer);
+  CLI::App* command =
+      add_command(app, "report", "What happened in a session, as one HTML or PDF file", report_footer);
   add_text(*command, "SESSION", arguments->session, "File of the session").required();
   add_text(*command, "--case", arguments->folder, "Folder of the case (default: where it was recorded)");
-  add_text(*command, "-o,--output", arguments->output, "The report (default: beside the session, ending .html)");
+  add_text(*command, "-o,--output", arguments->output,
+           "The report, ending .html or .pdf (default: next to the session, ending .html)");
   add_text(*command, "--procedure", arguments->procedure, "Name or file of a procedure (default: the case's)");
   add_text(*command, "--experts", arguments->experts, "Table of attempts of experts to compare with");
   add_switch(*command, "--open", arguments->open, "Open the report when there is a display");

@@ -75,9 +75,9 @@ void Canvas::image(ImageRgb image, double x, double y, double width, double heig
   shapes_.emplace_back(Pasted{std::move(image), x, y, width, height});
 }
 
-void Canvas::place(Canvas inner, double x, double y) {
-  if (std::isfinite(x) && std::isfinite(y))
-    shapes_.emplace_back(Placed{std::make_shared<const Canvas>(std::move(inner)), x, y});
+void Canvas::place(Canvas inner, double x, double y, double scale) {
+  if (std::isfinite(x) && std::isfinite(y) && std::isfinite(scale) && scale > 0.0)
+    shapes_.emplace_back(Placed{std::make_shared<const Canvas>(std::move(inner)), x, y, scale});
 }
 
 std::string Canvas::png(double zoom) const {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -86,8 +87,9 @@ class Canvas {
   void text(const Eigen::Vector2d& at, std::string_view text, const TextStyle& style);
   // The image, stretched smoothly to `width` x `height`, with its upper left corner at (x, y).
   void image(ImageRgb image, double x, double y, double width, double height);
-  // All of `inner`, with its upper left corner at (x, y); what reaches beyond its size is cut off.
-  void place(Canvas inner, double x, double y);
+  // All of `inner`, `scale` times as large, with its upper left corner at (x, y); what reaches beyond its size is cut
+  // off.
+  void place(Canvas inner, double x, double y, double scale = 1.0);
 
   // An SVG document.
   std::string svg() const;
@@ -119,15 +121,19 @@ class Canvas {
   };
   struct Placed {
     std::shared_ptr<const Canvas> inner;
-    double x, y;
+    double x, y, scale;
   };
   using Shape = std::variant<Filled, Stroked, Written, Pasted, Placed>;
   friend class SvgWriter;
-  friend class PixelPainter;
+  friend class CairoPainter;
 
   double width_, height_;
   std::vector<Shape> shapes_;
 };
+
+// The canvases as the pages of a PDF file, 1 px = 1/72 inch, each of its own size. Text stays text. Throws
+// SystemError when memory is short.
+std::string pdf(std::span<const Canvas> pages, const std::string& title);
 
 // px that a text is wide in the font of the pictures, DejaVu Sans.
 double text_width(std::string_view text, double size, bool bold = false);

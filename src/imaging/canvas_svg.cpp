@@ -108,8 +108,10 @@ class SvgWriter {
   }
 
   void add(const Canvas::Placed& shape) {
-    emit("<svg x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\">\n", px(shape.x), px(shape.y), px(shape.inner->width()),
-         px(shape.inner->height()));
+    const double width = shape.inner->width(), height = shape.inner->height();
+    emit("<svg x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"{}>\n", px(shape.x), px(shape.y), px(shape.scale * width),
+         px(shape.scale * height),
+         shape.scale == 1.0 ? "" : fmt::format(" viewBox=\"0 0 {} {}\"", px(width), px(height)));
     shapes(*shape.inner);
     emit("</svg>\n");
   }

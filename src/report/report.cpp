@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <utility>
 
 #include "report/crossings.h"
 #include "report/diagnostic_plot.h"
+#include "report/document_html.h"
 #include "report/force_limits.h"
 #include "report/force_plot.h"
-#include "report/report_style.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "imaging/markup.h"
 #include "imaging/slice_picture.h"
 #include "io/force_choice.h"
 
@@ -44,21 +43,22 @@ std::string spread(std::span<const session::TimeBin> bins) {
                      1e6 * session::percentile(bins, 1.0));
 }
 
-class Page {
+// A cell of a number with so many digits behind the point.
+Table::Cell number(double value, int digits) {
+  return {fmt::format("{:.{}f}", value, digits)};
+}
+
+class ReportWriter {
  public:
-  Page(const session::Session& session, const anatomy::Case& patient, const training::Score& score, bool case_changed)
+  ReportWriter(const session::Session& session, const anatomy::Case& patient, const training::Score& score,
+               bool case_changed)
       : session_(session), patient_(patient), score_(score), case_changed_(case_changed) {}
 
-  std::string write() {
-    const std::string title = spoken(patient_.description.procedure.name) + ", " + patient_.description.name;
-    emit(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{}</title>\n"
-        "<style>{}</style>\n</head>\n<body>\n<main>\n",
-        imaging::escape_markup(title), report_style());
-    emit("<h1>{}</h1>\n<p class=\"under\">operator {} · {} · {:.1f} s</p>\n", imaging::escape_markup(title),
-         imaging::escape_markup(session_.header.operator_name), imaging::escape_markup(session_.header.started_at),
-         static_cast<double>(session_.ticks.back().tick - session_.ticks.front().tick) * session_.header.dt);
+  Document write() {
+    document_.title = spoken(patient_.description.procedure.name) + ", " + patient_.description.name;
+    document_.subtitle = fmt::format(
+        "operator {} · {} · {:.1f} s", session_.header.operator_name, session_.header.started_at,
+        static_cast<double>(session_.ticks.back().tick - session_.ticks.front().tick) * session_.header.dt);
     verdict();
     tiles();
     steps();
@@ -70,106 +70,95 @@ class Page {
     events();
     measures();
     provenance();
-    emit("</main>\n</body>\n</html>\n");
-    return std::move(html_);
+    return std::move(document_);
   }
 
  private:
-  template <typename... Arguments>
-  void emit(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(html_), text, std::forward<Arguments>(arguments)...);
-  }
-
-  void figure(const imaging::Canvas& picture, const char* kind, const char* description) {
-    emit("<figure{}><img alt=\"{}\" src=\"{}\"/></figure>\n", kind, description,
-         imaging::data_uri("image/svg+xml", picture.svg()));
+  void add(Block block) { document_.blocks.push_back(std::move(block)); }
+  void heading(const char* text) { add(Heading{text}); }
+  void remark(std::string text) { add(Paragraph{std::move(text)}); }
+  void nothing(std::string text) { add(Paragraph{std::move(text), true}); }
+  void figure(imaging::Canvas picture, const char* description, bool is_dark = false) {
+    add(Figure{std::move(picture), description, is_dark});
   }
 
   void verdict() {
-    const std::string_view grade = training::name_of(score_.verdict);
-    emit("<div class=\"verdict {}\"><strong>{}</strong>\n<ul>\n", grade, imaging::escape_markup(score_.headline));
-    for (const training::Finding& each : score_.findings) {
-      emit("<li class=\"{}\">{}</li>\n", training::name_of(each.grade), imaging::escape_markup(each.sentence));
-    }
+    Verdict verdict{score_.verdict, score_.headline, {}};
+    for (const training::Finding& each : score_.findings) verdict.findings.push_back({each.sentence, each.grade});
     const std::string limits = force_limits(session_).sentence(patient_.description.device);
-    if (!limits.empty()) emit("<li>{}</li>\n", imaging::escape_markup(limits));
-    emit("</ul>\n</div>\n<p class=\"under\">Judged as {}.</p>\n", imaging::escape_markup(score_.title));
+    if (!limits.empty()) verdict.findings.push_back({limits, std::nullopt});
+    add(std::move(verdict));
+    remark(fmt::format("Judged as {}.", score_.title));
     if (case_changed_) {
-      emit(
-          "<p class=\"under\">The case on disk has changed since the recording; slices and tissues show what it is "
-          "now."
-          "</p>\n");
+      remark("The case on disk has changed since the recording; slices and tissues show what it is now.");
     }
   }
 
   // A few measures that say most; measures() has them all.
   void tiles() {
-    emit("<div class=\"tiles\">\n");
+    Tiles tiles;
     for (const char* name :
          {"final_distance_mm", "closest_distance_mm", "past_target_mm", "loss_overshoot_mm", "time_in_body_s",
           "deviation_max_mm", "angle_at_contact_deg", "insertions", "redirections", "bone_contacts", "peak_force_N",
           "path_length_mm", "smoothness", "tremor_mm"}) {
       const training::MetricResult* result = score_.find(name);
       if (result == nullptr) continue;
-      emit("<div class=\"tile{}\"><b>{}</b><span>{}</span></div>\n", grade_class(*result),
-           training::metric_text(*result->metric, result->value), result->metric->title);
+      tiles.tiles.push_back(
+          {training::metric_text(*result->metric, result->value), std::string(result->metric->title), result->grade});
     }
-    emit("</div>\n");
-  }
-
-  static std::string grade_class(const training::MetricResult& result) {
-    return result.grade ? fmt::format(" {}", training::name_of(*result.grade)) : std::string();
+    add(std::move(tiles));
   }
 
   void steps() {
     if (score_.steps.empty()) return;
-    emit(
-        "<h2>Step by step</h2>\n<table class=\"whole\">\n<thead><tr><th>step</th><th class=\"n\">reached at, s</th>"
-        "<th class=\"n\">depth, mm</th><th>what to do</th></tr></thead>\n<tbody>\n");
+    heading("Step by step");
+    Table table{{{"step"}, {"reached at, s", true}, {"depth, mm", true}, {"what to do"}}, {}, true};
     for (const training::StepResult& each : score_.steps) {
-      emit("<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"none\">{}</td></tr>\n",
-           imaging::escape_markup(each.title), each.time ? fmt::format("{:.1f}", *each.time) : "",
-           each.depth ? fmt::format("{:.1f}", std::max(0.0, *each.depth)) : "", imaging::escape_markup(each.text));
+      table.rows.push_back({{each.title},
+                            each.time ? number(*each.time, 1) : Table::Cell{},
+                            each.depth ? number(std::max(0.0, *each.depth), 1) : Table::Cell{},
+                            {each.text, {}, {}, true}});
     }
-    emit("</tbody>\n</table>\n");
+    add(std::move(table));
   }
 
   void measures() {
-    emit("<h2>Everything that was measured</h2>\n");
+    heading("Everything that was measured");
     const bool experts = score_.experts > 0;
+    Table table{{{"measure"}, {"value", true}}, {}, false};
     if (experts) {
-      emit(
-          "<p class=\"under\">Beside each value: the middle nine tenths of {} attempts of experts, and the share of "
-          "them with a smaller value.</p>\n",
-          score_.experts);
+      remark(fmt::format(
+          "Next to each value: the middle nine tenths of {} attempts of experts, and the share of them with "
+          "a smaller value.",
+          score_.experts));
+      table.columns.push_back({"experts", true});
+      table.columns.push_back({"percentile", true});
     }
-    emit("<table>\n<thead><tr><th>measure</th><th class=\"n\">value</th>{}</tr></thead>\n<tbody>\n",
-         experts ? "<th class=\"n\">experts</th><th class=\"n\">percentile</th>" : "");
     for (const training::MetricResult& each : score_.metrics) {
-      emit("<tr><td>{}</td><td class=\"n{}\">{}</td>", each.metric->title, grade_class(each),
-           training::metric_text(*each.metric, each.value));
+      std::vector<Table::Cell> row = {{std::string(each.metric->title)},
+                                      {training::metric_text(*each.metric, each.value), each.grade}};
       if (experts && each.experts) {
-        emit("<td class=\"n\">{} to {}</td><td class=\"n\">{:.0f}</td>",
-             training::metric_text(*each.metric, each.experts->low),
-             training::metric_text(*each.metric, each.experts->high), each.experts->percentile);
+        row.push_back({fmt::format("{} to {}", training::metric_text(*each.metric, each.experts->low),
+                                   training::metric_text(*each.metric, each.experts->high))});
+        row.push_back(number(each.experts->percentile, 0));
       } else if (experts) {
-        emit("<td></td><td></td>");
+        row.resize(4);
       }
-      emit("</tr>\n");
+      table.rows.push_back(std::move(row));
     }
-    emit("</tbody>\n</table>\n");
+    add(std::move(table));
   }
 
   void force() {
-    emit("<h2>What the needle felt</h2>\n");
+    heading("What the needle felt");
     if (!score_.final_tip) {
-      emit("<p class=\"none\">Nothing: it never touched the body.</p>\n");
+      nothing("Nothing: it never touched the body.");
       return;
     }
-    figure(draw_plot(force_against_depth(session_.ticks, session_.events, session_.header.dt, patient_)), "",
+    figure(draw_plot(force_against_depth(session_.ticks, session_.events, session_.header.dt, patient_)),
            "Resistance against depth, with the tissues as coloured bands");
     const std::vector<Plot> published = diagnostics_against_depth(session_.ticks, session_.header.diagnostics);
-    if (!published.empty()) figure(draw_plots(published), "", "What the force models published, against depth");
+    if (!published.empty()) figure(draw_plots(published), "What the force models published, against depth");
   }
 
   std::vector<Vec3> travelled() const {
@@ -186,7 +175,7 @@ class Page {
     constexpr double panel_height = 455.0, closest = 80.0, furthest = 260.0, pixels = 620.0;
     const anatomy::NeedlePath& path = session_.header.path;
     if (path.length() <= 0.0 || patient_.ct.empty()) return;
-    emit("<h2>Where it went</h2>\n");
+    heading("Where it went");
     const double side = std::clamp(1.35 * path.length(), closest, furthest);
     const Vec3 middle = 0.5 * (path.entry + path.target);
     const Vec3 level(middle.x(), middle.y(), path.target.z());
@@ -198,86 +187,79 @@ class Page {
     panels.push_back({imaging::cut(imaging::view_plane(imaging::View::axial, level, side, side, side / pixels),
                                    patient_.ct, patient_.tissues),
                       "axial, at the level of the target", path, tip});
-    figure(imaging::slice_picture(panels, patient_.library, "", panel_height), " class=\"dark\"",
-           "Sagittal and axial slices with the planned path and the path of the tip");
+    figure(imaging::slice_picture(panels, patient_.library, "", panel_height),
+           "Sagittal and axial slices with the planned path and the path of the tip", true);
   }
 
   void course() {
-    emit("<h2>In the course of time</h2>\n");
-    figure(draw_plot(force_and_depth_against_time(session_.ticks, session_.header.dt)), "",
+    heading("In the course of time");
+    figure(draw_plot(force_and_depth_against_time(session_.ticks, session_.header.dt)),
            "Resistance and depth against time");
-    figure(draw_plot(energy_against_time(session_.ticks, session_.header.dt)), "",
+    figure(draw_plot(energy_against_time(session_.ticks, session_.header.dt)),
            "Energy that the hand has given to the tissue, against time");
   }
 
   void second_hand() {
     if (session_.second.empty()) return;
     const bool is_plunger = session_.header.second->role == session::SecondRole::plunger;
-    emit("<h2>The second hand: {}</h2>\n", is_plunger ? "the plunger" : "the ultrasound probe");
-    figure(draw_plots(second_hand_against_time(session_)), "",
+    heading(is_plunger ? "The second hand: the plunger" : "The second hand: the ultrasound probe");
+    figure(draw_plots(second_hand_against_time(session_)),
            is_plunger ? "Pressure in the syringe and force on the thumb against time, with the needle's depth"
                       : "Force of the probe on the skin against time");
   }
 
-  std::string swatch(anatomy::TissueId id) const {
+  Table::Cell tissue_cell(anatomy::TissueId id) const {
     const anatomy::TissueProperties* properties = patient_.library.find(id);
-    return fmt::format("<i class=\"swatch\" style=\"background:{}\"></i>{}",
-                       imaging::css_colour(properties != nullptr ? properties->colour : 0x808080U),
-                       imaging::escape_markup(patient_.library.title(id)));
+    return {std::string(patient_.library.title(id)), {}, properties != nullptr ? properties->colour : 0x808080U};
   }
 
   void tissues() {
-    emit("<h2>Tissues that the tip was in</h2>\n");
+    heading("Tissues that the tip was in");
     if (score_.tissues.empty()) {
-      emit("<p class=\"none\">None.</p>\n");
+      nothing("None.");
       return;
     }
-    emit(
-        "<table class=\"whole\">\n<thead><tr><th>tissue</th><th class=\"n\">from, mm</th><th class=\"n\">to, "
-        "mm</th><th "
-        "class=\"n\">time, "
-        "s</th>"
-        "<th class=\"n\">peak resistance, N</th><th class=\"n\">at, mm</th></tr></thead>\n<tbody>\n");
+    Table table{{{"tissue"},
+                 {"from, mm", true},
+                 {"to, mm", true},
+                 {"time, s", true},
+                 {"peak resistance, N", true},
+                 {"at, mm", true}},
+                {},
+                true};
     for (const training::TissueTotal& total : score_.tissues) {
-      emit(
-          "<tr><td>{}</td><td class=\"n\">{:.1f}</td><td class=\"n\">{:.1f}</td><td class=\"n\">{:.2f}</td>"
-          "<td class=\"n\">{:.2f}</td><td class=\"n\">{:.1f}</td></tr>\n",
-          swatch(total.tissue), total.from, total.to, total.time, total.peak_force, total.peak_depth);
+      table.rows.push_back({tissue_cell(total.tissue), number(total.from, 1), number(total.to, 1),
+                            number(total.time, 2), number(total.peak_force, 2), number(total.peak_depth, 1)});
     }
-    emit("</tbody>\n</table>\n");
+    add(std::move(table));
   }
 
   void events() {
-    emit("<h2>Events</h2>\n");
+    heading("Events");
     if (session_.events.empty()) {
-      emit("<p class=\"none\">None.</p>\n");
+      nothing("None.");
       return;
     }
-    emit(
-        "<table>\n<thead><tr><th class=\"n\">time, s</th><th class=\"n\">depth, mm</th><th>what "
-        "happened</th><th>tissue</th>"
-        "</tr></thead>\n<tbody>\n");
+    Table table{{{"time, s", true}, {"depth, mm", true}, {"what happened"}, {"tissue"}}, {}, false};
     const std::size_t rows = std::min(session_.events.size(), most_events);
     for (std::size_t i = 0; i < rows; ++i) {
       const session::SessionEvent& event = session_.events[i];
-      emit("<tr><td class=\"n\">{:.3f}</td><td class=\"n\">{:.1f}</td><td>{}</td><td>{}</td></tr>\n",
-           static_cast<double>(event.tick) * session_.header.dt, event.event.depth,
-           imaging::escape_markup(event_text(event.event, patient_.library)),
-           event.event.tissue == anatomy::tissue::air ? std::string() : swatch(event.event.tissue));
+      const bool has_tissue = event.event.tissue != anatomy::tissue::air;
+      table.rows.push_back({number(static_cast<double>(event.tick) * session_.header.dt, 3),
+                            number(event.event.depth, 1),
+                            {event_text(event.event, patient_.library)},
+                            has_tissue ? tissue_cell(event.event.tissue) : Table::Cell{}});
     }
-    emit("</tbody>\n</table>\n");
-    if (rows < session_.events.size()) {
-      emit("<p class=\"none\">{} more events are in the session file.</p>\n", session_.events.size() - rows);
-    }
-  }
-
-  void row(const char* what, const std::string& value) {
-    emit("<tr><th>{}</th><td class=\"long\">{}</td></tr>\n", what, imaging::escape_markup(value));
+    add(std::move(table));
+    if (rows < session_.events.size())
+      nothing(fmt::format("{} more events are in the session file.", session_.events.size() - rows));
   }
 
   void provenance() {
     const session::SessionHeader& header = session_.header;
-    emit("<h2>Where this comes from</h2>\n<table class=\"whole\">\n");
+    heading("Where this comes from");
+    Facts facts;
+    const auto row = [&](const char* what, std::string value) { facts.facts.push_back({what, std::move(value)}); };
     row("case", header.case_folder);
     row("fingerprint of the case", header.case_digest);
     const io::ForceTexts forces = io::force_texts(header.haptics);
@@ -285,12 +267,8 @@ class Page {
     row("constraint", forces.constraint);
     for (const std::string& part : forces.parts) row("with the part", part);
     row("operator", header.operator_name);
-    if (!header.operator_settings.empty()) {
-      emit(
-          "<tr><th>its settings</th><td class=\"long\"><details><summary>all that makes this operator</summary>"
-          "<pre>{}</pre></details></td></tr>\n",
-          imaging::escape_markup(indented(header.operator_settings)));
-    }
+    if (!header.operator_settings.empty())
+      facts.facts.push_back({"its settings", "all that makes this operator", indented(header.operator_settings)});
     if (header.second) {
       row("second hand", fmt::format("{} {}", session::name_of(header.second->role), header.second->device));
     }
@@ -306,21 +284,26 @@ class Page {
     }
     row("complete", session_.finished ? "yes" : "no, the recording broke off; this is what was saved");
     row("Bodkin", header.bodkin_version);
-    emit("</table>\n");
+    add(std::move(facts));
   }
 
   const session::Session& session_;
   const anatomy::Case& patient_;
   const training::Score& score_;
   bool case_changed_;
-  std::string html_;
+  Document document_;
 };
 
 }  // namespace
 
+Document report_document(const session::Session& session, const anatomy::Case& patient, const training::Score& score,
+                         bool case_changed) {
+  return ReportWriter(session, patient, score, case_changed).write();
+}
+
 std::string report_html(const session::Session& session, const anatomy::Case& patient, const training::Score& score,
                         bool case_changed) {
-  return Page(session, patient, score, case_changed).write();
+  return html_of(report_document(session, patient, score, case_changed));
 }
 
 }  // namespace bodkin::report

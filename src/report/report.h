@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "report/document.h"
 #include "session/session_file.h"
 
 #include "anatomy/case.h"
@@ -9,10 +10,13 @@
 
 namespace bodkin::report {
 
-// A session as one HTML page that stands alone: verdict with its findings, steps, measures, plots, slices with the
-// planned path and the one really taken, tissues, events, provenance. Style and pictures lie inside; it refers to
-// nothing outside. All text from files is escaped. `case_changed`: the case on disk is not the one that was recorded,
-// which the page then says. Throws SystemError when gnuplot is missing.
+// The report of a session: verdict with its findings, steps, measures, plots, slices with the planned path and the
+// one really taken, tissues, events, provenance. `case_changed`: the case on disk is not the one that was recorded,
+// which the report then says.
+Document report_document(const session::Session& session, const anatomy::Case& patient, const training::Score& score,
+                         bool case_changed);
+
+// The same as one HTML page, see html_of().
 std::string report_html(const session::Session& session, const anatomy::Case& patient, const training::Score& score,
                         bool case_changed);
 

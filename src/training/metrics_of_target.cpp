@@ -103,7 +103,7 @@ std::vector<Metric> metrics_of_target() {
        "from the final position to the planned target", "Kwon et al. 2001, final tip position", final_distance},
       {"final_axial_mm", "mm", "depth of the final position beyond the target",
        "its part along the planned path; positive: too deep", "Bodkin", final_axial},
-      {"final_lateral_mm", "mm", "distance of the final position beside the target",
+      {"final_lateral_mm", "mm", "lateral distance of the final position from the target",
        "its part across the planned path", "Bodkin", final_lateral},
       {"closest_distance_mm", "mm", "closest approach to the target",
        "least distance of the tip in the body from the target", "PerkTutor, Targets Hit", closest_distance},

@@ -21,7 +21,7 @@ class ReportCommand : public PatientCommand {
   }
 };
 
-TEST_F(ReportCommand, writes_one_page_beside_the_session) {
+TEST_F(ReportCommand, writes_one_page_next_to_the_session) {
   const Outcome said = bodkin("-q report " + session());
   ASSERT_EQ(said.exit_code, 0) << said.errors;
   const fs::path page = fs::path(session()).replace_extension(".html");
@@ -41,6 +41,23 @@ TEST_F(ReportCommand, gives_every_measure_in_json) {
   EXPECT_EQ(score.at("version"), 1);
   EXPECT_GT(score.at("metrics").size(), 30U);
   EXPECT_GT(score.at("tissues").size(), 4U);
+}
+
+TEST_F(ReportCommand, writes_pages_of_a4_by_the_ending_pdf) {
+  const fs::path file = folder_ / "r.pdf";
+  const Outcome said = bodkin("-q report " + session() + " -o " + file.string());
+  ASSERT_EQ(said.exit_code, 0) << said.errors;
+  const std::string bytes = content_of(file);
+  EXPECT_EQ(bytes.substr(0, 5), "%PDF-");
+  const Outcome again = bodkin("-q report " + session() + " -o " + (folder_ / "again.pdf").string());
+  ASSERT_EQ(again.exit_code, 0) << again.errors;
+  EXPECT_TRUE(content_of(folder_ / "again.pdf") == bytes) << "the same report is not the same bytes";
+}
+
+TEST_F(ReportCommand, refuses_another_ending) {
+  const Outcome said = bodkin("-q report " + session() + " -o " + (folder_ / "r.docx").string());
+  EXPECT_EQ(said.exit_code, 2);
+  EXPECT_THAT(said.errors, HasSubstr(".html or .pdf"));
 }
 
 TEST_F(ReportCommand, finds_a_case_that_has_moved_only_when_it_is_named) {

@@ -1,9 +1,10 @@
-// A canvas as pixels, by cairo.
+// A canvas as pixels, and as a page of a PDF file, by cairo.
 #include <cmath>
 #include <cstring>
 #include <memory>
 #include <numbers>
 
+#include <cairo-pdf.h>
 #include <cairo.h>
 #include <fmt/format.h>
 
@@ -98,19 +99,18 @@ double advance_of(cairo_t* context, const std::string& text) {
 
 }  // namespace
 
-class PixelPainter {
+class CairoPainter {
  public:
-  explicit PixelPainter(Surface surface, double zoom)
-      : surface_(std::move(surface)), context_(cairo_create(surface_.get()), cairo_destroy) {
+  CairoPainter(cairo_surface_t* surface, double zoom) : context_(cairo_create(surface), cairo_destroy) {
     cairo_scale(context(), zoom, zoom);
     cairo_set_line_join(context(), CAIRO_LINE_JOIN_ROUND);
     set_letter_shapes(context());
   }
 
-  void paint(const Canvas& canvas, ImageRgb& image) {
+  // Draws everything on the canvas; how that went.
+  cairo_status_t paint(const Canvas& canvas) {
     shapes(canvas);
-    require_success(cairo_status(context()), image.width, image.height);
-    copy_pixels(surface_.get(), image);
+    return cairo_status(context());
   }
 
  private:
@@ -199,24 +199,58 @@ class PixelPainter {
   void add(const Canvas::Placed& shape) {
     cairo_save(context());
     cairo_translate(context(), shape.x, shape.y);
+    cairo_scale(context(), shape.scale, shape.scale);
     cairo_rectangle(context(), 0.0, 0.0, shape.inner->width(), shape.inner->height());
     cairo_clip(context());
     shapes(*shape.inner);
     cairo_restore(context());
   }
 
-  Surface surface_;
   Context context_;
 };
 
+namespace {
+
+void paint_pixels(const Canvas& canvas, const Surface& surface, double zoom, ImageRgb& image) {
+  require_success(CairoPainter(surface.get(), zoom).paint(canvas), image.width, image.height);
+  copy_pixels(surface.get(), image);
+}
+
+cairo_status_t append_bytes(void* text, const unsigned char* bytes, unsigned int count) {
+  static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), count);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+}  // namespace
+
 ImageRgb Canvas::pixels(double zoom) const {
   ImageRgb image(static_cast<int>(std::lround(width_ * zoom)), static_cast<int>(std::lround(height_ * zoom)));
-  PixelPainter(surface_of(image.width, image.height), zoom).paint(*this, image);
+  paint_pixels(*this, surface_of(image.width, image.height), zoom, image);
   return image;
 }
 
 void Canvas::draw_over(ImageRgb& image) const {
-  PixelPainter(surface_of(image), 1.0).paint(*this, image);
+  paint_pixels(*this, surface_of(image), 1.0, image);
+}
+
+std::string pdf(std::span<const Canvas> pages, const std::string& title) {
+  std::string bytes;
+  const Surface surface(cairo_pdf_surface_create_for_stream(append_bytes, &bytes, 1.0, 1.0), cairo_surface_destroy);
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, printable_utf8(title).c_str());
+  // The same pages are the same bytes, whenever they are written.
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, nullptr);
+  const auto require = [](cairo_status_t status) {
+    if (status != CAIRO_STATUS_SUCCESS)
+      throw SystemError(fmt::format("a PDF file could not be drawn: {}", cairo_status_to_string(status)));
+  };
+  for (const Canvas& page : pages) {
+    cairo_pdf_surface_set_size(surface.get(), page.width(), page.height());
+    require(CairoPainter(surface.get(), 1.0).paint(page));
+    cairo_surface_show_page(surface.get());
+  }
+  cairo_surface_finish(surface.get());
+  require(cairo_surface_status(surface.get()));
+  return bytes;
 }
 
 double text_width(std::string_view text, double size, bool bold) {
