@@ -59,6 +59,7 @@ void add_case_synthesize_command(CLI::App& case_group, CommandContext& context) 
   add_number(*command, "--spacing", parameters.spacing, 0.5, 3.0, "mm, of the voxels, 0.5 to 3");
   on_run(*command, [options, &context] { run_case_synthesize(*options, context); });
   add_case_synthesize_body_command(*group, context);
+  add_case_synthesize_phantom_command(*group, context);
 }
 
 }  // namespace bodkin::cli

@@ -63,14 +63,6 @@ anatomy::TissueVolume tissues_of(const io::Experiment& experiment) {
   return volume;
 }
 
-anatomy::CtVolume ct_of(const anatomy::TissueVolume& tissues, const anatomy::TissueLibrary& library) {
-  anatomy::CtVolume ct(tissues.grid, air_hounsfield);
-  const auto hounsfield = library.by_id(&anatomy::TissueProperties::hounsfield);
-  std::transform(tissues.voxels.begin(), tissues.voxels.end(), ct.voxels.begin(),
-                 [&](anatomy::TissueId id) { return static_cast<std::int16_t>(std::lround(hounsfield[id])); });
-  return ct;
-}
-
 // Where the needle is at a time.
 class Mover {
  public:
@@ -165,12 +157,20 @@ anatomy::Case experiment_case(const io::Experiment& experiment) {
   patient.library = experiment.library;
   patient.tissues = tissues_of(experiment);
   if (std::holds_alternative<anatomy::VolumeProxySettings>(experiment.haptics.resistance))
-    patient.ct = ct_of(patient.tissues, patient.library);
+    patient.ct = ct_of_tissues(patient);
   patient.description.name = experiment.name;
   patient.description.needle = experiment.needle;
   patient.description.device = experiment.device;
   patient.description.haptics = experiment.haptics;
   return patient;
+}
+
+anatomy::CtVolume ct_of_tissues(const anatomy::Case& patient) {
+  anatomy::CtVolume ct(patient.tissues.grid, air_hounsfield);
+  const auto hounsfield = patient.library.by_id(&anatomy::TissueProperties::hounsfield);
+  std::transform(patient.tissues.voxels.begin(), patient.tissues.voxels.end(), ct.voxels.begin(),
+                 [&](anatomy::TissueId id) { return static_cast<std::int16_t>(std::lround(hounsfield[id])); });
+  return ct;
 }
 
 ExperimentRun play(const io::Experiment& experiment, const Progress& progress) {

@@ -44,6 +44,9 @@ struct ExperimentRun {
 // reads one. Throws InputError for a body of more than 60 million voxels or one without tissue.
 anatomy::Case experiment_case(const io::Experiment& experiment);
 
+// A CT on the lattice of the tissue map, without noise: the HU of each voxel's tissue.
+anatomy::CtVolume ct_of_tissues(const anatomy::Case& patient);
+
 // Moves the needle of an experiment through the same tick that a hand would feel, as its motion says. Throws
 // InputError when body, tissues and settings do not go together or when a published value's window holds no tick.
 ExperimentRun play(const io::Experiment& experiment, const Progress& progress = {});
