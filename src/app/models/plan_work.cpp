@@ -15,6 +15,7 @@ namespace {
 
 constexpr double publish_after = 0.15;  // s between two states of the map
 constexpr double other_skin = 6.0;      // mm: a way that leaves the body further off leaves it elsewhere
+constexpr double shared_end = 10.0;     // mm before the target that count as the same for every way in
 constexpr double midline = 5.0;         // degrees
 
 // "L3_L4" as people write it.
@@ -28,7 +29,7 @@ std::string way_of(const patient::PathReport& report, const std::string& level) 
   const Vec3 from = -report.path.direction();
   if (!level.empty()) {
     if (std::abs(report.lateral) < midline) return fmt::format("{}, in the midline", written(level));
-    return fmt::format("{}, beside it on the {}", written(level), from.x() > 0.0 ? "left" : "right");
+    return fmt::format("{}, {} of the midline", written(level), from.x() > 0.0 ? "left" : "right");
   }
   const double aside = std::abs(from.x()), along = std::abs(from.y()), up = std::abs(from.z());
   if (up > aside && up > along) return from.z() > 0.0 ? "from above" : "from below";
@@ -63,9 +64,12 @@ EntryRoom room_from(const patient::PatientView& patient, const patient::Obstacle
   if (!entry || (*entry - skin).norm() > other_skin) return {Kind::out_of_reach, 0.0F};
   const std::optional<Vec3> normal = patient::skin_normal(patient.tissues, *entry);
   if (!normal || normal->dot(outwards) < std::cos(wishes.flattest * degree)) return {Kind::out_of_reach, 0.0F};
-  const patient::Room room = patient::room_along(obstacles, {*entry, target}, static_cast<double>(map_top));
-  if (room.blocked || room.spare < 0.0) return {Kind::blocked, 0.0F};
-  return {Kind::open, static_cast<float>(room.clearance)};
+  const double most = map_top;
+  const patient::Room whole = patient::room_along(obstacles, {*entry, target}, most);
+  if (whole.blocked || whole.spare < 0.0) return {Kind::blocked, 0.0F};
+  // All ways share their end: what lies near the target itself would hide the differences between entries.
+  const Vec3 before_end = target + std::min(shared_end, 0.5 * length) * outwards;
+  return {Kind::open, static_cast<float>(patient::room_along(obstacles, {*entry, before_end}, most).clearance)};
 }
 
 std::uint32_t tint_of(const EntryRoom& room) {

@@ -25,7 +25,8 @@ struct ProposedPath {
 struct EntryRoom {
   enum class Kind : std::uint8_t { unknown, out_of_reach, blocked, open };
   Kind kind = Kind::unknown;
-  float clearance = 0.0F;  // mm to the nearest thing to avoid, at most map_top; of open ones
+  // mm to the nearest thing to avoid on the way to 10 mm before the target, at most map_top; of open ones.
+  float clearance = 0.0F;
 };
 
 // Everything about one target that takes time, on threads of its own: what the way must avoid, how good each point of
