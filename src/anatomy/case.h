@@ -57,8 +57,19 @@ struct DeviceLimits {
   }
 };
 
+// Where the force models have the numbers of their tissues from (docs/needle-forces.md).
+enum class Mechanics : std::uint8_t {
+  tables,   // each model its own of the tissue library, whatever the needle; as Bodkin 0.1 had it
+  physical  // all from the one physical description of the tissue, for the case's needle; the tip's tissue is that of
+            // the deformed material, and a thin needle buckles
+};
+constexpr std::array<std::string_view, 2> enumeration_names(Mechanics) {
+  return {"tables", "physical"};
+}
+
 struct HapticSettings {
   double rate = 1000.0;
+  Mechanics mechanics = Mechanics::tables;
   ResistanceSettings resistance;
   ConstraintSettings constraint;
   ForceParts parts;
@@ -66,8 +77,11 @@ struct HapticSettings {
 
   // Without what is written as an element of its own.
   static constexpr auto parameters() {
-    return std::tuple{Parameter{"rate_Hz", &HapticSettings::rate, Range{200.0, 4000.0}, "Hz", "of the haptic tick",
-                                Origin::choice}};
+    using S = HapticSettings;
+    return std::tuple{
+        Parameter{"rate_Hz", &S::rate, Range{200.0, 4000.0}, "Hz", "of the haptic tick", Origin::choice},
+        Parameter{"mechanics", &S::mechanics,
+                  "numbers of each model's own, or one description of each tissue for every model", Origin::choice}};
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <utility>
 
 namespace bodkin::anatomy {
@@ -26,6 +27,34 @@ std::optional<GaugeSize> gauge_size(int gauge) {
   const auto found =
       std::find_if(sizes.begin(), sizes.end(), [gauge](const GaugeSize& s) { return s.gauge == gauge; });
   return found == sizes.end() ? std::nullopt : std::optional(*found);
+}
+
+double bevel_angle(const Needle& needle) {
+  if (needle.bevel_angle > 0.0) return needle.bevel_angle;
+  switch (needle.tip) {
+    case NeedleTip::tuohy:
+      return 30.0;
+    case NeedleTip::chiba:
+      return 25.0;
+    case NeedleTip::diamond:
+      return 15.0;
+    case NeedleTip::whitacre:
+    case NeedleTip::sprotte:
+    case NeedleTip::conical:
+      return 12.0;
+    case NeedleTip::filiform:
+      return 8.0;
+    case NeedleTip::quincke:
+    case NeedleTip::trephine:
+      break;
+  }
+  return 20.0;
+}
+
+double bending_stiffness(const Needle& needle) {
+  const double modulus = needle.material == NeedleMaterial::nitinol ? 75000.0 : 193000.0;  // MPa
+  const auto fourth = [](double diameter) { return diameter * diameter * diameter * diameter; };
+  return modulus * std::numbers::pi * (fourth(needle.outer_diameter) - fourth(needle.inner_diameter)) / 64.0;
 }
 
 std::string to_string(NeedleTip tip) {

@@ -9,9 +9,14 @@
 
 namespace bodkin::anatomy {
 
-enum class NeedleTip { quincke, whitacre, tuohy, chiba, trephine, filiform };
-constexpr std::array<std::string_view, 6> enumeration_names(NeedleTip) {
-  return {"quincke", "whitacre", "tuohy", "chiba", "trephine", "filiform"};
+enum class NeedleTip { quincke, whitacre, tuohy, chiba, trephine, filiform, sprotte, diamond, conical };
+constexpr std::array<std::string_view, 9> enumeration_names(NeedleTip) {
+  return {"quincke", "whitacre", "tuohy", "chiba", "trephine", "filiform", "sprotte", "diamond", "conical"};
+}
+
+enum class NeedleMaterial { steel, nitinol };
+constexpr std::array<std::string_view, 2> enumeration_names(NeedleMaterial) {
+  return {"steel", "nitinol"};
 }
 
 // A straight tube (or a solid needle, inner diameter 0). Lengths in mm.
@@ -21,6 +26,8 @@ struct Needle {
   double inner_diameter = 0.413;
   double length = 90.0;
   NeedleTip tip = NeedleTip::quincke;
+  double bevel_angle = 0.0;
+  NeedleMaterial material = NeedleMaterial::steel;
 
   template <typename S = Needle>
   static constexpr auto parameters() {
@@ -32,7 +39,12 @@ struct Needle {
         Parameter{"inner_diameter_mm", &S::inner_diameter, Range{0.0, 20.0}, "mm",
                   "less than outer_diameter_mm; 0: a solid needle; by default that of the gauge", Origin::literature},
         Parameter{"length_mm", &S::length, Range{1.0, 1000.0}, "mm", "hub to tip", Origin::choice},
-        Parameter{"tip", &S::tip, "how the tip is ground", Origin::choice}};
+        Parameter{"tip", &S::tip, "how the tip is ground", Origin::choice},
+        Parameter{"bevel_angle_deg", &S::bevel_angle, Range{0.0, 80.0}, "deg",
+                  "between the bevel, or the side of a cone, and the axis; 0: what is usual for the tip",
+                  Origin::choice},
+        Parameter{"material", &S::material, "of the tube: Young's modulus 193 GPa of steel, 75 GPa of nitinol",
+                  Origin::literature}};
   }
   static constexpr auto relations() {
     return std::tuple{
@@ -52,6 +64,11 @@ struct GaugeSize {
 std::span<const GaugeSize> gauge_sizes();
 // The row of a gauge, or nothing when the table does not hold it.
 std::optional<GaugeSize> gauge_size(int gauge);
+
+// deg, between bevel and axis: that of the needle, or what is usual for its tip.
+double bevel_angle(const Needle& needle);
+// N mm^2, resistance of the tube against bending: E pi (D^4 - d^4)/64.
+double bending_stiffness(const Needle& needle);
 
 std::string to_string(NeedleTip tip);
 std::optional<NeedleTip> needle_tip_from(const std::string& name);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "anatomy/acoustic_tissue.h"
+#include "anatomy/physical_tissue.h"
 #include "anatomy/tissue_forces.h"
 
 namespace bodkin::anatomy {
@@ -59,6 +60,7 @@ struct TissueProperties {
   SyringeTissue syringe;
   DeformableTissue deformable;
   AcousticTissue acoustic;
+  PhysicalTissue physical;
   std::string source;  // where the numbers come from, one line for people
 
   template <typename S = TissueProperties>
@@ -80,7 +82,8 @@ struct TissueProperties {
         ChildElement{"shaft_friction", &S::shaft_friction, "of the resistance and part `shaft_friction`"},
         ChildElement{"syringe", &S::syringe, "against a fluid pushed out of the tip"},
         ChildElement{"deformable", &S::deformable, "of the deformable body"},
-        ChildElement{"acoustic", &S::acoustic, "of ultrasound"}};
+        ChildElement{"acoustic", &S::acoustic, "of ultrasound"},
+        ChildElement{"physical", &S::physical, "to a needle, whatever the model"}};
   }
 };
 

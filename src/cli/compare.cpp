@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "patient/from_ct/needle_choice.h"
 #include "patient/prepared_body.h"
 #include "report/compare_plot.h"
 #include "study/straight_motion.h"
@@ -32,7 +33,7 @@ struct CompareArguments {
   std::string entry, target;
   std::string output;
   std::vector<std::string> models, parts;
-  std::string constraint;
+  std::string constraint, needle;
   double withdraw_speed = 0.0;
   Argument withdraw_speed_given;
   bool no_reinsert = false;
@@ -45,6 +46,7 @@ constexpr const char* compare_footer = R"(Examples:
   bodkin compare patient --entry 0,95,3 --target 2,45,10 --speed 5 --pause 1 -o out/models
   bodkin compare patient --models "tracking_wall,tracking_wall catch_up_s=0.1,tracking_wall catch_up_s=2"
   bodkin compare patient --models volume_proxy --constraint rail --no-reinsert
+  bodkin compare patient --needle 16G,90,tuohy                   as another needle than the case's feels it
 
 The same motion is played for each: in at constant speed, a stop, out, and in again. Writes BASE.csv (a row per tick, a
 column per model) and BASE.svg (force over depth and over time).
@@ -150,6 +152,10 @@ void run_compare(const CompareArguments& arguments, const CommandContext& contex
   const std::string base = arguments.output.empty() ? "compare" : arguments.output;
   for (const char* ending : {".csv", ".svg"}) require_writable(base + ending, "--output");
   anatomy::Case patient = io::load_case(arguments.folder, console.progress());
+  if (!arguments.needle.empty()) {
+    patient.description.needle = patient::parse_needle(arguments.needle);
+    patient.description.haptics.mechanics = anatomy::Mechanics::physical;
+  }
   options.models =
       study::models_of(all ? std::vector<std::string>{} : arguments.models, patient.description.haptics.resistance);
   const anatomy::TissueLibrary library = patient.library;
@@ -193,6 +199,9 @@ void add_compare_command(CLI::App& app, CommandContext& context) {
             fmt::format("All of them, or some of {}; or NAME SETTING=VALUE ... (default: all)",
                         fmt::join(study::compared_names(), ", ")))
       .separated_by_commas("NAME,NAME,...");
+  add_text(*command, "--needle", arguments->needle,
+           "Another needle than the case's: GAUGE,LENGTH,TIP, such as 16G,90,tuohy; every model then derives its "
+           "forces from the tissues' physical description");
   add_text(*command, "--constraint", arguments->constraint,
            "Another force that keeps the needle on its path than the case's: \"NAME SETTING=VALUE ...\"");
   add_texts(*command, "--part", arguments->parts,

@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include "cli/arguments.h"
+#include "core/error.h"
+#include "core/parameter_value.h"
 #include "io/force_choice.h"
 
 namespace bodkin::cli {
@@ -18,12 +20,18 @@ void add_force_options(CLI::App& command, ForceOptions& options) {
   add_texts(command, "--part", options.parts,
             fmt::format("Another addition to the resistance, may be repeated: {}, or none",
                         fmt::join(io::part_names, ", ")));
+  add_text(
+      command, "--mechanics", options.mechanics,
+      "Where the models have the numbers of the tissues from, other than the case's: tables (each model its own) "
+      "or physical (one description of each tissue, for the needle of the case)");
 }
 
 void apply(const ForceOptions& options, anatomy::HapticSettings& haptics) {
   if (!options.resistance.empty()) haptics.resistance = io::parse_resistance(options.resistance, "--resistance");
   if (!options.constraint.empty()) haptics.constraint = io::parse_constraint(options.constraint, "--constraint");
   if (!options.parts.empty()) haptics.parts = io::parse_parts(options.parts, "--part");
+  if (!options.mechanics.empty() && !parse_value(options.mechanics, haptics.mechanics))
+    throw InputError(fmt::format("--mechanics is '{}'; expected tables or physical", options.mechanics));
 }
 
 std::string force_names(const anatomy::HapticSettings& haptics) {

@@ -6,6 +6,7 @@
 
 #include "forces/device_stability.h"
 #include "forces/model_input.h"
+#include "forces/needle_law.h"
 
 namespace bodkin::forces {
 namespace {
@@ -165,12 +166,13 @@ double DepthProfile::step(const AxialMotion& motion, anatomy::TissueId tissue, T
 }
 
 DepthProfile::DepthProfile(const anatomy::Case& patient, const anatomy::DepthProfileSettings& settings, double dt)
-    : DepthProfile(patient.library, settings, dt) {
+    : DepthProfile(felt_tissues(patient), felt_settings(settings, patient), dt) {
   const anatomy::DeviceLimits& device = patient.description.device;
-  require_stable("depth_profile", "skin stiffness", settings.skin_stiffness, device);
-  require_stable("depth_profile", "bone stiffness", settings.bone_stiffness, device);
-  firm_stiffness_ = std::max(settings.bone_stiffness, settings.skin_stiffness);
-  for (const anatomy::TissueProperties& tissue : patient.library.tissues()) {
+  require_stable("depth_profile", "skin stiffness", settings_.skin_stiffness, device);
+  require_stable("depth_profile", "bone stiffness", settings_.bone_stiffness, device);
+  firm_stiffness_ = std::max(settings_.bone_stiffness, settings_.skin_stiffness);
+  const anatomy::TissueLibrary library = felt_tissues(patient);
+  for (const anatomy::TissueProperties& tissue : library.tissues()) {
     require_stable("depth_profile", "the spring of " + tissue.title, tissue.depth_profile.stiffness, device);
     firm_stiffness_ = std::max(firm_stiffness_, tissue.depth_profile.stiffness);
   }
@@ -178,7 +180,8 @@ DepthProfile::DepthProfile(const anatomy::Case& patient, const anatomy::DepthPro
 
 ResistanceForce DepthProfile::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
   const double force = step(needle.motion, needle.tissue, events);
-  return {.along = force, .in_contact = needle.motion.depth > 0.0};
+  const double behind = in_bone_ ? bone_ : k_ > 0.0 ? reference_ : needle.motion.depth;
+  return {.along = force, .material = punctured_ ? behind : 0.0, .in_contact = needle.motion.depth > 0.0};
 }
 
 }  // namespace bodkin::forces

@@ -31,6 +31,7 @@ class DepthProfile : public ResistanceDefaults {
   using Settings = anatomy::DepthProfileSettings;
   static constexpr ResistanceTraits traits = {
       .name = "depth_profile",
+      .passes_layers = true,
       .diagnostics = {{{"reference_mm", "depth Xr where the spring is slack"}}},
   };
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "anatomy/tissue.h"
 
@@ -11,7 +12,7 @@ namespace bodkin::forces {
 // What can happen to a needle, as the force models notice it.
 enum class EventKind : std::uint8_t {
   contact,             // the tip touched the body
-  puncture,            // a tissue gave way; value = force at which it broke, N
+  puncture,            // a tissue gave way; value = its own force at which it broke, N; felt = all that the hand felt
   loss_of_resistance,  // ligamentum flavum gave way into the epidural space; value = drop of resistance, N
   bone_contact,        // the tip met bone; value = 0
   bone_left,           // the tip came off the bone
@@ -26,14 +27,16 @@ enum class EventKind : std::uint8_t {
   moving_body_failed,  // the solver of the body that a probe presses failed: the static one is used; value = 0
   fluid_returned,      // cerebrospinal fluid comes back through the needle; value = flow, mm^3/s
   pressure_lost,       // the syringe's plunger gives way; value = drop of pressure, MPa
-  hub_contact          // the needle is in to its whole length, the hub lies on the skin; value = 0
+  hub_contact,         // the needle is in to its whole length, the hub lies on the skin; value = 0
+  needle_buckled       // the needle bows outside the body and its tip stays; value = force that it bears, N
 };
 
 struct Event {
   EventKind kind;
   anatomy::TissueId tissue;
-  double depth;  // mm along the insertion line
-  double value;  // see EventKind
+  double depth;       // mm along the insertion line
+  double value;       // see EventKind
+  double felt = 0.0;  // N along the needle, of a puncture; 0: not known
 };
 
 // Events of one tick, in order. Holds at most `capacity`; more are counted, not kept. Most ticks have none, so only
@@ -64,6 +67,7 @@ class TickEvents {
   }
   const Event* begin() const noexcept { return events_.data(); }
   const Event* end() const noexcept { return events_.data() + size_; }
+  std::span<Event> all() noexcept { return {events_.data(), size_}; }
   std::size_t size() const noexcept { return size_; }
   std::size_t lost() const noexcept { return lost_; }
 

@@ -4,6 +4,7 @@
 
 #include "forces/device_stability.h"
 #include "forces/model_input.h"
+#include "forces/needle_law.h"
 
 namespace bodkin::forces {
 
@@ -70,15 +71,15 @@ double Fracture::step(const AxialMotion& motion, anatomy::TissueId tissue, TickE
 }
 
 Fracture::Fracture(const anatomy::Case& patient, const anatomy::FractureSettings& settings, double)
-    : Fracture(settings) {
+    : Fracture(felt_settings(settings, patient)) {
   const anatomy::DeviceLimits& device = patient.description.device;
-  require_stable("fracture", "cutting stiffness", settings.cutting_stiffness, device);
+  require_stable("fracture", "cutting stiffness", settings_.cutting_stiffness, device);
   require_stable("fracture", "the stiffness at which the membrane tears", stiffness_at_rupture(), device);
 }
 
 ResistanceForce Fracture::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
   const double force = step(needle.motion, needle.tissue, events);
-  return {.along = force, .in_contact = needle.motion.depth > 0.0};
+  return {.along = force, .material = torn_ ? edge_.wall() : 0.0, .in_contact = needle.motion.depth > 0.0};
 }
 
 }  // namespace bodkin::forces

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/random.h"
 #include "forces/model_input.h"
+#include "forces/needle_law.h"
 
 namespace bodkin::forces {
 
@@ -25,11 +26,12 @@ constexpr std::uint64_t rough_seed = 0x6e65656c65;
 }  // namespace
 
 Layered::Layered(const anatomy::TissueLibrary& library, const anatomy::LayeredSettings& settings,
-                 double device_stiffness, double dt, double longest)
+                 double device_stiffness, double dt, double longest, bool one_face)
     : layer_(settings.layer),
       dt_(dt),
       device_stiffness_(device_stiffness),
       strict_(settings.strict),
+      one_face_(one_face),
       sliver_layers_(std::max(0, static_cast<int>(std::ceil(sliver / settings.layer - 1e-9)) - 1)) {
   const VoigtSum sum = settings.law == anatomy::LayeredLaw::cubic ? VoigtSum::cubic : VoigtSum::piecewise;
   check(settings, "layered");
@@ -106,6 +108,7 @@ void Layered::reveal(int tip_layer, std::span<const anatomy::TissueId> layers) n
 void Layered::touch(Block& block) const noexcept {
   if (block.first > last_punctured_) {
     block.mode = Mode::pressed;
+    block.give = one_face_ ? std::max(0.0, last_depth_ - block.near) : 0.0;
   } else {
     block.mode = Mode::held;
     block.strain = 0.0;
@@ -124,7 +127,7 @@ bool Layered::breaks(const Law& law, double force, const AxialMotion& motion) co
 
 void Layered::press(Block& block, const Law& law, const AxialMotion& motion, Sums& sums,
                     TickEvents& events) noexcept {
-  const double x = motion.depth - block.near;
+  const double x = motion.depth - block.near - block.give;
   if (x < 0.0) {
     block.mode = Mode::untouched;
     return;
@@ -232,7 +235,8 @@ LayeredForce Layered::step(const AxialMotion& motion, std::span<const anatomy::T
     Block& block = blocks_[index];
     const Law& law = laws_[block.tissue];
     if (law.kind == anatomy::LayeredKind::viscoelastic) {
-      if (block.mode == Mode::untouched && tip_layer >= block.first) touch(block);
+      const bool is_behind = one_face_ && sums.first_pressed < std::numeric_limits<double>::infinity();
+      if (block.mode == Mode::untouched && tip_layer >= block.first && !is_behind) touch(block);
       if (block.mode == Mode::pressed) {
         press(block, law, motion, sums, events);
       } else if (block.mode == Mode::held) {
@@ -261,13 +265,15 @@ LayeredForce Layered::step(const AxialMotion& motion, std::span<const anatomy::T
   return {.resistance = sums.resistance,
           .stiffness = sums.firm_stiffness + sums.held_stiffness,
           .shaft = sums.shaft,
+          .material = std::min(sums.first_pressed, bone_near_),
           .in_contact = true,
           .in_bone = in_bone};
 }
 
 LayeredResistance::LayeredResistance(const anatomy::Case& patient, const anatomy::LayeredSettings& settings,
                                      double dt)
-    : model_(patient.library, settings, patient.description.device.stiffness, dt, longest_path),
+    : model_(felt_tissues(patient), settings, patient.description.device.stiffness, dt, longest_path,
+             patient.description.haptics.mechanics == anatomy::Mechanics::physical),
       path_(settings.layer, longest_path),
       volume_(&patient.tissues) {}
 
@@ -279,7 +285,10 @@ void LayeredResistance::begin(const Vec3& entry, const Vec3& direction) noexcept
 ResistanceForce LayeredResistance::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
   path_.extend_to(std::min(needle.motion.depth + model_.look_ahead(), longest_path), *volume_);
   found_ = model_.step(needle.motion, path_.layers(), events, needle.grip);
-  return {.along = found_.resistance, .stiffness = found_.stiffness, .in_contact = found_.in_contact};
+  return {.along = found_.resistance,
+          .stiffness = found_.stiffness,
+          .material = found_.material,
+          .in_contact = found_.in_contact};
 }
 
 }  // namespace bodkin::forces

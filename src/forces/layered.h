@@ -18,9 +18,10 @@ namespace bodkin::forces {
 
 // What `layered` found in one tick.
 struct LayeredForce {
-  double resistance = 0.0;  // N, positive pushes the hand out
-  double stiffness = 0.0;   // N/mm, tangent of everything elastic that is active
-  double shaft = 0.0;       // N of the resistance, by the friction of the shaft
+  double resistance = 0.0;                                    // N, positive pushes the hand out
+  double stiffness = 0.0;                                     // N/mm, tangent of everything elastic that is active
+  double shaft = 0.0;                                         // N of the resistance, by the friction of the shaft
+  double material = std::numeric_limits<double>::infinity();  // mm, near face of what has not given way yet
   bool in_contact = false;  // false: the needle has left the body, the line can be released
   bool in_bone = false;     // the tip is inside bone
 };
@@ -40,10 +41,11 @@ struct LayeredForce {
 // fades in again over 20 ms once the tip is out. Readings and differences from the paper: docs/models/layered.md.
 class Layered {
  public:
-  // Throws InputError naming tissue and value when a parameter is outside its range. `device_stiffness`: N/mm > 0,
-  // what the device renders stably. `longest`: mm, the deepest depth that will be asked for.
+  // Throws InputError naming tissue and value when a parameter is outside its range. `one_face`: a tissue behind a
+  // face that has not given way moves with it and is not met yet. `device_stiffness`: N/mm > 0, what the device
+  // renders stably. `longest`: mm, the deepest depth that will be asked for.
   Layered(const anatomy::TissueLibrary& library, const anatomy::LayeredSettings& settings, double device_stiffness,
-          double dt, double longest);
+          double dt, double longest, bool one_face = false);
 
   // A new line: nothing touched, nothing punctured.
   void begin() noexcept;
@@ -80,6 +82,7 @@ class Layered {
     std::int8_t slide = 0;    // sense of sliding, -1 or +1
     int first = 0, last = 0;  // layers, as far as known
     double near = 0.0;        // mm, depth of the near face
+    double give = 0.0;        // mm that the near face had moved with the tissue before it when it was met
     double strain = 0.0;      // x, mm
     double contact = 0.0;     // d, mm of shaft
     double furthest = 0.0;    // depth that sliding has reached, mm
@@ -106,7 +109,7 @@ class Layered {
   void report_bone(double depth, bool in_bone, TickEvents& events) noexcept;
 
   double layer_, dt_, device_stiffness_;
-  bool strict_;
+  bool strict_, one_face_;
   int sliver_layers_;  // runs of at most this many layers may be noise
   double stiffness_scale_ = 1.0;
   std::array<Law, 256> laws_{};  // 256, by tissue id

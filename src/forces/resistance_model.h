@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -31,7 +32,10 @@ struct ResistanceForce {
   Vec3 across = Vec3::Zero();  // N on the hand, of models whose force may leave the line
   Vec3 torque = Vec3::Zero();  // N mm on the hand, about the tip, of models that feel the whole shaft
   double stiffness = 0.0;      // N/mm, elastic tangent where the model knows it; 0 otherwise
-  bool in_contact = false;     // false: the needle has left the body, the line can be released
+  // mm: how deep the tissue that touches the tip lies when nothing pushes it. Tissue that has not given way yet moves
+  // with the tip, so this is less than the tip's depth. Infinite: the tip is as deep in the tissue as in space.
+  double material = std::numeric_limits<double>::infinity();
+  bool in_contact = false;  // false: the needle has left the body, the line can be released
 };
 
 // What a resistance is, apart from its settings.
@@ -40,6 +44,7 @@ struct ResistanceTraits {
   bool holds_laterally = false;     // its force has a part across the line, so a rail adds only its torque
   bool has_shaft_friction = false;  // the part `shaft_friction` would count it twice
   bool feels_grip = false;          // multiplies its friction with NeedleInTissue::grip
+  bool passes_layers = false;       // goes by the tissue, but does not itself say when one gives way
   bool can_relax = false;           // a spring that the part `relaxation` may let fade
   ModelDiagnosticNames diagnostics = {};
 };

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "forces/model_input.h"
+#include "forces/needle_law.h"
 
 namespace bodkin::forces {
 
@@ -65,12 +66,12 @@ double ShaftFriction::step(const AxialMotion& motion, const ShaftContact& contac
 ShaftFrictionResistance::ShaftFrictionResistance(const anatomy::Case& patient,
                                                  const anatomy::ShaftFrictionSettings& settings, double, double firm)
     : model_(settings),
-      tissues_(patient.library.by_id(&anatomy::TissueProperties::shaft_friction)),
+      tissues_(felt_tissues(patient).by_id(&anatomy::TissueProperties::shaft_friction)),
       path_(path_layer, longest_shaft),
       volume_(&patient.tissues),
       budget_(std::max(patient.description.device.stiffness - firm,
                        least_hold_share * patient.description.device.stiffness)) {
-  check_tissues(patient.library, &anatomy::TissueProperties::shaft_friction, "shaft_friction");
+  check_tissues(felt_tissues(patient), &anatomy::TissueProperties::shaft_friction, "shaft_friction");
 }
 
 void ShaftFrictionResistance::begin(const Vec3& entry, const Vec3& direction) noexcept {

@@ -32,8 +32,10 @@ SpringDamperWall::SpringDamperWall(const anatomy::Case& patient, const anatomy::
 ResistanceForce SpringDamperWall::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
   const double force = step(needle.motion, needle.tissue, events);
   penetration_ = std::max(0.0, needle.motion.depth - settings_.wall);
-  return {
-      .along = force, .stiffness = force > 0.0 ? settings_.stiffness : 0.0, .in_contact = needle.motion.depth > 0.0};
+  return {.along = force,
+          .stiffness = force > 0.0 ? settings_.stiffness : 0.0,
+          .material = settings_.wall,
+          .in_contact = needle.motion.depth > 0.0};
 }
 
 }  // namespace bodkin::forces

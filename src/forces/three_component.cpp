@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "forces/device_stability.h"
 #include "forces/model_input.h"
+#include "forces/needle_law.h"
 
 namespace bodkin::forces {
 
@@ -76,18 +77,18 @@ double ThreeComponent::step(const AxialMotion& motion, anatomy::TissueId tissue,
 }
 
 ThreeComponent::ThreeComponent(const anatomy::Case& patient, const anatomy::ThreeComponentSettings& settings, double)
-    : ThreeComponent(settings) {
+    : ThreeComponent(felt_settings(settings, patient)) {
   const anatomy::DeviceLimits& device = patient.description.device;
-  require_stable("three_component", "cutting stiffness", settings.cutting_stiffness, device);
+  require_stable("three_component", "cutting stiffness", settings_.cutting_stiffness, device);
   // R = a1 x + a2 x^2 has its steepest slope where it breaks: dR/dx = sqrt(a1^2 + 4 a2 R).
-  require_stable("three_component", "the stiffness at which the capsule gives way",
-                 std::sqrt(settings.linear * settings.linear + 4.0 * settings.quadratic * settings.puncture_force),
-                 device);
+  require_stable(
+      "three_component", "the stiffness at which the capsule gives way",
+      std::sqrt(settings_.linear * settings_.linear + 4.0 * settings_.quadratic * settings_.puncture_force), device);
 }
 
 ResistanceForce ThreeComponent::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
   const double force = step(needle.motion, needle.tissue, events);
-  return {.along = force, .in_contact = needle.motion.depth > 0.0};
+  return {.along = force, .material = punctured_ ? edge_.wall() : 0.0, .in_contact = needle.motion.depth > 0.0};
 }
 
 }  // namespace bodkin::forces

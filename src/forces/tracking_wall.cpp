@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "forces/device_stability.h"
 #include "forces/model_input.h"
+#include "forces/needle_law.h"
 
 namespace bodkin::forces {
 
@@ -117,7 +118,8 @@ double TrackingWall::step(const AxialMotion& motion, anatomy::TissueId tissue, T
 
 void require_stable_walls(const anatomy::Case& patient, const anatomy::TrackingWallSettings& settings) {
   const anatomy::DeviceLimits& device = patient.description.device;
-  for (const anatomy::TissueProperties& tissue : patient.library.tissues())
+  const anatomy::TissueLibrary library = felt_tissues(patient);
+  for (const anatomy::TissueProperties& tissue : library.tissues())
     require_stable("tracking_wall", "the spring of " + tissue.title, tissue.tracking_wall.stiffness, device);
   for (const anatomy::TrackingWallDepthLayer& layer : settings.layers)
     require_stable("tracking_wall", "the spring of a layer", layer.layer.stiffness, device);
@@ -131,13 +133,13 @@ double stiffest_wall(const anatomy::TissueLibrary& library) {
 }
 
 TrackingWall::TrackingWall(const anatomy::Case& patient, const anatomy::TrackingWallSettings& settings, double dt)
-    : TrackingWall(patient.library, settings, dt) {
+    : TrackingWall(felt_tissues(patient), settings, dt) {
   require_stable_walls(patient, settings);
 }
 
 ResistanceForce TrackingWall::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
   const double force = step(needle.motion, needle.tissue, events);
-  return {.along = force, .in_contact = needle.motion.depth > 0.0};
+  return {.along = force, .material = wall_, .in_contact = needle.motion.depth > 0.0};
 }
 
 }  // namespace bodkin::forces

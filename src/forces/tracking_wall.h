@@ -40,6 +40,7 @@ class TrackingWall : public ResistanceDefaults {
   using Settings = anatomy::TrackingWallSettings;
   static constexpr ResistanceTraits traits = {
       .name = "tracking_wall",
+      .passes_layers = true,
       .can_relax = true,
       .diagnostics = {{{"wall_mm", "position W of the wall"}}},
   };

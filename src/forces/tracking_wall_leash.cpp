@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "forces/model_input.h"
+#include "forces/needle_law.h"
 
 namespace bodkin::forces {
 
@@ -95,14 +96,17 @@ Vec3 TrackingWallLeash::step(const Vec3& tip, const AxialMotion& motion, anatomy
 
 TrackingWallLeash::TrackingWallLeash(const anatomy::Case& patient, const anatomy::TrackingWallSettings& settings,
                                      double dt)
-    : TrackingWallLeash(patient.library, settings, dt) {
+    : TrackingWallLeash(felt_tissues(patient), settings, dt) {
   require_stable_walls(patient, settings);
 }
 
 ResistanceForce TrackingWallLeash::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
   const Vec3 force = step(needle.tip, needle.motion, needle.tissue, events);
   const double along = -force.dot(direction_);
-  return {.along = along, .across = force + along * direction_, .in_contact = needle.motion.depth > 0.0};
+  return {.along = along,
+          .across = force + along * direction_,
+          .material = (wall_ - entry_).dot(direction_),
+          .in_contact = needle.motion.depth > 0.0};
 }
 
 }  // namespace bodkin::forces

@@ -20,6 +20,7 @@ class TrackingWallLeash : public ResistanceDefaults {
   using Settings = anatomy::TrackingWallSettings;
   static constexpr ResistanceTraits traits = {
       .name = "tracking_wall",
+      .passes_layers = true,
       .diagnostics = {{{"wall_mm", "position W of the wall"}}},
   };
 

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "forces/device_stability.h"
 #include "forces/model_input.h"
+#include "forces/needle_law.h"
 
 namespace bodkin::forces {
 namespace {
@@ -98,7 +99,7 @@ Vec3 VolumeProxy::step(const Vec3& tip, const Rail* rail, TickEvents& events) no
 
 VolumeProxy::VolumeProxy(const anatomy::Case& patient, const anatomy::VolumeProxySettings& settings,
                          std::unique_ptr<HapticField> field, double dt)
-    : VolumeProxy(patient.library, settings, *field, dt) {
+    : VolumeProxy(felt_tissues(patient), settings, *field, dt) {
   own_field_ = std::move(field);
 }
 
@@ -108,8 +109,9 @@ VolumeProxy::VolumeProxy(const anatomy::Case& patient, const anatomy::VolumeProx
   require_stable("volume_proxy", "stiffness", settings.stiffness, patient.description.device);
 }
 
-void VolumeProxy::begin(const Vec3&, const Vec3& direction) noexcept {
+void VolumeProxy::begin(const Vec3& entry, const Vec3& direction) noexcept {
   reset();
+  entry_ = entry;
   direction_ = direction;
 }
 
@@ -119,6 +121,7 @@ ResistanceForce VolumeProxy::step(const NeedleInTissue& needle, TickEvents& even
   return {.along = along,
           .across = force + along * direction_,
           .stiffness = settings_.stiffness,
+          .material = (proxy_ - entry_).dot(direction_),
           .in_contact = needle.motion.depth > 0.0};
 }
 

@@ -36,6 +36,7 @@ class VolumeProxy : public ResistanceDefaults {
   static constexpr ResistanceTraits traits = {
       .name = "volume_proxy",
       .holds_laterally = true,
+      .passes_layers = true,
       .diagnostics = {{{"proxy_x_mm", "proxy, L"}, {"proxy_y_mm", "proxy, P"}, {"proxy_z_mm", "proxy, S"}}},
   };
 
@@ -67,7 +68,8 @@ class VolumeProxy : public ResistanceDefaults {
   const HapticField* field_;
   double dt_;
   Vec3 proxy_ = Vec3::Zero();
-  Vec3 direction_ = Vec3::UnitZ();  // of the frozen line
+  Vec3 entry_ = Vec3::Zero();       // of the frozen line
+  Vec3 direction_ = Vec3::UnitZ();  // of it
   bool placed_ = false;
 };
 

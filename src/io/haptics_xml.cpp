@@ -55,6 +55,8 @@ anatomy::GravitySettings compensation_from(const XmlElement& element, const std:
 anatomy::HapticSettings read_haptics(const XmlElement& element, const std::string& origin) {
   anatomy::HapticSettings haptics;
   haptics.rate = element.number("rate_Hz", haptics.rate);
+  if (const std::string* mechanics = element.find("mechanics"); mechanics != nullptr)
+    parse_value(*mechanics, haptics.mechanics);
   if (const XmlElement* resistance = element.child("resistance"); resistance != nullptr)
     haptics.resistance = model_from<anatomy::ResistanceSettings>(*resistance, origin, anatomy::resistance_names);
   if (const XmlElement* constraint = element.child("constraint"); constraint != nullptr)

@@ -51,6 +51,8 @@ std::string event_text(const forces::Event& event, const anatomy::TissueLibrary&
     case forces::EventKind::contact:
       return "the tip touches the body";
     case forces::EventKind::puncture:
+      if (event.felt > event.value + 0.005)
+        return fmt::format("{} gives way at {:.2f} N, {:.2f} N of it its own", title, event.felt, event.value);
       return fmt::format("{} gives way at {:.2f} N", title, event.value);
     case forces::EventKind::loss_of_resistance:
       return fmt::format("loss of resistance, {:.2f} N fall away", event.value);
@@ -78,6 +80,8 @@ std::string event_text(const forces::Event& event, const anatomy::TissueLibrary&
       return fmt::format("the plunger gives way, the pressure falls by {:.0f} kPa", 1000.0 * event.value);
     case forces::EventKind::hub_contact:
       return "the hub meets the skin: the needle is in to its whole length";
+    case forces::EventKind::needle_buckled:
+      return fmt::format("the needle buckles at {:.2f} N, its tip stays", event.value);
     case forces::EventKind::fault:
       break;
   }
@@ -90,7 +94,8 @@ bool is_notable(forces::EventKind kind) {
          kind == forces::EventKind::fault || kind == forces::EventKind::corridor_left ||
          kind == forces::EventKind::corridor_taken || kind == forces::EventKind::corridor_refreshed ||
          kind == forces::EventKind::moving_body_failed || kind == forces::EventKind::fluid_returned ||
-         kind == forces::EventKind::hub_contact || kind == forces::EventKind::pressure_lost;
+         kind == forces::EventKind::hub_contact || kind == forces::EventKind::needle_buckled ||
+         kind == forces::EventKind::pressure_lost;
 }
 
 std::vector<PlotBand> bands_of(std::span<const TissueCrossing> crossings, const anatomy::TissueLibrary& library) {

@@ -11,18 +11,20 @@ namespace bodkin::session {
 
 namespace {
 
-constexpr std::string_view second_kind = "2:";
+constexpr std::string_view second_kind = "2:";  // before tissues had a physical description
+constexpr std::string_view third_kind = "3:";
 constexpr std::size_t largest_mesh = std::size_t{4} << 30;  // bytes
 
-// Every parameter, whether or not it counts for the alternative chosen.
+// Every parameter, whether or not it counts for the alternative chosen, but what is in the element `without`.
 template <Parameterized Settings>
-void add_parameters(const Settings& settings, std::string& text) {
+void add_parameters(const Settings& settings, std::string& text, std::string_view without = {}) {
   for_each_entry(
       [&](const auto& entry, const auto& value) {
         using Value = std::remove_cvref_t<decltype(value)>;
         if constexpr (parameter_detail::is_alternatives<std::remove_cvref_t<decltype(entry)>>) {
           text += "kind=" + value_text(value) + '\n';
         } else if constexpr (Parameterized<Value>) {
+          if (entry.name == without) return;
           text += std::string(entry.name) + '\n';
           add_parameters(value, text);
         } else {
@@ -54,6 +56,12 @@ void add_tissue_of_first_kind(const anatomy::TissueProperties& tissue, std::stri
 std::string case_digest(const anatomy::Case& patient, const std::string& case_xml, const std::string& mesh) {
   std::string all = case_xml + '\n' + io::volume_digest(patient.tissues) + '\n' + mesh + '\n';
   for (const anatomy::TissueProperties& tissue : patient.library.tissues()) add_parameters(tissue, all);
+  return std::string(third_kind) + text_checksum(all);
+}
+
+std::string second_case_digest(const anatomy::Case& patient, const std::string& case_xml, const std::string& mesh) {
+  std::string all = case_xml + '\n' + io::volume_digest(patient.tissues) + '\n' + mesh + '\n';
+  for (const anatomy::TissueProperties& tissue : patient.library.tissues()) add_parameters(tissue, all, "physical");
   return std::string(second_kind) + text_checksum(all);
 }
 
@@ -71,7 +79,8 @@ std::string mesh_digest(const std::filesystem::path& case_folder, const anatomy:
 
 bool is_digest_of_case(const std::string& digest, const anatomy::Case& patient, const std::string& case_xml,
                        const std::string& mesh) {
-  if (digest.starts_with(second_kind)) return digest == case_digest(patient, case_xml, mesh);
+  if (digest.starts_with(third_kind)) return digest == case_digest(patient, case_xml, mesh);
+  if (digest.starts_with(second_kind)) return digest == second_case_digest(patient, case_xml, mesh);
   return digest == first_case_digest(patient, case_xml);
 }
 

@@ -8,7 +8,7 @@
 namespace bodkin::session {
 
 // A fingerprint of all of a case that a replay depends on: case.xml, the tissue voxels, every parameter of every
-// tissue, and the mesh (`mesh`: mesh_digest()). "2:" and 16 hexadecimal digits.
+// tissue, and the mesh (`mesh`: mesh_digest()). "3:" and 16 hexadecimal digits.
 std::string case_digest(const anatomy::Case& patient, const std::string& case_xml, const std::string& mesh);
 
 // A fingerprint of the mesh in the case's folder, for a resistance that meets a deformable body; otherwise, and where
@@ -18,8 +18,11 @@ std::string mesh_digest(const std::filesystem::path& case_folder, const anatomy:
 // The digest of Bodkin 0.1: 16 hexadecimal digits, without the mesh and the parameters `deformable` and `acoustic`.
 std::string first_case_digest(const anatomy::Case& patient, const std::string& case_xml);
 
-// True when a session that stored `digest` was recorded on this case. One without "2:" is
-// compared with first_case_digest().
+// The digest from before tissues had a physical description: "2:" and 16 hexadecimal digits, without `physical`.
+std::string second_case_digest(const anatomy::Case& patient, const std::string& case_xml, const std::string& mesh);
+
+// True when a session that stored `digest` was recorded on this case: "3:" is compared with case_digest(), "2:" with
+// second_case_digest(), anything else with first_case_digest().
 bool is_digest_of_case(const std::string& digest, const anatomy::Case& patient, const std::string& case_xml,
                        const std::string& mesh);
 

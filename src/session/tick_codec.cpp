@@ -1,7 +1,9 @@
 #include "session/tick_codec.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 
 namespace bodkin::session {
 
@@ -37,11 +39,11 @@ constexpr std::array<std::string_view, 29> number_names = {"needle_x_axis_x",
                                                            "constraint",
                                                            "energy"};
 
-constexpr std::array<std::string_view, 16> kind_names = {
+constexpr std::array<std::string_view, 17> kind_names = {
     "contact",        "puncture",           "loss_of_resistance", "bone_contact",   "bone_left",
     "tissue_entered", "withdrawn",          "force_limited",      "fault",          "corridor_left",
     "corridor_taken", "corridor_refreshed", "moving_body_failed", "fluid_returned", "pressure_lost",
-    "hub_contact"};
+    "hub_contact",    "needle_buckled"};
 
 // Visits every number of a record in the order of `number_names`; `Record` may be const.
 template <typename Record, typename Visit>
@@ -80,6 +82,14 @@ std::uint8_t* put_double(double value, std::uint8_t* cursor) {
 
 double take_double(const std::uint8_t* bytes) {
   return std::bit_cast<double>(take(bytes, 8));
+}
+
+constexpr double felt_step = 0.01;  // N
+
+// What the hand felt at a puncture, in steps; 0: not known.
+std::uint64_t felt_steps(const forces::Event& event) {
+  if (event.kind != forces::EventKind::puncture || !(event.felt > 0.0)) return 0;
+  return static_cast<std::uint64_t>(std::min(std::round(event.felt / felt_step), 65535.0));
 }
 
 std::uint8_t* grow(std::vector<std::uint8_t>& bytes, std::size_t size) {
@@ -142,19 +152,21 @@ void encode_event(std::uint32_t tick_of_chunk, const forces::Event& event, std::
   cursor = put(tick_of_chunk, 4, cursor);
   cursor = put(static_cast<std::uint64_t>(event.kind), 1, cursor);
   cursor = put(event.tissue, 1, cursor);
-  cursor = put(0, 2, cursor);
+  cursor = put(felt_steps(event), 2, cursor);
   cursor = put_double(event.depth, cursor);
   put_double(event.value, cursor);
 }
 
 bool decode_event(std::span<const std::uint8_t> bytes, std::uint32_t& tick_of_chunk, forces::Event& event) {
-  if (bytes.size() != encoded_event_size || bytes[4] >= kind_names.size() || take(bytes.data() + 6, 2) != 0)
-    return false;
+  if (bytes.size() != encoded_event_size || bytes[4] >= kind_names.size()) return false;
+  const std::uint64_t felt = take(bytes.data() + 6, 2);
+  if (felt != 0 && static_cast<forces::EventKind>(bytes[4]) != forces::EventKind::puncture) return false;
   tick_of_chunk = static_cast<std::uint32_t>(take(bytes.data(), 4));
   event.kind = static_cast<forces::EventKind>(bytes[4]);
   event.tissue = bytes[5];
   event.depth = take_double(bytes.data() + 8);
   event.value = take_double(bytes.data() + 16);
+  event.felt = felt_step * static_cast<double>(felt);
   return true;
 }
 

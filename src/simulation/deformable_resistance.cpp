@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "fem/shaft_stiffness.h"
 #include "forces/beam.h"
+#include "forces/needle_law.h"
 
 namespace bodkin::simulation {
 
@@ -27,7 +28,8 @@ const std::shared_ptr<const anatomy::CondensedBody>& body_in(const anatomy::Prep
 
 fem::ContactTissues tissues_in(const anatomy::Case& patient) {
   fem::ContactTissues tissues;
-  for (const anatomy::TissueProperties& tissue : patient.library.tissues()) {
+  const anatomy::TissueLibrary library = forces::felt_tissues(patient);
+  for (const anatomy::TissueProperties& tissue : library.tissues()) {
     const anatomy::DeformableTissue& here = tissue.deformable;
     tissues[tissue.id] = {
         .friction = here.friction, .puncture_force = here.puncture_force, .stiffness = here.stiffness};
@@ -79,6 +81,17 @@ std::optional<fem::NeedleBeam> beam_in(const anatomy::Case& patient, const anato
                           .cut_offset = settings.cut_offset});
 }
 
+// mm along the line: the depth at rest of the node that the tip pushes before it, which is the deepest of those with
+// a force on them; infinite when it pushes none.
+double pushed_depth(const fem::NodeForces& forces, const anatomy::CondensedBody& body, double tip_force,
+                    const Vec3& entry, const Vec3& direction) noexcept {
+  if (!(tip_force > 0.0)) return std::numeric_limits<double>::infinity();
+  double deepest = 0.0;
+  for (std::size_t i = 0; i < forces.count; ++i)
+    deepest = std::max(deepest, (body.nodes[forces.nodes[i].node] - entry).dot(direction));
+  return deepest;
+}
+
 // Reports a punctured tissue.
 void report(const std::optional<fem::TissuePuncture>& puncture, double sunk, forces::TickEvents& events) noexcept {
   if (!puncture) return;
@@ -104,7 +117,7 @@ double sunk_at(const Vec3& entry, const Vec3& direction, const std::vector<Vec3>
 
 DeformableShaft::DeformableShaft(const anatomy::Case& patient, const anatomy::PreparedCorridor& corridor,
                                  const anatomy::EmbeddedNeedleSettings& settings, double dt)
-    : bone_(patient) {
+    : bone_(patient), deforms_(patient.description.haptics.mechanics == anatomy::Mechanics::physical) {
   const std::shared_ptr<const anatomy::CondensedBody>& body = body_in(corridor, patient);
   const double found = stiffness_on_path(*body, corridor.path, settings);
   const double rendered = std::min(found, patient.description.device.stiffness);
@@ -129,6 +142,7 @@ void DeformableShaft::begin(const Vec3& entry, const Vec3& direction) noexcept {
   sunk_ = at_rest_.empty() ? 0.0 : sunk_at(entry, direction, at_rest_, *body_);
   needle_->begin(entry + sunk_ * direction, direction);
   bone_.reset();
+  entry_ = entry;
   direction_ = direction;
   beyond_ = false;
 }
@@ -143,6 +157,7 @@ fem::FollowState DeformableShaft::follow(const DeformableShaft& other) noexcept 
   const fem::FollowState state = needle_->follow(*other.needle_);
   if (state != fem::FollowState::done) return state;
   bone_ = other.bone_;
+  entry_ = other.entry_;
   direction_ = other.direction_;
   ahead_ = other.ahead_;
   beyond_ = other.beyond_;
@@ -175,6 +190,8 @@ forces::ResistanceForce DeformableShaft::step(const forces::NeedleInTissue& need
   return {.along = found.resistance + bone,
           .across = across,
           .torque = found.on_hand.torque + short_of.cross(square),
+          .material = deforms_ ? pushed_depth(needle_->node_forces(), *body_, tip_force_, entry_, direction_)
+                               : std::numeric_limits<double>::infinity(),
           .in_contact = needle.motion.depth > 0.0};
 }
 
@@ -198,6 +215,7 @@ DeformableTip::DeformableTip(const anatomy::Case& patient, const anatomy::Prepar
 void DeformableTip::begin(const Vec3& entry, const Vec3& direction) noexcept {
   contact_->begin(entry, direction);
   bone_.reset();
+  entry_ = entry;
   direction_ = direction;
 }
 
@@ -211,7 +229,11 @@ forces::ResistanceForce DeformableTip::step(const forces::NeedleInTissue& needle
   const double bone = bone_.step(needle.motion.depth, needle.tissue, events);
   const fem::ClosestNodeForce found = contact_->step(needle.tip - bone_.behind() * direction_);
   report(found.puncture, 0.0, events);
-  return {.along = found.resistance + bone, .in_contact = needle.motion.depth > 0.0};
+  const bool pushes = found.node && found.tip_force > 0.0;
+  return {.along = found.resistance + bone,
+          .material = pushes ? std::max(0.0, (body_->nodes[*found.node] - entry_).dot(direction_))
+                             : std::numeric_limits<double>::infinity(),
+          .in_contact = needle.motion.depth > 0.0};
 }
 
 }  // namespace bodkin::simulation

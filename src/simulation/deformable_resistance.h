@@ -63,7 +63,8 @@ class DeformableShaft {
   double tip_force_ = 0.0, nodes_ = 0.0;         // N, count; of the last tick
   std::unique_ptr<fem::EmbeddedNeedle> needle_;  // refers to the body
   BoneWall bone_;
-  Vec3 direction_ = Vec3::UnitZ();
+  bool deforms_;  // mechanics="physical"
+  Vec3 entry_ = Vec3::Zero(), direction_ = Vec3::UnitZ();
   bool beyond_ = false;  // the needle has left the corridor
   // Of a body that is pressed: its nodes at rest, by which its surface is found again; else none.
   std::vector<Vec3> at_rest_;
@@ -98,7 +99,7 @@ class DeformableTip {
   std::shared_ptr<const anatomy::CondensedBody> body_;
   BoneWall bone_;
   std::unique_ptr<fem::ClosestNodeContact> contact_;
-  Vec3 direction_ = Vec3::UnitZ();
+  Vec3 entry_ = Vec3::Zero(), direction_ = Vec3::UnitZ();
 };
 
 }  // namespace bodkin::simulation

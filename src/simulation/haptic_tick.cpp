@@ -11,8 +11,10 @@
 #include "simulation/constraint.h"
 #include "simulation/hub_stop.h"
 #include "simulation/loss_of_resistance.h"
+#include "simulation/needle_bow.h"
 #include "simulation/needle_contact.h"
 #include "simulation/resistance.h"
+#include "simulation/tip_in_layers.h"
 
 namespace bodkin::simulation {
 
@@ -61,7 +63,10 @@ struct HapticTick::State {
         constraint(from, dt),
         compensation(from.description.haptics.compensation),
         governor(governor_settings(from, dt, motion.threshold())),
-        hub(from.description.needle.length, from.description.device.stiffness) {}
+        hub(from.description.needle.length, from.description.device.stiffness),
+        deforms(from.description.haptics.mechanics == anatomy::Mechanics::physical),
+        layers(from, resistance.passes_layers()),
+        bow(from, dt) {}
 
   const anatomy::Case& patient;
   double dt;
@@ -71,6 +76,9 @@ struct HapticTick::State {
   forces::GravityCompensation compensation;
   haptics::ForceGovernor governor;
   HubStop hub;
+  bool deforms;  // mechanics="physical"
+  TipInLayers layers;
+  NeedleBow bow;
   NeedleContact contact;
   LossOfResistance loss;
   Vec3 last_tip = Vec3::Zero();
@@ -140,6 +148,8 @@ TickOutput HapticTick::State::step(const TickInput& input, const Vec3& axis) noe
     constraint.begin(contact.entry(), contact.direction(), tip);
     loss.begin();
     hub.begin();
+    layers.begin(contact.entry(), contact.direction());
+    bow.begin();
     motion.rebase(contact.depth(tip) - advance);
     output.events.push({forces::EventKind::contact, output.tissue, 0.0, 0.0});
   }
@@ -155,10 +165,15 @@ TickOutput HapticTick::State::step(const TickInput& input, const Vec3& axis) noe
                                 .compensation = compensation.step(tip)};
   double stiffness = 0.0;
   if (contact.held()) {
-    output.depth = moving.depth;
-    const forces::NeedleInTissue needle{.motion = moving,
-                                        .tip = tip,
-                                        .tissue = output.tissue,
+    const AxialMotion tip_motion = bow.tip_motion(moving);
+    output.depth = tip_motion.depth;
+    const Vec3 true_tip = bow.bow() > 0.0 ? Vec3(tip - bow.bow() * contact.direction()) : tip;
+    const anatomy::TissueId at_tip =
+        bow.bow() > 0.0 ? anatomy::nearest<anatomy::TissueId>(patient.tissues, true_tip, anatomy::tissue::air)
+                        : output.tissue;
+    const forces::NeedleInTissue needle{.motion = tip_motion,
+                                        .tip = true_tip,
+                                        .tissue = at_tip,
                                         .axis = axis,
                                         .side = input.needle.linear().col(0),
                                         .rail = constraint.rail(),
@@ -168,9 +183,16 @@ TickOutput HapticTick::State::step(const TickInput& input, const Vec3& axis) noe
     resistance.publish(output.diagnostics);
     if (tissue_force.in_contact) {
       request.in_contact = output.in_contact = true;
-      request.resistance = output.resistance =
-          tissue_force.along + hub.step(moving.depth, stiffness, output.tissue, output.events);
-      loss.step(moving, output.tissue, tissue_force.along, output.events);
+      if (deforms) {
+        output.tissue = layers.step(output.depth, tissue_force.material, at_tip, tissue_force.along, output.events);
+        announced = output.tissue;
+        announced_at = tip;
+        anything_announced = true;
+      }
+      request.resistance = output.resistance = bow.limited(tissue_force.along, output.tissue, output.events) +
+                                               hub.step(moving.depth, stiffness, output.tissue, output.events);
+      const bool feels_flavum = deforms && layers.felt() == anatomy::tissue::ligamentum_flavum;
+      loss.step(tip_motion, feels_flavum ? layers.felt() : output.tissue, tissue_force.along, output.events);
       const Wrench held = constraint.step(tip, axis, resistance.holds_laterally());
       request.constraint = tissue_force.across + held.force;
       request.torque = output.requested.torque = tissue_force.torque + held.torque;
@@ -180,7 +202,7 @@ TickOutput HapticTick::State::step(const TickInput& input, const Vec3& axis) noe
       contact.release();
     }
   }
-  announce_tissue(tip, output);
+  if (!deforms || (!contact.held() && output.tissue == anatomy::tissue::air)) announce_tissue(tip, output);
 
   output.requested.force = request.constraint - request.resistance * request.axis + request.compensation;
   output.applied.force = governor.step(request);

@@ -12,6 +12,7 @@
 #include "forces/shaft_friction.h"
 #include "simulation/force_part.h"
 #include "simulation/resistance_models.h"
+#include "simulation/touching_tissue.h"
 
 namespace bodkin::simulation {
 
@@ -47,7 +48,9 @@ struct Resistance::State {
         others(make_force_parts(patient, dt)),
         holds_laterally(model->traits().holds_laterally),
         names(bodkin::simulation::diagnostic_names(patient.description.haptics)),
-        model_names(forces::count_of(model->traits().diagnostics)) {
+        model_names(forces::count_of(model->traits().diagnostics)),
+        tissues(patient.tissues),
+        deforms(patient.description.haptics.mechanics == anatomy::Mechanics::physical) {
     const anatomy::ForceParts& parts = patient.description.haptics.parts;
     check_parts(parts, model->traits());
     relaxes = !parts.relaxation.empty();
@@ -67,6 +70,9 @@ struct Resistance::State {
   bool holds_laterally;
   std::vector<forces::DiagnosticName> names;
   std::size_t model_names;  // of them those of the model, the first
+  const anatomy::TissueVolume& tissues;
+  bool deforms;               // the tip's tissue is that of the deformed material
+  Vec3 entry = Vec3::Zero();  // of the frozen line
 };
 
 Resistance::Resistance(const anatomy::Case& patient, double dt) : state_(std::make_unique<State>(patient, dt)) {}
@@ -77,6 +83,7 @@ Resistance& Resistance::operator=(Resistance&&) noexcept = default;
 void Resistance::begin(const Vec3& entry, const Vec3& direction) noexcept {
   State& state = *state_;
   state.model->begin(entry, direction);
+  state.entry = entry;
   state.direction = direction;
   state.relaxation.reset();
   if (state.friction) state.friction->begin(entry, direction);
@@ -105,7 +112,14 @@ forces::ResistanceForce Resistance::step_held(const forces::NeedleInTissue& held
     state.friction_force = state.friction->step(held, state.found).along;
     force.along += state.friction_force;
   }
-  for (const auto& part : state.others) part->step(held, force, state.found);
+  if (state.deforms && !state.others.empty()) {
+    forces::NeedleInTissue inside = held;
+    inside.tissue =
+        touching_tissue(state.tissues, state.entry, state.direction, held.motion.depth, force.material, held.tissue);
+    for (const auto& part : state.others) part->step(inside, force, state.found);
+  } else {
+    for (const auto& part : state.others) part->step(held, force, state.found);
+  }
   for (const forces::Event& event : state.found) {
     // Contact and withdrawal are the tick's to say; a fault is a motion that the tick does not let through.
     if (event.kind == forces::EventKind::contact || event.kind == forces::EventKind::withdrawn ||
@@ -127,6 +141,10 @@ void Resistance::reset() noexcept {
 
 double Resistance::stiffness_scale() const noexcept {
   return state_->model->stiffness_scale();
+}
+
+bool Resistance::passes_layers() const noexcept {
+  return state_->model->traits().passes_layers;
 }
 
 bool Resistance::holds_laterally() const noexcept {

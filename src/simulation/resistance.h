@@ -34,6 +34,8 @@ class Resistance {
   double stiffness_scale() const noexcept;
   // ResistanceTraits::holds_laterally of the model.
   bool holds_laterally() const noexcept;
+  // ResistanceTraits::passes_layers of the model.
+  bool passes_layers() const noexcept;
   // What model and parts publish each tick, by name.
   std::span<const forces::DiagnosticName> diagnostic_names() const noexcept;
   // The values of the last tick, in the same order; those after them stay as they are.

@@ -24,13 +24,14 @@ std::string event_words(const std::string& event, bool to_come) {
     const char* past;
     const char* to_come;
   };
-  constexpr std::array<Words, 6> known = {
+  constexpr std::array<Words, 7> known = {
       {{"fluid_returned", "let cerebrospinal fluid return", "let cerebrospinal fluid return"},
        {"loss_of_resistance", "lost the resistance of the ligamentum flavum",
         "lose the resistance of the ligamentum flavum"},
        {"pressure_lost", "let the syringe's plunger give way", "let the syringe's plunger give way"},
        {"bone_contact", "met bone", "meet bone"},
        {"hub_contact", "pushed the needle in up to its hub", "push the needle in up to its hub"},
+       {"needle_buckled", "pushed harder than the needle bears", "push less, so that the needle stays straight"},
        {"contact", "touched the body", "touch the body"}}};
   for (const Words& each : known)
     if (event == each.event) return to_come ? each.to_come : each.past;

@@ -132,7 +132,8 @@ constexpr Refusal refusals[] = {
     {"no_boolean", "critical='true'", "critical='yes'",
      "line 6: structure critical is 'yes', expected true or false"},
     {"unknown_tip", "whitacre", "sharp",
-     "line 10: needle tip is 'sharp', expected quincke, whitacre, tuohy, chiba, trephine or filiform"},
+     "line 10: needle tip is 'sharp', expected quincke, whitacre, tuohy, chiba, trephine, filiform, sprotte, diamond "
+     "or conical"},
     {"unknown_resistance", "<layered ", "<fem ",
      "line 13: the element <fem> is not allowed here, expected <layered>, <spring_damper_wall>, <tracking_wall>, "
      "<depth_profile>, <volume_proxy>, <three_component>, <fracture>, <shaft_friction>, <embedded_needle> or "

@@ -137,6 +137,21 @@ TEST(CaseDigest, the_mesh_counts_where_a_resistance_meets_it) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(CaseDigest, a_session_from_before_the_physical_description_is_compared_without_it) {
+  const Case patient = patient_of_two_tissues();
+  const std::string recorded = second_case_digest(patient, "<case/>", "mesh");
+  EXPECT_TRUE(recorded.starts_with("2:"));
+  Case other = patient;
+  std::vector<TissueProperties> tissues = patient.library.tissues();
+  tissues.back().physical.friction += 0.001;
+  other.library = TissueLibrary(tissues);
+  EXPECT_TRUE(is_digest_of_case(recorded, other, "<case/>", "mesh"));
+  EXPECT_FALSE(is_digest_of_case(case_digest(patient, "<case/>", "mesh"), other, "<case/>", "mesh"));
+  tissues.back().tracking_wall.force += 0.1;
+  other.library = TissueLibrary(tissues);
+  EXPECT_FALSE(is_digest_of_case(recorded, other, "<case/>", "mesh"));
+}
+
 TEST(CaseDigest, a_session_of_bodkin_0_1_is_compared_with_what_its_digest_covered) {
   const Case patient = patient_of_two_tissues();
   const std::string recorded = first_case_digest(patient, "<case/>");

@@ -237,6 +237,7 @@ void append(std::vector<std::string>& notes, const std::vector<std::string>& mor
 CaseSummary build_imported_case(const NewCase& wanted, const ImportOptions& options, const Progress& progress) {
   anatomy::CaseDescription description;
   description.needle = wanted.needle.empty() ? needle_of(wanted.needle_gauge) : parse_needle(wanted.needle);
+  description.haptics.mechanics = wanted.mechanics;
   require_path(wanted.path);
   require_level(options.level);
   if (!options.lowest_vertebra.empty()) require_vertebra(options.lowest_vertebra);
@@ -302,6 +303,7 @@ CaseSummary build_synthetic_case(const NewCase& wanted, const LumbarParameters& 
                                  const Progress& progress) {
   anatomy::CaseDescription description;
   description.needle = wanted.needle.empty() ? needle_of(wanted.needle_gauge) : parse_needle(wanted.needle);
+  description.haptics.mechanics = wanted.mechanics;
   require_path(wanted.path);
   const anatomy::TissueLibrary library = io::default_tissue_library();
   io::PartialFolder folder(wanted.folder, wanted.overwrite);

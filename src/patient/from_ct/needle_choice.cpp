@@ -33,6 +33,9 @@ std::optional<Number> number_of(const std::string& text) {
 }  // namespace
 
 anatomy::Needle parse_needle(const std::string& text) {
+  std::string tips;
+  for (const std::string_view tip : anatomy::enumeration_names(anatomy::NeedleTip{}))
+    tips += (tips.empty() ? "" : ", ") + std::string(tip);
   anatomy::Needle usual;
   std::vector<std::string> parts;
   for (std::size_t from = 0; from <= text.size();) {
@@ -43,7 +46,8 @@ anatomy::Needle parse_needle(const std::string& text) {
   const auto refuse = [&](const std::string& expected) {
     throw InputError(fmt::format("--needle is '{}'; expected {}", text, expected));
   };
-  if (parts.size() > 3) refuse("GAUGE,LENGTH,TIP, such as 18,90,tuohy");
+  if (parts.size() > 3) refuse("GAUGE,LENGTH,TIP, such as 18,90,tuohy or 18G,90,tuohy");
+  if (parts[0].ends_with('G') || parts[0].ends_with('g')) parts[0].pop_back();
   const auto gauge = number_of<int>(parts[0]);
   if (!gauge || !anatomy::gauge_size(*gauge)) {
     refuse(fmt::format("a gauge from {} to {} first, such as 18,90,tuohy", anatomy::gauge_sizes().front().gauge,
@@ -56,7 +60,7 @@ anatomy::Needle parse_needle(const std::string& text) {
   }
   if (parts.size() > 2) {
     const auto tip = anatomy::needle_tip_from(parts[2]);
-    if (!tip) refuse("quincke, whitacre, tuohy, chiba, trephine or filiform as the tip");
+    if (!tip) refuse(fmt::format("one of {} as the tip", tips));
     usual.tip = *tip;
   }
   return needle(*gauge, usual.length, usual.tip);

@@ -6,7 +6,8 @@
 
 namespace bodkin::patient {
 
-// "GAUGE", "GAUGE,LENGTH" or "GAUGE,LENGTH,TIP", such as "18,90,tuohy"; lengths in mm; a
+// "GAUGE", "GAUGE,LENGTH" or "GAUGE,LENGTH,TIP", such as "18,90,tuohy"; the
+// gauge may be written 18G; lengths in mm; a
 // filiform needle is solid. What is left out is that
 // of the default needle, 90 mm and quincke. Throws InputError naming the part that is wrong.
 anatomy::Needle parse_needle(const std::string& text);

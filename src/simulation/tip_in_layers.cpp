@@ -1,0 +1,77 @@
+#include "simulation/tip_in_layers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "forces/needle_law.h"
+#include "simulation/touching_tissue.h"
+
+namespace bodkin::simulation {
+
+namespace {
+
+constexpr double sample = 0.25;        // mm between places where the tissues are looked up
+constexpr double longest_step = 50.0;  // mm at rest in one tick; of a longer one only the end counts
+constexpr double least_change = 0.2;   // mm on the way out before a change of tissue is an event
+
+}  // namespace
+
+TipInLayers::TipInLayers(const anatomy::Case& patient, bool passes_layers)
+    : tissues_(patient.tissues), passes_layers_(passes_layers) {
+  for (const anatomy::TissueProperties& tissue : patient.library.tissues())
+    strength_[tissue.id] = forces::puncture_force(tissue.physical, patient.description.needle);
+}
+
+void TipInLayers::begin(const Vec3& entry, const Vec3& direction) noexcept {
+  entry_ = entry;
+  direction_ = direction;
+  depth_ = passed_ = deepest_ = resistance_ = announced_at_ = 0.0;
+  announced_ = felt_ = anatomy::tissue::air;
+}
+
+void TipInLayers::enter(anatomy::TissueId tissue, double depth, forces::TickEvents& events) noexcept {
+  announced_ = tissue;
+  announced_at_ = passed_;
+  events.push({forces::EventKind::tissue_entered, tissue, depth, 0.0});
+}
+
+anatomy::TissueId TipInLayers::step(double depth, double material, anatomy::TissueId at_tip, double resistance,
+                                    forces::TickEvents& events) noexcept {
+  const double before = std::max(resistance_, 0.0);
+  resistance_ = resistance;
+  for (forces::Event& event : events.all()) {
+    if (event.kind == forces::EventKind::puncture && event.felt == 0.0) event.felt = std::max(before, event.value);
+  }
+  const bool pushes = material < depth;
+  const anatomy::TissueId inside = touching_tissue(tissues_, entry_, direction_, depth, material, at_tip);
+  felt_ = pushed_tissue(tissues_, entry_, direction_, depth, material, at_tip);
+  // As far as boundaries have given way; what the tip pushes begins at `material`.
+  const double reached = pushes ? material - beside_boundary : depth;
+  const bool advances = depth >= depth_;
+  depth_ = depth;
+  if (reached <= 0.0) return inside;
+  if (reached > passed_) {
+    if (reached - passed_ > longest_step) passed_ = reached;
+    while (passed_ < reached) {
+      passed_ = std::min(passed_ + sample, reached);
+      const auto here =
+          anatomy::nearest<anatomy::TissueId>(tissues_, Vec3(entry_ + passed_ * direction_), anatomy::tissue::air);
+      if (here == announced_ || here == anatomy::tissue::air) continue;
+      const bool is_told = std::any_of(events.begin(), events.end(), [here](const forces::Event& event) {
+        return event.kind == forces::EventKind::puncture && event.tissue == here;
+      });
+      if (passes_layers_ && !is_told && passed_ > deepest_ && strength_[here] > 0.0)
+        events.push({forces::EventKind::puncture, here, depth, strength_[here], std::max(before, strength_[here])});
+      enter(here, depth, events);
+    }
+  } else if (advances) {  // a spring that has been made stiffer reaches further back; what gave way stays so
+    return announced_ == anatomy::tissue::air ? inside : announced_;
+  } else {
+    passed_ = reached;
+    if (inside != announced_ && std::abs(announced_at_ - reached) > least_change) enter(inside, depth, events);
+  }
+  deepest_ = std::max(deepest_, passed_);
+  return inside;
+}
+
+}  // namespace bodkin::simulation

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+
+#include "anatomy/case.h"
+#include "forces/events.h"
+
+namespace bodkin::simulation {
+
+// The layers that a needle goes through in a tissue that moves before it gives way: each is entered when the tip has
+// gone through its boundary, in the order in which they lie, however many give way in one tick.
+class TipInLayers {
+ public:
+  // `passes_layers`: the model does not say itself when a tissue gives way (ResistanceTraits).
+  TipInLayers(const anatomy::Case& patient, bool passes_layers);
+
+  void begin(const Vec3& entry, const Vec3& direction) noexcept;
+  // One tick in contact. `depth`: of the tip; `material`: of what touches it, at rest, mm; `at_tip`: tissue in the CT
+  // at the tip; `resistance`: N along the needle, of this tick. Completes the punctures among `events`, and appends
+  // punctures of models that pass layers, and tissue_entered. Returns the tissue that the tip is in.
+  anatomy::TissueId step(double depth, double material, anatomy::TissueId at_tip, double resistance,
+                         forces::TickEvents& events) noexcept;
+  // The tissue that the tip is in or pushes before it: a ligament that it pushes is being felt.
+  anatomy::TissueId felt() const noexcept { return felt_; }
+
+ private:
+  void enter(anatomy::TissueId tissue, double depth, forces::TickEvents& events) noexcept;
+
+  const anatomy::TissueVolume& tissues_;
+  bool passes_layers_;
+  std::array<double, 256> strength_{};  // N, F_p of the needle, 256, by TissueId
+  Vec3 entry_ = Vec3::Zero(), direction_ = Vec3::UnitZ();
+  double depth_ = 0.0;       // mm, of the tip in the last tick
+  double passed_ = 0.0;      // mm at rest, as far as the tissues have been entered
+  double deepest_ = 0.0;     // mm at rest
+  double resistance_ = 0.0;  // N, of the last tick
+  double announced_at_ = 0.0;
+  anatomy::TissueId announced_ = anatomy::tissue::air, felt_ = anatomy::tissue::air;
+};
+
+}  // namespace bodkin::simulation

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <algorithm>
+
+#include "anatomy/tissue.h"
+#include "anatomy/volume.h"
+#include "core/geometry.h"
+
+namespace bodkin::simulation {
+
+// Tissue moves before it gives way, so what touches the tip is not what the CT shows at the tip's place but what lies
+// at the tip's depth in the tissue at rest (ResistanceForce::material).
+
+// mm on either side of a boundary that has not given way, where the tissue is looked up: half a layer of `layered`.
+inline constexpr double beside_boundary = 0.3;
+
+// The tissue that the tip is in. `depth`: of the tip; `material`: at rest, of what touches it; `at_tip`: in the CT at
+// the tip. Before the skin has given way it is the skin.
+inline anatomy::TissueId touching_tissue(const anatomy::TissueVolume& tissues, const Vec3& entry,
+                                         const Vec3& direction, double depth, double material,
+                                         anatomy::TissueId at_tip) noexcept {
+  if (!(material < depth)) return at_tip;
+  const double inside = std::max(material - beside_boundary, beside_boundary);
+  return anatomy::nearest<anatomy::TissueId>(tissues, Vec3(entry + inside * direction), anatomy::tissue::air);
+}
+
+// The tissue that the tip pushes before it.
+inline anatomy::TissueId pushed_tissue(const anatomy::TissueVolume& tissues, const Vec3& entry, const Vec3& direction,
+                                       double depth, double material, anatomy::TissueId at_tip) noexcept {
+  if (!(material < depth)) return at_tip;
+  return anatomy::nearest<anatomy::TissueId>(
+      tissues, Vec3(entry + (std::max(material, 0.0) + beside_boundary) * direction), anatomy::tissue::air);
+}
+
+}  // namespace bodkin::simulation

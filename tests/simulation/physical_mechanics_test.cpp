@@ -1,0 +1,187 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "tests/simulation/model_pairs.h"
+#include <gtest/gtest.h>
+
+#include "forces/needle_law.h"
+#include "simulation/haptic_tick.h"
+#include "simulation/needle_bow.h"
+
+namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::forces;
+using namespace bodkin::simulation;
+namespace {
+
+constexpr int slab_size = 30;  // voxels of 1 mm across the path
+
+// Skin 2, fat 6, muscle 8, interspinous ligament 12, flavum 4, epidural space 6, dura 1, fluid 20 mm.
+Case spine(const ResistanceSettings& resistance) {
+  const std::vector<std::pair<TissueId, int>> layers = {{tissue::air, 8},
+                                                        {tissue::skin, 2},
+                                                        {tissue::fat, 6},
+                                                        {tissue::muscle, 8},
+                                                        {tissue::interspinous_ligament, 12},
+                                                        {tissue::ligamentum_flavum, 4},
+                                                        {tissue::epidural_fat, 6},
+                                                        {tissue::dura, 1},
+                                                        {tissue::cerebrospinal_fluid, 20}};
+  Case patient;
+  patient.library = io::default_tissue_library();
+  std::vector<TissueId> along;
+  for (const auto& [id, thickness] : layers) along.insert(along.end(), static_cast<std::size_t>(thickness), id);
+  Grid grid;
+  grid.size = {slab_size, slab_size, static_cast<int>(along.size())};
+  grid.origin = Vec3(-0.5 * slab_size, -0.5 * slab_size, -7.5);
+  patient.tissues = TissueVolume(grid);
+  patient.ct = CtVolume(grid);
+  for (int k = 0; k < grid.size[2]; ++k) {
+    const TissueId id = along[static_cast<std::size_t>(k)];
+    for (int j = 0; j < slab_size; ++j) {
+      for (int i = 0; i < slab_size; ++i) {
+        patient.tissues.at(i, j, k) = id;
+        patient.ct.at(i, j, k) = static_cast<std::int16_t>(patient.library.find(id)->hounsfield);
+      }
+    }
+  }
+  patient.description.haptics.resistance = resistance;
+  patient.description.haptics.mechanics = Mechanics::physical;
+  return patient;
+}
+
+struct Insertion {
+  std::vector<Event> events;
+  std::vector<double> resistance, depth;
+  std::vector<TissueId> tissue;
+
+  std::vector<TissueId> told(EventKind kind) const {
+    std::vector<TissueId> found;
+    for (const Event& event : events)
+      if (event.kind == kind) found.push_back(event.tissue);
+    return found;
+  }
+};
+
+Insertion insert(const Case& patient, double to, double speed = 10.0) {
+  HapticTick tick(patient);
+  Insertion found;
+  for (double depth = -2.0; depth < to; depth += speed * tick.dt()) {
+    const TickOutput output = tick.step({needle_pose(Vec3(0.0, 0.0, depth), Vec3::UnitZ())});
+    found.events.insert(found.events.end(), output.events.begin(), output.events.end());
+    found.resistance.push_back(output.resistance);
+    found.depth.push_back(output.depth);
+    found.tissue.push_back(output.tissue);
+  }
+  return found;
+}
+
+TrackingWallSettings with_leash() {
+  TrackingWallSettings settings;
+  settings.leash = true;
+  return settings;
+}
+
+TEST(PhysicalMechanics, every_model_that_knows_layers_tells_the_same_events_in_the_same_order) {
+  const std::vector<TissueId> expected = {tissue::skin, tissue::muscle, tissue::interspinous_ligament,
+                                          tissue::ligamentum_flavum, tissue::dura};
+  for (const ResistanceSettings& resistance : std::vector<ResistanceSettings>{
+           LayeredSettings{}, TrackingWallSettings{}, with_leash(), DepthProfileSettings{}, VolumeProxySettings{}}) {
+    const std::string name(name_of(resistance));
+    const Insertion found = insert(spine(resistance), 55.0);
+    EXPECT_EQ(found.told(EventKind::puncture), expected) << name;
+    EXPECT_EQ(found.told(EventKind::loss_of_resistance).size(), 1U) << name;
+    const std::vector<TissueId> entered = found.told(EventKind::tissue_entered);
+    EXPECT_EQ(entered, (std::vector<TissueId>{tissue::skin, tissue::fat, tissue::muscle,
+                                              tissue::interspinous_ligament, tissue::ligamentum_flavum,
+                                              tissue::epidural_fat, tissue::dura, tissue::cerebrospinal_fluid}))
+        << name;
+  }
+}
+
+TEST(PhysicalMechanics, the_tip_is_in_the_fluid_only_after_the_dura_has_given_way) {
+  for (const ResistanceSettings& resistance :
+       std::vector<ResistanceSettings>{LayeredSettings{}, TrackingWallSettings{}, VolumeProxySettings{}}) {
+    const Insertion found = insert(spine(resistance), 55.0);
+    bool gave_way = false;
+    for (const Event& event : found.events) {
+      if (event.kind == EventKind::puncture && event.tissue == tissue::dura) gave_way = true;
+      if (event.kind == EventKind::tissue_entered && event.tissue == tissue::cerebrospinal_fluid) {
+        EXPECT_TRUE(gave_way) << name_of(resistance);
+      }
+    }
+    EXPECT_TRUE(gave_way) << name_of(resistance);
+  }
+}
+
+TEST(PhysicalMechanics, a_puncture_says_what_the_hand_felt_and_what_of_it_was_the_tissue) {
+  const Insertion found = insert(spine(LayeredSettings{}), 55.0);
+  for (const Event& event : found.events) {
+    if (event.kind != EventKind::puncture) continue;
+    EXPECT_GE(event.felt, event.value);
+    const auto peak = std::max_element(found.resistance.begin(), found.resistance.end());
+    EXPECT_LE(event.felt, *peak + 0.1);
+  }
+}
+
+TEST(PhysicalMechanics, forces_grow_with_the_needle) {
+  double last = 0.0;
+  for (const auto& [gauge, tip] : {std::pair(30, NeedleTip::filiform), std::pair(25, NeedleTip::quincke),
+                                   std::pair(22, NeedleTip::quincke), std::pair(18, NeedleTip::tuohy)}) {
+    Case patient = spine(LayeredSettings{});
+    const GaugeSize size = *gauge_size(gauge);
+    patient.description.needle = {.gauge = gauge, .outer_diameter = size.outer_diameter, .length = 90.0, .tip = tip};
+    patient.description.needle.inner_diameter = 0.0;  // the stylet is in
+    patient.description.device.peak_force = 20.0;
+    const Insertion found = insert(patient, 36.0);
+    const double peak = *std::max_element(found.resistance.begin(), found.resistance.end());
+    EXPECT_GT(peak, 1.15 * last) << gauge;
+    last = peak;
+  }
+}
+
+TEST(NeedleBow, a_needle_pushed_harder_than_it_bears_bows_and_its_tip_stays) {
+  Case patient = spine(SpringDamperWallSettings{.stiffness = 0.5, .limit = 50.0});
+  patient.description.needle = {.gauge = 27, .outer_diameter = 0.4128, .inner_diameter = 0.21, .length = 120.0};
+  const double rigidity = bending_stiffness(patient.description.needle);
+  EXPECT_NEAR(rigidity, 256.67, 0.5) << "reference table";
+  const Insertion found = insert(patient, 20.0);
+  const double euler = std::pow(std::numbers::pi / (0.7 * 120.0), 2) * rigidity;
+  const auto buckled = std::find_if(found.events.begin(), found.events.end(),
+                                    [](const Event& event) { return event.kind == EventKind::needle_buckled; });
+  ASSERT_NE(buckled, found.events.end());
+  EXPECT_NEAR(buckled->value, euler, 0.05 * euler);
+  EXPECT_LT(*std::max_element(found.resistance.begin(), found.resistance.end()), 1.1 * euler);
+  EXPECT_LT(found.depth.back(), 3.0) << "the hand is at 20 mm";
+}
+
+TEST(NeedleBow, gives_back_no_more_work_than_it_took) {
+  Case patient = spine(LayeredSettings{});
+  patient.description.needle = {.gauge = 27, .outer_diameter = 0.4128, .inner_diameter = 0.21, .length = 150.0};
+  HapticTick tick(patient);
+  double work = 0.0, last = -2.0;
+  for (int i = 0; i < 20000; ++i) {
+    const double depth = -2.0 + 22.0 * (1.0 - std::cos(i * 2e-3 * std::numbers::pi / 10.0));
+    work += tick.step({needle_pose(Vec3(0.0, 0.0, depth), Vec3::UnitZ())}).resistance * (depth - last);
+    last = depth;
+    if (i % 10000 == 9999) {
+      EXPECT_GT(work, 0.0);
+    }
+  }
+}
+
+TEST(NeedleBow, a_case_of_tables_has_a_rigid_needle) {
+  Case patient = spine(SpringDamperWallSettings{});
+  patient.description.haptics.mechanics = Mechanics::tables;
+  NeedleBow bow(patient, 0.001);
+  bow.begin();
+  TickEvents events;
+  EXPECT_DOUBLE_EQ(bow.tip_motion({30.0, 5.0, 1, false}).depth, 30.0);
+  EXPECT_DOUBLE_EQ(bow.limited(100.0, tissue::skin, events), 100.0);
+}
+
+}  // namespace
+}  // namespace bodkin
