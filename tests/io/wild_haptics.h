@@ -148,8 +148,8 @@ inline auto members(const GravitySettings& s) {
   return std::tie(a, b, c, d, e);
 }
 inline auto members(const HapticSettings& s) {
-  const auto& [a, b, c, d, e] = s;
-  return std::tie(a, b, c, d, e);
+  const auto& [a, b, c, d, e, f] = s;
+  return std::tie(a, b, c, d, e, f);
 }
 
 template <typename T>
