@@ -73,12 +73,13 @@ double Fracture::step(const AxialMotion& motion, anatomy::TissueId tissue, TickE
 Fracture::Fracture(const anatomy::Case& patient, const anatomy::FractureSettings& settings, double)
     : Fracture(felt_settings(settings, patient)) {
   const anatomy::DeviceLimits& device = patient.description.device;
+  is_skin_ = patient.description.haptics.mechanics == anatomy::Mechanics::physical;
   require_stable("fracture", "cutting stiffness", settings_.cutting_stiffness, device);
   require_stable("fracture", "the stiffness at which the membrane tears", stiffness_at_rupture(), device);
 }
 
 ResistanceForce Fracture::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
-  const double force = step(needle.motion, needle.tissue, events);
+  const double force = step(needle.motion, is_skin_ ? anatomy::tissue::skin : needle.tissue, events);
   return {.along = force, .material = torn_ ? edge_.wall() : 0.0, .in_contact = needle.motion.depth > 0.0};
 }
 

@@ -61,6 +61,7 @@ class Fracture : public ResistanceDefaults {
 
  private:
   anatomy::FractureSettings settings_;
+  bool is_skin_ = false;  // the membrane, with mechanics="physical"
   VoigtLaw membrane_;
   ChannelMemory channels_;  // depths of torn channels
   CuttingEdge edge_;

@@ -15,7 +15,7 @@ constexpr double usual_bevel = 20.0;           // deg, of the quincke needle who
 constexpr double stretched = 1.22;             // s of tips without an edge, from 1.08 at 12 deg
 constexpr double reference_diameter = 0.7176;  // mm, 22 G, of numbers for which no needle is known
 constexpr double friction_diameter = 1.27;     // mm, of the needle of Okamura et al. 2004
-constexpr double softest_wall = 0.05;          // N/mm
+constexpr double softest_wall = 0.01;          // N/mm
 constexpr double sideways_share = 0.3;         // of the proxy's way up, to slide across
 constexpr double least_force = 1e-3;           // N, of laws that need more than nothing
 
@@ -47,6 +47,20 @@ const anatomy::PhysicalTissue* skin_of(const anatomy::Case& patient) noexcept {
   return skin != nullptr && skin->physical.puncture_force > 0.0 ? &skin->physical : nullptr;
 }
 
+// Eq. 2 passes through the force at its dimpling. Where its curve would be steeper than the device renders, it
+// becomes almost a straight line, which dimples least.
+void press_through(anatomy::LayeredTissue& layered, double force, double stiffness, double device) {
+  const double dimpling = force / stiffness;
+  const auto fit = [&] {
+    const double a = dimpling / layered.element_spacing;
+    layered.stiffness = std::clamp(6.0 * force / (layered.element_spacing * a * (a + 1.0) * (a + 2.0)), 1e-6, 100.0);
+    return layered.stiffness * (3.0 * a * a + 6.0 * a + 2.0) / 6.0;
+  };
+  if (fit() <= device) return;
+  layered.element_spacing = std::clamp(20.0 * dimpling, 0.01, 100.0);
+  fit();
+}
+
 // `trailing`: mm, of depth_profile.
 void derive(anatomy::TissueProperties& tissue, const anatomy::Needle& needle, double device, double trailing) {
   const anatomy::PhysicalTissue& is = tissue.physical;
@@ -59,11 +73,7 @@ void derive(anatomy::TissueProperties& tissue, const anatomy::Needle& needle, do
   if (layered.kind == anatomy::LayeredKind::viscoelastic) {
     layered.break_force = std::clamp(force, least_force, 100.0);
     layered.break_force_rate = 0.0;
-    if (stiffness > 0.0) {  // eq. 2 passes through F_p at the dimpling
-      const double a = force / stiffness / layered.element_spacing;
-      const double curve = layered.element_spacing * a * (a + 1.0) * (a + 2.0) / 6.0;
-      layered.stiffness = std::clamp(force / curve, 1e-6, 100.0);
-    }
+    if (stiffness > 0.0) press_through(layered, force, stiffness, device);
     const double ratio = layered.dynamic_friction > 0.0 ? friction / layered.dynamic_friction : 1.0;
     layered.dynamic_friction = std::min(friction, 10.0 / is.static_ratio);
     layered.static_friction = layered.dynamic_friction * is.static_ratio;
@@ -72,8 +82,8 @@ void derive(anatomy::TissueProperties& tissue, const anatomy::Needle& needle, do
   }
   layered.drag = std::min(layered.drag * wider, 10.0);
 
-  tissue.tracking_wall = {.stiffness = stiffness > 0.0 ? std::max(stiffness, softest_wall) : 0.5,
-                          .force = std::min(force, 50.0)};
+  // As stiff as can be: a thin layer reaches its force before it is passed.
+  tissue.tracking_wall = {.stiffness = std::clamp(device, softest_wall, 100.0), .force = std::min(force, 50.0)};
   if (tissue.depth_profile.kind == anatomy::DepthProfileKind::soft)
     tissue.depth_profile = {.kind = tissue.depth_profile.kind, .stiffness = std::min(force / trailing, device)};
   anatomy::ProxyProperties& proxy = tissue.volume_proxy.properties;
@@ -159,6 +169,13 @@ anatomy::ThreeComponentSettings felt_settings(const anatomy::ThreeComponentSetti
   felt.linear = settings.linear * share;
   felt.quadratic = settings.quadratic * share;
   felt.cutting_force = settings.cutting_force * share;
+  // Its slope where it breaks, sqrt(a1^2 + 4 a2 F), is no steeper than the device renders.
+  for (int step = 0; step < 200; ++step) {
+    const double slope = std::sqrt(felt.linear * felt.linear + 4.0 * felt.quadratic * felt.puncture_force);
+    if (slope <= patient.description.device.stiffness) break;
+    felt.linear *= 0.97;
+    felt.quadratic *= 0.97;
+  }
   for (anatomy::KarnoppFriction* way : {&felt.inwards, &felt.outwards}) {
     const double wider = needle.outer_diameter / friction_diameter;
     way->coulomb *= wider;

@@ -79,6 +79,7 @@ double ThreeComponent::step(const AxialMotion& motion, anatomy::TissueId tissue,
 ThreeComponent::ThreeComponent(const anatomy::Case& patient, const anatomy::ThreeComponentSettings& settings, double)
     : ThreeComponent(felt_settings(settings, patient)) {
   const anatomy::DeviceLimits& device = patient.description.device;
+  is_skin_ = patient.description.haptics.mechanics == anatomy::Mechanics::physical;
   require_stable("three_component", "cutting stiffness", settings_.cutting_stiffness, device);
   // R = a1 x + a2 x^2 has its steepest slope where it breaks: dR/dx = sqrt(a1^2 + 4 a2 R).
   require_stable(
@@ -87,7 +88,7 @@ ThreeComponent::ThreeComponent(const anatomy::Case& patient, const anatomy::Thre
 }
 
 ResistanceForce ThreeComponent::step(const NeedleInTissue& needle, TickEvents& events) noexcept {
-  const double force = step(needle.motion, needle.tissue, events);
+  const double force = step(needle.motion, is_skin_ ? anatomy::tissue::skin : needle.tissue, events);
   return {.along = force, .material = punctured_ ? edge_.wall() : 0.0, .in_contact = needle.motion.depth > 0.0};
 }
 

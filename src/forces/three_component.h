@@ -46,6 +46,7 @@ class ThreeComponent : public ResistanceDefaults {
   double friction(const AxialMotion& motion) noexcept;
 
   anatomy::ThreeComponentSettings settings_;
+  bool is_skin_ = false;    // the membrane, with mechanics="physical"
   ChannelMemory channels_;  // depths of punctured channels
   CuttingEdge edge_;
   double stretch_ = 0.0;                   // z, mm

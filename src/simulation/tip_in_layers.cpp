@@ -12,6 +12,7 @@ namespace {
 
 constexpr double sample = 0.25;        // mm between places where the tissues are looked up
 constexpr double longest_step = 50.0;  // mm at rest in one tick; of a longer one only the end counts
+constexpr double least_told = 0.01;    // N; less is no resistance that gives way
 constexpr double least_change = 0.2;   // mm on the way out before a change of tissue is an event
 
 }  // namespace
@@ -42,11 +43,12 @@ anatomy::TissueId TipInLayers::step(double depth, double material, anatomy::Tiss
   for (forces::Event& event : events.all()) {
     if (event.kind == forces::EventKind::puncture && event.felt == 0.0) event.felt = std::max(before, event.value);
   }
-  const bool pushes = material < depth;
   const anatomy::TissueId inside = touching_tissue(tissues_, entry_, direction_, depth, material, at_tip);
   felt_ = pushed_tissue(tissues_, entry_, direction_, depth, material, at_tip);
-  // As far as boundaries have given way; what the tip pushes begins at `material`.
-  const double reached = pushes ? material - beside_boundary : depth;
+  // A thin ligament that moves as a whole lies between what the tip pushes and the tip.
+  if (at_tip == anatomy::tissue::ligamentum_flavum) felt_ = at_tip;
+  // As far as boundaries have given way: a model finds one at the tip a little after the voxels have it.
+  const double reached = std::min(material, depth) - beside_boundary;
   const bool advances = depth >= depth_;
   depth_ = depth;
   if (reached <= 0.0) return inside;
@@ -60,8 +62,9 @@ anatomy::TissueId TipInLayers::step(double depth, double material, anatomy::Tiss
       const bool is_told = std::any_of(events.begin(), events.end(), [here](const forces::Event& event) {
         return event.kind == forces::EventKind::puncture && event.tissue == here;
       });
-      if (passes_layers_ && !is_told && passed_ > deepest_ && strength_[here] > 0.0)
-        events.push({forces::EventKind::puncture, here, depth, strength_[here], std::max(before, strength_[here])});
+      const double own = std::min(strength_[here], before);
+      if (passes_layers_ && !is_told && passed_ > deepest_ && own > least_told)
+        events.push({forces::EventKind::puncture, here, depth, own, before});
       enter(here, depth, events);
     }
   } else if (advances) {  // a spring that has been made stiffer reaches further back; what gave way stays so

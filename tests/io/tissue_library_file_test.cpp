@@ -179,7 +179,7 @@ TEST(TissueLibraryFile, faults_of_the_other_models_are_refused_with_line_field_f
     EXPECT_EQ(others_refused(from, to), std::string("tissues.xml, line ") + sentence);
   EXPECT_EQ(others_refused("<syringe", "<tracking_wall stiffness_N_per_mm='1' force_N='1'/><syringe"),
             "tissues.xml, line 12: the element <tracking_wall> is not allowed here, expected <syringe>, "
-            "<deformable>, <acoustic> or <source>");
+            "<deformable>, <acoustic>, <physical> or <source>");
 }
 
 TEST(TissueLibraryFile, what_a_tissue_is_to_sound_arrives) {

@@ -143,6 +143,40 @@ TEST(PhysicalMechanics, forces_grow_with_the_needle) {
   }
 }
 
+TEST(PhysicalMechanics, gives_no_energy_on_closed_paths) {
+  for (const ResistanceSettings& resistance :
+       std::vector<ResistanceSettings>{LayeredSettings{}, TrackingWallSettings{}, DepthProfileSettings{},
+                                       ThreeComponentSettings{}, FractureSettings{}, ShaftFrictionSettings{}}) {
+    for (const int gauge : {18, 22, 27}) {
+      Case patient = spine(resistance);
+      const GaugeSize size = *gauge_size(gauge);
+      patient.description.needle = {
+          .gauge = gauge, .outer_diameter = size.outer_diameter, .inner_diameter = size.inner_diameter};
+      patient.description.device.peak_force = 30.0;
+      HapticTick tick(patient);
+      Random random(static_cast<std::uint64_t>(gauge));
+      double depth = -2.0, work = 0.0, last = 0.0;
+      const auto go = [&](double to, double speed) {
+        const double step = (to < depth ? -1.0 : 1.0) * speed * tick.dt();
+        while (std::abs(to - depth) > 1e-9) {
+          const double advance = std::abs(to - depth) < std::abs(step) ? to - depth : step;
+          depth += advance;
+          const double force = tick.step({needle_pose(Vec3(0.0, 0.0, depth), Vec3::UnitZ())}).resistance;
+          work += 0.5 * (force + last) * advance;
+          last = force;
+        }
+      };
+      for (int turn = 0; turn < 40; ++turn) {
+        const double to = 52.0 * random.uniform();
+        const double speed = 5.0 + 95.0 * random.uniform();
+        go(to, speed);
+      }
+      go(-2.0, 20.0);
+      EXPECT_GE(work, -1e-3) << name_of(resistance) << " " << gauge << " G";
+    }
+  }
+}
+
 TEST(NeedleBow, a_needle_pushed_harder_than_it_bears_bows_and_its_tip_stays) {
   Case patient = spine(SpringDamperWallSettings{.stiffness = 0.5, .limit = 50.0});
   patient.description.needle = {.gauge = 27, .outer_diameter = 0.4128, .inner_diameter = 0.21, .length = 120.0};

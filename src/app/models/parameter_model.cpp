@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/settings_check.h"
+#include "forces/needle_law.h"
 #include "io/tissue_library_file.h"
 
 namespace bodkin::app {
@@ -137,7 +138,9 @@ bool same_library(const std::vector<anatomy::TissueProperties>& a, const std::ve
 
 ParameterModel::ParameterModel(std::shared_ptr<const OpenCase> patient) : patient_(std::move(patient)) {
   const anatomy::Case& opened = patient_->patient;
-  reference_ = {opened.description.haptics, opened.library.tissues()};
+  // What is changed here are the models' own numbers, so those of a physical description are taken over as such.
+  reference_ = {opened.description.haptics, forces::felt_tissues(opened).tissues()};
+  reference_.haptics.mechanics = anatomy::Mechanics::tables;
   now_ = reference_;
   if (const std::optional<anatomy::NeedlePath>& path = opened.description.procedure.path) {
     constexpr double stride = 0.25;  // mm
