@@ -19,7 +19,7 @@ packages_to_test=(
   git libgtest-dev libgmock-dev libbenchmark-dev doxygen
   clang clang-format clang-tidy libclang-rt-14-dev llvm libxml2-utils poppler-utils
   xvfb xauth xdotool imagemagick ffmpeg
-  libsuitesparse-dev calculix-ccx libopenigtlink-dev
+  libsuitesparse-dev calculix-ccx libopenigtlink-dev openmpi-bin
   postgresql curl
   g++-aarch64-linux-gnu qemu-user
 )

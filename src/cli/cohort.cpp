@@ -1,10 +1,12 @@
 #include "training/cohort.h"
 
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <map>
 #include <memory>
+#include <sstream>
 #include <string>
 
 #include "patient/prepared_body.h"
@@ -38,6 +40,7 @@ struct CohortArguments {
   std::int64_t trainees = 100;
   std::int64_t seed = 1;
   std::int64_t threads = 0;
+  std::string part;
 };
 
 constexpr const char* cohort_footer = R"(Examples:
@@ -45,8 +48,40 @@ constexpr const char* cohort_footer = R"(Examples:
   bodkin cohort plan.xml --operator expert -o experts.csv
                                                          a table of experts, for 'bodkin score --experts'
 
-The same plan, seed and patients give the same table for any number of threads. A call that was interrupted is continued
-by the same call. docs/cohorts.md explains plans, trainees and the table.)";
+  mpirun -n 8 bodkin cohort plan.xml --trainees 100000  shared among processes, on one machine or many
+
+The same plan, seed and patients give the same table for any number of threads and
+processes. A call that was interrupted is continued by the same call. docs/cohorts.md explains plans, trainees and the table.)";
+
+// "2/4" as the second of four parts. Throws InputError naming `where` it was found.
+training::CohortPart part_of(const std::string& text, const std::string& where) {
+  std::uint64_t number = 0, count = 0;
+  char slash = '\0';
+  std::istringstream stream(text);
+  if (!(stream >> number >> slash >> count) || slash != '/' || !stream.eof() || number < 1 || number > count) {
+    throw InputError(
+        fmt::format("{} is '{}'; expected the number of this process and of all, such as 2/4", where, text));
+  }
+  return {number - 1, count};
+}
+
+// What --part says, or the process that started this one: mpirun of Open MPI, or of a launcher that speaks PMI.
+training::CohortPart part_of_this_process(const std::string& option) {
+  if (!option.empty()) return part_of(option, "--part");
+  struct Launcher {
+    const char* rank;
+    const char* size;
+  };
+  for (const Launcher& each :
+       {Launcher{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"}, Launcher{"PMI_RANK", "PMI_SIZE"}}) {
+    const char* const rank = std::getenv(each.rank);
+    const char* const size = std::getenv(each.size);
+    if (rank == nullptr || size == nullptr) continue;
+    const std::uint64_t from_0 = std::strtoull(rank, nullptr, 10);
+    return part_of(fmt::format("{}/{}", from_0 + 1, size), fmt::format("{}/{}", each.rank, each.size));
+  }
+  return {};
+}
 
 // The patients of a plan, each loaded once.
 using Patients = std::map<std::string, anatomy::Case>;
@@ -55,7 +90,10 @@ training::CohortSettings cohort_settings(const CohortArguments& arguments, Patie
   training::CohortSettings settings;
   settings.trainees = static_cast<std::uint64_t>(arguments.trainees);
   settings.seed = static_cast<std::uint64_t>(arguments.seed);
-  settings.threads = static_cast<int>(arguments.threads);
+  settings.part = part_of_this_process(arguments.part);
+  // A launcher starts a process for each core.
+  const bool is_launched = arguments.part.empty() && settings.part.count > 1;
+  settings.threads = arguments.threads == 0 && is_launched ? 1 : static_cast<int>(arguments.threads);
   settings.output = arguments.output;
   settings.novice = session::load_operator("novice");
   settings.expert = session::load_operator("expert");
@@ -115,6 +153,11 @@ void run_cohort_command(const CohortArguments& arguments, const CommandContext& 
   const training::CohortSettings settings = cohort_settings(arguments, patients, console);
   const training::CohortResult result = training::run_cohort(settings, console.progress());
   console.clear_bar();
+  if (!result.is_whole) {
+    console.note(fmt::format("part {} of {} is done; the part that ends last writes {}", settings.part.index + 1,
+                             settings.part.count, arguments.output));
+    return;
+  }
   if (result.continued > 0) console.note(fmt::format("{} trainees had been done before", result.continued));
   print_cohort(console, result, arguments);
   console.json(nlohmann::ordered_json{{"attempts", result.attempts},
@@ -140,6 +183,8 @@ void add_cohort_command(CLI::App& app, CommandContext& context) {
            "expert, novice or an operator file: performs in place of trainees who learn");
   add_text(*command, "-o,--output", arguments->output, "The table (default: cohort.csv); it is replaced");
   add_whole_number(*command, "--threads", arguments->threads, 0, most_threads, "0: as many as the machine has cores");
+  add_text(*command, "--part", arguments->part,
+           "2/4: this process is the second of four (default: as mpirun says; the output's folder is common to all)");
   on_run(*command, [arguments, &context] { run_cohort_command(*arguments, context); });
 }
 

@@ -33,47 +33,83 @@ class Cohort {
  public:
   explicit Cohort(const CohortSettings& settings)
       : settings_(settings),
-        partial_(settings.output.string() + ".partial"),
+        partial_(partial_file(settings)),
         first_line_(fmt::format("# {}\n", settings.fingerprint)),
         blocks_(settings.trainees) {}
 
   CohortResult run(const Progress& progress) {
-    load_partial();
+    for (const fs::path& file : partial_files()) {
+      if (file != partial_) load(file);
+    }
+    const std::vector<std::uint64_t> own = load(partial_);
     // Written anew, so that a row that broke off is not continued.
     std::string known = first_line_;
-    for (std::uint64_t trainee = 0; trainee < blocks_.size(); ++trainee) {
-      if (blocks_[trainee].empty()) continue;
-      known += blocks_[trainee] + end_line(trainee);
-      ++result_.continued;
-    }
+    for (const std::uint64_t trainee : own) known += blocks_[trainee] + end_line(trainee);
     write_file(partial_, known);
+    std::vector<std::uint64_t> missing;
+    for (std::uint64_t trainee = 0; trainee < blocks_.size(); ++trainee) {
+      const bool is_done = !blocks_[trainee].empty();
+      result_.continued += is_done ? 1 : 0;
+      if (!is_done && trainee % settings_.part.count == settings_.part.index) missing.push_back(trainee);
+    }
     stream_.open(partial_, std::ios::binary | std::ios::app);
     parallel_for(
-        blocks_.size(), "practising", progress,
-        [&](std::size_t trainee) {
-          if (blocks_[trainee].empty()) finish(trainee, practise(trainee));
-        },
+        missing.size(), "practising", progress, [&](std::size_t i) { finish(missing[i], practise(missing[i])); },
         settings_.threads);
-    std::string table = "trainee,stage,attempt,skill," + score_csv_columns() + "\n";
-    for (const Block& block : blocks_) table += block;
-    write_file(settings_.output, table);
     stream_.close();
-    fs::remove(partial_);
-    summarise();
+    put_together();
     return std::move(result_);
   }
 
  private:
   static std::string end_line(std::uint64_t trainee) { return fmt::format("{}{}\n", end_of_trainee, trainee); }
 
-  void load_partial() {
-    std::ifstream stream(partial_, std::ios::binary);
+  static fs::path partial_file(const CohortSettings& settings) {
+    const CohortPart& part = settings.part;
+    fs::path file = settings.output;
+    file += part.count == 1 ? ".partial" : fmt::format(".partial-{}-of-{}", part.index + 1, part.count);
+    return file;
+  }
+
+  // Of this cohort, whichever part has written them. One that another part removes meanwhile is left out.
+  std::vector<fs::path> partial_files() const {
+    const fs::path folder = settings_.output.has_parent_path() ? settings_.output.parent_path() : fs::path(".");
+    const std::string beginning = settings_.output.filename().string() + ".partial";
+    std::vector<fs::path> files;
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+      const std::string name = entry.path().filename().string();
+      if (name.starts_with(beginning) && !name.ends_with(".part"))
+        files.push_back(settings_.output.parent_path() / name);
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+  }
+
+  // The table, when every trainee is done; otherwise another part will write it.
+  void put_together() {
+    const std::vector<fs::path> files = partial_files();
+    for (const fs::path& file : files) load(file);
+    result_.is_whole = std::none_of(blocks_.begin(), blocks_.end(), [](const Block& block) { return block.empty(); });
+    if (!result_.is_whole) return;
+    std::string table = "trainee,stage,attempt,skill," + score_csv_columns() + "\n";
+    for (const Block& block : blocks_) table += block;
+    write_file(settings_.output, table);
+    std::error_code ignored;
+    for (const fs::path& file : files) fs::remove(file, ignored);
+    summarise();
+  }
+
+  // Takes over the trainees that the file has to their end, and returns them.
+  std::vector<std::uint64_t> load(const fs::path& file) {
+    std::vector<std::uint64_t> found;
+    std::ifstream stream(file, std::ios::binary);
     std::string line;
-    if (!stream || !std::getline(stream, line)) return;
+    if (!stream || !std::getline(stream, line)) return found;
     if (line + "\n" != first_line_) {
       throw InputError(fmt::format(
           "{} was begun with another plan, seed, patient or version; remove it, or give another name with --output",
-          partial_.string()));
+          file.string()));
     }
     Block block;
     while (std::getline(stream, line)) {
@@ -83,9 +119,13 @@ class Cohort {
       }
       std::uint64_t trainee = blocks_.size();
       std::istringstream(line.substr(end_of_trainee.size())) >> trainee;
-      if (trainee < blocks_.size()) blocks_[trainee] = block;
+      if (trainee < blocks_.size() && !block.empty()) {
+        blocks_[trainee] = block;
+        found.push_back(trainee);
+      }
       block.clear();
     }
+    return found;
   }
 
   Block practise(std::uint64_t number) const {

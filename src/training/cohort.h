@@ -23,6 +23,12 @@ struct CohortStage {
   anatomy::NeedlePath path;
 };
 
+// One of several processes, on one machine or many with a folder in common, that share a cohort: it takes the
+// trainees whose number leaves `index` when divided by `count`.
+struct CohortPart {
+  std::uint64_t index = 0, count = 1;
+};
+
 struct CohortSettings {
   std::vector<CohortStage> stages;
   std::uint64_t trainees = 1;
@@ -33,10 +39,12 @@ struct CohortSettings {
   std::string fingerprint;       // of all that decides the numbers; a table begun with another one is not continued
   std::filesystem::path output;  // the table
   int threads = 0;               // 0: as many as the machine has cores
+  CohortPart part;
 };
 
 // What a whole cohort came to.
 struct CohortResult {
+  bool is_whole = true;  // false: other parts are still at work, there is no table yet, and nothing is counted here
   std::uint64_t attempts = 0;
   std::uint64_t continued = 0;            // trainees that an earlier, interrupted call had done
   std::map<std::string, int> verdicts;    // by name
@@ -47,7 +55,9 @@ struct CohortResult {
 // Lets simulated trainees go through a plan on all cores and writes a table in CSV, one row for each attempt:
 // trainee, stage, attempt, skill, verdict, every metric. An attempt depends on nothing but the plan, the seed and the
 // trainee's number, so that the table has the same bytes for any number of threads. Trainees that are done stand in
-// `output`.partial: a call that was interrupted is continued by the same call. Throws InputError and SystemError.
+// `output`.partial: a call that was interrupted is continued by the same call. Of several parts each keeps a file
+// `output`.partial-1-of-4; the part that ends last puts them together, into the same bytes as one process would have
+// written. Throws InputError and SystemError.
 CohortResult run_cohort(const CohortSettings& settings, const Progress& progress = {});
 
 }  // namespace bodkin::training

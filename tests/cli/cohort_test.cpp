@@ -25,6 +25,27 @@ TEST_F(CohortCommand, of_experts_makes_a_table_that_score_compares_with) {
   EXPECT_EQ(nlohmann::json::parse(said.output).at("experts"), 6);
 }
 
+TEST_F(CohortCommand, under_mpirun_makes_the_same_table_as_one_process) {
+  write("plan.xml", plan);
+  ASSERT_EQ(bodkin("-q cohort plan.xml --trainees 5 -o one.csv").exit_code, 0);
+  const std::string line = "cd '" + folder_.string() +
+                           "' && mpirun --allow-run-as-root --oversubscribe -n 3 '" BODKIN_BUILD
+                           "/bin/bodkin' -q cohort plan.xml --trainees 5 -o three.csv > mpi.log 2>&1";
+  ASSERT_EQ(std::system(line.c_str()), 0) << text_of("mpi.log");
+  EXPECT_TRUE(text_of("three.csv") == text_of("one.csv")) << text_of("mpi.log");
+  for (const auto& entry : std::filesystem::directory_iterator(folder_))
+    EXPECT_EQ(entry.path().filename().string().find("three.csv.partial"), std::string::npos) << entry.path();
+}
+
+TEST_F(CohortCommand, refuses_a_part_that_is_none) {
+  write("plan.xml", plan);
+  for (const char* part : {"3/2", "0/2", "1", "a/b", "1/2/3"}) {
+    const Outcome said = bodkin(std::string("-q cohort plan.xml --trainees 2 -o p.csv --part ") + part);
+    EXPECT_EQ(said.exit_code, 2) << part;
+    EXPECT_THAT(said.errors, HasSubstr("such as 2/4")) << part;
+  }
+}
+
 TEST_F(CohortCommand, refuses_a_plan_of_a_case_that_there_is_not) {
   write("lost.xml", "<plan version=\"1\" name=\"p\" title=\"P\"><stage title=\"a\" case=\"nowhere\"/></plan>");
   const Outcome said = bodkin("-q cohort lost.xml");

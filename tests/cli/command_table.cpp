@@ -294,7 +294,8 @@ const std::vector<CommandRow>& command_table() {
         {"--seed", Kind::whole, {"-1"}},
         {"--operator", Kind::text},
         {"--output", Kind::text},
-        {"--threads", Kind::whole, {"-1", "1025"}}}},
+        {"--threads", Kind::whole, {"-1", "1025"}},
+        {"--part", Kind::text}}},
       {"app", "somewhere", "", {{"--script", Kind::text}, {"--shots", Kind::text}, {"--size", Kind::text}}}};
   return rows;
 }

@@ -82,6 +82,25 @@ TEST_F(CohortTable, has_the_same_bytes_for_any_number_of_threads_and_after_an_in
   EXPECT_EQ(table(), whole);
 }
 
+TEST_F(CohortTable, of_several_parts_has_the_same_bytes_in_any_order_and_after_an_interruption) {
+  run_cohort(settings());
+  const std::string whole = table();
+  fs::remove(folder_ / "cohort.csv");
+  CohortSettings part = settings();
+  part.part = {2, 3};
+  EXPECT_FALSE(run_cohort(part).is_whole);
+  part.part = {0, 3};
+  EXPECT_FALSE(run_cohort(part).is_whole);
+  EXPECT_FALSE(fs::exists(folder_ / "cohort.csv"));
+  // One process does what the third part would have done, and all are put together.
+  const CohortResult result = run_cohort(settings());
+  EXPECT_TRUE(result.is_whole);
+  EXPECT_EQ(result.continued, 3U);  // trainees 2, 0 and 3
+  EXPECT_EQ(result.attempts, 8U);
+  EXPECT_TRUE(table() == whole);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1) << "partial files are left";
+}
+
 TEST_F(CohortTable, of_another_plan_is_not_continued) {
   std::ofstream(partial()) << "# another\n";
   try {
