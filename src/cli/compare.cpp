@@ -9,6 +9,7 @@
 #include "patient/from_ct/needle_choice.h"
 #include "patient/prepared_body.h"
 #include "report/compare_plot.h"
+#include "report/crossings.h"
 #include "study/straight_motion.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -64,9 +65,13 @@ nlohmann::json json_of(const study::ModelRun& run, const study::Comparison& comp
     peak = {{"force_N", run.peak},
             {"depth_mm", comparison.depth[run.peak_tick]},
             {"time_s", static_cast<double>(run.peak_tick) * comparison.dt},
-            {"tissue", library.title(comparison.tissue[run.peak_tick])}};
+            {"tissue", library.title(run.peak_tissue)}};
   }
+  nlohmann::json told = nlohmann::json::array();
+  for (const study::ToldEvent& each : run.told)
+    told.push_back({{"depth_mm", each.event.depth}, {"text", report::event_text(each.event, library)}});
   return {{"model", run.name},
+          {"told", told},
           {"peak", peak},
           {"peak_of_reinsertion_N", run.peak_again},
           {"lowest_N", run.lowest},
@@ -119,9 +124,9 @@ void print_tables(const Console& console, const study::Comparison& comparison,
   console.line(row("N", "peak", "end of", "peak of", "lowest", "largest", "RMS"));
   console.line(row("", "", "stop", "re-insert.", "", "difference", "difference") + "   where the peak is");
   for (const study::ModelRun& run : comparison.models) {
-    const std::string place = run.peak > 0.0 ? fmt::format("{:.1f} mm, {}", comparison.depth[run.peak_tick],
-                                                           library.title(comparison.tissue[run.peak_tick]))
-                                             : "-";
+    const std::string place =
+        run.peak > 0.0 ? fmt::format("{:.1f} mm, {}", comparison.depth[run.peak_tick], library.title(run.peak_tissue))
+                       : "-";
     console.line(row(run.name, two_digits(run.peak), two_digits(run.end_of_stop), two_digits(run.peak_again),
                      two_digits(run.lowest), two_digits(run.largest_difference), two_digits(run.rms_difference)) +
                  "   " + place);
@@ -133,6 +138,16 @@ void print_tables(const Console& console, const study::Comparison& comparison,
     console.line(row(run.name, two_digits(run.work[0]), two_digits(run.work[2]), two_digits(run.closed_work),
                      two_digits(run.work[3]), fmt::format("{}, {}", run.punctures[0], run.punctures[3]),
                      fmt::format("{:.0f}", run.nanoseconds)));
+  }
+  console.line("\nWhat gives way on the insertion, in order, with the depth of the tip in mm");
+  for (const study::ModelRun& run : comparison.models) {
+    std::string told;
+    for (const auto& [tick, event] : run.told) {
+      const bool is_loss = event.kind == forces::EventKind::loss_of_resistance;
+      told += fmt::format("{}{} {:.1f}", told.empty() ? "" : ", ",
+                          is_loss ? "loss of resistance" : library.title(event.tissue), event.depth);
+    }
+    console.line(fmt::format("{:<{}} {}", run.name, name_width, told.empty() ? "nothing" : told));
   }
   console.line(fmt::format("\nDifferences are from {}. * processor time on this machine.",
                            comparison.models[comparison.reference].name));

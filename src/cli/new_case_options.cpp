@@ -5,11 +5,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "anatomy/case.h"
 #include "anatomy/needle.h"
 #include "cli/arguments.h"
 #include "cli/console.h"
 #include "cli/json_values.h"
 #include "core/error.h"
+#include "core/parameter_value.h"
 #include "io/image_worker.h"
 #include "training/planning_rules.h"
 #include "training/procedure_file.h"
@@ -79,7 +81,11 @@ void add_new_case_options(CLI::App& command, NewCaseOptions& options) {
   add_text(
       command, "--needle", options.needle,
       "The whole needle: GAUGE,LENGTH,TIP, such as 18,90,tuohy; tips are quincke, whitacre, tuohy, chiba, trephine, "
-      "filiform");
+      "filiform, sprotte, diamond, conical");
+  add_text(
+      command, "--mechanics", options.mechanics,
+      "Where the force models have the numbers of the tissues from: tables (each model its own) or physical (one "
+      "description of each tissue, for the needle) (default: tables)");
   add_text(command, "--procedure", options.procedure,
            "What is practised: a procedure that comes with Bodkin (default: lumbar_puncture where there is a lumbar "
            "spine)");
@@ -107,6 +113,12 @@ json new_case_request(const NewCaseOptions& options) {
                   {"name", io::path_text(options.name)},
                   {"needle_gauge", options.needle_gauge}};
   if (!options.needle.empty()) request["needle"] = options.needle;
+  if (!options.mechanics.empty()) {
+    anatomy::Mechanics mechanics{};
+    if (!parse_value(options.mechanics, mechanics))
+      throw InputError(fmt::format("--mechanics is '{}'; expected tables or physical", options.mechanics));
+    request["mechanics"] = options.mechanics;
+  }
   const bool plans = !options.target.empty() && options.entry.empty();
   if (!options.procedure.empty() || plans) {
     const training::Procedure procedure =

@@ -6,28 +6,73 @@
 
 namespace bodkin::report {
 
+namespace {
+
+// The largest resistance of a crossing. What rises until the next tissue gives way is that tissue's, so a rise counts
+// only when it is over.
+class PeakOfCrossing {
+ public:
+  void see(const simulation::TickOutput& output, TissueCrossing& crossing) {
+    if (output.resistance < last_) settle(crossing);
+    last_ = output.resistance;
+    if (output.resistance > rise_) {
+      rise_ = output.resistance;
+      rise_depth_ = output.depth;
+    }
+  }
+  void settle(TissueCrossing& crossing) {
+    if (rise_ > crossing.peak_force) {
+      crossing.peak_force = rise_;
+      crossing.peak_depth = rise_depth_;
+    }
+    rise_ = 0.0;
+  }
+  // The rise belongs to a tissue that gave way: forgotten here.
+  void give_away() { rise_ = 0.0; }
+  void begin() { rise_ = last_ = 0.0; }
+
+ private:
+  double rise_ = 0.0, rise_depth_ = 0.0, last_ = 0.0;
+};
+
+}  // namespace
+
 std::vector<TissueCrossing> tissues_crossed(std::span<const simulation::TickRecord> ticks, double dt) {
   std::vector<TissueCrossing> crossings;
+  PeakOfCrossing peak;
   double deepest = 0.0;
   for (const simulation::TickRecord& record : ticks) {
     const simulation::TickOutput& output = record.output;
     if (!output.in_contact || output.depth < deepest || output.tissue == anatomy::tissue::air) continue;
     const double advance = output.depth - deepest;
-    if (crossings.empty() || crossings.back().tissue != output.tissue) {
+    if (crossings.empty()) crossings.push_back({output.tissue, 0.0, output.depth, 0.0, output.depth, 0.0});
+    for (const forces::Event& event : output.events) {
+      // With what the hand felt then, the tip was before the tissue until now, and the force before was its own.
+      if (event.kind != forces::EventKind::puncture || event.felt == 0.0) continue;
+      peak.give_away();
+      if (crossings.back().tissue != event.tissue) {
+        crossings.back().to = deepest;
+        crossings.push_back({event.tissue, deepest, output.depth, 0.0, output.depth, 0.0});
+      }
+      crossings.back().peak_force = std::max(crossings.back().peak_force, event.felt);
+      crossings.back().peak_depth = output.depth;
+      peak.begin();
+    }
+    if (crossings.back().tissue != output.tissue) {
       // The face lies between the last tick in the old tissue and this one.
-      const double face = crossings.empty() ? 0.0 : deepest + 0.5 * advance;
-      if (!crossings.empty()) crossings.back().to = face;
-      crossings.push_back({output.tissue, face, output.depth, output.resistance, output.depth, 0.0});
+      const double face = deepest + 0.5 * advance;
+      peak.settle(crossings.back());
+      peak.begin();
+      crossings.back().to = face;
+      crossings.push_back({output.tissue, face, output.depth, 0.0, output.depth, 0.0});
     }
     TissueCrossing& here = crossings.back();
     here.to = output.depth;
     here.time += dt;
-    if (output.resistance > here.peak_force) {
-      here.peak_force = output.resistance;
-      here.peak_depth = output.depth;
-    }
+    peak.see(output, here);
     deepest = output.depth;
   }
+  if (!crossings.empty()) peak.settle(crossings.back());
   return crossings;
 }
 

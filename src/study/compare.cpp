@@ -142,7 +142,10 @@ ModelRun play(const std::string& name, const anatomy::Case& patient, const std::
       run.published.insert(run.published.end(), output.diagnostics.begin(),
                            output.diagnostics.begin() + static_cast<std::ptrdiff_t>(run.diagnostics.size()));
       for (const forces::Event& event : output.events) {
-        if (event.kind != forces::EventKind::puncture) continue;
+        const bool is_loss = event.kind == forces::EventKind::loss_of_resistance;
+        if (event.kind != forces::EventKind::puncture && !is_loss) continue;
+        if (result.phase_of(tick) == MotionPhase::insertion) run.told.push_back({tick, event});
+        if (is_loss) continue;
         ++run.punctures[static_cast<std::size_t>(result.phase_of(tick))];
       }
     }
@@ -168,6 +171,11 @@ void measure(ModelRun& run, const Comparison& result) {
     if (tick == 0) continue;
     const double advance = result.depth[tick] - result.depth[tick - 1];
     run.work[static_cast<std::size_t>(phase)] += 0.5 * (run.force[tick] + run.force[tick - 1]) * advance;
+  }
+  run.peak_tissue = result.tissue[run.peak_tick];
+  for (const ToldEvent& each : run.told) {
+    const bool follows = each.tick >= run.peak_tick && each.tick <= run.peak_tick + 2;
+    if (follows && each.event.kind == forces::EventKind::puncture) run.peak_tissue = each.event.tissue;
   }
   run.end_of_stop = run.force[result.first[2] - 1];
   run.closed_work = run.work[0] + run.work[1] + run.work[2];

@@ -12,6 +12,7 @@
 #include "anatomy/case.h"
 #include "core/progress.h"
 #include "forces/diagnostics.h"
+#include "forces/events.h"
 
 namespace bodkin::study {
 
@@ -52,6 +53,11 @@ inline constexpr std::size_t motion_phases = 4;
 inline constexpr std::array<std::string_view, motion_phases> phase_names = {"insertion", "stop", "withdrawal",
                                                                             "re-insertion"};
 
+struct ToldEvent {
+  std::size_t tick = 0;
+  forces::Event event;
+};
+
 // What one model did on the motion. Forces are the model's resistance along the needle before the governor, positive
 // pushes the hand out.
 struct ModelRun {
@@ -60,15 +66,17 @@ struct ModelRun {
   std::vector<forces::DiagnosticName> diagnostics;  // that the model publishes
   std::vector<double> published;                    // their values, tick by tick
 
-  double peak = 0.0;          // N, the largest on the insertion; 0 when nothing pushed
-  std::size_t peak_tick = 0;  // where that was first
-  double peak_again = 0.0;    // N, the largest on the re-insertion
-  double lowest = 0.0;        // N, the most negative (the tissue holds the needle back on withdrawal); 0 or less
-  double end_of_stop = 0.0;   // N, at the last tick before the withdrawal
+  double peak = 0.0;                                     // N, the largest on the insertion; 0 when nothing pushed
+  std::size_t peak_tick = 0;                             // where that was first
+  anatomy::TissueId peak_tissue = anatomy::tissue::air;  // that gave way then, or else the one at the tip
+  double peak_again = 0.0;                               // N, the largest on the re-insertion
+  double lowest = 0.0;       // N, the most negative (the tissue holds the needle back on withdrawal); 0 or less
+  double end_of_stop = 0.0;  // N, at the last tick before the withdrawal
   std::array<double, motion_phases> work{};  // N mm taken from the hand
   // Of insertion, stop and withdrawal together, which end where they began: at least 0 for a passive model.
   double closed_work = 0.0;  // N mm
   std::array<int, motion_phases> punctures{};
+  std::vector<ToldEvent> told;      // what gave way on the insertion, in order, the loss of resistance among it
   double largest_difference = 0.0;  // N, from the reference while the tip is in the body
   double rms_difference = 0.0;      // N, root mean square difference of the resistance
   double nanoseconds = 0.0;  // mean processor time of a whole tick with this model, on this machine; not reproducible

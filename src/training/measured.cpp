@@ -72,7 +72,7 @@ std::vector<Puncture> find_punctures(const Attempt& attempt) {
     if (!counts) continue;
     const std::size_t index = attempt.index_of(each);
     Puncture puncture{.kind = event.kind, .tissue = event.tissue, .time = attempt.time[index], .depth = event.depth};
-    puncture.force = event.value;
+    puncture.force = std::max(event.value, event.felt);
     follow(attempt, index, puncture);
     found.push_back(puncture);
   }
@@ -97,6 +97,7 @@ Measured::Measured(const Attempt& its_attempt)
       tremor(training::tremor(attempt)),
       punctures(find_punctures(attempt)) {
   std::map<anatomy::TissueId, TissueTotal> totals;
+  std::size_t peak_index = 0;
   for (std::size_t i = 0; i < attempt.size(); ++i) {
     double step_work = 0.0;
     if (i > 0) {
@@ -109,6 +110,7 @@ Measured::Measured(const Attempt& its_attempt)
       peak_force = resistance;
       peak_depth = depth;
       peak_tissue = attempt.tissue[i];
+      peak_index = i;
     }
     if (attempt.tissue[i] == anatomy::tissue::air) continue;
     const auto [place, is_new] = totals.try_emplace(attempt.tissue[i]);
@@ -122,6 +124,17 @@ Measured::Measured(const Attempt& its_attempt)
       total.peak_force = resistance;
       total.peak_depth = depth;
     }
+  }
+  // What gave way had been pushed by a tip that was still before it: the force was that tissue's.
+  for (const session::SessionEvent& each : attempt.session().events) {
+    const forces::Event& event = each.event;
+    if (event.kind != forces::EventKind::puncture || event.felt == 0.0) continue;
+    const std::size_t index = attempt.index_of(each);
+    if (index >= peak_index && index <= peak_index + 2) peak_tissue = event.tissue;
+    const auto place = totals.find(event.tissue);
+    if (place == totals.end() || event.felt <= place->second.peak_force) continue;
+    place->second.peak_force = event.felt;
+    place->second.peak_depth = event.depth;
   }
   for (const auto& [id, total] : totals) tissues.push_back(total);
   std::stable_sort(tissues.begin(), tissues.end(),

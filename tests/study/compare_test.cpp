@@ -376,5 +376,31 @@ TEST(Compare, its_plots_name_models_tissues_and_phases_and_tell_every_curve_apar
   }
 }
 
+TEST(Compare, with_a_physical_description_the_models_that_know_layers_tell_the_same_in_the_same_order) {
+  Case patient = slab_case({{tissue::skin, 2.0},
+                            {tissue::fat, 8.0},
+                            {tissue::interspinous_ligament, 12.0},
+                            {tissue::ligamentum_flavum, 4.0},
+                            {tissue::epidural_fat, 6.0},
+                            {tissue::dura, 1.0},
+                            {tissue::cerebrospinal_fluid, 24.0}});
+  patient.description.haptics.mechanics = Mechanics::physical;
+  const Comparison comparison =
+      compare_models(std::move(patient), options_of({"layered", "layered_sum", "tracking_wall", "tracking_wall_leash",
+                                                     "depth_profile", "volume_proxy"}));
+  const std::vector<std::pair<EventKind, TissueId>> wanted = {{EventKind::puncture, tissue::skin},
+                                                              {EventKind::puncture, tissue::interspinous_ligament},
+                                                              {EventKind::puncture, tissue::ligamentum_flavum},
+                                                              {EventKind::loss_of_resistance, tissue::epidural_fat},
+                                                              {EventKind::puncture, tissue::dura}};
+  for (const ModelRun& run : comparison.models) {
+    std::vector<std::pair<EventKind, TissueId>> told;
+    for (const ToldEvent& each : run.told) told.emplace_back(each.event.kind, each.event.tissue);
+    EXPECT_EQ(told, wanted) << run.name;
+  }
+  EXPECT_EQ(comparison.models[0].peak_tissue, tissue::ligamentum_flavum)
+      << "what gave way, not what was behind the tip";
+}
+
 }  // namespace
 }  // namespace bodkin

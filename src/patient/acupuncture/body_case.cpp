@@ -34,7 +34,6 @@ anatomy::CaseDescription write_body_case(const Atlas& atlas, const BodyCase& wan
         wanted.point));
   }
   anatomy::CaseDescription description;
-  description.haptics.mechanics = anatomy::Mechanics::physical;
   const BodyParameters& body = atlas.shape().parameters();
   BodyBlock block;
   block.width = wanted.width;

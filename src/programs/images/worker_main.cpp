@@ -90,6 +90,8 @@ patient::NewCase new_case(const json& request) {
   wanted.name = request.value("name", "");
   wanted.needle_gauge = request.value("needle_gauge", wanted.needle_gauge);
   wanted.needle = request.value("needle", "");
+  if (const std::string mechanics = request.value("mechanics", ""); !mechanics.empty())
+    parse_value(mechanics, wanted.mechanics);
   wanted.procedure = request.value("procedure", "");
   wanted.target_tissue = request.value("target_tissue", "");
   wanted.target_structure = request.value("target_structure", "");

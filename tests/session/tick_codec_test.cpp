@@ -1,0 +1,48 @@
+#include "session/tick_codec.h"
+
+#include <cstdint>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace bodkin {
+
+using namespace bodkin::forces;
+using namespace bodkin::session;
+namespace {
+
+TEST(TickCodec, a_puncture_keeps_what_the_hand_felt_to_a_hundredth_of_a_newton) {
+  for (const double felt : {0.0, 0.01, 2.874, 655.35, 1e6}) {
+    std::vector<std::uint8_t> bytes;
+    encode_event(7, {EventKind::puncture, anatomy::tissue::dura, 51.5, 0.9, felt}, bytes);
+    std::uint32_t tick = 0;
+    Event found{};
+    ASSERT_TRUE(decode_event(bytes, tick, found));
+    EXPECT_EQ(tick, 7U);
+    EXPECT_DOUBLE_EQ(found.value, 0.9);
+    EXPECT_NEAR(found.felt, felt > 655.35 ? 655.35 : felt, 0.005 + 1e-9);
+    std::vector<std::uint8_t> again;
+    encode_event(7, found, again);
+    EXPECT_EQ(again, bytes) << "a replay compares bytes";
+  }
+}
+
+TEST(TickCodec, other_events_keep_these_bytes_at_zero) {
+  std::vector<std::uint8_t> bytes;
+  encode_event(0, {EventKind::contact, anatomy::tissue::skin, 0.0, 0.0, 3.0}, bytes);
+  EXPECT_EQ(bytes[6], 0U);
+  EXPECT_EQ(bytes[7], 0U);
+  bytes[6] = 1;
+  std::uint32_t tick = 0;
+  Event found{};
+  EXPECT_FALSE(decode_event(bytes, tick, found));
+}
+
+TEST(TickCodec, every_kind_of_event_has_a_name) {
+  for (int kind = 0; kind <= static_cast<int>(EventKind::needle_buckled); ++kind)
+    EXPECT_NE(event_kind_name(static_cast<EventKind>(kind)), "unknown") << kind;
+  EXPECT_EQ(event_kind_name(EventKind::needle_buckled), "needle_buckled");
+}
+
+}  // namespace
+}  // namespace bodkin
