@@ -14,12 +14,12 @@ using namespace bodkin::anatomy;
 using namespace bodkin::forces;
 namespace {
 
-Needle needle_of(int gauge, NeedleTip tip) {
+Needle gauge_needle(int gauge, NeedleTip tip) {
   const GaugeSize size = *gauge_size(gauge);
   return {.gauge = gauge, .outer_diameter = size.outer_diameter, .inner_diameter = size.inner_diameter, .tip = tip};
 }
 
-Case patient_with(const Needle& needle) {
+Case patient_with_needle(const Needle& needle) {
   Case patient;
   patient.library = io::default_tissue_library();
   patient.description.needle = needle;
@@ -28,15 +28,15 @@ Case patient_with(const Needle& needle) {
   return patient;
 }
 
-const PhysicalTissue& physical(const TissueLibrary& library, TissueId id) {
+const PhysicalTissue& described(const TissueLibrary& library, TissueId id) {
   return library.find(id)->physical;
 }
 
 TEST(NeedleLaw, ligamentum_flavum_gives_way_as_published_at_16_and_18_gauge) {
   const TissueLibrary library = io::default_tissue_library();
-  const PhysicalTissue& flavum = physical(library, tissue::ligamentum_flavum);
-  EXPECT_NEAR(puncture_force(flavum, needle_of(18, NeedleTip::tuohy)), 5.0, 1.0) << "Naemura et al., 18 G";
-  EXPECT_NEAR(puncture_force(flavum, needle_of(16, NeedleTip::tuohy)), 9.0, 0.9) << "Brett et al. 1997, 16 G";
+  const PhysicalTissue& flavum = described(library, tissue::ligamentum_flavum);
+  EXPECT_NEAR(puncture_force(flavum, gauge_needle(18, NeedleTip::tuohy)), 5.0, 1.0) << "Naemura et al., 18 G";
+  EXPECT_NEAR(puncture_force(flavum, gauge_needle(16, NeedleTip::tuohy)), 9.0, 0.9) << "Brett et al. 1997, 16 G";
 }
 
 TEST(NeedleLaw, is_one_at_the_reference_needle_of_every_tissue) {
@@ -57,7 +57,8 @@ TEST(NeedleLaw, a_thicker_needle_of_the_same_tip_meets_more_everywhere) {
   for (const TissueProperties& tissue : library.tissues()) {
     if (!is_described(tissue.physical)) continue;
     for (int gauge = 10; gauge < 34; ++gauge) {
-      const Needle thick = needle_of(gauge, NeedleTip::quincke), thin = needle_of(gauge + 1, NeedleTip::quincke);
+      const Needle thick = gauge_needle(gauge, NeedleTip::quincke),
+                   thin = gauge_needle(gauge + 1, NeedleTip::quincke);
       EXPECT_GE(puncture_force(tissue.physical, thick), puncture_force(tissue.physical, thin)) << tissue.name;
       EXPECT_GT(friction_per_length(tissue.physical, thick), friction_per_length(tissue.physical, thin));
     }
@@ -74,14 +75,14 @@ TEST(NeedleLaw, a_tip_without_an_edge_needs_eight_percent_more_than_a_cutting_on
 
 TEST(NeedleLaw, friction_is_that_of_the_measured_needle_in_liver) {
   const TissueLibrary library = io::default_tissue_library();  // Okamura et al. 2004: 11.96 and 18.45 N/m at 1.27 mm
-  const PhysicalTissue& liver = physical(library, tissue::organ);
+  const PhysicalTissue& liver = described(library, tissue::organ);
   EXPECT_NEAR(friction_per_length(liver, {.outer_diameter = 1.27}), 0.01196, 0.0003);
   EXPECT_NEAR(friction_per_length(liver, {.outer_diameter = 1.27}) * liver.static_ratio, 0.01845, 0.0005);
 }
 
 TEST(NeedleLaw, every_model_gives_way_at_the_same_force) {
-  for (const Needle& needle : {needle_of(16, NeedleTip::tuohy), needle_of(22, NeedleTip::quincke)}) {
-    const Case patient = patient_with(needle);
+  for (const Needle& needle : {gauge_needle(16, NeedleTip::tuohy), gauge_needle(22, NeedleTip::quincke)}) {
+    const Case patient = patient_with_needle(needle);
     const TissueLibrary felt = felt_tissues(patient);
     for (const TissueProperties& tissue : felt.tissues()) {
       const double force = puncture_force(tissue.physical, needle);
@@ -97,15 +98,15 @@ TEST(NeedleLaw, every_model_gives_way_at_the_same_force) {
 }
 
 TEST(NeedleLaw, the_layered_law_passes_through_the_puncture_force_at_the_dimpling) {
-  const Needle needle = needle_of(22, NeedleTip::quincke);
-  const TissueLibrary felt = felt_tissues(patient_with(needle));
+  const Needle needle = gauge_needle(22, NeedleTip::quincke);
+  const TissueLibrary felt = felt_tissues(patient_with_needle(needle));
   const TissueProperties& dura = *felt.find(tissue::dura);
   const double dx = dura.layered.element_spacing, a = dura.physical.dimpling / dx;
   EXPECT_NEAR(dura.layered.stiffness * dx * a * (a + 1.0) * (a + 2.0) / 6.0, dura.layered.break_force, 1e-9);
 }
 
 TEST(NeedleLaw, tables_and_tissues_without_a_description_are_left_as_they_are) {
-  Case patient = patient_with(needle_of(14, NeedleTip::tuohy));
+  Case patient = patient_with_needle(gauge_needle(14, NeedleTip::tuohy));
   const TissueLibrary felt = felt_tissues(patient);
   EXPECT_TRUE(same_parameters(felt.find(tissue::cortical_bone)->layered,
                               patient.library.find(tissue::cortical_bone)->layered));
@@ -117,8 +118,8 @@ TEST(NeedleLaw, tables_and_tissues_without_a_description_are_left_as_they_are) {
 }
 
 TEST(NeedleLaw, models_of_one_membrane_take_the_skin) {
-  const Case patient = patient_with(needle_of(18, NeedleTip::tuohy));
-  const double skin = puncture_force(physical(patient.library, tissue::skin), patient.description.needle);
+  const Case patient = patient_with_needle(gauge_needle(18, NeedleTip::tuohy));
+  const double skin = puncture_force(described(patient.library, tissue::skin), patient.description.needle);
   EXPECT_DOUBLE_EQ(felt_settings(ThreeComponentSettings{}, patient).puncture_force, skin);
   const DepthProfileSettings profile = felt_settings(DepthProfileSettings{}, patient);
   EXPECT_NEAR(profile.skin_stiffness * profile.puncture_depth, skin, 1e-9);

@@ -17,10 +17,10 @@ using namespace bodkin::forces;
 using namespace bodkin::simulation;
 namespace {
 
-constexpr int slab_size = 30;  // voxels of 1 mm across the path
+constexpr int spine_width = 30;  // voxels of 1 mm across the path
 
 // Skin 2, fat 6, muscle 8, interspinous ligament 12, flavum 4, epidural space 6, dura 1, fluid 20 mm.
-Case spine(const ResistanceSettings& resistance) {
+Case described_spine(const ResistanceSettings& resistance) {
   const std::vector<std::pair<TissueId, int>> layers = {{tissue::air, 8},
                                                         {tissue::skin, 2},
                                                         {tissue::fat, 6},
@@ -35,14 +35,14 @@ Case spine(const ResistanceSettings& resistance) {
   std::vector<TissueId> along;
   for (const auto& [id, thickness] : layers) along.insert(along.end(), static_cast<std::size_t>(thickness), id);
   Grid grid;
-  grid.size = {slab_size, slab_size, static_cast<int>(along.size())};
-  grid.origin = Vec3(-0.5 * slab_size, -0.5 * slab_size, -7.5);
+  grid.size = {spine_width, spine_width, static_cast<int>(along.size())};
+  grid.origin = Vec3(-0.5 * spine_width, -0.5 * spine_width, -7.5);
   patient.tissues = TissueVolume(grid);
   patient.ct = CtVolume(grid);
   for (int k = 0; k < grid.size[2]; ++k) {
     const TissueId id = along[static_cast<std::size_t>(k)];
-    for (int j = 0; j < slab_size; ++j) {
-      for (int i = 0; i < slab_size; ++i) {
+    for (int j = 0; j < spine_width; ++j) {
+      for (int i = 0; i < spine_width; ++i) {
         patient.tissues.at(i, j, k) = id;
         patient.ct.at(i, j, k) = static_cast<std::int16_t>(patient.library.find(id)->hounsfield);
       }
@@ -53,7 +53,7 @@ Case spine(const ResistanceSettings& resistance) {
   return patient;
 }
 
-struct Insertion {
+struct PushedIn {
   std::vector<Event> events;
   std::vector<double> resistance, depth;
   std::vector<TissueId> tissue;
@@ -66,9 +66,9 @@ struct Insertion {
   }
 };
 
-Insertion insert(const Case& patient, double to, double speed = 10.0) {
+PushedIn pushed_through(const Case& patient, double to, double speed = 10.0) {
   HapticTick tick(patient);
-  Insertion found;
+  PushedIn found;
   for (double depth = -2.0; depth < to; depth += speed * tick.dt()) {
     const TickOutput output = tick.step({needle_pose(Vec3(0.0, 0.0, depth), Vec3::UnitZ())});
     found.events.insert(found.events.end(), output.events.begin(), output.events.end());
@@ -79,7 +79,7 @@ Insertion insert(const Case& patient, double to, double speed = 10.0) {
   return found;
 }
 
-TrackingWallSettings with_leash() {
+TrackingWallSettings wall_on_leash() {
   TrackingWallSettings settings;
   settings.leash = true;
   return settings;
@@ -88,10 +88,11 @@ TrackingWallSettings with_leash() {
 TEST(PhysicalMechanics, every_model_that_knows_layers_tells_the_same_events_in_the_same_order) {
   const std::vector<TissueId> expected = {tissue::skin, tissue::muscle, tissue::interspinous_ligament,
                                           tissue::ligamentum_flavum, tissue::dura};
-  for (const ResistanceSettings& resistance : std::vector<ResistanceSettings>{
-           LayeredSettings{}, TrackingWallSettings{}, with_leash(), DepthProfileSettings{}, VolumeProxySettings{}}) {
+  for (const ResistanceSettings& resistance :
+       std::vector<ResistanceSettings>{LayeredSettings{}, TrackingWallSettings{}, wall_on_leash(),
+                                       DepthProfileSettings{}, VolumeProxySettings{}}) {
     const std::string name(name_of(resistance));
-    const Insertion found = insert(spine(resistance), 55.0);
+    const PushedIn found = pushed_through(described_spine(resistance), 55.0);
     EXPECT_EQ(found.told(EventKind::puncture), expected) << name;
     EXPECT_EQ(found.told(EventKind::loss_of_resistance).size(), 1U) << name;
     const std::vector<TissueId> entered = found.told(EventKind::tissue_entered);
@@ -105,7 +106,7 @@ TEST(PhysicalMechanics, every_model_that_knows_layers_tells_the_same_events_in_t
 TEST(PhysicalMechanics, the_tip_is_in_the_fluid_only_after_the_dura_has_given_way) {
   for (const ResistanceSettings& resistance :
        std::vector<ResistanceSettings>{LayeredSettings{}, TrackingWallSettings{}, VolumeProxySettings{}}) {
-    const Insertion found = insert(spine(resistance), 55.0);
+    const PushedIn found = pushed_through(described_spine(resistance), 55.0);
     bool gave_way = false;
     for (const Event& event : found.events) {
       if (event.kind == EventKind::puncture && event.tissue == tissue::dura) gave_way = true;
@@ -118,7 +119,7 @@ TEST(PhysicalMechanics, the_tip_is_in_the_fluid_only_after_the_dura_has_given_wa
 }
 
 TEST(PhysicalMechanics, a_puncture_says_what_the_hand_felt_and_what_of_it_was_the_tissue) {
-  const Insertion found = insert(spine(LayeredSettings{}), 55.0);
+  const PushedIn found = pushed_through(described_spine(LayeredSettings{}), 55.0);
   for (const Event& event : found.events) {
     if (event.kind != EventKind::puncture) continue;
     EXPECT_GE(event.felt, event.value);
@@ -131,12 +132,12 @@ TEST(PhysicalMechanics, forces_grow_with_the_needle) {
   double last = 0.0;
   for (const auto& [gauge, tip] : {std::pair(30, NeedleTip::filiform), std::pair(25, NeedleTip::quincke),
                                    std::pair(22, NeedleTip::quincke), std::pair(18, NeedleTip::tuohy)}) {
-    Case patient = spine(LayeredSettings{});
+    Case patient = described_spine(LayeredSettings{});
     const GaugeSize size = *gauge_size(gauge);
     patient.description.needle = {.gauge = gauge, .outer_diameter = size.outer_diameter, .length = 90.0, .tip = tip};
     patient.description.needle.inner_diameter = 0.0;  // the stylet is in
     patient.description.device.peak_force = 20.0;
-    const Insertion found = insert(patient, 36.0);
+    const PushedIn found = pushed_through(patient, 36.0);
     const double peak = *std::max_element(found.resistance.begin(), found.resistance.end());
     EXPECT_GT(peak, 1.15 * last) << gauge;
     last = peak;
@@ -148,7 +149,7 @@ TEST(PhysicalMechanics, gives_no_energy_on_closed_paths) {
        std::vector<ResistanceSettings>{LayeredSettings{}, TrackingWallSettings{}, DepthProfileSettings{},
                                        ThreeComponentSettings{}, FractureSettings{}, ShaftFrictionSettings{}}) {
     for (const int gauge : {18, 22, 27}) {
-      Case patient = spine(resistance);
+      Case patient = described_spine(resistance);
       const GaugeSize size = *gauge_size(gauge);
       patient.description.needle = {
           .gauge = gauge, .outer_diameter = size.outer_diameter, .inner_diameter = size.inner_diameter};
@@ -178,11 +179,11 @@ TEST(PhysicalMechanics, gives_no_energy_on_closed_paths) {
 }
 
 TEST(NeedleBow, a_needle_pushed_harder_than_it_bears_bows_and_its_tip_stays) {
-  Case patient = spine(SpringDamperWallSettings{.stiffness = 0.5, .limit = 50.0});
+  Case patient = described_spine(SpringDamperWallSettings{.stiffness = 0.5, .limit = 50.0});
   patient.description.needle = {.gauge = 27, .outer_diameter = 0.4128, .inner_diameter = 0.21, .length = 120.0};
   const double rigidity = bending_stiffness(patient.description.needle);
   EXPECT_NEAR(rigidity, 256.67, 0.5) << "reference table";
-  const Insertion found = insert(patient, 20.0);
+  const PushedIn found = pushed_through(patient, 20.0);
   const double euler = std::pow(std::numbers::pi / (0.7 * 120.0), 2) * rigidity;
   const auto buckled = std::find_if(found.events.begin(), found.events.end(),
                                     [](const Event& event) { return event.kind == EventKind::needle_buckled; });
@@ -193,7 +194,7 @@ TEST(NeedleBow, a_needle_pushed_harder_than_it_bears_bows_and_its_tip_stays) {
 }
 
 TEST(NeedleBow, gives_back_no_more_work_than_it_took) {
-  Case patient = spine(LayeredSettings{});
+  Case patient = described_spine(LayeredSettings{});
   patient.description.needle = {.gauge = 27, .outer_diameter = 0.4128, .inner_diameter = 0.21, .length = 150.0};
   HapticTick tick(patient);
   double work = 0.0, last = -2.0;
@@ -208,7 +209,7 @@ TEST(NeedleBow, gives_back_no_more_work_than_it_took) {
 }
 
 TEST(NeedleBow, a_case_of_tables_has_a_rigid_needle) {
-  Case patient = spine(SpringDamperWallSettings{});
+  Case patient = described_spine(SpringDamperWallSettings{});
   patient.description.haptics.mechanics = Mechanics::tables;
   NeedleBow bow(patient, 0.001);
   bow.begin();
