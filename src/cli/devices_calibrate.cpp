@@ -45,7 +45,8 @@ constexpr const char* devices_calibrate_footer = R"(Examples:
 
 Steps: workspace (the box that the hand reaches: its middle becomes the middle of the workspace), mounting (which direction
 is away from you), tip (where the needle's tip is), axis (which way the needle points), weight (of the handle; the
-motors lift it by 25 mm, let go of it then). Each begins with the Enter key, and without a terminal after a countdown.
+motors lift it by 25 mm, let go of it then), delay (of a force; the motors tick the handle up and down by 1 N, hold it
+loosely then). Each begins with the Enter key, and without a terminal after a countdown.
 The result is kept in ~/.config/bodkin/calibrations.xml for this very device, and 'bodkin perform' uses it.)";
 
 Json list_of(const Vec3& vector) {
@@ -72,6 +73,7 @@ Json json_of(const haptics::DeviceCalibration& calibration, const std::filesyste
     json["weight_N"] = *calibration.weight;
     json["friction_N"] = calibration.friction;
   }
+  if (calibration.delay) json["delay_s"] = *calibration.delay;
   return json;
 }
 
@@ -100,6 +102,7 @@ void print(const Console& console, const haptics::DeviceCalibration& calibration
   if (calibration.weight) {
     console.line(fmt::format("  weight      {:.2f} N, friction {:.2f} N", *calibration.weight, calibration.friction));
   }
+  if (calibration.delay) console.line(fmt::format("  delay       {:.1f} ms", 1e3 * *calibration.delay));
 }
 
 std::vector<CalibrationStep> chosen_steps(const DevicesCalibrateArguments& arguments,
@@ -110,9 +113,10 @@ std::vector<CalibrationStep> chosen_steps(const DevicesCalibrateArguments& argum
   for (const std::string& name : arguments.steps) {
     const CalibrationStep step = station::calibration_step(name);
     if (std::find(possible.begin(), possible.end(), step) == possible.end()) {
-      throw InputError(fmt::format("--steps: '{}' needs a device that {}, which {} is not; leave it out", name,
-                                   step == CalibrationStep::weight ? "renders force" : "measures rotation",
-                                   device.name));
+      throw InputError(fmt::format(
+          "--steps: '{}' needs a device that {}, which {} is not; leave it out", name,
+          step == CalibrationStep::weight || step == CalibrationStep::delay ? "renders force" : "measures rotation",
+          device.name));
     }
     steps.push_back(step);
   }
@@ -201,13 +205,15 @@ void run_devices_calibrate(const DevicesCalibrateArguments& arguments, const Com
 
 void add_devices_calibrate_command(CLI::App& devices_group, CommandContext& context) {
   auto arguments = std::make_shared<DevicesCalibrateArguments>();
-  CLI::App* command = add_command(devices_group, "calibrate",
-                                  "Measure where a device stands, where its tip is and what its handle weighs",
-                                  devices_calibrate_footer);
+  CLI::App* command =
+      add_command(devices_group, "calibrate",
+                  "Measure where a device stands, where its tip is, what its handle weighs and how late its force is",
+                  devices_calibrate_footer);
   add_text(*command, "DEVICE", arguments->device.device, "DRIVER or DRIVER:IDENTITY, as 'devices list' prints it")
       .required();
   add_driver_settings(*command, arguments->device);
-  add_texts(*command, "--steps", arguments->steps, "workspace, mounting, tip, axis, weight (default: all possible)")
+  add_texts(*command, "--steps", arguments->steps,
+            "workspace, mounting, tip, axis, weight, delay (default: all possible)")
       .separated_by_commas("STEPS");
   add_number(*command, "--seconds", arguments->settings.seconds, 1.0, 600.0,
              "s that the motions of a step last at most; Enter ends it earlier; 1 to 600");

@@ -11,6 +11,7 @@
 #include "cli/console.h"
 #include "cli/device_options.h"
 #include "haptics/device_servo.h"
+#include "haptics/stable_stiffness.h"
 
 namespace bodkin::cli {
 
@@ -42,6 +43,15 @@ std::string known(double value, const char* unit) {
   return value > 0.0 ? fmt::format("{:.4g} {}", value, unit) : "not known";
 }
 
+double rate_of(const haptics::DeviceAbilities& device) {
+  return std::clamp(device.rate, 200.0, 4000.0);
+}
+
+std::string source_of_delay(const haptics::DeviceAbilities& device) {
+  if (device.measured_delay) return "as 'devices calibrate' has measured it";
+  return device.delay_source.empty() ? "nobody states one; 'devices calibrate' measures it" : device.delay_source;
+}
+
 void say_abilities(const Console& console, const haptics::DeviceAbilities& device) {
   console.line(fmt::format("{}{}", device.name, device.serial.empty() ? "" : ", serial number " + device.serial));
   console.line(device.peak_force > 0.0
@@ -49,8 +59,17 @@ void say_abilities(const Console& console, const haptics::DeviceAbilities& devic
                                  known(device.continuous_force, "N"),
                                  device.peak_torque > 0.0 ? known(device.peak_torque, "N mm") : "none")
                    : "  force       none: it only measures where the hand is");
-  console.line(fmt::format("  stiffness   {}, resolution {}", known(device.stiffness, "N/mm"),
-                           known(device.resolution, "mm")));
+  const haptics::StableStiffness stiffness = haptics::stable_stiffness(device, rate_of(device));
+  console.line(fmt::format(
+      "  stiffness   {}{}, resolution {}", known(device.stiffness, "N/mm"),
+      stiffness.is_cut() ? fmt::format(", of which the delay leaves {:.2g}", stiffness.stiffness) : std::string(),
+      known(device.resolution, "mm")));
+  if (device.peak_force > 0.0) {
+    console.line(fmt::format("  delay       {:.1f} ms from a tick to the force: {:.2g} ms of the device ({}){}",
+                             1e3 * stiffness.delay, 1e3 * device.measured_delay.value_or(device.delay),
+                             source_of_delay(device),
+                             device.owns_loop ? "" : " and one tick until our loop sends it"));
+  }
   if (device.workspace_low != device.workspace_high) {
     console.line("  workspace   " + box_text(device.workspace_low, device.workspace_high));
   }
@@ -77,6 +96,9 @@ Json json_of(const station::DeviceObservation& seen, const haptics::DeviceAbilit
                {"continuous_force_N", device.continuous_force},
                {"peak_torque_N_mm", device.peak_torque},
                {"stiffness_N_per_mm", device.stiffness},
+               {"offered_stiffness_N_per_mm", haptics::stable_stiffness(device, rate_of(device)).stiffness},
+               {"delay_s", device.measured_delay.value_or(device.delay)},
+               {"delay_source", source_of_delay(device)},
                {"seconds", seen.seconds},
                {"rounds", seen.rounds},
                {"rate_Hz", seen.rate()},
@@ -100,8 +122,10 @@ int run_devices_check(const DevicesCheckArguments& arguments, const CommandConte
   haptics::DevicePort port(*chosen.driver, chosen.identity, arguments.device.settings);
   haptics::DeviceAbilities abilities = port.abilities();
   station::complete_from_table(abilities);
+  if (const haptics::DeviceCalibration known = station::calibration_of(chosen, abilities); known.delay)
+    abilities.measured_delay = known.delay;
   haptics::ServoSettings settings;
-  settings.rate = std::clamp(abilities.rate, 200.0, 4000.0);
+  settings.rate = rate_of(abilities);
   haptics::DeviceServo servo(std::move(port), abilities, settings,
                              [](const haptics::ControlInput&) { return haptics::Control{}; });
   say_abilities(console, abilities);

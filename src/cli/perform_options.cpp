@@ -43,6 +43,8 @@ void add_perform_options(CLI::App& command, PerformOptions& options) {
              "N at the hand per N of the needle, for weak devices; recorded, never scored; 0.01 to 1");
   add_switch(command, "--no-calibration", options.no_calibration,
              "Leave out what 'devices calibrate' found of this device");
+  add_switch(command, "--allow-late", options.allow_late,
+             "Give the whole force although the system may hold up the servo (no real-time priority)");
   add_number(command, "--max-time", options.longest, 1.0, 3600.0, "s after which it ends, 1 to 3600");
   add_second_options(command, options.second);
   add_force_options(command, options.forces);
@@ -66,6 +68,7 @@ station::StationOptions station_options(const PerformOptions& options, Console& 
           .device = std::move(device),
           .scale = options.scale,
           .force_scale = options.force_scale,
+          .allow_late = options.allow_late,
           .use_calibration = !options.no_calibration,
           .second = std::move(second),
           .moving_body = moving_body,
@@ -95,6 +98,7 @@ std::string window_order(const PerformOptions& options) {
                           {"longest_s", options.longest},
                           {"scale", options.scale},
                           {"force_scale", options.force_scale},
+                          {"allow_late", options.allow_late},
                           {"use_calibration", !options.no_calibration}};
   station::DeviceChoice device;
   if (is_mouse(options.device)) {

@@ -21,6 +21,7 @@ struct PerformOptions {
   double scale = 1.0;        // mm of the needle per mm of the hand
   double force_scale = 1.0;  // N at the hand per N of the needle
   bool no_calibration = false;
+  bool allow_late = false;
   SecondOptions second;
   ForceOptions forces;
   std::string body;        // "": static

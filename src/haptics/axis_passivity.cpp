@@ -21,13 +21,14 @@ void AxisPassivity::observe(const Vec3& applied, const Vec3& moved, double dt) n
   energy_ -= applied.cwiseProduct(moved);
 }
 
-Vec3 AxisPassivity::damped(const Vec3& wanted, const Vec3& velocity, double dt, double share) noexcept {
+Vec3 AxisPassivity::damped(const Vec3& wanted, const Vec3& velocity, double dt, double share, double least) noexcept {
   Vec3 force = wanted;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     damping_[axis] = 0.0;
     const double speed = velocity[axis];
-    if (!(energy_[axis] < -counts) || !(std::abs(speed) > slowest)) continue;
-    damping_[axis] = share * std::min(-energy_[axis] / (dt * speed * speed), damping_limit_);
+    if (!(std::abs(speed) > slowest)) continue;
+    const double needed = energy_[axis] < -counts ? -energy_[axis] / (dt * speed * speed) : 0.0;
+    damping_[axis] = share * std::min(std::max(needed, least), damping_limit_);
     force[axis] -= damping_[axis] * speed;
   }
   return force;

@@ -6,9 +6,9 @@ namespace bodkin::haptics {
 
 // Time-domain passivity at the hand (Hannaford and Ryu 2002), one observer and one controller per axis of the
 // operator's frame. Between two ticks a device holds its force, so what the hand has given to an axis is known
-// without an error of integration:
+// without an error of integration, if every motion is paired with the force that was held during it (HeldForce):
 //
-//   E += -F(last) dx;   if E < -0.1 N mm and |v| > 0.5 mm/s:  alpha = -E / (dt v^2) <= limit,  F_out = F - alpha v
+//   E += -F(held) dx;   if E < -0.1 N mm and |v| > 0.5 mm/s:  alpha = -E / (dt v^2) <= limit,  F_out = F - alpha v
 //
 //   F force on the hand, N; x position, mm; v velocity, mm/s; E energy, N mm; alpha damping, N s/mm
 //
@@ -23,8 +23,9 @@ class AxisPassivity {
 
   // The hand has moved by `moved` (mm) in `dt` (s) under `applied` (N). Call once a tick, whatever the force.
   void observe(const Vec3& applied, const Vec3& moved, double dt) noexcept;
-  // `wanted` (N) with `share` (0 to 1) of the damping that the axes need at `velocity` (mm/s).
-  Vec3 damped(const Vec3& wanted, const Vec3& velocity, double dt, double share = 1.0) noexcept;
+  // `wanted` (N) with `share` (0 to 1) of the damping that the axes need at `velocity` (mm/s), and of `least` (N
+  // s/mm, at most the limit) on every axis in any case.
+  Vec3 damped(const Vec3& wanted, const Vec3& velocity, double dt, double share = 1.0, double least = 0.0) noexcept;
   void reset() noexcept;
 
   const Vec3& energy() const noexcept { return energy_; }    // N mm that the hand has given, by axis

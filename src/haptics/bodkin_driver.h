@@ -58,6 +58,10 @@ typedef struct bodkin_abilities {
   double workspace_low[3], workspace_high[3]; /* mm; all 0 = unknown */
   uint32_t measures_rotation, has_dead_man;
   uint32_t owns_loop; /* 1: the driver's thread calls the tick; 0: Bodkin's thread calls exchange() */
+  /* Since 0.2. A driver that was built before leaves these two as they are: zero. */
+  double delay;                   /* s from a command (the tick's return, the call of exchange) to the force at the
+                                   * hand, 0 to 0.02; 0 = less than one can tell, or unknown */
+  char delay_source[BODKIN_TEXT]; /* where that is written; may be empty */
 } bodkin_abilities;
 
 typedef struct bodkin_state {

@@ -175,6 +175,7 @@ WeightFit weight_of(double from_below, double from_above) {
 }
 
 void apply(const DeviceCalibration& calibration, DeviceAbilities& abilities) {
+  if (calibration.delay) abilities.measured_delay = calibration.delay;
   if (!calibration.reach) return;
   abilities.workspace_low = calibration.reach->low;
   abilities.workspace_high = calibration.reach->high;

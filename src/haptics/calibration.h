@@ -40,7 +40,7 @@ struct WeightFit {
 };
 WeightFit weight_of(double from_below, double from_above);
 
-// The box of the device becomes what was reached.
+// The box of the device becomes what was reached, its delay what was measured.
 void apply(const DeviceCalibration& calibration, DeviceAbilities& abilities);
 // The middle of the workspace, the direction in which the device stands, tip, needle and weight. `settings.workspace`
 // already lies in the patient as for a device that stands straight.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <ctime>
+#include <thread>
 
 #include <sched.h>
 #include <sys/mman.h>
@@ -16,7 +17,6 @@ namespace bodkin::haptics {
 namespace {
 
 constexpr std::int64_t second = 1'000'000'000;  // ns
-constexpr std::int64_t longest_chase = 50;      // periods
 constexpr int fifo_priority = 50;
 constexpr unsigned long default_timer_slack = 0;  // ns; 0 asks for the system's own again
 
@@ -49,8 +49,9 @@ void DeadlineClock::wait() noexcept {
   ++deadlines_;
   worst_ = std::max(worst_, late);
   if (late > period_) ++missed_;
+  const std::int64_t earliest = next_ + late + period_ / 2;
   next_ += period_;
-  if (late > longest_chase * period_) next_ = now() + period_;
+  if (next_ < earliest) next_ += (earliest - next_ + period_ - 1) / period_ * period_;
 }
 
 RealTimePriority::RealTimePriority() {
@@ -75,6 +76,12 @@ RealTimePriority::~RealTimePriority() {
   }
   if (locked_) munlockall();
   prctl(PR_SET_TIMERSLACK, default_timer_slack);
+}
+
+std::vector<std::string> real_time_refusals() {
+  std::vector<std::string> refused;
+  std::thread([&refused] { refused = RealTimePriority().refused(); }).join();
+  return refused;
 }
 
 }  // namespace bodkin::haptics

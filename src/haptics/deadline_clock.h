@@ -7,7 +7,9 @@
 namespace bodkin::haptics {
 
 // Wakes a servo thread at absolute moments of the monotonic clock, `period` apart, and counts the wake-ups that came
-// too late to do a tick's work in time. wait() neither locks nor allocates.
+// too late to do a tick's work in time. What is late is never caught up in a burst: deadlines that have gone by are
+// left out, and between a wake-up and the next deadline there is always half a period at least. wait() neither locks
+// nor allocates.
 class DeadlineClock {
  public:
   // `period`: s, > 0.
@@ -15,8 +17,7 @@ class DeadlineClock {
 
   // The first deadline is one period from now.
   void start() noexcept;
-  // Sleeps until the next deadline. A deadline already gone by is not waited for; after a stall of more than 50
-  // periods the clock starts afresh from now instead of racing after it.
+  // Sleeps until the next deadline.
   void wait() noexcept;
 
   std::uint64_t deadlines() const noexcept { return deadlines_; }
@@ -52,5 +53,9 @@ class RealTimePriority {
   bool locked_ = false;
   std::vector<std::string> refused_;
 };
+
+// What the system would not grant a servo thread of this program, one sentence each, tried out in a thread that has
+// ended when this returns.
+std::vector<std::string> real_time_refusals();
 
 }  // namespace bodkin::haptics

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -37,17 +38,20 @@ std::string_view text_of(DeviceFault fault) noexcept;
 
 // What a device can do; its driver or its profile says so. 0 where nothing is known.
 struct DeviceAbilities {
-  std::string name;                    // of the model: "Touch"
-  std::string serial;                  // may be empty
-  double peak_force = 0.0;             // N; 0 = the device renders no force
-  double continuous_force = 0.0;       // N
-  double peak_torque = 0.0;            // N mm; 0 = it renders no torque
-  double stiffness = 0.0;              // N/mm that it renders stably
-  double damping = 0.0;                // N s/mm that the device renders stably; 0 = unknown
-  double resolution = 0.0;             // mm
-  double rate = 1000.0;                // Hz
-  Vec3 workspace_low = Vec3::Zero();   // mm, operator's frame; both zero = unknown
-  Vec3 workspace_high = Vec3::Zero();  // mm
+  std::string name;                      // of the model: "Touch"
+  std::string serial;                    // may be empty
+  double peak_force = 0.0;               // N; 0 = the device renders no force
+  double continuous_force = 0.0;         // N
+  double peak_torque = 0.0;              // N mm; 0 = it renders no torque
+  double stiffness = 0.0;                // N/mm that it renders stably
+  double damping = 0.0;                  // N s/mm that the device renders stably; 0 = unknown
+  double resolution = 0.0;               // mm
+  double rate = 1000.0;                  // Hz
+  double delay = 0.0;                    // s from sending a force to the force at the hand, as its driver states it
+  std::string delay_source;              // where that is written, one sentence; empty = nobody states it
+  std::optional<double> measured_delay;  // s, as `bodkin devices calibrate` has measured it
+  Vec3 workspace_low = Vec3::Zero();     // mm, operator's frame; both zero = unknown
+  Vec3 workspace_high = Vec3::Zero();    // mm
   bool measures_rotation = false;
   bool has_dead_man = false;  // it senses the hand that holds it
   bool owns_loop = false;     // the vendor's thread calls our tick

@@ -32,8 +32,10 @@ struct DeviceCalibration {
   // N of the handle that the device's own controller does not carry, and N of dry friction found on the way.
   std::optional<double> weight;
   double friction = 0.0;
+  // s from sending a force until the handle moved by it, of the device alone.
+  std::optional<double> delay;
 
-  bool empty() const { return !reach && !mounting && !tip_offset && !tool_axis && !weight; }
+  bool empty() const { return !reach && !mounting && !tip_offset && !tool_axis && !weight && !delay; }
 };
 
 }  // namespace bodkin::haptics

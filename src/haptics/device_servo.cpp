@@ -73,6 +73,10 @@ std::uint64_t DeviceServo::rounds() const noexcept {
   return thread_ != nullptr ? thread_->rounds() : shared_->port.ticks();
 }
 
+double DeviceServo::own_delay() const noexcept {
+  return shared_->port.abilities().owns_loop ? 0.0 : shared_->servo.period();
+}
+
 std::string DeviceServo::explain() const {
   return shared_->port.explain();
 }

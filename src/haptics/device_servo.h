@@ -33,6 +33,8 @@ class DeviceServo {
   ServoTick& tick() noexcept;
   // Rounds so far. Any thread.
   std::uint64_t rounds() const noexcept;
+  // s from a tick to the moment at which its command is sent: 0 where the vendor owns the loop, else a period.
+  double own_delay() const noexcept;
   // What the system did not grant, one sentence each; known once start() has returned.
   const std::vector<std::string>& refused() const noexcept { return refused_; }
   // One sentence about the device's last fault; may be empty.

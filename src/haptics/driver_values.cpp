@@ -11,6 +11,7 @@ namespace {
 constexpr double farthest = 1e4;          // mm
 constexpr double crooked = 1e-3;          // of a rotation's columns: more than single precision loses
 constexpr double fallback_rate = 1000.0;  // Hz
+constexpr double longest_delay = 0.02;    // s
 
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
@@ -55,6 +56,8 @@ DeviceAbilities abilities_from(const bodkin_abilities& abilities) {
   result.resolution = std::max(0.0, number(abilities.resolution));
   const double rate = number(abilities.rate);
   result.rate = rate > 0.0 ? rate : fallback_rate;
+  result.delay = std::clamp(number(abilities.delay), 0.0, longest_delay);
+  result.delay_source = text(abilities.delay_source);
   const Vec3 low(abilities.workspace_low), high(abilities.workspace_high);
   if (low.allFinite() && high.allFinite() && (low.array() <= high.array()).all()) {
     result.workspace_low = low;

@@ -73,6 +73,8 @@ std::string_view text_of(GuardReason reason) noexcept {
       return "the hand is outside the workspace";
     case GuardReason::calming:
       return "the hand shakes, the force is halved";
+    case GuardReason::damping:
+      return "the hand goes on shaking, a quarter of the force is left and the hand is damped";
     case GuardReason::stale_decay:
       return "the simulation is late, the force fades";
     case GuardReason::moving:

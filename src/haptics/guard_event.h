@@ -52,6 +52,7 @@ enum class GuardReason : std::uint8_t {
   hot,              // the temperature that the device reports
   workspace,        // outside the usable workspace
   calming,          // oscillation: the force is halved
+  damping,          // it goes on: a quarter of the force, with damping
   stale_decay,      // held for too long: the force fades
   moving,           // cause of `refused`: the hand is not at rest
   pulling,          // cause of `refused`: a force is waiting

@@ -24,6 +24,9 @@ GuardSettings guard_settings(const DeviceAbilities& abilities, double rate) {
   // Twice what a wall of the device's own stiffness leaks by being sampled is enough for whatever it renders stably.
   settings.damping =
       abilities.damping > 0.0 ? abilities.damping : std::min(settings.damping, settings.stiffness * settings.dt);
+  settings.delay = abilities.measured_delay.value_or(abilities.delay);
+  settings.sent_with_next_tick = !abilities.owns_loop;
+  settings.damping *= 2.0 * settings.dt / (2.0 * settings.dt + settings.delay);
   settings.oscillation_amplitude = std::max(settings.oscillation_amplitude, counts_of_a_swing * abilities.resolution);
   return settings;
 }

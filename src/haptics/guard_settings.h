@@ -31,6 +31,8 @@ struct GuardSettings {
   double stiffness = 1.0;
   double damping = 0.002;
   double thermal_time = 30.0;
+  double delay = 0.0;                // transport alone
+  bool sent_with_next_tick = false;  // the loop is ours: a command leaves with the exchange of the next tick
 
   template <typename S = GuardSettings>
   static constexpr auto parameters() {
@@ -65,6 +67,8 @@ struct GuardSettings {
         Parameter{"damping_N_s_per_mm", &S::damping, not_negative, "N s/mm", "that the device renders stably",
                   Origin::choice},
         Parameter{"thermal_time_s", &S::thermal_time, positive, "s", "over which the motors average their load",
+                  Origin::choice},
+        Parameter{"delay_s", &S::delay, Range{0.0, 0.02}, "s", "from sending a force to the force at the hand",
                   Origin::choice}};
   }
   template <typename S = GuardSettings>
@@ -83,8 +87,9 @@ struct GuardSettings {
 };
 
 // Limits for a device: nine tenths of its peaks, its continuous force (15 % of the peak where it is unknown: less
-// than of any device in share/bodkin/devices.csv), its workspace, amplitudes that its encoders can tell from noise.
-// `rate`: Hz at which the guard is called.
+// than of any device in share/bodkin/devices.csv), its workspace, amplitudes that its encoders can tell from noise,
+// its delay. Damping that comes late damps less, so its bound falls as 2 T / (2 T + delay), T the period. `rate`: Hz
+// at which the guard is called.
 GuardSettings guard_settings(const DeviceAbilities& abilities, double rate);
 
 }  // namespace bodkin::haptics

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "haptics/force_change.h"
 #include "haptics/tick_clock.h"
@@ -24,8 +25,11 @@ constexpr int fast_ticks = 3;
 constexpr double driven_swing = 3.0;       // times the smallest swing of a fast shake
 constexpr double workspace_margin = 10.0;  // mm
 constexpr double frozen_force = 0.5;       // N
-constexpr double calm_time = 10.0;         // s after which the whole force comes back
-constexpr double calm_return = 1.0;        // s that this takes
+constexpr double unpushed_time = 0.1;      // s without force after which a hand shakes by itself
+constexpr double least_push = 0.1;         // N
+constexpr double lever = 30.0;             // mm, on which the tool's turning is watched
+constexpr double turning_noise = 0.3;      // mm on that lever
+constexpr double useful_phase = 1.0;       // rad by which damping may come late and still damp
 constexpr double warm = 0.75, hot = 0.9;   // of the temperature: continuous force from `hot` on, zero at 1
 constexpr double quiet_time = 0.1;         // s without a limit before its next intervention is an event again
 constexpr double never = -1e9;             // s
@@ -36,6 +40,12 @@ bool finite(const Wrench& wrench) noexcept {
 
 Wrench scaled(const Wrench& wrench, double share) noexcept {
   return {wrench.force * share, wrench.torque * share};
+}
+
+// A wall of stiffness K whose force comes d periods late leaks 1 + 2 d times as much as without (stable_stiffness.h).
+double delayed_stiffness(const GuardSettings& settings) noexcept {
+  const double late = settings.delay / settings.dt + (settings.sent_with_next_tick ? 1.0 : 0.0);
+  return settings.stiffness * (1.0 + 2.0 * late);
 }
 
 }  // namespace
@@ -51,8 +61,14 @@ HandGuard::HandGuard(const GuardSettings& settings)
     : settings_((bodkin::check(settings, "device"), settings)),
       motion_(settings.dt),
       fast_(fast_shaking(settings.oscillation_amplitude)),
-      driven_(driven_shaking(driven_swing * settings.oscillation_amplitude, settings.stiffness, settings.dt)),
-      passivity_(settings.damping) {
+      driven_(
+          driven_shaking(driven_swing * settings.oscillation_amplitude, delayed_stiffness(settings), settings.dt)),
+      slow_(slow_shaking(driven_swing * settings.oscillation_amplitude, delayed_stiffness(settings), settings.dt)),
+      swings_(settings.oscillation_amplitude),
+      turns_(turning_noise),
+      passivity_(settings.damping),
+      sent_force_(settings.delay, settings.sent_with_next_tick),
+      sent_damping_(settings.delay, settings.sent_with_next_tick) {
   limited_.fill(never);
 }
 
@@ -77,7 +93,7 @@ void HandGuard::end_force(bool at_once) noexcept {
   fading_ = applied_;
   faded_ = at_once ? 1.0 : 0.0;
   ramp_ = 0.0;
-  calm_ = 1.0;
+  calming_.reset();
   arming_for_ = -1.0;
 }
 
@@ -110,6 +126,10 @@ void HandGuard::ramp_from_zero() noexcept {
   passivity_.reset();
   fast_.reset();
   driven_.reset();
+  slow_.reset();
+  swings_.reset();
+  turns_.reset();
+  calming_.reset();
 }
 
 // A simulation that is late is bridged for a while.
@@ -134,23 +154,61 @@ void HandGuard::watch_hand(double dt) noexcept {
   if (motion_.mean_speed() > settings_.speed_limit) {
     return fail(GuardReason::too_fast, motion_.mean_speed(), settings_.speed_limit);
   }
-  still_for_ = motion_.is_still() && applied_.force.norm() > frozen_force ? still_for_ + dt : 0.0;
+  // It begins under force, and nothing but motion ends it: a tissue that relaxes, or a pause of the ticks after which
+  // the force is brought in anew, must not give readings that stand still another half second.
+  const bool begins = applied_.force.norm() > frozen_force;
+  still_for_ = motion_.is_still() && (begins || still_for_ > 0.0) ? still_for_ + dt : 0.0;
   if (settings_.frozen_time > 0.0 && still_for_ > settings_.frozen_time) {
     return fail(GuardReason::frozen, still_for_, settings_.frozen_time);
   }
-  calm_for_ += dt;
-  const bool fast = fast_.step(motion_.moved(), applied_.force, dt);
+  watch_shaking(dt);
+}
+
+void HandGuard::calm(Calming::Step step) noexcept {
+  switch (step) {
+    case Calming::Step::none:
+      return;
+    case Calming::Step::softer:
+      return limit_by(GuardReason::calming, calming_.frequency(), 0.0);
+    case Calming::Step::damped:
+      return limit_by(GuardReason::damping, calming_.frequency(), 0.0);
+    case Calming::Step::none_left:
+      return fail(GuardReason::oscillation, calming_.frequency());
+  }
+}
+
+// Whether the force shakes the hand. Called while armed.
+void HandGuard::watch_shaking(double dt) noexcept {
+  const bool fast = fast_.step(motion_.moved(), held_force_, dt);
   // What the tissue does counts, not what damping makes of it: damping that has to work in every cycle hides a
   // shaking hand without ending it.
-  const bool driven = driven_.step(motion_.moved(), applied_.force - damped_, dt);
-  if (fast || driven) {
-    if (calm_ < 1.0) return fail(GuardReason::oscillation);
-    calm_ = 0.5;
-    calm_for_ = 0.0;
-    limit_by(GuardReason::calming, calm_, 1.0);
-  } else if (calm_for_ > calm_time) {
-    calm_ = std::min(1.0, calm_ + 0.5 * dt / calm_return);
+  const Vec3 of_tissue = held_force_ - held_damping_;
+  const bool driven = driven_.step(motion_.moved(), of_tissue, dt);
+  const bool slow = slow_.step(motion_.moved(), of_tissue, dt);
+  calm(calming_.step(motion_.moved(), dt));
+  if (!is_armed()) return;
+  if (fast || driven || slow) return calm(calming_.begin(0.0, 0.0));
+
+  const bool swings = swings_.step(motion_.moved(), dt), turns = turns_.step(lever * motion_.turned(), dt);
+  const bool pushed = held_force_.norm() > least_push || applied_.torque.norm() > lever * least_push;
+  unpushed_for_ = pushed ? 0.0 : unpushed_for_ + dt;
+  if (unpushed_for_ > unpushed_time) {
+    swings_.reset();
+    turns_.reset();
+  } else if ((swings || turns) && !calming_.is_watching()) {
+    const SwingWatch& seen = swings ? swings_ : turns_;
+    calm(calming_.begin(seen.frequency(), seen.width()));
+    swings_.reset();
+    turns_.reset();
   }
+}
+
+// N s/mm with which a hand that goes on shaking is damped: none where it would come so late that it drives the hand.
+double HandGuard::calming_damping() const noexcept {
+  if (!calming_.damps()) return 0.0;
+  const double period = settings_.dt * (settings_.sent_with_next_tick ? 1.0 : 0.0);
+  const double late = settings_.delay + period + 2.0 * settings_.dt;  // half a hold, half of 3 ms of velocity
+  return 2.0 * std::numbers::pi * calming_.frequency() * late < useful_phase ? settings_.damping : 0.0;
 }
 
 // Everything that ends the force.
@@ -179,7 +237,9 @@ void HandGuard::watch(const DeviceState& device, const GuardInput& input, double
   if (!device.held) return release(GuardReason::released);
   if (dt > longest_gap) {
     report(GuardReason::tick_gap, dt, longest_gap);
+    const double still_for = still_for_;
     ramp_from_zero();
+    still_for_ = still_for;
   }
   if (input.controller_failed) return fail(GuardReason::controller_failed);
   if (!finite(input.wanted)) return fail(GuardReason::not_finite);
@@ -257,15 +317,17 @@ void HandGuard::apply(const DeviceState& device, const GuardInput& input, double
     if (share < 1.0) limit_by(GuardReason::stale_decay, input.age, decay_after);
     wanted = scaled(held_, share);
   } else {
-    wanted = scaled(input.wanted, ramp_ * calm_);
+    wanted = scaled(input.wanted, ramp_ * calming_.share());
   }
   const double inside = workspace_share(device.hand.translation());
   const Vec3 wished = inside * wanted.force;
   // A force that is on its way to zero is not held up by damping.
-  const double alive = state_ == GuardState::holding ? 0.0 : ramp_ * calm_ * inside;
-  wanted = {passivity_.damped(wished, motion_.recent_velocity(), dt, alive), inside * wanted.torque};
+  const double alive = state_ == GuardState::holding ? 0.0 : ramp_ * calming_.share() * inside;
+  wanted = {passivity_.damped(wished, motion_.recent_velocity(), dt, alive, calming_damping()),
+            inside * wanted.torque};
   damped_ = wanted.force - wished;
-  if (!passivity_.damping().isZero(0.0)) limit_by(GuardReason::passivity, passivity_.energy().minCoeff(), 0.0);
+  if (!passivity_.damping().isZero(0.0) && !calming_.damps())
+    limit_by(GuardReason::passivity, passivity_.energy().minCoeff(), 0.0);
   carried_ = input.weight * alive;
   wanted.force += carried_;
 
@@ -301,8 +363,10 @@ const Wrench& HandGuard::step(const DeviceState& device, const GuardInput& input
   ++tick_;
   time_ += dt;
 
+  held_force_ = sent_force_.step(dt);
+  held_damping_ = sent_damping_.step(dt);
   watch(device, input, dt);
-  passivity_.observe(applied_.force - carried_, motion_.moved(), dt);
+  passivity_.observe(held_force_, motion_.moved(), dt);
   try_to_arm(device, input, dt);
   disarming_ = false;
   if (is_armed()) {
@@ -312,6 +376,8 @@ const Wrench& HandGuard::step(const DeviceState& device, const GuardInput& input
     damped_.setZero();
     fade(dt);
   }
+  sent_force_.command(applied_.force - carried_);
+  sent_damping_.command(damped_);
   mean_square_ += std::min(1.0, dt / settings_.thermal_time) * (applied_.force.squaredNorm() - mean_square_);
   return applied_;
 }

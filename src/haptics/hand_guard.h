@@ -5,11 +5,14 @@
 
 #include "core/geometry.h"
 #include "haptics/axis_passivity.h"
+#include "haptics/calming.h"
 #include "haptics/device.h"
 #include "haptics/guard_event.h"
 #include "haptics/guard_settings.h"
+#include "haptics/held_force.h"
 #include "haptics/motion_watch.h"
 #include "haptics/oscillation_watch.h"
+#include "haptics/swing_watch.h"
 
 namespace bodkin::haptics {
 
@@ -37,8 +40,8 @@ struct GuardInput {
 //
 // The force drops to zero at once when the device itself is in doubt (its own faults, a pose that is not finite, a
 // jump, excessive speed); it ramps linearly to zero in 20 ms when the device works (dead-man, disarm(), a force that
-// is not finite, oscillation, frozen readings). While the simulation is more than 5 ms late the last force is held;
-// it fades from 15 to 45 ms of age, and at 50 ms it is a fault.
+// is not finite, frozen readings, a hand that shakes after half and a quarter of the force). While the simulation is
+// more than 5 ms late the last force is held; it fades from 15 to 45 ms of age, and at 50 ms it is a fault.
 class HandGuard {
  public:
   // Throws InputError as check() does.
@@ -65,7 +68,7 @@ class HandGuard {
   std::uint32_t limits() const noexcept { return limits_; }
   double mean_square() const noexcept { return mean_square_; }    // N^2
   double speed() const noexcept { return motion_.mean_speed(); }  // mm/s, over 10 ms
-  // N mm that the hand has given to each axis of the operator's frame, see AxisPassivity.
+  // N mm that the hand has given to each axis of the operator's frame until the last reading, see AxisPassivity.
   const Vec3& energy() const noexcept { return passivity_.energy(); }
   // N, the bound of every force, motor heat aside.
   double bound() const noexcept;
@@ -75,6 +78,9 @@ class HandGuard {
 
   void watch(const DeviceState& device, const GuardInput& input, double dt) noexcept;
   void watch_hand(double dt) noexcept;
+  void watch_shaking(double dt) noexcept;
+  void calm(Calming::Step step) noexcept;
+  double calming_damping() const noexcept;
   void watch_age(double age) noexcept;
   void try_to_arm(const DeviceState& device, const GuardInput& input, double dt) noexcept;
   GuardReason obstacle(const DeviceState& device, const GuardInput& input) const noexcept;
@@ -94,7 +100,9 @@ class HandGuard {
 
   GuardSettings settings_;
   MotionWatch motion_;
-  OscillationWatch fast_, driven_;
+  OscillationWatch fast_, driven_, slow_;
+  SwingWatch swings_, turns_;  // of the hand's position, and of its orientation as the motion of a point on a lever
+  Calming calming_;
   GuardState state_ = GuardState::disarmed;
   GuardReason fault_ = GuardReason::none;
   GuardEvents events_;
@@ -104,16 +112,18 @@ class HandGuard {
   std::array<double, reasons> limited_{};  // s, when each reason last limited
   Wrench applied_;
   AxisPassivity passivity_;
-  Vec3 carried_ = Vec3::Zero();  // N, weight within the force of the last step
-  Vec3 damped_ = Vec3::Zero();   // N, damping within it
-  Wrench held_;                  // held while the simulation is late
-  Wrench fading_;                // where the ramp to zero began
-  double faded_ = 1.0;           // share of the ramp to zero that is done
-  double ramp_ = 0.0;            // share of the force that is let through
-  double calm_ = 1.0;            // share of the force let through after an oscillation
-  double calm_for_ = 0.0;        // s since it did
-  double mean_square_ = 0.0;     // N^2
-  double arming_for_ = -1.0;     // s since the request to arm; negative: none is pending
+  HeldForce sent_force_, sent_damping_;  // without the handle's weight; the damping within it
+  Vec3 held_force_ = Vec3::Zero();       // N, really held since the tick before, without the handle's weight
+  Vec3 held_damping_ = Vec3::Zero();     // N, damping within it
+  double unpushed_for_ = 0.0;            // s without force
+  Vec3 carried_ = Vec3::Zero();          // N, weight within the force of the last step
+  Vec3 damped_ = Vec3::Zero();           // N, damping within it
+  Wrench held_;                          // held while the simulation is late
+  Wrench fading_;                        // where the ramp to zero began
+  double faded_ = 1.0;                   // share of the ramp to zero that is done
+  double ramp_ = 0.0;                    // share of the force that is let through
+  double mean_square_ = 0.0;             // N^2
+  double arming_for_ = -1.0;             // s since the request to arm; negative: none is pending
   bool disarming_ = false;
   double resting_for_ = 0.0;                      // s
   double still_for_ = 0.0;                        // s of unchanged readings under force

@@ -37,6 +37,8 @@ void MotionWatch::step(const Pose& hand, const Vec3& velocity, double dt) noexce
   const Vec3 position = hand.translation();
   if (seen_ == 0) last_ = hand;
   moved_ = position - last_.translation();
+  const Mat3 turn = hand.linear() * last_.linear().transpose();
+  turned_ = 0.5 * Vec3(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
   still_ = seen_ > 0 && moved_.isZero(0.0) && hand.linear() == last_.linear();
   last_ = hand;
   time_ += dt;

@@ -20,6 +20,8 @@ class MotionWatch {
 
   // mm since the last reading.
   const Vec3& moved() const noexcept { return moved_; }
+  // rad about the operator's axes since the last reading, exact for small turns.
+  const Vec3& turned() const noexcept { return turned_; }
   // mm/s of this tick: as reported, or else from the change since the last reading.
   double speed() const noexcept { return speed_; }
   // mm/s over the last 10 ms, from positions alone, so that a coarse encoder at rest is not taken for motion.
@@ -50,6 +52,7 @@ class MotionWatch {
   double time_ = 0.0;
   Pose last_ = Pose::Identity();
   Vec3 moved_ = Vec3::Zero();
+  Vec3 turned_ = Vec3::Zero();
   double speed_ = 0.0;
   double mean_speed_ = 0.0;
   Vec3 recent_velocity_ = Vec3::Zero();

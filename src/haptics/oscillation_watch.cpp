@@ -21,6 +21,11 @@ ShakingPattern driven_shaking(double swing, double device_stiffness, double dt) 
       .swing = swing, .half_period = 1.0 / 20.0, .lasting = 0.25, .gain = leak_margin * device_stiffness * dt / 2.0};
 }
 
+ShakingPattern slow_shaking(double swing, double device_stiffness, double dt) noexcept {
+  return {
+      .swing = swing, .half_period = 1.0 / 6.0, .lasting = 0.6, .gain = leak_margin * device_stiffness * dt / 2.0};
+}
+
 // Over the cycle that ends with this turning point: more given than leaked, and the hand came back.
 bool OscillationWatch::is_driven(double turned_at) const noexcept {
   if (pattern_.gain < 0.0) return true;

@@ -23,6 +23,9 @@ ShakingPattern fast_shaking(double swing) noexcept;
 // force that gives more, cycle after cycle, drives the hand. Above 10 Hz for 250 ms.
 ShakingPattern driven_shaking(double swing, double device_stiffness, double dt) noexcept;
 
+// The same, slower than that: above 3 Hz for 600 ms.
+ShakingPattern slow_shaking(double swing, double device_stiffness, double dt) noexcept;
+
 // Sees a hand that a force shakes, from the turning points of its motion along the force's direction. step() is
 // noexcept and allocates nothing.
 class OscillationWatch {

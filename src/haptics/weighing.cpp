@@ -16,7 +16,8 @@ Control Weighing::step(const ControlInput& input) noexcept {
   seen_ = true;
 
   const Target& target = above_.read();
-  if (!target.carry) return {};
+  const Vec3 pulse = delay_probe_.step(position, input.dt);
+  if (!target.carry) return {{pulse, Vec3::Zero()}, 0.0};
   if (!carrying_) first_ = position;
   carrying_ = true;
   const double step = speed * input.dt;

@@ -4,12 +4,14 @@
 
 #include "core/geometry.h"
 #include "core/latest_value.h"
+#include "haptics/delay_probe.h"
 #include "haptics/servo_tick.h"
 
 namespace bodkin::haptics {
 
-// A controller that carries the handle of a device that no hand holds, so that the handle's weight can be identified:
-// a weak, damped spring to a target that moves at constant speed. One observer sets the target; step() belongs to the
+// The controller of a calibration. It carries the handle of a device that no hand holds, so that the handle's weight
+// can be identified: a weak, damped spring to a target that moves at constant speed. Or it gives the pulses of a
+// DelayProbe. One observer sets the target; step() belongs to the
 // servo's thread, is noexcept and allocates nothing. Poses are in the device's frame: use it with an identity
 // workspace.
 class Weighing {
@@ -24,6 +26,9 @@ class Weighing {
 
   Control step(const ControlInput& input) noexcept;
 
+  // For the observer, too.
+  DelayProbe& delay_probe() noexcept { return delay_probe_; }
+
  private:
   struct Target {
     double above = 0.0;  // mm
@@ -31,6 +36,7 @@ class Weighing {
   };
 
   LatestValue<Target> above_;
+  DelayProbe delay_probe_;
   bool carrying_ = false;
   double gliding_ = 0.0;  // mm above the first place
   Vec3 first_ = Vec3::Zero();

@@ -66,6 +66,7 @@ haptics::DeviceCalibration calibration_from(const XmlElement& element, const std
     found.weight = weight->number("N", 0.0);
     found.friction = weight->number("friction_N", 0.0);
   }
+  if (const XmlElement* delay = element.child("delay")) found.delay = delay->number("s", 0.0);
   return found;
 }
 
@@ -101,6 +102,11 @@ void write(XmlWriter& xml, const haptics::DeviceCalibration& calibration) {
     xml.open("weight");
     xml.attribute("N", *calibration.weight);
     xml.attribute("friction_N", calibration.friction);
+    xml.close();
+  }
+  if (calibration.delay) {
+    xml.open("delay");
+    xml.attribute("s", *calibration.delay);
     xml.close();
   }
   xml.close();
@@ -183,6 +189,7 @@ void merge_calibration(std::vector<haptics::DeviceCalibration>& calibrations,
     found->weight = measured.weight;
     found->friction = measured.friction;
   }
+  if (measured.delay) found->delay = measured.delay;
 }
 
 }  // namespace bodkin::io

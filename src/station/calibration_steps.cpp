@@ -22,6 +22,9 @@ constexpr double glide_of_handle = 2.5;  // s for that and for the swinging to e
 constexpr double rest_time = 1.0;        // s over which the force is taken
 constexpr double arming_time = 4.0;      // s within which the force must have come
 constexpr double least_follow = 5.0;     // mm that the handle must have been lifted
+constexpr double slew_delay = 0.0005;    // s by which the guard's slew rate brings a pulse in late
+constexpr double longest_probe = 10.0;   // s for the pulses that measure the delay
+constexpr double longest_delay = 0.02;   // s
 
 struct StepWords {
   CalibrationStep step;
@@ -29,7 +32,7 @@ struct StepWords {
   std::string_view what_to_do;
 };
 
-constexpr std::array<StepWords, 5> step_table = {
+constexpr std::array<StepWords, 6> step_table = {
     {{CalibrationStep::workspace, "workspace",
       "Workspace: move the handle to every corner that you want to use, near and far, left and right, up and down."},
      {CalibrationStep::mounting, "mounting",
@@ -42,7 +45,10 @@ constexpr std::array<StepWords, 5> step_table = {
      {CalibrationStep::weight, "weight",
       "Weight: the motors will carry the handle. Hold it in the middle of the workspace; as the force comes, let go "
       "and "
-      "keep clear until this step is over."}}};
+      "keep clear until this step is over."},
+     {CalibrationStep::delay, "delay",
+      "Delay: hold the handle loosely in the middle of the workspace, and let it tick up and down for five "
+      "seconds."}}};
 
 const StepWords& step_words(CalibrationStep step) {
   return step_table[static_cast<std::size_t>(step)];
@@ -74,7 +80,7 @@ CalibrationStep calibration_step(const std::string& name) {
 std::vector<CalibrationStep> steps_for(const haptics::DeviceAbilities& device) {
   std::vector<CalibrationStep> steps = {CalibrationStep::workspace, CalibrationStep::mounting};
   if (device.measures_rotation) steps.insert(steps.end(), {CalibrationStep::tip, CalibrationStep::axis});
-  if (device.peak_force > 0.0) steps.push_back(CalibrationStep::weight);
+  if (device.peak_force > 0.0) steps.insert(steps.end(), {CalibrationStep::weight, CalibrationStep::delay});
   return steps;
 }
 
@@ -135,7 +141,7 @@ double CalibrationSteps::carried_force(double above, std::string_view stage) {
   return sum / count;
 }
 
-void CalibrationSteps::weigh(haptics::DeviceCalibration& measured) {
+void CalibrationSteps::bring_force_in() {
   haptics::ServoCommand command;
   command.kind = haptics::ServoCommand::Kind::arm;
   servo_.tick().command(command);
@@ -147,6 +153,35 @@ void CalibrationSteps::weigh(haptics::DeviceCalibration& measured) {
       throw InputError("the force did not come, for the handle was not at rest; hold it still at the beginning");
     }
   }
+}
+
+// What is measured is the way of a command through our loop and the device; ours is known, and the rest is the
+// device's.
+void CalibrationSteps::measure_delay(haptics::DeviceCalibration& measured) {
+  haptics::DelayProbe& probe = weighing_.delay_probe();
+  if (probe.is_over()) throw InputError("the delay was measured already; start again to measure it anew");
+  bring_force_in();
+  probe.begin();
+  const auto begin = std::chrono::steady_clock::now();
+  while (!probe.is_over() && time_since(begin) < longest_probe) {
+    std::this_thread::sleep_for(step_interval);
+    require_sound();
+    if (person_.progress) person_.progress("delay", time_since(begin) / longest_probe);
+  }
+  if (person_.waited) person_.waited();
+  servo_.tick().disarm();
+  const std::optional<double> found = probe.delay();
+  if (!found) {
+    throw InputError(
+        "the handle did not follow the force clearly; hold it loosely, and try again with --steps delay");
+  }
+  measured.delay = std::clamp(*found - servo_.own_delay() - slew_delay, 0.0, longest_delay);
+  person_.say(fmt::format("  a force comes {:.1f} ms after its tick, {:.1f} ms of which are the device's",
+                          1e3 * *found, 1e3 * *measured.delay));
+}
+
+void CalibrationSteps::weigh(haptics::DeviceCalibration& measured) {
+  bring_force_in();
   carried_force(0.0, "weighing: let go of the handle");
   const double low = servo_.tick().snapshot().device.hand.translation().z();
   const double from_below = carried_force(lift, "weighing: the handle goes up");
@@ -194,6 +229,8 @@ void CalibrationSteps::perform(CalibrationStep step, haptics::DeviceCalibration&
       return;
     case CalibrationStep::weight:
       return weigh(measured);
+    case CalibrationStep::delay:
+      return measure_delay(measured);
   }
 }
 

@@ -13,7 +13,7 @@
 namespace bodkin::station {
 
 // What `bodkin devices calibrate` measures, in this order.
-enum class CalibrationStep { workspace, mounting, tip, axis, weight };
+enum class CalibrationStep { workspace, mounting, tip, axis, weight, delay };
 
 // "workspace"
 std::string_view name_of(CalibrationStep step);
@@ -21,7 +21,7 @@ std::string_view name_of(CalibrationStep step);
 CalibrationStep calibration_step(const std::string& name);
 // What the person has to do, one or two sentences.
 std::string_view task_of(CalibrationStep step);
-// The steps that a device allows: tip and axis need rotation, the weight needs force.
+// The steps that a device allows: tip and axis need rotation, weight and delay need force.
 std::vector<CalibrationStep> steps_for(const haptics::DeviceAbilities& device);
 
 struct CalibrationSettings {
@@ -55,6 +55,8 @@ class CalibrationSteps {
   std::vector<Pose> watch(double seconds, std::string_view stage, bool may_end_early);
   double carried_force(double above, std::string_view stage);
   void weigh(haptics::DeviceCalibration& measured);
+  void measure_delay(haptics::DeviceCalibration& measured);
+  void bring_force_in();
   void require_sound();
 
   haptics::DeviceServo& servo_;

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <optional>
 #include <utility>
 
 #include "session/recorder.h"
+#include "station/axial_needle.h"
 
 #include "core/latest_value.h"
 #include "core/single_producer_ring.h"
@@ -50,11 +52,12 @@ struct HandSession::Shared {
   haptics::Control step(const haptics::ControlInput& input) noexcept {
     simulation::TickRecord record;
     record.tick = ticks;
-    record.input.needle = input.needle;
+    record.input.needle = axial ? axial->step(input.needle, tick_in_tissue, input.dt) : input.needle;
     if (has_syringe) record.input.thumb = thumb_now();
     record.output = tick.step(record.input);
+    tick_in_tissue = record.output.depth > 0.0;
     const Vec3 ahead = body == nullptr ? Vec3(Vec3::Zero()) : body->needle_ahead();
-    publish_forces(input.needle, ahead);
+    publish_forces(record.input.needle, ahead);
     if (moving && !moving_failed && moving->failed()) leave_moving_body(record.output);
     if (!closed.load(std::memory_order_acquire)) recorder.push(record);
     // After the tick itself, so that a recorded sample of the second hand has its tick before it.
@@ -70,7 +73,7 @@ struct HandSession::Shared {
         corridor_left = false;
       if (event.kind == forces::EventKind::corridor_left) corridor_left = true;
     }
-    HandSnapshot now{ticks, input.needle, ahead, record.output, corridor_left};
+    HandSnapshot now{ticks, record.input.needle, ahead, record.output, corridor_left};
     now.output.events.clear();
     snapshot.write(now);
     return {record.output.applied, 0.0};
@@ -108,6 +111,8 @@ struct HandSession::Shared {
   std::shared_ptr<ScanThread> scan;                    // may be null
   std::shared_ptr<PatientBody> moving;                 // may be null
   bool moving_failed = false;
+  std::optional<AxialNeedle> axial;  // empty: the device renders force
+  bool tick_in_tissue = false;       // after the tick before
   session::Recorder recorder;
   std::uint64_t ticks = 0;
   bool corridor_left = false;
@@ -134,6 +139,10 @@ void HandSession::show_on(std::shared_ptr<simulation::DisplayThread> display) {
 
 void HandSession::show_on(std::shared_ptr<ScanThread> scan) {
   shared_->scan = std::move(scan);
+}
+
+void HandSession::guide_along_axis() {
+  shared_->axial.emplace();
 }
 
 void HandSession::press(std::shared_ptr<PatientBody> body) {

@@ -59,6 +59,8 @@ class HandSession {
   HandSession(const HandSession&) = delete;
   HandSession& operator=(const HandSession&) = delete;
 
+  // No tissue holds the needle, for the device renders no force: it moves as an AxialNeedle; before start().
+  void guide_along_axis();
   // Every tick passes it the forces on the deformable body; before start().
   void show_on(std::shared_ptr<simulation::DisplayThread> display);
   // Every tick passes it these forces and the needle as it lies in the body; before start().

@@ -18,13 +18,16 @@
 #include "station/guard_sentence.h"
 #include "station/node_field.h"
 #include "station/probe_contact.h"
+#include "station/real_time_check.h"
 #include "station/recorded_hand.h"
+#include "station/station_checks.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
 #include "haptics/calibration.h"
 #include "haptics/guard_event.h"
+#include "haptics/stable_stiffness.h"
 #include "imaging/ultrasound/acoustic_volume.h"
 #include "io/calibrations_file.h"
 
@@ -35,36 +38,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double rate_tolerance = 0.05;  // of the rate; a device that misses it by more is reported
-
-anatomy::NeedlePath path_of(const StationOptions& options) {
-  if (options.path) return *options.path;
-  if (const std::optional<anatomy::NeedlePath>& planned = options.patient.description.procedure.path) return *planned;
-  throw InputError(fmt::format(
-      "{}: the case has no planned path, so there is no place to put the hand; make the case with --entry "
-      "and --target",
-      options.case_folder.string()));
-}
-
-void check_moving_body(const StationOptions& options) {
-  if (!options.moving_body) return;
-  if (!options.second || options.second->role != session::SecondRole::probe) {
-    throw InputError(
-        "--body is 'moving', which a probe presses, but no second device holds one; add --second DEVICE --second-as "
-        "probe");
-  }
-  const anatomy::ResistanceSettings& resistance = options.patient.description.haptics.resistance;
-  if (std::holds_alternative<anatomy::EmbeddedNeedleSettings>(resistance)) return;
-  throw InputError(
-      fmt::format("--body is 'moving', which only the resistance embedded_needle feels, and this one is {}; add "
-                  "--resistance embedded_needle",
-                  anatomy::name_of(resistance)));
-}
-
-std::string moving_body_record(const fem::ProbeFace& face, std::size_t nodes) {
-  return nlohmann::ordered_json{
-      {"nodes", nodes}, {"width_mm", face.width}, {"thickness_mm", face.thickness}, {"radius_mm", face.radius}}
-      .dump();
-}
 
 // Of the device that is held; with a recording, of the device that was held then.
 anatomy::DeviceLimits limits_with(const DeviceChoice& choice, const haptics::DeviceAbilities& device,
@@ -112,6 +85,7 @@ struct Station::Parts {
   std::unique_ptr<NodeField> field;                  // of a static body, until the ultrasound takes it
   haptics::DeviceAbilities device;
   haptics::DeviceCalibration calibration;
+  haptics::StableStiffness stiffness;  // that the device may be asked to render
   haptics::ServoSettings servo;
   std::optional<SecondDevice> second_device;
   std::shared_ptr<ScanThread> scan;  // null: no ultrasound
@@ -168,6 +142,8 @@ haptics::DevicePort Station::Parts::open_device() {
   haptics::apply(calibration, device);
   const double rate = patient->description.haptics.rate;
   require_same_rate(choice, device, rate);
+  stiffness = haptics::stable_stiffness(device, rate, calibration.friction);
+  device.stiffness = stiffness.stiffness;
   anatomy::DeviceLimits& limits = patient->description.device;  // of what the needle's side may ask for
   limits = limits_with(choice, device, limits);
   limits.stiffness /= options.scale * options.force_scale;
@@ -179,6 +155,12 @@ haptics::DevicePort Station::Parts::open_device() {
   servo.workspace.scale = options.scale;
   servo.workspace.force_scale = options.force_scale;
   haptics::apply(calibration, servo);
+  if (stiffness.is_cut() && !choice.is_recorded()) observer.note(stiffness_sentence(stiffness));
+  if (holds_a_hand(choice, device)) {
+    const std::string warning = real_time_warning(options.allow_late);
+    if (!warning.empty()) observer.note(warning);
+    if (!warning.empty() && !options.allow_late) servo.guard.user_force = late_force;
+  }
   return port;
 }
 
@@ -202,6 +184,11 @@ session::SessionHeader Station::Parts::header() const {
                              {"settings", options.device.settings},
                              {"scale", options.scale},
                              {"force_scale", options.force_scale},
+                             {"delay_s", device.measured_delay.value_or(device.delay)},
+                             {"delay_source", device.measured_delay ? "measured" : device.delay_source},
+                             {"force_delay_s", stiffness.delay},
+                             {"stiffness_N_per_mm", stiffness.stiffness},
+                             {"published_stiffness_N_per_mm", stiffness.published},
                              {"calibration", calibration.empty() ? "" : io::calibrations_xml({&calibration, 1})}}
           .dump();
   header.device = patient->description.device;
@@ -314,6 +301,10 @@ Station::Station(StationOptions options, StationObserver& observer) {
   }
   parts.session = std::make_unique<HandSession>(parts.patient, header, parts.options.output, parts.options.overwrite,
                                                 std::move(port), parts.device, parts.servo, std::move(link));
+  // The mouse is a hand of its own that tissue holds back, and a recording is to come back as it was.
+  const DeviceChoice& hand = parts.options.device;
+  if (parts.device.peak_force == 0.0 && !hand.is_recorded() && std::string_view(hand.driver->name) != "mouse")
+    parts.session->guide_along_axis();
   if (parts.moving != nullptr) parts.session->press(parts.moving);
   if (parts.scan != nullptr) parts.session->show_on(parts.scan);
   if (parts.points && parts.points->display() != nullptr) parts.session->show_on(parts.points->display());
@@ -393,7 +384,9 @@ StationResult Station::finish() {
   run.missed_deadlines = timings.overruns;
   run.worst_lateness = timings.lateness.maximum();
   run.records_lost = parts.session->records_lost();
-  for (const std::string& sentence : parts.session->servo().refused()) run.notes.push_back(sentence);
+  if (!holds_a_hand(parts.options.device, parts.device)) {  // otherwise it was said before
+    for (const std::string& sentence : parts.session->servo().refused()) run.notes.push_back(sentence);
+  }
   if (run.ticks == 0) throw SystemError("the device did not answer once; is it switched on?");
   parts.add_summary(run);
   if (parts.scan != nullptr) result.ultrasound_pictures = parts.scan->picture().number;

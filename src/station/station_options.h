@@ -20,7 +20,9 @@ struct StationOptions {
   DeviceChoice device;                      // holds the needle
   double scale = 1.0;                       // mm of the needle per mm of the hand, 0.1 to 10
   double force_scale = 1.0;                 // N at the hand per N of the needle, 0.01 to 1
-  bool use_calibration = true;              // what 'bodkin devices calibrate' measured of the devices
+  // Without real-time priority and locked memory the force is held below a cap, unless the user says that he knows.
+  bool allow_late = false;
+  bool use_calibration = true;  // what 'bodkin devices calibrate' measured of the devices
   std::optional<SecondChoice> second;
   // Empty: a body is rigid or static, as the resistance has it. Otherwise it moves, pressed by the probe of the
   // second device, which has this face.

@@ -297,6 +297,24 @@ TEST(HandGuard, readings_that_stand_still_under_force_are_a_fault_after_half_a_s
   EXPECT_EQ(free.guard.state(), GuardState::active) << "a device that lies on the table";
 }
 
+TEST(HandGuard, a_frozen_device_loses_its_force_in_time_though_the_tissue_relaxes_or_a_tick_is_missed) {
+  for (const bool gap : {false, true}) {
+    GuardRig rig;
+    rig.push({0.0, 0.0, 0.7});
+    rig.alive = false;
+    rig.tick(Vec3(0.0, 0.0, 0.7));
+    double seconds = 0.0;
+    while (rig.guard.is_armed() && seconds < 2.0) {
+      // Under 0.5 N after 80 ms; and once no tick for 60 ms, after which the force is brought in anew.
+      const double dt = gap && seconds > 0.2 && seconds < 0.2015 ? 0.060 : 0.001;
+      rig.tick(Vec3(0.0, 0.0, std::max(0.3, 0.7 * (1.0 - 4.0 * seconds))), 0.0, dt);
+      seconds += dt;
+    }
+    EXPECT_EQ(rig.guard.fault(), GuardReason::frozen) << gap;
+    EXPECT_LE(seconds, 0.503) << gap;
+  }
+}
+
 TEST(HandGuard, can_be_armed_again_after_a_fault) {
   GuardRig rig;
   rig.push(push3);

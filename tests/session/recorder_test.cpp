@@ -164,5 +164,16 @@ TEST(DeadlineClock, keeps_the_pace_and_counts_what_is_late) {
   EXPECT_GE(clock.worst_lateness(), 0.015);
 }
 
+TEST(DeadlineClock, does_not_catch_up_what_is_late) {
+  DeadlineClock clock(0.004);
+  clock.start();
+  clock.wait();
+  std::this_thread::sleep_for(std::chrono::milliseconds(44));  // eleven deadlines go by
+  const auto begin = std::chrono::steady_clock::now();
+  for (int tick = 0; tick < 11; ++tick) clock.wait();
+  // The first one is late; between it and the next there is half a period at least, then a whole one each.
+  EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(37));
+}
+
 }  // namespace
 }  // namespace bodkin

@@ -43,6 +43,7 @@ void AttemptOptions::apply(station::StationOptions& station) const {
   station.moving_body = moving_body;
   station.scale = scale;
   station.force_scale = force_scale;
+  station.allow_late = allow_late;
   station.use_calibration = use_calibration;
   station.longest = longest;
 }
@@ -65,6 +66,7 @@ AttemptOptions read_attempt_options(const std::string& text) {
     options.parts = json.value("parts", options.parts);
     options.scale = json.value("scale", options.scale);
     options.force_scale = json.value("force_scale", options.force_scale);
+    options.allow_late = json.value("allow_late", options.allow_late);
     options.use_calibration = json.value("use_calibration", options.use_calibration);
     options.output = json.value("output", std::string());
     options.overwrite = json.value("overwrite", options.overwrite);

@@ -18,6 +18,7 @@ struct AttemptOptions {
   std::optional<station::SecondChoice> second;
   std::optional<fem::ProbeFace> moving_body;
   double scale = 1.0, force_scale = 1.0;
+  bool allow_late = false;
   bool use_calibration = true;
   std::filesystem::path output;  // empty: the window's own folder
   bool overwrite = false;

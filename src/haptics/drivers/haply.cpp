@@ -373,6 +373,9 @@ struct Haply {
     abilities.stiffness = 1.0;
     abilities.damping = 0.006;
     abilities.rate = 1000.0;
+    abilities.delay = 0.002;
+    copy_text("the vendor states none; one pass through the service and one 1 ms frame of the bus (USB 2.0, 5.11)",
+              abilities.delay_source, BODKIN_TEXT);
     std::fill_n(abilities.workspace_low, 3, -reach);
     std::fill_n(abilities.workspace_high, 3, reach);
     abilities.measures_rotation = choice.grip.empty() ? 0 : 1;

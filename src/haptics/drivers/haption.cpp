@@ -304,6 +304,9 @@ struct Haption {
     std::fill_n(abilities.workspace_low, 3, -radius);
     std::fill_n(abilities.workspace_high, 3, radius);
     abilities.measures_rotation = abilities.has_dead_man = abilities.owns_loop = 1;
+    abilities.delay = static_cast<double>(period);
+    copy_text("the vendor states none; virtSetForce is taken up by the controller's next cycle of 1 ms",
+              abilities.delay_source, BODKIN_TEXT);
     return std::make_unique<HaptionDevice>(std::move(connection), relays);
   }
 };

@@ -189,6 +189,9 @@ class OpenHapticsDevice : public OpenDevice {
     abilities.rate = 1.0 / period_;
     abilities.has_dead_man = has_dead_man_ ? 1 : 0;
     abilities.owns_loop = 1;
+    abilities.delay = 0.001;
+    copy_text("the vendor states none; hdEndFrame hands the force to the next 1 ms frame of the bus (USB 2.0, 5.11)",
+              abilities.delay_source, BODKIN_TEXT);
   }
 
   void start(bodkin_tick tick, void* user) override {

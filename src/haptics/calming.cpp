@@ -1,0 +1,56 @@
+#include "haptics/calming.h"
+
+#include <algorithm>
+
+namespace bodkin::haptics {
+
+namespace {
+constexpr double half = 0.5, quarter = 0.25;
+constexpr double window = 0.025;        // s
+constexpr double still_shakes = 0.5;    // of the way that the shaking makes in a window
+constexpr double calm_time = 10.0;      // s after which the whole force comes back
+constexpr double calm_return = 1.0;     // s that this takes
+constexpr double shortest_watch = 0.1;  // s for which the motion decides about the next step; one cycle at least
+}  // namespace
+
+Calming::Step Calming::begin(double frequency, double width) noexcept {
+  if (is_on()) return Step::none_left;
+  share_ = half;
+  damps_ = false;
+  watching_ = frequency > 0.0;
+  frequency_ = frequency;
+  width_ = width;
+  since_ = for_ = 0.0;
+  place_ = low_ = high_ = Vec3::Zero();
+  return Step::softer;
+}
+
+Calming::Step Calming::step(const Vec3& moved, double dt) noexcept {
+  if (!is_on()) return Step::none;
+  since_ += dt;
+  if (since_ > calm_time) {
+    damps_ = watching_ = false;
+    share_ = std::min(1.0, share_ + half * dt / calm_return);
+    return Step::none;
+  }
+  if (!watching_) return Step::none;
+  for_ += dt;
+  place_ += moved;
+  low_ = low_.cwiseMin(place_);
+  high_ = high_.cwiseMax(place_);
+  if (for_ < window) return Step::none;
+  const double reach = (high_ - low_).maxCoeff();
+  for_ = 0.0;
+  place_ = low_ = high_ = Vec3::Zero();
+  if (reach < still_shakes * width_ * std::min(1.0, 2.0 * frequency_ * window)) {
+    watching_ = since_ < std::max(shortest_watch, 1.0 / frequency_);
+    return Step::none;
+  }
+  if (damps_) return Step::none_left;
+  damps_ = true;
+  share_ = quarter;
+  since_ = 0.0;
+  return Step::damped;
+}
+
+}  // namespace bodkin::haptics

@@ -1,0 +1,71 @@
+#include "haptics/swing_watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace bodkin::haptics {
+
+namespace {
+constexpr double slowest_shaking = 3.0;      // Hz
+constexpr double faster_than_hands = 19.0;   // Hz
+constexpr double hand_acceleration = 2.0e4;  // mm/s^2
+constexpr double persists = 0.85;            // of a cycle's width that the next one has at least
+constexpr double fast_swings = 2.0;          // times the least swing
+}  // namespace
+
+double SwingWatch::allowed(double frequency) const noexcept {
+  const double fast = fast_swings * least_;
+  if (frequency >= faster_than_hands) return fast;
+  const double turn_rate = 2.0 * std::numbers::pi * std::max(frequency, slowest_shaking);
+  return std::max(fast, 2.0 * hand_acceleration / (turn_rate * turn_rate));
+}
+
+bool SwingWatch::is_shaken(const Axis& axis) noexcept {
+  if (axis.count <= static_cast<int>(axis.last.size())) return false;  // the first one began in the middle
+  const auto& swing = axis.last;
+  const double width = std::min(swing[0].width, swing[1].width);
+  if (swing[0].width + swing[1].width < persists * (swing[2].width + swing[3].width)) return false;
+  const double frequency = 1.0 / (swing[0].time + swing[1].time);
+  if (width <= allowed(frequency)) return false;
+  frequency_ = frequency;
+  width_ = width;
+  return true;
+}
+
+// One axis. A turning point is known once the hand has come back by `least_`.
+bool SwingWatch::step(Axis& axis, double moved, double dt) noexcept {
+  axis.place += moved;
+  axis.since_extreme += dt;
+  if (axis.forwards ? axis.place > axis.extreme : axis.place < axis.extreme) {
+    axis.since_turn += axis.since_extreme;
+    axis.since_extreme = 0.0;
+    axis.extreme = axis.place;
+  }
+  const double longest = 0.5 / slowest_shaking;
+  if (axis.since_turn + axis.since_extreme > longest) axis.count = 0;
+  if (std::abs(axis.extreme - axis.place) < least_) return false;
+
+  std::rotate(axis.last.begin(), axis.last.end() - 1, axis.last.end());
+  axis.last.front() = {std::abs(axis.extreme - axis.turn), std::max(axis.since_turn, dt)};
+  axis.count = axis.since_turn > longest ? 0 : axis.count + 1;
+  axis.turn = axis.extreme;
+  axis.since_turn = axis.since_extreme;
+  axis.since_extreme = 0.0;
+  axis.extreme = axis.place;
+  axis.forwards = !axis.forwards;
+  return is_shaken(axis);
+}
+
+bool SwingWatch::step(const Vec3& moved, double dt) noexcept {
+  bool shaken = false;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    if (!step(axes_[i], moved[static_cast<Eigen::Index>(i)], dt)) continue;
+    axis_ = static_cast<int>(i);
+    shaken = true;
+  }
+  return shaken;
+}
+
+}  // namespace bodkin::haptics

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+
+#include "core/geometry.h"
+
+namespace bodkin::haptics {
+
+// Sees a hand that is shaken, from its motion alone: on every axis, 3 to 200 Hz, whatever the force and its energy
+// account say. It looks for two whole cycles in a row that do not die away and are wider than a hand of its own makes
+// them:
+//
+//   from 19 Hz on: twice the smallest swing that the encoder can tell from noise (no hand trembles that fast);
+//   below: A = 2 a / (2 pi f)^2 from side to side, a = 20 m/s^2 (a choice: about four times what a hand that trembles
+//   by 3 mm at 6 Hz or by 1 mm at 11 Hz needs), which is 2.8 mm at 19 Hz, 10 mm at 10 Hz and 113 mm at 3 Hz.
+//
+// What swings less below 19 Hz is for OscillationWatch, which asks who does the work. step() is noexcept and
+// allocates nothing.
+class SwingWatch {
+ public:
+  // `least`: mm from turning point to turning point that are no noise.
+  explicit SwingWatch(double least) noexcept : least_(least) {}
+
+  // `moved`: mm since the last tick, `dt` s ago. True in the tick of a turning point with which the shaking is found.
+  bool step(const Vec3& moved, double dt) noexcept;
+  void reset() noexcept { *this = SwingWatch(least_); }
+
+  // Of the shaking that was found last: Hz, mm from side to side, 0 to 2.
+  double frequency() const noexcept { return frequency_; }
+  double width() const noexcept { return width_; }
+  int axis() const noexcept { return axis_; }
+
+  // mm from side to side that a hand may swing by itself at `frequency` (Hz).
+  double allowed(double frequency) const noexcept;
+
+ private:
+  struct Swing {
+    double width = 0.0;  // mm
+    double time = 0.0;   // s, from turning point to turning point
+  };
+  struct Axis {
+    double place = 0.0, extreme = 0.0, turn = 0.0;  // mm
+    double since_extreme = 0.0, since_turn = 0.0;   // s; the latter to the extreme
+    bool forwards = true;
+    int count = 0;                // swings in a row that were fast enough
+    std::array<Swing, 4> last{};  // the newest first
+  };
+
+  bool step(Axis& axis, double moved, double dt) noexcept;
+  bool is_shaken(const Axis& axis) noexcept;
+
+  double least_;
+  std::array<Axis, 3> axes_{};
+  double frequency_ = 0.0, width_ = 0.0;
+  int axis_ = 0;
+};
+
+}  // namespace bodkin::haptics

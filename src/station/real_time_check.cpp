@@ -1,0 +1,25 @@
+#include "station/real_time_check.h"
+
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "haptics/deadline_clock.h"
+
+namespace bodkin::station {
+
+bool holds_a_hand(const DeviceChoice& choice, const haptics::DeviceAbilities& device) {
+  return device.peak_force > 0.0 && !device.owns_loop && !choice.is_simulated() && !choice.is_recorded();
+}
+
+std::string real_time_warning(bool allowed) {
+  const std::vector<std::string> refused = haptics::real_time_refusals();
+  if (refused.empty()) return {};
+  return fmt::format(
+      "other programs can hold up the force, which then comes late and can shake the hand{} ({})",
+      allowed ? "" : fmt::format(", so it is kept below {:g} N; --allow-late lifts that limit", late_force),
+      fmt::join(refused, "; "));
+}
+
+}  // namespace bodkin::station

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "station/device_choice.h"
+
+#include "haptics/device.h"
+
+namespace bodkin::station {
+
+// N that a device may give at most while the system does not run its servo ahead of other programs.
+inline constexpr double late_force = 1.5;
+
+// Whether a person's hand is to be held by a servo of ours.
+bool holds_a_hand(const DeviceChoice& choice, const haptics::DeviceAbilities& device);
+
+// Where the system grants no real-time priority or does not lock memory: one sentence that says what this means and
+// how to get them. Empty where it does. `allowed`: the user has said that he knows, and no cap is put on the force.
+std::string real_time_warning(bool allowed);
+
+}  // namespace bodkin::station

@@ -1,0 +1,50 @@
+#include "station/station_checks.h"
+
+#include <variant>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+
+namespace bodkin::station {
+
+anatomy::NeedlePath path_of(const StationOptions& options) {
+  if (options.path) return *options.path;
+  if (const std::optional<anatomy::NeedlePath>& planned = options.patient.description.procedure.path) return *planned;
+  throw InputError(fmt::format(
+      "{}: the case has no planned path, so there is no place to put the hand; make the case with --entry "
+      "and --target",
+      options.case_folder.string()));
+}
+
+void check_moving_body(const StationOptions& options) {
+  if (!options.moving_body) return;
+  if (!options.second || options.second->role != session::SecondRole::probe) {
+    throw InputError(
+        "--body is 'moving', which a probe presses, but no second device holds one; add --second DEVICE --second-as "
+        "probe");
+  }
+  const anatomy::ResistanceSettings& resistance = options.patient.description.haptics.resistance;
+  if (std::holds_alternative<anatomy::EmbeddedNeedleSettings>(resistance)) return;
+  throw InputError(
+      fmt::format("--body is 'moving', which only the resistance embedded_needle feels, and this one is {}; add "
+                  "--resistance embedded_needle",
+                  anatomy::name_of(resistance)));
+}
+
+std::string moving_body_record(const fem::ProbeFace& face, std::size_t nodes) {
+  return nlohmann::ordered_json{
+      {"nodes", nodes}, {"width_mm", face.width}, {"thickness_mm", face.thickness}, {"radius_mm", face.radius}}
+      .dump();
+}
+
+std::string stiffness_sentence(const haptics::StableStiffness& stiffness) {
+  const bool encoder = stiffness.by_encoder < stiffness.by_delay;
+  return fmt::format("the hand is offered {:.2g} N/mm at most instead of the published {:.2g}, because {}",
+                     stiffness.stiffness, stiffness.published,
+                     encoder ? "the encoder's counts allow no more with the friction that was measured"
+                             : fmt::format("a force reaches it {:.1f} ms after its tick", 1e3 * stiffness.delay));
+}
+
+}  // namespace bodkin::station

@@ -1,0 +1,98 @@
+#include "haptics/swing_watch.h"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "tests/one_tick.h"
+#include <gtest/gtest.h>
+
+#include "haptics/calming.h"
+
+namespace bodkin {
+
+using namespace bodkin::haptics;
+namespace {
+
+// s until a hand that swings at `hertz`, `wide` mm from the middle, is found to be shaken; negative: never in three
+// seconds. `fading`: the share by which each second leaves less.
+double found_after(SwingWatch watch, double hertz, double wide, int axis = 2, double fading = 0.0) {
+  const auto place = [&](double time) {
+    return wide * std::exp(-fading * time) * std::sin(6.283185307 * hertz * time);
+  };
+  for (int i = 1; i <= 3000; ++i) {
+    const double time = one_tick * i;
+    Vec3 moved = Vec3::Zero();
+    moved[axis] = place(time) - place(time - one_tick);
+    if (watch.step(moved, one_tick)) return time;
+  }
+  return -1.0;
+}
+
+TEST(SwingWatch, finds_every_frequency_from_3_to_200_Hz_on_every_axis_within_three_cycles) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double hertz : {3.2, 5.0, 8.0, 12.0, 18.0, 21.0, 30.0, 60.0, 100.0, 150.0, 200.0}) {
+      const SwingWatch watch(0.05);
+      const double found = found_after(watch, hertz, 0.75 * watch.allowed(hertz), axis);
+      EXPECT_GT(found, 0.0) << hertz;
+      EXPECT_LT(found, 3.0 / hertz) << hertz;
+    }
+  }
+}
+
+TEST(SwingWatch, lets_a_hand_tremble_and_work) {
+  const SwingWatch watch(0.05);
+  for (const auto& [hertz, wide] : {std::pair(1.0, 40.0),
+                                    {2.0, 30.0},
+                                    {4.0, 3.0},
+                                    {6.0, 3.0},
+                                    {8.0, 2.0},
+                                    {11.0, 1.0},
+                                    {14.0, 0.3},
+                                    {18.0, 0.3}}) {
+    EXPECT_LT(found_after(watch, hertz, wide), 0.0) << hertz;
+  }
+  EXPECT_LT(found_after(watch, 80.0, 0.03), 0.0) << "what an encoder makes of rest";
+}
+
+TEST(SwingWatch, lets_a_swing_die_away) {
+  const SwingWatch watch(0.05);
+  EXPECT_GT(found_after(watch, 25.0, 1.0), 0.0);
+  EXPECT_LT(found_after(watch, 25.0, 1.0, 2, 8.0), 0.0) << "a quarter less with each cycle";
+  EXPECT_LT(found_after(watch, 10.0, 8.0, 2, 4.0), 0.0);
+}
+
+TEST(Calming, takes_a_step_every_25_ms_while_the_hand_goes_on) {
+  Calming calming;
+  EXPECT_EQ(calming.begin(22.0, 2.0), Calming::Step::softer);
+  EXPECT_DOUBLE_EQ(calming.share(), 0.5);
+  std::vector<int> steps;
+  for (int i = 1; i <= 100; ++i) {
+    const double place = std::sin(6.2832 * 22.0 * 0.001 * i), before = std::sin(6.2832 * 22.0 * 0.001 * (i - 1));
+    const Calming::Step step = calming.step(Vec3(0.0, place - before, 0.0), one_tick);
+    EXPECT_EQ(calming.damps(), step == Calming::Step::damped || !steps.empty());
+    if (step != Calming::Step::none) steps.push_back(i);
+    if (step == Calming::Step::none_left) break;
+  }
+  EXPECT_EQ(steps, (std::vector<int>{25, 50}));
+}
+
+TEST(Calming, gives_the_force_back_to_a_hand_that_was_calm_for_ten_seconds) {
+  Calming calming;
+  calming.begin(22.0, 2.0);
+  for (int i = 0; i < 9900; ++i) EXPECT_EQ(calming.step(Vec3::Zero(), one_tick), Calming::Step::none);
+  EXPECT_DOUBLE_EQ(calming.share(), 0.5);
+  for (int i = 0; i < 1200; ++i) calming.step(Vec3::Zero(), one_tick);
+  EXPECT_DOUBLE_EQ(calming.share(), 1.0);
+  EXPECT_FALSE(calming.is_on());
+}
+
+TEST(Calming, a_hand_that_shakes_again_before_loses_the_force) {
+  Calming calming;
+  calming.begin(22.0, 2.0);
+  for (int i = 0; i < 3000; ++i) calming.step(Vec3::Zero(), one_tick);
+  EXPECT_EQ(calming.begin(22.0, 2.0), Calming::Step::none_left);
+}
+
+}  // namespace
+}  // namespace bodkin
