@@ -343,6 +343,8 @@ void HandGuard::apply(const DeviceState& device, const GuardInput& input, double
   const ForceChange cooled = shortened(clamped.value, heated);
   if (cooled.limited && thermal <= heated) limit_by(GuardReason::thermal, clamped.value.norm(), thermal);
   applied_.force = cooled.value;
+  // What a limit has cut off is no damping that the hand feels.
+  if (slowed.limited || clamped.limited || cooled.limited) damped_.setZero();
 
   // Motors that are too hot for a force are too hot for a torque.
   const double torque_most = peak_share * settings_.peak_torque * (most > 0.0 ? heated / most : 0.0);

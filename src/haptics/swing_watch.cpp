@@ -12,6 +12,7 @@ constexpr double slowest_shaking = 3.0;      // Hz
 constexpr double faster_than_hands = 19.0;   // Hz
 constexpr double hand_acceleration = 2.0e4;  // mm/s^2
 constexpr double persists = 0.85;            // of a cycle's width that the next one has at least
+constexpr double unsteady = 0.25;            // of a period by which another one may differ
 constexpr double fast_swings = 2.0;          // times the least swing
 }  // namespace
 
@@ -26,8 +27,12 @@ bool SwingWatch::is_shaken(const Axis& axis) noexcept {
   if (axis.count <= static_cast<int>(axis.last.size())) return false;  // the first one began in the middle
   const auto& swing = axis.last;
   const double width = std::min(swing[0].width, swing[1].width);
-  if (swing[0].width + swing[1].width < persists * (swing[2].width + swing[3].width)) return false;
-  const double frequency = 1.0 / (swing[0].time + swing[1].time);
+  const double period = swing[0].time + swing[1].time;
+  for (std::size_t i = 2; i < swing.size(); i += 2) {
+    if (swing[i - 2].width + swing[i - 1].width < persists * (swing[i].width + swing[i + 1].width)) return false;
+    if (std::abs(swing[i].time + swing[i + 1].time - period) > unsteady * period) return false;
+  }
+  const double frequency = 1.0 / period;
   if (width <= allowed(frequency)) return false;
   frequency_ = frequency;
   width_ = width;

@@ -7,8 +7,8 @@
 namespace bodkin::haptics {
 
 // Sees a hand that is shaken, from its motion alone: on every axis, 3 to 200 Hz, whatever the force and its energy
-// account say. It looks for two whole cycles in a row that do not die away and are wider than a hand of its own makes
-// them:
+// account say. It looks for three whole cycles in a row, as long and as wide as each other, that do not die away and
+// are wider than a hand of its own makes them:
 //
 //   from 19 Hz on: twice the smallest swing that the encoder can tell from noise (no hand trembles that fast);
 //   below: A = 2 a / (2 pi f)^2 from side to side, a = 20 m/s^2 (a choice: about four times what a hand that trembles
@@ -43,7 +43,7 @@ class SwingWatch {
     double since_extreme = 0.0, since_turn = 0.0;   // s; the latter to the extreme
     bool forwards = true;
     int count = 0;                // swings in a row that were fast enough
-    std::array<Swing, 4> last{};  // the newest first
+    std::array<Swing, 6> last{};  // the newest first
   };
 
   bool step(Axis& axis, double moved, double dt) noexcept;

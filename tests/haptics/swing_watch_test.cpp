@@ -29,13 +29,13 @@ double found_after(SwingWatch watch, double hertz, double wide, int axis = 2, do
   return -1.0;
 }
 
-TEST(SwingWatch, finds_every_frequency_from_3_to_200_Hz_on_every_axis_within_three_cycles) {
+TEST(SwingWatch, finds_every_frequency_from_3_to_200_Hz_on_every_axis_within_four_cycles) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const double hertz : {3.2, 5.0, 8.0, 12.0, 18.0, 21.0, 30.0, 60.0, 100.0, 150.0, 200.0}) {
       const SwingWatch watch(0.05);
       const double found = found_after(watch, hertz, 0.75 * watch.allowed(hertz), axis);
       EXPECT_GT(found, 0.0) << hertz;
-      EXPECT_LT(found, 3.0 / hertz) << hertz;
+      EXPECT_LT(found, 4.0 / hertz) << hertz;
     }
   }
 }

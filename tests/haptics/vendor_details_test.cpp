@@ -116,6 +116,24 @@ TEST(OpenHaptics, an_error_of_one_device_is_not_the_others) {
   hd.board().clear();
 }
 
+// As an inkwell and a Desktop's continual refinement do: asked for before the scheduler runs, and again while it
+// does.
+TEST(OpenHaptics, a_calibration_that_needs_an_update_gets_it_in_the_servo_and_is_no_fault) {
+  const DriverSubject& hd = subject("openhaptics");
+  hd.board().clear();
+  hd.board().trouble = Trouble::needs_update;
+  {
+    DriverRig rig(hd);
+    rig.start();
+    const int before = hd.board().calibrations;
+    EXPECT_TRUE(comes_true([&] { return hd.board().calibrations > before + 3; }));
+    EXPECT_EQ(rig.last().fault, DeviceFault::none);
+    EXPECT_TRUE(hd.board().motors_on);
+  }
+  EXPECT_EQ(hd.board().violations, 0) << hd.board().first_violation.load();
+  hd.board().clear();
+}
+
 TEST(OpenHaptics, hot_motors_stay_off_until_the_next_start) {
   const DriverSubject& hd = subject("openhaptics");
   hd.board().clear();

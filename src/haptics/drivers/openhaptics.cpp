@@ -17,7 +17,6 @@ namespace {
 
 using namespace openhaptics;
 
-constexpr long calibration_every = 10;   // ticks between two looks
 constexpr long temperature_every = 100;  // ticks between readings of the temperature
 constexpr long fault_shown = 20;         // ticks for which a passing fault is reported
 constexpr int oldest_version = 3;
@@ -127,12 +126,20 @@ void check_version(const OpenHapticsLibrary& hd) {
                                                 ", expected 3.0 or newer: install a newer OpenHaptics");
 }
 
-void check_calibration(const OpenHapticsLibrary& hd) {
-  if (hd.hdCheckCalibration() == calibration_needs_update) {
-    // Forces are off, so that a jump of the position moves nothing.
-    hd.hdUpdateCalibration(static_cast<unsigned>(whole(hd, calibration_style)));
+// The one style that a device is calibrated in, of those that it supports: the vendor's samples choose so.
+unsigned style_of(const OpenHapticsLibrary& hd) {
+  const auto supported = static_cast<unsigned>(whole(hd, calibration_style));
+  for (const unsigned style : {automatic, inkwell, encoder_reset}) {
+    if ((supported & style) != 0) return style;
   }
-  if (hd.hdCheckCalibration() == calibration_ok) return;
+  return inkwell;
+}
+
+// While the scheduler stands encoders alone can be reset; the other styles are for the servo, where a needed update
+// is an everyday thing.
+void check_calibration(const OpenHapticsLibrary& hd, unsigned style) {
+  if (style == encoder_reset && hd.hdCheckCalibration() == calibration_needs_update) hd.hdUpdateCalibration(style);
+  if (hd.hdCheckCalibration() != calibration_needs_hand) return;
   throw DriverFailure(BODKIN_NOT_CALIBRATED,
                       "the device is not calibrated: put the stylus into its inkwell, or run the vendor's "
                       "Touch_Diagnostic, and try again");
@@ -146,7 +153,8 @@ class OpenHapticsDevice : public OpenDevice {
       auto device = std::make_unique<Initialised>(*session_, name);  // ends in here when a check throws
       hd_.hdMakeCurrentDevice(device->id());
       check_version(hd_);
-      check_calibration(hd_);
+      style_ = style_of(hd_);
+      check_calibration(hd_, style_);
       session_->newest_error(device->id());
       // What a device does not report leaves an error on the stack that the tick reads, so it is asked for once here.
       double temperatures[6] = {};
@@ -245,10 +253,10 @@ class OpenHapticsDevice : public OpenDevice {
     last_time_ = time;
 
     hd_.hdMakeCurrentDevice(device_->id());
+    calibrate();
     hd_.hdBeginFrame(device_->id());
     read_state();
     note(session_->newest_error(device_->id()));
-    if (ticks_ % calibration_every == 0) calibrated_ = hd_.hdCheckCalibration() == calibration_ok;
     state_.fault = static_cast<std::uint32_t>(fault());
     bodkin_command command{};
     tick_(user_, &state_, dt, &command);
@@ -257,6 +265,16 @@ class OpenHapticsDevice : public OpenDevice {
     note(session_->newest_error(device_->id()));
     ++ticks_;
     return 1;
+  }
+
+  // As the vendor's samples do, before the frame: a stylus that goes into its inkwell, or a device that refines its
+  // calibration all the time, asks for an update while it runs.
+  void calibrate() noexcept {
+    const unsigned state = hd_.hdCheckCalibration();
+    calibrated_ = state != calibration_needs_hand;
+    if (state != calibration_needs_update) return;
+    hd_.hdUpdateCalibration(style_);
+    session_->newest_error(device_->id());  // an update that did not succeed is asked for again
   }
 
   void read_state() noexcept {
@@ -318,6 +336,7 @@ class OpenHapticsDevice : public OpenDevice {
   std::unique_ptr<Initialised> device_;
   VendorFrame frame_ = y_up_frame();
   Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();  // of the usable workspace, vendor's axes, mm
+  unsigned style_ = inkwell;                       // of calibration
   bool has_temperature_ = false, has_dead_man_ = false, torques_ = false;
   double period_ = 0.001;  // s
 

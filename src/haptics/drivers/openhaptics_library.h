@@ -59,7 +59,9 @@ constexpr unsigned current_buttons = 0x2000, current_safety_switch = 0x2001, cur
 // Capabilities.
 constexpr unsigned force_output = 0x4000;
 // States of calibration.
-constexpr unsigned calibration_ok = 0x5000, calibration_needs_update = 0x5001;
+constexpr unsigned calibration_ok = 0x5000, calibration_needs_update = 0x5001, calibration_needs_hand = 0x5002;
+// Styles of calibration: bits of what a device supports, and one of them what is asked for.
+constexpr unsigned encoder_reset = 1, automatic = 2, inkwell = 4;
 // Errors.
 constexpr unsigned success = 0x0000, warm_motors = 0x0200, exceeded_force = 0x0201, exceeded_impulse = 0x0202,
                    exceeded_velocity = 0x0203, force_error = 0x0204, device_fault = 0x0300,

@@ -25,7 +25,8 @@ enum class Trouble : int {
   unknown_code,
   open_blocks,
   start_blocks,
-  stop_blocks
+  stop_blocks,
+  needs_update  // of its calibration, every now and then, which the servo does in one style
 };
 
 // What the hand does by itself. Environment: BODKIN_STAND_IN_HAND="swivel".
@@ -57,7 +58,8 @@ struct Board {
   std::atomic<std::int64_t> pushes{0};             // ticks with a force other than zero
   std::atomic<std::int64_t> pushes_in_trouble{0};  // such ticks while the trouble lasted
   std::atomic<int> open_devices{0};
-  std::atomic<int> openings{0};  // so far, never cleared
+  std::atomic<int> calibrations{0};  // so far, never cleared
+  std::atomic<int> openings{0};      // so far, never cleared
   std::atomic<bool> motors_on{false};
 
   // Calls that break the vendor's rules; the first one's name.

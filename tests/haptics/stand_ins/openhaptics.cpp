@@ -58,6 +58,9 @@ std::atomic_flag stack_busy = ATOMIC_FLAG_INIT;
 ErrorRecord stack[64];
 std::size_t depth = 0;
 
+std::atomic<bool> updated{false};
+std::atomic<std::int64_t> updated_at{0};  // tick
+
 void push(unsigned code, unsigned device) {
   while (stack_busy.test_and_set(std::memory_order_acquire)) std::this_thread::yield();
   if (depth < std::size(stack)) stack[depth++] = {code, 0, device};
@@ -220,7 +223,7 @@ EXPORT void hdGetIntegerv(unsigned parameter, int* value) {
       *value = 6;
       return;
     case 0x2555:
-      *value = 4;
+      *value = 2 | 4;  // automatic, inkwell
       return;
     case 0x2600:
       *value = 1000;
@@ -296,12 +299,17 @@ EXPORT void hdSetDoublev(unsigned parameter, const double* values) {
 }
 EXPORT unsigned hdCheckCalibration() {
   if (about(false) == nullptr) return 0x5001;
+  if (board().troubled_by(Trouble::needs_update) && (!updated || board().ticks - updated_at > 50)) return 0x5001;
   return board().troubled_by(Trouble::uncalibrated) ? 0x5002 : 0x5000;
 }
 EXPORT void hdUpdateCalibration(unsigned style) {
-  const Device* which = about(false);
-  if (which != nullptr && which->forces) board().violation("calibrated under force");
-  if (style != 4) refuse(0x0101, "a style of calibration that this device does not have");
+  // Calibration.c of the vendor's samples: one of the supported styles, the inkwell while the scheduler runs.
+  if (about(false) == nullptr) return;
+  if (style != 2 && style != 4) return refuse(0x0101, "not one style of calibration that this device has");
+  if (!running) return refuse(0x0102, "calibrated before the scheduler ran");
+  updated = true;
+  updated_at = board().ticks;
+  ++board().calibrations;
 }
 EXPORT void hdStartScheduler() {
   if (running.exchange(true)) return refuse(0x0102, "the scheduler was started twice");
