@@ -5,17 +5,17 @@
 namespace bodkin::haptics {
 
 namespace {
-constexpr double half = 0.5, quarter = 0.25;
-constexpr double window = 0.025;        // s
-constexpr double still_shakes = 0.5;    // of the way that the shaking makes in a window
-constexpr double calm_time = 10.0;      // s after which the whole force comes back
-constexpr double calm_return = 1.0;     // s that this takes
-constexpr double shortest_watch = 0.1;  // s for which the motion decides about the next step; one cycle at least
+constexpr double half_force = 0.5, quarter_force = 0.25;
+constexpr double calming_window = 0.025;  // s
+constexpr double still_shakes = 0.5;      // of the way that the shaking makes in a calming_window
+constexpr double calm_after = 10.0;       // s after which the whole force comes back
+constexpr double force_return = 1.0;      // s that this takes
+constexpr double shortest_watch = 0.1;    // s for which the motion decides about the next step; one cycle at least
 }  // namespace
 
 Calming::Step Calming::begin(double frequency, double width) noexcept {
   if (is_on()) return Step::none_left;
-  share_ = half;
+  share_ = half_force;
   damps_ = false;
   watching_ = frequency > 0.0;
   frequency_ = frequency;
@@ -28,9 +28,9 @@ Calming::Step Calming::begin(double frequency, double width) noexcept {
 Calming::Step Calming::step(const Vec3& moved, double dt) noexcept {
   if (!is_on()) return Step::none;
   since_ += dt;
-  if (since_ > calm_time) {
+  if (since_ > calm_after) {
     damps_ = watching_ = false;
-    share_ = std::min(1.0, share_ + half * dt / calm_return);
+    share_ = std::min(1.0, share_ + half_force * dt / force_return);
     return Step::none;
   }
   if (!watching_) return Step::none;
@@ -38,17 +38,17 @@ Calming::Step Calming::step(const Vec3& moved, double dt) noexcept {
   place_ += moved;
   low_ = low_.cwiseMin(place_);
   high_ = high_.cwiseMax(place_);
-  if (for_ < window) return Step::none;
+  if (for_ < calming_window) return Step::none;
   const double reach = (high_ - low_).maxCoeff();
   for_ = 0.0;
   place_ = low_ = high_ = Vec3::Zero();
-  if (reach < still_shakes * width_ * std::min(1.0, 2.0 * frequency_ * window)) {
+  if (reach < still_shakes * width_ * std::min(1.0, 2.0 * frequency_ * calming_window)) {
     watching_ = since_ < std::max(shortest_watch, 1.0 / frequency_);
     return Step::none;
   }
   if (damps_) return Step::none_left;
   damps_ = true;
-  share_ = quarter;
+  share_ = quarter_force;
   since_ = 0.0;
   return Step::damped;
 }

@@ -19,7 +19,7 @@ using namespace bodkin::anatomy;
 using namespace bodkin::haptics;
 namespace {
 
-constexpr double created_bound = 1.0;  // N mm that a hand at rest may get in half a second
+constexpr double created_bound = 2.0;  // N mm that a hand at rest may get in half a second
 
 struct DelayedTally {
   int trials = 0, quiet = 0, restless = 0, calmed = 0, ended = 0;

@@ -308,7 +308,7 @@ EXPORT void hdUpdateCalibration(unsigned style) {
   if (style != 2 && style != 4) return refuse(0x0101, "not one style of calibration that this device has");
   if (!running) return refuse(0x0102, "calibrated before the scheduler ran");
   updated = true;
-  updated_at = board().ticks;
+  updated_at = board().ticks.load();
   ++board().calibrations;
 }
 EXPORT void hdStartScheduler() {
