@@ -1,5 +1,6 @@
 #include "cli/all_drivers.h"
 
+#include "link/tracking_driver.h"
 #include "station/recorded_hand.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,6 +13,7 @@ namespace bodkin::cli {
 
 std::vector<const bodkin_driver*> all_drivers() {
   std::vector<const bodkin_driver*> drivers(haptics::built_in_drivers().begin(), haptics::built_in_drivers().end());
+  drivers.push_back(&link::tracking_driver());
   drivers.push_back(&station::recorded_driver());
   return drivers;
 }

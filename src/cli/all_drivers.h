@@ -8,7 +8,8 @@
 
 namespace bodkin::cli {
 
-// The drivers that come with the program: those of devices (haptics/drivers/drivers.h) and of a recorded hand. The
+// The drivers that come with the program: those of devices (haptics/drivers/drivers.h), of a recorded hand and of
+// a tracker. The
 // mouse is a device of the window (app/hand/mouse_driver.h).
 std::vector<const bodkin_driver*> all_drivers();
 

@@ -4,10 +4,12 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <utility>
 
 #include "session/session_export.h"
+#include "session/session_poses.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -16,6 +18,7 @@
 #include "cli/console.h"
 #include "cli/force_options.h"
 #include "core/error.h"
+#include "io/pose_log.h"
 
 namespace bodkin::cli {
 
@@ -26,6 +29,9 @@ struct ExportArguments {
   std::string ticks;
   std::string events;
   std::string second;
+  std::string sequence;
+  std::string recorder_log;
+  double pose_rate = 60.0;
 };
 
 constexpr const char* export_footer = R"(Examples:
@@ -33,6 +39,8 @@ constexpr const char* export_footer = R"(Examples:
   bodkin export session.bodkin --csv - | head
   bodkin export session.bodkin --csv ticks.csv --events events.csv
   bodkin export session.bodkin --second plunger.csv       the second hand of 'perform --second'
+  bodkin export session.bodkin --sequence needle.igs.mha  poses for PLUS and 3D Slicer
+  bodkin export session.bodkin --recorder-log log.xml     poses and events for 3D Slicer's Perk Tutor
 
 '-' is standard output. Every number can be read back to the same bits. docs/running.md lists the columns.)";
 
@@ -77,7 +85,8 @@ class OutputFile {
   std::FILE* stream_ = nullptr;
 };
 
-void write(const std::string& name, void (*exporter)(const session::Session&, const session::TextSink&),
+void write(const std::string& name,
+           const std::function<void(const session::Session&, const session::TextSink&)>& exporter,
            const session::Session& session) {
   OutputFile file(name);
   exporter(session, [&](std::string_view text) { file.write(text); });
@@ -86,10 +95,16 @@ void write(const std::string& name, void (*exporter)(const session::Session&, co
 
 void run_export(const ExportArguments& arguments, const CommandContext& context) {
   Console console(context);
-  const std::array<std::pair<const char*, const std::string*>, 3> places = {
-      {{"--csv", &arguments.ticks}, {"--events", &arguments.events}, {"--second", &arguments.second}}};
+  const std::array<std::pair<const char*, const std::string*>, 5> places = {
+      {{"--csv", &arguments.ticks},
+       {"--events", &arguments.events},
+       {"--second", &arguments.second},
+       {"--sequence", &arguments.sequence},
+       {"--recorder-log", &arguments.recorder_log}}};
   if (std::all_of(places.begin(), places.end(), [](const auto& place) { return place.second->empty(); })) {
-    throw InputError("there is nothing to export, give --csv FILE, --events FILE or --second FILE");
+    throw InputError(
+        "there is nothing to export, give --csv FILE, --events FILE, --second FILE, "
+        "--sequence FILE or --recorder-log FILE");
   }
   bool to_terminal = false;
   for (auto place = places.begin(); place != places.end(); ++place) {
@@ -114,6 +129,14 @@ void run_export(const ExportArguments& arguments, const CommandContext& context)
   if (!arguments.ticks.empty()) write(arguments.ticks, session::export_ticks, session);
   if (!arguments.events.empty()) write(arguments.events, session::export_events, session);
   if (!arguments.second.empty()) write(arguments.second, session::export_second, session);
+  const auto write_poses = [&](const std::string& name, std::string (*text_of)(const io::PoseLog&)) {
+    if (name.empty()) return;
+    const std::string text = text_of(session::poses_of(session, arguments.pose_rate));
+    write(
+        name, [&](const session::Session&, const session::TextSink& sink) { sink(text); }, session);
+  };
+  write_poses(arguments.sequence, io::sequence_of_poses);
+  write_poses(arguments.recorder_log, io::recorder_log);
   if (!to_terminal) {
     console.line(fmt::format("{} ticks and {} events of {}", session.ticks.size(), session.events.size(),
                              force_names(session.header.haptics)));
@@ -125,7 +148,9 @@ void run_export(const ExportArguments& arguments, const CommandContext& context)
                                        {"csv", arguments.ticks},
                                        {"events_csv", arguments.events},
                                        {"second_samples", session.second.size()},
-                                       {"second_csv", arguments.second}})
+                                       {"second_csv", arguments.second},
+                                       {"sequence", arguments.sequence},
+                                       {"recorder_log", arguments.recorder_log}})
                    .dump(2));
 }
 
@@ -133,11 +158,16 @@ void run_export(const ExportArguments& arguments, const CommandContext& context)
 
 void add_export_command(CLI::App& app, CommandContext& context) {
   auto arguments = std::make_shared<ExportArguments>();
-  CLI::App* command = add_command(app, "export", "Write a session as CSV", export_footer);
+  CLI::App* command = add_command(app, "export", "Write a session as CSV, or for 3D Slicer and PLUS", export_footer);
   add_text(*command, "SESSION", arguments->session, "Session file").required();
   add_text(*command, "--csv", arguments->ticks, "A row per tick; '-' for standard output");
   add_text(*command, "--events", arguments->events, "A row per event; '-' for standard output");
   add_text(*command, "--second", arguments->second, "A row per sample of the second hand; '-' for standard output");
+  add_text(*command, "--sequence", arguments->sequence, "Poses as a sequence of PLUS, .igs.mha");
+  add_text(*command, "--recorder-log", arguments->recorder_log,
+           "Poses and events as a log of 3D Slicer's transform recorder, .xml");
+  add_number(*command, "--pose-rate", arguments->pose_rate, 1.0, 4000.0,
+             "Poses per second of those two, 1 to 4000, at most one a tick");
   on_run(*command, [arguments, &context] { run_export(*arguments, context); });
 }
 

@@ -79,6 +79,7 @@ int main(int argc, char** argv) {
   bodkin::cli::add_serve_command(app, context);
   bodkin::cli::add_replay_command(app, context);
   bodkin::cli::add_export_command(app, context);
+  bodkin::cli::add_import_command(app, context);
   bodkin::cli::add_cohort_command(app, context);
   bodkin::cli::add_score_command(app, context);
   bodkin::cli::add_plan_command(app, context);

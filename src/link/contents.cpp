@@ -36,7 +36,7 @@ void put_point(ByteWriter& writer, const Vec3& lps) {
 Pose turn_axes(const Pose& pose) {
   const Vec3 signs(-1.0, -1.0, 1.0);
   Pose result = Pose::Identity();
-  result.linear() = signs.asDiagonal() * pose.linear() * signs.asDiagonal();
+  result.linear() = signs.asDiagonal() * pose.linear();
   result.translation() = signs.cwiseProduct(pose.translation());
   return result;
 }

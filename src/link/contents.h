@@ -14,7 +14,8 @@
 // mm, those of Bodkin LPS in mm; every function here takes and gives LPS and turns it.
 namespace bodkin::link {
 
-// A frame to the patient, both turned from LPS to RAS or back: L M L with L = diag(-1, -1, 1).
+// A tool to the patient, whose axes are turned from LPS to RAS or back: L M with L = diag(-1, -1, 1). The tool keeps
+// its own axes: a probe's first one points to its marked side in either.
 Pose turn_axes(const Pose& pose);
 
 // TRANSFORM: the upper three rows, column by column, in single precision.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -94,6 +95,10 @@ Message unpack(const MessageHeader& header, std::span<const std::uint8_t> body) 
     body = body.subspan(size, body.size() - around);
   }
   return {header.type, header.device, header.time, Bytes(body.begin(), body.end())};
+}
+
+double time_now() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
 }  // namespace bodkin::link

@@ -42,4 +42,7 @@ MessageHeader read_header(std::span<const std::uint8_t> bytes);
 // Throws InputError when the check sum is another one or the body is shorter than what it says of itself.
 Message unpack(const MessageHeader& header, std::span<const std::uint8_t> body);
 
+// s since 1970, as time stamps have it.
+double time_now();
+
 }  // namespace bodkin::link

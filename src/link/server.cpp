@@ -58,10 +58,6 @@ struct Connection {
 
 }  // namespace
 
-double time_now() {
-  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
-
 struct Server::Shared {
   explicit Shared(const ServerSettings& from) : settings(from), acceptor(context), watch(context) {}
 

@@ -70,7 +70,4 @@ class Server {
   std::unique_ptr<Shared> shared_;
 };
 
-// s since 1970, as time stamps have it.
-double time_now();
-
 }  // namespace bodkin::link

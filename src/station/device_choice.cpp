@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 #include <vector>
 
 #include "station/hand_session.h"
@@ -25,7 +26,18 @@ bool DeviceChoice::is_recorded() const {
   return driver == &recorded_driver();
 }
 
+bool DeviceChoice::is_tracked() const {
+  return driver != nullptr && std::string_view(driver->name) == "openigtlink";
+}
+
+std::string settings_about(const Vec3& middle, const DeviceChoice& device) {
+  if (!device.is_tracked()) return device.settings;
+  return fmt::format("patient_x_mm={:.9g} patient_y_mm={:.9g} patient_z_mm={:.9g} {}", middle.x(), middle.y(),
+                     middle.z(), device.settings);
+}
+
 std::string settings_along(const anatomy::NeedlePath& path, const DeviceChoice& device) {
+  if (device.is_tracked()) return settings_about(workspace_about(path).centre, device);
   if (!device.is_simulated()) return device.settings;
   constexpr double degrees = 180.0 / std::numbers::pi;
   const Vec3 line = workspace_about(path).rotation.transpose() * path.direction();  // right, away, up

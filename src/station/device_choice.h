@@ -17,11 +17,17 @@ struct DeviceChoice {
 
   bool is_simulated() const;
   bool is_recorded() const;
+  // A tool of a tracker (link/tracking_driver.h), whose poses can be in the patient already.
+  bool is_tracked() const;
 };
 
 // The settings for a driver that performs along `path`: a simulated hand aims at it and goes to its end, unless the
-// choice's own settings, which come last, say otherwise.
+// choice's own settings, which come last, say otherwise; a tracked tool is told of the patient (settings_about).
 std::string settings_along(const anatomy::NeedlePath& path, const DeviceChoice& device);
+
+// The choice's settings; before them, for a tool of a tracker, where in the patient (LPS mm) the middle of the
+// workspace lies, so that a pose in the patient is the needle's.
+std::string settings_about(const Vec3& middle, const DeviceChoice& device);
 
 // Completes what the device does not report with what share/bodkin/devices.csv knows of the model.
 void complete_from_table(haptics::DeviceAbilities& abilities);

@@ -15,7 +15,8 @@ SecondDevice::SecondDevice(const SecondChoice& choice, const DeviceChoice& first
                            const haptics::DeviceAbilities& first_device, const anatomy::NeedlePath& path, double rate,
                            bool use_calibration)
     : choice_(choice),
-      port_(*choice.device.driver, choice.device.identity, choice.device.settings),
+      port_(*choice.device.driver, choice.device.identity,
+            settings_about(second_workspace(choice.role, path).centre, choice.device)),
       device_(port_.abilities()),
       link_(std::make_shared<session::SecondLink>()) {
   const bool one_driver = choice.device.driver == first.driver;
@@ -27,7 +28,8 @@ SecondDevice::SecondDevice(const SecondChoice& choice, const DeviceChoice& first
   if (use_calibration) calibration_ = calibration_of(choice.device, device_);
   haptics::apply(calibration_, device_);
   // The loops do not wait for each other, so each device may keep its own rate.
-  const bool keeps_its_rate = device_.owns_loop || choice.device.is_simulated() || choice.device.is_recorded();
+  const bool keeps_its_rate =
+      device_.owns_loop || choice.device.is_simulated() || choice.device.is_recorded() || choice.device.is_tracked();
   settings_.rate = keeps_its_rate ? device_.rate : rate;
   settings_.workspace = second_workspace(choice.role, path);
   haptics::apply(calibration_, settings_);

@@ -55,11 +55,12 @@ Pose some_pose() {
   return pose;
 }
 
+// The patient's axes are turned, the tool keeps its own: a probe's x is its marked side in RAS too.
 void fill(igtl::Matrix4x4& matrix, const Pose& lps) {
   const double sign[4] = {-1.0, -1.0, 1.0, 1.0};
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column)
-      matrix[row][column] = static_cast<float>(sign[row] * lps.matrix()(row, column) * sign[column]);
+      matrix[row][column] = static_cast<float>(sign[row] * lps.matrix()(row, column));
   }
 }
 
