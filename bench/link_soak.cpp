@@ -2,10 +2,14 @@
 //   link_soak age SECONDS            age of poses at a client: 60 Hz, and 1 kHz of force in batches
 //   link_soak late PAIRS SECONDS     late ticks of a 1 kHz servo without clients and with 8, one of them hostile
 //   link_soak messages COUNT         as many messages as fast as a client takes them, and the memory they cost
+//   link_soak fuzz COUNT             connections of mutated messages beside a client that must notice nothing
 //   link_soak kills COUNT            server or client killed (SIGKILL) at random, and what the other makes of it
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
+#include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -13,15 +17,17 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <optional>
+#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "link/client.h"
+#include "link/command.h"
 #include "link/contents.h"
 #include "link/server.h"
 #include "session/session_file.h"
+#include "tests/link/mutated_stream.h"
 #include "tests/session/slab_case.h"
 #include <arpa/inet.h>
 #include <fcntl.h>
@@ -32,6 +38,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "core/error.h"
 #include "core/random.h"
 #include "haptics/servo_thread.h"
 #include "simulation/haptic_tick.h"
@@ -249,6 +256,46 @@ int measure_messages(std::uint64_t count) {
   return taken == count ? 0 : 1;
 }
 
+int measure_fuzz(int count) {
+  ServerSettings settings = free_port();
+  settings.patience = 200ms;
+  Server server(settings);
+  std::atomic<std::uint64_t> heard{0};
+  const Client good(client_of(server.port()), {.message = [&](const Message&) { ++heard; }});
+  while (server.counts().clients == 0) std::this_thread::sleep_for(1ms);
+  Random random(static_cast<std::uint64_t>(count));
+  std::uint64_t bytes = 0;
+  const double before = memory_held();
+  for (int i = 0; i < count; ++i) {
+    const int socket = connect_to(server.port());
+    if (socket < 0) return 1;
+    const Bytes stream = mutated_stream(random);
+    bytes += stream.size();
+    (void)!::send(socket, stream.data(), stream.size(), MSG_NOSIGNAL);
+    ::close(socket);
+    for (const Received& received : server.take()) {
+      try {
+        if (const auto command = command_of(received.message))
+          server.send(received.client, reply_to(received.message, true, command->name, 0.0));
+      } catch (const InputError& error) {
+        server.send(received.client, reply_to(received.message, false, error.what(), 0.0));
+      }
+    }
+    server.take_notes();
+    server.publish({"STRING", "Event", 0.0, string_content("x")}, false);
+  }
+  const auto end = Steady::now() + 30s;
+  while (heard < static_cast<std::uint64_t>(count) && Steady::now() < end) std::this_thread::sleep_for(1ms);
+  const ServerCounts counts = server.counts();
+  std::printf(
+      "%d hostile connections, %llu bytes: %llu let in, %llu dropped by the server, the good client heard %llu "
+      "messages in %llu connection, memory %.1f MiB before and %.1f MiB after\n",
+      count, static_cast<unsigned long long>(bytes), static_cast<unsigned long long>(counts.accepted),
+      static_cast<unsigned long long>(counts.dropped), static_cast<unsigned long long>(heard.load()),
+      static_cast<unsigned long long>(good.status().connections), before, memory_held());
+  return good.status().connections == 1 ? 0 : 1;
+}
+
 // What the two processes of `kills` tell the one that kills them; in a file that all have mapped.
 struct KillBoard {
   std::atomic<std::uint64_t> saved;    // ticks that the server has committed and announced
@@ -374,8 +421,9 @@ int main(int argc, char** argv) try {
   if (mode == "age") return measure_age(number(2, 30.0));
   if (mode == "late") return measure_late(static_cast<int>(number(2, 10.0)), number(3, 5.0));
   if (mode == "messages") return measure_messages(static_cast<std::uint64_t>(number(2, 15'552'000.0)));
+  if (mode == "fuzz") return measure_fuzz(static_cast<int>(number(2, 100000.0)));
   if (mode == "kills") return measure_kills(static_cast<int>(number(2, 1000.0)));
-  std::fprintf(stderr, "link_soak age SECONDS | late PAIRS SECONDS | messages COUNT | kills COUNT\n");
+  std::fprintf(stderr, "link_soak age SECONDS | late PAIRS SECONDS | messages COUNT | fuzz COUNT | kills COUNT\n");
   return 2;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "link_soak: %s\n", error.what());

@@ -43,6 +43,7 @@ void add_score_command(CLI::App& app, CommandContext& context);
 void add_plan_command(CLI::App& app, CommandContext& context);
 void add_results_command(CLI::App& app, CommandContext& context);
 void add_teacher_command(CLI::App& app, CommandContext& context);
+void add_stations_command(CLI::App& app, CommandContext& context);
 void add_report_command(CLI::App& app, CommandContext& context);
 void add_fit_command(CLI::App& app, CommandContext& context);
 void add_figures_command(CLI::App& app, CommandContext& context);

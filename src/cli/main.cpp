@@ -85,6 +85,7 @@ int main(int argc, char** argv) {
   bodkin::cli::add_plan_command(app, context);
   bodkin::cli::add_results_command(app, context);
   bodkin::cli::add_teacher_command(app, context);
+  bodkin::cli::add_stations_command(app, context);
   bodkin::cli::add_report_command(app, context);
   bodkin::cli::add_fit_command(app, context);
   bodkin::cli::add_figures_command(app, context);

@@ -1,5 +1,12 @@
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
 #include <memory>
+#include <optional>
+#include <thread>
 
+#include "link/command.h"
+#include "link/contents.h"
 #include "link/session_feed.h"
 #include "station/station.h"
 #include <fmt/format.h>
@@ -8,22 +15,33 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/deliver.h"
 #include "cli/end_on_signal.h"
 #include "cli/outcome.h"
 #include "cli/pane_options.h"
 #include "cli/perform_options.h"
 #include "cli/perform_screen.h"
 #include "cli/terminal_keys.h"
+#include "cli/wait_for_order.h"
+#include "core/error.h"
+#include "io/resources.h"
+#include "io/xml_document.h"
+#include "training/procedure_file.h"
+#include "training/store/attempt_record.h"
 
 namespace bodkin::cli {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 const char* const serve_footer = R"(Examples:
   bodkin serve patient simulated                             a simulated hand; any program on this machine may look
   bodkin serve patient openhaptics --ultrasound C5-2         the first Touch, and what a probe sees
   bodkin serve patient force_dimension --listen 0.0.0.0      for other machines too
   bodkin serve patient recorded:mine.bodkin --port 18945     a session again, for a program that shows it
+  bodkin serve patient openhaptics --trainee t-07            the result goes to the results store
+  bodkin serve cases openhaptics --wait --listen 0.0.0.0     waits for a teacher: 'bodkin stations start'
 
 In 3D Slicer: module OpenIGTLinkIF, a client for localhost and port 18944, Active. NeedleTipToReference appears as a
 transform, Image_Reference as a picture, PlannedPath as a model. 'docs/openigtlink.md' has every name, and the commands.
@@ -35,25 +53,95 @@ struct ServeOptions {
   std::int64_t port = 18944;
   double rate = 60.0;
   std::int64_t clients = 8;
+  bool wait = false;
+  std::string trainee, store;
 };
 
-void run_serve(const ServeOptions& arguments, CommandContext& context) {
-  Console console(context);
-  link::ServerSettings settings;
-  settings.address = arguments.address;
-  settings.port = static_cast<std::uint16_t>(arguments.port);
-  settings.most_clients = static_cast<std::size_t>(arguments.clients);
-  link::Server server(settings);
-  station::StationOptions options = station_options(arguments.perform, console);
-  if (!arguments.perform.ultrasound.empty())
-    options.ultrasound = station::choose_ultrasound(pane_request(arguments.perform.ultrasound));
+// What a client asked for with StartProcedure.
+struct StartOrder {
+  std::string folder;  // of the case
+  std::string trainee;
+};
+
+// The case that `wanted` names inside `folder`; empty: `folder` itself. Never one elsewhere.
+std::string case_for(const std::string& folder, const std::string& wanted) {
+  const fs::path inside = wanted.empty() ? fs::path(folder) : fs::path(folder) / wanted;
+  std::error_code unreadable;
+  if ((wanted.empty() || io::is_inside_name(wanted)) && fs::is_regular_file(inside / "case.xml", unreadable)) {
+    const fs::path found = fs::canonical(inside, unreadable), root = fs::canonical(folder, unreadable);
+    const auto [in_root, in_found] = std::mismatch(root.begin(), root.end(), found.begin(), found.end());
+    if (in_root == root.end()) return inside.string();
+  }
+  throw InputError(fmt::format("this station has no case {}", io::in_quotes(wanted)));
+}
+
+std::optional<StartOrder> order_in(const link::Message& message, const ServeOptions& arguments) {
+  const std::optional<link::Command> command = link::command_of(message);
+  if (!command) return std::nullopt;
+  if (command->name != "StartProcedure")
+    throw InputError("no session runs here; StartProcedure with Case=\"name\" starts one");
+  const auto value = [&](const char* name) {
+    const auto found = command->values.find(name);
+    return found == command->values.end() ? std::string() : found->second;
+  };
+  StartOrder order{case_for(arguments.perform.folder, value("Case")), value("Trainee")};
+  if (!order.trainee.empty()) training::check_label(order.trainee, "Trainee");
+  return order;
+}
+
+// Until a client asks for a session; nothing when a person ended the program first.
+std::optional<StartOrder> wait_for_order(link::Server& server, const ServeOptions& arguments, Console& console) {
+  std::uint64_t greeted = 0;
+  const nlohmann::json state = {{"guard", "waiting"}, {"message", "waits for StartProcedure"}};
+  for (auto told = std::chrono::steady_clock::time_point{}; !WaitForOrder::is_ended();) {
+    const auto now = std::chrono::steady_clock::now();
+    if (const link::ServerCounts counts = server.counts();
+        counts.accepted != greeted || now - told > std::chrono::seconds(1)) {
+      greeted = counts.accepted;
+      told = now;
+      server.publish({"STRING", "State", link::time_now(), link::string_content(state.dump())}, true);
+    }
+    std::optional<StartOrder> order;
+    for (const link::Received& received : server.take()) {
+      bool success = false;
+      std::string sentence = "the procedure begins";
+      try {
+        std::optional<StartOrder> wanted = order_in(received.message, arguments);
+        if (!wanted) continue;
+        if (order) throw InputError("another client was first");
+        order = std::move(wanted);
+        success = true;
+      } catch (const InputError& error) {
+        sentence = error.what();
+      }
+      server.send(received.client, link::reply_to(received.message, success, sentence, link::time_now()));
+    }
+    for (const std::string& note : server.take_notes()) console.note(note);
+    if (order) return order;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return std::nullopt;
+}
+
+std::vector<link::WatchedStep> steps_of(const anatomy::Case& patient) {
+  std::vector<link::WatchedStep> steps;
+  for (const training::Step& step : training::procedure_of_case(patient.description.procedure.name).steps)
+    steps.push_back({step.title, step.tissue, step.event});
+  return steps;
+}
+
+struct Served {
+  Outcome outcome;
+  nlohmann::ordered_json json;
+};
+
+Served serve_session(const PerformOptions& perform, double rate, link::Server& server, Console& console,
+                     CommandContext& context) {
+  station::StationOptions options = station_options(perform, console);
+  if (!perform.ultrasound.empty()) options.ultrasound = station::choose_ultrasound(pane_request(perform.ultrasound));
   PerformScreen screen(console, options.longest);
-  link::SessionFeed feed(server, screen, options.ultrasound, arguments.rate);
+  link::SessionFeed feed(server, screen, options.ultrasound, rate, steps_of(options.patient));
   station::Station station(std::move(options), feed);
-  console.note(fmt::format("OpenIGTLink at {}, port {}", settings.address, server.port()));
-  if (server.is_exposed())
-    console.note(
-        "every machine that reaches this one can look and give commands; without --listen only this one can");
   station::StationResult result;
   {
     TerminalKeys keys;
@@ -64,13 +152,62 @@ void run_serve(const ServeOptions& arguments, CommandContext& context) {
   }
   console.clear_bar();
   if (const int signal = EndOnSignal::reason(); signal != 0) context.exit_code = 128 + signal;
-  const Outcome outcome = read_outcome(arguments.perform.output, station.patient(), std::move(result.run));
+  Outcome outcome = read_outcome(perform.output, station.patient(), std::move(result.run));
   for (const std::string& note : outcome.run.notes) console.note(note);
+  print(console, outcome, station.patient());
+  nlohmann::ordered_json json = json_of(outcome, station.patient());
+  return {std::move(outcome), std::move(json)};
+}
+
+// "a.bodkin", "a-2.bodkin", ...: the first that is not there.
+std::string free_session(const std::string& wanted) {
+  const fs::path path = wanted;
+  fs::path name = path;
+  for (int number = 2; fs::exists(name); ++number)
+    name = path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), number, path.extension().string());
+  return name.string();
+}
+
+void serve_orders(const ServeOptions& arguments, link::Server& server, Console& console, CommandContext& context) {
+  const WaitForOrder until_a_person_ends_it;
+  nlohmann::ordered_json sessions = nlohmann::ordered_json::array();
+  while (context.exit_code == 0) {
+    const std::optional<StartOrder> order = wait_for_order(server, arguments, console);
+    if (!order) break;
+    PerformOptions perform = arguments.perform;
+    perform.folder = order->folder;
+    perform.output = free_session(arguments.perform.output);
+    try {
+      const Outcome outcome = serve_session(perform, arguments.rate, server, console, context).outcome;
+      sessions.push_back({{"session", outcome.file.string()}, {"verdict", training::name_of(outcome.score.verdict)}});
+      const std::string& trainee = order->trainee.empty() ? arguments.trainee : order->trainee;
+      if (!trainee.empty()) deliver_result(perform.output, trainee, arguments.store, console);
+    } catch (const std::runtime_error& error) {
+      console.note(error.what());  // of this order alone: the station waits for the next one
+    }
+  }
+  console.json(nlohmann::ordered_json{{"sessions", sessions}}.dump(2));
+}
+
+void run_serve(const ServeOptions& arguments, CommandContext& context) {
+  Console console(context);
+  if (!arguments.trainee.empty()) training::check_label(arguments.trainee, "--trainee");
+  link::ServerSettings settings;
+  settings.address = arguments.address;
+  settings.port = static_cast<std::uint16_t>(arguments.port);
+  settings.most_clients = static_cast<std::size_t>(arguments.clients);
+  link::Server server(settings);
+  console.note(fmt::format("OpenIGTLink at {}, port {}", settings.address, server.port()));
+  if (server.is_exposed())
+    console.note(
+        "every machine that reaches this one can look and give commands; without --listen only this one can");
+  if (arguments.wait) return serve_orders(arguments, server, console, context);
+  nlohmann::ordered_json json = serve_session(arguments.perform, arguments.rate, server, console, context).json;
   const link::ServerCounts counts = server.counts();
   console.note(fmt::format("{} clients, {} messages sent, {} received, {} clients dropped", counts.accepted,
                            counts.sent, counts.received, counts.dropped));
-  print(console, outcome, station.patient());
-  nlohmann::ordered_json json = json_of(outcome, station.patient());
+  if (!arguments.trainee.empty())
+    deliver_result(arguments.perform.output, arguments.trainee, arguments.store, console);
   json["clients"] = counts.accepted;
   json["clients_dropped"] = counts.dropped;
   json["messages_sent"] = counts.sent;
@@ -89,6 +226,10 @@ void add_serve_command(CLI::App& app, CommandContext& context) {
   add_whole_number(*command, "--port", options->port, 0, 65535, "Port, 0 to 65535; 0 is any free one");
   add_number(*command, "--rate", options->rate, 1.0, 240.0, "Poses per second, 1 to 240");
   add_whole_number(*command, "--clients", options->clients, 1, 64, "Clients at once, 1 to 64");
+  add_switch(*command, "--wait", options->wait,
+             "Wait for StartProcedure of a client, again and again; CASE may be a folder of cases");
+  add_text(*command, "--trainee", options->trainee, "Label of who performs: the result is kept");
+  add_text(*command, "--store", options->store, "File or postgresql:// address of the results store");
   on_run(*command, [options, &context] { run_serve(*options, context); });
 }
 

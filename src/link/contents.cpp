@@ -182,6 +182,29 @@ Bytes image_content(std::span<const std::uint8_t> pixels, int columns, int rows,
   return writer.take();
 }
 
+GreyImage read_image(std::span<const std::uint8_t> content) {
+  ByteReader reader(content);
+  reader.u16();  // version
+  const int components = reader.u8(), type = reader.u8();
+  reader.u16();  // byte order, axes
+  std::array<int, 3> size{};
+  for (int& count : size) count = reader.u16();
+  reader.raw(12 * sizeof(float));  // where it is
+  for (int axis = 0; axis < 3; ++axis) {
+    if (reader.u16() != 0) throw InputError("a picture comes in parts, expected a whole one");
+  }
+  for (const int count : size) {
+    if (reader.u16() != count) throw InputError("a picture comes in parts, expected a whole one");
+  }
+  if (components != 1 || type != uint8 || size[2] != 1 || size[0] < 1 || size[1] < 1) {
+    throw InputError(fmt::format(
+        "a picture of {} x {} x {} has {} numbers of type {} a pixel, expected a slice with one byte each", size[0],
+        size[1], size[2], components, type));
+  }
+  const auto bytes = reader.raw(static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]));
+  return {size[0], size[1], {bytes.begin(), bytes.end()}};
+}
+
 Bytes tracking_content(std::span<const TrackedTool> tools) {
   constexpr std::size_t name_size = 20;
   ByteWriter writer;

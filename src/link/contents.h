@@ -56,6 +56,14 @@ Bytes surface_content(std::span<const Vec3> points, std::span<const std::array<i
 // along a row, second down the columns, LPS; `pixel` mm.
 Bytes image_content(std::span<const std::uint8_t> pixels, int columns, int rows, double pixel, const Pose& pose);
 
+// The bytes of an IMAGE of unsigned bytes with one slice. Throws InputError for another kind, for a part of a
+// picture, and for fewer bytes than it names.
+struct GreyImage {
+  int width = 0, height = 0;  // pixels
+  std::vector<std::uint8_t> pixels;
+};
+GreyImage read_image(std::span<const std::uint8_t> content);
+
 // TDATA: one tool after another, each a name of at most 20 bytes and a pose.
 struct TrackedTool {
   std::string name;

@@ -38,8 +38,9 @@ bool wanted(const Command& command, bool now) {
 }  // namespace
 
 SessionFeed::SessionFeed(Server& server, station::StationObserver& screen,
-                         const std::optional<station::UltrasoundChoice>& ultrasound, double rate)
-    : server_(server), screen_(screen), ultrasound_(ultrasound), rate_(rate) {
+                         const std::optional<station::UltrasoundChoice>& ultrasound, double rate,
+                         std::vector<WatchedStep> steps)
+    : server_(server), screen_(screen), ultrasound_(ultrasound), rate_(rate), steps_(std::move(steps)) {
   constexpr double highest_rate = 240.0;
   if (!(rate >= 1.0 && rate <= highest_rate))
     throw InputError(fmt::format("the rate is {:g} a second, expected 1 to {:g}", rate, highest_rate));
@@ -65,6 +66,7 @@ void SessionFeed::update(station::Station& station, const station::StationStatus
   send_poses(status, now);
   send_forces(status, now);
   send_events(status, library, now);
+  steps_.update(status.samples, status.events, library);
   send_state(status, library, now);
   if (status.ultrasound != nullptr && status.ultrasound->number != picture_) send_picture(*status.ultrasound, now);
   answer(station, status, now);
@@ -139,6 +141,9 @@ void SessionFeed::send_state(const station::StationStatus& status, const anatomy
   json["clutched"] = servo.clutched;
   json["tissue"] = library.title(status.needle.output.tissue);
   json["in_contact"] = status.needle.output.in_contact;
+  json["step"] = steps_.title();
+  json["step_number"] = steps_.number();
+  json["steps"] = steps_.count();
   json["message"] = status.message;
   std::string text = json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
   if (text == state_) return;
@@ -191,6 +196,7 @@ std::string SessionFeed::apply(const Command& command, station::Station& station
   if (command.name == "StopRecording") return station.command(StationCommand::end), "the session ends and is saved";
   if (command.name == "RequestDeviceIds")
     return ultrasound_ ? "NeedleTipToReference,ProbeToReference,Image_Reference" : "NeedleTipToReference";
+  if (command.name == "StartProcedure") throw InputError("a session runs already; StopRecording ends it");
   if (command.name != "SetUsParameter" && command.name != "GetUsParameter") {
     throw InputError(
         fmt::format("the command {} is not known; expected Freeze, Clutch, Arm, Disarm, StopRecording, "

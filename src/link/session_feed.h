@@ -3,9 +3,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "link/command.h"
 #include "link/server.h"
+#include "link/step_watch.h"
 #include "station/station_observer.h"
 #include "station/ultrasound_choice.h"
 
@@ -16,9 +18,11 @@ namespace bodkin::link {
 // docs/openigtlink.md.
 class SessionFeed : public station::StationObserver {
  public:
-  // `ultrasound`: that the station was given. `rate`: poses per second, 1 to 240. All must outlive this.
+  // `ultrasound`: that the station was given. `rate`: poses per second, 1 to 240. `steps`: of the procedure, to say
+  // which of them was reached. The server and the screen must outlive this.
   SessionFeed(Server& server, station::StationObserver& screen,
-              const std::optional<station::UltrasoundChoice>& ultrasound, double rate);
+              const std::optional<station::UltrasoundChoice>& ultrasound, double rate,
+              std::vector<WatchedStep> steps = {});
 
   Progress progress() override { return screen_.progress(); }
   void note(const std::string& sentence) override { screen_.note(sentence); }
@@ -41,6 +45,7 @@ class SessionFeed : public station::StationObserver {
   station::StationObserver& screen_;
   std::optional<station::UltrasoundChoice> ultrasound_;
   double rate_;
+  StepWatch steps_;
   std::optional<station::ScanOrder> order_;  // that clients have made
   std::uint64_t greeted_ = 0;                // clients accepted when all were told of the patient
   std::uint64_t picture_ = 0;                // number of the last one that was sent

@@ -79,14 +79,14 @@ std::optional<std::string> percent_decoded(std::string_view text) {
 }
 
 std::string cohort_page(const std::vector<CohortRow>& rows, const std::vector<PlanPlace>& plans,
-                        const std::string& place) {
-  std::string body;
+                        const std::string& place, bool has_stations) {
+  std::string body = has_stations ? "<p><a href=\"/stations\">Stations, live</a></p>\n" : "";
   if (rows.empty()) {
-    body =
+    body +=
         "<p>No attempt has been kept yet. In the window a trainee's attempts are kept once a label is chosen on the "
         "start page; <code>bodkin results add</code> adds sessions that were recorded before.</p>\n";
   } else {
-    body =
+    body +=
         "<table id=\"cohort\">\n<tr><th>Trainee</th><th>Procedure</th><th class=\"number\">Attempts</th><th "
         "class=\"number\">Passed</th><th class=\"number\">Borderline</th><th class=\"number\">Failed</th><th "
         "class=\"number\">Dangerous</th><th class=\"number\">Score, last 5</th><th>Mastery</th><th>Last</th></tr>\n";

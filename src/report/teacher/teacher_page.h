@@ -19,8 +19,9 @@ struct PlanPlace {
   std::string progress;  // "stage 2 of 3, Without help: 2 of 3 passed in a row"
 };
 
+// `has_stations`: the page of live stations is worth a link.
 std::string cohort_page(const std::vector<training::CohortRow>& rows, const std::vector<PlanPlace>& plans,
-                        const std::string& place);
+                        const std::string& place, bool has_stations = false);
 // `attempts`: all of one trainee, in the order of time; at least one.
 std::string trainee_page(const std::vector<training::AttemptRecord>& attempts);
 // `has_report`: the session is on this computer.

@@ -79,7 +79,8 @@ std::vector<PlanPlace> plan_places(training::ResultStore& store) {
 
 }  // namespace
 
-TeacherSite::TeacherSite(std::string store, std::string token) : store_(std::move(store)), token_(std::move(token)) {}
+TeacherSite::TeacherSite(std::string store, std::string token, std::function<std::vector<StationCard>()> stations)
+    : store_(std::move(store)), token_(std::move(token)), stations_(std::move(stations)) {}
 
 bool TeacherSite::may_look(const HttpRequest& request, const std::string& query) const {
   if (token_.empty()) {
@@ -109,10 +110,12 @@ HttpReply TeacherSite::answer(const HttpRequest& request) const {
 }
 
 HttpReply TeacherSite::page(const std::string& path) const {
+  if (path == "/stations") return {.body = stations_page(stations_ ? stations_() : std::vector<StationCard>())};
   training::ResultStore store(store_, store_patience);
   const auto after = [&](const std::string& folder) { return percent_decoded(path.substr(folder.size())); };
   if (path == "/")
-    return {.body = cohort_page(training::cohort_table(store.summaries()), plan_places(store), store.place())};
+    return {.body = cohort_page(training::cohort_table(store.summaries()), plan_places(store), store.place(),
+                                stations_ != nullptr)};
   if (path == "/results.csv")
     return {.type = "text/csv; charset=utf-8", .body = training::results_csv(store.attempts())};
   if (path.starts_with("/trainee/")) {

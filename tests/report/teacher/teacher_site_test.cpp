@@ -57,6 +57,31 @@ TEST_F(TeacherSiteTest, shows_the_cohort_and_escapes_what_the_store_holds) {
   EXPECT_THAT(get("/trainee/sly").body, Not(HasSubstr("<script")));
 }
 
+TEST_F(TeacherSiteTest, shows_stations_live_with_step_force_and_picture_and_says_which_are_lost) {
+  StationCard runs{.place = "room1:18944", .runs = true, .patient = "<b>x</b>", .procedure = "epidural"};
+  runs.step = "2 of 7, Through the ligament";
+  runs.tissue = "fat";
+  runs.force = 1.234;
+  runs.forces = {{0.0, 0.0}, {0.5, 1.0}, {1.0, 1.234}};
+  runs.picture_width = 3;
+  runs.picture_height = 2;
+  runs.picture = {0, 50, 100, 150, 200, 250};
+  const StationCard lost{.place = "room2:18944", .trouble = "nobody answers at room2:18944"};
+  const TeacherSite site(place(), "", [&] { return std::vector<StationCard>{runs, lost, {.place = "room3:18944"}}; });
+  const std::string page = site.answer({"/stations", "127.0.0.1:8737", {}}).body;
+  EXPECT_THAT(page, HasSubstr("3 stations, 2 connected"));
+  EXPECT_THAT(page, HasSubstr("step: <b>2 of 7, Through the ligament</b>"));
+  EXPECT_THAT(page, HasSubstr("<b>1.23 N</b>"));
+  EXPECT_THAT(page, HasSubstr("data:image/png;base64,iVBORw0KGgo"));
+  EXPECT_THAT(page, HasSubstr("<polyline"));
+  EXPECT_THAT(page, HasSubstr("not connected: nobody answers at room2:18944"));
+  EXPECT_THAT(page, HasSubstr("waits for a procedure"));
+  EXPECT_THAT(page, Not(HasSubstr("<b>x</b>")));
+  EXPECT_THAT(site.answer({"/", "127.0.0.1:8737", {}}).body, HasSubstr("href=\"/stations\""));
+  EXPECT_THAT(get("/").body, Not(HasSubstr("/stations")));
+  EXPECT_THAT(get("/stations").body, HasSubstr("none was named"));
+}
+
 TEST_F(TeacherSiteTest, leads_from_a_trainee_to_the_curve_and_to_every_attempt) {
   training::AttemptRecord record = attempt_record("t", 1);
   record.digest = "00ff";

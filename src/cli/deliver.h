@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "cli/console.h"
+
+namespace bodkin::cli {
+
+// Judges a recorded session and hands the result of `trainee` to the store (`store`: as 'bodkin results --store';
+// empty: the usual one). What the store cannot take now waits on this station. Says what came of it.
+void deliver_result(const std::string& session, const std::string& trainee, const std::string& store,
+                    Console& console);
+
+}  // namespace bodkin::cli

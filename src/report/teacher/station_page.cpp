@@ -1,0 +1,102 @@
+#include "report/teacher/station_page.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+#include "report/report_style.h"
+#include <fmt/format.h>
+
+#include "imaging/markup.h"
+#include "imaging/png_file.h"
+
+namespace bodkin::report {
+
+namespace {
+
+using imaging::escape_markup;
+
+constexpr const char* stations_style =
+    ".stations{display:flex;flex-wrap:wrap;gap:16px}.station{border:1px solid #8886;border-radius:8px;padding:12px;"
+    "width:340px}.station h2{margin:0 0 4px}.station img{width:100%;background:#000;border-radius:6px}.station svg{"
+    "width:100%;height:90px;background:#fff;border-radius:6px}.lost{color:#b3261e}";
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t at = 0; at < bytes.size(); at += 3) {
+    std::uint32_t group = 0;
+    const std::size_t left = std::min<std::size_t>(3, bytes.size() - at);
+    for (std::size_t i = 0; i < 3; ++i)
+      group = (group << 8U) | (i < left ? static_cast<std::uint8_t>(bytes[at + i]) : 0U);
+    for (std::size_t i = 0; i < 4; ++i) text += i <= left ? digits[(group >> (18U - 6U * i)) & 63U] : '=';
+  }
+  return text;
+}
+
+std::string picture_of(const StationCard& card) {
+  const auto width = static_cast<std::size_t>(std::max(card.picture_width, 0));
+  const auto height = static_cast<std::size_t>(std::max(card.picture_height, 0));
+  if (card.picture.empty() || card.picture.size() != width * height) return {};
+  imaging::ImageRgb image;
+  image.width = card.picture_width;
+  image.height = card.picture_height;
+  for (const std::uint8_t grey : card.picture) image.pixels.push_back({grey, grey, grey});
+  return fmt::format("<img alt=\"ultrasound\" src=\"data:image/png;base64,{}\">\n",
+                     base64(imaging::encode_png(image)));
+}
+
+// The force over the last seconds.
+std::string curve_of(const StationCard& card) {
+  if (card.forces.size() < 2) return {};
+  constexpr double width = 320.0, height = 90.0, margin = 4.0, least_force = 2.0;  // N
+  const double first = card.forces.front().first, last = card.forces.back().first;
+  double most = least_force;
+  for (const auto& [time, force] : card.forces) most = std::max(most, force);
+  std::string points;
+  for (const auto& [time, force] : card.forces) {
+    const double x = margin + (width - 2.0 * margin) * (last > first ? (time - first) / (last - first) : 0.0);
+    const double y = height - margin - (height - 2.0 * margin) * std::clamp(force / most, 0.0, 1.0);
+    fmt::format_to(std::back_inserter(points), "{:.1f},{:.1f} ", x, y);
+  }
+  return fmt::format(
+      "<svg viewBox=\"0 0 {:g} {:g}\" preserveAspectRatio=\"none\" role=\"img\" aria-label=\"force over {:.0f} s, at "
+      "most "
+      "{:.2f} N\"><polyline fill=\"none\" stroke=\"#0b7a75\" stroke-width=\"2\" points=\"{}\"/></svg>\n",
+      width, height, last - first, most, points);
+}
+
+std::string card_of(const StationCard& card) {
+  std::string html = fmt::format("<div class=\"station\"><h2>{}</h2>\n", escape_markup(card.place));
+  if (!card.trouble.empty())
+    return html + fmt::format("<p class=\"lost\">not connected: {}</p></div>\n", escape_markup(card.trouble));
+  if (!card.runs) return html + "<p>waits for a procedure</p></div>\n";
+  html +=
+      fmt::format("<p>{}, {}<br>step: <b>{}</b><br>{:.1f} mm deep in {}, <b>{:.2f} N</b><br>last: {}; force {}</p>\n",
+                  escape_markup(card.patient), escape_markup(card.procedure),
+                  card.step.empty() ? "none yet" : escape_markup(card.step), std::max(card.depth, 0.0),
+                  escape_markup(card.tissue), card.force, card.event.empty() ? "-" : escape_markup(card.event),
+                  escape_markup(card.guard));
+  return html + picture_of(card) + curve_of(card) + "</div>\n";
+}
+
+}  // namespace
+
+std::string stations_page(const std::vector<StationCard>& cards) {
+  std::string all;
+  for (const StationCard& card : cards) all += card_of(card);
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta http-equiv=\"refresh\" "
+      "content=\"1\">\n<meta name=\"viewport\" "
+      "content=\"width=device-width\">\n<title>Stations</title>\n<style>\n{}{}"
+      "</style>\n</head>\n<body>\n<p class=\"under\"><a href=\"/\">All trainees</a></p>\n<h1>Stations</h1>\n<p "
+      "class=\"under\">{} stations, {} connected; new every second</p>\n<div "
+      "class=\"stations\">\n{}</div>\n</body>\n</"
+      "html>\n",
+      report_style(), stations_style, cards.size(),
+      std::count_if(cards.begin(), cards.end(), [](const StationCard& card) { return card.trouble.empty(); }),
+      all.empty() ? "<p>none was named; start 'bodkin teacher --station HOST'</p>\n" : all);
+}
+
+}  // namespace bodkin::report

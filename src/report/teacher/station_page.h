@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace bodkin::report {
+
+// What a teacher sees of a station that runs elsewhere.
+struct StationCard {
+  std::string place;    // "room3:18944"
+  std::string trouble;  // why it is not connected; empty: it is
+  bool runs = false;    // a session
+  std::string patient, procedure;
+  std::string step;  // "2 of 7, Through the ligament"; empty: none yet
+  std::string tissue, event, guard;
+  double depth = 0.0, force = 0.0;                // mm, N: now
+  std::vector<std::pair<double, double>> forces;  // s, N: of the last seconds, in order
+  int picture_width = 0, picture_height = 0;      // pixels
+  std::vector<std::uint8_t> picture;              // the ultrasound, a byte a pixel, row by row; empty: none
+};
+
+// The page of all stations, which the browser asks for again every second. All text is escaped.
+std::string stations_page(const std::vector<StationCard>& cards);
+
+}  // namespace bodkin::report
