@@ -1,12 +1,4 @@
 // bodkin serve: a whole session with nobody looking, and what is refused before a device opens.
-#include <array>
-#include <chrono>
-#include <csignal>
-#include <cstdio>
-#include <string>
-#include <thread>
-#include <utility>
-
 #include "session/session_file.h"
 #include "tests/cli/bodkin_command.h"
 #include <gmock/gmock.h>
@@ -34,79 +26,6 @@ TEST_F(ServeCommand, refuses_an_address_that_is_none_before_it_records_anything)
   EXPECT_EQ(served.exit_code, 2);
   EXPECT_THAT(served.errors, HasSubstr("'nowhere' is no address"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "never.bodkin"));
-}
-
-// `bodkin serve --wait` as a process of its own, until this ends.
-class WaitingStation {
- public:
-  WaitingStation(const std::filesystem::path& folder, const std::string& arguments) : notes_(folder / "station.txt") {
-    const std::string command = "cd '" + folder.string() + "' && echo $$ && exec '" BODKIN_BUILD "/bin/bodkin' " +
-                                arguments + " 2> station.txt";
-    pipe_ = popen(command.c_str(), "r");
-    std::array<char, 64> line{};
-    if (fgets(line.data(), line.size(), pipe_) != nullptr) process_ = std::stoi(line.data());
-  }
-  ~WaitingStation() {
-    if (pipe_ != nullptr) end();
-  }
-  WaitingStation(const WaitingStation&) = delete;
-  WaitingStation& operator=(const WaitingStation&) = delete;
-
-  // "127.0.0.1:40123"; empty when it says none within half a minute.
-  std::string place() const {
-    const std::string before = "port ";
-    for (int i = 0; i < 1500; ++i) {
-      const std::string text = content_of(notes_);
-      const std::size_t at = text.find(before), end = text.find('\n', at);
-      if (at != std::string::npos && end != std::string::npos)
-        return "127.0.0.1:" + text.substr(at + before.size(), end - at - before.size());
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-    return {};
-  }
-  std::string notes() const { return content_of(notes_); }
-  int end() {
-    kill(process_, SIGTERM);
-    return WEXITSTATUS(pclose(std::exchange(pipe_, nullptr)));
-  }
-
- private:
-  std::filesystem::path notes_;
-  FILE* pipe_ = nullptr;
-  int process_ = 0;
-};
-
-TEST_F(ServeCommand, a_teacher_starts_a_procedure_and_the_result_comes_to_the_store) {
-  WaitingStation station(folder_,
-                         "serve . simulated --settings depth_mm=10 --port 0 --wait --trainee t-01 --store r.sqlite");
-  const std::string place = station.place();
-  ASSERT_FALSE(place.empty()) << station.notes();
-  const Outcome waits = bodkin("stations list --patience 20 " + place);
-  EXPECT_EQ(waits.exit_code, 0) << waits.text();
-  EXPECT_THAT(waits.output, HasSubstr("waits for a procedure"));
-  for (const char* name : {"none", "../patient", "/etc", ""}) {
-    const Outcome refused = bodkin("stations start --patience 20 --case '" + std::string(name) + "' " + place);
-    EXPECT_EQ(refused.exit_code, 3) << refused.text();
-    EXPECT_THAT(refused.output, HasSubstr("this station has no case")) << name;
-  }
-  const Outcome started = bodkin("stations start --patience 20 --case patient " + place);
-  EXPECT_EQ(started.exit_code, 0) << started.text();
-  EXPECT_THAT(started.output, HasSubstr("does it"));
-  std::string list;
-  for (int i = 0; i < 60 && list.find("t-01") == std::string::npos; ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
-    list = bodkin("-q results list --store r.sqlite").output;
-  }
-  EXPECT_THAT(list, HasSubstr("t-01")) << station.notes();
-  EXPECT_EQ(station.end(), 0) << station.notes();
-  EXPECT_TRUE(::bodkin::session::read_session(folder_ / "session-by-hand.bodkin").finished);
-}
-
-TEST_F(ServeCommand, a_station_that_is_not_there_is_told_in_one_sentence) {
-  const Outcome lost = bodkin("stations list --patience 1 127.0.0.1:1");
-  EXPECT_EQ(lost.exit_code, 3);
-  EXPECT_THAT(lost.output, HasSubstr("nobody answers at 127.0.0.1:1"));
-  EXPECT_EQ(bodkin("stations start 127.0.0.1:0").exit_code, 2);
 }
 
 }  // namespace
