@@ -33,6 +33,10 @@ constexpr std::array table = {
     KeyBinding{KeyScope::practise, "Shift+PgDown", Command::push_in_finely, BODKIN_TEXT_OF("push in slowly"), true},
     KeyBinding{KeyScope::practise, "Shift+PgUp", Command::draw_out_finely, BODKIN_TEXT_OF("draw back slowly"), true},
     KeyBinding{KeyScope::practise, "W", Command::withdraw, BODKIN_TEXT_OF("withdraw to above the skin"), true},
+    KeyBinding{KeyScope::practise, "Shift+Space", Command::leave_needle,
+               BODKIN_TEXT_OF("leave the needle in the body, and take another"), true},
+    KeyBinding{KeyScope::practise, "Shift+W", Command::take_out_needle,
+               BODKIN_TEXT_OF("take out the needle that was left last"), true},
     KeyBinding{KeyScope::practise, "B", Command::press_plunger,
                BODKIN_TEXT_OF("press the plunger of the syringe, while held"), true},
     KeyBinding{KeyScope::practise, "A", Command::again, BODKIN_TEXT_OF("save and try again"), true},
@@ -121,6 +125,19 @@ constexpr std::array table = {
     KeyBinding{KeyScope::models, "Shift+Down", Command::of_the_page, BODKIN_TEXT_OF("ten units less"), false},
     KeyBinding{KeyScope::models, "Ctrl+Z", Command::of_the_page, BODKIN_TEXT_OF("undo"), false},
     KeyBinding{KeyScope::models, "Ctrl+Shift+Z", Command::of_the_page, BODKIN_TEXT_OF("redo"), false},
+    KeyBinding{KeyScope::segment, "Ctrl+Z", Command::of_the_page, BODKIN_TEXT_OF("take the last step back"), false},
+    KeyBinding{KeyScope::segment, "Ctrl+Shift+Z", Command::of_the_page, BODKIN_TEXT_OF("do it again"), false},
+    KeyBinding{KeyScope::segment, "L", Command::of_the_page, BODKIN_TEXT_OF("the left button moves the crosshair"),
+               false},
+    KeyBinding{KeyScope::segment, "P", Command::of_the_page, BODKIN_TEXT_OF("the left button paints"), false},
+    KeyBinding{KeyScope::segment, "E", Command::of_the_page, BODKIN_TEXT_OF("the left button erases"), false},
+    KeyBinding{KeyScope::segment, "G", Command::of_the_page, BODKIN_TEXT_OF("a click grows a region"), false},
+    KeyBinding{KeyScope::segment, "[", Command::of_the_page, BODKIN_TEXT_OF("a smaller brush"), false},
+    KeyBinding{KeyScope::segment, "]", Command::of_the_page, BODKIN_TEXT_OF("a larger brush"), false},
+    KeyBinding{KeyScope::segment, "V", Command::of_the_page,
+               BODKIN_TEXT_OF("structures over the CT, or the CT alone"), false},
+    KeyBinding{KeyScope::segment, "Up", Command::of_the_view, BODKIN_TEXT_OF("next slice"), false},
+    KeyBinding{KeyScope::segment, "Down", Command::of_the_view, BODKIN_TEXT_OF("slice before"), false},
     KeyBinding{KeyScope::ultrasound, "I", Command::of_the_view, BODKIN_TEXT_OF("slide the probe, away"), false},
     KeyBinding{KeyScope::ultrasound, "J", Command::of_the_view, BODKIN_TEXT_OF("slide the probe, left"), false},
     KeyBinding{KeyScope::ultrasound, "K", Command::of_the_view, BODKIN_TEXT_OF("slide the probe, near"), false},
@@ -167,6 +184,7 @@ constexpr std::array models_chain = {KeyScope::models, KeyScope::window};
 constexpr std::array devices_chain = {KeyScope::devices, KeyScope::window};
 constexpr std::array atlas_chain = {KeyScope::atlas, KeyScope::window};
 constexpr std::array volume_chain = {KeyScope::volume, KeyScope::window};
+constexpr std::array segment_chain = {KeyScope::segment, KeyScope::window};
 constexpr std::array ultrasound_chain = {KeyScope::ultrasound, KeyScope::window};
 
 const KeyBinding* find(KeyScope scope, const QKeySequence& keys) {
@@ -211,6 +229,8 @@ std::span<const KeyScope> chain_of(KeyScope scope) noexcept {
       return volume_chain;
     case KeyScope::ultrasound:
       return ultrasound_chain;
+    case KeyScope::segment:
+      return segment_chain;
     case KeyScope::window:
       break;
   }
@@ -265,6 +285,8 @@ QString name_of(KeyScope scope) {
       return QCoreApplication::translate("Keys", "Volume");
     case KeyScope::ultrasound:
       return QCoreApplication::translate("Keys", "Ultrasound");
+    case KeyScope::segment:
+      return QCoreApplication::translate("Keys", "Structures");
   }
   return {};
 }

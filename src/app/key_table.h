@@ -29,6 +29,8 @@ enum class Command : std::uint8_t {
   push_in_finely,
   draw_out_finely,
   withdraw,
+  leave_needle,
+  take_out_needle,
   press_plunger,  // while the key is held
   again,
   end,
@@ -57,7 +59,8 @@ enum class KeyScope : std::uint8_t {
   devices,
   atlas,
   volume,
-  ultrasound
+  ultrasound,
+  segment
 };
 
 struct KeyBinding {

@@ -1,10 +1,7 @@
 #include "app/main_window.h"
 
-#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QCloseEvent>
-#include <QKeyEvent>
-#include <QLineEdit>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -21,6 +18,7 @@
 #include "app/pages/practise.h"
 #include "app/pages/review.h"
 #include "app/pages/scan.h"
+#include "app/pages/segment.h"
 #include "app/pages/start.h"
 #include "app/pages/tour.h"
 #include "app/pages/ultrasound.h"
@@ -184,6 +182,7 @@ void MainWindow::add_pages() {
            tr("Scan the patient again, with the needle in place"));
   add_page(new VolumePage([this]() -> const Frame& { return practice_.frame(); }), tr("Volume"),
            tr("The inside of the patient: bone, soft tissue, X-ray"));
+  add_page(new SegmentPage, tr("Structures"), tr("Correct the structures of the segmentation, or make new ones"));
   devices_ = new DevicesPage;
   add_page(devices_, tr("Devices"), tr("What holds the needle: find, check, calibrate"));
   add_page(new AtlasPage(data_folder()), tr("Acupuncture"), tr("Points and meridians on a whole body"));
@@ -368,62 +367,6 @@ void MainWindow::show_state() {
     card->raise();
   }
   if (state == State::ready && page_ == nullptr) practise_->view3d().setFocus(Qt::OtherFocusReason);
-}
-
-KeyScope MainWindow::page_scope() const {
-  if (page_ != nullptr) return page_->scope();
-  return pages_->currentWidget() == practise_ ? KeyScope::practise : KeyScope::start;
-}
-
-bool MainWindow::press(const QKeySequence& keys, bool before_views) {
-  const KeyScope page = page_scope();
-  if (before_views) {
-    const std::optional<Command> command = reserved_command(page, keys);
-    if (command == Command::of_the_page) return page_->press(keys);
-    return command ? (run(*command), true) : false;
-  }
-  for (const KeyScope scope : chain_of(page)) {
-    const std::optional<Command> command = command_of(scope, keys);
-    if (command == Command::of_the_page) return page_ != nullptr && page_->press(keys);
-    if (command) return run(*command), true;
-  }
-  return false;
-}
-
-bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-  const bool is_press = event->type() == QEvent::KeyPress, is_release = event->type() == QEvent::KeyRelease;
-  auto* const widget = qobject_cast<QWidget*>(watched);
-  if ((!is_press && !is_release) || widget == nullptr || widget->window() != this || widget != focus_or_self())
-    return QMainWindow::eventFilter(watched, event);
-  const auto* const key = static_cast<QKeyEvent*>(event);
-  if (is_release) {
-    if ((key->key() == Qt::Key_PageDown || key->key() == Qt::Key_PageUp) && !key->isAutoRepeat())
-      practice_.hold_key(0, false);
-    if (key->key() == Qt::Key_B && !key->isAutoRepeat()) practice_.press_plunger(false);
-    return QMainWindow::eventFilter(watched, event);
-  }
-  const Qt::KeyboardModifiers modifiers = key->modifiers() & ~Qt::KeypadModifier;
-  // Who types means the letter.
-  const bool is_typing =
-      qobject_cast<QLineEdit*>(widget) != nullptr || qobject_cast<QAbstractSpinBox*>(widget) != nullptr;
-  const bool is_letter = !key->text().isEmpty() && key->text().front().isPrint() &&
-                         (modifiers & (Qt::ControlModifier | Qt::AltModifier)) == 0;
-  if (is_typing && is_letter) return QMainWindow::eventFilter(watched, event);
-  // A character that needs Shift ("?") is itself.
-  const bool is_sign =
-      key->key() < 0x80 && key->key() > Qt::Key_Space && !(key->key() >= Qt::Key_A && key->key() <= Qt::Key_Z);
-  const int code = key->key() + static_cast<int>(is_sign ? modifiers & ~Qt::ShiftModifier : modifiers);
-  return press(QKeySequence(code), true) || QMainWindow::eventFilter(watched, event);
-}
-
-QWidget* MainWindow::focus_or_self() {
-  QWidget* const focus = focusWidget();
-  return focus != nullptr ? focus : this;
-}
-
-void MainWindow::keyPressEvent(QKeyEvent* event) {
-  const int code = event->key() + static_cast<int>(event->modifiers() & ~Qt::KeypadModifier);
-  if (!press(QKeySequence(code), false)) QMainWindow::keyPressEvent(event);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {

@@ -77,6 +77,10 @@ void MainWindow::run(Command command) {
       return practice_.hold_key(-1, command == Command::draw_out_finely);
     case Command::withdraw:
       return practice_.withdraw();
+    case Command::leave_needle:
+      return practice_.leave_needle();
+    case Command::take_out_needle:
+      return practice_.take_out_left_needle();
     case Command::press_plunger:
       return practice_.press_plunger(true);
     case Command::again:

@@ -24,6 +24,8 @@ const char* name_of(PageId id) noexcept {
       return "volume";
     case PageId::ultrasound:
       return "ultrasound";
+    case PageId::segment:
+      return "segment";
   }
   return "";
 }

@@ -13,8 +13,20 @@ namespace bodkin::app {
 using namespace views;
 
 // What can fill the window below the bar.
-enum class PageId : std::uint8_t { start, practise, plan, scan, review, models, devices, atlas, volume, ultrasound };
-inline constexpr int page_count = 10;
+enum class PageId : std::uint8_t {
+  start,
+  practise,
+  plan,
+  scan,
+  review,
+  models,
+  devices,
+  atlas,
+  volume,
+  ultrasound,
+  segment
+};
+inline constexpr int page_count = 11;
 
 const char* name_of(PageId id) noexcept;  // "plan", as scripts and objectName have it
 

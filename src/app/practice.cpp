@@ -162,6 +162,21 @@ void Practice::withdraw() {
   if (may_steer()) control_.withdraw();
 }
 
+void Practice::leave_needle() {
+  if (patient_ == nullptr || !is_attempt(state())) return;
+  if (!maker_.is_touching() || !maker_.has_punctured())
+    return say("Push the needle through the skin before you leave it there.");
+  const LeftNeedle left{frame_.needle, frame_.depth};
+  again();
+  if (again_wanted_) left_needles_.push_back(left);
+}
+
+void Practice::take_out_left_needle() {
+  if (left_needles_.empty()) return say("No needle was left in the body.");
+  left_needles_.pop_back();
+  left_needles_changed_ = true;
+}
+
 void Practice::press_plunger(bool on) {
   if (on == plunger_pressed_ || !has_syringe() || (on && !may_steer())) return;
   plunger_pressed_ = on;
@@ -205,6 +220,7 @@ void Practice::take_patient() {
     patient_ = std::move(opened);
     plan_ = patient_->description().procedure.path;
     models_.reset();
+    left_needles_.clear();
     begin_attempt();
   }
   const CaseModel::Status status = cases_.status();
@@ -405,7 +421,9 @@ const Frame& Practice::advance(double clock) {
   frame_.state = state();
   frame_.clock = clock;
   frame_.hint = hint();
+  frame_.left_needles = left_needles_;
   changes_ = maker_.changes(frame_);
+  if (std::exchange(left_needles_changed_, false)) changes_.plan = true;  // the pictures must be drawn again
   return frame_;
 }
 

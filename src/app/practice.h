@@ -64,6 +64,11 @@ class Practice {
   void tilt(double right, double cranial);
   void hold_key(int direction, bool fine);
   void withdraw();
+  // The needle stays in the body, and the attempt is saved; another begins with another needle.
+  void leave_needle();
+  // The needle that was left last is taken out.
+  void take_out_left_needle();
+  const std::vector<LeftNeedle>& left_needles() const noexcept { return left_needles_; }
   void press_plunger(bool on);  // of the syringe, if the patient's needle has one
   void set_crosshair(const Vec3& point);
   void toggle_follow();
@@ -142,8 +147,10 @@ class Practice {
   std::string refusal_;  // why the last wish was not done
   std::vector<std::string> log_;
   std::vector<MetDanger> dangers_;
+  std::vector<LeftNeedle> left_needles_;
   double refused_at_ = 0.0, safe_since_ = 0.0, clock_ = 0.0;
-  bool again_wanted_ = false, acknowledged_ = false, was_forbidden_ = false, plunger_pressed_ = false;
+  bool again_wanted_ = false, acknowledged_ = false, was_forbidden_ = false, plunger_pressed_ = false,
+       left_needles_changed_ = false;
 };
 
 }  // namespace bodkin::app

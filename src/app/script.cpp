@@ -160,6 +160,17 @@ void Script::press(const QString& keys, double seconds) {
   QApplication::sendEvent(focus, &up);
 }
 
+bool Script::type(const QString& name, const QString& text) {
+  QWidget* const target = widget(name);
+  if (target == nullptr) return false;
+  target->setFocus(Qt::OtherFocusReason);
+  for (const QChar& letter : text) {
+    QKeyEvent down(QEvent::KeyPress, 0, Qt::NoModifier, QString(letter));
+    QApplication::sendEvent(target, &down);
+  }
+  return true;
+}
+
 bool Script::shoot(const QString& name) {
   QDir().mkpath(shots_);
   let_pass(2.0 * frame_time);
@@ -180,13 +191,14 @@ bool Script::step(const QStringList& words) {
   if (verb == QLatin1String("shot") && count == 2) return shoot(words[1]);
   if (verb == QLatin1String("key") && count == 2) return press(words[1], frame_time), true;
   if (verb == QLatin1String("hold") && count == 3) return press(words[1], seconds_of(words[2])), true;
+  if (verb == QLatin1String("type") && count >= 3) return type(words[1], words.mid(2).join(QLatin1Char(' ')));
   const bool click = verb == QLatin1String("click") && (count == 2 || count == 3);
   const bool move = verb == QLatin1String("move") && count == 3;
   const bool drag = verb == QLatin1String("drag") && count == 4;
   const bool wheel = verb == QLatin1String("wheel") && (count == 3 || count == 4);
   if (!click && !move && !drag && !wheel) {
     throw InputError("'" + words.join(QLatin1Char(' ')).toStdString() +
-                     "' is no step; expected click, move, drag, wheel, key, hold, wait, page, expect or shot");
+                     "' is no step; expected click, move, drag, wheel, key, hold, type, wait, page, expect or shot");
   }
   QWidget* const target = widget(words[1]);
   if (target == nullptr) return false;

@@ -46,6 +46,7 @@ class Script {
   bool expect(const QString& property, const QString& value);
   void press(const QString& keys, double seconds);
   bool show_page(const QString& name);
+  bool type(const QString& name, const QString& text);
   bool shoot(const QString& name);
 
   MainWindow& window_;

@@ -117,6 +117,11 @@ WorkerReport run_image_worker(const std::string& verb, const std::string& argume
   return run_reader(verb, arguments, subject, progress, -1);
 }
 
+WorkerReport run_image_worker_on(const SharedMemory& memory, const std::string& verb, const std::string& arguments,
+                                 const std::string& subject, const Progress& progress) {
+  return run_reader(verb, arguments, subject, progress, memory.descriptor());
+}
+
 anatomy::CtVolume read_ct_isolated(const std::filesystem::path& path, const Progress& progress) {
   return read_isolated<std::int16_t>(path, "ct", progress);
 }

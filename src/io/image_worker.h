@@ -6,6 +6,7 @@
 
 #include "anatomy/volume.h"
 #include "core/progress.h"
+#include "io/shared_memory.h"
 
 // The image worker is a program of its own (bodkin-images) that holds the imaging libraries. Foreign image files are
 // read there, so that nothing in them can crash this process or make it allocate more than they justify, and the
@@ -28,6 +29,10 @@ std::string path_text(const std::filesystem::path& path);
 // missing. What a failed worker was building under "folder" is removed.
 WorkerReport run_image_worker(const std::string& verb, const std::string& arguments, const std::string& subject,
                               const Progress& progress);
+
+// The same with voxels that both see: `memory` is descriptor 3 of the worker, which may replace what is in it.
+WorkerReport run_image_worker_on(const SharedMemory& memory, const std::string& verb, const std::string& arguments,
+                                 const std::string& subject, const Progress& progress);
 
 // Reads one image file (NRRD, NIfTI, MetaImage) or DICOM folder as HU, labels or tissue ids. Throws InputError.
 anatomy::CtVolume read_ct_isolated(const std::filesystem::path& path, const Progress& progress = {});

@@ -36,6 +36,12 @@ struct Warning {
   std::string advice;  // what to do next, one sentence
 };
 
+// A needle that was left in the body when the hand took another one.
+struct LeftNeedle {
+  Pose pose = Pose::Identity();  // LPS
+  double depth = 0.0;            // mm below the skin along its line
+};
+
 // All that a view may draw of one moment, plain data: a view computes no force and asks nobody. The spans are valid
 // during View::show_frame() only.
 struct Frame {
@@ -57,6 +63,8 @@ struct Frame {
   std::string place;                                // its name, or the name of the structure that the tip is in
   SkinDimple dimple;
   std::span<const float> displacements;  // mm, x y z of every point that the scene asked for; empty: a rigid body
+
+  std::span<const LeftNeedle> left_needles;  // the one that was left first stands first
 
   // Force, N.
   double force = 0.0;           // that the needle meets, its size

@@ -113,7 +113,7 @@ void SliceView::show_frame(const Frame& frame, const Changes& changes) {
   shown_.clock = frame.clock;
   if (cine_) step_cine(frame.clock);
   const bool redraw = changes.needle || changes.tissue || changes.state || changes.plan || changes.crosshair ||
-                      changes.warning || changes.theme;
+                      changes.warning || changes.theme || changes.attempt;
   if (!redraw) return;
   shown_.state = frame.state;
   shown_.has_needle = frame.has_needle;
@@ -123,6 +123,8 @@ void SliceView::show_frame(const Frame& frame, const Changes& changes) {
   } else if (frame.plan && frame.plan->length() > 0.0) {
     shown_.axis = frame.plan->direction();
   }
+  shown_.left.clear();
+  for (const LeftNeedle& left : frame.left_needles) shown_.left.push_back(left.pose);
   shown_.shape = tip_shape(frame);
   shown_.tissue = frame.tissue;
   shown_.plan = frame.plan;

@@ -74,6 +74,7 @@ class SliceView : public View {
     Vec3 tip = Vec3::Zero(), axis = Vec3::UnitY();
     TipShape shape = TipShape::hollow;
     anatomy::TissueId tissue = anatomy::tissue::air;
+    std::vector<Pose> left;  // needles that were left in the body
     std::optional<anatomy::NeedlePath> plan;
     bool is_planning = false;
     std::vector<std::pair<double, double>> broken;  // mm of the plan from its entry
@@ -97,6 +98,7 @@ class SliceView : public View {
   void draw_crosshair(QPainter& painter) const;
   void draw_plan(QPainter& painter) const;
   void draw_trails(QPainter& painter) const;
+  void draw_left_needles(QPainter& painter) const;
   void draw_needle(QPainter& painter) const;
   void draw_measures(QPainter& painter) const;
   void draw_words(QPainter& painter) const;

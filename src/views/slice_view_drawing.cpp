@@ -62,6 +62,7 @@ void SliceView::paintEvent(QPaintEvent* /*event*/) {
     draw_crosshair(painter);
     draw_plan(painter);
     draw_trails(painter);
+    draw_left_needles(painter);
     draw_needle(painter);
     draw_measures(painter);
   }
@@ -151,6 +152,23 @@ void SliceView::draw_trails(QPainter& painter) const {
       painter.setOpacity(std::abs(now.distance(middle)) <= thickness ? 1.0 : faint);
       draw_line_on_picture(painter, to_widget(trail.points[i]), to_widget(trail.points[i + 1]), ink, trail.width,
                            1.0);
+    }
+  }
+  painter.setOpacity(1.0);
+}
+
+// Without ticks: the needle in the hand is the one to be read.
+void SliceView::draw_left_needles(QPainter& painter) const {
+  const imaging::SlicePlane now = plane();
+  const double ratio = devicePixelRatioF(), thickness = near_the_plane + 0.5 * look_.slab.thickness;
+  const auto place = [&](const Eigen::Vector2d& at) {
+    return QPointF((at.x() + 0.5) / ratio, (at.y() + 0.5) / ratio);
+  };
+  for (const Pose& left : shown_.left) {
+    const Vec3 tip = left.translation(), hub = tip - patient_->description().needle.length * needle_axis(left);
+    for (const NeedleOnSlice::Piece& piece : project_needle(now, tip, hub, thickness).pieces) {
+      painter.setOpacity(piece.near ? 0.8 : 0.3);
+      draw_line_on_picture(painter, place(piece.from), place(piece.to), steel, 1.5, 1.0);
     }
   }
   painter.setOpacity(1.0);

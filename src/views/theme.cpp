@@ -88,8 +88,9 @@ QSplitter::handle { background: %3; }
 QLineEdit { background: %7; border: 1px solid %5; border-radius: 6px; padding: 6px; }
 QListWidget::item { padding: 5px 8px; border-radius: 6px; }
 QListWidget::item:selected { background: %9; color: %2; }
-QComboBox, QDoubleSpinBox { background: %7; border: 1px solid %5; border-radius: 6px; padding: 5px 8px; }
+QComboBox, QDoubleSpinBox, QSpinBox { background: %7; border: 1px solid %5; border-radius: 6px; padding: 5px 8px; }
 QComboBox QAbstractItemView { background: %7; selection-background-color: %9; }
+QCheckBox::indicator:unchecked { width: 12px; height: 12px; border: 1px solid %6; border-radius: 3px; }
 QSlider::groove:horizontal { background: %5; height: 6px; border-radius: 3px; }
 QSlider::sub-page:horizontal { background: %8; border-radius: 3px; }
 QSlider::handle:horizontal { background: %2; width: 16px; margin: -5px 0; border-radius: 8px; }

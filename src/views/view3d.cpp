@@ -30,6 +30,7 @@ Frame without_spans(const Frame& frame) {
   kept.diagnostic_names = {};
   kept.samples = {};
   kept.events = {};
+  kept.left_needles = {};
   kept.timings = nullptr;
   kept.ultrasound = nullptr;
   return kept;
@@ -232,6 +233,12 @@ void View3d::show_frame(const Frame& frame, const Changes& changes) {
 void View3d::update_scene(const Frame& frame) {
   has_needle_ = frame.has_needle;
   std::vector<scene::NeedleLook> needles = left_needles_;
+  for (const LeftNeedle& left : frame.left_needles) {
+    scene::NeedleLook look = needle_;
+    look.pose = left.pose;
+    look.ghost = 0.0;
+    needles.push_back(look);
+  }
   if (has_needle_) {
     needle_.pose = frame.needle;
     const double ahead = (frame.hand.translation() - frame.needle.translation()).dot(needle_axis(frame.needle));

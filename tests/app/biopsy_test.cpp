@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QTest>
 #include <QWheelEvent>
+#include <algorithm>
 
 #include "app/main_window.h"
 #include "app/models/data_folder.h"
@@ -57,25 +58,31 @@ TEST(Biopsy, ends_when_the_tip_touches_the_lesion_with_a_sentence) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return practice.state() == State::ready; }, 120000)) << practice.failure();
   double deepest = 0.0;
   auto* const slice = window.findChild<QWidget*>(QStringLiteral("practise.slice.sagittal"));
-  for (int i = 0; i < 400 && practice.state() != State::ended; ++i) {
-    const QPoint at = slice->rect().center();
-    QWheelEvent event(at, slice->mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
-                      false);
-    QApplication::sendEvent(slice, &event);
-    QTest::qWait(8);
-    deepest = std::max(deepest, practice.frame().depth);
-  }
+  QObject::connect(&window.clock(), &FrameClock::frame, &window,
+                   [&] { deepest = std::max(deepest, practice.frame().depth); });
+  static_cast<void>(QTest::qWaitFor(
+      [&] {
+        const QPoint at = slice->rect().center();
+        QWheelEvent event(at, slice->mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                          false);
+        QApplication::sendEvent(slice, &event);
+        return practice.state() == State::ended;
+      },
+      60000));
   ASSERT_EQ(practice.state(), State::ended) << deepest << " mm, " << practice.frame().place;
   EXPECT_NE(practice.completion().find("touched the lesion"), std::string::npos) << practice.completion();
   // The lesion begins 20 mm deep.
   EXPECT_GT(deepest, 17.0);
   EXPECT_LT(deepest, 27.0);
   ASSERT_TRUE(QTest::qWaitFor([&] { return practice.result().has_value(); }, 30000));
-  QTest::qWait(50);
-  bool is_said = false;
-  for (const QLabel* label : window.findChildren<QLabel*>())
-    is_said = is_said || (label->isVisible() && label->text().contains(QStringLiteral("touched the lesion")));
-  EXPECT_TRUE(is_said);
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        const QList<QLabel*> labels = window.findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+          return label->isVisible() && label->text().contains(QStringLiteral("touched the lesion"));
+        });
+      },
+      20000));
   practice.leave();
 }
 

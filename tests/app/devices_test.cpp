@@ -89,16 +89,14 @@ TEST_F(Devices, a_check_shows_the_hand_without_force_and_can_be_cancelled) {
   EXPECT_EQ(page_->work().news().force, 0.0);
   click("devices.cancel");
   ASSERT_TRUE(wait([&] { return !page_->work().news().is_busy; }));
-  QTest::qWait(100);
-  EXPECT_FALSE(text("devices.verdict").isEmpty());
+  EXPECT_TRUE(wait([&] { return !text("devices.verdict").isEmpty(); }));
 }
 
 TEST_F(Devices, the_calibration_leads_through_its_steps_and_keeps_nothing_when_it_is_cancelled) {
   choose("simulated");
   click("devices.calibrate");
   ASSERT_TRUE(wait([&] { return !page_->work().news().steps.empty(); }));
-  QTest::qWait(100);
-  EXPECT_TRUE(text("devices.steps").contains(QStringLiteral("workspace")));
+  EXPECT_TRUE(wait([&] { return text("devices.steps").contains(QStringLiteral("workspace")); }));
   EXPECT_FALSE(text("devices.task").isEmpty());
   click("devices.cancel");
   ASSERT_TRUE(wait([&] { return !page_->work().news().is_busy; }));

@@ -72,9 +72,8 @@ TEST_F(ScanWindow, every_key_of_the_machine_does_its_work) {
   ASSERT_TRUE(scan.needle().has_value());
   const double depth = scan.needle_depth();
   QTest::keyPress(window_.focusWidget(), Qt::Key_PageDown);
-  QTest::qWait(300);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return scan.needle_depth() > depth + 1.0; }, 20000));
   QTest::keyRelease(window_.focusWidget(), Qt::Key_PageDown);
-  EXPECT_GT(scan.needle_depth(), depth + 1.0);
   key(Qt::Key_H);
   EXPECT_TRUE(scan.help());
   key(Qt::Key_Escape);
@@ -96,9 +95,8 @@ TEST_F(ScanWindow, the_picture_follows_the_probe_and_the_needle) {
   ASSERT_TRUE(QTest::qWaitFor(shows_where_the_probe_is, 10000));
   const Pose before = scan.pose();
   QTest::keyPress(window_.focusWidget(), Qt::Key_Up);
-  QTest::qWait(200);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !scan.pose().isApprox(before, 1e-6); }, 20000));
   QTest::keyRelease(window_.focusWidget(), Qt::Key_Up);
-  EXPECT_FALSE(scan.pose().isApprox(before, 1e-6));
   EXPECT_TRUE(QTest::qWaitFor(shows_where_the_probe_is, 10000));
 }
 

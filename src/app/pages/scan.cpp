@@ -197,7 +197,7 @@ QWidget* ScanPage::make_right() {
   auto* windows = new QHBoxLayout;
   windows->setSpacing(4);
   for (const WindowPreset& preset : window_presets) {
-    QPushButton* const made = scan_button("", QCoreApplication::translate("bodkin::app::SliceView", preset.name),
+    QPushButton* const made = scan_button("", QCoreApplication::translate("bodkin::views::SliceView", preset.name),
                                           tr("Window of grey levels"), false);
     made->setObjectName(QStringLiteral("scan.window.") +
                         QString::fromLatin1(preset.name).toLower().replace(' ', '_'));

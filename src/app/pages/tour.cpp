@@ -21,7 +21,7 @@ namespace {
 
 using Step = TourSteps::Step;
 
-constexpr int balloon_width = 330, tail_size = 14, least_drag = 25;  // pixels
+constexpr int balloon_width = 330, tail_size = 14, least_drag = 25, ring_free = 34;  // pixels
 
 // Where the tail of the balloon points to, in shares of the page: what the step is about.
 struct BalloonText {
@@ -56,7 +56,7 @@ constexpr BalloonText balloons[] = {
 
 }  // namespace
 
-Tour::Tour(QWidget* page, QWidget* patient)
+Tour::Tour(QWidget* page, View3d* patient)
     : QWidget(page),
       patient_(patient),
       number_(new QLabel),
@@ -103,11 +103,36 @@ void Tour::show_frame(const Frame& frame) {
   if (frame.state == State::no_case || frame.state == State::ended) return end();
   if (frame.state == State::preparing) return;
   steps_.see(frame);
-  if (isVisible() && shown_ == steps_.step()) return;
-  show_step();
+  if (!isVisible() || shown_ != steps_.step()) return show_step(frame);
+  if (shown_ == Step::aim) place(frame);  // the patient may be turned
 }
 
-void Tour::show_step() {
+std::optional<QPoint> Tour::ring(const Frame& frame) const {
+  if (!frame.plan || patient_->scene() == nullptr || patient_->scene()->width() <= 0) return std::nullopt;
+  const auto at = patient_->scene()->projection().place(frame.plan->entry);
+  if (!at) return std::nullopt;
+  const double scale = static_cast<double>(patient_->width()) / patient_->scene()->width();
+  const QPoint there = QPointF(at->x * scale, at->y * scale).toPoint();
+  if (!patient_->rect().contains(there)) return std::nullopt;
+  return patient_->mapTo(parentWidget(), there);
+}
+
+// The balloon that speaks of the ring points at it and leaves it free.
+void Tour::place(const Frame& frame) {
+  const BalloonText& text = balloons[static_cast<int>(shown_)];
+  const QSize page = parentWidget()->size();
+  QPoint about(static_cast<int>(text.x * page.width()), static_cast<int>(text.y * page.height()));
+  tail_right_ = false;
+  if (const auto at = shown_ == Step::aim ? ring(frame) : std::nullopt) {
+    tail_right_ = at->x() + ring_free + width() > page.width() - 8;
+    about = *at + QPoint(tail_right_ ? -ring_free - width() : ring_free, 0);
+  }
+  const int y = std::clamp(about.y() - height() / 2, 8, std::max(8, page.height() - height() - 8));
+  move(std::clamp(about.x(), 8, std::max(8, page.width() - width() - 8)), y);
+  layout()->setContentsMargins(18 + (tail_right_ ? 0 : tail_size), 14, 18 + (tail_right_ ? tail_size : 0), 14);
+}
+
+void Tour::show_step(const Frame& frame) {
   shown_ = steps_.step();
   const int index = static_cast<int>(shown_);
   const BalloonText& text = balloons[index];
@@ -118,17 +143,14 @@ void Tour::show_step() {
   leave_->setAccessibleName(leave_->text());
   const int high = heightForWidth(balloon_width) > 0 ? heightForWidth(balloon_width) : sizeHint().height();
   resize(balloon_width, high);
-  const QSize page = parentWidget()->size();
-  const QPoint about(static_cast<int>(text.x * page.width()), static_cast<int>(text.y * page.height()));
-  const int y = std::clamp(about.y() - high / 2, 8, std::max(8, page.height() - high - 8));
-  move(std::min(about.x(), page.width() - balloon_width - 8), y);
+  place(frame);
   show();
   raise();
   update();
 }
 
 QPoint Tour::tail() const {
-  return {1, height() / 2};
+  return {tail_right_ ? width() - 2 : 1, height() / 2};
 }
 
 void Tour::paintEvent(QPaintEvent* /*event*/) {
@@ -136,10 +158,12 @@ void Tour::paintEvent(QPaintEvent* /*event*/) {
   painter.setRenderHint(QPainter::Antialiasing);
   const Theme& theme = Theme::now();
   QPolygonF pointer;
-  pointer << tail() << QPointF(tail_size + 1.0, tail().y() - 10.0) << QPointF(tail_size + 1.0, tail().y() + 10.0);
+  const double root = tail_right_ ? width() - tail_size - 1.0 : tail_size + 1.0;
+  pointer << tail() << QPointF(root, tail().y() - 10.0) << QPointF(root, tail().y() + 10.0);
   painter.setPen(QPen(theme.accent, 1.5));
   painter.setBrush(theme.raised);
-  painter.drawRoundedRect(QRectF(tail_size, 1.0, width() - tail_size - 1.5, height() - 2.0), 10.0, 10.0);
+  const double left = tail_right_ ? 1.0 : tail_size;
+  painter.drawRoundedRect(QRectF(left, 1.0, width() - tail_size - 1.5, height() - 2.0), 10.0, 10.0);
   painter.drawPolyline(pointer);
   painter.setPen(Qt::NoPen);
   painter.drawPolygon(pointer);

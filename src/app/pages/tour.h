@@ -2,8 +2,10 @@
 
 #include <QPoint>
 #include <QWidget>
+#include <optional>
 
 #include "app/models/tour_steps.h"
+#include "views/view3d.h"
 
 class QLabel;
 class QPushButton;
@@ -15,8 +17,10 @@ namespace bodkin::app {
 class Tour : public QWidget {
   Q_OBJECT
  public:
-  // `page`: over which it lies; `patient`: the view that is turned.
-  Tour(QWidget* page, QWidget* patient);
+  // `page`: over which it lies; `patient`: the view that is turned, and that has the ring.
+  Tour(QWidget* page, View3d* patient);
+  // Where the ring on the skin is on the page; nothing where it is not seen.
+  std::optional<QPoint> ring(const Frame& frame) const;
 
   void begin();
   bool is_running() const { return running_; }
@@ -29,15 +33,16 @@ class Tour : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void show_step();
+  void show_step(const Frame& frame);
+  void place(const Frame& frame);
   QPoint tail() const;
 
   TourSteps steps_;
-  QWidget* patient_;
+  View3d* patient_;
   QLabel *number_, *title_, *words_;
   QPushButton* leave_;
   QPoint pressed_;
-  bool running_ = false;
+  bool running_ = false, tail_right_ = false;
   TourSteps::Step shown_ = TourSteps::Step::done;
 };
 

@@ -3,6 +3,7 @@
 // "kind"},
 // {"result"}. It is started by Bodkin, not by people.
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -15,6 +16,8 @@
 #include <string>
 
 #include "patient/from_ct/case_builder.h"
+#include "patient/from_ct/label_filters.h"
+#include "patient/from_ct/relabel.h"
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
@@ -180,6 +183,76 @@ void list_series(const json& request) {
   say({{"result", {{"series", series}, {"other_objects", folder.other_objects}}}});
 }
 
+template <typename Voxel>
+void take_over(anatomy::Volume<Voxel>& volume, off_t offset) {
+  char* bytes = reinterpret_cast<char*>(volume.voxels.data());
+  std::size_t left = volume.voxels.size() * sizeof(Voxel);
+  while (left > 0) {
+    const ssize_t count = pread(voxel_descriptor, bytes, left, offset);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) throw SystemError("the voxels did not arrive");
+    bytes += count;
+    offset += count;
+    left -= static_cast<std::size_t>(count);
+  }
+}
+
+anatomy::Grid grid_from(const json& request) {
+  anatomy::Grid grid;
+  grid.size = request.at("size").get<std::array<int, 3>>();
+  const auto numbers = request.at("numbers").get<std::array<double, 15>>();
+  std::copy_n(numbers.begin(), 3, grid.spacing.data());
+  std::copy_n(numbers.begin() + 3, 9, grid.direction.data());
+  std::copy_n(numbers.begin() + 12, 3, grid.origin.data());
+  return grid;
+}
+
+// The shared memory holds the CT, then the mask; afterwards the new mask alone.
+void filter_segment(const json& request) {
+  anatomy::CtVolume ct(grid_from(request));
+  patient::MaskVolume mask(ct.grid);
+  take_over(ct, 0);
+  take_over(mask, static_cast<off_t>(ct.voxels.size() * sizeof(std::int16_t)));
+  const std::string filter = request.at("filter");
+  const int low = request.at("low"), high = request.at("high");
+  const patient::SegmentReach within = {request.at("seed").get<std::array<int, 3>>(), request.at("reach_mm")};
+  if (filter == "threshold") {
+    mask = patient::threshold_region(ct, low, high, within);
+  } else if (filter == "grow") {
+    mask = patient::grown_region(ct, low, high, within);
+  } else if (filter == "fill") {
+    mask = patient::filled_between_slices(mask, request.at("axis"));
+  } else if (filter == "smooth") {
+    mask = patient::smoothed(mask, request.at("radius_mm"));
+  } else {
+    throw SystemError("bodkin-images knows no filter '" + filter + "'");
+  }
+  if (ftruncate(voxel_descriptor, 0) != 0 || lseek(voxel_descriptor, 0, SEEK_SET) != 0)
+    throw SystemError("the voxels cannot be handed over");
+  hand_over(mask);
+}
+
+void relabel(const json& request) {
+  patient::Relabelling wanted;
+  wanted.folder = request.at("folder").get<std::string>();
+  wanted.labels = request.at("labels").get<std::string>();
+  for (const json& each : request.at("structures")) {
+    wanted.table.push_back({each.at("label"), each.at("name"), each.at("tissue"), each.at("critical")});
+  }
+  const json& rules = request.at("rules");
+  for (const json& each : rules.at("avoid")) {
+    wanted.rules.avoid.push_back({each.value("tissue", ""), each.value("structure", ""), each.value("title", ""),
+                                  each.value("margin_mm", 0.0)});
+  }
+  wanted.rules.levels = rules.at("levels").get<std::vector<std::string>>();
+  wanted.rules.bone_margin = rules.at("bone_margin_mm");
+  wanted.rules.margin = rules.at("margin_mm");
+  wanted.rules.cord_margin = rules.at("cord_margin_mm");
+  const patient::RelabelledCase saved = patient::relabel_case(wanted, report_progress);
+  for (const std::string& note : saved.notes) say({{"note", note}});
+  say({{"result", {{"changed_tissue_voxels", saved.changed_tissue_voxels}}}});
+}
+
 int run(const std::string& verb) {
   const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
   const json request = json::parse(text);
@@ -189,6 +262,10 @@ int run(const std::string& verb) {
     make_imported_case(request);
   } else if (verb == "case-synthesize") {
     make_synthetic_case(request);
+  } else if (verb == "case-relabel") {
+    relabel(request);
+  } else if (verb == "segment") {
+    filter_segment(request);
   } else if (verb == "list-series") {
     list_series(request);
   } else {

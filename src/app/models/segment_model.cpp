@@ -1,0 +1,160 @@
+#include "app/models/segment_model.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <utility>
+
+#include "core/error.h"
+#include "training/planning_rules.h"
+#include "training/procedure_file.h"
+
+namespace bodkin::app {
+
+namespace {
+
+struct SegmentGivenUp : std::exception {};
+
+anatomy::LabelVolume labels_to_correct(const anatomy::Case& patient) {
+  if (patient.ct.empty()) throw InputError("This patient has no CT, so there is nothing to find structures in.");
+  if (patient.structures.empty()) return anatomy::LabelVolume(patient.ct.grid);
+  return patient.structures;
+}
+
+}  // namespace
+
+struct SegmentModel::Job {
+  mutable std::mutex lock;  // guards all but `given_up`
+  Status status;
+  std::optional<patient::SegmentMask> mask;
+  std::atomic<bool> given_up{false};
+  std::uint16_t label = 0;
+  patient::Overwriting over = patient::Overwriting::all;
+  bool only_add = false, taken = false;
+  std::uint64_t version = 0;  // of what was saved
+
+  Progress progress() {
+    return [this](std::string_view stage, double fraction) {
+      if (given_up.load()) throw SegmentGivenUp();
+      const std::lock_guard guard(lock);
+      status.stage = stage;
+      status.fraction = fraction;
+    };
+  }
+  // The end of the work, however it came.
+  template <typename Work>
+  void run(const Work& work) {
+    std::string error;
+    try {
+      work();
+    } catch (const SegmentGivenUp&) {
+      error = "Cancelled; nothing was changed.";
+    } catch (const std::exception& failure) {
+      error = failure.what();
+    }
+    const std::lock_guard guard(lock);
+    status.error = error;
+    status.is_busy = false;
+  }
+};
+
+SegmentModel::SegmentModel(std::shared_ptr<const OpenCase> patient)
+    : patient_(std::move(patient)),
+      editor_(labels_to_correct(patient_->patient)),
+      table_(patient_->description().structures),
+      rules_(training::planning_rules(training::procedure_of_case(patient_->description().procedure.name))),
+      active_(table_.empty() ? -1 : 0) {}
+
+SegmentModel::~SegmentModel() {
+  cancel();
+}
+
+void SegmentModel::choose(int position) {
+  editor_.commit();
+  active_ = position >= 0 && position < static_cast<int>(table_.size()) ? position : -1;
+}
+
+std::uint16_t SegmentModel::active_label() const {
+  return active_ < 0 ? std::uint16_t{0} : table_[static_cast<std::size_t>(active_)].label;
+}
+
+void SegmentModel::add(const std::string& name, const std::string& tissue, bool critical) {
+  std::string plain = name;
+  std::replace(plain.begin(), plain.end(), ' ', '_');
+  if (plain.empty()) throw InputError("Give the new structure a name.");
+  int largest = 0;
+  for (const anatomy::Structure& each : table_) {
+    if (each.name == plain) throw InputError("There is a structure '" + name + "' already; choose another name.");
+    largest = std::max(largest, static_cast<int>(each.label));
+  }
+  if (!tissue.empty() && patient_->patient.library.find(tissue) == nullptr)
+    throw InputError("The tissue library has no '" + tissue + "'.");
+  for (const std::uint16_t label : editor_.labels().voxels) largest = std::max(largest, static_cast<int>(label));
+  if (largest >= 65535) throw InputError("All labels are taken.");
+  table_.push_back({static_cast<std::uint16_t>(largest + 1), plain, tissue, critical});
+  choose(static_cast<int>(table_.size()) - 1);
+}
+
+void SegmentModel::run(const patient::SegmentFilter& filter, patient::Overwriting over, bool only_add) {
+  if (active_ < 0 || status().is_busy) return;
+  editor_.commit();
+  job_ = std::make_shared<Job>();
+  job_->status.is_busy = true;
+  job_->status.stage = "looking at the voxels";
+  job_->label = active_label();
+  job_->over = over;
+  job_->only_add = only_add;
+  threads_.clear();
+  threads_.emplace_back([job = job_, patient = patient_, filter, mask = editor_.mask_of(active_label())] {
+    job->run([&] {
+      patient::SegmentMask found = patient::run_segment_filter(patient->patient.ct, mask, filter, job->progress());
+      const std::lock_guard guard(job->lock);
+      job->mask = std::move(found);
+    });
+  });
+}
+
+void SegmentModel::save() {
+  if (status().is_busy) return;
+  editor_.commit();
+  job_ = std::make_shared<Job>();
+  job_->status.is_busy = true;
+  job_->status.stage = "saving";
+  job_->version = editor_.version();
+  threads_.clear();
+  threads_.emplace_back([job = job_, patient = patient_, labels = editor_.labels(), table = table_, rules = rules_] {
+    job->run([&] {
+      const patient::CorrectedCase saved =
+          patient::save_corrected_labels(patient->folder, labels, table, rules, job->progress());
+      const std::lock_guard guard(job->lock);
+      job->status.notes = saved.notes;
+      job->status.is_saved = true;
+    });
+  });
+}
+
+void SegmentModel::cancel() {
+  if (job_ != nullptr) job_->given_up.store(true);
+}
+
+bool SegmentModel::poll() {
+  if (job_ == nullptr || job_->taken) return false;
+  std::optional<patient::SegmentMask> mask;
+  {
+    const std::lock_guard guard(job_->lock);
+    if (job_->status.is_busy) return true;  // progress
+    mask = std::exchange(job_->mask, std::nullopt);
+    job_->taken = true;
+    if (job_->status.is_saved) saved_version_ = job_->version;
+  }
+  if (mask) editor_.replace(*mask, job_->label, job_->over, job_->only_add);
+  return true;
+}
+
+SegmentModel::Status SegmentModel::status() const {
+  if (job_ == nullptr) return {};
+  const std::lock_guard guard(job_->lock);
+  return job_->status;
+}
+
+}  // namespace bodkin::app

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "patient/segmentation/segment_filter.h"
+#include "views/open_case.h"
+
+namespace bodkin::app {
+
+using namespace views;
+
+// The structures of a patient while they are corrected: labels with their steps, the table, one piece of work that
+// takes time (a filter, or saving), which runs on a thread of its own. All calls from one thread.
+class SegmentModel {
+ public:
+  struct Status {
+    bool is_busy = false;
+    std::string stage;               // what is being done
+    double fraction = 0.0;           // of it, 0 to 1
+    std::string error;               // why the last work came to nothing, a sentence
+    std::vector<std::string> notes;  // of the last saving
+    bool is_saved = false;           // the last work saved the case
+  };
+
+  // Throws InputError for a patient without a CT, and when the procedure of the case cannot be read.
+  explicit SegmentModel(std::shared_ptr<const OpenCase> patient);
+  // Cancels what runs.
+  ~SegmentModel();
+  SegmentModel(const SegmentModel&) = delete;
+  SegmentModel& operator=(const SegmentModel&) = delete;
+
+  const OpenCase& patient() const { return *patient_; }
+  patient::LabelEditor& editor() { return editor_; }
+  const patient::LabelEditor& editor() const { return editor_; }
+  const std::vector<anatomy::Structure>& table() const { return table_; }
+  // Position in the table; -1: there is none.
+  int active() const { return active_; }
+  void choose(int position);
+  std::uint16_t active_label() const;
+  // A structure of this name and tissue with a label of its own becomes the active one. Throws InputError for a name
+  // that is empty or taken, and for a tissue that the library does not have.
+  void add(const std::string& name, const std::string& tissue, bool critical);
+
+  // The filter works on the active structure; poll() takes what came of it as a step. Nothing happens while another
+  // work runs or without a structure.
+  void run(const patient::SegmentFilter& filter, patient::Overwriting over, bool only_add);
+  void save();
+  void cancel();
+  // Takes what has come; true: something is new.
+  bool poll();
+  Status status() const;
+  // Something was changed since it was opened or saved.
+  bool has_changes() const { return editor_.version() != saved_version_; }
+
+ private:
+  struct Job;
+
+  std::shared_ptr<const OpenCase> patient_;
+  patient::LabelEditor editor_;
+  std::vector<anatomy::Structure> table_;
+  patient::PlanningRules rules_;
+  int active_ = -1;
+  std::uint64_t saved_version_ = 0;
+  std::shared_ptr<Job> job_;  // null: none ran yet
+  std::vector<std::jthread> threads_;
+};
+
+}  // namespace bodkin::app
