@@ -37,7 +37,7 @@ constexpr const char* stations_footer = R"(Examples:
 A station is 'bodkin serve CASE DEVICE --wait --listen 0.0.0.0' on its computer. Exit code 3: not all of them did it.
 'bodkin teacher --station room1' shows them live in the browser.)";
 
-Watches watch(const std::vector<std::string>& stations) {
+Watches watch_all(const std::vector<std::string>& stations) {
   Watches watches;
   for (const std::string& station : stations)
     watches.push_back(std::make_unique<link::StationWatch>(link::parse_server(station, "STATION")));
@@ -68,7 +68,7 @@ std::string state_of(const link::StationView& view) {
 
 void run_stations_list(const StationsArguments& arguments, CommandContext& context) {
   Console console(context);
-  const Watches watches = watch(arguments.stations);
+  const Watches watches = watch_all(arguments.stations);
   wait_for_all(watches, arguments.patience, [](const link::StationView& view) { return !view.guard.empty(); });
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const auto& each : watches) {
@@ -91,7 +91,7 @@ void run_stations_list(const StationsArguments& arguments, CommandContext& conte
 void order_all(const StationsArguments& arguments, const std::string& name,
                const std::vector<std::pair<std::string, std::string>>& values, CommandContext& context) {
   Console console(context);
-  const Watches watches = watch(arguments.stations);
+  const Watches watches = watch_all(arguments.stations);
   wait_for_all(watches, arguments.patience,
                [](const link::StationView& view) { return view.status.state == link::ClientState::connected; });
   for (const auto& each : watches) each->command(name, values);
