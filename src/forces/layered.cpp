@@ -108,7 +108,7 @@ void Layered::reveal(int tip_layer, std::span<const anatomy::TissueId> layers) n
 void Layered::touch(Block& block) const noexcept {
   if (block.first > last_punctured_) {
     block.mode = Mode::pressed;
-    block.give = one_face_ ? std::max(0.0, last_depth_ - block.near) : 0.0;
+    block.strain = one_face_ ? std::max(0.0, last_depth_ - block.near) : 0.0;
   } else {
     block.mode = Mode::held;
     block.strain = 0.0;
@@ -127,7 +127,7 @@ bool Layered::breaks(const Law& law, double force, const AxialMotion& motion) co
 
 void Layered::press(Block& block, const Law& law, const AxialMotion& motion, Sums& sums,
                     TickEvents& events) noexcept {
-  const double x = motion.depth - block.near - block.give;
+  const double x = motion.depth - block.near - block.strain;
   if (x < 0.0) {
     block.mode = Mode::untouched;
     return;
@@ -235,8 +235,8 @@ LayeredForce Layered::step(const AxialMotion& motion, std::span<const anatomy::T
     Block& block = blocks_[index];
     const Law& law = laws_[block.tissue];
     if (law.kind == anatomy::LayeredKind::viscoelastic) {
-      const bool is_behind = one_face_ && sums.first_pressed < std::numeric_limits<double>::infinity();
-      if (block.mode == Mode::untouched && tip_layer >= block.first && !is_behind) touch(block);
+      const bool is_near = block.mode == Mode::untouched && tip_layer >= block.first;
+      if (is_near && !(one_face_ && std::isfinite(sums.first_pressed))) touch(block);
       if (block.mode == Mode::pressed) {
         press(block, law, motion, sums, events);
       } else if (block.mode == Mode::held) {

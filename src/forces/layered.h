@@ -82,10 +82,9 @@ class Layered {
     std::int8_t slide = 0;    // sense of sliding, -1 or +1
     int first = 0, last = 0;  // layers, as far as known
     double near = 0.0;        // mm, depth of the near face
-    double give = 0.0;        // mm that the near face had moved with the tissue before it when it was met
-    double strain = 0.0;      // x, mm
-    double contact = 0.0;     // d, mm of shaft
-    double furthest = 0.0;    // depth that sliding has reached, mm
+    double strain = 0.0;   // x, mm; of a pressed face: how far it had moved with the tissue before it when it was met
+    double contact = 0.0;  // d, mm of shaft
+    double furthest = 0.0;  // depth that sliding has reached, mm
   };
 
   struct Sums {

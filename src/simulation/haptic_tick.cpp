@@ -94,7 +94,28 @@ struct HapticTick::State {
   void announce_tissue(const Vec3& tip, TickOutput& output) noexcept;
   void announce_limits(const Vec3& wanted, TickOutput& output) noexcept;
   TickOutput fault() noexcept;
+  void place_tip(forces::NeedleInTissue& needle) noexcept;
+  double follow_layers(const forces::NeedleInTissue& needle, const forces::ResistanceForce& found,
+                       TickOutput& output) noexcept;
 };
+
+// Where the tip of a needle is that may bow.
+void HapticTick::State::place_tip(forces::NeedleInTissue& needle) noexcept {
+  needle.motion = bow.tip_motion(needle.motion);
+  if (bow.bow() == 0.0) return;
+  needle.tip -= bow.bow() * contact.direction();
+  needle.tissue = anatomy::nearest<anatomy::TissueId>(patient.tissues, needle.tip, anatomy::tissue::air);
+}
+
+// Tissue and events of the deformed material; N of the resistance that reach the hand.
+double HapticTick::State::follow_layers(const forces::NeedleInTissue& needle, const forces::ResistanceForce& found,
+                                        TickOutput& output) noexcept {
+  output.tissue = layers.step(output.depth, found.material, needle.tissue, found.along, output.events);
+  announced = output.tissue;
+  announced_at = last_tip;
+  anything_announced = true;
+  return bow.limited(found.along, output.tissue, output.events);
+}
 
 void HapticTick::State::announce_tissue(const Vec3& tip, TickOutput& output) noexcept {
   if (output.tissue == announced) return;
@@ -165,34 +186,26 @@ TickOutput HapticTick::State::step(const TickInput& input, const Vec3& axis) noe
                                 .compensation = compensation.step(tip)};
   double stiffness = 0.0;
   if (contact.held()) {
-    const AxialMotion tip_motion = bow.tip_motion(moving);
-    output.depth = tip_motion.depth;
-    const Vec3 true_tip = bow.bow() > 0.0 ? Vec3(tip - bow.bow() * contact.direction()) : tip;
-    const anatomy::TissueId at_tip =
-        bow.bow() > 0.0 ? anatomy::nearest<anatomy::TissueId>(patient.tissues, true_tip, anatomy::tissue::air)
-                        : output.tissue;
-    const forces::NeedleInTissue needle{.motion = tip_motion,
-                                        .tip = true_tip,
-                                        .tissue = at_tip,
-                                        .axis = axis,
-                                        .side = input.needle.linear().col(0),
-                                        .rail = constraint.rail(),
-                                        .thumb_force = input.thumb.force()};
+    forces::NeedleInTissue needle{.motion = moving,
+                                  .tip = tip,
+                                  .tissue = output.tissue,
+                                  .axis = axis,
+                                  .side = input.needle.linear().col(0),
+                                  .rail = constraint.rail(),
+                                  .thumb_force = input.thumb.force()};
+    if (deforms) place_tip(needle);
+    output.depth = needle.motion.depth;
     const forces::ResistanceForce tissue_force = resistance.step(needle, output.events);
     stiffness = tissue_force.stiffness;
     resistance.publish(output.diagnostics);
     if (tissue_force.in_contact) {
       request.in_contact = output.in_contact = true;
-      if (deforms) {
-        output.tissue = layers.step(output.depth, tissue_force.material, at_tip, tissue_force.along, output.events);
-        announced = output.tissue;
-        announced_at = tip;
-        anything_announced = true;
-      }
-      request.resistance = output.resistance = bow.limited(tissue_force.along, output.tissue, output.events) +
-                                               hub.step(moving.depth, stiffness, output.tissue, output.events);
+      double along = tissue_force.along;
+      if (deforms) along = follow_layers(needle, tissue_force, output);
+      request.resistance = output.resistance =
+          along + hub.step(moving.depth, stiffness, output.tissue, output.events);
       const bool feels_flavum = deforms && layers.felt() == anatomy::tissue::ligamentum_flavum;
-      loss.step(tip_motion, feels_flavum ? layers.felt() : output.tissue, tissue_force.along, output.events);
+      loss.step(needle.motion, feels_flavum ? layers.felt() : output.tissue, tissue_force.along, output.events);
       const Wrench held = constraint.step(tip, axis, resistance.holds_laterally());
       request.constraint = tissue_force.across + held.force;
       request.torque = output.requested.torque = tissue_force.torque + held.torque;
