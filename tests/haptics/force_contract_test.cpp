@@ -79,6 +79,9 @@ TEST_P(ForceContract, knows_what_the_device_can_do) {
   EXPECT_LT(abilities.peak_force, 50.0);
   EXPECT_GT(abilities.stiffness, 0.1);  // N/mm, not N/m
   EXPECT_LT(abilities.stiffness, 20.0);
+  EXPECT_GT(abilities.delay, 0.0);
+  EXPECT_LE(abilities.delay, 0.003);  // s, not ms
+  EXPECT_FALSE(abilities.delay_source.empty());
   EXPECT_TRUE(abilities.measures_rotation);
   EXPECT_GT((abilities.workspace_high - abilities.workspace_low).minCoeff(), 50.0);
   EXPECT_NEAR((abilities.workspace_high + abilities.workspace_low).norm(), 0.0, 1e-9);

@@ -32,6 +32,7 @@ DeviceCalibration whole() {
   calibration.tip_residual = 0.12;
   calibration.tool_axis = Vec3(1.0, 2.0, -2.0) / 3.0;
   calibration.weight = 0.8;
+  calibration.delay = 0.0012;
   calibration.friction = 0.05;
   return calibration;
 }
@@ -66,6 +67,7 @@ TEST(CalibrationsFile, what_is_written_reads_back) {
   EXPECT_EQ(found[0].tip_residual, wanted.tip_residual);
   EXPECT_EQ(*found[0].tool_axis, *wanted.tool_axis);
   EXPECT_EQ(*found[0].weight, 0.8);
+  EXPECT_EQ(*found[0].delay, 0.0012);
   EXPECT_EQ(found[0].friction, 0.05);
   EXPECT_TRUE(found[1].empty());
   EXPECT_FALSE(fs::exists(file.string() + ".new"));
@@ -105,6 +107,7 @@ TEST(CalibrationsFile, what_cannot_be_is_refused_in_a_sentence) {
   EXPECT_EQ(with(""), "");
   EXPECT_THAT(with("<axis x=\"1\" y=\"1\" z=\"0\"/>"), HasSubstr("line 2: the axis has the length 1.41"));
   EXPECT_THAT(with("<weight N=\"9\"/>"), HasSubstr("line 2"));
+  EXPECT_THAT(with("<delay s=\"0.5\"/>"), HasSubstr("line 2"));
   EXPECT_THAT(with("<weight N=\"nan\"/>"), HasSubstr("line 2"));
   EXPECT_THAT(with("<tip x_mm=\"1e9\" y_mm=\"0\" z_mm=\"0\"/>"), HasSubstr("line 2"));
   EXPECT_THAT(with("<reach low_x_mm=\"0\" low_y_mm=\"0\" low_z_mm=\"0\" high_x_mm=\"0\" high_y_mm=\"9\" "
