@@ -58,8 +58,9 @@ class WaitingStation {
 };
 
 TEST_F(StationsCommand, a_teacher_starts_a_procedure_and_the_result_comes_to_the_store) {
-  WaitingStation station(folder_,
-                         "serve . simulated --settings depth_mm=10 --port 0 --wait --trainee t-01 --store r.sqlite");
+  WaitingStation station(
+      folder_,
+      "serve . simulated --settings depth_mm=10 --max-time 3 --port 0 --wait --trainee t-01 --store r.sqlite");
   const std::string place = station.place();
   ASSERT_FALSE(place.empty()) << station.notes();
   const Outcome waits = bodkin("stations list --patience 20 " + place);
