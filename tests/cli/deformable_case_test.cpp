@@ -46,7 +46,8 @@ TEST_F(DeformableCase, a_patient_is_felt_through_its_mesh) {
   expect_same_as_calculix(folder_ / "patient");
 
   // Sutherland et al. 2013, III.A: 1.5 N at the skin, 0.5 to 1.5 N in soft tissue, 4.7 N at the ligamentum flavum.
-  const std::string embedded = " --mechanics tables --resistance 'embedded_needle corridor_nodes=600' --constraint none ";
+  const std::string embedded =
+      " --mechanics tables --resistance 'embedded_needle corridor_nodes=600' --constraint none ";
   const Outcome paper = bodkin("--json profile patient --beyond 10" + embedded + "-o paper");
   ASSERT_EQ(paper.exit_code, 0) << paper.errors;
   EXPECT_THAT(paper.errors, HasSubstr("preparing a deformable body"));
