@@ -8,6 +8,8 @@ packages_to_run=(
   libceres-dev libboost-dev libsimdjson-dev libopenblas-dev libmetis-dev libcgal-dev
   libinsighttoolkit5-dev libgdcm-dev libgdcm-tools
   libcairo2-dev fonts-dejavu-core
+  libopencv-core-dev libopencv-imgproc-dev libopencv-calib3d-dev libopencv-contrib-dev
+  libjpeg62-turbo-dev
 )
 
 # The window, which `./run --without-app` leaves out.

@@ -10,6 +10,9 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/standard_streams.h"
+#ifdef BODKIN_HAS_TRACKING
+#include "cli/tracking_commands.h"
+#endif
 #include "core/error.h"
 
 namespace {
@@ -34,6 +37,7 @@ constexpr const char* main_footer = R"(Examples:
   bodkin fit layered skin.csv                    parameters of a force model from a measured curve
   bodkin perform patient openhaptics             your own hand performs it on a haptic device
   bodkin ultrasound patient --ct                 what an ultrasound probe shows, beside the CT
+  bodkin overlay patient footage                 the patient within a tracked mannequin
   bodkin devices list                            haptic devices that are connected
   bodkin figures figures                         published experiments, played again and plotted
 
@@ -90,6 +94,15 @@ int main(int argc, char** argv) {
   bodkin::cli::add_fit_command(app, context);
   bodkin::cli::add_figures_command(app, context);
   bodkin::cli::add_ultrasound_command(app, context);
+#ifdef BODKIN_HAS_TRACKING
+  CLI::App* scene_group = app.add_subcommand("scene", "Footage of a teaching station");
+  scene_group->require_subcommand(1);
+  bodkin::cli::add_scene_render_command(*scene_group, context);
+  bodkin::cli::add_track_command(app, context);
+  bodkin::cli::add_markers_calibrate_command(*bodkin::cli::add_markers_command(app, context), context);
+  bodkin::cli::add_register_command(app, context);
+  bodkin::cli::add_overlay_command(app, context);
+#endif
 
   try {
     app.parse(argc, argv);

@@ -44,7 +44,7 @@ TEST_F(Arguments, the_table_holds_every_command_and_every_option) {
     EXPECT_EQ(told, known) << row.words;
   }
   const std::regex command(R"(^  ([a-z]+) +[A-Z])");
-  for (const std::string group : {"", "case", "case synthesize", "devices", "plan", "results", "stations"}) {
+  for (const std::string group : {"", "case", "case synthesize", "devices", "plan", "results", "stations", "scene"}) {
     std::istringstream lines(bodkin(group + " --help").output);
     std::smatch match;
     for (std::string line; std::getline(lines, line);) {

@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tracking/bead_centres.h"
+#include "tracking/registration_file.h"
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/arguments.h"
+#include "cli/console.h"
+#include "cli/tracking_commands.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "io/case_folder.h"
+
+namespace bodkin::cli {
+
+namespace {
+
+struct RegisterArguments {
+  std::string fixed, moving, target, output;
+  bool scale = false, match = false;
+};
+
+constexpr const char* register_footer = R"(Examples:
+  bodkin register mannequin.csv patient.csv -o registration.json
+  bodkin register mannequin.csv patient.csv --scale --target 0,60,20
+  bodkin register camera.csv mannequin_ct --match       beads of a case's CT, paired by their distances
+
+A file of points has a line "name,x,y,z" or "x,y,z" for each, mm. A folder is a case: its points are the beads (balls of 1 to
+4 mm radius above 300 HU) in its CT. FIXED says where things are, MOVING is laid upon it. docs/augmented-reality.md
+explains the numbers.)";
+
+tracking::NamedPoints points_of(const std::string& name, const Progress& progress) {
+  std::error_code code;
+  if (!std::filesystem::is_directory(name, code)) return tracking::read_points(name);
+  tracking::NamedPoints points;
+  for (const tracking::Bead& bead : tracking::find_beads(io::load_case(name, progress).ct))
+    points.points.push_back(bead.centre);
+  if (points.points.empty()) throw InputError(fmt::format("{}: there are no beads in its CT", name));
+  return points;
+}
+
+void run_register(const RegisterArguments& arguments, const CommandContext& context) {
+  if (!arguments.output.empty()) require_writable(arguments.output, "--output");
+  Vec3 target = Vec3::Zero();
+  if (!arguments.target.empty()) target = parse_point(arguments.target, "--target");
+  Console console(context);
+  const Progress progress = console.progress();
+  const tracking::NamedPoints fixed = points_of(arguments.fixed, progress),
+                              moving = points_of(arguments.moving, progress);
+  console.clear_bar();
+  std::vector<Vec3> to, from;
+  std::vector<std::string> names;
+  bool ambiguous = false;
+  if (arguments.match) {
+    const tracking::PointMatch match = tracking::match_points(fixed.points, moving.points);
+    ambiguous = match.ambiguous;
+    for (std::size_t i = 0; i < fixed.points.size(); ++i) {
+      if (!match.moving_of_fixed[i]) continue;
+      to.push_back(fixed.points[i]);
+      from.push_back(moving.points[*match.moving_of_fixed[i]]);
+      names.push_back(fmt::format("{} - {}", i + 1, *match.moving_of_fixed[i] + 1));
+    }
+    if (ambiguous) {
+      throw InputError(
+          "the points can be paired in more than one way that fits; move one of them so that their "
+          "distances differ, or give them names");
+    }
+  } else if (!fixed.names.empty() && !moving.names.empty()) {
+    for (std::size_t i = 0; i < fixed.names.size(); ++i) {
+      const auto partner = std::find(moving.names.begin(), moving.names.end(), fixed.names[i]);
+      if (partner == moving.names.end()) continue;
+      to.push_back(fixed.points[i]);
+      from.push_back(moving.points[static_cast<std::size_t>(partner - moving.names.begin())]);
+      names.push_back(fixed.names[i]);
+    }
+  } else {
+    to = fixed.points;
+    from = moving.points;
+    for (std::size_t i = 0; i < to.size(); ++i) names.push_back(std::to_string(i + 1));
+  }
+  const tracking::Registration registration = tracking::register_points(to, from, arguments.scale);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    std::string line = fmt::format("{:<16} residual {:.3f} mm", names[i], registration.residuals[i]);
+    if (!registration.leave_one_out.empty())
+      line += fmt::format(", placed by the others {:.3f} mm", registration.leave_one_out[i]);
+    console.line(line);
+  }
+  console.line(fmt::format("FRE RMS {:.3f} mm, mean {:.3f} mm; scale {:.5f}", registration.fre_rms,
+                           registration.fre_mean, registration.fixed_from_moving.scale));
+  if (const auto swapped = tracking::swapped_pair(to, from, arguments.scale)) {
+    console.note(fmt::format("points {} and {} fit far better when they are exchanged; check their names",
+                             names[swapped->first], names[swapped->second]));
+  }
+  nlohmann::ordered_json json = nlohmann::ordered_json::parse(tracking::registration_json(registration));
+  if (!arguments.target.empty()) {
+    const tracking::ErrorInterval tre = tracking::tre_interval(registration, from, target);
+    console.line(fmt::format("TRE at the target: {:.2f} mm, between {:.2f} and {:.2f} mm in 9 of 10 registrations",
+                             tre.estimate, tre.low, tre.high));
+    json["tre_mm"] = {{"low", tre.low}, {"estimate", tre.estimate}, {"high", tre.high}};
+  }
+  if (!arguments.output.empty()) write_file(arguments.output, tracking::registration_json(registration));
+  console.json(json.dump(2));
+}
+
+}  // namespace
+
+void add_register_command(CLI::App& app, CommandContext& context) {
+  auto arguments = std::make_shared<RegisterArguments>();
+  CLI::App* command =
+      add_command(app, "register", "Lay one set of points on another, and say what it is worth", register_footer);
+  add_text(*command, "FIXED", arguments->fixed, "File of points, or a case with beads").required();
+  add_text(*command, "MOVING", arguments->moving, "The same points elsewhere").required();
+  add_switch(*command, "--scale", arguments->scale, "Find a scale too");
+  add_switch(*command, "--match", arguments->match, "Pair the points by their distances");
+  add_text(*command, "--target", arguments->target, "Where the error matters, moving frame, mm: x,y,z");
+  add_text(*command, "-o,--output", arguments->output, "File for the registration (JSON)");
+  on_run(*command, [arguments, &context] { run_register(*arguments, context); });
+}
+
+}  // namespace bodkin::cli

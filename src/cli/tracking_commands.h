@@ -1,0 +1,16 @@
+#pragma once
+
+#include "cli/commands.h"
+
+namespace bodkin::cli {
+
+// The commands of a build with OpenCV, as those of commands.h.
+void add_scene_render_command(CLI::App& scene_group, CommandContext& context);
+void add_track_command(CLI::App& app, CommandContext& context);
+// Returns the group, which works without a command too.
+CLI::App* add_markers_command(CLI::App& app, CommandContext& context);
+void add_markers_calibrate_command(CLI::App& markers_group, CommandContext& context);
+void add_register_command(CLI::App& app, CommandContext& context);
+void add_overlay_command(CLI::App& app, CommandContext& context);
+
+}  // namespace bodkin::cli

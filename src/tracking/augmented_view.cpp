@@ -1,0 +1,256 @@
+#include "tracking/augmented_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "imaging/canvas.h"
+#include "imaging/slice.h"
+
+namespace bodkin::tracking {
+
+namespace {
+
+constexpr std::uint32_t steel = 0xDDE6EE, alarm = 0xFF4B3E, good = 0x7BE38B, warning = 0xFFC84A, planned = 0x59B8FF;
+
+imaging::VolumeLook volume_look(const anatomy::TissueLibrary& /*library*/, imaging::TransferPreset preset) {
+  imaging::VolumeLook look;
+  look.transfer = imaging::preset_function(preset);
+  return look;
+}
+
+std::shared_ptr<const imaging::PreparedVolume> prepared_patient(const anatomy::Case& patient) {
+  return std::make_shared<const imaging::PreparedVolume>(
+      imaging::prepare_volume(patient.ct, patient.tissues, patient.library));
+}
+
+std::uint32_t colour_of(TrackingStatus status) {
+  return status == TrackingStatus::ok ? good : status == TrackingStatus::uncertain ? warning : alarm;
+}
+
+Similarity composed(const Pose& outer, const Similarity& inner) {
+  Similarity made;
+  made.turn = outer.linear() * inner.turn;
+  made.scale = inner.scale;
+  made.shift = outer * inner.shift;
+  return made;
+}
+
+// The faces of a body stay as the camera saw them.
+void keep_in_front(const ShownBody& tool, const CameraModel& camera, const imaging::ImageRgb& before,
+                   imaging::ImageRgb& picture) {
+  for (const MarkerFace& face : tool.body->faces) {
+    const Pose place = tool.pose->camera_from_body * face.place;
+    if (place.linear().col(2).dot(place.translation()) <= 0.0) continue;
+    const double half = 0.5 * face.sheet;
+    const Vec3 corners[4] = {{-half, -half, 0.0}, {half, -half, 0.0}, {half, half, 0.0}, {-half, half, 0.0}};
+    Eigen::Vector2d at[4];
+    Eigen::Vector2d low(1e9, 1e9), high(-1e9, -1e9);
+    bool before_camera = true;
+    for (int c = 0; c < 4; ++c) {
+      const Vec3 point = place * corners[c];
+      before_camera = before_camera && point.z() > 10.0;
+      at[c] = camera.project(point);
+      low = low.cwiseMin(at[c]);
+      high = high.cwiseMax(at[c]);
+    }
+    if (!before_camera) continue;
+    const int right = std::min(picture.width - 1, static_cast<int>(high.x()));
+    const int bottom = std::min(picture.height - 1, static_cast<int>(high.y()));
+    for (int y = std::max(0, static_cast<int>(low.y())); y <= bottom; ++y) {
+      for (int x = std::max(0, static_cast<int>(low.x())); x <= right; ++x) {
+        bool inside = true;
+        for (int c = 0; c < 4; ++c) {
+          const Eigen::Vector2d edge = at[(c + 1) % 4] - at[c], to = Eigen::Vector2d(x, y) - at[c];
+          inside = inside && edge.x() * to.y() - edge.y() * to.x() >= -edge.norm();  // and a pixel around
+        }
+        if (inside) picture.at(x, y) = before.at(x, y);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Similarity placed_at(const anatomy::Case& patient, const Vec3& at) {
+  Vec3 entry = Vec3::Zero(), into = -Vec3::UnitY();
+  if (patient.description.procedure.path) {
+    entry = patient.description.procedure.path->entry;
+    into = patient.description.procedure.path->direction();
+  } else if (!patient.ct.empty()) {
+    entry = patient.ct.grid.to_patient(
+        0.5 * Vec3(patient.ct.grid.size[0] - 1, patient.ct.grid.size[1] - 1, patient.ct.grid.size[2] - 1));
+  }
+  // The mannequin's z is the path, its y the feet's direction as far as the path lets it.
+  Vec3 down = -Vec3::UnitZ() - into * into.dot(-Vec3::UnitZ());
+  if (down.norm() < 0.1) down = Vec3::UnitY() - into * into.y();
+  down.normalize();
+  Similarity made;
+  made.turn.row(0) = down.cross(into).transpose();
+  made.turn.row(1) = down.transpose();
+  made.turn.row(2) = into.transpose();
+  made.shift = at - made.turn * entry;
+  return made;
+}
+
+AugmentedView::AugmentedView(const anatomy::Case& patient, const CameraModel& camera,
+                             const Similarity& mannequin_from_patient, const AugmentedLook& look)
+    : patient_(patient), camera_(camera), mannequin_from_patient_(mannequin_from_patient), look_(look), caster_([&] {
+        auto volume = prepared_patient(patient);
+        const double step = imaging::step_of(*volume, look.step);
+        return imaging::RayCaster(std::move(volume), volume_look(patient.library, look.preset), step);
+      }()) {}
+
+std::optional<Eigen::Vector2d> AugmentedView::pixel_of(const Vec3& in_camera) const {
+  if (in_camera.z() < 10.0) return std::nullopt;
+  // Far outside of the picture the lens' polynomial folds back.
+  const Eigen::Vector2d slope = in_camera.head<2>() / in_camera.z();
+  if (slope.norm() > 1.5 * std::hypot(0.5 * camera_.width / camera_.fx, 0.5 * camera_.height / camera_.fy))
+    return std::nullopt;
+  return camera_.project(in_camera);
+}
+
+void AugmentedView::draw(imaging::ImageRgb& picture, const TrackedPose* mannequin,
+                         const std::vector<ShownBody>& tools, bool moving) {
+  needle_.reset();
+  cutaway_ = {};
+  const TrackedPose* needle = nullptr;
+  const MarkerBody* needle_body = nullptr;
+  for (const ShownBody& tool : tools) {
+    if (tool.body->name != "needle") continue;
+    needle = tool.pose;
+    needle_body = tool.body;
+  }
+  if (mannequin != nullptr && mannequin->status == TrackingStatus::ok) {
+    const Similarity camera_from_patient = composed(mannequin->camera_from_body, mannequin_from_patient_);
+    const Similarity patient_from_camera = camera_from_patient.inverse();
+    const imaging::ImageRgb before = picture;
+    Vec3 region = Vec3::Zero();
+    if (look_.region) {
+      region = *look_.region;
+    } else if (patient_.description.procedure.path) {
+      region = patient_.description.procedure.path->target;
+    } else if (!patient_.ct.empty()) {
+      const auto& size = patient_.ct.grid.size;
+      region = patient_.ct.grid.to_patient(0.5 * Vec3(size[0] - 1, size[1] - 1, size[2] - 1));
+    }
+    const std::optional<Eigen::Vector2d> centre = pixel_of(camera_from_patient * region);
+    if (centre) {
+      imaging::PictureCamera eye;
+      eye.patient_from_camera.linear() = patient_from_camera.turn;
+      eye.patient_from_camera.translation() = patient_from_camera.shift;
+      eye.scale = patient_from_camera.scale;
+      eye.ray = [this](const Eigen::Vector2d& pixel) { return camera_.ray(pixel); };
+      const imaging::CutawayOval oval{*centre, look_.radii, look_.threshold};
+      cutaway_ = imaging::draw_cutaway(caster_, eye, oval, pool_, picture, moving);
+    }
+    const auto keep_tools = [&] {
+      for (const ShownBody& tool : tools) {
+        if (tool.pose->status == TrackingStatus::ok) keep_in_front(tool, camera_, before, picture);
+      }
+    };
+    // A needle that points away from the camera begins behind its cube.
+    const bool away = needle == nullptr || (needle->camera_from_body.linear() * needle_body->axis).z() > 0.0;
+    if (!away) keep_tools();
+    draw_tools(picture, camera_from_patient, needle, needle_body);
+    if (away) keep_tools();
+    if (look_.front_view && needle_) draw_front_view(picture);
+  }
+  if (!look_.status) return;
+  imaging::Canvas canvas(picture.width, picture.height);
+  double line = 24.0;
+  const auto write = [&](const std::string& text, std::uint32_t colour) {
+    canvas.text({14.0, line}, text, {.size = 16.0, .ink = colour, .bold = true, .halo = true});
+    line += 22.0;
+  };
+  const auto write_status = [&](const char* name, const TrackedPose* pose, const Vec3& point) {
+    if (pose == nullptr) return;
+    std::string text = fmt::format("{}: {}", name, name_of(pose->status));
+    if (pose->status == TrackingStatus::ok) {
+      text += fmt::format(" (±{:.2f} mm)", std::sqrt(point_covariance(*pose, point).trace()));
+    }
+    write(text, colour_of(pose->status));
+  };
+  write_status("mannequin", mannequin, Vec3::Zero());
+  write_status("needle", needle, needle_body != nullptr ? needle_body->tip : Vec3::Zero());
+  if (needle_) {
+    write(needle_->tissue.empty() ? "tip outside the patient"
+                                  : fmt::format("tip in {}, {:.0f} mm deep", needle_->tissue, needle_->depth),
+          needle_->bone ? alarm : steel);
+  }
+  if (cutaway_.coarser && !moving) write("large cutaway: drawn at half the resolution", warning);
+  canvas.draw_over(picture);
+}
+
+void AugmentedView::draw_tools(imaging::ImageRgb& picture, const Similarity& camera_from_patient,
+                               const TrackedPose* needle, const MarkerBody* needle_body) {
+  imaging::Canvas canvas(picture.width, picture.height);
+  if (look_.plan && patient_.description.procedure.path) {
+    const anatomy::NeedlePath& path = *patient_.description.procedure.path;
+    const auto entry = pixel_of(camera_from_patient * path.entry),
+               target = pixel_of(camera_from_patient * path.target);
+    if (entry && target) {
+      canvas.stroke(imaging::Path::segment(*entry, *target), {imaging::Ink(planned, 0.9), 2.0, {6.0, 4.0}});
+      canvas.stroke(imaging::Path::circle(*target, 7.0), {imaging::Ink(planned, 0.95), 2.0});
+      canvas.stroke(imaging::Path::cross(*target, 3.0), {imaging::Ink(planned, 0.95), 1.5});
+    }
+  }
+  if (look_.needle && needle != nullptr && needle_body != nullptr && needle->status == TrackingStatus::ok) {
+    const Similarity patient_from_camera = camera_from_patient.inverse();
+    const Vec3 tip = needle->camera_from_body * needle_body->tip;
+    const Vec3 axis = needle->camera_from_body.linear() * needle_body->axis;
+    const double length = std::max(1.0, (needle_body->tip - Vec3::Zero()).norm() - 30.0);
+    NeedleInPatient inside;
+    inside.tip = patient_from_camera * tip;
+    constexpr double piece = 1.0;  // mm
+    const int pieces = static_cast<int>(length / piece);
+    for (int n = 0; n < pieces; ++n) {
+      const double back = length - n * piece;  // from the hub to the tip: what is nearer to it stands on top
+      const Vec3 from = tip - back * axis, to = tip - (back - piece) * axis;
+      const auto first = pixel_of(from), last = pixel_of(to);
+      if (!first || !last) continue;
+      const anatomy::TissueId id =
+          anatomy::nearest(patient_.tissues, patient_from_camera * (0.5 * (from + to)), anatomy::tissue::air);
+      std::uint32_t colour = steel;
+      if (id != anatomy::tissue::air) {
+        inside.depth += piece;
+        if (const anatomy::TissueProperties* tissue = patient_.library.find(id)) colour = tissue->colour;
+      }
+      // The nearer to the camera, the thicker; a dark rim sets it off.
+      const double width = std::clamp(2.4 * camera_.fx / from.z(), 2.0, 9.0);
+      canvas.stroke(imaging::Path::segment(*first, *last), {imaging::Ink(0x10151A, 0.55), width + 2.0});
+      canvas.stroke(imaging::Path::segment(*first, *last), {imaging::Ink(colour, 1.0), width});
+    }
+    const anatomy::TissueId at = anatomy::nearest(patient_.tissues, inside.tip, anatomy::tissue::air);
+    inside.bone = at == anatomy::tissue::cortical_bone || at == anatomy::tissue::cancellous_bone;
+    if (at != anatomy::tissue::air) {
+      const anatomy::TissueProperties* tissue = patient_.library.find(at);
+      inside.tissue = tissue != nullptr ? tissue->title : "unknown tissue";
+    }
+    if (const auto pixel = pixel_of(tip)) {
+      canvas.stroke(imaging::Path::circle(*pixel, 6.0), {imaging::Ink(inside.bone ? alarm : 0xFFFFFF, 0.95), 2.0});
+    }
+    needle_ = inside;
+  }
+  canvas.draw_over(picture);
+}
+
+// The CT as seen from the front with a crosshair at the needle's tip.
+void AugmentedView::draw_front_view(imaging::ImageRgb& picture) const {
+  const double side = 0.3 * picture.height, extent = 140.0;  // px, mm
+  const imaging::SlicePlane plane =
+      imaging::view_plane(imaging::View::coronal, needle_->tip, extent, extent, extent / side);
+  imaging::ImageRgb image = imaging::paint(imaging::cut(plane, patient_.ct, patient_.tissues), patient_.library);
+  imaging::Canvas canvas(picture.width, picture.height);
+  const double x = picture.width - side - 12.0, y = picture.height - side - 12.0;
+  canvas.image(std::move(image), x, y, side, side);
+  canvas.stroke(imaging::Path::rectangle(x, y, side, side), {imaging::Ink(0xFFFFFF, 0.8), 1.0});
+  const Eigen::Vector2d tip = Eigen::Vector2d(x, y) + plane.place(needle_->tip) * side / plane.width;
+  canvas.stroke(imaging::Path::segment({x, tip.y()}, {x + side, tip.y()}), {imaging::Ink(warning, 0.8), 1.0});
+  canvas.stroke(imaging::Path::segment({tip.x(), y}, {tip.x(), y + side}), {imaging::Ink(warning, 0.8), 1.0});
+  canvas.text({x + 8.0, y + 18.0}, "front view", {.size = 13.0, .ink = 0xFFFFFF, .halo = true});
+  canvas.draw_over(picture);
+}
+
+}  // namespace bodkin::tracking

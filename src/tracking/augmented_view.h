@@ -1,0 +1,78 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tracking/registration.h"
+#include "tracking/tracker.h"
+
+#include "anatomy/case.h"
+#include "imaging/image_rgb.h"
+#include "imaging/volume_rendering/cutaway.h"
+
+namespace bodkin::tracking {
+
+// What stands over the camera's picture.
+struct AugmentedLook {
+  Eigen::Vector2d radii{150.0, 185.0};  // of the oval, pixels
+  double threshold = 0.7;               // see imaging::CutawayOval
+  imaging::TransferPreset preset = imaging::TransferPreset::soft_tissue;
+  double step = 1.0;           // of the rays, voxels
+  std::optional<Vec3> region;  // centre of the oval, LPS mm; absent: target, or the needle's tip
+  bool needle = true, plan = true, front_view = true, status = true;
+};
+
+// Where the needle's tip is in the patient.
+struct NeedleInPatient {
+  Vec3 tip = Vec3::Zero();  // LPS mm
+  std::string tissue;       // at the tip, as people read it; empty outside the patient
+  bool bone = false;
+  double depth = 0.0;  // mm of the shaft within the patient
+};
+
+// A body as a picture shows it.
+struct ShownBody {
+  const MarkerBody* body = nullptr;
+  const TrackedPose* pose = nullptr;
+};
+
+// The camera's picture with a cutaway into the patient exactly where the mannequin is (Sutherland et al. 2013).
+class AugmentedView {
+ public:
+  // `mannequin_from_patient`: where the patient lies in the frame of the body named "mannequin".
+  AugmentedView(const anatomy::Case& patient, const CameraModel& camera, const Similarity& mannequin_from_patient,
+                const AugmentedLook& look = {});
+
+  // Draws upon `picture` what the poses of that same picture say. `tools`: what is held before the mannequin and
+  // hides the cutaway; the one named "needle" is drawn to its tip. A body that is lost is not drawn; its status is
+  // written instead, and the pose it had before is never used.
+  void draw(imaging::ImageRgb& picture, const TrackedPose* mannequin, const std::vector<ShownBody>& tools,
+            bool moving = false);
+
+  // Of the last picture.
+  const std::optional<NeedleInPatient>& needle() const { return needle_; }
+  const imaging::CutawayReport& cutaway() const { return cutaway_; }
+
+ private:
+  void draw_tools(imaging::ImageRgb& picture, const Similarity& camera_from_patient, const TrackedPose* needle,
+                  const MarkerBody* needle_body);
+  void draw_front_view(imaging::ImageRgb& picture) const;
+  std::optional<Eigen::Vector2d> pixel_of(const Vec3& in_camera) const;
+
+  const anatomy::Case& patient_;
+  CameraModel camera_;
+  Similarity mannequin_from_patient_;
+  AugmentedLook look_;
+  imaging::RayCaster caster_;
+  ThreadPool pool_;
+  std::optional<NeedleInPatient> needle_;
+  imaging::CutawayReport cutaway_;
+};
+
+// The place of a patient before there is a registration: the entry of its path lies at `at` (mannequin frame, mm),
+// the path goes into the mannequin, and the patient's feet point down the board.
+Similarity placed_at(const anatomy::Case& patient, const Vec3& at);
+
+}  // namespace bodkin::tracking

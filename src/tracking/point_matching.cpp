@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <cmath>
+
+#include "tracking/registration.h"
+
+#include "core/error.h"
+
+namespace bodkin::tracking {
+
+namespace {
+
+using Assignment = std::vector<std::optional<std::size_t>>;
+
+struct Proposal {
+  Assignment pairs;
+  std::size_t count = 0;
+  double fre = 1e9;
+};
+
+// Every fixed point takes the nearest moving one within reach, mutually.
+Assignment nearest_pairs(const Similarity& placed, const std::vector<Vec3>& fixed, const std::vector<Vec3>& moving,
+                         double within) {
+  const auto nearest = [&](const Vec3& to, const auto& distance_to, std::size_t count) {
+    std::optional<std::size_t> best;
+    double least = within;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double distance = distance_to(i, to);
+      if (distance < least) {
+        least = distance;
+        best = i;
+      }
+    }
+    return best;
+  };
+  const auto of_moving = [&](std::size_t i, const Vec3& to) { return (placed * moving[i] - to).norm(); };
+  const auto of_fixed = [&](std::size_t i, const Vec3& to) { return (fixed[i] - to).norm(); };
+  Assignment pairs(fixed.size());
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    const std::optional<std::size_t> partner = nearest(fixed[i], of_moving, moving.size());
+    if (partner && nearest(placed * moving[*partner], of_fixed, fixed.size()) == i) pairs[i] = partner;
+  }
+  return pairs;
+}
+
+// The placement of these pairs, by all of them; false where they lie on a line or are too few.
+bool place_pairs(const Assignment& pairs, const std::vector<Vec3>& fixed, const std::vector<Vec3>& moving,
+                 Proposal& made, Similarity& placed) {
+  std::vector<Vec3> from, to;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (!pairs[i]) continue;
+    to.push_back(fixed[i]);
+    from.push_back(moving[*pairs[i]]);
+  }
+  if (to.size() < 3) return false;
+  try {
+    const Registration registration = register_points(to, from, false);
+    placed = registration.fixed_from_moving;
+    made = {pairs, to.size(), registration.fre_rms};
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+PointMatch match_points(const std::vector<Vec3>& fixed, const std::vector<Vec3>& moving, double tolerance) {
+  std::vector<Proposal> proposals;
+  const std::size_t k = fixed.size(), m = moving.size();
+  for (std::size_t a = 0; a < k; ++a) {
+    for (std::size_t b = a + 1; b < k; ++b) {
+      for (std::size_t c = b + 1; c < k; ++c) {
+        const double ab = (fixed[a] - fixed[b]).norm(), bc = (fixed[b] - fixed[c]).norm(),
+                     ca = (fixed[c] - fixed[a]).norm();
+        for (std::size_t i = 0; i < m; ++i) {
+          for (std::size_t j = 0; j < m; ++j) {
+            if (j == i || std::abs((moving[i] - moving[j]).norm() - ab) > tolerance) continue;
+            for (std::size_t l = 0; l < m; ++l) {
+              if (l == i || l == j || std::abs((moving[j] - moving[l]).norm() - bc) > tolerance ||
+                  std::abs((moving[l] - moving[i]).norm() - ca) > tolerance) {
+                continue;
+              }
+              Assignment pairs(k);
+              pairs[a] = i;
+              pairs[b] = j;
+              pairs[c] = l;
+              Proposal made;
+              Similarity placed;
+              // A triple, then everything near it, twice.
+              if (!place_pairs(pairs, fixed, moving, made, placed)) continue;
+              for (int turn = 0; turn < 2; ++turn) {
+                const Assignment wider = nearest_pairs(placed, fixed, moving, 2.0 * tolerance);
+                if (!place_pairs(wider, fixed, moving, made, placed)) break;
+              }
+              if (made.fre > tolerance) continue;
+              const bool known = std::any_of(proposals.begin(), proposals.end(),
+                                             [&](const Proposal& other) { return other.pairs == made.pairs; });
+              if (!known) proposals.push_back(made);
+            }
+          }
+        }
+      }
+    }
+  }
+  if (proposals.empty()) {
+    throw InputError(
+        "registration: no three points of one set lie as three of the other do; check that both show the "
+        "same fiducials, in mm");
+  }
+  // A point more is worth more than a better fit.
+  const auto better = [](const Proposal& one, const Proposal& other) {
+    return one.count != other.count ? one.count > other.count : one.fre < other.fre;
+  };
+  std::sort(proposals.begin(), proposals.end(), better);
+  PointMatch match;
+  match.moving_of_fixed = proposals.front().pairs;
+  match.fre_rms = proposals.front().fre;
+  // Another assignment of as many points that contradicts this one and fits within what errors of localisation
+  // explain.
+  for (std::size_t i = 1; i < proposals.size(); ++i) {
+    const Proposal& other = proposals[i];
+    if (other.count < proposals.front().count) break;
+    if (other.fre < 3.0 * std::max(match.fre_rms, tolerance / 6.0)) match.ambiguous = true;
+  }
+  if (proposals.front().count == 3 && proposals.size() > 1) {
+    match.ambiguous = match.ambiguous || proposals[1].fre < tolerance;
+  }
+  return match;
+}
+
+}  // namespace bodkin::tracking

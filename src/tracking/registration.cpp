@@ -1,0 +1,198 @@
+#include "tracking/registration.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <fmt/format.h>
+
+#include "core/error.h"
+
+namespace bodkin::tracking {
+
+namespace {
+
+Vec3 mean_of(const std::vector<Vec3>& points) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& point : points) sum += point;
+  return sum / static_cast<double>(points.size());
+}
+
+// Extents along the principal axes, ascending: standard deviations, mm.
+Vec3 extents_of(const std::vector<Vec3>& points, Mat3* axes = nullptr) {
+  const Vec3 middle = mean_of(points);
+  Mat3 spread = Mat3::Zero();
+  for (const Vec3& point : points) spread += (point - middle) * (point - middle).transpose();
+  const Eigen::SelfAdjointEigenSolver<Mat3> solved(spread / static_cast<double>(points.size()));
+  if (axes != nullptr) *axes = solved.eigenvectors();
+  return solved.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+}
+
+Similarity closed_form(const std::vector<Vec3>& fixed, const std::vector<Vec3>& moving, bool with_scale) {
+  const Vec3 to = mean_of(fixed), from = mean_of(moving);
+  Mat3 across = Mat3::Zero();
+  double squares = 0.0;
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    across += (fixed[i] - to) * (moving[i] - from).transpose();
+    squares += (moving[i] - from).squaredNorm();
+  }
+  const Eigen::JacobiSVD<Mat3> svd(across, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Vec3 signs = Vec3::Ones();
+  if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0) signs.z() = -1.0;
+  Similarity made;
+  made.turn = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+  made.scale = with_scale ? svd.singularValues().dot(signs) / squares : 1.0;
+  made.shift = to - made.scale * (made.turn * from);
+  return made;
+}
+
+Mat3 skew(const Vec3& v) {
+  Mat3 matrix;
+  matrix << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+  return matrix;
+}
+
+// How a displacement of a point is made of shift, small rotation and growth about the middle.
+Eigen::Matrix<double, 3, 7> displacement(const Vec3& from_middle) {
+  Eigen::Matrix<double, 3, 7> slope;
+  slope.leftCols<3>().setIdentity();
+  slope.block<3, 3>(0, 3) = -skew(from_middle);
+  slope.col(6) = from_middle;
+  return slope;
+}
+
+// Quantile of chi-squared by Wilson and Hilferty (1931); `normal`: that of the normal distribution.
+double chi_squared_quantile(double freedom, double normal) {
+  const double part = 2.0 / (9.0 * freedom);
+  return freedom * std::pow(std::max(1.0 - part + normal * std::sqrt(part), 0.02), 3);
+}
+
+double fre_of(const Similarity& placed, const std::vector<Vec3>& fixed, const std::vector<Vec3>& moving) {
+  double squares = 0.0;
+  for (std::size_t i = 0; i < fixed.size(); ++i) squares += (placed * moving[i] - fixed[i]).squaredNorm();
+  return std::sqrt(squares / static_cast<double>(fixed.size()));
+}
+
+}  // namespace
+
+Similarity Similarity::inverse() const {
+  Similarity back;
+  back.turn = turn.transpose();
+  back.scale = 1.0 / scale;
+  back.shift = -back.scale * (back.turn * shift);
+  return back;
+}
+
+Registration register_points(const std::vector<Vec3>& fixed, const std::vector<Vec3>& moving, bool with_scale) {
+  const std::size_t least = with_scale ? 4 : 3;
+  if (fixed.size() != moving.size()) {
+    throw InputError(fmt::format("registration: {} fixed and {} moving points; every point needs its partner",
+                                 fixed.size(), moving.size()));
+  }
+  if (fixed.size() < least) {
+    throw InputError(fmt::format("registration: {} pairs of points; at least {} are needed{}", fixed.size(), least,
+                                 with_scale ? " to find a scale" : ""));
+  }
+  Registration made;
+  made.scaled = with_scale;
+  const Vec3 extents = extents_of(moving).cwiseMin(extents_of(fixed));
+  made.flatness = extents[2] > 0.0 ? extents[1] / extents[2] : 0.0;
+  if (extents[1] < 0.5 || made.flatness < 0.01) {
+    throw InputError(
+        "registration: the points lie on a line, which leaves the rotation about it open; add a point beside it");
+  }
+  made.fixed_from_moving = closed_form(fixed, moving, with_scale);
+  double squares = 0.0, sum = 0.0;
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    made.residuals.push_back((made.fixed_from_moving * moving[i] - fixed[i]).norm());
+    squares += made.residuals.back() * made.residuals.back();
+    sum += made.residuals.back();
+  }
+  made.fre_rms = std::sqrt(squares / static_cast<double>(fixed.size()));
+  made.fre_mean = sum / static_cast<double>(fixed.size());
+  if (fixed.size() > least) {
+    for (std::size_t out = 0; out < fixed.size(); ++out) {
+      std::vector<Vec3> others_fixed = fixed, others_moving = moving;
+      others_fixed.erase(others_fixed.begin() + static_cast<std::ptrdiff_t>(out));
+      others_moving.erase(others_moving.begin() + static_cast<std::ptrdiff_t>(out));
+      const Similarity without = closed_form(others_fixed, others_moving, with_scale);
+      made.leave_one_out.push_back((without * moving[out] - fixed[out]).norm());
+    }
+  }
+  return made;
+}
+
+double predicted_tre(const std::vector<Vec3>& moving, const Vec3& target, double fle, bool with_scale) {
+  const auto count = static_cast<double>(moving.size());
+  Mat3 axes;
+  const Vec3 extents = extents_of(moving, &axes);
+  const Vec3 middle = mean_of(moving);
+  const Vec3 at = axes.transpose() * (target - middle);
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    const int a = (k + 1) % 3, b = (k + 2) % 3;
+    const double distance = at[a] * at[a] + at[b] * at[b];
+    const double spread = extents[a] * extents[a] + extents[b] * extents[b];
+    sum += distance / spread;
+  }
+  double squared = fle * fle / count * (1.0 + sum / 3.0);
+  if (with_scale) squared += fle * fle / 3.0 * at.squaredNorm() / (count * extents.squaredNorm());
+  return std::sqrt(squared);
+}
+
+double expected_fre(double fle, std::size_t points, bool with_scale) {
+  return fle * std::sqrt(std::max(0.0, 1.0 - (with_scale ? 7.0 : 6.0) / (3.0 * static_cast<double>(points))));
+}
+
+ErrorInterval tre_interval(const Registration& registration, const std::vector<Vec3>& moving, const Vec3& target) {
+  const auto count = static_cast<double>(moving.size());
+  const double freedom = 3.0 * count - (registration.scaled ? 7.0 : 6.0);
+  const double squares = count * registration.fre_rms * registration.fre_rms;
+  // squares / (FLE^2 / 3) is chi-squared; normal quantiles of 5 and 95 %.
+  const auto tre_of = [&](double quantile) {
+    return predicted_tre(moving, target, std::sqrt(3.0 * squares / quantile), registration.scaled);
+  };
+  return {tre_of(chi_squared_quantile(freedom, 1.6449)), tre_of(freedom),
+          tre_of(chi_squared_quantile(freedom, -1.6449))};
+}
+
+Mat3 target_covariance(const Registration& registration, const std::vector<Vec3>& moving,
+                       const std::vector<Mat3>& covariances, const Vec3& target) {
+  using Matrix7 = Eigen::Matrix<double, 7, 7>;
+  const int unknowns = registration.scaled ? 7 : 6;
+  const Vec3 middle = registration.fixed_from_moving * mean_of(moving);
+  Matrix7 normal = Matrix7::Zero(), spread = Matrix7::Zero();
+  for (std::size_t i = 0; i < moving.size(); ++i) {
+    const auto slope = displacement(registration.fixed_from_moving * moving[i] - middle);
+    normal += slope.transpose() * slope;
+    spread += slope.transpose() * covariances[i] * slope;
+  }
+  const Eigen::MatrixXd inverse = normal.topLeftCorner(unknowns, unknowns).inverse();
+  const Eigen::MatrixXd parameters = inverse * spread.topLeftCorner(unknowns, unknowns) * inverse;
+  const Eigen::MatrixXd at_target = displacement(registration.fixed_from_moving * target - middle).leftCols(unknowns);
+  return at_target * parameters * at_target.transpose();
+}
+
+std::optional<std::pair<std::size_t, std::size_t>> swapped_pair(const std::vector<Vec3>& fixed,
+                                                                const std::vector<Vec3>& moving, bool with_scale) {
+  const double before = fre_of(closed_form(fixed, moving, with_scale), fixed, moving);
+  std::optional<std::pair<std::size_t, std::size_t>> found;
+  double least = before / 3.0;
+  std::vector<Vec3> exchanged = moving;
+  for (std::size_t a = 0; a < moving.size(); ++a) {
+    for (std::size_t b = a + 1; b < moving.size(); ++b) {
+      std::swap(exchanged[a], exchanged[b]);
+      const double after = fre_of(closed_form(fixed, exchanged, with_scale), fixed, exchanged);
+      std::swap(exchanged[a], exchanged[b]);
+      if (after < least) {
+        least = after;
+        found = {a, b};
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace bodkin::tracking

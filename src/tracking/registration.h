@@ -1,0 +1,75 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/geometry.h"
+
+namespace bodkin::tracking {
+
+// A rigid placement with one scale for all directions: point -> scale * turn * point + shift.
+struct Similarity {
+  Mat3 turn = Mat3::Identity();
+  Vec3 shift = Vec3::Zero();  // mm
+  double scale = 1.0;
+
+  Vec3 operator*(const Vec3& point) const { return scale * (turn * point) + shift; }
+  Similarity inverse() const;
+};
+
+// Fiducials of two sets, paired by their order, and what their registration is worth.
+struct Registration {
+  Similarity fixed_from_moving;
+  bool scaled = false;
+  std::vector<double> residuals;  // mm, of each pair
+  double fre_rms = 0.0;           // mm, fiducial registration error
+  double fre_mean = 0.0;          // mm
+  std::vector<double>
+      leave_one_out;      // mm, error of each point when the others register it; empty with too few points
+  double flatness = 0.0;  // least over largest extent but one of the points: 0 is on a line
+};
+
+// An estimate with the interval that holds the truth in 90 % of registrations, mm.
+struct ErrorInterval {
+  double low = 0.0, estimate = 0.0, high = 0.0;
+};
+
+// The least-squares placement of `moving` on `fixed`, closed form (Umeyama 1991; rigid: Arun, Huang and Blostein
+// 1987). Throws InputError when there are fewer than three pairs (four with scale), when the sets differ in number,
+// or when the points lie on a line.
+Registration register_points(const std::vector<Vec3>& fixed, const std::vector<Vec3>& moving, bool with_scale);
+
+// RMS target registration error at `target` (moving frame, mm) of fiducials whose localisation error has the RMS
+// length `fle`, mm (Fitzpatrick, West and Maurer 1998; with scale the term of the scale is added: FLE^2/3 q^2 / sum
+// p^2).
+double predicted_tre(const std::vector<Vec3>& moving, const Vec3& target, double fle, bool with_scale);
+// The RMS of FRE that goes with a localisation error: FLE^2 (1 - 6/(3 k)), 7 instead of 6 with scale.
+double expected_fre(double fle, std::size_t points, bool with_scale);
+// Target registration error as one registration of its own predicts it. FRE of one registration says little about its
+// TRE: hence an interval, from the distribution of FRE^2 (chi-squared with 3k - 6 degrees of freedom, 3k - 7 with
+// scale).
+ErrorInterval tre_interval(const Registration& registration, const std::vector<Vec3>& moving, const Vec3& target);
+
+// The covariance of a target's place when each pair has a localisation covariance of its own (mm^2, of fixed and
+// moving together, in the fixed frame), to first order, for the unweighted closed form.
+Mat3 target_covariance(const Registration& registration, const std::vector<Vec3>& moving,
+                       const std::vector<Mat3>& covariances, const Vec3& target);
+
+// Which point of `moving` belongs to each of `fixed`.
+struct PointMatch {
+  std::vector<std::optional<std::size_t>> moving_of_fixed;
+  double fre_rms = 0.0;    // mm
+  bool ambiguous = false;  // another assignment fits nearly as well
+};
+
+// Pairs points that carry no names: triples of equal distances (within `tolerance`, mm) propose a placement, the
+// placement that brings most points together wins. Some points of either set may have no partner. Throws InputError
+// when no three points fit.
+PointMatch match_points(const std::vector<Vec3>& fixed, const std::vector<Vec3>& moving, double tolerance = 3.0);
+
+// The pair whose exchange lessens the FRE to less than a third, if there is one: probably their names were swapped.
+std::optional<std::pair<std::size_t, std::size_t>> swapped_pair(const std::vector<Vec3>& fixed,
+                                                                const std::vector<Vec3>& moving, bool with_scale);
+
+}  // namespace bodkin::tracking

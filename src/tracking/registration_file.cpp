@@ -1,0 +1,86 @@
+#include "tracking/registration_file.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+#include "tracking/json_fields.h"
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "io/resources.h"
+
+namespace bodkin::tracking {
+
+namespace {
+
+constexpr std::size_t most_bytes = std::size_t{16} << 20U;
+
+bool number_in(const std::string& text, double& value) {
+  char* end = nullptr;
+  value = std::strtod(text.c_str(), &end);
+  while (end != nullptr && (*end == ' ' || *end == '\r')) ++end;
+  return end != text.c_str() && *end == '\0' && std::isfinite(value);
+}
+
+}  // namespace
+
+NamedPoints read_points(const std::filesystem::path& file) {
+  std::istringstream text(io::read_text_file(file, most_bytes));
+  NamedPoints read;
+  int number = 0;
+  for (std::string line; std::getline(text, line);) {
+    ++number;
+    if (line.find_first_not_of(" \t\r") == std::string::npos || line.front() == '#') continue;
+    std::vector<std::string> cells;
+    std::istringstream parts(line);
+    for (std::string cell; std::getline(parts, cell, ',');) cells.push_back(cell);
+    Vec3 point = Vec3::Zero();
+    const std::size_t first = cells.size() == 4 ? 1 : 0;
+    bool good = cells.size() == 3 || cells.size() == 4;
+    for (std::size_t i = 0; good && i < 3; ++i) good = number_in(cells[first + i], point[static_cast<int>(i)]);
+    if (!good) {
+      if (read.points.empty() && number == 1) continue;  // names of columns
+      throw InputError(
+          fmt::format("{}, line {}: expected name,x,y,z or x,y,z in mm, found '{}'", file.string(), number, line));
+    }
+    if (cells.size() == 4) read.names.push_back(cells[0]);
+    read.points.push_back(point);
+  }
+  if (!read.names.empty() && read.names.size() != read.points.size()) {
+    throw InputError(fmt::format("{}: some points have a name and some have none", file.string()));
+  }
+  return read;
+}
+
+std::string registration_json(const Registration& registration) {
+  const Similarity& placed = registration.fixed_from_moving;
+  Pose pose = Pose::Identity();
+  pose.linear() = placed.turn;
+  pose.translation() = placed.shift;
+  nlohmann::ordered_json json;
+  json["fixed_from_moving"] = json_of(pose);
+  json["scale"] = placed.scale;
+  json["fre_rms_mm"] = registration.fre_rms;
+  json["fre_mean_mm"] = registration.fre_mean;
+  json["residuals_mm"] = registration.residuals;
+  json["leave_one_out_mm"] = registration.leave_one_out;
+  return json.dump(2) + "\n";
+}
+
+Registration read_registration(const std::filesystem::path& file) {
+  const nlohmann::json json = read_json_object(file, "registration");
+  const JsonFields fields{json, file.string()};
+  fields.know({"fixed_from_moving", "scale", "fre_rms_mm", "fre_mean_mm", "residuals_mm", "leave_one_out_mm"});
+  Registration read;
+  const Pose pose = fields.pose("fixed_from_moving");
+  read.fixed_from_moving.turn = pose.linear();
+  read.fixed_from_moving.shift = pose.translation();
+  read.fixed_from_moving.scale = fields.number("scale", 0.1, 10.0, 1.0);
+  read.fre_rms = fields.number("fre_rms_mm", 0.0, 1e6, 0.0);
+  read.fre_mean = fields.number("fre_mean_mm", 0.0, 1e6, 0.0);
+  return read;
+}
+
+}  // namespace bodkin::tracking

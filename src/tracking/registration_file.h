@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tracking/registration.h"
+
+namespace bodkin::tracking {
+
+// Points with or without names.
+struct NamedPoints {
+  std::vector<std::string> names;  // empty where the file has none
+  std::vector<Vec3> points;        // mm
+};
+
+// A CSV file with a point on each line: "name,x,y,z" or "x,y,z". A first line of column names is allowed. Throws
+// InputError that names file and line.
+NamedPoints read_points(const std::filesystem::path& file);
+
+// A registration as a JSON file, with what it is worth.
+std::string registration_json(const Registration& registration);
+// The placement and errors of such a file. Throws InputError.
+Registration read_registration(const std::filesystem::path& file);
+
+}  // namespace bodkin::tracking

@@ -1,0 +1,41 @@
+#include <filesystem>
+
+#include "tests/cli/bodkin_command.h"
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+// `bodkin overlay` as a user runs it.
+
+#ifdef BODKIN_HAS_TRACKING
+
+namespace bodkin_test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class Overlay : public PatientCommand {};
+
+TEST_F(Overlay, draws_the_patient_into_every_picture_as_a_video_and_as_a_folder) {
+  ASSERT_EQ(bodkin("--quiet scene render footage --frames 2 --width 800 --height 450").exit_code, 0);
+  const Outcome video = bodkin("--json overlay patient footage -o overlay.avi --oval-width 160 --oval-height 200");
+  ASSERT_EQ(video.exit_code, 0) << video.text();
+  EXPECT_EQ(nlohmann::json::parse(video.output)["drawn"], 2);
+  EXPECT_THAT(text_of("overlay.avi"), StartsWith("RIFF"));
+  ASSERT_EQ(bodkin("--quiet overlay patient footage -o pictures --preset bone --no-needle").exit_code, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "pictures/overlay_00001.png"));
+  EXPECT_NE(text_of("pictures/overlay_00000.png"), text_of("footage/frame_00000.png"));
+}
+
+TEST_F(Overlay, refuses_an_unknown_preset_and_a_folder_in_use) {
+  const Outcome preset = bodkin("overlay patient footage --preset x-ray");
+  EXPECT_EQ(preset.exit_code, 2);
+  EXPECT_THAT(preset.errors, HasSubstr("--preset is 'x-ray'"));
+  EXPECT_THAT(bodkin("overlay patient footage -o patient").errors, HasSubstr("--output is 'patient'"));
+}
+
+}  // namespace
+}  // namespace bodkin_test
+
+#endif

@@ -1,0 +1,60 @@
+#include "tests/cli/bodkin_command.h"
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+// `bodkin register` as a user runs it.
+
+#ifdef BODKIN_HAS_TRACKING
+
+namespace bodkin_test {
+namespace {
+
+using testing::HasSubstr;
+
+class Register : public BodkinCommand {
+ protected:
+  void SetUp() override {
+    write("fixed.csv", "name,x,y,z\na,10,0,5\nb,110,0,5\nc,10,80,5\nd,10,0,65\ne,70,50,25\n");
+    write("moving.csv", "e,60,50,20\nd,0,0,60\na,0,0,0\nb,100,0,0\nc,0,80,0\n");
+  }
+};
+
+TEST_F(Register, pairs_by_name_and_says_what_it_is_worth) {
+  const Outcome done = bodkin("--json register fixed.csv moving.csv --target 30,30,40 -o placed.json");
+  ASSERT_EQ(done.exit_code, 0) << done.text();
+  const nlohmann::json json = nlohmann::json::parse(done.output);
+  EXPECT_LT(json["fre_rms_mm"], 1e-6);
+  EXPECT_EQ(json["residuals_mm"].size(), 5U);
+  EXPECT_TRUE(json.contains("tre_mm"));
+  EXPECT_NEAR(nlohmann::json::parse(text_of("placed.json"))["fixed_from_moving"][3], 10.0, 1e-6);
+}
+
+TEST_F(Register, pairs_points_without_names) {
+  write("bare.csv", "60,50,20\n0,0,60\n0,0,0\n100,0,0\n0,80,0\n");
+  const Outcome done = bodkin("--json register fixed.csv bare.csv --match");
+  ASSERT_EQ(done.exit_code, 0) << done.text();
+  EXPECT_LT(nlohmann::json::parse(done.output)["fre_rms_mm"], 1e-6);
+}
+
+TEST_F(Register, refuses_what_leaves_the_place_open) {
+  write("line.csv", "0,0,0\n10,0,0\n20,0,0\n");
+  const Outcome line = bodkin("register line.csv line.csv");
+  EXPECT_EQ(line.exit_code, 2);
+  EXPECT_THAT(line.errors, HasSubstr("on a line"));
+  write("square.csv", "0,0,0\n50,0,0\n50,50,0\n0,50,0\n");
+  EXPECT_THAT(bodkin("register square.csv square.csv --match").errors, HasSubstr("more than one way"));
+  write("two.csv", "0,0,0\n50,0,0\n");
+  EXPECT_THAT(bodkin("register two.csv two.csv").errors, HasSubstr("at least 3"));
+}
+
+TEST_F(Register, exchanged_names_are_said) {
+  write("exchanged.csv", "e,60,50,20\nc,0,0,60\na,0,0,0\nb,100,0,0\nd,0,80,0\n");
+  const Outcome done = bodkin("register fixed.csv exchanged.csv");
+  EXPECT_EQ(done.exit_code, 0);
+  EXPECT_THAT(done.errors, HasSubstr("exchanged"));
+}
+
+}  // namespace
+}  // namespace bodkin_test
+
+#endif

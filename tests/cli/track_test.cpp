@@ -1,0 +1,49 @@
+#include <filesystem>
+
+#include "tests/cli/bodkin_command.h"
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+// `bodkin track` as a user runs it.
+
+#ifdef BODKIN_HAS_TRACKING
+
+namespace bodkin_test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class Track : public BodkinCommand {};
+
+TEST_F(Track, finds_every_body_of_footage_close_to_the_truth) {
+  ASSERT_EQ(bodkin("--quiet scene render footage --frames 3 --width 800 --height 450").exit_code, 0);
+  const Outcome tracked = bodkin("--json track footage --csv poses.csv");
+  ASSERT_EQ(tracked.exit_code, 0) << tracked.text();
+  for (const nlohmann::json& body : nlohmann::json::parse(tracked.output)) {
+    EXPECT_EQ(body["ok"], 3) << body;
+    EXPECT_LT(body["tip_error_rms_mm"], 1.5) << body;
+  }
+  EXPECT_EQ(lines_of(text_of("poses.csv")), 10);
+}
+
+TEST_F(Track, says_what_is_missing_or_wrong) {
+  EXPECT_THAT(bodkin("track nowhere").errors, HasSubstr("no such folder"));
+  fs::create_directories(folder_ / "empty");
+  EXPECT_THAT(bodkin("track empty").errors, HasSubstr("no pictures"));
+  ASSERT_EQ(bodkin("--quiet scene render other --frames 1 --width 320 --height 240").exit_code, 0);
+  fs::create_directories(folder_ / "plain");
+  fs::copy_file(folder_ / "other/frame_00000.png", folder_ / "plain/a.png");
+  const Outcome uncalibrated = bodkin("track plain");
+  EXPECT_EQ(uncalibrated.exit_code, 2);
+  EXPECT_THAT(uncalibrated.errors, HasSubstr("not calibrated"));
+  ASSERT_EQ(bodkin("--quiet scene render larger --frames 1 --width 640 --height 480").exit_code, 0);
+  const Outcome size = bodkin("track other --camera larger/camera.json");
+  EXPECT_EQ(size.exit_code, 2);
+  EXPECT_THAT(size.errors, HasSubstr("calibrated at 640 x 480"));
+}
+
+}  // namespace
+}  // namespace bodkin_test
+
+#endif

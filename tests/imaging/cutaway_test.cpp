@@ -1,0 +1,83 @@
+// The oval of Sutherland et al. (2013), eq. 6, and what stands within it.
+#include "imaging/volume_rendering/cutaway.h"
+
+#include <memory>
+
+#include <gtest/gtest.h>
+
+namespace bodkin::imaging {
+namespace {
+
+TEST(Cutaway, eq_6_is_opaque_to_the_threshold_and_falls_to_the_rim) {
+  const CutawayOval oval{{100.0, 50.0}, {80.0, 40.0}, 0.6};
+  EXPECT_EQ(oval.opacity_at({100.0, 50.0}), 1.0);
+  EXPECT_EQ(oval.opacity_at({100.0 + 0.59 * 80.0, 50.0}), 1.0);
+  EXPECT_NEAR(oval.opacity_at({100.0 + 0.8 * 80.0, 50.0}), (1.0 - 0.8) / (1.0 - 0.6), 1e-12);
+  EXPECT_NEAR(oval.opacity_at({100.0, 50.0 - 0.9 * 40.0}), (1.0 - 0.9) / (1.0 - 0.6), 1e-12);
+  EXPECT_EQ(oval.opacity_at({100.0, 90.5}), 0.0);
+}
+
+// A bright ball stands where the camera projects its centre, through a lens that is no pinhole, at both resolutions.
+TEST(Cutaway, a_ball_is_drawn_where_the_camera_sees_it) {
+  anatomy::Grid grid;
+  grid.size = {60, 60, 60};
+  grid.spacing = Vec3::Constant(1.0);
+  grid.origin = Vec3(-30.0, -30.0, -30.0);
+  anatomy::CtVolume ct(grid, -1000);
+  const Vec3 ball(8.0, -6.0, 4.0);
+  for (int k = 0; k < 60; ++k) {
+    for (int j = 0; j < 60; ++j) {
+      for (int i = 0; i < 60; ++i) {
+        if ((grid.to_patient(Vec3(i, j, k)) - ball).norm() < 4.0) ct.at(i, j, k) = 1500;
+      }
+    }
+  }
+  const auto volume = std::make_shared<const PreparedVolume>(prepare_volume(ct, {}, {}));
+  const RayCaster caster(volume, {}, 0.5);
+  PictureCamera camera;
+  camera.patient_from_camera.translation() = Vec3(0.0, 0.0, -300.0);
+  const auto bend = [](double x, double y) { return 1.0 + 0.4 * (x * x + y * y); };
+  camera.ray = [&](const Eigen::Vector2d& pixel) {
+    const double x = (pixel.x() - 100.0) / 600.0, y = (pixel.y() - 80.0) / 600.0;
+    return Vec3(x * bend(x, y), y * bend(x, y), 1.0);
+  };
+  ThreadPool pool(2);
+  for (const bool moving : {false, true}) {
+    ImageRgb picture(200, 160);
+    const CutawayReport report =
+        draw_cutaway(caster, camera, {{110.0, 70.0}, {60.0, 60.0}, 0.9}, pool, picture, moving);
+    EXPECT_EQ(report.coarser, moving);
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    double weight = 0.0;
+    for (int y = 0; y < 160; ++y) {
+      for (int x = 0; x < 200; ++x) {
+        const double light = picture.at(x, y).green;
+        sum += light * Eigen::Vector2d(x, y);
+        weight += light;
+      }
+    }
+    ASSERT_GT(weight, 1000.0);
+    const double depth = 304.0;
+    EXPECT_NEAR(sum.x() / weight, 100.0 + 600.0 * 8.0 / depth, 0.6);
+    EXPECT_NEAR(sum.y() / weight, 80.0 - 600.0 * 6.0 / depth, 0.6);
+  }
+}
+
+TEST(Cutaway, a_large_oval_is_cast_at_half_the_resolution_and_an_oval_beside_the_picture_not_at_all) {
+  anatomy::Grid grid;
+  grid.size = {8, 8, 8};
+  const auto volume = std::make_shared<const PreparedVolume>(prepare_volume(anatomy::CtVolume(grid, -1000), {}, {}));
+  const RayCaster caster(volume, {}, 0.5);
+  PictureCamera camera;
+  camera.ray = [](const Eigen::Vector2d& pixel) { return Vec3(0.001 * pixel.x(), 0.001 * pixel.y(), 1.0); };
+  ThreadPool pool(1);
+  ImageRgb picture(400, 300);
+  EXPECT_TRUE(
+      draw_cutaway(caster, camera, {{200.0, 150.0}, {150.0, 120.0}, 0.7}, pool, picture, false, 20000).coarser);
+  EXPECT_FALSE(
+      draw_cutaway(caster, camera, {{200.0, 150.0}, {50.0, 50.0}, 0.7}, pool, picture, false, 20000).coarser);
+  EXPECT_EQ(draw_cutaway(caster, camera, {{900.0, 150.0}, {50.0, 50.0}, 0.7}, pool, picture).rays, 0);
+}
+
+}  // namespace
+}  // namespace bodkin::imaging

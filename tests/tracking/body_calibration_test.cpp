@@ -1,0 +1,90 @@
+// A cube folded with errors gives its faces back.
+#include "tracking/body_calibration.h"
+
+#include <cmath>
+
+#include "tracking/footage.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "core/random.h"
+
+namespace bodkin::tracking {
+namespace {
+
+Vec3 normal_vector(Random& random, double deviation) {
+  const double x = random.normal();
+  const double y = random.normal();
+  const double z = random.normal();
+  return deviation * Vec3(x, y, z);
+}
+
+// Faces misplaced by 0.3 mm and 0.7 degrees, but for the first.
+MarkerBody folded_badly(const MarkerBody& body, Random& random) {
+  MarkerBody folded = body;
+  for (std::size_t f = 1; f < 5; ++f) {
+    folded.faces[f].place.translation() += normal_vector(random, 0.3 / std::sqrt(3.0));
+    const Vec3 turn = normal_vector(random, 0.7 * degree / std::sqrt(3.0));
+    folded.faces[f].place.linear() =
+        (Eigen::AngleAxisd(turn.norm(), turn.normalized()) * folded.faces[f].place.linear()).eval();
+  }
+  return folded;
+}
+
+TEST(BodyCalibration, faces_folded_with_errors_are_found) {
+  const CameraModel camera = footage_camera(640, 480);
+  const MarkerBody nominal = cube_body("needle", 12, 60.0, 150.0);
+  Random random(21);
+  const MarkerBody folded = folded_badly(nominal, random);
+  BodyCalibration calibration(camera, nominal);
+  for (int n = 0; n < 40; ++n) {
+    // Turned about the axis, corners towards the camera.
+    Pose pose = Pose::Identity();
+    const double about = random.uniform(0.0, 6.28);
+    const double tilt = random.uniform(0.6, 1.1);
+    const double distance = random.uniform(230.0, 300.0);
+    pose.linear() =
+        (Eigen::AngleAxisd(tilt, Vec3::UnitX()) * Eigen::AngleAxisd(about, Vec3::UnitZ())).toRotationMatrix();
+    pose.translation() = Vec3(0.0, 0.0, distance);
+    FootageLook look;
+    look.samples = 4;
+    calibration.add(render_picture(camera, look, {{&folded, pose}}, 300U + static_cast<unsigned>(n)));
+  }
+  const CalibratedBody found = calibration.solve();
+  double before = 0.0, after = 0.0, before_angle = 0.0, after_angle = 0.0;
+  for (std::size_t f = 1; f < 5; ++f) {
+    const auto distance = [&](const MarkerBody& body) {
+      return (body.faces[f].place.translation() - folded.faces[f].place.translation()).norm();
+    };
+    const auto angle = [&](const MarkerBody& body) {
+      return Eigen::AngleAxisd(body.faces[f].place.linear().transpose() * folded.faces[f].place.linear()).angle() /
+             degree;
+    };
+    before = std::max(before, distance(nominal));
+    after = std::max(after, distance(found.body));
+    before_angle = std::max(before_angle, angle(nominal));
+    after_angle = std::max(after_angle, angle(found.body));
+  }
+  std::printf("faces: %.3f mm, %.3f deg before; %.4f mm, %.4f deg after %d pictures\n", before, before_angle, after,
+              after_angle, found.pictures);
+  EXPECT_GT(before, 0.2);
+  EXPECT_LT(after, 0.1);
+  EXPECT_LT(after_angle, 0.08);
+  EXPECT_LT(found.faces[1].deviation, 0.1);
+}
+
+TEST(BodyCalibration, a_face_that_was_hardly_seen_is_named) {
+  const CameraModel camera = footage_camera(640, 480);
+  const MarkerBody body = cube_body("needle", 12, 60.0, 150.0);
+  BodyCalibration calibration(camera, body);
+  try {
+    calibration.solve();
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("marker 12"));
+  }
+}
+
+}  // namespace
+}  // namespace bodkin::tracking
