@@ -128,7 +128,7 @@ void run_profile(const ProfileArguments& arguments, const CommandContext& contex
   if (arguments.deformation && profile.strongest.forces.count > 0)
     deformation = study::deformation_picture(patient, *body, profile.strongest, console.progress()).svg();
 
-  write_file(base + ".csv", study::profile_csv(profile, patient.library));
+  write_file(base + ".csv", study::profile_csv(profile, patient));
   if (!deformation.empty()) write_file(base + "-deformation.svg", deformation);
   write_file(base + ".svg", picture);
   print_table(console, crossings, events, patient.library);

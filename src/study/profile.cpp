@@ -1,5 +1,6 @@
 #include "study/profile.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -10,6 +11,30 @@
 #include "simulation/haptic_tick.h"
 
 namespace bodkin::study {
+namespace {
+
+// Empty outside the CT.
+std::string hounsfield_cell(const anatomy::CtVolume& ct, const Vec3& point) {
+  constexpr double outside = 1e6;
+  const double value = ct.empty() ? outside : anatomy::linear(ct, point, outside);
+  return value == outside ? "" : fmt::format("{:.1f}", value);
+}
+
+// The name of the structure at a point, in quotes where a table needs them; empty where nothing is labelled.
+std::string structure_cell(const anatomy::Case& patient, const Vec3& point) {
+  if (patient.structures.empty()) return "";
+  const std::uint16_t label = anatomy::nearest(patient.structures, point, std::uint16_t{0});
+  const auto& table = patient.description.structures;
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [&](const anatomy::Structure& structure) { return structure.label == label; });
+  if (label == 0 || found == table.end()) return "";
+  if (found->name.find_first_of(",\"") == std::string::npos) return found->name;
+  std::string quoted = "\"";
+  for (const char letter : found->name) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return quoted + "\"";
+}
+
+}  // namespace
 
 Profile insert_at_constant_speed(const anatomy::Case& patient, const ProfileOptions& options,
                                  const Progress& progress) {
@@ -82,10 +107,10 @@ Profile insert_at_constant_speed(const anatomy::Case& patient, const ProfileOpti
   return profile;
 }
 
-std::string profile_csv(const Profile& profile, const anatomy::TissueLibrary& library) {
+std::string profile_csv(const Profile& profile, const anatomy::Case& patient) {
   std::string text =
       "time_s,depth_mm,velocity_mm_s,resistance_N,requested_L_N,requested_P_N,requested_S_N,applied_L_N,applied_P_N,"
-      "applied_S_N,tissue";
+      "applied_S_N,tissue,ct_HU,structure";
   for (const forces::DiagnosticName& diagnostic : profile.diagnostics)
     fmt::format_to(std::back_inserter(text), ",{}", diagnostic.name);
   text += '\n';
@@ -93,12 +118,14 @@ std::string profile_csv(const Profile& profile, const anatomy::TissueLibrary& li
     const simulation::TickOutput& output = record.output;
     const Vec3& asked = output.requested.force;
     const Vec3& given = output.applied.force;
-    const anatomy::TissueProperties* properties = library.find(output.tissue);
+    const anatomy::TissueProperties* properties = patient.library.find(output.tissue);
     fmt::format_to(std::back_inserter(text),
-                   "{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{}",
+                   "{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{},{},{}",
                    static_cast<double>(record.tick) * profile.dt, output.depth, output.velocity, output.resistance,
                    asked.x(), asked.y(), asked.z(), given.x(), given.y(), given.z(),
-                   properties != nullptr ? properties->name : std::to_string(output.tissue));
+                   properties != nullptr ? properties->name : std::to_string(output.tissue),
+                   hounsfield_cell(patient.ct, record.input.needle.translation()),
+                   structure_cell(patient, record.input.needle.translation()));
     for (std::size_t i = 0; i < profile.diagnostics.size(); ++i)
       fmt::format_to(std::back_inserter(text), ",{:.6f}", output.diagnostics[i]);
     text += '\n';

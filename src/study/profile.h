@@ -44,7 +44,8 @@ Profile insert_at_constant_speed(const anatomy::Case& patient, const ProfileOpti
                                  const Progress& progress = {});
 
 // The table of a profile, a row per tick: time_s, depth_mm, velocity_mm_s, resistance_N, what the models ask for and
-// what the governor lets through as LPS components in N, the tissue at the tip, then what the force models publish.
-std::string profile_csv(const Profile& profile, const anatomy::TissueLibrary& library);
+// what the governor lets through as LPS components in N, the tissue at the tip, the HU of the CT there (trilinear;
+// empty outside it), the labelled structure there (empty where there is none), then what the force models publish.
+std::string profile_csv(const Profile& profile, const anatomy::Case& patient);
 
 }  // namespace bodkin::study

@@ -193,26 +193,42 @@ TEST(Profile, what_is_no_path_is_refused_with_a_sentence) {
 }
 
 TEST(Profile, its_table_reads_back) {
-  const Case patient = slab_case(lumbar_slabs());
+  Case patient = slab_case(lumbar_slabs());
+  patient.ct = CtVolume(patient.tissues.grid);
+  patient.structures = LabelVolume(patient.tissues.grid);
+  patient.description.structures = {{7, "liver, left", "organ", true}};
+  for (std::size_t n = 0; n < patient.ct.voxels.size(); ++n) {
+    patient.ct.voxels[n] = static_cast<std::int16_t>(100 * patient.tissues.voxels[n]);
+    patient.structures.voxels[n] = patient.tissues.voxels[n] == tissue::fat ? 7 : 0;
+  }
   const Profile profile = insert_at_constant_speed(patient, {});
-  std::istringstream table(profile_csv(profile, patient.library));
+  std::istringstream table(profile_csv(profile, patient));
   std::string line;
   std::getline(table, line);
   EXPECT_EQ(line.substr(0, line.find(',')), "time_s");
-  EXPECT_TRUE(line.ends_with(",tissue,tip_N,shaft_N")) << line;
+  EXPECT_TRUE(line.ends_with(",tissue,ct_HU,structure,tip_N,shaft_N")) << line;
   std::size_t row = 0;
   for (; std::getline(table, line); ++row) {
+    const Vec3 tip = profile.ticks[row].input.needle.translation();
+    const bool labelled = nearest(patient.structures, tip, std::uint16_t{0}) == 7;
+    const auto quoted = line.find("\"liver, left\"");
+    EXPECT_EQ(quoted != std::string::npos, labelled) << line;
+    if (labelled) line.replace(quoted, std::string("\"liver, left\"").size(), "liver");
     std::vector<std::string> cells;
     std::istringstream text(line);
     for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
-    ASSERT_EQ(cells.size(), 13U);
+    ASSERT_EQ(cells.size(), 15U);
     const TickOutput& output = profile.ticks[row].output;
     EXPECT_NEAR(std::stod(cells[0]), static_cast<double>(row) * 0.001, 1e-9);
     EXPECT_NEAR(std::stod(cells[1]), output.depth, 1e-6);
     EXPECT_NEAR(std::stod(cells[3]), output.resistance, 1e-6);
     EXPECT_NEAR(std::stod(cells[8]), output.applied.force.y(), 1e-6);
     EXPECT_EQ(cells[10], patient.library.find(output.tissue)->name);
-    EXPECT_NEAR(std::stod(cells[11]) + std::stod(cells[12]), output.resistance, 2e-6);
+    const double hounsfield = linear(patient.ct, tip, 1e6);
+    EXPECT_EQ(cells[11].empty(), hounsfield == 1e6);
+    if (!cells[11].empty()) EXPECT_NEAR(std::stod(cells[11]), hounsfield, 0.051);
+    EXPECT_EQ(cells[12], labelled ? "liver" : "");
+    EXPECT_NEAR(std::stod(cells[13]) + std::stod(cells[14]), output.resistance, 2e-6);
   }
   EXPECT_EQ(row, profile.ticks.size());
 }
