@@ -123,7 +123,7 @@ json new_case_request(const NewCaseOptions& options) {
   if (!options.procedure.empty() || plans) {
     const training::Procedure procedure =
         training::find_shipped_procedure(options.procedure.empty() ? "needle_insertion" : options.procedure);
-    if (plans) say_rules(training::planning_rules(procedure), request);
+    say_rules(training::planning_rules(procedure), request);
     request["procedure"] = procedure.name;
     for (const training::Goal& goal : procedure.goals)
       if (!goal.tissue.empty()) request["target_tissue"] = goal.tissue;

@@ -138,17 +138,22 @@ std::vector<PlannedPath> plan_paths(const anatomy::TissueVolume& tissues, const 
   return found;
 }
 
-PathChoice choose_path(const std::vector<PlannedPath>& paths, const LumbarSpine& spine, const std::string& level) {
+PathChoice choose_path(const std::vector<PlannedPath>& paths, const LumbarSpine& spine, const std::string& level,
+                       std::span<const std::string> allowed_levels) {
   if (!level.empty()) return {path_at_level(paths, spine, level), {}, ""};
   if (!spine.levels.known()) {
     return {
         std::nullopt, {}, fmt::format("the levels are not known: {}; {}", spine.levels.evidence, how_to_tell(spine))};
   }
   std::vector<PlannedPath> allowed;
-  bool low_enough = false, whole = false;
+  bool low_enough = false, permitted = false, whole = false;
   for (const Interspace& gap : spine.interspaces) {
     if (!gap.place || !may_plan_at(*gap.place, spine.conus_place)) continue;
     low_enough = true;
+    if (!allowed_levels.empty() &&
+        std::find(allowed_levels.begin(), allowed_levels.end(), gap.name) == allowed_levels.end())
+      continue;
+    permitted = true;
     if (gap.cut) continue;
     whole = true;
     if (const PlannedPath* path = path_at(paths, gap.name)) allowed.push_back(*path);
@@ -172,12 +177,15 @@ PathChoice choose_path(const std::vector<PlannedPath>& paths, const LumbarSpine&
     return choice;
   }
   choice.passed_over.clear();
-  choice.why_not = !low_enough ? fmt::format(
-                                     "no interspace here lies at L2/L3 or below and a whole vertebra below the cord, "
-                                     "which ends at the {}; name one with --level to plan there anyway",
-                                     describe_place(spine.conus_place))
-                   : !whole ? "the image border cuts a vertebra of every interspace from L2/L3 down"
-                            : "no straight path through an interspace from L2/L3 down stays clear of bone";
+  choice.why_not =
+      !low_enough ? fmt::format(
+                        "no interspace here lies at L2/L3 or below and a whole vertebra below the cord, "
+                        "which ends at the {}; name one with --level to plan there anyway",
+                        describe_place(spine.conus_place))
+      : !permitted ? "the procedure allows none of the interspaces from L2/L3 down that were found; name one with "
+                     "--level to plan there anyway"
+      : !whole     ? "the image border cuts a vertebra of every interspace that comes into question"
+                   : "no straight path through an interspace that comes into question stays clear of bone";
   return choice;
 }
 

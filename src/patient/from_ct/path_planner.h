@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,9 +34,11 @@ struct PathChoice {
 
 // The path to propose. Without `level` only where levels are known, at interspaces
 // that may_plan_at() allows and whose vertebrae the image border does not cut: L3/L4, else L4/L5, else L2/L3, each
-// when it leaves 2.5 mm to bone; else the roomiest of them. With `level`, the name of an interspace, the path there;
-// throws InputError saying why when there is none, and when levels are not known.
-PathChoice choose_path(const std::vector<PlannedPath>& paths, const LumbarSpine& spine, const std::string& level);
+// when it leaves 2.5 mm to bone; else the roomiest of them. `allowed` are the interspaces that the procedure may
+// enter, empty for all. With `level`, the name of an interspace, the path there, allowed or not; throws InputError
+// saying why when there is none, and when levels are not known.
+PathChoice choose_path(const std::vector<PlannedPath>& paths, const LumbarSpine& spine, const std::string& level,
+                       std::span<const std::string> allowed = {});
 
 // Depth (mm from the entry) at which a path first meets spinal cord, up to `beyond` mm after its target; nothing when
 // it stays clear of it.

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "patient/from_ct/body_surface.h"
+#include "patient/from_ct/dense_pieces.h"
 #include "patient/from_ct/hounsfield_classes.h"
 #include "patient/from_ct/lumbar_construction.h"
 #include "patient/from_ct/path_planner.h"
@@ -106,10 +107,16 @@ void build_lumbar(BuiltPatient& patient, const FoundSpine& found, const PatientO
   const auto paths = plan_paths(patient.tissues, found.view, spine);
   add_landmarks(patient, spine, paths);
   if (options.path || (!options.plan && options.level.empty())) return;
-  const PathChoice choice = choose_path(paths, spine, options.level);
+  const PathChoice choice = choose_path(paths, spine, options.level, options.levels);
   if (choice.path) patient.path = choice.path->path;
   patient.notes.push_back(choice.path ? path_note(choice)
                                       : fmt::format("No path was planned, because {}.", choice.why_not));
+  const bool allowed = options.level.empty() || options.levels.empty() ||
+                       std::find(options.levels.begin(), options.levels.end(), options.level) != options.levels.end();
+  if (!allowed) {
+    patient.notes.push_back(fmt::format(
+        "The procedure is not meant to be done at {}; its score will count that as the wrong level.", options.level));
+  }
 }
 
 // The user's path must not go into cord, nor may a level be asked for where no spine was found.
@@ -181,6 +188,8 @@ BuiltPatient build_patient(const anatomy::CtVolume& ct, const anatomy::LabelVolu
   const TissueLattice lattice = divide_lattice(ct.grid, options.tissue_spacing);
   report("Telling tissues apart", 0.0);
   patient.tissues = classify_tissues(ct, structures, table, options.library, lattice, body, progress);
+  for (std::string& note : take_out_dense_pieces(patient.tissues, ct, structures, lattice, body))
+    patient.notes.push_back(std::move(note));
   report("Drawing the skin", 0.0);
   draw_skin(patient.tissues);
   if (body.has_skin) thicken_skin(patient.tissues, body);

@@ -20,6 +20,7 @@ struct PatientOptions {
                                             // where a lumbar spine is found
   bool plan = true;                         // without a path, plan one through an interspace
   std::string level = {};                   // the interspace to plan at, "L3_L4"; empty = chosen by choose_path()
+  std::vector<std::string> levels = {};     // interspaces that the procedure may enter; empty = any
   std::string lowest_vertebra = {};         // the user's word on levels, see LevelWords; empty = not said
   SpinePlace conus = adult_conus;           // where the patient's cord ends
 };
