@@ -67,11 +67,11 @@ void add_case_new_command(CLI::App& case_group, CommandContext& context) {
   const auto options = std::make_shared<CaseNewOptions>();
   add_new_case_options(*command, options->common);
   add_text(*command, "--ct", options->ct, "CT: DICOM folder, NIfTI, NRRD or MetaImage").required();
-  add_text(*command, "--labels", options->labels, "Segmentation of this CT, in any of the same formats");
-  add_text(
-      *command, "--scheme", options->scheme,
-      "What the labels mean: totalsegmentator (default), totalsegmentator_v1, tptbox, or a CSV file with the columns "
-      "label,name,tissue,critical");
+  add_text(*command, "--labels", options->labels,
+           "Segmentation of this CT, in any of the same formats, or a DICOM segmentation or structure set");
+  add_text(*command, "--scheme", options->scheme,
+           "What the labels mean: totalsegmentator, totalsegmentator_v1, tptbox, or a CSV file with the columns "
+           "label,name,tissue,critical (default: the names in the file, else totalsegmentator)");
   add_text(*command, "--tissues", options->tissues,
            "Tissue library of the case, XML, with Bodkin's own tissues and yours (default: the one that comes with "
            "Bodkin)");

@@ -17,6 +17,7 @@
 #include <unistd.h>
 
 #include "core/error.h"
+#include "io/deferred_termination.h"
 
 namespace bodkin::io {
 namespace {
@@ -120,21 +121,22 @@ Descriptor input_of(std::string_view text) {
   return high_copy(memory);
 }
 
-// Reads lines until the child closes its output. False when time ran out.
-bool read_lines(const Descriptor& descriptor, std::chrono::steady_clock::time_point deadline,
-                const std::function<void(std::string_view)>& on_line) {
+// Reads lines until the child closes its output (`exited`), time runs out or this process is to end.
+ChildEnd read_lines(const Descriptor& descriptor, std::chrono::steady_clock::time_point deadline,
+                    const std::function<void(std::string_view)>& on_line) {
   std::string pending;
   std::array<char, 65536> buffer{};
   for (;;) {
     const auto left =
         std::chrono::duration_cast<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
-    if (left.count() <= 0) return false;
+    if (left.count() <= 0) return ChildEnd::out_of_time;
+    if (DeferredTermination::pending() != 0) return ChildEnd::interrupted;
     pollfd ready{descriptor.get(), POLLIN, 0};
-    const int polled = poll(&ready, 1, static_cast<int>(std::min<std::int64_t>(left.count(), 1000)));
+    const int polled = poll(&ready, 1, static_cast<int>(std::min<std::int64_t>(left.count(), 200)));
     if (polled == 0 || (polled < 0 && errno == EINTR)) continue;
     const ssize_t count = read(descriptor.get(), buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return true;
+    if (count <= 0) return ChildEnd::exited;
     pending.append(buffer.data(), static_cast<std::size_t>(count));
     std::size_t start = 0;
     for (std::size_t end; (end = pending.find('\n', start)) != std::string::npos; start = end + 1) {
@@ -172,10 +174,8 @@ ChildResult run_child(const std::filesystem::path& program, const std::vector<st
 
   ChildResult result;
   result.pid = pid;
-  if (!read_lines(from_child.read_end, std::chrono::steady_clock::now() + limits.wall, on_line)) {
-    result.end = ChildEnd::out_of_time;
-    return result;  // ~Child ends it
-  }
+  result.end = read_lines(from_child.read_end, std::chrono::steady_clock::now() + limits.wall, on_line);
+  if (result.end != ChildEnd::exited) return result;  // ~Child ends it
   const int status = child.wait();
   if (WIFSIGNALED(status)) {
     result.end = WTERMSIG(status) == SIGXCPU ? ChildEnd::out_of_time : ChildEnd::killed;

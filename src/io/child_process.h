@@ -19,7 +19,7 @@ struct ChildLimits {
   std::chrono::seconds wall{1800};      // time on the clock
 };
 
-enum class ChildEnd { exited, killed, out_of_time };
+enum class ChildEnd { exited, killed, out_of_time, interrupted };
 
 struct ChildResult {
   pid_t pid = 0;
@@ -30,7 +30,8 @@ struct ChildResult {
 
 // Runs `program` with `arguments` and waits for it. `input` is written to its standard input, each line of its
 // standard output goes to `on_line` (without the line break), its standard error goes nowhere. `inherited` becomes
-// its file descriptor 3 (-1 = none). The child gets the limits, no core file, and dies when this process does. An
+// its file descriptor 3 (-1 = none). The child gets the limits, no core file, and dies when this process does, or is
+// interrupted as soon as a DeferredTermination has noted a signal. An
 // exception from `on_line` kills the child and propagates to the caller. Throws SystemError when the program cannot
 // be started.
 ChildResult run_child(const std::filesystem::path& program, const std::vector<std::string>& arguments,

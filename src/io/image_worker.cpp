@@ -9,8 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "io/deferred_termination.h"
 #include "io/partial_folder.h"
 #include "io/shared_memory.h"
+#include "io/temporary_folder.h"
 #include "io/text_encoding.h"
 #include "io/worker_program.h"
 
@@ -41,6 +43,7 @@ std::string obituary(const ChildResult& child, const std::string& subject) {
     case ChildEnd::killed:
       return fmt::format("{}: the imaging library crashed on {} ({}); it is damaged, or not what its name says",
                          subject, is_folder ? "a file in this folder" : "this", strsignal(child.signal));
+    case ChildEnd::interrupted:
     case ChildEnd::exited:
       break;
   }
@@ -57,9 +60,12 @@ void clear_away(const json& request, pid_t worker) {
 
 WorkerReport run_reader(const std::string& verb, const std::string& arguments, const std::string& subject,
                         const Progress& progress, int inherited) {
+  const DeferredTermination deferred;  // ends this process, if it is to end, once everything is cleared away
   const WorkerTalk talk = run_worker(image_program, verb, arguments, inherited, limits(), progress);
   if (talk.succeeded()) return {talk.notes, talk.result};
   clear_away(json::parse(arguments, nullptr, false), talk.child.pid);
+  remove_temporary_folders(talk.child.pid);
+  if (talk.child.end == ChildEnd::interrupted) throw SystemError("interrupted; nothing was made");
   if (talk.error.empty()) throw InputError(obituary(talk.child, subject));
   if (talk.kind == "memory") {
     throw InputError(

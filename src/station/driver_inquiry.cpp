@@ -86,6 +86,7 @@ std::string end_of(const io::ChildResult& result, const std::string& driver) {
                          advice);
     case io::ChildEnd::killed:
       return fmt::format("the driver {} crashed ({}): {}", driver, strsignal(result.signal), advice);
+    case io::ChildEnd::interrupted:
     case io::ChildEnd::exited:
       break;
   }

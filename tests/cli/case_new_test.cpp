@@ -1,4 +1,5 @@
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -9,6 +10,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/wait.h>
+#include <unistd.h>
 
 // `bodkin case new` and `bodkin case synthesize` as a user runs them: exit codes, one sentence, nothing left behind.
 
@@ -191,6 +194,29 @@ TEST_F(CaseNew, what_a_killed_run_left_is_cleared_by_the_next) {
   EXPECT_EQ(result.at("name"), "Ada");
   EXPECT_TRUE(result.contains("path"));
   EXPECT_EQ(bodkin("case check patient").exit_code, 0);
+}
+
+TEST_F(CaseNew, a_run_that_is_told_to_end_leaves_nothing) {
+  for (const int signal : {SIGTERM, SIGHUP}) {
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      if (chdir(folder_.c_str()) != 0) _exit(99);
+      execl(BODKIN_BUILD "/bin/bodkin", "bodkin", "-q", "case", "synthesize", "lumbar", "patient", "--spacing", "1",
+            static_cast<char*>(nullptr));
+      _exit(98);
+    }
+    // A case in the making shows as soon as the work begins, and takes seconds.
+    const auto nothing_yet = [&] { return fs::directory_iterator(folder_) == fs::directory_iterator(); };
+    for (int tenths = 0; tenths < 600 && nothing_yet(); ++tenths) usleep(100'000);
+    EXPECT_FALSE(nothing_yet()) << "no case was begun";
+    kill(child, signal);
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFSIGNALED(status));
+    EXPECT_EQ(WTERMSIG(status), signal);
+    EXPECT_TRUE(nothing_yet()) << *listing().begin();
+  }
 }
 
 TEST_F(CaseNew, without_the_image_worker_the_sentence_says_so_and_the_exit_code_is_one) {

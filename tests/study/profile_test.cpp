@@ -226,7 +226,9 @@ TEST(Profile, its_table_reads_back) {
     EXPECT_EQ(cells[10], patient.library.find(output.tissue)->name);
     const double hounsfield = linear(patient.ct, tip, 1e6);
     EXPECT_EQ(cells[11].empty(), hounsfield == 1e6);
-    if (!cells[11].empty()) EXPECT_NEAR(std::stod(cells[11]), hounsfield, 0.051);
+    if (!cells[11].empty()) {
+      EXPECT_NEAR(std::stod(cells[11]), hounsfield, 0.051);
+    }
     EXPECT_EQ(cells[12], labelled ? "liver" : "");
     EXPECT_NEAR(std::stod(cells[13]) + std::stod(cells[14]), output.resistance, 2e-6);
   }

@@ -2,22 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <new>
 #include <optional>
 #include <set>
-#include <stdexcept>
-#include <tuple>
 
 #include <fmt/format.h>
-#include <gdcmAttribute.h>
 #include <gdcmReader.h>
 #include <gdcmTrace.h>
 
 #include "core/error.h"
+#include "io/images/dicom_elements.h"
+#include "io/images/dicom_extent.h"
+#include "io/images/dicom_frames.h"
 #include "io/images/image_format.h"
-#include "io/images/memory_budget.h"
 #include "io/text_encoding.h"
 
 namespace bodkin::io {
@@ -25,73 +21,9 @@ namespace {
 
 constexpr std::size_t most_files = 20000;
 constexpr int deepest_folder = 8;
+constexpr std::uintmax_t whole_memory = 512U << 20U;  // bytes that a deflated file may take, with its pixels
 constexpr std::uintmax_t header_memory =
     32U << 20U;  // bytes that reading a header may take in addition to the file's own
-
-std::string text_of(const gdcm::DataSet& data, const gdcm::Tag& tag) {
-  if (!data.FindDataElement(tag)) return {};
-  const gdcm::ByteValue* bytes = data.GetDataElement(tag).GetByteValue();
-  if (bytes == nullptr || bytes->GetPointer() == nullptr) return {};
-  std::string text(bytes->GetPointer(), std::min<std::size_t>(bytes->GetLength(), 1024));
-  text.erase(std::find(text.begin(), text.end(), '\0'), text.end());
-  const auto last = text.find_last_not_of(' ');
-  const auto first = text.find_first_not_of(' ');
-  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
-}
-
-// The numbers of a decimal string, "1\0\0"; empty when any of them is not a finite number or `count` does not fit.
-std::vector<double> numbers_of(const gdcm::DataSet& data, const gdcm::Tag& tag, std::size_t count) {
-  const std::string text = text_of(data, tag);
-  std::vector<double> numbers;
-  for (std::size_t start = 0; start <= text.size();) {
-    const std::size_t end = std::min(text.find('\\', start), text.size());
-    const std::string word = text.substr(start, end - start);
-    char* rest = nullptr;
-    const double value = std::strtod(word.c_str(), &rest);
-    if (rest == word.c_str() || !std::isfinite(value)) return {};
-    numbers.push_back(value);
-    start = end + 1;
-  }
-  return numbers.size() == count ? numbers : std::vector<double>{};
-}
-
-double number_of(const gdcm::DataSet& data, const gdcm::Tag& tag, double otherwise) {
-  const std::vector<double> numbers = numbers_of(data, tag, 1);
-  return numbers.empty() ? otherwise : numbers.front();
-}
-
-int whole_number_of(const gdcm::DataSet& data, const gdcm::Tag& tag, int otherwise) {
-  return static_cast<int>(std::clamp(number_of(data, tag, otherwise), -1e9, 1e9));
-}
-
-template <std::uint16_t Group, std::uint16_t Element>
-int unsigned_short_of(const gdcm::DataSet& data) {
-  const gdcm::Tag tag(Group, Element);
-  if (!data.FindDataElement(tag)) return 0;
-  const gdcm::ByteValue* bytes = data.GetDataElement(tag).GetByteValue();
-  if (bytes == nullptr || bytes->GetLength() < 2) return 0;
-  gdcm::Attribute<Group, Element> attribute;
-  attribute.SetFromDataElement(data.GetDataElement(tag));
-  return attribute.GetValue();
-}
-
-// Position, orientation and spacing; false when one is missing or makes no sense.
-bool read_placement(const gdcm::DataSet& data, DicomSeries& series, DicomSlice& slice) {
-  const std::vector<double> position = numbers_of(data, {0x0020, 0x0032}, 3);
-  const std::vector<double> cosines = numbers_of(data, {0x0020, 0x0037}, 6);
-  const std::vector<double> spacing = numbers_of(data, {0x0028, 0x0030}, 2);
-  if (position.empty() || cosines.empty() || spacing.empty()) return false;
-  slice.position = Vec3(position[0], position[1], position[2]);
-  series.row_spacing = spacing[0];  // DICOM gives the spacing between rows first
-  series.column_spacing = spacing[1];
-  const Vec3 row(cosines[0], cosines[1], cosines[2]);
-  const Vec3 column(cosines[3], cosines[4], cosines[5]);
-  if (std::abs(row.norm() - 1.0) > 1e-2 || std::abs(column.norm() - 1.0) > 1e-2) return false;
-  if (std::abs(row.dot(column)) > 1e-2) return false;
-  series.row_direction = row.normalized();
-  series.column_direction = (column - column.dot(series.row_direction) * series.row_direction).normalized();
-  return std::min(spacing[0], spacing[1]) > 0.0;
-}
 
 // Whether the first bytes are those of a DICOM file; spares GDCM (and its patience) everything else.
 bool is_dicom(const std::filesystem::path& file) {
@@ -102,15 +34,63 @@ bool is_dicom(const std::filesystem::path& file) {
   }
 }
 
+// Reads the tags that are wanted, and may read others. Where a file ends before the last of them, and in a deflated
+// one, GDCM aborts unless it reads everything.
+bool read_tags(gdcm::Reader& reader, const std::filesystem::path& file, const std::set<gdcm::Tag>& wanted) {
+  const bool ends_early = dicom_extent(file).last_tag <= wanted.rbegin()->GetElementTag();
+  return ends_early ? reader.Read() : reader.ReadSelectedTags(wanted);
+}
+
+void place(DicomSeries& series, const ImagePlacement& placement) {
+  series.placed = true;
+  series.column_spacing = placement.column_spacing;
+  series.row_spacing = placement.row_spacing;
+  series.row_direction = placement.row_direction;
+  series.column_direction = placement.column_direction;
+}
+
+bool parallel(const ImagePlacement& a, const ImagePlacement& b) {
+  return std::abs(a.column_spacing - b.column_spacing) < 1e-4 && std::abs(a.row_spacing - b.row_spacing) < 1e-4 &&
+         (a.row_direction - b.row_direction).norm() < 1e-3 && (a.column_direction - b.column_direction).norm() < 1e-3;
+}
+
+// Makes each frame of an enhanced image a slice, if every one says where it lies and all are parallel.
+void add_frames(DicomSeries& series) {
+  static const std::set<gdcm::Tag> wanted = {{0x5200, 0x9229}, {0x5200, 0x9230}};
+  const DicomSlice file = series.slices.front();
+  gdcm::Reader reader;
+  reader.SetFileName(file.file.c_str());
+  if (!read_tags(reader, file.file, wanted)) return;
+  const std::vector<FrameInfo> frames = read_frames(reader.GetFile().GetDataSet());
+  if (frames.size() != static_cast<std::size_t>(series.frames)) return;
+  const ImagePlacement& first = frames.front().placement;
+  if (!std::all_of(frames.begin(), frames.end(),
+                   [&](const FrameInfo& frame) { return parallel(frame.placement, first); })) {
+    return;
+  }
+  place(series, first);
+  series.thickness = frames.front().thickness;
+  series.slices.clear();
+  for (std::size_t n = 0; n < frames.size(); ++n) {
+    DicomSlice slice = file;
+    slice.frame = static_cast<int>(n);
+    slice.instance_uid += fmt::format("#{}", n + 1);
+    slice.position = frames[n].placement.position;
+    slice.slope = frames[n].slope;
+    slice.intercept = frames[n].intercept;
+    series.slices.push_back(slice);
+  }
+}
+
 // One file's header: a series of a single slice. Nothing when it is damaged.
 std::optional<DicomSeries> read_header(const std::filesystem::path& file) {
-  static const std::set<gdcm::Tag> wanted = {{0x0008, 0x0016}, {0x0008, 0x0018}, {0x0008, 0x0060}, {0x0008, 0x103e},
-                                             {0x0018, 0x0050}, {0x0020, 0x000e}, {0x0020, 0x0011}, {0x0020, 0x0032},
-                                             {0x0020, 0x0037}, {0x0028, 0x0008}, {0x0028, 0x0010}, {0x0028, 0x0011},
-                                             {0x0028, 0x0030}, {0x0028, 0x0100}, {0x0028, 0x1052}, {0x0028, 0x1053}};
+  static const std::set<gdcm::Tag> wanted = {
+      {0x0008, 0x0016}, {0x0008, 0x0018}, {0x0008, 0x0060}, {0x0008, 0x103e}, {0x0018, 0x0050}, {0x0020, 0x000e},
+      {0x0020, 0x0011}, {0x0020, 0x0032}, {0x0020, 0x0037}, {0x0028, 0x0008}, {0x0028, 0x0010}, {0x0028, 0x0011},
+      {0x0028, 0x0030}, {0x0028, 0x0100}, {0x0028, 0x1052}, {0x0028, 0x1053}, {0x0028, 0x2110}, {0x0028, 0x2112}};
   gdcm::Reader reader;
   reader.SetFileName(file.c_str());
-  if (!reader.ReadSelectedTags(wanted)) return std::nullopt;
+  if (!read_tags(reader, file, wanted)) return std::nullopt;
   const gdcm::DataSet& data = reader.GetFile().GetDataSet();
 
   DicomSeries series;
@@ -118,46 +98,66 @@ std::optional<DicomSeries> read_header(const std::filesystem::path& file) {
   series.description = printable(text_of(data, {0x0008, 0x103e}));
   series.modality = printable(text_of(data, {0x0008, 0x0060}));
   series.number = whole_number_of(data, {0x0020, 0x0011}, 0);
-  series.rows = unsigned_short_of<0x0028, 0x0010>(data);
-  series.columns = unsigned_short_of<0x0028, 0x0011>(data);
+  series.rows = unsigned_short_of(data, {0x0028, 0x0010});
+  series.columns = unsigned_short_of(data, {0x0028, 0x0011});
   series.frames = whole_number_of(data, {0x0028, 0x0008}, 1);
-  series.bytes_allocated = (unsigned_short_of<0x0028, 0x0100>(data) + 7) / 8;
-  series.compressed = reader.GetFile().GetHeader().GetDataSetTransferSyntax().IsEncapsulated();
+  series.bytes_allocated = (unsigned_short_of(data, {0x0028, 0x0100}) + 7) / 8;
+  const gdcm::TransferSyntax syntax = reader.GetFile().GetHeader().GetDataSetTransferSyntax();
+  series.compressed = syntax.IsEncapsulated() || syntax == gdcm::TransferSyntax::DeflatedExplicitVRLittleEndian;
+  series.lossy = text_of(data, {0x0028, 0x2110}) == "01";
+  series.lossy_ratio = number_of(data, {0x0028, 0x2112}, 0.0);
   series.thickness = number_of(data, {0x0018, 0x0050}, 0.0);
   DicomSlice slice;
   slice.file = file;
   slice.instance_uid = text_of(data, {0x0008, 0x0018});
   slice.slope = number_of(data, {0x0028, 0x1053}, 1.0);
   slice.intercept = number_of(data, {0x0028, 0x1052}, 0.0);
-  series.placed = read_placement(data, series, slice);
+  const std::optional<ImagePlacement> placement = read_placement(data);
+  if (placement) place(series, *placement);
+  slice.position = placement ? placement->position : Vec3::Zero();
   series.slices.push_back(slice);
+  if (series.frames > 1) add_frames(series);
   return series;
 }
 
-// GDCM takes the memory for an element before it knows whether the file holds it.
 std::optional<DicomSeries> read_header_within_budget(const std::filesystem::path& file) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  const MemoryBudget budget(header_memory + 4 * (error ? 0 : size));
-  try {
-    return read_header(file);
-  } catch (const std::bad_alloc&) {
-    return std::nullopt;
-  } catch (const std::length_error&) {
-    return std::nullopt;
-  }
+  std::optional<DicomSeries> series;
+  const DicomExtent extent = dicom_extent(file);
+  if (extent.header_cut) return std::nullopt;
+  const std::uintmax_t memory = extent.last_tag == 0 ? whole_memory : header_memory;
+  const bool read = read_within_budget(file, memory, [&] { return (series = read_header(file)).has_value(); });
+  return read ? series : std::nullopt;
 }
 
-bool is_image(const DicomSeries& series) {
-  const bool annotation = series.modality == "SEG" || series.modality.starts_with("RT");
-  return series.rows > 0 && series.columns > 0 && !annotation;
+// Segmentations, structure sets, plans and doses.
+bool is_annotation(const DicomSeries& series) {
+  return series.modality == "SEG" || series.modality.starts_with("RT");
 }
 
 bool belong_together(const DicomSeries& a, const DicomSeries& b) {
   return a.uid == b.uid && a.modality == b.modality && a.columns == b.columns && a.rows == b.rows &&
-         a.frames == b.frames && a.placed == b.placed && std::abs(a.column_spacing - b.column_spacing) < 1e-4 &&
-         std::abs(a.row_spacing - b.row_spacing) < 1e-4 && (a.row_direction - b.row_direction).norm() < 1e-3 &&
-         (a.column_direction - b.column_direction).norm() < 1e-3;
+         (a.frames > 1) == (b.frames > 1) && a.placed == b.placed &&
+         std::abs(a.column_spacing - b.column_spacing) < 1e-4 && std::abs(a.row_spacing - b.row_spacing) < 1e-4 &&
+         (a.row_direction - b.row_direction).norm() < 1e-3 && (a.column_direction - b.column_direction).norm() < 1e-3;
+}
+
+// Single files of a series that do not say where they lie, although most of the series does, are damaged.
+void set_strays_aside(DicomFolder& folder) {
+  const auto stray = [&](const DicomSeries& one) {
+    return !one.placed && std::any_of(folder.series.begin(), folder.series.end(), [&](const DicomSeries& other) {
+      return other.placed && other.uid == one.uid && other.modality == one.modality &&
+             other.slices.size() > one.slices.size();
+    });
+  };
+  std::vector<DicomSeries> kept;
+  for (const DicomSeries& series : folder.series) {
+    if (!stray(series)) {
+      kept.push_back(series);
+      continue;
+    }
+    for (const DicomSlice& slice : series.slices) folder.unreadable.push_back(slice.file);
+  }
+  folder.series = std::move(kept);
 }
 
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& path) {
@@ -184,8 +184,9 @@ std::vector<std::filesystem::path> files_of(const std::filesystem::path& path) {
 
 std::string DicomSeries::describe() const {
   const std::string title = description.empty() ? "" : fmt::format(" '{}'", description);
-  return fmt::format("series {}{}, {}, {} slice{} of {} x {}", number, title, modality, slices.size(),
-                     slices.size() == 1 ? "" : "s", columns, rows);
+  const std::size_t count = placed ? slices.size() : slices.size() * static_cast<std::size_t>(std::max(1, frames));
+  return fmt::format("series {}{}, {}, {} slice{} of {} x {}", number, title, modality, count, count == 1 ? "" : "s",
+                     columns, rows);
 }
 
 DicomFolder scan_dicom(const std::filesystem::path& path, const Progress& progress) {
@@ -195,6 +196,7 @@ DicomFolder scan_dicom(const std::filesystem::path& path, const Progress& progre
   if (!std::filesystem::exists(path)) throw InputError(fmt::format("{}: there is no such folder", path.string()));
 
   DicomFolder folder;
+  folder.path = path;
   const std::vector<std::filesystem::path> files = files_of(path);
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (progress && i % 16 == 0)
@@ -202,11 +204,11 @@ DicomFolder scan_dicom(const std::filesystem::path& path, const Progress& progre
     if (!is_dicom(files[i])) continue;
     const std::optional<DicomSeries> found = read_header_within_budget(files[i]);
     if (!found) {
-      ++folder.unreadable;
+      folder.unreadable.push_back(files[i]);
       continue;
     }
-    if (!is_image(*found)) {
-      ++folder.other_objects;
+    if (is_annotation(*found) || found->rows <= 0 || found->columns <= 0) {
+      folder.other_objects.push_back({files[i], found->modality, found->description});
       continue;
     }
     const auto known = std::find_if(folder.series.begin(), folder.series.end(),
@@ -214,11 +216,14 @@ DicomFolder scan_dicom(const std::filesystem::path& path, const Progress& progre
     if (known == folder.series.end()) {
       folder.series.push_back(*found);
     } else {
-      known->slices.push_back(found->slices.front());
+      known->slices.insert(known->slices.end(), found->slices.begin(), found->slices.end());
       known->compressed = known->compressed || found->compressed;
+      known->lossy = known->lossy || found->lossy;
+      known->lossy_ratio = std::max(known->lossy_ratio, found->lossy_ratio);
       known->bytes_allocated = std::max(known->bytes_allocated, found->bytes_allocated);
     }
   }
+  set_strays_aside(folder);
   std::stable_sort(folder.series.begin(), folder.series.end(),
                    [](const DicomSeries& a, const DicomSeries& b) { return a.number < b.number; });
   return folder;

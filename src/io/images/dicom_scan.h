@@ -16,6 +16,7 @@ struct DicomSlice {
   Vec3 position = Vec3::Zero();  // Image Position (Patient), LPS mm of the first pixel
   double slope = 1.0;            // HU = slope * stored + intercept
   double intercept = 0.0;
+  int frame = 0;  // of an enhanced image, which holds several slices in one file
 };
 
 // Slices of one series that share size, spacing and orientation. A series whose slices differ in these (a localizer
@@ -23,9 +24,12 @@ struct DicomSlice {
 struct DicomSeries {
   std::string uid, description, modality;
   int number = 0;  // Series Number; not unique
-  int columns = 0, rows = 0, frames = 1;
+  int columns = 0, rows = 0;
+  int frames = 1;                                  // in one file; those of an enhanced image are slices
   int bytes_allocated = 2;                         // per stored pixel
-  bool compressed = false;                         // the pixels are encapsulated
+  bool compressed = false;                         // the pixels are encapsulated, or the whole file is deflated
+  bool lossy = false;                              // Lossy Image Compression: values were changed at some time
+  double lossy_ratio = 0.0;                        // Lossy Image Compression Ratio, N:1; 0 = not given
   bool placed = false;                             // position, orientation and pixel spacing are there and make sense
   double column_spacing = 0.0, row_spacing = 0.0;  // mm along i and j
   double thickness = 0.0;                          // mm, Slice Thickness; 0 = not given
@@ -36,10 +40,17 @@ struct DicomSeries {
   std::string describe() const;
 };
 
+// A DICOM file that is no image of a patient: a structure set, a segmentation, a report.
+struct DicomObject {
+  std::filesystem::path file;
+  std::string modality, description;
+};
+
 struct DicomFolder {
+  std::filesystem::path path;       // what was scanned
   std::vector<DicomSeries> series;  // by series number
-  std::size_t other_objects = 0;    // DICOM files that are not images: structure sets, segmentations, reports
-  std::size_t unreadable = 0;       // DICOM files whose header is damaged
+  std::vector<DicomObject> other_objects;
+  std::vector<std::filesystem::path> unreadable;  // files with a damaged header, or without the place of their slice
 };
 
 // Reads the headers of every DICOM file in a folder (and the folders in it), or of one file. Anything that is not

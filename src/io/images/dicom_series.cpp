@@ -10,6 +10,7 @@
 #include "io/images/dicom_pixels.h"
 #include "io/images/image_file.h"
 #include "io/images/slice_stack.h"
+#include "io/text_encoding.h"
 
 namespace bodkin::io {
 namespace {
@@ -17,20 +18,26 @@ namespace {
 constexpr double same_place = 0.01;     // mm; slices closer than this are two images of one place
 constexpr double steepest_tilt = 45.0;  // degrees; a gantry tilts by 30 at most
 
+// "a.dcm", "a.dcm and 2 more"
+std::string named(const std::vector<std::filesystem::path>& files) {
+  const std::string more = files.size() == 1 ? "" : fmt::format(" and {} more", files.size() - 1);
+  return files.front().filename().string() + more;
+}
+
 // The series to read: the one asked for, or the only one there is.
 DicomSeries chosen_series(const DicomFolder& folder, const std::string& name, const DicomOptions& options,
                           std::vector<std::string>& notes) {
   if (folder.series.empty()) {
-    if (folder.unreadable > 0) {
+    if (!folder.unreadable.empty()) {
       throw InputError(
-          fmt::format("{}: the DICOM header cannot be read (files: {}); it is truncated or damaged, copy it "
+          fmt::format("{}: the DICOM header cannot be read (files: {}, {}); it is truncated or damaged, copy it "
                       "again",
-                      name, folder.unreadable));
+                      name, folder.unreadable.size(), named(folder.unreadable)));
     }
     const std::string others =
-        folder.other_objects == 0 ? "" : fmt::format(" (other DICOM objects: {})", folder.other_objects);
-    const char* expected = options.any_modality ? "label images; save a DICOM segmentation object as NIfTI or NRRD"
-                                                : "the slices of a CT series";
+        folder.other_objects.empty() ? "" : fmt::format(" (other DICOM objects: {})", folder.other_objects.size());
+    const char* expected =
+        options.any_modality ? "label images, a segmentation or a structure set" : "the slices of a CT series";
     throw InputError(fmt::format("{}: there is no DICOM image here{}; expected {}", name, others, expected));
   }
   if (options.series) {
@@ -62,10 +69,10 @@ void require_ct_stack(const DicomSeries& series, const std::string& name, const 
     throw InputError(fmt::format("{}: this is {} (modality {}), not CT; Bodkin needs HU, so give a CT series", name,
                                  series.describe(), series.modality.empty() ? "missing" : series.modality));
   }
-  if (series.frames > 1) {
+  if (series.frames > 1 && !series.placed) {
     throw InputError(
-        fmt::format("{}: this is an enhanced image with {} frames in one file; convert it to single-frame "
-                    "DICOM or NIfTI first",
+        fmt::format("{}: this is an image with {} frames in one file that do not all say where they lie, or are not "
+                    "parallel; expected an enhanced CT, or convert it to single-frame DICOM or NIfTI first",
                     name, series.frames));
   }
   if (!series.placed) {
@@ -74,6 +81,13 @@ void require_ct_stack(const DicomSeries& series, const std::string& name, const 
                     "Orientation (Patient) and Pixel Spacing",
                     series.slices.front().file.string()));
   }
+}
+
+// The coordinate along the axis of the patient that the normal is nearest to.
+double along(const Vec3& position, const Vec3& normal) {
+  Eigen::Index axis = 0;
+  normal.cwiseAbs().maxCoeff(&axis);
+  return position[axis];
 }
 
 std::string place_of(const Vec3& position, const Vec3& normal) {
@@ -125,8 +139,9 @@ SliceStack stack_of(const DicomSeries& series) {
 }
 
 // Refuses what cannot be repaired and says what will be.
-void judge_geometry(const SliceStack& stack, const StackGeometry& geometry, const std::string& name,
+void judge_geometry(const SliceStack& stack, const StackGeometry& geometry, const DicomFolder& folder,
                     const DicomOptions& options, std::vector<std::string>& notes) {
+  const std::string name = folder.path.string();
   if (geometry.shear_angle > steepest_tilt) {
     throw InputError(
         fmt::format("{}: the slices are shifted against each other by {:.1f} degrees, more than any gantry "
@@ -140,10 +155,13 @@ void judge_geometry(const SliceStack& stack, const StackGeometry& geometry, cons
     const std::string more =
         geometry.gaps.size() == 1 ? "" : fmt::format(" (and at {} other places)", geometry.gaps.size() - 1);
     if (!options.fill_missing) {
+      const std::string mend = folder.unreadable.empty() ? "find the file"
+                                                         : fmt::format("the header of {} is damaged, copy it again",
+                                                                       named(folder.unreadable));
       throw InputError(
-          fmt::format("{}: a slice is missing {}{}, where the step is {:.4g} mm instead of {:.4g} mm; find the "
-                      "file, or say --fill-missing to interpolate",
-                      name, where, more, geometry.largest_step, geometry.smallest_step));
+          fmt::format("{}: a slice is missing {}{}, where the step is {:.4g} mm instead of {:.4g} mm; {}, or say "
+                      "--fill-missing to interpolate",
+                      name, where, more, geometry.largest_step, geometry.smallest_step, mend));
     }
     notes.push_back(fmt::format("A slice is missing {}{}; it was interpolated from its neighbours.", where, more));
   } else if (geometry.uneven) {
@@ -160,12 +178,110 @@ void judge_geometry(const SliceStack& stack, const StackGeometry& geometry, cons
   }
 }
 
+struct Lattice {
+  SliceStack stack;
+  anatomy::Grid grid;
+  bool regular = true;
+};
+
+Lattice lattice_of(const DicomSeries& series, const DicomFolder& folder, const DicomOptions& options,
+                   std::vector<std::string>& notes) {
+  const std::string name = folder.path.string();
+  Lattice lattice;
+  lattice.stack = stack_of(series);
+  const StackGeometry geometry = measure_stack(lattice.stack, series.thickness > 0.0 ? series.thickness : 1.0);
+  judge_geometry(lattice.stack, geometry, folder, options, notes);
+  lattice.regular = geometry.regular();
+  lattice.grid = clean_grid(
+      lattice.regular ? regular_grid(lattice.stack, geometry) : resampled_grid(lattice.stack, geometry), name);
+  require_plausible_size(
+      name,
+      {static_cast<std::uintmax_t>(lattice.grid.size[0]), static_cast<std::uintmax_t>(lattice.grid.size[1]),
+       static_cast<std::uintmax_t>(lattice.grid.size[2])},
+      1, static_cast<double>(most_voxels));
+  return lattice;
+}
+
+// Leaves damaged slices out where the rest is still a stack without gaps, as at its ends; with --fill-missing
+// anywhere. Throws InputError with the sentence on the first of them where not.
+void leave_out_damaged(DicomSeries& series, DecodedSlices& decoded, const DicomOptions& options,
+                       std::vector<std::string>& notes) {
+  if (decoded.damaged.empty()) return;
+  const StackGeometry before = measure_stack(stack_of(series), 1.0);
+  const std::size_t slice_size = decoded.voxels.size() / series.slices.size();
+  std::vector<bool> damaged(series.slices.size(), false);
+  std::vector<std::filesystem::path> files;
+  for (const DamagedSlice& one : decoded.damaged) {
+    damaged[one.slice] = true;
+    if (files.empty() || files.back() != series.slices[one.slice].file)
+      files.push_back(series.slices[one.slice].file);
+  }
+  std::vector<DicomSlice> kept;
+  for (std::size_t n = 0; n < series.slices.size(); ++n) {
+    if (damaged[n]) continue;
+    const auto from = decoded.voxels.begin() + static_cast<std::ptrdiff_t>(n * slice_size);
+    std::copy_n(from, slice_size, decoded.voxels.begin() + static_cast<std::ptrdiff_t>(kept.size() * slice_size));
+    kept.push_back(series.slices[n]);
+  }
+  decoded.voxels.resize(kept.size() * slice_size);
+  series.slices = std::move(kept);
+  const StackGeometry after = measure_stack(stack_of(series), 1.0);
+  const bool whole = after.gaps.empty() && (!after.uneven || before.uneven);
+  if (!whole && !options.fill_missing) {
+    throw InputError(
+        fmt::format("{}; its neighbours alone are no regular stack, so it cannot be left out, but "
+                    "--fill-missing interpolates it",
+                    decoded.damaged.front().sentence));
+  }
+  notes.push_back(fmt::format("Slices whose pixels cannot be decoded (files: {}, {}) were left out.", files.size(),
+                              named(files)));
+}
+
+// What is known of the loss of a series that was compressed with loss.
+void note_loss(const DicomSeries& series, const std::optional<CodingError>& coding, std::vector<std::string>& notes) {
+  const std::string ratio = series.lossy_ratio > 1.0 ? fmt::format(", {:.3g}:1", series.lossy_ratio) : "";
+  if (coding) {
+    notes.push_back(
+        fmt::format("The series was compressed with loss{}: values are off by about {:.2g} HU (root mean square), by "
+                    "{:.3g} HU at "
+                    "most.",
+                    ratio, coding->typical, coding->largest));
+  } else if (series.lossy) {
+    notes.push_back(fmt::format(
+        "The series was compressed with loss{}; the file does not tell how far values are off: edges of thin layers "
+        "may be blurred by about a voxel, and values there be off by tens of HU.",
+        ratio));
+  }
+}
+
+// " of 168 x 156 mm, z 10 to 250 mm"
+std::string extent_text(const DicomSeries& series) {
+  if (!series.placed) return "";
+  const Vec3 normal = series.row_direction.cross(series.column_direction);
+  const auto [low, high] = std::minmax_element(
+      series.slices.begin(), series.slices.end(),
+      [&](const DicomSlice& a, const DicomSlice& b) { return a.position.dot(normal) < b.position.dot(normal); });
+  return fmt::format(", {:.0f} x {:.0f} mm, {} to {:.2f} mm", series.columns * series.column_spacing,
+                     series.rows * series.row_spacing, place_of(low->position, normal),
+                     along(high->position, normal));
+}
+
+// The folder of a series as seen from the one that was scanned; empty when it is that one.
+std::string folder_text(const DicomSeries& series, const std::filesystem::path& scanned) {
+  std::error_code error;
+  const std::filesystem::path below =
+      std::filesystem::relative(series.slices.front().file.parent_path(), scanned, error);
+  return error || below.empty() || below == "." ? "" : fmt::format(", in {}", printable(below.string()));
+}
+
 }  // namespace
 
 std::string series_listing(const DicomFolder& folder) {
   std::string listing;
   for (std::size_t i = 0; i < folder.series.size(); ++i) {
-    listing += fmt::format("{}  {}: {}", i == 0 ? "" : "\n", i + 1, folder.series[i].describe());
+    const DicomSeries& series = folder.series[i];
+    listing += fmt::format("{}  {}: {}{}{}", i == 0 ? "" : "\n", i + 1, series.describe(), extent_text(series),
+                           folder_text(series, folder.path));
   }
   return listing;
 }
@@ -175,33 +291,30 @@ DicomVolume read_dicom(const std::filesystem::path& path, const DicomOptions& op
   DicomVolume result;
   const DicomFolder folder = scan_dicom(path, progress);
   DicomSeries series = chosen_series(folder, name, options, result.notes);
-  if (folder.unreadable > 0) {
-    result.notes.push_back(fmt::format("Damaged DICOM files (files: {}) were left out.", folder.unreadable));
+  if (!folder.unreadable.empty()) {
+    result.notes.push_back(fmt::format("Damaged DICOM files (files: {}, {}) were left out.", folder.unreadable.size(),
+                                       named(folder.unreadable)));
   }
   require_ct_stack(series, name, options);
   order_slices(series, name, result.notes);
 
-  const SliceStack stack = stack_of(series);
-  const double thickness = series.thickness > 0.0 ? series.thickness : 1.0;
-  const StackGeometry geometry = measure_stack(stack, thickness);
-  judge_geometry(stack, geometry, name, options, result.notes);
-  const anatomy::Grid grid =
-      clean_grid(geometry.regular() ? regular_grid(stack, geometry) : resampled_grid(stack, geometry), name);
-  require_plausible_size(name,
-                         {static_cast<std::uintmax_t>(grid.size[0]), static_cast<std::uintmax_t>(grid.size[1]),
-                          static_cast<std::uintmax_t>(grid.size[2])},
-                         1, static_cast<double>(most_voxels));
+  // Refused before any pixel is read where the geometry cannot be mended.
+  std::vector<std::string> mended;
+  static_cast<void>(lattice_of(series, folder, options, mended));
 
   HounsfieldLosses losses;
-  std::vector<std::int16_t> voxels = decode_slices(series, losses, progress);
+  DecodedSlices decoded = decode_slices(series, losses, progress);
+  leave_out_damaged(series, decoded, options, result.notes);
+  const Lattice lattice = lattice_of(series, folder, options, result.notes);
+  note_loss(series, decoded.coding, result.notes);
   const std::vector<std::string> lost = losses.notes();
   result.notes.insert(result.notes.end(), lost.begin(), lost.end());
-  if (geometry.regular()) {
-    result.volume.grid = grid;
-    result.volume.voxels = std::move(voxels);
+  if (lattice.regular) {
+    result.volume.grid = lattice.grid;
+    result.volume.voxels = std::move(decoded.voxels);
   } else {
     if (progress) progress("resampling", 0.0);
-    result.volume = resample_stack(stack, grid, voxels, anatomy::lowest_hounsfield);
+    result.volume = resample_stack(lattice.stack, lattice.grid, decoded.voxels, anatomy::lowest_hounsfield);
     result.resampled = true;
   }
   return result;

@@ -25,12 +25,14 @@ struct DicomVolume {
 };
 
 // Reads a DICOM series from a folder (or one file). Slices are ordered by their position; a regular stack is carried
-// exactly, a sheared one (gantry tilt) or an uneven one is resampled onto a regular grid, and a note says so. Throws
-// InputError, one sentence, for several series (with a listing), for a missing slice, for two slices in one place,
-// for what is not a CT, and for what cannot be decoded.
+// exactly, a sheared one (gantry tilt) or an uneven one is resampled onto a regular grid, and a note says so. The
+// frames of an enhanced image are slices. Slices that cannot be decoded are left out, with a note, where the rest is
+// still a stack without gaps. Throws InputError, one sentence, for such a slice elsewhere, for several series (with a
+// listing), for a missing slice, for two slices in one place, for what is not a CT, and for what cannot be decoded.
 DicomVolume read_dicom(const std::filesystem::path& path, const DicomOptions& options, const Progress& progress = {});
 
-// The image series of a folder, one per line, numbered from 1: "  1: series 3 'abdomen', CT, 55 slices of 172 x 160".
+// The image series of a folder, one per line, numbered from 1: "  1: series 3 'abdomen', CT, 55 slices of 172 x 160,
+// 168 x 156 mm, z = -676.47 to -499.89 mm, in thin/bone".
 std::string series_listing(const DicomFolder& folder);
 
 }  // namespace bodkin::io

@@ -1,7 +1,8 @@
 #include "io/images/image_file.h"
 
-#include <cmath>
-#include <cstdlib>
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <optional>
 
 #include <fmt/format.h>
@@ -10,7 +11,9 @@
 #include <itkNrrdImageIO.h>
 
 #include "core/error.h"
+#include "io/gzip_stream.h"
 #include "io/images/image_format.h"
+#include "io/temporary_folder.h"
 
 namespace bodkin::io {
 namespace {
@@ -19,25 +22,14 @@ namespace {
 // folder it. So it is shown a link of a name that nothing else has, in a folder of its own.
 class PrivateLink {
  public:
-  PrivateLink(const std::filesystem::path& file, const std::string& name) {
-    std::string pattern = (std::filesystem::temp_directory_path() / "bodkin-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) {
-      throw SystemError(fmt::format("no temporary folder can be made in {}; set TMPDIR to a folder with room",
-                                    std::filesystem::temp_directory_path().string()));
-    }
-    folder_ = pattern;
-    std::filesystem::create_symlink(std::filesystem::absolute(file), path_ = folder_ / name);
+  PrivateLink(const std::filesystem::path& file, const std::string& name) : path_(folder_.path() / name) {
+    std::filesystem::create_symlink(std::filesystem::absolute(file), path_);
   }
-  ~PrivateLink() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-  PrivateLink(const PrivateLink&) = delete;
-  PrivateLink& operator=(const PrivateLink&) = delete;
   const std::filesystem::path& path() const { return path_; }
 
  private:
-  std::filesystem::path folder_, path_;
+  TemporaryFolder folder_;
+  std::filesystem::path path_;
 };
 
 itk::ImageIOBase::Pointer image_io(ImageFormat format) {
@@ -111,6 +103,36 @@ VoxelBuffer read_voxels(itk::ImageIOBase& io, std::size_t count) {
   return voxels;
 }
 
+// niftilib turns what is not a number into 0, which in a CT is water, so these voxels are read here. gzread also
+// reads files that are not packed.
+template <typename Voxel>
+VoxelBuffer read_floats(const std::filesystem::path& file, const StoredFloats& stored, std::size_t count,
+                        const std::string& name) {
+  constexpr std::size_t at_once = 1U << 24U;  // bytes; gzread counts in int
+  std::vector<Voxel> voxels(count);
+  const GzipStream stream(gzopen(file.c_str(), "rb"));
+  bool whole = stream && gzseek(stream.get(), static_cast<z_off_t>(stored.offset), SEEK_SET) >= 0;
+  auto* bytes = reinterpret_cast<char*>(voxels.data());
+  for (std::size_t left = count * sizeof(Voxel); whole && left > 0;) {
+    const int got = gzread(stream.get(), bytes, static_cast<unsigned>(std::min(left, at_once)));
+    whole = got > 0;
+    if (!whole) break;
+    bytes += got;
+    left -= static_cast<std::size_t>(got);
+  }
+  if (!whole) throw InputError(fmt::format("{}: the voxels cannot be read; the file is truncated or damaged", name));
+  const bool scaled = stored.slope != 1.0 || stored.intercept != 0.0;
+  for (Voxel& voxel : voxels) {
+    if (stored.swapped) {
+      auto raw = std::bit_cast<std::array<unsigned char, sizeof(Voxel)>>(voxel);
+      std::reverse(raw.begin(), raw.end());
+      voxel = std::bit_cast<Voxel>(raw);
+    }
+    if (scaled) voxel = static_cast<Voxel>(stored.slope * static_cast<double>(voxel) + stored.intercept);
+  }
+  return voxels;
+}
+
 VoxelBuffer read_voxels_as_stored(itk::ImageIOBase& io, std::size_t count, const std::string& name) {
   switch (io.GetComponentType()) {
     case itk::IOComponentEnum::CHAR:
@@ -163,7 +185,14 @@ ImageFile read_with_itk(const std::filesystem::path& shown, ImageFormat format, 
   io->SetIORegion(region);
   ImageFile image;
   image.grid = clean_grid(grid_of(*io), name);
-  image.voxels = read_voxels_as_stored(*io, image.grid.voxel_count(), name);
+  const std::size_t count = image.grid.voxel_count();
+  if (!payload.floats) {
+    image.voxels = read_voxels_as_stored(*io, count, name);
+  } else if (payload.floats->bytes == 4) {
+    image.voxels = read_floats<float>(shown, *payload.floats, count, name);
+  } else {
+    image.voxels = read_floats<double>(shown, *payload.floats, count, name);
+  }
   return image;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace bodkin::io {
@@ -14,10 +15,19 @@ std::string to_string(ImageFormat format);
 // empty or a folder, or is none of the formats that Bodkin reads.
 ImageFormat detect_image_format(const std::filesystem::path& file);
 
+// Where and how a NIfTI file stores voxels of floating point, and what they mean: slope * stored + intercept.
+struct StoredFloats {
+  int bytes = 4;              // of a voxel: 4 or 8
+  std::uintmax_t offset = 0;  // bytes before the first voxel, in the unpacked file
+  bool swapped = false;       // big endian
+  double slope = 1.0, intercept = 0.0;
+};
+
 // How many voxel bytes a file holds, judged before any memory is taken for them.
 struct Payload {
   double voxel_bytes = 0.0;  // at most, once unpacked; packed streams are unpacked into nothing to count them
   bool gzip_file = false;    // the whole file is a gzip stream (NIfTI)
+  std::optional<StoredFloats> floats;  // NIfTI with voxels of floating point
 };
 
 // Checks a header strictly, before a library reads it: every number of the geometry must be there, finite and not

@@ -1,5 +1,8 @@
 #include "io/images/image_source.h"
 
+#include <algorithm>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,6 +18,41 @@ namespace {
 bool holds_dicom(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path)) return true;
   return detect_image_format(path) == ImageFormat::dicom;
+}
+
+// The one segmentation or structure set of a folder or file; nothing when there is none.
+std::optional<DicomObject> annotation_of(const std::filesystem::path& path, const Progress& progress) {
+  const DicomFolder folder = scan_dicom(path, progress);
+  std::vector<DicomObject> found;
+  std::copy_if(folder.other_objects.begin(), folder.other_objects.end(), std::back_inserter(found),
+               [](const DicomObject& object) { return object.modality == "SEG" || object.modality == "RTSTRUCT"; });
+  if (found.empty()) return std::nullopt;
+  if (found.size() == 1) return found.front();
+  std::string listing;
+  for (const DicomObject& object : found)
+    listing += fmt::format("\n  {}: {} '{}'", object.file.string(), object.modality, object.description);
+  throw InputError(fmt::format("{}: this folder holds {} segmentations; give the file of one of them:{}",
+                               path.string(), found.size(), listing));
+}
+
+NamedLabels read_any_labels(const std::filesystem::path& path, const anatomy::Grid* ct, const Progress& progress) {
+  if (!holds_dicom(path)) {
+    if (progress) progress("reading the labels", 0.0);
+    return {to_labels(read_image_file(path), path.string()), {}, {}};
+  }
+  const std::optional<DicomObject> annotation = annotation_of(path, progress);
+  if (!annotation) {
+    DicomOptions options;
+    options.any_modality = true;
+    DicomVolume dicom = read_dicom(path, options, progress);
+    return {to_labels(std::move(dicom.volume), path.string()), {}, std::move(dicom.notes)};
+  }
+  if (annotation->modality == "SEG") return read_segmentation(annotation->file);
+  if (ct == nullptr) {
+    throw InputError(
+        fmt::format("{}: a structure set has contours, not voxels; give it as --labels of its CT", path.string()));
+  }
+  return read_structure_set(annotation->file, *ct);
 }
 
 }  // namespace
@@ -34,15 +72,12 @@ CtImage read_ct(const std::filesystem::path& path, const DicomOptions& options, 
   return result;
 }
 
+NamedLabels read_named_labels(const std::filesystem::path& path, const anatomy::Grid& ct, const Progress& progress) {
+  return read_any_labels(path, &ct, progress);
+}
+
 anatomy::LabelVolume read_labels(const std::filesystem::path& path, const Progress& progress) {
-  if (holds_dicom(path)) {
-    DicomOptions options;
-    options.any_modality = true;
-    DicomVolume dicom = read_dicom(path, options, progress);
-    return to_labels(std::move(dicom.volume), path.string());
-  }
-  if (progress) progress("reading the labels", 0.0);
-  return to_labels(read_image_file(path), path.string());
+  return read_any_labels(path, nullptr, progress).labels;
 }
 
 anatomy::TissueVolume read_tissues(const std::filesystem::path& path) {

@@ -6,6 +6,7 @@
 
 #include "anatomy/volume.h"
 #include "core/progress.h"
+#include "io/images/dicom_labels.h"
 #include "io/images/dicom_series.h"
 
 namespace bodkin::io {
@@ -20,7 +21,12 @@ struct CtImage {
 // Reads a CT from a DICOM folder, or a NIfTI, NRRD, MetaImage or single DICOM file. HU as int16. Throws InputError.
 CtImage read_ct(const std::filesystem::path& path, const DicomOptions& options = {}, const Progress& progress = {});
 
-// Reads labels from any of the same. Throws InputError.
+// Reads the labels of the CT on lattice `ct` from any of the same, or from a DICOM segmentation or structure set,
+// also where it is the only one in a DICOM folder. Throws InputError.
+NamedLabels read_named_labels(const std::filesystem::path& path, const anatomy::Grid& ct,
+                              const Progress& progress = {});
+
+// Reads labels without their names; a structure set has none of its own lattice and is refused. Throws InputError.
 anatomy::LabelVolume read_labels(const std::filesystem::path& path, const Progress& progress = {});
 
 // Reads tissue ids from a NIfTI, NRRD or MetaImage file. Throws InputError.

@@ -38,12 +38,14 @@ anatomy::Volume<Target> converted(ImageFile&& image, const Convert& convert) {
   return result;
 }
 
+// Labels and tissues of floating point have no other way to say "nothing" than zero and NaN, so NaN becomes 0.
 template <typename Target>
 anatomy::Volume<Target> whole_numbers(ImageFile&& image, const std::string& name, const char* what) {
   if (auto* same = std::get_if<std::vector<Target>>(&image.voxels)) return on_grid(image.grid, std::move(*same));
   constexpr double largest = std::numeric_limits<Target>::max();
   return converted<Target>(std::move(image), [&](auto value) {
     const auto number = static_cast<double>(value);
+    if (std::isnan(number)) return Target{0};
     if (!(number >= 0.0 && number <= largest) || number != std::floor(number)) {
       throw InputError(
           fmt::format("{}: a voxel holds {}; expected {}, whole numbers from 0 to {}", name, number, what, largest));
@@ -68,13 +70,14 @@ std::vector<std::string> HounsfieldLosses::notes() const {
     result.push_back(fmt::format("Values above 32767 HU (voxels: {}) were set to 32767 HU.", too_high));
   }
   if (not_numbers > 0) {
-    result.push_back(fmt::format("Values that were not a number (voxels: {}) were set to air.", not_numbers));
+    result.push_back(fmt::format(
+        "Values that were not a number (NaN, voxels: {}) are padding and were set to -1024 HU.", not_numbers));
   }
   return result;
 }
 
 std::int16_t to_hounsfield(double value, HounsfieldLosses& losses) {
-  if (std::isnan(value)) {
+  if (!std::isfinite(value)) {
     ++losses.not_numbers;
     return anatomy::lowest_hounsfield;
   }

@@ -13,12 +13,13 @@ struct HounsfieldLosses {
   double largest_rounding = 0.0;  // HU
   std::size_t padded = 0;         // voxels below -1024, the scanner's padding
   std::size_t too_high = 0;       // voxels above 32767
-  std::size_t not_numbers = 0;    // NaN voxels
+  std::size_t not_numbers = 0;    // voxels that are NaN or infinite
 
   std::vector<std::string> notes() const;  // one sentence each; empty when every value was kept
 };
 
-// A value as HU: rounded to a whole number, not below air's -1024, at most 32767; NaN becomes -1024.
+// A value as HU: rounded to a whole number, not below air's -1024, at most 32767; what is not a finite number becomes
+// -1024.
 std::int16_t to_hounsfield(double value, HounsfieldLosses& losses);
 
 // A CT from a file's voxels. Whole numbers in range are kept exactly.

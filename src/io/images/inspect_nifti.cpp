@@ -160,6 +160,23 @@ void check_voxel_type(const Header& header, const std::string& name) {
                                colour ? "colours" : "not plain numbers", datatype));
 }
 
+// Nothing for voxels that are whole numbers.
+std::optional<StoredFloats> stored_floats(const Header& header) {
+  const auto datatype = header.at<std::int16_t>(70);
+  if (datatype != 16 && datatype != 64) return std::nullopt;
+  StoredFloats floats;
+  floats.bytes = datatype == 16 ? 4 : 8;
+  floats.offset = static_cast<std::uintmax_t>(std::min(header.at<float>(108), 1e9F));
+  floats.swapped = header.swapped;
+  // A slope of zero, or one that is no number, means that the values are not scaled.
+  const auto slope = header.at<float>(112), intercept = header.at<float>(116);
+  if (std::isfinite(slope) && slope != 0.0F) {
+    floats.slope = slope;
+    floats.intercept = std::isfinite(intercept) ? intercept : 0.0;
+  }
+  return floats;
+}
+
 bool is_gzip(const std::filesystem::path& file) {
   std::array<char, 2> magic{};
   std::ifstream(file, std::ios::binary).read(magic.data(), 2);
@@ -206,6 +223,7 @@ Payload inspect_nifti(const std::filesystem::path& file) {
   }
 
   Payload payload;
+  payload.floats = stored_floats(header);
   payload.gzip_file = is_gzip(file);
   std::uintmax_t bytes = std::filesystem::file_size(file);
   if (payload.gzip_file) {

@@ -5,6 +5,7 @@
 #include <future>
 #include <utility>
 
+#include "patient/from_ct/label_names.h"
 #include "patient/from_ct/label_plausibility.h"
 #include "patient/from_ct/needle_choice.h"
 #include "patient/from_ct/patient_builder.h"
@@ -189,6 +190,15 @@ std::vector<anatomy::Structure> present_structures(std::vector<anatomy::Structur
   return table;
 }
 
+// What the labels mean without a scheme: by the names in their file, else the numbers are TotalSegmentator's.
+std::vector<anatomy::Structure> table_for(const std::vector<io::LabelName>& names,
+                                          const anatomy::TissueLibrary& library, std::vector<std::string>& notes) {
+  if (names.empty()) return io::read_label_scheme("totalsegmentator", library);
+  NamedStructures named = structures_named(names);
+  notes.insert(notes.end(), named.notes.begin(), named.notes.end());
+  return std::move(named.table);
+}
+
 // The library of the new case. A patient may be made of any of Bodkin's own tissues, so none may be missing.
 anatomy::TissueLibrary library_for(const std::filesystem::path& file) {
   anatomy::TissueLibrary own = io::default_tissue_library();
@@ -244,7 +254,7 @@ CaseSummary build_imported_case(const NewCase& wanted, const ImportOptions& opti
   const SpinePlace conus = conus_of(options);
   const anatomy::TissueLibrary library = library_for(options.tissues);
   std::vector<anatomy::Structure> table;
-  if (!options.labels.empty()) table = io::read_label_scheme(options.scheme, library);
+  if (!options.labels.empty() && !options.scheme.empty()) table = io::read_label_scheme(options.scheme, library);
   io::PartialFolder folder(wanted.folder, wanted.overwrite);
   if (!options.tissues.empty()) {
     description.tissue_library_file = "tissues.xml";
@@ -259,10 +269,12 @@ CaseSummary build_imported_case(const NewCase& wanted, const ImportOptions& opti
   if (wanted.target) require_inside({*wanted.target, *wanted.target}, image.ct.grid);
   io::LabelPlacement placed;
   if (!options.labels.empty()) {
-    anatomy::LabelVolume labels = io::read_labels(options.labels, stretch(progress, 0.3, 0.4));
-    placed = io::place_labels(std::move(labels), image.ct.grid, options.resample_labels || image.resampled,
+    io::NamedLabels read = io::read_named_labels(options.labels, image.ct.grid, stretch(progress, 0.3, 0.4));
+    append(description.notes, read.notes);
+    placed = io::place_labels(std::move(read.labels), image.ct.grid, options.resample_labels || image.resampled,
                               options.labels.string());
     append(description.notes, placed.notes);
+    if (options.scheme.empty()) table = table_for(read.names, library, description.notes);
     table = present_structures(std::move(table), placed.labels, description.notes);
     append(description.notes, check_labels(image.ct, placed.labels, table));
   }
@@ -272,6 +284,7 @@ CaseSummary build_imported_case(const NewCase& wanted, const ImportOptions& opti
   patient_options.library = library;
   patient_options.plan = is_spinal(wanted) && !has_target(wanted);
   patient_options.level = options.level;
+  patient_options.levels = wanted.rules.levels;
   patient_options.lowest_vertebra = options.lowest_vertebra;
   patient_options.conus = conus;
   BuiltPatient patient = build_patient(image.ct, placed.labels, table, patient_options, stretch(progress, 0.4, 0.85));

@@ -34,18 +34,19 @@ struct NewCase {
 
 // A case from foreign images.
 struct ImportOptions {
-  std::filesystem::path ct;                 // DICOM folder, NIfTI, NRRD or MetaImage
-  std::filesystem::path labels;             // the same, or empty
-  std::string scheme = "totalsegmentator";  // what the labels mean; see read_label_scheme
-  std::filesystem::path tissues;            // tissue library of the case, or empty for the one that comes with Bodkin
-  std::optional<int> series;                // which series of a DICOM folder, from 1
-  bool resample_labels = false;             // take the nearest label where the lattices differ
-  bool fill_missing = false;                // interpolate missing slices
-  bool assume_hounsfield = false;           // do not ask whether the values can be HU
-  std::string level;                        // the interspace to plan at, "L3_L4", or empty; see choose_path
-  std::string lowest_vertebra;              // the vertebra above the lowest interspace, "L5", or empty
-  std::string conus;                        // where the cord ends, "L1" or "L1_L2"; empty = by `age`
-  std::optional<double> age;                // years, for the level of the conus; without it an adult's
+  std::filesystem::path ct;      // DICOM folder, NIfTI, NRRD or MetaImage
+  std::filesystem::path labels;  // the same, or empty
+  std::string scheme;  // what the labels mean, see read_label_scheme; empty: by their names in the file, else
+                       // TotalSegmentator's numbers
+  std::filesystem::path tissues;   // tissue library of the case, or empty for the one that comes with Bodkin
+  std::optional<int> series;       // which series of a DICOM folder, from 1
+  bool resample_labels = false;    // take the nearest label where the lattices differ
+  bool fill_missing = false;       // interpolate missing slices
+  bool assume_hounsfield = false;  // do not ask whether the values can be HU
+  std::string level;               // the interspace to plan at, "L3_L4", or empty; see choose_path
+  std::string lowest_vertebra;     // the vertebra above the lowest interspace, "L5", or empty
+  std::string conus;               // where the cord ends, "L1" or "L1_L2"; empty = by `age`
+  std::optional<double> age;       // years, for the level of the conus; without it an adult's
 };
 
 struct TissueAmount {

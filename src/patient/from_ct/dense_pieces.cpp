@@ -12,11 +12,11 @@
 namespace bodkin::patient {
 namespace {
 
-constexpr double deep = 45.0;                 // mm below the skin: what no label names there is not body wall
+constexpr double deep_below = 45.0;           // mm below the skin: what no label names there is not body wall
 constexpr double largest_stone = 5.0;         // mL
 constexpr double off_bone = 8.0;              // mm; what is nearer may be a part of it that thick slices cut off
 constexpr double brightest_contrast = 600.0;  // HU, mean
-constexpr double evenness = 0.2;              // standard deviation over mean
+constexpr double contrast_spread = 0.2;       // standard deviation over mean
 
 bool dense(anatomy::TissueId id) {
   return id == anatomy::tissue::cortical_bone || id == anatomy::tissue::cancellous_bone;
@@ -143,12 +143,12 @@ Kind kind_of(const Piece& piece, const BoneRuns& bone, const anatomy::TissueVolu
     const bool part = piece.at_border || near_other_bone(piece, bone, tissues, pieces, off_bone);
     return part ? Kind::bone : Kind::speck;
   }
-  if (!body.has_skin || piece.depth < deep) return Kind::bone;
+  if (!body.has_skin || piece.depth < deep_below) return Kind::bone;
   if (piece.volume < largest_stone) {
     const bool part = piece.at_border || near_other_bone(piece, bone, tissues, pieces, off_bone);
     return part ? Kind::bone : Kind::stone;
   }
-  const bool even = piece.mean <= brightest_contrast && piece.spread < evenness * piece.mean;
+  const bool even = piece.mean <= brightest_contrast && piece.spread < contrast_spread * piece.mean;
   return even ? Kind::contrast : Kind::bone;
 }
 
@@ -192,7 +192,8 @@ std::vector<std::string> take_out_dense_pieces(anatomy::TissueVolume& tissues, c
     if (kind == Kind::bone) continue;
     ++count[static_cast<std::size_t>(kind)];
     volume[static_cast<std::size_t>(kind)] += piece.volume;
-    anatomy::TissueId into = piece.depth > deep || !body.has_skin ? anatomy::tissue::soft : anatomy::tissue::muscle;
+    anatomy::TissueId into =
+        piece.depth > deep_below || !body.has_skin ? anatomy::tissue::soft : anatomy::tissue::muscle;
     if (kind == Kind::contrast) into = anatomy::tissue::vessel;
     for (const std::uint32_t n : piece.runs) {
       const Run& run = bone.runs[n];

@@ -178,9 +178,10 @@ void list_series(const json& request) {
                       {"modality", one.modality},
                       {"slices", one.slices.size()},
                       {"columns", one.columns},
-                      {"rows", one.rows}});
+                      {"rows", one.rows},
+                      {"folder", one.slices.front().file.parent_path().string()}});
   }
-  say({{"result", {{"series", series}, {"other_objects", folder.other_objects}}}});
+  say({{"result", {{"series", series}, {"other_objects", folder.other_objects.size()}}}});
 }
 
 template <typename Voxel>

@@ -28,30 +28,58 @@ std::string vector_text(const Vec3& v) {
   return fmt::format("({:.17g},{:.17g},{:.17g})", v.x(), v.y(), v.z());
 }
 
-// One element of explicit VR little endian.
-std::string element(unsigned group, unsigned number, const std::string& vr, std::string value) {
-  if (value.size() % 2 == 1) value += vr == "UI" ? '\0' : ' ';
+}  // namespace
+
+std::string dicom_element(unsigned group, unsigned number, const std::string& vr, std::string value) {
+  if (value.size() % 2 == 1) value += vr == "UI" || vr == "OB" ? '\0' : ' ';
   std::string bytes(4, '\0');
   put(bytes, 0, static_cast<std::uint16_t>(group));
   put(bytes, 2, static_cast<std::uint16_t>(number));
   bytes += vr;
-  const bool long_form = vr == "OW" || vr == "OB";
-  std::string length(long_form ? 6 : 2, '\0');
+  const bool long_form = vr == "OW" || vr == "OB" || vr == "SQ" || vr == "UN";
   if (long_form) {
-    put(length, 2, static_cast<std::uint32_t>(value.size()));
+    bytes.resize(12, '\0');  // after two reserved bytes
+    put(bytes, 8, static_cast<std::uint32_t>(value.size()));
   } else {
-    put(length, 0, static_cast<std::uint16_t>(value.size()));
+    bytes.resize(8, '\0');
+    put(bytes, 6, static_cast<std::uint16_t>(value.size()));
   }
-  return bytes + length + value;
+  bytes += value;
+  return bytes;
 }
 
-std::string number_bytes(unsigned value) {
+std::string dicom_sequence(unsigned group, unsigned number, const std::vector<std::string>& items) {
+  std::string value;
+  for (const std::string& item : items) {
+    std::string head("\xFE\xFF\x00\xE0\0\0\0\0", 8);
+    put(head, 4, static_cast<std::uint32_t>(item.size()));
+    value += head + item;
+  }
+  return dicom_element(group, number, "SQ", value);
+}
+
+std::string dicom_number(unsigned value) {
   std::string bytes(2, '\0');
   put(bytes, 0, static_cast<std::uint16_t>(value));
   return bytes;
 }
 
-}  // namespace
+std::string dicom_point(const Vec3& p) {
+  return fmt::format("{:.10g}\\{:.10g}\\{:.10g}", p.x(), p.y(), p.z());
+}
+
+std::string dicom_file(const std::string& sop_class, const std::string& transfer_syntax, const std::string& instance,
+                       const std::string& elements) {
+  const std::string meta = dicom_element(2, 1, "OB", std::string("\0\1", 2)) + dicom_element(2, 2, "UI", sop_class) +
+                           dicom_element(2, 3, "UI", instance) + dicom_element(2, 0x10, "UI", transfer_syntax);
+  std::string length(4, '\0');
+  put(length, 0, static_cast<std::uint32_t>(meta.size()));
+  std::string file(128, '\0');
+  file += "DICM";
+  file += dicom_element(2, 0, "UL", length);
+  file += meta;
+  return file += elements;
+}
 
 CtVolume small_ct(bool oblique) {
   Grid grid;
@@ -124,9 +152,12 @@ std::string meta_image_bytes(const CtVolume& volume) {
          voxel_bytes(volume);
 }
 
-std::string gzip_bytes(const std::string& bytes) {
+namespace {
+
+// Through zlib; `window` is 15 + 16 for a gzip wrapper, -15 for none.
+std::string packed_bytes(const std::string& bytes, int window) {
   z_stream stream{};
-  deflateInit2(&stream, 6, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);  // 16 asks for a gzip wrapper
+  deflateInit2(&stream, 6, Z_DEFLATED, window, 8, Z_DEFAULT_STRATEGY);
   std::string packed(deflateBound(&stream, bytes.size()), '\0');
   std::string input = bytes;
   stream.next_in = reinterpret_cast<Bytef*>(input.data());
@@ -139,42 +170,44 @@ std::string gzip_bytes(const std::string& bytes) {
   return packed;
 }
 
+}  // namespace
+
+std::string gzip_bytes(const std::string& bytes) {
+  return packed_bytes(bytes, 15 + 16);
+}
+
 std::string dicom_bytes(const DicomSliceFile& slice) {
   const std::string instance =
       slice.instance_uid.empty()
           ? fmt::format("1.2.3.{}.{}", slice.series_number, static_cast<long>(slice.position.sum() * 1000.0 + 1e7))
           : slice.instance_uid;
   const std::string ct_storage = "1.2.840.10008.5.1.4.1.1.2";
-  const std::string meta = element(2, 1, "OB", std::string("\0\1", 2)) + element(2, 2, "UI", ct_storage) +
-                           element(2, 3, "UI", instance) + element(2, 0x10, "UI", "1.2.840.10008.1.2.1");
-  std::string length(4, '\0');
-  put(length, 0, static_cast<std::uint32_t>(meta.size()));
-
   std::string pixels(static_cast<std::size_t>(slice.columns) * static_cast<std::size_t>(slice.rows) * 2, '\0');
   for (std::size_t i = 0; i < pixels.size() / 2; ++i) {
     put(pixels, 2 * i, slice.pixels.empty() ? std::uint16_t{1024} : slice.pixels[i]);
   }
   const Vec3 &p = slice.position, &r = slice.row, &c = slice.column;
-  std::string preamble(128, '\0');
-  preamble += "DICM";
-  return preamble + element(2, 0, "UL", length) + meta + element(8, 0x16, "UI", ct_storage) +
-         element(8, 0x18, "UI", instance) + element(8, 0x60, "CS", slice.modality) +
-         element(8, 0x103e, "LO", "made for a test") +
-         element(0x18, 0x50, "DS", fmt::format("{:.10g}", slice.spacing)) + element(0x20, 0x0d, "UI", "1.2") +
-         element(0x20, 0x0e, "UI", slice.series_uid) +
-         element(0x20, 0x11, "IS", fmt::format("{}", slice.series_number)) +
-         element(0x20, 0x32, "DS", fmt::format("{:.10g}\\{:.10g}\\{:.10g}", p.x(), p.y(), p.z())) +
-         element(0x20, 0x37, "DS",
-                 fmt::format("{:.10g}\\{:.10g}\\{:.10g}\\{:.10g}\\{:.10g}\\{:.10g}", r.x(), r.y(), r.z(), c.x(),
-                             c.y(), c.z())) +
-         element(0x28, 2, "US", number_bytes(1)) + element(0x28, 4, "CS", "MONOCHROME2") +
-         element(0x28, 0x10, "US", number_bytes(static_cast<unsigned>(slice.rows))) +
-         element(0x28, 0x11, "US", number_bytes(static_cast<unsigned>(slice.columns))) +
-         element(0x28, 0x30, "DS", fmt::format("{0:.10g}\\{0:.10g}", slice.spacing)) +
-         element(0x28, 0x100, "US", number_bytes(16)) + element(0x28, 0x101, "US", number_bytes(16)) +
-         element(0x28, 0x102, "US", number_bytes(15)) + element(0x28, 0x103, "US", number_bytes(0)) +
-         element(0x28, 0x1052, "DS", fmt::format("{:.10g}", slice.intercept)) +
-         element(0x28, 0x1053, "DS", fmt::format("{:.10g}", slice.slope)) + element(0x7fe0, 0x10, "OW", pixels);
+  const auto element = &dicom_element;
+  const auto number_bytes = &dicom_number;
+  const std::string elements =
+      element(8, 0x16, "UI", ct_storage) + element(8, 0x18, "UI", instance) + element(8, 0x60, "CS", slice.modality) +
+      element(8, 0x103e, "LO", "made for a test") + element(0x18, 0x50, "DS", fmt::format("{:.10g}", slice.spacing)) +
+      element(0x20, 0x0d, "UI", "1.2") + element(0x20, 0x0e, "UI", slice.series_uid) +
+      element(0x20, 0x11, "IS", fmt::format("{}", slice.series_number)) +
+      element(0x20, 0x32, "DS", fmt::format("{:.10g}\\{:.10g}\\{:.10g}", p.x(), p.y(), p.z())) +
+      element(0x20, 0x37, "DS",
+              fmt::format("{:.10g}\\{:.10g}\\{:.10g}\\{:.10g}\\{:.10g}\\{:.10g}", r.x(), r.y(), r.z(), c.x(), c.y(),
+                          c.z())) +
+      element(0x28, 2, "US", number_bytes(1)) + element(0x28, 4, "CS", "MONOCHROME2") +
+      element(0x28, 0x10, "US", number_bytes(static_cast<unsigned>(slice.rows))) +
+      element(0x28, 0x11, "US", number_bytes(static_cast<unsigned>(slice.columns))) +
+      element(0x28, 0x30, "DS", fmt::format("{0:.10g}\\{0:.10g}", slice.spacing)) +
+      element(0x28, 0x100, "US", number_bytes(16)) + element(0x28, 0x101, "US", number_bytes(16)) +
+      element(0x28, 0x102, "US", number_bytes(15)) + element(0x28, 0x103, "US", number_bytes(0)) +
+      element(0x28, 0x1052, "DS", fmt::format("{:.10g}", slice.intercept)) +
+      element(0x28, 0x1053, "DS", fmt::format("{:.10g}", slice.slope)) + element(0x7fe0, 0x10, "OW", pixels);
+  if (!slice.deflated) return dicom_file(ct_storage, "1.2.840.10008.1.2.1", instance, elements);
+  return dicom_file(ct_storage, "1.2.840.10008.1.2.1.99", instance, packed_bytes(elements, -15));
 }
 
 void write_file(const std::filesystem::path& file, const std::string& bytes) {

@@ -79,8 +79,18 @@ struct DicomSliceFile {
   int series_number = 1;
   double slope = 1.0, intercept = -1024.0;
   std::vector<std::uint16_t> pixels;  // columns * rows; empty: all stored 1024
+  bool deflated = false;              // the whole data set packed
 };
 std::string dicom_bytes(const DicomSliceFile& slice);
+
+// DICOM of any kind, explicit VR little endian: an element, a sequence of items (each the elements in it), a number
+// of 16 bits and a point as values, and a file of elements in ascending order.
+std::string dicom_element(unsigned group, unsigned number, const std::string& vr, std::string value);
+std::string dicom_sequence(unsigned group, unsigned number, const std::vector<std::string>& items);
+std::string dicom_number(unsigned value);
+std::string dicom_point(const Vec3& p);
+std::string dicom_file(const std::string& sop_class, const std::string& transfer_syntax, const std::string& instance,
+                       const std::string& elements);
 
 void write_file(const std::filesystem::path& file, const std::string& bytes);
 std::string read_file(const std::filesystem::path& file);

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+
+#include <sys/types.h>
+
+namespace bodkin::io {
+
+// An empty folder of this process in the system's temporary folder, removed at the end of its life. Its name holds
+// the number of the process, so that what a killed process left can be told: making one removes what processes that
+// no longer run have left behind.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();  // throws SystemError
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+// Removes the temporary folders of a process that has ended.
+void remove_temporary_folders(pid_t owner) noexcept;
+
+}  // namespace bodkin::io
