@@ -1,9 +1,17 @@
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "patient/meshing/mesh_record.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "core/error.h"
+#include "fem/solid/mesh_soundness.h"
 #include "io/case_folder.h"
 
 namespace bodkin::cli {
@@ -13,7 +21,8 @@ namespace {
 constexpr const char* examples =
     R"(Checks that case.xml fits its schema, that every file is there, undamaged and the one the
 case was made with, that the volumes lie on each other, that every label and tissue is known,
-and that the planned path leads from the skin to its aim. Says everything that is wrong.
+that the planned path leads from the skin to its aim, and that the mesh, if there is one, is
+sound. Says everything that is wrong.
 
 Examples:
   bodkin case check patient
@@ -34,9 +43,39 @@ std::string summary(const anatomy::CaseDescription& description) {
   return text;
 }
 
+// Of the mesh for the deformable body, where the case has one; nothing when its description cannot be read either.
+std::vector<std::string> mesh_problems(const std::string& folder) {
+  anatomy::TissueLibrary library;
+  try {
+    library = io::read_case_library(folder, io::read_case_description(folder));
+  } catch (const InputError&) {
+    return {};
+  }
+  try {
+    const std::optional<patient::CaseMesh> found = patient::read_case_mesh(folder, library);
+    if (!found) return {};
+    try {
+      fem::check_mesh(found->mesh);
+    } catch (const InputError& error) {
+      return {fmt::format("{}: {}", patient::mesh_file_name, error.what())};
+    }
+  } catch (const InputError& error) {
+    return {error.what()};
+  }
+  if (patient::case_mesh_is_ours(folder)) return {};
+  std::error_code problem;
+  const std::filesystem::path record = std::filesystem::path(folder) / patient::mesh_record_name;
+  if (!std::filesystem::exists(record, problem)) return {};  // a mesh of the user's own
+  return {
+      fmt::format("{} is not the mesh that {} was written with: it was changed or damaged since; make it again "
+                  "with: bodkin case mesh {} --force, or remove {} if the mesh is your own",
+                  patient::mesh_file_name, patient::mesh_record_name, folder, patient::mesh_record_name)};
+}
+
 void check(const std::string& folder, CommandContext& context) {
   Console console(context);
-  const std::vector<std::string> problems = io::check_case(folder, console.progress());
+  std::vector<std::string> problems = io::check_case(folder, console.progress());
+  for (std::string& problem : mesh_problems(folder)) problems.push_back(std::move(problem));
   console.clear_bar();
   console.json(nlohmann::json{{"case", folder}, {"sound", problems.empty()}, {"problems", problems}}.dump(
       2, ' ', false, nlohmann::json::error_handler_t::replace));

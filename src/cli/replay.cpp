@@ -47,6 +47,10 @@ int run_replay(const ReplayArguments& arguments, const CommandContext& context) 
                                  {"ticks", result.ticks},
                                  {"resistance", anatomy::name_of(session.header.haptics.resistance)},
                                  {"constraint", anatomy::name_of(session.header.haptics.constraint)}};
+  if (!result.body_difference.empty()) {
+    console.note(result.body_difference);
+    json["body_difference"] = result.body_difference;
+  }
   if (result.difference) {
     const session::ReplayDifference& difference = *result.difference;
     console.line(fmt::format("different: tick {} at {:.3f} s, {}\n  recorded   {}\n  recomputed {}", difference.tick,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -35,6 +36,21 @@ MeshBox box_of(const anatomy::TetrahedralMesh& mesh) {
     box.high = box.high.cwiseMax(node);
   }
   return box;
+}
+
+// A place inside an element, that next to `place`.
+Vec3 in_mesh_near(const anatomy::TetrahedralMesh& mesh, const Vec3& place) {
+  Vec3 nearest = mesh.nodes.front();
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& element : mesh.elements) {
+    Vec3 middle = Vec3::Zero();
+    for (const std::uint32_t node : element) middle += 0.25 * mesh.nodes[node];
+    const double away = (middle - place).squaredNorm();
+    if (away >= least) continue;
+    least = away;
+    nearest = middle;
+  }
+  return nearest;
 }
 
 SlicePlane plane_through(const std::optional<anatomy::NeedlePath>& path, const Vec3& middle, double width,
@@ -149,13 +165,21 @@ Canvas mesh_picture(const anatomy::TetrahedralMesh& mesh, const anatomy::MeshQua
                     const std::string& title) {
   const MeshBox box = box_of(mesh);
   const Vec3 size = around_mesh * (box.high - box.low), middle = 0.5 * (box.low + box.high);
-  std::vector<SlicePanel> panels = {
-      panel(mesh, plane_through(path, middle, size.y(), size.z()), path,
-            path ? "the mesh, cut along the planned path" : "the mesh, sagittal through its middle")};
+  std::vector<SlicePanel> panels;
+  const auto add = [&](const SlicePlane& plane, const std::optional<anatomy::NeedlePath>& shown, const char* words) {
+    panels.push_back(panel(mesh, plane, shown, words));
+    if (panels.back().elements.empty()) panels.pop_back();
+  };
   if (path) {
+    add(plane_through(path, middle, size.y(), size.z()), path, "the mesh, cut along the planned path");
     const double side = std::max(smallest_view, beyond_path * path->length());
     const Vec3 centre = 0.5 * (path->entry + path->target);
-    panels.push_back(panel(mesh, plane_through(path, centre, side, side), path, "closer"));
+    add(plane_through(path, centre, side, side), path, "closer");
+  }
+  // Of a mesh beside the path, too.
+  if (panels.empty()) {
+    add(plane_through({}, in_mesh_near(mesh, middle), size.y(), size.z()), {},
+        path ? "the mesh, sagittal; the planned path does not meet it" : "the mesh, sagittal through its middle");
   }
   Canvas slices = slice_picture(panels, library, title, mesh_panel_height);
   const double chart_x = slices.width() - 14.0;

@@ -4,6 +4,7 @@
 #include "session/session_schema.h"
 #include <fmt/format.h>
 
+#include "fem/solid/body_digests.h"
 #include "io/digest.h"
 #include "io/resources.h"
 
@@ -63,6 +64,11 @@ std::string second_case_digest(const anatomy::Case& patient, const std::string& 
   std::string all = case_xml + '\n' + io::volume_digest(patient.tissues) + '\n' + mesh + '\n';
   for (const anatomy::TissueProperties& tissue : patient.library.tissues()) add_parameters(tissue, all, "physical");
   return std::string(second_kind) + text_checksum(all);
+}
+
+std::string digest_of_body(const anatomy::Case& patient) {
+  if (patient.corridor.body == nullptr) return "";
+  return fmt::format("{:016x}", fem::digest_of(*patient.corridor.body));
 }
 
 std::string first_case_digest(const anatomy::Case& patient, const std::string& case_xml) {

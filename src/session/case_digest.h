@@ -15,6 +15,9 @@ std::string case_digest(const anatomy::Case& patient, const std::string& case_xm
 // there is no mesh, nothing. Throws SystemError when the mesh cannot be read.
 std::string mesh_digest(const std::filesystem::path& case_folder, const anatomy::ResistanceSettings& resistance);
 
+// A fingerprint of the deformable body that the case was given, 16 hexadecimal digits; nothing without one.
+std::string digest_of_body(const anatomy::Case& patient);
+
 // The digest of Bodkin 0.1: 16 hexadecimal digits, without the mesh and the parameters `deformable` and `acoustic`.
 std::string first_case_digest(const anatomy::Case& patient, const std::string& case_xml);
 

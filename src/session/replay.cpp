@@ -133,6 +133,17 @@ class CorridorsTaken {
   std::vector<std::uint64_t> there_;
 };
 
+// The equations of the body are those of the session, since check_same_case() has compared the case.
+std::string body_difference(const Session& session, const anatomy::Case& patient) {
+  const std::string now = digest_of_body(patient);
+  const std::string& recorded = session.header.body_digest;
+  if (recorded.empty() || now == recorded) return {};
+  return fmt::format(
+      "the deformable body of the same case has another compliance than in the session (digest {}, "
+      "recorded {}): it was prepared by another version of Bodkin or METIS",
+      now.empty() ? "none" : now, recorded);
+}
+
 }  // namespace
 
 void check_recomputable(const Session& session) {
@@ -161,6 +172,7 @@ ReplayResult replay_session(const Session& session, anatomy::Case patient, const
                     session.header.dt, haptics.dt()));
   }
   ReplayResult result;
+  result.body_difference = body_difference(session, patient);
   std::vector<std::uint8_t> was, is, all_events;
   std::uint64_t chain = 0;
   CorridorsTaken corridors(session, patient, body, progress);

@@ -24,6 +24,9 @@ struct ReplayResult {
   std::uint64_t ticks = 0;                     // recomputed
   std::string digest;                          // of everything recomputed: XXH3, 16 hexadecimal digits
   std::optional<ReplayDifference> difference;  // nothing: identical to the last bit
+  // One sentence when the deformable body came out otherwise than in the session, though its case is the same; empty:
+  // the same, or the session does not say.
+  std::string body_difference;
 };
 
 // Throws InputError for a session whose needle was in a body that a probe pressed on a thread of its own: what that

@@ -52,6 +52,7 @@ std::vector<std::pair<std::string, std::string>> header_rows(const SessionHeader
     rows.emplace_back("second_role", name_of(header.second->role));
   }
   if (!header.moving_body.empty()) rows.emplace_back("moving_body", header.moving_body);
+  if (!header.body_digest.empty()) rows.emplace_back("body_digest", header.body_digest);
   if (!header.diagnostics.empty()) rows.emplace_back("diagnostics", lines_of(header.diagnostics));
   // In the order of the keys, in which the checksum takes them.
   std::sort(rows.begin(), rows.end());

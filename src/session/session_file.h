@@ -44,6 +44,7 @@ struct SessionHeader {
   std::optional<anatomy::DeviceLimits> device;  // that was held, in place of the case's
   std::optional<SecondHeader> second;           // a second hand, where there was one
   std::string moving_body;          // JSON: of a body that moved on its own time (--body moving); "": it was static
+  std::string body_digest;          // of the deformable body as it was prepared; "": there was none
   std::vector<TissueName> tissues;  // of the case's library, in the order of their ids
   std::vector<RecordedDiagnostic> diagnostics;  // in the order of TickOutput::diagnostics, at most most_diagnostics
 };

@@ -230,6 +230,7 @@ void Reader::read_header(SQLite::Database& database, Session& session) {
     header.second = SecondHeader{*role, text("second_device")};
   }
   if (header_.contains("moving_body")) header.moving_body = text("moving_body");
+  if (header_.contains("body_digest")) header.body_digest = text("body_digest");
   if (version_ >= 3 && header_.contains("diagnostics")) header.diagnostics = diagnostics_of_header();
   session.version = version_;
   session.finished = header_.contains("finished_after_ticks");

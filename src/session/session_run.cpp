@@ -131,6 +131,7 @@ SessionHeader session_header(const anatomy::Case& patient, const std::filesystem
   header.started_at = utc_now();
   header.path = path;
   header.haptics = patient.description.haptics;
+  header.body_digest = digest_of_body(patient);
   for (const forces::DiagnosticName& one : simulation::diagnostic_names(header.haptics))
     header.diagnostics.push_back({std::string(one.name), std::string(one.title)});
   for (int id = 0; id < 255; ++id) {

@@ -103,6 +103,43 @@ TEST_F(CaseMesh, imports_a_mesh_with_regions_and_keeps_it) {
   EXPECT_EQ(text_of("imported/mesh.vtu"), kept);
 }
 
+// The planned path does not meet it, so that the picture shows another cut.
+TEST_F(CaseMesh, imports_a_mesh_beside_the_path) {
+  ASSERT_EQ(bodkin("-q case synthesize lumbar beside --spacing 3").exit_code, 0);
+  const json shown = json::parse(bodkin("--json case show beside -o shown.svg").output);
+  ::bodkin::anatomy::TetrahedralMesh mesh = ::bodkin::block_mesh(2, 10.0);
+  const auto target = shown.at("procedure").at("path").at("target_mm").get<std::array<double, 3>>();
+  for (auto& node : mesh.nodes) node += ::bodkin::Vec3(target[0] + 30.0, target[1] - 10.0, target[2] - 10.0);
+  write("aside.msh", ::bodkin::gmsh_4_text(mesh));
+  write("aside.csv", "label,name,tissue,critical\n2,a,fat,no\n3,b,muscle,no\n");
+  const Outcome made = bodkin("-q case mesh beside --import aside.msh --regions aside.csv -o aside.svg");
+  ASSERT_EQ(made.exit_code, 0) << made.errors;
+  EXPECT_THAT(text_of("aside.svg"), HasSubstr("the planned path does not meet it"));
+  EXPECT_EQ(bodkin("-q case mesh beside --import aside.msh --regions aside.csv -o aside.png").exit_code, 0);
+}
+
+TEST_F(CaseMesh, case_check_finds_a_damaged_mesh) {
+  ASSERT_EQ(bodkin("-q case synthesize lumbar damaged --spacing 3").exit_code, 0);
+  const json shown = json::parse(bodkin("--json case show damaged -o shown.svg").output);
+  write("sound.msh", block_in_patient(shown, 1.0));
+  write("sound.csv", "label,name,tissue,critical\n2,a,fat,no\n3,b,ligamentum_flavum,no\n");
+  ASSERT_EQ(bodkin("-q case mesh damaged --import sound.msh --regions sound.csv").exit_code, 0);
+  EXPECT_EQ(bodkin("-q case check damaged").exit_code, 0);
+  const std::string kept = text_of("damaged/mesh.vtu");
+  const auto expect_said = [](const std::string& sentence) {
+    const Outcome said = bodkin("-q case check damaged");
+    EXPECT_EQ(said.exit_code, 2);
+    EXPECT_THAT(said.output, HasSubstr(sentence));
+    EXPECT_THAT(said.output, HasSubstr("is not sound: 1 problem"));
+  };
+  write("damaged/mesh.vtu", kept.substr(0, kept.size() / 2));
+  expect_said("mesh.vtu");
+  write("damaged/mesh.vtu", kept + "\n");
+  expect_said("mesh.vtu is not the mesh that mesh.json was written with");
+  fs::remove(folder_ / "damaged/mesh.json");
+  EXPECT_EQ(bodkin("-q case check damaged").exit_code, 0);  // a mesh of the user's own
+}
+
 TEST_F(CaseMesh, refuses_what_it_cannot_use_and_writes_nothing) {
   const json shown = json::parse(bodkin("--json case show patient -o shown.svg").output);
   write("good.msh", block_in_patient(shown, 1.0));

@@ -46,6 +46,7 @@ TEST(SessionFile, comes_back_bit_for_bit) {
   EXPECT_EQ(session.header.operator_name, wanted.operator_name);
   EXPECT_EQ(session.header.operator_settings, wanted.operator_settings);
   EXPECT_EQ(session.header.seed, wanted.seed);
+  EXPECT_EQ(session.header.body_digest, wanted.body_digest);
   EXPECT_EQ(session.header.dt, wanted.dt);
   EXPECT_EQ(session.header.started_at, wanted.started_at);
   EXPECT_EQ(session.header.path.entry, wanted.path.entry);

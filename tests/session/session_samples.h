@@ -77,6 +77,7 @@ inline SessionHeader sample_header() {
   header.bodkin_version = "9.9";
   header.case_folder = "/somewhere/a patient";
   header.case_digest = "0123456789abcdef";
+  header.body_digest = "fedcba9876543210";
   header.case_xml = "<case name=\"ö\">\n  'quoted'\n</case>";
   header.operator_name = "expert";
   header.operator_settings = "{\"a\":1}";

@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<char, 8> file_magic = {'B', 'O', 'D', 'K', 'I', 'N', 'C', 'B'};
-constexpr std::uint32_t file_version = 2;  // of the file and of the computation behind it
+constexpr std::uint32_t file_version = 3;  // of the file and of the computation behind it
 constexpr std::uint32_t byte_order = 0x01020304;
 constexpr std::uint64_t most_nodes = 1U << 20U;
 

@@ -3,20 +3,23 @@
 #include <cstddef>
 
 #include "core/thread_pool.h"
+#include "fem/solid/dense_tiles.h"
 
 namespace bodkin::fem {
 
 // The dense work of the factorisation that is worth sharing out. It is cut into tiles whose size does not depend on
-// the number of threads, and every tile is one call of OpenBLAS on one thread: the bits are the same for any pool.
-// Matrices are column-major, lower triangles.
+// the number of threads, and every tile is computed on one thread: the bits are the same for any pool, and for any of
+// dense_tiles(). Matrices are column-major, lower triangles.
 
 // The first `width` columns of a symmetric matrix of `height` rows, `panel`, become L; what it takes from the rest of
 // the matrix is taken from `update`, (height - width) x (height - width). Returns width, or the first column that
 // has no positive pivot.
-std::size_t factorise_front(ThreadPool& pool, std::size_t width, std::size_t height, double* panel, double* update);
+std::size_t factorise_front(ThreadPool& pool, std::size_t width, std::size_t height, double* panel, double* update,
+                            const DenseTiles& kernel = dense_tiles().front());
 
 // inverse := (L L^T)^-1, both triangles, symmetric to the last bit; size x size, as `lower`, whose upper triangle is
 // not read. They must not be the same.
-void invert_from_lower(ThreadPool& pool, std::size_t size, const double* lower, double* inverse);
+void invert_from_lower(ThreadPool& pool, std::size_t size, const double* lower, double* inverse,
+                       const DenseTiles& kernel = dense_tiles().front());
 
 }  // namespace bodkin::fem

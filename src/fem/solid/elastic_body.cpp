@@ -71,7 +71,7 @@ MultifrontalCholesky factorise(const BodyDescription& body, const BodyPlan& plan
 
 std::vector<std::string> check_body(const BodyDescription& body) {
   std::vector<std::string> warnings = check_mesh(body.mesh);
-  check_materials(body.mesh, body.materials);
+  for (std::string& warning : check_materials(body.mesh, body.materials)) warnings.push_back(std::move(warning));
   check_supports(body.mesh, body.fixed);
   check_corridor(body);
   return warnings;

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "anatomy/tetrahedral_mesh.h"
 #include "anatomy/tissue.h"
@@ -36,8 +38,8 @@ class ElasticMaterials {
   std::array<std::optional<ElasticMaterial>, 256> by_tissue_;  // by TissueId
 };
 
-// Throws InputError naming the first element whose tissue has no material, and where it is. The mesh's indices must
-// be in range.
-void check_materials(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials);
+// Throws InputError naming the first element whose tissue has no material, and where it is. Returns a warning, one
+// sentence, where one tissue is more than a million times as stiff as another. The mesh's indices must be in range.
+std::vector<std::string> check_materials(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials);
 
 }  // namespace bodkin::fem

@@ -1,9 +1,12 @@
 #include "fem/solid/mesh_soundness.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -19,7 +22,7 @@ namespace {
 
 constexpr double flattest = 1e-6;     // volume of an element over the cube of its mean edge
 constexpr double poor_angle = 5.0;    // degrees
-constexpr double on_one_line = 1e-6;  // distance from a line, over its length
+constexpr double on_one_line = 1e-3;  // distance from a line, over its length; less holds a millionth as well
 
 constexpr std::array<std::array<std::size_t, 2>, 6> edges = {{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
@@ -86,6 +89,26 @@ void refuse_flat(const anatomy::TetrahedralMesh& mesh, std::size_t element, doub
                   element, place_of_element(mesh, element), volume, edge, flattest));
 }
 
+void refuse_repeated(const anatomy::TetrahedralMesh& mesh) {
+  using Key = std::array<std::uint32_t, 4>;
+  std::vector<std::pair<Key, std::uint32_t>> keys;
+  keys.reserve(mesh.elements.size());
+  for (std::uint32_t element = 0; element < mesh.elements.size(); ++element) {
+    Key key;
+    std::copy_n(mesh.elements[element].begin(), 4, key.begin());
+    std::sort(key.begin(), key.end());
+    keys.emplace_back(key, element);
+  }
+  std::sort(keys.begin(), keys.end());
+  const auto same = [](const auto& one, const auto& other) { return one.first == other.first; };
+  const auto twice = std::adjacent_find(keys.begin(), keys.end(), same);
+  if (twice == keys.end()) return;
+  throw InputError(
+      fmt::format("elements {} and {} at {} have the same four corners, so that the body would be twice as stiff "
+                  "there; remove one of them",
+                  twice->second, std::next(twice)->second, place_of_element(mesh, twice->second)));
+}
+
 // The pieces of a mesh that hang together through elements: a union-find over nodes.
 class Pieces {
  public:
@@ -143,6 +166,7 @@ std::vector<std::string> check_mesh(const anatomy::TetrahedralMesh& mesh) {
     smallest_angle = angle;
     poorest = element;
   }
+  refuse_repeated(mesh);
   if (poor_elements == 0) return {};
   return {fmt::format(
       "{} of {} elements have a dihedral angle below {} degrees, the smallest is {:.2f} in element {} at {}; the "
@@ -168,8 +192,9 @@ void check_supports(const anatomy::TetrahedralMesh& mesh, std::span<const std::u
     if (pieces.of(node) != node || supports[node].nodes.size() == 3) continue;
     std::size_t size = 0;
     for (std::uint32_t other = node; other < mesh.nodes.size(); ++other) size += pieces.of(other) == node ? 1 : 0;
-    const std::string what = supports[node].nodes.empty() ? "none of its nodes is fixed"
-                                                          : "its fixed nodes lie on one line, so that it can turn";
+    const std::string what = supports[node].nodes.empty()
+                                 ? "none of its nodes is fixed"
+                                 : "its fixed nodes lie on one line or nearly so, so that it can turn";
     throw InputError(
         fmt::format("a piece of the body with {} nodes, node {} at {} among them, is not held: {}; fix three "
                     "nodes of it that are not on one line, or mesh the body without it",

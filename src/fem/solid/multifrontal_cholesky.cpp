@@ -96,7 +96,7 @@ void MultifrontalCholesky::factorise(const BlockMatrix& matrix, ThreadPool& pool
       const Mat3& block = matrix.block[matrix.start[symbolic_.order[supernode.first + k]]];
       for (Eigen::Index i = 0; i < 3; ++i) diagonal.push_back(block(i, i));
     }
-    const std::size_t sound = factorise_front(pool, width, height, front.panel, front.update);
+    const std::size_t sound = factorise_front(pool, width, height, front.panel, front.update, tiles());
     for (std::size_t i = 0; i < width; ++i) {
       const double pivot = front.panel[i * height + i];
       if (i < sound && pivot * pivot > no_pivot * diagonal[i]) continue;
@@ -123,7 +123,8 @@ Eigen::MatrixXd MultifrontalCholesky::last_compliance() const {
   ThreadPool pool(options_.threads);
   Eigen::MatrixXd compliance(size, size);
   prefer_large_pages(compliance.data(), sizeof(double) * static_cast<std::size_t>(compliance.size()));
-  invert_from_lower(pool, static_cast<std::size_t>(size), panel(symbolic_.supernodes.size() - 1), compliance.data());
+  invert_from_lower(pool, static_cast<std::size_t>(size), panel(symbolic_.supernodes.size() - 1), compliance.data(),
+                    tiles());
   return compliance;
 }
 

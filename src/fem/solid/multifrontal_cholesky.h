@@ -10,6 +10,7 @@
 #include "core/progress.h"
 #include "core/thread_pool.h"
 #include "fem/solid/block_matrix.h"
+#include "fem/solid/dense_tiles.h"
 #include "fem/solid/symbolic_factor.h"
 #include "fem/zero_pages.h"
 
@@ -29,13 +30,15 @@ struct FactorOptions {
   std::size_t memory_limit = 0;
   // Keep the whole factor, for solve() and respond(), or only that of the last nodes, in a fraction of the memory.
   bool keep_field = true;
+  // The innermost loops; nullptr: the fastest that the processor has. The bits do not depend on them.
+  const DenseTiles* tiles = nullptr;
 };
 
 // K = L L^T of a sparse symmetric positive definite matrix of 3 x 3 blocks, multifrontal (Duff & Reid 1983; Liu, The
 // multifrontal method for sparse matrix solution, 1992): every supernode is a dense matrix that is assembled from the
 // matrix and from what its children leave over, factorised, and leaves an update for its parent. With the corridor
-// last, its block of L is the Cholesky factor of the corridor's condensed stiffness. The same numbers for the same
-// input and any number of threads, as far as OpenBLAS gives the same on the machine.
+// last, its block of L is the Cholesky factor of the corridor's condensed stiffness. The same bits of factor and
+// compliance for the same input, with any number of threads and on any processor; not of solve() and respond().
 class MultifrontalCholesky {
  public:
   // `symbolic` must come from graph_of(matrix). Throws InputError when the memory needed is above the limit, and
@@ -60,6 +63,9 @@ class MultifrontalCholesky {
  private:
   double* panel(std::size_t supernode) const noexcept;
   bool is_last(std::size_t supernode) const noexcept;
+  const DenseTiles& tiles() const noexcept {
+    return options_.tiles != nullptr ? *options_.tiles : dense_tiles().front();
+  }
   void factorise(const BlockMatrix& matrix, ThreadPool& pool, const Progress& progress);
   void substitute_forward(std::size_t supernode, Eigen::MatrixXd& x, Eigen::MatrixXd& work) const;
   Eigen::MatrixXd substitute_back(Eigen::MatrixXd& x) const;

@@ -38,8 +38,8 @@ struct PointResponse {
 // displacement of point i by a force on point j is (L^-1 B_i)^T (L^-1 B_j), exact for the whole body.
 //
 // Every number is computed by one chain of additions and multiplications in a fixed order, without fused
-// multiply-add: the same bits for a point alone or with others, and with every instruction set. (The factor itself
-// comes from OpenBLAS, whose bits depend on the processor.) Any number of threads may ask at once.
+// multiply-add: the same bits for a point alone or with others, and with every instruction set. Any number of threads
+// may ask at once.
 class PackedFactor {
  public:
   // Copies the factor, which must have been kept whole; it may be destroyed afterwards.
@@ -47,6 +47,8 @@ class PackedFactor {
 
   std::uint32_t nodes() const noexcept { return static_cast<std::uint32_t>(position_.size()); }
   std::size_t bytes() const noexcept;
+  // The factor's numbers in the order in which they are kept.
+  std::span<const double> numbers() const noexcept { return {numbers_.data(), numbers_size_}; }
 
   enum class Kernel {
     widest,  // the widest registers that the processor has

@@ -81,6 +81,7 @@ class PointFinder::Grid {
   }
 
   PointInMesh closest_place(const Vec3& point, double reach) const;
+  double cell() const noexcept { return cell_; }  // mm
 
  private:
   template <typename Visit>
@@ -159,7 +160,11 @@ PointInMesh PointFinder::find(const Vec3& point, double reach) const {
     met = true;
     found = {mesh_.elements[element], weights, element};
   });
-  return met ? found : grid_->closest_place(point, reach);
+  if (met) return found;
+  // Most points outside lie close to the surface, where few elements have to be looked at.
+  for (double within = grid_->cell(); within < reach && !found.moves(); within *= 2.0)
+    found = grid_->closest_place(point, within);
+  return found.moves() ? found : grid_->closest_place(point, reach);
 }
 
 std::vector<PointInMesh> find_points(const anatomy::TetrahedralMesh& mesh, std::span<const Vec3> points,

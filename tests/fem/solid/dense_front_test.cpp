@@ -73,6 +73,34 @@ TEST(DenseFront, inverts_from_the_lower_triangle_alone) {
   }
 }
 
+// Widths and heights beside the sizes of all tiles.
+TEST(DenseFront, has_the_same_bits_with_every_instruction_set) {
+  if (dense_tiles().size() < 2) GTEST_SKIP() << "this processor has only the plain instructions";
+  struct Size {
+    Eigen::Index width, height;
+  };
+  for (const auto& [width, height] :
+       {Size{1, 1}, Size{3, 4}, Size{12, 31}, Size{47, 120}, Size{49, 97}, Size{200, 330}}) {
+    const Eigen::MatrixXd whole = random_positive(height, 4);
+    const auto w = static_cast<std::size_t>(width), h = static_cast<std::size_t>(height);
+    ThreadPool pool(2);
+    Eigen::MatrixXd first_panel, first_update, first_inverse;
+    for (const DenseTiles& tiles : dense_tiles()) {
+      Eigen::MatrixXd panel = whole.leftCols(width), update = whole.bottomRightCorner(height - width, height - width);
+      ASSERT_EQ(factorise_front(pool, w, h, panel.data(), update.data(), tiles), w);
+      Eigen::MatrixXd lower = whole.llt().matrixL(), inverse(height, height);
+      invert_from_lower(pool, h, lower.data(), inverse.data(), tiles);
+      if (first_panel.size() == 0) {
+        first_panel = panel;
+        first_update = update;
+        first_inverse = inverse;
+      }
+      EXPECT_TRUE(panel == first_panel && update == first_update && inverse == first_inverse)
+          << tiles.name << ", " << width << " columns of " << height;
+    }
+  }
+}
+
 // The corridor's front and those next to it are cut into several tiles.
 TEST(DenseFront, a_body_has_the_same_bits_for_any_number_of_threads) {
   const BodyDescription body = lattice_body(sanitized ? 9 : 14, 80.0, 0.1, sanitized ? 150 : 300);

@@ -1,5 +1,7 @@
 #include "fem/solid/mesh_soundness.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 
 #include "tests/fem/lattice_body.h"
@@ -76,6 +78,26 @@ TEST(MeshSoundness, refuses_elements_that_are_inverted_or_flat) {
   EXPECT_THAT(mesh_refusal(mesh), HasSubstr("is flat"));
 }
 
+TEST(MeshSoundness, refuses_an_element_that_is_there_twice) {
+  TetrahedralMesh mesh = lattice_body(4, 30.0, 0.0, 1).mesh;
+  std::array<std::uint32_t, 4> again = mesh.elements[7];
+  std::rotate(again.begin(), again.begin() + 1, again.begin() + 3);  // the same tetrahedron from another corner
+  mesh.elements.push_back(again);
+  mesh.tissues.push_back(tissue::fat);
+  EXPECT_THAT(mesh_refusal(mesh), AllOf(HasSubstr("elements 7 and 162 at ("), HasSubstr("the same four corners"),
+                                        HasSubstr("remove one of them")));
+}
+
+TEST(MeshSoundness, refuses_supports_that_are_nearly_on_a_line) {
+  TetrahedralMesh mesh = one_tetrahedron();
+  mesh.nodes[2] = {0.5, 1e-4, 0.0};
+  mesh.nodes[3] = {0.3, 0.3, 1.0};
+  const std::vector<std::uint32_t> fixed = {0, 1, 2};
+  EXPECT_THAT(refusal([&] { check_supports(mesh, fixed); }), HasSubstr("on one line or nearly so"));
+  mesh.nodes[2].y() = 1e-2;
+  EXPECT_NO_THROW(check_supports(mesh, fixed));
+}
+
 TEST(MeshSoundness, refuses_a_body_that_nothing_holds) {
   const TetrahedralMesh mesh = one_tetrahedron();
   const auto supports = [&mesh](const std::vector<std::uint32_t>& fixed) {
@@ -117,6 +139,21 @@ TEST(ElasticMaterials, refuses_values_that_no_tissue_can_have) {
   EXPECT_EQ(materials.find(4), nullptr);
   materials.set(4, {0.02, 0.49});
   EXPECT_EQ(materials.find(4)->poisson, 0.49);
+}
+
+TEST(ElasticMaterials, warns_of_tissues_of_very_different_stiffness) {
+  const TetrahedralMesh mesh = lattice_body(4, 30.0, 0.0, 4).mesh;
+  TetrahedralMesh layered = mesh;
+  layered.tissues[3] = tissue::ligamentum_flavum;
+  ElasticMaterials materials = soft_and_ligament();
+  materials.set(tissue::ligamentum_flavum, {0.020 * 0.99e6, 0.3});
+  EXPECT_TRUE(check_materials(layered, materials).empty());
+  materials.set(tissue::ligamentum_flavum, {0.020 * 1.01e6, 0.3});
+  EXPECT_TRUE(check_materials(mesh, materials).empty());
+  const std::vector<std::string> warnings = check_materials(layered, materials);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_THAT(warnings[0],
+              AllOf(HasSubstr("a Young's modulus of 0.02 MPa"), HasSubstr("20200 MPa"), HasSubstr("fix_bone")));
 }
 
 TEST(ElasticMaterials, refuses_a_tissue_without_a_material) {
