@@ -1,12 +1,14 @@
 # install() rules. The package that find_package(Bodkin) finds holds the haptic core: patients in memory, force models,
-# devices and the tick. The bodkin command and its data are installed beside it.
+# devices and the tick, and how a mesh becomes a deformable body. The bodkin command and its data are installed beside it.
 include(CMakePackageConfigHelpers)
 
 set(haptic_core core anatomy forces fem haptics simulation)
 foreach(room IN LISTS haptic_core)
   install(TARGETS bodkin_${room} EXPORT BodkinTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(DIRECTORY src/${room}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/bodkin/${room} FILES_MATCHING PATTERN "*.h" PATTERN solid EXCLUDE PATTERN moving EXCLUDE)
+  install(DIRECTORY src/${room}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/bodkin/${room} FILES_MATCHING PATTERN "*.h")
 endforeach()
+# Their headers are among those of fem.
+install(TARGETS bodkin_fem_solid bodkin_fem_moving EXPORT BodkinTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT BodkinTargets NAMESPACE bodkin:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Bodkin)
 configure_package_config_file(cmake/BodkinConfig.cmake.in "${CMAKE_CURRENT_BINARY_DIR}/BodkinConfig.cmake"
                               INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Bodkin)

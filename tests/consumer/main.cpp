@@ -1,10 +1,16 @@
 // Embeds the haptic engine without files, imaging libraries or the bodkin command: a slab of muscle behind skin, a
 // needle pushed 30 mm in, and the force that the hand would feel. Then the same with a force model of this program's
-// own, which it registers by name and which the case chooses by that name.
+// own, which it registers by name and which the case chooses by that name. Then in a deformable body, which it makes
+// from a mesh.
+#include <array>
+#include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <tuple>
+#include <utility>
 #include <vector>
 
+#include "fem/solid/elastic_body.h"
 #include "simulation/haptic_tick.h"
 #include "simulation/resistance_models.h"
 
@@ -36,6 +42,38 @@ class ConstantDrag : public bodkin::forces::ResistanceDefaults {
  private:
   double force_;
 };
+
+// A block of skin of 40 x 40 x 40 mm below z = 0, held at its far side: cubes of 5 mm in six tetrahedra each.
+bodkin::fem::BodyDescription block_of_skin() {
+  constexpr std::uint32_t n = 9;
+  constexpr std::array<std::array<int, 2>, 6> turns = {{{0, 1}, {1, 2}, {2, 0}, {0, 2}, {2, 1}, {1, 0}}};
+  bodkin::fem::BodyDescription body;
+  const auto name = [](const std::array<std::uint32_t, 3>& at) { return (at[2] * n + at[1]) * n + at[0]; };
+  for (std::uint32_t k = 0; k < n; ++k)
+    for (std::uint32_t j = 0; j < n; ++j)
+      for (std::uint32_t i = 0; i < n; ++i) {
+        body.mesh.nodes.emplace_back(5.0 * i - 20.0, 5.0 * j - 20.0, 5.0 * k);
+        if (k + 1 == n) body.fixed.push_back(name({i, j, k}));
+        if (k + 1 < n && i > 1 && i < 7 && j > 1 && j < 7) body.corridor.push_back(name({i, j, k}));
+      }
+  for (std::uint32_t cube = 0; cube < (n - 1) * (n - 1) * (n - 1); ++cube) {
+    const std::array<std::uint32_t, 3> low = {cube % (n - 1), cube / (n - 1) % (n - 1), cube / ((n - 1) * (n - 1))};
+    for (const auto& [first, second] : turns) {
+      std::array<std::uint32_t, 3> at = low;
+      std::array<std::uint32_t, 4> element{name(at)};
+      ++at[static_cast<std::size_t>(first)];
+      element[1] = name(at);
+      ++at[static_cast<std::size_t>(second)];
+      element[2] = name(at);
+      element[3] = name({low[0] + 1, low[1] + 1, low[2] + 1});
+      if ((first + 1) % 3 != second) std::swap(element[1], element[2]);
+      body.mesh.elements.push_back(element);
+      body.mesh.tissues.push_back(bodkin::anatomy::tissue::skin);
+    }
+  }
+  body.materials.set(bodkin::anatomy::tissue::skin, {0.2, 0.3});
+  return body;
+}
 
 }  // namespace
 
@@ -75,5 +113,19 @@ int main() {
     dragged = own.step({bodkin::needle_pose(tip, bodkin::Vec3::UnitZ())}).resistance;
   }
   std::printf("constant drag %.3f N\n", dragged);
-  return peak > 0.9 && peak < 2.0 && dragged == 0.7 ? 0 : 1;
+
+  const bodkin::anatomy::NeedlePath path{bodkin::Vec3::Zero(), bodkin::Vec3(0.0, 0.0, 30.0)};
+  patient.corridor.body =
+      std::make_shared<const bodkin::anatomy::CondensedBody>(bodkin::fem::condense(block_of_skin()));
+  patient.corridor.path = path;
+  patient.description.haptics.resistance = bodkin::anatomy::EmbeddedNeedleSettings{.capture_radius = 3.0};
+  bodkin::simulation::HapticTick deformable(patient);
+  double held = 0.0;
+  for (int step = 0; step < 4000; ++step) {
+    const bodkin::Vec3 tip(0.0, 0.0, -10.0 + 0.01 * step);
+    const double now = deformable.step({bodkin::needle_pose(tip, bodkin::Vec3::UnitZ())}).resistance;
+    if (now > held) held = now;
+  }
+  std::printf("deformable body %.3f N\n", held);
+  return peak > 0.9 && peak < 2.0 && dragged == 0.7 && held > 0.1 ? 0 : 1;
 }
