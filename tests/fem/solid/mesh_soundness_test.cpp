@@ -142,7 +142,7 @@ TEST(ElasticMaterials, refuses_values_that_no_tissue_can_have) {
 }
 
 TEST(ElasticMaterials, warns_of_tissues_of_very_different_stiffness) {
-  const TetrahedralMesh mesh = lattice_body(4, 30.0, 0.0, 4).mesh;
+  const TetrahedralMesh mesh = kuhn_lattice(4, 30.0);
   TetrahedralMesh layered = mesh;
   layered.tissues[3] = tissue::ligamentum_flavum;
   ElasticMaterials materials = soft_and_ligament();
