@@ -68,13 +68,13 @@ struct Facts {
   std::vector<Fact> facts;
 };
 
-struct Figure {
+struct Picture {
   imaging::Canvas picture;
   std::string description;
   bool is_dark = false;
 };
 
-using Block = std::variant<Heading, Paragraph, Verdict, Tiles, Table, Facts, Figure>;
+using Block = std::variant<Heading, Paragraph, Verdict, Tiles, Table, Facts, Picture>;
 
 struct Document {
   std::string title, subtitle;

@@ -100,7 +100,7 @@ class HtmlWriter {
     emit("</table>\n");
   }
 
-  void add(const Figure& figure) {
+  void add(const Picture& figure) {
     emit("<figure{}><img alt=\"{}\" src=\"{}\"/></figure>\n", figure.is_dark ? " class=\"dark\"" : "",
          escape_markup(figure.description), imaging::data_uri("image/svg+xml", figure.picture.svg()));
   }

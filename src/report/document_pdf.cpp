@@ -110,7 +110,7 @@ double scale_of(const Canvas& picture) {
 
 // What a heading wants to have below it on its page.
 double least_height(const Block& block) {
-  const auto* const figure = std::get_if<Figure>(&block);
+  const auto* const figure = std::get_if<Picture>(&block);
   return figure != nullptr ? scale_of(figure->picture) * figure->picture.height() : 50.0;
 }
 
@@ -307,7 +307,7 @@ class PageLayout {
     }
   }
 
-  void add(const Figure& figure) {
+  void add(const Picture& figure) {
     const double scale = scale_of(figure.picture);
     const double width = scale * figure.picture.width(), height = scale * figure.picture.height();
     need(height);

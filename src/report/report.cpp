@@ -79,7 +79,7 @@ class ReportWriter {
   void remark(std::string text) { add(Paragraph{std::move(text)}); }
   void nothing(std::string text) { add(Paragraph{std::move(text), true}); }
   void figure(imaging::Canvas picture, const char* description, bool is_dark = false) {
-    add(Figure{std::move(picture), description, is_dark});
+    add(Picture{std::move(picture), description, is_dark});
   }
 
   void verdict() {

@@ -69,10 +69,10 @@ TEST(DocumentPdf, divides_words_wider_than_the_page_and_loses_no_character) {
 
 TEST(DocumentPdf, a_heading_stays_with_its_figure) {
   Document document{"Figures", "", {}};
-  document.blocks.emplace_back(Figure{imaging::Canvas(400.0, 380.0), "", false});
-  document.blocks.emplace_back(Figure{imaging::Canvas(400.0, 150.0), "", false});
+  document.blocks.emplace_back(Picture{imaging::Canvas(400.0, 380.0), "", false});
+  document.blocks.emplace_back(Picture{imaging::Canvas(400.0, 150.0), "", false});
   document.blocks.emplace_back(Heading{"What the needle felt"});
-  document.blocks.emplace_back(Figure{imaging::Canvas(400.0, 300.0), "", false});
+  document.blocks.emplace_back(Picture{imaging::Canvas(400.0, 300.0), "", false});
   const std::vector<std::string> pages = pages_in(pdf_of(document));
   ASSERT_EQ(pages.size(), 2U);
   EXPECT_NE(pages[1].find("What the needle felt"), std::string::npos);
@@ -91,7 +91,7 @@ TEST(DocumentPdf, a_figure_goes_to_the_next_page_rather_than_over_the_end) {
   for (int i = 0; i < 5; ++i) {
     imaging::Canvas picture(400.0, 300.0);
     picture.text({20.0, 40.0}, "figure " + std::to_string(i), {});
-    document.blocks.emplace_back(Figure{picture, "", false});
+    document.blocks.emplace_back(Picture{picture, "", false});
   }
   const std::vector<std::string> pages = pages_in(pdf_of(document));
   EXPECT_EQ(pages.size(), 3U);

@@ -87,7 +87,7 @@ void rescale(const gdcm::PixelFormat& format, const char* bytes, const DicomSlic
                                slice.file.string(), format.GetScalarTypeAsString()));
 }
 
-bool read_within_budget(gdcm::ImageReader& reader) {
+bool read_pixels_within_budget(gdcm::ImageReader& reader) {
   try {
     return reader.Read();
   } catch (const std::bad_alloc&) {
@@ -131,7 +131,7 @@ void decode_file(const DicomSeries& series, const FileSlices& slices, std::span<
   require_plausible_file(series, slices);
   gdcm::ImageReader reader;
   reader.SetFileName(first.file.c_str());
-  const bool read = !dicom_extent(first.file).pixels_cut && read_within_budget(reader);
+  const bool read = !dicom_extent(first.file).pixels_cut && read_pixels_within_budget(reader);
   const gdcm::Image& image = reader.GetImage();
   const gdcm::PixelFormat format = read ? image.GetPixelFormat() : gdcm::PixelFormat();
   if (read && format.GetSamplesPerPixel() != 1) {
