@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "patient/from_ct/needle_choice.h"
+#include "patient/planning/needle_choice.h"
 #include "patient/prepared_body.h"
 #include "report/compare_plot.h"
 #include "report/crossings.h"

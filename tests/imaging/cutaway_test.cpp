@@ -47,19 +47,20 @@ TEST(Cutaway, a_ball_is_drawn_where_the_camera_sees_it) {
     const CutawayReport report =
         draw_cutaway(caster, camera, {{110.0, 70.0}, {60.0, 60.0}, 0.9}, pool, picture, moving);
     EXPECT_EQ(report.coarser, moving);
+    // Of its outline, for light from one side moves the middle of what is bright.
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    double weight = 0.0;
+    int seen = 0;
     for (int y = 0; y < 160; ++y) {
       for (int x = 0; x < 200; ++x) {
-        const double light = picture.at(x, y).green;
-        sum += light * Eigen::Vector2d(x, y);
-        weight += light;
+        if (picture.at(x, y).green < 20) continue;
+        sum += Eigen::Vector2d(x, y);
+        ++seen;
       }
     }
-    ASSERT_GT(weight, 1000.0);
+    ASSERT_GT(seen, 100);
     const double depth = 304.0;
-    EXPECT_NEAR(sum.x() / weight, 100.0 + 600.0 * 8.0 / depth, 0.6);
-    EXPECT_NEAR(sum.y() / weight, 80.0 - 600.0 * 6.0 / depth, 0.6);
+    EXPECT_NEAR(sum.x() / seen, 100.0 + 600.0 * 8.0 / depth, 0.6);
+    EXPECT_NEAR(sum.y() / seen, 80.0 - 600.0 * 6.0 / depth, 0.6);
   }
 }
 

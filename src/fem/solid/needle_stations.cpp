@@ -30,6 +30,7 @@ double puncture_force(const anatomy::TissueLibrary& library, anatomy::TissueId i
   return tissue == nullptr ? 0.0 : tissue->deformable.puncture_force;
 }
 
+// Down to the first rigid tissue that is thick enough to be a layer, which is the last piece then.
 std::vector<Piece> pieces_along(const anatomy::NeedlePath& path, double length, const anatomy::Case& patient) {
   std::vector<Piece> pieces;
   const Vec3 along = path.direction();
@@ -38,12 +39,12 @@ std::vector<Piece> pieces_along(const anatomy::NeedlePath& path, double length, 
     const double depth = -before_entry + step * static_cast<double>(i);
     const anatomy::TissueId here =
         anatomy::nearest<anatomy::TissueId>(patient.tissues, path.entry + depth * along, anatomy::tissue::air);
-    if (is_rigid(patient.library, here)) break;
     if (pieces.empty() && here == anatomy::tissue::air) continue;
     if (pieces.empty() || pieces.back().tissue != here)
       pieces.push_back({here, depth, depth + step});
     else
       pieces.back().to = depth + step;
+    if (is_rigid(patient.library, here) && pieces.back().length() >= least_layer - 0.5 * step) break;
   }
   return pieces;
 }
@@ -87,6 +88,9 @@ std::vector<NeedleStation> stations_along(const anatomy::NeedlePath& path, doubl
          pieces[1].tissue == anatomy::tissue::air)
     pieces.erase(pieces.begin(), pieces.begin() + 2);
   leave_out_corners(pieces, patient.tissues.grid.spacing.minCoeff());
+  const auto rigid = std::find_if(pieces.begin(), pieces.end(),
+                                  [&](const Piece& piece) { return is_rigid(patient.library, piece.tissue); });
+  pieces.erase(rigid, pieces.end());
   std::vector<NeedleStation> stations;
   double before = 0.0;
   for (const Piece& piece : pieces) {

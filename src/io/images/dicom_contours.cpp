@@ -7,7 +7,9 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <gdcmDataSet.h>
 #include <gdcmReader.h>
+#include <gdcmTag.h>
 
 #include "core/error.h"
 #include "io/images/dicom_elements.h"

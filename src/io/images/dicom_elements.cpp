@@ -6,7 +6,9 @@
 #include <new>
 #include <stdexcept>
 
+#include <gdcmDataSet.h>
 #include <gdcmSequenceOfItems.h>
+#include <gdcmTag.h>
 
 #include "io/images/memory_budget.h"
 

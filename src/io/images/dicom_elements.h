@@ -7,10 +7,12 @@
 #include <string>
 #include <vector>
 
-#include <gdcmDataSet.h>
-#include <gdcmTag.h>
+// Values of DICOM elements as plain C++.
 
-// Values of DICOM elements as plain C++. Only for the .cpp files that read DICOM: it brings in GDCM.
+namespace gdcm {
+class DataSet;
+class Tag;
+}  // namespace gdcm
 
 namespace bodkin::io {
 

@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include <gdcmDataSet.h>
+#include <gdcmTag.h>
+
 #include "io/images/dicom_elements.h"
 
 namespace bodkin::io {

@@ -4,9 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include <gdcmDataSet.h>
-
 #include "core/geometry.h"
+
+namespace gdcm {
+class DataSet;
+}  // namespace gdcm
 
 namespace bodkin::io {
 

@@ -6,7 +6,9 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <gdcmDataSet.h>
 #include <gdcmReader.h>
+#include <gdcmTag.h>
 #include <gdcmTrace.h>
 
 #include "core/error.h"

@@ -8,8 +8,10 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <gdcmDataSet.h>
 #include <gdcmImageReader.h>
 #include <gdcmReader.h>
+#include <gdcmTag.h>
 
 #include "core/error.h"
 #include "io/image_grid.h"

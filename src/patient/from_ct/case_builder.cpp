@@ -7,8 +7,8 @@
 
 #include "patient/from_ct/label_names.h"
 #include "patient/from_ct/label_plausibility.h"
-#include "patient/from_ct/needle_choice.h"
 #include "patient/from_ct/patient_builder.h"
+#include "patient/planning/needle_choice.h"
 #include "patient/planning/path_search.h"
 #include <fmt/format.h>
 

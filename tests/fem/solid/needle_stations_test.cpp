@@ -79,6 +79,18 @@ TEST(NeedleStations, end_at_what_is_rigid_and_begin_behind_air) {
   EXPECT_TRUE(stations_along({Vec3(0.0, 0.0, -15.0), Vec3(0.0, 0.0, -5.0)}, 10.0, 1.0, patient).empty());
 }
 
+TEST(NeedleStations, go_on_behind_a_corner_of_bone_thinner_than_a_layer) {
+  Case patient = layered_patient({{0.0, tissue::muscle}});
+  patient.tissues.at(30, 30, 30) = tissue::cortical_bone;  // x and y from 0 to 1 mm, z from 10 to 11
+  // At 45 degrees through the voxel's edge at x = 1 mm, z = 10 mm, `inside` mm from it.
+  const auto deepest = [&](double inside) {
+    const Vec3 entry(-9.0 - inside, 0.5, 0.0), along = Vec3(1.0, 0.0, 1.0).normalized();
+    return stations_along({entry, entry + 30.0 * along}, 30.0, 1.0, patient).back().depth;
+  };
+  EXPECT_GT(deepest(0.1), 29.0);  // 0.14 mm of bone
+  EXPECT_LT(deepest(0.4), 15.0);  // 0.57 mm
+}
+
 TEST(NeedleStations, a_layer_of_one_voxel_is_met_from_every_side_and_once) {
   const Case patient = layered_patient(
       {{0.0, tissue::skin}, {2.0, tissue::muscle}, {10.0, tissue::ligamentum_flavum}, {11.0, tissue::muscle}});

@@ -1,4 +1,4 @@
-#include "patient/from_ct/needle_choice.h"
+#include "patient/planning/needle_choice.h"
 
 #include <gtest/gtest.h>
 
