@@ -65,11 +65,11 @@ void run_report(const ReportArguments& arguments, const CommandContext& context)
   const fs::path file =
       arguments.output.empty() ? fs::path(arguments.session).replace_extension(".html") : fs::path(arguments.output);
   const bool is_pdf = file.extension() == ".pdf";
+  require_writable(file, "--output", arguments.session);
   if (!is_pdf && file.extension() != ".html" && file.extension() != ".htm") {
     throw InputError(fmt::format("the report {} has the ending '{}', expected .html or .pdf", file.string(),
                                  file.extension().string()));
   }
-  require_writable(file, "--output", arguments.session);
   const session::Session session = session::read_session(arguments.session);
   const fs::path folder =
       arguments.folder.empty() ? fs::path(session.header.case_folder) : fs::path(arguments.folder);

@@ -19,9 +19,9 @@ Pose pose_of_numbers(std::string_view text, const std::string& where) {
     throw InputError(fmt::format("{}: the transform is {}, expected 16 numbers, row by row", where, in_quotes(line)));
   }
   Pose pose = Pose::Identity();
+  std::size_t next = 0;
   for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 4; ++column)
-      pose.matrix()(row, column) = numbers[static_cast<std::size_t>(4 * row + column)];
+    for (int column = 0; column < 4; ++column) pose.matrix()(row, column) = numbers[next++];
   }
   const Mat3 turn = pose.linear();
   if (!((turn.transpose() * turn - Mat3::Identity()).cwiseAbs().maxCoeff() <= 2.0 * most_skew) ||

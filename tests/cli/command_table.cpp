@@ -267,6 +267,7 @@ const std::vector<CommandRow>& command_table() {
        "RECORDING",
        {{"--output", Kind::text},
         {"--overwrite", Kind::toggle},
+        {"--mechanics", Kind::text},
         {"--needle", Kind::text},
         {"--points", Kind::text},
         {"--probe", Kind::text},
