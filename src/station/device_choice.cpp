@@ -26,6 +26,10 @@ bool DeviceChoice::is_recorded() const {
   return driver == &recorded_driver();
 }
 
+bool DeviceChoice::is_mouse() const {
+  return std::string_view(driver->name) == "mouse";
+}
+
 bool DeviceChoice::is_tracked() const {
   return driver != nullptr && std::string_view(driver->name) == "openigtlink";
 }

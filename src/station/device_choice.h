@@ -17,6 +17,8 @@ struct DeviceChoice {
 
   bool is_simulated() const;
   bool is_recorded() const;
+  // The window's mouse, a hand that the window plays: no person's hand feels its force.
+  bool is_mouse() const;
   // A tool of a tracker (link/tracking_driver.h), whose poses can be in the patient already.
   bool is_tracked() const;
 };

@@ -303,8 +303,7 @@ Station::Station(StationOptions options, StationObserver& observer) {
                                                 std::move(port), parts.device, parts.servo, std::move(link));
   // The mouse is a hand of its own that tissue holds back, and a recording is to come back as it was.
   const DeviceChoice& hand = parts.options.device;
-  if (parts.device.peak_force == 0.0 && !hand.is_recorded() && std::string_view(hand.driver->name) != "mouse")
-    parts.session->guide_along_axis();
+  if (parts.device.peak_force == 0.0 && !hand.is_recorded() && !hand.is_mouse()) parts.session->guide_along_axis();
   if (parts.moving != nullptr) parts.session->press(parts.moving);
   if (parts.scan != nullptr) parts.session->show_on(parts.scan);
   if (parts.points && parts.points->display() != nullptr) parts.session->show_on(parts.points->display());

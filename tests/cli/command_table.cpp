@@ -45,7 +45,7 @@ const std::vector<CommandRow>& command_table() {
         {"--flexion", Kind::number, {"-0.1", "1.1"}},
         {"--spacing", Kind::number, {"0", "0.4", "3.1", "-1"}}}},
       {"case synthesize phantom",
-       "made",
+       "made --experiment alamilla_2018_fig_5",
        "DIR",
        {{"--experiment", Kind::text}, {"--name", Kind::text}, {"--overwrite", Kind::toggle}}},
       {"case synthesize body",
