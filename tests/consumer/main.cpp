@@ -88,6 +88,7 @@ int main() {
                   .shaft_stiffness = 0.02,
                   .static_friction = 0.024,
                   .dynamic_friction = 0.02};
+  skin.deformable.puncture_force = 1.0;
   patient.library = bodkin::anatomy::TissueLibrary({air, skin});
   bodkin::anatomy::Grid grid;
   grid.size = {40, 40, 60};
