@@ -87,7 +87,7 @@ TEST(NeedleStations, go_on_behind_a_corner_of_bone_thinner_than_a_layer) {
     const Vec3 entry(-9.0 - inside, 0.5, 0.0), along = Vec3(1.0, 0.0, 1.0).normalized();
     return stations_along({entry, entry + 30.0 * along}, 30.0, 1.0, patient).back().depth;
   };
-  EXPECT_GT(deepest(0.1), 29.0);  // 0.14 mm of bone
+  EXPECT_GT(deepest(0.1), 28.0);  // 0.14 mm of bone
   EXPECT_LT(deepest(0.4), 15.0);  // 0.57 mm
 }
 
