@@ -12,7 +12,7 @@
 
 namespace bodkin::tracking {
 
-// A teaching station before a camera: a mannequin with its board, a needle that goes into it and a probe beside it.
+// A teaching station before a camera: a mannequin with its board, a needle that goes into it and a probe.
 struct SceneOptions {
   int frames = 60;     // 1 to 100000
   double rate = 30.0;  // pictures/s

@@ -101,7 +101,7 @@ Registration register_points(const std::vector<Vec3>& fixed, const std::vector<V
   made.flatness = extents[2] > 0.0 ? extents[1] / extents[2] : 0.0;
   if (extents[1] < 0.5 || made.flatness < 0.01) {
     throw InputError(
-        "registration: the points lie on a line, which leaves the rotation about it open; add a point beside it");
+        "registration: the points lie on a line, which leaves the rotation about it open; add a point off that line");
   }
   made.fixed_from_moving = closed_form(fixed, moving, with_scale);
   double squares = 0.0, sum = 0.0;

@@ -9,8 +9,8 @@
 
 namespace bodkin::views {
 
-// The slices of a scan: axial, and beside it the sagittal picture that they make, in which gaps stay black. The wheel
-// and the arrow keys go through them, a click marks a lesion, a right drag sets the window.
+// The slices of a scan: axial, and next to it the sagittal picture that they make, in which gaps stay black. The
+// wheel and the arrow keys go through them, a click marks a lesion, a right drag sets the window.
 class ScanViewer : public QWidget {
   Q_OBJECT
  public:

@@ -9,7 +9,7 @@
 
 namespace bodkin::app {
 
-// What is on the screen of an ultrasound machine with all that was measured, and the CT of the same plane beside it,
+// What is on the screen of an ultrasound machine with all that was measured, and the CT of the same plane next to it,
 // as NAME-1.png, or the first number that no file has. Returns the file. Throws SystemError when it cannot be
 // written.
 std::filesystem::path save_scan_picture(const imaging::UltrasoundScreen& screen, imaging::MarkSide mark,

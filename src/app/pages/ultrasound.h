@@ -15,7 +15,7 @@ namespace bodkin::app {
 
 using namespace views;
 
-// The probe in the hand, without an attempt: the machine's screen and beside it the CT of the same plane. On the
+// The probe in the hand, without an attempt: the machine's screen and next to it the CT of the same plane. On the
 // patient of the window, on one that is given, or on the built-in one.
 class UltrasoundPage : public Page {
   Q_OBJECT

@@ -16,7 +16,7 @@ namespace bodkin::app {
 
 using namespace views;
 
-// The volume view as large as the window, with what it shows beside it: mode, preset, opacity curve, two sliders.
+// The volume view as large as the window, with its controls: mode, preset, opacity curve, two sliders.
 class VolumePage : public Page {
   Q_OBJECT
  public:
