@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t type_size = 12, device_size = 20;
 constexpr std::uint64_t crc_polynomial = 0x42F0E1EBA9EA3693ULL;
-constexpr double fraction = 4294967296.0;  // of a second, in a time stamp
+constexpr double fraction = 4294967296.0;  // of a second, in a time stamp; also the seconds that one can hold
 constexpr std::uint16_t newest_version = 255;
 
 constexpr std::array<std::uint64_t, 256> crc_table = [] {
@@ -32,6 +32,14 @@ void check_name(const std::string& name, std::size_t size, const char* what) {
   if (name.size() <= size) return;
   throw InputError(
       fmt::format("the {} of a message is '{}', {} bytes; expected at most {}", what, name, name.size(), size));
+}
+
+// Seconds since 1970 as the header holds them, in 2^-32 s. A time that it cannot hold becomes the nearest one that it
+// can: a stamp read from a header may, as a double, lie just beyond the last.
+std::uint64_t time_stamp(double seconds) {
+  const double last = std::nextafter(fraction, 0.0);
+  if (!(seconds > 0)) return 0;
+  return static_cast<std::uint64_t>(std::min(seconds, last) * fraction);
 }
 
 bool is_printable(const std::string& text) {
@@ -54,9 +62,7 @@ Bytes pack(const Message& message) {
   header.u16(1);
   header.field(message.type, type_size);
   header.field(message.device, device_size);
-  const double whole = std::floor(std::max(message.time, 0.0));
-  header.u32(static_cast<std::uint32_t>(whole));
-  header.u32(static_cast<std::uint32_t>((std::max(message.time, 0.0) - whole) * fraction));
+  header.u64(time_stamp(message.time));
   header.u64(message.content.size());
   header.u64(crc64(message.content));
   header.raw(message.content);

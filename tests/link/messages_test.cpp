@@ -1,6 +1,8 @@
 // Every message byte for byte against the OpenIGTLink library, and what is wrong with foreign ones.
 #include <array>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <random>
@@ -238,6 +240,17 @@ TEST(LinkMessage, of_version_two_only_the_content_is_kept) {
   greedy[4] = 0xFF;  // more metadata than there are bytes
   const MessageHeader damaged{2, "STRING", "Text", stamp, greedy.size(), crc64(greedy)};
   EXPECT_THROW(unpack(damaged, greedy), InputError);
+}
+
+TEST(LinkMessage, a_time_that_the_header_cannot_hold_becomes_the_nearest) {
+  const auto sent = [](double time) { return read_header(pack({"STRING", "device", time, {}})).time; };
+  const double last = std::nextafter(4294967296.0, 0.0);  // s; a stamp of nothing but ones is, as a double, 2^32
+  EXPECT_EQ(sent(stamp + 0.5), stamp + 0.5);
+  EXPECT_EQ(sent(last), last);
+  EXPECT_EQ(sent(4294967296.0), last);
+  EXPECT_EQ(sent(1e300), last);
+  EXPECT_EQ(sent(-1.0), 0.0);
+  EXPECT_EQ(sent(std::numeric_limits<double>::quiet_NaN()), 0.0);
 }
 
 TEST(LinkMessage, the_check_sum_is_that_of_ecma_182) {
