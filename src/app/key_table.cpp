@@ -62,6 +62,8 @@ constexpr std::array table = {
     KeyBinding{KeyScope::view3d, "6", Command::of_the_view, BODKIN_TEXT_OF("from the feet"), false},
     KeyBinding{KeyScope::view3d, "P", Command::of_the_view, BODKIN_TEXT_OF("skin, cut-away, bones, see-through"),
                false},
+    KeyBinding{KeyScope::view3d, "O", Command::of_the_view,
+               BODKIN_TEXT_OF("organs and other parts: what is shown, opacity, colour"), false},
     KeyBinding{KeyScope::view3d, "Left", Command::of_the_view, BODKIN_TEXT_OF("turn"), false},
     KeyBinding{KeyScope::view3d, "Right", Command::of_the_view, BODKIN_TEXT_OF("turn"), false},
     KeyBinding{KeyScope::view3d, "Up", Command::of_the_view, BODKIN_TEXT_OF("turn"), false},

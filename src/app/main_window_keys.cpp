@@ -12,6 +12,19 @@ namespace bodkin::app {
 
 using namespace views;
 
+namespace {
+
+// A list or a slider that a person works in by keys has its letters, Space and Escape for itself: a widget says so by
+// the property "keeps_keys".
+bool keeps_keys(const QWidget* widget) {
+  for (; widget != nullptr && !widget->isWindow(); widget = widget->parentWidget()) {
+    if (widget->property("keeps_keys").toBool()) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 KeyScope MainWindow::page_scope() const {
   if (page_ != nullptr) return page_->scope();
   return pages_->currentWidget() == practise_ ? KeyScope::practise : KeyScope::start;
@@ -56,6 +69,9 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   const bool is_letter = !key->text().isEmpty() && key->text().front().isPrint() &&
                          (modifiers & (Qt::ControlModifier | Qt::AltModifier)) == 0;
   if (is_typing && is_letter) return QMainWindow::eventFilter(watched, event);
+  const bool is_function_key = key->key() >= Qt::Key_F1 && key->key() <= Qt::Key_F35;
+  const bool is_plain = (modifiers & (Qt::ControlModifier | Qt::AltModifier)) == 0 && !is_function_key;
+  if (is_plain && keeps_keys(widget)) return QMainWindow::eventFilter(watched, event);
   // A character that needs Shift ("?") is itself.
   const bool is_sign =
       key->key() < 0x80 && key->key() > Qt::Key_Space && !(key->key() >= Qt::Key_A && key->key() <= Qt::Key_Z);

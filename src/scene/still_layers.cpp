@@ -33,6 +33,11 @@ class Mean {
   std::uint32_t count_ = 0;
 };
 
+// Of a colour 0xAARRGGBB, 0 to 1.
+float opacity_of(std::uint32_t colour) {
+  return static_cast<float>(colour >> 24U) * (1.0F / 255.0F);
+}
+
 // `box` lies within both.
 void copy(const Layer& from, const PixelBox& box, Layer& to) {
   for (int y = box.top; y < box.bottom; ++y) {
@@ -43,8 +48,8 @@ void copy(const Layer& from, const PixelBox& box, Layer& to) {
 
 }  // namespace
 
-Material material_of(const PatientSurface& part) {
-  Material material{.colour = part.colour};
+Material material_of(const PatientSurface& part, std::uint32_t colour) {
+  Material material{.colour = colour};
   switch (part.kind) {
     case SurfaceKind::skin:
       material.gloss = 0.04F;
@@ -71,21 +76,76 @@ StillLayers::StillLayers(int width, int height, int detail)
       skin_(box().times(detail)),
       sky_rows_(static_cast<std::size_t>(height), 0U) {}
 
+// Where opaque things are drawn (`opaque`), or the others.
+void StillLayers::draw_inside(const PatientSurface& part, const Look& look, const Projection& projection,
+                              bool opaque) {
+  const SurfaceSection whole{part.name, 0, part.mesh.triangles.size()};
+  const std::span<const SurfaceSection> sections =
+      part.sections.empty() ? std::span<const SurfaceSection>(&whole, 1) : std::span(part.sections);
+  std::optional<std::uint32_t> shaded;
+  for (const SurfaceSection& section : sections) {
+    const Appearance now = appearance(look, part, section.name);
+    if (!now.drawn() || (now.opacity >= 1.0F) != opaque) continue;
+    if (shaded != now.colour) shade(part.mesh, material_of(part, now.colour), projection, points_);
+    shaded = now.colour;
+    const auto triangles = std::span(part.mesh.triangles).subspan(section.first, section.count);
+    if (opaque) {
+      draw_triangles(points_, triangles, true, opaque_);
+    } else {
+      scratch_.resize(opaque_.box());
+      scratch_.clear();
+      draw_triangles(points_, triangles, true, scratch_);
+      add_to_veil(now.opacity);
+    }
+  }
+}
+
+// The surface in `scratch_`, where nothing opaque covers it. Of two translucent surfaces the nearer one lies over the
+// other.
+void StillLayers::add_to_veil(float opacity) {
+  if (veil_.empty()) {
+    veil_.resize(opaque_.box());
+    veil_.clear();
+  }
+  const PixelBox all = veil_.box();
+  for (int y = all.top; y < all.bottom; ++y) {
+    const float *near = scratch_.nearness(y), *near_opaque = opaque_.nearness(y);
+    const std::uint32_t* colours = scratch_.colours(y);
+    float* near_veil = veil_.nearness(y);
+    std::uint32_t* veil = veil_.colours(y);
+    for (int x = all.left; x < all.right; ++x) {
+      if (near[x] <= near_opaque[x] || near[x] <= 0.0F) continue;
+      const bool first = near_veil[x] <= 0.0F, over = near[x] > near_veil[x];
+      const float before = first ? 0.0F : opacity_of(veil[x]);
+      const float upper = over ? opacity : before, lower = over ? before : opacity;
+      const float together = upper + lower * (1.0F - upper);
+      const std::uint32_t upper_colour = (over ? colours[x] : veil[x]) & 0xFFFFFFU;
+      const std::uint32_t lower_colour = (over ? veil[x] : colours[x]) & 0xFFFFFFU;
+      const std::uint32_t colour = first ? upper_colour : blend(lower_colour, upper_colour, upper / together);
+      veil[x] = colour | (static_cast<std::uint32_t>(together * 255.0F + 0.5F) << 24U);
+      near_veil[x] = std::max(near[x], near_veil[x]);
+    }
+  }
+}
+
 void StillLayers::draw(const PatientSurfaces& surfaces, std::span<const std::array<std::int32_t, 3>> skin_triangles,
-                       const Camera& camera, Preset preset, std::span<const std::uint32_t> skin_tint) {
+                       const Camera& camera, const Look& look, std::span<const std::uint32_t> skin_tint) {
   const Projection projection = samples(camera);
   opaque_.clear();
   skin_.clear();
-  for (const PatientSurface& part : surfaces.parts) {
-    if (!shows(preset, part.kind)) continue;
-    if (part.kind != SurfaceKind::skin && skin_opacity(preset) == 1.0F && preset == Preset::skin) continue;
-    const bool is_skin = part.kind == SurfaceKind::skin;
-    shade(part.mesh, material_of(part), projection, points_, is_skin ? skin_tint : std::span<const std::uint32_t>{});
-    if (is_skin) {
-      draw_triangles(points_, skin_triangles, true, skin_);
-    } else {
-      draw_triangles(points_, part.mesh.triangles, true, opaque_);
+  veil_ = Layer();
+  const bool closed = skin_is_closed(look, surfaces);
+  for (const bool opaque : {true, false}) {
+    for (const PatientSurface& part : surfaces.parts) {
+      if (part.kind != SurfaceKind::skin && !closed) draw_inside(part, look, projection, opaque);
     }
+  }
+  scratch_ = Layer();
+  const PatientSurface& skin = surfaces.parts.front();
+  const Appearance outside = appearance(look, skin);
+  if (outside.drawn()) {
+    shade(skin.mesh, material_of(skin, outside.colour), projection, points_, skin_tint);
+    draw_triangles(points_, skin_triangles, true, skin_);
   }
   under_patch_.resize({});
 }
@@ -110,12 +170,13 @@ PixelBox StillLayers::draw_patch(std::span<const ScreenPoint> points,
   return changed.over(detail_).meet(box());
 }
 
-void StillLayers::set_look(const Camera& camera, Preset preset, const Opening& opening, const Sky& sky) {
+void StillLayers::set_look(const Camera& camera, Preset preset, const Appearance& skin, const Opening& opening,
+                           const Sky& sky) {
   for (int y = 0; y < height_; ++y) {
     const float down = height_ > 1 ? static_cast<float>(y) / static_cast<float>(height_ - 1) : 0.0F;
     sky_rows_[static_cast<std::size_t>(y)] = blend(sky.top & 0xFFFFFFU, sky.bottom & 0xFFFFFFU, down);
   }
-  opacity_ = skin_opacity(preset);
+  opacity_ = skin.shown ? skin.opacity : 0.0F;
   cut_ = false;
   if (preset != Preset::cut_away) return;
   const Projection projection(camera, width_, height_);
@@ -151,8 +212,13 @@ void StillLayers::compose(const PixelBox& wanted, Picture& picture) const {
       for (int sample_y = y * detail_; sample_y < (y + 1) * detail_; ++sample_y) {
         const float* near = opaque_.nearness(sample_y);
         const float* near_skin = skin_.nearness(sample_y);
+        const float* near_veil = veil_.empty() ? nullptr : veil_.nearness(sample_y);
         for (int sample = x * detail_; sample < (x + 1) * detail_; ++sample) {
           std::uint32_t colour = near[sample] > 0.0F ? opaque_.colours(sample_y)[sample] : sky;
+          if (near_veil != nullptr && near_veil[sample] > near[sample]) {
+            const std::uint32_t veil = veil_.colours(sample_y)[sample];
+            colour = blend(colour, veil & 0xFFFFFFU, opacity_of(veil));
+          }
           if (skin > 0.0F && near_skin[sample] > near[sample]) {
             colour = blend(colour, skin_.colours(sample_y)[sample], skin);
           }
@@ -172,12 +238,17 @@ std::uint32_t StillLayers::mix(int x, int y, float nearness, std::uint32_t colou
   for (int sample_y = y * detail_; sample_y < (y + 1) * detail_; ++sample_y) {
     for (int sample = x * detail_; sample < (x + 1) * detail_; ++sample) {
       const float near = opaque_.nearness(sample_y)[sample], near_skin = skin_.nearness(sample_y)[sample];
+      const float near_veil = veil_.empty() ? 0.0F : veil_.nearness(sample_y)[sample];
       const float seen = nearness >= near ? opacity : opacity * behind;
       std::uint32_t result = near > 0.0F ? opaque_.colours(sample_y)[sample] : sky;
       const bool skin_before_opaque = near_skin > near, skin_before_it = near_skin > nearness;
+      const bool veil_before_opaque = near_veil > near, veil_before_it = near_veil > nearness;
       const std::uint32_t skin_colour = skin_.colours(sample_y)[sample];
+      const std::uint32_t veil = veil_before_opaque ? veil_.colours(sample_y)[sample] : 0U;
+      if (veil_before_opaque && !veil_before_it) result = blend(result, veil & 0xFFFFFFU, opacity_of(veil));
       if (skin_before_opaque && !skin_before_it) result = blend(result, skin_colour, skin);
       result = blend(result, colour, seen);
+      if (veil_before_opaque && veil_before_it) result = blend(result, veil & 0xFFFFFFU, opacity_of(veil));
       if (skin_before_opaque && skin_before_it) result = blend(result, skin_colour, skin);
       mean.add(result);
     }
@@ -188,7 +259,8 @@ std::uint32_t StillLayers::mix(int x, int y, float nearness, std::uint32_t colou
 float StillLayers::nearness_at(int x, int y) const {
   if (x < 0 || y < 0 || x >= width_ || y >= height_) return 0.0F;
   const int column = x * detail_ + detail_ / 2, row = y * detail_ + detail_ / 2;
-  const float near = opaque_.nearness(row)[column];
+  float near = opaque_.nearness(row)[column];
+  if (!veil_.empty()) near = std::max(near, veil_.nearness(row)[column]);
   return skin_at(x, y) > 0.0F ? std::max(near, skin_.nearness(row)[column]) : near;
 }
 

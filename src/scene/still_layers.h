@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "scene/camera.h"
+#include "scene/look.h"
 #include "scene/picture.h"
-#include "scene/presets.h"
 #include "scene/raster.h"
 #include "scene/shading.h"
 #include "scene/surfaces.h"
@@ -25,12 +25,14 @@ struct Opening {
   double half_height = 80.0;   // mm
 };
 
-// How a part is lit; what is forbidden has a bright rim.
-Material material_of(const PatientSurface& part);
+// How a part is lit, in this colour; what is forbidden has a bright rim.
+Material material_of(const PatientSurface& part, std::uint32_t colour);
 
-// The patient as the camera sees him, kept in layers for as long as camera and body stand still: what is opaque, and
-// the skin, each with colours and depths, `detail` x `detail` samples for a pixel. What moves (needles, marks) is
-// mixed into the picture between them by depth, so that a frame costs only the pixels that it changes.
+// The patient as the camera sees him, kept in layers for as long as camera and body stand still: what is opaque, a
+// veil of all that is translucent, and the skin, each with colours and depths, `detail` x `detail` samples for a
+// pixel. What moves (needles, marks) is mixed into the picture between them by depth, so that a frame costs only the
+// pixels that it changes. The veil has the depth of the nearest translucent surface: a needle between two of them is
+// drawn as if it was behind both.
 class StillLayers {
  public:
   StillLayers(int width, int height, int detail);
@@ -41,16 +43,16 @@ class StillLayers {
   // The camera with all samples for pixels.
   Projection samples(const Camera& camera) const { return {camera, width_ * detail_, height_ * detail_}; }
 
-  // Draws all that `preset` shows except the skin, and the triangles of the skin in `skin_triangles`; `skin_tint` as
+  // Draws all that `look` shows except the skin, and the triangles of the skin in `skin_triangles`; `skin_tint` as
   // shade() takes it.
   void draw(const PatientSurfaces& surfaces, std::span<const std::array<std::int32_t, 3>> skin_triangles,
-            const Camera& camera, Preset preset, std::span<const std::uint32_t> skin_tint = {});
+            const Camera& camera, const Look& look, std::span<const std::uint32_t> skin_tint = {});
   // What covers the skin's other triangles as it is now; `points` in samples. Replaces what the last call drew.
   // Returns the pixels that may have changed.
   PixelBox draw_patch(std::span<const ScreenPoint> points, std::span<const std::array<std::int32_t, 3>> triangles);
 
   // How strongly the skin covers, sky, opening. Call compose() afterwards.
-  void set_look(const Camera& camera, Preset preset, const Opening& opening, const Sky& sky);
+  void set_look(const Camera& camera, Preset preset, const Appearance& skin, const Opening& opening, const Sky& sky);
   // Writes these pixels of the picture.
   void compose(const PixelBox& box, Picture& picture) const;
 
@@ -62,11 +64,15 @@ class StillLayers {
   float nearness_at(int x, int y) const;
 
  private:
+  void draw_inside(const PatientSurface& part, const Look& look, const Projection& projection, bool opaque);
+  void add_to_veil(float opacity);
   float skin_at(int x, int y) const;
   std::uint32_t sky_at(int y) const { return sky_rows_[static_cast<std::size_t>(y)]; }
 
   int width_, height_, detail_;
   Layer opaque_;       // samples
+  Layer veil_;         // samples, colours 0xAARRGGBB; empty: nothing is translucent
+  Layer scratch_;      // samples, one translucent surface
   Layer skin_;         // samples, with the patch
   Layer under_patch_;  // samples, what the patch covers
   std::vector<ScreenPoint> points_;

@@ -4,6 +4,7 @@
 #include <mutex>
 #include <utility>
 
+#include "scene/sections.h"
 #include "scene/surface_cache.h"
 
 #include "core/error.h"
@@ -16,19 +17,20 @@ struct SurfaceJob::Shared {
   std::shared_ptr<const PatientSurfaces> surfaces;
 };
 
-SurfaceJob::SurfaceJob(std::shared_ptr<const anatomy::TissueVolume> tissues, std::filesystem::path folder)
+SurfaceJob::SurfaceJob(std::shared_ptr<const anatomy::Case> patient, std::filesystem::path folder)
     : shared_(std::make_shared<Shared>()) {
   thread_ = std::jthread(
-      [shared = shared_, tissues = std::move(tissues), folder = std::move(folder)](const std::stop_token& stop) {
+      [shared = shared_, patient = std::move(patient), folder = std::move(folder)](const std::stop_token& stop) {
         std::shared_ptr<const PatientSurfaces> surfaces;
         std::string error;
         try {
-          surfaces = std::make_shared<const PatientSurfaces>(
-              surfaces_of_case(*tissues, folder, [&](std::string_view, double fraction) {
-                if (stop.stop_requested()) throw SystemError("surfaces: cancelled");
-                const std::scoped_lock lock(shared->mutex);
-                shared->status.fraction = fraction;
-              }));
+          PatientSurfaces made = surfaces_of_case(patient->tissues, folder, [&](std::string_view, double fraction) {
+            if (stop.stop_requested()) throw SystemError("surfaces: cancelled");
+            const std::scoped_lock lock(shared->mutex);
+            shared->status.fraction = fraction;
+          });
+          find_sections(patient->structures, patient->description.structures, made);
+          surfaces = std::make_shared<const PatientSurfaces>(std::move(made));
         } catch (const std::exception& failure) {
           error = failure.what();
         }

@@ -7,13 +7,15 @@
 
 #include "scene/surfaces.h"
 
+#include "anatomy/case.h"
+
 namespace bodkin::scene {
 
-// surfaces_of_case() on a thread of its own. One thread calls.
+// surfaces_of_case(), divided by find_sections(), on a thread of its own. One thread calls.
 class SurfaceJob {
  public:
-  // `tissues` is held until the work is done.
-  SurfaceJob(std::shared_ptr<const anatomy::TissueVolume> tissues, std::filesystem::path folder);
+  // `patient` is held until the work is done.
+  SurfaceJob(std::shared_ptr<const anatomy::Case> patient, std::filesystem::path folder);
   // Cancels, and waits for a step of the work that cannot be interrupted: 1 s at most.
   ~SurfaceJob();
   SurfaceJob(const SurfaceJob&) = delete;

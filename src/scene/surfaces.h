@@ -22,12 +22,19 @@ enum class SurfaceKind : std::uint8_t {
   forbidden  // a vessel or an organ
 };
 
+// Triangles of a surface that belong to one structure of the segmentation.
+struct SurfaceSection {
+  std::string name;                  // "kidney_right"; the surface's own for what belongs to none
+  std::size_t first = 0, count = 0;  // triangles
+};
+
 // The surface of some tissues of a patient.
 struct PatientSurface {
   SurfaceKind kind = SurfaceKind::tissue;
-  std::string name;          // as files write it: "ligamentum_flavum"
-  std::uint32_t colour = 0;  // 0xRRGGBB, lit from everywhere
-  SceneMesh mesh;            // LPS mm
+  std::string name;                           // as files write it: "ligamentum_flavum"
+  std::uint32_t colour = 0;                   // 0xRRGGBB, lit from everywhere
+  SceneMesh mesh;                             // LPS mm
+  std::vector<SurfaceSection> sections = {};  // all triangles, one after another; empty: not divided
 };
 
 struct PatientSurfaces {

@@ -26,9 +26,9 @@ void SoftwareView::set_camera(const Camera& camera) {
   stale_ = true;
 }
 
-void SoftwareView::set_preset(Preset preset) {
-  if (preset == preset_) return;
-  preset_ = preset;
+void SoftwareView::set_look(Look look) {
+  if (look == look_) return;
+  look_ = std::move(look);
   stale_ = true;
 }
 
@@ -99,14 +99,15 @@ PixelBox SoftwareView::draw() {
   const PixelBox whole = layers_->box();
   const bool everything = stale_ || look_stale_;
   if (stale_) {
-    layers_->draw(*surfaces_, patch_.empty() ? surfaces_->skin().triangles : patch_.around(), camera_, preset_,
+    layers_->draw(*surfaces_, patch_.empty() ? surfaces_->skin().triangles : patch_.around(), camera_, look_,
                   skin_tint_);
     patch_stale_ = true;
   }
-  if (everything) layers_->set_look(camera_, preset_, opening_, sky_);
+  const Appearance skin = appearance(look_, surfaces_->parts.front());
+  if (everything) layers_->set_look(camera_, look_.preset, skin, opening_, sky_);
   PixelBox changed;
-  if (patch_stale_ && !patch_.empty() && shows(preset_, SurfaceKind::skin)) {
-    shade(patch_.mesh(), material_of(surfaces_->parts.front()), layers_->samples(camera_), points_);
+  if (patch_stale_ && !patch_.empty() && skin.drawn()) {
+    shade(patch_.mesh(), material_of(surfaces_->parts.front(), skin.colour), layers_->samples(camera_), points_);
     changed = layers_->draw_patch(points_, patch_.mesh().triangles);
   }
   if (everything) changed = whole;

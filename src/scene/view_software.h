@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "scene/camera.h"
+#include "scene/look.h"
 #include "scene/marks.h"
 #include "scene/moving_pixels.h"
 #include "scene/needle_actor.h"
 #include "scene/picking.h"
 #include "scene/picture.h"
-#include "scene/presets.h"
 #include "scene/skin_patch.h"
 #include "scene/still_layers.h"
 #include "scene/surfaces.h"
@@ -28,7 +28,8 @@ class SoftwareView {
   // Pixels. At most 1920 x 1080 are advised: draw larger ones smaller and scale them up.
   void set_size(int width, int height);
   void set_camera(const Camera& camera);
-  void set_preset(Preset preset);
+  void set_preset(Preset preset) { set_look({preset, {}}); }
+  void set_look(Look look);
   void set_opening(const Opening& opening);
   void set_sky(const Sky& sky);
   // Samples along each side of a pixel, 1 to 4: 2 smooths edges, 1 is for large pictures while the camera turns.
@@ -49,7 +50,7 @@ class SoftwareView {
 
   const Picture& picture() const { return picture_; }
   const Camera& camera() const { return camera_; }
-  Preset preset() const { return preset_; }
+  const Look& look() const { return look_; }
   int width() const { return picture_.width; }
   int height() const { return picture_.height; }
   Projection projection() const { return {camera_, picture_.width, picture_.height}; }
@@ -63,7 +64,7 @@ class SoftwareView {
  private:
   std::shared_ptr<const PatientSurfaces> surfaces_;
   Camera camera_;
-  Preset preset_ = Preset::cut_away;
+  Look look_;
   Opening opening_;
   Sky sky_;
   int detail_ = 2;

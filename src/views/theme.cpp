@@ -86,8 +86,9 @@ QScrollBar::handle:vertical { background: %5; border-radius: 5px; min-height: 24
 QScrollBar::add-line, QScrollBar::sub-line { height: 0; width: 0; }
 QSplitter::handle { background: %3; }
 QLineEdit { background: %7; border: 1px solid %5; border-radius: 6px; padding: 6px; }
+QTreeWidget { selection-background-color: %9; }
 QListWidget::item { padding: 5px 8px; border-radius: 6px; }
-QListWidget::item:selected { background: %9; color: %2; }
+QListWidget::item:selected, QTreeWidget::item:selected { background: %9; color: %2; }
 QComboBox, QDoubleSpinBox, QSpinBox { background: %7; border: 1px solid %5; border-radius: 6px; padding: 5px 8px; }
 QComboBox QAbstractItemView { background: %7; selection-background-color: %9; }
 QCheckBox::indicator:unchecked { width: 12px; height: 12px; border: 1px solid %6; border-radius: 3px; }

@@ -72,16 +72,18 @@ View3d::View3d(const QString& place, QWidget* parent) : View(parent) {
     buttons_[i]->setAccessibleName(names[i]);
     buttons_[i]->setToolTip(tips[i]);
     buttons_[i]->setCheckable(true);
-    buttons_[i]->setChecked(preset == preset_);
+    buttons_[i]->setChecked(preset == look_.preset);
     buttons_[i]->setFocusPolicy(Qt::NoFocus);
     connect(buttons_[i], &QPushButton::clicked, this, [this, preset] { set_preset(preset); });
   }
+  make_look_panel(place);
 }
 
 View3d::~View3d() = default;
 
 void View3d::set_case(std::shared_ptr<const OpenCase> patient) {
   job_.reset();
+  panel_->set_surfaces(nullptr);
   scene_.reset();
   right_scene_.reset();
   stereo_ = scene::Stereo::off;
@@ -92,8 +94,8 @@ void View3d::set_case(std::shared_ptr<const OpenCase> patient) {
   shown_percent_ = -1;
   patient_ = std::move(patient);
   if (patient_) {
-    job_ = std::make_unique<scene::SurfaceJob>(
-        std::shared_ptr<const anatomy::TissueVolume>(patient_, &patient_->patient.tissues), patient_->folder);
+    job_ = std::make_unique<scene::SurfaceJob>(std::shared_ptr<const anatomy::Case>(patient_, &patient_->patient),
+                                               patient_->folder);
   }
   update();
 }
@@ -116,6 +118,7 @@ void View3d::take_surfaces() {
   subject_ = subject_of(*patient_, surfaces->skin());
   camera_ = scene::standard_view(scene::StandardView::operator_side, subject_);
   scene_ = make_scene(surfaces);
+  open_looks_of_case();
   needle_.shape = patient_->description().needle;
   fit_picture();
   emit ready();
@@ -125,7 +128,7 @@ std::unique_ptr<scene::SoftwareView> View3d::make_scene(
     std::shared_ptr<const scene::PatientSurfaces> surfaces) const {
   auto scene = std::make_unique<scene::SoftwareView>(std::move(surfaces));
   scene->set_camera(camera_);
-  scene->set_preset(preset_);
+  scene->set_look(look_);
   scene::Opening opening;
   opening.centre = subject_.middle;
   if (const auto& path = patient_->description().procedure.path) opening.centre = 0.5 * (path->entry + path->target);
@@ -154,19 +157,17 @@ void View3d::resizeEvent(QResizeEvent* event) {
 
 void View3d::place_buttons() {
   int x = width() - 12;
+  place_look_panel();
+  parts_button_->adjustSize();
+  x -= parts_button_->width();
+  parts_button_->move(x, 12);
+  x -= 4;
   for (auto button = buttons_.rbegin(); button != buttons_.rend(); ++button) {
     (*button)->adjustSize();
     x -= (*button)->width();
     (*button)->move(x, 12);
     x -= 4;
   }
-}
-
-void View3d::set_preset(scene::Preset preset) {
-  preset_ = preset;
-  for (std::size_t i = 0; i < buttons_.size(); ++i) buttons_[i]->setChecked(scene::presets[i] == preset);
-  for (scene::SoftwareView* scene : scenes()) scene->set_preset(preset);
-  emit preset_changed(preset);
 }
 
 void View3d::choose_view(scene::StandardView view) {
@@ -292,7 +293,8 @@ QRect View3d::tip_mark() const {
   const auto place = scene_->projection().place(needle_.pose.translation());
   if (!place) return {};
   // Under a closed skin nobody sees the tip.
-  if (preset_ == scene::Preset::skin && shown_.depth > std::max(1.0, shown_.dimple.depth + 0.5)) return {};
+  if (scene::skin_is_closed(look_, scene_->surfaces()) && shown_.depth > std::max(1.0, shown_.dimple.depth + 0.5))
+    return {};
   const QPoint at = on_screen(*place).toPoint();
   return {at.x() - margin_of_tip, at.y() - margin_of_tip, 2 * margin_of_tip, 2 * margin_of_tip};
 }

@@ -9,6 +9,7 @@
 
 #include "scene/camera_moves.h"
 #include "scene/export_surfaces.h"
+#include "scene/look_file.h"
 #include "scene/stereo.h"
 #include "scene/surface_job.h"
 #include "scene/view_software.h"
@@ -18,13 +19,15 @@ class QPushButton;
 
 namespace bodkin::views {
 
+class LookPanel;
+
 // The patient in 3-D with the needle, the skin that it dents, the plan and the target. The picture is drawn by the
 // processor (SoftwareView); the widget paints it like any other.
 //
 // Mouse: over the skin it aims, a click puts the needle down; the wheel pushes, Ctrl and the wheel zoom; the hub is
 // dragged along the needle or across it; a drag anywhere else turns the patient, with the right or middle button it
-// moves him. A click on a face of the cube chooses that view. Keys: 0 to 6 views, P next preset, arrows turn, + -
-// zoom.
+// moves him. A click on a face of the cube chooses that view. Keys: 0 to 6 views, P next preset, O the parts with
+// their opacity and colour, arrows turn, + - zoom.
 class View3d : public View {
   Q_OBJECT
  public:
@@ -36,7 +39,16 @@ class View3d : public View {
   void show_frame(const Frame& frame, const Changes& changes) override;
 
   void set_preset(scene::Preset preset);
-  scene::Preset preset() const { return preset_; }
+  scene::Preset preset() const { return look_.preset; }
+  // Visibility, opacity and colour of each part.
+  void set_look(const scene::Look& look);
+  const scene::Look& look() const { return look_; }
+  // One of the looks that are saved with the case, with its direction of view if it has one.
+  void show_saved_look(const std::string& name);
+  // Whether the view begins with the look that the case says (the default).
+  void set_opens_as_saved(bool opens) { opens_as_saved_ = opens; }
+  // The list of parts.
+  void show_parts(bool shown);
   void choose_view(scene::StandardView view);
   // Needles that were left in the body.
   void set_left_needles(std::vector<scene::NeedleLook> needles);
@@ -102,6 +114,13 @@ class View3d : public View {
   void fit_picture();
   void paint_preparation(QPainter& painter);
   void place_buttons();
+  void make_look_panel(const QString& place);
+  void place_look_panel();
+  void open_looks_of_case();
+  void save_look(const QString& name, bool with_view, bool opens_with);
+  void remove_look(const QString& name);
+  // False: they could not be written; the view says why.
+  bool write_saved_looks(scene::CaseLooks looks);
 
   std::shared_ptr<const OpenCase> patient_;
   std::unique_ptr<scene::SurfaceJob> job_;
@@ -116,7 +135,10 @@ class View3d : public View {
   scene::ViewSubject subject_;
   std::optional<scene::CameraFlight> flight_;
   double flight_began_ = 0.0, camera_moved_ = -1.0, clock_ = 0.0;  // s
-  scene::Preset preset_ = scene::Preset::cut_away;
+  scene::Look look_;
+  scene::CaseLooks saved_looks_;
+  bool opens_as_saved_ = true;
+  LookPanel* panel_ = nullptr;
   bool plan_shown_ = true;
   std::vector<scene::NeedleLook> left_needles_;
   std::shared_ptr<const std::vector<scene::Trail>> trails_;
@@ -130,6 +152,7 @@ class View3d : public View {
   QPointF pressed_, pointer_;
   bool pointer_moved_ = false, aimed_ = false;
   std::array<QPushButton*, 4> buttons_{};
+  QPushButton* parts_button_ = nullptr;
 };
 
 }  // namespace bodkin::views

@@ -162,7 +162,10 @@ void View3d::keyPressEvent(QKeyEvent* event) {
   }
   switch (key) {
     case Qt::Key_P:
-      set_preset(scene::presets[(static_cast<std::size_t>(preset_) + 1) % std::size(scene::presets)]);
+      set_preset(scene::presets[(static_cast<std::size_t>(look_.preset) + 1) % std::size(scene::presets)]);
+      break;
+    case Qt::Key_O:
+      show_parts(!parts_button_->isChecked());
       break;
     case Qt::Key_Left:
       set_camera(scene::turned(camera_, -turn_per_key, 0.0));

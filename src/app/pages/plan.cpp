@@ -47,6 +47,7 @@ PlanPage::PlanPage(QWidget* parent)
       legend_(new ClearanceLegend(view3d_)),
       summary_(new QLabel(view3d_)) {
   view3d_->set_preset(scene::Preset::skin);
+  view3d_->set_opens_as_saved(false);
   view3d_->installEventFilter(this);
   legend_->setObjectName(QStringLiteral("plan.legend"));
   summary_->setObjectName(QStringLiteral("plan.summary"));
