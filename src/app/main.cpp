@@ -3,6 +3,7 @@
 #include <QCommandLineParser>
 #include <iostream>
 
+#include "app/benchmark.h"
 #include "app/main_window.h"
 #include "app/models/data_folder.h"
 #include "app/script.h"
@@ -26,6 +27,8 @@ int main(int argc, char** argv) {
         QStringLiteral("DIR"), QStringLiteral(".")},
        {QStringLiteral("size"), QApplication::translate("main", "Size of the window, 1280x720"),
         QStringLiteral("WxH")},
+       {QStringLiteral("benchmark"),
+        QApplication::translate("main", "Measure the window's speed, print it, and leave")},
        {QStringLiteral("attempt"), QApplication::translate("main", "How to perform, as bodkin perform says it"),
         QStringLiteral("JSON")},
        {QStringLiteral("scan"),
@@ -40,6 +43,11 @@ int main(int argc, char** argv) {
     window.show();
     const QStringList given = options.positionalArguments();
     const std::filesystem::path patient = given.isEmpty() ? std::string() : given.front().toStdString();
+    if (options.isSet(QStringLiteral("benchmark"))) {
+      const double seconds = 5.0;  // for each row
+      std::cout << bodkin::app::benchmark_table(bodkin::app::measure_window(window, seconds), window);
+      return 0;
+    }
     if (options.isSet(QStringLiteral("attempt"))) {
       window.perform(patient, bodkin::app::read_attempt_options(options.value("attempt").toStdString()));
     } else if (options.isSet(QStringLiteral("scan"))) {

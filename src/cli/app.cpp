@@ -13,6 +13,7 @@ namespace {
 
 struct AppArguments {
   std::string patient, script, shots, size;
+  bool benchmark = false;
 };
 
 constexpr const char* app_footer = R"(Examples:
@@ -20,6 +21,7 @@ constexpr const char* app_footer = R"(Examples:
   bodkin app patient                           practise on this patient at once
   bodkin app dicom_folder                      a CT becomes a patient first
   bodkin app --script walk.txt --shots pictures
+  bodkin app --benchmark                       how fast the window is on this machine
 
 docs/app.md describes the window and the lines of a script.)";
 
@@ -31,6 +33,7 @@ void run_app(const AppArguments& arguments) {
   for (const auto& [option, value] : options) {
     if (!value->empty()) words.insert(words.end(), {option, *value});
   }
+  if (arguments.benchmark) words.emplace_back("--benchmark");
   if (!arguments.patient.empty()) words.insert(words.end(), {"--", arguments.patient});
   become_app(words);
 }
@@ -44,6 +47,8 @@ void add_app_command(CLI::App& app, CommandContext& /*context*/) {
   add_text(*command, "--script", arguments->script, "Do what this file says, and leave");
   add_text(*command, "--shots", arguments->shots, "Folder of the script's pictures");
   add_text(*command, "--size", arguments->size, "Size of the window in pixels, such as 1280x720");
+  add_switch(*command, "--benchmark", arguments->benchmark,
+             "Move needle, camera and volume of the patient that comes with Bodkin, print how fast, and leave");
   on_run(*command, [arguments] { run_app(*arguments); });
 }
 

@@ -387,7 +387,10 @@ const std::vector<CommandRow>& command_table() {
         {"--no-front-view", Kind::toggle},
         {"--no-status", Kind::toggle}}},
 #endif
-      {"app", "somewhere", "", {{"--script", Kind::text}, {"--shots", Kind::text}, {"--size", Kind::text}}}};
+      {"app",
+       "somewhere",
+       "",
+       {{"--script", Kind::text}, {"--shots", Kind::text}, {"--size", Kind::text}, {"--benchmark", Kind::toggle}}}};
   return rows;
 }
 

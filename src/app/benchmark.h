@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QString>
+#include <string>
+#include <vector>
+
+namespace bodkin::app {
+
+class MainWindow;
+
+// A row of the benchmark: what was measured, and what is wanted.
+struct BenchmarkRow {
+  std::string name;
+  double value = 0.0;
+  std::string unit;
+  double wanted = 0.0;
+  bool at_most = true;  // or at least
+
+  bool is_reached() const { return at_most ? value <= wanted : value >= wanted; }
+};
+
+// Measures the window's speed on this machine: it opens the patient that comes with Bodkin, moves the needle, turns
+// the camera, and looks into the volume, as a person would, `seconds` for each. CPU times are those of the whole
+// process with the servo in it, all threads, for each frame that was drawn. Throws SystemError when the window comes
+// to no patient or no needle.
+std::vector<BenchmarkRow> measure_window(MainWindow& window, double seconds);
+
+// Machine and rows as a table for a terminal.
+std::string benchmark_table(const std::vector<BenchmarkRow>& rows, const MainWindow& window);
+
+}  // namespace bodkin::app
