@@ -5,6 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "cli/arguments.h"
 #include "cli/commands.h"
 
 namespace bodkin::cli {
@@ -21,7 +22,12 @@ struct NewCaseOptions {
   bool overwrite = false;
 };
 
-void add_new_case_options(CLI::App& command, NewCaseOptions& options);
+// Options of which a command may ask whether they were given.
+struct NewCaseArguments {
+  Argument gauge, needle;
+};
+
+NewCaseArguments add_new_case_options(CLI::App& command, NewCaseOptions& options);
 
 // The options as the image worker takes them. Throws InputError when one is out of range, or when a path is half
 // given.

@@ -36,9 +36,29 @@ TEST_F(CaseSynthesize, a_synthetic_case_is_sound_and_its_path_has_a_length_of_li
   EXPECT_TRUE(fs::exists(folder_ / "patient.svg"));
 }
 
+TEST_F(CaseSynthesize, a_seed_draws_a_patient_and_what_is_given_stays) {
+  const auto said = [&](const std::string& folder) {
+    const std::string text = text_of(folder + "/case.xml");
+    const std::size_t begin = text.find("Synthetic lumbar torso");
+    return text.substr(begin, text.find('<', begin) - begin);
+  };
+  ASSERT_EQ(bodkin("-q case synthesize lumbar drawn --vary --seed 3 --spacing 3").exit_code, 0);
+  ASSERT_EQ(bodkin("-q case synthesize lumbar other --vary --seed 4 --spacing 3").exit_code, 0);
+  ASSERT_EQ(
+      bodkin("-q case synthesize lumbar old --vary --seed 3 --spacing 3 --age 88 --calcification 0.5").exit_code, 0);
+  EXPECT_NE(said("drawn"), said("other").replace(said("other").find("seed 4"), 6, "seed 3"));
+  EXPECT_THAT(said("old"), HasSubstr("88 years"));
+  EXPECT_THAT(said("old"), HasSubstr("ligaments calcified by 0.5"));
+  // A calcified patient has a library of his own, with which the case is whole.
+  EXPECT_THAT(text_of("old/tissues.xml"), HasSubstr("calcified_ligament"));
+  EXPECT_EQ(bodkin("case check old").exit_code, 0);
+  const auto weight = [](const std::string& text) { return text.substr(text.find(" m, "), 9); };
+  EXPECT_EQ(weight(said("old")), weight(said("drawn"))) << "other parameters are drawn as before";
+}
+
 TEST_F(CaseSynthesize, parameters_out_of_range_are_refused_and_leave_nothing) {
   for (const char* wrong : {"--age 12", "--age nan", "--weight 400", "--height 0", "--flexion -0.1", "--spacing 0.1",
-                            "--seed -3", "--seed x"}) {
+                            "--scoliosis 60", "--calcification 2", "--seed -3", "--seed x"}) {
     const Outcome outcome = bodkin(std::string("case synthesize lumbar refused ") + wrong);
     EXPECT_EQ(outcome.exit_code, 2) << wrong;
     EXPECT_THAT(outcome.errors, HasSubstr(std::string(wrong).substr(0, std::string(wrong).find(' ')))) << wrong;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "patient/synthetic/calcification.h"
 #include "patient/synthetic/lumbar.h"
 #include <gtest/gtest.h>
 
@@ -36,6 +37,7 @@ struct Profile {
 Profile lumbar_puncture(const LumbarParameters& parameters) {
   Case patient;
   patient.library = default_tissue_library();
+  if (parameters.calcification > 0.0) patient.library = with_calcified_ligament(patient.library);
   SyntheticPatient torso = synthesize_lumbar(parameters, patient.library);
   patient.tissues = std::move(torso.tissues);
   HapticTick tick(patient);
@@ -91,6 +93,18 @@ TEST(LumbarProfile, the_force_peaks_near_the_published_one_at_the_flavum) {
   ASSERT_LT(flavum_pop, profile.events.size());
   EXPECT_NEAR(at, profile.events[flavum_pop].depth, 0.1);
   EXPECT_NEAR(profile.events[first_puncture(profile, skin)].value, 1.4, 0.3);
+}
+
+// Twice the force of the ligamentum flavum, and more by the grip of what lies behind it; the flavum comes afterwards.
+TEST(LumbarProfile, calcified_ligaments_are_felt_as_nearly_bone) {
+  const Profile profile = lumbar_puncture({.calcification = 0.5, .spacing = 1.5});
+  const std::size_t hard_pop = first_puncture(profile, calcified_ligament);
+  ASSERT_LT(hard_pop, profile.events.size());
+  EXPECT_LT(hard_pop, first_puncture(profile, ligamentum_flavum));
+  EXPECT_GT(profile.events[hard_pop].value, 9.0);
+  EXPECT_LT(profile.events[hard_pop].value, 13.0);
+  EXPECT_LT(profile.events[hard_pop].depth, 35.0);
+  EXPECT_TRUE(profile.seen(EventKind::bone_contact).empty());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <future>
 #include <utility>
 
@@ -10,9 +11,11 @@
 #include "patient/from_ct/patient_builder.h"
 #include "patient/planning/needle_choice.h"
 #include "patient/planning/path_search.h"
+#include "patient/synthetic/calcification.h"
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/files.h"
 #include "io/case_folder.h"
 #include "io/digest.h"
 #include "io/images/image_source.h"
@@ -318,14 +321,26 @@ CaseSummary build_synthetic_case(const NewCase& wanted, const LumbarParameters& 
   description.needle = wanted.needle.empty() ? needle_of(wanted.needle_gauge) : parse_needle(wanted.needle);
   description.haptics.mechanics = wanted.mechanics;
   require_path(wanted.path);
-  const anatomy::TissueLibrary library = io::default_tissue_library();
+  const bool is_calcified = parameters.calcification > 0.0;
+  const anatomy::TissueLibrary library =
+      is_calcified ? with_calcified_ligament(io::default_tissue_library()) : io::default_tissue_library();
   io::PartialFolder folder(wanted.folder, wanted.overwrite);
+  if (is_calcified) {
+    description.tissue_library_file = "tissues.xml";
+    write_file(folder.path() / description.tissue_library_file, io::tissue_library_xml(library));
+  }
   SyntheticPatient patient = synthesize_lumbar(parameters, library, stretch(progress, 0.0, 0.85));
 
   description.name = case_name(wanted);
   description.description = fmt::format(
       "Synthetic lumbar torso: seed {}, {:g} years, {:g} m, {:g} kg, flexion {:g}, voxels of {:g} mm",
       parameters.seed, parameters.age, parameters.height, parameters.weight, parameters.flexion, parameters.spacing);
+  if (parameters.scoliosis != 0.0) {
+    description.description +=
+        fmt::format(", scoliosis of {:g} degrees, convex to the {}", std::abs(parameters.scoliosis),
+                    parameters.scoliosis > 0.0 ? "left" : "right");
+  }
+  if (is_calcified) description.description += fmt::format(", ligaments calcified by {:g}", parameters.calcification);
   description.created_by = maker;
   description.structures = std::move(patient.structure_table);
   description.landmarks = std::move(patient.landmarks);

@@ -16,7 +16,12 @@ struct LumbarParameters {
   double height = 1.72;    // m, 1.40 to 2.05: scales the vertebrae
   double weight = 72.0;    // kg, 40 to 160: with height, thickness of the subcutaneous fat
   double flexion = 0.5;    // 0 = prone and straight, 1 = fully curled: opens the interspinous spaces
-  double spacing = 1.0;    // mm, isotropic voxels, 0.5 to 3
+  // Degrees of Cobb's angle, -40 to 40: the spine bows sideways, above 0 to the left, and turns with it.
+  double scoliosis = 0.0;
+  // 0 to 1: how far, from behind, the supraspinous and interspinous ligaments are calcified, as a share of the way
+  // through both.
+  double calcification = 0.0;
+  double spacing = 1.0;  // mm, isotropic voxels, 0.5 to 3
 };
 
 struct SyntheticPatient {
@@ -28,8 +33,9 @@ struct SyntheticPatient {
   anatomy::NeedlePath path;                  // planned lumbar puncture at L3/L4, midline
 };
 
-// The same parameters give the same voxels on every machine. HU and their noise come from `library`. Throws
-// InputError naming the parameter, its value and its range.
+// The same parameters give the same voxels on every machine. HU and their noise come from `library`, which for a
+// calcification above 0 must have the calcified ligament (with_calcified_ligament). Throws InputError naming the
+// parameter, its value and its range.
 SyntheticPatient synthesize_lumbar(const LumbarParameters& parameters, const anatomy::TissueLibrary& library,
                                    const Progress& progress = {});
 

@@ -2,11 +2,32 @@
 
 #include <set>
 
+#include "patient/synthetic/calcification.h"
+
+#include "core/random.h"
+
 namespace bodkin::patient {
 namespace {
 
 // Thickness of cortical bone (mm), our choice: bodies have a thin shell, arches and pelvis a thicker one.
 constexpr double kBodyShell = 1.2, kArchShell = 1.7, kPelvisShell = 1.5;
+
+// Smooth noise within -1 and 1 whose features are 8 mm wide: random values at the corners of a lattice, blended
+// between them.
+double patches(std::uint64_t seed, const Vec3& p) {
+  const Vec3 place = p / 8.0 + Vec3::Constant(4096.0);
+  const auto i = static_cast<std::int64_t>(place.x()), j = static_cast<std::int64_t>(place.y()),
+             k = static_cast<std::int64_t>(place.z());
+  const Vec3 share = place - Vec3(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
+  double sum = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const int a = corner & 1, b = corner >> 1 & 1, c = corner >> 2;
+    const double weight = (a != 0 ? share.x() : 1.0 - share.x()) * (b != 0 ? share.y() : 1.0 - share.y()) *
+                          (c != 0 ? share.z() : 1.0 - share.z());
+    sum += weight * hash_noise(seed, i + a + ((j + b) << 20) + ((k + c) << 40));
+  }
+  return sum;
+}
 
 // Widths of the interspinous ligament, in front, in the middle and behind (Lawrence et al., layer_thickness.csv).
 double interspinous_half_width(double v) {
@@ -17,7 +38,10 @@ double interspinous_half_width(double v) {
 }  // namespace
 
 LumbarModel::LumbarModel(const LumbarSizes& sizes, std::uint64_t seed)
-    : spine_(sizes.spine, sizes.torso.scale), torso_(sizes.torso, spine_, seed) {}
+    : spine_(sizes.spine, sizes.torso.scale),
+      torso_(sizes.torso, spine_, seed),
+      calcification_(sizes.calcification),
+      seed_(mix64(seed ^ 0x43414C43ULL)) {}
 
 LumbarModel::Slice LumbarModel::slice(double z, double spacing) const {
   Slice slice;
@@ -89,32 +113,43 @@ Material LumbarModel::sac(const Vec3& p, const Slice& slice, double distance) co
   return material;
 }
 
+// Calcification spreads from behind: `front` and `back` are where the interspinous ligament begins and the
+// supraspinous one ends. Its border is ragged by up to a sixth of the way.
+bool LumbarModel::is_calcified(const Vec3& p, double front, double back) const {
+  if (calcification_ <= 0.0) return false;
+  const double ragged = 0.6 * calcification_ * (1.0 - calcification_) * patches(seed_, p);
+  return (back - p.y()) / (back - front) < calcification_ + ragged;
+}
+
 Material LumbarModel::ligament(const Vec3& p, const Slice& slice, double canal) const {
   const SpineSection& s = slice.here();
-  const double x = std::abs(p.x() - s.tip_x);
+  const double x = std::abs(p.x() - s.tip_x - s.midline_slope * (p.y() - s.tip_y));
   if (p.y() < s.canal_y || x > 16.0) return {};
   const double scale = torso_.sizes().scale;
   if (canal < s.flavum && x < 13.0 * scale && spine_.above_second_sacral(p) > 14.0 * scale)
     return {anatomy::tissue::ligamentum_flavum, 0};
   const double behind_tip = p.y() - s.tip_y;
+  const double front = s.canal_y + (s.canal_back + s.flavum) / s.tilt;
   const double l5_tip = (spine_.pose(level::l5) * spine_.vertebra(level::l5).process_tip()).z();
   // 3.7 mm thick; where the fat begins a little further back, the ligament reaches up to it.
   const bool behind_bone = behind_tip > -0.3 && x < 4.5;
-  if (behind_bone &&
-      (behind_tip < 3.7 || (behind_tip < 5.5 && Torso::outline_distance(p, slice.torso, slice.torso.fascia) < 0.0))) {
+  if (behind_bone && (behind_tip < Torso::kSupraspinous ||
+                      (behind_tip < 5.5 && Torso::outline_distance(p, slice.torso, slice.torso.fascia) < 0.0))) {
     // The supraspinous ligament ends at L5; below, fascia covers the gap.
-    return {p.z() > l5_tip ? anatomy::tissue::supraspinous_ligament : anatomy::tissue::soft, 0};
+    if (p.z() <= l5_tip) return {anatomy::tissue::soft, 0};
+    const bool hard = is_calcified(p, front, s.tip_y + Torso::kSupraspinous);
+    return {hard ? calcified_ligament : anatomy::tissue::supraspinous_ligament, 0};
   }
   if (behind_tip > 0.0 || x > 4.8) return {};
   const int upper = spine_.between_processes(p);
   if (upper < 0) return {};
-  const double front = s.canal_y + (s.canal_back + s.flavum) / s.tilt;
   const double length = s.tip_y - front;
   const double v = std::clamp((p.y() - front) / length, 0.0, 1.0);
   if (x > interspinous_half_width(v)) return {};
   const bool gap = spine_.sizes().below[static_cast<std::size_t>(upper)].ligament_gap;
   if (gap && v > 0.12 && v < 0.12 + 3.5 / length) return {anatomy::tissue::fat, 0};
-  return {anatomy::tissue::interspinous_ligament, 0};
+  const bool hard = is_calcified(p, front, s.tip_y + Torso::kSupraspinous);
+  return {hard ? calcified_ligament : anatomy::tissue::interspinous_ligament, 0};
 }
 
 Material LumbarModel::at(const Vec3& p, const Slice& slice) const {

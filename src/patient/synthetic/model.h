@@ -38,8 +38,12 @@ class LumbarModel {
   Material sac(const Vec3& p, const Slice& slice, double distance) const;
   Material ligament(const Vec3& p, const Slice& slice, double canal) const;
 
+  bool is_calcified(const Vec3& p, double front, double back) const;
+
   Spine spine_;
   Torso torso_;
+  double calcification_;
+  std::uint64_t seed_;
 };
 
 // What the labels mean, for the structures that `labels` holds.

@@ -100,6 +100,8 @@ void check_parameters(const LumbarParameters& parameters) {
   require("height", parameters.height, 1.40, 2.05, " m");
   require("weight", parameters.weight, 40.0, 160.0, " kg");
   require("flexion", parameters.flexion, 0.0, 1.0, "");
+  require("scoliosis", parameters.scoliosis, -40.0, 40.0, " degrees");
+  require("calcification", parameters.calcification, 0.0, 1.0, "");
   require("spacing", parameters.spacing, 0.5, 3.0, " mm");
 }
 
@@ -142,6 +144,7 @@ LumbarSizes lumbar_sizes(const LumbarParameters& parameters) {
   spine.sacral_facet_angle = 53.0 * degrees;
   spine.scoliosis = 1.2 * scale * variation(shape_random);
   spine.rotation = 0.6 * degrees * variation(shape_random);
+  spine.cobb = degrees * parameters.scoliosis;
 
   TorsoSizes& torso = sizes.torso;
   torso.scale = scale;
@@ -156,6 +159,7 @@ LumbarSizes lumbar_sizes(const LumbarParameters& parameters) {
   torso.visceral = std::clamp(0.008 * excess, -0.06, 0.25);
   torso.muscle_fat = std::clamp((age - 35.0) / 60.0, 0.0, 1.0);
 
+  sizes.calcification = parameters.calcification;
   // Trabecular attenuation falls by about 2.5 HU a year (Jang et al. 2019, Radiology 291, 360-367): with the
   // library's value standing for the age of 45, 1.25 % of 200 HU.
   sizes.cancellous_factor = std::clamp(1.0 - 0.0125 * (age - 45.0), 0.4, 1.3);

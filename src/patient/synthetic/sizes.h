@@ -46,6 +46,7 @@ struct SpineSizes {
   double osteophyte;   // rim on the endplates, fraction of the half width
   double scoliosis;    // mm, sideways bow of the spine
   double rotation;     // rad, axial rotation at the apex of the bow
+  double cobb;         // rad, of a curve that was asked for, > 0: convex to the left
 };
 
 struct TorsoSizes {
@@ -61,6 +62,7 @@ struct TorsoSizes {
 struct LumbarSizes {
   SpineSizes spine;
   TorsoSizes torso;
+  double calcification;      // 0..1, see LumbarParameters
   double cancellous_factor;  // of the library's HU, falling with age
   double cortical_factor;
 };

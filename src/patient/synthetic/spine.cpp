@@ -14,6 +14,19 @@ double lower_facet(const SpineSizes& sizes, std::size_t i, bool angle) {
   return angle ? next.facet_angle : next.facet_half_distance;
 }
 
+// A curve that was asked for, over the share s of the way from the sacrum to T12: level at both ends, 1 in the
+// middle, most inclined a fifth of the way from each end; and its slope.
+double curve(double s) {
+  return 16.0 * s * s * (1.0 - s) * (1.0 - s);
+}
+double curve_slope(double s) {
+  return 32.0 * s * (1.0 - s) * (1.0 - 2.0 * s);
+}
+
+// Axial rotation of the apex for each degree of Cobb's angle: our choice. The spinous processes turn to the hollow
+// side, as they do in patients.
+constexpr double kTurnOfCurve = 0.4;
+
 Pose make_pose(const Mat3& rotation, const Vec3& origin) {
   Pose pose = Pose::Identity();
   pose.linear() = rotation;
@@ -58,14 +71,26 @@ Spine::Spine(const SpineSizes& sizes, double scale)
   }
   // A slight sideways bow over the length of the lumbar spine with its coupled axial rotation; none at the pelvis.
   const double length = origin[level::t12].z() - origin[level::s1].z();
+  // Cobb's angle lies between the two vertebrae that are inclined most against each other.
+  const auto share = [&](std::size_t at) {
+    return std::clamp((origin[at].z() - origin[level::s1].z()) / length, 0.0, 1.0);
+  };
+  double least = 0.0, most = 0.0;
+  for (std::size_t at = level::t12; at <= level::l5; ++at) {
+    least = std::min(least, curve_slope(share(at)));
+    most = std::max(most, curve_slope(share(at)));
+  }
+  const double inclination = sizes.cobb / (most - least);
   for (int i = 0; i < bones; ++i) {
     const auto at = static_cast<std::size_t>(std::min(i, level::s1));
     const double s = std::max((origin[at].z() - origin[level::s1].z()) / length, 0.0);
     const double bow = 4.0 * s * (1.0 - s);  // 0 at both ends, 1 in the middle
-    const double slope = 4.0 * (1.0 - 2.0 * s) * sizes.scoliosis / length;
-    const Vec3 place = origin[at] + Vec3(sizes.scoliosis * bow, 0.0, 0.0);
+    const double slope = 4.0 * (1.0 - 2.0 * s) * sizes.scoliosis / length + inclination * curve_slope(share(at));
+    const double sideways = sizes.scoliosis * bow + inclination * length * curve(share(at));
+    const double axial = sizes.rotation * bow + kTurnOfCurve * sizes.cobb * curve(share(at));
+    const Vec3 place = origin[at] + Vec3(sideways, 0.0, 0.0);
     const Mat3 turn = shapes::rotation(0, angle[at]);
-    const Mat3 bend = shapes::rotation(1, slope) * shapes::rotation(2, sizes.rotation * bow);
+    const Mat3 bend = shapes::rotation(1, slope) * shapes::rotation(2, axial);
     // The ilium's frame is the sacrum's turned upright: the sacrum leans by 38 degrees when the spine is straight.
     const Mat3 upright = i == ilium ? Mat3(shapes::rotation(0, -38.0 * shapes::degrees)) : Mat3(Mat3::Identity());
     poses_[static_cast<std::size_t>(i)] = make_pose(bend * turn * upright, place);
@@ -176,6 +201,9 @@ SpineSection Spine::section(double z) const {
   s.tip_x = tip_x_(z);
   s.tip_y = tip_y_(z);
   s.back_y = std::max(back_y_(z), s.tip_y);
+  // The turn of a curve parts tip and canal by up to a centimetre; that of every patient, less than half a
+  // millimetre, does not matter to the ligaments.
+  s.midline_slope = sizes_.cobb == 0.0 ? 0.0 : (s.tip_x - s.canal_x) / (s.tip_y - s.canal_y);
   s.body_x = body_x_(z);
   s.body_y = body_y_(z);
   s.body_half_width = body_half_width_(z);

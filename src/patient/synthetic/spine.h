@@ -21,6 +21,7 @@ struct SpineSection {
   double flavum;                                     // thickness of the ligamentum flavum
   double tip_x, tip_y;                               // line along the tips of the spinous processes
   double back_y;                                     // the same, bridging the hollow behind L5 and S1
+  double midline_slope;  // of the midline behind the canal, x over y: 0 but in a spine that is turned
   double body_x, body_y, body_half_width, body_half_depth;
 };
 

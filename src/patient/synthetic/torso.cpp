@@ -3,10 +3,9 @@
 namespace bodkin::patient {
 namespace {
 
-// Depth of the groove between the two columns of back muscle, and how far the supraspinous ligament stands behind the
-// tips of the spinous processes (mm): our choice. Section thicknesses of the other muscles: our choice too, after CT.
+// Depth of the groove between the two columns of back muscle (mm): our choice. Section thicknesses of the other
+// muscles: our choice too, after CT.
 constexpr double kMuscleFurrow = 9.0;
-constexpr double kSupraspinous = 3.7;
 
 double square(double x) {
   return x * x;

@@ -37,6 +37,9 @@ class Torso {
  public:
   Torso(const TorsoSizes& sizes, const Spine& spine, std::uint64_t seed);
 
+  // How far the supraspinous ligament stands behind the tips of the spinous processes, mm: our choice.
+  static constexpr double kSupraspinous = 3.7;
+
   TorsoSection section(double z, const SpineSection& spine) const;
   // Signed distance to an outline, negative inside; good to a few percent within a centimetre.
   static double outline_distance(const Vec3& p, const TorsoSection& section, const TorsoSection::Outline& outline);

@@ -165,6 +165,8 @@ void make_synthetic_case(const json& request) {
   parameters.height = request.value("height", parameters.height);
   parameters.weight = request.value("weight", parameters.weight);
   parameters.flexion = request.value("flexion", parameters.flexion);
+  parameters.scoliosis = request.value("scoliosis", parameters.scoliosis);
+  parameters.calcification = request.value("calcification", parameters.calcification);
   parameters.spacing = request.value("spacing", parameters.spacing);
   finish_case(patient::build_synthetic_case(new_case(request), parameters, report_progress));
 }
