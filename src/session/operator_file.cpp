@@ -1,9 +1,11 @@
 #include "session/operator_file.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
@@ -162,13 +164,25 @@ simulation::OperatorScript parse_operator(std::string_view text, const std::stri
   return script;
 }
 
+std::vector<std::string> shipped_operators() {
+  std::vector<std::string> names;
+  std::error_code failed;
+  const std::filesystem::path folder = io::shared_file("operators/expert.xml").parent_path();
+  for (const auto& entry : std::filesystem::directory_iterator(folder, failed))
+    if (entry.path().extension() == ".xml") names.push_back(entry.path().stem().string());
+  if (failed) throw SystemError(fmt::format("{} cannot be read: {}", folder.string(), failed.message()));
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 simulation::OperatorScript load_operator(const std::string& name) {
-  const bool bundled = name == "expert" || name == "novice";
+  const std::vector<std::string> shipped = shipped_operators();
+  const bool bundled = std::find(shipped.begin(), shipped.end(), name) != shipped.end();
   const std::filesystem::path file =
       bundled ? io::shared_file("operators/" + name + ".xml") : std::filesystem::path(name);
   if (!bundled && !std::filesystem::exists(file)) {
-    throw InputError(
-        fmt::format("--operator is '{}', expected 'expert', 'novice' or the name of an operator file", name));
+    throw InputError(fmt::format("--operator is '{}', expected '{}' or the name of an operator file", name,
+                                 fmt::join(shipped, "', '")));
   }
   return parse_operator(io::read_text_file(file, largest_file), file.string());
 }

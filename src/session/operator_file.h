@@ -2,14 +2,17 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "simulation/operator_script.h"
 
 namespace bodkin::session {
 
-// The operator that `name` means: "expert" or "novice", which come with Bodkin (share/bodkin/operators), or the path
-// of an operator file (docs/running.md describes the format). Throws InputError naming file, line, what was found and
-// what was expected.
+// Names of the operators that come with Bodkin (share/bodkin/operators), in alphabetical order. Throws SystemError.
+std::vector<std::string> shipped_operators();
+
+// The operator that `name` means: one who comes with Bodkin, such as "expert", or the path of an operator file
+// (docs/running.md describes the format). Throws InputError naming file, line, what was found and what was expected.
 simulation::OperatorScript load_operator(const std::string& name);
 
 // The same from text already in memory; `origin` names it in messages.

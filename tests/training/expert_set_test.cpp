@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "io/resources.h"
+#include "training/procedure_file.h"
 
 namespace bodkin {
 
@@ -51,6 +53,31 @@ TEST(ExpertSet, refuses_what_is_no_table_of_attempts) {
   EXPECT_THAT(refusal("insertions\nmany\n"), HasSubstr("e.csv, line 2: insertions is 'many', expected a number"));
   EXPECT_THAT(refusal("insertions,duration_s\n1\n"), HasSubstr("line 2: there are 1 fields, expected 2"));
   EXPECT_THAT(refusal("a,b\n1,2\n"), HasSubstr("no column is a metric"));
+}
+
+// Every rule of a procedure about what a hand does compares with the experts that come for it, and they are experts:
+// none harmed anybody, and nearly all passed.
+TEST(ExpertSet, shipped_experts_have_what_their_procedure_asks_about_and_nearly_all_pass) {
+  for (const char* name : {"lumbar_puncture", "spinal_anaesthesia", "epidural", "ct_guided_biopsy", "acupuncture"}) {
+    const auto experts = ExpertSet::shipped(name);
+    ASSERT_TRUE(experts.has_value()) << name;
+    EXPECT_EQ(experts->size(), 60U) << name;
+    int kept = 0, rules = 0;
+    for (const Rule& rule : find_procedure(name).rules) {
+      const std::string_view metric = rule.metric;
+      if (metric == "bone_force_N" || metric.starts_with("twirl")) continue;  // nobody met bone, nobody twirls
+      const auto place = experts->place(metric, 0.0);
+      ASSERT_TRUE(place.has_value()) << name << ' ' << metric;
+      ++rules;
+      if (rule.borderline_from <= place->low && place->high <= rule.borderline_to) ++kept;
+    }
+    EXPECT_EQ(kept, rules) << name << ": nine of ten experts keep every rule, or miss it by little";
+    const std::string text = io::read_text_file(experts->origin(), 1 << 20);
+    EXPECT_EQ(text.find(",dangerous,"), std::string::npos) << name;
+    int failed = 0;
+    for (std::size_t at = text.find(",fail,"); at != std::string::npos; at = text.find(",fail,", at + 1)) ++failed;
+    EXPECT_LE(failed, 3) << name;
+  }
 }
 
 }  // namespace
