@@ -8,7 +8,8 @@
 source "$(dirname "$0")/setup.sh"
 
 programs=(tick_bench models_bench servo_bench haply_bench run_bench fem_tick_bench fem_body_bench fem_preparation_bench
-          corotational_bench ultrasound_bench case_load_bench scene_bench)
+          corotational_bench ultrasound_bench case_load_bench scene_bench
+          training_bench training_store_bench)
 results=build/numbers
 
 if [ "${1:-}" != --print ]; then
@@ -81,6 +82,9 @@ scene_bench:needle_moves a needle that moves, pixels
 scene_bench:skin_dimples a needle and the skin that it dents, pixels
 scene_bench:camera_turns another camera, pixels, samples along a side of each
 scene_bench:surfaces_are_made surfaces of the lumbar torso, all cores
+training_bench:score_ten_minutes a session of ten minutes judged, already in memory
+training_bench:simulated_lumbar_puncture a lumbar puncture by the simulated expert, performed and judged, one thread
+training_store_bench:cohort_table_of_100000_attempts table of 1000 trainees at 2 procedures, 100 000 attempts, from SQLite
 NAMES
 }
 
@@ -119,6 +123,8 @@ heading() {
     ultrasound_bench) echo "Ultrasound: one image" ;;
     case_load_bench) echo "Opening a case: the lumbar torso of 1 mm" ;;
     scene_bench) echo "The patient in 3-D: one frame" ;;
+    training_bench) echo "Training: scores" ;;
+    training_store_bench) echo "Training: the table of a cohort" ;;
   esac
 }
 
