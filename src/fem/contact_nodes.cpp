@@ -65,6 +65,23 @@ void ContactNodes::begin(const Vec3& entry, const Vec3& direction, const Contact
   append(found_, tissues);
 }
 
+void ContactNodes::begin_growing(const Vec3& entry, const Vec3& direction) noexcept {
+  entry_ = entry;
+  direction_ = direction;
+  count_ = found_ = grown_ = 0;
+}
+
+bool ContactNodes::grow(std::size_t known, const ContactTissues& tissues) noexcept {
+  const std::size_t end = std::min(known, body_.nodes.size());
+  std::size_t found = 0;
+  for (; grown_ < end; ++grown_) {
+    const double depth = std::max(0.0, (body_.nodes[grown_] - entry_).dot(direction_));
+    candidates_[found++] = {static_cast<std::uint32_t>(grown_), static_cast<std::int64_t>(grown_), 0.0, depth};
+  }
+  append(found, tissues);
+  return found > 0;
+}
+
 bool ContactNodes::add(const ContactNode& node) noexcept {
   if (count_ == nodes_.size()) return false;
   nodes_[count_++] = node;

@@ -28,6 +28,10 @@ class ContactNodes {
 
   // Finds the nodes along a line; the cost is linear in the nodes of the corridor. Never throws or allocates.
   void begin(const Vec3& entry, const Vec3& direction, const ContactTissues& tissues) noexcept;
+  // The same for the contact points of exactly this line, which grow() appends as they become known; none at first.
+  void begin_growing(const Vec3& entry, const Vec3& direction) noexcept;
+  // The first `known` points of the body are there now. True when some of them are new.
+  bool grow(std::size_t known, const ContactTissues& tissues) noexcept;
   void clear() noexcept { count_ = 0; }
   // Adds a node after the others; false at full capacity.
   bool add(const ContactNode& node) noexcept;
@@ -53,6 +57,7 @@ class ContactNodes {
   std::vector<Candidate> candidates_;  // size: nodes of the corridor
   std::vector<ContactNode> nodes_;     // size: nodes of the corridor
   std::size_t count_ = 0, found_ = 0;
+  std::size_t grown_ = 0;                                  // points that grow() has appended
   Vec3 entry_ = Vec3::Zero(), direction_ = Vec3::UnitZ();  // of the last find_candidates()
 };
 

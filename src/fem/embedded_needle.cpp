@@ -63,25 +63,56 @@ EmbeddedNeedle::EmbeddedNeedle(const anatomy::CondensedBody& body, const Contact
 
 void EmbeddedNeedle::reset() noexcept {
   std::fill(punctured_.begin(), punctured_.end(), std::uint8_t{0});
-  begin(Vec3::Zero(), Vec3::UnitZ());
+  start(Vec3::Zero(), Vec3::UnitZ());  // reads nothing of the body, which may be growing
   contact_nodes_.clear();
   begun_ = false;
 }
 
 void EmbeddedNeedle::begin(const Vec3& entry, const Vec3& direction) noexcept {
+  start(entry, direction);
+  contact_nodes_.begin(entry, direction, tissues_);
+  if (!line().empty()) constraints_.add_before_tip(line()[0].index);
+}
+
+void EmbeddedNeedle::begin_growing(const Vec3& entry, const Vec3& direction,
+                                   const ProvisionalSurface& surface) noexcept {
+  start(entry, direction);
+  surface_ = surface;
+  contact_nodes_.begin_growing(entry, direction);
+  std::fill(punctured_.begin(), punctured_.end(), std::uint8_t{0});
+}
+
+// The first point takes the force of the provisional surface over, as far as the tip is deep enough for it.
+void EmbeddedNeedle::extend(std::size_t points, bool complete) noexcept {
+  surface_.is_missing = complete && points == 0;
+  const bool first = line().empty();
+  if (!contact_nodes_.grow(points, tissues_) || !first || line().empty()) return;
+  constraints_.add_before_tip(line()[0].index);
+  if (!fresh_) place_tip_contact(constraints_.compliance().row(0, 0)[0] * provisional_);
+  provisional_ = 0.0;
+}
+
+// N, of a surface whose contact point is not there yet. Where there is none at all it fades.
+double EmbeddedNeedle::provisional_force() noexcept {
+  if (!line().empty() || !(surface_.compliance > 0.0)) return 0.0;
+  if (surface_.is_missing)
+    surface_.strength = std::max(0.0, surface_.strength - surface_.strength * dt_ / settings_.puncture_time);
+  return std::clamp(tip_ / surface_.compliance, 0.0, surface_.strength);
+}
+
+void EmbeddedNeedle::start(const Vec3& entry, const Vec3& direction) noexcept {
   entry_ = entry;
   frame_.col(0) = direction;
   const Vec3 other = std::abs(direction.x()) < 0.6 ? Vec3::UnitX() : Vec3::UnitY();
   frame_.col(1) = direction.cross(other).normalized();
   frame_.col(2) = direction.cross(frame_.col(1));
-  contact_nodes_.begin(entry, direction, tissues_);
   constraints_.begin(frame_);
   std::fill(forces_.begin(), forces_.end(), 0.0);
   turn_.setZero();
-  bevel_energy_ = 0.0;
+  bevel_energy_ = provisional_ = 0.0;
+  surface_ = {};
   captured_ = 0;
   begun_ = fresh_ = true;
-  if (!line().empty()) constraints_.add_before_tip(line()[0].index);
   force_ = {};
   published_.count = 0;
 }
@@ -222,7 +253,7 @@ void EmbeddedNeedle::puncture() noexcept {
   NodeContact& contact = contacts_[captured_ - 1];
   contact.slip = slip;
   contact.puncture_residual = contact.limit = force;
-  force_.puncture = TissuePuncture{node.tissue, tip_, force};
+  force_.puncture = TissuePuncture{node.tissue, tip_, force, body_.nodes[node.index]};
 }
 
 const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle, double pressed) noexcept {
@@ -264,6 +295,7 @@ const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle, double press
     cut_aside(advance);
     solve_contacts();
     puncture();
+    provisional_ = provisional_force();
   }
   report();
   return force_;

@@ -18,8 +18,16 @@ namespace bodkin::fem {
 // The needle has punctured a tissue.
 struct TissuePuncture {
   anatomy::TissueId tissue = anatomy::tissue::air;
-  double depth = 0.0;  // mm, of the tip below the entry, along the line
-  double force = 0.0;  // N, along the needle
+  double depth = 0.0;         // mm, of the tip below the entry, along the line
+  double force = 0.0;         // N, along the needle
+  Vec3 place = Vec3::Zero();  // mm, LPS, of the node or contact point, at rest
+};
+
+// What the tip pushes on where the first contact point is still being computed.
+struct ProvisionalSurface {
+  double compliance = 0.0;  // mm/N, along the needle; 0: nothing
+  double strength = 0.0;    // N, that it takes at most
+  bool is_missing = false;  // there is no contact point at all
 };
 
 // Result of one tick: the forces between a needle and a deformable body.
@@ -76,6 +84,16 @@ class EmbeddedNeedle {
 
   // Starts an insertion: the needle touches the body at `entry` and goes along the unit vector `direction` (LPS).
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
+  // The same in the contact points of exactly this line, which are still being computed (ContactLine): none is there
+  // until extend(). Until the first one is there the tip pushes on `surface`, whose force the point takes over. A
+  // tissue whose border comes late, after the tip has passed its place, is felt from there on.
+  void begin_growing(const Vec3& entry, const Vec3& direction, const ProvisionalSurface& surface = {}) noexcept;
+  // Before a tick: the first `points` of the body are there now; `complete`: no more will come.
+  void extend(std::size_t points, bool complete = false) noexcept;
+  // Adds a puncture: the points within 1 mm of it in the same tissue are open.
+  void open(const Vec3& place, anatomy::TissueId tissue) noexcept;
+  // mm, of the points that extend() added, in their order; negative for one that is not there.
+  double point_depth(std::size_t point) const noexcept { return point < line().size() ? line()[point].depth : -1.0; }
   // Computes one tick. Before the first begin() there is no contact. `pressed`: mm, >= 0, along the line, by which
   // the hub is nearer to the body than the needle's length allows because its tip stands on something rigid; the free
   // length of a bending needle is shorter by as much.
@@ -131,6 +149,8 @@ class EmbeddedNeedle {
   Eigen::Vector2d shaft_offset(double depth) const noexcept {
     return axis_offset(depth) + beam_deflection(root_.outside + depth);
   }
+  void start(const Vec3& entry, const Vec3& direction) noexcept;
+  double provisional_force() noexcept;
   bool blocked() const noexcept;
   void release_withdrawn() noexcept;
   void capture() noexcept;
@@ -178,6 +198,8 @@ class EmbeddedNeedle {
   Eigen::Vector2d turn_ = Eigen::Vector2d::Zero();  // rad, rotation of a pinned hub from the pose
   Eigen::Vector2d side_ = Eigen::Vector2d::Zero();  // unit vector across, towards the point of the bevel
   double bevel_energy_ = 0.0;                       // N mm, dissipated by friction and not used by the bevel
+  ProvisionalSurface surface_;
+  double provisional_ = 0.0;  // N, of the last tick
   EmbeddedNeedleForce force_;
   NodeForces published_;
 };

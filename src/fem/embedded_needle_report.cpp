@@ -34,8 +34,9 @@ void EmbeddedNeedle::report() noexcept {
     for (int i = 0; i < 2; ++i) pushed(0) += beam_->push_back(root_, across(i), moment(i), turn_(i));
     force_.tip_deflection = shaft_deflection(0.0);
   }
+  pushed(0) += provisional_;
   force_.resistance = pushed(0);
-  force_.tip_force = known > captured_ ? forces_[3 * captured_] : 0.0;
+  force_.tip_force = known > captured_ ? forces_[3 * captured_] : provisional_;
   force_.on_hand = {-(frame_ * pushed), -(frame_ * torque)};
   force_.beyond = begun_ && (line().empty() || tip_ > line().back().depth + 2.0 * std::max(settings_.spacing,
                                                                                            settings_.capture_radius));

@@ -22,6 +22,13 @@ void EmbeddedNeedle::take_punctures_of_points(const EmbeddedNeedle& other) noexc
   }
 }
 
+void EmbeddedNeedle::open(const Vec3& place, anatomy::TissueId tissue) noexcept {
+  for (const ContactNode& node : line()) {
+    if (node.tissue == tissue && (body_.nodes[node.index] - place).squaredNorm() < same_hole * same_hole)
+      punctured_[node.index] = 1;
+  }
+}
+
 void EmbeddedNeedle::take_punctures(const EmbeddedNeedle& other) noexcept {
   if (body_.has_contact_points() && other.body_.has_contact_points()) take_punctures_of_points(other);
   auto old = other.names_.begin();

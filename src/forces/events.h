@@ -21,14 +21,18 @@ enum class EventKind : std::uint8_t {
   force_limited,       // the governor had to intervene; value = force asked for, N
   fault,               // a value was not finite or a device failed; force ramps to zero
   corridor_left,       // the needle is where no node of the deformable body was prepared; value = 0
-  corridor_taken,      // another corridor than before; value = the tick that it was aimed at, -1 the session's first
+  corridor_taken,      // another corridor than before; value = the tick that it was aimed at, -1 the session's first,
+                       // -2 the needle's own line
   corridor_refreshed,  // the needle begins or continues in the body as a probe presses it; value = that state's
                        // number
   moving_body_failed,  // the solver of the body that a probe presses failed: the static one is used; value = 0
   fluid_returned,      // cerebrospinal fluid comes back through the needle; value = flow, mm^3/s
   pressure_lost,       // the syringe's plunger gives way; value = drop of pressure, MPa
   hub_contact,         // the needle is in to its whole length, the hub lies on the skin; value = 0
-  needle_buckled       // the needle bows outside the body and its tip stays; value = force that it bears, N
+  needle_buckled,      // the needle bows outside the body and its tip stays; value = force that it bears, N
+  points_taken,        // more contact points of the needle's own line are there; value = their number, once no more
+                       // will come -1 less their number
+  points_late  // the needle is where a contact point is still being computed; value = mm past the point's place
 };
 
 struct Event {

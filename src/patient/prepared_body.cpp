@@ -55,7 +55,8 @@ std::shared_ptr<const fem::ContactBody> contact_body(const fem::BodyDescription&
 std::shared_ptr<const fem::BodyDescription> prepare_body(anatomy::Case& patient, const std::filesystem::path& folder,
                                                          const std::optional<anatomy::NeedlePath>& path,
                                                          const Progress& progress,
-                                                         const std::function<void(const std::string&)>& note) {
+                                                         const std::function<void(const std::string&)>& note,
+                                                         std::shared_ptr<const fem::ContactBody>* kept) {
   const anatomy::ResistanceSettings& resistance = patient.description.haptics.resistance;
   const anatomy::DeformableBodySettings* settings = anatomy::body_of(resistance);
   if (settings == nullptr) return nullptr;
@@ -81,6 +82,7 @@ std::shared_ptr<const fem::BodyDescription> prepare_body(anatomy::Case& patient,
     const auto whole = contact_body(described.body, progress, note);
     patient.corridor = {
         std::make_shared<const anatomy::CondensedBody>(points_of(*whole, patient, *about, *points)), *about, {}};
+    if (kept != nullptr) *kept = whole;
     return std::make_shared<const fem::BodyDescription>(std::move(described.body));
   }
   const bool is_planned = planned && same(*about, *planned);
@@ -106,6 +108,19 @@ anatomy::PreparedCorridor another_corridor(const fem::BodyDescription& body, con
   anatomy::CondensedBody condensed = fem::condense(described, {}, progress);
   fem::take_tissues_of_voxels(condensed, patient);
   return {std::make_shared<const anatomy::CondensedBody>(std::move(condensed)), path, aimed_at};
+}
+
+std::unique_ptr<fem::ContactStream> contact_stream(const fem::BodyDescription& body,
+                                                   std::shared_ptr<const anatomy::Case> patient, double length,
+                                                   std::shared_ptr<const fem::ContactBody>& kept,
+                                                   std::shared_ptr<fem::ContactLine> line) {
+  const anatomy::EmbeddedNeedleSettings* points = with_points(*patient);
+  if (points == nullptr) return nullptr;
+  if (kept == nullptr) kept = contact_body(body, {}, {});
+  const fem::ContactStreamSettings settings{.length = length + points->body.corridor_beyond,
+                                            .spacing = points->point_spacing,
+                                            .tip_radius = points->tip_radius};
+  return std::make_unique<fem::ContactStream>(kept, std::move(patient), settings, std::move(line));
 }
 
 std::optional<anatomy::NeedlePath> aimed_path(const Pose& needle, const anatomy::TissueVolume& tissues,

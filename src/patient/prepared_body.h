@@ -10,6 +10,7 @@
 #include "anatomy/case.h"
 #include "core/progress.h"
 #include "fem/solid/contact_body.h"
+#include "fem/solid/contact_stream.h"
 
 namespace bodkin::patient {
 
@@ -18,14 +19,16 @@ inline constexpr const char* body_file_name = "body.condensed";
 
 // Gives a case the deformable body that its resistance needs, with a corridor about `path` (the planned one where
 // there is none), from the mesh in `folder` and the settings of the resistance: condensed now or, about the planned
-// path, read back when that was done before. With contact points the corridor is the points of the path itself.
+// path, read back when that was done before. With contact points the corridor is the points of the path itself, and
+// `kept`, unless null, becomes the factorised body for the functions below.
 // Returns what the body was made from, for more corridors; nullptr, and nothing done, when the resistance needs no
 // body. `note` hears what was assumed, and what memory the work takes, before it takes it. Throws InputError, one
 // sentence, when there is no path or no mesh, and for everything that describe_body() and condense() refuse.
 std::shared_ptr<const fem::BodyDescription> prepare_body(anatomy::Case& patient, const std::filesystem::path& folder,
                                                          const std::optional<anatomy::NeedlePath>& path,
                                                          const Progress& progress,
-                                                         const std::function<void(const std::string&)>& note);
+                                                         const std::function<void(const std::string&)>& note,
+                                                         std::shared_ptr<const fem::ContactBody>* kept = nullptr);
 
 // Another corridor of the same body. `aimed_at`: the tick whose needle goes along `path`. `kept`: of a needle with
 // contact points (EmbeddedNeedleSettings::contact), the factorised body for further calls with the same `body`; a
@@ -34,6 +37,14 @@ anatomy::PreparedCorridor another_corridor(const fem::BodyDescription& body, con
                                            const anatomy::NeedlePath& path, std::uint64_t aimed_at,
                                            std::shared_ptr<const fem::ContactBody>& kept,
                                            const Progress& progress = {});
+
+// Computes the contact points of every line that `line` is asked for, as deep as `length` mm (that of the planned
+// path) and what the settings add to it. `kept` as above. Throws like prepare_body(); null for a resistance without
+// contact points.
+std::unique_ptr<fem::ContactStream> contact_stream(const fem::BodyDescription& body,
+                                                   std::shared_ptr<const anatomy::Case> patient, double length,
+                                                   std::shared_ptr<const fem::ContactBody>& kept,
+                                                   std::shared_ptr<fem::ContactLine> line);
 
 // The path that a needle outside the body would take: from where it would meet the skin, as deep as `length` mm.
 // Nothing when it is in the body already, or when there is none within 150 mm before its tip.

@@ -127,6 +127,10 @@ std::string event_text(const forces::Event& event, const anatomy::TissueLibrary&
       return "the hub meets the skin: the needle is in to its whole length";
     case forces::EventKind::needle_buckled:
       return fmt::format("the needle buckles at {:.2f} N, its tip stays", event.value);
+    case forces::EventKind::points_taken:
+      return "contact points of the needle's line are computed";
+    case forces::EventKind::points_late:
+      return fmt::format("the tip is {:.1f} mm past a contact point that is still being computed", event.value);
     case forces::EventKind::fault:
       break;
   }
@@ -140,7 +144,7 @@ bool is_notable(forces::EventKind kind) {
          kind == forces::EventKind::corridor_taken || kind == forces::EventKind::corridor_refreshed ||
          kind == forces::EventKind::moving_body_failed || kind == forces::EventKind::fluid_returned ||
          kind == forces::EventKind::hub_contact || kind == forces::EventKind::needle_buckled ||
-         kind == forces::EventKind::pressure_lost;
+         kind == forces::EventKind::pressure_lost || kind == forces::EventKind::points_late;
 }
 
 std::vector<PlotBand> bands_of(std::span<const TissueCrossing> crossings, const anatomy::TissueLibrary& library) {

@@ -99,8 +99,29 @@ class CorridorsTaken {
                  const Progress& progress)
       : session_(session), patient_(patient), body_(body), progress_(progress) {}
 
+  // Before the first tick.
+  void begin(simulation::HapticTick& haptics) {
+    const bool own_lines = std::any_of(session_.events.begin(), session_.events.end(), [](const SessionEvent& event) {
+      return event.event.kind == forces::EventKind::points_taken ||
+             (event.event.kind == forces::EventKind::corridor_taken &&
+              event.event.value == simulation::BodyPort::own_line);
+    });
+    if (!own_lines) return;
+    std::shared_ptr<fem::ContactLine> line;
+    if (body_ != nullptr && haptics.body() != nullptr) line = haptics.body()->stream_points(true);
+    if (line == nullptr) {
+      throw InputError(
+          "the session's needle met contact points of its own line, but the resistance has none here; record it "
+          "again");
+    }
+    const std::shared_ptr<const anatomy::Case> patient(std::shared_ptr<const anatomy::Case>(), &patient_);
+    stream_ = patient::contact_stream(*body_, patient, session_.header.path.length(), kept_, std::move(line));
+  }
+
   void prepare_for(std::span<const forces::Event> events, simulation::HapticTick& haptics) {
     for (const forces::Event& event : events) {
+      if (event.kind == forces::EventKind::points_taken && stream_ != nullptr)
+        haptics.body()->take_points(event.value);
       const bool is_another = event.value >= 0.0 && event.value < static_cast<double>(session_.ticks.size());
       if (event.kind != forces::EventKind::corridor_taken || !is_another) continue;
       const auto aimed_at = static_cast<std::uint64_t>(event.value);
@@ -131,6 +152,7 @@ class CorridorsTaken {
   const Progress& progress_;
   std::shared_ptr<const fem::ContactBody> kept_;
   std::vector<std::uint64_t> there_;
+  std::unique_ptr<fem::ContactStream> stream_;  // of the needle's own lines
 };
 
 // The equations of the body are those of the session, since check_same_case() has compared the case.
@@ -176,6 +198,7 @@ ReplayResult replay_session(const Session& session, anatomy::Case patient, const
   std::vector<std::uint8_t> was, is, all_events;
   std::uint64_t chain = 0;
   CorridorsTaken corridors(session, patient, body, progress);
+  corridors.begin(haptics);
   const std::span<const forces::DiagnosticName> published = haptics.diagnostic_names();
   const auto names = has_same_diagnostics(session.header, published) ? published : published.first(0);
   auto event = session.events.begin();

@@ -39,11 +39,11 @@ constexpr std::array<std::string_view, 29> number_names = {"needle_x_axis_x",
                                                            "constraint",
                                                            "energy"};
 
-constexpr std::array<std::string_view, 17> kind_names = {
+constexpr std::array<std::string_view, 19> kind_names = {
     "contact",        "puncture",           "loss_of_resistance", "bone_contact",   "bone_left",
     "tissue_entered", "withdrawn",          "force_limited",      "fault",          "corridor_left",
     "corridor_taken", "corridor_refreshed", "moving_body_failed", "fluid_returned", "pressure_lost",
-    "hub_contact",    "needle_buckled"};
+    "hub_contact",    "needle_buckled",     "points_taken",       "points_late"};
 
 // Visits every number of a record in the order of `number_names`; `Record` may be const.
 template <typename Record, typename Visit>

@@ -138,6 +138,35 @@ DeformableShaft::DeformableShaft(const anatomy::Case& patient, const anatomy::Pr
   at_rest_ = first.nodes;
 }
 
+DeformableShaft::DeformableShaft(const DeformableShaft& other, const anatomy::Case& patient,
+                                 const fem::ContactLine& line, const anatomy::EmbeddedNeedleSettings& settings,
+                                 double dt)
+    : scale_(other.scale_),
+      body_(std::shared_ptr<const anatomy::CondensedBody>(), &line.body()),
+      spring_(other.spring_),
+      needle_(std::make_unique<fem::EmbeddedNeedle>(*body_, tissues_in(patient), settings, dt,
+                                                    beam_in(patient, settings.bending))),
+      bone_(patient),
+      deforms_(other.deforms_),
+      surface_compliance_(other.body_->compliance.topLeftCorner<3, 3>()),
+      surface_strength_(tissues_in(patient)[other.body_->tissues[0]].puncture_force) {}
+
+void DeformableShaft::begin_growing(const Vec3& entry, const Vec3& direction, bool open) noexcept {
+  needle_->begin_growing(
+      entry, direction,
+      {.compliance = open ? 0.0 : direction.dot(surface_compliance_ * direction), .strength = surface_strength_});
+  bone_.reset();
+  entry_ = entry;
+  direction_ = direction;
+  beyond_ = false;
+  growing_ = true;
+}
+
+void DeformableShaft::extend(std::size_t points, bool complete) noexcept {
+  needle_->extend(points, complete);
+  growing_ = !complete;
+}
+
 void DeformableShaft::begin(const Vec3& entry, const Vec3& direction) noexcept {
   sunk_ = at_rest_.empty() ? 0.0 : sunk_at(entry, direction, at_rest_, *body_);
   needle_->begin(entry + sunk_ * direction, direction);
@@ -182,9 +211,11 @@ forces::ResistanceForce DeformableShaft::step(const forces::NeedleInTissue& need
   tip_force_ = found.tip_force;
   nodes_ = static_cast<double>(found.nodes);
   report(found.puncture, sunk_, events);
-  if (found.beyond && !beyond_ && !bone_.met())  // at bone the nodes end, for it does not move
+  puncture_ = found.puncture;
+  const bool beyond = found.beyond && !growing_;
+  if (beyond && !beyond_ && !bone_.met())  // at bone the nodes end, for it does not move
     events.push({forces::EventKind::corridor_left, needle.tissue, needle.motion.depth, 0.0});
-  beyond_ = found.beyond;
+  beyond_ = beyond;
   const Vec3 across = found.on_hand.force + found.resistance * direction_;
   const Vec3 square = across - across.dot(line) * direction_;  // to the needle; what turns it
   return {.along = found.resistance + bone,

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "anatomy/case.h"
 #include "fem/closest_node.h"
+#include "fem/contact_line.h"
 #include "fem/embedded_needle.h"
 #include "forces/resistance_model.h"
 #include "simulation/bone_wall.h"
@@ -39,7 +41,23 @@ class DeformableShaft {
   DeformableShaft(const anatomy::Case& patient, const anatomy::PreparedCorridor& corridor,
                   const anatomy::EmbeddedNeedleSettings& settings, double dt);
 
+  // In contact points of the needle's own lines, as they become known in `line`, of the same body as `other`.
+  DeformableShaft(const DeformableShaft& other, const anatomy::Case& patient, const fem::ContactLine& line,
+                  const anatomy::EmbeddedNeedleSettings& settings, double dt);
+
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
+  // The same in points that extend() adds before a tick; `complete`: no more will come. Until the first is there the
+  // tip pushes on the surface with the compliance that the prepared line's has, unless it is `open` there.
+  void begin_growing(const Vec3& entry, const Vec3& direction, bool open) noexcept;
+  void extend(std::size_t points, bool complete) noexcept;
+  // mm, of the points that extend() added, in their order; below 0 for one that is not there.
+  double point_depth(std::size_t point) const noexcept { return needle_->point_depth(point); }
+  bool has_contact_points() const noexcept { return body_->has_contact_points(); }
+  // Of the last step, where something gave way.
+  const std::optional<fem::TissuePuncture>& puncture() const noexcept { return puncture_; }
+  void open(const Vec3& place, anatomy::TissueId tissue) noexcept { needle_->open(place, tissue); }
+  // mm/N, of the spring that the body stands on for the device's sake.
+  double spring() const noexcept { return spring_; }
   void reset() noexcept;
   forces::ResistanceForce step(const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept;
   // mm by which the hand's needle is ahead of the one in the body: the spring between them, and bone.
@@ -65,7 +83,11 @@ class DeformableShaft {
   BoneWall bone_;
   bool deforms_;  // mechanics="physical"
   Vec3 entry_ = Vec3::Zero(), direction_ = Vec3::UnitZ();
-  bool beyond_ = false;  // the needle has left the corridor
+  bool beyond_ = false;                     // the needle has left the corridor
+  bool growing_ = false;                    // more contact points will come
+  Mat3 surface_compliance_ = Mat3::Zero();  // mm/N, of the prepared line's first point
+  double surface_strength_ = 0.0;           // N, at which its tissue gives way
+  std::optional<fem::TissuePuncture> puncture_;
   // Of a body that is pressed: its nodes at rest, by which its surface is found again; else none.
   std::vector<Vec3> at_rest_;
   double sunk_ = 0.0;  // mm along the line by which the surface lies deeper than at rest

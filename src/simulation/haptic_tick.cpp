@@ -173,6 +173,8 @@ TickOutput HapticTick::State::step(const TickInput& input, const Vec3& axis) noe
     bow.begin();
     motion.rebase(contact.depth(tip) - advance);
     output.events.push({forces::EventKind::contact, output.tissue, 0.0, 0.0});
+  } else if (BodyPort* const body = resistance.body()) {
+    body->approach(tip, axis);
   }
 
   // Free, the estimator follows the motion along the needle; held, the depth along the frozen line.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "patient/prepared_body.h"
 #include <fmt/format.h>
 
 #include "core/error.h"
@@ -30,15 +31,23 @@ std::string slow_motion_warning(std::size_t nodes) {
 }
 
 BodySupervisor::BodySupervisor(std::shared_ptr<const anatomy::Case> patient,
-                               std::shared_ptr<const fem::BodyDescription> body, double length)
-    : patient_(std::move(patient)) {
+                               std::shared_ptr<const fem::BodyDescription> body, double length,
+                               std::shared_ptr<const fem::ContactBody> kept)
+    : patient_(std::move(patient)), body_(std::move(body)), whole_body_(std::move(kept)), length_(length) {
   const bool points = patient_->corridor.body != nullptr && patient_->corridor.body->has_contact_points();
-  keeper_.emplace(patient_, std::move(body), length,
-                  points ? simulation::BodyPort::most_corridors - 1 : most_node_corridors);
+  keeper_.emplace(patient_, body_, length, points ? simulation::BodyPort::most_corridors - 1 : most_node_corridors,
+                  whole_body_);
 }
 
 BodySupervisor::BodySupervisor(std::shared_ptr<const anatomy::Case> patient, std::shared_ptr<PatientBody> moving)
     : patient_(std::move(patient)), moving_(std::move(moving)) {}
+
+void BodySupervisor::stream_points(HandSession& session) {
+  simulation::BodyPort* const port = session.body();
+  if (port == nullptr || whole_body_ == nullptr) return;
+  if (std::shared_ptr<fem::ContactLine> line = port->stream_points(false))
+    stream_ = patient::contact_stream(*body_, patient_, length_, whole_body_, std::move(line));
+}
 
 std::vector<std::string> BodySupervisor::update(HandSession& session) {
   std::vector<std::string> news;
@@ -54,6 +63,7 @@ std::vector<std::string> BodySupervisor::update(HandSession& session) {
 }
 
 void BodySupervisor::update_static(HandSession& session, std::vector<std::string>& news) {
+  if (stream_ != nullptr) return;  // the tick asks for its needle's line itself
   const HandSnapshot& now = session.snapshot();
   if (now.ticks == 0) return;
   CorridorKeeper::News found = keeper_->update(now.needle, now.ticks - 1);

@@ -27,12 +27,14 @@ bool within(double distance, const anatomy::NeedlePath& one, const anatomy::Need
 }  // namespace
 
 CorridorKeeper::CorridorKeeper(std::shared_ptr<const anatomy::Case> patient,
-                               std::shared_ptr<const fem::BodyDescription> body, double length, std::size_t room)
+                               std::shared_ptr<const fem::BodyDescription> body, double length, std::size_t room,
+                               std::shared_ptr<const fem::ContactBody> kept)
     : patient_(std::move(patient)),
       body_(std::move(body)),
       length_(length),
       room_(room),
-      corridors_{patient_->corridor} {}
+      corridors_{patient_->corridor},
+      kept_(std::move(kept)) {}
 
 CorridorKeeper::~CorridorKeeper() {
   given_up_.store(true);
@@ -55,19 +57,20 @@ CorridorKeeper::News CorridorKeeper::update(const Pose& needle, std::uint64_t ti
     try {
       news.ready = making_.get();
       corridors_.push_back(*news.ready);
-      news.sentence = "the deformable body is prepared where the needle aimed";
+      if (!has_points()) news.sentence = "the deformable body is prepared where the needle aimed";
     } catch (const InputError& error) {
       refused_ = wanted_;
-      news.sentence = fmt::format("the deformable body cannot be prepared where the needle aims: {}", error.what());
+      if (!has_points())
+        news.sentence = fmt::format("the deformable body cannot be prepared where the needle aims: {}", error.what());
     }
     return news;
   }
   const std::optional<anatomy::NeedlePath> path = uncovered(needle);
   const std::optional<anatomy::NeedlePath> before = std::exchange(aimed_, path);
   if (!path) return news;
-  if (corridors_.front().body->has_contact_points() && !(before && within(still, *before, *path))) return news;
+  if (has_points() && !(before && within(still, *before, *path))) return news;
   if (corridors_.size() > room_) {
-    if (!std::exchange(said_full_, true)) {
+    if (!has_points() && !std::exchange(said_full_, true)) {
       news.sentence = fmt::format(
           "the needle aims where the deformable body is not prepared, and there is no room for more than {} "
           "corridors: begin a new session there",
@@ -81,6 +84,7 @@ CorridorKeeper::News CorridorKeeper::update(const Pose& needle, std::uint64_t ti
       if (given_up_.load()) throw GivenUp();
     });
   });
+  if (has_points()) return news;
   news.sentence =
       "the needle aims where the deformable body is not prepared: that is being done, wait outside until it is";
   return news;

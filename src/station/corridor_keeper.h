@@ -17,7 +17,8 @@ namespace bodkin::station {
 // Prepares more of a static deformable body while a hand moves: where the needle aims and no corridor covers its
 // path, one is made on a background thread and returned when it is ready. One at a time; where the needle aims
 // meanwhile is checked afterwards. A corridor of contact points, which is for one line and made in a fraction of a
-// second, waits until the needle aims at the same place in two updates. All calls from one thread, none of which
+// second, waits until the needle aims at the same place in two updates, and nothing is said of it, since elsewhere a
+// needle has its own line (BodyPort::stream_points). All calls from one thread, none of which
 // waits.
 class CorridorKeeper {
  public:
@@ -28,9 +29,9 @@ class CorridorKeeper {
   };
 
   // `patient`: with its first corridor, and a resistance that has a deformable body. `length`: mm, how deep needles
-  // go. `room`: how many more corridors the tick can take.
+  // go. `room`: how many more corridors the tick can take. `kept`: of contact points, from prepare_body(), or null.
   CorridorKeeper(std::shared_ptr<const anatomy::Case> patient, std::shared_ptr<const fem::BodyDescription> body,
-                 double length, std::size_t room);
+                 double length, std::size_t room, std::shared_ptr<const fem::ContactBody> kept = {});
 
   // Aborts a corridor that is being made.
   ~CorridorKeeper();
@@ -42,6 +43,7 @@ class CorridorKeeper {
   bool is_preparing() const noexcept { return making_.valid(); }
 
  private:
+  bool has_points() const { return corridors_.front().body->has_contact_points(); }
   std::optional<anatomy::NeedlePath> uncovered(const Pose& needle) const;
 
   std::shared_ptr<const anatomy::Case> patient_;

@@ -79,10 +79,11 @@ struct Station::Parts {
   StationObserver& observer;
   anatomy::NeedlePath path;
   std::shared_ptr<anatomy::Case> patient;
-  std::shared_ptr<const fem::BodyDescription> body;  // null: rigid
-  std::shared_ptr<PatientBody> moving;               // null: rigid or static
-  std::optional<FollowedPoints> points;              // of the observer
-  std::unique_ptr<NodeField> field;                  // of a static body, until the ultrasound takes it
+  std::shared_ptr<const fem::BodyDescription> body;    // null: rigid
+  std::shared_ptr<PatientBody> moving;                 // null: rigid or static
+  std::shared_ptr<const fem::ContactBody> whole_body;  // of contact points; else null
+  std::optional<FollowedPoints> points;                // of the observer
+  std::unique_ptr<NodeField> field;                    // of a static body, until the ultrasound takes it
   haptics::DeviceAbilities device;
   haptics::DeviceCalibration calibration;
   haptics::StableStiffness stiffness;  // that the device may be asked to render
@@ -108,8 +109,9 @@ Station::Parts::Parts(StationOptions from, StationObserver& watching)
       patient(std::make_shared<anatomy::Case>(std::move(options.patient))) {}
 
 void Station::Parts::prepare_patient() {
-  body = patient::prepare_body(*patient, options.case_folder, options.path, observer.progress(),
-                               [this](const std::string& text) { observer.note(text); });
+  body = patient::prepare_body(
+      *patient, options.case_folder, options.path, observer.progress(),
+      [this](const std::string& text) { observer.note(text); }, &whole_body);
   patient->description.procedure.path = path;
   if (!options.moving_body) return;
   const std::string warning = slow_motion_warning(body->mesh.nodes.size());
@@ -291,7 +293,7 @@ Station::Station(StationOptions options, StationObserver& observer) {
   if (parts.moving != nullptr) {
     parts.supervisor.emplace(parts.patient, parts.moving);
   } else if (parts.body != nullptr) {
-    parts.supervisor.emplace(parts.patient, parts.body, parts.path.length());
+    parts.supervisor.emplace(parts.patient, parts.body, parts.path.length(), parts.whole_body);
   }
   if (ultrasound) parts.prepare_ultrasound(probe);
   std::shared_ptr<session::SecondLink> link;
@@ -304,6 +306,7 @@ Station::Station(StationOptions options, StationObserver& observer) {
   // The mouse is a hand of its own that tissue holds back, and a recording is to come back as it was.
   const DeviceChoice& hand = parts.options.device;
   if (parts.device.peak_force == 0.0 && !hand.is_recorded() && !hand.is_mouse()) parts.session->guide_along_axis();
+  if (parts.supervisor) parts.supervisor->stream_points(*parts.session);
   if (parts.moving != nullptr) parts.session->press(parts.moving);
   if (parts.scan != nullptr) parts.session->show_on(parts.scan);
   if (parts.points && parts.points->display() != nullptr) parts.session->show_on(parts.points->display());

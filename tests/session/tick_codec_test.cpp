@@ -39,9 +39,10 @@ TEST(TickCodec, other_events_keep_these_bytes_at_zero) {
 }
 
 TEST(TickCodec, every_kind_of_event_has_a_name) {
-  for (int kind = 0; kind <= static_cast<int>(EventKind::needle_buckled); ++kind)
+  for (int kind = 0; kind <= static_cast<int>(EventKind::points_late); ++kind)
     EXPECT_NE(event_kind_name(static_cast<EventKind>(kind)), "unknown") << kind;
   EXPECT_EQ(event_kind_name(EventKind::needle_buckled), "needle_buckled");
+  EXPECT_EQ(event_kind_name(EventKind::points_late), "points_late");
 }
 
 }  // namespace

@@ -1,12 +1,15 @@
 // A hand goes where no corridor of the deformable body was prepared.
 #include "station/corridor_keeper.h"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
+#include <vector>
 
 #include "patient/prepared_body.h"
 #include "session/replay.h"
 #include "tests/fem/lattice_body.h"
+#include "tests/simulation/real_time_guard.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -181,6 +184,148 @@ TEST(CorridorKeeper, a_session_that_took_another_corridor_replays_to_the_bit) {
 
 TEST(CorridorKeeper, a_session_that_took_the_points_of_another_line_replays_to_the_bit) {
   expect_another_corridor_to_replay(NeedleContactKind::points);
+}
+
+// A straight way in and out again at 50 mm/s; `depth`: mm.
+struct Insertion {
+  Vec3 entry, direction;
+  double depth = 25.0;
+  bool is_planned = false;  // along the planned path, of which nothing has to be computed
+};
+
+const Vec3 aslant = Vec3(0.3, 0.0, 1.0).normalized();
+
+// Two where nothing is prepared, the second aslant through the first one's hole.
+const std::vector<Insertion> through_one_hole = {{Vec3(40.0, 30.0, 0.0), Vec3::UnitZ()},
+                                                 {Vec3(40.2, 30.0, 0.0), aslant}};
+
+enum class Points {
+  never,     // nothing computes them
+  any_time,  // the loop is much faster than the clock
+  in_time    // the hand waits outside for them
+};
+
+Session session_on_own_lines(const BlockOfTissue& block, Points points, const std::vector<Insertion>& insertions) {
+  Session session;
+  session.header.path = *block.patient.description.procedure.path;
+  session.header.haptics = block.patient.description.haptics;
+  session.header.dt = 0.001;
+  HapticTick tick(block.patient);
+  const std::shared_ptr<ContactLine> line = tick.body()->stream_points(false);
+  if (line == nullptr) return session;
+  std::shared_ptr<const ContactBody> kept;
+  std::unique_ptr<ContactStream> stream;
+  const auto patient = std::make_shared<const Case>(block.patient);
+  if (points != Points::never)
+    stream = contact_stream(*block.body, patient, session.header.path.length(), kept, line);
+  std::size_t real_time_calls = 0;
+  const auto step = [&](const Insertion& insertion, double way) {
+    TickRecord record;
+    record.tick = session.ticks.size();
+    record.input.needle = needle_pose(insertion.entry + way * insertion.direction, insertion.direction);
+    {
+      const RealTimeGuard guard;
+      record.output = tick.step(record.input);
+      real_time_calls += RealTimeGuard::heap_calls() + RealTimeGuard::lock_calls();
+    }
+    for (const Event& event : record.output.events) session.events.push_back({record.tick, event});
+    record.output.events.clear();
+    session.ticks.push_back(record);
+    if (points == Points::in_time && !insertion.is_planned && !record.output.in_contact)
+      line->wait_for(ContactLine::most_points);
+  };
+  for (const Insertion& insertion : insertions) {
+    for (double way = -5.0; way < insertion.depth; way += 0.05) step(insertion, way);
+    for (double way = insertion.depth; way > -5.0; way -= 0.05) step(insertion, way);
+  }
+  EXPECT_EQ(real_time_calls, 0U) << "the tick took memory or a lock";
+  return session;
+}
+
+std::vector<double> values_of(const Session& session, EventKind kind) {
+  std::vector<double> values;
+  for (const SessionEvent& event : session.events) {
+    if (event.event.kind == kind) values.push_back(event.event.value);
+  }
+  return values;
+}
+
+int punctures_of(const Session& session, TissueId tissue) {
+  return static_cast<int>(
+      std::count_if(session.events.begin(), session.events.end(), [tissue](const SessionEvent& event) {
+        return event.event.kind == EventKind::puncture && event.event.tissue == tissue;
+      }));
+}
+
+void expect_replay(const Session& session, const BlockOfTissue& block) {
+  const ReplayResult same = replay_session(session, block.patient, {}, block.body.get());
+  EXPECT_FALSE(same.difference) << same.difference->field << " at tick " << same.difference->tick;
+  EXPECT_EQ(same.ticks, session.ticks.size());
+}
+
+TEST(OwnLines, a_needle_enters_where_nothing_was_prepared) {
+  const BlockOfTissue block = block_of_tissue(NeedleContactKind::points);
+  const Session session = session_on_own_lines(block, Points::in_time, through_one_hole);
+  ASSERT_FALSE(session.ticks.empty());
+  EXPECT_EQ(values_of(session, EventKind::corridor_taken), std::vector<double>{BodyPort::own_line});
+  EXPECT_TRUE(values_of(session, EventKind::points_late).empty());
+  EXPECT_TRUE(values_of(session, EventKind::corridor_left).empty());
+  EXPECT_EQ(punctures_of(session, tissue::skin), 1);  // the second finds the hole
+  double greatest = 0.0;
+  for (const TickRecord& record : session.ticks) greatest = std::max(greatest, record.output.resistance);
+  EXPECT_GT(greatest, 1.4);
+  expect_replay(session, block);
+}
+
+TEST(OwnLines, a_session_whose_points_come_at_any_time_replays_to_the_bit) {
+  const BlockOfTissue block = block_of_tissue(NeedleContactKind::points);
+  const Session session = session_on_own_lines(block, Points::any_time, through_one_hole);
+  ASSERT_FALSE(session.ticks.empty());
+  expect_replay(session, block);
+  EXPECT_THROW(replay_session(session, block.patient), InputError);  // without the body
+}
+
+TEST(OwnLines, share_their_holes_with_prepared_lines) {
+  const BlockOfTissue block = block_of_tissue(NeedleContactKind::points);
+  const Vec3 planned = block.patient.description.procedure.path->entry;
+  const Insertion prepared{planned, Vec3::UnitZ(), 15.0, true};
+  const Insertion beside{planned + Vec3(1.7, 0.0, 0.0), Vec3::UnitZ(), 15.0};
+  const Insertion through_hole{planned, Vec3(-0.3, 0.2, 1.0).normalized(), 15.0};
+  const auto skins_of = [&](const std::vector<Insertion>& insertions) {
+    const Session session = session_on_own_lines(block, Points::in_time, insertions);
+    expect_replay(session, block);
+    return punctures_of(session, tissue::skin);
+  };
+  EXPECT_EQ(skins_of({prepared, through_hole, prepared}), 1);
+  EXPECT_EQ(skins_of({through_hole, prepared, through_hole}), 1);
+  EXPECT_EQ(skins_of({beside, prepared, beside}), 2);
+}
+
+// The surface is felt at once, with the compliance that it has where the path was planned.
+TEST(OwnLines, are_felt_before_their_points_are_there) {
+  const BlockOfTissue block = block_of_tissue(NeedleContactKind::points);
+  const Session session = session_on_own_lines(
+      block, Points::never, {{Vec3(40.0, 30.0, 0.0), aslant, 3.0}, {Vec3(40.0, 30.0, 0.0), aslant, 3.0}});
+  ASSERT_FALSE(session.ticks.empty());
+  EXPECT_EQ(values_of(session, EventKind::points_late).size(), 2U);  // once in each insertion
+  EXPECT_EQ(punctures_of(session, tissue::skin), 0);
+  const Mat3 surface = block.patient.corridor.body->compliance.topLeftCorner<3, 3>();
+  const double compliance = aslant.dot(surface * aslant);
+  int felt = 0;
+  for (const TickRecord& record : session.ticks) {
+    if (!record.output.in_contact) continue;
+    const double depth = (record.input.needle.translation() - Vec3(40.0, 30.0, 0.0)).dot(aslant);
+    EXPECT_NEAR(record.output.resistance, std::min(1.5, depth / compliance), 1e-6);
+    ++felt;
+  }
+  EXPECT_GT(felt, 200);
+  expect_replay(session, block);
+}
+
+TEST(OwnLines, are_of_contact_points_alone) {
+  const BlockOfTissue block = block_of_tissue();
+  HapticTick tick(block.patient);
+  EXPECT_EQ(tick.body()->stream_points(false), nullptr);
 }
 
 }  // namespace

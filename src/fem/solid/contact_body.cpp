@@ -24,11 +24,6 @@ BodyDescription without_corridor(const BodyDescription& body) {
   return {body.mesh, body.materials, body.fixed, {}};
 }
 
-struct Point {
-  const NeedleStation* station;
-  PointInMesh place;
-};
-
 }  // namespace
 
 ContactBody::ContactBody(std::shared_ptr<const BodyDescription> body, const FactorOptions& options,
@@ -53,75 +48,127 @@ CarriedPoint ContactBody::carried(const PointInMesh& place) const {
   return point;
 }
 
+// The points of one line, computed group by group from the entry on.
+class ContactBody::Points {
+ public:
+  Points(const ContactBody& body, std::span<const NeedleStation> stations, const Vec3& direction, double tip_radius,
+         int threads)
+      : body_(body), direction_(direction), tip_radius_(tip_radius), pool_(threads) {
+    std::map<std::uint32_t, std::size_t> in_element;
+    for (const NeedleStation& station : stations) {
+      const PointInMesh place = body.finder_.find(station.place, reach);
+      if (!place.moves()) continue;
+      std::size_t& there = in_element[place.element];
+      if (!station.border && there >= most_in_element) continue;
+      ++there;
+      points_.push_back({&station, place});
+    }
+    responses_.resize(points_.size());
+    between_.resize(points_.size());
+  }
+
+  std::size_t size() const noexcept { return points_.size(); }
+
+  // Points `from` to `to`; those before `from` have been computed.
+  void compute(std::size_t from, std::size_t to) {
+    pool_.run((to - from + points_at_once - 1) / points_at_once, [&](std::size_t batch) {
+      const std::size_t first = from + batch * points_at_once, last = std::min(to, first + points_at_once);
+      std::vector<CarriedPoint> loads;
+      for (std::size_t i = first; i < last; ++i) loads.push_back(load_of(points_[i]));
+      std::vector<PointResponse> found = body_.factor_->respond(loads);
+      std::move(found.begin(), found.end(), responses_.begin() + static_cast<std::ptrdiff_t>(first));
+    });
+    pool_.run(to - from, [&](std::size_t which) {
+      const std::size_t j = from + which;
+      between_[j].resize(j + 1);
+      for (std::size_t i = 0; i <= j; ++i) between_[j][i] = compliance_between(responses_[i], responses_[j]);
+      between_[j][j] += gain_of(j);
+    });
+  }
+
+  ContactPoint point(std::size_t i) const {
+    const Point& here = points_[i];
+    return {here.station->place, here.station->tissue, {here.place.nodes, here.place.weights}, between_[i]};
+  }
+
+ private:
+  struct Point {
+    const NeedleStation* station;
+    PointInMesh place;
+  };
+
+  TipDisk disk_of(const Point& point) const { return {point.station->place, direction_, tip_radius_}; }
+
+  CarriedPoint load_of(const Point& point) const {
+    if (!point.station->resists) return body_.carried(point.place);
+    CarriedPoint load;
+    for (const auto& [node, weight] : shares_of(disk_of(point), body_.finder_, reach)) {
+      const std::uint32_t free = body_.free_nodes_[node];
+      if (free != ElasticSystem::fixed) load.shares.push_back({free, weight});
+    }
+    return load;
+  }
+
+  // mm/N, what the mesh lacks at a point.
+  Mat3 gain_of(std::size_t i) const {
+    const BodyDescription& body = *body_.body_;
+    const std::uint32_t element = points_[i].place.element;
+    const ElasticMaterial& material = *body.materials.find(body.mesh.tissues[element]);
+    const Mat3 regular =
+        shaft_gain(material, edge_of_volume(anatomy::element_volume(body.mesh, element)), shaft_radius) *
+        Mat3::Identity();
+    if (!points_[i].station->resists) return regular;
+    const Mat3 gain = refinement_gain(body.mesh, body_.finder_, body.materials, body_.fixed_, disk_of(points_[i]));
+    // A disk in held elements moves by nothing else.
+    return responses_[i].path.empty() ? Mat3(gain + regular) : gain;
+  }
+
+  const ContactBody& body_;
+  Vec3 direction_;
+  double tip_radius_;
+  ThreadPool pool_;
+  std::vector<Point> points_;
+  std::vector<PointResponse> responses_;
+  std::vector<std::vector<Mat3>> between_;  // of each point with those before it, and itself
+};
+
 anatomy::CondensedBody ContactBody::contact_points(std::span<const NeedleStation> stations, const Vec3& direction,
                                                    double tip_radius, int threads) const {
-  std::vector<Point> points;
-  std::map<std::uint32_t, std::size_t> in_element;
-  for (const NeedleStation& station : stations) {
-    const PointInMesh place = finder_.find(station.place, reach);
-    if (!place.moves()) continue;
-    std::size_t& there = in_element[place.element];
-    if (!station.border && there >= most_in_element) continue;
-    ++there;
-    points.push_back({&station, place});
-  }
-  if (points.empty()) {
+  Points points(*this, stations, direction, tip_radius, threads);
+  if (points.size() == 0) {
     throw InputError(
         "the needle's path meets no part of the mesh; lead it through the meshed part of the patient, or mesh the "
         "patient anew about this path");
   }
-  ThreadPool pool(threads);
-  const std::size_t count = points.size();
-  std::vector<PointResponse> responses(count);
-  std::vector<Mat3> gains(count);
-  const std::size_t batches = (count + points_at_once - 1) / points_at_once;
-  const auto disk_of = [&](const Point& point) { return TipDisk{point.station->place, direction, tip_radius}; };
-  pool.run(batches, [&](std::size_t batch) {
-    const std::size_t from = batch * points_at_once, to = std::min(count, from + points_at_once);
-    std::vector<CarriedPoint> loads;
-    for (std::size_t i = from; i < to; ++i) {
-      CarriedPoint load;
-      if (points[i].station->resists) {
-        for (const auto& [node, weight] : shares_of(disk_of(points[i]), finder_, reach)) {
-          const std::uint32_t free = free_nodes_[node];
-          if (free != ElasticSystem::fixed) load.shares.push_back({free, weight});
-        }
-      } else {
-        load = carried(points[i].place);
-      }
-      loads.push_back(std::move(load));
-    }
-    std::vector<PointResponse> found = factor_->respond(loads);
-    std::move(found.begin(), found.end(), responses.begin() + static_cast<std::ptrdiff_t>(from));
-  });
-  pool.run(count, [&](std::size_t i) {
-    const std::uint32_t element = points[i].place.element;
-    const ElasticMaterial& material = *body_->materials.find(body_->mesh.tissues[element]);
-    const double regular =
-        shaft_gain(material, edge_of_volume(anatomy::element_volume(body_->mesh, element)), shaft_radius);
-    gains[i] = points[i].station->resists
-                   ? refinement_gain(body_->mesh, finder_, body_->materials, fixed_, disk_of(points[i]))
-                   : Mat3(regular * Mat3::Identity());
-    // A disk in held elements moves by nothing else.
-    if (points[i].station->resists && responses[i].path.empty()) gains[i] += regular * Mat3::Identity();
-  });
+  points.compute(0, points.size());
   anatomy::CondensedBody body;
-  body.compliance.resize(3 * static_cast<Eigen::Index>(count), 3 * static_cast<Eigen::Index>(count));
-  pool.run(count, [&](std::size_t j) {
+  const auto size = static_cast<Eigen::Index>(3 * points.size());
+  body.compliance.resize(size, size);
+  for (std::size_t j = 0; j < points.size(); ++j) {
+    const ContactPoint point = points.point(j);
+    body.nodes.push_back(point.place);
+    body.tissues.push_back(point.tissue);
+    body.in_mesh.push_back(point.in_mesh);
     for (std::size_t i = 0; i <= j; ++i) {
-      Mat3 between = compliance_between(responses[i], responses[j]);
-      if (i == j) between += gains[i];
-      const auto row = 3 * static_cast<Eigen::Index>(i), column = 3 * static_cast<Eigen::Index>(j);
-      body.compliance.block<3, 3>(row, column) = between;
-      body.compliance.block<3, 3>(column, row) = between.transpose();
+      const auto row = static_cast<Eigen::Index>(3 * i), column = static_cast<Eigen::Index>(3 * j);
+      body.compliance.block<3, 3>(row, column) = point.between[i];
+      body.compliance.block<3, 3>(column, row) = point.between[i].transpose();
     }
-  });
-  for (const Point& point : points) {
-    body.nodes.push_back(point.station->place);
-    body.tissues.push_back(point.station->tissue);
-    body.in_mesh.push_back({point.place.nodes, point.place.weights});
   }
   return body;
+}
+
+void ContactBody::stream(std::span<const NeedleStation> stations, const Vec3& direction, double tip_radius,
+                         const std::function<bool(const ContactPoint&)>& next) const {
+  Points points(*this, stations, direction, tip_radius, 1);
+  std::size_t group = 1;
+  for (std::size_t from = 0; from < points.size(); from += group, group = std::min(2 * group, points_at_once)) {
+    const std::size_t to = std::min(points.size(), from + group);
+    points.compute(from, to);
+    for (std::size_t i = from; i < to; ++i) {
+      if (!next(points.point(i))) return;
+    }
+  }
 }
 
 }  // namespace bodkin::fem

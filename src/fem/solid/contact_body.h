@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "anatomy/condensed_body.h"
 #include "core/progress.h"
+#include "fem/contact_line.h"
 #include "fem/solid/elastic_body.h"
 #include "fem/solid/needle_stations.h"
 #include "fem/solid/packed_factor.h"
@@ -39,10 +41,18 @@ class ContactBody {
   anatomy::CondensedBody contact_points(std::span<const NeedleStation> stations, const Vec3& direction,
                                         double tip_radius, int threads = 0) const;
 
+  // The same points with the same bits, one after another, on this thread: `next` hears each when it is computed, and
+  // says whether to go on. They are computed in groups, the first alone and the largest of 8. None at all on a line
+  // beside the mesh.
+  void stream(std::span<const NeedleStation> stations, const Vec3& direction, double tip_radius,
+              const std::function<bool(const ContactPoint&)>& next) const;
+
   // A place of the mesh as a point that its nodes carry; those that are held carry nothing.
   CarriedPoint carried(const PointInMesh& place) const;
 
  private:
+  class Points;
+
   std::shared_ptr<const BodyDescription> body_;
   std::vector<bool> fixed_;                // by node of the mesh
   std::vector<std::uint32_t> free_nodes_;  // by node of the mesh, as the equations number it

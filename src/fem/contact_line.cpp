@@ -1,0 +1,92 @@
+#include "fem/contact_line.h"
+
+namespace bodkin::fem {
+
+namespace {
+
+constexpr std::uint64_t complete_bit = std::uint64_t{1} << 31U, points_mask = complete_bit - 1;
+
+}  // namespace
+
+ContactLine::ContactLine(double spring) : spring_(spring) {
+  body_.nodes.resize(most_points, Vec3::Zero());
+  body_.tissues.resize(most_points, anatomy::tissue::air);
+  body_.in_mesh.resize(most_points);
+  constexpr auto size = static_cast<Eigen::Index>(3 * most_points);
+  body_.compliance = Eigen::MatrixXd::Zero(size, size);
+}
+
+void ContactLine::ask(const Vec3& entry, const Vec3& direction) noexcept {
+  std::uint64_t before = asked_.load(std::memory_order_relaxed);
+  if (before == closed) return;
+  const auto number = static_cast<std::uint32_t>(before + 1);
+  wanted_.write({number, entry, direction});
+  // Fails only when the line has been closed meanwhile.
+  if (asked_.compare_exchange_strong(before, number, std::memory_order_acq_rel)) asked_.notify_all();
+}
+
+ContactLine::Progress ContactLine::progress() const noexcept {
+  const std::uint64_t asked = asked_.load(std::memory_order_relaxed);
+  const std::uint64_t now = progress_.load(std::memory_order_acquire);
+  if (now >> 32U != asked) return {0, asked == closed};
+  return {static_cast<std::size_t>(now & points_mask), (now & complete_bit) != 0};
+}
+
+ContactLine::Progress ContactLine::wait_for(std::size_t points) const noexcept {
+  for (;;) {
+    const std::uint64_t seen = progress_.load(std::memory_order_acquire);
+    const Progress now = progress();
+    if (now.complete || now.points >= points) return now;
+    progress_.wait(seen, std::memory_order_acquire);
+  }
+}
+
+std::optional<ContactLine::Line> ContactLine::next_line() noexcept {
+  for (;;) {
+    const std::uint64_t now = asked_.load(std::memory_order_acquire);
+    if (now == closed) return {};
+    if (now > served_) {
+      const Line line = wanted_.read();  // this one, or one that is about to be asked for
+      served_ = line.number;
+      progress_.store(std::uint64_t{line.number} << 32U, std::memory_order_release);
+      return line;
+    }
+    asked_.wait(now, std::memory_order_acquire);
+  }
+}
+
+bool ContactLine::append(const Line& line, const ContactPoint& point) noexcept {
+  const std::uint64_t now = progress_.load(std::memory_order_relaxed);
+  const auto at = static_cast<std::size_t>(now & points_mask);
+  if (asked_.load(std::memory_order_acquire) > line.number || at == most_points || point.between.size() != at + 1)
+    return false;
+  body_.nodes[at] = point.place;
+  body_.tissues[at] = point.tissue;
+  body_.in_mesh[at] = point.in_mesh;
+  const auto column = static_cast<Eigen::Index>(3 * at);
+  for (std::size_t i = 0; i <= at; ++i) {
+    const auto row = static_cast<Eigen::Index>(3 * i);
+    const Mat3 between = point.between[i] + spring_ * Mat3::Identity();
+    body_.compliance.block<3, 3>(row, column) = between;
+    body_.compliance.block<3, 3>(column, row) = between.transpose();
+  }
+  progress_.store(now + 1, std::memory_order_release);
+  progress_.notify_all();
+  return true;
+}
+
+void ContactLine::complete(const Line& line) noexcept {
+  const std::uint64_t now = progress_.load(std::memory_order_relaxed);
+  if (now >> 32U != line.number) return;
+  progress_.store(now | complete_bit, std::memory_order_release);
+  progress_.notify_all();
+}
+
+void ContactLine::close() noexcept {
+  asked_.store(closed, std::memory_order_release);
+  asked_.notify_all();
+  progress_.fetch_xor(std::uint64_t{1} << 63U, std::memory_order_acq_rel);  // another value, so that waiting ends
+  progress_.notify_all();
+}
+
+}  // namespace bodkin::fem

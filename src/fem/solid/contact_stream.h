@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <thread>
+
+#include "anatomy/case.h"
+#include "fem/contact_line.h"
+#include "fem/solid/contact_body.h"
+
+namespace bodkin::fem {
+
+// What the points of a needle's line are like; see EmbeddedNeedleSettings.
+struct ContactStreamSettings {
+  double length = 100.0;    // mm, above 0, how deep needles go
+  double spacing = 1.0;     // mm, above 0
+  double tip_radius = 1.0;  // mm, above 0
+};
+
+// Computes the contact points of every line that is asked for (ContactLine) on a thread of its own: the first one
+// alone, since the needle touches it already, then more and more at once.
+class ContactStream {
+ public:
+  // `patient`: its tissues and its library. Starts the thread.
+  ContactStream(std::shared_ptr<const ContactBody> body, std::shared_ptr<const anatomy::Case> patient,
+                const ContactStreamSettings& settings, std::shared_ptr<ContactLine> line);
+  // Closes the line, and waits for the points that are being computed.
+  ~ContactStream();
+  ContactStream(const ContactStream&) = delete;
+  ContactStream& operator=(const ContactStream&) = delete;
+
+ private:
+  void serve();
+  void compute(const ContactLine::Line& line);
+
+  std::shared_ptr<const ContactBody> body_;
+  std::shared_ptr<const anatomy::Case> patient_;
+  ContactStreamSettings settings_;
+  std::shared_ptr<ContactLine> line_;
+  std::thread thread_;  // the last member: it uses the others
+};
+
+}  // namespace bodkin::fem

@@ -1,0 +1,274 @@
+// Contact points are computed ahead of a needle that enters where it likes.
+#include "fem/solid/contact_stream.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/fem/lattice_body.h"
+#include "tests/sanitized.h"
+#include <gtest/gtest.h>
+
+#include "core/random.h"
+#include "fem/embedded_needle.h"
+
+namespace bodkin {
+
+using namespace bodkin::anatomy;
+using namespace bodkin::fem;
+namespace {
+
+constexpr double box_side = 60.0;  // mm; the skin is at z = 60, the bottom is held
+
+std::shared_ptr<const ContactBody> box_of(std::uint32_t nodes_along) {
+  auto body = std::make_shared<BodyDescription>();
+  body->mesh = kuhn_lattice(nodes_along, box_side, 0.15);
+  body->materials.set(tissue::soft, {0.2, 0.3});
+  body->fixed = nodes_beyond(body->mesh, Vec3::Zero(), Vec3(0.0, 0.0, -1.0));
+  return std::make_shared<const ContactBody>(std::move(body));
+}
+
+// The same box in voxels of 1 mm: 2 mm of skin, muscle, and a ligament 20 to 24 mm deep.
+std::shared_ptr<const Case> patient_in_box() {
+  auto patient = std::make_shared<Case>();
+  std::vector<TissueProperties> tissues(4);
+  tissues[0].name = "air";
+  const std::vector<std::pair<TissueId, double>> forces = {
+      {tissue::skin, 1.5}, {tissue::muscle, 0.9}, {tissue::ligamentum_flavum, 4.7}};
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    tissues[i + 1].id = forces[i].first;
+    tissues[i + 1].name = tissues[i + 1].title = "tissue " + std::to_string(i);
+    tissues[i + 1].deformable.puncture_force = forces[i].second;
+  }
+  patient->library = TissueLibrary(tissues);
+  Grid grid;
+  grid.size = {60, 60, 70};
+  grid.origin = Vec3(0.5, 0.5, 0.5);
+  patient->tissues = TissueVolume(grid, tissue::air);
+  for (int k = 0; k < 60; ++k) {
+    const double depth = box_side - (k + 0.5);
+    const TissueId here = depth < 2.0                    ? tissue::skin
+                          : depth < 20.0 || depth > 24.0 ? tissue::muscle
+                                                         : tissue::ligamentum_flavum;
+    for (int j = 0; j < 60; ++j)
+      for (int i = 0; i < 60; ++i) patient->tissues.at(i, j, k) = here;
+  }
+  return patient;
+}
+
+const Vec3 entry_in_box(29.3, 31.2, box_side);
+
+CondensedBody complete_line(const ContactBody& body, const Case& patient, const Vec3& entry, const Vec3& direction) {
+  const NeedlePath path{entry, entry + 40.0 * direction};
+  return body.contact_points(stations_along(path, 40.0, 1.0, patient), direction, 1.0);
+}
+
+EmbeddedNeedle needle_in(const CondensedBody& body) {
+  return EmbeddedNeedle(body, default_contact_tissues(), {}, 1e-3);
+}
+
+// 50 mm/s down to `end` mm and back.
+std::vector<double> depths_to(double end) {
+  std::vector<double> depths;
+  for (double depth = 0.0; depth <= end; depth += 0.05) depths.push_back(depth);
+  for (double depth = end; depth >= 0.0; depth -= 0.05) depths.push_back(depth);
+  return depths;
+}
+
+TEST(ContactStream, has_the_points_and_the_bits_of_a_complete_line_anywhere_and_at_any_angle) {
+  const auto body = box_of(9);
+  const auto patient = patient_in_box();
+  const auto line = std::make_shared<ContactLine>();
+  const ContactStream stream(body, patient, {.length = 40.0}, line);
+  Random random(5);
+  for (int i = 0; i < (sanitized ? 1 : 4); ++i) {
+    const double x = random.uniform(15.0, 45.0), y = random.uniform(15.0, 45.0);
+    const double right = random.uniform(-0.5, 0.5), up = random.uniform(-0.5, 0.5);
+    const Vec3 entry(x, y, box_side), direction = Vec3(right, up, -1.0).normalized();
+    const CondensedBody expected = complete_line(*body, *patient, entry, direction);
+    line->ask(entry, direction);
+    const ContactLine::Progress found = line->wait_for(ContactLine::most_points);
+    ASSERT_TRUE(found.complete);
+    ASSERT_EQ(found.points, expected.nodes.size());
+    const auto size = expected.compliance.rows();
+    EXPECT_EQ(line->body().compliance.topLeftCorner(size, size), expected.compliance);
+    EXPECT_TRUE(std::equal(expected.nodes.begin(), expected.nodes.end(), line->body().nodes.begin()));
+    EXPECT_TRUE(std::equal(expected.tissues.begin(), expected.tissues.end(), line->body().tissues.begin()));
+  }
+}
+
+TEST(ContactStream, a_line_beside_the_mesh_is_complete_and_empty) {
+  const auto line = std::make_shared<ContactLine>();
+  const ContactStream stream(box_of(5), patient_in_box(), {.length = 40.0}, line);
+  line->ask(Vec3(300.0, 0.0, 0.0), Vec3::UnitZ());
+  const ContactLine::Progress found = line->wait_for(1);
+  EXPECT_TRUE(found.complete);
+  EXPECT_EQ(found.points, 0U);
+}
+
+TEST(ContactStream, a_new_line_takes_the_place_of_one_that_is_being_computed) {
+  const auto body = box_of(7);
+  const auto patient = patient_in_box();
+  const auto line = std::make_shared<ContactLine>();
+  const ContactStream stream(body, patient, {.length = 40.0}, line);
+  for (int i = 0; i < 20; ++i) {
+    const Vec3 entry = entry_in_box + Vec3(0.3 * i, 0.0, 0.0);
+    line->ask(entry, -Vec3::UnitZ());
+    EXPECT_FALSE(line->progress().complete);
+    const ContactLine::Progress found = line->wait_for(i % 3 == 0 ? 1 : 0);
+    for (std::size_t point = 0; point < found.points; ++point)
+      EXPECT_EQ(line->body().nodes[point].x(), entry.x()) << "of another line";
+  }
+  EXPECT_TRUE(line->wait_for(ContactLine::most_points).complete);
+}
+
+TEST(ContactStream, waiting_ends_when_the_stream_does) {
+  const auto line = std::make_shared<ContactLine>();
+  std::thread waiting([&] { EXPECT_TRUE(line->wait_for(1).complete); });
+  line->ask(Vec3::Zero(), Vec3::UnitZ());  // there is no stream
+  line->close();
+  waiting.join();
+  line->ask(Vec3::Zero(), Vec3::UnitZ());
+  EXPECT_TRUE(line->progress().complete);
+}
+
+TEST(GrowingLine, points_that_come_in_time_change_no_bit) {
+  const auto body = box_of(9);
+  const CondensedBody points = complete_line(*body, *patient_in_box(), entry_in_box, -Vec3::UnitZ());
+  EmbeddedNeedle whole = needle_in(points), growing = needle_in(points);
+  whole.begin(entry_in_box, -Vec3::UnitZ());
+  growing.begin_growing(entry_in_box, -Vec3::UnitZ());
+  int punctures = 0;
+  for (const double depth : depths_to(30.0)) {
+    const auto ahead = std::count_if(points.nodes.begin(), points.nodes.end(),
+                                     [&](const Vec3& node) { return entry_in_box.z() - node.z() <= depth + 3.0; });
+    growing.extend(static_cast<std::size_t>(ahead) + 2);  // the next one is farther where elements are large
+    const Pose pose = needle_pose(entry_in_box - depth * Vec3::UnitZ(), -Vec3::UnitZ());
+    const EmbeddedNeedleForce expected = whole.step(pose), found = growing.step(pose);
+    ASSERT_EQ(found.resistance, expected.resistance) << depth;
+    ASSERT_EQ(found.on_hand.force, expected.on_hand.force) << depth;
+    ASSERT_EQ(found.puncture.has_value(), expected.puncture.has_value()) << depth;
+    punctures += found.puncture ? 1 : 0;
+  }
+  EXPECT_GE(punctures, 2);
+}
+
+// The tip is up to 3 mm past a point before it is there.
+TEST(GrowingLine, points_that_come_late_are_felt_from_there_on_without_a_jump) {
+  const auto body = box_of(9);
+  const CondensedBody points = complete_line(*body, *patient_in_box(), entry_in_box, -Vec3::UnitZ());
+  EmbeddedNeedle needle = needle_in(points);
+  needle.begin_growing(entry_in_box, -Vec3::UnitZ());
+  std::vector<TissueId> punctures;
+  double before = 0.0;
+  bool punctured = false;
+  for (const double depth : depths_to(38.0)) {
+    const auto there = std::count_if(points.nodes.begin(), points.nodes.end(), [&](const Vec3& node) {
+      return 4.0 * std::floor((entry_in_box.z() - node.z()) / 4.0) + 3.0 <= depth;
+    });
+    needle.extend(static_cast<std::size_t>(there));
+    const EmbeddedNeedleForce force = needle.step(needle_pose(entry_in_box - depth * Vec3::UnitZ(), -Vec3::UnitZ()));
+    ASSERT_FALSE(force.fault);
+    if (!punctured) {
+      ASSERT_LT(std::abs(force.resistance - before), 0.3) << depth;
+    }
+    before = force.resistance;
+    punctured = force.puncture.has_value();
+    if (force.puncture) punctures.push_back(force.puncture->tissue);
+  }
+  EXPECT_NE(std::find(punctures.begin(), punctures.end(), tissue::ligamentum_flavum), punctures.end());
+}
+
+// The surface gives way as softly as half, and twice, what its point does once it is there.
+TEST(GrowingLine, the_first_point_takes_the_force_of_the_provisional_surface_over) {
+  const auto body = box_of(9);
+  const CondensedBody points = complete_line(*body, *patient_in_box(), entry_in_box, -Vec3::UnitZ());
+  const double own = points.compliance(2, 2);
+  for (const double part : {0.5, 1.0, 2.0}) {
+    EmbeddedNeedle needle = needle_in(points), whole = needle_in(points);
+    needle.begin_growing(entry_in_box, -Vec3::UnitZ(), {.compliance = part * own, .strength = 1.5});
+    whole.begin(entry_in_box, -Vec3::UnitZ());
+    double before = 0.0, work = 0.0;
+    for (double depth = 0.05; depth < 3.0; depth += 0.05) {
+      if (depth > 1.5) needle.extend(points.nodes.size(), true);
+      const Pose pose = needle_pose(entry_in_box - depth * Vec3::UnitZ(), -Vec3::UnitZ());
+      const EmbeddedNeedleForce found = needle.step(pose);
+      const double exact = whole.step(pose).resistance;
+      work += 0.05 * found.resistance;
+      EXPECT_NEAR(found.on_hand.force.z(), found.resistance, 1e-12);
+      EXPECT_EQ(found.tip_force, found.resistance) << depth;  // nothing is punctured yet
+      if (depth <= 1.5) {
+        EXPECT_NEAR(found.resistance, depth / (part * own), 1e-9);
+      } else if (part == 1.0) {
+        EXPECT_NEAR(found.resistance, exact, 0.05 / own + 1e-9)
+            << depth;  // that one begins at its first tick's depth
+      }
+      // Where the point is softer than the surface was, the tip is not deep enough for the force of before.
+      if (part >= 1.0) {
+        EXPECT_LT(std::abs(found.resistance - before), 1.5 * 0.05 / own) << depth;
+      }
+      EXPECT_LE(needle.stored_energy(), work + 1e-9);
+      before = found.resistance;
+    }
+  }
+}
+
+TEST(GrowingLine, a_provisional_surface_fades_where_there_is_no_point) {
+  const CondensedBody points = complete_line(*box_of(5), *patient_in_box(), entry_in_box, -Vec3::UnitZ());
+  EmbeddedNeedle needle = needle_in(points);
+  needle.begin_growing(entry_in_box, -Vec3::UnitZ(), {.compliance = 2.0, .strength = 1.5});
+  const Pose pose = needle_pose(entry_in_box - 2.0 * Vec3::UnitZ(), -Vec3::UnitZ());
+  double before = needle.step(pose).resistance;
+  EXPECT_NEAR(before, 1.0, 1e-12);
+  needle.extend(0, true);
+  for (int tick = 0; tick < 500; ++tick) {
+    const double now = needle.step(pose).resistance;
+    EXPECT_LE(now, before);
+    EXPECT_GT(now, before - 0.1);
+    before = now;
+  }
+  EXPECT_LT(before, 1e-3);
+}
+
+TEST(GrowingLine, holes_stay_open) {
+  const auto body = box_of(7);
+  const CondensedBody points = complete_line(*body, *patient_in_box(), entry_in_box, -Vec3::UnitZ());
+  EmbeddedNeedle needle = needle_in(points);
+  needle.begin_growing(entry_in_box, -Vec3::UnitZ());
+  needle.extend(points.nodes.size());
+  needle.open(points.nodes[0] + Vec3(0.5, 0.0, 0.0), tissue::skin);
+  for (double depth = 0.0; depth < 15.0; depth += 0.05) {
+    const EmbeddedNeedleForce force = needle.step(needle_pose(entry_in_box - depth * Vec3::UnitZ(), -Vec3::UnitZ()));
+    EXPECT_FALSE(force.puncture) << depth;
+  }
+}
+
+// How long the first point takes, and how many come in a second: printed, since a loaded machine decides it.
+TEST(ContactStream, first_point_and_points_per_second) {
+  const auto body = box_of(sanitized ? 7 : 19);
+  const auto patient = patient_in_box();
+  const auto line = std::make_shared<ContactLine>();
+  const ContactStream stream(body, patient, {.length = 40.0}, line);
+  using Clock = std::chrono::steady_clock;
+  const auto since = [](Clock::time_point from) {
+    return 1e3 * std::chrono::duration<double>(Clock::now() - from).count();
+  };
+  for (int i = 0; i < (sanitized ? 1 : 3); ++i) {
+    const auto began = Clock::now();
+    line->ask(entry_in_box + Vec3(2.3 * i, -1.7 * i, 0.0), Vec3(0.1 * i, 0.0, -1.0).normalized());
+    line->wait_for(1);
+    const double first = since(began);
+    const ContactLine::Progress all = line->wait_for(ContactLine::most_points);
+    std::cout << "first point after " << first << " ms, " << all.points << " points in " << since(began) << " ms\n";
+    EXPECT_GT(all.points, 10U);
+  }
+}
+
+}  // namespace
+}  // namespace bodkin
