@@ -19,7 +19,7 @@ class Arguments : public BodkinCommand {
   static void expect_refusal(const std::string& arguments, const std::vector<std::string>& parts) {
     SCOPED_TRACE(arguments);
     const auto before = listing();
-    const Outcome outcome = bodkin(arguments);
+    const Outcome outcome = run_bodkin_in_copy(folder_, arguments);
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(outcome.output, "");
     EXPECT_THAT(outcome.errors, StartsWith("bodkin: "));
@@ -32,7 +32,7 @@ class Arguments : public BodkinCommand {
 TEST_F(Arguments, the_table_holds_every_command_and_every_option) {
   const std::regex option(R"(^  (?:-\w,)?(--[a-z-]+))");
   for (const CommandRow& row : command_table()) {
-    const Outcome help = bodkin(row.words + " --help");
+    const Outcome help = run_bodkin_in_copy(folder_, row.words + " --help");
     ASSERT_EQ(help.exit_code, 0) << row.words;
     std::set<std::string> told, known = {"--help"};
     std::istringstream lines(help.output);
@@ -45,7 +45,7 @@ TEST_F(Arguments, the_table_holds_every_command_and_every_option) {
   }
   const std::regex command(R"(^  ([a-z]+) +[A-Z])");
   for (const std::string group : {"", "case", "case synthesize", "devices", "plan", "results", "stations", "scene"}) {
-    std::istringstream lines(bodkin(group + " --help").output);
+    std::istringstream lines(run_bodkin_in_copy(folder_, group + " --help").output);
     std::smatch match;
     for (std::string line; std::getline(lines, line);) {
       if (!std::regex_search(line, match, command)) continue;

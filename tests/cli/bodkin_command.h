@@ -6,14 +6,19 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <set>
 #include <string>
 #include <system_error>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <wordexp.h>
+
+#include "cli/program.h"
 
 namespace bodkin_test {
 
@@ -47,6 +52,37 @@ inline Outcome run_bodkin(const std::filesystem::path& folder, const std::string
   const int status = pclose(pipe);
   outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   outcome.errors = content_of(errors);
+  std::filesystem::remove(errors);
+  return outcome;
+}
+
+// The same as run_bodkin() in a copy of this process instead of a new one, which takes a hundredth of the time: for
+// the thousands of command lines that end in a sentence.
+inline Outcome run_bodkin_in_copy(const std::filesystem::path& folder, const std::string& arguments) {
+  const std::filesystem::path temporary = std::filesystem::temp_directory_path();
+  const std::filesystem::path output = temporary / ("bodkin_output_" + std::to_string(getpid()));
+  const std::filesystem::path errors = temporary / ("bodkin_errors_" + std::to_string(getpid()));
+  wordexp_t words{};
+  EXPECT_EQ(wordexp(("bodkin " + arguments).c_str(), &words, WRDE_NOCMD | WRDE_UNDEF), 0);
+  fflush(nullptr);
+  const pid_t copy = fork();
+  if (copy == 0) {
+    const bool ready = dup2(open(output.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), STDOUT_FILENO) >= 0 &&
+                       dup2(open(errors.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), STDERR_FILENO) >= 0 &&
+                       chdir(folder.c_str()) == 0;
+    const int exit_code = ready ? bodkin::cli::run_program(static_cast<int>(words.we_wordc), words.we_wordv) : -1;
+    std::cout.flush();
+    fflush(nullptr);
+    _exit(exit_code);
+  }
+  wordfree(&words);
+  Outcome outcome;
+  int status = -1;
+  waitpid(copy, &status, 0);
+  outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  outcome.output = content_of(output);
+  outcome.errors = content_of(errors);
+  std::filesystem::remove(output);
   std::filesystem::remove(errors);
   return outcome;
 }
