@@ -13,12 +13,12 @@ BEVEL = {"quincke": 20, "tuohy": 30, "chiba": 25, "diamond": 15, "whitacre": 12,
 STRETCHED = {"whitacre", "sprotte", "conical", "filiform"}
 SHOWN = {"skin": "#B5651D", "muscle": "#A6453B", "supraspinous_ligament": "#0072B2",
          "interspinous_ligament": "#56B4E9", "ligamentum_flavum": "#009E73", "dura": "#CC79A7", "disc": "#555555"}
-# gauge, N, half of the bar, measured or simulated, tissue, words
-POINTS = [(18, 5.0, 1.0, True, "ligamentum_flavum", "Naemura, 18 G"), (16, 9.0, 0.0, True, "ligamentum_flavum",
-                                                                       "Brett 1997, 16 G"),
-          (24, 4.7, 0.0, False, "ligamentum_flavum", "Sutherland 2013, simulated"),
-          (24, 1.5, 0.0, False, "skin", "Sutherland 2013, simulated"),
-          (22, 1.22, 0.0, True, "skin", "median of 24 studies, many needles")]
+# gauge, N, half of the bar, measured or simulated, tissue, words, where they stand: x and y from the point, anchor
+POINTS = [(18, 5.0, 1.0, True, "ligamentum_flavum", "Naemura, 18G", 9, 10, "start"),
+          (16, 9.0, 0.0, True, "ligamentum_flavum", "Brett 1997, 16G", -9, -6, "end"),
+          (24, 4.7, 0.0, False, "ligamentum_flavum", "Sutherland 2013, simulated", -9, -10, "start"),
+          (24, 1.5, 0.0, False, "skin", "Sutherland 2013, simulated", -9, -10, "start"),
+          (22, 1.22, 0.0, True, "skin", "median of 24 studies, many needles", 0, 21, "start")]
 
 
 def tip_factor(tip):
@@ -73,7 +73,8 @@ def draw(library):
         out.append(f'<rect x="{origin}" y="{top}" width="{inner}" height="{tall}" fill="none" stroke="#888"/>')
         for gauge in (14, 16, 18, 20, 22, 25, 27, 30):
             out.append(f'<line x1="{x(gauge):.1f}" x2="{x(gauge):.1f}" y1="{top}" y2="{top + tall}" stroke="#eee"/>')
-            out.append(f'<text x="{x(gauge):.1f}" y="{top + tall + 16}" text-anchor="middle">{gauge}G</text>')
+            if gauge != 27:  # its words would touch those of its neighbours
+                out.append(f'<text x="{x(gauge):.1f}" y="{top + tall + 16}" text-anchor="middle">{gauge}G</text>')
         count = round(most / step)
         for i in range(count + 1):
             out.append(f'<text x="{origin - 6}" y="{y(i * step) + 4:.1f}" text-anchor="end">{i * step:g}</text>')
@@ -84,29 +85,32 @@ def draw(library):
         for row, (name, colour) in enumerate(names.items()):
             line = " ".join(f"{x(g):.1f},{y(value(library[name], g)):.1f}" for g in sorted(GAUGES, reverse=True)
                             if value(library[name], g) <= most)
-            out.append(f'<polyline points="{line}" fill="none" stroke="{colour}" stroke-width="2"/>')
+            # Dashes let another tissue's curve be seen below its own.
+            style = f'stroke="{colour}" stroke-width="2.5"' + (
+                ' stroke-dasharray="7 7"' if name == "interspinous_ligament" else "")
+            out.append(f'<polyline points="{line}" fill="none" {style}/>')
             out.append(f'<line x1="{origin + 10}" x2="{origin + 30}" y1="{top + 14 + 16 * row}" '
-                       f'y2="{top + 14 + 16 * row}" stroke="{colour}" stroke-width="2"/>')
+                       f'y2="{top + 14 + 16 * row}" {style}/>')
             out.append(f'<text x="{origin + 36}" y="{top + 18 + 16 * row}">{name.replace("_", " ")}</text>')
-        for gauge, force, half, measured, name, words in points:
+        for gauge, force, half, measured, name, words, right, down, anchor in points:
             colour = names[name]
             if half:
                 out.append(f'<line x1="{x(gauge):.1f}" x2="{x(gauge):.1f}" y1="{y(force - half):.1f}" '
                            f'y2="{y(force + half):.1f}" stroke="{colour}" stroke-width="2"/>')
             out.append(f'<circle cx="{x(gauge):.1f}" cy="{y(force):.1f}" r="5" stroke="{colour}" stroke-width="2" '
                        f'fill="{colour if measured else "white"}"><title>{words}: {force} N</title></circle>')
-            anchor, away = ("end", -9) if gauge <= 18 else ("start", 9)
-            out.append(f'<text x="{x(gauge) + away:.1f}" y="{y(force) - 6:.1f}" font-size="10" '
-                       f'text-anchor="{anchor}">{words}</text>')
+            out.append(f'<text x="{x(gauge) + right:.1f}" y="{y(force) + down:.1f}" font-size="10.5" '
+                       f'text-anchor="{anchor}" fill="{colour}" stroke="white" stroke-width="3" '
+                       f'paint-order="stroke">{words}</text>')
 
-    panel(left, "puncture, tuohy up to 18G, quincke from 19G", "N", 16, 2,
+    panel(left, "force before it gives way (Tuohy to 18G, Quincke from 19G)", "N", 16, 2,
           lambda tissue, gauge: puncture(tissue, gauge, "tuohy" if gauge <= 18 else "quincke"), POINTS, SHOWN)
     liver = {"organ": "#8B5A2B"}
     rubbing = {name: colour for name, colour in SHOWN.items() if name != "disc"} | liver
-    panel(left + inner + 110, "friction of 1 mm of shaft that slides", "N/mm", 0.24, 0.04, friction,
-          [(18, 0.01196, 0.0, True, "organ", "Okamura 2004, liver, 1.27 mm")], rubbing)
+    panel(left + inner + 110, "friction on each mm of sliding shaft", "N/mm", 0.24, 0.04, friction,
+          [(18, 0.01196, 0.0, True, "organ", "organ: liver, Okamura 2004", 0, -58, "middle")], rubbing)
     out.append(f'<text x="{left}" y="{height - 12}" font-size="11">Filled: measured. Hollow: result of a simulation. '
-               'Curves: the laws; only that of ligamentum flavum has measured needles of two sizes.</text>')
+               'Curves: the laws. Needles of two sizes were measured in ligamentum flavum only.</text>')
     out.append("</svg>")
     with open("docs/needle-forces.svg", "w", encoding="utf-8") as file:
         file.write("\n".join(out) + "\n")
