@@ -1,9 +1,11 @@
 #include "imaging/slice_picture.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,7 +23,11 @@ constexpr double near_plane = 2.0;                                              
 constexpr std::uint32_t background = 0x10151A, title_colour = 0xFFFFFF, panel_title_colour = 0xCFD8DF,
                         legend_colour = 0xDFE6EB, frame_colour = 0x43505A, black = 0x000000, white = 0xFFFFFF;
 constexpr std::uint32_t path_colour = 0xFFD84D, target_colour = 0xFF5470, travelled_colour = 0x37E0C8,
-                        outline_colour = 0x4CC2FF;
+                        outline_colour = 0x4CC2FF, level_colour = 0xB9E2FF, conus_colour = 0xFF9E3D;
+constexpr double level_reach = 25.0;                        // mm from the slice: what is further is not marked
+constexpr double half_interspace = 4.0, half_conus = 11.0;  // mm, half of the line across the canal
+constexpr double level_text = 11.0;                         // px
+constexpr double beside_level = 16.0;                       // mm from the middle of the canal to a level's name
 
 using Place = Eigen::Vector2d;
 
@@ -44,6 +50,7 @@ class PanelArtist {
     std::vector<Place> outline;
     for (const Vec3& point : panel_.outline) outline.push_back(place(point));
     if (!outline.empty()) canvas_.stroke(Path::polygon(outline), {outline_colour, 1.2});
+    levels();
     if (panel_.path) planned(*panel_.path);
     travelled();
     if (panel_.path) ends(*panel_.path);
@@ -139,6 +146,24 @@ class PanelArtist {
     canvas_.stroke(cross, {target_colour, 2.0});
   }
 
+  void levels() {
+    for (const LevelMark& level : panel_.levels) {
+      const Place at = place(level.place);
+      const bool inside = at.x() > 0.0 && at.y() > 0.0 && at.x() < canvas_.width() && at.y() < canvas_.height();
+      if (!inside || std::abs(panel_.slice.plane.distance(level.place)) > level_reach) continue;
+      const std::uint32_t colour = level.end_of_cord ? conus_colour : level_colour;
+      const Place half((level.end_of_cord ? half_conus : half_interspace) * scale_, 0.0);
+      const Path line = Path::segment(at - half, at + half);
+      canvas_.stroke(line, {{black, 0.6}, level.end_of_cord ? 4.0 : 3.0});
+      canvas_.stroke(line, {colour, level.end_of_cord ? 2.2 : 1.4});
+      // The conus is named on the right, for L1/L2 lies close below it; interspaces on the left where there is room.
+      const double beside = beside_level * scale_;
+      const bool right = level.end_of_cord || at.x() - beside < text_width(level.name, level_text) + 2.0;
+      label(at + Place(right ? beside : -beside, 4.0), level.name, colour, level_text,
+            right ? TextAnchor::start : TextAnchor::end);
+    }
+  }
+
   void travelled() {
     if (panel_.travelled.size() < 2) return;
     std::vector<Place> points;
@@ -195,6 +220,9 @@ std::vector<LegendEntry> legend_of(const std::vector<SlicePanel>& panels, const 
     entries.push_back({"path of the tip", travelled_colour, true});
   if (any([](const SlicePanel& panel) { return !panel.outline.empty(); }))
     entries.push_back({"what the probe sees", outline_colour, true});
+  const auto is_conus = [](const LevelMark& level) { return level.end_of_cord; };
+  if (any([&](const SlicePanel& panel) { return std::any_of(panel.levels.begin(), panel.levels.end(), is_conus); }))
+    entries.push_back({"conus, where the spinal cord ends", conus_colour, true});
   std::set<anatomy::TissueId> seen;
   for (const SlicePanel& panel : panels) {
     for (const anatomy::TissueId id : tissues_present(panel.slice)) seen.insert(id);
@@ -206,6 +234,28 @@ std::vector<LegendEntry> legend_of(const std::vector<SlicePanel>& panels, const 
       entries.push_back({properties->title, properties->colour, false});
   }
   return entries;
+}
+
+// The landmarks of a case that are levels of its spine: "L3_L4", "interspace_1", "conus", but no "L3_L4_skin".
+std::vector<LevelMark> levels_of(const anatomy::CaseDescription& about) {
+  std::vector<LevelMark> levels;
+  for (const anatomy::Landmark& landmark : about.landmarks) {
+    std::string name = landmark.name;
+    if (name == "conus") {
+      levels.push_back({landmark.position, name, true});
+      continue;
+    }
+    const bool unknown = name.starts_with("interspace_");
+    const auto separator = name.find('_');
+    const bool between = separator != std::string::npos && separator >= 2 &&
+                         name.find('_', separator + 1) == std::string::npos &&
+                         std::string_view("CTLS").find(name[0]) != std::string_view::npos &&
+                         std::isdigit(static_cast<unsigned char>(name[1])) != 0;
+    if (name.ends_with("_skin") || (!unknown && !between)) continue;
+    name[separator] = unknown ? ' ' : '/';
+    levels.push_back({landmark.position, name, false});
+  }
+  return levels;
 }
 
 }  // namespace
@@ -292,6 +342,7 @@ Canvas case_picture(const anatomy::Case& patient) {
       fmt::format("axial at z = {:.0f} mm", target.z()));
   add(view_plane(View::coronal, {centre.x(), target.y(), centre.z()}, room.x(), room.z(), pixel),
       fmt::format("coronal at y = {:.0f} mm", target.y()));
+  panels.front().levels = panels.back().levels = levels_of(patient.description);
   return slice_picture(panels, patient.library, patient.description.name, panel_height);
 }
 

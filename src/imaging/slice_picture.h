@@ -11,6 +11,13 @@
 
 namespace bodkin::imaging {
 
+// A level of the spine: a short line across the canal with its name beside it.
+struct LevelMark {
+  Vec3 place = Vec3::Zero();  // LPS mm, the middle of the canal
+  std::string name;
+  bool end_of_cord = false;  // the conus, drawn longer and in a colour of its own
+};
+
 // One slice of a picture and what is drawn upon it.
 struct SlicePanel {
   Slice slice;
@@ -20,7 +27,8 @@ struct SlicePanel {
   std::vector<CutElement> elements = {};    // of a mesh; where there are any, they are drawn instead of the pixels
   std::vector<Vec3> outline = {};           // LPS mm, a closed line: what an ultrasound probe sees
   std::vector<anatomy::TissueId> named =
-      {};  // in the legend, seen here or not: pictures of a series get one of one size
+      {};                              // in the legend, seen here or not: pictures of a series get one of one size
+  std::vector<LevelMark> levels = {};  // of the spine; those further than 25 mm from the slice are left out
 };
 
 struct SlicesDrawn {
@@ -36,7 +44,8 @@ Canvas slice_picture(const std::vector<SlicePanel>& panels, const anatomy::Tissu
                      const std::string& title, double height);
 
 // The three orthogonal slices of a case through its planned path (or its middle, when it has none): sagittal along
-// the path and close to it, axial and coronal through the target and the whole body.
+// the path and close to it, axial and coronal through the target and the whole body. The sagittal and the coronal one
+// show the levels of the spine that the case knows as landmarks: interspaces by name, and the conus.
 Canvas case_picture(const anatomy::Case& patient);
 
 }  // namespace bodkin::imaging

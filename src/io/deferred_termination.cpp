@@ -7,6 +7,8 @@
 
 #include <unistd.h>
 
+#include "core/error.h"
+
 namespace bodkin::io {
 namespace {
 
@@ -51,6 +53,13 @@ DeferredTermination::~DeferredTermination() {
 
 int DeferredTermination::pending() noexcept {
   return noted.load();
+}
+
+Progress until_told_to_end(const Progress& progress) {
+  return [progress](std::string_view stage, double fraction) {
+    if (DeferredTermination::pending() != 0) throw SystemError("interrupted; nothing was made");
+    if (progress) progress(stage, fraction);
+  };
 }
 
 }  // namespace bodkin::io

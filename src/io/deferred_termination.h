@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/progress.h"
+
 namespace bodkin::io {
 
 // While one lives, a signal that would end this process (SIGINT, SIGTERM, SIGHUP) is only noted, so that a child can
@@ -16,5 +18,8 @@ class DeferredTermination {
   // The signal that was noted, or 0.
   static int pending() noexcept;
 };
+
+// `progress`, which ends the work by SystemError as soon as a DeferredTermination has noted a signal.
+Progress until_told_to_end(const Progress& progress);
 
 }  // namespace bodkin::io

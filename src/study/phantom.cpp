@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "io/case_folder.h"
+#include "io/deferred_termination.h"
 #include "io/digest.h"
 #include "io/nrrd_writer.h"
 #include "io/partial_folder.h"
@@ -64,9 +65,8 @@ anatomy::NeedlePath deepest_line(const io::Experiment& experiment, const anatomy
 
 anatomy::CaseDescription write_phantom(const io::Experiment& experiment, const PhantomRequest& wanted,
                                        const Progress& progress) {
-  const auto tell = [&progress](const char* stage, double share) {
-    if (progress) progress(stage, share);
-  };
+  const io::DeferredTermination deferred;  // ends this process, if it is to end, once the folder is cleared away
+  const Progress tell = io::until_told_to_end(progress);
   io::PartialFolder folder(wanted.folder, wanted.overwrite);
   tell("building the layers", 0.0);
   anatomy::Case made = experiment_case(experiment);
@@ -91,8 +91,9 @@ anatomy::CaseDescription write_phantom(const io::Experiment& experiment, const P
   description.ct_digest = io::volume_digest(made.ct);
   description.tissues_digest = io::volume_digest(made.tissues);
   io::write_case_description(description, folder.path());
+  tell("writing the case", 0.99);
   folder.finish();
-  tell("writing the case", 1.0);
+  if (progress) progress("writing the case", 1.0);
   return description;
 }
 

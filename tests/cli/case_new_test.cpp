@@ -136,6 +136,36 @@ TEST_F(CaseNew, levels_are_planned_by_name_and_never_in_the_cord) {
   EXPECT_LT(height(labelled + "--age 0"), 292.0) << "a newborn's cord ends at L3";
 }
 
+// Every procedure that goes into the canal is planned no higher than L2/L3, and above it only by the user's word,
+// where no border cuts a vertebra and no cord lies.
+TEST_F(CaseNew, no_procedure_is_planned_above_l2_l3_without_the_users_word) {
+  if (data().empty()) GTEST_SKIP() << "no real CT data: set BODKIN_DATA to its folder";
+  const auto from = [&](const std::string& images) {
+    return "case new patient --ct '" + data().string() + images + "ct.nii.gz' --labels '" + data().string() + images +
+           "labels.nii.gz' --procedure ";
+  };
+  const std::string whole = from("/abdomen/abdomen_"), crop = from("/derived_same_crop_three_formats/lumbar_crop_");
+  for (const std::string procedure : {"lumbar_puncture", "spinal_anaesthesia", "epidural"}) {
+    const auto path_of = [&](const std::string& arguments) {
+      const Outcome made = bodkin("--json " + arguments + " --overwrite");
+      EXPECT_EQ(made.exit_code, 0) << arguments << made.errors;
+      const auto result = nlohmann::json::parse(made.output);
+      fs::remove_all(folder_ / "patient");
+      return result.value("path", nlohmann::json());
+    };
+    const auto height = [&](const std::string& arguments) {
+      return path_of(arguments).at("target_mm").at(2).get<double>();
+    };
+    EXPECT_LT(height(crop + procedure), 330.0) << procedure << ": L2/L3 is at 321, L1/L2 at 355";
+    EXPECT_NEAR(height(whole + procedure + " --level L1_L2"), 355.0, 8.0) << procedure << ", by the user's word";
+    expect_refusal(crop + procedure + " --level L1_L2", "the image border cuts one of its vertebrae");
+    EXPECT_TRUE(path_of(crop + procedure + " --conus L4").is_null())
+        << procedure << ": no interspace in sight lies a whole vertebra below the cord";
+  }
+  expect_refusal(whole + "spinal_anaesthesia --conus L2_L3 --level L1_L2",
+                 "clear of bone and of the spinal cord, which ends at the interspace L2_L3");
+}
+
 // Bodkin's own tissues and a tumour with the id 40.
 std::string library_with_tumour() {
   std::string library = content_of(BODKIN_REPOSITORY "/share/bodkin/tissues.xml");
@@ -197,24 +227,36 @@ TEST_F(CaseNew, what_a_killed_run_left_is_cleared_by_the_next) {
 }
 
 TEST_F(CaseNew, a_run_that_is_told_to_end_leaves_nothing) {
-  for (const int signal : {SIGTERM, SIGHUP}) {
+  struct Told {
+    int signal;
+    std::vector<const char*> command;
+  };
+  const std::vector<Told> runs = {
+      {SIGTERM, {"lumbar", "patient", "--spacing", "1"}},
+      {SIGHUP, {"lumbar", "patient", "--spacing", "1"}},
+      {SIGTERM, {"body", "patient", "--spacing", "3"}},
+      {SIGINT, {"body", "patient", "--point", "GB30", "--spacing", "0.8", "--width", "400"}},
+  };
+  for (const Told& told : runs) {
+    std::vector<const char*> words = {"bodkin", "-q", "case", "synthesize"};
+    words.insert(words.end(), told.command.begin(), told.command.end());
+    words.push_back(nullptr);
     const pid_t child = fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
       if (chdir(folder_.c_str()) != 0) _exit(99);
-      execl(BODKIN_BUILD "/bin/bodkin", "bodkin", "-q", "case", "synthesize", "lumbar", "patient", "--spacing", "1",
-            static_cast<char*>(nullptr));
+      execv(BODKIN_BUILD "/bin/bodkin", const_cast<char**>(words.data()));
       _exit(98);
     }
     // A case in the making shows as soon as the work begins, and takes seconds.
     const auto nothing_yet = [&] { return fs::directory_iterator(folder_) == fs::directory_iterator(); };
-    for (int tenths = 0; tenths < 600 && nothing_yet(); ++tenths) usleep(100'000);
+    for (int n = 0; n < 6000 && nothing_yet(); ++n) usleep(10'000);
     EXPECT_FALSE(nothing_yet()) << "no case was begun";
-    kill(child, signal);
+    kill(child, told.signal);
     int status = 0;
     waitpid(child, &status, 0);
-    EXPECT_TRUE(WIFSIGNALED(status));
-    EXPECT_EQ(WTERMSIG(status), signal);
+    EXPECT_TRUE(WIFSIGNALED(status)) << told.command[0];
+    EXPECT_EQ(WTERMSIG(status), told.signal) << told.command[0];
     EXPECT_TRUE(nothing_yet()) << *listing().begin();
   }
 }

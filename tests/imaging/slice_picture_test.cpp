@@ -127,5 +127,43 @@ TEST(SlicePicture, a_synthetic_patient_shows_its_three_slices_path_and_tissues) 
   EXPECT_GT(picture.pixels(0.5).width, 400);
 }
 
+TEST(SlicePicture, levels_of_the_spine_and_the_end_of_the_cord_are_lettered) {
+  SlicePanel panel = empty_panel(100.0);
+  const SlicePlane& plane = panel.slice.plane;
+  const Vec3 conus = plane.point(0.5 * plane.width, 0.25 * plane.height);
+  const Vec3 interspace = plane.point(0.5 * plane.width, 0.75 * plane.height);
+  panel.levels = {{conus, "conus", true},
+                  {interspace, "L3/L4", false},
+                  {interspace + 30.0 * plane.normal(), "far off", false},
+                  {plane.point(-20.0, 0.0), "outside", false}};
+  const Canvas picture = slice_picture({panel}, default_tissue_library(), "", 400.0);
+  const std::string svg = picture.svg();
+  EXPECT_NE(svg.find(">conus</text>"), std::string::npos);
+  EXPECT_NE(svg.find(">L3/L4</text>"), std::string::npos);
+  EXPECT_NE(svg.find("conus, where the spinal cord ends"), std::string::npos);
+  EXPECT_EQ(svg.find("far off"), std::string::npos);
+  EXPECT_EQ(svg.find("outside"), std::string::npos);
+  // The line lies at the height of the conus: 100 px below the top of the slice, which begins at 28 px.
+  const ImageRgb image = picture.pixels(1.0);
+  EXPECT_GT(image.at(14 + 200, 28 + 100).red, 200);
+  EXPECT_LT(image.at(14 + 200, 28 + 92).red, 100);
+}
+
+TEST(SlicePicture, of_a_case_shows_its_landmarks_as_levels) {
+  LumbarParameters parameters;
+  parameters.spacing = 3.0;
+  const SyntheticPatient made = synthesize_lumbar(parameters, default_tissue_library());
+  Case patient;
+  patient.library = default_tissue_library();
+  patient.ct = made.ct;
+  patient.tissues = made.tissues;
+  patient.description.landmarks = made.landmarks;
+  patient.description.landmarks.push_back({"interspace_1", made.landmarks.front().position});
+  const std::string svg = case_picture(patient).svg();
+  for (const char* name : {">conus</text>", ">L1/L2</text>", ">L4/L5</text>", ">interspace 1</text>"})
+    EXPECT_NE(svg.find(name), std::string::npos) << name;
+  EXPECT_EQ(svg.find("skin</text>"), svg.rfind("skin</text>")) << "only the tissue's name in the legend";
+}
+
 }  // namespace
 }  // namespace bodkin

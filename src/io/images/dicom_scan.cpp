@@ -86,10 +86,11 @@ void add_frames(DicomSeries& series) {
 
 // One file's header: a series of a single slice. Nothing when it is damaged.
 std::optional<DicomSeries> read_header(const std::filesystem::path& file) {
-  static const std::set<gdcm::Tag> wanted = {
-      {0x0008, 0x0016}, {0x0008, 0x0018}, {0x0008, 0x0060}, {0x0008, 0x103e}, {0x0018, 0x0050}, {0x0020, 0x000e},
-      {0x0020, 0x0011}, {0x0020, 0x0032}, {0x0020, 0x0037}, {0x0028, 0x0008}, {0x0028, 0x0010}, {0x0028, 0x0011},
-      {0x0028, 0x0030}, {0x0028, 0x0100}, {0x0028, 0x1052}, {0x0028, 0x1053}, {0x0028, 0x2110}, {0x0028, 0x2112}};
+  static const std::set<gdcm::Tag> wanted = {{0x0008, 0x0016}, {0x0008, 0x0018}, {0x0008, 0x0060}, {0x0008, 0x103e},
+                                             {0x0018, 0x0050}, {0x0020, 0x000e}, {0x0020, 0x0011}, {0x0020, 0x0032},
+                                             {0x0020, 0x0037}, {0x0028, 0x0008}, {0x0028, 0x0010}, {0x0028, 0x0011},
+                                             {0x0028, 0x0030}, {0x0028, 0x0100}, {0x0028, 0x1052}, {0x0028, 0x1053},
+                                             {0x0028, 0x2110}, {0x0028, 0x2112}, {0x0028, 0x2114}};
   gdcm::Reader reader;
   reader.SetFileName(file.c_str());
   if (!read_tags(reader, file, wanted)) return std::nullopt;
@@ -108,6 +109,7 @@ std::optional<DicomSeries> read_header(const std::filesystem::path& file) {
   series.compressed = syntax.IsEncapsulated() || syntax == gdcm::TransferSyntax::DeflatedExplicitVRLittleEndian;
   series.lossy = text_of(data, {0x0028, 0x2110}) == "01";
   series.lossy_ratio = number_of(data, {0x0028, 0x2112}, 0.0);
+  series.jpeg_2000 = syntax == gdcm::TransferSyntax::JPEG2000 || text_of(data, {0x0028, 0x2114}) == "ISO_15444_1";
   series.thickness = number_of(data, {0x0018, 0x0050}, 0.0);
   DicomSlice slice;
   slice.file = file;
@@ -221,6 +223,7 @@ DicomFolder scan_dicom(const std::filesystem::path& path, const Progress& progre
       known->slices.insert(known->slices.end(), found->slices.begin(), found->slices.end());
       known->compressed = known->compressed || found->compressed;
       known->lossy = known->lossy || found->lossy;
+      known->jpeg_2000 = known->jpeg_2000 || found->jpeg_2000;
       known->lossy_ratio = std::max(known->lossy_ratio, found->lossy_ratio);
       known->bytes_allocated = std::max(known->bytes_allocated, found->bytes_allocated);
     }

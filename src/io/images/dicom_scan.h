@@ -30,6 +30,7 @@ struct DicomSeries {
   bool compressed = false;                         // the pixels are encapsulated, or the whole file is deflated
   bool lossy = false;                              // Lossy Image Compression: values were changed at some time
   double lossy_ratio = 0.0;                        // Lossy Image Compression Ratio, N:1; 0 = not given
+  bool jpeg_2000 = false;                          // that compression was JPEG 2000
   bool placed = false;                             // position, orientation and pixel spacing are there and make sense
   double column_spacing = 0.0, row_spacing = 0.0;  // mm along i and j
   double thickness = 0.0;                          // mm, Slice Thickness; 0 = not given

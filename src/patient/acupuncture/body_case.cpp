@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "io/case_folder.h"
+#include "io/deferred_termination.h"
 #include "io/digest.h"
 #include "io/nrrd_writer.h"
 #include "io/partial_folder.h"
@@ -25,7 +26,9 @@ Progress part_of(const Progress& progress, double from, double to) {
 
 }  // namespace
 
-anatomy::CaseDescription write_body_case(const Atlas& atlas, const BodyCase& wanted, const Progress& progress) {
+anatomy::CaseDescription write_body_case(const Atlas& atlas, const BodyCase& wanted, const Progress& teller) {
+  const io::DeferredTermination deferred;  // ends this process, if it is to end, once the folder is cleared away
+  const Progress progress = io::until_told_to_end(teller);
   const bool whole = wanted.point.empty();
   const AtlasPoint* point = whole ? nullptr : atlas.find(wanted.point);
   if (!whole && point == nullptr) {
@@ -70,7 +73,7 @@ anatomy::CaseDescription write_body_case(const Atlas& atlas, const BodyCase& wan
       "Synthetic {} body: {:g} m, {:g} kg, {}, voxels of {:g} mm", body.sex == Sex::female ? "female" : "male",
       body.height, body.weight, whole ? std::string("whole") : fmt::format("about {}", point->code), block.spacing);
   description.created_by = "bodkin";
-  if (progress) progress("writing the case", 0.8);
+  progress("writing the case", 0.8);
   description.ct_file = "ct.nrrd";
   description.tissues_file = "tissues.nrrd";
   io::write_nrrd(ct, folder.path() / description.ct_file);
@@ -78,8 +81,9 @@ anatomy::CaseDescription write_body_case(const Atlas& atlas, const BodyCase& wan
   description.ct_digest = io::volume_digest(ct);
   description.tissues_digest = io::volume_digest(tissues);
   io::write_case_description(description, folder.path());
+  progress("writing the case", 0.99);
   folder.finish();
-  if (progress) progress("writing the case", 1.0);
+  if (teller) teller("writing the case", 1.0);
   return description;
 }
 

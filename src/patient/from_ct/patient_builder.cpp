@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "patient/from_ct/body_surface.h"
+#include "patient/from_ct/contrast_search.h"
 #include "patient/from_ct/dense_pieces.h"
 #include "patient/from_ct/hounsfield_classes.h"
 #include "patient/from_ct/lumbar_construction.h"
@@ -54,8 +55,16 @@ void note_levels(BuiltPatient& patient, const LumbarSpine& spine) {
     return;
   }
   patient.notes.push_back(fmt::format("{} Confidence: {}.", levels.evidence, to_string(levels.confidence)));
-  patient.notes.push_back(fmt::format("The spinal cord is drawn down to the {}{}.", describe_place(spine.conus_place),
-                                      spine.conus_place == adult_conus ? ", the mean of adults" : ""));
+  const std::string conus = fmt::format("{}{}", describe_place(spine.conus_place),
+                                        spine.conus_place == adult_conus ? ", the mean of adults" : "");
+  if (!spine.conus || spine.canal.covers(*spine.conus)) {
+    patient.notes.push_back(fmt::format("The spinal cord is drawn down to the {}.", conus));
+  } else if (*spine.conus > spine.canal.highest()) {
+    patient.notes.push_back(fmt::format("The spinal cord ends above the canal seen here, at the {}.", conus));
+  } else {
+    patient.notes.push_back(
+        fmt::format("The spinal cord runs through the whole canal seen here and ends below it, at the {}.", conus));
+  }
 }
 
 // Which layers of each interspace the CT shows, and which are textbook.
@@ -190,6 +199,13 @@ BuiltPatient build_patient(const anatomy::CtVolume& ct, const anatomy::LabelVolu
   patient.tissues = classify_tissues(ct, structures, table, options.library, lattice, body, progress);
   for (std::string& note : take_out_dense_pieces(patient.tissues, ct, structures, lattice, body))
     patient.notes.push_back(std::move(note));
+  const double contrast = take_out_contrast_on_bone(patient.tissues, ct, structures, lattice, body);
+  if (contrast > 0.0) {
+    patient.notes.push_back(fmt::format(
+        "Contrast that touches bone, long, even in HU and without a shell as bone has ({:.0f} mL), was taken for "
+        "vessels.",
+        contrast));
+  }
   report("Drawing the skin", 0.0);
   draw_skin(patient.tissues);
   if (body.has_skin) thicken_skin(patient.tissues, body);

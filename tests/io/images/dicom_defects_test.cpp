@@ -301,5 +301,54 @@ TEST(DicomSeries, a_loss_that_the_code_does_not_state_is_noted_without_a_number)
               Contains(HasSubstr("compressed with loss, 12.5:1; the file does not tell")));
 }
 
+TEST(DicomSeries, a_loss_by_jpeg_2000_is_noted_with_what_its_ratio_did_to_other_cts) {
+  std::string bytes = test::dicom_bytes(slice_at(0));
+  const auto pixels = bytes.find(std::string("\xE0\x7F\x10\0OW", 6));
+  bytes.insert(pixels, test::dicom_element(0x28, 0x2110, "CS", "01") +
+                           test::dicom_element(0x28, 0x2112, "DS", "12.0") +
+                           test::dicom_element(0x28, 0x2114, "CS", "ISO_15444_1 "));
+  const test::ScratchFolder folder;
+  test::write_file(folder / "a.dcm", bytes);
+  EXPECT_THAT(read_ct(folder.path()).notes,
+              Contains(HasSubstr("JPEG 2000, 12:1, which sets no limit; at this ratio values of other CTs were off "
+                                 "by less than 18 HU (root mean square) and 120 HU at most")));
+}
+
+// Edges and noise as a CT has them: what comes back lies within what the note says.
+TEST(DicomSeries, jpeg_2000_moves_values_no_further_than_its_note_says) {
+  test::DicomSliceFile slice = slice_at(0);
+  slice.columns = slice.rows = 128;
+  slice.intercept = -1024.0;
+  slice.pixels.resize(128 * 128);
+  Random random(3);
+  for (std::size_t n = 0; n < slice.pixels.size(); ++n) {
+    const double x = static_cast<double>(n % 128) - 64.0, y = static_cast<double>(n / 128) - 64.0;
+    const double radius = std::hypot(x, y);
+    const double value = radius < 8.0 ? 700.0 : radius < 35.0 ? 40.0 : radius < 52.0 ? -100.0 : -1000.0;
+    slice.pixels[n] = static_cast<std::uint16_t>(1024.0 + value + 24.0 * random.uniform());
+  }
+  const test::ScratchFolder folder;
+  test::write_file(folder / "whole.dcm", test::dicom_bytes(slice));
+  const auto packed = run_program({"gdcmconv", "-K", "-Y", "-r", "10", "--irreversible",
+                                   (folder / "whole.dcm").string(), (folder / "lossy.dcm").string()},
+                                  "", "libgdcm-tools");
+  ASSERT_EQ(packed.exit_code, 0);
+  const CtImage whole = read_ct(folder / "whole.dcm"), lossy = read_ct(folder / "lossy.dcm");
+  double largest = 0.0, squares = 0.0;
+  for (std::size_t n = 0; n < whole.ct.voxels.size(); ++n) {
+    const double off = whole.ct.voxels[n] - lossy.ct.voxels[n];
+    largest = std::max(largest, std::abs(off));
+    squares += off * off;
+  }
+  ASSERT_GT(largest, 1.0) << "nothing was lost";
+  const auto note = std::find_if(lossy.notes.begin(), lossy.notes.end(),
+                                 [](const std::string& text) { return text.find("JPEG 2000") != std::string::npos; });
+  ASSERT_NE(note, lossy.notes.end());
+  EXPECT_LE(largest, std::stod(note->substr(note->find("square) and ") + 12))) << *note;
+  EXPECT_LE(std::sqrt(squares / static_cast<double>(whole.ct.voxels.size())),
+            std::stod(note->substr(note->find("less than ") + 10)))
+      << *note;
+}
+
 }  // namespace
 }  // namespace bodkin

@@ -90,5 +90,39 @@ TEST(DensePieces, bone_apart_from_the_skeleton_stays_bone) {
   EXPECT_THAT(patient.notes, Not(Contains(HasSubstr("taken for"))));
 }
 
+// An aorta of 28 mm that lies on the column, as on a spine, so that the two are one piece of dense voxels.
+TEST(DensePieces, an_enhanced_vessel_that_touches_bone_is_a_vessel_and_the_bone_bone) {
+  const Vec3 vessel(120, 117, 50);  // its wall 1 mm within the bone's
+  const CtVolume ct = body_with([&](const Vec3& p) -> std::optional<int> {
+    if (std::hypot(p.x() - 120, p.y() - 150) < 20) return std::nullopt;
+    return std::hypot(p.x() - vessel.x(), p.y() - vessel.y()) < 14 ? std::optional(320) : std::nullopt;
+  });
+  const BuiltPatient patient = built(ct);
+  for (const double z : {10.0, 50.0, 90.0}) {
+    for (const double along : {-9.0, 0.0, 9.0}) {
+      EXPECT_EQ(nearest(patient.tissues, Vec3(120 + along, vessel.y(), z), tissue::air), tissue::vessel);
+      EXPECT_EQ(nearest(patient.tissues, Vec3(120, vessel.y() + along, z), tissue::air), tissue::vessel);
+    }
+    for (const double y : {133.0, 150.0, 167.0})
+      EXPECT_TRUE(is_dense(nearest(patient.tissues, Vec3(120, y, z), tissue::air))) << y;
+  }
+  EXPECT_THAT(patient.notes, Contains(HasSubstr("Contrast that touches bone")));
+}
+
+// A vertebral body with dense marrow and the same brightness as contrast, thin cortex and all, stays bone.
+TEST(DensePieces, dense_marrow_in_a_shell_or_in_a_short_block_stays_bone) {
+  const CtVolume ct = body_with([&](const Vec3& p) -> std::optional<int> {
+    const double off = std::max(std::abs(p.x() - 80), std::abs(p.y() - 110));
+    if (p.z() > 25 && p.z() < 55 && off < 17) return 300;       // a short block without any shell
+    const double shaft = std::hypot(p.x() - 120, p.y() - 110);  // long, with a shell, on the column
+    if (shaft < 14) return shaft < 11 ? 280 : 600;
+    return std::nullopt;
+  });
+  const BuiltPatient patient = built(ct);
+  EXPECT_TRUE(is_dense(nearest(patient.tissues, Vec3(120, 110, 50), tissue::air)));
+  EXPECT_TRUE(is_dense(nearest(patient.tissues, Vec3(120, 100, 50), tissue::air)));
+  EXPECT_THAT(patient.notes, Not(Contains(HasSubstr("Contrast that touches bone"))));
+}
+
 }  // namespace
 }  // namespace bodkin

@@ -2,6 +2,7 @@
 
 #include "patient/synthetic/lumbar.h"
 #include "tests/patient/from_ct/patient_crossing.h"
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/random.h"
@@ -111,25 +112,35 @@ CtVolume degraded(const CtVolume& ct, int thickness, double noise) {
   return out;
 }
 
+// A patient made from the CT of `truth`, with slices of `thickness` of its own and noise of 12 HU, without labels,
+// has the layers of the truth at every level.
+void expect_layers_of(const SyntheticPatient& truth, int thickness) {
+  const BuiltPatient built = build_patient(degraded(truth.ct, thickness, 12.0), {}, {}, {}, {});
+  const std::string slices = fmt::format(", slices of {:.1f} mm", thickness * truth.ct.grid.spacing.z());
+  std::vector<double> errors;
+  for (const char* level : {"L1_L2", "L2_L3", "L3_L4", "L4_L5", "L5_S1"}) {
+    const NeedlePath path{test::landmark(truth.landmarks, std::string(level) + "_skin"),
+                          test::landmark(truth.landmarks, level)};
+    const auto real = test::crossings(truth.tissues, path), found = test::crossings(built.tissues, path);
+    const double flavum = test::last_of(found, tissue::ligamentum_flavum);
+    const double dura = test::first_of(found, tissue::dura);
+    EXPECT_NEAR(flavum, test::last_of(real, tissue::ligamentum_flavum), 4.0) << level << slices;
+    EXPECT_NEAR(dura, test::first_of(real, tissue::dura), 4.0) << level << slices;
+    errors.push_back(std::abs(flavum - test::last_of(real, tissue::ligamentum_flavum)));
+  }
+  std::sort(errors.begin(), errors.end());
+  EXPECT_LE(errors[2], 2.0) << "median" << slices;
+}
+
 TEST(LayerSearch, thick_slices_and_noise_move_the_layers_of_a_synthetic_patient_little) {
   const SyntheticPatient truth = synthesize_lumbar({}, default_tissue_library());
-  for (const int thickness : {1, 2, 5}) {
-    const BuiltPatient built = build_patient(degraded(truth.ct, thickness, 12.0), {}, {}, {}, {});
-    std::vector<double> errors;
-    for (const char* level : {"L1_L2", "L2_L3", "L3_L4", "L4_L5", "L5_S1"}) {
-      const NeedlePath path{test::landmark(truth.landmarks, std::string(level) + "_skin"),
-                            test::landmark(truth.landmarks, level)};
-      const auto real = test::crossings(truth.tissues, path), found = test::crossings(built.tissues, path);
-      const double flavum = test::last_of(found, tissue::ligamentum_flavum);
-      const double dura = test::first_of(found, tissue::dura);
-      EXPECT_NEAR(flavum, test::last_of(real, tissue::ligamentum_flavum), 4.0)
-          << level << ", slices of " << thickness;
-      EXPECT_NEAR(dura, test::first_of(real, tissue::dura), 4.0) << level << ", slices of " << thickness;
-      errors.push_back(std::abs(flavum - test::last_of(real, tissue::ligamentum_flavum)));
-    }
-    std::sort(errors.begin(), errors.end());
-    EXPECT_LE(errors[2], 2.0) << "median, slices of " << thickness;
-  }
+  for (const int thickness : {1, 2, 5}) expect_layers_of(truth, thickness);
+}
+
+TEST(LayerSearch, fine_slices_with_noise_show_the_layers_of_a_synthetic_patient) {
+  LumbarParameters parameters;
+  parameters.spacing = 0.7;
+  expect_layers_of(synthesize_lumbar(parameters, default_tissue_library()), 1);
 }
 
 }  // namespace
