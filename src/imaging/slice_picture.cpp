@@ -25,6 +25,7 @@ constexpr std::uint32_t background = 0x10151A, title_colour = 0xFFFFFF, panel_ti
 constexpr std::uint32_t path_colour = 0xFFD84D, target_colour = 0xFF5470, travelled_colour = 0x37E0C8,
                         outline_colour = 0x4CC2FF, level_colour = 0xB9E2FF, conus_colour = 0xFF9E3D;
 constexpr double level_reach = 25.0;                        // mm from the slice: what is further is not marked
+constexpr double near_path = 24.0;                          // px, of a level to the planned path's target
 constexpr double half_interspace = 4.0, half_conus = 11.0;  // mm, half of the line across the canal
 constexpr double level_text = 11.0;                         // px
 constexpr double beside_level = 16.0;                       // mm from the middle of the canal to a level's name
@@ -159,7 +160,10 @@ class PanelArtist {
       // The conus is named on the right, for L1/L2 lies close below it; interspaces on the left where there is room.
       const double beside = beside_level * scale_;
       const bool right = level.end_of_cord || at.x() - beside < text_width(level.name, level_text) + 2.0;
-      label(at + Place(right ? beside : -beside, 4.0), level.name, colour, level_text,
+      // Above the path's own numbers where the path comes from that side.
+      const bool at_path = panel_.path && right == (place(panel_.path->entry).x() > at.x()) &&
+                           (place(panel_.path->target) - at).norm() < near_path;
+      label(at + Place(right ? beside : -beside, at_path ? -near_path : 4.0), level.name, colour, level_text,
             right ? TextAnchor::start : TextAnchor::end);
     }
   }

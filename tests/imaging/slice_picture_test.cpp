@@ -149,6 +149,23 @@ TEST(SlicePicture, levels_of_the_spine_and_the_end_of_the_cord_are_lettered) {
   EXPECT_LT(image.at(14 + 200, 28 + 92).red, 100);
 }
 
+TEST(SlicePicture, the_name_of_the_planned_level_stands_clear_of_the_paths_depths) {
+  SlicePanel panel = empty_panel(100.0);
+  const SlicePlane& plane = panel.slice.plane;
+  const Vec3 target = plane.point(0.1 * plane.width, 0.5 * plane.height);  // no room for a name on its left
+  panel.levels = {{target, "L3/L4", false}};
+  const auto height_of_name = [&panel] {
+    const std::string svg = slice_picture({panel}, default_tissue_library(), "", 400.0).svg();
+    const std::size_t end = svg.find(">L3/L4</text>"), from = svg.rfind(" y=\"", end);
+    return std::stod(svg.substr(from + 4));
+  };
+  const double without = height_of_name();
+  panel.path = NeedlePath{plane.point(0.9 * plane.width, 0.5 * plane.height), target};
+  EXPECT_LT(height_of_name(), without - 20.0);
+  panel.path->target = plane.point(0.5 * plane.width, 0.1 * plane.height);
+  EXPECT_EQ(height_of_name(), without);
+}
+
 TEST(SlicePicture, of_a_case_shows_its_landmarks_as_levels) {
   LumbarParameters parameters;
   parameters.spacing = 3.0;
