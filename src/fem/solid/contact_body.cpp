@@ -114,9 +114,8 @@ class ContactBody::Points {
     const BodyDescription& body = *body_.body_;
     const std::uint32_t element = points_[i].place.element;
     const ElasticMaterial& material = *body.materials.find(body.mesh.tissues[element]);
-    const Mat3 regular =
-        shaft_gain(material, edge_of_volume(anatomy::element_volume(body.mesh, element)), shaft_radius) *
-        Mat3::Identity();
+    Mat3 regular = shaft_gain(material, edge_of_volume(anatomy::element_volume(body.mesh, element)), shaft_radius) *
+                   Mat3::Identity();
     if (!points_[i].station->resists) return regular;
     const Mat3 gain = refinement_gain(body.mesh, body_.finder_, body.materials, body_.fixed_, disk_of(points_[i]));
     // A disk in held elements moves by nothing else.
