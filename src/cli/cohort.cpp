@@ -181,8 +181,7 @@ void add_cohort_command(CLI::App& app, CommandContext& context) {
                    "What chance is made from");
   add_text(*command, "--operator", arguments->performer,
            "expert, novice, expert_epidural, expert_to_target, expert_acupuncture or an operator file: performs in "
-           "place of "
-           "trainees who learn");
+           "place of trainees who learn");
   add_text(*command, "-o,--output", arguments->output, "The table (default: cohort.csv); it is replaced");
   add_whole_number(*command, "--threads", arguments->threads, 0, most_threads, "0: as many as the machine has cores");
   add_text(*command, "--part", arguments->part,

@@ -11,7 +11,7 @@
 
 namespace bodkin::imaging {
 
-// A level of the spine: a short line across the canal with its name beside it.
+// A level of the spine: a short line across the canal, lettered with its name.
 struct LevelMark {
   Vec3 place = Vec3::Zero();  // LPS mm, the middle of the canal
   std::string name;
