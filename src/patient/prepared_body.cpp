@@ -75,15 +75,15 @@ std::shared_ptr<const fem::BodyDescription> prepare_body(anatomy::Case& patient,
                                  folder.string(), anatomy::name_of(resistance), folder.string()));
   }
   fem::DescribedBody described = fem::describe_body(std::move(mesh->mesh), patient, *settings, *about);
-  if (note) {
-    for (const std::string& sentence : described.notes) note(sentence);
-  }
   if (const anatomy::EmbeddedNeedleSettings* points = with_points(patient)) {
     const auto whole = contact_body(described.body, progress, note);
     patient.corridor = {
         std::make_shared<const anatomy::CondensedBody>(points_of(*whole, patient, *about, *points)), *about, {}};
     if (kept != nullptr) *kept = whole;
     return std::make_shared<const fem::BodyDescription>(std::move(described.body));
+  }
+  if (note) {  // of the corridor of nodes
+    for (const std::string& sentence : described.notes) note(sentence);
   }
   const bool is_planned = planned && same(*about, *planned);
   anatomy::CondensedBody body =
