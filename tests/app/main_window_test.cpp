@@ -16,26 +16,14 @@
 #include "app/pages/practise.h"
 #include "app/pages/review.h"
 #include "session/session_file.h"
+#include "tests/app/window_fixture.h"
 #include <gtest/gtest.h>
 
 namespace bodkin::app {
 namespace {
 
-class Window : public testing::Test {
+class Window : public WindowFixture {
  protected:
-  void SetUp() override {
-    window_ = std::make_unique<MainWindow>(data_folder());
-    window_->resize(1280, 720);
-    window_->show();
-  }
-
-  template <typename Widget = QWidget>
-  Widget* find(const char* name) {
-    auto* const found = window_->findChild<Widget*>(QLatin1String(name));
-    EXPECT_NE(found, nullptr) << name;
-    return found;
-  }
-  void click(const char* name) { QTest::mouseClick(find(name), Qt::LeftButton); }
   void key(int code, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
     QWidget* const focus = window_->focusWidget();
     QTest::keyClick(focus != nullptr ? focus : window_.get(), static_cast<Qt::Key>(code), modifiers);
@@ -88,8 +76,6 @@ class Window : public testing::Test {
         },
         30);
   }
-
-  std::unique_ptr<MainWindow> window_;
 };
 
 TEST_F(Window, from_the_start_to_the_needle_in_tissue_and_the_saved_session) {

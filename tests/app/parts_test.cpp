@@ -13,33 +13,22 @@
 #include "app/models/data_folder.h"
 #include "app/pages/practise.h"
 #include "scene/look_file.h"
+#include "tests/app/window_fixture.h"
 #include <gtest/gtest.h>
 
 namespace bodkin::app {
 namespace {
 
-class PartsWindow : public testing::Test {
+class PartsWindow : public WindowFixture {
  protected:
   void SetUp() override {
-    open_window();
+    WindowFixture::SetUp();
     click("start.begin");
     ASSERT_TRUE(QTest::qWaitFor([&] { return view().is_ready(); }, 120000)) << window_->practice().failure();
     folder_ = window_->practice().patient()->folder;
     std::filesystem::remove(folder_ / "looks.xml");
   }
   void TearDown() override { std::filesystem::remove(folder_ / "looks.xml"); }
-  void open_window() {
-    window_ = std::make_unique<MainWindow>(data_folder());
-    window_->resize(1280, 720);
-    window_->show();
-  }
-  template <typename Widget = QWidget>
-  Widget* find(const char* name) {
-    auto* const found = window_->findChild<Widget*>(QLatin1String(name));
-    EXPECT_NE(found, nullptr) << name;
-    return found;
-  }
-  void click(const char* name) { QTest::mouseClick(find(name), Qt::LeftButton); }
   View3d& view() { return window_->practise_page().view3d(); }
   // A row of the list, chosen by a click on its name.
   QTreeWidgetItem* choose(const QString& name) {
@@ -60,7 +49,6 @@ class PartsWindow : public testing::Test {
     return {};
   }
 
-  std::unique_ptr<MainWindow> window_;
   std::filesystem::path folder_;
 };
 

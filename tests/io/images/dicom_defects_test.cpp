@@ -50,6 +50,23 @@ void write_series(const test::ScratchFolder& folder, int bad, const Damage& dama
   }
 }
 
+// HU by which a series came back otherwise than it was.
+struct ValuesLost {
+  double largest = 0.0, root_mean_square = 0.0;
+};
+
+ValuesLost values_lost(const CtVolume& whole, const CtVolume& lossy) {
+  ValuesLost lost;
+  double squares = 0.0;
+  for (std::size_t n = 0; n < whole.voxels.size(); ++n) {
+    const double off = whole.voxels[n] - lossy.voxels[n];
+    lost.largest = std::max(lost.largest, std::abs(off));
+    squares += off * off;
+  }
+  lost.root_mean_square = std::sqrt(squares / static_cast<double>(whole.voxels.size()));
+  return lost;
+}
+
 std::string pixels_cut(const std::string& bytes) {
   return bytes.substr(0, bytes.size() - 100);
 }
@@ -272,21 +289,15 @@ TEST(CodingError, of_a_lossy_jpeg_bounds_the_values_that_come_back) {
       "libgdcm-tools");
   ASSERT_EQ(packed.exit_code, 0);
   const CtImage whole = read_ct(folder / "whole.dcm"), lossy = read_ct(folder / "lossy.dcm");
-  double largest = 0.0, squares = 0.0;
-  for (std::size_t n = 0; n < whole.ct.voxels.size(); ++n) {
-    const double off = whole.ct.voxels[n] - lossy.ct.voxels[n];
-    largest = std::max(largest, std::abs(off));
-    squares += off * off;
-  }
-  ASSERT_GT(largest, 1.0) << "nothing was lost";
-  const double found = std::sqrt(squares / static_cast<double>(whole.ct.voxels.size()));
+  const ValuesLost lost = values_lost(whole.ct, lossy.ct);
+  ASSERT_GT(lost.largest, 1.0) << "nothing was lost";
   const auto note = std::find_if(lossy.notes.begin(), lossy.notes.end(),
                                  [](const std::string& text) { return text.find("with loss") != std::string::npos; });
   ASSERT_NE(note, lossy.notes.end());
   const double typical = std::stod(note->substr(note->find("about ") + 6));
   const double most = std::stod(note->substr(note->find("by ", note->find("square")) + 3));
-  EXPECT_LE(largest, most) << *note;
-  EXPECT_NEAR(found, typical, 0.25 * typical) << *note;
+  EXPECT_LE(lost.largest, most) << *note;
+  EXPECT_NEAR(lost.root_mean_square, typical, 0.25 * typical) << *note;
   EXPECT_TRUE(whole.notes.empty());
 }
 
@@ -334,20 +345,13 @@ TEST(DicomSeries, jpeg_2000_moves_values_no_further_than_its_note_says) {
                                   "", "libgdcm-tools");
   ASSERT_EQ(packed.exit_code, 0);
   const CtImage whole = read_ct(folder / "whole.dcm"), lossy = read_ct(folder / "lossy.dcm");
-  double largest = 0.0, squares = 0.0;
-  for (std::size_t n = 0; n < whole.ct.voxels.size(); ++n) {
-    const double off = whole.ct.voxels[n] - lossy.ct.voxels[n];
-    largest = std::max(largest, std::abs(off));
-    squares += off * off;
-  }
-  ASSERT_GT(largest, 1.0) << "nothing was lost";
+  const ValuesLost lost = values_lost(whole.ct, lossy.ct);
+  ASSERT_GT(lost.largest, 1.0) << "nothing was lost";
   const auto note = std::find_if(lossy.notes.begin(), lossy.notes.end(),
                                  [](const std::string& text) { return text.find("JPEG 2000") != std::string::npos; });
   ASSERT_NE(note, lossy.notes.end());
-  EXPECT_LE(largest, std::stod(note->substr(note->find("square) and ") + 12))) << *note;
-  EXPECT_LE(std::sqrt(squares / static_cast<double>(whole.ct.voxels.size())),
-            std::stod(note->substr(note->find("less than ") + 10)))
-      << *note;
+  EXPECT_LE(lost.largest, std::stod(note->substr(note->find("square) and ") + 12))) << *note;
+  EXPECT_LE(lost.root_mean_square, std::stod(note->substr(note->find("less than ") + 10))) << *note;
 }
 
 }  // namespace
