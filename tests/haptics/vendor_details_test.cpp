@@ -230,5 +230,25 @@ TEST(Haption, the_tick_begins_when_the_relays_have_closed) {
   EXPECT_EQ(virtuose.board().violations, 0) << virtuose.board().first_violation.load();
 }
 
+TEST(Haption, tells_the_version_of_the_library_from_that_of_the_controller) {
+  const DriverSubject& virtuose = subject("haption");
+  virtuose.board().clear();
+  EXPECT_THAT(list_devices(*virtuose.driver, virtuose.words()).at(0).title,
+              HasSubstr("VirtuoseAPI 4.1, controller 3.98"));
+  for (const auto& [trouble, words] :
+       {std::pair{Trouble::wrong_version, "is version 3.1, expected 4"},
+        {Trouble::other_controller, "version 4.1, do not speak one version (error 20"}}) {
+    virtuose.board().trouble = trouble;
+    try {
+      const DevicePort port(*virtuose.driver, "", virtuose.words());
+      ADD_FAILURE() << words;
+    } catch (const DeviceError& error) {
+      EXPECT_EQ(error.fault(), DeviceFault::wrong_version);
+      EXPECT_THAT(error.what(), HasSubstr(words));
+    }
+  }
+  virtuose.board().clear();
+}
+
 }  // namespace
 }  // namespace bodkin

@@ -11,6 +11,8 @@
 
 #include "haptics/drivers/driver_adapter.h"
 #include "haptics/drivers/driver_settings.h"
+#include "haptics/drivers/haply_cause.h"
+#include "haptics/drivers/haply_events.h"
 #include "haptics/drivers/haply_messages.h"
 #include "haptics/drivers/haply_service.h"
 #include "haptics/drivers/vendor_frame.h"
@@ -20,6 +22,7 @@ namespace bodkin::haptics {
 namespace {
 
 using Clock = HaplyConnection::Clock;
+using Cause = HaplyCause;
 using namespace std::chrono_literals;
 
 constexpr auto round_patience = 5ms;     // a round without an answer by then repeats the last state
@@ -29,56 +32,13 @@ constexpr auto stop_patience = 500ms;    // for each of the answers at the end
 constexpr double reach = 86.0;           // mm: half the cube inside the sphere of 150 mm
 constexpr double shortest_rotation = 0.9, longest_rotation = 1.1;  // norm of a quaternion that is one
 
-enum class Cause { none, silent, unplugged, without_position, damaged, uncalibrated, unpowered, refused };
-
-int result_of(Cause cause) noexcept {
-  switch (cause) {
-    case Cause::none:
-      return BODKIN_OK;
-    case Cause::silent:
-    case Cause::unplugged:
-    case Cause::without_position:
-      return BODKIN_COMMUNICATION_LOST;
-    case Cause::damaged:
-      return BODKIN_BAD_DATA;
-    case Cause::uncalibrated:
-      return BODKIN_NOT_CALIBRATED;
-    case Cause::unpowered:
-      return BODKIN_EMERGENCY_STOP;
-    case Cause::refused:
-      break;
-  }
-  return BODKIN_VENDOR_ERROR;
-}
-
-const char* words_of(Cause cause) noexcept {
-  switch (cause) {
-    case Cause::none:
-      break;
-    case Cause::silent:
-      return "Haply's Inverse service has stopped answering: see whether haply-inverse-service runs, and start again";
-    case Cause::unplugged:
-      return "Haply's Inverse service no longer lists the device: plug its USB cable in and start again";
-    case Cause::without_position:
-      return "Haply's Inverse service no longer reports the device's position: check Haply Hub, and start again";
-    case Cause::damaged:
-      return "Haply's Inverse service sent a message that cannot be read: restart haply-inverse-service";
-    case Cause::uncalibrated:
-      return "the Inverse3 is not calibrated: put its arm into its rest and follow Haply Hub";
-    case Cause::unpowered:
-      return "the Inverse3 has no power for its motors: connect its power supply";
-    case Cause::refused:
-      return "Haply's Inverse service leaves the device idle although forces are sent: say force_key=vector or "
-             "force_key=values, whichever was not used";
-  }
-  return "";
-}
-
 DriverSettings haply_settings(const char* settings) {
-  return {settings, {"host", "port", "force_key", "grip", "tool_axis", "dead_man", "peak_force", "silence_ms"}};
+  return {settings,
+          {"host", "port", "websocket_port", "events_port", "force_key", "grip", "tool_axis", "dead_man",
+           "peak_force", "silence_ms"}};
 }
 
-HaplyForceKey force_key_of(const DriverSettings& settings, const HaplyVersion& version) {
+HaplyForceKey force_key_of(const DriverSettings& settings, const HaplyVersion& version, bool older_format) {
   const std::string key = settings.text("force_key", "auto");
   if (key == "vector") return HaplyForceKey::vector;
   if (key == "values") return HaplyForceKey::values;
@@ -87,7 +47,7 @@ HaplyForceKey force_key_of(const DriverSettings& settings, const HaplyVersion& v
                         "the setting force_key is '" + key + "', expected auto, vector or values");
   }
   const bool newer = version.major > 3 || (version.major == 3 && version.minor >= 5);
-  return newer ? HaplyForceKey::vector : HaplyForceKey::values;
+  return newer && !older_format ? HaplyForceKey::vector : HaplyForceKey::values;
 }
 
 // The bit of the button that must be held; 0 for none.
@@ -166,12 +126,15 @@ class InverseDevice : public OpenDevice {
       : service_(std::move(service)),
         connection_(std::move(session.connection)),
         identity_(choice.device.identity),
+        inspects_(!session.older_format && (service_.version.major > 3 || service_.version.minor > 0)),
         has_grip_(!choice.grip.empty()),
         dead_man_(habits.dead_man),
         frame_(habits.frame),
         silence_(habits.silence),
         writer_(identity_, habits.key),
-        reader_(identity_, choice.grip) {}
+        reader_(identity_, choice.grip) {
+    listen();
+  }
 
   void start(bodkin_tick, void*) override {
     // The service may have been restarted since the session began.
@@ -183,8 +146,14 @@ class InverseDevice : public OpenDevice {
         throw DriverFailure(BODKIN_COMMUNICATION_LOST, words_of(Cause::silent));
       }
     }
+    if (events_ != nullptr && !events_->listens()) listen();
+    if (inspects_ && !ask(writer_.inspection(), size, start_patience)) {
+      connection_.reset();
+      throw DriverFailure(BODKIN_COMMUNICATION_LOST, words_of(Cause::silent));
+    }
     HaplyReading reading;
     const bool whole = reader_.read(size, reading);
+    if (whole && inspects_) must_be_as_it_was(std::string_view(reader_.buffer().data(), size));
     state_ = blank_state();
     state_.held = dead_man_ == 0 ? 1 : 0;
     cause_ = Cause::none;
@@ -221,9 +190,27 @@ class InverseDevice : public OpenDevice {
                         "haply-inverse-service");
   }
 
-  std::string explain() override { return words_of(cause_.load()); }
+  std::string explain() override {
+    const Cause cause = cause_.load();
+    const std::string said = cause == Cause::none || events_ == nullptr ? "" : events_->last();
+    return words_of(cause) + (said.empty() ? "" : " (its last event: '" + said + "')");
+  }
 
  private:
+  void listen() {
+    events_.reset();
+    if (service_.events == 0) return;
+    events_ = std::make_unique<HaplyEventListener>(HaplyAddress{service_.address.host, service_.events}, identity_);
+  }
+
+  // Haply Hub gives a program that it knows by name the basis and the mount of last time, so what the inventory said
+  // before the introduction need not hold any more.
+  void must_be_as_it_was(std::string_view state) const {
+    for (const HaplyInverse& device : parse_haply_inventory(state).devices) {
+      if (device.identity == identity_) must_be_fit(device);
+    }
+  }
+
   void join_again() {
     introduced_ = false;
     connection_.reset();
@@ -287,9 +274,12 @@ class InverseDevice : public OpenDevice {
     }
     for (double& component : state_.velocity) component = std::numeric_limits<double>::quiet_NaN();
     if (reading.has_velocity) frame_.put_velocity(reading.velocity, state_);
+    if (events_ != nullptr && events_->is_disconnected()) return Cause::unplugged;
     if (now - last_position_ > silence_) return Cause::without_position;
+    if (reading.moved) return Cause::moved;
     if (!reading.calibrated) return Cause::uncalibrated;
     if (!reading.powered) return Cause::unpowered;
+    if (events_ != nullptr && events_->is_braked()) return Cause::braked;
     if (!put_rotation(reading)) return Cause::damaged;
     if (!reading.idle || !pushed) {
       pushed_in_vain_ = {};
@@ -322,7 +312,9 @@ class InverseDevice : public OpenDevice {
 
   HaplyService service_;
   std::unique_ptr<HaplyConnection> connection_;
+  std::unique_ptr<HaplyEventListener> events_;  // null: the service is not asked for any
   std::string identity_;
+  bool inspects_;  // the service can be asked for its configuration
   bool has_grip_;
   std::uint32_t dead_man_;
   VendorFrame frame_;
@@ -357,7 +349,7 @@ struct Haply {
     const double silence = settings.number("silence_ms", 20.0, 5.0, 1000.0);
     const std::uint32_t dead_man = dead_man_of(settings);
     const VendorFrame frame = frame_of(settings);
-    force_key_of(settings, {});  // a wrong one is refused before anybody is asked
+    force_key_of(settings, {}, false);  // a wrong one is refused before anybody is asked
     const HaplyService service = find_haply_service(settings);
     HaplySession session = open_haply_session(service);
     const Choice choice = choose(session.inventory, identity, settings);
@@ -380,7 +372,7 @@ struct Haply {
     std::fill_n(abilities.workspace_high, 3, reach);
     abilities.measures_rotation = choice.grip.empty() ? 0 : 1;
     abilities.has_dead_man = dead_man == 0 ? 0 : 1;
-    const Habits habits{force_key_of(settings, service.version), dead_man, frame,
+    const Habits habits{force_key_of(settings, service.version, session.older_format), dead_man, frame,
                         std::chrono::microseconds(static_cast<long>(1000.0 * silence))};
     return std::make_unique<InverseDevice>(service, std::move(session), choice, habits);
   }

@@ -52,14 +52,28 @@ bool are(const Json& json, std::initializer_list<const char*> keys, double expec
   });
 }
 
+// What is left out is as it was.
+bool is_unmoved(const Json& transform) {
+  return are(part(transform, "position"), {"x", "y", "z"}, 0.0) &&
+         are(part(transform, "rotation"), {"x", "y", "z"}, 0.0) &&
+         are(part(transform, "scale"), {"x", "y", "z"}, 1.0);
+}
+
+// A value that the pages give by itself or within an object of the same name.
+std::string name_in(const Json& config, const char* key, const char* inner) {
+  const std::string name = text_in(config, key);
+  return name.empty() ? text_in(part(config, key), inner) : name;
+}
+
 std::string moved_by(const Json& entry) {
-  const std::string basis = text_in(part(part(entry, "config"), "basis"), "permutation");
+  const Json& config = part(entry, "config");
+  const std::string basis = name_in(config, "basis", "permutation");
   if (!basis.empty() && basis != "XYZ" && basis != "xyz") return "the basis " + basis;
-  const Json& transform = part(part(entry, "state"), "transform");
-  const bool same = are(part(transform, "position"), {"x", "y", "z"}, 0.0) &&
-                    are(part(transform, "rotation"), {"x", "y", "z"}, 0.0) &&
-                    are(part(transform, "scale"), {"x", "y", "z"}, 1.0);
-  return same ? "" : "a transform of its own";
+  const std::string preset = name_in(config, "preset", "preset");
+  if (!preset.empty() && preset != "defaults") return "the preset " + preset;
+  const Json& mount = part(config, "mount");
+  if (!is_unmoved(mount) || !is_unmoved(part(mount, "transform"))) return "a mount that is moved or turned";
+  return is_unmoved(part(part(entry, "state"), "transform")) ? "" : "a transform of its own";
 }
 
 }  // namespace

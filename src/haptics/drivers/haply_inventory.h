@@ -21,7 +21,8 @@ struct HaplyInverse {
   std::string identity;
   std::string model;  // "Inverse3"
   bool calibrated = true;
-  // Empty, or what another program has set so that the axes are not the vendor's own: "the basis XZY".
+  // Empty, or the basis, preset, mount or transform that another program has set, so that the axes are not the
+  // vendor's own: "the basis XZY".
   std::string moved;
 };
 

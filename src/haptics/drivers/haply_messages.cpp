@@ -14,6 +14,7 @@ namespace json = simdjson::ondemand;
 
 constexpr std::size_t longest_number = 32;
 constexpr std::size_t closing = 64;  // what follows the beginning of a command, numbers aside
+constexpr double unmoved = 1e-6;     // of a transform's numbers
 
 // Runs `use(key, value)` for every member of an object; false when the object or a member is damaged.
 template <typename Value, typename Use>
@@ -74,11 +75,35 @@ bool read_status(json::value value, HaplyReading& to) noexcept {
   });
 }
 
+// Whether every number of an object, save its `w`, is `expected`.
+bool are_all(json::value value, double expected, bool& so) noexcept {
+  return members(value, [&](json::raw_json_string key, json::value inner) {
+    if (key == "w") return true;
+    double number = 0.0;
+    if (inner.get_double().get(number) != simdjson::SUCCESS) return false;
+    so = so && std::abs(number - expected) < unmoved;
+    return true;
+  });
+}
+
+// The service leaves out what is as it was.
+bool read_transform(json::value value, HaplyReading& to) noexcept {
+  bool same = true;
+  const bool whole = members(value, [&](json::raw_json_string key, json::value inner) {
+    if (key == "position" || key == "rotation") return are_all(inner, 0.0, same);
+    if (key == "scale") return are_all(inner, 1.0, same);
+    return true;
+  });
+  to.moved = !same;
+  return whole;
+}
+
 bool read_device_state(json::value value, HaplyReading& to) noexcept {
   return members(value, [&](json::raw_json_string key, json::value inner) {
     if (key == "cursor_position") return to.has_position = numbers(inner, "xyz", to.position.data());
     if (key == "cursor_velocity") return to.has_velocity = numbers(inner, "xyz", to.velocity.data());
-    if (key == "control_mode") {
+    if (key == "transform") return read_transform(inner, to);
+    if (key == "control_mode" || key == "mode") {  // the vendor's pages have both
       std::string_view mode;
       if (!text(inner, mode)) return false;
       to.idle = mode == "idle";
@@ -102,6 +127,15 @@ bool read_buttons(json::value value, HaplyReading& to) noexcept {
   });
 }
 
+// The button of a wired grip: one that has no name, or as several are told.
+bool read_button(json::value value, HaplyReading& to) noexcept {
+  bool pressed = false;
+  if (!truth(value, pressed)) return read_buttons(value, to);
+  to.has_buttons = true;
+  if (pressed) to.buttons |= 1U;
+  return true;
+}
+
 bool read_grip_status(json::value value, HaplyReading& to) noexcept {
   return members(value, [&](json::raw_json_string key, json::value inner) {
     if (!(key == "connected") && !(key == "awake")) return true;
@@ -116,6 +150,7 @@ bool read_grip_state(json::value value, HaplyReading& to) noexcept {
   return members(value, [&](json::raw_json_string key, json::value inner) {
     if (key == "orientation") return to.has_rotation = numbers(inner, "wxyz", to.rotation.data());
     if (key == "buttons") return read_buttons(inner, to);
+    if (key == "button") return read_button(inner, to);
     return true;
   });
 }
@@ -140,6 +175,7 @@ void put_device(const HaplyReading& from, HaplyReading& to) noexcept {
   to.calibrated = from.calibrated;
   to.powered = from.powered;
   to.idle = from.idle;
+  to.moved = from.moved;
 }
 
 void put_grip(const HaplyReading& from, HaplyReading& to) noexcept {
@@ -218,6 +254,7 @@ HaplyCommandWriter::HaplyCommandWriter(const std::string& device, HaplyForceKey 
   const std::string force = of_device + R"("set_cursor_force":{")" + name + R"(":{"x":)";
   force_ = "{" + force;
   introduction_ = R"({"session":{"configure":{"profile":{"name":"org.bodkin.trainer"}}},)" + force;
+  inspection_ = R"({"session":{"force_render_full_state":{}},)" + force;
   probe_ = "{" + of_device + R"("probe_position":{}}}]})";
   text_.resize(introduction_.size() + 3 * longest_number + closing);
 }

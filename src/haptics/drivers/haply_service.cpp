@@ -1,5 +1,6 @@
 #include "haptics/drivers/haply_service.h"
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -12,8 +13,6 @@ namespace bodkin::haptics {
 namespace {
 
 constexpr std::chrono::milliseconds patience{2000};
-constexpr int usual_port = 10001;
-constexpr int older_port = 10000;  // of the 3.0 interface, which older services serve alone
 constexpr int oldest_major = 3;
 constexpr const char* advice = "see whether Haply Hub shows the device, or restart haply-inverse-service";
 
@@ -35,30 +34,58 @@ HaplyService known_service(const HaplyAddress& address, const HttpAnswer& answer
                                                   version.text +
                                                   ", expected 3.0 or newer: install a newer Haply Hub");
   }
-  return {address, version};
+  HaplyService service;
+  service.address = address;
+  service.version = version;
+  return service;
+}
+
+std::string spoken(const std::vector<HaplyAddress>& addresses) {
+  std::string text;
+  for (const HaplyAddress& one : addresses) text += (text.empty() ? "" : " or ") + one.text();
+  return text;
 }
 
 }  // namespace
 
-HaplyService find_haply_service(const DriverSettings& settings) {
+HaplyService find_haply_service(const DriverSettings& settings, const HaplyPorts& usual) {
   const std::string host = settings.text("host", "localhost");
-  const int chosen = static_cast<int>(settings.number("port", 0.0, 1.0, 65535.0));
-  const std::vector<int> ports = chosen == 0 ? std::vector{usual_port, older_port} : std::vector{chosen};
+  const auto port_in = [&settings](const char* key, double least) {
+    return static_cast<int>(settings.number(key, 0.0, least, 65535.0));
+  };
+  const int chosen = port_in("port", 1.0), socket = port_in("websocket_port", 1.0);
+  const bool names_events = !settings.text("events_port", "").empty();
+  const int events = names_events ? port_in("events_port", 0.0) : chosen == 0 ? usual.events : 0;
+  const std::vector<int> ports = chosen == 0 ? std::vector{usual.newer, usual.older} : std::vector{chosen};
   std::string tried;
+  std::optional<DriverFailure> strange;  // something else answers there
   for (const int port : ports) {
     const HaplyAddress address{host, port};
     try {
-      return known_service(address, ask_version(address));
-    } catch (const DriverFailure& failure) {
-      if (failure.result() == BODKIN_COMMUNICATION_LOST) {
-        throw DriverFailure(BODKIN_COMMUNICATION_LOST, "what listens at " + address.text() +
-                                                           " does not answer as Haply's Inverse service does (" +
-                                                           failure.what() + "): " + advice);
+      HaplyService service = known_service(address, ask_version(address));
+      if (socket != 0) {
+        service.sockets = {{host, socket}};
+      } else {
+        for (const int one : ports) service.sockets.push_back({host, one});
       }
-      if (failure.result() != BODKIN_NOT_INSTALLED) throw;
-      tried += (tried.empty() ? "" : " or ") + address.text() + " (" + failure.what() + ")";
+      service.events = events;
+      service.older_port = usual.older;
+      return service;
+    } catch (const DriverFailure& failure) {
+      if (failure.result() == BODKIN_NOT_INSTALLED) {
+        tried += (tried.empty() ? "" : " or ") + address.text() + " (" + failure.what() + ")";
+      } else if (strange.has_value()) {
+        continue;
+      } else if (failure.result() == BODKIN_COMMUNICATION_LOST) {
+        strange.emplace(BODKIN_COMMUNICATION_LOST, "what listens at " + address.text() +
+                                                       " does not answer as Haply's Inverse service does (" +
+                                                       failure.what() + "): " + advice);
+      } else {
+        strange.emplace(failure);
+      }
     }
   }
+  if (strange.has_value()) throw *strange;
   throw DriverFailure(BODKIN_NOT_INSTALLED,
                       "Haply's Inverse service does not answer at " + tried +
                           ": install Haply Hub, start the service (systemctl start haply-inverse-service), or say "
@@ -66,20 +93,27 @@ HaplyService find_haply_service(const DriverSettings& settings) {
 }
 
 HaplySession open_haply_session(const HaplyService& service) {
-  HaplySession session;
-  try {
-    session.connection = std::make_unique<HaplyConnection>(service.address, patience);
-    std::string text(longest_haply_message, '\0');
-    std::size_t size = 0;
-    if (!session.connection->receive(text, size, HaplyConnection::Clock::now() + patience)) {
-      throw DriverFailure(BODKIN_COMMUNICATION_LOST, "its first message does not come");
+  std::optional<DriverFailure> first;
+  for (const HaplyAddress& address : service.sockets) {
+    try {
+      HaplySession session;
+      session.address = address;
+      session.older_format = address.port == service.older_port;
+      session.connection = std::make_unique<HaplyConnection>(address, patience);
+      std::string text(longest_haply_message, '\0');
+      std::size_t size = 0;
+      if (!session.connection->receive(text, size, HaplyConnection::Clock::now() + patience)) {
+        throw DriverFailure(BODKIN_COMMUNICATION_LOST, "its first message does not come");
+      }
+      session.inventory = parse_haply_inventory(std::string_view(text).substr(0, size));
+      return session;
+    } catch (const DriverFailure& failure) {
+      if (!first.has_value()) first.emplace(failure);
     }
-    session.inventory = parse_haply_inventory(std::string_view(text).substr(0, size));
-  } catch (const DriverFailure& failure) {
-    throw DriverFailure(failure.result(), "Haply's Inverse service at " + service.address.text() +
-                                              " begins no session (" + failure.what() + "): " + advice);
   }
-  return session;
+  throw DriverFailure(first->result(), "Haply's Inverse service begins no session at " + spoken(service.sockets) +
+                                           " (" + first->what() + "): " + advice +
+                                           ", or say websocket_port=NUMBER where its sessions are");
 }
 
 }  // namespace bodkin::haptics

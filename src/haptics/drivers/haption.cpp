@@ -57,6 +57,13 @@ std::string words(const HaptionLibrary& api, int error) {
   return "error " + std::to_string(error) + (text == nullptr ? "" : ", '" + std::string(text) + "'");
 }
 
+// Of the library; the device's controller has another.
+std::string version_of(const HaptionLibrary& api) {
+  int major = 0, minor = 0;
+  api.virtAPIVersion(&major, &minor);
+  return std::to_string(major) + "." + std::to_string(minor);
+}
+
 DriverSettings haption_settings(const char* settings) {
   return {settings, {"library", "address", "relays_s"}};
 }
@@ -66,8 +73,7 @@ HaptionHandle load_haption(const DriverSettings& settings) {
   int major = 0, minor = 0;
   api->virtAPIVersion(&major, &minor);
   if (major < oldest_api) {
-    throw DriverFailure(BODKIN_WRONG_VERSION, api->library.path() + " is version " + std::to_string(major) + "." +
-                                                  std::to_string(minor) +
+    throw DriverFailure(BODKIN_WRONG_VERSION, api->library.path() + " is version " + version_of(*api) +
                                                   ", expected 4 or newer: install a newer VirtuoseAPI");
   }
   return api;
@@ -80,6 +86,12 @@ class Connection {
       : api_(std::move(api)), context_(api_->virtOpen(address.c_str())) {
     if (context_ != nullptr) return;
     const int error = api_->virtGetErrorCode(nullptr);
+    if (error == error_version || error == error_incompatible) {
+      throw DriverFailure(BODKIN_WRONG_VERSION,
+                          "the controller at " + address + " and " + api_->library.path() + ", version " +
+                              version_of(*api_) + ", do not speak one version (" + words(*api_, error) +
+                              "): install the VirtuoseAPI that came with the device, and say library=PATH");
+    }
     int result = result_of_haption(error);
     if (result == BODKIN_COMMUNICATION_LOST) result = BODKIN_NOT_CONNECTED;
     const char* advice = result == BODKIN_BUSY ? "close the other program that uses it"
@@ -106,6 +118,14 @@ class Connection {
     int type = 0, serial = 0;
     must(api_->virtGetDeviceID(context_, &type, &serial), "to report its type");
     return type == 3 ? "Virtuose 6D" : type == 4 ? "Virtuose 6D Desktop" : "Virtuose of type " + std::to_string(type);
+  }
+  // Of the library and of the controller, where that tells its own.
+  std::string versions() const {
+    int major = 0, minor = 0;
+    const bool told =
+        api_->virtGetControlerVersion != nullptr && api_->virtGetControlerVersion(context_, &major, &minor) == 0;
+    return "VirtuoseAPI " + version_of(*api_) +
+           (told ? ", controller " + std::to_string(major) + "." + std::to_string(minor) : "");
   }
   std::string serial() const {
     int type = 0, serial = 0;
@@ -141,8 +161,9 @@ class HaptionDevice : public OpenDevice {
 
   ~HaptionDevice() override { halt(); }
 
-  // The relays of the motors take their time. The loop must run meanwhile, for the vendor drops a silent connection;
-  // the tick begins when they have closed, so that no force waits behind them to jump out.
+  // Power comes before the loop, as in the vendor's samples. The relays of the motors take their time; the loop sends
+  // zero forces meanwhile, for the vendor drops a silent connection, and the tick begins when they have closed, so
+  // that no force waits behind them to jump out.
   void start(bodkin_tick tick, void* user) override {
     ticking_.store(false);
     tick_ = tick;
@@ -153,10 +174,11 @@ class HaptionDevice : public OpenDevice {
     state_ = blank_state();
     try {
       const Connection& c = *connection_;
+      powered_ = true;  // also where it is refused: switching off what is off does no harm
+      c.must(api_.virtSetPowerOn(device_, 1), "to switch the motors on");
       c.must(api_.virtSetPeriodicFunction(device_, &HaptionDevice::run, &period_, this), "a periodic function");
       c.must(api_.virtStartLoop(device_), "to start its loop");
       looping_ = true;
-      c.must(api_.virtSetPowerOn(device_, 1), "to switch the motors on");
       std::this_thread::sleep_for(std::chrono::duration<double>(relays_));
     } catch (...) {
       halt();
@@ -182,13 +204,13 @@ class HaptionDevice : public OpenDevice {
  private:
   // The vendor's code of the first call that failed, 0 if none did.
   int halt() noexcept {
-    if (!looping_) return 0;
+    if (!powered_) return 0;
     ticking_.store(false);
-    int failed = api_.virtStopLoop(device_) == 0 ? 0 : api_.virtGetErrorCode(device_);
+    int failed = !looping_ || api_.virtStopLoop(device_) == 0 ? 0 : api_.virtGetErrorCode(device_);
     float nothing[6] = {};
     api_.virtSetForce(device_, nothing);
     if (api_.virtSetPowerOn(device_, 0) != 0 && failed == 0) failed = api_.virtGetErrorCode(device_);
-    looping_ = false;
+    looping_ = powered_ = false;
     return failed;
   }
 
@@ -264,7 +286,7 @@ class HaptionDevice : public OpenDevice {
   VendorFrame frame_ = metres(x_near_frame());
 
   // Of the loop.
-  bool looping_ = false;
+  bool looping_ = false, powered_ = false;
   std::atomic<bool> ticking_{false};
   bodkin_tick tick_ = nullptr;
   void* user_ = nullptr;
@@ -284,7 +306,8 @@ struct Haption {
     const DriverSettings settings = haption_settings(text);
     const std::string address = settings.text("address", usual_address);
     const Connection connection(load_haption(settings), address);
-    found(address, connection.name() + " at " + address + ", serial number " + connection.serial());
+    found(address, connection.name() + " at " + address + ", serial number " + connection.serial() + ", " +
+                       connection.versions());
   }
 
   static std::unique_ptr<OpenDevice> open(const std::string& identity, const char* text,

@@ -13,6 +13,7 @@ HaptionLibrary::HaptionLibrary(const std::string& chosen)
   library.need(virtAPIVersion, "virtAPIVersion");
   library.need(virtOpen, "virtOpen");
   library.need(virtClose, "virtClose");
+  library.take(virtGetControlerVersion, "virtGetControlerVersion");
   library.need(virtGetDeviceID, "virtGetDeviceID");
   library.need(virtSetIndexingMode, "virtSetIndexingMode");
   library.need(virtSetForceFactor, "virtSetForceFactor");

@@ -20,6 +20,7 @@ struct HaptionLibrary {
   int (*virtAPIVersion)(int* major, int* minor);
   Context (*virtOpen)(const char* address);  // null: see virtGetErrorCode(null)
   int (*virtClose)(Context);
+  int (*virtGetControlerVersion)(Context, int* major, int* minor);  // may be null; the vendor's spelling
   int (*virtGetDeviceID)(Context, int* type, int* serial);
   int (*virtSetIndexingMode)(Context, int mode);
   int (*virtSetForceFactor)(Context, float);

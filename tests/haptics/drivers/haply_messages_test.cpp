@@ -70,6 +70,21 @@ TEST_F(HaplyMessages, older_names_of_buttons_and_of_the_grip_count_too) {
   }
 }
 
+TEST_F(HaplyMessages, a_mode_a_single_button_and_a_transform_are_read) {
+  EXPECT_TRUE(read_with("\"control_mode\":\"force\"", "\"mode\":\"idle\""));
+  EXPECT_TRUE(reading_.idle);
+  EXPECT_TRUE(read_with(R"("buttons":{"a":true,"b":false,"c":true})", R"("button":true)"));
+  EXPECT_EQ(reading_.buttons, 1u);
+  EXPECT_TRUE(read_with(R"("buttons":{"a":true,"b":false,"c":true})", R"("button":{"b":true})"));
+  EXPECT_EQ(reading_.buttons, 2u);
+  EXPECT_FALSE(read_with(R"("buttons":{"a":true,"b":false,"c":true})", R"("button":7)"));
+  EXPECT_TRUE(read_with("\"control_mode\":\"force\"", R"("transform":{"rotation":{"w":1,"x":0},"scale":{"z":1}})"));
+  EXPECT_FALSE(reading_.moved);
+  EXPECT_TRUE(read_with("\"control_mode\":\"force\"", R"("transform":{"rotation":{"w":0,"x":1}})"));
+  EXPECT_TRUE(reading_.moved);
+  EXPECT_FALSE(read_with("\"control_mode\":\"force\"", R"("transform":{"scale":{"x":"1"}})"));
+}
+
 TEST_F(HaplyMessages, the_order_of_the_fields_and_other_fields_do_not_matter) {
   EXPECT_TRUE(read(R"( {"a":[{"inverse3":[1,{}]}],"inverse3":[{"state":{"x":{"y":null},"cursor_position":
       {"w":7,"z":3,"y":2,"x":1}},"more":"}{\"","device_id":"04BA"}],"wireless_verse_grip":[]} )"));

@@ -11,10 +11,11 @@ namespace stand_in {
 
 namespace {
 
-constexpr const char* names[] = {"none",           "no_device",    "busy",        "wrong_version",  "uncalibrated",
-                                 "unplug",         "freeze",       "nan",         "late",           "hot",
-                                 "emergency_stop", "hand_off",     "too_fast",    "too_much_force", "unknown_code",
-                                 "open_blocks",    "start_blocks", "stop_blocks", "needs_update"};
+constexpr const char* names[] = {
+    "none",           "no_device",    "busy",        "wrong_version",  "uncalibrated",
+    "unplug",         "freeze",       "nan",         "late",           "hot",
+    "emergency_stop", "hand_off",     "too_fast",    "too_much_force", "unknown_code",
+    "open_blocks",    "start_blocks", "stop_blocks", "needs_update",   "other_controller"};
 
 constexpr const char* habits[] = {"still", "wander", "swivel", "sweep", "gone"};
 

@@ -26,7 +26,8 @@ enum class Trouble : int {
   open_blocks,
   start_blocks,
   stop_blocks,
-  needs_update  // of its calibration, every now and then, which the servo does in one style
+  needs_update,     // of its calibration, every now and then, which the servo does in one style
+  other_controller  // of a version that the library does not speak
 };
 
 // What the hand does by itself. Environment: BODKIN_STAND_IN_HAND="swivel".

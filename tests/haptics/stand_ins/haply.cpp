@@ -2,6 +2,9 @@
 
 #include <array>
 #include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <limits>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -54,14 +57,23 @@ std::string frame(const std::string& text) {
 }  // namespace
 
 struct HaplyService::Server {
+  // What may be asked of a port.
+  enum class Door { both, http, sessions, events };
+
   Server(Board& its_board, Ways its_ways)
-      : board(its_board), ways(std::move(its_ways)), listener(context, {asio::ip::address_v4::loopback(), 0}) {
-    acceptor = std::thread([this] { accept(); });
+      : board(its_board),
+        ways(std::move(its_ways)),
+        listener(context, {asio::ip::address_v4::loopback(), 0}),
+        session_listener(context, {asio::ip::address_v4::loopback(), 0}),
+        event_listener(context, {asio::ip::address_v4::loopback(), 0}) {
+    acceptors.emplace_back([this] { accept(listener, ways.apart ? Door::http : Door::both); });
+    if (ways.apart) acceptors.emplace_back([this] { accept(session_listener, Door::sessions); });
+    if (ways.events) acceptors.emplace_back([this] { accept(event_listener, Door::events); });
   }
   ~Server() {
     ended = true;
-    ::shutdown(listener.native_handle(), SHUT_RDWR);
-    acceptor.join();
+    for (auto* one : {&listener, &session_listener, &event_listener}) ::shutdown(one->native_handle(), SHUT_RDWR);
+    for (std::thread& acceptor : acceptors) acceptor.join();
     {
       const std::lock_guard lock(mutex);
       for (const int handle : handles) ::shutdown(handle, SHUT_RDWR);
@@ -72,34 +84,59 @@ struct HaplyService::Server {
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
-  void accept() {
+  void accept(asio::ip::tcp::acceptor& at, Door door) {
     while (!ended) {
       auto socket = std::make_shared<Socket>(context);
       error_code error;
-      listener.accept(*socket, error);
+      at.accept(*socket, error);
       if (error) continue;
       socket->set_option(asio::ip::tcp::no_delay(true), error);
       const std::lock_guard lock(mutex);
       // A handle of our own: the session's thread closes its socket when it likes.
       const int handle = ::dup(socket->native_handle());
       handles.push_back(handle);
-      sessions.emplace_back([this, socket, handle] {
-        serve(*socket);
+      sessions.emplace_back([this, socket, handle, door] {
+        serve(*socket, door);
         ::shutdown(handle, SHUT_RDWR);
       });
     }
   }
 
-  void serve(Socket& socket) {
+  void serve(Socket& socket, Door door) {
     error_code error;
     boost::beast::flat_buffer buffer;
     http::request<http::string_body> request;
     http::read(socket, buffer, request, error);
     if (error) return;
-    if (websocket::is_upgrade(request)) {
+    const bool upgrade = websocket::is_upgrade(request);
+    if (upgrade && door == Door::events) {
+      hold_listener(socket, request);
+    } else if (upgrade && door != Door::http) {
       hold_session(socket, request);
+    } else if (door == Door::sessions || door == Door::events) {
+      http::response<http::string_body> refused{http::status::upgrade_required, request.version()};
+      refused.prepare_payload();
+      http::write(socket, refused, error);
     } else {
       http::write(socket, answer(request), error);
+    }
+  }
+
+  void hold_listener(Socket& socket, const http::request<http::string_body>& request) {
+    websocket::stream<Socket&> stream(socket);
+    error_code error;
+    stream.accept(request, error);
+    stream.text(true);
+    std::size_t told = 0;
+    while (!error && !ended) {
+      std::string text;
+      {
+        std::unique_lock lock(mutex);
+        spoken.wait_for(lock, std::chrono::milliseconds(20), [&] { return told < events.size() || ended; });
+        if (told == events.size()) continue;
+        text = events[told++];
+      }
+      stream.write(asio::buffer(text), error);
     }
   }
 
@@ -178,7 +215,9 @@ struct HaplyService::Server {
     {
       const std::lock_guard lock(mutex);
       obey(json);
-      text = state().dump();
+      const bool full = ways.full_on_request && json.is_object() && json.contains("session") &&
+                        json.at("session").contains("force_render_full_state");
+      text = (full ? with_configuration(state()) : state()).dump();
     }
     return send(session, text);
   }
@@ -193,6 +232,7 @@ struct HaplyService::Server {
     if (!introduces) return;
     const std::lock_guard lock(mutex);
     profile = json.at(name).get<std::string>();
+    if (!ways.remembered_basis.empty()) basis = ways.remembered_basis;
   }
 
   void obey(const Json& json) {
@@ -220,15 +260,17 @@ struct HaplyService::Server {
   }
 
   Json device_state() {
-    if (oddity == Oddity::no_position) return {{"control_mode", "force"}};
+    const char* mode = ways.older_names ? "mode" : "control_mode";
+    if (oddity == Oddity::no_position) return {{mode, "force"}};
     Json made = {{"cursor_position", xyz(mechanism.position())}};
     if (oddity == Oddity::fewer_fields) return made;
     made["cursor_velocity"] = xyz(mechanism.velocity());
     made["current_cursor_force"] = xyz({board.force[0], board.force[1], board.force[2]});
     made["angular_position"] = {{"a0", 12.5}, {"a1", -30.0}, {"a2", 75.25}};
     made["control_domain"] = "cartesian";
-    made["control_mode"] = idle ? "idle" : "force";
-    made["transform"] = {{"position", xyz({0, 0, ways.transform ? 0.1 : 0.0})}, {"scale", xyz({1, 1, 1})}};
+    made[mode] = idle ? "idle" : "force";
+    made["transform"] = {{"position", xyz({0, 0, ways.transform || oddity == Oddity::new_transform ? 0.1 : 0.0})},
+                         {"scale", xyz({1, 1, 1})}};
     return made;
   }
 
@@ -242,12 +284,14 @@ struct HaplyService::Server {
       grip_buttons = {
           {"a", (buttons & 1U) != 0}, {"b", (buttons & 2U) != 0}, {"c", !board.troubled_by(Trouble::hand_off)}};
     }
+    if (ways.older_names) return {{"orientation", grip_orientation}, {"button", grip_buttons.at("a")}};
     return {{"orientation", grip_orientation}, {"buttons", grip_buttons}, {"battery_level", 0.75}};
   }
 
   // Of one tick.
   Json state() {
-    Json made = {{"inverse3", Json::array()}, {"wireless_verse_grip", Json::array()}};
+    const char* grips = ways.older_names ? "verse_grip" : "wireless_verse_grip";
+    Json made = {{"inverse3", Json::array()}, {grips, Json::array()}};
     if (!board.troubled_by(Trouble::unplug) && !board.troubled_by(Trouble::no_device)) {
       Json device = {{"device_id", the_device}, {"state", device_state()}};
       if (oddity != Oddity::fewer_fields) {
@@ -260,7 +304,7 @@ struct HaplyService::Server {
       made["inverse3"].push_back(device);
     }
     if (ways.grip && oddity != Oddity::grip_gone && oddity != Oddity::fewer_fields) {
-      made["wireless_verse_grip"].push_back(
+      made[grips].push_back(
           {{"device_id", the_grip},
            {"state", grip_state()},
            {"status", {{"connected", true}, {"awake", oddity != Oddity::grip_asleep}, {"ready", true}}}});
@@ -275,10 +319,20 @@ struct HaplyService::Server {
   // The first message.
   Json inventory() {
     const std::lock_guard lock(mutex);
-    Json made = state();
+    Json made = with_configuration(state());
     made["session_id"] = 7;
+    return made;
+  }
+  Json with_configuration(Json made) const {
     for (Json& device : made["inverse3"]) {
-      device["config"] = {{"type", "inverse3"}, {"port", "/dev/ttyACM0"}, {"basis", {{"permutation", ways.basis}}}};
+      Json config = {{"type", "inverse3"}, {"port", "/dev/ttyACM0"}, {"basis", {{"permutation", basis}}}};
+      if (!ways.preset.empty()) config["preset"] = ways.preset;
+      if (!std::isnan(ways.mount_height)) {
+        config["mount"] = {{"position", xyz({0, 0, ways.mount_height})},
+                           {"rotation", {{"w", 1}, {"x", 0}, {"y", 0}, {"z", 0}}},
+                           {"scale", xyz({1, 1, 1})}};
+      }
+      device["config"] = config;
     }
     return made;
   }
@@ -328,7 +382,7 @@ struct HaplyService::Server {
   Board& board;
   const Ways ways;
   asio::io_context context;
-  asio::ip::tcp::acceptor listener;
+  asio::ip::tcp::acceptor listener, session_listener, event_listener;
   std::atomic<bool> ended{false};
   std::atomic<Oddity> oddity{Oddity::none};
   std::mutex mutex;
@@ -339,8 +393,25 @@ struct HaplyService::Server {
   long grip_age = 0;
   Json grip_orientation, grip_buttons;
   std::string profile;
-  std::thread acceptor;
+  std::string basis = ways.basis;
+  std::vector<std::string> events;
+  std::condition_variable spoken;
+  std::vector<std::thread> acceptors;
 };
+
+HaplyService::Ways HaplyService::of(const std::string& version) {
+  Ways ways;
+  ways.version = version + ".1";
+  ways.vector = version == "3.5" ? "vector" : "values";
+  ways.events = version == "3.5";
+  if (version == "3.5") return ways;
+  ways.preset.clear();
+  ways.mount_height = std::numeric_limits<double>::quiet_NaN();
+  ways.older_paths = ways.older_names = version == "3.0";
+  ways.full_on_request = !ways.older_paths;
+  ways.apart = !ways.older_paths;
+  return ways;
+}
 
 HaplyService::HaplyService(Board& board) : HaplyService(board, Ways{}) {}
 HaplyService::HaplyService(Board& board, Ways ways) : server_(std::make_unique<Server>(board, std::move(ways))) {}
@@ -348,6 +419,20 @@ HaplyService::~HaplyService() = default;
 
 int HaplyService::port() const noexcept {
   return server_->listener.local_endpoint().port();
+}
+
+int HaplyService::websocket_port() const noexcept {
+  return server_->ways.apart ? server_->session_listener.local_endpoint().port() : port();
+}
+
+int HaplyService::events_port() const noexcept {
+  return server_->ways.events ? server_->event_listener.local_endpoint().port() : 0;
+}
+
+void HaplyService::say(const std::string& event) {
+  const std::lock_guard lock(server_->mutex);
+  server_->events.push_back(event);
+  server_->spoken.notify_all();
 }
 
 std::atomic<Oddity>& HaplyService::oddity() noexcept {

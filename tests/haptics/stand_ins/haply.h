@@ -25,7 +25,8 @@ enum class Oddity : int {
   too_long,        // an answer of 100 000 bytes
   no_answer,
   grip_asleep,
-  grip_gone
+  grip_gone,
+  new_transform  // another program's, while the session runs
 };
 
 // Haply's Inverse service on a port of its own of the loopback interface: one Inverse3, a grip, one answer for every
@@ -42,7 +43,17 @@ class HaplyService {
     std::string basis = "XYZ";
     bool transform = false;  // another program's
     bool grip = true;
+    bool apart = false;               // WebSocket on a port of its own, where HTTP is refused, and the reverse
+    bool older_names = false;         // `mode`, and a wired grip with one `button`
+    bool full_on_request = true;      // session.force_render_full_state is known
+    std::string preset = "defaults";  // "" = none is told
+    double mount_height = 0.0;        // m; NaN = no mount is told
+    std::string remembered_basis;     // what Haply Hub sets as soon as the profile's name has come
+    bool events = false;
   };
+
+  // As the vendor's pages of a version from "3.0" to "3.5" describe the service.
+  static Ways of(const std::string& version);
 
   // `board`: outlives the service.
   explicit HaplyService(Board& board);
@@ -51,7 +62,11 @@ class HaplyService {
   HaplyService(const HaplyService&) = delete;
   HaplyService& operator=(const HaplyService&) = delete;
 
-  int port() const noexcept;
+  int port() const noexcept;            // of HTTP, and of the WebSocket unless they are apart
+  int websocket_port() const noexcept;  // of the WebSocket
+  int events_port() const noexcept;     // 0 = no event channel
+  // Sends a text to everybody who listens to the events, once somebody does.
+  void say(const std::string& event);
   std::atomic<Oddity>& oddity() noexcept;
   // Of the program that has introduced itself last.
   std::string profile() const;

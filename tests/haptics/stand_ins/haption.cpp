@@ -1,6 +1,7 @@
 // A stand-in for libVirtuoseAPI.so with one 6D Desktop. Its loop is a thread that calls the periodic function as fast
 // as it likes, one simulated millisecond each. It enforces the order of the settings, impedance mode before forces,
-// power and a closed emergency stop, and it drops a connection that gets no force for two seconds of its own time.
+// power before the loop and a closed emergency stop, and it drops a connection that gets no force for two seconds of
+// its own time.
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -93,6 +94,7 @@ EXPORT Context virtOpen(const char* address) {
   opening_error = 0;
   if (std::strchr(address, '#') == nullptr || board().troubled_by(Trouble::no_device)) opening_error = 2;
   if (open_now || board().troubled_by(Trouble::busy)) opening_error = 22;
+  if (board().troubled_by(Trouble::other_controller)) opening_error = 20;
   if (opening_error != 0) return nullptr;
   the_device.factor = the_device.step = the_device.base = the_device.limits = false;
   the_device.command = 0;
@@ -109,6 +111,11 @@ EXPORT int virtClose(Context context) {
   open_now = false;
   --board().open_devices;
   return 0;
+}
+EXPORT int virtGetControlerVersion(Context context, int* major, int* minor) {
+  *major = 3;
+  *minor = 98;
+  return about(context);
 }
 EXPORT int virtGetDeviceID(Context context, int* type, int* serial) {
   *type = 4;
@@ -146,7 +153,7 @@ EXPORT int virtSaturateTorque(Context context, float force, float torque) {
 }
 EXPORT int virtSetPowerOn(Context context, int on) {
   if (on != 0) board().wait_while(Trouble::start_blocks);
-  if (on != 0 && !the_device.looping) board().violation("power without a loop");
+  if (on != 0 && the_device.looping) board().violation("power after the loop has begun");
   if (on != 0 && !the_device.limits) board().violation("power without limits");
   if (on == 0 || about(context) == 0) {
     the_device.power = on != 0;
@@ -208,6 +215,7 @@ EXPORT int virtSetPeriodicFunction(Context context, void (*function)(Context, vo
 EXPORT int virtStartLoop(Context context) {
   if (const int wrong = rule(context, the_device.periodic != nullptr && !the_device.looping, 14, "no loop to start"))
     return wrong;
+  if (!the_device.power) board().violation("a loop without power");
   the_device.looping = true;
   the_device.loop = std::thread([] {
     while (the_device.looping) {

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <thread>
+
+#include "haptics/drivers/haply_connection.h"
+
+namespace bodkin::haptics {
+
+// What an event of Haply's service means to a hand that holds the device.
+enum class HaplyIncident {
+  other,         // nothing that changes the force
+  told,          // worth telling when something fails: a stall, a step of the device's own safety
+  braked,        // the device's emergency brake is engaged
+  released,      // it is released
+  disconnected,  // the device was lost
+  connected      // it was found
+};
+
+struct HaplyEvent {
+  HaplyIncident incident = HaplyIncident::other;
+  std::string device;   // whose, "" = not told
+  std::string message;  // the service's words, may be empty
+};
+
+// One message of the event channel. What cannot be read is HaplyIncident::other.
+HaplyEvent parse_haply_event(std::string_view text);
+
+// Listens to the events of one device, on a thread of its own. Where the service has no such channel it hears
+// nothing.
+class HaplyEventListener {
+ public:
+  // Waits for the channel for a fifth of a second at most.
+  HaplyEventListener(const HaplyAddress& address, std::string device);
+  ~HaplyEventListener();
+  HaplyEventListener(const HaplyEventListener&) = delete;
+  HaplyEventListener& operator=(const HaplyEventListener&) = delete;
+
+  // From any thread; these two lock nothing.
+  bool is_braked() const noexcept { return braked_.load(); }
+  bool is_disconnected() const noexcept { return disconnected_.load(); }
+  // Whether the channel is there and has not ended.
+  bool listens() const noexcept { return listens_.load(); }
+  // The service's words about the last event that matters, may be empty.
+  std::string last() const;
+
+ private:
+  void listen() noexcept;
+  void take(const HaplyEvent& event);
+
+  std::string device_;
+  std::unique_ptr<HaplyConnection> connection_;
+  std::atomic<bool> braked_{false}, disconnected_{false}, listens_{false}, ended_{false};
+  mutable std::mutex mutex_;
+  std::string last_;
+  std::thread thread_;
+};
+
+}  // namespace bodkin::haptics
