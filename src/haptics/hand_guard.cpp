@@ -27,6 +27,8 @@ constexpr double workspace_margin = 10.0;  // mm
 constexpr double frozen_force = 0.5;       // N
 constexpr double unpushed_time = 0.1;      // s without force after which a hand shakes by itself
 constexpr double least_push = 0.1;         // N
+constexpr double steady_force = 0.05;      // N by which a force changes that does not shake a hand
+constexpr double force_window = 0.25;      // s over which that is measured: two cycles at least
 constexpr double lever = 30.0;             // mm, on which the tool's turning is watched
 constexpr double turning_noise = 0.3;      // mm on that lever
 constexpr double useful_phase = 1.0;       // rad by which damping may come late and still damp
@@ -121,7 +123,7 @@ void HandGuard::ramp_from_zero() noexcept {
   ramp_ = 0.0;
   faded_ = 1.0;
   fast_ticks_ = 0;
-  still_for_ = 0.0;
+  still_for_ = window_for_ = force_range_ = 0.0;
   applied_ = Wrench{};
   passivity_.reset();
   fast_.reset();
@@ -177,6 +179,16 @@ void HandGuard::calm(Calming::Step step) noexcept {
   }
 }
 
+void HandGuard::watch_force_range(double dt) noexcept {
+  if (window_for_ == 0.0) force_low_ = force_high_ = held_force_;
+  force_low_ = force_low_.cwiseMin(held_force_);
+  force_high_ = force_high_.cwiseMax(held_force_);
+  window_for_ += dt;
+  if (window_for_ < force_window) return;
+  force_range_ = (force_high_ - force_low_).maxCoeff();
+  window_for_ = 0.0;
+}
+
 // Whether the force shakes the hand. Called while armed.
 void HandGuard::watch_shaking(double dt) noexcept {
   const bool fast = fast_.step(motion_.moved(), held_force_, dt);
@@ -189,8 +201,11 @@ void HandGuard::watch_shaking(double dt) noexcept {
   if (!is_armed()) return;
   if (fast || driven || slow) return calm(calming_.begin(0.0, 0.0));
 
-  const bool swings = swings_.step(motion_.moved(), dt), turns = turns_.step(lever * motion_.turned(), dt);
+  watch_force_range(dt);
+  const bool fast_or_wide = swings_.step(motion_.moved(), dt), turns = turns_.step(lever * motion_.turned(), dt);
   const bool pushed = held_force_.norm() > least_push || applied_.torque.norm() > lever * least_push;
+  // A small swing that lasts under a force that stays the same is the hand's own.
+  const bool swings = fast_or_wide || (swings_.lasts() && force_range_ > steady_force);
   unpushed_for_ = pushed ? 0.0 : unpushed_for_ + dt;
   if (unpushed_for_ > unpushed_time) {
     swings_.reset();

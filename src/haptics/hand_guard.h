@@ -79,6 +79,7 @@ class HandGuard {
   void watch(const DeviceState& device, const GuardInput& input, double dt) noexcept;
   void watch_hand(double dt) noexcept;
   void watch_shaking(double dt) noexcept;
+  void watch_force_range(double dt) noexcept;
   void calm(Calming::Step step) noexcept;
   double calming_damping() const noexcept;
   void watch_age(double age) noexcept;
@@ -124,6 +125,9 @@ class HandGuard {
   double ramp_ = 0.0;                    // share of the force that is let through
   double mean_square_ = 0.0;             // N^2
   double arming_for_ = -1.0;             // s since the request to arm; negative: none is pending
+  Vec3 force_low_ = Vec3::Zero(), force_high_ = Vec3::Zero();  // N, held within the window
+  double force_range_ = 0.0;  // N on the axis where it is largest, of the last window
+  double window_for_ = 0.0;   // s
   bool disarming_ = false;
   double resting_for_ = 0.0;                      // s
   double still_for_ = 0.0;                        // s of unchanged readings under force

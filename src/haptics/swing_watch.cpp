@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 
 namespace bodkin::haptics {
@@ -14,6 +15,10 @@ constexpr double hand_acceleration = 2.0e4;  // mm/s^2
 constexpr double persists = 0.85;            // of a cycle's width that the next one has at least
 constexpr double unsteady = 0.25;            // of a period by which another one may differ
 constexpr double fast_swings = 2.0;          // times the least swing
+constexpr double slowest_lasting = 8.5;      // Hz
+constexpr double lasting_time = 1.5;         // s
+constexpr double unequal_time = 0.15;  // of the shortest period by which the longest exceeds it, beyond two ticks
+constexpr double unequal_width = 0.3;  // of the narrowest width, beyond one least swing
 }  // namespace
 
 double SwingWatch::allowed(double frequency) const noexcept {
@@ -39,6 +44,34 @@ bool SwingWatch::is_shaken(const Axis& axis) noexcept {
   return true;
 }
 
+// A cycle ends with every turning point, half a cycle after the one before.
+void SwingWatch::watch_lasting(Axis& axis, double dt) noexcept {
+  const auto& swing = axis.last;
+  const double period = swing[0].time + swing[1].time, width = 0.5 * (swing[0].width + swing[1].width);
+  if (axis.count < 3 || period * slowest_lasting > 1.0 || width <= fast_swings * least_) {
+    axis.widest = axis.longest = axis.lasting = 0.0;
+    axis.narrowest = axis.shortest = std::numeric_limits<double>::infinity();
+    return;
+  }
+  axis.widest = std::max(axis.widest, width);
+  axis.narrowest = std::min(axis.narrowest, width);
+  axis.longest = std::max(axis.longest, period);
+  axis.shortest = std::min(axis.shortest, period);
+  const bool equal = axis.longest - axis.shortest <= unequal_time * axis.shortest + 2.0 * dt &&
+                     axis.widest - axis.narrowest <= unequal_width * axis.narrowest + least_;
+  axis.lasting += swing[0].time;
+  if (!equal) {
+    axis.widest = axis.narrowest = width;
+    axis.longest = axis.shortest = period;
+    axis.lasting = 0.0;
+  }
+  if (axis.lasting < lasting_time) return;
+  axis.lasting = 0.0;
+  lasts_ = true;
+  frequency_ = 1.0 / period;
+  width_ = width;
+}
+
 // One axis. A turning point is known once the hand has come back by `least_`.
 bool SwingWatch::step(Axis& axis, double moved, double dt) noexcept {
   axis.place += moved;
@@ -60,11 +93,13 @@ bool SwingWatch::step(Axis& axis, double moved, double dt) noexcept {
   axis.since_extreme = 0.0;
   axis.extreme = axis.place;
   axis.forwards = !axis.forwards;
+  watch_lasting(axis, dt);
   return is_shaken(axis);
 }
 
 bool SwingWatch::step(const Vec3& moved, double dt) noexcept {
   bool shaken = false;
+  lasts_ = false;
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     if (!step(axes_[i], moved[static_cast<Eigen::Index>(i)], dt)) continue;
     axis_ = static_cast<int>(i);

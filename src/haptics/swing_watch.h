@@ -14,8 +14,10 @@ namespace bodkin::haptics {
 //   below: A = 2 a / (2 pi f)^2 from side to side, a = 20 m/s^2 (a choice: about four times what a hand that trembles
 //   by 3 mm at 6 Hz or by 1 mm at 11 Hz needs), which is 2.8 mm at 19 Hz, 10 mm at 10 Hz and 113 mm at 3 Hz.
 //
-// What swings less below 19 Hz is for OscillationWatch, which asks who does the work. step() is noexcept and
-// allocates nothing.
+// What swings less below 19 Hz is for OscillationWatch, which asks who does the work, and for lasts(): a swing of
+// more than 8.5 Hz, however small, all of whose cycles are equally long (within 15 % and two ticks) and equally wide
+// (within 30 % and a count) for a second and a half without a break. A tremor waxes and wanes and changes its pace
+// meanwhile; a loop that drives itself does not. step() is noexcept and allocates nothing.
 class SwingWatch {
  public:
   // `least`: mm from turning point to turning point that are no noise.
@@ -23,6 +25,8 @@ class SwingWatch {
 
   // `moved`: mm since the last tick, `dt` s ago. True in the tick of a turning point with which the shaking is found.
   bool step(const Vec3& moved, double dt) noexcept;
+  // Whether an equal swing has lasted: true in the tick in which it has, and again after every such time.
+  bool lasts() const noexcept { return lasts_; }
   void reset() noexcept { *this = SwingWatch(least_); }
 
   // Of the shaking that was found last: Hz, mm from side to side, 0 to 2.
@@ -42,17 +46,21 @@ class SwingWatch {
     double place = 0.0, extreme = 0.0, turn = 0.0;  // mm
     double since_extreme = 0.0, since_turn = 0.0;   // s; the latter to the extreme
     bool forwards = true;
-    int count = 0;                // swings in a row that were fast enough
-    std::array<Swing, 6> last{};  // the newest first
+    int count = 0;                                                        // swings in a row that were fast enough
+    std::array<Swing, 6> last{};                                          // the newest first
+    double widest = 0.0, narrowest = 0.0, longest = 0.0, shortest = 0.0;  // mm, s, of the equal cycles
+    double lasting = 0.0;                                                 // s of them
   };
 
   bool step(Axis& axis, double moved, double dt) noexcept;
   bool is_shaken(const Axis& axis) noexcept;
+  void watch_lasting(Axis& axis, double dt) noexcept;
 
   double least_;
   std::array<Axis, 3> axes_{};
   double frequency_ = 0.0, width_ = 0.0;
   int axis_ = 0;
+  bool lasts_ = false;
 };
 
 }  // namespace bodkin::haptics

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "haptics/calming.h"
+#include "haptics/tremor.h"
 
 namespace bodkin {
 
@@ -60,6 +61,42 @@ TEST(SwingWatch, lets_a_swing_die_away) {
   EXPECT_GT(found_after(watch, 25.0, 1.0), 0.0);
   EXPECT_LT(found_after(watch, 25.0, 1.0, 2, 8.0), 0.0) << "a quarter less with each cycle";
   EXPECT_LT(found_after(watch, 10.0, 8.0, 2, 4.0), 0.0);
+}
+
+// Of a swing of 12 to 18 Hz that a hand could make by itself for a moment, but never as evenly for a second and a
+// half.
+TEST(SwingWatch, finds_a_small_swing_that_lasts) {
+  for (const double hertz : {9.0, 12.0, 15.0, 18.0, 40.0}) {
+    SwingWatch watch(0.05);
+    double found = 0.0;
+    for (int i = 1; i <= 3000 && found == 0.0; ++i) {
+      const auto place = [hertz](int tick) { return 0.12 * std::sin(6.283185307 * hertz * one_tick * tick); };
+      watch.step(Vec3(0.0, place(i) - place(i - 1), 0.0), one_tick);
+      if (watch.lasts()) found = one_tick * i;
+    }
+    EXPECT_GT(found, 1.5) << hertz;
+    EXPECT_LT(found, 2.1) << hertz;
+    EXPECT_NEAR(watch.frequency(), hertz, 0.1 * hertz);
+  }
+}
+
+// Half an hour of trembling on each axis.
+TEST(SwingWatch, a_tremor_does_not_last) {
+  for (const double size : {0.1, 0.3, 1.0}) {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      Tremor tremor(size, one_tick, seed);
+      SwingWatch watch(0.05);
+      Vec3 before = tremor.next();
+      int lasting = 0;
+      for (int i = 0; i < 60'000; ++i) {
+        const Vec3 now = tremor.next();
+        watch.step(now - before, one_tick);
+        lasting += watch.lasts() ? 1 : 0;
+        before = now;
+      }
+      EXPECT_EQ(lasting, 0) << size << " mm, seed " << seed;
+    }
+  }
 }
 
 TEST(Calming, takes_a_step_every_25_ms_while_the_hand_goes_on) {
