@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "views/look_panel.h"
 #include "views/orientation_cube.h"
 #include "views/paint_kit.h"
 #include "views/theme.h"
