@@ -19,6 +19,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/json_values.h"
+#include "core/error.h"
 #include "core/files.h"
 #include "io/case_folder.h"
 #include "io/force_choice.h"
@@ -34,9 +35,9 @@ struct CompareArguments {
   std::string entry, target;
   std::string output;
   std::vector<std::string> models, parts;
-  std::string constraint, needle;
+  std::string constraint, needle, motion;
   double withdraw_speed = 0.0;
-  Argument withdraw_speed_given;
+  Argument withdraw_speed_given, pause_given;
   bool no_reinsert = false;
   study::CompareOptions options;
 };
@@ -48,8 +49,10 @@ constexpr const char* compare_footer = R"(Examples:
   bodkin compare patient --models "tracking_wall,tracking_wall catch_up_s=0.1,tracking_wall catch_up_s=2"
   bodkin compare patient --models volume_proxy --constraint rail --no-reinsert
   bodkin compare patient --needle 16G,90,tuohy                   as another needle than the case's feels it
+  bodkin compare patient --motion "25 at 10, hold 2, 10 at 20, 45 at 5, hold 1, out"
 
-The same motion is played for each: in at constant speed, a stop, out, and in again. Writes BASE.csv (a row per tick, a
+The same motion is played for each: in at constant speed, a stop, out, and in again, or the steps of --motion: depths
+below the skin in mm, 'target' or 'out', each with 'at' a speed in mm/s, and 'hold' with a time in s. Writes BASE.csv (a row per tick, a
 column per model) and BASE.svg (force over depth and over time).
 A path that starts with a minus sign needs an equals sign: --entry=-5,95,3)";
 
@@ -77,7 +80,7 @@ nlohmann::json json_of(const study::ModelRun& run, const study::Comparison& comp
           {"lowest_N", run.lowest},
           {"end_of_stop_N", run.end_of_stop},
           {"work_N_mm", work},
-          {"closed_work_N_mm", run.closed_work},
+          {"closed_work_N_mm", comparison.closed > 0 ? nlohmann::json(run.closed_work) : nlohmann::json(nullptr)},
           {"punctures", punctures},
           {"largest_difference_N", run.largest_difference},
           {"rms_difference_N", run.rms_difference},
@@ -93,10 +96,12 @@ nlohmann::json json_of(const study::Comparison& comparison, const anatomy::Tissu
   result["deepest_mm"] = *std::max_element(comparison.depth.begin(), comparison.depth.end());
   result["ends_in_bone"] = comparison.ends_in_bone.has_value();
   result["reference"] = comparison.models[comparison.reference].name;
-  for (std::size_t phase = 0; phase < study::motion_phases; ++phase) {
-    result["phases"].push_back({{"phase", study::phase_names[phase]},
-                                {"from_s", static_cast<double>(comparison.first[phase]) * comparison.dt},
-                                {"to_s", static_cast<double>(comparison.first[phase + 1]) * comparison.dt}});
+  for (std::size_t part = 0; part < comparison.parts.size(); ++part) {
+    const std::size_t end = comparison.first[part + 1];
+    result["phases"].push_back({{"phase", study::phase_names[static_cast<std::size_t>(comparison.parts[part])]},
+                                {"from_s", static_cast<double>(comparison.first[part]) * comparison.dt},
+                                {"to_s", static_cast<double>(end) * comparison.dt},
+                                {"to_mm", comparison.depth[end - 1]}});
   }
   for (const study::ModelRun& run : comparison.models) result["models"].push_back(json_of(run, comparison, library));
   result["refused"] = nlohmann::json::array();
@@ -135,8 +140,9 @@ void print_tables(const Console& console, const study::Comparison& comparison,
   console.line(row("N mm of work taken from", "", "", "", "", "punctures", ""));
   console.line(row("the hand", "insertion", "withdrawal", "in and out", "re-insert.", "in, again", "ns a tick *"));
   for (const study::ModelRun& run : comparison.models) {
-    console.line(row(run.name, two_digits(run.work[0]), two_digits(run.work[2]), two_digits(run.closed_work),
-                     two_digits(run.work[3]), fmt::format("{}, {}", run.punctures[0], run.punctures[3]),
+    console.line(row(run.name, two_digits(run.work[0]), two_digits(run.work[2]),
+                     comparison.closed > 0 ? two_digits(run.closed_work) : std::string("-"), two_digits(run.work[3]),
+                     fmt::format("{}, {}", run.punctures[0], run.punctures[3]),
                      fmt::format("{:.0f}", run.nanoseconds)));
   }
   console.line("\nWhat gives way on the insertion, in order, with the depth of the tip in mm");
@@ -162,6 +168,14 @@ void run_compare(const CompareArguments& arguments, const CommandContext& contex
   if (!arguments.constraint.empty()) options.constraint = io::parse_constraint(arguments.constraint, "--constraint");
   if (!arguments.parts.empty()) options.parts = io::parse_parts(arguments.parts, "--part");
   options.reinsert = !arguments.no_reinsert;
+  if (!arguments.motion.empty()) {
+    options.motion = study::parse_motion(arguments.motion, "--motion");
+    const char* const other = arguments.withdraw_speed_given.given() ? "--withdraw-speed"
+                              : arguments.pause_given.given()        ? "--pause"
+                              : arguments.no_reinsert                ? "--no-reinsert"
+                                                                     : nullptr;
+    if (other != nullptr) throw InputError(fmt::format("--motion says all steps; leave out {}", other));
+  }
   const bool all = std::find(arguments.models.begin(), arguments.models.end(), "all") != arguments.models.end();
 
   const std::string base = arguments.output.empty() ? "compare" : arguments.output;
@@ -186,7 +200,9 @@ void run_compare(const CompareArguments& arguments, const CommandContext& contex
     console.note(fmt::format("{} is left out: {}", model.name, model.reason));
 
   std::vector<report::Plot> plots = report::comparison_plots(comparison, library, peak_force);
-  plots[0].title = fmt::format("{}, {:g} mm/s, {} constraint", name, options.speed, comparison.constraint);
+  plots[0].title = fmt::format("{}, {}, {} constraint", name,
+                               arguments.motion.empty() ? fmt::format("{:g} mm/s", options.speed) : arguments.motion,
+                               comparison.constraint);
   const std::string picture =
       report::draw_plots(plots).svg();  // before any file is written: what fails leaves nothing behind
 
@@ -225,8 +241,13 @@ void add_compare_command(CLI::App& app, CommandContext& context) {
   arguments->withdraw_speed_given = add_number(*command, "--withdraw-speed", arguments->withdraw_speed, 0.5, 500.0,
                                                "mm/s outwards, 0.5 to 500 (default: as --speed)");
   arguments->withdraw_speed_given.without_default();
-  add_number(*command, "--pause", options.pause, 0.0, 60.0, "s at the deepest point, 0 to 60");
+  arguments->pause_given =
+      add_number(*command, "--pause", options.pause, 0.0, 60.0, "s at the deepest point, 0 to 60");
   add_switch(*command, "--no-reinsert", arguments->no_reinsert, "End with the withdrawal");
+  add_text(
+      *command, "--motion", arguments->motion,
+      "Steps of a motion, such as \"25 at 10, hold 2, 10, 45 at 5, out\": mm below the skin, target or out, each "
+      "'at' mm/s (default: --speed), and 'hold' s");
   add_text(*command, "-o,--output", arguments->output, "BASE of BASE.csv and BASE.svg (default: compare)");
   on_run(*command, [arguments, &context] { run_compare(*arguments, context); });
 }

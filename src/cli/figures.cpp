@@ -26,7 +26,7 @@ struct FiguresArguments {
 
 constexpr const char* figures_footer = R"(Examples:
   bodkin figures figures                          every published experiment that comes with Bodkin
-  bodkin figures mine --experiment my_needle.xml  an experiment of your own
+  bodkin figures mine --experiment my_needle.xml  an experiment of your own, on layers or on a patient
 
 Writes DIR/NAME.svg and DIR/NAME.csv for each experiment and DIR/index.html (and index.md) with all of
 them and their captions.
@@ -69,7 +69,8 @@ void run_figures(const FiguresArguments& arguments, const CommandContext& contex
   std::vector<report::Figure> figures;
   std::set<std::string> names;
   for (const fs::path& file : files) {
-    figures.push_back({io::read_experiment(file), {}});
+    figures.push_back(
+        {study::load_experiment(file, console.progress(), [&](const std::string& text) { console.note(text); }), {}});
     const std::string& name = figures.back().experiment.name;
     if (!names.insert(name).second)
       throw InputError(fmt::format("{}: there is another experiment called '{}'; give one of them another name",
@@ -88,6 +89,7 @@ void run_figures(const FiguresArguments& arguments, const CommandContext& contex
     write_file(base + ".svg", report::draw_plots(report::plots_of(figure.experiment, figure.run)).svg());
     write_file(base + ".csv", study::experiment_csv(figure.experiment, figure.run));
     figure.run.ticks = {};  // the page needs the comparisons only
+    figure.experiment.patient.reset();
     console.clear_bar();
     print(console, figure);
     result["figures"].push_back(json_of(figure, folder));

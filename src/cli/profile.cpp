@@ -7,6 +7,7 @@
 #include "report/crossings.h"
 #include "report/diagnostic_plot.h"
 #include "report/force_plot.h"
+#include "report/motion_plot.h"
 #include "study/straight_motion.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -29,7 +30,8 @@ namespace fs = std::filesystem;
 struct ProfileArguments {
   std::string folder;
   std::string entry, target;
-  std::string output;
+  std::string output, motion;
+  Argument beyond_given, pause_given;
   study::ProfileOptions options;
   bool deformation = false;
   ForceOptions forces;
@@ -40,10 +42,14 @@ constexpr const char* profile_footer = R"(Examples:
   bodkin profile patient --entry 0,95,3 --target 2,45,10         along another one
   bodkin profile patient --speed 2 --pause 1 --withdraw -o out/slow
   bodkin profile patient --resistance "tracking_wall catch_up_s=0.3" --constraint "rail torsion_N_mm_per_rad=500"
+  bodkin profile patient --resistance tracking_wall --motion "25 at 10, hold 2, 10 at 20, 45 at 5, hold 1, out"
   bodkin profile patient --resistance embedded_needle --deformation              with the tissue as it gives way
 
 Writes BASE.csv (a row per tick) and BASE.svg (force against depth with the tissues as bands;
-below it what the force models publish, such as the position of the tracking wall).
+below it what the force models publish, such as the position of the tracking wall; with a rest, a
+withdrawal or --motion also position, wall and force over time).
+Steps of --motion: depths below the skin in mm, 'target' or 'out', each with 'at' a speed in mm/s, and
+'hold' with a time in s.
 A path that starts with a minus sign needs an equals sign: --entry=-5,95,3)";
 
 nlohmann::json json_of(const study::Profile& profile, const std::vector<report::TissueCrossing>& crossings,
@@ -71,6 +77,7 @@ nlohmann::json json_of(const study::Profile& profile, const std::vector<report::
   result["stopped_by_bone_mm"] =
       profile.stopped_by_bone ? nlohmann::json(*profile.stopped_by_bone) : nlohmann::json(nullptr);
   result["outcome"] = profile.outcome;
+  result["duration_s"] = static_cast<double>(profile.ticks.size() - 1) * profile.dt;
   result["notes"] = profile.notes;
   return result;
 }
@@ -95,6 +102,14 @@ void run_profile(const ProfileArguments& arguments, const CommandContext& contex
   study::ProfileOptions options = arguments.options;
   if (!arguments.entry.empty()) options.entry = parse_point(arguments.entry, "--entry");
   if (!arguments.target.empty()) options.target = parse_point(arguments.target, "--target");
+  if (!arguments.motion.empty()) {
+    options.motion = study::parse_motion(arguments.motion, "--motion");
+    const char* const other = arguments.beyond_given.given()  ? "--beyond"
+                              : arguments.pause_given.given() ? "--pause"
+                              : options.withdraw              ? "--withdraw"
+                                                              : nullptr;
+    if (other != nullptr) throw InputError(fmt::format("--motion says all steps; leave out {}", other));
+  }
   const std::string base = arguments.output.empty() ? "profile" : arguments.output;
   for (const char* ending : {".csv", ".svg"}) require_writable(base + ending, "--output");
   if (arguments.deformation) require_writable(base + "-deformation.svg", "--output");
@@ -113,7 +128,8 @@ void run_profile(const ProfileArguments& arguments, const CommandContext& contex
   const std::vector<session::SessionEvent> events = report::events_of(profile.ticks);
   const std::vector<report::TissueCrossing> crossings = report::tissues_crossed(profile.ticks, profile.dt);
   report::Plot plot = report::force_against_depth(profile.ticks, events, profile.dt, patient);
-  plot.title = fmt::format("{}, {:g} mm/s, {}", patient.description.name, options.speed,
+  plot.title = fmt::format("{}, {}, {}", patient.description.name,
+                           arguments.motion.empty() ? fmt::format("{:g} mm/s", options.speed) : arguments.motion,
                            anatomy::name_of(patient.description.haptics.resistance));
   std::vector<report::Plot> plots = {plot};
   std::vector<session::RecordedDiagnostic> published;
@@ -121,6 +137,9 @@ void run_profile(const ProfileArguments& arguments, const CommandContext& contex
     published.push_back({std::string(one.name), std::string(one.title)});
   for (report::Plot& one : report::diagnostics_against_depth(profile.ticks, published))
     plots.push_back(std::move(one));
+  if (!options.motion.empty() || options.pause > 0.0 || options.withdraw) {
+    for (report::Plot& one : report::profile_against_time(profile, patient.library)) plots.push_back(std::move(one));
+  }
   const std::string picture =
       report::draw_plots(plots).svg();  // before any file is written: what fails leaves nothing behind
 
@@ -148,15 +167,22 @@ void run_profile(const ProfileArguments& arguments, const CommandContext& contex
 
 void add_profile_command(CLI::App& app, CommandContext& context) {
   auto arguments = std::make_shared<ProfileArguments>();
-  CLI::App* command =
-      add_command(app, "profile", "Force against depth of a needle driven in at constant speed", profile_footer);
+  CLI::App* command = add_command(
+      app, "profile", "Force against depth of a needle driven in at constant speed, or moved step by step",
+      profile_footer);
   add_text(*command, "CASE", arguments->folder, "Folder of the case").required();
   add_text(*command, "--entry", arguments->entry, "Where the path begins, x,y,z in LPS mm (default: as planned)");
   add_text(*command, "--target", arguments->target, "Where it ends, x,y,z in LPS mm (default: as planned)");
   add_number(*command, "--speed", arguments->options.speed, 0.5, 500.0, "mm/s, 0.5 to 500");
-  add_number(*command, "--beyond", arguments->options.beyond, 0.0, 200.0, "mm past the target, 0 to 200");
-  add_number(*command, "--pause", arguments->options.pause, 0.0, 60.0, "s at the deepest point, 0 to 60");
+  arguments->beyond_given =
+      add_number(*command, "--beyond", arguments->options.beyond, 0.0, 200.0, "mm past the target, 0 to 200");
+  arguments->pause_given =
+      add_number(*command, "--pause", arguments->options.pause, 0.0, 60.0, "s at the deepest point, 0 to 60");
   add_switch(*command, "--withdraw", arguments->options.withdraw, "Pull the needle out again at the same speed");
+  add_text(
+      *command, "--motion", arguments->motion,
+      "Steps of a motion, such as \"25 at 10, hold 2, 10, 45 at 5, out\": mm below the skin, target or out, each "
+      "'at' mm/s (default: --speed), and 'hold' s");
   add_text(*command, "-o,--output", arguments->output, "BASE of BASE.csv and BASE.svg (default: profile)");
   add_switch(*command, "--deformation", arguments->deformation,
              "Of a deformable body: also BASE-deformation.svg, the patient at rest and where it resisted most");

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "io/case_folder.h"
 #include "io/case_xml.h"
 #include "io/haptics_xml.h"
 #include "io/resources.h"
@@ -57,8 +58,8 @@ ExperimentWindow window_from(const XmlElement& element, const std::string& origi
   return window;
 }
 
-anatomy::TissueLibrary library_from(const XmlElement* changes, const std::string& origin) {
-  std::vector<anatomy::TissueProperties> tissues = default_tissue_library().tissues();
+anatomy::TissueLibrary library_from(std::vector<anatomy::TissueProperties> tissues, const XmlElement* changes,
+                                    const std::string& origin) {
   if (changes == nullptr) return anatomy::TissueLibrary(std::move(tissues));
   const auto find = [&tissues](const std::string& name) {
     return std::find_if(tissues.begin(), tissues.end(),
@@ -102,6 +103,17 @@ ExperimentBody body_from(const XmlElement& element, const anatomy::TissueLibrary
                          const std::string& origin) {
   const XmlElement& shape = element.children.front();
   ExperimentBody body;
+  if (shape.name == "patient") {
+    body.patient = fs::path(origin).parent_path() / shape.string("folder");
+    const auto point = [](const XmlElement* at) {
+      return at == nullptr
+                 ? std::nullopt
+                 : std::optional(Vec3(at->number("x_mm", 0.0), at->number("y_mm", 0.0), at->number("z_mm", 0.0)));
+    };
+    body.entry = point(shape.child("entry"));
+    body.target = point(shape.child("target"));
+    return body;
+  }
   body.hemisphere = shape.name == "hemisphere";
   body.radius = shape.number("radius_mm", 0.0);
   body.width = shape.number("width_mm", body.width);
@@ -132,10 +144,7 @@ ExperimentMotion motion_from(const XmlElement& element, const std::string& origi
                           element.number("direction_z", 1.0)};
   if (direction.norm() < shortest_direction)
     fail_at(origin, element.line, "motion has a direction of no length, expected one that points into the body");
-  motion.direction = direction.normalized();
-  // Along x as far as that is across.
-  const Vec3 towards = std::abs(motion.direction.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
-  motion.across = (towards - towards.dot(motion.direction) * motion.direction).normalized();
+  motion.lay_along(motion.entry, direction);
   motion.tilt_about_tip = element.string("tilt_about") == "tip";
   ExperimentPlace place;
   place.depth = element.number("from_mm", -10.0);
@@ -233,6 +242,14 @@ void check_quantities(const Experiment& experiment, const std::string& origin) {
 
 }  // namespace
 
+void ExperimentMotion::lay_along(const Vec3& from, const Vec3& towards) {
+  entry = from;
+  direction = towards.normalized();
+  // Along x as far as that is across.
+  const Vec3 side = std::abs(direction.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
+  across = (side - side.dot(direction) * direction).normalized();
+}
+
 Experiment parse_experiment(std::string_view document, const std::string& origin) {
   static const XmlSchema schema("experiment.xsd");
   const XmlElement root = schema.read(document, origin, {.root = "experiment"});
@@ -243,15 +260,38 @@ Experiment parse_experiment(std::string_view document, const std::string& origin
   const XmlElement& caption = *root.child("caption");
   experiment.caption = {text_of(caption, "reproduces"), text_of(caption, "parameters"), text_of(caption, "agrees"),
                         text_of(caption, "differs")};
-  experiment.library = library_from(root.child("changed_tissues"), origin);
-  experiment.body = body_from(*root.child("body"), experiment.library, origin);
+  const XmlElement& body = *root.child("body");
+  const bool in_patient = body.children.front().name == "patient";
+  std::vector<anatomy::TissueProperties> tissues = default_tissue_library().tissues();
+  if (in_patient) {
+    const fs::path folder = fs::path(origin).parent_path() / body.children.front().string("folder");
+    const anatomy::CaseDescription description = read_case_description(folder);
+    tissues = read_case_library(folder, description).tissues();
+    experiment.needle = description.needle;
+    experiment.device = description.device;
+    experiment.haptics = description.haptics;
+  }
+  experiment.library = library_from(std::move(tissues), root.child("changed_tissues"), origin);
+  experiment.body = body_from(body, experiment.library, origin);
   if (const XmlElement* needle = root.child("needle"); needle != nullptr)
     experiment.needle = read_needle(*needle, origin);
   if (const XmlElement* device = root.child("device"); device != nullptr)
     experiment.device = read_device(*device, origin);
-  experiment.haptics = read_haptics(*root.child("haptics"), origin);
-  experiment.motion = motion_from(*root.child("motion"), origin);
-  if (root.child("needle") == nullptr) {  // no hub stops a needle of which nothing is said
+  if (const XmlElement* haptics = root.child("haptics"); haptics != nullptr)
+    experiment.haptics = read_haptics(*haptics, origin);
+  else if (!in_patient)
+    fail_at(origin, root.line,
+            "the experiment has no haptics, expected them with the resistance; only a patient has its own");
+  const XmlElement& motion = *root.child("motion");
+  for (const char* place : {"entry_x_mm", "entry_y_mm", "entry_z_mm", "direction_x", "direction_y", "direction_z"}) {
+    if (in_patient && motion.find(place) != nullptr)
+      fail_at(origin, motion.line,
+              fmt::format("motion has {}, but in a patient it runs along the path; expected entry "
+                          "and target in <patient>",
+                          place));
+  }
+  experiment.motion = motion_from(motion, origin);
+  if (root.child("needle") == nullptr && !in_patient) {  // no hub stops a needle of which nothing is said
     for (const ExperimentPlace& place : experiment.motion.places)
       experiment.needle.length = std::max(experiment.needle.length, place.depth + 1.0);
   }

@@ -19,7 +19,8 @@ class XmlSchema;
 // inwards.
 
 // A stack of plane layers with the skin at z = 0 and depth along +z, or a half ball, its pole at the origin, with
-// layers as shells from outside to inside; what is left in the middle is made of the last layer.
+// layers as shells from outside to inside; what is left in the middle is made of the last layer. Or a patient: a case
+// folder, whose motion runs along a path with depth counted from the skin.
 struct ExperimentLayer {
   std::string tissue;
   double thickness = 0.0;  // mm
@@ -30,6 +31,8 @@ struct ExperimentBody {
   double width = 60.0;  // mm, of the stack across the needle
   double voxel = 0.5;   // mm
   std::vector<ExperimentLayer> layers;
+  std::filesystem::path patient;      // the case's folder; empty for a stack or a half ball
+  std::optional<Vec3> entry, target;  // LPS mm, of a patient; the planned path where absent
 };
 
 // Where the needle is at a time; between two of them it moves evenly. All are measured from `entry` along
@@ -46,6 +49,9 @@ struct ExperimentMotion {
   Vec3 across = Vec3::UnitX();          // unit; where `aside` points
   bool tilt_about_tip = false;          // else about the entry
   std::vector<ExperimentPlace> places;  // times rise from 0
+
+  // `entry`, `direction` (of any length) and what is across it.
+  void lay_along(const Vec3& from, const Vec3& towards);
 };
 
 // What can be drawn and compared, one number a tick. Forces and torques as the models ask for them, before the
@@ -160,10 +166,13 @@ struct Experiment {
   ExperimentMotion motion;
   std::vector<ExperimentPanel> panels;
   std::vector<PublishedValue> values;
+  std::optional<anatomy::Case> patient;  // of a body that is a patient, once it is loaded (study/experiment.h)
 };
 
-// Reads an experiment from text in memory; `origin` names it in messages. Throws InputError naming file, line, what
-// was found and what was expected.
+// Reads an experiment from text in memory; `origin` names it in messages, and folders of patients are sought from its
+// folder on. Of a patient the description and the tissue library are read, not the volumes; needle, device and
+// haptics that the file does not have are the patient's. Throws InputError naming file, line, what was found and what
+// was expected.
 Experiment parse_experiment(std::string_view document, const std::string& origin);
 Experiment read_experiment(const std::filesystem::path& file);
 

@@ -1,17 +1,16 @@
 #include "report/compare_plot.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "report/crossings.h"
 #include "report/force_plot.h"
+#include "report/motion_plot.h"
 
 namespace bodkin::report {
 
 namespace {
 
-// Diagnostics that are a place on the needle's line, mm, to be compared with its depth.
-constexpr std::string_view places_on_line[] = {"wall_mm", "reference_mm"};
+constexpr double width_of_letter = 0.0095;  // of a name of a part of the motion, as a share of the whole plot
 
 struct Look {
   std::string_view name;
@@ -53,33 +52,16 @@ Look look_of(std::string_view name, std::size_t& others) {
 // The tissues that the tip passes on the insertion, over depth.
 std::vector<PlotBand> bands_over_depth(const study::Comparison& comparison, const anatomy::TissueLibrary& library) {
   std::vector<simulation::TickRecord> ticks;
-  for (std::size_t tick = 0; tick < comparison.first[1]; ++tick) {
+  for (std::size_t tick = 0; tick < comparison.depth.size(); ++tick) {
+    if (comparison.phase_of(tick) != study::MotionPhase::insertion) continue;
     simulation::TickRecord record;
-    record.tick = tick;
+    record.tick = ticks.size();
     record.output.depth = comparison.depth[tick];
     record.output.tissue = comparison.tissue[tick];
     record.output.in_contact = comparison.depth[tick] > 0.0;
     ticks.push_back(record);
   }
   return bands_of(tissues_crossed(ticks, comparison.dt), library);
-}
-
-// The same colours over time, without names.
-std::vector<PlotBand> bands_over_time(const study::Comparison& comparison, const anatomy::TissueLibrary& library) {
-  std::vector<PlotBand> bands;
-  for (std::size_t tick = 0; tick < comparison.tissue.size(); ++tick) {
-    const anatomy::TissueId here = comparison.tissue[tick];
-    if (here == anatomy::tissue::air) continue;
-    const anatomy::TissueProperties* properties = library.find(here);
-    const std::uint32_t colour = properties != nullptr ? properties->colour : 0x808080U;
-    const double from = static_cast<double>(tick) * comparison.dt, to = from + comparison.dt;
-    const bool continues = !bands.empty() && tick > 0 && comparison.tissue[tick - 1] == here;
-    if (continues)
-      bands.back().to = to;
-    else
-      bands.push_back({from, to, colour, ""});
-  }
-  return bands;
 }
 
 // Where the plot over depth begins, mm: before the skin as far as any model still has a force.
@@ -104,21 +86,21 @@ std::vector<Plot> comparison_plots(const study::Comparison& comparison, const an
   over_depth.height = 360.0;
   over_time.height = 300.0;
   over_depth.bands = bands_over_depth(comparison, library);
-  over_time.bands = bands_over_time(comparison, library);
-  for (std::size_t phase = 0; phase < study::motion_phases; ++phase) {
-    if (comparison.first[phase] == comparison.first[phase + 1]) continue;
-    over_time.dividers.push_back(
-        {static_cast<double>(comparison.first[phase]) * comparison.dt, std::string(study::phase_names[phase])});
+  over_time.bands = bands_over_time(comparison.tissue, comparison.dt, library);
+  for (std::size_t part = 0; part < comparison.parts.size(); ++part) {
+    const std::size_t first = comparison.first[part], ticks = comparison.first[part + 1] - first;
+    if (ticks == 0) continue;
+    const std::string_view name = study::phase_names[static_cast<std::size_t>(comparison.parts[part])];
+    const double room = width_of_letter * static_cast<double>(name.size() * comparison.depth.size());
+    over_time.dividers.push_back({static_cast<double>(first) * comparison.dt,
+                                  static_cast<double>(ticks) > room ? std::string(name) : std::string()});
   }
 
   std::vector<double> time(comparison.depth.size());
   for (std::size_t tick = 0; tick < time.size(); ++tick) time[tick] = static_cast<double>(tick) * comparison.dt;
   const double least = least_depth(comparison);
-  // Force over depth from the beginning of one phase to that of another.
-  const auto draw = [&](PlotSeries& series, const study::ModelRun& run, study::MotionPhase from,
-                        study::MotionPhase to) {
-    const std::size_t end = comparison.first[static_cast<std::size_t>(to)];
-    for (std::size_t tick = comparison.first[static_cast<std::size_t>(from)]; tick < end; ++tick) {
+  const auto draw = [&](PlotSeries& series, const study::ModelRun& run, std::size_t part) {
+    for (std::size_t tick = comparison.first[part]; tick < comparison.first[part + 1]; ++tick) {
       if (comparison.depth[tick] < least) continue;
       series.x.push_back(comparison.depth[tick]);
       series.y.push_back(run.force[tick]);
@@ -133,17 +115,21 @@ std::vector<Plot> comparison_plots(const study::Comparison& comparison, const an
   for (const study::ModelRun& run : comparison.models) {
     const Look look = look_of(run.name, others);
     PlotSeries in{.name = run.name, .colour = look.colour, .width = 2.2, .dash = look.dash};
-    PlotSeries out{.colour = look.colour, .width = 1.0, .dash = look.dash};
-    draw(in, run, study::MotionPhase::insertion, study::MotionPhase::stop);
-    draw(out, run, study::MotionPhase::stop, study::MotionPhase::reinsertion);
+    bool continues = false;  // a stop with its withdrawal is one line
+    for (std::size_t part = 0; part < comparison.parts.size(); ++part) {
+      const study::MotionPhase phase = comparison.parts[part];
+      const bool out = phase == study::MotionPhase::stop || phase == study::MotionPhase::withdrawal;
+      if (phase == study::MotionPhase::insertion) draw(in, run, part);
+      if (out && !continues) over_depth.series.push_back({.colour = look.colour, .width = 1.0, .dash = look.dash});
+      if (out) draw(over_depth.series.back(), run, part);
+      continues = out;
+    }
     PlotSeries whole{.x = time, .y = run.force, .colour = look.colour, .width = 1.6, .dash = look.dash};
-    over_depth.series.push_back(std::move(out));
     over_depth.series.push_back(std::move(in));
     over_time.series.push_back(std::move(whole));
     highest = std::max(highest, run.peak);
     for (std::size_t i = 0; i < run.diagnostics.size(); ++i) {
-      const auto* const end = std::end(places_on_line);
-      if (std::find(std::begin(places_on_line), end, run.diagnostics[i].name) == end) continue;
+      if (!is_place_on_line(run.diagnostics[i].name)) continue;
       PlotSeries place{.name = run.name + ": " + std::string(run.diagnostics[i].title),
                        .colour = look.colour,
                        .width = 1.6,

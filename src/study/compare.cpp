@@ -6,7 +6,6 @@
 #include <iterator>
 #include <utility>
 
-#include "study/straight_motion.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -20,9 +19,10 @@ namespace bodkin::study {
 namespace {
 
 constexpr double most_ticks = 3e6;
-constexpr std::size_t block = 2048;  // ticks between looks at the clock
-constexpr double bone_search = 0.1;  // mm
-constexpr double least_bone = 1e-3;  // N/mm
+constexpr double longest_motion = 600.0;  // s
+constexpr std::size_t block = 2048;       // ticks between looks at the clock
+constexpr double bone_search = 0.1;       // mm
+constexpr double least_bone = 1e-3;       // N/mm
 
 constexpr const char* option = "--models";
 constexpr std::array<std::string_view, 13> model_names = {
@@ -69,50 +69,57 @@ double deepest_place(const StraightPath& line, const anatomy::Case& patient, Com
     if (end >= line.end) return line.end;
     result.ends_in_bone = end - line.surface;
     result.notes.push_back(fmt::format(
-        "{} lies in the line at a depth of {:.1f} mm; the needle stops {:.1f} mm deep, {:.1f} mm before the target",
-        properties->title, place - line.surface, *result.ends_in_bone, line.end - end));
+        "{} lies in the line at a depth of {:.1f} mm; the needle stops {:.1f} mm deep, {:.1f} mm before the {}",
+        properties->title, place - line.surface, *result.ends_in_bone, line.end - end,
+        result.options.motion.empty() ? "target" : "end of the motion"));
     return end;
   }
   return line.end;
 }
 
-// The poses of the motion, tick by tick; fills depth, tissue and first of `result`.
+// The motion of the options as steps.
+NeedleMotion steps_of(const CompareOptions& options) {
+  if (!options.motion.empty()) return options.motion;
+  const MotionStep in{.goal = MotionGoal::target}, rest{.goal = MotionGoal::hold, .time = options.pause},
+      out{.goal = MotionGoal::outside, .speed = options.withdraw_speed};
+  if (options.reinsert) return {in, rest, out, in};
+  return {in, rest, out};
+}
+
+// The poses of the motion, tick by tick; fills depth, tissue, parts, first and closed of `result`.
 std::vector<simulation::TickInput> motion_of(const StraightPath& line, const anatomy::Case& patient,
                                              Comparison& result) {
   const CompareOptions& options = result.options;
-  const double inwards = options.speed * result.dt;  // mm a tick
-  const double outwards = options.withdraw_speed.value_or(options.speed) * result.dt;
+  const NeedleMotion steps = steps_of(options);
   const double end = deepest_place(line, patient, result);
-  const double rests = std::round(options.pause / result.dt);
-  const double ticks = (end - line.start) / inwards + rests + (end - line.outside) / outwards +
-                       (options.reinsert ? (end - line.outside) / inwards : 0.0);
-  if (ticks > most_ticks) {
+  const double duration = duration_of(steps, line, options.speed, end);
+  if (!options.motion.empty() && duration > longest_motion) {
+    throw InputError(
+        fmt::format("--motion takes {:.0f} s, expected at most {:.0f} s; give larger speeds or shorter holds",
+                    duration, longest_motion));
+  }
+  if (const double ticks = duration / result.dt; ticks > most_ticks) {
     throw InputError(
         fmt::format("the motion would take {:.1f} million ticks, expected at most {:.0f} million; give a "
                     "larger --speed or a shorter path",
                     1e-6 * ticks, 1e-6 * most_ticks));
   }
-  std::vector<double> places = {line.start};
-  const auto go = [&](double from, double to, double step) {
-    const std::vector<double> part = places_between(from, to, step);
-    places.insert(places.end(), part.begin(), part.end());
-  };
-  go(line.start, end, inwards);
-  result.first[1] = places.size();
-  places.insert(places.end(), static_cast<std::size_t>(rests), end);
-  result.first[2] = places.size();
-  go(end, line.outside, outwards);
-  result.first[3] = places.size();
-  if (options.reinsert) go(line.outside, end, inwards);
-  result.first[4] = places.size();
+  MotionTicks ticks = ticks_of(steps, line, options.speed, result.dt, end);
+  result.parts = std::move(ticks.parts);
+  result.first = std::move(ticks.first);
+  if (options.motion.empty() && !options.reinsert) {  // its part is there, without ticks
+    result.parts.push_back(MotionPhase::reinsertion);
+    result.first.push_back(ticks.places.size());
+  }
 
   std::vector<simulation::TickInput> motion;
-  motion.reserve(places.size());
-  for (const double place : places) {
+  motion.reserve(ticks.places.size());
+  for (const double place : ticks.places) {
     motion.push_back({line.needle_at(place)});
     result.depth.push_back(place - line.surface);
     result.tissue.push_back(anatomy::nearest<anatomy::TissueId>(patient.tissues, motion.back().needle.translation(),
                                                                 anatomy::tissue::air));
+    if (place == line.outside) result.closed = motion.size();
   }
   return motion;
 }
@@ -170,15 +177,17 @@ void measure(ModelRun& run, const Comparison& result) {
     run.lowest = std::min(run.lowest, run.force[tick]);
     if (tick == 0) continue;
     const double advance = result.depth[tick] - result.depth[tick - 1];
-    run.work[static_cast<std::size_t>(phase)] += 0.5 * (run.force[tick] + run.force[tick - 1]) * advance;
+    const double work = 0.5 * (run.force[tick] + run.force[tick - 1]) * advance;
+    run.work[static_cast<std::size_t>(phase)] += work;
+    if (tick < result.closed) run.closed_work += work;
   }
   run.peak_tissue = result.tissue[run.peak_tick];
   for (const ToldEvent& each : run.told) {
     const bool follows = each.tick >= run.peak_tick && each.tick <= run.peak_tick + 2;
     if (follows && each.event.kind == forces::EventKind::puncture) run.peak_tissue = each.event.tissue;
   }
-  run.end_of_stop = run.force[result.first[2] - 1];
-  run.closed_work = run.work[0] + run.work[1] + run.work[2];
+  const auto turns = std::find(result.parts.begin(), result.parts.end(), MotionPhase::withdrawal);
+  run.end_of_stop = run.force[result.first[static_cast<std::size_t>(turns - result.parts.begin())] - 1];
 }
 
 void measure_difference(ModelRun& run, const ModelRun& reference, const std::vector<double>& depth) {
@@ -234,9 +243,9 @@ std::vector<ComparedModel> models_of(const std::vector<std::string>& texts, cons
 }
 
 MotionPhase Comparison::phase_of(std::size_t tick) const {
-  std::size_t phase = 0;
-  while (phase + 1 < motion_phases && tick >= first[phase + 1]) ++phase;
-  return static_cast<MotionPhase>(phase);
+  std::size_t part = 0;
+  while (part + 1 < parts.size() && tick >= first[part + 1]) ++part;
+  return parts[part];
 }
 
 Comparison compare_models(anatomy::Case patient, const CompareOptions& options, const Progress& progress,
@@ -252,7 +261,7 @@ Comparison compare_models(anatomy::Case patient, const CompareOptions& options, 
   Comparison result;
   result.options = options;
   result.constraint = anatomy::name_of(haptics.constraint);
-  const StraightPath line = straight_path(patient, options.entry, options.target);
+  const StraightPath line = path_of_motion(patient, options.entry, options.target, options.motion);
   result.path = line.path;
   result.notes = line.notes;
   result.dt = 1.0 / haptics.rate;

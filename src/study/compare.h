@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "study/needle_motion.h"
+
 #include "anatomy/case.h"
 #include "core/progress.h"
 #include "forces/diagnostics.h"
@@ -38,20 +40,16 @@ std::vector<ComparedModel> models_of(const std::vector<std::string>& texts, cons
 
 // One scripted motion through a patient, the same for every model.
 struct CompareOptions {
-  std::optional<Vec3> entry, target;                      // LPS mm; the case's planned path where absent
-  double speed = 10.0;                                    // mm/s, 0.5 to 500
-  std::optional<double> withdraw_speed;                   // mm/s, 0.5 to 500; `speed` where absent
-  double pause = 2.0;                                     // s at the deepest point, 0 to 60
-  bool reinsert = true;                                   // after the withdrawal, at `speed` to the same depth
+  std::optional<Vec3> entry, target;     // LPS mm; the case's planned path where absent
+  double speed = 10.0;                   // mm/s, 0.5 to 500
+  std::optional<double> withdraw_speed;  // mm/s, 0.5 to 500; `speed` where absent
+  double pause = 2.0;                    // s at the deepest point, 0 to 60
+  bool reinsert = true;                  // after the withdrawal, at `speed` to the same depth
+  NeedleMotion motion;  // instead of the last three, at most 600 s; steps without a speed go at `speed`; may be empty
   std::vector<ComparedModel> models;                      // at least one; names differ
   std::optional<anatomy::ConstraintSettings> constraint;  // the case's where absent
   std::optional<anatomy::ForceParts> parts;               // added to every resistance; the case's where absent
 };
-
-enum class MotionPhase : std::uint8_t { insertion, stop, withdrawal, reinsertion };
-inline constexpr std::size_t motion_phases = 4;
-inline constexpr std::array<std::string_view, motion_phases> phase_names = {"insertion", "stop", "withdrawal",
-                                                                            "re-insertion"};
 
 struct ToldEvent {
   std::size_t tick = 0;
@@ -69,11 +67,11 @@ struct ModelRun {
   double peak = 0.0;                                     // N, the largest on the insertion; 0 when nothing pushed
   std::size_t peak_tick = 0;                             // where that was first
   anatomy::TissueId peak_tissue = anatomy::tissue::air;  // that gave way then, or else the one at the tip
-  double peak_again = 0.0;                               // N, the largest on the re-insertion
+  double peak_again = 0.0;                               // N, the largest where the tip has been before
   double lowest = 0.0;       // N, the most negative (the tissue holds the needle back on withdrawal); 0 or less
-  double end_of_stop = 0.0;  // N, at the last tick before the withdrawal
+  double end_of_stop = 0.0;  // N, at the last tick before the first withdrawal, or of all where there is none
   std::array<double, motion_phases> work{};  // N mm taken from the hand
-  // Of insertion, stop and withdrawal together, which end where they began: at least 0 for a passive model.
+  // Of all until `Comparison::closed`, where the motion ends as it began: at least 0 for a passive model.
   double closed_work = 0.0;  // N mm
   std::array<int, motion_phases> punctures{};
   std::vector<ToldEvent> told;      // what gave way on the insertion, in order, the loss of resistance among it
@@ -91,12 +89,14 @@ struct ModelRefused {
 struct Comparison {
   anatomy::NeedlePath path;
   CompareOptions options;
-  std::string constraint;                              // its name
-  double dt = 0.001;                                   // s
-  std::vector<double> depth;                           // ticks; mm below the skin, negative before it
-  std::vector<anatomy::TissueId> tissue;               // ticks; at the tip
-  std::array<std::size_t, motion_phases + 1> first{};  // tick of each phase, then their number
-  std::vector<ModelRun> models;                        // at least one, in the order asked for
+  std::string constraint;                 // its name
+  double dt = 0.001;                      // s
+  std::vector<double> depth;              // ticks; mm below the skin, negative before it
+  std::vector<anatomy::TissueId> tissue;  // ticks; at the tip
+  std::vector<MotionPhase> parts;         // what is done in each part of the motion
+  std::vector<std::size_t> first;         // tick of each part, then the number of ticks
+  std::size_t closed = 0;                 // ticks until the needle is outside for the last time; 0: never
+  std::vector<ModelRun> models;           // at least one, in the order asked for
   std::vector<ModelRefused> refused;
   std::size_t reference = 0;           // the model that the others are compared with: `layered`, or else the first
   std::optional<double> ends_in_bone;  // mm; the depth at which the motion stops short of the target
@@ -105,10 +105,10 @@ struct Comparison {
   MotionPhase phase_of(std::size_t tick) const;
 };
 
-// Plays one motion - in at constant speed from 10 mm before the skin, a stop, out, in again through the same channel
-// - through the tick of `patient` with every model in turn. Settings of the case's own model are kept, others have
-// their defaults. The motion ends at the target or in bone, where a spring of that bone's stiffness (the device's at
-// most) would ask for the device's peak force. Forces are the same bits each time.
+// Plays one motion - in at constant speed from 10 mm before the skin, a stop, out, in again through the same channel,
+// or the one of the options - through the tick of `patient` with every model in turn. Settings of the case's own
+// model are kept, others have their defaults. The motion ends at the target or in bone, where a spring of that bone's
+// stiffness (the device's at most) would ask for the device's peak force. Forces are the same bits each time.
 //
 // Work taken from the hand is the integral of resistance over the insertion, by the trapezoidal rule. Models that
 // throw InputError are in `refused`; throws InputError itself when all do, for an option out of its range, a motion

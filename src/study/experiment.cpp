@@ -5,9 +5,12 @@
 #include <iterator>
 #include <limits>
 
+#include "patient/prepared_body.h"
+#include "study/needle_motion.h"
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "io/case_folder.h"
 #include "simulation/haptic_tick.h"
 
 namespace bodkin::study {
@@ -152,7 +155,36 @@ Vec3 proxy_place(const ExperimentTick& tick) {
 
 }  // namespace
 
+io::Experiment load_experiment(const std::filesystem::path& file, const Progress& progress,
+                               const std::function<void(const std::string&)>& note) {
+  io::Experiment experiment = io::read_experiment(file);
+  const io::ExperimentBody& body = experiment.body;
+  if (body.patient.empty()) return experiment;
+  anatomy::Case patient = io::load_case(body.patient, progress);
+  patient.library = experiment.library;
+  patient.description.needle = experiment.needle;
+  patient.description.device = experiment.device;
+  patient.description.haptics = experiment.haptics;
+  NeedleMotion motion;
+  for (const io::ExperimentPlace& place : experiment.motion.places)
+    motion.push_back({.goal = MotionGoal::depth, .depth = place.depth});
+  const StraightPath line = path_of_motion(patient, body.entry, body.target, motion);
+  const auto tell = [&](const std::string& text) {
+    if (note) note(experiment.name + ": " + text);
+  };
+  for (const std::string& text : line.notes) tell(text);
+  const Vec3 along = line.path.direction();
+  experiment.motion.lay_along(line.path.entry + line.surface * along, along);
+  patient::prepare_body(patient, body.patient, line.path, progress, tell);
+  experiment.patient = std::move(patient);
+  return experiment;
+}
+
 anatomy::Case experiment_case(const io::Experiment& experiment) {
+  if (experiment.patient) return *experiment.patient;
+  if (!experiment.body.patient.empty())
+    throw InputError(
+        fmt::format("{}: its patient {} has not been loaded", experiment.name, experiment.body.patient.string()));
   anatomy::Case patient;
   patient.library = experiment.library;
   patient.tissues = tissues_of(experiment);

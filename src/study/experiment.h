@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -40,8 +42,16 @@ struct ExperimentRun {
   std::vector<PublishedComparison> comparisons;  // in the order of the file
 };
 
+// Reads an experiment with its patient, if that is its body: the case's volumes, and the motion laid along the path
+// from the skin inwards, with the deformable body that the resistance needs. `note` hears what was assumed. Throws
+// InputError for what io::read_experiment refuses, for a case that cannot be loaded and for no path, one that misses
+// the body or one that the motion leaves at the end of the volume.
+io::Experiment load_experiment(const std::filesystem::path& file, const Progress& progress = {},
+                               const std::function<void(const std::string&)>& note = {});
+
 // The body, needle and settings of an experiment as a patient in memory: a tissue map, and a CT where the resistance
-// reads one. Throws InputError for a body of more than 60 million voxels or one without tissue.
+// reads one. Throws InputError for a body of more than 60 million voxels or one without tissue, and for a patient
+// that was not loaded by load_experiment().
 anatomy::Case experiment_case(const io::Experiment& experiment);
 
 // A CT on the lattice of the tissue map, without noise: the HU of each voxel's tissue.

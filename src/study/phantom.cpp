@@ -65,6 +65,10 @@ anatomy::NeedlePath deepest_line(const io::Experiment& experiment, const anatomy
 
 anatomy::CaseDescription write_phantom(const io::Experiment& experiment, const PhantomRequest& wanted,
                                        const Progress& progress) {
+  if (!experiment.body.patient.empty()) {
+    throw InputError(fmt::format("{}: its body is the patient {}, which can be felt as it is; expected layers",
+                                 experiment.name, experiment.body.patient.string()));
+  }
   const io::DeferredTermination deferred;  // ends this process, if it is to end, once the folder is cleared away
   const Progress tell = io::until_told_to_end(progress);
   io::PartialFolder folder(wanted.folder, wanted.overwrite);

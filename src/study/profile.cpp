@@ -4,14 +4,16 @@
 #include <cmath>
 #include <iterator>
 
-#include "study/straight_motion.h"
 #include <fmt/format.h>
 
+#include "core/error.h"
 #include "core/settings_check.h"
 #include "simulation/haptic_tick.h"
 
 namespace bodkin::study {
 namespace {
+
+constexpr double longest_motion = 600.0;  // s, as of the motion of an experiment
 
 // Empty outside the CT.
 std::string hounsfield_cell(const anatomy::CtVolume& ct, const Vec3& point) {
@@ -34,6 +36,14 @@ std::string structure_cell(const anatomy::Case& patient, const Vec3& point) {
   return quoted + "\"";
 }
 
+// The motion of the options as steps.
+NeedleMotion motion_of(const ProfileOptions& options) {
+  if (!options.motion.empty()) return options.motion;
+  NeedleMotion motion = {{.goal = MotionGoal::target}, {.goal = MotionGoal::hold, .time = options.pause}};
+  if (options.withdraw) motion.push_back({.goal = MotionGoal::outside});
+  return motion;
+}
+
 }  // namespace
 
 Profile insert_at_constant_speed(const anatomy::Case& patient, const ProfileOptions& options,
@@ -41,19 +51,25 @@ Profile insert_at_constant_speed(const anatomy::Case& patient, const ProfileOpti
   check_range("", "--speed", options.speed, {0.5, 500.0}, "mm/s");
   check_range("", "--beyond", options.beyond, {0.0, 200.0}, "mm");
   check_range("", "--pause", options.pause, {0.0, 60.0}, "s");
-  const StraightPath line = straight_path(patient, options.entry, options.target, options.beyond);
+  const StraightPath line = path_of_motion(patient, options.entry, options.target, options.motion, options.beyond);
+  const NeedleMotion motion = motion_of(options);
+  const double duration = duration_of(motion, line, options.speed, line.end);
+  if (!options.motion.empty() && duration > longest_motion) {
+    throw InputError(
+        fmt::format("--motion takes {:.0f} s, expected at most {:.0f} s; give larger speeds or shorter holds",
+                    duration, longest_motion));
+  }
   Profile profile;
   profile.options = options;
   profile.path = line.path;
+  profile.surface = line.surface;
   profile.notes = line.notes;
 
   simulation::HapticTick haptics(patient);
   profile.dt = haptics.dt();
   profile.diagnostics.assign(haptics.diagnostic_names().begin(), haptics.diagnostic_names().end());
-  const double step = options.speed * profile.dt;  // mm a tick
   const double peak_force = patient.description.device.peak_force;
-  const auto expected = static_cast<std::size_t>((line.end - line.start) / step);
-  profile.ticks.reserve(expected * (options.withdraw ? 2 : 1) + 16);
+  profile.ticks.reserve(static_cast<std::size_t>(duration / profile.dt) + 16 + motion.size());
   const auto moment = [&haptics](const simulation::TickRecord& record) {
     const simulation::BodyPort* const body = haptics.body();
     const Vec3 ahead = body == nullptr ? Vec3(Vec3::Zero()) : body->needle_ahead();
@@ -77,32 +93,42 @@ Profile insert_at_constant_speed(const anatomy::Case& patient, const ProfileOpti
   };
 
   tick(line.start);
-  double deepest = line.start;
-  for (const double place : places_between(line.start, line.end, step)) {
-    const simulation::TickOutput& output = tick(place);
-    deepest = place;
+  double here = line.start, deepest = line.start, end = line.end;
+  // Whether bone pushes back with more than the device can show.
+  const auto stopped_by_bone = [&](const simulation::TickOutput& output) {
     const anatomy::TissueProperties* properties = patient.library.find(output.tissue);
     const bool in_bone = properties != nullptr && properties->layered.kind == anatomy::LayeredKind::rigid;
-    if (in_bone && output.resistance > peak_force) {
-      profile.stopped_by_bone = output.depth;
-      profile.outcome = fmt::format(
-          "stopped by {} at {:.1f} mm, {:.1f} mm before the end of the path: it asks for more than the "
-          "{:.1f} N of the device",
-          properties->title, output.depth, line.end - place, peak_force);
-      break;
+    if (!in_bone || !(output.resistance > peak_force)) return false;
+    if (profile.stopped_by_bone) return true;
+    profile.stopped_by_bone = output.depth;
+    profile.outcome = fmt::format(
+        "stopped by {} at {:.1f} mm, {:.1f} mm before the end of the {}: it asks for more than the "
+        "{:.1f} N of the device",
+        properties->title, output.depth, line.end - here, options.motion.empty() ? "path" : "motion", peak_force);
+    return true;
+  };
+  for (const MotionStep& step : motion) {
+    const double goal = std::min(end_of_step(step, line, here), end), before = here;
+    const auto rests = static_cast<std::size_t>(std::lround(step.time / profile.dt));
+    for (std::size_t n = 0; n < rests; ++n) tick(here);
+    if (goal == here) continue;
+    for (const double place : places_between(here, goal, step.speed.value_or(options.speed) * profile.dt)) {
+      const simulation::TickOutput& output = tick(place);
+      here = place;
+      if (place > before && stopped_by_bone(output)) {
+        end = place;
+        break;
+      }
     }
-    if (place >= line.end) {
-      profile.outcome =
-          fmt::format("{} at {:.1f} mm",
-                      line.ends_at_hub ? "the hub met the skin" : "the end of the path was reached", output.depth);
-      break;
-    }
+    if (here <= deepest) continue;
+    deepest = here;
+    profile.last = moment(profile.ticks.back());
   }
-  profile.last = moment(profile.ticks.back());
-  const auto rests = static_cast<std::size_t>(std::lround(options.pause / profile.dt));
-  for (std::size_t n = 0; n < rests; ++n) tick(deepest);
-  if (options.withdraw) {
-    for (const double place : places_between(deepest, line.outside, step)) tick(place);
+  if (!profile.stopped_by_bone) {
+    const char* const where = line.ends_at_hub && deepest >= line.end ? "the hub met the skin"
+                              : options.motion.empty()                ? "the end of the path was reached"
+                                                                      : "the motion was deepest";
+    profile.outcome = fmt::format("{} at {:.1f} mm", where, deepest - line.surface);
   }
   return profile;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "study/deformation_picture.h"
+#include "study/needle_motion.h"
 
 #include "anatomy/case.h"
 #include "core/progress.h"
@@ -13,33 +14,36 @@
 
 namespace bodkin::study {
 
-// How a needle is driven into a patient by a machine that does not feel: straight, at one speed.
+// How a needle is driven into a patient by a machine that does not feel: straight, at one speed or as a motion says.
 struct ProfileOptions {
   std::optional<Vec3> entry, target;  // LPS mm; the case's planned path where absent
   double speed = 10.0;                // mm/s, 0.5 to 500
   double beyond = 0.0;                // mm past the target, 0 to 200
   double pause = 0.0;                 // s at the deepest point, 0 to 60
   bool withdraw = false;              // pull the needle out again at the same speed
+  // Instead of the last three, at most 600 s; steps without a speed go at `speed`. May be empty.
+  NeedleMotion motion;
 };
 
 // A finished insertion, tick by tick.
 struct Profile {
   anatomy::NeedlePath path;
   ProfileOptions options;
+  double surface = 0.0;                             // mm along the path; the skin
   double dt = 0.001;                                // s
   std::vector<simulation::TickRecord> ticks;        // in order; events stand in them
   std::vector<forces::DiagnosticName> diagnostics;  // that the force models publish in each tick
-  DeformedMoment strongest;               // where a deformable body resisted most; without forces for other models
-  DeformedMoment last;                    // at the end of the insertion
+  DeformedMoment strongest;  // where a deformable body resisted most; without forces for other models
+  DeformedMoment last;
   std::optional<double> stopped_by_bone;  // mm; the depth at which bone held more than the device's peak force
   std::string outcome;                    // how far the needle came, one sentence
   std::vector<std::string> notes;         // what was assumed, one sentence each
 };
 
 // Drives the needle of `patient` along a path, from 10 mm before the skin, through the same tick that a hand would
-// feel. The insertion ends at the target, or in bone once that pushes back with more than the device can show. Throws
-// InputError when the path is no path, lies outside the volume or misses the body (saying by how much), or when an
-// option is out of its range.
+// feel. The insertion ends at the target or as deep as the motion goes, or in bone once that pushes back with more
+// than the device can show; a motion goes on from there with its next step. Throws InputError when the path is no
+// path, lies outside the volume or misses the body (saying by how much), or when an option is out of its range.
 Profile insert_at_constant_speed(const anatomy::Case& patient, const ProfileOptions& options,
                                  const Progress& progress = {});
 

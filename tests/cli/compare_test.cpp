@@ -51,6 +51,24 @@ TEST_F(CompareCommand, takes_names_and_a_motion_and_tells_in_json) {
   EXPECT_EQ(phases[3].at("from_s"), phases[3].at("to_s"));
 }
 
+TEST_F(CompareCommand, plays_any_motion_to_every_model) {
+  const fs::path base = folder_ / "motion";
+  const std::string command =
+      "-q --json compare " + patient() + " -o " + base.string() + " --models tracking_wall,layered --motion ";
+  const Outcome said = bodkin(command + "'25 at 20, hold 2, 10 at 40, 40 at 20, hold 1, out at 40'");
+  ASSERT_EQ(said.exit_code, 0) << said.text();
+  const auto result = nlohmann::json::parse(said.text());
+  std::string phases;
+  for (const auto& phase : result.at("phases")) phases += phase.at("phase").get<std::string>() + " ";
+  EXPECT_EQ(phases, "insertion stop withdrawal re-insertion insertion stop withdrawal ");
+  EXPECT_NEAR(result["phases"][2].at("to_mm").get<double>(), 10.0, 1e-3);
+  EXPECT_LT(result["models"][0].at("peak_of_reinsertion_N").get<double>(), 0.1);
+  EXPECT_GT(result["models"][0].at("closed_work_N_mm").get<double>(), 0.0);
+  EXPECT_THAT(bodkin(command + "25 --no-reinsert").text(), HasSubstr("leave out --no-reinsert"));
+  const auto open = nlohmann::json::parse(bodkin(command + "25").text());
+  EXPECT_TRUE(open["models"][0].at("closed_work_N_mm").is_null());
+}
+
 TEST_F(CompareCommand, says_what_it_left_out_and_reports_progress_on_standard_error) {
   const fs::path base = folder_ / "left_out";
   const std::string description = content_of(fs::path(patient()) / "case.xml");

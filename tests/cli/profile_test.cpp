@@ -48,6 +48,20 @@ TEST_F(ProfileCommand, takes_a_path_with_negative_numbers_and_tells_in_json) {
   EXPECT_GT(result.at("tissues").size(), 2U);
 }
 
+TEST_F(ProfileCommand, moves_as_it_is_told_and_draws_tip_and_wall_over_time) {
+  const fs::path base = folder_ / "motion";
+  const std::string command = "-q --json profile " + patient() + " -o " + base.string() + " --motion ";
+  const Outcome said =
+      bodkin(command + "'25 at 10, hold 2, 10 at 20, 40 at 5, hold 1, out at 20' --resistance tracking_wall");
+  ASSERT_EQ(said.exit_code, 0) << said.errors;
+  // 35 mm in, 2 s, 15 mm back, 30 mm in, 1 s, 60 mm out.
+  EXPECT_NEAR(nlohmann::json::parse(said.output).at("duration_s").get<double>(), 3.5 + 2 + 0.75 + 6 + 1 + 3, 0.02);
+  EXPECT_THAT(content_of(base.string() + ".svg"), HasSubstr("depth below the skin, mm"));
+  EXPECT_THAT(content_of(base.string() + ".svg"), HasSubstr("time, s"));
+  EXPECT_THAT(bodkin(command + "'25, wait 2'").text(), HasSubstr("--motion: step 2 is 'wait 2', expected DEPTH"));
+  EXPECT_THAT(bodkin(command + "25 --pause 1").text(), HasSubstr("--motion says all steps; leave out --pause"));
+}
+
 TEST_F(ProfileCommand, takes_other_force_models_than_the_case) {
   const fs::path base = folder_ / "models";
   const auto peak = [&](const std::string& options) {
