@@ -140,6 +140,8 @@ constexpr std::array table = {
                BODKIN_TEXT_OF("structures over the CT, or the CT alone"), false},
     KeyBinding{KeyScope::segment, "Up", Command::of_the_view, BODKIN_TEXT_OF("next slice"), false},
     KeyBinding{KeyScope::segment, "Down", Command::of_the_view, BODKIN_TEXT_OF("slice before"), false},
+    KeyBinding{KeyScope::training, "Return", Command::of_the_page, BODKIN_TEXT_OF("begin, or go on"), false},
+    KeyBinding{KeyScope::training, "Enter", Command::of_the_page, BODKIN_TEXT_OF("begin, or go on"), false},
     KeyBinding{KeyScope::ultrasound, "I", Command::of_the_view, BODKIN_TEXT_OF("slide the probe, away"), false},
     KeyBinding{KeyScope::ultrasound, "J", Command::of_the_view, BODKIN_TEXT_OF("slide the probe, left"), false},
     KeyBinding{KeyScope::ultrasound, "K", Command::of_the_view, BODKIN_TEXT_OF("slide the probe, near"), false},
@@ -187,6 +189,7 @@ constexpr std::array devices_chain = {KeyScope::devices, KeyScope::window};
 constexpr std::array atlas_chain = {KeyScope::atlas, KeyScope::window};
 constexpr std::array volume_chain = {KeyScope::volume, KeyScope::window};
 constexpr std::array segment_chain = {KeyScope::segment, KeyScope::window};
+constexpr std::array training_chain = {KeyScope::training, KeyScope::window};
 constexpr std::array ultrasound_chain = {KeyScope::ultrasound, KeyScope::window};
 
 const KeyBinding* find(KeyScope scope, const QKeySequence& keys) {
@@ -233,6 +236,8 @@ std::span<const KeyScope> chain_of(KeyScope scope) noexcept {
       return ultrasound_chain;
     case KeyScope::segment:
       return segment_chain;
+    case KeyScope::training:
+      return training_chain;
     case KeyScope::window:
       break;
   }
@@ -289,6 +294,8 @@ QString name_of(KeyScope scope) {
       return QCoreApplication::translate("Keys", "Ultrasound");
     case KeyScope::segment:
       return QCoreApplication::translate("Keys", "Structures");
+    case KeyScope::training:
+      return QCoreApplication::translate("Keys", "Training plan");
   }
   return {};
 }

@@ -60,7 +60,8 @@ enum class KeyScope : std::uint8_t {
   atlas,
   volume,
   ultrasound,
-  segment
+  segment,
+  training
 };
 
 struct KeyBinding {

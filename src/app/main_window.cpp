@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/models/allowed_frame.h"
 #include "app/models/data_folder.h"
 #include "app/models/kept_sessions.h"
 #include "app/pages/atlas.h"
@@ -21,6 +22,7 @@
 #include "app/pages/segment.h"
 #include "app/pages/start.h"
 #include "app/pages/tour.h"
+#include "app/pages/training.h"
 #include "app/pages/ultrasound.h"
 #include "app/pages/volume.h"
 #include "views/theme.h"
@@ -97,6 +99,8 @@ MainWindow::MainWindow(const std::filesystem::path& folder)
   connect_cards();
   add_pages();
   offer_recovered();
+  offer_plan();
+  practice_.on_result([this](const AttemptResult& result) { take_attempt(result); });
   qApp->installEventFilter(this);
   connect(&clock_, &FrameClock::frame, this, &MainWindow::draw);
   clock_.start();
@@ -153,6 +157,15 @@ void MainWindow::connect_cards() {
     settings.setValue(key, settings.value(key).toStringList() << file);
     offer_recovered();
   });
+  connect(start_, &StartPage::plan_continued, this, [this] {
+    const QSettings settings;
+    follow_plan(settings.value(QStringLiteral("training/plan")).toString(),
+                settings.value(QStringLiteral("training/trainee")).toString());
+  });
+  connect(start_, &StartPage::plan_left, this, [this] {
+    QSettings().setValue(QStringLiteral("training/is_begun"), false);
+    offer_plan();
+  });
   connect(preparing_, &PreparingCard::cancel_requested, this, [this] { practice_.cancel(); });
   connect(pause_, &PauseCard::resume_requested, this, [this] {
     if (practice_.state() == State::device_lost) return practice_.again();
@@ -163,7 +176,7 @@ void MainWindow::connect_cards() {
   connect(pause_, &PauseCard::again_requested, this, [this] { practice_.again(); });
   connect(pause_, &PauseCard::end_requested, this, [this] { practice_.end(); });
   connect(pause_, &PauseCard::leave_requested, this, [this] { practice_.leave(); });
-  connect(results_, &ResultsCard::again_requested, this, [this] { practice_.again(); });
+  connect(results_, &ResultsCard::again_requested, this, [this] { another_attempt(); });
   connect(results_, &ResultsCard::review_requested, this, [this] {
     if (practice_.result()) review(practice_.result()->session);
   });
@@ -173,6 +186,9 @@ void MainWindow::connect_cards() {
 
 // Every page of its own has its line here.
 void MainWindow::add_pages() {
+  auto* const training = new TrainingPage;
+  connect(training, &TrainingPage::follow_requested, this, &MainWindow::follow_plan);
+  add_page(training, tr("Follow a plan"), tr("Stages that a teacher has laid out, and how far you are"));
   auto* const plan = new PlanPage;
   connect(plan, &PlanPage::plan_changed, this, [this](const anatomy::NeedlePath& path) { practice_.set_plan(path); });
   add_page(plan, tr("Plan"), tr("Choose where to go in, and where to"));
@@ -256,6 +272,7 @@ void MainWindow::leave_page() {
 
 void MainWindow::show_page(PageId id) {
   if (page_ != nullptr && page_->id() == id) return;
+  if (!may_show(id)) return;
   const auto found =
       std::find_if(more_pages_.begin(), more_pages_.end(), [&](Page* page) { return page->id() == id; });
   leave_page();
@@ -304,7 +321,9 @@ void MainWindow::draw(double clock) {
     if (has_ultrasound_) show_ultrasound(shown_ != nullptr);
     bar_->set_case(shown_);
     for (Page* page : more_pages_) page->set_case(shown_);
+    if (stage_ && shown_ != nullptr) begin_stage();
   }
+  advance_plan(frame);
   if (wanted_page_ != nullptr && shown_ != nullptr && frame.state == State::ready) show_page(wanted_page_->id());
   if (practice_.state() == State::no_case) wanted_page_ = nullptr;  // the patient could not be opened
   if (frame.state != shown_state_ || practice_.failure() != shown_failure_) {
@@ -323,10 +342,11 @@ void MainWindow::draw(double clock) {
         QString::fromStdString(practice_.failure().empty() ? practice_.completion() : practice_.failure()));
   }
   bar_->show_frame(frame, practice_.changes());
-  sounds_.follow(frame);
+  const Frame allowed = stage_ ? allowed_frame(frame, stage_->aids) : frame;
+  sounds_.follow(allowed);
   tour_->show_frame(frame);
   if (page_ != nullptr) page_->advance(clock);
-  if (pages_->currentWidget() == practise_) practise_->show_frame(frame, practice_.changes());
+  if (pages_->currentWidget() == practise_) practise_->show_frame(allowed, practice_.changes());
 }
 
 // What the tip must not have met, the worst first.
@@ -349,6 +369,7 @@ void MainWindow::show_state() {
   const bool at_start = state == State::no_case;
   if (at_start) {
     start_->show_patients(practice_.cases().known());
+    offer_plan();
     start_->say(QString::fromStdString(practice_.failure()), !practice_.failure().empty());
   }
   const bool has_patient = practice_.patient() != nullptr;
@@ -382,6 +403,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   QSettings().setValue(QStringLiteral("geometry"), saveGeometry());
   practise_->save_layout();
   practice_.leave();  // what runs is saved when the window goes
+  leave_stage();
   event->accept();
 }
 

@@ -2,11 +2,14 @@
 
 #include <QMainWindow>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <vector>
 
 #include "app/frame_clock.h"
 #include "app/key_table.h"
+#include "app/models/step_follower.h"
+#include "app/models/training_run.h"
 #include "app/page.h"
 #include "app/practice.h"
 #include "app/sounds.h"
@@ -51,6 +54,10 @@ class MainWindow : public QMainWindow {
   void run(Command command);
   // Start and practise follow the practice; the others stand over it, and an attempt pauses meanwhile.
   void show_page(PageId id);
+  // A trainee follows a plan, a file or one that comes with Bodkin, from where he is in it.
+  void follow_plan(const QString& plan, const QString& trainee);
+  // Null: no plan is followed now.
+  const TrainingRun* training_run() const { return run_.get(); }
   // A session file on the review page.
   void review(const std::filesystem::path& session);
 
@@ -74,12 +81,21 @@ class MainWindow : public QMainWindow {
   void draw(double clock);
   void show_state();
   void offer_recovered();
+  void offer_plan();
+  void begin_stage();
+  void leave_stage();
+  void advance_plan(const Frame& frame);
+  void take_attempt(const AttemptResult& result);
+  void another_attempt();
+  // Where a stage of a plan does not allow the page: false, and why is said.
+  bool may_show(PageId id);
   void use_device(const QString& driver, const QString& identity);
   QStringList dangers() const;
   void choose_patient();
   void show_palette();
   void begin_tour();
   void show_ultrasound(bool on);
+  static station::UltrasoundChoice usual_ultrasound(bool has_path);
   void save_picture();
   void apply_theme(bool dark);
   QWidget* focus_or_self();
@@ -109,6 +125,12 @@ class MainWindow : public QMainWindow {
   std::shared_ptr<const OpenCase> shown_;
   std::string shown_failure_;
   bool has_ultrasound_ = false;
+  std::future<PlanStanding> standing_;        // of the plan that is to be followed
+  std::unique_ptr<TrainingRun> run_;          // the plan that is followed
+  std::optional<training::PlanStage> stage_;  // of the attempts now; nothing: they belong to no plan
+  int stage_number_ = 0;
+  StepFollower steps_;
+  QString plan_words_;                                         // how far it is, on strip and card
   std::optional<station::UltrasoundChoice> asked_ultrasound_;  // instead of the usual one
   State shown_state_ = State::ended;                           // so that the first frame shows the start
 };

@@ -84,7 +84,7 @@ void MainWindow::run(Command command) {
     case Command::press_plunger:
       return practice_.press_plunger(true);
     case Command::again:
-      return practice_.again();
+      return another_attempt();
     case Command::end:
       return practice_.end();
     case Command::arm:
@@ -106,18 +106,26 @@ void MainWindow::run(Command command) {
 }
 
 // With the probe lengthwise beside the planned way of the needle, which then lies in the slice.
+station::UltrasoundChoice MainWindow::usual_ultrasound(bool has_path) {
+  station::UltrasoundChoice choice;
+  choice.probe = io::find_probe("C5-2");
+  choice.settings.depth = 90.0;
+  choice.request.view = has_path ? imaging::ScanView::needle : imaging::ScanView::paramedian;
+  return choice;
+}
+
 void MainWindow::show_ultrasound(bool on) {
   if (shown_ == nullptr) on = false;
+  if (on && stage_ && !stage_->aids.ultrasound) {
+    bar_->set_ultrasound(has_ultrasound_);
+    return practice_.say(tr("This stage of the plan is done without ultrasound.").toStdString());
+  }
   std::optional<station::UltrasoundChoice> choice;
   try {
     if (on && asked_ultrasound_) {
       choice = asked_ultrasound_;
     } else if (on) {
-      choice.emplace();
-      choice->probe = io::find_probe("C5-2");
-      choice->settings.depth = 90.0;
-      const bool has_path = shown_->description().procedure.path.has_value();
-      choice->request.view = has_path ? imaging::ScanView::needle : imaging::ScanView::paramedian;
+      choice = usual_ultrasound(shown_->description().procedure.path.has_value());
     }
     practise_->show_ultrasound(choice);
     practice_.set_ultrasound(choice);

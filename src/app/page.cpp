@@ -26,6 +26,8 @@ const char* name_of(PageId id) noexcept {
       return "ultrasound";
     case PageId::segment:
       return "segment";
+    case PageId::training:
+      return "training";
   }
   return "";
 }

@@ -24,9 +24,10 @@ enum class PageId : std::uint8_t {
   atlas,
   volume,
   ultrasound,
-  segment
+  segment,
+  training
 };
-inline constexpr int page_count = 11;
+inline constexpr int page_count = 12;
 
 const char* name_of(PageId id) noexcept;  // "plan", as scripts and objectName have it
 

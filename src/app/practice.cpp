@@ -22,10 +22,13 @@ constexpr double usual_length = 60.0;  // mm of a path where none is planned
 constexpr double before_skin = 40.0;   // mm
 constexpr std::size_t longest_log = 200;
 
+Vec3 middle_of(const anatomy::Grid& grid) {
+  return grid.to_patient(0.5 * Vec3(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1));
+}
+
 // Where a needle goes that nobody has planned: straight into the back at the middle of the image.
 anatomy::NeedlePath unplanned_path(const anatomy::TissueVolume& tissues) {
-  const anatomy::Grid& grid = tissues.grid;
-  const Vec3 middle = grid.to_patient(0.5 * Vec3(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1));
+  const Vec3 middle = middle_of(tissues.grid);
   const Vec3 inwards = -Vec3::UnitY();
   const std::optional<SkinPoint> skin = skin_on_ray(tissues, middle - far_outside * inwards, inwards, far_outside);
   const Vec3 entry = skin ? skin->point : middle;
@@ -111,39 +114,6 @@ void Practice::acknowledge() {
   acknowledged_ = true;
 }
 
-bool Practice::may_steer() const {
-  const State now = state();
-  if (feed_ == nullptr) return false;
-  return now == State::ready || now == State::aiming || needle_is_down(now);
-}
-
-void Practice::aim(const SkinPoint& skin) {
-  if (!may_steer()) return;
-  machine_.apply(Signal::pointer_on_patient);
-  control_.aim(skin);
-}
-
-void Practice::aim_left() {
-  if (!control_.is_down()) machine_.apply(Signal::pointer_off_patient);
-}
-
-void Practice::put_down() {
-  if (may_steer()) control_.put_down();
-}
-
-void Practice::push(double notches, bool fine) {
-  if (may_steer()) control_.push(notches, fine);
-}
-
-void Practice::drag(double millimetres) {
-  if (may_steer()) control_.drag(millimetres);
-}
-
-void Practice::tilt(double right, double cranial) {
-  if (!may_steer() || control_.tilt(right, cranial)) return;
-  say("Draw back to just under the skin, then change the angle.");
-}
-
 void Practice::set_models(const ModelSettings& models) {
   models_ = models;
   if (is_attempt(state())) again();
@@ -152,39 +122,6 @@ void Practice::set_models(const ModelSettings& models) {
 void Practice::say(const std::string& sentence) {
   refusal_ = sentence;
   refused_at_ = clock_;
-}
-
-void Practice::hold_key(int direction, bool fine) {
-  control_.hold_key(may_steer() ? direction : 0, fine);
-}
-
-void Practice::withdraw() {
-  if (may_steer()) control_.withdraw();
-}
-
-void Practice::leave_needle() {
-  if (patient_ == nullptr || !is_attempt(state())) return;
-  if (!maker_.is_touching() || !maker_.has_punctured())
-    return say("Push the needle through the skin before you leave it there.");
-  const LeftNeedle left{frame_.needle, frame_.depth};
-  again();
-  if (again_wanted_) left_needles_.push_back(left);
-}
-
-void Practice::take_out_left_needle() {
-  if (left_needles_.empty()) return say("No needle was left in the body.");
-  left_needles_.pop_back();
-  left_needles_changed_ = true;
-}
-
-void Practice::press_plunger(bool on) {
-  if (on == plunger_pressed_ || !has_syringe() || (on && !may_steer())) return;
-  plunger_pressed_ = on;
-  link_.command(on ? station::StationCommand::press_plunger : station::StationCommand::release_plunger);
-}
-
-bool Practice::has_syringe() const {
-  return patient_ != nullptr && patient_->patient.description.haptics.parts.syringe.has_value();
 }
 
 void Practice::set_crosshair(const Vec3& point) {
@@ -230,7 +167,19 @@ void Practice::take_patient() {
   }
 }
 
+void Practice::finish() {
+  link_.stop();
+  take_result(link_.poll());
+}
+
+void Practice::take_result(const StationNews& news) {
+  if (!news.result || result_) return;
+  result_ = news.result;
+  if (taker_) taker_(*result_);
+}
+
 void Practice::begin_attempt() {
+  finish();
   result_.reset();
   failed_with_.clear();
   log_.clear();
@@ -238,8 +187,11 @@ void Practice::begin_attempt() {
   again_wanted_ = false;
   acknowledged_ = was_forbidden_ = plunger_pressed_ = false;
   completion_.clear();
-  const std::string completing =
-      training::completing_tissue(training::procedure_of_case(patient_->description().procedure.name));
+  aimed_ = false;
+  const std::string procedure = stage_ ? stage_->procedure : std::string();
+  const std::string completing = training::completing_tissue(
+      procedure.empty() ? training::procedure_of_case(patient_->description().procedure.name)
+                        : training::find_procedure(procedure));
   const anatomy::TissueProperties* const lesion = patient_->patient.library.find(completing);
   completing_.reset();
   if (lesion != nullptr) completing_ = lesion->id;
@@ -249,10 +201,15 @@ void Practice::begin_attempt() {
   const anatomy::Case& patient = patient_->patient;
   const std::optional<anatomy::NeedlePath>& plan = plan_;
   const anatomy::NeedlePath path = plan ? *plan : unplanned_path(patient.tissues);
-  control_.begin(plan, entry_of(patient.tissues, path));
+  const bool plan_is_shown = !stage_ || stage_->aids.overlay;
+  if (plan_is_shown) {
+    control_.begin(plan, entry_of(patient.tissues, path));
+  } else {
+    control_.begin({}, entry_of(patient.tissues, unplanned_path(patient.tissues)));
+  }
   maker_.begin(patient_, plan);
   frame_.follows_tip = true;
-  frame_.crosshair = path.target;
+  frame_.crosshair = plan_is_shown ? path.target : middle_of(patient.tissues.grid);
   try {
     station::StationOptions options;
     options.patient = patient;
@@ -278,7 +235,7 @@ void Practice::begin_attempt() {
       connect_mouse(feed_);
     }
     const std::string device = has_mouse ? "Mouse" : is_asked ? options.device.driver->name : device_->title;
-    link_.start(std::move(options), device, plan.has_value(), points_);
+    link_.start(std::move(options), device, {plan.has_value(), procedure}, points_);
   } catch (const std::exception& error) {
     failure_ = error.what();
     machine_.apply(Signal::cancelled);
@@ -289,7 +246,7 @@ void Practice::take_news(const StationNews& news) {
   using Phase = StationNews::Phase;
   for (const std::string& note : news.notes) log_.push_back(note);
   if (log_.size() > longest_log) log_.erase(log_.begin(), log_.end() - longest_log);
-  if (news.result && !result_) result_ = news.result;
+  take_result(news);
   const bool over = news.phase == Phase::finished || news.phase == Phase::failed || news.phase == Phase::idle;
   if (again_wanted_ && over && state() == State::preparing) return begin_attempt();
   if (again_wanted_) return;
@@ -316,7 +273,7 @@ void Practice::follow_needle() {
   if (maker_.is_touching()) {
     machine_.apply(Signal::touched);
     if (maker_.has_punctured()) machine_.apply(Signal::punctured);
-    if (frame_.target_reached)
+    if (frame_.target_reached && (!stage_ || stage_->aids.overlay))
       machine_.apply(Signal::target_reached);
     else
       machine_.apply(Signal::target_left);
@@ -359,6 +316,7 @@ std::string Practice::hint() const {
       return "The patient is being prepared.";
     case State::ready:
       if (feed_ == nullptr) return "Bring the needle to the ring on the skin, and push.";
+      if (stage_ && !stage_->aids.overlay) return "Point at the skin where you want to go in, and click.";
       return "Point at the ring on the skin and click, or just scroll.";
     case State::aiming:
       return control_.is_down() ? "The needle goes to the skin."

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +14,8 @@
 #include "app/models/parameter_model.h"
 #include "app/models/station_link.h"
 #include "views/frame.h"
+
+#include "training/plan.h"
 
 namespace bodkin::app {
 
@@ -85,6 +88,12 @@ class Practice {
   // Other numbers of the force model in the attempts that follow on this patient. One that runs is saved, and another
   // begins.
   void set_models(const ModelSettings& models);
+  // How the attempts that follow are done and judged by a stage of a training plan; nothing: as the case says.
+  void set_stage(const std::optional<training::PlanStage>& stage) { stage_ = stage; }
+  // Called with each attempt that was saved, also one that was left.
+  void on_result(std::function<void(const AttemptResult&)> taker) { taker_ = std::move(taker); }
+  // Saves what runs, and waits for it.
+  void finish();
   // A sentence that the hint shows for some seconds.
   void say(const std::string& sentence);
   void order_scan(const station::ScanOrder& order) { link_.set_scan_order(order); }
@@ -114,6 +123,7 @@ class Practice {
 
  private:
   void begin_attempt();
+  void take_result(const StationNews& news);
   void take_patient();
   void take_news(const StationNews& news);
   void follow_needle();
@@ -122,6 +132,7 @@ class Practice {
   std::string hint() const;
   bool may_steer() const;
   bool has_syringe() const;
+  bool must_aim_first();
 
   CaseModel cases_;
   StationLink link_;
@@ -135,6 +146,8 @@ class Practice {
   bool completes_at_target_ = false;             // the target is not made of it: reaching it does
   std::string completion_;
   std::optional<AttemptResult> result_;
+  std::optional<training::PlanStage> stage_;
+  std::function<void(const AttemptResult&)> taker_;
   std::optional<station::UltrasoundChoice> ultrasound_;
   std::optional<PracticeDevice> device_;
   AttemptOptions options_;
@@ -150,7 +163,7 @@ class Practice {
   std::vector<LeftNeedle> left_needles_;
   double refused_at_ = 0.0, safe_since_ = 0.0, clock_ = 0.0;
   bool again_wanted_ = false, acknowledged_ = false, was_forbidden_ = false, plunger_pressed_ = false,
-       left_needles_changed_ = false;
+       left_needles_changed_ = false, aimed_ = false;
 };
 
 }  // namespace bodkin::app

@@ -23,7 +23,7 @@ void Sounds::toggle() {
 
 void Sounds::follow(const Frame& frame) {
   const std::optional<Sound> sound = cues_.hear(frame);
-  if (!sound) return;
+  if (!sound || !allowed_) return;
   ++heard_;
   if (on_ && can_play()) play(*sound);
 }

@@ -16,6 +16,8 @@ class Sounds {
 
   bool is_on() const { return on_; }
   void toggle();  // and remember
+  // Silent, whatever the person has chosen, until it is allowed again.
+  void allow(bool allowed) { allowed_ = allowed; }
   // There is something to play with.
   bool can_play() const { return !player_.isEmpty(); }
   void follow(const Frame& frame);
@@ -28,7 +30,7 @@ class Sounds {
   SoundCues cues_;
   QString player_;
   std::array<QString, sound_count> files_;  // empty: not written yet
-  bool on_;
+  bool on_, allowed_ = true;
   int heard_ = 0;
 };
 

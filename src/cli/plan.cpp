@@ -43,6 +43,9 @@ std::string shown_aids(const training::PlanAids& aids) {
   if (aids.inside) names.emplace_back("inside");
   if (aids.ladder) names.emplace_back("ladder");
   if (aids.ultrasound) names.emplace_back("ultrasound");
+  if (aids.needle) names.emplace_back("needle");
+  if (aids.sound) names.emplace_back("sound");
+  if (aids.hints) names.emplace_back("hints");
   return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }
 
@@ -71,7 +74,10 @@ ordered_json json_of(const training::PlanStage& stage) {
             {"slices", stage.aids.slices},
             {"inside", stage.aids.inside},
             {"ladder", stage.aids.ladder},
-            {"ultrasound", stage.aids.ultrasound}}}};
+            {"ultrasound", stage.aids.ultrasound},
+            {"needle", stage.aids.needle},
+            {"sound", stage.aids.sound},
+            {"hints", stage.aids.hints}}}};
 }
 
 ordered_json show_progress(const Console& console, const training::Plan& plan, const PlanArguments& arguments) {

@@ -42,8 +42,6 @@ struct ResultsArguments {
 };
 using Arguments = std::shared_ptr<ResultsArguments>;
 
-constexpr std::size_t largest_plan = 1 << 20;  // bytes
-
 constexpr const char* results_footer = R"(Examples:
   bodkin results add session.bodkin --trainee trainee-07   judges a session and keeps the result
   bodkin results list                                      every trainee at every procedure
@@ -67,38 +65,11 @@ void note_waiting(Console& console, const training::Outbox& outbox) {
         fmt::format("{} attempts of this station wait for the store; 'bodkin results deliver' tries again", waiting));
 }
 
-// A plan, and the document that the store keeps of it.
-struct PlanInUse {
-  training::Plan plan;
-  std::string document;
-};
-
-PlanInUse read_plan_in_use(const std::string& name) {
-  const fs::path file = training::find_plan(name);
-  return {training::read_plan(file), io::read_text_file(file, largest_plan)};
-}
-
-// Each attempt belongs to the stage that its trainee has come to by those before it. An attempt that the store has
-// already keeps the stage that it has there.
-void put_in_stages(const PlanInUse& use, training::ResultStore store, std::vector<training::AttemptRecord>& records) {
-  store.put_plan({use.plan.name, use.plan.title, use.document});
-  std::vector<training::StageAttempt> done = training::plan_attempts(store, use.plan.name, records.front().trainee);
-  std::sort(records.begin(), records.end(), [](const auto& a, const auto& b) { return a.started_at < b.started_at; });
-  for (training::AttemptRecord& each : records) {
-    if (store.attempt(each.digest)) continue;
-    const int stage = training::progress_in(use.plan, done).stage;
-    if (stage > static_cast<int>(use.plan.stages.size())) break;  // the plan is finished
-    each.plan = use.plan.name;
-    each.stage = stage;
-    done.push_back({stage, each.verdict, each.score});
-  }
-}
-
 void run_add(const ResultsArguments& arguments, const CommandContext& context) {
   Console console(context);
   training::check_label(arguments.trainee, "--trainee");
-  std::optional<PlanInUse> plan;
-  if (!arguments.plan.empty()) plan = read_plan_in_use(arguments.plan);
+  std::optional<training::PlanInUse> plan;
+  if (!arguments.plan.empty()) plan = training::read_plan_in_use(arguments.plan);
   // All are judged before the first is kept.
   std::vector<training::AttemptRecord> records;
   for (const std::string& file : arguments.sessions) {
@@ -113,7 +84,10 @@ void run_add(const ResultsArguments& arguments, const CommandContext& context) {
   }
   const std::string place = training::store_place(arguments.store);
   training::Outbox outbox(place, training::outbox_file());
-  if (plan) put_in_stages(*plan, training::ResultStore(place), records);
+  if (plan) {
+    training::ResultStore store(place);
+    training::put_in_stages(*plan, store, records);
+  }
   ordered_json all = ordered_json::array();
   for (std::size_t i = 0; i < records.size(); ++i) {
     using State = training::Delivery::State;

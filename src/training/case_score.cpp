@@ -4,8 +4,9 @@
 
 namespace bodkin::training {
 
-Score score_on_case(const session::Session& session, const anatomy::Case& patient) {
-  const Procedure procedure = procedure_of_case(patient.description.procedure.name);
+Score score_on_case(const session::Session& session, const anatomy::Case& patient, const std::string& name) {
+  const Procedure procedure =
+      name.empty() ? procedure_of_case(patient.description.procedure.name) : find_procedure(name);
   const auto experts = ExpertSet::shipped(procedure.name);
   return score(session, patient.description, procedure, {&patient.structures, &patient.tissues},
                experts ? &*experts : nullptr);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "session/session_file.h"
 
 #include "training/score.h"
@@ -7,7 +9,8 @@
 namespace bodkin::training {
 
 // Judges a session that was just recorded on `patient`: by the procedure that the case names, with all its voxels,
-// and compared with the experts that come with Bodkin for it. Throws InputError.
-Score score_on_case(const session::Session& session, const anatomy::Case& patient);
+// and compared with the experts that come with Bodkin for it. `procedure`: a name or a file instead; empty: the
+// case's. Throws InputError.
+Score score_on_case(const session::Session& session, const anatomy::Case& patient, const std::string& procedure = {});
 
 }  // namespace bodkin::training

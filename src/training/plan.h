@@ -16,6 +16,9 @@ struct PlanAids {
   bool inside = true;       // the 3-D picture may look through the skin
   bool ladder = true;       // tissues by depth
   bool ultrasound = false;  // beside the needle
+  bool needle = true;       // the needle is drawn, in 3-D and in the slices
+  bool sound = true;        // as far as the person has not switched it off
+  bool hints = true;        // the step of the procedure, and what to do in it
 
   template <typename S = PlanAids>
   static constexpr auto parameters() {
@@ -24,7 +27,10 @@ struct PlanAids {
         Parameter{"slices", &S::slices, "slices through the scan are shown", Origin::choice},
         Parameter{"inside", &S::inside, "the 3-D picture may look through the skin", Origin::choice},
         Parameter{"ladder", &S::ladder, "the tissues by depth are shown", Origin::choice},
-        Parameter{"ultrasound", &S::ultrasound, "ultrasound is shown", Origin::choice}};
+        Parameter{"ultrasound", &S::ultrasound, "ultrasound is shown", Origin::choice},
+        Parameter{"needle", &S::needle, "the needle is drawn", Origin::choice},
+        Parameter{"sound", &S::sound, "gives, bone and dangers are heard", Origin::choice},
+        Parameter{"hints", &S::hints, "the step of the procedure and what to do in it are shown", Origin::choice}};
   }
 };
 

@@ -30,6 +30,11 @@ void Bullseye::set_case(std::shared_ptr<const OpenCase> /*patient*/) {
   update();
 }
 
+void Bullseye::set_path_hidden(bool hidden) {
+  is_hidden_ = hidden;
+  update();
+}
+
 void Bullseye::show_frame(const Frame& frame, const Changes& changes) {
   const QString hint = QString::fromStdString(frame.hint);
   if (!changes.needle && !changes.plan && !changes.state && !changes.theme && !changes.attempt && hint == hint_)
@@ -126,7 +131,10 @@ void Bullseye::paintEvent(QPaintEvent* /*event*/) {
     write(beside, ink, true);
     write(tr("%1° off plan").arg(offset_->angle, 0, 'f', 1), theme.second, false);
   } else {
-    write(has_plan_ ? tr("No needle yet") : tr("No planned path"), theme.text, true);
+    write(is_hidden_  ? tr("The planned path is not shown")
+          : has_plan_ ? tr("No needle yet")
+                      : tr("No planned path"),
+          theme.text, true);
   }
   if (!hint_.isEmpty()) write(hint_, theme.second, false);
 }

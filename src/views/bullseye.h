@@ -18,6 +18,9 @@ class Bullseye : public View {
   void set_case(std::shared_ptr<const OpenCase> patient) override;
   void show_frame(const Frame& frame, const Changes& changes) override;
 
+  // The planned path is kept from the person: the view says that, and not that there is none.
+  void set_path_hidden(bool hidden);
+
   // Where an offset from the path (mm, to the viewer's right and up) is drawn, pixels. The outer ring stands for
   // three times the target's tolerance; what is farther lies on it.
   QPointF place(const Eigen::Vector2d& offset) const;
@@ -31,7 +34,7 @@ class Bullseye : public View {
   double radius() const;  // pixels, of the outer ring
 
   std::optional<PathOffset> offset_;  // none: there is no plan or no needle
-  bool has_plan_ = false;
+  bool has_plan_ = false, is_hidden_ = false;
   double tolerance_ = 3.0;  // mm
   QString hint_;
 };

@@ -115,6 +115,11 @@ void ForceChart::compare_with(std::span<const station::HandSample> samples) {
   update();
 }
 
+void ForceChart::show_tissues(bool shown) {
+  tissues_shown_ = shown;
+  update();
+}
+
 void ForceChart::show_components(bool shown) {
   components_ = shown;
   update();
@@ -178,8 +183,9 @@ void ForceChart::flag(const Frame& frame, const session::SessionEvent& event) {
   bool bad = false;
   switch (event.event.kind) {
     case EventKind::puncture:
-      words = patient_ == nullptr ? tr("give")
-                                  : QString::fromStdString(patient_->patient.library.title(event.event.tissue));
+      words = patient_ == nullptr || !tissues_shown_
+                  ? tr("give")
+                  : QString::fromStdString(patient_->patient.library.title(event.event.tissue));
       break;
     case EventKind::loss_of_resistance:
       words = tr("loss of resistance");

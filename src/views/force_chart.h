@@ -48,6 +48,8 @@ class ForceChart : public View {
 
   void set_axis(Axis axis);
   Axis axis() const { return axis_; }
+  // The tissues that the tip has met, as bands and by their names.
+  void show_tissues(bool shown);
   // Besides the force its parts along and across the needle.
   void show_components(bool shown);
   // A number of the force model by its place in Frame::diagnostic_names, on a scale of its own; none: empty.
@@ -120,7 +122,7 @@ class ForceChart : public View {
 
   std::shared_ptr<const OpenCase> patient_;
   Axis axis_ = Axis::depth;
-  bool components_ = false;
+  bool components_ = false, tissues_shown_ = true;
   std::optional<std::size_t> diagnostic_;
   std::vector<QString> diagnostic_titles_;
 

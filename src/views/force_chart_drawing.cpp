@@ -86,7 +86,7 @@ void ForceChart::draw_ground(QPainter& painter) const {
 
 // Only as deep as the needle has been: what lies ahead is for the ladder, which can be switched off.
 void ForceChart::draw_bands(QPainter& painter) const {
-  if (axis_ != Axis::depth || patient_ == nullptr) return;
+  if (axis_ != Axis::depth || patient_ == nullptr || !tissues_shown_) return;
   const QRectF box = plot();
   set_font(painter, label_size);
   double written_to = box.left() - 100.0;

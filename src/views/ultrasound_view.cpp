@@ -77,7 +77,13 @@ bool UltrasoundView::close_help() {
 }
 
 bool UltrasoundView::shows_ct() const {
-  return width() >= least_for_ct && width() > wide_for_ct * height();
+  return ct_allowed_ && width() >= least_for_ct && width() > wide_for_ct * height();
+}
+
+void UltrasoundView::allow_ct(bool allowed) {
+  if (allowed == ct_allowed_) return;
+  ct_allowed_ = allowed;
+  resizeEvent(nullptr);
 }
 
 QRectF UltrasoundView::machine_box() const {

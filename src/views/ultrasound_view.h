@@ -36,6 +36,8 @@ class UltrasoundView : public View {
   const station::LiveScan* scan() const { return scan_ ? &*scan_ : nullptr; }
   // The CT of the plane is shown beside the machine: the view is wide enough.
   bool shows_ct() const;
+  // Whether it may be.
+  void allow_ct(bool allowed);
 
  signals:
   // Where the probe is held and how the machine is set now; the station follows by set_scan_order().
@@ -77,7 +79,7 @@ class UltrasoundView : public View {
   QImage machine_;  // composed
   bool stale_ = true;
   station::ScanOrder ordered_;
-  bool in_attempt_ = false, has_needle_ = false;
+  bool ct_allowed_ = true, in_attempt_ = false, has_needle_ = false;
   Vec3 needle_tip_ = Vec3::Zero(), needle_axis_ = Vec3::UnitY();
   std::optional<anatomy::NeedlePath> plan_;
   double clock_ = -1.0;  // s of the last frame; negative: none yet

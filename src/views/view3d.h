@@ -47,6 +47,8 @@ class View3d : public View {
   void show_saved_look(const std::string& name);
   // Whether the view begins with the look that the case says (the default).
   void set_opens_as_saved(bool opens) { opens_as_saved_ = opens; }
+  // Only the outside of the patient may be seen, whatever else is wished, or everything again.
+  void set_outside_only(bool only);
   // The list of parts.
   void show_parts(bool shown);
   void choose_view(scene::StandardView view);
@@ -139,7 +141,7 @@ class View3d : public View {
   scene::CaseLooks saved_looks_;
   bool opens_as_saved_ = true;
   LookPanel* panel_ = nullptr;
-  bool plan_shown_ = true;
+  bool plan_shown_ = true, outside_only_ = false;
   std::vector<scene::NeedleLook> left_needles_;
   std::shared_ptr<const std::vector<scene::Trail>> trails_;
   scene::NeedleLook needle_;

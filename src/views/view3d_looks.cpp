@@ -43,7 +43,17 @@ void View3d::set_preset(scene::Preset preset) {
   set_look(scene::with_preset(look_, preset));
 }
 
-void View3d::set_look(const scene::Look& look) {
+void View3d::set_outside_only(bool only) {
+  if (only == outside_only_) return;
+  outside_only_ = only;
+  for (QPushButton* button : buttons_) button->setVisible(!only);
+  parts_button_->setVisible(!only);
+  show_parts(false);
+  set_preset(only ? scene::Preset::skin : scene::Preset::cut_away);
+}
+
+void View3d::set_look(const scene::Look& wished) {
+  const scene::Look look = outside_only_ ? scene::Look{scene::Preset::skin, {}} : wished;
   const bool other = look.preset != look_.preset;
   look_ = look;
   for (std::size_t i = 0; i < buttons_.size(); ++i) buttons_[i]->setChecked(scene::presets[i] == look_.preset);
@@ -53,6 +63,7 @@ void View3d::set_look(const scene::Look& look) {
 }
 
 void View3d::show_parts(bool shown) {
+  if (outside_only_) shown = false;
   parts_button_->setChecked(shown);
   panel_->setVisible(shown);
   if (!shown) return setFocus(Qt::OtherFocusReason);

@@ -1,6 +1,7 @@
 // What mouse and keys do in the 3-D view.
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QPushButton>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>

@@ -17,20 +17,20 @@ namespace {
 constexpr std::chrono::milliseconds watch_interval{4};
 constexpr std::size_t most_samples = 20000;  // that wait for a window which does not look
 
-AttemptResult result_of(const std::filesystem::path& file, const anatomy::Case& patient, bool is_planned,
+AttemptResult result_of(const std::filesystem::path& file, const anatomy::Case& patient, const AttemptRules& rules,
                         session::RunResult run) {
   AttemptResult result;
   result.session = file;
   result.run = std::move(run);
   const session::Session saved = session::read_session(file);
-  if (!is_planned) {
+  if (!rules.is_planned) {
     result.headline = "The session is saved";
     result.remarks = {"This patient has no planned path, so there is nothing to judge by."};
     return result;
   }
   training::Score score;
   try {
-    score = training::score_on_case(saved, patient);
+    score = training::score_on_case(saved, patient, rules.procedure);
   } catch (const InputError& error) {
     result.headline = "The session is saved, but cannot be judged";
     result.remarks = {error.what()};
@@ -49,6 +49,8 @@ AttemptResult result_of(const std::filesystem::path& file, const anatomy::Case& 
   result.target_distance = value("final_distance_mm");
   result.time_in_body = value("time_in_body_s");
   result.bone_contacts = static_cast<int>(value("bone_contacts"));
+  result.record = training::record_of(saved, patient.description.name, score);
+  result.record->file = std::filesystem::absolute(file).lexically_normal().string();
   return result;
 }
 
@@ -135,40 +137,41 @@ void StationLink::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-void StationLink::start(station::StationOptions options, const std::string& device, bool is_planned, Points points) {
+void StationLink::start(station::StationOptions options, const std::string& device, AttemptRules rules,
+                        Points points) {
   stop();
   shared_ = std::make_shared<Shared>();
   shared_->news.phase = StationNews::Phase::preparing;
   shared_->news.device = device;
   news_ = StationNews{};
-  thread_ = std::jthread(
-      [shared = shared_, options = std::move(options), is_planned, points = std::move(points)]() mutable {
-        const auto enter = [&shared](StationNews::Phase phase) {
-          const std::lock_guard guard(shared->lock);
-          shared->news.phase = phase;
-        };
-        try {
-          Observer observer(shared, std::move(points));
-          const std::filesystem::path file = options.output;
-          station::Station station(std::move(options), observer);
-          station.start();
-          enter(StationNews::Phase::running);
-          while (!station.ended()) {
-            std::this_thread::sleep_for(watch_interval);
-            observer.update(station, station.update());
-          }
-          enter(StationNews::Phase::finishing);
-          session::RunResult run = station.finish().run;
-          AttemptResult result = result_of(file, station.patient(), is_planned, std::move(run));
-          const std::lock_guard guard(shared->lock);
-          shared->news.result = std::move(result);
-          shared->news.phase = StationNews::Phase::finished;
-        } catch (const std::exception& failure) {
-          const std::lock_guard guard(shared->lock);
-          shared->news.error = failure.what();
-          shared->news.phase = StationNews::Phase::failed;
-        }
-      });
+  thread_ = std::jthread([shared = shared_, options = std::move(options), rules = std::move(rules),
+                          points = std::move(points)]() mutable {
+    const auto enter = [&shared](StationNews::Phase phase) {
+      const std::lock_guard guard(shared->lock);
+      shared->news.phase = phase;
+    };
+    try {
+      Observer observer(shared, std::move(points));
+      const std::filesystem::path file = options.output;
+      station::Station station(std::move(options), observer);
+      station.start();
+      enter(StationNews::Phase::running);
+      while (!station.ended()) {
+        std::this_thread::sleep_for(watch_interval);
+        observer.update(station, station.update());
+      }
+      enter(StationNews::Phase::finishing);
+      session::RunResult run = station.finish().run;
+      AttemptResult result = result_of(file, station.patient(), rules, std::move(run));
+      const std::lock_guard guard(shared->lock);
+      shared->news.result = std::move(result);
+      shared->news.phase = StationNews::Phase::finished;
+    } catch (const std::exception& failure) {
+      const std::lock_guard guard(shared->lock);
+      shared->news.error = failure.what();
+      shared->news.phase = StationNews::Phase::failed;
+    }
+  });
 }
 
 void StationLink::command(station::StationCommand command) {

@@ -14,6 +14,7 @@
 #include "station/station_observer.h"
 
 #include "training/procedure.h"
+#include "training/store/attempt_record.h"
 
 namespace bodkin::app {
 
@@ -30,6 +31,13 @@ struct AttemptResult {
   double target_distance = 0.0;      // mm
   double time_in_body = 0.0;         // s
   int bone_contacts = 0;
+  std::optional<training::AttemptRecord> record;  // for a store of results; nothing: there is no verdict
+};
+
+// By what an attempt is judged.
+struct AttemptRules {
+  bool is_planned = false;  // the path of the options is somebody's aim; without, the attempt is not judged
+  std::string procedure;    // a name or a file; empty: the case's
 };
 
 // What the window knows of the station, plain values.
@@ -68,9 +76,8 @@ class StationLink {
   StationLink(const StationLink&) = delete;
   StationLink& operator=(const StationLink&) = delete;
 
-  // Ends what runs, and begins another session. Without `is_planned` the path of the options is nobody's aim, and the
-  // attempt is not judged.
-  void start(station::StationOptions options, const std::string& device, bool is_planned, Points points = {});
+  // Ends what runs, and begins another session.
+  void start(station::StationOptions options, const std::string& device, AttemptRules rules, Points points = {});
   void command(station::StationCommand command);
   void set_scan_order(const station::ScanOrder& order);
   // Ends the session; the news say when it is saved.

@@ -158,6 +158,9 @@ ResultsCard::ResultsCard(QWidget* parent) : Card("results", parent) {
   headline_->setObjectName(QStringLiteral("results.headline"));
   remarks_ = add_label("plain");
   numbers_ = add_label("second");
+  plan_ = add_label("heading");
+  plan_->setObjectName(QStringLiteral("results.plan"));
+  plan_->hide();
   file_ = add_label("label");
   file_->setObjectName(QStringLiteral("results.file"));
   file_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -168,8 +171,8 @@ ResultsCard::ResultsCard(QWidget* parent) : Card("results", parent) {
   review_ =
       add_button(row, "results.review", tr("Review this"), tr("See the attempt again, moment by moment"), false);
   connect(review_, &QPushButton::clicked, this, &ResultsCard::review_requested);
-  connect(add_button(row, "results.again", tr("Again   A"), tr("The same patient and plan once more"), true),
-          &QPushButton::clicked, this, &ResultsCard::again_requested);
+  again_ = add_button(row, "results.again", tr("Again   A"), tr("The same patient and plan once more"), true);
+  connect(again_, &QPushButton::clicked, this, &ResultsCard::again_requested);
   rows()->addLayout(row);
 }
 
@@ -200,6 +203,12 @@ void ResultsCard::show_result(const AttemptResult* result, const QStringList& da
                         .arg(result->peak_force, 0, 'f', 2)
                         .arg(result->time_in_body, 0, 'f', 0));
   file_->setText(tr("Saved: %1").arg(QString::fromStdString(result->session.string())));
+}
+
+void ResultsCard::show_plan(const QString& standing, const QString& next) {
+  plan_->setVisible(!standing.isEmpty());
+  plan_->setText(standing);
+  again_->setText(next.isEmpty() ? tr("Again   A") : next);
 }
 
 KeysCard::KeysCard(QWidget* parent) : Card("keys", parent) {

@@ -80,6 +80,8 @@ class ResultsCard : public Card {
   // `result`: null while it is being saved. `dangers`: one sentence each, the worst first. `failure`: why it could
   // not be saved, or why it ended; empty: nothing is wrong.
   void show_result(const AttemptResult* result, const QStringList& dangers, const QString& failure);
+  // How far a training plan is, and what the button for another attempt says; both empty: no plan is followed.
+  void show_plan(const QString& standing, const QString& next);
 
  signals:
   void again_requested();
@@ -96,7 +98,9 @@ class ResultsCard : public Card {
   QLabel* remarks_;
   QLabel* numbers_;
   QLabel* file_;
+  QLabel* plan_;
   QPushButton* review_;
+  QPushButton* again_;
 };
 
 // The keys of a screen.

@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QGuiApplication>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QPushButton>
 #include <QScreen>
 #include <QSettings>
@@ -80,9 +81,11 @@ PractisePage::PractisePage(QWidget* parent)
     splitter->setHandleWidth(gap);
     splitter->setChildrenCollapsible(false);
   }
-  auto* whole = new QHBoxLayout(this);
+  auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, 0);
-  whole->addWidget(columns_);
+  whole->setSpacing(0);
+  whole->addWidget(make_strip());
+  whole->addWidget(columns_, 1);
   for (QSplitter* splitter : {left_, columns_}) splitter->handle(1)->installEventFilter(this);
   reset_layout();
   restore_layout();
@@ -102,6 +105,52 @@ void PractisePage::restore_layout() {
   const QSettings settings;
   for (QSplitter* splitter : {left_, columns_})
     splitter->restoreState(settings.value(layout_key(*splitter)).toByteArray());
+}
+
+QWidget* PractisePage::make_strip() {
+  strip_ = new QWidget;
+  strip_->setObjectName(QStringLiteral("panel"));
+  strip_->setAttribute(Qt::WA_StyledBackground);
+  auto* row = new QHBoxLayout(strip_);
+  row->setContentsMargins(margin, 6, margin, 6);
+  row->setSpacing(2 * margin);
+  standing_ = new QLabel;
+  standing_->setObjectName(QStringLiteral("practise.plan"));
+  row->addWidget(standing_);
+  step_ = new QLabel;
+  step_->setObjectName(QStringLiteral("practise.step"));
+  step_->setProperty("role", QStringLiteral("second"));
+  step_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  step_->setWordWrap(true);
+  row->addWidget(step_, 1);
+  strip_->hide();
+  return strip_;
+}
+
+void PractisePage::show_plan(const QString& standing, const QString& step) {
+  strip_->setVisible(!standing.isEmpty() || !step.isEmpty());
+  if (standing_->text() != standing) standing_->setText(standing);
+  if (step_->text() != step) step_->setText(step);
+}
+
+void PractisePage::set_aids(const training::PlanAids& aids) {
+  if (filled_ != nullptr) toggle_fill();
+  aids_ = aids;
+  ladder_->setVisible(aids_.ladder);
+  tip_->setVisible(aids_.ladder);
+  chart_->show_tissues(aids_.ladder);
+  bullseye_->set_path_hidden(!aids_.overlay);
+  view3d_->set_outside_only(!aids_.inside);
+  ultrasound_->allow_ct(aids_.slices);
+  dock_->hide();
+  arrange_slices();
+  arrange_columns();
+}
+
+// Slices or ultrasound beside the patient, the researchers' dock, or neither.
+void PractisePage::arrange_columns() {
+  if (filled_ != nullptr) return;
+  right_->setVisible(dock_->isHidden() && (aids_.slices || has_ultrasound_));
 }
 
 QWidget* PractisePage::make_instruments() {
@@ -158,15 +207,19 @@ void PractisePage::arrange_slices() {
   ultrasound_->setVisible(has_ultrasound_);
   if (has_ultrasound_) rows->addWidget(ultrasound_, 4);
   for (std::size_t i = 0; i < slices_.size(); ++i) {
-    const bool big = i == 0 && !has_ultrasound_, shown = !has_ultrasound_ || i < most_below;
+    const bool big = i == 0 && !has_ultrasound_, shown = aids_.slices && (!has_ultrasound_ || i < most_below);
     slices_[i]->setVisible(shown);
-    if (big) {
+    if (big && shown) {
       rows->addWidget(slices_[i], 4);
     } else if (shown) {
       small->addWidget(slices_[i], 1);
     }
   }
-  rows->addLayout(small, 3);
+  if (small->count() == 0) {
+    delete small;
+  } else {
+    rows->addLayout(small, 3);
+  }
 }
 
 void PractisePage::make_big(View* view) {
@@ -180,6 +233,7 @@ void PractisePage::show_ultrasound(const std::optional<station::UltrasoundChoice
   ultrasound_->set_scan(choice);
   has_ultrasound_ = choice.has_value();
   arrange_slices();
+  arrange_columns();
   if (has_ultrasound_) ultrasound_->setFocus(Qt::OtherFocusReason);
 }
 
@@ -194,7 +248,10 @@ void PractisePage::toggle_fill() {
   left_->setVisible(whole || filled_ == view3d_);
   dock_->hide();
   right_->setVisible(whole || filled_ != view3d_);
-  if (whole) return arrange_slices();
+  if (whole) {
+    arrange_slices();
+    return arrange_columns();
+  }
   for (SliceView* slice : slices_) slice->setVisible(slice == filled_);
   ultrasound_->setVisible(ultrasound_ == filled_);
 }
@@ -210,14 +267,16 @@ void PractisePage::focus_next(bool backwards) {
 }
 
 void PractisePage::toggle_ladder() {
+  if (!aids_.ladder) return;
   ladder_->setVisible(!ladder_->isVisible());
 }
 
 void PractisePage::toggle_dock() {
+  if (!aids_.ladder) return;  // it has the force model's own numbers, which tell the tissues
   const bool shown = !dock_->isVisible();
   if (filled_ != nullptr) toggle_fill();
   dock_->setVisible(shown);
-  right_->setVisible(!shown);
+  arrange_columns();
 }
 
 void PractisePage::toggle_numbers() {

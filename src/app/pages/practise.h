@@ -15,6 +15,9 @@
 #include "views/ultrasound_view.h"
 #include "views/view3d.h"
 
+#include "training/plan.h"
+
+class QLabel;
 class QPushButton;
 class QSplitter;
 
@@ -46,6 +49,11 @@ class PractisePage : public QWidget {
   // where the choice says; then nothing has changed.
   void show_ultrasound(const std::optional<station::UltrasoundChoice>& choice);
   UltrasoundView& ultrasound() { return *ultrasound_; }
+  // What a stage of a training plan lets be seen.
+  void set_aids(const training::PlanAids& aids);
+  // The strip on top: the plan and how far it is, and the step of the procedure that comes next; both empty: no
+  // strip.
+  void show_plan(const QString& standing, const QString& step);
   // Where the splitters are, for the next time on a screen of this size.
   void save_layout() const;
   // This view into the big slot of the slices.
@@ -64,8 +72,10 @@ class PractisePage : public QWidget {
  private:
   QWidget* make_instruments();
   QWidget* make_slices();
+  QWidget* make_strip();
   void arrange_overlays();
   void arrange_slices();
+  void arrange_columns();
   void restore_layout();
   void reset_layout();
 
@@ -78,12 +88,16 @@ class PractisePage : public QWidget {
   Numbers* numbers_;
   DiagnosticsDock* dock_;
   UltrasoundView* ultrasound_;
+  training::PlanAids aids_{.ultrasound = true};  // without a plan everything may be seen
   bool has_ultrasound_ = false;
   std::vector<SliceView*> slices_;  // the first one is big
   std::vector<View*> views_;        // all of them
   QSplitter* columns_ = nullptr;
   QSplitter* left_ = nullptr;
   QWidget* right_ = nullptr;
+  QWidget* strip_ = nullptr;
+  QLabel* standing_ = nullptr;
+  QLabel* step_ = nullptr;
   QWidget* instruments_ = nullptr;
   QPushButton* hold_ = nullptr;
   View* filled_ = nullptr;

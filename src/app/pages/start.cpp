@@ -80,6 +80,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   main->setContentsMargins(32, 28, 32, 20);
   main->setSpacing(14);
   main->addWidget(make_recovered());
+  main->addWidget(make_plan());
   main->addWidget(make_hero(), 3);
   main->addWidget(label(tr("Patients"), "heading"));
   patients_ = new QHBoxLayout;
@@ -174,28 +175,60 @@ QWidget* StartPage::make_hero() {
   return hero;
 }
 
-QWidget* StartPage::make_recovered() {
-  recovered_ = new QWidget;
-  recovered_->setObjectName(QStringLiteral("hero"));
-  recovered_->setAttribute(Qt::WA_StyledBackground);
-  auto* row = new QHBoxLayout(recovered_);
-  row->setContentsMargins(18, 10, 14, 10);
-  recovered_words_ = label({}, "plain");
-  row->addWidget(recovered_words_, 1);
-  const auto add = [&](const QString& text, const char* name, const QString& tip) {
+// A card of one line over the others, with buttons to the right.
+struct StartPage::Offer {
+  QWidget* card;
+  QLabel* words;
+  QHBoxLayout* row;
+
+  QPushButton* add(const QString& text, const char* name, const QString& tip) const {
     auto* button = new QPushButton(text);
     button->setObjectName(QLatin1String(name));
     button->setAccessibleName(text);
     button->setToolTip(tip);
     row->addWidget(button);
     return button;
-  };
-  connect(add(tr("Review"), "start.recovered.review", tr("See it, as far as it was recorded")), &QPushButton::clicked,
-          this, [this] { emit review_requested(recovered_file_); });
-  connect(add(tr("Forget"), "start.recovered.forget", tr("Offer it no more; the file stays")), &QPushButton::clicked,
-          this, [this] { emit forget_requested(recovered_file_); });
-  recovered_->hide();
+  }
+};
+
+StartPage::Offer StartPage::make_offer() {
+  auto* card = new QWidget;
+  card->setObjectName(QStringLiteral("hero"));
+  card->setAttribute(Qt::WA_StyledBackground);
+  auto* row = new QHBoxLayout(card);
+  row->setContentsMargins(18, 10, 14, 10);
+  QLabel* const words = label({}, "plain");
+  row->addWidget(words, 1);
+  card->hide();
+  return {card, words, row};
+}
+
+QWidget* StartPage::make_recovered() {
+  const Offer offer = make_offer();
+  recovered_ = offer.card;
+  recovered_words_ = offer.words;
+  connect(offer.add(tr("Review"), "start.recovered.review", tr("See it, as far as it was recorded")),
+          &QPushButton::clicked, this, [this] { emit review_requested(recovered_file_); });
+  connect(offer.add(tr("Forget"), "start.recovered.forget", tr("Offer it no more; the file stays")),
+          &QPushButton::clicked, this, [this] { emit forget_requested(recovered_file_); });
   return recovered_;
+}
+
+QWidget* StartPage::make_plan() {
+  const Offer offer = make_offer();
+  plan_ = offer.card;
+  plan_words_ = offer.words;
+  plan_words_->setObjectName(QStringLiteral("start.plan"));
+  connect(offer.add(tr("Go on"), "start.plan.continue", tr("The next attempt of the plan")), &QPushButton::clicked,
+          this, &StartPage::plan_continued);
+  connect(offer.add(tr("Stop following"), "start.plan.leave", tr("Offer it no more; results stay in the store")),
+          &QPushButton::clicked, this, &StartPage::plan_left);
+  return plan_;
+}
+
+void StartPage::offer_plan(const QString& words) {
+  plan_->setVisible(!words.isEmpty());
+  plan_words_->setText(words);
 }
 
 void StartPage::offer_recovered(const QString& file) {

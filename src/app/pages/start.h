@@ -26,6 +26,8 @@ class StartPage : public QWidget {
   void say(const QString& sentence, bool is_trouble);
   // A session that a crash has cut off is offered on top; empty: none.
   void offer_recovered(const QString& file);
+  // A training plan that was begun is offered on top; empty: none.
+  void offer_plan(const QString& words);
   // A way to another page, below those that are there.
   void add_entry(PageId page, const QString& text, const QString& tip);
 
@@ -37,6 +39,8 @@ class StartPage : public QWidget {
   void page_requested(bodkin::app::PageId id);
   void review_requested(const QString& file);
   void forget_requested(const QString& file);
+  void plan_continued();
+  void plan_left();
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -46,7 +50,10 @@ class StartPage : public QWidget {
   QWidget* make_side();
   QPushButton* make_entry(const QString& text, const QString& object, const QString& tip);
   QWidget* make_hero();
+  struct Offer;
+  static Offer make_offer();
   QWidget* make_recovered();
+  QWidget* make_plan();
   QPushButton* make_card(const QString& name, const QString& title, const QString& words);
 
   QVBoxLayout* entries_ = nullptr;
@@ -55,6 +62,8 @@ class StartPage : public QWidget {
   QWidget* recovered_ = nullptr;
   QLabel* recovered_words_ = nullptr;
   QString recovered_file_;
+  QWidget* plan_ = nullptr;
+  QLabel* plan_words_ = nullptr;
 };
 
 }  // namespace bodkin::app

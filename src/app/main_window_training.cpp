@@ -1,0 +1,169 @@
+// A trainee follows a plan in the window: stages, what they let be seen, results into the store.
+#include <QSettings>
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <exception>
+
+#include "app/main_window.h"
+#include "app/pages/cards.h"
+#include "app/pages/practise.h"
+#include "app/pages/start.h"
+#include "views/top_bar.h"
+
+#include "training/procedure_file.h"
+
+namespace bodkin::app {
+
+using namespace views;
+
+namespace {
+
+// Pages that show or change what a stage is about.
+constexpr std::array closed_pages = {PageId::plan,    PageId::scan,   PageId::volume,
+                                     PageId::segment, PageId::models, PageId::ultrasound};
+
+bool is_closed(PageId id) {
+  return std::find(closed_pages.begin(), closed_pages.end(), id) != closed_pages.end();
+}
+
+}  // namespace
+
+void MainWindow::follow_plan(const QString& plan, const QString& trainee) {
+  if (standing_.valid()) return;
+  QSettings settings;
+  settings.setValue(QStringLiteral("training/plan"), plan);
+  settings.setValue(QStringLiteral("training/trainee"), trainee);
+  standing_ = std::async(std::launch::async, read_standing, plan.toStdString(), trainee.toStdString());
+}
+
+// The plan that was begun, for the next start of the window as well.
+void MainWindow::offer_plan() {
+  const QSettings settings;
+  const QString title = settings.value(QStringLiteral("training/title")).toString();
+  const bool is_begun = settings.value(QStringLiteral("training/is_begun"), false).toBool() && !title.isEmpty();
+  start_->offer_plan(is_begun ? tr("%1, %2").arg(title, settings.value(QStringLiteral("training/trainee")).toString())
+                              : QString());
+}
+
+void MainWindow::begin_stage() {
+  QSettings settings;
+  const std::optional<training::PlanStage> stage = run_->stage();
+  settings.setValue(QStringLiteral("training/title"), QString::fromStdString(run_->standing().use.plan.title));
+  settings.setValue(QStringLiteral("training/is_begun"), stage.has_value());
+  leave_page();
+  const bool is_same = stage_ && stage && stage_->patient == stage->patient && practice_.patient() != nullptr;
+  if (!stage) {
+    if (practice_.state() != State::no_case) practice_.leave();
+    leave_stage();
+    run_->finish();  // the page looks it up in the store
+    return show_page(PageId::training);
+  }
+  const bool had_ultrasound = has_ultrasound_;
+  stage_ = stage;
+  stage_number_ = run_->stage_number();
+  plan_words_ = QString::fromStdString(standing_words(run_->standing()));
+  practice_.set_stage(stage_);
+  has_ultrasound_ = stage_->aids.ultrasound;
+  sounds_.allow(stage_->aids.sound);
+  for (const Stage page : {Stage::scan, Stage::plan}) bar_->allow(page, false);
+  practise_->set_aids(stage_->aids);
+  if (is_same) {
+    if (had_ultrasound != has_ultrasound_) show_ultrasound(has_ultrasound_);
+    if (practice_.state() == State::ended || is_attempt(practice_.state())) practice_.again();
+    steps_ = StepFollower(stage_->procedure.empty()
+                              ? training::procedure_of_case(practice_.patient()->description().procedure.name)
+                              : training::find_procedure(stage_->procedure),
+                          practice_.patient()->patient.library);
+    return;
+  }
+  if (practice_.state() != State::no_case) practice_.leave();
+  // From the first attempt on; a patient of a plan has a planned path.
+  asked_ultrasound_.reset();
+  practice_.set_ultrasound(has_ultrasound_ ? std::optional(usual_ultrasound(true)) : std::nullopt);
+  if (!has_ultrasound_) practise_->show_ultrasound({});
+  bar_->set_ultrasound(has_ultrasound_);
+  if (stage_->patient == training::built_in_patient) {
+    practice_.choose_built_in();
+  } else {
+    practice_.choose(stage_->patient);
+  }
+}
+
+// Everything may be seen again.
+void MainWindow::leave_stage() {
+  if (!stage_) return;
+  practice_.finish();  // its result belongs to the plan
+  stage_.reset();
+  practice_.set_stage({});
+  practice_.set_ultrasound({});
+  has_ultrasound_ = false;
+  practise_->show_ultrasound({});
+  bar_->set_ultrasound(false);
+  practise_->set_aids({.ultrasound = true});
+  practise_->show_plan({}, {});
+  results_->show_plan({}, {});
+  sounds_.allow(true);
+  for (const Stage page : {Stage::scan, Stage::plan}) bar_->allow(page, true);
+}
+
+bool MainWindow::may_show(PageId id) {
+  if (!stage_) return true;
+  const bool is_closed_now = is_closed(id) || (id == PageId::review && is_attempt(practice_.state()));
+  if (is_closed_now) practice_.say(tr("The plan that you follow does not allow this now.").toStdString());
+  return !is_closed_now;
+}
+
+// An attempt that was saved. One in which the needle touched nobody counts for nothing.
+void MainWindow::take_attempt(const AttemptResult& result) {
+  if (!stage_ || run_ == nullptr || !result.record || result.time_in_body <= 0.0) return;
+  run_->keep(*result.record);
+  plan_words_ = QString::fromStdString(standing_words(run_->standing()));
+}
+
+void MainWindow::another_attempt() {
+  if (stage_ && practice_.state() == State::ended) {
+    if (!practice_.result() && practice_.failure().empty()) return;  // it is being judged
+    if (run_->stage_number() != stage_number_) return begin_stage();
+  }
+  practice_.again();
+}
+
+void MainWindow::advance_plan(const Frame& frame) {
+  if (standing_.valid() && standing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+    PlanStanding standing = standing_.get();
+    if (!standing.trouble.empty()) {
+      start_->say(QString::fromStdString(standing.trouble), true);
+      practice_.say(standing.trouble);
+    } else {
+      leave_stage();
+      run_ = std::make_unique<TrainingRun>(std::move(standing));
+      begin_stage();
+    }
+  }
+  if (run_ == nullptr) return;
+  if (const std::string note = run_->take_note(); !note.empty()) practice_.say(note);
+  if (!stage_) return;
+  if (practice_.state() == State::no_case) return leave_stage();
+  // The attempt before was given up by beginning another one, and it was the last of its stage.
+  const State state = practice_.state();
+  const bool is_fresh = state == State::ready || state == State::aiming;
+  if (is_fresh && run_->stage_number() != stage_number_) return begin_stage();
+  QString step;
+  if (stage_->aids.hints) {
+    if (practice_.changes().attempt) steps_.begin();
+    steps_.follow(frame);
+    if (const training::Step* const next = steps_.next())
+      step = QString::fromStdString(next->title + ". " + next->text);
+  }
+  practise_->show_plan(plan_words_, step);
+  if (state == State::ended) {
+    const int now = run_->stage_number();
+    const bool is_over = now > static_cast<int>(run_->standing().use.plan.stages.size());
+    results_->show_plan(practice_.result() ? plan_words_ : QString(), now == stage_number_ ? QString()
+                                                                      : is_over            ? tr("The plan   A")
+                                                                                           : tr("Next stage   A"));
+  }
+}
+
+}  // namespace bodkin::app

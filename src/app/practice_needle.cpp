@@ -1,0 +1,81 @@
+// What a person's hand asks of the needle in an attempt.
+#include "app/practice.h"
+
+namespace bodkin::app {
+
+bool Practice::may_steer() const {
+  const State now = state();
+  if (feed_ == nullptr) return false;
+  return now == State::ready || now == State::aiming || needle_is_down(now);
+}
+
+void Practice::aim(const SkinPoint& skin) {
+  if (!may_steer()) return;
+  machine_.apply(Signal::pointer_on_patient);
+  aimed_ = true;
+  control_.aim(skin);
+}
+
+void Practice::aim_left() {
+  if (!control_.is_down()) machine_.apply(Signal::pointer_off_patient);
+}
+
+// Where the planned path is hidden, the needle does not go to its entry by itself.
+bool Practice::must_aim_first() {
+  if (aimed_ || !stage_ || stage_->aids.overlay) return false;
+  say("Point at the skin where you want to go in first.");
+  return true;
+}
+
+void Practice::put_down() {
+  if (may_steer() && !must_aim_first()) control_.put_down();
+}
+
+void Practice::push(double notches, bool fine) {
+  if (may_steer() && !must_aim_first()) control_.push(notches, fine);
+}
+
+void Practice::drag(double millimetres) {
+  if (may_steer() && !must_aim_first()) control_.drag(millimetres);
+}
+
+void Practice::tilt(double right, double cranial) {
+  if (!may_steer() || control_.tilt(right, cranial)) return;
+  say("Draw back to just under the skin, then change the angle.");
+}
+
+void Practice::hold_key(int direction, bool fine) {
+  const bool may = may_steer() && (direction == 0 || !must_aim_first());
+  control_.hold_key(may ? direction : 0, fine);
+}
+
+void Practice::withdraw() {
+  if (may_steer()) control_.withdraw();
+}
+
+void Practice::leave_needle() {
+  if (patient_ == nullptr || !is_attempt(state())) return;
+  if (!maker_.is_touching() || !maker_.has_punctured())
+    return say("Push the needle through the skin before you leave it there.");
+  const LeftNeedle left{frame_.needle, frame_.depth};
+  again();
+  if (again_wanted_) left_needles_.push_back(left);
+}
+
+void Practice::take_out_left_needle() {
+  if (left_needles_.empty()) return say("No needle was left in the body.");
+  left_needles_.pop_back();
+  left_needles_changed_ = true;
+}
+
+void Practice::press_plunger(bool on) {
+  if (on == plunger_pressed_ || !has_syringe() || (on && !may_steer())) return;
+  plunger_pressed_ = on;
+  link_.command(on ? station::StationCommand::press_plunger : station::StationCommand::release_plunger);
+}
+
+bool Practice::has_syringe() const {
+  return patient_ != nullptr && patient_->patient.description.haptics.parts.syringe.has_value();
+}
+
+}  // namespace bodkin::app
