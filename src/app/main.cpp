@@ -7,12 +7,48 @@
 #include "app/main_window.h"
 #include "app/models/data_folder.h"
 #include "app/script.h"
+#include "app/spoken_language.h"
+
+namespace {
+
+int run_application() {
+  QApplication::setQuitOnLastWindowClosed(true);
+  return QApplication::exec();
+}
+
+// What the options ask for; the exit code.
+int open_window(const QCommandLineParser& options) {
+  bodkin::app::MainWindow window(bodkin::app::data_folder());
+  if (options.isSet(QStringLiteral("size"))) window.resize(bodkin::app::parse_size(options.value("size")));
+  window.show();
+  const QStringList given = options.positionalArguments();
+  const std::filesystem::path patient = given.isEmpty() ? std::string() : given.front().toStdString();
+  if (options.isSet(QStringLiteral("benchmark"))) {
+    const double seconds = 5.0;  // for each row
+    std::cout << bodkin::app::benchmark_table(bodkin::app::measure_window(window, seconds), window);
+    return 0;
+  }
+  if (options.isSet(QStringLiteral("attempt"))) {
+    window.perform(patient, bodkin::app::read_attempt_options(options.value("attempt").toStdString()));
+  } else if (options.isSet(QStringLiteral("scan"))) {
+    window.scan(patient, bodkin::station::ultrasound_request(options.value("scan").toStdString()),
+                options.value("output").toStdString());
+  } else if (!patient.empty()) {
+    window.open(patient);
+  }
+  if (!options.isSet(QStringLiteral("script"))) return run_application();
+  bodkin::app::Script script(window, options.value("shots"));
+  return script.run(options.value("script")) ? 0 : 1;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("bodkin"));
   QApplication::setApplicationName(QStringLiteral("bodkin-app"));
   QApplication::setApplicationVersion(QStringLiteral(BODKIN_VERSION));
+  bodkin::app::speak(bodkin::app::usual_language());
   QCommandLineParser options;
   options.setApplicationDescription(
       QApplication::translate("main", "Bodkin: put needles into patients, and feel it."));
@@ -27,6 +63,8 @@ int main(int argc, char** argv) {
         QStringLiteral("DIR"), QStringLiteral(".")},
        {QStringLiteral("size"), QApplication::translate("main", "Size of the window, 1280x720"),
         QStringLiteral("WxH")},
+       {QStringLiteral("language"), QApplication::translate("main", "Language of the window, such as de"),
+        QStringLiteral("CODE")},
        {QStringLiteral("benchmark"),
         QApplication::translate("main", "Measure the window's speed, print it, and leave")},
        {QStringLiteral("attempt"), QApplication::translate("main", "How to perform, as bodkin perform says it"),
@@ -38,27 +76,15 @@ int main(int argc, char** argv) {
         QStringLiteral("NAME")}});
   options.process(application);
   try {
-    bodkin::app::MainWindow window(bodkin::app::data_folder());
-    if (options.isSet(QStringLiteral("size"))) window.resize(bodkin::app::parse_size(options.value("size")));
-    window.show();
-    const QStringList given = options.positionalArguments();
-    const std::filesystem::path patient = given.isEmpty() ? std::string() : given.front().toStdString();
-    if (options.isSet(QStringLiteral("benchmark"))) {
-      const double seconds = 5.0;  // for each row
-      std::cout << bodkin::app::benchmark_table(bodkin::app::measure_window(window, seconds), window);
-      return 0;
+    if (options.isSet(QStringLiteral("language"))) bodkin::app::speak(options.value("language"));
+    int result = open_window(options);
+    while (result == bodkin::app::speak_anew) {
+      bodkin::app::speak(bodkin::app::usual_language());
+      bodkin::app::MainWindow window(bodkin::app::data_folder());
+      window.show();
+      result = run_application();
     }
-    if (options.isSet(QStringLiteral("attempt"))) {
-      window.perform(patient, bodkin::app::read_attempt_options(options.value("attempt").toStdString()));
-    } else if (options.isSet(QStringLiteral("scan"))) {
-      window.scan(patient, bodkin::station::ultrasound_request(options.value("scan").toStdString()),
-                  options.value("output").toStdString());
-    } else if (!patient.empty()) {
-      window.open(patient);
-    }
-    if (!options.isSet(QStringLiteral("script"))) return QApplication::exec();
-    bodkin::app::Script script(window, options.value("shots"));
-    return script.run(options.value("script")) ? 0 : 1;
+    return result;
   } catch (const std::exception& error) {
     std::cerr << "bodkin-app: " << error.what() << '\n';
     return 2;

@@ -25,6 +25,8 @@
 #include "app/pages/training.h"
 #include "app/pages/ultrasound.h"
 #include "app/pages/volume.h"
+#include "app/spoken_language.h"
+#include "views/language.h"
 #include "views/theme.h"
 #include "views/top_bar.h"
 
@@ -151,6 +153,12 @@ void MainWindow::connect_cards() {
   connect(start_, &StartPage::open_requested, this, [this] { run(Command::open_patient); });
   connect(start_, &StartPage::patient_chosen, this, [this](const QString& path) { open(path.toStdString()); });
   connect(start_, &StartPage::review_requested, this, [this](const QString& file) { review(file.toStdString()); });
+  connect(start_, &StartPage::language_requested, this, [this](const QString& code) {
+    choose_language(code);
+    QApplication::setQuitOnLastWindowClosed(false);
+    close();
+    QApplication::exit(speak_anew);
+  });
   connect(start_, &StartPage::forget_requested, this, [this](const QString& file) {
     QSettings settings;
     const QString key = QStringLiteral("forgotten_sessions");
@@ -333,13 +341,12 @@ void MainWindow::draw(double clock) {
   }
   if (frame.state == State::preparing) {
     const CaseModel::Status status = practice_.preparation();
-    const QString what = status.is_busy ? QString::fromStdString(status.stage) : tr("putting the station together");
+    const QString what = status.is_busy ? in_words(status.stage) : tr("putting the station together");
     preparing_->show_progress(what, status.is_busy ? status.fraction : 1.0, status.seconds);
   }
   if (frame.state == State::ended) {
-    results_->show_result(
-        practice_.result() ? &*practice_.result() : nullptr, dangers(),
-        QString::fromStdString(practice_.failure().empty() ? practice_.completion() : practice_.failure()));
+    results_->show_result(practice_.result() ? &*practice_.result() : nullptr, dangers(),
+                          in_words(practice_.failure().empty() ? practice_.completion() : practice_.failure()));
   }
   bar_->show_frame(frame, practice_.changes());
   const Frame allowed = stage_ ? allowed_frame(frame, stage_->aids) : frame;
@@ -357,7 +364,7 @@ QStringList MainWindow::dangers() const {
   QStringList sentences;
   for (const MetDanger& danger : met) {
     sentences << tr("%1, met at %2 mm after %3 s")
-                     .arg(QString::fromStdString(danger.warning.title))
+                     .arg(in_words(danger.warning.title))
                      .arg(danger.depth, 0, 'f', 1)
                      .arg(danger.time, 0, 'f', 0);
   }
@@ -370,7 +377,7 @@ void MainWindow::show_state() {
   if (at_start) {
     start_->show_patients(practice_.cases().known());
     offer_plan();
-    start_->say(QString::fromStdString(practice_.failure()), !practice_.failure().empty());
+    start_->say(in_words(practice_.failure()), !practice_.failure().empty());
   }
   const bool has_patient = practice_.patient() != nullptr;
   const bool shows_start = at_start || (state == State::preparing && !has_patient);
@@ -379,7 +386,7 @@ void MainWindow::show_state() {
   bar_->set_stage(stage_of(page_ != nullptr ? page_->id() : PageId::practise));
   preparing_->setVisible(state == State::preparing);
   const bool paused = state == State::paused || state == State::faulted || state == State::device_lost;
-  pause_->show_reason(state, QString::fromStdString(practice_.frame().message));
+  pause_->show_reason(state, in_words(practice_.frame().message));
   pause_->setVisible(paused && page_ == nullptr);
   results_->setVisible(state == State::ended && page_ == nullptr);
   for (QWidget* card :

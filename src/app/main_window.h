@@ -37,6 +37,9 @@ class StartPage;
 class Tour;
 class UltrasoundPage;
 
+// What QApplication::exec() gives when another language was chosen: make the window anew in it.
+inline constexpr int speak_anew = 75;
+
 // The window: the bar, the pages below it, and the cards over them. It owns the practice and the frame clock, turns
 // keys and buttons into commands, and commands into what they do.
 class MainWindow : public QMainWindow {

@@ -12,7 +12,7 @@ namespace bodkin::cli {
 namespace {
 
 struct AppArguments {
-  std::string patient, script, shots, size;
+  std::string patient, script, shots, size, language;
   bool benchmark = false;
 };
 
@@ -28,8 +28,10 @@ docs/app.md describes the window and the lines of a script.)";
 void run_app(const AppArguments& arguments) {
   require_window();
   std::vector<std::string> words;
-  const std::pair<const char*, const std::string*> options[] = {
-      {"--script", &arguments.script}, {"--shots", &arguments.shots}, {"--size", &arguments.size}};
+  const std::pair<const char*, const std::string*> options[] = {{"--script", &arguments.script},
+                                                                {"--shots", &arguments.shots},
+                                                                {"--size", &arguments.size},
+                                                                {"--language", &arguments.language}};
   for (const auto& [option, value] : options) {
     if (!value->empty()) words.insert(words.end(), {option, *value});
   }
@@ -47,6 +49,8 @@ void add_app_command(CLI::App& app, CommandContext& /*context*/) {
   add_text(*command, "--script", arguments->script, "Do what this file says, and leave");
   add_text(*command, "--shots", arguments->shots, "Folder of the script's pictures");
   add_text(*command, "--size", arguments->size, "Size of the window in pixels, such as 1280x720");
+  add_text(*command, "--language", arguments->language,
+           "Language of the window, such as de; without it that of the system, or the one chosen last");
   add_switch(*command, "--benchmark", arguments->benchmark,
              "Move needle, camera and volume of the patient that comes with Bodkin, print how fast, and leave");
   on_run(*command, [arguments] { run_app(*arguments); });

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "views/language.h"
 #include "views/paint_kit.h"
 #include "views/theme.h"
 
@@ -32,8 +33,7 @@ void Banner::show_frame(const Frame& frame, const Changes& changes) {
   warning_ = frame.warning;
   setVisible(warning_.has_value());
   if (!warning_) return;
-  setAccessibleDescription(QString::fromStdString(warning_->title) + QStringLiteral(". ") +
-                           QString::fromStdString(warning_->advice));
+  setAccessibleDescription(in_words(warning_->title) + QStringLiteral(". ") + in_words(warning_->advice));
   updateGeometry();
   resize(sizeHint());
   raise();
@@ -42,9 +42,8 @@ void Banner::show_frame(const Frame& frame, const Changes& changes) {
 
 QSize Banner::sizeHint() const {
   if (!warning_) return {0, 0};
-  const int title =
-      QFontMetrics(views::font(heading_size, true)).horizontalAdvance(QString::fromStdString(warning_->title));
-  const int advice = QFontMetrics(views::font(text_size)).horizontalAdvance(QString::fromStdString(warning_->advice));
+  const int title = QFontMetrics(views::font(heading_size, true)).horizontalAdvance(in_words(warning_->title));
+  const int advice = QFontMetrics(views::font(text_size)).horizontalAdvance(in_words(warning_->advice));
   return {banner_words + std::max({title, advice, 180}) + banner_margin, banner_height};
 }
 
@@ -72,11 +71,10 @@ void Banner::paintEvent(QPaintEvent* /*event*/) {
   const int room = width() - banner_words - banner_margin + 8;
   set_font(painter, heading_size, true);
   draw_text(painter, {double{banner_words}, middle - 5.0},
-            painter.fontMetrics().elidedText(QString::fromStdString(warning_->title), Qt::ElideRight, room),
-            Qt::white);
+            painter.fontMetrics().elidedText(in_words(warning_->title), Qt::ElideRight, room), Qt::white);
   set_font(painter, text_size);
   draw_text(painter, {double{banner_words}, middle + 16.0},
-            painter.fontMetrics().elidedText(QString::fromStdString(warning_->advice), Qt::ElideRight, room),
+            painter.fontMetrics().elidedText(in_words(warning_->advice), Qt::ElideRight, room),
             QColor(0xF3, 0xD9, 0xD8));
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "views/language.h"
 #include "views/paint_kit.h"
 #include "views/theme.h"
 
@@ -36,7 +37,7 @@ void Bullseye::set_path_hidden(bool hidden) {
 }
 
 void Bullseye::show_frame(const Frame& frame, const Changes& changes) {
-  const QString hint = QString::fromStdString(frame.hint);
+  const QString hint = in_words(frame.hint);
   if (!changes.needle && !changes.plan && !changes.state && !changes.theme && !changes.attempt && hint == hint_)
     return;
   hint_ = hint;

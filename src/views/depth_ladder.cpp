@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "views/language.h"
 #include "views/paint_kit.h"
 #include "views/theme.h"
 
@@ -148,9 +149,9 @@ void DepthLadder::draw_names(QPainter& painter) const {
       painter.drawLine(QPointF(bar_left + bar_width + 1.0, wishes[i]), QPointF(name_left - 2.0, places[i]));
     }
     set_font(painter, label_size, here);
-    const QString title = painter.fontMetrics().elidedText(
-        QString::fromStdString(short_title(patient_->patient.library.title(named[i]->tissue))), Qt::ElideRight,
-        static_cast<int>(width() - name_left - 4.0));
+    const QString title =
+        painter.fontMetrics().elidedText(in_words(short_title(patient_->patient.library.title(named[i]->tissue))),
+                                         Qt::ElideRight, static_cast<int>(width() - name_left - 4.0));
     draw_text(painter, {name_left, places[i] + 4.0}, title, here ? theme.text : theme.second);
   }
 }

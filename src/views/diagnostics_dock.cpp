@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "views/language.h"
 #include "views/paint_kit.h"
 #include "views/theme.h"
 
@@ -64,8 +65,8 @@ void DiagnosticsDock::show_frame(const Frame& frame, const Changes& changes) {
     numbers_.clear();
     for (std::size_t i = 0; i < count; ++i) {
       const forces::DiagnosticName& name = frame.diagnostic_names[i];
-      numbers_.push_back({QString::fromUtf8(name.title.data(), static_cast<int>(name.title.size())),
-                          unit_of(name.name), name.name == "wall_mm" || name.name == "reference_mm"});
+      numbers_.push_back({in_words(std::string(name.title)), unit_of(name.name),
+                          name.name == "wall_mm" || name.name == "reference_mm"});
     }
   }
   for (std::size_t i = 0; i < count; ++i) numbers_[i].value = frame.diagnostics[i];
@@ -241,7 +242,7 @@ void DiagnosticsDock::draw_log(QPainter& painter, const QRectF& box) const {
   for (const GuardLog::Line& line : log_.lines()) {
     if (y > box.bottom()) break;
     draw_text(painter, {inner.left() + 40.0, y}, tr("%1 s").arg(line.time, 0, 'f', 1), theme.second, Anchor::right);
-    QString words = QString::fromStdString(line.words);
+    QString words = in_words(line.words);
     if (line.times > 1) words += tr(" (%1 times)").arg(line.times);
     draw_text(painter, {inner.left() + 50.0, y},
               painter.fontMetrics().elidedText(words, Qt::ElideRight, static_cast<int>(inner.width()) - 52),

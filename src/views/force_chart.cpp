@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "views/language.h"
 #include "views/theme.h"
 
 namespace bodkin::views {
@@ -138,7 +139,7 @@ void ForceChart::show_frame(const Frame& frame, const Changes& changes) {
     diagnostic_titles_.clear();
     for (const forces::DiagnosticName& name : frame.diagnostic_names) {
       if (!name.name.empty()) {
-        diagnostic_titles_.push_back(QString::fromUtf8(name.title.data(), static_cast<int>(name.title.size())));
+        diagnostic_titles_.push_back(in_words(std::string(name.title)));
       }
     }
   }
@@ -183,9 +184,8 @@ void ForceChart::flag(const Frame& frame, const session::SessionEvent& event) {
   bool bad = false;
   switch (event.event.kind) {
     case EventKind::puncture:
-      words = patient_ == nullptr || !tissues_shown_
-                  ? tr("give")
-                  : QString::fromStdString(patient_->patient.library.title(event.event.tissue));
+      words = patient_ == nullptr || !tissues_shown_ ? tr("give")
+                                                     : in_words(patient_->patient.library.title(event.event.tissue));
       break;
     case EventKind::loss_of_resistance:
       words = tr("loss of resistance");

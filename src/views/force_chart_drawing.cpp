@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "views/force_chart.h"
+#include "views/language.h"
 #include "views/paint_kit.h"
 #include "views/theme.h"
 
@@ -98,7 +99,7 @@ void ForceChart::draw_bands(QPainter& painter) const {
     painter.fillRect(QRectF(left, box.bottom() - 3.0, right - left, 4.0), colour);
     colour.setAlphaF(Theme::now().is_dark ? 0.16 : 0.30);
     painter.fillRect(QRectF(left, box.top(), right - left, box.height() - 3.0), colour);
-    const QString title = QString::fromStdString(patient_->patient.library.title(band.tissue));
+    const QString title = in_words(patient_->patient.library.title(band.tissue));
     const double wide = painter.fontMetrics().horizontalAdvance(title), begin = 0.5 * (left + right - wide);
     // Named where there is room; a name may reach a little over its neighbours.
     if (wide > right - left + 24.0 || begin < written_to + 8.0 || begin + wide > width() - 4.0) continue;

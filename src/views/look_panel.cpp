@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 
+#include "views/language.h"
 #include "views/open_case.h"
 
 namespace bodkin::views {
@@ -193,7 +194,7 @@ void LookPanel::set_surfaces(const scene::PatientSurfaces* surfaces) {
   for (std::size_t i = 0; i < surfaces_->parts.size(); ++i) {
     const scene::PatientSurface& surface = surfaces_->parts[i];
     const auto add = [&](QTreeWidgetItem* item, const std::string& name, const std::string& section) {
-      item->setText(0, QString::fromStdString(readable_structure(name)));
+      item->setText(0, in_words(readable_structure(name)));
       item->setData(0, part_role, static_cast<int>(i));
       item->setData(0, section_role, QString::fromStdString(section));
       item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "views/language.h"
 #include "views/paint_kit.h"
 #include "views/theme.h"
 
@@ -75,7 +76,7 @@ void ProfileChart::draw_bands(QPainter& painter) const {
     painter.fillRect(QRectF(from, plot().bottom() - line_height, to - from, line_height), colour);
     colour.setAlpha(Theme::now().is_dark ? 38 : 60);
     painter.fillRect(QRectF(from, plot().top(), to - from, plot().height()), colour);
-    const QString name = QString::fromStdString(patient_->patient.library.title(band.tissue));
+    const QString name = in_words(patient_->patient.library.title(band.tissue));
     if (to - from > chart_letter * name.size())
       draw_text(painter, {0.5 * (from + to), plot().top() - 7.0}, name, Theme::now().second, Anchor::middle);
   }

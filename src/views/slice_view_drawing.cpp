@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "views/language.h"
 #include "views/paint_kit.h"
 #include "views/slice_view.h"
 #include "views/theme.h"
@@ -249,7 +250,7 @@ QString SliceView::words_under_pointer() const {
     words = std::isnan(hounsfield) ? tr("outside the CT") : tr("%1 HU").arg(std::lround(hounsfield));
   }
   const std::string name = place_name(patient, point);
-  if (!name.empty()) words += (words.isEmpty() ? QString() : QStringLiteral(" · ")) + QString::fromStdString(name);
+  if (!name.empty()) words += (words.isEmpty() ? QString() : QStringLiteral(" · ")) + in_words(name);
   return words;
 }
 

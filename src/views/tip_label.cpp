@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <utility>
 
+#include "views/language.h"
 #include "views/paint_kit.h"
 #include "views/theme.h"
 
@@ -30,7 +31,7 @@ void TipLabel::show_frame(const Frame& frame, const Changes& changes) {
       frame.tissue == anatomy::tissue::cortical_bone || (frame.warning && frame.warning->kind == Warning::Kind::bone);
   danger_ = frame.warning.has_value();
   colour_ = danger_ ? Theme::dark().danger : tissue_colour(frame.tissue, patient_->patient.library);
-  place_ = QString::fromStdString(frame.place);
+  place_ = in_words(frame.place);
   if (frame.depth > 0.0 && frame.has_needle) {
     heading_ = on_bone ? tr("TIP ON BONE") : tr("TIP IN");
   } else if (frame.state == State::touching) {

@@ -10,6 +10,7 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "views/language.h"
 #include "views/theme.h"
 
 namespace bodkin::views {
@@ -150,7 +151,7 @@ QLabel#top\.patient { color: %5; font-size: 11px; }
 }
 
 void TopBar::set_case(std::shared_ptr<const OpenCase> patient) {
-  procedure_->setText(patient == nullptr ? QString() : QString::fromStdString(patient->procedure));
+  procedure_->setText(patient == nullptr ? QString() : in_words(patient->procedure));
   patient_->setText(patient == nullptr ? QString() : QString::fromStdString(patient->title));
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "views/language.h"
 #include "views/paint_kit.h"
 #include "views/slice_geometry.h"
 #include "views/theme.h"
@@ -204,7 +205,7 @@ void UltrasoundView::draw_words(QPainter& painter) const {
   QString words = tr("H: keys");
   bool warn = false;
   if (!scan_->message().empty()) {
-    words = QString::fromStdString(scan_->message());
+    words = in_words(scan_->message());
     warn = true;
   } else if (scan_->measuring()) {
     words = tr("Calipers: click two places; C again to move the probe");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "views/language.h"
 #include "views/look_panel.h"
 #include "views/orientation_cube.h"
 #include "views/paint_kit.h"
@@ -337,7 +338,7 @@ void View3d::paint_preparation(QPainter& painter) {
   const scene::SurfaceJob::Status status = job_->status();
   const QString text = status.error.empty()
                            ? tr("Preparing the patient in 3-D: %1 %").arg(static_cast<int>(100.0 * status.fraction))
-                           : tr("The patient cannot be shown in 3-D: %1").arg(QString::fromStdString(status.error));
+                           : tr("The patient cannot be shown in 3-D: %1").arg(in_words(status.error));
   set_font(painter, text_size);
   painter.setPen(Theme::dark().second);
   painter.drawText(rect().adjusted(24, 0, -24, 0), static_cast<int>(Qt::AlignCenter) | Qt::TextWordWrap, text);

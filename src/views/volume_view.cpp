@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "views/language.h"
 #include "views/orientation_cube.h"
 #include "views/paint_kit.h"
 #include "views/theme.h"
@@ -209,10 +210,9 @@ void VolumeView::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), Theme::dark().ground);
     if (!patient_) return;
     const scene::VolumeJob::Status status = job_ ? job_->status() : scene::VolumeJob::Status{};
-    const QString text =
-        status.error.empty()
-            ? tr("Preparing the volume: %1 %").arg(static_cast<int>(100.0 * status.fraction))
-            : tr("The inside of the patient cannot be shown: %1").arg(QString::fromStdString(status.error));
+    const QString text = status.error.empty()
+                             ? tr("Preparing the volume: %1 %").arg(static_cast<int>(100.0 * status.fraction))
+                             : tr("The inside of the patient cannot be shown: %1").arg(in_words(status.error));
     set_font(painter, text_size);
     painter.setPen(Theme::dark().second);
     painter.drawText(rect().adjusted(24, 0, -24, 0), static_cast<int>(Qt::AlignCenter) | Qt::TextWordWrap, text);

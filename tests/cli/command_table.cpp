@@ -395,7 +395,11 @@ const std::vector<CommandRow>& command_table() {
       {"app",
        "somewhere",
        "",
-       {{"--script", Kind::text}, {"--shots", Kind::text}, {"--size", Kind::text}, {"--benchmark", Kind::toggle}}}};
+       {{"--script", Kind::text},
+        {"--shots", Kind::text},
+        {"--size", Kind::text},
+        {"--language", Kind::text},
+        {"--benchmark", Kind::toggle}}}};
   return rows;
 }
 

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "views/language.h"
 #include "views/theme.h"
 
 namespace bodkin::app {
@@ -188,12 +189,12 @@ void ResultsCard::show_result(const AttemptResult* result, const QStringList& da
     file_->clear();
     return;
   }
-  headline_->setText(QString::fromStdString(result->headline));
+  headline_->setText(in_words(result->headline));
   grade_->setVisible(result->verdict.has_value());
   if (result->verdict) show_grade(*result->verdict);
   dangers_->setVisible(!result->verdict && !dangers.isEmpty());  // else they are among the reasons
   QStringList remarks;
-  for (const std::string& remark : result->remarks) remarks << QString::fromStdString(remark);
+  for (const std::string& remark : result->remarks) remarks << in_words(remark);
   if (!failure.isEmpty()) remarks.prepend(failure);
   remarks_->setText(remarks.join(QLatin1Char('\n')));
   numbers_->setVisible(result->verdict.has_value());

@@ -10,6 +10,7 @@
 #include <QVariant>
 #include <cmath>
 
+#include "views/language.h"
 #include "views/theme.h"
 #include "views/workspace_picture.h"
 
@@ -195,10 +196,10 @@ void DevicesPage::show_rows() {
   const QSignalBlocker quiet(list_);
   list_->clear();
   for (const DeviceRow& row : rows_) {
-    QString text = QString::fromStdString(row.title) + QLatin1Char('\n') + QString::fromStdString(row.state);
+    QString text = in_words(row.title) + QLatin1Char('\n') + in_words(row.state);
     if (full_name(row) == used_ && row.can_open()) text += tr(", used for practising");
     auto* item = new QListWidgetItem(lamp_icon(row.lamp), text, list_);
-    item->setToolTip(QString::fromStdString(row.sentence));
+    item->setToolTip(in_words(row.sentence));
   }
   list_->setCurrentRow(std::min(kept, list_->count() - 1));
   const std::string asking = finder_.asking();
@@ -209,12 +210,12 @@ void DevicesPage::show_rows() {
 void DevicesPage::show_row() {
   const DeviceRow* const row = selected();
   if (row == nullptr) return;
-  title_->setText(QString::fromStdString(row->title));
-  state_->setText(QString::fromStdString(row->state));
+  title_->setText(in_words(row->title));
+  state_->setText(in_words(row->state));
   state_->setStyleSheet(QStringLiteral("color: %1;").arg(lamp_colour(row->lamp).name()));
   sentence_->setText(row->is_mouse() ? tr("It needs nothing: the wheel pushes the needle, and what the needle meets "
                                           "is seen as the way that the hand runs ahead of it.")
-                                     : QString::fromStdString(row->sentence));
+                                     : in_words(row->sentence));
   sentence_->setVisible(!sentence_->text().isEmpty());
   use_->setEnabled(row->can_open() && full_name(*row) != used_);
   use_->setText(row->can_open() && full_name(*row) == used_ ? tr("Used for practising") : tr("Use for practising"));
@@ -227,11 +228,11 @@ void DevicesPage::show_profile() {
   QStringList lines;
   try {
     if (row != nullptr && !row->is_mouse()) {
-      for (const std::string& line : kept_calibration(row->driver)) lines << QString::fromStdString(line);
+      for (const std::string& line : kept_calibration(row->driver)) lines << in_words(line);
       if (lines.isEmpty() && row->can_open()) lines << tr("Not calibrated: the middle of its workspace is a guess.");
     }
   } catch (const std::exception& error) {  // the file of calibrations is damaged
-    lines << QString::fromStdString(error.what());
+    lines << in_words(error.what());
   }
   profile_->setText(lines.join(QLatin1Char('\n')));
 }
@@ -245,7 +246,7 @@ void DevicesPage::begin(bool calibration) {
     calibration ? work_.calibrate(choice) : work_.check(choice);
     verdict_->clear();
   } catch (const std::exception& error) {
-    verdict_->setText(QString::fromStdString(error.what()));
+    verdict_->setText(in_words(error.what()));
   }
   show_news();
 }
@@ -292,13 +293,13 @@ void DevicesPage::show_news() {
     const std::string_view task = station::task_of(news.steps[news.step]);
     task_->setText(QString::fromUtf8(task.data(), static_cast<int>(task.size())));
   } else {
-    task_->setText(QString::fromStdString(news.stage));
+    task_->setText(in_words(news.stage));
   }
   const bool over = here && !news.is_busy && (!news.verdict.empty() || !news.trouble.empty());
   verdict_->setVisible(over || !verdict_->text().isEmpty());
   if (!here) return verdict_->clear();
   if (!over) return;
-  verdict_->setText(QString::fromStdString(news.trouble.empty() ? news.verdict : news.trouble));
+  verdict_->setText(in_words(news.trouble.empty() ? news.verdict : news.trouble));
   verdict_->setStyleSheet(
       QStringLiteral("color: %1;")
           .arg((news.trouble.empty() && news.went_well ? Theme::now().good : Theme::now().caution).name()));

@@ -17,6 +17,7 @@
 #include <exception>
 #include <utility>
 
+#include "views/language.h"
 #include "views/theme.h"
 
 namespace bodkin::app {
@@ -285,8 +286,8 @@ void ModelsPage::show_steps() {
   list_->clear();
   int number = 0;
   for (const SettingStep& step : model_->steps()) {
-    list_->addItem(QStringLiteral("%1   %2").arg(++number).arg(QString::fromStdString(step.title)));
-    list_->item(number - 1)->setToolTip(QString::fromStdString(step.question));
+    list_->addItem(QStringLiteral("%1   %2").arg(++number).arg(in_words(step.title)));
+    list_->item(number - 1)->setToolTip(in_words(step.question));
   }
   step_ = std::clamp(step_, 0, std::max(0, number - 1));
   is_shown_ = false;
@@ -310,10 +311,10 @@ void ModelsPage::show_step() {
   const double was = model_->before(static_cast<std::size_t>(step_));
   list_->setCurrentRow(step_);
   number_->setText(tr("Step %1 of %2").arg(step_ + 1).arg(count));
-  question_->setText(QString::fromStdString(step.question));
+  question_->setText(in_words(step.question));
   instruction_->setText(
       tr("Change the value and watch the solid line: it follows at once. Dashed is the force as it was."));
-  name_->setText(QString::fromStdString(step.description));
+  name_->setText(in_words(step.description));
   value_->setDecimals(step.digits + 1);
   value_->setRange(std::isfinite(step.range.low) ? step.range.low : -1e6,
                    std::isfinite(step.range.high) ? step.range.high : 1e6);
@@ -339,7 +340,7 @@ void ModelsPage::show_step() {
   const QString origin = step.origin == Origin::paper        ? tr("The default is printed in the model's paper.")
                          : step.origin == Origin::literature ? tr("The default is from the literature.")
                                                              : tr("The default is our choice.");
-  source_->setText(step.source.empty() ? origin : QString::fromStdString(step.source));
+  source_->setText(step.source.empty() ? origin : in_words(step.source));
   source_->setMaximumHeight(3 * source_->fontMetrics().lineSpacing() + 4);
   undo_->setEnabled(model_->can_undo());
   redo_->setEnabled(model_->can_redo());
@@ -355,7 +356,7 @@ void ModelsPage::show_curve() {
 void ModelsPage::change(double value, bool continues) {
   if (model_ == nullptr || model_->steps().empty()) return;
   const std::string refusal = model_->set(static_cast<std::size_t>(step_), value, continues);
-  say(QString::fromStdString(refusal), true);
+  say(in_words(refusal), true);
   show_step();
   show_curve();
 }
@@ -381,7 +382,7 @@ void ModelsPage::advance(double /*clock*/) {
                                                 .arg(give(*reference_))
                                                 .arg(reference_->strongest, 0, 'f', 2)
                                           : QString());
-  if (!now_->trouble.empty()) say(QString::fromStdString(now_->trouble), true);
+  if (!now_->trouble.empty()) say(in_words(now_->trouble), true);
 }
 
 bool ModelsPage::press(const QKeySequence& keys) {
@@ -409,7 +410,7 @@ void ModelsPage::load(const QString& file) {
     say(tr("Loaded %1").arg(file), false);
     show_steps();
   } catch (const std::exception& error) {
-    say(QString::fromStdString(error.what()), true);
+    say(in_words(error.what()), true);
   }
 }
 
@@ -418,7 +419,7 @@ void ModelsPage::save(const QString& file) {
     model_->save(file.toStdString());
     say(tr("Saved as %1").arg(file), false);
   } catch (const std::exception& error) {
-    say(QString::fromStdString(error.what()), true);
+    say(in_words(error.what()), true);
   }
 }
 

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 
+#include "views/language.h"
 #include "views/theme.h"
 
 #include "core/error.h"
@@ -26,7 +27,7 @@ constexpr int panel_height = 212, slices_width = 440, card_margin = 12;  // pixe
 constexpr std::size_t most_distances = 5;
 
 QString words(const std::string& text) {
-  return QString::fromStdString(text);
+  return in_words(text);
 }
 
 QString degrees(double angle) {
@@ -347,10 +348,11 @@ void PlanPage::show_proposals() {
   for (int row = 0; row < count; ++row) {
     const ProposedPath& proposed = result.proposals[static_cast<std::size_t>(row)];
     const patient::PathReport& report = proposed.report;
-    std::string crosses, last;
+    std::string last;
+    QString crosses;
     for (const patient::Crossed& each : report.crosses) {
       const std::string title = patient_->patient.library.title(each.tissue);
-      if (title != last) crosses += (crosses.empty() ? "" : ", ") + title;
+      if (title != last) crosses += (crosses.isEmpty() ? QString() : QStringLiteral(", ")) + words(title);
       last = title;
     }
     QString nearest = tr("nothing within 30 mm");
@@ -364,7 +366,7 @@ void PlanPage::show_proposals() {
                                           degrees(report.cranial),
                                           degrees(report.lateral),
                                           nearest,
-                                          words(crosses)};
+                                          crosses};
     for (std::size_t column = 0; column < cells.size(); ++column) {
       auto item = std::make_unique<QTableWidgetItem>(cells[column]);
       item->setToolTip(cells[column]);

@@ -16,6 +16,7 @@
 #include "app/pages/session_list.h"
 #include "app/pages/verdict_panel.h"
 #include "report/report.h"
+#include "views/language.h"
 #include "views/theme.h"
 
 #include "core/error.h"
@@ -104,7 +105,7 @@ void ReviewPage::take_jobs() {
     const RecordingJob::Status status = job_->status();
     if (!status.is_done) return show_busy();
     std::shared_ptr<const Recording> made = job_->recording();
-    const QString error = QString::fromStdString(status.error);
+    const QString error = in_words(status.error);
     job_.reset();
     if (made == nullptr) {
       // What was shown before stays; without one the list says why.
@@ -120,7 +121,7 @@ void ReviewPage::take_jobs() {
   const RecordingJob::Status status = other_job_->status();
   if (!status.is_done) return show_busy();
   std::shared_ptr<const Recording> made = other_job_->recording();
-  const QString error = QString::fromStdString(status.error);
+  const QString error = in_words(status.error);
   other_job_.reset();
   show_busy();
   if (made == nullptr) return verdict_->say(error, true);
@@ -187,11 +188,10 @@ void ReviewPage::show_lanes() {
     for (const Recording::Stay& stay : recording.stays()) {
       const double dt = recording.session().header.dt;
       lane.bands.push_back({recording.time(stay.first) + moved, recording.time(stay.last) + dt + moved,
-                            tissue_colour(stay.tissue, library),
-                            QString::fromStdString(recording.tissue_title(stay.tissue))});
+                            tissue_colour(stay.tissue, library), in_words(recording.tissue_title(stay.tissue))});
     }
     for (const Recording::Happening& each : recording.happenings())
-      lane.events.push_back({each.time + moved, QString::fromStdString(each.words), each.is_bad});
+      lane.events.push_back({each.time + moved, in_words(each.words), each.is_bad});
     return lane;
   };
   std::vector<Timeline::Lane> lanes = {lane_of(*recording_, Theme::now().accent, 0.0)};
@@ -296,7 +296,7 @@ void ReviewPage::show_moment(double clock) {
 QString ReviewPage::status_words() const {
   if (frame_.depth <= 0.0) return tr("outside the body");
   return tr("%1, %2 mm")
-      .arg(QString::fromStdString(frame_.warning ? frame_.warning->title : frame_.place))
+      .arg(in_words(frame_.warning ? frame_.warning->title : frame_.place))
       .arg(frame_.depth, 0, 'f', 1);
 }
 
@@ -304,7 +304,7 @@ void ReviewPage::show_busy() {
   QString words;
   if (job_ != nullptr || other_job_ != nullptr) {
     const RecordingJob::Status status = (job_ != nullptr ? job_ : other_job_)->status();
-    words = QString::fromStdString(status.stage);
+    words = in_words(status.stage);
   } else if (series_ != nullptr) {
     words = tr("writing, %1 %").arg(static_cast<int>(100.0 * series_->fraction()));
   }
@@ -348,7 +348,7 @@ void ReviewPage::write_report(bool shown) {
                                    : tr("The report is written to %1.").arg(name),
                   false);
   } catch (const std::exception& error) {
-    verdict_->say(QString::fromStdString(error.what()), true);
+    verdict_->say(in_words(error.what()), true);
   }
 }
 

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "views/language.h"
 #include "views/slice_image.h"
 
 namespace bodkin::app {
@@ -278,7 +279,7 @@ void ScanPage::start_or_cancel() {
     return say(tr("Stopped; the slices that came remain."), false);
   }
   const std::string trouble = imaging::trouble_with(protocol_);
-  if (!patient_ || !trouble.empty()) return say(QString::fromStdString(trouble), true);
+  if (!patient_ || !trouble.empty()) return say(in_words(trouble), true);
   auto scan = std::make_shared<imaging::CtScan>();
   scan->protocol = protocol_;
   scan->plane = imaging::scan_plane(patient_->patient.ct.grid);
@@ -333,7 +334,7 @@ void ScanPage::use_target() {
   try {
     save_plan(*patient_, *path);
   } catch (const std::exception& failure) {
-    return say(QString::fromStdString(failure.what()), true);
+    return say(in_words(failure.what()), true);
   }
   say(tr("Saved as the target, %1 mm from the skin. The patient opens again with it.").arg(path->length(), 0, 'f', 0),
       false);

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "views/language.h"
 #include "views/theme.h"
 
 #include "core/error.h"
@@ -53,8 +54,7 @@ void SegmentPage::enter() {
   tissue_->clear();
   tissue_->addItem(tr("by its HU"), QString());
   for (const anatomy::TissueProperties& each : patient_->patient.library.tissues()) {
-    if (each.id != anatomy::tissue::air)
-      tissue_->addItem(QString::fromStdString(each.title), QString::fromStdString(each.name));
+    if (each.id != anatomy::tissue::air) tissue_->addItem(in_words(each.title), QString::fromStdString(each.name));
   }
   const anatomy::Grid& grid = patient_->patient.ct.grid;
   const auto& path = patient_->description().procedure.path;
@@ -169,8 +169,7 @@ void SegmentPage::show_table() {
     colours_[each.label] = colour_of_label(each.label);
     QPixmap swatch(12, 12);
     swatch.fill(QColor(static_cast<QRgb>(colours_[each.label])));
-    auto* const item =
-        new QListWidgetItem(QIcon(swatch), QString::fromStdString(readable_structure(each.name)), list_);
+    auto* const item = new QListWidgetItem(QIcon(swatch), in_words(readable_structure(each.name)), list_);
     item->setToolTip(each.tissue.empty() ? tr("tissue by its HU") : QString::fromStdString(each.tissue));
   }
   list_->setCurrentRow(model_->active());
@@ -197,8 +196,8 @@ void SegmentPage::show_status() {
   progress_->setValue(static_cast<int>(1000.0 * status.fraction));
   for (QPushButton* each : filters_) each->setEnabled(!status.is_busy);
   save_->setEnabled(!status.is_busy && model_->has_changes());
-  if (status.is_busy) return say(QString::fromStdString(status.stage) + QStringLiteral(" ..."), false);
-  if (!status.error.empty()) return say(QString::fromStdString(status.error), true);
+  if (status.is_busy) return say(in_words(status.stage) + QStringLiteral(" ..."), false);
+  if (!status.error.empty()) return say(in_words(status.error), true);
 }
 
 void SegmentPage::say(const QString& sentence, bool is_trouble) {
@@ -216,7 +215,7 @@ void SegmentPage::advance(double /*clock*/) {
       if (status.error.empty() && !status.is_saved) say({}, false);
       if (status.is_saved && status.error.empty()) {
         QStringList notes;
-        for (const std::string& note : status.notes) notes << QString::fromStdString(note);
+        for (const std::string& note : status.notes) notes << in_words(note);
         say(tr("Saved. The patient is opened again with its new tissues. %1").arg(notes.join(QLatin1Char(' '))),
             false);
         emit patient_requested(QString::fromStdString(patient_->folder.string()));

@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLinearGradient>
+#include <QLocale>
 #include <QMimeData>
 #include <QPainter>
 #include <QPixmap>
@@ -14,6 +15,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/spoken_language.h"
 #include "views/theme.h"
 
 #include "core/error.h"
@@ -113,8 +115,24 @@ QWidget* StartPage::make_side() {
                      tr("A case, a DICOM folder or an image (Ctrl+O)")),
           &QPushButton::clicked, this, &StartPage::open_requested);
   rows->addStretch(1);
+  add_languages(rows);
   rows->addWidget(label(tr("Version %1").arg(QStringLiteral(BODKIN_VERSION)), "label"));
   return side;
+}
+
+// A button for each language but the one that the window speaks, in that language.
+void StartPage::add_languages(QVBoxLayout* rows) {
+  for (const QString& code : languages()) {
+    if (code == spoken_language()) continue;
+    // "American English" of QLocale("en") is not what is meant.
+    auto* button =
+        new QPushButton(code == QLatin1String("en") ? QStringLiteral("English") : QLocale(code).nativeLanguageName());
+    button->setObjectName(QStringLiteral("start.language.%1").arg(code));
+    button->setProperty("role", QStringLiteral("flat"));
+    button->setStyleSheet(QStringLiteral("text-align: left; padding: 9px 12px;"));
+    connect(button, &QPushButton::clicked, this, [this, code] { emit language_requested(code); });
+    rows->addWidget(button);
+  }
 }
 
 QPushButton* StartPage::make_entry(const QString& text, const QString& object, const QString& tip) {

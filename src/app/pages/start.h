@@ -41,6 +41,7 @@ class StartPage : public QWidget {
   void forget_requested(const QString& file);
   void plan_continued();
   void plan_left();
+  void language_requested(const QString& code);
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -54,6 +55,7 @@ class StartPage : public QWidget {
   static Offer make_offer();
   QWidget* make_recovered();
   QWidget* make_plan();
+  void add_languages(QVBoxLayout* rows);
   QPushButton* make_card(const QString& name, const QString& title, const QString& words);
 
   QVBoxLayout* entries_ = nullptr;

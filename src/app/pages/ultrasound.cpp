@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/models/scan_picture.h"
+#include "views/language.h"
 #include "views/theme.h"
 
 namespace bodkin::app {
@@ -91,7 +92,7 @@ void UltrasoundPage::begin(std::shared_ptr<const OpenCase> patient) {
                                               ProbeMachine::Wish{{scan.pose(), scan.settings()}, scan.needle()});
     say(tr("Drag slides the probe, the wheel presses it. H: all keys, Esc: back"), false);
   } catch (const std::exception& trouble) {  // no skin there, no such probe
-    say(QString::fromStdString(trouble.what()), true);
+    say(in_words(trouble.what()), true);
   }
   view_->setFocus(Qt::OtherFocusReason);
 }
@@ -106,9 +107,9 @@ void UltrasoundPage::advance(double clock) {
     if (std::shared_ptr<const OpenCase> opened = cases_.take()) return begin(std::move(opened));
     const CaseModel::Status status = cases_.status();
     if (status.is_busy) {
-      say(tr("Preparing the patient: %1").arg(QString::fromStdString(status.stage)), false);
+      say(tr("Preparing the patient: %1").arg(in_words(status.stage)), false);
     } else if (!status.error.empty()) {
-      say(QString::fromStdString(status.error), true);
+      say(in_words(status.error), true);
     }
     return;
   }

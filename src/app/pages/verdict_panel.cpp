@@ -9,6 +9,7 @@
 #include <array>
 #include <string_view>
 
+#include "views/language.h"
 #include "views/paint_kit.h"
 #include "views/theme.h"
 
@@ -24,7 +25,7 @@ constexpr std::array<std::string_view, 7> telling = {"final_distance_mm", "loss_
                                                      "bone_contacts"};
 
 QString words(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+  return in_words(std::string(text));
 }
 
 QString verdict_word(training::Grade grade) {
@@ -156,22 +157,22 @@ void VerdictPanel::show_recording(const Recording& recording) {
   QStringList notes;
   if (!recording.session().finished)
     notes << tr("This session was cut off; what had been recorded until then is here.");
-  if (!recording.note().empty()) notes << QString::fromStdString(recording.note());
+  if (!recording.note().empty()) notes << in_words(recording.note());
   note_->setVisible(!notes.isEmpty());
   note_->setText(notes.join(QLatin1Char('\n')));
   grade_->setVisible(score.has_value());
   findings_->setVisible(score && !score->findings.empty());
   details_->setVisible(score.has_value());
   if (!score) {
-    headline_->setText(QString::fromStdString(recording.not_judged()));
+    headline_->setText(in_words(recording.not_judged()));
     return;
   }
   grade_->setText(verdict_word(score->verdict));
   grade_->setStyleSheet(
       QStringLiteral("font-size: 15px; font-weight: 500; color: %1;").arg(verdict_colour(score->verdict).name()));
-  headline_->setText(QString::fromStdString(score->headline));
+  headline_->setText(in_words(score->headline));
   QStringList sentences;
-  for (const training::Finding& each : score->findings) sentences << QString::fromStdString(each.sentence);
+  for (const training::Finding& each : score->findings) sentences << in_words(each.sentence);
   findings_->setText(sentences.join(QStringLiteral("\n\n")));
   for (const training::MetricResult& each : telling_numbers(*score)) gauges_->addWidget(new BandGauge(each));
   const QString faint = Theme::now().second.name();
@@ -180,7 +181,7 @@ void VerdictPanel::show_recording(const Recording& recording) {
     text += QStringLiteral("<p style='color:%1'>%2</p><table width='100%'>").arg(faint, tr("Steps"));
     for (const training::StepResult& step : score->steps) {
       text += QStringLiteral("<tr><td>%1</td><td align='right'>%2</td></tr>")
-                  .arg(QString::fromStdString(step.title).toHtmlEscaped(),
+                  .arg(in_words(step.title).toHtmlEscaped(),
                        step.time ? tr("%1 s").arg(*step.time, 0, 'f', 1) : tr("not seen"));
     }
     text += QStringLiteral("</table>");

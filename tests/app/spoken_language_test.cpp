@@ -1,0 +1,91 @@
+#include "app/spoken_language.h"
+
+#include <QApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "app/pages/start.h"
+#include "views/language.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "haptics/guard_event.h"
+#include "io/tissue_library_file.h"
+#include "training/metric.h"
+#include "training/procedure_file.h"
+
+namespace bodkin::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SpokenLanguage : public testing::Test {
+ protected:
+  void TearDown() override {
+    speak(QStringLiteral("en"));
+    QSettings().remove(QStringLiteral("language"));
+  }
+};
+
+TEST_F(SpokenLanguage, german_has_what_procedures_tissues_metrics_and_the_guard_say) {
+  std::set<std::string> texts;
+  const anatomy::TissueLibrary library = io::default_tissue_library();
+  for (const anatomy::TissueProperties& tissue : library.tissues()) texts.insert(tissue.title);
+  for (const training::Metric& metric : training::all_metrics()) texts.insert(std::string(metric.title));
+  for (const auto& file : fs::directory_iterator(fs::path(BODKIN_REPOSITORY) / "share" / "bodkin" / "procedures")) {
+    const training::Procedure procedure = training::read_procedure(file.path());
+    texts.insert({procedure.title, procedure.description});
+    for (const training::Step& step : procedure.steps) texts.insert({step.title, step.text});
+    for (const training::Forbidden& each : procedure.forbidden) texts.insert({each.title, each.consequence});
+    for (const training::Rule& rule : procedure.rules) texts.insert(rule.advice);
+  }
+  for (int reason = 1; reason < static_cast<int>(haptics::GuardReason::count_of_reasons); ++reason)
+    texts.insert(std::string(haptics::text_of(static_cast<haptics::GuardReason>(reason))));
+  texts.erase("");
+  EXPECT_GT(texts.size(), 150U);
+  speak(QStringLiteral("de"));
+  for (const std::string& text : texts) {
+    EXPECT_TRUE(views::in_words(text) != QString::fromStdString(text) || text == "Plan" || text.size() < 8)
+        << "add \"" << text << "\" to share/bodkin/translations/words_de.ts";
+  }
+}
+
+TEST_F(SpokenLanguage, the_start_page_speaks_it_and_offers_the_others) {
+  speak(QStringLiteral("de"));
+  const StartPage german;
+  EXPECT_EQ(german.findChild<QPushButton*>(QStringLiteral("start.practise"))->text(), QStringLiteral("Üben"));
+  EXPECT_EQ(german.findChild<QPushButton*>(QStringLiteral("start.language.de")), nullptr);
+  EXPECT_EQ(german.findChild<QPushButton*>(QStringLiteral("start.language.en"))->text(), QStringLiteral("English"));
+  speak(QStringLiteral("en"));
+  StartPage english;
+  EXPECT_EQ(english.findChild<QPushButton*>(QStringLiteral("start.practise"))->text(), QStringLiteral("Practise"));
+  QString wanted;
+  QObject::connect(&english, &StartPage::language_requested, [&wanted](const QString& code) { wanted = code; });
+  auto* const button = english.findChild<QPushButton*>(QStringLiteral("start.language.de"));
+  ASSERT_NE(button, nullptr);
+  EXPECT_EQ(button->text(), QStringLiteral("Deutsch"));
+  button->click();
+  EXPECT_EQ(wanted, QStringLiteral("de"));
+}
+
+TEST_F(SpokenLanguage, what_was_chosen_is_kept_and_what_there_is_not_is_named) {
+  choose_language(QStringLiteral("de"));
+  EXPECT_EQ(usual_language(), QStringLiteral("de"));
+  choose_language(QStringLiteral("xx"));
+  EXPECT_TRUE(languages().contains(usual_language()));
+  EXPECT_EQ(spoken_language(), QStringLiteral("en"));
+  try {
+    speak(QStringLiteral("xx"));
+    ADD_FAILURE() << "it spoke xx";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "there is no language xx, expected one of en, de");
+  }
+}
+
+}  // namespace
+}  // namespace bodkin::app
