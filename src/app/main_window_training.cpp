@@ -9,6 +9,7 @@
 #include "app/pages/cards.h"
 #include "app/pages/practise.h"
 #include "app/pages/start.h"
+#include "views/language.h"
 #include "views/top_bar.h"
 
 #include "training/procedure_file.h"
@@ -49,7 +50,7 @@ void MainWindow::offer_plan() {
 void MainWindow::begin_stage() {
   QSettings settings;
   const std::optional<training::PlanStage> stage = run_->stage();
-  settings.setValue(QStringLiteral("training/title"), QString::fromStdString(run_->standing().use.plan.title));
+  settings.setValue(QStringLiteral("training/title"), in_words(run_->standing().use.plan.title));
   settings.setValue(QStringLiteral("training/is_begun"), stage.has_value());
   leave_page();
   const bool is_same = stage_ && stage && stage_->patient == stage->patient && practice_.patient() != nullptr;
@@ -62,7 +63,7 @@ void MainWindow::begin_stage() {
   const bool had_ultrasound = has_ultrasound_;
   stage_ = stage;
   stage_number_ = run_->stage_number();
-  plan_words_ = QString::fromStdString(standing_words(run_->standing()));
+  plan_words_ = in_words(standing_words(run_->standing()));
   practice_.set_stage(stage_);
   has_ultrasound_ = stage_->aids.ultrasound;
   sounds_.allow(stage_->aids.sound);
@@ -118,7 +119,7 @@ bool MainWindow::may_show(PageId id) {
 void MainWindow::take_attempt(const AttemptResult& result) {
   if (!stage_ || run_ == nullptr || !result.record || result.time_in_body <= 0.0) return;
   run_->keep(*result.record);
-  plan_words_ = QString::fromStdString(standing_words(run_->standing()));
+  plan_words_ = in_words(standing_words(run_->standing()));
 }
 
 void MainWindow::another_attempt() {
@@ -133,7 +134,7 @@ void MainWindow::advance_plan(const Frame& frame) {
   if (standing_.valid() && standing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
     PlanStanding standing = standing_.get();
     if (!standing.trouble.empty()) {
-      start_->say(QString::fromStdString(standing.trouble), true);
+      start_->say(in_words(standing.trouble), true);
       practice_.say(standing.trouble);
     } else {
       leave_stage();
@@ -154,7 +155,7 @@ void MainWindow::advance_plan(const Frame& frame) {
     if (practice_.changes().attempt) steps_.begin();
     steps_.follow(frame);
     if (const training::Step* const next = steps_.next())
-      step = QString::fromStdString(next->title + ". " + next->text);
+      step = in_words(next->title) + QStringLiteral(". ") + in_words(next->text);
   }
   practise_->show_plan(plan_words_, step);
   if (state == State::ended) {

@@ -198,7 +198,7 @@
     </message>
     <message>
         <source>The planned path is not shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Der geplante Weg wird nicht gezeigt</translation>
     </message>
 </context>
 <context>
@@ -556,7 +556,7 @@
     </message>
     <message>
         <source>Training plan</source>
-        <translation type="unfinished"></translation>
+        <translation>Übungsplan</translation>
     </message>
 </context>
 <context>
@@ -570,11 +570,11 @@
     <name>LearningCurve</name>
     <message>
         <source>Learning curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernkurve</translation>
     </message>
     <message>
         <source>The learning curve appears here after the first attempt.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Lernkurve erscheint hier nach dem ersten Versuch.</translation>
     </message>
 </context>
 <context>
@@ -776,15 +776,15 @@
     </message>
     <message>
         <source>Follow a plan</source>
-        <translation type="unfinished"></translation>
+        <translation>Einem Plan folgen</translation>
     </message>
     <message>
         <source>Stages that a teacher has laid out, and how far you are</source>
-        <translation type="unfinished"></translation>
+        <translation>Stufen, die ein Lehrer festgelegt hat, und wie weit Sie sind</translation>
     </message>
     <message>
         <source>This stage of the plan is done without ultrasound.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Stufe des Plans geht ohne Ultraschall.</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -792,15 +792,15 @@
     </message>
     <message>
         <source>The plan that you follow does not allow this now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Plan, dem Sie folgen, erlaubt das jetzt nicht.</translation>
     </message>
     <message>
         <source>The plan   A</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Plan   A</translation>
     </message>
     <message>
         <source>Next stage   A</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächste Stufe   A</translation>
     </message>
 </context>
 <context>
@@ -2288,19 +2288,19 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
     </message>
     <message>
         <source>Go on</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter</translation>
     </message>
     <message>
         <source>The next attempt of the plan</source>
-        <translation type="unfinished"></translation>
+        <translation>Der nächste Versuch des Plans</translation>
     </message>
     <message>
         <source>Stop following</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht mehr folgen</translation>
     </message>
     <message>
         <source>Offer it no more; results stay in the store</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht mehr anbieten; die Ergebnisse bleiben</translation>
     </message>
 </context>
 <context>
@@ -2471,119 +2471,119 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
     <name>TrainingPage</name>
     <message>
         <source>planned path</source>
-        <translation type="unfinished"></translation>
+        <translation>geplanten Weg</translation>
     </message>
     <message>
         <source>slices</source>
-        <translation type="unfinished"></translation>
+        <translation>Schichten</translation>
     </message>
     <message>
         <source>view of the inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Blick ins Innere</translation>
     </message>
     <message>
         <source>tissues by depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe nach Tiefe</translation>
     </message>
     <message>
         <source>picture of the needle</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild der Nadel</translation>
     </message>
     <message>
         <source>sound</source>
-        <translation type="unfinished"></translation>
+        <translation>Ton</translation>
     </message>
     <message>
         <source>hints</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinweise</translation>
     </message>
     <message>
         <source>everything is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>alles wird gezeigt</translation>
     </message>
     <message>
         <source>without %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne %1</translation>
     </message>
     <message>
         <source>; with ultrasound</source>
-        <translation type="unfinished"></translation>
+        <translation>; mit Ultraschall</translation>
     </message>
     <message>
         <source>Follow a plan</source>
-        <translation type="unfinished"></translation>
+        <translation>Einem Plan folgen</translation>
     </message>
     <message>
         <source>Plans</source>
-        <translation type="unfinished"></translation>
+        <translation>Pläne</translation>
     </message>
     <message>
         <source>Plans that come with Bodkin, and those that were opened before</source>
-        <translation type="unfinished"></translation>
+        <translation>Pläne, die mit Bodkin kommen, und schon geöffnete</translation>
     </message>
     <message>
         <source>Open a plan...</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Plan öffnen ...</translation>
     </message>
     <message>
         <source>Open a plan</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Plan öffnen</translation>
     </message>
     <message>
         <source>A file that a teacher has written</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Datei, die ein Lehrer geschrieben hat</translation>
     </message>
     <message>
         <source>Your label. No name is needed: trainee-07</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihr Kürzel. Kein Name ist nötig: trainee-07</translation>
     </message>
     <message>
         <source>Label of the trainee</source>
-        <translation type="unfinished"></translation>
+        <translation>Kürzel des Übenden</translation>
     </message>
     <message>
         <source>Results are kept under this label; letters, digits, blanks, '_', '-' and '.'</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse werden unter diesem Kürzel behalten; Buchstaben, Ziffern, Leerzeichen, '_', '-' und '.'</translation>
     </message>
     <message>
         <source>Begin     Enter</source>
-        <translation type="unfinished"></translation>
+        <translation>Beginnen     Eingabe</translation>
     </message>
     <message>
         <source>Begin, or go on</source>
-        <translation type="unfinished"></translation>
+        <translation>Beginnen, oder weitermachen</translation>
     </message>
     <message>
         <source>The next attempt of this plan</source>
-        <translation type="unfinished"></translation>
+        <translation>Der nächste Versuch dieses Plans</translation>
     </message>
     <message>
         <source>A plan</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Plan</translation>
     </message>
     <message>
         <source>Plans (*.xml);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Pläne (*.xml);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Looking up how far you are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wird nachgesehen, wie weit Sie sind.</translation>
     </message>
     <message>
         <source>Go on     Enter</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter     Eingabe</translation>
     </message>
     <message>
         <source>done</source>
-        <translation type="unfinished"></translation>
+        <translation>fertig</translation>
     </message>
     <message>
         <source>now</source>
-        <translation type="unfinished"></translation>
+        <translation>jetzt</translation>
     </message>
     <message>
         <source>later</source>
-        <translation type="unfinished"></translation>
+        <translation>später</translation>
     </message>
 </context>
 <context>
@@ -3234,7 +3234,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
     </message>
     <message>
         <source>Language of the window, such as de</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprache des Fensters, etwa de</translation>
     </message>
 </context>
 </TS>

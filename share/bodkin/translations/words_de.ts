@@ -440,6 +440,10 @@
         <source>write the report</source>
         <translation>den Bericht schreiben</translation>
     </message>
+    <message>
+        <source>begin, or go on</source>
+        <translation>beginnen, oder weitermachen</translation>
+    </message>
 </context>
 <context>
     <name>Words</name>
@@ -2158,6 +2162,58 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The plan is finished</source>
+        <translation>Der Plan ist abgeschlossen</translation>
+    </message>
+    <message>
+        <source>Stage %1 of %2: %3.</source>
+        <translation>Stufe %1 von %2: %3.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 passed in a row</source>
+        <translation>%1 von %2 nacheinander bestanden</translation>
+    </message>
+    <message>
+        <source>%1 of %2 passed in a row, attempt %3 of %4</source>
+        <translation>%1 von %2 nacheinander bestanden, Versuch %3 von %4</translation>
+    </message>
+    <message>
+        <source>attempt %1, mastery not shown yet</source>
+        <translation>Versuch %1, Können noch nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>attempt %1 of %2</source>
+        <translation>Versuch %1 von %2</translation>
+    </message>
+    <message>
+        <source>Lumbar puncture, first steps</source>
+        <translation>Lumbalpunktion, erste Schritte</translation>
+    </message>
+    <message>
+        <source>Everything shown</source>
+        <translation>Alles wird gezeigt</translation>
+    </message>
+    <message>
+        <source>Without the planned path</source>
+        <translation>Ohne den geplanten Weg</translation>
+    </message>
+    <message>
+        <source>By feel and by the skin</source>
+        <translation>Nach Gefühl und an der Haut</translation>
+    </message>
+    <message>
+        <source>Lumbar puncture to mastery</source>
+        <translation>Lumbalpunktion bis zum Können</translation>
+    </message>
+    <message>
+        <source>With ultrasound</source>
+        <translation>Mit Ultraschall</translation>
+    </message>
+    <message>
+        <source>Without help, until mastery</source>
+        <translation>Ohne Hilfe, bis zum Können</translation>
     </message>
 </context>
 </TS>

@@ -15,6 +15,7 @@
 #include <chrono>
 
 #include "report/learning_plot.h"
+#include "views/language.h"
 #include "views/theme.h"
 
 #include "training/plan.h"
@@ -186,7 +187,7 @@ void TrainingPage::list_plans() {
   };
   try {
     for (const std::string& name : training::shipped_plans())
-      add(QString::fromStdString(name), QString::fromStdString(training::read_plan(training::find_plan(name)).title));
+      add(QString::fromStdString(name), in_words(training::read_plan(training::find_plan(name)).title));
   } catch (const std::exception& error) {
     line_->setText(QString::fromStdString(error.what()));
   }
@@ -236,13 +237,13 @@ void TrainingPage::advance(double /*clock*/) {
 
 void TrainingPage::show_standing() {
   const PlanStanding& now = *standing_;
-  line_->setText(QString::fromStdString(now.trouble));
+  line_->setText(in_words(now.trouble));
   line_->setStyleSheet(QStringLiteral("color: %1;").arg(Theme::now().danger.name()));
   line_->setVisible(!now.trouble.empty());
   follow_->setEnabled(now.has_plan() && now.trouble.empty() && !trainee_->text().isEmpty());
   follow_->setText(now.attempts.empty() ? tr("Begin     Enter") : tr("Go on     Enter"));
-  title_->setText(QString::fromStdString(now.use.plan.title));
-  progress_->setText(now.has_plan() ? QString::fromStdString(standing_words(now)) : QString());
+  title_->setText(in_words(now.use.plan.title));
+  progress_->setText(now.has_plan() ? in_words(standing_words(now)) : QString());
   progress_->setVisible(now.has_plan());
   const int at = now.has_plan() ? now.progress().stage : 0;
   const QString faint = Theme::now().second.name(), done = Theme::now().good.name();
@@ -258,7 +259,7 @@ void TrainingPage::show_standing() {
     text +=
         QStringLiteral("<tr><td>%1.&nbsp;</td><td>%2<br><span style='color:%3'>%4</span></td><td>&nbsp;%5</td></tr>")
             .arg(number)
-            .arg(QString::fromStdString(stage.title).toHtmlEscaped(), faint, without_words(stage.aids), state);
+            .arg(in_words(stage.title).toHtmlEscaped(), faint, without_words(stage.aids), state);
   }
   stages_->setText(text + QStringLiteral("</table>"));
   // The procedure of the stage that is to be done; where the case names it, the one that was practised last.
