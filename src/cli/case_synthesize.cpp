@@ -97,6 +97,7 @@ void add_case_synthesize_command(CLI::App& case_group, CommandContext& context) 
   on_run(*command, [options, &context] { run_case_synthesize(*options, context); });
   add_case_synthesize_body_command(*group, context);
   add_case_synthesize_phantom_command(*group, context);
+  add_case_synthesize_shoulder_command(*group, context);
 }
 
 }  // namespace bodkin::cli

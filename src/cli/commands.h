@@ -21,6 +21,7 @@ void add_case_new_command(CLI::App& case_group, CommandContext& context);
 void add_case_synthesize_command(CLI::App& case_group, CommandContext& context);
 void add_case_synthesize_body_command(CLI::App& group, CommandContext& context);
 void add_case_synthesize_phantom_command(CLI::App& group, CommandContext& context);
+void add_case_synthesize_shoulder_command(CLI::App& group, CommandContext& context);
 void add_case_check_command(CLI::App& case_group, CommandContext& context);
 void add_case_show_command(CLI::App& case_group, CommandContext& context);
 void add_case_plan_command(CLI::App& case_group, CommandContext& context);

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "patient/shoulder/shoulder.h"
+
+#include "anatomy/case.h"
+
+namespace bodkin::patient {
+
+// A case of a synthetic shoulder.
+struct ShoulderCase {
+  std::filesystem::path folder;
+  bool overwrite = false;
+  std::string name;  // empty: the folder's
+  std::string procedure = "joint_injection";
+  std::optional<anatomy::Needle> needle;  // none: of `gauge`, 50 mm long where that reaches, or else 90 mm
+  int gauge = 22;
+  anatomy::Mechanics mechanics = anatomy::Mechanics::tables;
+  ShoulderParameters shoulder;
+};
+
+// Writes it with a tissue library of its own. Whole or not at all. Throws InputError for sizes out of range, and a
+// folder that may not be replaced; SystemError when the disk is at fault.
+anatomy::CaseDescription write_shoulder_case(const ShoulderCase& wanted, const Progress& progress = {});
+
+}  // namespace bodkin::patient
