@@ -22,6 +22,6 @@ packages_to_test=(
   clang clang-format clang-tidy libclang-rt-14-dev llvm libxml2-utils poppler-utils
   xvfb xauth xdotool imagemagick ffmpeg
   libsuitesparse-dev calculix-ccx libopenigtlink-dev openmpi-bin
-  postgresql curl
+  postgresql curl chromium-headless-shell
   g++-aarch64-linux-gnu qemu-user
 )

@@ -42,6 +42,7 @@ void add_import_command(CLI::App& app, CommandContext& context);
 void add_cohort_command(CLI::App& app, CommandContext& context);
 void add_score_command(CLI::App& app, CommandContext& context);
 void add_plan_command(CLI::App& app, CommandContext& context);
+void add_experts_command(CLI::App& app, CommandContext& context);
 void add_results_command(CLI::App& app, CommandContext& context);
 void add_teacher_command(CLI::App& app, CommandContext& context);
 void add_stations_command(CLI::App& app, CommandContext& context);

@@ -91,6 +91,7 @@ int run_program(int argc, char** argv) {
   add_cohort_command(app, context);
   add_score_command(app, context);
   add_plan_command(app, context);
+  add_experts_command(app, context);
   add_results_command(app, context);
   add_teacher_command(app, context);
   add_stations_command(app, context);

@@ -23,6 +23,7 @@
 #include "core/files.h"
 #include "io/case_folder.h"
 #include "io/run_program.h"
+#include "training/expert_table.h"
 #include "training/procedure_file.h"
 #include "training/score_json.h"
 
@@ -86,8 +87,8 @@ void run_report(const ReportArguments& arguments, const CommandContext& context)
   const training::Procedure procedure = arguments.procedure.empty()
                                             ? training::procedure_of_case(description.procedure.name)
                                             : training::find_procedure(arguments.procedure);
-  const auto experts = arguments.experts.empty() ? training::ExpertSet::shipped(procedure.name)
-                                                 : training::ExpertSet::read(arguments.experts);
+  const auto experts =
+      arguments.experts.empty() ? training::experts_of(procedure.name) : training::ExpertSet::read(arguments.experts);
   // Voxels of another patient than the recorded one say nothing about what the needle met.
   const training::PatientVolumes volumes =
       changed ? training::PatientVolumes{} : training::PatientVolumes{&patient.structures, &patient.tissues};

@@ -14,6 +14,7 @@
 #include "cli/console.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "training/expert_table.h"
 #include "training/procedure_file.h"
 #include "training/recorded_patient.h"
 #include "training/score_json.h"
@@ -91,7 +92,7 @@ void run_score(const ScoreArguments& arguments, CommandContext& context) {
       if (!arguments.folder.empty()) throw InputError(fmt::format("--case: {}", patient.missing));
       console.note(patient.missing);
     }
-    const auto experts = given ? given : training::ExpertSet::shipped(procedure.name);
+    const auto experts = given ? given : training::experts_of(procedure.name);
     const training::Score score =
         training::score(session, description, procedure, patient.volumes(), experts ? &*experts : nullptr);
     if (score.verdict >= training::Grade::fail) context.exit_code = exit_not_passed;

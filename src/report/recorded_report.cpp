@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "io/case_folder.h"
 #include "io/resources.h"
+#include "training/expert_table.h"
 #include "training/procedure_file.h"
 
 namespace bodkin::report {
@@ -29,7 +30,7 @@ std::string recorded_report_html(const fs::path& file) {
                                                    session::mesh_digest(folder, session.header.haptics.resistance));
   const anatomy::CaseDescription description = training::description_of(session);
   const training::Procedure procedure = training::procedure_of_case(description.procedure.name);
-  const auto experts = training::ExpertSet::shipped(procedure.name);
+  const auto experts = training::experts_of(procedure.name);
   // Voxels of another patient than the recorded one say nothing about what the needle met.
   const training::PatientVolumes volumes =
       changed ? training::PatientVolumes{} : training::PatientVolumes{&patient.structures, &patient.tissues};

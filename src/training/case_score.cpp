@@ -1,5 +1,6 @@
 #include "training/case_score.h"
 
+#include "training/expert_table.h"
 #include "training/procedure_file.h"
 
 namespace bodkin::training {
@@ -7,7 +8,7 @@ namespace bodkin::training {
 Score score_on_case(const session::Session& session, const anatomy::Case& patient, const std::string& name) {
   const Procedure procedure =
       name.empty() ? procedure_of_case(patient.description.procedure.name) : find_procedure(name);
-  const auto experts = ExpertSet::shipped(procedure.name);
+  const auto experts = experts_of(procedure.name);
   return score(session, patient.description, procedure, {&patient.structures, &patient.tissues},
                experts ? &*experts : nullptr);
 }

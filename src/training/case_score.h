@@ -9,7 +9,7 @@
 namespace bodkin::training {
 
 // Judges a session that was just recorded on `patient`: by the procedure that the case names, with all its voxels,
-// and compared with the experts that come with Bodkin for it. `procedure`: a name or a file instead; empty: the
+// and compared with the experts at it (experts_of). `procedure`: a name or a file instead; empty: the
 // case's. Throws InputError.
 Score score_on_case(const session::Session& session, const anatomy::Case& patient, const std::string& procedure = {});
 

@@ -62,6 +62,20 @@ void follow(const Attempt& attempt, std::size_t index, Puncture& puncture) {
   puncture.reaction = attempt.time[stop] - attempt.time[index];
 }
 
+// The greatest speed inwards in the second before, over a span in which tremor cancels.
+double approach_speed(const Attempt& attempt, std::size_t index) {
+  constexpr double looked_back = 1.0, span_of_approach = 0.1;  // s
+  const auto span = static_cast<std::size_t>(std::max(1.0, std::round(span_of_approach / attempt.dt())));
+  double fastest = 0.0;
+  for (std::size_t i = index; i >= span; --i) {
+    const std::size_t before = i - span;
+    if (attempt.time[index] - attempt.time[before] > looked_back || attempt.inside[before] == 0) break;
+    const double time = attempt.time[i] - attempt.time[before];
+    if (time > 0.0) fastest = std::max(fastest, (attempt.depth[i] - attempt.depth[before]) / time);
+  }
+  return fastest;
+}
+
 std::vector<Puncture> find_punctures(const Attempt& attempt) {
   std::vector<Puncture> found;
   for (const session::SessionEvent& each : attempt.session().events) {
@@ -74,6 +88,7 @@ std::vector<Puncture> find_punctures(const Attempt& attempt) {
     Puncture puncture{.kind = event.kind, .tissue = event.tissue, .time = attempt.time[index], .depth = event.depth};
     puncture.force = std::max(event.value, event.felt);
     follow(attempt, index, puncture);
+    puncture.approach = approach_speed(attempt, index == 0 ? 0 : index - 1);
     found.push_back(puncture);
   }
   return found;

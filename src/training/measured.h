@@ -18,6 +18,7 @@ struct Puncture {
   double overshoot = 0.0;  // mm that the tip went further until it stopped (slower than 1 mm/s inwards)
   double speed = 0.0;      // mm/s, greatest on that way, over 20 ms
   double reaction = 0.0;   // s until it stopped
+  double approach = 0.0;   // mm/s, greatest inwards in the second before, over 100 ms
 };
 
 // A tissue over the whole session, however often the tip came there.

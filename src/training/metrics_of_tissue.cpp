@@ -56,6 +56,9 @@ std::optional<double> loss_overshoot(const Measured& measured) {
 std::optional<double> loss_speed(const Measured& measured) {
   return of_loss(measured, &Puncture::speed);
 }
+std::optional<double> loss_approach(const Measured& measured) {
+  return of_loss(measured, &Puncture::approach);
+}
 std::optional<double> loss_reaction(const Measured& measured) {
   return of_loss(measured, &Puncture::reaction);
 }
@@ -105,6 +108,8 @@ std::vector<Metric> metrics_of_tissue() {
        loss_force},
       {"loss_overshoot_mm", "mm", "overshoot after the loss of resistance",
        "travel inwards until the tip is slower than 1 mm/s", "Bodkin", loss_overshoot},
+      {"loss_approach_mm_per_s", "mm/s", "speed before the loss of resistance",
+       "greatest speed inwards in the second before it, over 100 ms", "Bodkin", loss_approach},
       {"loss_speed_mm_per_s", "mm/s", "speed after the loss of resistance",
        "greatest speed inwards until then, over 20 ms", "Bodkin", loss_speed},
       {"loss_reaction_s", "s", "reaction to the loss of resistance", "time until then", "Bodkin", loss_reaction},

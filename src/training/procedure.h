@@ -111,7 +111,7 @@ struct Forbidden {
 };
 
 // What a metric must be. Inside `pass_from` to `pass_to` it is a pass, else inside `borderline_from` to
-// `borderline_to` borderline, else `beyond`. A metric that a session does not have is not judged.
+// `borderline_to` borderline, else `beyond`. A session that does not have the metric is graded `absent`.
 struct Rule {
   std::string metric;
   double pass_from = -unbounded;
@@ -120,6 +120,8 @@ struct Rule {
   double borderline_to = unbounded;
   Grade beyond = Grade::fail;
   std::string advice;
+  Grade absent = Grade::pass;
+  std::string absent_says;
 
   template <typename S = Rule>
   static constexpr auto parameters() {
@@ -131,12 +133,17 @@ struct Rule {
         Parameter{"borderline_from", &S::borderline_from, any, "", "least value that is borderline", Origin::choice},
         Parameter{"borderline_to", &S::borderline_to, any, "", "greatest value that is borderline", Origin::choice},
         Parameter{"beyond", &S::beyond, "grade of any other value", Origin::choice},
-        Parameter{"advice", &S::advice, "what to do better", Origin::choice}};
+        Parameter{"advice", &S::advice, "what to do better", Origin::choice},
+        Parameter{"absent", &S::absent, "grade of a session that has no value of it", Origin::choice},
+        Parameter{"absent_says", &S::absent_says, "what is said then", Origin::choice}};
   }
   template <typename S = Rule>
   static constexpr auto relations() {
-    return std::tuple{AtMost{&S::pass_from, &S::pass_to}, AtMost{&S::borderline_from, &S::pass_from},
-                      AtMost{&S::pass_to, &S::borderline_to}};
+    return std::tuple{
+        Relation<S>{[](const S& rule) { return (rule.absent == Grade::pass) == rule.absent_says.empty(); },
+                    "absent and absent_says do not fit, expected both or neither"},
+        AtMost{&S::pass_from, &S::pass_to}, AtMost{&S::borderline_from, &S::pass_from},
+        AtMost{&S::pass_to, &S::borderline_to}};
   }
 
   // The grade of a value; a value that is not a number is `beyond`.

@@ -1,5 +1,6 @@
 #include "training/recorded_score.h"
 
+#include "training/expert_table.h"
 #include "training/procedure_file.h"
 #include "training/recorded_patient.h"
 
@@ -16,7 +17,7 @@ RecordedScore score_recording(const std::filesystem::path& file, const std::stri
       result.session, result.description,
       folder.empty() ? std::filesystem::path(result.session.header.case_folder) : folder, by, progress);
   result.missing = patient.missing;
-  const auto experts = ExpertSet::shipped(by.name);
+  const auto experts = experts_of(by.name);
   result.score = score(result.session, result.description, by, patient.volumes(), experts ? &*experts : nullptr);
   return result;
 }

@@ -207,7 +207,10 @@ class Scorer {
     for (const Rule& rule : procedure_.rules) {
       const auto result = std::find_if(score_.metrics.begin(), score_.metrics.end(),
                                        [&](const MetricResult& each) { return each.metric->name == rule.metric; });
-      if (result == score_.metrics.end()) continue;
+      if (result == score_.metrics.end()) {
+        if (rule.absent != Grade::pass) add(rule.absent, rule.metric, rule.absent_says);
+        continue;
+      }
       const Grade grade = rule.grade_of(result->value);
       result->grade = worse(grade, result->grade.value_or(Grade::pass));
       const bool told = rule.metric == "loss_overshoot_mm";  // by tell_loss()

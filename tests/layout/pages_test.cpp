@@ -113,6 +113,27 @@ TEST(Pages, no_link_is_dead) {
   EXPECT_GT(checked, 150);
 }
 
+// What a procedure comes with: a page that teaches it, with the command that makes its synthetic patient, and
+// experts. `needle_insertion` is what all have in common.
+TEST(Pages, every_procedure_has_a_teaching_page_a_patient_and_experts) {
+  int checked = 0;
+  for (const auto& entry : fs::directory_iterator(repository / "share/bodkin/procedures")) {
+    const std::string name = entry.path().stem().string();
+    if (name == "needle_insertion") continue;
+    ++checked;
+    const fs::path page = repository / "docs/procedures" / (name + ".md");
+    ASSERT_TRUE(fs::exists(page)) << name;
+    const std::string text = read_text(page);
+    EXPECT_TRUE(text.find("bodkin case synthesize ") != std::string::npos ||
+                text.find("bodkin points") != std::string::npos)
+        << page << " names no patient to begin with";
+    const std::string experts = read_text(repository / "share/bodkin/experts" / (name + ".csv"));
+    EXPECT_GT(std::count(experts.begin(), experts.end(), '\n'), 60) << name << " has no simulated experts";
+    EXPECT_NE(experts.find("bodkin case synthesize "), std::string::npos) << name << ": of which patient are they?";
+  }
+  EXPECT_GE(checked, 7);
+}
+
 TEST(Pages, every_file_that_a_page_names_exists) {
   // `src/forces/rail.h`, and `forces/rail.h` for short; what contains NAME or a pattern is no file.
   static const std::regex quoted(R"(`((?:[a-z_]+/)+[\w.-]+)`)");

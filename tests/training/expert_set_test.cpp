@@ -58,7 +58,8 @@ TEST(ExpertSet, refuses_what_is_no_table_of_attempts) {
 // Every rule of a procedure about what a hand does compares with the experts that come for it, and they are experts:
 // none harmed anybody, and nearly all passed.
 TEST(ExpertSet, shipped_experts_have_what_their_procedure_asks_about_and_nearly_all_pass) {
-  for (const char* name : {"lumbar_puncture", "spinal_anaesthesia", "epidural", "ct_guided_biopsy", "acupuncture"}) {
+  for (const std::string& name : shipped_procedures()) {
+    if (name == "needle_insertion") continue;  // it has no aim of its own
     const auto experts = ExpertSet::shipped(name);
     ASSERT_TRUE(experts.has_value()) << name;
     EXPECT_EQ(experts->size(), 60U) << name;
@@ -66,6 +67,7 @@ TEST(ExpertSet, shipped_experts_have_what_their_procedure_asks_about_and_nearly_
     for (const Rule& rule : find_procedure(name).rules) {
       const std::string_view metric = rule.metric;
       if (metric == "bone_force_N" || metric.starts_with("twirl")) continue;  // nobody met bone, nobody twirls
+      if (metric.find("slice") != std::string_view::npos) continue;           // nobody holds a probe
       const auto place = experts->place(metric, 0.0);
       ASSERT_TRUE(place.has_value()) << name << ' ' << metric;
       ++rules;

@@ -52,8 +52,8 @@ TEST(ProcedureFile, those_that_come_with_bodkin_are_sound) {
     for (const char* tissue : {"spinal_cord", "nerve", "vessel", "lung"})
       EXPECT_TRUE(forbids(tissue)) << name << ' ' << tissue;
   }
-  for (const char* name :
-       {"lumbar_puncture", "epidural", "spinal_anaesthesia", "ct_guided_biopsy", "joint_injection", "acupuncture"})
+  for (const char* name : {"lumbar_puncture", "epidural", "spinal_anaesthesia", "ct_guided_biopsy", "joint_injection",
+                           "ultrasound_guided_injection", "acupuncture"})
     EXPECT_TRUE(names.contains(name)) << name;
 }
 

@@ -172,6 +172,42 @@ TEST(Score, overshoot_after_the_loss_of_resistance_is_told_with_depth_way_and_sp
                                            "before you stopped, at up to 31 mm/s"));
 }
 
+// An epidural whose tip rests in the epidural space, with a way through the ligament and what happens at its end.
+WrittenSession epidural(int ticks_in_ligament, bool is_felt, int ticks_of_yield = 400) {
+  WrittenSession written;
+  written.to(0, 500, WrittenSession::air).event(EventKind::contact, tissue::skin);
+  written.to(36, 8000, {true, tissue::interspinous_ligament, 1.5});
+  written.to(40, ticks_in_ligament, {true, tissue::ligamentum_flavum, 3.0});
+  if (is_felt) written.event(EventKind::loss_of_resistance, tissue::epidural_fat, 2.0);
+  written.to(40.5, ticks_of_yield, {true, tissue::epidural_fat, 0.3});
+  return written.rest(3000, {true, tissue::epidural_fat, 0.1});
+}
+
+TEST(Score, an_epidural_that_nobody_felt_is_no_pass) {
+  const training::Procedure procedure = find_procedure("epidural");
+  EXPECT_EQ(score_of(epidural(2000, true), procedure).verdict, Grade::pass);
+  const Score unfelt = score_of(epidural(2000, false), procedure);
+  EXPECT_TRUE(unfelt.reached);
+  EXPECT_EQ(unfelt.verdict, Grade::borderline);
+  EXPECT_THAT(sentences(unfelt), HasSubstr("There was no loss of resistance"));
+  WrittenSession by_syringe = epidural(2000, false);
+  by_syringe.event(EventKind::pressure_lost, tissue::epidural_fat, 0.01);
+  EXPECT_EQ(score_of(by_syringe, procedure).verdict, Grade::pass);
+}
+
+// What a hand does before the ligament gives way is its own; the half millimetre that it springs forward then is not.
+TEST(Score, speed_in_the_ligament_is_judged_and_its_sudden_yield_is_not) {
+  const training::Procedure procedure = find_procedure("epidural");
+  const Score springs = score_of(epidural(2000, true, 40), procedure);  // 0.5 mm at 12.5 mm/s
+  EXPECT_NEAR(springs.find("loss_speed_mm_per_s")->value, 12.5, 0.1);
+  EXPECT_NEAR(springs.find("loss_approach_mm_per_s")->value, 2.0, 0.1);
+  EXPECT_EQ(springs.verdict, Grade::pass);
+  const Score fast = score_of(epidural(200, true), procedure);
+  EXPECT_NEAR(fast.find("loss_approach_mm_per_s")->value, 20.0, 0.2);
+  EXPECT_EQ(fast.verdict, Grade::fail);
+  EXPECT_THAT(sentences(fast), HasSubstr("Slow down as soon as you feel the ligamentum flavum"));
+}
+
 TEST(Score, the_verdict_is_the_worst_finding) {
   Random random(11);
   for (int trial = 0; trial < 60; ++trial) {

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "training/attempt.h"
 #include "training/case_score.h"
+#include "training/expert_table.h"
 #include "training/procedure_file.h"
 
 namespace bodkin::app {
@@ -140,7 +141,7 @@ void Recording::judge(bool is_same) {
       return;
     }
     const training::Procedure procedure = training::procedure_of_case(description.procedure.name);
-    const auto experts = training::ExpertSet::shipped(procedure.name);
+    const auto experts = training::experts_of(procedure.name);
     score_ = training::score(session_, description, procedure, {}, experts ? &*experts : nullptr);
   } catch (const InputError& error) {
     not_judged_ = error.what();

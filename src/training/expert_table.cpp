@@ -1,0 +1,96 @@
+#include "training/expert_table.h"
+
+#include <algorithm>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/files.h"
+#include "io/data_folder.h"
+#include "io/resources.h"
+#include "training/score_json.h"
+
+namespace bodkin::training {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t largest_table = std::size_t{64} << 20;  // bytes
+
+struct TableRow {
+  std::string digest, fields;  // fields: all but the digest
+};
+
+std::string table_head() {
+  return "digest," + score_csv_columns();
+}
+
+// The rows that a table of ours holds; none where there is no file.
+std::vector<TableRow> rows_of(const fs::path& file) {
+  std::error_code error;
+  if (!fs::exists(file, error)) return {};
+  const std::string text = io::read_text_file(file, largest_table);
+  std::vector<TableRow> rows;
+  bool has_head = false;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t end = std::min(text.find('\n', from), text.size());
+    const std::string_view line = std::string_view(text).substr(from, end - from);
+    from = end + 1;
+    if (line.empty() || line.front() == '#') continue;
+    if (!has_head) {
+      has_head = true;
+      if (line == table_head()) continue;
+      throw InputError(
+          fmt::format("{}: its columns are not those of this version; delete the table with 'bodkin experts delete "
+                      "{}' and import "
+                      "the sessions again",
+                      file.string(), file.stem().string()));
+    }
+    const std::size_t comma = std::min(line.find(','), line.size() - 1);
+    rows.push_back({std::string(line.substr(0, comma)), std::string(line.substr(comma + 1))});
+  }
+  return rows;
+}
+
+}  // namespace
+
+fs::path own_expert_file(const std::string& procedure) {
+  return io::data_folder() / "experts" / (procedure + ".csv");
+}
+
+std::optional<ExpertSet> experts_of(const std::string& procedure) {
+  const fs::path own = own_expert_file(procedure);
+  std::error_code error;
+  if (fs::is_regular_file(own, error)) return ExpertSet::read(own);
+  return ExpertSet::shipped(procedure);
+}
+
+ExpertsAdded add_experts(const fs::path& file, std::span<const ExpertAttempt> attempts) {
+  std::vector<TableRow> rows = rows_of(file);
+  ExpertsAdded result;
+  for (const ExpertAttempt& attempt : attempts) {
+    const auto same =
+        std::find_if(rows.begin(), rows.end(), [&](const TableRow& row) { return row.digest == attempt.digest; });
+    TableRow row{attempt.digest, score_csv_fields(attempt.score)};
+    if (same != rows.end()) {
+      *same = std::move(row);
+      ++result.known;
+    } else {
+      rows.push_back(std::move(row));
+      ++result.added;
+    }
+  }
+  result.attempts = rows.size();
+  std::string text =
+      "# Attempts of experts, imported by 'bodkin experts import'. A row is known by the digest of its session.\n";
+  text += table_head() + '\n';
+  for (const TableRow& row : rows) text += fmt::format("{},{}\n", row.digest, row.fields);
+  if (!rows.empty()) write_file(file, text);
+  return result;
+}
+
+}  // namespace bodkin::training
