@@ -17,7 +17,8 @@ namespace {
 using imaging::escape_markup;
 
 constexpr const char* stations_style =
-    ".stations{display:flex;flex-wrap:wrap;gap:16px}.station{border:1px solid #8886;border-radius:8px;padding:12px;"
+    "main{max-width:1500px}.stations{display:flex;flex-wrap:wrap;gap:16px}.station{border:1px solid "
+    "#8886;border-radius:8px;padding:12px;"
     "width:340px}.station h2{margin:0 0 4px}.station img{width:100%;background:#000;border-radius:6px}.station svg{"
     "width:100%;height:90px;background:#fff;border-radius:6px}.lost{color:#b3261e}";
 
@@ -90,9 +91,10 @@ std::string stations_page(const std::vector<StationCard>& cards) {
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta http-equiv=\"refresh\" "
       "content=\"1\">\n<meta name=\"viewport\" "
       "content=\"width=device-width\">\n<title>Stations</title>\n<style>\n{}{}"
-      "</style>\n</head>\n<body>\n<p class=\"under\"><a href=\"/\">All trainees</a></p>\n<h1>Stations</h1>\n<p "
+      "</style>\n</head>\n<body>\n<main>\n<p class=\"under\"><a href=\"/\">All "
+      "trainees</a></p>\n<h1>Stations</h1>\n<p "
       "class=\"under\">{} stations, {} connected; new every second</p>\n<div "
-      "class=\"stations\">\n{}</div>\n</body>\n</"
+      "class=\"stations\">\n{}</div>\n</main>\n</body>\n</"
       "html>\n",
       report_style(), stations_style, cards.size(),
       std::count_if(cards.begin(), cards.end(), [](const StationCard& card) { return card.trouble.empty(); }),

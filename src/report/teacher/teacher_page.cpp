@@ -21,15 +21,18 @@ using training::AttemptRecord;
 using training::CohortRow;
 
 constexpr const char* teacher_style =
-    "table{width:100%}td.number,th.number{text-align:right}td a{font-weight:600}svg{max-width:100%;height:auto;"
+    ":root{--link:#0b5cad}@media screen and (prefers-color-scheme:dark){:root{--link:#7db8f0}}"
+    "main{max-width:1100px}table{width:100%}td.number,th.number{text-align:right}a{color:var(--link)}td "
+    "a{font-weight:600}td.pass{color:var(--mark);font-weight:600}svg{max-width:100%;height:auto;"
     "background:#fff;border-radius:6px}";
 
 std::string page_of(const std::string& title, const std::string& under, const std::string& body, bool is_home) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-      "content=\"width=device-width\">\n<title>{0}</title>\n<style>\n{1}{2}</style>\n</head>\n<body>\n{3}<h1>{0}</"
+      "content=\"width=device-width\">\n<title>{0}</title>\n<style>\n{1}{2}</style>\n</"
+      "head>\n<body>\n<main>\n{3}<h1>{0}</"
       "h1>\n"
-      "<p class=\"under\">{4}</p>\n{5}</body>\n</html>\n",
+      "<p class=\"under\">{4}</p>\n{5}</main>\n</body>\n</html>\n",
       escape_markup(title), report_style(), teacher_style,
       is_home ? "" : "<p class=\"under\"><a href=\"/\">All trainees</a></p>\n", under, body);
 }
@@ -130,10 +133,11 @@ std::string trainee_page(const std::vector<AttemptRecord>& attempts) {
       "class=\"number\">Score</th><th>What happened</th></tr>\n";
   for (auto each = attempts.rbegin(); each != attempts.rend(); ++each) {
     body += fmt::format(
-        "<tr><td><a href=\"/attempt/{}\">{}</a></td><td>{}</td><td>{}</td><td "
+        "<tr><td><a href=\"/attempt/{}\">{}</a></td><td>{}</td><td class=\"{}\">{}</td><td "
         "class=\"number\">{:.0f}</td><td>{}</td></tr>\n",
         percent_encoded(each->digest), date_of(each->started_at), escape_markup(each->procedure),
-        training::name_of(each->verdict), each->score, escape_markup(each->headline));
+        training::name_of(each->verdict), training::name_of(each->verdict), each->score,
+        escape_markup(each->headline));
   }
   body += "</table>\n";
   return page_of(attempts.front().trainee, fmt::format("{} attempts", attempts.size()), body, false);
