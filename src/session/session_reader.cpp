@@ -1,9 +1,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <system_error>
 
 #include "session/session_end.h"
 #include "session/session_file.h"
@@ -275,6 +277,10 @@ void Reader::read_diagnostics(SQLite::Database& database, Session& session) cons
 void Reader::read_chunks(SQLite::Database& database, Session& session) const {
   SQLite::Statement query(database,
                           "SELECT first_tick, ticks, events, checksum, data FROM chunks ORDER BY first_tick");
+  // Most of the file is ticks, and a session of minutes has hundreds of thousands.
+  std::error_code unknown;
+  const std::uintmax_t bytes_of_file = std::filesystem::file_size(file_, unknown);
+  if (!unknown) session.ticks.reserve(static_cast<std::size_t>(bytes_of_file) / encoded_tick_size());
   std::uint64_t next = 0;
   while (query.executeStep()) {
     const std::int64_t first = query.getColumn(0).getInt64();
