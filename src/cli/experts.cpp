@@ -41,6 +41,7 @@ page and the window. docs/training.md explains the comparison.)";
 void import_experts(const ExpertsArguments& arguments, const CommandContext& context) {
   Console console(context);
   std::map<std::string, std::vector<training::ExpertAttempt>> by_procedure;
+  int left_out = 0;
   for (const std::string& file : arguments.sessions) {
     training::RecordedScore recorded =
         training::score_recording(file, arguments.procedure, arguments.folder, console.progress());
@@ -48,6 +49,7 @@ void import_experts(const ExpertsArguments& arguments, const CommandContext& con
     if (!recorded.missing.empty()) console.note(fmt::format("{}: {}", file, recorded.missing));
     training::Score& score = recorded.score;
     if (score.verdict >= training::Grade::fail) {
+      ++left_out;
       console.note(fmt::format("{} is left out, for its verdict is {}: {}", file, training::name_of(score.verdict),
                                score.headline));
       continue;
@@ -72,6 +74,7 @@ void import_experts(const ExpertsArguments& arguments, const CommandContext& con
                    {"attempts", result.attempts},
                    {"file", file.string()}});
   }
+  if (left_out > 0) console.line(fmt::format("{} left out, for they failed or were dangerous", left_out));
   console.json(all.dump(2));
 }
 
