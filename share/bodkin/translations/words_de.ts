@@ -2215,5 +2215,73 @@
         <source>Without help, until mastery</source>
         <translation>Ohne Hilfe, bis zum Können</translation>
     </message>
+    <message>
+        <source>There was no loss of resistance: the needle may lie in the epidural space, but neither hand nor syringe told you so.</source>
+        <translation>Es gab keinen Widerstandsverlust: die Nadel liegt vielleicht im Epiduralraum, aber weder Hand noch Spritze haben es Ihnen gesagt.</translation>
+    </message>
+    <message>
+        <source>Hold the needle between both hands that rest on the back: the ligament gives way suddenly.</source>
+        <translation>Halten Sie die Nadel mit beiden Händen, die am Rücken aufliegen: das Band gibt plötzlich nach.</translation>
+    </message>
+    <message>
+        <source>Ultrasound-guided injection</source>
+        <translation>Ultraschallgeführte Injektion</translation>
+    </message>
+    <message>
+        <source>A drug is injected into the space of a joint, or beside a nerve, with the needle's tip in the ultrasound slice all the way.</source>
+        <translation>Ein Medikament wird in den Gelenkspalt oder neben einen Nerv gespritzt, die Nadelspitze auf dem ganzen Weg in der Ultraschallebene.</translation>
+    </message>
+    <message>
+        <source>Show the target</source>
+        <translation>Ziel zeigen</translation>
+    </message>
+    <message>
+        <source>Turn the probe until the target and the way to it lie in one slice.</source>
+        <translation>Drehen Sie den Schallkopf, bis das Ziel und der Weg dorthin in einer Ebene liegen.</translation>
+    </message>
+    <message>
+        <source>Beside the probe, in line with its slice.</source>
+        <translation>Neben dem Schallkopf, in der Richtung seiner Ebene.</translation>
+    </message>
+    <message>
+        <source>Advance in the slice</source>
+        <translation>In der Ebene vorschieben</translation>
+    </message>
+    <message>
+        <source>Slowly, and only while you see the tip. If it is lost, stop the needle and move the probe.</source>
+        <translation>Langsam, und nur solange Sie die Spitze sehen. Ist sie verloren, halten Sie die Nadel an und bewegen Sie den Schallkopf.</translation>
+    </message>
+    <message>
+        <source>Rest at the target</source>
+        <translation>Am Ziel ruhen</translation>
+    </message>
+    <message>
+        <source>See the tip there before you inject. The drug must flow without pressure.</source>
+        <translation>Sehen Sie die Spitze dort, bevor Sie spritzen. Das Medikament muss ohne Druck fließen.</translation>
+    </message>
+    <message>
+        <source>Move the probe, not the needle, until you see the tip again.</source>
+        <translation>Bewegen Sie den Schallkopf, nicht die Nadel, bis Sie die Spitze wieder sehen.</translation>
+    </message>
+    <message>
+        <source>There was no probe: nobody saw where the tip was.</source>
+        <translation>Es gab keinen Schallkopf: niemand sah, wo die Spitze war.</translation>
+    </message>
+    <message>
+        <source>Enter in line with the slice, so that the whole needle shows.</source>
+        <translation>Stechen Sie in der Richtung der Ebene ein, damit die ganze Nadel zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Stop as soon as the tip shows at the target.</source>
+        <translation>Halten Sie an, sobald die Spitze am Ziel zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Bone is the brightest line in the picture: keep the tip above it.</source>
+        <translation>Knochen ist die hellste Linie im Bild: halten Sie die Spitze darüber.</translation>
+    </message>
+    <message>
+        <source>speed before the loss of resistance</source>
+        <translation>Geschwindigkeit vor dem Widerstandsverlust</translation>
+    </message>
 </context>
 </TS>
