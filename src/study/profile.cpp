@@ -13,7 +13,7 @@
 namespace bodkin::study {
 namespace {
 
-constexpr double longest_motion = 600.0;  // s, as of the motion of an experiment
+constexpr double longest_profile = 600.0;  // s, as of the motion of an experiment
 
 // Empty outside the CT.
 std::string hounsfield_cell(const anatomy::CtVolume& ct, const Vec3& point) {
@@ -54,10 +54,10 @@ Profile insert_at_constant_speed(const anatomy::Case& patient, const ProfileOpti
   const StraightPath line = path_of_motion(patient, options.entry, options.target, options.motion, options.beyond);
   const NeedleMotion motion = motion_of(options);
   const double duration = duration_of(motion, line, options.speed, line.end);
-  if (!options.motion.empty() && duration > longest_motion) {
+  if (!options.motion.empty() && duration > longest_profile) {
     throw InputError(
         fmt::format("--motion takes {:.0f} s, expected at most {:.0f} s; give larger speeds or shorter holds",
-                    duration, longest_motion));
+                    duration, longest_profile));
   }
   Profile profile;
   profile.options = options;

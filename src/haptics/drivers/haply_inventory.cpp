@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t longest_identity = 64;
-constexpr double unmoved = 1e-6;  // of a transform's numbers
+constexpr double same_number = 1e-6;  // of a transform's numbers
 
 const Json& part(const Json& json, const char* key) {
   static const Json nothing;
@@ -48,7 +48,7 @@ std::string model_of(const std::string& type) {
 bool are(const Json& json, std::initializer_list<const char*> keys, double expected) {
   return std::all_of(keys.begin(), keys.end(), [&](const char* key) {
     const Json& value = part(json, key);
-    return value.is_null() || (value.is_number() && std::abs(value.get<double>() - expected) < unmoved);
+    return value.is_null() || (value.is_number() && std::abs(value.get<double>() - expected) < same_number);
   });
 }
 

@@ -40,7 +40,7 @@ HaplyService known_service(const HaplyAddress& address, const HttpAnswer& answer
   return service;
 }
 
-std::string spoken(const std::vector<HaplyAddress>& addresses) {
+std::string addresses_text(const std::vector<HaplyAddress>& addresses) {
   std::string text;
   for (const HaplyAddress& one : addresses) text += (text.empty() ? "" : " or ") + one.text();
   return text;
@@ -111,8 +111,8 @@ HaplySession open_haply_session(const HaplyService& service) {
       if (!first.has_value()) first.emplace(failure);
     }
   }
-  throw DriverFailure(first->result(), "Haply's Inverse service begins no session at " + spoken(service.sockets) +
-                                           " (" + first->what() + "): " + advice +
+  throw DriverFailure(first->result(), "Haply's Inverse service begins no session at " +
+                                           addresses_text(service.sockets) + " (" + first->what() + "): " + advice +
                                            ", or say websocket_port=NUMBER where its sessions are");
 }
 
