@@ -2283,5 +2283,17 @@
         <source>speed before the loss of resistance</source>
         <translation>Geschwindigkeit vor dem Widerstandsverlust</translation>
     </message>
+    <message>
+        <source>joint capsule</source>
+        <translation>Gelenkkapsel</translation>
+    </message>
+    <message>
+        <source>tendon of the rotator cuff</source>
+        <translation>Sehne der Rotatorenmanschette</translation>
+    </message>
+    <message>
+        <source>joint space</source>
+        <translation>Gelenkspalt</translation>
+    </message>
 </context>
 </TS>
