@@ -23,7 +23,8 @@ using training::CohortRow;
 constexpr const char* teacher_style =
     ":root{--link:#0b5cad}@media screen and (prefers-color-scheme:dark){:root{--link:#7db8f0}}"
     "main{max-width:1100px}table{width:100%}td.number,th.number{text-align:right}a{color:var(--link)}td "
-    "a{font-weight:600}td.pass{color:var(--mark);font-weight:600}svg{max-width:100%;height:auto;"
+    "a{font-weight:600}td "
+    "a,td.time{white-space:nowrap}td.pass{color:var(--mark);font-weight:600}svg{max-width:100%;height:auto;"
     "background:#fff;border-radius:6px}";
 
 std::string page_of(const std::string& title, const std::string& under, const std::string& body, bool is_home) {
@@ -98,7 +99,7 @@ std::string cohort_page(const std::vector<CohortRow>& rows, const std::vector<Pl
           "<tr><td>{}</td><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td "
           "class=\"number\">{}</td>"
           "<td class=\"number\">{}</td><td class=\"number\">{}</td><td "
-          "class=\"number\">{:.0f}</td><td>{}</td><td>{}</td></tr>\n",
+          "class=\"number\">{:.0f}</td><td>{}</td><td class=\"time\">{}</td></tr>\n",
           trainee_link(row.trainee), escape_markup(row.procedure), row.attempts, row.passed, row.borderline,
           row.failed, row.dangerous, row.score, mastery_words(row), date_of(row.last_at));
     }
