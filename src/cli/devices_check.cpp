@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/device_options.h"
+#include "cli/devices_protocol.h"
 #include "haptics/device_servo.h"
 #include "haptics/stable_stiffness.h"
 
@@ -24,6 +25,8 @@ constexpr int exit_not_ready = 3;
 struct DevicesCheckArguments {
   DeviceOptions device;
   double seconds = 10.0;
+  std::string protocol;  // file to write, "" = none
+  bool without_force = false;
 };
 
 constexpr const char* devices_check_footer = R"(Examples:
@@ -31,8 +34,12 @@ constexpr const char* devices_check_footer = R"(Examples:
   bodkin devices check openhaptics:Left --seconds 30
   bodkin devices check ./my_driver.so               a driver of your own
 
-No force is ever asked for. Move the device while it is being checked: to every corner, and press its buttons.
-Exit code 0: it is ready. 3: it is not, and the last line says why.)";
+  bodkin devices check haption --protocol haption.json      ten minutes with a device that nobody here has
+
+No force is asked for. Move the device while it is being checked: to every corner, and press its buttons.
+Exit code 0: it is ready. 3: it is not, and the last line says why.
+--protocol says step by step what to do (which way to move, which buttons, when to let go) and writes what it sees to the
+file, which you can send to us; its last steps weigh the handle and tick it with 1 N unless --without-force is given.)";
 
 std::string box_text(const Vec3& low, const Vec3& high) {
   return fmt::format("x {:.0f} to {:.0f}, y {:.0f} to {:.0f}, z {:.0f} to {:.0f} mm", low.x(), high.x(), low.y(),
@@ -117,6 +124,11 @@ Json json_of(const station::DeviceObservation& seen, const haptics::DeviceAbilit
 }
 
 int run_devices_check(const DevicesCheckArguments& arguments, const CommandContext& context) {
+  if (!arguments.protocol.empty()) {
+    require_writable(arguments.protocol, "--protocol");
+    return run_device_protocol(arguments.device, {arguments.protocol, arguments.seconds, arguments.without_force},
+                               context);
+  }
   Console console(context);
   const station::DeviceChoice chosen = choose_device(arguments.device);
   haptics::DevicePort port(*chosen.driver, chosen.identity, arguments.device.settings);
@@ -164,7 +176,13 @@ void add_devices_check_command(CLI::App& devices_group, CommandContext& context)
   add_text(*command, "DEVICE", arguments->device.device, "DRIVER or DRIVER:IDENTITY, as 'devices list' prints it")
       .required();
   add_driver_settings(*command, arguments->device);
-  add_number(*command, "--seconds", arguments->seconds, 0.1, 3600.0, "s for which it is checked, 0.1 to 3600");
+  add_number(*command, "--seconds", arguments->seconds, 0.1, 3600.0,
+             "s for which it is checked, with --protocol of each step, 0.1 to 3600");
+  add_text(*command, "--protocol", arguments->protocol,
+           "Ask for one motion after the other and write what is seen to this JSON file")
+      .without_default();
+  add_switch(*command, "--without-force", arguments->without_force,
+             "With --protocol: leave out the steps in which the motors push");
   on_run(*command, [arguments, &context] { context.exit_code = run_devices_check(*arguments, context); });
 }
 

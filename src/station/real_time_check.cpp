@@ -11,7 +11,7 @@ namespace bodkin::station {
 
 bool holds_a_hand(const DeviceChoice& choice, const haptics::DeviceAbilities& device) {
   const bool is_played = choice.is_simulated() || choice.is_recorded() || choice.is_mouse();
-  return device.peak_force > 0.0 && !device.owns_loop && !is_played;
+  return device.peak_force > 0.0 && !is_played;
 }
 
 std::string real_time_warning(bool allowed) {

@@ -11,7 +11,8 @@ namespace bodkin::station {
 // N that a device may give at most while the system does not run its servo ahead of other programs.
 inline constexpr double late_force = 1.5;
 
-// Whether a person's hand is to be held by a servo of ours.
+// Whether a person's hand is to be held by motors. A vendor's own loop counts, too: our tick runs in it, and what the
+// system grants a thread of this program it grants the vendor's in it.
 bool holds_a_hand(const DeviceChoice& choice, const haptics::DeviceAbilities& device);
 
 // Where the system grants no real-time priority or does not lock memory: one sentence that says what this means and

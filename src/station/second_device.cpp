@@ -31,6 +31,8 @@ SecondDevice::SecondDevice(const SecondChoice& choice, const DeviceChoice& first
   const bool keeps_its_rate =
       device_.owns_loop || choice.device.is_simulated() || choice.device.is_recorded() || choice.device.is_tracked();
   settings_.rate = keeps_its_rate ? device_.rate : rate;
+  stiffness_ = haptics::stable_stiffness(device_, settings_.rate, calibration_.friction);
+  device_.stiffness = stiffness_.stiffness;
   settings_.workspace = second_workspace(choice.role, path);
   haptics::apply(calibration_, settings_);
 }

@@ -41,10 +41,11 @@ std::string moving_body_record(const fem::ProbeFace& face, std::size_t nodes) {
 
 std::string stiffness_sentence(const haptics::StableStiffness& stiffness) {
   const bool encoder = stiffness.by_encoder < stiffness.by_delay;
-  return fmt::format("the hand is offered {:.2g} N/mm at most instead of the published {:.2g}, because {}",
-                     stiffness.stiffness, stiffness.published,
-                     encoder ? "the encoder's counts allow no more with the friction that was measured"
-                             : fmt::format("a force reaches it {:.1f} ms after its tick", 1e3 * stiffness.delay));
+  return fmt::format(
+      "the hand is offered {:.2g} N/mm at most along each axis instead of the published {:.2g}, because {}",
+      stiffness.stiffness, stiffness.published,
+      encoder ? "the encoder's counts allow no more with the friction that was measured"
+              : fmt::format("a force reaches it {:.1f} ms after its tick", 1e3 * stiffness.delay));
 }
 
 }  // namespace bodkin::station

@@ -62,6 +62,41 @@ TEST_F(DevicesCheckCommand, takes_a_simulated_hand) {
   EXPECT_EQ(json::parse(outcome.output).at("name"), "simulated hand");
 }
 
+// A hand that goes along the vendor's second axis, 80 mm to the operator's right.
+TEST_F(DevicesCheckCommand, leads_through_the_protocol_and_writes_what_it_saw) {
+  setenv("BODKIN_STAND_IN_HAND", "sweep", 1);
+  const Outcome outcome =
+      bodkin("devices check force_dimension --protocol seen.json --without-force --seconds 0.5 " + check_vendor);
+  unsetenv("BODKIN_STAND_IN_HAND");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.text();
+  EXPECT_THAT(outcome.output, HasSubstr("away: Move it 5 cm or more straight away from you"));
+  EXPECT_THAT(outcome.output, HasSubstr("seen.json"));
+  const json seen = json::parse(text_of("seen.json"));
+  EXPECT_EQ(seen.at("driver"), "force_dimension");
+  EXPECT_EQ(seen.at("device").at("name"), "sigma.7");
+  EXPECT_FALSE(seen.contains("force"));
+  ASSERT_GE(seen.at("steps").size(), 8U);
+  bool asked_away = false;
+  for (const json& step : seen.at("steps")) {
+    EXPECT_EQ(step.at("strongest_force_N"), 0.0) << step;
+    EXPECT_GT(step.at("rounds").get<int>(), 0) << step;
+    if (step.at("step") != "away") continue;
+    asked_away = true;
+    EXPECT_NE(step.at("against"), "") << "this hand goes nowhere that it is asked to";
+  }
+  EXPECT_TRUE(asked_away);
+}
+
+TEST_F(DevicesCheckCommand, the_protocol_keeps_what_the_device_says_against_it) {
+  const Trouble unplugged("unplug@300");
+  const Outcome outcome =
+      bodkin("devices check force_dimension --protocol seen.json --without-force --seconds 0.3 -q " + check_vendor);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.text();
+  std::size_t faults = 0;
+  for (const json& step : json::parse(text_of("seen.json")).at("steps")) faults += step.at("faults").size();
+  EXPECT_GT(faults, 0U);
+}
+
 TEST_F(DevicesCheckCommand, of_what_is_not_there_is_one_sentence) {
   const Outcome missing = bodkin("devices check force_dimension --settings library=/no/such/libdrd.so");
   EXPECT_EQ(missing.exit_code, 1);

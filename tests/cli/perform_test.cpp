@@ -9,12 +9,14 @@
 #include "tests/cli/bodkin_command.h"
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+#include <sys/resource.h>
 
 namespace bodkin_test {
 namespace {
 
 using nlohmann::json;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 using PerformCommand = PatientCommand;
 
@@ -174,6 +176,41 @@ TEST_F(PerformCommand, a_bad_recording_is_one_sentence) {
     EXPECT_EQ(outcome.exit_code, 2) << outcome.text();
     EXPECT_EQ(lines_of(outcome.errors), 1) << outcome.errors;
   }
+}
+
+// A system that lets no program lock its memory, for as long as this lives.
+class LittleLockedMemory {
+ public:
+  LittleLockedMemory() {
+    getrlimit(RLIMIT_MEMLOCK, &before_);
+    rlimit little = before_;
+    little.rlim_cur = std::min<rlim_t>(little.rlim_cur, 65536);
+    setrlimit(RLIMIT_MEMLOCK, &little);
+  }
+  ~LittleLockedMemory() { setrlimit(RLIMIT_MEMLOCK, &before_); }
+  LittleLockedMemory(const LittleLockedMemory&) = delete;
+  LittleLockedMemory& operator=(const LittleLockedMemory&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+TEST_F(PerformCommand, without_real_time_the_force_of_either_hand_and_of_a_vendors_loop_is_kept_low) {
+  const LittleLockedMemory little;
+  const std::string of_force_dimension = "library=" BODKIN_STAND_INS "/force_dimension/libdrd.so";
+  const std::string perform = "perform patient simulated --settings \"speed_mm_s=60 wait_s=0.2\" ";
+  const std::string second =
+      "--second force_dimension --second-settings " + of_force_dimension + " --second-as probe ";
+  const Outcome capped = bodkin(perform + second + "-o capped.bodkin");
+  EXPECT_THAT(capped.errors, HasSubstr("second hand: other programs can hold up the force"));
+  EXPECT_THAT(capped.errors, HasSubstr("kept below 1.5 N; --allow-late lifts that limit"));
+  const Outcome allowed = bodkin(perform + second + "--allow-late -o allowed.bodkin");
+  EXPECT_THAT(allowed.errors, HasSubstr("second hand: other programs can hold up the force"));
+  EXPECT_THAT(allowed.errors, Not(HasSubstr("kept below 1.5 N")));
+  // The vendor's own loop; the note comes before the hand takes part.
+  const Outcome vendors = bodkin("perform patient openhaptics --max-time 1 --settings library=" BODKIN_STAND_INS
+                                 "/openhaptics/libHD.so -o vendors.bodkin");
+  EXPECT_THAT(vendors.errors, HasSubstr("kept below 1.5 N")) << vendors.text();
 }
 
 // The first hand goes to the epidural space and stays; the second one pushes its plunger down all the while.

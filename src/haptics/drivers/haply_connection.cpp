@@ -252,6 +252,10 @@ bool HaplyConnection::receive(std::span<char> to, std::size_t& size, Clock::time
   }
 }
 
+void HaplyConnection::interrupt() noexcept {
+  stream_->raw().shut_down();
+}
+
 void HaplyConnection::abandon() noexcept {
   stream_->raw().close();
 }

@@ -46,6 +46,8 @@ class HaplyConnection {
   bool receive(std::span<char> to, std::size_t& size, Clock::time_point deadline) noexcept;
   // Ends the connection at once: the service sees that we are gone.
   void abandon() noexcept;
+  // From any thread: a call that waits returns false, and so does every later one.
+  void interrupt() noexcept;
 
  private:
   struct Stream;

@@ -16,10 +16,9 @@ using namespace std::chrono_literals;
 using EventJson = nlohmann::json;
 using EventClock = HaplyConnection::Clock;
 
-constexpr auto listening_patience = 200ms;  // for the channel to open
-constexpr auto listening_slice = 50ms;      // after which the thread looks whether it is to end
-constexpr auto message_patience = 1000ms;   // for the rest of a message
-constexpr std::size_t longest_words = 160;  // bytes of a message that are kept
+constexpr auto listening_patience = 2000ms;   // for the channel to open; a closed port takes no time
+constexpr auto silence_patience = 24h * 365;  // between two events
+constexpr std::size_t longest_words = 160;    // bytes of a message that are kept
 
 std::string event_text(const EventJson& json, const char* key) {
   const auto found = json.is_object() ? json.find(key) : json.end();
@@ -59,7 +58,7 @@ HaplyEventListener::HaplyEventListener(const HaplyAddress& address, std::string 
 }
 
 HaplyEventListener::~HaplyEventListener() {
-  ended_.store(true);
+  if (connection_ != nullptr) connection_->interrupt();
   if (thread_.joinable()) thread_.join();
   if (connection_ != nullptr) connection_->abandon();
 }
@@ -82,12 +81,10 @@ void HaplyEventListener::take(const HaplyEvent& event) {
 void HaplyEventListener::listen() noexcept {
   try {
     std::string text(longest_haply_message, '\0');
-    while (!ended_.load()) {
-      if (!connection_->arrives(EventClock::now() + listening_slice)) continue;
-      std::size_t size = 0;
-      if (!connection_->receive(text, size, EventClock::now() + message_patience)) break;
+    std::size_t size = 0;
+    // A read takes several messages from the socket, so whether the socket has more says nothing of what is there.
+    while (connection_->receive(text, size, EventClock::now() + silence_patience))
       take(parse_haply_event(std::string_view(text).substr(0, size)));
-    }
   } catch (...) {
     // What cannot be heard changes nothing: the session's own channel tells of a lost device, too.
   }

@@ -34,7 +34,7 @@ HaplyEvent parse_haply_event(std::string_view text);
 // nothing.
 class HaplyEventListener {
  public:
-  // Waits for the channel for a fifth of a second at most.
+  // Waits for the channel for two seconds at most, and not at all where nothing listens.
   HaplyEventListener(const HaplyAddress& address, std::string device);
   ~HaplyEventListener();
   HaplyEventListener(const HaplyEventListener&) = delete;
@@ -54,7 +54,7 @@ class HaplyEventListener {
 
   std::string device_;
   std::unique_ptr<HaplyConnection> connection_;
-  std::atomic<bool> braked_{false}, disconnected_{false}, listens_{false}, ended_{false};
+  std::atomic<bool> braked_{false}, disconnected_{false}, listens_{false};
   mutable std::mutex mutex_;
   std::string last_;
   std::thread thread_;
