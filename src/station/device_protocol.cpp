@@ -13,14 +13,15 @@ namespace bodkin::station {
 namespace {
 
 constexpr std::chrono::milliseconds look_interval{2};
-constexpr double least_way = 20.0;        // mm that a hand goes in a direction
+constexpr double least_travel = 20.0;     // mm that a hand goes in a direction
 constexpr double least_share = 0.7;       // of its way that lies in the direction
 constexpr double least_downwards = 0.8;   // cosine of the tool's angle to straight down
 constexpr double least_release = 0.3;     // s without a hand
 constexpr double steady_spread = 2.0;     // mm of a handle that is left alone
 constexpr std::size_t most_faults = 100;  // that are kept of a step
 
-constexpr std::string_view let_go = "let_go", buttons = "buttons", pointing = "pointing", rest = "rest";
+constexpr std::string_view step_let_go = "let_go", step_buttons = "buttons", step_pointing = "pointing",
+                           step_rest = "rest";
 
 struct Reading {
   Vec3 place, axis;
@@ -63,16 +64,16 @@ std::string speaks_against(const ProtocolStep& step, const haptics::DeviceAbilit
   if (found.rounds == 0) return "the loop did not run";
   const Vec3 way = found.to - found.from;
   const double along = way.dot(step.towards);
-  if (!step.towards.isZero() && (along < least_way || along < least_share * way.norm())) {
+  if (!step.towards.isZero() && (along < least_travel || along < least_share * way.norm())) {
     return fmt::format("the hand went by {:.0f} {:.0f} {:.0f} mm (right, away, up)", way.x(), way.y(), way.z());
   }
-  if (step.name == pointing && found.axis_to.z() > -least_downwards) {
+  if (step.name == step_pointing && found.axis_to.z() > -least_downwards) {
     return fmt::format("the tool's axis was {:.2f} {:.2f} {:.2f} (right, away, up)", found.axis_to.x(),
                        found.axis_to.y(), found.axis_to.z());
   }
-  if (step.name == rest && found.spread.maxCoeff() > steady_spread) return "the readings did not keep still";
-  if (step.name == buttons && found.buttons == 0) return "no button was seen";
-  if (step.name == let_go && device.has_dead_man && found.released < least_release) {
+  if (step.name == step_rest && found.spread.maxCoeff() > steady_spread) return "the readings did not keep still";
+  if (step.name == step_buttons && found.buttons == 0) return "no button was seen";
+  if (step.name == step_let_go && device.has_dead_man && found.released < least_release) {
     return "the device did not tell that it was let go";
   }
   return "";
@@ -82,17 +83,18 @@ std::string speaks_against(const ProtocolStep& step, const haptics::DeviceAbilit
 
 std::vector<ProtocolStep> protocol_steps(const haptics::DeviceAbilities& device) {
   std::vector<ProtocolStep> steps = {
-      {rest, "Leave the handle alone, or hold it as still as you can."},
+      {step_rest, "Leave the handle alone, or hold it as still as you can."},
       {"right", "Move the handle 5 cm or more to your right, and keep it there.", Vec3::UnitX()},
       {"away", "Move it 5 cm or more straight away from you, and keep it there.", Vec3::UnitY()},
       {"up", "Move it 5 cm or more straight up, and keep it there.", Vec3::UnitZ()},
       {"corners", "Move it to every corner of its workspace."}};
   if (device.measures_rotation) {
-    steps.push_back({pointing, "Point the tool straight down, and keep it so."});
+    steps.push_back({step_pointing, "Point the tool straight down, and keep it so."});
     steps.push_back({"turning", "Turn the tool about its own axis, clockwise as you look along it."});
   }
-  steps.push_back({buttons, "Press every button of the device, one after the other."});
-  if (device.has_dead_man) steps.push_back({let_go, "Let go of the handle for two seconds, then hold it again."});
+  steps.push_back({step_buttons, "Press every button of the device, one after the other."});
+  if (device.has_dead_man)
+    steps.push_back({step_let_go, "Let go of the handle for two seconds, then hold it again."});
   steps.push_back({last_protocol_step,
                    "If the device has an emergency stop, press it and release it; else unplug its cable, and "
                    "plug it in again."});
