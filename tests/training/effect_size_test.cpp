@@ -17,14 +17,14 @@ namespace bodkin {
 using namespace bodkin::training;
 namespace {
 
-constexpr int attempts = 20;
+constexpr int attempts_of_each = 20;
 
 std::vector<Score> scores_of(const std::string& performer) {
   const anatomy::Case& patient = lumbar_patient();
   const simulation::OperatorScript script = session::load_operator(performer);
   const training::Procedure procedure = find_procedure("lumbar_puncture");
   std::vector<Score> scores;
-  for (int seed = 1; seed <= attempts; ++seed) {
+  for (int seed = 1; seed <= attempts_of_each; ++seed) {
     const session::Session session =
         simulate_attempt(patient, script, *patient.description.procedure.path, static_cast<std::uint64_t>(seed));
     scores.push_back(score(session, patient.description, procedure, {&patient.structures, &patient.tissues}));
@@ -71,8 +71,8 @@ TEST(EffectSize, metrics_separate_novices_from_experts) {
   int passed_experts = 0, passed_novices = 0;
   for (const Score& each : experts) passed_experts += each.verdict == Grade::pass ? 1 : 0;
   for (const Score& each : novices) passed_novices += each.verdict == Grade::pass ? 1 : 0;
-  EXPECT_GE(passed_experts, attempts - 1);
-  EXPECT_LT(passed_novices, attempts / 2);
+  EXPECT_GE(passed_experts, attempts_of_each - 1);
+  EXPECT_LT(passed_novices, attempts_of_each / 2);
 }
 
 }  // namespace
