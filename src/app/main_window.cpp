@@ -128,6 +128,13 @@ void MainWindow::connect_views() {
     connect(view, &View::follow_tip_toggled, this, [this] { practice_.toggle_follow(); });
   }
   connect(practise_, &PractisePage::hold_requested, this, [this] { run(Command::hold); });
+  connect(practise_, &PractisePage::moving_toggled, this, [this] { run(Command::move_body); });
+  connect(practise_, &PractisePage::moving_undone, this, [this] { run(Command::undo_body); });
+  connect(practise_, &PractisePage::moving_reset, this, [this] { run(Command::reset_body); });
+  connect(&practise_->view3d(), &View3d::body_taken, this, [this] { practice_.take_body(); });
+  connect(&practise_->view3d(), &View3d::body_placed, this, [this](const Vec3& middle, const Mat3& rotation) {
+    practice_.place_body({middle, rotation});
+  });
   connect(practise_, &PractisePage::again_requested, this, [this] { run(Command::again); });
   connect(practise_, &PractisePage::end_requested, this, [this] { run(Command::end); });
   connect(practise_, &PractisePage::warning_acknowledged, this, [this] { practice_.acknowledge(); });
@@ -326,6 +333,7 @@ void MainWindow::draw(double clock) {
   if (practice_.patient() != shown_) {
     shown_ = practice_.patient();
     practise_->set_case(shown_);
+    practise_->show_moving({});
     if (has_ultrasound_) show_ultrasound(shown_ != nullptr);
     bar_->set_case(shown_);
     for (Page* page : more_pages_) page->set_case(shown_);

@@ -99,6 +99,7 @@ class MainWindow : public QMainWindow {
   void begin_tour();
   void show_ultrasound(bool on);
   static station::UltrasoundChoice usual_ultrasound(bool has_path);
+  void show_moving(bool on);
   void save_picture();
   void apply_theme(bool dark);
   QWidget* focus_or_self();

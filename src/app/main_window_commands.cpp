@@ -89,6 +89,14 @@ void MainWindow::run(Command command) {
       return practice_.end();
     case Command::arm:
       return practice_.arm();
+    case Command::move_body:
+      return show_moving(!practise_->view3d().workspace());
+    case Command::undo_body:
+      practice_.undo_body();
+      return show_moving(practise_->view3d().workspace().has_value());
+    case Command::reset_body:
+      practice_.reset_body();
+      return show_moving(practise_->view3d().workspace().has_value());
     case Command::show_numbers:
       return practise_->toggle_numbers();
     case Command::show_ladder:
@@ -103,6 +111,17 @@ void MainWindow::run(Command command) {
     case Command::of_the_page:
       return;
   }
+}
+
+void MainWindow::show_moving(bool on) {
+  if (on && !is_attempt(practice_.state())) return;
+  const bool begins = on && !practise_->view3d().workspace();
+  if (begins && needle_is_down(practice_.state()))
+    return practice_.say(tr("Draw the needle out of the body first, then move the body.").toStdString());
+  std::optional<View3d::Workspace> workspace;
+  if (on) workspace = View3d::Workspace{practice_.body_place().middle, practice_.body_place().rotation};
+  practise_->show_moving(workspace);
+  if (begins) practice_.say(tr("A drag turns the body, with the right button it moves it. G ends.").toStdString());
 }
 
 // With the probe lengthwise beside the planned way of the needle, which then lies in the slice.

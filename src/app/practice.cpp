@@ -145,6 +145,7 @@ void Practice::set_device(const std::optional<PracticeDevice>& device) {
 
 void Practice::set_plan(const anatomy::NeedlePath& path) {
   plan_ = path;
+  mover_.begin(usual_place(path));
   if (is_attempt(state()) || state() == State::ended) again();
 }
 
@@ -158,6 +159,7 @@ void Practice::take_patient() {
     plan_ = patient_->description().procedure.path;
     models_.reset();
     left_needles_.clear();
+    mover_.begin(usual_place(plan_ ? *plan_ : unplanned_path(patient_->patient.tissues)));
     begin_attempt();
   }
   const CaseModel::Status status = cases_.status();
@@ -236,6 +238,7 @@ void Practice::begin_attempt() {
     }
     const std::string device = has_mouse ? "Mouse" : is_asked ? options.device.driver->name : device_->title;
     link_.start(std::move(options), device, {plan.has_value(), procedure}, points_);
+    if (feed_ == nullptr && mover_.is_moved()) send_body();
   } catch (const std::exception& error) {
     failure_ = error.what();
     machine_.apply(Signal::cancelled);

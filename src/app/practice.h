@@ -96,6 +96,12 @@ class Practice {
   void finish();
   // A sentence that the hint shows for some seconds.
   void say(const std::string& sentence);
+  // The body in the workspace of the device, while no needle touches it; a mouse aims at it wherever it lies.
+  void take_body();
+  void place_body(const BodyPlace& place);
+  void undo_body();
+  void reset_body();
+  const BodyPlace& body_place() const noexcept { return mover_.now(); }
   void order_scan(const station::ScanOrder& order) { link_.set_scan_order(order); }
 
   // The next frame, `clock` s after the window opened.
@@ -133,6 +139,8 @@ class Practice {
   bool may_steer() const;
   bool has_syringe() const;
   bool must_aim_first();
+  bool may_move_body();
+  void send_body();
 
   CaseModel cases_;
   StationLink link_;
@@ -154,6 +162,7 @@ class Practice {
   std::optional<ModelSettings> models_;
   int attempts_ = 0;  // with these options
   StationLink::Points points_;
+  BodyMover mover_;
   Frame frame_;
   Changes changes_;
   std::string failure_, failed_with_;

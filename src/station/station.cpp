@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "patient/prepared_body.h"
+#include "station/body_glide.h"
 #include "station/body_supervisor.h"
 #include "station/device_choice.h"
 #include "station/followed_points.h"
@@ -96,8 +97,8 @@ struct Station::Parts {
   std::unique_ptr<SecondHand> second;
   std::optional<BodySupervisor> supervisor;
   std::unique_ptr<HandSession> session;
-  bool second_runs = false;
-  bool was_faulted = false;
+  bool second_runs = false, was_faulted = false;
+  BodyGlide glide;
   Clock::time_point begin = Clock::now();
   std::atomic<bool> end_asked{false};
   StationStatus status;
@@ -369,6 +370,7 @@ const StationStatus& Station::update() {
   if (parts.second_runs) status.second = SecondStatus{parts.second->role(), parts.second->snapshot()};
   if (status.servo.device.ended()) end();
   parts.disarm_second_on_fault();
+  parts.glide.follow(status.needle, status.time, parts.session->servo().tick());
   parts.update_displacements();
   parts.update_scan();
   return status;
@@ -433,6 +435,13 @@ void Station::command(StationCommand command) {
     case StationCommand::end:
       return end();
   }
+}
+
+bool Station::move_body(const Vec3& middle, const Mat3& rotation) {
+  Parts& parts = *parts_;
+  if (parts.second != nullptr || BodyGlide::touches(parts.session->snapshot())) return false;
+  parts.glide.order(middle, rotation, parts.elapsed(), parts.session->servo().tick(), parts.servo.workspace);
+  return true;
 }
 
 void Station::end() noexcept {

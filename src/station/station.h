@@ -55,6 +55,11 @@ class Station {
   StationResult finish();
 
   void command(StationCommand command);
+  // The body's place in the workspace of the needle's device: `middle` (LPS mm) comes to lie in its middle, turned by
+  // `rotation` (operator's frame to patient). It glides there as WorkspaceSettings say, and stops where the needle
+  // touches it. False, and nothing done: the needle touches it now, or there is a second hand, whose workspace would
+  // stay behind.
+  bool move_body(const Vec3& middle, const Mat3& rotation);
   // Any thread, and signal handlers.
   void end() noexcept;
   // Where the ultrasound probe is and how the machine is set; the place is ignored while the second hand holds the

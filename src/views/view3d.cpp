@@ -223,7 +223,7 @@ void View3d::show_frame(const Frame& frame, const Changes& changes) {
                       (shown_.state == State::reached) != (frame.state == State::reached);
   shown_ = without_spans(frame);
   const QRect tip = tip_mark();
-  if (framed || changes.theme) {
+  if (framed || changes.theme || workspace_) {
     update();
     return;
   }
@@ -321,6 +321,7 @@ void View3d::paintEvent(QPaintEvent* event) {
     draw_tip(painter, on_screen(*place), tip_shape(shown_), tissue_colour(shown_.tissue, patient_->patient.library));
   }
   draw_orientation_cube(painter, cube_place(), camera_.axes());
+  if (workspace_ && stereo_ == scene::Stereo::off) draw_workspace(painter);
   if (!said_.isEmpty()) {
     set_font(painter, text_size);
     draw_text_on_picture(painter, QPointF(0.5 * width(), height() - 24.0), said_, Theme::dark().text, Anchor::middle);

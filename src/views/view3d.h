@@ -47,6 +47,15 @@ class View3d : public View {
   void show_saved_look(const std::string& name);
   // Whether the view begins with the look that the case says (the default).
   void set_opens_as_saved(bool opens) { opens_as_saved_ = opens; }
+  // How the body lies in the workspace of the needle's device.
+  struct Workspace {
+    Vec3 middle = Vec3::Zero();        // LPS mm, what lies in its middle
+    Mat3 rotation = Mat3::Identity();  // operator's axes (right, away, up) to patient
+  };
+  // Moving mode: the workspace is drawn with its axes, and a drag turns the body in it, with the right or middle
+  // button moves it, as long as no needle is down. The workspace stays where it is on the screen. Nothing: no moving.
+  void set_workspace(const std::optional<Workspace>& workspace);
+  const std::optional<Workspace>& workspace() const { return workspace_; }
   // Only the outside of the patient may be seen, whatever else is wished, or everything again.
   void set_outside_only(bool only);
   // The list of parts.
@@ -81,6 +90,8 @@ class View3d : public View {
  signals:
   void ready();  // is_ready() from now on
   void preset_changed(bodkin::scene::Preset preset);
+  void body_taken();                                                           // a drag begins
+  void body_placed(const bodkin::Vec3& middle, const bodkin::Mat3& rotation);  // see Workspace
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -105,6 +116,10 @@ class View3d : public View {
   void update_scene(const Frame& frame);
   void update_skin(const Frame& frame);
   void aim();
+  bool moves_body() const;
+  void turn_body(double right, double down);
+  void shift_body(double right, double down);
+  void draw_workspace(QPainter& painter) const;
   void move_hub(const QPointF& from, const QPointF& to);
   bool is_over_hub(const QPointF& at) const;
   QRectF cube_place() const;
@@ -141,6 +156,7 @@ class View3d : public View {
   scene::CaseLooks saved_looks_;
   bool opens_as_saved_ = true;
   LookPanel* panel_ = nullptr;
+  std::optional<Workspace> workspace_;
   bool plan_shown_ = true, outside_only_ = false;
   std::vector<scene::NeedleLook> left_needles_;
   std::shared_ptr<const std::vector<scene::Trail>> trails_;

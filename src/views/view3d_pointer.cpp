@@ -42,7 +42,7 @@ void View3d::aim() {
   pointer_moved_ = false;
   if (drag_ != Drag::none || needle_is_down(shown_.state)) return;
   const QPointF at = in_picture(pointer_);
-  const auto skin = underMouse() ? scene_->skin_at(at.x(), at.y()) : std::nullopt;
+  const auto skin = underMouse() && !workspace_ ? scene_->skin_at(at.x(), at.y()) : std::nullopt;
   if (skin) {
     emit aimed(skin->point, skin->normal);
   } else if (aimed_) {
@@ -57,6 +57,7 @@ void View3d::mousePressEvent(QMouseEvent* event) {
     drag_ = is_over_hub(pressed_) && needle_is_down(shown_.state) ? Drag::hub : Drag::perhaps_turn;
   } else {
     drag_ = Drag::pan;
+    if (moves_body()) emit body_taken();
   }
 }
 
@@ -70,12 +71,22 @@ void View3d::mouseMoveEvent(QMouseEvent* event) {
       setCursor(needle_is_down(shown_.state) && is_over_hub(pointer_) ? Qt::OpenHandCursor : Qt::ArrowCursor);
       break;
     case Drag::perhaps_turn:
-      if (length_of(pointer_ - pressed_) > click_reach) drag_ = Drag::turn;
+      if (length_of(pointer_ - pressed_) <= click_reach) break;
+      drag_ = Drag::turn;
+      if (moves_body()) emit body_taken();
       break;
     case Drag::turn:
+      if (moves_body()) {
+        turn_body(turn_per_pixel * moved.x(), turn_per_pixel * moved.y());
+        break;
+      }
       set_camera(scene::turned(camera_, turn_per_pixel * moved.x(), turn_per_pixel * moved.y()));
       break;
     case Drag::pan:
+      if (moves_body()) {
+        shift_body(moved.x(), moved.y());
+        break;
+      }
       set_camera(scene::panned(camera_, moved.x(), moved.y(), height()));
       break;
     case Drag::hub:
@@ -129,6 +140,7 @@ void View3d::mouseReleaseEvent(QMouseEvent* event) {
     choose_view(*face);
     return;
   }
+  if (workspace_) return;  // who moves the body does not put the needle down
   const QPointF at = in_picture(pointer_);
   const auto skin = scene_->skin_at(at.x(), at.y());
   if (!skin) return;

@@ -1,5 +1,6 @@
 // Structures corrected by mouse and keys in the real window, up to the case that is saved.
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -157,6 +158,49 @@ TEST_F(SegmentWindow, a_lesion_is_grown_from_a_click_undone_and_saved_with_its_t
   EXPECT_TRUE(io::check_case(folder_).empty());
   ASSERT_TRUE(saved.description.procedure.path.has_value());
   EXPECT_EQ(saved.description.procedure.path->target, Vec3(10.0, 20.0, 0.0)) << "a path that is sound stays";
+}
+
+TEST_F(SegmentWindow, structures_are_renamed_marked_as_critical_and_removed) {
+  make("vessel", "");
+  page().set_crosshair(ball_middle);
+  key(Qt::Key_G);
+  QTest::mouseClick(&page().slice(0), Qt::LeftButton, Qt::NoModifier, page().slice(0).place(ball_middle).toPoint());
+  ASSERT_TRUE(finish());
+  const std::size_t voxels = count();
+  ASSERT_GT(voxels, 0U);
+  find<QLineEdit>("segment.name")->setText(QStringLiteral("other"));
+  click("segment.new");
+  click("segment.rename");
+  EXPECT_TRUE(find<QLabel>("segment.said")->text().contains("name"));
+  find<QLineEdit>("segment.name")->setText(QStringLiteral("vessel"));
+  click("segment.rename");
+  EXPECT_TRUE(find<QLabel>("segment.said")->text().contains("already"));
+  find<QLineEdit>("segment.name")->setText(QStringLiteral("left renal artery"));
+  click("segment.rename");
+  EXPECT_EQ(page().model()->table()[1].name, "left_renal_artery");
+  find<QListWidget>("segment.structures")->setCurrentRow(0);
+  auto* const critical = find<QCheckBox>("segment.critical");
+  EXPECT_FALSE(critical->isChecked());
+  critical->click();
+  EXPECT_TRUE(page().model()->table()[0].critical);
+  find<QListWidget>("segment.structures")->setCurrentRow(1);
+  EXPECT_FALSE(critical->isChecked());
+  find<QListWidget>("segment.structures")->setCurrentRow(0);
+  EXPECT_TRUE(critical->isChecked());
+  click("segment.remove");
+  EXPECT_EQ(count(), 0U);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(count(), voxels);
+  const auto before = window_.practice().patient();
+  click("segment.save");
+  ASSERT_TRUE(wait([&] {
+    return (window_.practice().patient() != before && window_.practice().state() == State::ready) ||
+           (page().model() != nullptr && !page().model()->status().error.empty());
+  }));
+  const anatomy::Case saved = io::load_case(folder_);
+  ASSERT_EQ(saved.description.structures.size(), 1U) << "the other has no voxel";
+  EXPECT_EQ(saved.description.structures[0].name, "vessel");
+  EXPECT_TRUE(saved.description.structures[0].critical);
 }
 
 TEST_F(SegmentWindow, paint_erase_fill_and_smooth_do_what_they_say) {

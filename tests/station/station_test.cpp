@@ -145,6 +145,36 @@ TEST_F(StationTest, performs_on_a_rigid_patient_with_ultrasound_and_the_recordin
   EXPECT_EQ(replayed.ticks, result.run.ticks);
 }
 
+TEST_F(StationTest, the_body_is_moved_while_the_needle_is_outside_and_stays_while_it_touches) {
+  StationOptions wanted = options();
+  wanted.device.settings = "speed_mm_s=20 start_mm=60 depth_mm=15 wait_s=0.5";
+  const NeedlePath path = *patient_.description.procedure.path;
+  const WorkspaceSettings usual = workspace_about(path);
+  Watcher watcher;
+  Station station(std::move(wanted), watcher);
+  station.start();
+  // What lay in the middle of the workspace goes 6 mm to one side: the needle goes in 6 mm beside the path.
+  EXPECT_TRUE(station.move_body(usual.centre + 6.0 * Vec3::UnitX(), usual.rotation));
+  bool was_refused = false;
+  while (!station.ended()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    if (station.update().needle.output.depth > 8.0 && !was_refused)
+      was_refused = !station.move_body(usual.centre, usual.rotation);
+  }
+  station.finish();
+  EXPECT_TRUE(was_refused);
+  const Session session = read_session(folder_.path() / "session.bodkin");
+  double deepest = 0.0;
+  for (const auto& tick : session.ticks) {
+    if (!tick.output.in_contact || tick.output.depth <= 1.0) continue;
+    deepest = std::max(deepest, tick.output.depth);
+    const Vec3 tip = tick.input.needle.translation();
+    const Vec3 aside = tip - path.entry - path.direction() * path.direction().dot(tip - path.entry);
+    ASSERT_NEAR((aside - 6.0 * Vec3::UnitX()).norm(), 0.0, 0.6) << tick.output.depth;
+  }
+  EXPECT_GT(deepest, 8.0);
+}
+
 TEST_F(StationTest, performs_on_a_deformable_patient_whose_points_move_and_the_recording_replays_to_the_bit) {
   make_deformable();
   StationOptions wanted = options();

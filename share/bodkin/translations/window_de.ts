@@ -802,6 +802,14 @@
         <source>Next stage   A</source>
         <translation>Nächste Stufe   A</translation>
     </message>
+    <message>
+        <source>Draw the needle out of the body first, then move the body.</source>
+        <translation>Ziehen Sie die Nadel zuerst aus dem Körper, dann bewegen Sie ihn.</translation>
+    </message>
+    <message>
+        <source>A drag turns the body, with the right button it moves it. G ends.</source>
+        <translation>Ziehen dreht den Körper, mit der rechten Taste verschiebt es ihn. G beendet es.</translation>
+    </message>
 </context>
 <context>
     <name>ModelsPage</name>
@@ -1329,6 +1337,30 @@
         <source>Save this attempt and see how it went</source>
         <translation>Diesen Versuch speichern und sehen, wie er war</translation>
     </message>
+    <message>
+        <source>Move the body</source>
+        <translation>Körper bewegen</translation>
+    </message>
+    <message>
+        <source>Turn and move the body in the workspace of the device, needle outside (G)</source>
+        <translation>Den Körper im Arbeitsraum des Geräts drehen und verschieben, die Nadel ist draußen (G)</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>The last move of the body back (Ctrl+Z)</source>
+        <translation>Die letzte Bewegung des Körpers zurücknehmen (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>As at first</source>
+        <translation>Wie anfangs</translation>
+    </message>
+    <message>
+        <source>The body as it lay at first (Ctrl+Home)</source>
+        <translation>Der Körper, wie er anfangs lag (Strg+Pos1)</translation>
+    </message>
 </context>
 <context>
     <name>PreparingCard</name>
@@ -1852,14 +1884,6 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Die Struktur, die bearbeitet wird</translation>
     </message>
     <message>
-        <source>name of a new one</source>
-        <translation>Name einer neuen</translation>
-    </message>
-    <message>
-        <source>Name of a new structure</source>
-        <translation>Name einer neuen Struktur</translation>
-    </message>
-    <message>
         <source>Tissue of the new structure</source>
         <translation>Gewebe der neuen Struktur</translation>
     </message>
@@ -2022,6 +2046,50 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
     <message>
         <source>Into the case; tissues and path are made anew</source>
         <translation>In den Fall; Gewebe und Weg werden neu gemacht</translation>
+    </message>
+    <message>
+        <source>It has no voxels any more. Saving drops it; Ctrl+Z brings it back.</source>
+        <translation>Sie hat keine Voxel mehr. Beim Speichern fällt sie weg; Strg+Z holt sie zurück.</translation>
+    </message>
+    <message>
+        <source>%1; critical</source>
+        <translation>%1; kritisch</translation>
+    </message>
+    <message>
+        <source>%1 (critical)</source>
+        <translation>%1 (kritisch)</translation>
+    </message>
+    <message>
+        <source>name, of a new one or another</source>
+        <translation>Name, für eine neue oder ein anderer</translation>
+    </message>
+    <message>
+        <source>Name of a new structure, or another for the chosen one</source>
+        <translation>Name einer neuen Struktur, oder ein anderer für die gewählte</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>The chosen structure gets the name that stands above</source>
+        <translation>Die gewählte Struktur bekommt den Namen, der darüber steht</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>The chosen structure loses all its voxels; saving drops it</source>
+        <translation>Die gewählte Struktur verliert alle Voxel; beim Speichern fällt sie weg</translation>
+    </message>
+    <message>
+        <source>critical</source>
+        <translation>kritisch</translation>
+    </message>
+    <message>
+        <source>Plans keep away from it, and a needle in it is a danger</source>
+        <translation>Pläne halten Abstand von ihr, und eine Nadel in ihr ist eine Gefahr</translation>
     </message>
 </context>
 <context>
@@ -2831,6 +2899,18 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
     <message>
         <source>Pictures (*.png)</source>
         <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>away</source>
+        <translation>vorwärts</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>oben</translation>
     </message>
 </context>
 <context>

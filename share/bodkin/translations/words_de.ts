@@ -5,6 +5,18 @@
 <context>
     <name>Keys</name>
     <message>
+        <source>turn and move the body, or let it be</source>
+        <translation>den Körper drehen und verschieben, oder ihn lassen</translation>
+    </message>
+    <message>
+        <source>the last move of the body back</source>
+        <translation>die letzte Bewegung des Körpers zurücknehmen</translation>
+    </message>
+    <message>
+        <source>the body as it lay at first</source>
+        <translation>der Körper, wie er anfangs lag</translation>
+    </message>
+    <message>
         <source>a click grows a region</source>
         <translation>ein Klick lässt einen Bereich wachsen</translation>
     </message>
@@ -447,6 +459,22 @@
 </context>
 <context>
     <name>Words</name>
+    <message>
+        <source>The body stays where it is: a needle touches it, or a second hand takes part.</source>
+        <translation>Der Körper bleibt, wo er ist: eine Nadel berührt ihn, oder eine zweite Hand nimmt teil.</translation>
+    </message>
+    <message>
+        <source>The body lies where it lay at first.</source>
+        <translation>Der Körper liegt, wo er anfangs lag.</translation>
+    </message>
+    <message>
+        <source>Draw the needle out of the body first, then move the body.</source>
+        <translation>Ziehen Sie die Nadel zuerst aus dem Körper, dann bewegen Sie ihn.</translation>
+    </message>
+    <message>
+        <source>Give the structure a name.</source>
+        <translation>Geben Sie der Struktur einen Namen.</translation>
+    </message>
     <message>
         <source>air outside the body</source>
         <translation>Luft außerhalb des Körpers</translation>
@@ -1870,10 +1898,6 @@
     <message>
         <source>Cancelled; nothing was changed.</source>
         <translation>Abgebrochen; nichts wurde geändert.</translation>
-    </message>
-    <message>
-        <source>Give the new structure a name.</source>
-        <translation>Geben Sie der neuen Struktur einen Namen.</translation>
     </message>
     <message>
         <source>There is a structure '%1' already; choose another name.</source>

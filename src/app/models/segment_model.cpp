@@ -32,6 +32,7 @@ struct SegmentModel::Job {
   patient::Overwriting over = patient::Overwriting::all;
   bool only_add = false, taken = false;
   std::uint64_t version = 0;  // of what was saved
+  std::vector<anatomy::Structure> table;
 
   Progress progress() {
     return [this](std::string_view stage, double fraction) {
@@ -63,7 +64,8 @@ SegmentModel::SegmentModel(std::shared_ptr<const OpenCase> patient)
       editor_(labels_to_correct(patient_->patient)),
       table_(patient_->description().structures),
       rules_(training::planning_rules(training::procedure_of_case(patient_->description().procedure.name))),
-      active_(table_.empty() ? -1 : 0) {}
+      active_(table_.empty() ? -1 : 0),
+      saved_table_(table_) {}
 
 SegmentModel::~SegmentModel() {
   cancel();
@@ -78,15 +80,36 @@ std::uint16_t SegmentModel::active_label() const {
   return active_ < 0 ? std::uint16_t{0} : table_[static_cast<std::size_t>(active_)].label;
 }
 
-void SegmentModel::add(const std::string& name, const std::string& tissue, bool critical) {
+std::string SegmentModel::free_name(const std::string& name, int own) const {
   std::string plain = name;
   std::replace(plain.begin(), plain.end(), ' ', '_');
-  if (plain.empty()) throw InputError("Give the new structure a name.");
-  int largest = 0;
-  for (const anatomy::Structure& each : table_) {
-    if (each.name == plain) throw InputError("There is a structure '" + name + "' already; choose another name.");
-    largest = std::max(largest, static_cast<int>(each.label));
+  if (plain.empty()) throw InputError("Give the structure a name.");
+  for (int i = 0; i < static_cast<int>(table_.size()); ++i) {
+    if (i != own && table_[static_cast<std::size_t>(i)].name == plain)
+      throw InputError("There is a structure '" + name + "' already; choose another name.");
   }
+  return plain;
+}
+
+void SegmentModel::rename(const std::string& name) {
+  if (active_ < 0) throw InputError("Make a structure first, or choose one.");
+  table_[static_cast<std::size_t>(active_)].name = free_name(name, active_);
+}
+
+void SegmentModel::set_critical(bool critical) {
+  if (active_ >= 0) table_[static_cast<std::size_t>(active_)].critical = critical;
+}
+
+void SegmentModel::remove() {
+  if (active_ < 0 || status().is_busy) return;
+  editor_.commit();
+  editor_.replace(patient::SegmentMask(editor_.labels().grid), active_label(), patient::Overwriting::all, false);
+}
+
+void SegmentModel::add(const std::string& name, const std::string& tissue, bool critical) {
+  const std::string plain = free_name(name, -1);
+  int largest = 0;
+  for (const anatomy::Structure& each : table_) largest = std::max(largest, static_cast<int>(each.label));
   if (!tissue.empty() && patient_->patient.library.find(tissue) == nullptr)
     throw InputError("The tissue library has no '" + tissue + "'.");
   for (const std::uint16_t label : editor_.labels().voxels) largest = std::max(largest, static_cast<int>(label));
@@ -121,6 +144,7 @@ void SegmentModel::save() {
   job_->status.is_busy = true;
   job_->status.stage = "saving";
   job_->version = editor_.version();
+  job_->table = table_;
   threads_.clear();
   threads_.emplace_back([job = job_, patient = patient_, labels = editor_.labels(), table = table_, rules = rules_] {
     job->run([&] {
@@ -131,6 +155,15 @@ void SegmentModel::save() {
       job->status.is_saved = true;
     });
   });
+}
+
+bool SegmentModel::has_changes() const {
+  const auto same = [](const anatomy::Structure& one, const anatomy::Structure& other) {
+    return one.label == other.label && one.name == other.name && one.tissue == other.tissue &&
+           one.critical == other.critical;
+  };
+  return editor_.version() != saved_version_ ||
+         !std::equal(table_.begin(), table_.end(), saved_table_.begin(), saved_table_.end(), same);
 }
 
 void SegmentModel::cancel() {
@@ -145,7 +178,10 @@ bool SegmentModel::poll() {
     if (job_->status.is_busy) return true;  // progress
     mask = std::exchange(job_->mask, std::nullopt);
     job_->taken = true;
-    if (job_->status.is_saved) saved_version_ = job_->version;
+    if (job_->status.is_saved) {
+      saved_version_ = job_->version;
+      saved_table_ = job_->table;
+    }
   }
   if (mask) editor_.replace(*mask, job_->label, job_->over, job_->only_add);
   return true;

@@ -46,6 +46,13 @@ class SegmentModel {
   // that is empty or taken, and for a tissue that the library does not have.
   void add(const std::string& name, const std::string& tissue, bool critical);
 
+  // The active structure has this name. Throws InputError for one that is empty or taken, or without a structure.
+  void rename(const std::string& name);
+  // The tip must not enter the active structure, as plans, warnings and verdicts see it.
+  void set_critical(bool critical);
+  // The active structure has no voxels any more, as one step; saving drops what has none.
+  void remove();
+
   // The filter works on the active structure; poll() takes what came of it as a step. Nothing happens while another
   // work runs or without a structure.
   void run(const patient::SegmentFilter& filter, patient::Overwriting over, bool only_add);
@@ -55,10 +62,13 @@ class SegmentModel {
   bool poll();
   Status status() const;
   // Something was changed since it was opened or saved.
-  bool has_changes() const { return editor_.version() != saved_version_; }
+  bool has_changes() const;
 
  private:
   struct Job;
+
+  // As the table has names. Throws InputError for one that is empty or taken by another than `own`.
+  std::string free_name(const std::string& name, int own) const;
 
   std::shared_ptr<const OpenCase> patient_;
   patient::LabelEditor editor_;
@@ -66,6 +76,7 @@ class SegmentModel {
   patient::PlanningRules rules_;
   int active_ = -1;
   std::uint64_t saved_version_ = 0;
+  std::vector<anatomy::Structure> saved_table_;
   std::shared_ptr<Job> job_;  // null: none ran yet
   std::vector<std::jthread> threads_;
 };

@@ -61,6 +61,7 @@ struct StationLink::Shared {
   StationNews news;
   std::vector<station::StationCommand> commands;
   std::optional<station::ScanOrder> order;
+  std::optional<BodyPlace> body;
   std::atomic<bool> ended{false};
 };
 
@@ -90,6 +91,7 @@ class StationLink::Observer : public station::StationObserver {
   void update(station::Station& station, const station::StationStatus& status) override {
     std::vector<station::StationCommand> commands;
     std::optional<station::ScanOrder> order;
+    std::optional<BodyPlace> body;
     std::shared_ptr<const station::LivePicture> picture;
     if (status.ultrasound != nullptr && status.ultrasound->number != shown_picture_) {
       shown_picture_ = status.ultrasound->number;
@@ -99,10 +101,13 @@ class StationLink::Observer : public station::StationObserver {
       const std::lock_guard guard(shared_->lock);
       commands.swap(shared_->commands);
       order.swap(shared_->order);
+      body.swap(shared_->body);
       publish(status, std::move(picture));
     }
     for (const station::StationCommand command : commands) station.command(command);
     if (order) station.set_scan_order(*order);
+    if (body && !station.move_body(body->middle, body->rotation))
+      note("The body stays where it is: a needle touches it, or a second hand takes part.");
     if (shared_->ended.load()) station.end();
   }
 
@@ -184,6 +189,12 @@ void StationLink::set_scan_order(const station::ScanOrder& order) {
   if (shared_ == nullptr) return;
   const std::lock_guard guard(shared_->lock);
   shared_->order = order;
+}
+
+void StationLink::move_body(const BodyPlace& place) {
+  if (shared_ == nullptr) return;
+  const std::lock_guard guard(shared_->lock);
+  shared_->body = place;
 }
 
 void StationLink::end() {

@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "app/models/body_place.h"
 #include "session/session_run.h"
 #include "station/station.h"
 #include "station/station_observer.h"
@@ -80,6 +81,8 @@ class StationLink {
   void start(station::StationOptions options, const std::string& device, AttemptRules rules, Points points = {});
   void command(station::StationCommand command);
   void set_scan_order(const station::ScanOrder& order);
+  // See station::Station::move_body; what was ordered last before the station runs holds as well.
+  void move_body(const BodyPlace& place);
   // Ends the session; the news say when it is saved.
   void end();
   // Ends it, and waits until it is saved.

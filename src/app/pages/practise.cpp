@@ -87,8 +87,36 @@ PractisePage::PractisePage(QWidget* parent)
   whole->addWidget(make_strip());
   whole->addWidget(columns_, 1);
   for (QSplitter* splitter : {left_, columns_}) splitter->handle(1)->installEventFilter(this);
+  make_moving();
   reset_layout();
   restore_layout();
+}
+
+void PractisePage::make_moving() {
+  const auto button = [&](const QString& text, const char* name, const QString& tip) {
+    auto* made = new QPushButton(text, view3d_);
+    made->setObjectName(QLatin1String(name));
+    made->setAccessibleName(text);
+    made->setToolTip(tip);
+    made->setFocusPolicy(Qt::NoFocus);
+    return made;
+  };
+  move_ = button(tr("Move the body"), "practise.move",
+                 tr("Turn and move the body in the workspace of the device, needle outside (G)"));
+  move_->setCheckable(true);
+  undo_ = button(tr("Undo"), "practise.move.undo", tr("The last move of the body back (Ctrl+Z)"));
+  reset_ = button(tr("As at first"), "practise.move.reset", tr("The body as it lay at first (Ctrl+Home)"));
+  connect(move_, &QPushButton::clicked, this, &PractisePage::moving_toggled);
+  connect(undo_, &QPushButton::clicked, this, &PractisePage::moving_undone);
+  connect(reset_, &QPushButton::clicked, this, &PractisePage::moving_reset);
+  show_moving({});
+}
+
+void PractisePage::show_moving(const std::optional<View3d::Workspace>& workspace) {
+  view3d_->set_workspace(workspace);
+  move_->setChecked(workspace.has_value());
+  undo_->setVisible(workspace.has_value());
+  reset_->setVisible(workspace.has_value());
 }
 
 void PractisePage::reset_layout() {
@@ -300,6 +328,13 @@ void PractisePage::arrange_overlays() {
   const QSize all = view3d_->size();
   tip_->resize(tip_->sizeHint());
   tip_->move(margin, margin);
+  int left_of_next = margin;
+  for (QPushButton* each : {move_, undo_, reset_}) {
+    if (each == nullptr) break;  // while the page is made
+    each->adjustSize();
+    each->move(left_of_next, 2 * margin + tip_->height());
+    left_of_next += each->width() + gap;
+  }
   const int ladder_height = std::clamp(all.height() - 132, 120, 400);
   ladder_->setGeometry(all.width() - 118 - gap, 60, 118, ladder_height);
   const int left = margin + cube;

@@ -59,7 +59,13 @@ class PractisePage : public QWidget {
   // This view into the big slot of the slices.
   void make_big(View* view);
 
+  // The moving mode of the body, with its buttons.
+  void show_moving(const std::optional<View3d::Workspace>& workspace);
+
  signals:
+  void moving_toggled();
+  void moving_undone();
+  void moving_reset();
   void hold_requested();
   void again_requested();
   void end_requested();
@@ -73,6 +79,7 @@ class PractisePage : public QWidget {
   QWidget* make_instruments();
   QWidget* make_slices();
   QWidget* make_strip();
+  void make_moving();
   void arrange_overlays();
   void arrange_slices();
   void arrange_columns();
@@ -100,6 +107,7 @@ class PractisePage : public QWidget {
   QLabel* step_ = nullptr;
   QWidget* instruments_ = nullptr;
   QPushButton* hold_ = nullptr;
+  QPushButton *move_ = nullptr, *undo_ = nullptr, *reset_ = nullptr;  // the body
   View* filled_ = nullptr;
 };
 

@@ -159,6 +159,26 @@ void SegmentPage::add_structure() {
   show_labels(true);
 }
 
+void SegmentPage::rename_structure() {
+  if (model_ == nullptr) return;
+  try {
+    model_->rename(name_->text().trimmed().toStdString());
+  } catch (const InputError& error) {
+    return say(QString::fromUtf8(error.what()), true);
+  }
+  name_->clear();
+  say({}, false);
+  show_table();
+}
+
+void SegmentPage::remove_structure() {
+  if (model_ == nullptr || model_->active() < 0) return;
+  model_->remove();
+  say(tr("It has no voxels any more. Saving drops it; Ctrl+Z brings it back."), false);
+  show_table();
+  show_labels(true);
+}
+
 void SegmentPage::show_table() {
   const QSignalBlocker quiet(list_);
   list_->clear();
@@ -170,9 +190,21 @@ void SegmentPage::show_table() {
     QPixmap swatch(12, 12);
     swatch.fill(QColor(static_cast<QRgb>(colours_[each.label])));
     auto* const item = new QListWidgetItem(QIcon(swatch), in_words(readable_structure(each.name)), list_);
-    item->setToolTip(each.tissue.empty() ? tr("tissue by its HU") : QString::fromStdString(each.tissue));
+    const QString tissue = each.tissue.empty() ? tr("tissue by its HU") : QString::fromStdString(each.tissue);
+    item->setToolTip(each.critical ? tr("%1; critical").arg(tissue) : tissue);
+    if (each.critical) item->setText(tr("%1 (critical)").arg(item->text()));
   }
   list_->setCurrentRow(model_->active());
+  show_active();
+}
+
+void SegmentPage::show_active() {
+  const bool has_one = model_->active() >= 0;
+  for (QWidget* each :
+       {static_cast<QWidget*>(rename_), static_cast<QWidget*>(remove_), static_cast<QWidget*>(critical_)})
+    each->setEnabled(has_one);
+  const QSignalBlocker quiet(critical_);
+  critical_->setChecked(has_one && model_->table()[static_cast<std::size_t>(model_->active())].critical);
 }
 
 void SegmentPage::show_labels(bool also_relief) {

@@ -61,7 +61,10 @@ class SegmentPage : public Page {
   void end_stroke();
   void run_filter(patient::SegmentFilter::Kind kind);
   void add_structure();
+  void rename_structure();
+  void remove_structure();
   void show_table();
+  void show_active();
   void show_labels(bool also_relief);
   void show_status();
   void say(const QString& sentence, bool is_trouble);
@@ -77,8 +80,9 @@ class SegmentPage : public Page {
   QButtonGroup* tools_ = nullptr;
   QDoubleSpinBox *radius_ = nullptr, *reach_ = nullptr, *smoothness_ = nullptr;
   QSpinBox *low_ = nullptr, *high_ = nullptr;
-  QCheckBox *ball_ = nullptr, *keep_ = nullptr, *covered_ = nullptr;
+  QCheckBox *critical_ = nullptr, *ball_ = nullptr, *keep_ = nullptr, *covered_ = nullptr;
   QPushButton *undo_ = nullptr, *redo_ = nullptr, *save_ = nullptr, *cancel_ = nullptr;
+  QPushButton *rename_ = nullptr, *remove_ = nullptr;
   std::vector<QPushButton*> filters_;
   QProgressBar* progress_ = nullptr;
   QLabel *said_ = nullptr, *amount_ = nullptr;

@@ -151,6 +151,7 @@ QWidget* SegmentPage::make_panel() {
   connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
     if (model_ == nullptr || row < 0) return;
     model_->choose(row);
+    show_active();
     show_labels(true);
   });
   rows->addWidget(list_, 1);
@@ -158,8 +159,8 @@ QWidget* SegmentPage::make_panel() {
   naming->setSpacing(4);
   name_ = new QLineEdit;
   name_->setObjectName(QStringLiteral("segment.name"));
-  name_->setPlaceholderText(tr("name of a new one"));
-  name_->setAccessibleName(tr("Name of a new structure"));
+  name_->setPlaceholderText(tr("name, of a new one or another"));
+  name_->setAccessibleName(tr("Name of a new structure, or another for the chosen one"));
   rows->addWidget(name_);
   tissue_ = new QComboBox;
   tissue_->setObjectName(QStringLiteral("segment.tissue"));
@@ -171,6 +172,25 @@ QWidget* SegmentPage::make_panel() {
   connect(name_, &QLineEdit::returnPressed, this, &SegmentPage::add_structure);
   naming->addWidget(add);
   rows->addLayout(naming);
+  auto* chosen = new QHBoxLayout;
+  chosen->setSpacing(4);
+  rename_ = button("segment.rename", tr("Rename"), tr("The chosen structure gets the name that stands above"));
+  connect(rename_, &QPushButton::clicked, this, &SegmentPage::rename_structure);
+  remove_ = button("segment.remove", tr("Remove"), tr("The chosen structure loses all its voxels; saving drops it"));
+  connect(remove_, &QPushButton::clicked, this, &SegmentPage::remove_structure);
+  critical_ = check_box("segment.critical", tr("critical"),
+                        tr("Plans keep away from it, and a needle in it is a danger"), false);
+  connect(critical_, &QCheckBox::toggled, this, [this](bool on) {
+    if (model_ == nullptr) return;
+    model_->set_critical(on);
+    show_table();
+  });
+  for (QPushButton* each : {rename_, remove_}) {
+    each->setStyleSheet(QStringLiteral("padding: 6px 8px;"));
+    chosen->addWidget(each);
+  }
+  chosen->addWidget(critical_);
+  rows->addLayout(chosen);
   make_tools(rows);
   make_filters(rows);
   make_foot(rows);
