@@ -11,7 +11,7 @@ namespace bodkin::haptics {
 namespace {
 constexpr double slowest_shaking = 3.0;      // Hz
 constexpr double faster_than_hands = 19.0;   // Hz
-constexpr double hand_acceleration = 1.0e4;  // mm/s^2
+constexpr double hand_acceleration = 2.0e4;  // mm/s^2
 constexpr double persists = 0.85;            // of a cycle's width that the next one has at least
 constexpr double unsteady = 0.25;            // of a period by which another one may differ
 constexpr double fast_swings = 2.0;          // times the least swing

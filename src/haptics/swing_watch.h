@@ -11,8 +11,8 @@ namespace bodkin::haptics {
 // are wider than a hand of its own makes them:
 //
 //   from 19 Hz on: twice the smallest swing that the encoder can tell from noise (no hand trembles that fast);
-//   below: A = 2 a / (2 pi f)^2 from side to side, a = 10 m/s^2 (a choice: about twice what a hand that trembles by
-//   3 mm at 6 Hz or by 1 mm at 11 Hz needs), which is 1.4 mm at 19 Hz, 5 mm at 10 Hz and 56 mm at 3 Hz.
+//   below: A = 2 a / (2 pi f)^2 from side to side, a = 20 m/s^2 (a choice: about four times what a hand that trembles
+//   by 3 mm at 6 Hz or by 1 mm at 11 Hz needs), which is 2.8 mm at 19 Hz, 10 mm at 10 Hz and 113 mm at 3 Hz.
 //
 // What swings less below 19 Hz is for OscillationWatch, which asks who does the work, and for lasts(): a swing of
 // more than 8.5 Hz, however small, all of whose cycles are equally long (within 15 % and two ticks) and equally wide
