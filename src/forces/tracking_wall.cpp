@@ -19,11 +19,12 @@ void check_tracking_wall(const anatomy::TissueLibrary& library, const anatomy::T
 }
 
 TrackingWall::TrackingWall(const anatomy::TissueLibrary& library, const anatomy::TrackingWallSettings& settings,
-                           double dt)
+                           double dt, double resolution)
     : settings_(settings),
       tissues_(library.by_id(&anatomy::TissueProperties::tracking_wall)),
       dt_(dt),
       channels_(settings.channel_radius, settings.channel_tilt),
+      clock_(resolution, dt),
       firm_stiffness_(stiffest_wall(library)) {
   check_tracking_wall(library, settings, "tracking_wall");
   check_tick("tracking_wall", dt);
@@ -34,7 +35,7 @@ void TrackingWall::reset() noexcept {
   channels_.clear();
   mode_ = Mode::outside;
   wall_ = stop_wall_ = stop_depth_ = last_stop_ = settings_.surface;
-  stiffness_ = stop_ticks_ = 0.0;
+  stiffness_ = 0.0;
 }
 
 void TrackingWall::begin(const Vec3& entry, const Vec3& direction) noexcept {
@@ -56,7 +57,7 @@ void TrackingWall::rebase(double depth, double stiffness) noexcept {
     wall_ = depth - stiffness_ / stiffness * (depth - wall_);  // same force before and after
     stop_wall_ = wall_;
     stop_depth_ = depth;
-    stop_ticks_ = 0.0;
+    clock_.restart();
   }
   stiffness_ = stiffness;
 }
@@ -67,6 +68,7 @@ double TrackingWall::step(const AxialMotion& motion, anatomy::TissueId tissue, T
     events.push({EventKind::fault, tissue, wall_, 0.0});
     return 0.0;
   }
+  const bool rests = clock_.step(x, motion.stopped || motion.direction == 0);
   const double surface = settings_.surface;
   if (x <= surface) {  // eq. 3, second line
     if (mode_ != Mode::outside) events.push({EventKind::withdrawn, tissue, x, 0.0});
@@ -91,14 +93,14 @@ double TrackingWall::step(const AxialMotion& motion, anatomy::TissueId tissue, T
 
   const anatomy::TrackingWallTissue& layer = layer_at(x, tissue);
   rebase(x, layer.stiffness);
-  if (motion.stopped || motion.direction == 0) {
+  if (rests) {
     if (mode_ != Mode::stop) {  // eq. 5
       mode_ = Mode::stop;
       stop_wall_ = wall_;
       stop_depth_ = last_stop_ = x;
-      stop_ticks_ = 0.0;
+      clock_.start();
     }
-    const double part = std::min(1.0, ++stop_ticks_ * dt_ / settings_.catch_up);
+    const double part = std::min(1.0, clock_.advance() * dt_ / settings_.catch_up);
     wall_ = stop_wall_ + std::max(0.0, stop_depth_ - stop_wall_) * part;  // eq. 6 read as a line
   } else if (motion.direction > 0) {
     mode_ = Mode::insert;
@@ -133,7 +135,7 @@ double stiffest_wall(const anatomy::TissueLibrary& library) {
 }
 
 TrackingWall::TrackingWall(const anatomy::Case& patient, const anatomy::TrackingWallSettings& settings, double dt)
-    : TrackingWall(felt_tissues(patient), settings, dt) {
+    : TrackingWall(felt_tissues(patient), settings, dt, patient.description.device.position_resolution) {
   require_stable_walls(patient, settings);
 }
 

@@ -10,6 +10,7 @@
 #include "forces/channel_memory.h"
 #include "forces/events.h"
 #include "forces/resistance_model.h"
+#include "forces/stop_clock.h"
 
 namespace bodkin::forces {
 
@@ -45,8 +46,10 @@ class TrackingWall : public ResistanceDefaults {
       .diagnostics = {{{"wall_mm", "position W of the wall"}}},
   };
 
-  // Throws InputError for a setting outside its range. `dt`: s, 1e-6 to 0.1.
-  TrackingWall(const anatomy::TissueLibrary& library, const anatomy::TrackingWallSettings& settings, double dt);
+  // Throws InputError for a setting outside its range. `dt`: s, 1e-6 to 0.1. `resolution`: mm, of the measured depth;
+  // 0 = without noise.
+  TrackingWall(const anatomy::TissueLibrary& library, const anatomy::TrackingWallSettings& settings, double dt,
+               double resolution = 0.0);
   // Of a patient: also refuses what the device cannot render stably.
   TrackingWall(const anatomy::Case& patient, const anatomy::TrackingWallSettings& settings, double dt);
 
@@ -80,9 +83,9 @@ class TrackingWall : public ResistanceDefaults {
   double stiffness_ = 0.0;   // K_t of the layer that W refers to, N/mm
   double stop_wall_ = 0.0;   // W_s, mm
   double stop_depth_ = 0.0;  // x_s, mm
-  double stop_ticks_ = 0.0;  // ticks since the stop
-  double last_stop_ = 0.0;   // x_t0 of eq. 7, for `strict`, mm
-  double firm_stiffness_;    // of the stiffest tissue, N/mm
+  StopClock clock_;
+  double last_stop_ = 0.0;  // x_t0 of eq. 7, for `strict`, mm
+  double firm_stiffness_;   // of the stiffest tissue, N/mm
 };
 
 static_assert(ResistanceModel<TrackingWall>);

@@ -8,10 +8,11 @@
 namespace bodkin::forces {
 
 TrackingWallLeash::TrackingWallLeash(const anatomy::TissueLibrary& library,
-                                     const anatomy::TrackingWallSettings& settings, double dt)
+                                     const anatomy::TrackingWallSettings& settings, double dt, double resolution)
     : settings_(settings),
       tissues_(library.by_id(&anatomy::TissueProperties::tracking_wall)),
       dt_(dt),
+      clock_(resolution, dt),
       firm_stiffness_(stiffest_wall(library)) {
   check_tracking_wall(library, settings, "tracking_wall (leash)");
   check_tick("tracking_wall (leash)", dt);
@@ -43,6 +44,7 @@ Vec3 TrackingWallLeash::step(const Vec3& tip, const AxialMotion& motion, anatomy
     events.push({EventKind::fault, tissue, deepest_, 0.0});
     return Vec3::Zero();
   }
+  const bool rests = clock_.step(x, motion.stopped || motion.direction == 0);
   if (x <= 0.0) {
     if (inside_) events.push({EventKind::withdrawn, tissue, x, 0.0});
     inside_ = stopped_ = false;
@@ -67,14 +69,14 @@ Vec3 TrackingWallLeash::step(const Vec3& tip, const AxialMotion& motion, anatomy
   }
   stiffness_ = layer.stiffness;
 
-  if (motion.stopped || motion.direction == 0) {
+  if (rests) {
     if (!stopped_) {
       stop_wall_ = wall_;
       stop_tip_ = tip;
-      stop_ticks_ = 0.0;
+      clock_.start();
     }
     stopped_ = true;
-    wall_ = stop_wall_ + (stop_tip_ - stop_wall_) * std::min(1.0, ++stop_ticks_ * dt_ / settings_.catch_up);
+    wall_ = stop_wall_ + (stop_tip_ - stop_wall_) * std::min(1.0, clock_.advance() * dt_ / settings_.catch_up);
   } else {
     stopped_ = false;
   }
@@ -96,7 +98,7 @@ Vec3 TrackingWallLeash::step(const Vec3& tip, const AxialMotion& motion, anatomy
 
 TrackingWallLeash::TrackingWallLeash(const anatomy::Case& patient, const anatomy::TrackingWallSettings& settings,
                                      double dt)
-    : TrackingWallLeash(felt_tissues(patient), settings, dt) {
+    : TrackingWallLeash(felt_tissues(patient), settings, dt, patient.description.device.position_resolution) {
   require_stable_walls(patient, settings);
 }
 

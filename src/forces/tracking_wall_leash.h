@@ -24,8 +24,10 @@ class TrackingWallLeash : public ResistanceDefaults {
       .diagnostics = {{{"wall_mm", "position W of the wall"}}},
   };
 
-  // Throws InputError for a setting outside its range. `dt`: s, 1e-6 to 0.1.
-  TrackingWallLeash(const anatomy::TissueLibrary& library, const anatomy::TrackingWallSettings& settings, double dt);
+  // Throws InputError for a setting outside its range. `dt`: s, 1e-6 to 0.1. `resolution`: mm, of the measured depth;
+  // 0 = without noise.
+  TrackingWallLeash(const anatomy::TissueLibrary& library, const anatomy::TrackingWallSettings& settings, double dt,
+                    double resolution = 0.0);
   // Of a patient: also refuses what the device cannot render stably.
   TrackingWallLeash(const anatomy::Case& patient, const anatomy::TrackingWallSettings& settings, double dt);
 
@@ -51,7 +53,7 @@ class TrackingWallLeash : public ResistanceDefaults {
   Vec3 direction_ = Vec3::UnitZ();
   Vec3 wall_ = Vec3::Zero();
   Vec3 stop_wall_ = Vec3::Zero(), stop_tip_ = Vec3::Zero();
-  double stop_ticks_ = 0.0;
+  StopClock clock_;
   double stiffness_ = 0.0;  // K_t of the layer that W refers to, N/mm; 0 outside
   double deepest_ = 0.0;    // mm
   bool inside_ = false, free_ = false, stopped_ = false;

@@ -6,6 +6,7 @@
 #include "tests/forces/model_checks.h"
 
 #include "core/error.h"
+#include "core/motion_estimator.h"
 
 namespace bodkin {
 
@@ -61,6 +62,29 @@ TEST(TrackingWall, catches_up_with_the_tip_at_rest) {
     EXPECT_NEAR(bench.still(ticks[i]), forces[i], 1e-9);
     EXPECT_NEAR(bench.wall.wall(), walls[i], 1e-9);
   }
+}
+
+// W after a motion at 10 mm/s to 12 mm, which is measured in steps of `resolution` mm, and `still` ms of rest.
+double wall_after_a_stop(double resolution, int still) {
+  TrackingWall wall(checks::default_tissues(), {.catch_up = 0.5, .layers = {{0.0, {0.5, 1.0}}}}, 1e-3, resolution);
+  MotionEstimator estimator(1e-3, resolution);
+  TickEvents events;
+  wall.begin(Vec3::Zero(), Vec3::UnitZ());
+  for (int tick = 0; tick <= 1200 + still; ++tick) {
+    const double depth = 0.01 * std::min(tick, 1200);
+    const double measured = resolution > 0.0 ? resolution * std::round(depth / resolution) : depth;
+    wall.step(estimator.step(measured), tissue::muscle, events);
+  }
+  return wall.wall();
+}
+
+TEST(TrackingWall, catches_up_from_the_tick_of_the_stop_on) {
+  for (const int still : {1, 10, 28, 100, 250, 499}) {
+    EXPECT_NEAR(wall_after_a_stop(0.0, still), 10.0 + 2.0 * still / 500.0, 1e-6) << still << " ms without noise";
+  }
+  // With a device the rest is known late, and what was missed is made up.
+  for (const int still : {100, 250, 499})
+    EXPECT_NEAR(wall_after_a_stop(0.03, still), 10.0 + 2.0 * still / 500.0, 0.04) << still << " ms";
 }
 
 TEST(TrackingWall, the_wall_that_has_caught_up_waits_at_the_tip) {

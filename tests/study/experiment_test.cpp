@@ -89,6 +89,8 @@ TEST(Experiment, alamilla_loses_the_force_in_a_stop_of_800_milliseconds) {
   const Figure& played = figure("alamilla_2018_fig_6");
   EXPECT_NEAR(force_at(played, 2.8), 1.0, 0.01);
   EXPECT_NEAR(force_at(played, 4.5), 1.0, 1e-6);
+  EXPECT_NEAR(force_at(played, 4.528), 1.0 - 0.028 / 0.5, 0.005) << "the wall starts with the stop";
+  EXPECT_NEAR(force_at(played, 4.75), 0.5, 0.005);
   EXPECT_GT(force_at(played, 4.7), 0.5);
   EXPECT_LT(force_at(played, 4.9), 0.5);
   EXPECT_EQ(force_at(played, 5.29), 0.0);
