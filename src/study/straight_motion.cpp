@@ -143,7 +143,8 @@ StraightPath straight_path(const anatomy::Case& patient, const std::optional<Vec
   line.end = line.path.length() + beyond;
   if (beyond > 0.0 &&
       anatomy::nearest<anatomy::TissueId>(patient.tissues, line.path.entry + line.end * along, outside) == outside) {
-    throw InputError(fmt::format("{:.1f} mm beyond the target lies outside the volume; go less deep", beyond));
+    throw InputError(fmt::format(
+        "{:.1f} mm beyond the target lies outside the volume; go less deep with --beyond or --motion", beyond));
   }
   find_skin(line, patient.tissues);
   const double hub_on_skin = line.surface + patient.description.needle.length;
