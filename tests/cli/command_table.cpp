@@ -166,6 +166,8 @@ const std::vector<CommandRow>& command_table() {
         {"--start", Kind::texts},
         {"--bounds", Kind::texts},
         {"--free", Kind::texts},
+        {"--layers", Kind::texts},
+        {"--needles", Kind::texts},
         {"--output", Kind::text}}},
       {"figures", "made", "DIR", {{"--experiment", Kind::texts}}},
       {"ultrasound",

@@ -35,9 +35,15 @@ YieldCandidate candidate(std::size_t tick, const Eigen::VectorXd& residuals,
 
 }  // namespace
 
-CurveSolver::CurveSolver(const FitModel& model, const MeasuredCurve& curve, NeedleHistory history,
+CurveSolver::CurveSolver(const FitModel& model, const MeasuredCurve& curve, std::vector<NeedleHistory> histories,
                          std::vector<bool> counts)
-    : model_(model), curve_(curve), history_(std::move(history)) {
+    : model_(model), curve_(curve), histories_(std::move(histories)) {
+  for (const NeedleHistory& one : histories_) {
+    const auto before = static_cast<double>(history_.ticks.size());
+    history_.dt = one.dt;
+    history_.ticks.insert(history_.ticks.end(), one.ticks.begin(), one.ticks.end());
+    for (const double place : one.places) history_.places.push_back(before + place);
+  }
   for (std::size_t i = 0; i < counts.size(); ++i)
     if (counts[i]) rows_.push_back(i);
   const double ticks_per_sample = history_.places.back() / static_cast<double>(curve.size() - 1);
@@ -70,7 +76,11 @@ void CurveSolver::set_yield(CurveSolution& solution) const {
 
 std::vector<double> CurveSolver::force_at_samples(const std::vector<double>& values) const {
   std::vector<double> ticks(history_.ticks.size()), sampled(curve_.size());
-  model_.simulate(values, history_, ticks);
+  std::size_t first = 0;
+  for (const NeedleHistory& one : histories_) {
+    model_.simulate(values, one, std::span(ticks).subspan(first, one.ticks.size()));
+    first += one.ticks.size();
+  }
   at_samples(history_, ticks, sampled);
   return sampled;
 }

@@ -29,7 +29,10 @@ struct YieldCandidate {
 // are smooth then, fitted for each.
 class CurveSolver {
  public:
-  CurveSolver(const FitModel& model, const MeasuredCurve& curve, NeedleHistory history, std::vector<bool> counts);
+  // `curve`: the samples of one curve or of several, one after the other; `histories`: one for each, in their order.
+  // The tissue is fresh at the beginning of each.
+  CurveSolver(const FitModel& model, const MeasuredCurve& curve, std::vector<NeedleHistory> histories,
+              std::vector<bool> counts);
 
   // Which parameters are looked for, and within what. `start` has values that the user gave, none otherwise.
   std::vector<bool> looked_for;
@@ -77,7 +80,8 @@ class CurveSolver {
 
   const FitModel& model_;
   const MeasuredCurve& curve_;
-  NeedleHistory history_;
+  std::vector<NeedleHistory> histories_;
+  NeedleHistory history_;          // all of them, one after the other
   std::vector<std::size_t> rows_;  // samples that count
   std::size_t grid_step_ = 1;      // ticks between two places where the tissue may give way
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "study/fitting/curve_shape.h"
@@ -86,6 +87,28 @@ std::vector<bool> counting(const MeasuredCurve& curve, const FitRequest& request
   for (std::size_t i = 0; i < curve.size(); ++i)
     counts[i] = curve.depth[i] >= request.from && curve.depth[i] <= request.to;
   return counts;
+}
+
+// Of a stack: each layer's force begins with the median of what was measured in its deeper half on the way in. From a
+// force that is never reached there is no slope to follow.
+void begin_layers(const MeasuredCurve& curve, FitRequest& request) {
+  const double deepest = *std::max_element(curve.depth.begin(), curve.depth.end());
+  for (std::size_t layer = 0; layer < request.layers.size(); ++layer) {
+    const std::string name = fmt::format("force_{}", layer + 1);
+    const bool given = std::any_of(request.start.begin(), request.start.end(),
+                                   [&](const NamedValue& one) { return one.first == name; });
+    const double top = request.layers[layer],
+                 end = layer + 1 < request.layers.size() ? std::min(request.layers[layer + 1], deepest) : deepest;
+    std::vector<double> forces;
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+      const bool inside = curve.depth[i] > 0.5 * (top + end) && curve.depth[i] <= end;
+      if (inside && curve.depth[i] > curve.depth[i - 1]) forces.push_back(curve.force[i]);
+    }
+    if (given || forces.empty()) continue;
+    const auto middle = forces.begin() + static_cast<std::ptrdiff_t>(forces.size() / 2);
+    std::nth_element(forces.begin(), middle, forces.end());
+    request.start.emplace_back(name, std::clamp(*middle, 0.01, 50.0));
+  }
 }
 
 // Fits, drops the parameters that the data do not determine, and estimates the uncertainty of the rest.
@@ -286,8 +309,17 @@ void describe_quality(const MeasuredCurve& curve, const std::vector<bool>& count
     last = residual;
     begun = true;
   }
-  fit.r_squared = total > 0.0 ? 1.0 - left / total : 0.0;
-  fit.rmse = std::sqrt(left / static_cast<double>(fit.samples));
+  const auto samples = static_cast<double>(fit.samples);
+  const double rounding = 1e-9 * std::max(std::abs(mean), 1e-3);  // N
+  fit.r_squared =
+      total > samples * rounding * rounding ? 1.0 - left / total : std::numeric_limits<double>::quiet_NaN();
+  fit.rmse = std::sqrt(left / samples);
+  const auto found = std::count_if(fit.parameters.begin(), fit.parameters.end(), [](const FittedParameter& one) {
+    return one.status == ParameterStatus::estimated || one.status == ParameterStatus::at_bound;
+  });
+  const double free = static_cast<double>(found) + 1.0;  // the noise is estimated too
+  fit.aic = samples * std::log(std::max(left / samples, rounding * rounding)) + 2.0 * free +
+            2.0 * free * (free + 1.0) / std::max(1.0, samples - free - 1.0);
   const double correlation = left > 0.0 ? neighbours / left : 0.0;
   if (correlation > alike) {
     fit.notes.push_back(
@@ -320,9 +352,19 @@ const FittedParameter* CurveFit::find(std::string_view name) const noexcept {
 }
 
 CurveFit fit_curve(const MeasuredCurve& curve, const FitRequest& request) {
-  const FitModel& model = fit_model(request.model);
+  return fit_curves({&curve, 1}, request);
+}
+
+CurveFit fit_curves(std::span<const MeasuredCurve> curves, const FitRequest& asked) {
+  if (curves.empty()) throw InputError("there is no curve to fit");
+  FitRequest request = asked;
+  const FitModel model = request.layers.empty() ? fit_model(request.model) : fit_stack(request.model, request.layers);
+  const MeasuredCurve curve = joined(curves);
+  begin_layers(curve, request);
   const std::vector<bool> counts = counting(curve, request);
-  CurveSolver solver(model, curve, history_of(curve, request, model), counts);
+  std::vector<NeedleHistory> histories;
+  for (const MeasuredCurve& one : curves) histories.push_back(history_of(one, request, model));
+  CurveSolver solver(model, curve, std::move(histories), counts);
   apply(request, model, solver);
   const auto wanted = static_cast<std::size_t>(std::count(solver.looked_for.begin(), solver.looked_for.end(), true));
   if (solver.counted() < wanted + samples_to_spare) {
@@ -335,6 +377,9 @@ CurveFit fit_curve(const MeasuredCurve& curve, const FitRequest& request) {
 
   CurveFit fit;
   fit.model = model.name;
+  for (const MeasuredCurve& one : curves) {
+    if (!one.assumed.empty()) fit.notes.push_back(one.assumed);
+  }
   fit.parameters = estimation.parameters();
   fit.samples = solver.counted();
   fit.force = solver.force_at_samples(estimation.solution().values);
@@ -355,6 +400,23 @@ CurveFit fit_curve(const MeasuredCurve& curve, const FitRequest& request) {
     }
   }
   return fit;
+}
+
+ModelChoice choose_model(std::span<const MeasuredCurve> curves, const FitRequest& request) {
+  ModelChoice choice;
+  for (const FitModel& model : fit_models()) {
+    FitRequest one = request;
+    one.model = model.name;
+    try {
+      choice.fits.push_back(fit_curves(curves, one));
+    } catch (const InputError& error) {
+      choice.refused.emplace_back(model.name, error.what());
+    }
+  }
+  if (choice.fits.empty()) throw InputError(choice.refused.front().second);
+  std::stable_sort(choice.fits.begin(), choice.fits.end(),
+                   [](const CurveFit& a, const CurveFit& b) { return a.aic < b.aic; });
+  return choice;
 }
 
 }  // namespace bodkin::study

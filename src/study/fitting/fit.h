@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +31,9 @@ struct FitRequest {
   std::vector<NamedValue> start;                           // begun with a value
   std::vector<ParameterBounds> bounds;                     // narrower than the model's own
   std::vector<std::string> free;                           // fitted although the model usually keeps them
+  // mm below the skin at which layers begin, the first 0, rising; for `tracking_wall`: a force for each layer. May be
+  // empty: one tissue.
+  std::vector<double> layers;
 };
 
 enum class ParameterStatus {
@@ -52,7 +56,9 @@ struct CurveFit {
   std::string model;
   std::vector<FittedParameter> parameters;  // in the model's order
   std::size_t samples = 0;                  // that count
-  double r_squared = 0.0;
+  double r_squared = 0.0;                   // NaN where the measured force is constant: there is nothing to explain
+  // Akaike's criterion with the correction for few samples; smaller is better, between models of the same samples.
+  double aic = 0.0;
   double rmse = 0.0;                // N
   std::optional<double> yields_at;  // mm, depth at which the tissue gives way
   std::vector<double> force;        // N, the model's, at every sample of the curve
@@ -66,6 +72,17 @@ struct CurveFit {
 // Deterministic. Throws InputError for names, values and ranges that do not fit the model, for too few samples, and
 // for a curve without time where the model needs it.
 CurveFit fit_curve(const MeasuredCurve& curve, const FitRequest& request);
+// One set of values for several curves at once, each from fresh tissue; `force` has the samples of all, one after the
+// other.
+CurveFit fit_curves(std::span<const MeasuredCurve> curves, const FitRequest& request);
+
+// Every model fitted to the same curves, the best by `aic` first.
+struct ModelChoice {
+  std::vector<CurveFit> fits;
+  std::vector<std::pair<std::string, std::string>> refused;  // model, and why
+};
+// `request` without model, fix, start, bounds, free and layers. Throws InputError when no model can be fitted.
+ModelChoice choose_model(std::span<const MeasuredCurve> curves, const FitRequest& request);
 
 // The fitted values as an XML document: elements of the tissue library and of a case, ready to be copied.
 std::string fitted_xml(const CurveFit& fit, const MeasuredCurve& curve);

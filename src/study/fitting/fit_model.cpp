@@ -24,4 +24,22 @@ const FitModel& fit_model(std::string_view name) {
   throw InputError(fmt::format("the model is {}, expected one of {}", io::in_quotes(name), names));
 }
 
+FitModel fit_stack(std::string_view name, std::span<const double> tops) {
+  constexpr std::size_t most = 30;
+  constexpr double deepest = 500.0;  // mm
+  if (fit_model(name).name != "tracking_wall")
+    throw InputError(
+        fmt::format("--layers is for tracking_wall; fit each layer of {} by itself with --from and --to", name));
+  if (tops.front() != 0.0)
+    throw InputError(fmt::format("--layers begins at {:g} mm, expected 0, the skin, first", tops.front()));
+  for (std::size_t i = 1; i < tops.size(); ++i) {
+    if (!(tops[i] > tops[i - 1] && tops[i] <= deepest))
+      throw InputError(fmt::format("--layers has {:g} mm after {:g}, expected depths that rise, at most {:g}",
+                                   tops[i], tops[i - 1], deepest));
+  }
+  if (tops.size() > most)
+    throw InputError(fmt::format("--layers has {} depths, expected at most {}", tops.size(), most));
+  return tracking_wall_stack_fit(tops);
+}
+
 }  // namespace bodkin::study

@@ -65,9 +65,14 @@ const std::vector<FitModel>& fit_models();
 // Throws InputError with the names that there are.
 const FitModel& fit_model(std::string_view name);
 
+// A model of a stack whose layers begin at `tops` (mm, the first 0, rising): a force for each, what the layers share
+// once. Throws InputError for a model other than `tracking_wall` and for depths that are none.
+FitModel fit_stack(std::string_view name, std::span<const double> tops);
+
 // The models whose force has no law of its own for tissue along the shaft ...
 FitModel spring_damper_wall_fit();
 FitModel tracking_wall_fit();
+FitModel tracking_wall_stack_fit(std::span<const double> tops);
 FitModel depth_profile_fit();
 // ... and those that have.
 FitModel layered_fit();

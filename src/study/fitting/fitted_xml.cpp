@@ -1,3 +1,4 @@
+#include <cmath>
 #include <string>
 
 #include "study/fitting/fit.h"
@@ -25,8 +26,9 @@ std::string source_of(const CurveFit& fit, const MeasuredCurve& curve) {
     kept += (kept.empty() ? "" : ", ") + one.name;
   }
   return fmt::format(
-      "{} fitted to {}: {} samples, R^2 {:.4f}, RMSE {:.3g} N.{}", fit.model, curve.name, fit.samples, fit.r_squared,
-      fit.rmse, kept.empty() ? "" : fmt::format(" Not determined by the data, kept at a usual value: {}.", kept));
+      "{} fitted to {}: {} samples, R^2 {}, RMSE {:.3g} N.{}", fit.model, curve.name, fit.samples,
+      std::isnan(fit.r_squared) ? "undefined" : fmt::format("{:.4f}", fit.r_squared), fit.rmse,
+      kept.empty() ? "" : fmt::format(" Not determined by the data, kept at a usual value: {}.", kept));
 }
 
 }  // namespace

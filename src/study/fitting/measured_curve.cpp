@@ -50,7 +50,8 @@ char separator_of(std::string_view text) {
 }
 
 // Which of `columns` each column of the table is.
-std::vector<std::size_t> columns_of(const io::CsvRow& header, const std::string& origin) {
+std::vector<std::size_t> columns_of(const io::CsvRow& header, const std::string& origin,
+                                    std::optional<double> speed) {
   std::vector<std::size_t> order;
   for (const std::string& field : header.fields) {
     const auto same = std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return field == c.name; });
@@ -71,8 +72,16 @@ std::vector<std::size_t> columns_of(const io::CsvRow& header, const std::string&
       io::fail_at(origin, header.line, fmt::format("the column {} stands there twice", field));
     order.push_back(place);
   }
+  const auto has = [&](std::size_t place) { return std::find(order.begin(), order.end(), place) != order.end(); };
+  if (has(0) && !has(1) && has(2)) {
+    if (speed) return order;
+    io::fail_at(
+        origin, header.line,
+        "there is no column depth_mm, so that the forces belong to no place; give the depth of every sample, or "
+        "--speed, the needle's mm/s, for one even insertion that begins at the skin");
+  }
   for (const std::size_t needed : {std::size_t{1}, std::size_t{2}}) {
-    if (std::find(order.begin(), order.end(), needed) == order.end())
+    if (!has(needed))
       io::fail_at(origin, header.line,
                   fmt::format("there is no column {}, expected the header {} (time_s may be missing)",
                               columns[needed].name, expected_header));
@@ -152,11 +161,11 @@ void check_units(const MeasuredCurve& curve) {
 
 }  // namespace
 
-MeasuredCurve parse_measured_curve(std::string_view text, const std::string& origin) {
+MeasuredCurve parse_measured_curve(std::string_view text, const std::string& origin, std::optional<double> speed) {
   const std::vector<io::CsvRow> rows =
       io::read_csv_rows(text, origin, {.separator = separator_of(text), .comments = true});
   if (rows.empty()) io::fail_at(origin, 1, fmt::format("the file is empty, expected the header {}", expected_header));
-  const std::vector<std::size_t> order = columns_of(rows.front(), origin);
+  const std::vector<std::size_t> order = columns_of(rows.front(), origin, speed);
   if (rows.size() - 1 < fewest_samples || rows.size() - 1 > most_samples) {
     throw InputError(fmt::format("{}: there are {} samples, expected {} to {}", origin, rows.size() - 1,
                                  fewest_samples, most_samples));
@@ -177,12 +186,33 @@ MeasuredCurve parse_measured_curve(std::string_view text, const std::string& ori
           fmt::format("time_s is {} after {}, expected times that increase", curve.time[n - 1], curve.time[n - 2]));
     }
   }
+  if (curve.depth.empty()) {
+    for (const double time : curve.time) curve.depth.push_back(*speed * (time - curve.time.front()));
+    curve.assumed = fmt::format(
+        "{} has no depths: they are taken as {:g} mm/s times time_s, one even insertion from 0 mm at the first "
+        "sample",
+        origin, *speed);
+  } else if (curve.time.empty() && speed) {
+    curve.assumed = fmt::format("{} has no times: they are taken from the depths at {:g} mm/s", origin, *speed);
+  } else if (speed) {
+    curve.assumed = fmt::format("{} has times and depths, so that --speed is not used for it", origin);
+  }
   check_units(curve);
   return curve;
 }
 
-MeasuredCurve read_measured_curve(const std::filesystem::path& file) {
-  return parse_measured_curve(io::read_text_file(file, curve_limit), file.string());
+MeasuredCurve read_measured_curve(const std::filesystem::path& file, std::optional<double> speed) {
+  return parse_measured_curve(io::read_text_file(file, curve_limit), file.string(), speed);
+}
+
+MeasuredCurve joined(std::span<const MeasuredCurve> curves) {
+  MeasuredCurve all;
+  for (const MeasuredCurve& curve : curves) {
+    all.name += (all.name.empty() ? "" : ", ") + curve.name;
+    all.depth.insert(all.depth.end(), curve.depth.begin(), curve.depth.end());
+    all.force.insert(all.force.end(), curve.force.begin(), curve.force.end());
+  }
+  return all;
 }
 
 std::vector<double> sample_times(const MeasuredCurve& curve, std::optional<double> speed) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,7 @@ struct MeasuredCurve {
   std::vector<double> time;   // s, increasing; empty: not measured
   std::vector<double> depth;  // mm, positive inwards
   std::vector<double> force;  // N, positive pushes the needle out
+  std::string assumed;        // what was taken for granted, a sentence; empty: nothing
 
   std::size_t size() const noexcept { return depth.size(); }
 };
@@ -22,13 +24,19 @@ struct MeasuredCurve {
 // semicolons or tabs between them; lines that begin with # are comments. At least 10 rows. Throws InputError naming
 // line, column, what was found and what was expected; also for values that cannot be in these units: a range of depth
 // below 0.2 mm or above 500 mm, forces above 100 N or below 1 mN, more than 600 s, negative forces during insertion.
-MeasuredCurve read_measured_curve(const std::filesystem::path& file);
+// A table with times and no depth is one even insertion from 0 mm at its first sample at `speed` (mm/s), which
+// `assumed` says; without a speed it is refused.
+MeasuredCurve read_measured_curve(const std::filesystem::path& file, std::optional<double> speed = {});
 
 // The same from text already in memory; `origin` names it in messages.
-MeasuredCurve parse_measured_curve(std::string_view text, const std::string& origin);
+MeasuredCurve parse_measured_curve(std::string_view text, const std::string& origin,
+                                   std::optional<double> speed = {});
 
 // The time of every sample, s: as measured, or the distance divided by `speed` (mm/s). Throws InputError when the
 // curve has neither.
 std::vector<double> sample_times(const MeasuredCurve& curve, std::optional<double> speed);
+
+// Samples of several curves one after the other, without times; the name holds all names.
+MeasuredCurve joined(std::span<const MeasuredCurve> curves);
 
 }  // namespace bodkin::study

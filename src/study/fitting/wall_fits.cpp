@@ -3,6 +3,7 @@
 
 #include "study/fitting/fit_model.h"
 #include "study/fitting/simulate.h"
+#include <fmt/format.h>
 
 #include "forces/depth_profile.h"
 #include "forces/spring_damper_wall.h"
@@ -62,6 +63,53 @@ FittedElements elements(std::span<const double> p) {
           .resistance = numbers_element("tracking_wall", {{"catch_up_s", p[catch_up]}})};
 }
 }  // namespace tracking
+
+// The values: stiffness, a force for each layer, catch-up time, contact, then where each layer begins.
+namespace stack {
+constexpr std::size_t shared = 3;
+
+std::size_t layers(std::span<const double> p) {
+  return (p.size() - shared) / 2;
+}
+double catch_up(std::span<const double> p) {
+  return p[1 + layers(p)];
+}
+double contact(std::span<const double> p) {
+  return p[2 + layers(p)];
+}
+double top(std::span<const double> p, std::size_t layer) {
+  return p[shared + layers(p) + layer];
+}
+
+void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> forces) {
+  anatomy::TrackingWallSettings settings;
+  settings.catch_up = catch_up(p);
+  settings.limit = no_limit;
+  for (std::size_t i = 0; i < layers(p); ++i)
+    settings.layers.push_back({.from = top(p, i), .layer = {.stiffness = p[0], .force = p[1 + i]}});
+  forces::TrackingWall model(anatomy::TissueLibrary(), settings, history.dt);
+  simulate_axial(
+      history, contact(p), forces, [&] { model.begin(Vec3::Zero(), Vec3::UnitZ()); },
+      [&](const AxialMotion& motion, forces::TickEvents& events) {
+        return model.step(motion, anatomy::tissue::soft, events);
+      });
+}
+
+void guess(const CurveShape& shape, std::span<double> p) {
+  p[0] = shape.slope;
+  for (std::size_t i = 0; i < layers(p); ++i) p[1 + i] = std::max(shape.peak_force, shape.end_force);
+  p[2 + layers(p)] = shape.contact;
+}
+
+FittedElements elements(std::span<const double> p) {
+  FittedElements result{.resistance = numbers_element("tracking_wall", {{"catch_up_s", catch_up(p)}})};
+  for (std::size_t i = 0; i < layers(p); ++i) {
+    result.resistance->children.push_back(
+        numbers_element("layer", {{"from_mm", top(p, i)}, {"stiffness_N_per_mm", p[0]}, {"force_N", p[1 + i]}}));
+  }
+  return result;
+}
+}  // namespace stack
 
 namespace profile {
 enum : std::size_t { skin_stiffness, puncture_depth, stiffness, slope, trailing, contact };
@@ -133,6 +181,22 @@ FitModel tracking_wall_fit() {
           .simulate = tracking::simulate,
           .guess = tracking::guess,
           .elements = tracking::elements};
+}
+
+FitModel tracking_wall_stack_fit(std::span<const double> tops) {
+  FitModel model = {.name = "tracking_wall",
+                    .parameters = {{"stiffness", "N/mm", 0.01, 100.0, 0.5}},
+                    .contact = 2 + tops.size(),
+                    .simulate = stack::simulate,
+                    .guess = stack::guess,
+                    .elements = stack::elements};
+  for (std::size_t i = 0; i < tops.size(); ++i)
+    model.parameters.push_back({fmt::format("force_{}", i + 1), "N", 0.0, 50.0, 1.0});
+  model.parameters.push_back({"catch_up", "s", 0.001, 1000.0, 0.5});
+  model.parameters.push_back({"contact", "mm", -1000.0, 1000.0, 0.0, false});
+  for (std::size_t i = 0; i < tops.size(); ++i)
+    model.parameters.push_back({fmt::format("from_{}", i + 1), "mm", 0.0, 500.0, tops[i], false});
+  return model;
 }
 
 FitModel depth_profile_fit() {
