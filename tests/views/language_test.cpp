@@ -28,7 +28,7 @@ std::string german(const Language& language, const char* context, const std::str
 // The literals that stand right after this, put together: tr("one "\n  "text") gives "one text".
 std::set<std::string> texts_after(const std::string& source, const std::string& call) {
   static const std::string literal = R"re("(?:[^"\\]|\\.)*")re";
-  const std::regex whole(call + R"(\(\s*(?:"\w+"\s*,\s*)?()" + literal + R"((?:\s*)" + literal + R"()*)\s*[,)])");
+  const std::regex whole(call + R"(()" + literal + R"((?:\s*)" + literal + R"()*)\s*[,)])");
   const std::regex one(literal);
   std::set<std::string> texts;
   for (std::sregex_iterator at(source.begin(), source.end(), whole), end; at != end; ++at) {
@@ -52,8 +52,9 @@ TEST(Language, german_has_every_text_of_the_window) {
       if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
       std::ostringstream source;
       source << std::ifstream(entry.path()).rdbuf();
-      for (const char* call : {R"(\btr)", R"(\bQT_TRANSLATE_NOOP)", R"(QApplication::translate)",
-                               R"(QCoreApplication::translate)", R"(\bBODKIN_TEXT_OF)"}) {
+      for (const char* call :
+           {R"re(\btr\(\s*)re", R"re(\bBODKIN_TEXT_OF\(\s*)re", R"re(\bQT_TRANSLATE_NOOP\("[\w:]+",\s*)re",
+            R"re(Application::translate\("[\w:]+",\s*)re"}) {
         for (const std::string& text : texts_after(source.str(), call)) {
           ++texts;
           EXPECT_FALSE(language.translate("any", text.c_str(), nullptr, 2).isNull())
