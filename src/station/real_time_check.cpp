@@ -23,4 +23,11 @@ std::string real_time_warning(bool allowed) {
       fmt::join(refused, "; "));
 }
 
+bool is_kept_low(const DeviceChoice& choice, const haptics::DeviceAbilities& device, bool allow_late,
+                 const char* whose, StationObserver& observer) {
+  const std::string warning = holds_a_hand(choice, device) ? real_time_warning(allow_late) : "";
+  if (!warning.empty()) observer.note(whose + warning);
+  return !warning.empty() && !allow_late;
+}
+
 }  // namespace bodkin::station

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "station/device_choice.h"
+#include "station/station_observer.h"
 
 #include "haptics/device.h"
 
@@ -18,5 +19,10 @@ bool holds_a_hand(const DeviceChoice& choice, const haptics::DeviceAbilities& de
 // Where the system grants no real-time priority or does not lock memory: one sentence that says what this means and
 // how to get them. Empty where it does. `allowed`: the user has said that he knows, and no cap is put on the force.
 std::string real_time_warning(bool allowed);
+
+// Tells the observer, and says whether the force of a device that holds a hand is to be kept low. `whose`: put before
+// the sentence.
+bool is_kept_low(const DeviceChoice& choice, const haptics::DeviceAbilities& device, bool allow_late,
+                 const char* whose, StationObserver& observer);
 
 }  // namespace bodkin::station

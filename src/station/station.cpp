@@ -8,7 +8,6 @@
 #include <string>
 #include <thread>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "patient/prepared_body.h"
@@ -63,7 +62,6 @@ struct Station::Parts {
   void prepare_patient();
   void follow_points(const std::vector<Vec3>& points);
   haptics::DevicePort open_device();
-  bool warn_of_late_ticks(const char* whose);
   void open_second(const haptics::DeviceAbilities& first);
   session::SessionHeader header() const;
   void prepare_ultrasound(const Pose& probe);
@@ -160,28 +158,21 @@ haptics::DevicePort Station::Parts::open_device() {
   servo.workspace.force_scale = options.force_scale;
   haptics::apply(calibration, servo);
   if (stiffness.is_cut() && !choice.is_recorded()) observer.note(stiffness_sentence(stiffness));
-  if (holds_a_hand(choice, device) && warn_of_late_ticks("")) servo.guard.user_force = late_force;
+  if (is_kept_low(choice, device, options.allow_late, "", observer)) servo.guard.user_force = late_force;
   return port;
-}
-
-// Whether the force is to be kept low because the system does not run the loop ahead of other programs.
-bool Station::Parts::warn_of_late_ticks(const char* whose) {
-  const std::string warning = real_time_warning(options.allow_late);
-  if (!warning.empty()) observer.note(whose + warning);
-  return !warning.empty() && !options.allow_late;
 }
 
 void Station::Parts::open_second(const haptics::DeviceAbilities& first) {
   if (options.second) {
-    second_device.emplace(*options.second, options.device, first, path, patient->description.haptics.rate,
-                          options.use_calibration);
-    const DeviceChoice& choice = options.second->device;
-    const haptics::StableStiffness& offered = second_device->stiffness();
-    if (offered.is_cut() && !choice.is_recorded()) observer.note("second hand: " + stiffness_sentence(offered));
-    if (holds_a_hand(choice, second_device->abilities()) && warn_of_late_ticks("second hand: "))
+    const double rate = patient->description.haptics.rate;
+    second_device.emplace(*options.second, options.device, first, path, rate, options.use_calibration);
+    if (second_device->stiffness().is_cut() && !options.second->device.is_recorded())
+      observer.note("second hand: " + stiffness_sentence(second_device->stiffness()));
+    const haptics::DeviceAbilities& known = second_device->abilities();
+    if (is_kept_low(options.second->device, known, options.allow_late, "second hand: ", observer))
       second_device->limit_force(late_force);
-    if (!second_device->calibrated_at().empty())
-      observer.note(fmt::format("second device calibrated {}", second_device->calibrated_at()));
+    const std::string& when = second_device->calibrated_at();
+    if (!when.empty()) observer.note(fmt::format("second device calibrated {}", when));
   }
   if (!calibration.empty()) observer.note(fmt::format("calibrated {}", calibration.measured_at));
 }
