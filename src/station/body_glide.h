@@ -2,15 +2,16 @@
 
 #include <optional>
 
+#include "station/hand_session.h"
+
 #include "haptics/servo_tick.h"
 #include "haptics/workspace_map.h"
-#include "station/hand_session.h"
 
 namespace bodkin::station {
 
-// Moves the body in the workspace of a running device (WorkspaceMap::move_body), and stops it where the needle touches
-// it: a needle that goes in meets a body that rests. Knows where the body is on its way by gliding itself, as the
-// servo does.
+// Moves the body in the workspace of a running device (WorkspaceMap::move_body), and stops it where the needle
+// touches it: a needle that goes in meets a body that rests. Knows where the body is on its way by gliding itself, as
+// the servo does.
 class BodyGlide {
  public:
   // The needle is in the body or touches it.
