@@ -152,7 +152,7 @@ QLabel#top\.patient { color: %5; font-size: 11px; }
 
 void TopBar::set_case(std::shared_ptr<const OpenCase> patient) {
   procedure_->setText(patient == nullptr ? QString() : in_words(patient->procedure));
-  patient_->setText(patient == nullptr ? QString() : QString::fromStdString(patient->title));
+  patient_->setText(patient == nullptr ? QString() : in_words(patient->title));
 }
 
 void TopBar::set_stage(Stage stage) {
@@ -170,7 +170,7 @@ void TopBar::set_ultrasound(bool on) {
 void TopBar::show_frame(const Frame& frame, const Changes& changes) {
   if (changes.theme) refresh_style();
   if (changes.attempt) late_ = frame.late_ticks;
-  const QString device = QString::fromStdString(frame.device);
+  const QString device = in_words(frame.device);
   if (device.isEmpty()) {
     show_chip(device_, tr("No device"), Lamp::off, tr("No device is open"));
   } else if (frame.state == State::device_lost) {

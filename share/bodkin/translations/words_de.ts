@@ -2319,5 +2319,128 @@
         <source>joint space</source>
         <translation>Gelenkspalt</translation>
     </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Stylus</source>
+        <translation>Griff</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>break force</source>
+        <translation>Durchstichkraft</translation>
+    </message>
+    <message>
+        <source>static friction</source>
+        <translation>Haftreibung</translation>
+    </message>
+    <message>
+        <source>dynamic friction</source>
+        <translation>Gleitreibung</translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation>Zähigkeit</translation>
+    </message>
+    <message>
+        <source>roughness</source>
+        <translation>Rauigkeit</translation>
+    </message>
+    <message>
+        <source>contact stiffness</source>
+        <translation>Kontaktsteifigkeit</translation>
+    </message>
+    <message>
+        <source>puncture force</source>
+        <translation>Durchstichkraft</translation>
+    </message>
+    <message>
+        <source>softening</source>
+        <translation>Erweichung</translation>
+    </message>
+    <message>
+        <source>a hand of mass and spring that goes in and comes out again</source>
+        <translation>eine Hand aus Masse und Feder, die hineingeht und wieder herauskommt</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Bild ab</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Bild auf</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Auf</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Ab</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Pos1</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Rück</translation>
+    </message>
 </context>
 </TS>

@@ -7,6 +7,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "views/language.h"
@@ -18,12 +19,12 @@ using namespace views;
 
 namespace {
 
-constexpr int sheet_width = 520;  // pixels
-constexpr int dimming = 150;      // of 255
+constexpr int width_of_keys = 900;  // pixels
+constexpr int dimming = 150;        // of 255
 
 }  // namespace
 
-Card::Card(const char* name, QWidget* parent) : QWidget(parent) {
+Card::Card(const char* name, QWidget* parent, int width) : QWidget(parent) {
   setObjectName(QLatin1String(name));
   auto* across = new QHBoxLayout(this);
   auto* down = new QVBoxLayout;
@@ -33,7 +34,7 @@ Card::Card(const char* name, QWidget* parent) : QWidget(parent) {
   sheet_ = new QWidget;
   sheet_->setObjectName(QStringLiteral("card"));
   sheet_->setAttribute(Qt::WA_StyledBackground);
-  sheet_->setFixedWidth(sheet_width);
+  sheet_->setFixedWidth(width);
   rows_ = new QVBoxLayout(sheet_);
   rows_->setContentsMargins(28, 24, 28, 24);
   rows_->setSpacing(12);
@@ -212,23 +213,23 @@ void ResultsCard::show_plan(const QString& standing, const QString& next) {
   again_->setText(next.isEmpty() ? tr("Again   A") : next);
 }
 
-KeysCard::KeysCard(QWidget* parent) : Card("keys", parent) {
+KeysCard::KeysCard(QWidget* parent) : Card("keys", parent, width_of_keys) {
   add_label("heading")->setText(tr("Keys"));
-  auto* columns = new QHBoxLayout;
-  left_ = new QLabel;
-  right_ = new QLabel;
-  for (QLabel* label : {left_, right_}) {
-    label->setTextFormat(Qt::RichText);
-    label->setAlignment(Qt::AlignTop);
-    label->setWordWrap(true);
-    columns->addWidget(label, 1);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(20);
+  for (QLabel*& column : columns_) {
+    column = new QLabel;
+    column->setTextFormat(Qt::RichText);
+    column->setAlignment(Qt::AlignTop);
+    column->setWordWrap(true);
+    row->addWidget(column, 1);
   }
-  rows()->addLayout(columns);
+  rows()->addLayout(row);
 }
 
 void KeysCard::show_keys(const std::vector<KeyScope>& scopes) {
-  QString text[2];
-  std::size_t lines[2] = {0, 0};
+  std::array<QString, 3> text;
+  std::array<std::size_t, 3> lines{};
   for (const KeyScope scope : scopes) {
     QString block =
         QStringLiteral("<p style='color:%1'>%2</p><table>").arg(Theme::now().accent.name(), name_of(scope));
@@ -251,12 +252,14 @@ void KeysCard::show_keys(const std::vector<KeyScope>& scopes) {
     }
     flush();
     block += QStringLiteral("</table>");
-    const std::size_t side = lines[0] <= lines[1] ? 0 : 1;
-    text[side] += block;
-    lines[side] += count + 1;
+    const auto column = static_cast<std::size_t>(std::min_element(lines.begin(), lines.end()) - lines.begin());
+    text[column] += block;
+    lines[column] += count + 1;
   }
-  left_->setText(text[0]);
-  right_->setText(text[1]);
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    columns_[i]->setText(text[i]);
+    columns_[i]->setVisible(!text[i].isEmpty());
+  }
 }
 
 void KeysCard::mousePressEvent(QMouseEvent*) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 
 #include "app/key_table.h"
 #include "app/models/case_model.h"
@@ -21,7 +22,8 @@ using namespace views;
 class Card : public QWidget {
   Q_OBJECT
  public:
-  Card(const char* name, QWidget* parent);
+  // `width` of the sheet, pixels.
+  Card(const char* name, QWidget* parent, int width = 520);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -117,8 +119,7 @@ class KeysCard : public Card {
   void mousePressEvent(QMouseEvent* event) override;
 
  private:
-  QLabel* left_;
-  QLabel* right_;
+  std::array<QLabel*, 3> columns_;
 };
 
 }  // namespace bodkin::app

@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QGuiApplication>
 #include <QHBoxLayout>
+#include <QKeySequence>
 #include <QLabel>
 #include <QPushButton>
 #include <QScreen>
@@ -197,7 +198,8 @@ QWidget* PractisePage::make_instruments() {
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(8);
   const auto button = [&](const QString& text, const char* key, const char* name, const QString& tip) {
-    auto* made = new QPushButton(QStringLiteral("%1   %2").arg(text, QLatin1String(key)));
+    const QString key_name = QKeySequence(QLatin1String(key)).toString(QKeySequence::NativeText);
+    auto* made = new QPushButton(QStringLiteral("%1   %2").arg(text, key_name));
     made->setObjectName(QLatin1String(name));
     made->setAccessibleName(text);
     made->setToolTip(tip);
