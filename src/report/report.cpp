@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "report/crossings.h"
+#include "report/cut_open_picture.h"
 #include "report/diagnostic_plot.h"
 #include "report/document_html.h"
 #include "report/force_limits.h"
@@ -173,6 +174,7 @@ class ReportWriter {
 
   void pictures() {
     constexpr double panel_height = 455.0, closest = 80.0, furthest = 260.0, pixels = 620.0;
+    constexpr double relief_width = 640.0, relief_height = 420.0;
     const anatomy::NeedlePath& path = session_.header.path;
     if (path.length() <= 0.0 || patient_.ct.empty()) return;
     heading("Where it went");
@@ -189,6 +191,8 @@ class ReportWriter {
                       "axial, at the level of the target", path, tip});
     figure(imaging::slice_picture(panels, patient_.library, "", panel_height),
            "Sagittal and axial slices with the planned path and the path of the tip", true);
+    figure(cut_open_picture(patient_, path, tip, relief_width, relief_height),
+           "The patient in 3-D, cut open along the planned path, with the path of the tip", true);
   }
 
   void course() {

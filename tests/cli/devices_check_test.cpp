@@ -93,7 +93,8 @@ TEST_F(DevicesCheckCommand, the_protocol_keeps_what_the_device_says_against_it) 
       bodkin("devices check force_dimension --protocol seen.json --without-force --seconds 0.3 -q " + check_vendor);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text();
   std::size_t faults = 0;
-  for (const json& step : json::parse(text_of("seen.json")).at("steps")) faults += step.at("faults").size();
+  const json seen = json::parse(text_of("seen.json"));
+  for (const json& step : seen.at("steps")) faults += step.at("faults").size();
   EXPECT_GT(faults, 0U);
 }
 

@@ -15,7 +15,7 @@ TEST_F(PlanCommand, shows_stages_criteria_and_aids) {
   EXPECT_EQ(said.exit_code, 0) << said.text();
   EXPECT_THAT(said.output, HasSubstr("3. By feel and by the skin"));
   EXPECT_THAT(said.output, HasSubstr("until     2 passed in a row, or 10 attempts"));
-  EXPECT_THAT(said.output, HasSubstr("aids      none"));
+  EXPECT_THAT(said.output, HasSubstr("aids      needle, sound\n"));
   const auto json = nlohmann::json::parse(bodkin("-q --json plan show lumbar_puncture_first_steps").output);
   EXPECT_EQ(json.at("stages")[1].at("aids").at("overlay"), false);
 }

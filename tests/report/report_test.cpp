@@ -70,7 +70,7 @@ TEST(Report, is_one_well_formed_page_that_refers_to_nothing_outside) {
   for (std::sregex_iterator i(html.begin(), html.end(), source), end; i != end; ++i, ++pictures) {
     EXPECT_EQ((*i)[1].str().substr(0, 25), "data:image/svg+xml;base64");
   }
-  EXPECT_EQ(pictures, 4);
+  EXPECT_EQ(pictures, 5);
 }
 
 TEST(Report, tells_tissues_events_measures_and_provenance) {

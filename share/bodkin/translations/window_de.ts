@@ -2255,6 +2255,10 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
 <context>
     <name>StartPage</name>
     <message>
+        <source>The window in this language, now and the next time</source>
+        <translation>Das Fenster in dieser Sprache, jetzt und beim nächsten Mal</translation>
+    </message>
+    <message>
         <source>Patients</source>
         <translation>Patienten</translation>
     </message>

@@ -2379,6 +2379,10 @@
         <source>a hand of mass and spring that goes in and comes out again</source>
         <translation>eine Hand aus Masse und Feder, die hineingeht und wieder herauskommt</translation>
     </message>
+    <message>
+        <source>disarmed</source>
+        <translation>die Kraft ist nicht freigegeben</translation>
+    </message>
 </context>
 <context>
     <name>QShortcut</name>

@@ -130,6 +130,8 @@ void StartPage::add_languages(QVBoxLayout* rows) {
     button->setObjectName(QStringLiteral("start.language.%1").arg(code));
     button->setProperty("role", QStringLiteral("flat"));
     button->setStyleSheet(QStringLiteral("text-align: left; padding: 9px 12px;"));
+    button->setAccessibleName(button->text());
+    button->setToolTip(tr("The window in this language, now and the next time"));
     connect(button, &QPushButton::clicked, this, [this, code] { emit language_requested(code); });
     rows->addWidget(button);
   }
