@@ -12,15 +12,26 @@
 #include "core/parallel_for.h"
 #include "core/random.h"
 #include "training/cusum.h"
+#include "training/metric_groups.h"
 #include "training/plan_progress.h"
 #include "training/score.h"
 #include "training/score_json.h"
 #include "training/simulated_attempt.h"
+#include "training/simulated_probe.h"
 #include "training/trainee.h"
 
 namespace bodkin::training {
 
 namespace {
+
+// Whether a rule is about the slice of an ultrasound machine.
+bool asks_for_probe(const Procedure& procedure) {
+  const std::vector<Metric> of_the_slice = metrics_of_ultrasound();
+  return std::any_of(procedure.rules.begin(), procedure.rules.end(), [&](const Rule& rule) {
+    return std::any_of(of_the_slice.begin(), of_the_slice.end(),
+                       [&](const Metric& metric) { return metric.name == rule.metric; });
+  });
+}
 
 namespace fs = std::filesystem;
 
@@ -142,7 +153,8 @@ class Cohort {
             settings_.performer ? *settings_.performer : operator_of_skill(settings_.novice, settings_.expert, skill);
         const std::uint64_t chance =
             mix64(settings_.seed) ^ mix64(number + 1) ^ mix64(0x5EED0000ULL + static_cast<std::uint64_t>(done));
-        const session::Session session = simulate_attempt(*here.patient, script, here.path, chance);
+        session::Session session = simulate_attempt(*here.patient, script, here.path, chance);
+        if (asks_for_probe(here.procedure)) hold_probe(session, script, chance);
         const Score result = score(session, here.patient->description, here.procedure,
                                    {&here.patient->structures, &here.patient->tissues});
         rows +=
