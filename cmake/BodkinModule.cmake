@@ -10,7 +10,7 @@ set(BODKIN_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wcast-qual -Wimplicit-fal
     -Wno-missing-field-initializers)  # designated initialisers name what differs from the defaults
 
 # With sanitizers these modules take half as long to compile when they are not optimised, and compute little themselves.
-set(BODKIN_UNOPTIMISED_UNDER_SANITIZERS "^bodkin_(cli|io|io_images|link|report.*|session|station|training.*)$")
+set(BODKIN_UNOPTIMISED_UNDER_SANITIZERS "^bodkin_(cli|io|io_images|link|report.*)$")
 
 # These read, lay out and print; optimised little they take three quarters of the time to compile.
 set(BODKIN_OPTIMISED_LITTLE "^bodkin_(app|cli|link|report.*)$")
