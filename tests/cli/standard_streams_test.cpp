@@ -72,5 +72,26 @@ TEST_F(StandardStreams, the_end_of_the_terminal_or_the_machine_ends_a_session_an
   }
 }
 
+// The limit stands for a disk without room: a write beyond it fails.
+TEST_F(StandardStreams, a_disk_that_fills_under_a_recording_ends_it_and_keeps_what_was_written) {
+  const Outcome said = perform("trap '' XFSZ; ulimit -f 200;", "-q", "30");
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.output, HasSubstr("cannot write the session hand.bodkin"));
+  const auto kept = ::bodkin::session::read_session(folder_ / "hand.bodkin");
+  EXPECT_FALSE(kept.finished);
+  EXPECT_GT(kept.ticks.size(), 100U);
+}
+
+TEST_F(StandardStreams, a_session_that_cannot_begin_leaves_no_file) {
+  const Outcome no_device =
+      shell(program + "-q perform patient force_dimension --settings library=/no/such/libdrd.so -o none.bodkin");
+  EXPECT_EQ(no_device.exit_code, 1) << no_device.output;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "none.bodkin"));
+  const Outcome no_folder = shell(program + "-q perform patient simulated -o nowhere/none.bodkin");
+  EXPECT_NE(no_folder.exit_code, 0);
+  EXPECT_THAT(no_folder.output, HasSubstr("none.bodkin"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "nowhere"));
+}
+
 }  // namespace
 }  // namespace bodkin_test
