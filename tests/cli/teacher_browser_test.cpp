@@ -62,6 +62,7 @@ class TeacherInBrowser : public PatientCommand {
   std::string browse(const std::string& what, const std::string& path) const {
     const std::string line = "cd '" + folder_.string() +
                              "' && HOME=\"$PWD\" timeout 120 chromium-headless-shell --no-sandbox --disable-gpu "
+                             "--disable-dev-shm-usage "
                              "--user-data-dir=\"$PWD/browser\" " +
                              what + " '" + url_ + path + "' 2> browser.log";
     EXPECT_EQ(std::system(line.c_str()), 0) << text_of("browser.log");
