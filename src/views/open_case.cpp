@@ -22,12 +22,15 @@ std::string readable_procedure(const std::string& name) {
 std::string place_name(const anatomy::Case& patient, const Vec3& point) {
   const anatomy::TissueId tissue = anatomy::nearest(patient.tissues, point, anatomy::tissue::air);
   const std::string title = patient.library.title(tissue);
-  // A label covers the whole contents of the canal; the tissue tells cord and roots apart.
-  const bool is_nervous = tissue == anatomy::tissue::nerve || tissue == anatomy::tissue::spinal_cord;
-  if (patient.structures.empty() || is_nervous) return title;
+  if (patient.structures.empty()) return title;
   const std::uint16_t label = anatomy::nearest(patient.structures, point, std::uint16_t{0});
   for (const anatomy::Structure& structure : patient.description.structures) {
-    if (structure.label == label && label != 0) return readable_structure(structure.name);
+    if (structure.label != label || label == 0) continue;
+    // A label that is called spinal_cord covers all that the canal holds; the tissue tells fluid, roots and cord
+    // apart.
+    const bool is_canal = structure.name == "spinal_cord" || structure.tissue == "spinal_canal";
+    const bool is_nervous = tissue == anatomy::tissue::nerve || tissue == anatomy::tissue::spinal_cord;
+    return is_canal || is_nervous ? title : readable_structure(structure.name);
   }
   return title;
 }
