@@ -19,7 +19,7 @@ using namespace views;
 
 namespace {
 
-constexpr int width_of_keys = 900;  // pixels
+constexpr int width_of_keys = 1120;  // pixels
 constexpr int dimming = 150;        // of 255
 
 }  // namespace
