@@ -20,7 +20,7 @@ using namespace views;
 namespace {
 
 constexpr int width_of_keys = 1120;  // pixels
-constexpr int dimming = 150;        // of 255
+constexpr int dimming = 150;         // of 255
 
 }  // namespace
 
