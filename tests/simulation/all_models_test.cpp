@@ -31,7 +31,7 @@ constexpr double deepest = 42.0;   // mm, in the epidural space
 constexpr double in_bone = 50.0;   // mm
 constexpr double fastest = 150.0;  // mm/s
 constexpr double stiffest = 4.2;   // N/mm: bone of `layered`, with a lateral spring beside it
-constexpr double springs = 1.0;    // N/mm: a model that is a spring through and through, and a constraint beside it
+constexpr double springs = 1.0;    // N/mm: stiffness of a purely elastic model together with a constraint
 
 struct Placement {
   Vec3 tip = Vec3(0.0, 0.0, -5.0);
