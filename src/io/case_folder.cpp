@@ -5,6 +5,8 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "io/case_xml.h"
+#include "io/digest.h"
+#include "io/nrrd_writer.h"
 #include "io/resources.h"
 #include "io/tissue_library_file.h"
 #include "io/xml_document.h"
@@ -51,6 +53,25 @@ void write_case_description(const anatomy::CaseDescription& description, const f
     throw SystemError(file.string() + " cannot be written: there is no such folder");
   }
   write_file(file, text);
+}
+
+void write_case(anatomy::CaseDescription& description, const anatomy::CtVolume& ct,
+                const anatomy::TissueVolume& tissues, const anatomy::LabelVolume& structures,
+                const anatomy::TissueLibrary* library, const fs::path& folder) {
+  const auto write = [&folder](const auto& volume, const char* name, std::string& file, std::string& digest) {
+    if (volume.empty()) return;
+    file = name;
+    write_nrrd(volume, folder / file);
+    digest = volume_digest(volume);
+  };
+  if (library != nullptr) {
+    description.tissue_library_file = "tissues.xml";
+    write_file(folder / description.tissue_library_file, tissue_library_xml(*library));
+  }
+  write(ct, "ct.nrrd", description.ct_file, description.ct_digest);
+  write(structures, "structures.nrrd", description.structures_file, description.structures_digest);
+  write(tissues, "tissues.nrrd", description.tissues_file, description.tissues_digest);
+  write_case_description(description, folder);
 }
 
 }  // namespace bodkin::io

@@ -34,6 +34,13 @@ anatomy::LabelVolume load_case_structures(const std::filesystem::path& folder,
 // fails, and InputError when read_case_description would refuse what was written.
 void write_case_description(const anatomy::CaseDescription& description, const std::filesystem::path& folder);
 
+// Writes a case that is in memory into a folder that exists: the volumes, without those that are empty, and the
+// tissue library, where one is given, under their usual names; names and digests go into the description, and then
+// case.xml is written as above. Throws what write_case_description throws.
+void write_case(anatomy::CaseDescription& description, const anatomy::CtVolume& ct,
+                const anatomy::TissueVolume& tissues, const anatomy::LabelVolume& structures,
+                const anatomy::TissueLibrary* library, const std::filesystem::path& folder);
+
 // Everything that is wrong with a case folder, one sentence each; empty = valid. Never throws for bad content.
 std::vector<std::string> check_case(const std::filesystem::path& folder, const Progress& progress = {});
 

@@ -7,11 +7,8 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
-#include "core/files.h"
 #include "io/case_folder.h"
 #include "io/deferred_termination.h"
-#include "io/digest.h"
-#include "io/nrrd_writer.h"
 #include "io/partial_folder.h"
 #include "io/tissue_library_file.h"
 
@@ -85,16 +82,8 @@ anatomy::CaseDescription write_phantom(const io::Experiment& experiment, const P
   description.procedure.name = "needle_insertion";
   description.procedure.path = anatomy::NeedlePath{laid_down(line.entry), laid_down(line.target)};
   description.needle.length = std::max(description.needle.length, std::ceil(line.length() + outside_needle));
-  description.ct_file = "ct.nrrd";
-  description.tissues_file = "tissues.nrrd";
-  description.tissue_library_file = "tissues.xml";
   tell("writing the case", 0.5);
-  write_file(folder.path() / description.tissue_library_file, io::tissue_library_xml(made.library));
-  io::write_nrrd(made.ct, folder.path() / description.ct_file);
-  io::write_nrrd(made.tissues, folder.path() / description.tissues_file);
-  description.ct_digest = io::volume_digest(made.ct);
-  description.tissues_digest = io::volume_digest(made.tissues);
-  io::write_case_description(description, folder.path());
+  io::write_case(description, made.ct, made.tissues, {}, &made.library, folder.path());
   tell("writing the case", 0.99);
   folder.finish();
   if (progress) progress("writing the case", 1.0);

@@ -6,8 +6,6 @@
 #include "core/error.h"
 #include "io/case_folder.h"
 #include "io/deferred_termination.h"
-#include "io/digest.h"
-#include "io/nrrd_writer.h"
 #include "io/partial_folder.h"
 #include "io/tissue_library_file.h"
 
@@ -74,13 +72,7 @@ anatomy::CaseDescription write_body_case(const Atlas& atlas, const BodyCase& wan
       body.height, body.weight, whole ? std::string("whole") : fmt::format("about {}", point->code), block.spacing);
   description.created_by = "bodkin";
   progress("writing the case", 0.8);
-  description.ct_file = "ct.nrrd";
-  description.tissues_file = "tissues.nrrd";
-  io::write_nrrd(ct, folder.path() / description.ct_file);
-  io::write_nrrd(tissues, folder.path() / description.tissues_file);
-  description.ct_digest = io::volume_digest(ct);
-  description.tissues_digest = io::volume_digest(tissues);
-  io::write_case_description(description, folder.path());
+  io::write_case(description, ct, tissues, {}, nullptr, folder.path());
   progress("writing the case", 0.99);
   folder.finish();
   if (teller) teller("writing the case", 1.0);

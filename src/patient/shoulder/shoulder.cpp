@@ -6,6 +6,7 @@
 #include <string>
 
 #include "patient/shoulder/shoulder_model.h"
+#include "patient/synthetic/bounded_normal.h"
 #include "patient/synthetic/painter.h"
 #include <fmt/format.h>
 
@@ -15,13 +16,6 @@
 
 namespace bodkin::patient {
 namespace {
-
-// About normal, standard deviation 1, bounded: exact arithmetic only (see shapes.h).
-double about_normal(Random& random) {
-  double sum = 0.0;
-  for (int i = 0; i < 6; ++i) sum += random.uniform(-1.0, 1.0);
-  return std::clamp(sum * 0.70710678, -2.5, 2.5);
-}
 
 void require_within(const char* name, double value, double low, double high, const char* unit) {
   if (value >= low && value <= high) return;
@@ -146,7 +140,7 @@ void check_shoulder(const ShoulderParameters& parameters) {
 
 ShoulderSizes shoulder_sizes(const ShoulderParameters& parameters) {
   Random random(mix64(parameters.seed ^ 0x53484F554CULL));
-  const auto vary = [&random](double percent) { return 1.0 + 0.01 * percent * about_normal(random); };
+  const auto vary = [&random](double percent) { return 1.0 + 0.01 * percent * bounded_normal(random, 2.5); };
   const double bmi = std::clamp(parameters.weight / (parameters.height * parameters.height), 15.0, 60.0);
   const double excess = bmi - 25.0;
   ShoulderSizes sizes{};
@@ -211,7 +205,7 @@ ShoulderVariant draw_shoulder(std::uint64_t seed) {
   patient.seed = seed;
   Random random(mix64(seed ^ 0x5348564152ULL));
   patient.age = in_steps(random.uniform(30.0, 85.0), 1.0);
-  patient.height = in_steps(std::clamp(1.70 + 0.09 * about_normal(random), 1.45, 2.0), 100.0);
+  patient.height = in_steps(std::clamp(1.70 + 0.09 * bounded_normal(random, 2.5), 1.45, 2.0), 100.0);
   const double share = random.uniform();
   const double body_mass_index = 19.0 + 14.0 * share + 12.0 * share * share * share;
   patient.weight = in_steps(std::clamp(body_mass_index * patient.height * patient.height, 40.0, 160.0), 1.0);

@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
-#include "core/files.h"
 #include "io/case_folder.h"
 #include "io/deferred_termination.h"
-#include "io/digest.h"
-#include "io/nrrd_writer.h"
 #include "io/partial_folder.h"
 #include "io/tissue_library_file.h"
 
@@ -52,19 +49,8 @@ anatomy::CaseDescription write_shoulder_case(const ShoulderCase& wanted, const P
     description.needle.inner_diameter = size->inner_diameter;
     description.needle.length = made.path.length() + stays_outside > short_needle ? long_needle : short_needle;
   }
-  description.ct_file = "ct.nrrd";
-  description.structures_file = "structures.nrrd";
-  description.tissues_file = "tissues.nrrd";
-  description.tissue_library_file = "tissues.xml";
   progress("writing the case", 0.0);
-  write_file(folder.path() / description.tissue_library_file, io::tissue_library_xml(library));
-  io::write_nrrd(made.ct, folder.path() / description.ct_file);
-  io::write_nrrd(made.structures, folder.path() / description.structures_file);
-  io::write_nrrd(made.tissues, folder.path() / description.tissues_file);
-  description.ct_digest = io::volume_digest(made.ct);
-  description.structures_digest = io::volume_digest(made.structures);
-  description.tissues_digest = io::volume_digest(made.tissues);
-  io::write_case_description(description, folder.path());
+  io::write_case(description, made.ct, made.tissues, made.structures, &library, folder.path());
   progress("writing the case", 0.99);
   folder.finish();
   if (teller) teller("writing the case", 1.0);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "patient/synthetic/bounded_normal.h"
 #include "patient/synthetic/shapes.h"
 
 #include "core/error.h"
@@ -48,11 +49,8 @@ constexpr std::array<InterspaceTable, level::vertebrae> kInterspaces = {{
     {10.5, 12.0, 9.0, 3.6},  // L5/S1
 }};
 
-// Approximately normal, standard deviation 1, bounded to +-3: exact arithmetic only (see shapes.h).
 double variation(Random& random) {
-  double sum = 0.0;
-  for (int i = 0; i < 6; ++i) sum += random.uniform(-1.0, 1.0);
-  return std::clamp(sum * 0.70710678, -3.0, 3.0);
+  return bounded_normal(random, 3.0);
 }
 
 void require(const char* name, double value, double low, double high, const char* unit) {
