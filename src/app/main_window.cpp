@@ -155,6 +155,7 @@ void MainWindow::connect_views() {
 
 void MainWindow::connect_cards() {
   connect(start_, &StartPage::begin_requested, this, [this] { run(Command::begin); });
+  connect(start_, &StartPage::procedure_chosen, this, &MainWindow::practise_procedure);
   connect(start_, &StartPage::tour_requested, this, [this] { run(Command::tour); });
   connect(start_, &StartPage::page_requested, this, &MainWindow::show_page);
   connect(start_, &StartPage::open_requested, this, [this] { run(Command::open_patient); });
@@ -314,6 +315,18 @@ void MainWindow::show_page(PageId id) {
 void MainWindow::open(const std::filesystem::path& patient) {
   if (patient.extension() == ".bodkin") return review(patient);
   practice_.choose(patient);
+}
+
+void MainWindow::practise_procedure(const QString& name) {
+  const PracticePatient* const patient = find_practice_patient(name.toStdString());
+  if (patient == nullptr) return;
+  if (patient->with_ultrasound && practice_.state() == State::no_case) {
+    asked_ultrasound_.reset();
+    has_ultrasound_ = true;  // from the first attempt on
+    practice_.set_ultrasound(usual_ultrasound(true));
+    bar_->set_ultrasound(true);
+  }
+  practice_.choose_practice(*patient);
 }
 
 void MainWindow::perform(const std::filesystem::path& patient, const AttemptOptions& options) {

@@ -50,6 +50,8 @@ class MainWindow : public QMainWindow {
   ~MainWindow() override;
 
   void open(const std::filesystem::path& patient);
+  // A procedure that comes with Bodkin, on its own patient.
+  void practise_procedure(const QString& name);
   // As `bodkin perform` and `bodkin ultrasound --live` want it.
   void perform(const std::filesystem::path& patient, const AttemptOptions& options);
   void scan(const std::filesystem::path& patient, const station::UltrasoundRequest& request,

@@ -66,7 +66,7 @@ void MainWindow::run(Command command) {
     case Command::previous_view:
       return practise_->focus_next(true);
     case Command::begin:
-      return practice_.choose_built_in();
+      return practise_procedure(QString::fromUtf8(built_in_patient().procedure.data()));
     case Command::hold:
       return practice_.toggle_hold();
     case Command::push_in:

@@ -50,11 +50,11 @@ Practice::~Practice() {
   link_.stop();
 }
 
-void Practice::choose_built_in() {
+void Practice::choose_practice(const PracticePatient& patient) {
   if (!machine_.apply(Signal::case_chosen)) return;
   failure_.clear();
   options_ = {};
-  cases_.open_built_in();
+  cases_.open_practice(patient);
 }
 
 void Practice::choose(const std::filesystem::path& path) {

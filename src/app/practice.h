@@ -43,7 +43,8 @@ class Practice {
   ~Practice();
 
   // A patient is opened, and an attempt begins. From the start page and the results only.
-  void choose_built_in();
+  void choose_practice(const PracticePatient& patient);  // the patient that comes with Bodkin for a procedure
+  void choose_built_in() { choose_practice(built_in_patient()); }
   void choose(const std::filesystem::path& path);
   // The same, with other models, devices and files than usual, until another patient is chosen.
   void perform(const std::filesystem::path& path, AttemptOptions options);

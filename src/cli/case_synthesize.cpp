@@ -36,6 +36,7 @@ constexpr const char* case_synthesize_footer = R"(Examples:
   bodkin case synthesize lumbar heavy --weight 120 --height 1.68
   bodkin case synthesize lumbar quick --spacing 2
   bodkin case synthesize lumbar curved --scoliosis 25 --calcification 0.6
+  bodkin case synthesize lumbar biopsy --lesion 20 --procedure ct_guided_biopsy --target lesion --needle 18,150,chiba
   bodkin case synthesize lumbar patient_7 --vary --seed 7      somebody else for every seed
 
 The same parameters give the same patient on every machine. docs/synthetic-patient.md says what is in it and where the
@@ -74,7 +75,7 @@ void add_case_synthesize_command(CLI::App& case_group, CommandContext& context) 
     double low, high;
     const char* help;
   };
-  constexpr std::array<Declared, 7> declared = {{
+  constexpr std::array<Declared, 8> declared = {{
       {&Parameters::age, "age", 18.0, 95.0, "Years, 18 to 95"},
       {&Parameters::height, "height", 1.40, 2.05, "m, 1.40 to 2.05"},
       {&Parameters::weight, "weight", 40.0, 160.0, "kg, 40 to 160"},
@@ -83,6 +84,8 @@ void add_case_synthesize_command(CLI::App& case_group, CommandContext& context) 
        "Degrees of Cobb's angle, -40 to 40; above 0 the curve bows to the patient's left"},
       {&Parameters::calcification, "calcification", 0.0, 1.0,
        "How far the ligaments behind the canal are calcified, from behind: 0 = nowhere, 1 = all the way"},
+      {&Parameters::lesion, "lesion", 0.0, 30.0,
+       "mm across, 8 to 30: a lesion beside the left psoas at L3, for biopsies; 0: none"},
       {&Parameters::spacing, "spacing", 0.5, 3.0, "mm, of the voxels, 0.5 to 3"},
   }};
   options->choices.reserve(declared.size());  // the options point at the values

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "app/models/practice_patients.h"
 #include "app/pages/start.h"
 #include "views/language.h"
 #include <gmock/gmock.h>
@@ -44,6 +45,7 @@ TEST_F(SpokenLanguage, german_has_what_procedures_tissues_metrics_and_the_guard_
     for (const training::Forbidden& each : procedure.forbidden) texts.insert({each.title, each.consequence});
     for (const training::Rule& rule : procedure.rules) texts.insert(rule.advice);
   }
+  for (const PracticePatient& patient : practice_patients()) texts.insert(patient.words);
   for (int reason = 1; reason < static_cast<int>(haptics::GuardReason::count_of_reasons); ++reason)
     texts.insert(std::string(haptics::text_of(static_cast<haptics::GuardReason>(reason))));
   texts.erase("");

@@ -45,6 +45,7 @@ const std::vector<CommandRow>& command_table() {
         {"--flexion", Kind::number, {"-0.1", "1.1"}},
         {"--scoliosis", Kind::number, {"-41", "40.5"}},
         {"--calcification", Kind::number, {"-0.1", "1.1"}},
+        {"--lesion", Kind::number, {"-1", "31"}},
         {"--vary", Kind::toggle},
         {"--spacing", Kind::number, {"0", "0.4", "3.1", "-1"}}}},
       {"case synthesize phantom",

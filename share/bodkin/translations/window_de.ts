@@ -2283,6 +2283,10 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Version %1</translation>
     </message>
     <message>
+        <source>Procedures</source>
+        <translation>Eingriffe</translation>
+    </message>
+    <message>
         <source>Put a needle in.</source>
         <translation>Stechen Sie eine Nadel ein.</translation>
     </message>

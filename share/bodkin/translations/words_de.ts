@@ -2152,6 +2152,50 @@
         <translation>Schichten werden gesucht</translation>
     </message>
     <message>
+        <source>anatomy</source>
+        <translation>Anatomie</translation>
+    </message>
+    <message>
+        <source>tissues</source>
+        <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>Hounsfield units</source>
+        <translation>Hounsfield-Werte</translation>
+    </message>
+    <message>
+        <source>Lumbar torso. Fluid from the sac below the cord.</source>
+        <translation>Lendenbereich. Liquor aus dem Sack unterhalb des Rückenmarks.</translation>
+    </message>
+    <message>
+        <source>Lumbar torso. Stop behind the flavum, before the dura.</source>
+        <translation>Lendenbereich. Halt hinter dem Flavum, vor der Dura.</translation>
+    </message>
+    <message>
+        <source>Lumbar torso. A thin needle, 25G, into the fluid.</source>
+        <translation>Lendenbereich. Eine dünne Nadel, 25G, in den Liquor.</translation>
+    </message>
+    <message>
+        <source>Lumbar torso. A lesion of 20 mm beside the psoas.</source>
+        <translation>Lendenbereich. Ein Herd von 20 mm neben dem Psoas.</translation>
+    </message>
+    <message>
+        <source>Shoulder. From behind, into the space of the joint.</source>
+        <translation>Schulter. Von hinten in den Spalt des Gelenks.</translation>
+    </message>
+    <message>
+        <source>Shoulder. The tip in the picture all the way.</source>
+        <translation>Schulter. Die Spitze bleibt stets im Bild.</translation>
+    </message>
+    <message>
+        <source>Leg. Needle ST36; lift, thrust and twirl.</source>
+        <translation>Bein. ST36 nadeln; heben, senken und drehen.</translation>
+    </message>
+    <message>
+        <source>Nine layers of a half ball, no anatomy.</source>
+        <translation>Neun Schichten einer Halbkugel, ohne Anatomie.</translation>
+    </message>
+    <message>
         <source>writing the case</source>
         <translation>der Fall wird geschrieben</translation>
     </message>

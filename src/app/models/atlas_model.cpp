@@ -5,13 +5,14 @@
 #include <mutex>
 #include <utility>
 
+#include "app/models/practice_patients.h"
 #include "scene/surface_cache.h"
 
 namespace bodkin::app {
 
 namespace {
 
-constexpr double surface_spacing = 4.0, block_width = 160.0;  // mm
+constexpr double surface_spacing = 4.0;  // mm
 
 struct GivenUp : std::exception {};
 
@@ -101,17 +102,9 @@ void AtlasModel::make_case(const std::string& code) {
   }
   thread_ = std::jthread([shared = shared_, atlas, code, folder = folder_ / "patients"](const std::stop_token& stop) {
     shared->run([&] {
-      patient::BodyCase wanted;
-      wanted.folder = folder / code;
-      wanted.point = code;
-      wanted.name = code + " " + atlas->find(code)->pinyin;
-      wanted.width = block_width;
-      if (!std::filesystem::exists(wanted.folder / "case.xml")) {
-        std::filesystem::create_directories(folder);
-        patient::write_body_case(*atlas, wanted, shared->progress(stop, 0.0, 1.0));
-      }
+      std::filesystem::path made = needle_point_case(*atlas, code, folder, shared->progress(stop, 0.0, 1.0));
       const std::lock_guard guard(shared->lock);
-      shared->status.made = wanted.folder;
+      shared->status.made = std::move(made);
     });
   });
 }

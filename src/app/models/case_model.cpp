@@ -43,9 +43,12 @@ struct CaseModel::Job {
   }
 
   void make(const std::string& verb, const nlohmann::json& request, const std::string& subject) {
-    const io::WorkerReport report = io::run_image_worker(verb, request.dump(), subject, progress());
+    keep(io::run_image_worker(verb, request.dump(), subject, progress()).notes);
+  }
+
+  void keep(const std::vector<std::string>& notes) {
     const std::lock_guard guard(lock);
-    status.notes.insert(status.notes.end(), report.notes.begin(), report.notes.end());
+    status.notes.insert(status.notes.end(), notes.begin(), notes.end());
   }
 
   void load(const fs::path& folder) {
@@ -89,23 +92,9 @@ void CaseModel::start(std::function<void(Job&)> work) {
   });
 }
 
-void CaseModel::open_built_in() {
-  const fs::path folder = built_in_folder();
-  start([folder](Job& job) {
-    if (!fs::exists(folder / "case.xml")) {
-      fs::create_directories(folder.parent_path());
-      const nlohmann::json request = {{"folder", io::path_text(folder)},
-                                      {"overwrite", true},
-                                      {"name", "Synthetic torso"},
-                                      {"needle_gauge", 22},
-                                      {"seed", 1},
-                                      {"age", 45.0},
-                                      {"height", 1.72},
-                                      {"weight", 72.0},
-                                      {"flexion", 0.5},
-                                      {"spacing", 1.0}};
-      job.make("case-synthesize", request, folder.string());
-    }
+void CaseModel::open_practice(const PracticePatient& patient) {
+  start([&patient, folder = folder_of(patient)](Job& job) {
+    if (!fs::exists(folder / "case.xml")) job.keep(make_practice_patient(patient, folder, job.progress()));
     job.load(folder);
   });
 }
@@ -154,7 +143,11 @@ std::vector<fs::path> CaseModel::known() const {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(data_ / "patients", ignored)) {
     const fs::path file = entry.path() / "case.xml";
-    if (fs::exists(file, ignored)) found.emplace_back(fs::last_write_time(file, ignored), entry.path());
+    const bool is_for_practice =
+        std::any_of(practice_patients().begin(), practice_patients().end(),
+                    [&](const PracticePatient& patient) { return entry.path().filename() == patient.folder; });
+    if (!is_for_practice && fs::exists(file, ignored))
+      found.emplace_back(fs::last_write_time(file, ignored), entry.path());
   }
   std::sort(found.rbegin(), found.rend());
   std::vector<fs::path> folders;

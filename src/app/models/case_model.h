@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "app/models/practice_patients.h"
 #include "views/open_case.h"
 
 #include "core/progress.h"
@@ -17,8 +18,8 @@ namespace bodkin::app {
 
 using namespace views;
 
-// Opens patients on a thread of its own: a case folder, a CT that becomes a case first, or the patient that comes
-// with Bodkin, which is made when it is wanted for the first time. One at a time; all calls from one thread.
+// Opens patients on a thread of its own: a case folder, a CT that becomes a case first, or one of the patients that
+// come with Bodkin, which are made when they are wanted for the first time. One at a time; all calls from one thread.
 class CaseModel {
  public:
   struct Status {
@@ -37,7 +38,8 @@ class CaseModel {
   CaseModel(const CaseModel&) = delete;
   CaseModel& operator=(const CaseModel&) = delete;
 
-  void open_built_in();
+  // The patient on whom a procedure that comes with Bodkin is practised; made when it is wanted for the first time.
+  void open_practice(const PracticePatient& patient);
   // A folder with case.xml is opened; a DICOM folder or an image file becomes a case first.
   void open(const std::filesystem::path& path);
   void cancel();
@@ -46,9 +48,14 @@ class CaseModel {
   // The patient that was opened, once; null while there is none.
   std::shared_ptr<const OpenCase> take();
 
-  // Folders of cases that can be opened at once: those that were made here, newest first.
+  // Folders of cases that can be opened at once: those that were made here, newest first, without those of
+  // practice_patients().
   std::vector<std::filesystem::path> known() const;
-  std::filesystem::path built_in_folder() const { return data_ / "patients" / "synthetic-lumbar"; }
+  void open_built_in() { open_practice(built_in_patient()); }
+  std::filesystem::path built_in_folder() const { return folder_of(built_in_patient()); }
+  std::filesystem::path folder_of(const PracticePatient& patient) const {
+    return data_ / "patients" / patient.folder;
+  }
 
  private:
   struct Job;

@@ -3,6 +3,7 @@
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFileInfo>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLinearGradient>
@@ -15,11 +16,15 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/models/practice_patients.h"
 #include "app/spoken_language.h"
+#include "views/language.h"
+#include "views/open_case.h"
 #include "views/theme.h"
 
 #include "core/error.h"
 #include "io/resources.h"
+#include "training/procedure_file.h"
 
 namespace bodkin::app {
 
@@ -28,6 +33,7 @@ using namespace views;
 namespace {
 
 constexpr std::size_t most_patients = 2;  // beside the card for dropping
+constexpr int procedure_columns = 4;
 
 QLabel* label(const QString& text, const char* role) {
   auto* words = new QLabel(text);
@@ -84,6 +90,8 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   main->addWidget(make_recovered());
   main->addWidget(make_plan());
   main->addWidget(make_hero(), 3);
+  main->addWidget(label(tr("Procedures"), "heading"));
+  main->addWidget(make_procedures());
   main->addWidget(label(tr("Patients"), "heading"));
   patients_ = new QHBoxLayout;
   patients_->setSpacing(14);
@@ -195,6 +203,36 @@ QWidget* StartPage::make_hero() {
   return hero;
 }
 
+// Every procedure that comes with Bodkin, each on a patient of its own; a click begins.
+QWidget* StartPage::make_procedures() {
+  auto* const all = new QWidget;
+  auto* const grid = new QGridLayout(all);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(10);
+  int number = 0;
+  for (const PracticePatient& patient : practice_patients()) {
+    const QString name = QString::fromUtf8(patient.procedure.data(), static_cast<int>(patient.procedure.size()));
+    std::string title = readable_procedure(std::string(patient.procedure)), description;
+    try {
+      const training::Procedure procedure = training::find_shipped_procedure(std::string(patient.procedure));
+      title = procedure.title;
+      description = procedure.description;
+    } catch (const std::exception&) {  // its file is missing; choosing it says so
+    }
+    QPushButton* const card =
+        make_card(QStringLiteral("start.procedure.%1").arg(name), in_words(title), in_words(patient.words));
+    card->setMinimumHeight(72);
+    card->setMaximumHeight(84);
+    card->layout()->setContentsMargins(14, 8, 12, 8);
+    card->setToolTip(in_words(description));
+    connect(card, &QPushButton::clicked, this, [this, name] { emit procedure_chosen(name); });
+    grid->addWidget(card, number / procedure_columns, number % procedure_columns);
+    ++number;
+  }
+  for (int column = 0; column < procedure_columns; ++column) grid->setColumnStretch(column, 1);
+  return all;
+}
+
 // A card of one line over the others, with buttons to the right.
 struct StartPage::Offer {
   QWidget* card;
@@ -274,7 +312,6 @@ QPushButton* StartPage::make_card(const QString& name, const QString& title, con
   rows->addWidget(label(words, "second"));
   rows->addStretch(1);
   for (QLabel* child : card->findChildren<QLabel*>()) child->setAttribute(Qt::WA_TransparentForMouseEvents);
-  patients_->addWidget(card, 1);
   return card;
 }
 
@@ -286,20 +323,23 @@ void StartPage::show_patients(const std::vector<std::filesystem::path>& folders)
     }
     delete item;
   }
-  connect(make_card(QStringLiteral("start.patient.built_in"), tr("Synthetic lumbar torso"),
-                    tr("45 years, 1.72 m, 72 kg. Built in")),
+  const auto add = [this](QPushButton* card) {
+    patients_->addWidget(card, 1);
+    return card;
+  };
+  connect(add(make_card(QStringLiteral("start.patient.built_in"), tr("Synthetic lumbar torso"),
+                        tr("45 years, 1.72 m, 72 kg. Built in"))),
           &QPushButton::clicked, this, &StartPage::begin_requested);
   std::size_t shown = 0;
   for (const std::filesystem::path& folder : folders) {
-    if (folder.filename() == "synthetic-lumbar") continue;
     if (++shown > most_patients) break;
     const QString path = QString::fromStdString(folder.string());
-    connect(make_card(QStringLiteral("start.patient.%1").arg(shown),
-                      QString::fromStdString(folder.filename().string()), tr("Opened before")),
+    connect(add(make_card(QStringLiteral("start.patient.%1").arg(shown),
+                          QString::fromStdString(folder.filename().string()), tr("Opened before"))),
             &QPushButton::clicked, this, [this, path] { emit patient_chosen(path); });
   }
-  QPushButton* const drop =
-      make_card(QStringLiteral("start.drop"), tr("Drop a DICOM folder or an image here"), tr("or click to choose"));
+  QPushButton* const drop = add(
+      make_card(QStringLiteral("start.drop"), tr("Drop a DICOM folder or an image here"), tr("or click to choose")));
   drop->setProperty("role", QStringLiteral("drop"));
   connect(drop, &QPushButton::clicked, this, &StartPage::open_requested);
 }

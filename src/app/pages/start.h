@@ -13,8 +13,8 @@ class QPushButton;
 
 namespace bodkin::app {
 
-// What a person can begin with: the procedure on the patient that comes with Bodkin, a patient opened before, or
-// images that are dropped here.
+// What a person can begin with: a procedure on a patient that comes with Bodkin, a patient opened before, or images
+// that are dropped here.
 class StartPage : public QWidget {
   Q_OBJECT
  public:
@@ -33,6 +33,7 @@ class StartPage : public QWidget {
 
  signals:
   void begin_requested();
+  void procedure_chosen(const QString& name);
   void tour_requested();
   void patient_chosen(const QString& path);
   void open_requested();
@@ -51,6 +52,7 @@ class StartPage : public QWidget {
   QWidget* make_side();
   QPushButton* make_entry(const QString& text, const QString& object, const QString& tip);
   QWidget* make_hero();
+  QWidget* make_procedures();
   struct Offer;
   static Offer make_offer();
   QWidget* make_recovered();

@@ -340,6 +340,7 @@ CaseSummary build_synthetic_case(const NewCase& wanted, const LumbarParameters& 
         fmt::format(", scoliosis of {:g} degrees, convex to the {}", std::abs(parameters.scoliosis),
                     parameters.scoliosis > 0.0 ? "left" : "right");
   }
+  if (parameters.lesion > 0.0) description.description += fmt::format(", a lesion of {:g} mm", parameters.lesion);
   if (is_calcified) description.description += fmt::format(", ligaments calcified by {:g}", parameters.calcification);
   description.created_by = maker;
   description.structures = std::move(patient.structure_table);

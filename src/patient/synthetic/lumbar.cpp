@@ -1,5 +1,6 @@
 #include "patient/synthetic/lumbar.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "patient/synthetic/approach.h"
@@ -63,6 +64,42 @@ anatomy::NeedlePath aim_at_fluid(const anatomy::NeedlePath& path, const anatomy:
   return {path.entry, path.entry + 0.5 * (begin + end) * direction};
 }
 
+// A ball at the side of the left psoas at L3, half in the muscle and half in the fat beside it. Bone, vessels, nerves
+// and organs stay as they are.
+void add_lesion(double across, anatomy::TissueVolume& tissues, anatomy::LabelVolume& structures) {
+  const anatomy::Grid& grid = tissues.grid;
+  const int middle = std::clamp(static_cast<int>(std::lround(grid.to_index(Vec3::Zero()).z())), 0, grid.size[2] - 1);
+  Vec3 centre = Vec3::Zero();
+  double side = 0.0;
+  int count = 0;
+  std::size_t at = grid.offset(0, 0, middle);
+  for (int j = 0; j < grid.size[1]; ++j) {
+    for (int i = 0; i < grid.size[0]; ++i, ++at) {
+      if (structures.voxels[at] != structure::iliopsoas_left) continue;
+      const Vec3 point = grid.to_patient(Vec3(i, j, middle));
+      centre += point;
+      side = std::max(side, point.x());
+      ++count;
+    }
+  }
+  if (count == 0) return;
+  centre /= count;
+  centre.x() = side;
+  at = 0;
+  for (int k = 0; k < grid.size[2]; ++k) {
+    for (int j = 0; j < grid.size[1]; ++j) {
+      for (int i = 0; i < grid.size[0]; ++i, ++at) {
+        if ((grid.to_patient(Vec3(i, j, k)) - centre).squaredNorm() > 0.25 * across * across) continue;
+        anatomy::TissueId& tissue = tissues.voxels[at];
+        if (tissue != anatomy::tissue::fat && tissue != anatomy::tissue::muscle && tissue != anatomy::tissue::soft)
+          continue;
+        tissue = anatomy::tissue::mass;
+        structures.voxels[at] = structure::lesion;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 SyntheticPatient synthesize_lumbar(const LumbarParameters& parameters, const anatomy::TissueLibrary& library,
@@ -89,6 +126,7 @@ SyntheticPatient synthesize_lumbar(const LumbarParameters& parameters, const ana
     }
   });
   patient.path = aim_at_fluid(plan_approach(model, level::l3).path, patient.tissues);
+  if (parameters.lesion > 0.0) add_lesion(parameters.lesion, patient.tissues, patient.structures);
   patient.structure_table = lumbar_structures(patient.structures);
   patient.ct = paint_ct(patient.tissues, library, sizes, parameters.seed, progress);
   return patient;

@@ -21,6 +21,8 @@ struct LumbarParameters {
   // 0 to 1: how far, from behind, the supraspinous and interspinous ligaments are calcified, as a share of the way
   // through both.
   double calcification = 0.0;
+  // mm across, 0 (none) or 8 to 30: a lesion beside the left psoas at L3, behind the peritoneum, for biopsies.
+  double lesion = 0.0;
   double spacing = 1.0;  // mm, isotropic voxels, 0.5 to 3
 };
 

@@ -211,6 +211,7 @@ std::vector<anatomy::Structure> lumbar_structures(const anatomy::LabelVolume& la
       {structure::autochthon_right, "autochthon_right", "muscle", false},
       {structure::iliopsoas_left, "iliopsoas_left", "muscle", false},
       {structure::iliopsoas_right, "iliopsoas_right", "muscle", false},
+      {structure::lesion, "lesion", "mass", false},
   };
   const std::set<std::uint16_t> present(labels.voxels.begin(), labels.voxels.end());
   std::vector<anatomy::Structure> table;

@@ -100,6 +100,7 @@ void check_parameters(const LumbarParameters& parameters) {
   require("flexion", parameters.flexion, 0.0, 1.0, "");
   require("scoliosis", parameters.scoliosis, -40.0, 40.0, " degrees");
   require("calcification", parameters.calcification, 0.0, 1.0, "");
+  if (parameters.lesion != 0.0) require("lesion", parameters.lesion, 8.0, 30.0, " mm");
   require("spacing", parameters.spacing, 0.5, 3.0, " mm");
 }
 

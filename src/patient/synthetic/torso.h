@@ -19,7 +19,7 @@ inline constexpr std::uint16_t kidney_right = 2, kidney_left = 3, liver = 5, sma
                                sacrum = 25, s1 = 26, l5 = 27, t11 = 33, aorta = 52, vena_cava = 63,
                                iliac_artery_left = 65, iliac_artery_right = 66, iliac_vein_left = 67,
                                iliac_vein_right = 68, hip_left = 77, hip_right = 78, canal = 79, autochthon_left = 86,
-                               autochthon_right = 87, iliopsoas_left = 88, iliopsoas_right = 89;
+                               autochthon_right = 87, iliopsoas_left = 88, iliopsoas_right = 89, lesion = 1000;
 }
 
 // Outlines of the trunk at one height, superellipses in x and y with a furrow over the spine.

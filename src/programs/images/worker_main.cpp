@@ -167,6 +167,7 @@ void make_synthetic_case(const json& request) {
   parameters.flexion = request.value("flexion", parameters.flexion);
   parameters.scoliosis = request.value("scoliosis", parameters.scoliosis);
   parameters.calcification = request.value("calcification", parameters.calcification);
+  parameters.lesion = request.value("lesion", parameters.lesion);
   parameters.spacing = request.value("spacing", parameters.spacing);
   finish_case(patient::build_synthetic_case(new_case(request), parameters, report_progress));
 }

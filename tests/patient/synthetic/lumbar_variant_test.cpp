@@ -227,5 +227,43 @@ TEST(LumbarVariant, a_seed_draws_a_whole_patient_and_each_parameter_by_itself) {
   for (const int gauge : {20, 22, 25}) EXPECT_NEAR(gauges[gauge], 333, 60) << gauge;
 }
 
+TEST(LumbarVariant, a_lesion_is_a_ball_in_muscle_and_fat_beside_the_left_psoas) {
+  LumbarParameters parameters;
+  parameters.spacing = 2.0;
+  const SyntheticPatient healthy = synthesize_lumbar(parameters, default_tissue_library());
+  parameters.lesion = 20.0;
+  const SyntheticPatient ill = synthesize_lumbar(parameters, default_tissue_library());
+  int voxels = 0, in_muscle = 0, in_fat = 0;
+  Vec3 middle = Vec3::Zero();
+  const Grid& grid = ill.tissues.grid;
+  std::size_t at = 0;
+  for (int k = 0; k < grid.size[2]; ++k) {
+    for (int j = 0; j < grid.size[1]; ++j) {
+      for (int i = 0; i < grid.size[0]; ++i, ++at) {
+        if (ill.tissues.voxels[at] != tissue::mass) {
+          ASSERT_EQ(ill.tissues.voxels[at], healthy.tissues.voxels[at]);
+          continue;
+        }
+        middle += grid.to_patient(Vec3(i, j, k));
+        ++voxels;
+        in_muscle += healthy.tissues.voxels[at] == tissue::muscle;
+        in_fat += healthy.tissues.voxels[at] == tissue::fat;
+      }
+    }
+  }
+  middle /= std::max(voxels, 1);
+  EXPECT_NEAR(voxels * 8.0, 4188.8, 0.1 * 4188.8);  // mm^3 of a ball of 20 mm
+  EXPECT_GT(in_muscle, voxels / 4);
+  EXPECT_GT(in_fat, voxels / 4);
+  EXPECT_GT(middle.x(), 30.0);  // to the left
+  EXPECT_LT(std::abs(middle.z()), 3.0);
+  const auto named = std::find_if(ill.structure_table.begin(), ill.structure_table.end(),
+                                  [](const Structure& structure) { return structure.name == "lesion"; });
+  ASSERT_NE(named, ill.structure_table.end());
+  EXPECT_EQ(named->tissue, "mass");
+  parameters.lesion = 5.0;
+  EXPECT_THROW(static_cast<void>(synthesize_lumbar(parameters, default_tissue_library())), InputError);
+}
+
 }  // namespace
 }  // namespace bodkin
