@@ -196,6 +196,7 @@ struct ForceParts {
   std::optional<BevelTipSettings> bevel_tip;
   std::optional<CsfFlowSettings> csf_flow;
   std::optional<SyringeSettings> syringe;
+  std::optional<FingertipSettings> fingertip;
 
   template <typename S = ForceParts>
   static constexpr auto parameters() {
@@ -204,7 +205,8 @@ struct ForceParts {
                       ChildElement{"needle_grasp", &S::needle_grasp, "tissue that winds up on a turning needle"},
                       ChildElement{"bevel_tip", &S::bevel_tip, "the pull of the tissue on a bevel"},
                       ChildElement{"csf_flow", &S::csf_flow, "fluid that returns through the needle"},
-                      ChildElement{"syringe", &S::syringe, "a thumb on the plunger of a syringe on the hub"}};
+                      ChildElement{"syringe", &S::syringe, "a thumb on the plunger of a syringe on the hub"},
+                      ChildElement{"fingertip", &S::fingertip, "a finger that feels the skin before the needle"}};
   }
   static constexpr auto relations() {
     return std::tuple{

@@ -27,6 +27,25 @@ struct BevelTipSettings {
   }
 };
 
+// Settings of the part `fingertip` (Fingertip).
+struct FingertipSettings {
+  double modulus = 0.04;
+  double radius = 6.0;
+  double reach = 40.0;
+  double limit = 6.0;
+
+  static constexpr auto parameters() {
+    using S = FingertipSettings;
+    return std::tuple{
+        Parameter{"modulus_MPa", &S::modulus, Range{0.001, 1.0}, "MPa",
+                  "of the soft tissue between skin and bone under a pressing finger", Origin::choice},
+        Parameter{"radius_mm", &S::radius, Range{2.0, 15.0}, "mm", "of the fingertip", Origin::choice},
+        Parameter{"reach_mm", &S::reach, Range{10.0, 100.0}, "mm",
+                  "deeper bone is not felt: the tissue yields as if there were bone just there", Origin::choice},
+        Parameter{"limit_N", &S::limit, Range{0.1, 20.0}, "N", "largest force", Origin::choice}};
+  }
+};
+
 // Settings of CsfFlow; in a case bore and length are those of its needle.
 struct CsfFlowSettings {
   double opening_pressure = 145.0;
@@ -36,6 +55,8 @@ struct CsfFlowSettings {
   double manometer_bore = 1.5;
   bool manometer = true;
   bool stylet = false;
+  double pressure_volume_index = 0.0;
+  double times_faster = 1.0;
 
   static constexpr auto parameters() {
     using S = CsfFlowSettings;
@@ -47,7 +68,13 @@ struct CsfFlowSettings {
         Parameter{"manometer_bore_mm", &S::manometer_bore, Range{0.5, 10.0}, "mm", "of the manometer's tube",
                   Origin::choice},
         Parameter{"manometer", &S::manometer, "the fluid rises in a manometer; false: it drips", Origin::choice},
-        Parameter{"stylet", &S::stylet, "the stylet is in, nothing flows", Origin::choice}};
+        Parameter{"stylet", &S::stylet, "the stylet is in, nothing flows", Origin::choice},
+        Parameter{"pressure_volume_index_mL", &S::pressure_volume_index, Range{0.0, 200.0}, "mL",
+                  "of fluid whose loss lowers the pressure to a tenth, about 25 (Marmarou et al. 1978); 0: it stays",
+                  Origin::choice},
+        Parameter{"times_faster", &S::times_faster, Range{1.0, 100.0}, "",
+                  "so much faster the fluid rises and collects than it would, for a lesson that has no time to wait",
+                  Origin::choice}};
   }
 };
 

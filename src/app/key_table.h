@@ -32,6 +32,9 @@ enum class Command : std::uint8_t {
   leave_needle,
   take_out_needle,
   press_plunger,  // while the key is held
+  turn_finger,
+  turn_stylet,
+  turn_manometer,
   again,
   end,
   arm,

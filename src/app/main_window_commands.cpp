@@ -83,6 +83,12 @@ void MainWindow::run(Command command) {
       return practice_.take_out_left_needle();
     case Command::press_plunger:
       return practice_.press_plunger(true);
+    case Command::turn_finger:
+      return practice_.turn(station::StationCommand::turn_finger);
+    case Command::turn_stylet:
+      return practice_.turn(station::StationCommand::turn_stylet);
+    case Command::turn_manometer:
+      return practice_.turn(station::StationCommand::turn_manometer);
     case Command::again:
       return another_attempt();
     case Command::end:

@@ -250,6 +250,7 @@ void Practice::take_news(const StationNews& news) {
   for (const std::string& note : news.notes) log_.push_back(note);
   if (log_.size() > longest_log) log_.erase(log_.begin(), log_.end() - longest_log);
   take_result(news);
+  finger_ = news.phase == Phase::running && news.needle.other.finger;
   const bool over = news.phase == Phase::finished || news.phase == Phase::failed || news.phase == Phase::idle;
   if (again_wanted_ && over && state() == State::preparing) return begin_attempt();
   if (again_wanted_) return;
@@ -314,6 +315,8 @@ void Practice::follow_completion() {
 
 std::string Practice::hint() const {
   if (clock_ - refused_at_ < refusal_shown && !refusal_.empty()) return refusal_;
+  if (finger_ && (state() == State::ready || state() == State::aiming))
+    return "A finger feels the skin. Push gently; H takes the needle again.";
   switch (state()) {
     case State::preparing:
       return "The patient is being prepared.";
@@ -329,6 +332,7 @@ std::string Practice::hint() const {
       return "Pressing on skin. Scroll to push until it gives.";
     case State::in_tissue:
       if (has_syringe()) return "Hold B to press the plunger of the syringe. E ends. F1 keys";
+      if (has_fluid()) return "S takes the stylet out, R connects the manometer. E ends. F1 keys";
       if (feed_ == nullptr) return "Push or draw back. E ends. F1 keys";
       return "Scroll to push or draw back. Space holds. F1 keys";
     case State::reached:

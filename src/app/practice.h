@@ -74,6 +74,8 @@ class Practice {
   void take_out_left_needle();
   const std::vector<LeftNeedle>& left_needles() const noexcept { return left_needles_; }
   void press_plunger(bool on);  // of the syringe, if the patient's needle has one
+  // Finger, stylet or manometer, if the patient has the part for it; else it says so.
+  void turn(station::StationCommand what);
   void set_crosshair(const Vec3& point);
   void toggle_follow();
 
@@ -139,6 +141,7 @@ class Practice {
   std::string hint() const;
   bool may_steer() const;
   bool has_syringe() const;
+  bool has_fluid() const;
   bool must_aim_first();
   bool may_move_body();
   void send_body();
@@ -173,7 +176,7 @@ class Practice {
   std::vector<LeftNeedle> left_needles_;
   double refused_at_ = 0.0, safe_since_ = 0.0, clock_ = 0.0;
   bool again_wanted_ = false, acknowledged_ = false, was_forbidden_ = false, plunger_pressed_ = false,
-       left_needles_changed_ = false, aimed_ = false;
+       left_needles_changed_ = false, aimed_ = false, finger_ = false;
 };
 
 }  // namespace bodkin::app

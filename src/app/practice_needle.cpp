@@ -74,6 +74,20 @@ void Practice::press_plunger(bool on) {
   link_.command(on ? station::StationCommand::press_plunger : station::StationCommand::release_plunger);
 }
 
+void Practice::turn(station::StationCommand what) {
+  if (!may_steer()) return;
+  const bool is_finger = what == station::StationCommand::turn_finger;
+  if (is_finger && !patient_->patient.description.haptics.parts.fingertip)
+    return say("This patient has no skin to feel with a finger.");
+  if (!is_finger && !has_fluid()) return say("This patient has no fluid to measure.");
+  if (is_finger && maker_.is_touching()) return say("Withdraw the needle before you feel the skin.");
+  link_.command(what);
+}
+
+bool Practice::has_fluid() const {
+  return patient_ != nullptr && patient_->patient.description.haptics.parts.csf_flow.has_value();
+}
+
 bool Practice::has_syringe() const {
   return patient_ != nullptr && patient_->patient.description.haptics.parts.syringe.has_value();
 }

@@ -180,7 +180,8 @@ void add_cohort_command(CLI::App& app, CommandContext& context) {
   add_whole_number(*command, "--seed", arguments->seed, 0, std::numeric_limits<std::int64_t>::max(),
                    "What chance is made from");
   add_text(*command, "--operator", arguments->performer,
-           "expert, novice, expert_epidural, expert_to_target, expert_acupuncture or an operator file: performs in "
+           "expert, novice, expert_epidural, expert_lumbar_puncture, expert_to_target, expert_acupuncture or an "
+           "operator file: performs in "
            "place of trainees who learn");
   add_text(*command, "-o,--output", arguments->output, "The table (default: cohort.csv); it is replaced");
   add_whole_number(*command, "--threads", arguments->threads, 0, most_threads, "0: as many as the machine has cores");

@@ -42,6 +42,7 @@ std::string force_names(const anatomy::HapticSettings& haptics) {
   if (haptics.parts.bevel_tip) names += " + bevel_tip";
   if (haptics.parts.csf_flow) names += " + csf_flow";
   if (haptics.parts.syringe) names += " + syringe";
+  if (haptics.parts.fingertip) names += " + fingertip";
   return fmt::format("{}, {}", names, anatomy::name_of(haptics.constraint));
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "anatomy/case.h"
@@ -12,6 +13,7 @@
 #include "cli/json_values.h"
 #include "core/error.h"
 #include "core/parameter_value.h"
+#include "io/force_choice.h"
 #include "io/image_worker.h"
 #include "training/planning_rules.h"
 #include "training/procedure_file.h"
@@ -88,6 +90,9 @@ NewCaseArguments add_new_case_options(CLI::App& command, NewCaseOptions& options
       command, "--mechanics", options.mechanics,
       "Where the force models have the numbers of the tissues from: tables (each model its own) or physical (one "
       "description of each tissue, for the needle) (default: tables)");
+  add_texts(command, "--part", options.parts,
+            fmt::format("An addition to the force along the needle, \"NAME SETTING=VALUE ...\", may be repeated: {}",
+                        fmt::join(io::part_names, ", ")));
   add_text(command, "--procedure", options.procedure,
            "What is practised: a procedure that comes with Bodkin (default: lumbar_puncture where there is a lumbar "
            "spine)");
@@ -121,6 +126,10 @@ json new_case_request(const NewCaseOptions& options) {
     if (!parse_value(options.mechanics, mechanics))
       throw InputError(fmt::format("--mechanics is '{}'; expected tables or physical", options.mechanics));
     request["mechanics"] = options.mechanics;
+  }
+  if (!options.parts.empty()) {
+    io::parse_parts(options.parts, "--part");
+    request["parts"] = options.parts;
   }
   const bool plans = !options.target.empty() && options.entry.empty();
   if (!options.procedure.empty() || plans) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -18,6 +19,7 @@ struct NewCaseOptions {
   std::int64_t needle_gauge = 22;
   std::string needle;  // "GAUGE,LENGTH,TIP"
   std::string mechanics;
+  std::vector<std::string> parts;
   std::string procedure;
   bool overwrite = false;
 };

@@ -30,6 +30,13 @@ std::string text_of_status(const station::StationStatus& status, const anatomy::
   std::string text = fmt::format("{}{}  {:5.1f} mm  {:5.2f} N [{:<20}] {}{}", haptics::text_of(servo.state), hold,
                                  now.depth, force, std::string(bar, '='), library.title(now.tissue), place);
   if (status.plunger_pressed) text += "  plunger pressed";
+  if (status.needle.other.finger) text += "  finger";
+  for (std::size_t i = 0; i < status.diagnostic_names.size(); ++i) {
+    if (status.diagnostic_names[i].name == "csf_height_mm")
+      text += fmt::format("  {:4.1f} cm", 0.1 * now.diagnostics[i]);
+    if (status.diagnostic_names[i].name == "csf_collected_mm3")
+      text += fmt::format(" {:4.1f} mL", 0.001 * now.diagnostics[i]);
+  }
   if (status.second) text += "  " + text_of_second(*status.second);
   return text;
 }
@@ -42,6 +49,9 @@ void apply_key(char key, station::Station& station, bool plunger_pressed) {
   if (key == 'b')
     station.command(plunger_pressed ? station::StationCommand::release_plunger
                                     : station::StationCommand::press_plunger);
+  if (key == 'f') station.command(station::StationCommand::turn_finger);
+  if (key == 's') station.command(station::StationCommand::turn_stylet);
+  if (key == 'm') station.command(station::StationCommand::turn_manometer);
   if (key == 'q') station.command(station::StationCommand::end);
 }
 

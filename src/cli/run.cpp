@@ -114,7 +114,8 @@ void add_run_command(CLI::App& app, CommandContext& context) {
   CLI::App* command = add_command(app, "run", "A simulated hand performs the procedure and is recorded", run_footer);
   add_text(*command, "CASE", arguments->folder, "Folder of the case").required();
   add_text(*command, "--operator", arguments->operator_name,
-           "expert, novice, expert_epidural, expert_to_target, expert_acupuncture, or an operator file");
+           "expert, novice, expert_epidural, expert_lumbar_puncture, expert_to_target, expert_acupuncture, or an "
+           "operator file");
   add_whole_number(*command, "--seed", arguments->seed, 0, std::numeric_limits<std::int64_t>::max(),
                    "What chance is made from: errors of aim, tremor, reaction times");
   add_switch(*command, "--realtime", settings.realtime, "On the clock instead of as fast as it goes");

@@ -18,7 +18,8 @@ double opening(double open, bool stylet) noexcept {
 
 }  // namespace
 
-CsfFlow::CsfFlow(const anatomy::CsfFlowSettings& settings, double dt) : settings_(settings), dt_(dt) {
+CsfFlow::CsfFlow(const anatomy::CsfFlowSettings& settings, double dt)
+    : settings_(settings), dt_(dt * settings.times_faster) {
   constexpr auto model = "csf_flow";
   check_tick(model, dt);
   check(settings, model);
@@ -32,21 +33,34 @@ double CsfFlow::drip(double height) const noexcept {
 }
 
 double CsfFlow::time_constant() const noexcept {
+  return resistance_ * section() / weight;
+}
+
+double CsfFlow::section() const noexcept {
   const double bore = settings_.manometer_bore;
-  return resistance_ * std::numbers::pi * bore * bore / 4.0 / weight;
+  return std::numbers::pi * bore * bore / 4.0;
+}
+
+double CsfFlow::pressure() const noexcept {
+  if (settings_.pressure_volume_index == 0.0) return settings_.opening_pressure;
+  return settings_.opening_pressure * std::pow(10.0, -1e-3 * state_.collected / settings_.pressure_volume_index);
+}
+
+void CsfFlow::empty_manometer() noexcept {
+  state_.collected += state_.height * section();
+  state_.height = 0.0;
 }
 
 const CsfState& CsfFlow::step_manometer(double open, bool stylet) noexcept {
   const double part = opening(open, stylet);
   const double before = state_.height;
-  state_.height -= (settings_.opening_pressure - before) * std::expm1(-dt_ * part / time_constant());
-  const double bore = settings_.manometer_bore;
-  state_.flow = (state_.height - before) * std::numbers::pi * bore * bore / 4.0 / dt_;
+  state_.height -= (pressure() - before) * std::expm1(-dt_ * part / time_constant());
+  state_.flow = (state_.height - before) * section() / dt_;
   return state_;
 }
 
 const CsfState& CsfFlow::step_drip(double open, bool stylet) noexcept {
-  state_.flow = drip(settings_.opening_pressure) * opening(open, stylet);
+  state_.flow = drip(pressure()) * opening(open, stylet);
   state_.collected += state_.flow * dt_;
   return state_;
 }

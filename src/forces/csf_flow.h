@@ -15,6 +15,10 @@ struct CsfState {
 //   manometer   h <- h_eq + (h - h_eq) exp(-dt/tau),   tau = R A/(rho g),   R = 128 mu L/(pi d^4)
 //   free drip   Q = rho g h_eq / R
 //
+// What has dripped lowers the pressure (Marmarou, Shulman, Rosende 1978), where the settings have an index PVI:
+//
+//   h_eq = h_0 10^(-V/PVI)
+//
 // A bevel that lies across the dura is only partly open: R is multiplied by 1/open. A stylet stops all flow.
 class CsfFlow {
  public:
@@ -24,15 +28,22 @@ class CsfFlow {
   // `open`: part of the opening in fluid, 0 to 1 (clamped; NaN = 0). Nothing flows when 0 or with the stylet in.
   const CsfState& step_manometer(double open, bool stylet) noexcept;
   const CsfState& step_drip(double open, bool stylet) noexcept;
+  // The manometer is taken off; its content is collected with what drips.
+  void empty_manometer() noexcept;
   void reset() noexcept { state_ = {}; }
+
+  double pressure() const noexcept;  // h_eq, mm of fluid
 
   double resistance() const noexcept { return resistance_; }  // R, MPa s/mm^3
   double drip(double height) const noexcept;                  // Q at `height` mm, mm^3/s
-  double time_constant() const noexcept;                      // tau of the manometer, s
+  double time_constant() const noexcept;                      // tau of the manometer, s, as it would be
 
  private:
+  double section() const noexcept;  // of the manometer, mm^2
+
   anatomy::CsfFlowSettings settings_;
-  double dt_, resistance_;
+  double dt_;  // s of the fluid: times_faster ticks
+  double resistance_;
   CsfState state_;
 };
 

@@ -24,6 +24,8 @@ struct NeedleInTissue {
   const Rail* rail = nullptr;                       // holds the proxy on the line, if that is the case's constraint
   double grip = 1.0;  // factor on the friction of the shaft, by turning the needle (needle_grasp.h)
   std::optional<double> thumb_force = {};  // N on the plunger of a syringe; nothing: as the case has it
+  bool stylet_moved = false;               // the stylet is not as the case has it
+  bool manometer_moved = false;            // the same of the manometer
 };
 
 // The force that a resistance found in one tick.

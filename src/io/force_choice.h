@@ -23,8 +23,8 @@ anatomy::ResistanceSettings parse_resistance(std::string_view text, const std::s
 
 anatomy::ConstraintSettings parse_constraint(std::string_view text, const std::string& origin);
 
-inline constexpr std::array<std::string_view, 6> part_names = {"relaxation", "shaft_friction", "needle_grasp",
-                                                               "bevel_tip",  "csf_flow",       "syringe"};
+inline constexpr std::array<std::string_view, 7> part_names = {
+    "relaxation", "shaft_friction", "needle_grasp", "bevel_tip", "csf_flow", "syringe", "fingertip"};
 
 // One text for each part; "none" alone means no parts.
 anatomy::ForceParts parse_parts(const std::vector<std::string>& texts, const std::string& origin);

@@ -131,6 +131,21 @@ std::string event_text(const forces::Event& event, const anatomy::TissueLibrary&
       return "contact points of the needle's line are computed";
     case forces::EventKind::points_late:
       return fmt::format("the tip is {:.1f} mm past a contact point that is still being computed", event.value);
+    case forces::EventKind::palpated:
+      return fmt::format("a place on the skin is felt{}, {:.2f} N/mm firm",
+                         event.tissue == anatomy::tissue::skin ? "" : " with bone under it", event.value);
+    case forces::EventKind::stylet_out:
+      return "the stylet is taken out";
+    case forces::EventKind::stylet_in:
+      return "the stylet is put back";
+    case forces::EventKind::manometer_on:
+      return "the manometer is connected";
+    case forces::EventKind::manometer_off:
+      return fmt::format("the manometer is taken off at {:.1f} cm", 0.1 * event.value);
+    case forces::EventKind::pressure_read:
+      return fmt::format("the manometer shows {:.1f} cm of fluid", 0.1 * event.value);
+    case forces::EventKind::fluid_collected:
+      return fmt::format("{:.1f} mL of fluid are collected", 0.001 * event.value);
     case forces::EventKind::fault:
       break;
   }
@@ -144,7 +159,8 @@ bool is_notable(forces::EventKind kind) {
          kind == forces::EventKind::corridor_taken || kind == forces::EventKind::corridor_refreshed ||
          kind == forces::EventKind::moving_body_failed || kind == forces::EventKind::fluid_returned ||
          kind == forces::EventKind::hub_contact || kind == forces::EventKind::needle_buckled ||
-         kind == forces::EventKind::pressure_lost || kind == forces::EventKind::points_late;
+         kind == forces::EventKind::pressure_lost || kind == forces::EventKind::points_late ||
+         kind == forces::EventKind::palpated || kind == forces::EventKind::pressure_read;
 }
 
 std::vector<PlotBand> bands_of(std::span<const TissueCrossing> crossings, const anatomy::TissueLibrary& library) {

@@ -95,6 +95,10 @@ simulation::OperatorPhase phase_from(const io::XmlElement& element, const PhaseN
   phase.step = element.number("step_mm", 0.0);
   phase.pause = element.number("pause_s", 0.0);
   phase.tilt = element.number("tilt_cephalad_deg", 0.0) * degree;
+  phase.shift = element.number("shift_cephalad_mm", 0.0);
+  phase.finger = element.boolean("finger", false);
+  phase.move_stylet = element.boolean("move_stylet", false);
+  phase.move_manometer = element.boolean("move_manometer", false);
   phase.aim_again = element.boolean("aim_again", false);
   phase.at_most = element.integer("at_most", 0);
   phase.otherwise = names.position(element, "otherwise");
@@ -126,6 +130,10 @@ nlohmann::ordered_json phase_json(const simulation::OperatorPhase& phase, const 
       {"name", phase.name},           {"speed_mm_per_s", phase.speed}, {"acceleration_mm_per_s2", phase.acceleration},
       {"step_mm", phase.step},        {"pause_s", phase.pause},        {"tilt_cephalad_deg", phase.tilt / degree},
       {"aim_again", phase.aim_again}, {"at_most", phase.at_most}};
+  if (phase.shift != 0.0) json["shift_cephalad_mm"] = phase.shift;
+  if (phase.finger) json["finger"] = true;
+  if (phase.move_stylet) json["move_stylet"] = true;
+  if (phase.move_manometer) json["move_manometer"] = true;
   json["otherwise"] = phase.otherwise < 0 ? "end" : script.phases[static_cast<std::size_t>(phase.otherwise)].name;
   for (const simulation::OperatorCondition& condition : phase.until)
     json["until"].push_back(condition_json(condition, script));

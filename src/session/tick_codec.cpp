@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <optional>
 
 namespace bodkin::session {
 
@@ -39,11 +40,13 @@ constexpr std::array<std::string_view, 29> number_names = {"needle_x_axis_x",
                                                            "constraint",
                                                            "energy"};
 
-constexpr std::array<std::string_view, 19> kind_names = {
+constexpr std::array<std::string_view, 26> kind_names = {
     "contact",        "puncture",           "loss_of_resistance", "bone_contact",   "bone_left",
     "tissue_entered", "withdrawn",          "force_limited",      "fault",          "corridor_left",
     "corridor_taken", "corridor_refreshed", "moving_body_failed", "fluid_returned", "pressure_lost",
-    "hub_contact",    "needle_buckled",     "points_taken",       "points_late"};
+    "hub_contact",    "needle_buckled",     "points_taken",       "points_late",    "palpated",
+    "stylet_out",     "stylet_in",          "manometer_on",       "manometer_off",  "pressure_read",
+    "fluid_collected"};
 
 // Visits every number of a record in the order of `number_names`; `Record` may be const.
 template <typename Record, typename Visit>
@@ -116,7 +119,7 @@ void encode_tick(const simulation::TickRecord& record, std::vector<std::uint8_t>
   std::uint8_t* cursor = grow(bytes, encoded_tick_size());
   for_each_number(record, [&](double number) { cursor = put_double(number, cursor); });
   cursor = put(record.output.tissue, 1, cursor);
-  cursor = put(record.output.in_contact ? 1 : 0, 1, cursor);
+  cursor = put((record.output.in_contact ? 1U : 0U) | record.input.other.byte() << 1U, 1, cursor);
   cursor = put(record.output.limits, 1, cursor);
   put(record.input.thumb.byte(), 1, cursor);
 }
@@ -129,9 +132,11 @@ bool decode_tick(std::span<const std::uint8_t> bytes, simulation::TickRecord& re
     number = take_double(cursor);
     cursor += 8;
   });
-  if (cursor[1] > 1) return false;
+  const std::optional<simulation::OtherHand> other = simulation::OtherHand::from_byte(cursor[1] >> 1U);
+  if (!other) return false;
   record.output.tissue = cursor[0];
-  record.output.in_contact = cursor[1] == 1;
+  record.output.in_contact = (cursor[1] & 1U) == 1;
+  record.input.other = *other;
   record.output.limits = cursor[2];
   record.input.thumb = simulation::Thumb::from_byte(cursor[3]);
   record.output.events.clear();

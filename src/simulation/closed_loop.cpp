@@ -12,6 +12,7 @@ void ClosedLoop::step(TickRecord& record) noexcept {
   const Pose intended = operator_.step({hand_.needle(), felt_.force});
   record.tick = ticks_++;
   record.input.needle = hand_.step(intended, felt_);
+  record.input.other = operator_.other_hand();
   record.output = tick_.step(record.input);
   felt_ = record.output.applied;
 }

@@ -88,30 +88,65 @@ class BevelTipPart final : public ForcePart {
 class CsfFlowPart final : public ForcePart {
  public:
   CsfFlowPart(const anatomy::CsfFlowSettings& settings, const anatomy::Needle& needle, double dt)
-      : settings_(settings), flow_(with_needle(settings, needle), dt) {}
+      : settings_(settings),
+        flow_(with_needle(settings, needle), dt),
+        stylet_(settings.stylet),
+        manometer_(settings.manometer) {}
 
   void begin(const Vec3&, const Vec3&) noexcept override {
     flow_.reset();
     state_ = {};
-    told_ = false;
+    stylet_ = settings_.stylet;
+    manometer_ = settings_.manometer;
+    told_ = read_ = dripping_ = false;
+    told_collected_ = 0.0;
   }
   void step(const forces::NeedleInTissue& needle, forces::ResistanceForce&,
             forces::TickEvents& events) noexcept override {
+    const auto tell = [&](forces::EventKind kind, double value) {
+      events.push({kind, needle.tissue, needle.motion.depth, value});
+    };
+    if (const bool stylet = settings_.stylet != needle.stylet_moved; stylet != stylet_) {
+      stylet_ = stylet;
+      tell(stylet ? forces::EventKind::stylet_in : forces::EventKind::stylet_out, 0.0);
+    }
+    if (const bool manometer = settings_.manometer != needle.manometer_moved; manometer != manometer_) {
+      manometer_ = manometer;
+      tell(manometer ? forces::EventKind::manometer_on : forces::EventKind::manometer_off, state_.height);
+      if (!manometer) flow_.empty_manometer();
+      read_ = false;
+    }
     const double open = needle.tissue == anatomy::tissue::cerebrospinal_fluid ? 1.0 : 0.0;
-    state_ =
-        settings_.manometer ? flow_.step_manometer(open, settings_.stylet) : flow_.step_drip(open, settings_.stylet);
-    if (told_ || !(state_.flow > 0.0)) return;
-    told_ = true;
-    events.push({forces::EventKind::fluid_returned, needle.tissue, needle.motion.depth, state_.flow});
+    state_ = manometer_ ? flow_.step_manometer(open, stylet_) : flow_.step_drip(open, stylet_);
+    const bool flows = open > 0.0 && !stylet_ && state_.flow > 0.0;
+    if (flows && !told_) {
+      told_ = true;
+      tell(forces::EventKind::fluid_returned, state_.flow);
+    }
+    if (manometer_ && flows && !read_ && state_.height >= settled * flow_.pressure()) {
+      read_ = true;
+      tell(forces::EventKind::pressure_read, state_.height);
+    }
+    const bool dripped = dripping_;
+    dripping_ = flows && !manometer_;
+    const double wholes = std::floor(state_.collected / millilitre) * millilitre;
+    if ((dripped && !dripping_) || wholes > told_collected_) {
+      told_collected_ = wholes;
+      tell(forces::EventKind::fluid_collected, state_.collected);
+    }
   }
   void reset() noexcept override { begin(Vec3::Zero(), Vec3::UnitZ()); }
   std::size_t publish(std::span<double> values) const noexcept override {
     values[0] = state_.flow;
-    values[1] = settings_.manometer ? state_.height : state_.collected;
-    return 2;
+    values[1] = state_.height;
+    values[2] = state_.collected;
+    return 3;
   }
 
  private:
+  static constexpr double settled = 0.98;       // of the pressure, from where a column is read
+  static constexpr double millilitre = 1000.0;  // mm^3
+
   static anatomy::CsfFlowSettings with_needle(anatomy::CsfFlowSettings settings, const anatomy::Needle& needle) {
     settings.needle_bore = needle.inner_diameter;
     settings.needle_length = needle.length;
@@ -121,7 +156,11 @@ class CsfFlowPart final : public ForcePart {
   anatomy::CsfFlowSettings settings_;
   forces::CsfFlow flow_;
   forces::CsfState state_;
-  bool told_ = false;
+  bool stylet_, manometer_;  // as they are now
+  bool told_ = false;        // that fluid returned
+  bool read_ = false;        // since the manometer was connected
+  bool dripping_ = false;
+  double told_collected_ = 0.0;  // mm^3, whole millilitres
 };
 
 // A thumb that presses the plunger (Syringe), as far as the barrel goes. Its force is the hand's, or the case's where
@@ -194,12 +233,10 @@ std::vector<forces::DiagnosticName> force_part_diagnostics(const anatomy::ForceP
   if (parts.bevel_tip)
     names.insert(names.end(), {{"bevel_aside_mm", "path of the bevel beside the line"},
                                {"bevel_N", "pull of the tissue on the bevel"}});
-  if (parts.csf_flow) {
-    names.push_back({"csf_flow_mm3_s", "flow of cerebrospinal fluid"});
-    names.push_back(parts.csf_flow->manometer
-                        ? forces::DiagnosticName{"csf_height_mm", "fluid in the manometer"}
-                        : forces::DiagnosticName{"csf_collected_mm3", "fluid that has dripped"});
-  }
+  if (parts.csf_flow)
+    names.insert(names.end(), {{"csf_flow_mm3_s", "flow of cerebrospinal fluid"},
+                               {"csf_height_mm", "fluid in the manometer"},
+                               {"csf_collected_mm3", "fluid that has dripped"}});
   if (parts.syringe)
     names.insert(names.end(),
                  {{"syringe_pressure_MPa", "pressure in the syringe"}, {"plunger_mm", "travel of the plunger"}});

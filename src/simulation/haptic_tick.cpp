@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "core/error.h"
 #include "core/motion_estimator.h"
+#include "forces/fingertip.h"
 #include "forces/gravity_compensation.h"
 #include "haptics/force_governor.h"
 #include "simulation/constraint.h"
@@ -66,7 +68,11 @@ struct HapticTick::State {
         hub(from.description.needle.length, from.description.device.stiffness),
         deforms(from.description.haptics.mechanics == anatomy::Mechanics::physical),
         layers(from, resistance.passes_layers()),
-        bow(from, dt) {}
+        bow(from, dt) {
+    if (from.description.haptics.parts.fingertip) {
+      finger.emplace(from.tissues, *from.description.haptics.parts.fingertip, from.description.device.stiffness, dt);
+    }
+  }
 
   const anatomy::Case& patient;
   double dt;
@@ -80,6 +86,8 @@ struct HapticTick::State {
   TipInLayers layers;
   NeedleBow bow;
   NeedleContact contact;
+  std::optional<forces::Fingertip> finger;
+  bool finger_is_down = false;  // in the needle's place
   LossOfResistance loss;
   Vec3 last_tip = Vec3::Zero();
   bool seen = false;                                   // there was a tick before
@@ -91,6 +99,7 @@ struct HapticTick::State {
 
   // `axis`: that of the needle, unit.
   TickOutput step(const TickInput& input, const Vec3& axis) noexcept;
+  TickOutput feel(const Vec3& tip, const Vec3& axis, double advance) noexcept;
   void announce_tissue(const Vec3& tip, TickOutput& output) noexcept;
   void announce_limits(const Vec3& wanted, TickOutput& output) noexcept;
   TickOutput fault() noexcept;
@@ -154,6 +163,29 @@ TickOutput HapticTick::State::fault() noexcept {
   return output;
 }
 
+// The finger instead of the needle: the needle's models rest.
+TickOutput HapticTick::State::feel(const Vec3& tip, const Vec3& axis, double advance) noexcept {
+  TickOutput output;
+  contact.follow(tip, anatomy::nearest<anatomy::TissueId>(patient.tissues, tip, anatomy::tissue::air));
+  output.velocity = motion.step(motion.depth() + advance).velocity;
+  const double speed = advance / dt;
+  const forces::FingertipState& felt = finger->step(tip, axis, output.events);
+  output.tissue = felt.touching ? anatomy::tissue::skin : anatomy::tissue::air;
+  output.resistance = felt.force;
+  const haptics::ForceRequest request{.resistance = felt.force,
+                                      .axis = axis,
+                                      .velocity = speed,
+                                      .in_contact = felt.touching,
+                                      .compensation = compensation.step(tip)};
+  output.requested.force = request.compensation - felt.force * axis;
+  output.applied.force = governor.step(request);
+  output.applied.torque = governor.torque();
+  output.energy = governor.passivity().energy();
+  output.limits = governor.flags();
+  announce_limits(output.requested.force, output);
+  return output;
+}
+
 TickOutput HapticTick::State::step(const TickInput& input, const Vec3& axis) noexcept {
   const Vec3 tip = input.needle.translation();
   TickOutput output;
@@ -161,6 +193,13 @@ TickOutput HapticTick::State::step(const TickInput& input, const Vec3& axis) noe
   const double advance = seen ? (tip - last_tip).dot(contact.held() ? contact.direction() : axis) : 0.0;
   seen = true;
   last_tip = tip;
+
+  // A finger that presses is lifted before there is a needle again.
+  const bool stays = finger_is_down && output.tissue != anatomy::tissue::air;
+  const bool was_down = finger_is_down;
+  finger_is_down = finger && !contact.held() && (input.other.finger || stays);
+  if (finger_is_down) return feel(tip, axis, advance);
+  if (was_down) finger->reset();
 
   if (contact.held()) {
     contact.follow(tip, output.tissue);
@@ -194,7 +233,9 @@ TickOutput HapticTick::State::step(const TickInput& input, const Vec3& axis) noe
                                   .axis = axis,
                                   .side = input.needle.linear().col(0),
                                   .rail = constraint.rail(),
-                                  .thumb_force = input.thumb.force()};
+                                  .thumb_force = input.thumb.force(),
+                                  .stylet_moved = input.other.stylet_moved,
+                                  .manometer_moved = input.other.manometer_moved};
     if (deforms) place_tip(needle);
     output.depth = needle.motion.depth;
     const forces::ResistanceForce tissue_force = resistance.step(needle, output.events);
@@ -256,7 +297,8 @@ void HapticTick::reset() noexcept {
   state.resistance.reset();
   state.governor.reset();
   state.contact.reset();
-  state.seen = state.anything_announced = false;
+  if (state.finger) state.finger->reset();
+  state.seen = state.anything_announced = state.finger_is_down = false;
   state.announced = anatomy::tissue::air;
   state.quiet_ticks = limit_event_rest;
   state.last = TickOutput{};

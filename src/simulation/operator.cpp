@@ -57,6 +57,8 @@ Operator::Operator(const OperatorScript& script, const anatomy::NeedlePath& path
     throw InputError("the needle's entry and target are the same point, expected a path of some length");
   across_ = needle_pose(path.entry, path.direction()).linear().col(0);
   along_ = needle_pose(path.entry, path.direction()).linear().col(1);
+  const Vec3 up = Vec3::UnitZ() - Vec3::UnitZ().dot(path.direction()) * path.direction();
+  cephalad_ = up.norm() > 1e-6 ? Vec3(up.normalized()) : along_;
   draw_aim();
   entry_ = aim_entry_;
   direction_ = aim_direction_;
@@ -157,6 +159,9 @@ void Operator::enter(int phase) noexcept {
   if (phase == OperatorCondition::end) return;
   ++visits_[static_cast<std::size_t>(phase)];
   const OperatorPhase& now = script_.phases[static_cast<std::size_t>(phase)];
+  other_.finger = now.finger;
+  if (now.move_stylet) other_.stylet_moved = !other_.stylet_moved;
+  if (now.move_manometer) other_.manometer_moved = !other_.manometer_moved;
   if (now.aim_again) draw_aim();
   if (now.tilt != 0.0) {
     // Towards the head: superior is +z in LPS.
@@ -186,7 +191,8 @@ void Operator::move() noexcept {
     stepped_ = 0.0;
     pausing_ = now.pause;
   }
-  entry_ = nearer(entry_, aim_entry_, aiming_pace * dt_);
+  entry_ =
+      nearer(entry_, now.shift == 0.0 ? aim_entry_ : Vec3(aim_entry_ + now.shift * cephalad_), aiming_pace * dt_);
   direction_ = nearer(direction_, aim_direction_, turning_pace * dt_).normalized();
 }
 

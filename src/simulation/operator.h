@@ -7,6 +7,7 @@
 #include "anatomy/case.h"
 #include "core/random.h"
 #include "simulation/operator_script.h"
+#include "simulation/tick_record.h"
 
 namespace bodkin::simulation {
 
@@ -27,6 +28,8 @@ class Operator {
   Pose start() const noexcept;
   // Where the operator means the needle to be at the end of this tick.
   Pose step(const OperatorSense& sense) noexcept;
+  // What the other hand does in the tick of the last step().
+  OtherHand other_hand() const noexcept { return other_; }
   // True when the script has come to its end.
   bool finished() const noexcept { return phase_ == OperatorCondition::end; }
   // Position of the present phase in the script, or OperatorCondition::end.
@@ -69,6 +72,8 @@ class Operator {
   SlowNoise speed_noise_;
   std::array<SlowNoise, 4> wander_;  // tip across the line (2), direction (2)
   Vec3 across_, along_;              // unit, perpendicular to the planned direction
+  Vec3 cephalad_;                    // unit, the same, towards the head
+  OtherHand other_;
 
   // the line of aim
   Vec3 aim_entry_, aim_direction_;  // where it is to be

@@ -62,6 +62,7 @@ void check_phase(const OperatorPhase& phase, int phases, const Checker& checker)
   checker.range("the step (mm)" + of, phase.step, 0.0, 100.0);
   checker.range("the pause (s)" + of, phase.pause, 0.0, 60.0);
   checker.range("the tilt (rad)" + of, phase.tilt, -0.8, 0.8);
+  checker.range("the shift (mm)" + of, phase.shift, -100.0, 100.0);
   checker.range("the number of times" + of, phase.at_most, 0, 1000);
   if (phase.until.empty()) checker.fail(sentence("phase '", phase.name, "' never ends, it has no condition"));
   for (const OperatorCondition& condition : phase.until) check_condition(condition, phase.name, phases, checker);

@@ -36,6 +36,10 @@ struct OperatorPhase {
   double step = 0.0;            // mm advanced between pauses; 0 = no pauses
   double pause = 0.0;           // s of each pause
   double tilt = 0.0;            // rad by which the needle is turned towards the head (about the entry) at the start
+  double shift = 0.0;           // mm towards the head along the skin, beside the line of aim, while the phase lasts
+  bool finger = false;          // feels with a finger in place of the needle, while the phase lasts
+  bool move_stylet = false;     // takes the stylet out, or puts it back, at the start
+  bool move_manometer = false;  // connects the manometer, or takes it off, at the start
   bool aim_again = false;       // looks for the entry anew: a new error of aim is drawn
   int at_most = 0;              // how often the phase may be entered; 0 = as often as it comes
   int otherwise = OperatorCondition::end;  // the phase instead, when it has been entered that often

@@ -38,10 +38,27 @@ class Thumb {
   std::uint8_t byte_ = 0;
 };
 
+// What the other hand does with the skin and at the needle's hub, in the three bits that a recording keeps.
+struct OtherHand {
+  bool finger = false;           // a fingertip is where the tip of the needle would be; for the part `fingertip`
+  bool stylet_moved = false;     // the stylet is not as the case has it; for the part `csf_flow`
+  bool manometer_moved = false;  // the same of the manometer
+
+  constexpr std::uint8_t byte() const noexcept {
+    return static_cast<std::uint8_t>((finger ? 1 : 0) | (stylet_moved ? 2 : 0) | (manometer_moved ? 4 : 0));
+  }
+  // Nothing for a byte above 7.
+  static constexpr std::optional<OtherHand> from_byte(unsigned byte) noexcept {
+    if (byte > 7U) return std::nullopt;
+    return OtherHand{(byte & 1U) != 0, (byte & 2U) != 0, (byte & 4U) != 0};
+  }
+};
+
 // What goes into one tick: where the device holds the needle, and what the other hand does.
 struct TickInput {
   Pose needle = Pose::Identity();  // LPS mm, origin at the tip, third axis hub to tip
   Thumb thumb = {};                // for the part `syringe`
+  OtherHand other = {};
 };
 
 // What one tick found. Everything that is recorded, plotted and judged comes from here.

@@ -54,6 +54,8 @@ struct HandSession::Shared {
     record.tick = ticks;
     record.input.needle = axial ? axial->step(input.needle, tick_in_tissue, input.dt) : input.needle;
     if (has_syringe) record.input.thumb = thumb_now();
+    record.input.other =
+        simulation::OtherHand::from_byte(other.load(std::memory_order_relaxed)).value_or(simulation::OtherHand());
     record.output = tick.step(record.input);
     tick_in_tissue = record.output.depth > 0.0;
     const Vec3 ahead = body == nullptr ? Vec3(Vec3::Zero()) : body->needle_ahead();
@@ -73,7 +75,7 @@ struct HandSession::Shared {
         corridor_left = false;
       if (event.kind == forces::EventKind::corridor_left) corridor_left = true;
     }
-    HandSnapshot now{ticks, record.input.needle, ahead, record.output, corridor_left};
+    HandSnapshot now{ticks, record.input.needle, ahead, record.output, corridor_left, record.input.other};
     now.output.events.clear();
     snapshot.write(now);
     return {record.output.applied, 0.0};
@@ -106,7 +108,7 @@ struct HandSession::Shared {
   std::shared_ptr<session::SecondLink> second;  // may be null
   const session::SecondLink* plunger;           // the same, if the second hand holds the plunger
   bool has_syringe;
-  std::atomic<std::uint8_t> thumb{0};
+  std::atomic<std::uint8_t> thumb{0}, other{0};
   std::shared_ptr<simulation::DisplayThread> display;  // may be null
   std::shared_ptr<ScanThread> scan;                    // may be null
   std::shared_ptr<PatientBody> moving;                 // may be null
@@ -185,6 +187,14 @@ bool HandSession::failed() const noexcept {
 
 void HandSession::set_thumb(simulation::Thumb thumb) noexcept {
   shared_->thumb.store(thumb.byte(), std::memory_order_relaxed);
+}
+
+void HandSession::turn(bool simulation::OtherHand::*what) noexcept {
+  std::atomic<std::uint8_t>& kept = shared_->other;
+  simulation::OtherHand other =
+      simulation::OtherHand::from_byte(kept.load(std::memory_order_relaxed)).value_or(simulation::OtherHand());
+  other.*what = !(other.*what);
+  kept.store(other.byte(), std::memory_order_relaxed);
 }
 
 bool HandSession::finish() {

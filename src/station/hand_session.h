@@ -42,7 +42,8 @@ struct HandSnapshot {
   Pose needle = Pose::Identity();
   Vec3 needle_ahead = Vec3::Zero();  // mm, see BodyPort
   simulation::TickOutput output;     // without events
-  bool corridor_left = false;  // the needle is where its deformable body was not prepared: the force is not valid
+  bool corridor_left = false;   // the needle is where its deformable body was not prepared: the force is not valid
+  simulation::OtherHand other;  // of that tick
 };
 
 // A person's hand on a device performs a procedure on a patient, and every tick is recorded. The constructor opens
@@ -84,6 +85,8 @@ class HandSession {
   // Any thread: the thumb on the plunger of the case's syringe from the next tick on. A second hand on the plunger is
   // the thumb, whatever this says.
   void set_thumb(simulation::Thumb thumb) noexcept;
+  // One thread: what the other hand does from the next tick on, the other way than now.
+  void turn(bool simulation::OtherHand::*what) noexcept;
 
   // Zero force, the end of the loop, and the recording closed. False: the device did not let itself be stopped.
   // Throws what went wrong with the recording.

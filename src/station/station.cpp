@@ -335,8 +335,7 @@ void Station::start() {
       parts.observer.note(fmt::format("the second hand takes no part: {}", error.what()));
     }
   }
-  const DeviceChoice& hand = parts.options.device;
-  parts.press_plunger(hand.is_simulated() || hand.is_recorded());
+  parts.press_plunger(parts.options.device.is_simulated() || parts.options.device.is_recorded());
   parts.session->start();
   parts.begin = Clock::now();
   command(StationCommand::arm);
@@ -401,11 +400,7 @@ void Station::command(StationCommand command) {
   using Kind = haptics::ServoCommand::Kind;
   Parts& parts = *parts_;
   haptics::ServoTick& servo = parts.session->servo().tick();
-  const auto send = [&servo](Kind kind) {
-    haptics::ServoCommand order;
-    order.kind = kind;
-    servo.command(order);
-  };
+  const auto send = [&servo](Kind kind) { servo.command({.kind = kind}); };
   switch (command) {
     case StationCommand::arm:
       send(Kind::arm);
@@ -420,9 +415,14 @@ void Station::command(StationCommand command) {
     case StationCommand::toggle_clutch:
       return send(servo.snapshot().clutched ? Kind::unclutch : Kind::clutch);
     case StationCommand::press_plunger:
-      return parts.press_plunger(true);
     case StationCommand::release_plunger:
-      return parts.press_plunger(false);
+      return parts.press_plunger(command == StationCommand::press_plunger);
+    case StationCommand::turn_finger:
+      return parts.session->turn(&simulation::OtherHand::finger);
+    case StationCommand::turn_stylet:
+      return parts.session->turn(&simulation::OtherHand::stylet_moved);
+    case StationCommand::turn_manometer:
+      return parts.session->turn(&simulation::OtherHand::manometer_moved);
     case StationCommand::end:
       return end();
   }

@@ -16,6 +16,9 @@ enum class StationCommand {
   toggle_clutch,    // the needle stays where it is while the hand moves, and follows from there
   press_plunger,    // the thumb, on that of the case's syringe; a second hand on the plunger has its own thumb
   release_plunger,  // as it is at the start; a simulated or recorded hand presses all the time
+  turn_finger,      // a finger feels the skin in place of the needle, or the needle is taken again
+  turn_stylet,      // it is taken out of the needle, or put back
+  turn_manometer,   // it is connected, or taken off
   end
 };
 

@@ -13,6 +13,11 @@ std::vector<Metric> metrics_of_target();
 std::vector<Metric> metrics_of_tissue();
 std::vector<Metric> metrics_of_technique();
 std::vector<Metric> metrics_of_ultrasound();
+std::vector<Metric> metrics_of_palpation();
+std::vector<Metric> metrics_of_fluid();
+
+// LPS mm, where a finger felt the skin before the first insertion, in order.
+std::vector<Vec3> felt_before_entry(const Attempt& attempt);
 
 // The value of an attempt that has an insertion, or nothing.
 template <typename Compute>

@@ -37,7 +37,7 @@ SettingsTree procedure_tree(const io::XmlElement& root) {
 }
 
 bool is_event(const std::string& name) {
-  for (int kind = 0; kind <= static_cast<int>(forces::EventKind::points_late); ++kind) {
+  for (int kind = 0; kind <= static_cast<int>(forces::EventKind::fluid_collected); ++kind) {
     if (session::event_kind_name(static_cast<forces::EventKind>(kind)) == name) return true;
   }
   return false;

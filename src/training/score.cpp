@@ -1,20 +1,20 @@
 #include "training/score.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "session/tick_codec.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "core/error.h"
+#include "training/interspace.h"
+#include "training/metric_groups.h"
 #include "training/sentences.h"
 
 namespace bodkin::training {
 
 namespace {
 
-constexpr std::string_view skin_suffix = "_skin";
 constexpr double longest_gap = 0.005;  // s of lost ticks in the body that hide nothing
 
 bool is_event_of(const session::SessionEvent& each, const std::string& name) {
@@ -173,25 +173,31 @@ class Scorer {
   }
 
   void find_level() {
-    const Vec3& entry = attempt_.tip[attempt_.insertions.back().first];
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const anatomy::Landmark& each : attempt_.description().landmarks) {
-      if (!each.name.ends_with(skin_suffix)) continue;
-      const double distance = (each.position - entry).norm();
-      if (distance >= nearest) continue;
-      nearest = distance;
-      score_.level = each.name.substr(0, each.name.size() - skin_suffix.size());
-    }
-    if (score_.level.empty() || procedure_.levels.empty()) return;
-    const auto spoken = [](std::string name) {
-      std::replace(name.begin(), name.end(), '_', '/');
-      return name;
-    };
+    const auto entry = skin_place(attempt_.tip[attempt_.insertions.back().first], attempt_.description());
+    if (!entry) return;
+    score_.level = entry->level;
+    if (procedure_.levels.empty()) return;
     if (is_among(procedure_.levels, score_.level)) {
-      add(Grade::pass, "level", fmt::format("You entered at {}.", spoken(score_.level)));
+      add(Grade::pass, "level", fmt::format("You entered at {}.", spoken_level(score_.level)));
     } else {
       add(Grade::fail, "level",
-          fmt::format("You entered at {}, expected {}.", spoken(score_.level), spoken(procedure_.levels)));
+          fmt::format("You entered at {}, expected {}.", spoken_level(score_.level),
+                      spoken_level(procedure_.levels)));
+    }
+    tell_palpation(*entry);
+  }
+
+  // The interspace that was felt last is the one that was chosen.
+  void tell_palpation(const SkinPlace& entry) {
+    const std::vector<Vec3> felt = felt_before_entry(attempt_);
+    if (felt.empty()) return;
+    const auto chosen = skin_place(felt.back(), attempt_.description());
+    if (chosen->level == entry.level) {
+      add(Grade::pass, "palpation", fmt::format("You felt {} before you entered.", spoken_level(chosen->level)));
+    } else {
+      add(Grade::borderline, "palpation",
+          fmt::format("You felt {} last, but entered at {}.", spoken_level(chosen->level),
+                      spoken_level(entry.level)));
     }
   }
 

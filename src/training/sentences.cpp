@@ -24,11 +24,13 @@ std::string event_words(const std::string& event, bool to_come) {
     const char* past;
     const char* to_come;
   };
-  constexpr std::array<Words, 7> known = {
+  constexpr std::array<Words, 9> known = {
       {{"fluid_returned", "let cerebrospinal fluid return", "let cerebrospinal fluid return"},
        {"loss_of_resistance", "lost the resistance of the ligamentum flavum",
         "lose the resistance of the ligamentum flavum"},
        {"pressure_lost", "let the syringe's plunger give way", "let the syringe's plunger give way"},
+       {"palpated", "felt a place on the skin", "feel a place on the skin"},
+       {"pressure_read", "let the pressure be read", "let the pressure be read"},
        {"bone_contact", "met bone", "meet bone"},
        {"hub_contact", "pushed the needle in up to its hub", "push the needle in up to its hub"},
        {"needle_buckled", "pushed harder than the needle bears", "push less, so that the needle stays straight"},

@@ -197,6 +197,9 @@ void ForceChart::flag(const Frame& frame, const session::SessionEvent& event) {
     case EventKind::fluid_returned:
       words = tr("fluid");
       break;
+    case EventKind::pressure_read:
+      words = tr("%1 cm of fluid").arg(0.1 * event.event.value, 0, 'f', 1);
+      break;
     case EventKind::pressure_lost:
       words = tr("plunger gives way");
       break;

@@ -74,7 +74,8 @@ TEST_F(RunCommand, refuses_bad_arguments_in_one_sentence) {
     EXPECT_FALSE(std::filesystem::exists(folder_ / "refused.bodkin")) << arguments;
   };
   refused("patient --operator nobody",
-          "expected 'expert', 'expert_acupuncture', 'expert_epidural', 'expert_to_target', 'novice' or the name");
+          "expected 'expert', 'expert_acupuncture', 'expert_epidural', 'expert_lumbar_puncture', 'expert_to_target', "
+          "'novice' or the name");
   refused("patient --max-time 0", "--max-time is '0'; expected a number from 1 to 3600");
   refused("patient --max-time nan", "--max-time is 'nan'; expected");
   refused("patient --seed -1", "--seed is '-1'; expected a whole number from 0");

@@ -56,6 +56,30 @@ TEST(CsfFlow, collects_a_millilitre_in_its_time) {
   EXPECT_NEAR(ticks * 0.01, 64.26, 0.02);
 }
 
+// Marmarou's index: what has been lost lowers the pressure to a tenth per PVI.
+TEST(CsfFlow, the_pressure_falls_with_what_has_dripped) {
+  CsfFlow flow({.pressure_volume_index = 25.0, .times_faster = 100.0}, 0.01);
+  while (flow.step_drip(1.0, false).collected < 10000.0) {
+  }
+  EXPECT_NEAR(flow.pressure(), 145.0 * std::pow(10.0, -0.4), 0.05);
+  for (int i = 0; i < 1000; ++i) flow.step_manometer(1.0, false);
+  EXPECT_NEAR(flow.step_manometer(1.0, false).height, flow.pressure(), 1e-3) << "the closing pressure";
+  const double height = flow.step_manometer(1.0, false).height;
+  const double collected = flow.step_drip(1.0, true).collected;
+  flow.empty_manometer();
+  const CsfState& emptied = flow.step_drip(1.0, true);
+  EXPECT_NEAR(emptied.collected - collected, height * 1.767146, 1e-3) << "of a bore of 1.5 mm";
+  EXPECT_EQ(emptied.height, 0.0);
+}
+
+TEST(CsfFlow, a_hurried_lesson_has_the_same_flow_in_less_time) {
+  CsfFlow usual({}, 0.01), hurried({.times_faster = 20.0}, 0.01);
+  for (int i = 0; i < 2000; ++i) usual.step_manometer(1.0, false);
+  for (int i = 0; i < 100; ++i) hurried.step_manometer(1.0, false);
+  EXPECT_NEAR(hurried.step_manometer(0.0, false).height, usual.step_manometer(0.0, false).height, 1e-9);
+  EXPECT_NEAR(hurried.step_drip(1.0, false).flow, usual.step_drip(1.0, false).flow, 1e-12);
+}
+
 TEST(CsfFlow, is_finite_for_any_opening) {
   CsfFlow flow({}, 1e-3);
   for (const double open : {1e308, -1e308, std::numeric_limits<double>::infinity(), std::nan("")}) {

@@ -53,7 +53,7 @@ TEST(ForceChoice, settings_are_those_of_case_files) {
 
 TEST(ForceChoice, parts_add_up_and_none_is_none) {
   const ForceParts parts = parse_parts({"relaxation share=0.4 time_s=2", "needle_grasp", "relaxation"}, "--part");
-  EXPECT_TRUE(same_bits(parts, {{{0.4, 2.0}, {}}, {}, NeedleGraspSettings{}, {}, {}, {}}));
+  EXPECT_TRUE(same_bits(parts, {{{0.4, 2.0}, {}}, {}, NeedleGraspSettings{}, {}, {}, {}, {}}));
   const ForceParts more =
       parse_parts({"bevel_tip limit_N=2", "csf_flow stylet=true", "syringe filling=air thumb_force_N=7"}, "--part");
   EXPECT_EQ(more.bevel_tip->limit, 2.0);
@@ -95,12 +95,14 @@ TEST(ForceChoice, errors_name_the_option_what_was_found_and_what_was_expected) {
             "--resistance: the element <membrane> is not allowed here, expected <layer>");
   EXPECT_EQ(refusal([] { parse_constraint("layered", "--constraint"); }),
             "--constraint: there is no constraint 'layered', expected line_spring, pivot, rail, beam or none");
-  EXPECT_EQ(part_refused({"rail"}),
-            "--part: there is no part 'rail', expected relaxation, shaft_friction, needle_grasp, bevel_tip, csf_flow "
-            "or syringe");
-  EXPECT_EQ(part_refused({"none", "none"}),
-            "--part: there is no part 'none', expected relaxation, shaft_friction, needle_grasp, bevel_tip, csf_flow "
-            "or syringe");
+  EXPECT_EQ(
+      part_refused({"rail"}),
+      "--part: there is no part 'rail', expected relaxation, shaft_friction, needle_grasp, bevel_tip, csf_flow, "
+      "syringe or fingertip");
+  EXPECT_EQ(
+      part_refused({"none", "none"}),
+      "--part: there is no part 'none', expected relaxation, shaft_friction, needle_grasp, bevel_tip, csf_flow, "
+      "syringe or fingertip");
   EXPECT_EQ(part_refused({"needle_grasp", "needle_grasp"}),
             "--part: parts: the element needle_grasp is given 2 times, expected it once at most");
 }

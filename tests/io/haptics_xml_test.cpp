@@ -223,7 +223,7 @@ const std::map<std::string, Role>& roles() {
       by_name[std::string(name)] = {"<resistance>", "</resistance>"};
     for (const std::string_view name : constraint_names)
       by_name[std::string(name)] = {"<constraint>", "</constraint>"};
-    for (const char* name : {"relaxation", "needle_grasp", "bevel_tip", "csf_flow", "syringe"})
+    for (const char* name : {"relaxation", "needle_grasp", "bevel_tip", "csf_flow", "syringe", "fingertip"})
       by_name[name] = {"<parts>", "</parts>"};
     by_name["compensation"] = {"", ""};
     by_name.erase("none");
@@ -246,7 +246,7 @@ TEST(HapticsXml, the_defaults_that_the_schema_states_are_those_of_the_settings) 
                           haptics_of(role.before + "<" + name + "/>" + role.after)))
         << name << all;
   }
-  EXPECT_EQ(checked, 135);
+  EXPECT_EQ(checked, 141);
 }
 
 TEST(HapticsXml, the_defaults_that_the_schema_states_for_friction_are_those_of_the_settings) {
@@ -331,7 +331,7 @@ TEST(HapticsXml, settings_that_do_not_go_together_are_refused) {
        "parts: there are 5 elements relaxation, expected at most 4"},
       {"<parts><layered/></parts>",
        "the element <layered> is not allowed here, expected <relaxation>, <shaft_friction>, <needle_grasp>, "
-       "<bevel_tip>, <csf_flow> or <syringe>"},
+       "<bevel_tip>, <csf_flow>, <syringe> or <fingertip>"},
       {"<compensation up_y='1'/>", "compensation: 1 of the 3 components of a vector are given, expected all or none"},
       {"<compensation up_x='0' up_y='0' up_z='-0'/>",
        "compensation up_x, up_y and up_z are 0, 0 and -0, expected a direction, which is longer than 1e-06"},

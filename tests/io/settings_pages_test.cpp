@@ -116,6 +116,7 @@ std::map<std::string, std::string> all_tables() {
   add("bevel_tip", BevelTipSettings{});
   add("csf_flow", CsfFlowSettings{});
   add("syringe", SyringeSettings{});
+  add("fingertip", FingertipSettings{});
   add("compensation", GravitySettings{});
   add("needle", Needle{});
   add("device", DeviceLimits{});

@@ -132,16 +132,20 @@ inline auto members(const BevelTipSettings& s) {
   return std::tie(a, b, c);
 }
 inline auto members(const CsfFlowSettings& s) {
-  const auto& [a, b, c, d, e, f, g] = s;
-  return std::tie(a, b, c, d, e, f, g);
+  const auto& [a, b, c, d, e, f, g, h, i] = s;
+  return std::tie(a, b, c, d, e, f, g, h, i);
+}
+inline auto members(const FingertipSettings& s) {
+  const auto& [a, b, c, d] = s;
+  return std::tie(a, b, c, d);
 }
 inline auto members(const SyringeSettings& s) {
   const auto& [a, b, c, d, e, f, g, h, i] = s;
   return std::tie(a, b, c, d, e, f, g, h, i);
 }
 inline auto members(const ForceParts& s) {
-  const auto& [a, b, c, d, e, f] = s;
-  return std::tie(a, b, c, d, e, f);
+  const auto& [a, b, c, d, e, f, g] = s;
+  return std::tie(a, b, c, d, e, f, g);
 }
 inline auto members(const GravitySettings& s) {
   const auto& [a, b, c, d, e] = s;
@@ -339,6 +343,15 @@ inline HapticSettings wild_haptics(Random& random) {
     flow.manometer_bore = number(0.5, 10.0);
     flow.manometer = random.uniform() < 0.5;
     flow.stylet = random.uniform() < 0.5;
+    flow.pressure_volume_index = number(0.0, 200.0);
+    flow.times_faster = number(1.0, 100.0);
+  }
+  if (random.uniform() < 0.3) {
+    FingertipSettings& finger = haptics.parts.fingertip.emplace();
+    finger.modulus = number(0.001, 1.0);
+    finger.radius = number(2.0, 15.0);
+    finger.reach = number(10.0, 100.0);
+    finger.limit = number(0.1, 20.0);
   }
   if (random.uniform() < 0.3) {
     SyringeSettings& syringe = haptics.parts.syringe.emplace();

@@ -88,13 +88,15 @@ TEST(CaseDigest, every_setting_of_a_case_changes_it) {
                    .needle_grasp = NeedleGraspSettings{},
                    .bevel_tip = BevelTipSettings{},
                    .csf_flow = CsfFlowSettings{},
-                   .syringe = SyringeSettings{}};
+                   .syringe = SyringeSettings{},
+                   .fingertip = FingertipSettings{}};
   expect_each_changes(patient, haptics.parts.relaxation.front(), digests);
   expect_each_changes(patient, *haptics.parts.shaft_friction, digests);
   expect_each_changes(patient, *haptics.parts.needle_grasp, digests);
   expect_each_changes(patient, *haptics.parts.bevel_tip, digests);
   expect_each_changes(patient, *haptics.parts.csf_flow, digests);
   expect_each_changes(patient, *haptics.parts.syringe, digests);
+  expect_each_changes(patient, *haptics.parts.fingertip, digests);
   haptics.parts = {};
   const auto each_model = [&]<typename Models, std::size_t... Index>(Models& chosen, std::index_sequence<Index...>) {
     const auto one = [&](auto settings) {

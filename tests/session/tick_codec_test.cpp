@@ -11,6 +11,21 @@ using namespace bodkin::forces;
 using namespace bodkin::session;
 namespace {
 
+TEST(TickCodec, a_tick_keeps_what_the_other_hand_does) {
+  for (unsigned byte = 0; byte < 8; ++byte) {
+    simulation::TickRecord record, found;
+    record.output.in_contact = byte % 2 == 1;
+    record.input.other = *simulation::OtherHand::from_byte(byte);
+    std::vector<std::uint8_t> bytes;
+    encode_tick(record, bytes);
+    ASSERT_TRUE(decode_tick(bytes, found));
+    EXPECT_EQ(found.input.other.byte(), byte);
+    EXPECT_EQ(found.output.in_contact, byte % 2 == 1);
+    bytes[29 * 8 + 1] = 16;
+    EXPECT_FALSE(decode_tick(bytes, found)) << "what no hand does";
+  }
+}
+
 TEST(TickCodec, a_puncture_keeps_what_the_hand_felt_to_a_hundredth_of_a_newton) {
   for (const double felt : {0.0, 0.01, 2.874, 655.35, 1e6}) {
     std::vector<std::uint8_t> bytes;

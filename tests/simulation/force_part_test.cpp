@@ -105,6 +105,79 @@ TEST(ForcePart, fluid_rises_in_the_manometer_once_the_tip_is_in_fluid_and_not_wi
   EXPECT_EQ(push(closed, 50.0, 20.0, "csf_height_mm").first(EventKind::fluid_returned), nullptr);
 }
 
+// Stylet out, drip, manometer on, off, on, stylet in: what a whole lumbar puncture does with the fluid.
+TEST(ForcePart, stylet_and_manometer_are_handled_while_the_needle_is_in_fluid) {
+  Case patient = fluid_patient();
+  patient.description.haptics.parts.csf_flow =
+      CsfFlowSettings{.manometer = false, .stylet = true, .pressure_volume_index = 25.0, .times_faster = 20.0};
+  HapticTick haptics(patient);
+  EXPECT_EQ(push(haptics, 50.0, 20.0, "csf_height_mm").first(EventKind::fluid_returned), nullptr);
+  std::vector<Event> events;
+  const auto wait = [&](double seconds, OtherHand other) {
+    TickInput input = needle_at(50.0);
+    input.other = other;
+    for (int tick = 0; tick < static_cast<int>(seconds * 1000.0); ++tick) {
+      const TickOutput output = haptics.step(input);
+      events.insert(events.end(), output.events.begin(), output.events.end());
+    }
+  };
+  wait(0.1, {});
+  EXPECT_TRUE(events.empty());
+  wait(0.1, {.stylet_moved = true});
+  wait(8.0, {.stylet_moved = true, .manometer_moved = true});
+  wait(14.0, {.stylet_moved = true});
+  wait(8.0, {.stylet_moved = true, .manometer_moved = true});
+  wait(0.1, {.manometer_moved = true});
+  std::vector<EventKind> kinds;
+  double opening = 0.0, closing = 0.0, collected = 0.0;
+  for (const Event& event : events) {
+    if (event.kind == EventKind::pressure_read) (opening == 0.0 ? opening : closing) = event.value;
+    if (event.kind == EventKind::fluid_collected) collected = event.value;
+    if (kinds.empty() || kinds.back() != event.kind) kinds.push_back(event.kind);
+  }
+  EXPECT_EQ(kinds,
+            (std::vector<EventKind>{EventKind::stylet_out, EventKind::fluid_returned, EventKind::manometer_on,
+                                    EventKind::fluid_collected, EventKind::pressure_read, EventKind::manometer_off,
+                                    EventKind::fluid_collected, EventKind::manometer_on, EventKind::fluid_collected,
+                                    EventKind::pressure_read, EventKind::stylet_in}));
+  EXPECT_NEAR(opening, 0.98 * 145.0, 1.0);
+  EXPECT_GT(collected, 2000.0);
+  EXPECT_NEAR(closing, 0.98 * 145.0 * std::pow(10.0, -collected / 25000.0), 1.0);
+}
+
+TEST(ForcePart, a_finger_feels_the_skin_and_the_needle_comes_after_it) {
+  Case patient = fluid_patient();
+  patient.description.haptics.parts.fingertip.emplace();
+  HapticTick haptics(patient);
+  std::vector<Event> events;
+  double felt = 0.0;
+  const auto go = [&](double from, double to, bool finger) {
+    for (double depth = from; std::abs(depth - to) > 0.005; depth += from < to ? 0.01 : -0.01) {
+      TickInput input = needle_at(depth);
+      input.other.finger = finger;
+      const TickOutput output = haptics.step(input);
+      EXPECT_FALSE(finger && output.in_contact) << "nothing is inserted";
+      felt = std::max(felt, finger ? output.resistance : 0.0);
+      events.insert(events.end(), output.events.begin(), output.events.end());
+    }
+  };
+  go(-3.0, 7.0, true);
+  EXPECT_GT(felt, 0.3);
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events[0].kind, EventKind::palpated);
+  go(7.0, 3.0, false);  // the finger is taken for the needle only above the skin
+  EXPECT_EQ(events.size(), 1U);
+  go(3.0, -3.0, false);
+  go(-3.0, 5.0, false);
+  const auto touched =
+      std::find_if(events.begin(), events.end(), [](const Event& event) { return event.kind == EventKind::contact; });
+  ASSERT_NE(touched, events.end());
+  EXPECT_NEAR(haptics.step(needle_at(5.0)).depth, 5.0, 0.6);
+  TickInput input = needle_at(5.0);
+  input.other.finger = true;
+  EXPECT_TRUE(haptics.step(input).in_contact) << "no finger while the needle is in";
+}
+
 TEST(ForcePart, the_syringe_holds_pressure_in_the_ligament_and_loses_it_in_the_epidural_space) {
   Case patient = fluid_patient();
   patient.description.haptics.parts.syringe.emplace();

@@ -109,7 +109,7 @@ TEST(ForceRanges, both_ends_of_every_range_of_the_schema_can_be_simulated) {
   }
   attempt("relaxation", "<resistance><tracking_wall/></resistance><parts>", "</parts>");
   attempt("needle_grasp", "<parts>", "</parts>");
-  for (const char* name : {"bevel_tip", "csf_flow", "syringe"}) attempt(name, "<parts>", "</parts>");
+  for (const char* name : {"bevel_tip", "csf_flow", "syringe", "fingertip"}) attempt(name, "<parts>", "</parts>");
   attempt("compensation", "", "");
   EXPECT_GT(tried, 140);
 }

@@ -182,5 +182,24 @@ TEST(Operator, a_script_that_cannot_be_performed_is_refused) {
   EXPECT_THROW(Operator(machine({phase("in", 1.0, {after(1.0, -1)})}), nowhere, 1, one_tick), InputError);
 }
 
+TEST(Operator, a_phase_can_take_the_finger_shift_it_and_handle_stylet_and_manometer) {
+  OperatorPhase feel = phase("feel", 0.0, {after(1.0, 1)});
+  feel.finger = true;
+  feel.shift = 15.0;
+  OperatorPhase out = phase("out", 0.0, {after(0.5, 2)});
+  out.move_stylet = true;
+  OperatorPhase in = phase("in", 0.0, {after(0.5, OperatorCondition::end)});
+  in.move_stylet = in.move_manometer = true;
+  Rehearsal rehearsal(machine({feel, out, in}), 1);
+  for (double time = 0.0; time < 0.9; time += one_tick) rehearsal.step(0.0);
+  EXPECT_TRUE(rehearsal.actor().other_hand().finger);
+  EXPECT_NEAR(rehearsal.needle().translation().z(), 15.0, 1e-6) << "towards the head";
+  for (double time = 0.0; time < 0.5; time += one_tick) rehearsal.step(0.0);
+  EXPECT_EQ(rehearsal.actor().other_hand().byte(), 2) << "the stylet alone";
+  EXPECT_NEAR(rehearsal.needle().translation().z(), 0.0, 1e-6);
+  for (double time = 0.0; time < 0.3; time += one_tick) rehearsal.step(0.0);
+  EXPECT_EQ(rehearsal.actor().other_hand().byte(), 4) << "the manometer alone";
+}
+
 }  // namespace
 }  // namespace bodkin

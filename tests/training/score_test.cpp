@@ -271,5 +271,25 @@ TEST(Score, refuses_a_session_without_ticks_and_a_tissue_that_nobody_knows) {
   EXPECT_THROW(score_of(written), InputError);
 }
 
+// Two interspaces 40 mm apart on a back along z; the written path enters at the origin.
+TEST(Score, the_interspace_that_was_felt_is_told_and_compared_with_the_one_that_was_entered) {
+  CaseDescription description = written_description();
+  description.landmarks = {{"L4_L5_skin", Vec3(0, 0, -2)}, {"L3_L4_skin", Vec3(0, 0, 38)}};
+  for (const double where : {0.0, 39.0}) {
+    WrittenSession written;
+    written.session().header.haptics.parts.fingertip.emplace();
+    written.go(Vec3(0, -3, where), 500, WrittenSession::air).event(EventKind::palpated, tissue::skin, 0.1);
+    written.go(Vec3(0, 10, 0), 300, WrittenSession::air);
+    written.go(Vec3(4, 0, 0), 300, WrittenSession::air).go(Vec3(4, -50, 0), 3000, {true, tissue::fat, 1.0});
+    const Score result = score(written.session(), description, lumbar());
+    EXPECT_EQ(result.level, "L4_L5");
+    EXPECT_EQ(result.find("felt_places")->value, 1.0);
+    EXPECT_NEAR(result.find("entry_to_midline_mm")->value, 4.0, 1e-3);
+    EXPECT_NEAR(result.find("entry_to_interspace_mm")->value, 2.0, 1e-3);
+    EXPECT_THAT(sentences(result), HasSubstr(where == 0.0 ? "You felt L4/L5 before you entered."
+                                                          : "You felt L3/L4 last, but entered at L4/L5."));
+  }
+}
+
 }  // namespace
 }  // namespace bodkin

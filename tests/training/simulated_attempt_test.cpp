@@ -76,5 +76,38 @@ TEST(SimulatedAttempt, the_experts_that_come_with_bodkin_are_like_those_that_it_
   }
 }
 
+// The whole procedure: finger, stylet, opening pressure, drip, closing pressure, stylet.
+TEST(SimulatedAttempt, the_expert_feels_the_interspace_and_measures_the_fluid) {
+  Case patient = lumbar_patient();
+  patient.description.haptics.parts.fingertip.emplace();
+  patient.description.haptics.parts.csf_flow =
+      CsfFlowSettings{.manometer = false, .stylet = true, .pressure_volume_index = 25.0, .times_faster = 20.0};
+  const auto scored = [&](const char* name) {
+    const session::Session session =
+        simulate_attempt(patient, session::load_operator(name), *patient.description.procedure.path, 3);
+    return score(session, patient.description, find_procedure("lumbar_puncture"),
+                 {&patient.structures, &patient.tissues});
+  };
+  const Score whole = scored("expert_lumbar_puncture");
+  EXPECT_EQ(whole.verdict, Grade::pass) << whole.headline << whole.findings[0].sentence;
+  EXPECT_EQ(value(whole, "felt_places"), 2.0);
+  EXPECT_LT(value(whole, "felt_to_entry_mm"), 6.0);
+  EXPECT_LT(value(whole, "entry_to_midline_mm"), 3.0);
+  EXPECT_LT(value(whole, "entry_to_interspace_mm"), 3.0);
+  EXPECT_EQ(value(whole, "insertions"), 1.0) << "a finger is no needle";
+  EXPECT_NEAR(value(whole, "opening_pressure_cmH2O"), 0.98 * 14.5, 0.3) << "a little has dripped before";
+  EXPECT_LT(value(whole, "pressure_settling_s"), 8.0);
+  const double collected = value(whole, "collected_mL");
+  EXPECT_GT(collected, 1.0);
+  EXPECT_NEAR(value(whole, "closing_pressure_cmH2O"), 0.98 * 14.5 * std::pow(10.0, -collected / 25.0), 0.3);
+  EXPECT_EQ(value(whole, "withdrawn_open"), 0.0);
+  for (const StepResult& step : whole.steps) EXPECT_TRUE(step.time.has_value()) << step.title;
+
+  const Score plain = scored("expert");  // who neither feels nor measures
+  EXPECT_EQ(plain.verdict, Grade::borderline);
+  EXPECT_EQ(value(plain, "felt_places"), 0.0);
+  EXPECT_EQ(value(plain, "pressure_readings"), 0.0);
+}
+
 }  // namespace
 }  // namespace bodkin

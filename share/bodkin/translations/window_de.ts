@@ -432,6 +432,10 @@
         <translation>Liquor</translation>
     </message>
     <message>
+        <source>%1 cm of fluid</source>
+        <translation>%1 cm Liquor</translation>
+    </message>
+    <message>
         <source>plunger gives way</source>
         <translation>Stempel gibt nach</translation>
     </message>

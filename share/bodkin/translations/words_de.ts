@@ -253,6 +253,18 @@
         <translation>diesen Weg üben</translation>
     </message>
     <message>
+        <source>feel the skin with a finger, take the needle again</source>
+        <translation>die Haut mit einem Finger tasten, die Nadel wieder nehmen</translation>
+    </message>
+    <message>
+        <source>stylet out, in</source>
+        <translation>Mandrin heraus, hinein</translation>
+    </message>
+    <message>
+        <source>manometer on, off</source>
+        <translation>Manometer an, ab</translation>
+    </message>
+    <message>
         <source>press the plunger of the syringe, while held</source>
         <translation>den Stempel der Spritze drücken, solange gehalten</translation>
     </message>
@@ -944,6 +956,30 @@
         <translation>Tasten Sie noch einmal nach der Mittellinie, bevor Sie den Winkel ändern.</translation>
     </message>
     <message>
+        <source>Feel the spinous processes above and below, and enter in the middle between them.</source>
+        <translation>Tasten Sie die Dornfortsätze darüber und darunter, und stechen Sie mitten dazwischen ein.</translation>
+    </message>
+    <message>
+        <source>Feel for the softest place between two spinous processes.</source>
+        <translation>Tasten Sie nach der weichsten Stelle zwischen zwei Dornfortsätzen.</translation>
+    </message>
+    <message>
+        <source>Feel for the interspace with a finger before you take the needle.</source>
+        <translation>Tasten Sie den Zwischenraum mit einem Finger, bevor Sie die Nadel nehmen.</translation>
+    </message>
+    <message>
+        <source>Read the opening pressure before fluid is lost.</source>
+        <translation>Lesen Sie den Eröffnungsdruck ab, bevor Liquor verloren geht.</translation>
+    </message>
+    <message>
+        <source>The laboratory needs a millilitre in each tube, and the patient the rest.</source>
+        <translation>Das Labor braucht einen Milliliter in jedem Röhrchen, der Patient den Rest.</translation>
+    </message>
+    <message>
+        <source>Put the stylet back before you draw the needle out.</source>
+        <translation>Stecken Sie den Mandrin zurück, bevor Sie die Nadel herausziehen.</translation>
+    </message>
+    <message>
         <source>Choose the interspace with care before you pierce the skin.</source>
         <translation>Wählen Sie den Zwischenraum mit Bedacht, bevor Sie die Haut durchstechen.</translation>
     </message>
@@ -1054,6 +1090,38 @@
     <message>
         <source>Go on by a millimetre at a time until the dura gives way with a slight pop.</source>
         <translation>Gehen Sie Millimeter für Millimeter weiter, bis die Dura mit einem leichten Ruck nachgibt.</translation>
+    </message>
+    <message>
+        <source>Read the opening pressure</source>
+        <translation>Den Eröffnungsdruck ablesen</translation>
+    </message>
+    <message>
+        <source>Connect the manometer and wait until the column stands still.</source>
+        <translation>Schließen Sie das Manometer an und warten Sie, bis die Säule stillsteht.</translation>
+    </message>
+    <message>
+        <source>Collect fluid</source>
+        <translation>Liquor sammeln</translation>
+    </message>
+    <message>
+        <source>Take the manometer off and let the fluid drip into the tubes. 20 drops are about a millilitre.</source>
+        <translation>Nehmen Sie das Manometer ab und lassen Sie den Liquor in die Röhrchen tropfen. 20 Tropfen sind etwa ein Milliliter.</translation>
+    </message>
+    <message>
+        <source>Read the closing pressure</source>
+        <translation>Den Schlussdruck ablesen</translation>
+    </message>
+    <message>
+        <source>Connect the manometer once more.</source>
+        <translation>Schließen Sie das Manometer noch einmal an.</translation>
+    </message>
+    <message>
+        <source>Put the stylet back</source>
+        <translation>Den Mandrin zurückstecken</translation>
+    </message>
+    <message>
+        <source>A nerve root or a strand of the arachnoid can slip into an open needle.</source>
+        <translation>In eine offene Nadel kann eine Nervenwurzel oder ein Strang der Arachnoidea geraten.</translation>
     </message>
     <message>
         <source>Let fluid return</source>
@@ -1216,6 +1284,50 @@
         <translation>Abstand des Eintritts vom geplanten Eintritt</translation>
     </message>
     <message>
+        <source>places felt with a finger before the first insertion</source>
+        <translation>vor dem ersten Einstich mit einem Finger getastete Stellen</translation>
+    </message>
+    <message>
+        <source>time with a finger on the skin before the first insertion</source>
+        <translation>Zeit mit einem Finger auf der Haut vor dem ersten Einstich</translation>
+    </message>
+    <message>
+        <source>distance of the first entry from the nearest place that was felt</source>
+        <translation>Abstand des ersten Einstichs von der nächsten getasteten Stelle</translation>
+    </message>
+    <message>
+        <source>distance of the entry from the middle of the back</source>
+        <translation>Abstand des Einstichs von der Mitte des Rückens</translation>
+    </message>
+    <message>
+        <source>distance of the entry from the middle of the interspace</source>
+        <translation>Abstand des Einstichs von der Mitte des Zwischenraums</translation>
+    </message>
+    <message>
+        <source>pressures read</source>
+        <translation>abgelesene Drücke</translation>
+    </message>
+    <message>
+        <source>opening pressure</source>
+        <translation>Eröffnungsdruck</translation>
+    </message>
+    <message>
+        <source>time until the opening pressure was read</source>
+        <translation>Zeit bis zum Ablesen des Eröffnungsdrucks</translation>
+    </message>
+    <message>
+        <source>fluid collected</source>
+        <translation>gesammelter Liquor</translation>
+    </message>
+    <message>
+        <source>closing pressure</source>
+        <translation>Schlussdruck</translation>
+    </message>
+    <message>
+        <source>withdrawals without the stylet</source>
+        <translation>Herausziehen ohne Mandrin</translation>
+    </message>
+    <message>
         <source>greatest distance from the planned path</source>
         <translation>größter Abstand vom geplanten Weg</translation>
     </message>
@@ -1330,6 +1442,18 @@
     <message>
         <source>angle between needle and ultrasound slice</source>
         <translation>Winkel zwischen Nadel und Ultraschallschicht</translation>
+    </message>
+    <message>
+        <source>felt a place on the skin</source>
+        <translation>eine Stelle der Haut getastet</translation>
+    </message>
+    <message>
+        <source>feel a place on the skin</source>
+        <translation>eine Stelle der Haut tasten</translation>
+    </message>
+    <message>
+        <source>let the pressure be read</source>
+        <translation>den Druck ablesen lassen</translation>
     </message>
     <message>
         <source>let cerebrospinal fluid return</source>
@@ -1508,6 +1632,14 @@
         <translation>%1, oder %2</translation>
     </message>
     <message>
+        <source>You felt %1 before you entered.</source>
+        <translation>Sie tasteten %1, bevor Sie einstachen.</translation>
+    </message>
+    <message>
+        <source>You felt %1 last, but entered at %2.</source>
+        <translation>Sie tasteten zuletzt %1, stachen aber bei %2 ein.</translation>
+    </message>
+    <message>
         <source>You entered at %1.</source>
         <translation>Sie stachen bei %1 ein.</translation>
     </message>
@@ -1632,6 +1764,26 @@
         <translation>Ziehen Sie bis knapp unter die Haut zurück, ändern Sie dann den Winkel.</translation>
     </message>
     <message>
+        <source>This patient has no skin to feel with a finger.</source>
+        <translation>Bei diesem Patienten ist mit einem Finger nichts zu tasten.</translation>
+    </message>
+    <message>
+        <source>A finger feels the skin. Push gently; H takes the needle again.</source>
+        <translation>Ein Finger tastet die Haut. Drücken Sie sanft; H nimmt wieder die Nadel.</translation>
+    </message>
+    <message>
+        <source>This patient has no fluid to measure.</source>
+        <translation>Bei diesem Patienten ist kein Liquor zu messen.</translation>
+    </message>
+    <message>
+        <source>Withdraw the needle before you feel the skin.</source>
+        <translation>Ziehen Sie die Nadel heraus, bevor Sie die Haut tasten.</translation>
+    </message>
+    <message>
+        <source>S takes the stylet out, R connects the manometer. E ends. F1 keys</source>
+        <translation>S zieht den Mandrin, R schließt das Manometer an. E beendet. F1 Tasten</translation>
+    </message>
+    <message>
         <source>Push the needle through the skin before you leave it there.</source>
         <translation>Schieben Sie die Nadel durch die Haut, bevor Sie sie dort lassen.</translation>
     </message>
@@ -1730,6 +1882,18 @@
     <message>
         <source>plunger gives way</source>
         <translation>Stempel gibt nach</translation>
+    </message>
+    <message>
+        <source>a place is felt</source>
+        <translation>eine Stelle getastet</translation>
+    </message>
+    <message>
+        <source>stylet out</source>
+        <translation>Mandrin heraus</translation>
+    </message>
+    <message>
+        <source>pressure read</source>
+        <translation>Druck abgelesen</translation>
     </message>
     <message>
         <source>out of the body</source>

@@ -33,6 +33,12 @@ std::string words_of(const forces::Event& event, const std::string& tissue) {
       return "bone";
     case EventKind::fluid_returned:
       return "fluid";
+    case EventKind::palpated:
+      return "a place is felt";
+    case EventKind::stylet_out:
+      return "stylet out";
+    case EventKind::pressure_read:
+      return "pressure read";
     case EventKind::pressure_lost:
       return "plunger gives way";
     case EventKind::withdrawn:

@@ -7,6 +7,18 @@
 
 namespace bodkin::app {
 
+namespace {
+
+// What happens only where a patient has a finger's place to feel and fluid to measure: nobody waits for it.
+bool is_of_the_other_hand(const std::string& event) {
+  for (const char* const each :
+       {"palpated", "fluid_returned", "stylet_out", "stylet_in", "pressure_read", "fluid_collected"})
+    if (event == each) return true;
+  return false;
+}
+
+}  // namespace
+
 StepFollower::StepFollower(training::Procedure procedure, const anatomy::TissueLibrary& tissues)
     : procedure_(std::move(procedure)) {
   for (const training::Step& step : procedure_.steps) {
@@ -25,10 +37,14 @@ bool StepFollower::shows(const Frame& frame, std::size_t step) const {
 }
 
 // A needle that has only touched the skin was not withdrawn after the procedure: that counts as the last step alone.
+// Of two steps that show by the same event the earlier one comes first.
 bool StepFollower::is_in_turn(std::size_t step) const {
-  if (procedure_.steps[step].event != "withdrawn") return true;
+  const std::string& wanted = procedure_.steps[step].event;
   for (std::size_t between = next_; between < step; ++between) {
-    if (tissues_[between] != anatomy::tissue::air || !procedure_.steps[between].event.empty()) return false;
+    const std::string& event = procedure_.steps[between].event;
+    if (!wanted.empty() && event == wanted) return false;
+    const bool waits = !event.empty() && !is_of_the_other_hand(event);
+    if (wanted == "withdrawn" && (tissues_[between] != anatomy::tissue::air || waits)) return false;
   }
   return true;
 }

@@ -251,6 +251,7 @@ CaseSummary build_imported_case(const NewCase& wanted, const ImportOptions& opti
   anatomy::CaseDescription description;
   description.needle = wanted.needle.empty() ? needle_of(wanted.needle_gauge) : parse_needle(wanted.needle);
   description.haptics.mechanics = wanted.mechanics;
+  description.haptics.parts = wanted.parts;
   require_path(wanted.path);
   require_level(options.level);
   if (!options.lowest_vertebra.empty()) require_vertebra(options.lowest_vertebra);
@@ -320,6 +321,7 @@ CaseSummary build_synthetic_case(const NewCase& wanted, const LumbarParameters& 
   anatomy::CaseDescription description;
   description.needle = wanted.needle.empty() ? needle_of(wanted.needle_gauge) : parse_needle(wanted.needle);
   description.haptics.mechanics = wanted.mechanics;
+  description.haptics.parts = wanted.parts;
   require_path(wanted.path);
   const bool is_calcified = parameters.calcification > 0.0;
   const anatomy::TissueLibrary library =

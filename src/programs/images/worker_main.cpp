@@ -14,6 +14,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "patient/from_ct/case_builder.h"
 #include "patient/from_ct/label_filters.h"
@@ -22,6 +23,7 @@
 #include <unistd.h>
 
 #include "core/error.h"
+#include "io/force_choice.h"
 #include "io/images/image_source.h"
 
 namespace bodkin::programs {
@@ -95,6 +97,8 @@ patient::NewCase new_case(const json& request) {
   wanted.needle = request.value("needle", "");
   if (const std::string mechanics = request.value("mechanics", ""); !mechanics.empty())
     parse_value(mechanics, wanted.mechanics);
+  if (request.contains("parts"))
+    wanted.parts = io::parse_parts(request["parts"].get<std::vector<std::string>>(), "--part");
   wanted.procedure = request.value("procedure", "");
   wanted.target_tissue = request.value("target_tissue", "");
   wanted.target_structure = request.value("target_structure", "");
