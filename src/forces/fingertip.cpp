@@ -13,7 +13,7 @@ namespace {
 
 constexpr double stride = 1.0;         // mm between the places that are looked at
 constexpr int halvings = 12;           // of the last stride
-constexpr double deepest = 30.0;       // mm that a finger is looked for under the skin
+constexpr double most_pressed = 30.0;  // mm that a finger is looked for under the skin
 constexpr double least_cover = 5.0;    // mm
 constexpr double cover_time = 0.02;    // s
 constexpr double wall_from = 2.0 / 3;  // of the cover
@@ -61,11 +61,11 @@ bool Fingertip::is_air(const Vec3& place) const noexcept {
 
 double Fingertip::depth_under_skin(const Vec3& place, const Vec3& axis) const noexcept {
   if (is_air(place)) return 0.0;
-  for (double back = stride; back <= deepest; back += stride) {
+  for (double back = stride; back <= most_pressed; back += stride) {
     if (is_air(place - back * axis))
       return border(back, back - stride, [&](double way) { return is_air(place - way * axis); });
   }
-  return deepest;
+  return most_pressed;
 }
 
 double Fingertip::cover_of_bone(const Vec3& skin, const Vec3& axis) const noexcept {
