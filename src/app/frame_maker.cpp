@@ -10,16 +10,7 @@ namespace {
 
 constexpr double visible_motion = 0.05;          // mm
 constexpr double turned_enough = 0.05 * degree;  // rad
-constexpr double surely_inside = 8.0;            // mm, deeper than any skin dimples before it gives way
 constexpr double down_soon = -0.5;               // mm above the skin
-
-// The diagnostic of this name; nothing where the model has none.
-std::optional<double> diagnostic(const StationNews& news, std::string_view name) {
-  for (std::size_t i = 0; i < news.diagnostic_names.size(); ++i) {
-    if (news.diagnostic_names[i].name == name) return news.needle.output.diagnostics[i];
-  }
-  return std::nullopt;
-}
 
 bool same_pose(const Pose& a, const Pose& b) {
   return (a.translation() - b.translation()).norm() <= visible_motion &&
@@ -31,36 +22,9 @@ bool same_pose(const Pose& a, const Pose& b) {
 void FrameMaker::begin(std::shared_ptr<const OpenCase> patient, const std::optional<anatomy::NeedlePath>& plan) {
   patient_ = std::move(patient);
   plan_ = plan;
-  touching_ = punctured_ = on_bone_ = false;
+  contact_ = {};
   new_attempt_ = true;
   time_in_body_ = last_time_ = 0.0;
-}
-
-void FrameMaker::follow_events(const StationNews& news) {
-  using forces::EventKind;
-  for (const session::SessionEvent& event : news.events) {
-    switch (event.event.kind) {
-      case EventKind::puncture:
-      case EventKind::loss_of_resistance:
-        punctured_ = true;
-        break;
-      case EventKind::bone_contact:
-        on_bone_ = true;
-        break;
-      case EventKind::bone_left:
-        on_bone_ = false;
-        break;
-      case EventKind::withdrawn:
-        punctured_ = on_bone_ = false;
-        break;
-      default:
-        break;
-    }
-  }
-  const simulation::TickOutput& now = news.needle.output;
-  touching_ = now.depth > 0.0 && now.in_contact;
-  if (touching_ && now.depth > surely_inside) punctured_ = true;
-  if (!touching_) punctured_ = on_bone_ = false;
 }
 
 void FrameMaker::place_needle(Frame& frame, const StationNews& news, const NeedleControl* control,
@@ -72,21 +36,16 @@ void FrameMaker::place_needle(Frame& frame, const StationNews& news, const Needl
   if (control == nullptr) return;
   frame.hand = hand.meant;
   // On its way to the skin it is drawn where it will arrive in a moment: there the force is zero, as it is above.
-  const bool is_down = control->is_down() && (touching_ || (hand.is_on_line && hand.depth > down_soon));
-  if (!is_down && !touching_) frame.needle = frame.hand = control->hovering();
+  const bool is_down = control->is_down() && (is_touching() || (hand.is_on_line && hand.depth > down_soon));
+  if (!is_down && !is_touching()) frame.needle = frame.hand = control->hovering();
 }
 
 SkinDimple FrameMaker::dimple_of(const Frame& frame, const StationNews& news) const {
   SkinDimple dimple;
-  if (!touching_) return dimple;
+  if (!is_touching()) return dimple;
   dimple.inwards = needle_axis(frame.needle);
   dimple.at = frame.needle.translation() - frame.depth * dimple.inwards;
-  const std::optional<double> wall = diagnostic(news, "wall_mm");
-  if (!punctured_) {
-    dimple.depth = std::clamp(wall ? frame.depth - *wall : frame.depth, 0.0, frame.depth);
-  } else if (const std::optional<double> stretch = diagnostic(news, "stretch_mm")) {
-    dimple.depth = *stretch;  // the tissue that clings to the shaft takes the skin with it
-  }
+  dimple.depth = contact_.skin_dimple(news.needle.output, news.diagnostic_names);
   return dimple;
 }
 
@@ -105,19 +64,19 @@ void FrameMaker::measure_plan(Frame& frame) const {
   const anatomy::TissueProperties* tissue = patient_->patient.library.find(procedure.target_tissue);
   const bool in_target =
       tissue != nullptr ? frame.tissue == tissue->id : frame.target_distance <= procedure.target_tolerance;
-  frame.target_reached = touching_ && punctured_ && in_target;
+  frame.target_reached = is_touching() && has_punctured() && in_target;
 }
 
 void FrameMaker::update(Frame& frame, const StationNews& news, const NeedleControl* control, const HandReport& hand) {
-  follow_events(news);
   const simulation::TickOutput& now = news.needle.output;
+  contact_.update(now, news.events);
   frame.time = news.time;
-  if (touching_ && last_time_ > 0.0) time_in_body_ += std::max(0.0, news.time - last_time_);
+  if (is_touching() && last_time_ > 0.0) time_in_body_ += std::max(0.0, news.time - last_time_);
   last_time_ = news.time;
   frame.time_in_body = time_in_body_;
-  frame.depth = touching_ ? now.depth : 0.0;
+  frame.depth = is_touching() ? now.depth : 0.0;
   frame.velocity = now.velocity;
-  frame.tissue = touching_ ? now.tissue : anatomy::tissue::air;
+  frame.tissue = is_touching() ? now.tissue : anatomy::tissue::air;
   frame.force = now.requested.force.norm();
   frame.resistance = now.resistance;
   frame.constraint = now.constraint;
@@ -130,10 +89,10 @@ void FrameMaker::update(Frame& frame, const StationNews& news, const NeedleContr
   frame.displacements = news.displacements;
   place_needle(frame, news, control, hand);
   frame.entry.reset();
-  if (touching_) frame.entry = frame.needle.translation() - frame.depth * needle_axis(frame.needle);
+  if (is_touching()) frame.entry = frame.needle.translation() - frame.depth * needle_axis(frame.needle);
   frame.dimple = dimple_of(frame, news);
   if (patient_ != nullptr) {
-    frame.place = touching_ ? place_name(patient_->patient, frame.needle.translation()) : std::string();
+    frame.place = is_touching() ? place_name(patient_->patient, frame.needle.translation()) : std::string();
     measure_plan(frame);
   }
   frame.device = news.device;
@@ -148,7 +107,7 @@ void FrameMaker::update(Frame& frame, const StationNews& news, const NeedleContr
   frame.message = news.needle.corridor_left
                       ? "The deformable body is not prepared here: draw the needle back to the skin."
                       : news.message;
-  if (frame.follows_tip && touching_) frame.crosshair = frame.needle.translation();
+  if (frame.follows_tip && is_touching()) frame.crosshair = frame.needle.translation();
 }
 
 Changes FrameMaker::changes(const Frame& frame) {

@@ -4,6 +4,7 @@
 
 #include "app/hand/needle_control.h"
 #include "app/models/station_link.h"
+#include "station/needle_contact.h"
 #include "views/changes.h"
 #include "views/frame.h"
 #include "views/open_case.h"
@@ -26,12 +27,11 @@ class FrameMaker {
   // What differs from the frame of the last call; to be called once the frame is complete.
   Changes changes(const Frame& frame);
 
-  bool is_touching() const noexcept { return touching_; }
-  bool has_punctured() const noexcept { return punctured_; }
-  bool is_on_bone() const noexcept { return on_bone_; }
+  bool is_touching() const noexcept { return contact_.is_touching(); }
+  bool has_punctured() const noexcept { return contact_.has_punctured(); }
+  bool is_on_bone() const noexcept { return contact_.is_on_bone(); }
 
  private:
-  void follow_events(const StationNews& news);
   void place_needle(Frame& frame, const StationNews& news, const NeedleControl* control,
                     const HandReport& hand) const;
   void measure_plan(Frame& frame) const;
@@ -39,7 +39,8 @@ class FrameMaker {
 
   std::shared_ptr<const OpenCase> patient_;
   std::optional<anatomy::NeedlePath> plan_;
-  bool touching_ = false, punctured_ = false, on_bone_ = false, new_attempt_ = true;
+  station::NeedleContact contact_;
+  bool new_attempt_ = true;
   double time_in_body_ = 0.0, last_time_ = 0.0;
   Frame last_;
 };

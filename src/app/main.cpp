@@ -9,6 +9,8 @@
 #include "app/script.h"
 #include "app/spoken_language.h"
 
+#include "core/error.h"
+
 namespace {
 
 int run_application() {
@@ -33,6 +35,12 @@ int open_window(const QCommandLineParser& options) {
   } else if (options.isSet(QStringLiteral("scan"))) {
     window.scan(patient, bodkin::station::ultrasound_request(options.value("scan").toStdString()),
                 options.value("output").toStdString());
+  } else if (options.isSet(QStringLiteral("connect"))) {
+    if (patient.empty()) {
+      throw bodkin::InputError(
+          "--connect needs the patient that the station has, a copy of its case: bodkin app CASE --connect HOST");
+    }
+    window.follow(options.value("connect").toStdString(), patient);
   } else if (!patient.empty()) {
     window.open(patient);
   }
@@ -69,6 +77,9 @@ int main(int argc, char** argv) {
         QApplication::translate("main", "Measure the window's speed, print it, and leave")},
        {QStringLiteral("attempt"), QApplication::translate("main", "How to perform, as bodkin perform says it"),
         QStringLiteral("JSON")},
+       {QStringLiteral("connect"),
+        QApplication::translate("main", "Show the session of bodkin serve at this machine, HOST or HOST:PORT"),
+        QStringLiteral("HOST")},
        {QStringLiteral("scan"),
         QApplication::translate("main", "The probe in the hand, as bodkin ultrasound --live says it"),
         QStringLiteral("JSON")},

@@ -329,6 +329,13 @@ void MainWindow::practise_procedure(const QString& name) {
   practice_.choose_practice(*patient);
 }
 
+void MainWindow::follow(const std::string& server, const std::filesystem::path& patient) {
+  link::ClientSettings settings = link::parse_server(server, "--connect");
+  settings.largest_queue = std::size_t{1} << 16U;      // commands alone
+  settings.silence = std::chrono::milliseconds(3000);  // three of the messages that say "I live"
+  practice_.follow(settings, patient);
+}
+
 void MainWindow::perform(const std::filesystem::path& patient, const AttemptOptions& options) {
   asked_ultrasound_ = options.ultrasound;
   has_ultrasound_ = options.ultrasound.has_value();  // shown as soon as there is a patient

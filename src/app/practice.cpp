@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/models/data_folder.h"
+#include "app/models/remote_station.h"
 #include "app/models/warnings.h"
 #include "station/hand_session.h"
 #include <fmt/format.h>
@@ -54,6 +55,7 @@ void Practice::choose_practice(const PracticePatient& patient) {
   if (!machine_.apply(Signal::case_chosen)) return;
   failure_.clear();
   options_ = {};
+  server_.reset();
   cases_.open_practice(patient);
 }
 
@@ -66,14 +68,20 @@ void Practice::perform(const std::filesystem::path& path, AttemptOptions options
   failure_.clear();
   if (options.ultrasound) ultrasound_ = options.ultrasound;
   options_ = std::move(options);
+  server_.reset();
   attempts_ = 0;
   cases_.open(path);
+}
+
+void Practice::follow(const link::ClientSettings& server, const std::filesystem::path& path) {
+  perform(path, {});
+  if (state() == State::preparing) server_ = server;
 }
 
 void Practice::cancel() {
   if (state() != State::preparing) return;
   cases_.cancel();
-  link_.end();
+  server_ ? link_.stop() : link_.end();
   again_wanted_ = false;
   machine_.apply(Signal::cancelled);
 }
@@ -91,7 +99,7 @@ void Practice::end() {
 
 void Practice::leave() {
   if (!machine_.apply(Signal::leave)) return;
-  link_.end();
+  server_ ? link_.stop() : link_.end();  // a session elsewhere goes on
 }
 
 void Practice::pause(bool on) {
@@ -115,6 +123,7 @@ void Practice::acknowledge() {
 }
 
 void Practice::set_models(const ModelSettings& models) {
+  if (is_decided_elsewhere()) return;
   models_ = models;
   if (is_attempt(state())) again();
 }
@@ -135,15 +144,17 @@ void Practice::toggle_follow() {
 
 void Practice::set_ultrasound(const std::optional<station::UltrasoundChoice>& choice) {
   ultrasound_ = choice;
-  if (is_attempt(state())) again();
+  if (is_attempt(state()) && !server_) again();
 }
 
 void Practice::set_device(const std::optional<PracticeDevice>& device) {
+  if (is_decided_elsewhere()) return;
   device_ = device;
   if (is_attempt(state())) again();
 }
 
 void Practice::set_plan(const anatomy::NeedlePath& path) {
+  if (is_decided_elsewhere()) return;
   plan_ = path;
   mover_.begin(usual_place(path));
   if (is_attempt(state()) || state() == State::ended) again();
@@ -212,6 +223,7 @@ void Practice::begin_attempt() {
   maker_.begin(patient_, plan);
   frame_.follows_tip = true;
   frame_.crosshair = plan_is_shown ? path.target : middle_of(patient.tissues.grid);
+  if (server_) return begin_following();
   try {
     station::StationOptions options;
     options.patient = patient;
@@ -245,8 +257,22 @@ void Practice::begin_attempt() {
   }
 }
 
+void Practice::begin_following() {
+  feed_.reset();
+  completing_.reset();  // the station ends its session itself
+  const bool is_first = attempts_++ == 0;
+  link_.follow(std::make_unique<RemoteStation>(*server_, patient_, !is_first));
+}
+
+bool Practice::is_decided_elsewhere() {
+  if (!server_) return false;
+  say(fmt::format("That is decided at the station, {}:{}.", server_->host, server_->port));
+  return true;
+}
+
 void Practice::take_news(const StationNews& news) {
   using Phase = StationNews::Phase;
+  connection_ = news.connection;
   for (const std::string& note : news.notes) log_.push_back(note);
   if (log_.size() > longest_log) log_.erase(log_.begin(), log_.end() - longest_log);
   take_result(news);
@@ -314,6 +340,7 @@ void Practice::follow_completion() {
 }
 
 std::string Practice::hint() const {
+  if (!connection_.empty()) return connection_;
   if (clock_ - refused_at_ < refusal_shown && !refusal_.empty()) return refusal_;
   if (finger_ && (state() == State::ready || state() == State::aiming))
     return "A finger feels the skin. Push gently; H takes the needle again.";

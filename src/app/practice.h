@@ -13,6 +13,7 @@
 #include "app/models/case_model.h"
 #include "app/models/parameter_model.h"
 #include "app/models/station_link.h"
+#include "link/client.h"
 #include "views/frame.h"
 
 #include "training/plan.h"
@@ -48,6 +49,9 @@ class Practice {
   void choose(const std::filesystem::path& path);
   // The same, with other models, devices and files than usual, until another patient is chosen.
   void perform(const std::filesystem::path& path, AttemptOptions options);
+  // The session of a station elsewhere is shown, on this patient, who is the same there; until another patient is
+  // chosen. Its device, models and probe are the station's; hold, arm, plunger and end reach it.
+  void follow(const link::ClientSettings& server, const std::filesystem::path& path);
   void cancel();  // the preparation
 
   // What a person may wish of an attempt; ignored where the state does not allow it.
@@ -145,6 +149,9 @@ class Practice {
   bool must_aim_first();
   bool may_move_body();
   void send_body();
+  void begin_following();
+  // Says so, where the station is elsewhere: what was asked for is decided there.
+  bool is_decided_elsewhere();
 
   CaseModel cases_;
   StationLink link_;
@@ -163,6 +170,7 @@ class Practice {
   std::optional<station::UltrasoundChoice> ultrasound_;
   std::optional<PracticeDevice> device_;
   AttemptOptions options_;
+  std::optional<link::ClientSettings> server_;  // of the station, if it is elsewhere
   std::optional<ModelSettings> models_;
   int attempts_ = 0;  // with these options
   StationLink::Points points_;
@@ -170,7 +178,8 @@ class Practice {
   Frame frame_;
   Changes changes_;
   std::string failure_, failed_with_;
-  std::string refusal_;  // why the last wish was not done
+  std::string connection_;  // why there is none to the station; empty: all is well
+  std::string refusal_;     // why the last wish was not done
   std::vector<std::string> log_;
   std::vector<MetDanger> dangers_;
   std::vector<LeftNeedle> left_needles_;

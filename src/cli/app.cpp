@@ -12,7 +12,7 @@ namespace bodkin::cli {
 namespace {
 
 struct AppArguments {
-  std::string patient, script, shots, size, language;
+  std::string patient, script, shots, size, language, connect;
   bool benchmark = false;
 };
 
@@ -21,6 +21,7 @@ constexpr const char* app_footer = R"(Examples:
   bodkin app patient                           practise on this patient at once
   bodkin app dicom_folder                      a CT becomes a patient first
   bodkin app --script walk.txt --shots pictures
+  bodkin app patient --connect room3           what 'bodkin serve patient ...' does on the machine room3
   bodkin app --benchmark                       how fast the window is on this machine
 
 docs/app.md describes the window and the lines of a script.)";
@@ -31,7 +32,8 @@ void run_app(const AppArguments& arguments) {
   const std::pair<const char*, const std::string*> options[] = {{"--script", &arguments.script},
                                                                 {"--shots", &arguments.shots},
                                                                 {"--size", &arguments.size},
-                                                                {"--language", &arguments.language}};
+                                                                {"--language", &arguments.language},
+                                                                {"--connect", &arguments.connect}};
   for (const auto& [option, value] : options) {
     if (!value->empty()) words.insert(words.end(), {option, *value});
   }
@@ -51,6 +53,8 @@ void add_app_command(CLI::App& app, CommandContext& /*context*/) {
   add_text(*command, "--size", arguments->size, "Size of the window in pixels, such as 1280x720");
   add_text(*command, "--language", arguments->language,
            "Language of the window, such as de; without it that of the system, or the one chosen last");
+  add_text(*command, "--connect", arguments->connect,
+           "Show the session of 'bodkin serve' at this machine, HOST or HOST:PORT; CASE is a copy of the case there");
   add_switch(*command, "--benchmark", arguments->benchmark,
              "Move needle, camera and volume of the patient that comes with Bodkin, print how fast, and leave");
   on_run(*command, [arguments] { run_app(*arguments); });

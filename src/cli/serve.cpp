@@ -156,6 +156,9 @@ Served serve_session(const PerformOptions& perform, double rate, link::Server& s
   for (const std::string& note : outcome.run.notes) console.note(note);
   print(console, outcome, station.patient());
   nlohmann::ordered_json json = json_of(outcome, station.patient());
+  constexpr std::chrono::milliseconds patience{1000};  // with clients that read slowly
+  server.publish({"STRING", "Score", link::time_now(), link::string_content(json.dump())}, false);
+  server.flush(patience);
   return {std::move(outcome), std::move(json)};
 }
 

@@ -1,6 +1,7 @@
 #include "link/contents.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -189,7 +190,11 @@ GreyImage read_image(std::span<const std::uint8_t> content) {
   reader.u16();  // byte order, axes
   std::array<int, 3> size{};
   for (int& count : size) count = reader.u16();
-  reader.raw(12 * sizeof(float));  // where it is
+  std::array<Vec3, 4> place;  // steps along each axis, and the middle of the picture
+  for (Vec3& each : place) {
+    const auto x = static_cast<double>(reader.f32()), y = static_cast<double>(reader.f32());
+    each = turned({x, y, static_cast<double>(reader.f32())});
+  }
   for (int axis = 0; axis < 3; ++axis) {
     if (reader.u16() != 0) throw InputError("a picture comes in parts, expected a whole one");
   }
@@ -202,7 +207,17 @@ GreyImage read_image(std::span<const std::uint8_t> content) {
         size[1], size[2], components, type));
   }
   const auto bytes = reader.raw(static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]));
-  return {size[0], size[1], {bytes.begin(), bytes.end()}};
+  GreyImage image{size[0], size[1], place[0].norm(), Pose::Identity(), {bytes.begin(), bytes.end()}};
+  const bool is_placed = place[3].allFinite() && std::isfinite(image.pixel) && image.pixel > 0.0 &&
+                         place[1].allFinite() && place[1].norm() > 0.0;
+  if (!is_placed) throw InputError("a picture's pixels have no size, or its place is no finite number");
+  const Vec3 along = place[0].normalized(), down = place[1].normalized(), across = along.cross(down);
+  image.pose.linear().col(0) = along;
+  image.pose.linear().col(1) = down;
+  image.pose.linear().col(2) = across;
+  image.pose.translation() =
+      place[3] - 0.5 * (size[0] - 1) * image.pixel * along - 0.5 * (size[1] - 1) * image.pixel * down;
+  return image;
 }
 
 Bytes tracking_content(std::span<const TrackedTool> tools) {

@@ -59,7 +59,9 @@ Bytes image_content(std::span<const std::uint8_t> pixels, int columns, int rows,
 // The bytes of an IMAGE of unsigned bytes with one slice. Throws InputError for another kind, for a part of a
 // picture, and for fewer bytes than it names.
 struct GreyImage {
-  int width = 0, height = 0;  // pixels
+  int width = 0, height = 0;     // pixels
+  double pixel = 0.0;            // mm, along a row
+  Pose pose = Pose::Identity();  // of the centre of its first pixel, as image_content() has it
   std::vector<std::uint8_t> pixels;
 };
 GreyImage read_image(std::span<const std::uint8_t> content);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <future>
 #include <map>
 #include <mutex>
 #include <thread>
@@ -328,6 +329,21 @@ void Server::send(std::uint64_t client, const Message& message) {
     const std::shared_ptr<Connection> connection = found->second;
     shared->queue(connection, {}, bytes);
   });
+}
+
+void Server::flush(std::chrono::milliseconds longest) {
+  constexpr std::chrono::milliseconds between{5};
+  for (const Clock::time_point end = Clock::now() + longest; Clock::now() < end;
+       std::this_thread::sleep_for(between)) {
+    const auto is_empty = std::make_shared<std::promise<bool>>();
+    std::future<bool> answer = is_empty->get_future();
+    asio::post(shared_->context, [shared = shared_.get(), is_empty] {
+      is_empty->set_value(std::all_of(shared->connections.begin(), shared->connections.end(), [](const auto& each) {
+        return each.second->queue.empty() && !each.second->writes;
+      }));
+    });
+    if (answer.wait_until(end) == std::future_status::ready && answer.get()) return;
+  }
 }
 
 std::vector<Received> Server::take() {

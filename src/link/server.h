@@ -58,6 +58,8 @@ class Server {
   void publish_tracking(const Message& message);
   // To one client; nothing happens when it is gone.
   void send(std::uint64_t client, const Message& message);
+  // Waits until everything published has left for the clients, at most so long.
+  void flush(std::chrono::milliseconds longest);
   // What came since the last call, in order; at most 1024 are kept. GET_STATUS, STT_TDATA and STP_TDATA are answered
   // by the server itself.
   std::vector<Received> take();

@@ -2,21 +2,25 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "link/contents.h"
+#include "link/needle_state.h"
 #include "session/tick_codec.h"
 #include "station/station.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "io/digest.h"
 
 namespace bodkin::link {
 
 namespace {
 
 constexpr std::size_t force_columns = 6;
+constexpr double visible_motion = 0.05;  // mm
 
 // As it lies in tissue that has been pushed ahead.
 Pose needle_in_body(const station::HandSnapshot& needle) {
@@ -47,7 +51,12 @@ SessionFeed::SessionFeed(Server& server, station::StationObserver& screen,
 }
 
 std::vector<Vec3> SessionFeed::prepare(const anatomy::Case& patient, const fem::BodyDescription* body) {
-  return screen_.prepare(patient, body);
+  tissues_ = io::volume_digest(patient.tissues);
+  skin_ = SkinSheet(patient);
+  std::vector<Vec3> points = screen_.prepare(patient, body);
+  screen_points_ = points.size();
+  if (body != nullptr) points.insert(points.end(), skin_.rest().begin(), skin_.rest().end());
+  return points;
 }
 
 std::chrono::milliseconds SessionFeed::interval() const {
@@ -55,16 +64,26 @@ std::chrono::milliseconds SessionFeed::interval() const {
 }
 
 void SessionFeed::update(station::Station& station, const station::StationStatus& status) {
-  screen_.update(station, status);
+  const std::span<const float> moved = status.displacements;
+  const std::size_t of_screen = std::min(moved.size(), 3 * screen_points_);
+  if (of_screen == moved.size()) {
+    screen_.update(station, status);
+  } else {
+    station::StationStatus seen = status;
+    seen.displacements = moved.first(of_screen);
+    screen_.update(station, seen);
+  }
+  contact_.update(status.needle.output, status.events);
   const double now = time_now();
   if (const ServerCounts counts = server_.counts(); counts.accepted != greeted_) {
     greeted_ = counts.accepted;
     state_.clear();
-    greet(station.patient(), now);
+    greet(station.patient(), status.diagnostic_names, now);
   }
   const anatomy::TissueLibrary& library = station.patient().library;
   send_poses(status, now);
   send_forces(status, now);
+  send_skin(status, moved.subspan(of_screen), now);
   send_events(status, library, now);
   steps_.update(status.samples, status.events, library);
   send_state(status, library, now);
@@ -74,7 +93,8 @@ void SessionFeed::update(station::Station& station, const station::StationStatus
 }
 
 // What does not change: who lies there, and where the needle is to go.
-void SessionFeed::greet(const anatomy::Case& patient, double now) {
+void SessionFeed::greet(const anatomy::Case& patient, std::span<const forces::DiagnosticName> diagnostics,
+                        double now) {
   const anatomy::CaseDescription& about = patient.description;
   nlohmann::ordered_json json;
   json["case"] = about.name;
@@ -84,8 +104,12 @@ void SessionFeed::greet(const anatomy::Case& patient, double now) {
                     {"length_mm", about.needle.length},
                     {"tip", anatomy::to_string(about.needle.tip)}};
   json["rate_hz"] = about.haptics.rate;
+  json["tissues_digest"] = tissues_;
+  json["needle_state_columns"] = needle_state_columns(diagnostics);
   json["force_columns"] = {"time_s", "depth_mm", "force_N", "resistance_N", "constraint_N", "tissue"};
   server_.publish({"STRING", "Case", now, string_content(json.dump())}, false);
+  if (!skin_.empty())
+    server_.publish({"POLYDATA", "Skin", now, surface_content(skin_.rest(), skin_.triangles(), {})}, true);
   if (!about.procedure.path) return;
   const anatomy::NeedlePath& path = *about.procedure.path;
   const std::array<NamedPoint, 2> points = {
@@ -103,6 +127,9 @@ void SessionFeed::send_poses(const station::StationStatus& status, double now) {
   for (const TrackedTool& tool : tools)
     server_.publish({"TRANSFORM", tool.name, now, transform_content(tool.pose)}, true);
   server_.publish_tracking({"TDATA", "Bodkin", now, tracking_content(tools)});
+  server_.publish(
+      {"NDARRAY", "NeedleState", now, needle_state_content(needle_state(status, status.diagnostic_names.size()))},
+      true);
 }
 
 // Every tick of the servo, in batches.
@@ -117,6 +144,17 @@ void SessionFeed::send_forces(const station::StationStatus& status, double now) 
   server_.publish({"NDARRAY", "Force", now, array_content(rows, force_columns)}, false);
 }
 
+// While the needle moves it.
+void SessionFeed::send_skin(const station::StationStatus& status, std::span<const float> displacements, double now) {
+  if (skin_.empty()) return;
+  const double dimple = contact_.skin_dimple(status.needle.output, status.diagnostic_names);
+  const bool deforms = !displacements.empty() && contact_.is_touching();
+  if (!deforms && std::abs(dimple - dimple_) < visible_motion) return;
+  dimple_ = dimple;
+  const std::vector<Vec3> points = skin_.moved(needle_in_body(status.needle), dimple, displacements);
+  server_.publish({"POLYDATA", "Skin", now, surface_content(points, skin_.triangles(), {})}, true);
+}
+
 void SessionFeed::send_events(const station::StationStatus& status, const anatomy::TissueLibrary& library,
                               double now) {
   for (const session::SessionEvent& event : status.events) {
@@ -124,6 +162,7 @@ void SessionFeed::send_events(const station::StationStatus& status, const anatom
     json["tick"] = event.tick;
     json["event"] = session::event_kind_name(event.event.kind);
     json["tissue"] = library.title(event.event.tissue);
+    json["tissue_id"] = event.event.tissue;
     json["depth_mm"] = event.event.depth;
     json["value"] = event.event.value;
     server_.publish({"STRING", "Event", now, string_content(json.dump())}, false);
@@ -194,12 +233,24 @@ std::string SessionFeed::apply(const Command& command, station::Station& station
   if (command.name == "Arm") return station.command(StationCommand::arm), "the force is armed";
   if (command.name == "Disarm") return station.command(StationCommand::disarm), "the force fades";
   if (command.name == "StopRecording") return station.command(StationCommand::end), "the session ends and is saved";
+  if (command.name == "Plunger") {
+    const bool on = wanted(command, status.plunger_pressed);
+    station.command(on ? StationCommand::press_plunger : StationCommand::release_plunger);
+    return on ? "the thumb is on the plunger" : "the thumb is off the plunger";
+  }
+  if (command.name == "Finger")
+    return station.command(StationCommand::turn_finger), "the finger takes the place of the needle, or gives it back";
+  if (command.name == "Stylet")
+    return station.command(StationCommand::turn_stylet), "the stylet comes out of the needle, or goes back";
+  if (command.name == "Manometer")
+    return station.command(StationCommand::turn_manometer), "the manometer is connected, or taken off";
   if (command.name == "RequestDeviceIds")
     return ultrasound_ ? "NeedleTipToReference,ProbeToReference,Image_Reference" : "NeedleTipToReference";
   if (command.name == "StartProcedure") throw InputError("a session runs already; StopRecording ends it");
   if (command.name != "SetUsParameter" && command.name != "GetUsParameter") {
     throw InputError(
-        fmt::format("the command {} is not known; expected Freeze, Clutch, Arm, Disarm, StopRecording, "
+        fmt::format("the command {} is not known; expected Freeze, Clutch, Plunger, Finger, Stylet, Manometer, Arm, "
+                    "Disarm, StopRecording, "
                     "RequestDeviceIds, SetUsParameter or GetUsParameter",
                     command.name));
   }

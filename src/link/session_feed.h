@@ -2,12 +2,15 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "link/command.h"
 #include "link/server.h"
+#include "link/skin_sheet.h"
 #include "link/step_watch.h"
+#include "station/needle_contact.h"
 #include "station/station_observer.h"
 #include "station/ultrasound_choice.h"
 
@@ -31,10 +34,11 @@ class SessionFeed : public station::StationObserver {
   void update(station::Station& station, const station::StationStatus& status) override;
 
  private:
-  void greet(const anatomy::Case& patient, double now);
+  void greet(const anatomy::Case& patient, std::span<const forces::DiagnosticName> diagnostics, double now);
   void send_poses(const station::StationStatus& status, double now);
   void send_forces(const station::StationStatus& status, double now);
   void send_events(const station::StationStatus& status, const anatomy::TissueLibrary& library, double now);
+  void send_skin(const station::StationStatus& status, std::span<const float> displacements, double now);
   void send_state(const station::StationStatus& status, const anatomy::TissueLibrary& library, double now);
   void send_picture(const station::LivePicture& picture, double now);
   void answer(station::Station& station, const station::StationStatus& status, double now);
@@ -50,6 +54,11 @@ class SessionFeed : public station::StationObserver {
   std::uint64_t greeted_ = 0;                // clients accepted when all were told of the patient
   std::uint64_t picture_ = 0;                // number of the last one that was sent
   std::string state_;                        // that was sent last
+  SkinSheet skin_;
+  station::NeedleContact contact_;
+  std::size_t screen_points_ = 0;  // of a deformable body that the screen follows; those of the skin come after them
+  double dimple_ = 0.0;            // mm, that was sent last
+  std::string tissues_;            // fingerprint of the patient's tissue voxels
 };
 
 }  // namespace bodkin::link

@@ -180,4 +180,10 @@ std::string_view event_kind_name(forces::EventKind kind) {
   return position < kind_names.size() ? kind_names[position] : "unknown";
 }
 
+std::optional<forces::EventKind> event_kind_of(std::string_view name) {
+  const auto* const found = std::find(kind_names.begin(), kind_names.end(), name);
+  if (found == kind_names.end()) return std::nullopt;
+  return static_cast<forces::EventKind>(found - kind_names.begin());
+}
+
 }  // namespace bodkin::session

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,5 +41,7 @@ bool decode_event(std::span<const std::uint8_t> bytes, std::uint32_t& tick_of_ch
 
 // As sessions and CSV files write the kind of an event: "puncture", "loss_of_resistance", ...
 std::string_view event_kind_name(forces::EventKind kind);
+// The kind of that name; nothing where no kind has it.
+std::optional<forces::EventKind> event_kind_of(std::string_view name);
 
 }  // namespace bodkin::session

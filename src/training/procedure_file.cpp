@@ -36,13 +36,6 @@ SettingsTree procedure_tree(const io::XmlElement& root) {
   return tree;
 }
 
-bool is_event(const std::string& name) {
-  for (int kind = 0; kind <= static_cast<int>(forces::EventKind::fluid_collected); ++kind) {
-    if (session::event_kind_name(static_cast<forces::EventKind>(kind)) == name) return true;
-  }
-  return false;
-}
-
 bool is_shipped(const std::string& name) {
   const std::vector<std::string> shipped = shipped_procedures();
   return std::find(shipped.begin(), shipped.end(), name) != shipped.end();
@@ -51,7 +44,7 @@ bool is_shipped(const std::string& name) {
 void check_names(const io::XmlElement& root, const std::string& origin) {
   for (const io::XmlElement& child : root.children) {
     const std::string event = child.string("event"), metric = child.string("metric");
-    if (!event.empty() && !is_event(event)) {
+    if (!event.empty() && !session::event_kind_of(event)) {
       io::fail_at(origin, child.line,
                   fmt::format("{} event is {}, expected an event of docs/session-format.md, such as fluid_returned",
                               child.name, io::in_quotes(event)));

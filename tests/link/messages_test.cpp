@@ -201,6 +201,10 @@ TEST(LinkMessage, a_picture_is_the_librarys) {
     for (int column = 0; column < 4; ++column) EXPECT_NEAR(their_matrix[row][column], matrix[row][column], 1e-4);
   }
   EXPECT_EQ(std::memcmp(back->GetScalarPointer(), pixels.data(), pixels.size()), 0);
+  const GreyImage read = read_image(image_content(pixels, columns, rows, pixel, pose));
+  EXPECT_EQ(read.pixels, pixels);
+  EXPECT_NEAR(read.pixel, pixel, 1e-6);
+  EXPECT_TRUE(read.pose.matrix().isApprox(pose.matrix(), 1e-5)) << read.pose.matrix();
 }
 
 TEST(LinkMessage, tracked_tools_are_the_librarys) {

@@ -2,15 +2,12 @@
 #include "link/session_feed.h"
 
 #include <algorithm>
-#include <atomic>
-#include <thread>
 
 #include "link/contents.h"
 #include "session/session_file.h"
 #include "station/station.h"
-#include "tests/io/scratch_folder.h"
 #include "tests/link/library_client.h"
-#include "tests/session/slab_case.h"
+#include "tests/link/served_session.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,57 +21,6 @@ using anatomy::tissue::fat;
 using anatomy::tissue::muscle;
 using anatomy::tissue::skin;
 using ::testing::HasSubstr;
-
-// Runs a station on a thread, fed to a server, until the simulated hand or a client ends it.
-class ServedSession {
- public:
-  explicit ServedSession(const char* hand) : server_(settings()) {
-    folder_.write("case.xml", "<case/>");
-    station::StationOptions options;
-    options.patient = slab_case({{skin, 2.0}, {fat, 12.0}, {muscle, 36.0}});
-    options.patient.description.device.peak_force = 9.0;
-    options.case_folder = folder_.path();
-    options.device = {&haptics::simulated_driver(), "", hand};
-    options.output = file();
-    options.longest = 30.0;
-    feed_ = std::make_unique<SessionFeed>(server_, screen_, std::nullopt, 60.0);
-    station_ = std::make_unique<station::Station>(std::move(options), *feed_);
-  }
-  ~ServedSession() {
-    station_->end();
-    if (thread_.joinable()) thread_.join();
-  }
-  ServedSession(const ServedSession&) = delete;
-  ServedSession& operator=(const ServedSession&) = delete;
-
-  void start() {
-    thread_ = std::thread([this] {
-      result_ = station_->run();
-      finished_ = true;
-    });
-  }
-  void join() { thread_.join(); }
-  bool finished() const { return finished_; }
-  std::filesystem::path file() const { return folder_.path() / "session.bodkin"; }
-  std::uint16_t port() const { return server_.port(); }
-  const station::StationResult& result() const { return result_; }
-
- private:
-  static ServerSettings settings() {
-    ServerSettings settings;
-    settings.port = 0;
-    return settings;
-  }
-
-  ScratchFolder folder_;
-  Server server_;
-  station::StationObserver screen_;
-  std::unique_ptr<SessionFeed> feed_;
-  std::unique_ptr<station::Station> station_;
-  station::StationResult result_;
-  std::atomic<bool> finished_{false};
-  std::thread thread_;
-};
 
 TEST(SessionFeed, a_client_follows_a_whole_insertion_by_pose_force_and_event) {
   ServedSession session("speed_mm_s=40 start_mm=10 depth_mm=20 wait_s=0.5");

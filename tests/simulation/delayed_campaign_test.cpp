@@ -207,7 +207,7 @@ TEST(DelayedCampaign, late_forces_stay_within_their_limits_and_shake_no_hand_for
   }
   EXPECT_LT(refused, trials / 4);
   EXPECT_LE(sum.largest_share, 0.9 * (1.0 + 1e-9));
-  EXPECT_LE(sum.restless, std::max(1, sum.trials / 100)) << "hands that were not quiet, see docs/safety.md";
+  EXPECT_LE(sum.restless, std::max(1, sum.trials / 1000)) << "hands that were not quiet, see docs/safety.md";
   EXPECT_LE(sum.most_created, created_bound) << "N mm";
   EXPECT_LE(sum.most_fading, fading_bound) << "N mm";
 }

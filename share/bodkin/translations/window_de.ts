@@ -3317,6 +3317,10 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Wie geübt wird, wie bodkin perform es sagt</translation>
     </message>
     <message>
+        <source>Show the session of bodkin serve at this machine, HOST or HOST:PORT</source>
+        <translation>Die Sitzung von bodkin serve auf diesem Rechner zeigen, HOST oder HOST:PORT</translation>
+    </message>
+    <message>
         <source>The probe in the hand, as bodkin ultrasound --live says it</source>
         <translation>Der Schallkopf in der Hand, wie bodkin ultrasound --live es sagt</translation>
     </message>

@@ -616,6 +616,42 @@
         <translation>Spongiosa</translation>
     </message>
     <message>
+        <source>Connecting to %1</source>
+        <translation>Verbindung zu %1 wird aufgebaut</translation>
+    </message>
+    <message>
+        <source>Not connected: %1. Trying again</source>
+        <translation>Nicht verbunden: %1. Neuer Versuch</translation>
+    </message>
+    <message>
+        <source>%1 waits: a session has to be started there</source>
+        <translation>%1 wartet: dort muss eine Sitzung begonnen werden</translation>
+    </message>
+    <message>
+        <source>%1 prepares</source>
+        <translation>%1 bereitet vor</translation>
+    </message>
+    <message>
+        <source>That is decided at the station, %1.</source>
+        <translation>Das wird an der Station %1 entschieden.</translation>
+    </message>
+    <message>
+        <source>the station at %1 has another patient ('%2') than %3; open the case that it has, a copy of its folder</source>
+        <translation>die Station %1 hat einen anderen Patienten („%2“) als %3; öffnen Sie den Fall, den sie hat, eine Kopie seines Ordners</translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation>%1 antwortet nicht</translation>
+    </message>
+    <message>
+        <source>there is no machine '%1'</source>
+        <translation>es gibt keinen Rechner „%1“</translation>
+    </message>
+    <message>
+        <source>nobody answers at %1 (%2); is the server started?</source>
+        <translation>niemand antwortet bei %1 (%2); läuft der Server?</translation>
+    </message>
+    <message>
         <source>vertebra %1</source>
         <translation>Wirbel %1</translation>
     </message>

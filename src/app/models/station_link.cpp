@@ -5,6 +5,7 @@
 #include <exception>
 #include <utility>
 
+#include "app/models/remote_station.h"
 #include "session/session_file.h"
 
 #include "core/error.h"
@@ -133,13 +134,28 @@ class StationLink::Observer : public station::StationObserver {
   std::uint64_t shown_picture_ = 0;
 };
 
+StationLink::StationLink() = default;
+
 StationLink::~StationLink() {
   stop();
 }
 
 void StationLink::stop() {
+  if (remote_ != nullptr) {
+    remote_.reset();
+    news_.samples.clear();
+    news_.events.clear();
+  }
   end();
   if (thread_.joinable()) thread_.join();
+}
+
+void StationLink::follow(std::unique_ptr<RemoteStation> station) {
+  stop();
+  shared_.reset();
+  news_ = StationNews{};
+  news_.phase = StationNews::Phase::preparing;
+  remote_ = std::move(station);
 }
 
 void StationLink::start(station::StationOptions options, const std::string& device, AttemptRules rules,
@@ -180,12 +196,14 @@ void StationLink::start(station::StationOptions options, const std::string& devi
 }
 
 void StationLink::command(station::StationCommand command) {
+  if (remote_ != nullptr) return remote_->command(command);
   if (shared_ == nullptr) return;
   const std::lock_guard guard(shared_->lock);
   shared_->commands.push_back(command);
 }
 
 void StationLink::set_scan_order(const station::ScanOrder& order) {
+  if (remote_ != nullptr) return remote_->set_scan_order(order);
   if (shared_ == nullptr) return;
   const std::lock_guard guard(shared_->lock);
   shared_->order = order;
@@ -198,10 +216,15 @@ void StationLink::move_body(const BodyPlace& place) {
 }
 
 void StationLink::end() {
+  if (remote_ != nullptr) return remote_->end();
   if (shared_ != nullptr) shared_->ended.store(true);
 }
 
 const StationNews& StationLink::poll() {
+  if (remote_ != nullptr) {
+    remote_->poll(news_);
+    return news_;
+  }
   if (shared_ == nullptr) return news_;
   const std::lock_guard guard(shared_->lock);
   news_ = shared_->news;

@@ -62,16 +62,19 @@ struct StationNews {
   std::vector<float> displacements;  // mm, of the points that were asked for
   std::shared_ptr<const station::LivePicture> ultrasound;
   std::optional<AttemptResult> result;  // when it has finished
+  std::string connection;               // of a station elsewhere: why there is none now; empty: all is well
 };
 
-// Runs a station on a thread of its own. The window takes the news once a frame and gives commands; neither waits for
-// the other longer than a copy takes, and the haptic tick waits for none of them.
+class RemoteStation;
+
+// Runs a station on a thread of its own, or follows one elsewhere. The window takes the news once a frame and gives
+// commands; neither waits for the other longer than a copy takes, and the haptic tick waits for none of them.
 class StationLink {
  public:
   // Which points of a deformable body shall be followed; called on the station's thread.
   using Points = std::function<std::vector<Vec3>(const anatomy::Case&, const fem::BodyDescription*)>;
 
-  StationLink() = default;
+  StationLink();
   // Ends the session and saves it.
   ~StationLink();
   StationLink(const StationLink&) = delete;
@@ -79,6 +82,8 @@ class StationLink {
 
   // Ends what runs, and begins another session.
   void start(station::StationOptions options, const std::string& device, AttemptRules rules, Points points = {});
+  // Ends what runs, and follows this one from now on; end() ends its session, stop() looks away.
+  void follow(std::unique_ptr<RemoteStation> station);
   void command(station::StationCommand command);
   void set_scan_order(const station::ScanOrder& order);
   // See station::Station::move_body; what was ordered last before the station runs holds as well.
@@ -96,6 +101,7 @@ class StationLink {
   struct Shared;
 
   std::shared_ptr<Shared> shared_;
+  std::unique_ptr<RemoteStation> remote_;  // null: the station is this program's
   std::jthread thread_;
   StationNews news_;
 };

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "session/session_file.h"
+
+#include "forces/diagnostics.h"
+#include "simulation/tick_record.h"
+
+namespace bodkin::station {
+
+// What a needle has done to the body so far, followed through a session's ticks and events for whoever shows it:
+// whether it touches, whether the skin has given way, whether the tip is on bone.
+class NeedleContact {
+ public:
+  // `output`: of the newest tick. `events`: since the last call.
+  void update(const simulation::TickOutput& output, std::span<const session::SessionEvent> events);
+
+  bool is_touching() const noexcept { return touching_; }
+  bool has_punctured() const noexcept { return punctured_; }
+  bool is_on_bone() const noexcept { return on_bone_; }
+
+  // mm that the skin at the needle has moved inwards along it, as the force model has it: what lies before the tip
+  // until the skin gives way, then what clings to the shaft, which a needle on its way out pulls up (negative).
+  double skin_dimple(const simulation::TickOutput& output,
+                     std::span<const forces::DiagnosticName> names) const noexcept;
+
+ private:
+  bool touching_ = false, punctured_ = false, on_bone_ = false;
+};
+
+// The diagnostic of this name; null where the model has none.
+const double* find_diagnostic(const simulation::TickOutput& output, std::span<const forces::DiagnosticName> names,
+                              std::string_view name) noexcept;
+
+// How much of the dimple the skin has at a distance (mm) from the needle's line: 1 at the needle, and farther out as
+// 1/r, as the surface of an elastic half-space sinks about a point load (Boussinesq). The width, 3 mm, is our choice.
+double dimple_share(double distance) noexcept;
+
+}  // namespace bodkin::station
