@@ -1,11 +1,22 @@
 #include "haptics/device_servo.h"
 
+#include <atomic>
+#include <chrono>
 #include <exception>
+#include <thread>
 #include <utility>
 
 namespace bodkin::haptics {
 
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// The guard's ramp takes 20 ms of ticks that arrive. A loop that gives none for as long as this is not waited for,
+// and one whose ticks come slowly ends at the latest after the second time.
+constexpr std::chrono::milliseconds longest_silence{40};
+constexpr std::chrono::milliseconds longest_ramp{120};
+constexpr std::chrono::microseconds look_interval{500};
 
 ServoSettings guarded(ServoSettings settings, const DeviceAbilities& abilities) {
   const double user_force = settings.guard.user_force, frozen_time = settings.guard.frozen_time;
@@ -21,10 +32,33 @@ struct DeviceServo::Shared final : DeviceTick {
   Shared(DevicePort opened, const DeviceAbilities& known, const ServoSettings& settings, Controller controller)
       : port(std::move(opened)), servo(guarded(settings, known), std::move(controller)) {}
 
-  Wrench tick(const DeviceState& state, double dt) noexcept override { return servo.step(state, dt); }
+  Wrench tick(const DeviceState& state, double dt) noexcept override { return told(servo.step(state, dt)); }
+  Wrench told(const Wrench& applied) noexcept {
+    const bool at_rest = applied.force.isZero(0.0) && applied.torque.isZero(0.0);
+    pushes.store(!at_rest, std::memory_order_release);
+    steps.fetch_add(1, std::memory_order_release);
+    return applied;
+  }
+
+  // The wait for a force that has been disarmed to reach zero.
+  void wait_for_zero() const noexcept {
+    const auto begin = Clock::now();
+    auto last_step = begin;
+    std::uint64_t seen = steps.load(std::memory_order_acquire);
+    while (pushes.load(std::memory_order_acquire)) {
+      std::this_thread::sleep_for(look_interval);
+      const auto now = Clock::now();
+      const std::uint64_t count = steps.load(std::memory_order_acquire);
+      if (count != seen) last_step = now;
+      seen = count;
+      if (now - last_step >= longest_silence || now - begin >= longest_ramp) return;
+    }
+  }
 
   DevicePort port;
   ServoTick servo;
+  std::atomic<bool> pushes{false};  // the newest tick has a force or a torque
+  std::atomic<std::uint64_t> steps{0};
 };
 
 DeviceServo::DeviceServo(DevicePort port, const DeviceAbilities& known, const ServoSettings& settings,
@@ -46,7 +80,7 @@ void DeviceServo::start(bool require_real_time) {
       settings,
       [shared = shared_](const Wrench& command, DeviceState& state) { shared->port.exchange(command, state); },
       [shared = shared_](const DeviceState& state, double dt, double lateness) {
-        return shared->servo.step(state, dt, lateness);
+        return shared->told(shared->servo.step(state, dt, lateness));
       });
   thread_->start();
   refused_ = thread_->refused();
@@ -56,6 +90,7 @@ bool DeviceServo::stop() noexcept {
   if (!started_) return true;
   started_ = false;
   shared_->servo.disarm();
+  shared_->wait_for_zero();
   bool answered = thread_ == nullptr || thread_->stop();
   try {
     if (answered) shared_->port.stop();

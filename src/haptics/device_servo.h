@@ -26,7 +26,9 @@ class DeviceServo {
   // The loop runs from now on. Throws DeviceError, or SystemError when real-time priority is required and refused.
   // Once only.
   void start(bool require_real_time = false);
-  // Zero force and the end of the loop. False: the device did not answer and was left behind, never waited for.
+  // Ramps the force to zero and ends the loop. A loop whose ticks do not come any more is not waited for longer than
+  // 40 ms, and one whose ticks come slowly not longer than 120 ms, before it ends without a ramp. False: the device
+  // did not answer and was left behind, never waited for.
   bool stop() noexcept;
 
   // Commands, snapshots, events and timings.

@@ -3,7 +3,11 @@
 #include "haptics/device_servo.h"
 
 #include <atomic>
+#include <chrono>
 #include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
 
 #include "tests/haptics/driver_rig.h"
 #include <gtest/gtest.h>
@@ -77,6 +81,119 @@ TEST_P(DeviceServoOf, a_fault_of_the_device_ends_the_force_and_is_told) {
   EXPECT_TRUE(servo_->tick().snapshot().applied.force.isZero());
   board().trouble = Trouble::none;
   servo_->stop();
+}
+
+// A device at rest whose loop is ours: it keeps the force of each round, and hangs when it is told to.
+struct QuietDevice {
+  std::mutex mutex;
+  std::vector<double> forces;  // N
+  std::atomic<bool> hangs{false};
+
+  std::vector<double> kept() {
+    const std::scoped_lock lock(mutex);
+    return forces;
+  }
+};
+
+QuietDevice* quiet_device = nullptr;
+
+const bodkin_driver quiet_driver = {BODKIN_DRIVER_ABI,
+                                    "quiet",
+                                    "for tests",
+                                    [](const char*, bodkin_found, void*, char*) { return int{BODKIN_OK}; },
+                                    [](const char*, const char*, void** handle, bodkin_abilities* abilities, char*) {
+                                      *handle = quiet_device;
+                                      abilities->peak_force = 10.0;
+                                      abilities->continuous_force = 5.0;
+                                      return int{BODKIN_OK};
+                                    },
+                                    [](void*, bodkin_tick, void*, char*) { return int{BODKIN_OK}; },
+                                    [](void* handle, const bodkin_command* command, bodkin_state* state) {
+                                      auto& device = *static_cast<QuietDevice*>(handle);
+                                      while (device.hangs) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                                      const std::scoped_lock lock(device.mutex);
+                                      device.forces.push_back(Vec3(command->force).norm());
+                                      for (const int i : {0, 4, 8}) state->rotation[i] = 1.0;
+                                      state->held = 1;
+                                      return int{BODKIN_OK};
+                                    },
+                                    [](void*) { return int{BODKIN_OK}; },
+                                    [](void*) {},
+                                    nullptr};
+
+class StoppedServo : public testing::Test {
+ protected:
+  StoppedServo() { quiet_device = &device_; }
+  ~StoppedServo() override {
+    device_.hangs = false;
+    servo_.reset();
+    comes_true([this] { return left_.expired(); });  // a loop that was left behind comes back and ends
+  }
+
+  // Its force has come in when this returns.
+  void start() {
+    device_.forces.clear();
+    left_.reset();
+    const auto life = std::make_shared<int>(0);
+    left_ = life;
+    DevicePort port(quiet_driver, "", "");
+    const DeviceAbilities known = port.abilities();
+    auto pull = std::make_shared<std::atomic<bool>>(false);
+    ServoSettings settings;
+    settings.guard.frozen_time = 0.0;
+    servo_ = std::make_unique<DeviceServo>(std::move(port), known, settings, [pull, life](const ControlInput& input) {
+      Control control;
+      *pull = input.guard == GuardState::ramping || input.guard == GuardState::active;
+      if (*pull) control.wrench.force = Vec3(0.0, 0.0, 4.0);
+      return control;
+    });
+    servo_->start();
+    ASSERT_TRUE(comes_true([&] {
+      const GuardState state = servo_->tick().snapshot().state;
+      if (state == GuardState::disarmed || state == GuardState::faulted)
+        servo_->tick().command({.kind = ServoCommand::Kind::arm});
+      const std::vector<double> forces = device_.kept();
+      return !forces.empty() && forces.back() > 2.0;
+    }));
+  }
+
+  // Rounds in which the force was smaller than in the one before and not yet zero, at the end of the session.
+  std::size_t falling_rounds() {
+    const std::vector<double> forces = device_.kept();
+    std::size_t end = forces.size(), count = 0;
+    while (end > 0 && forces[end - 1] == 0.0) --end;
+    while (end > 1 && forces[end - 1] < forces[end - 2]) {
+      --end;
+      ++count;
+    }
+    return count;
+  }
+
+  QuietDevice device_;
+  std::weak_ptr<int> left_;  // lives as long as the controller
+  std::unique_ptr<DeviceServo> servo_;
+};
+
+TEST_F(StoppedServo, ramps_the_force_to_zero) {
+  // A busy machine may hold up the loop for longer than the whole ramp takes.
+  std::size_t falling = 0;
+  for (int attempt = 0; attempt < 10 && falling < 10; ++attempt) {
+    ASSERT_NO_FATAL_FAILURE(start());
+    EXPECT_TRUE(servo_->stop());
+    falling = falling_rounds();
+    EXPECT_EQ(device_.kept().back(), 0.0);
+  }
+  EXPECT_GE(falling, 10U);
+}
+
+TEST_F(StoppedServo, does_not_wait_for_a_ramp_that_no_tick_drives) {
+  ASSERT_NO_FATAL_FAILURE(start());
+  device_.hangs = true;
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_FALSE(servo_->stop());
+  // 0.04 s for the ticks, half a second for the exchange; the rest is for a busy machine.
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryDriver, DeviceServoOf, testing::ValuesIn(driver_subjects()),
