@@ -196,6 +196,26 @@ TEST_F(StoppedServo, does_not_wait_for_a_ramp_that_no_tick_drives) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
 }
 
+// An inkwell, or a Desktop that refines its calibration, moves the pose while the force is on.
+TEST_P(DeviceServoOf, a_calibration_that_moves_the_pose_brings_the_force_in_anew) {
+  if (GetParam().name != "openhaptics") GTEST_SKIP() << "this vendor's servo is not calibrated while it runs";
+  servo_->start();
+  ASSERT_TRUE(comes_to_pull());
+  const int before = board().calibrations;
+  board().calibration_shift = 8.0;  // mm
+  board().trouble = Trouble::needs_update;
+  bool faulted = false, went_to_zero = false, came_back = false;
+  comes_true([&] {
+    faulted = faulted || servo_->tick().snapshot().state == GuardState::faulted;
+    went_to_zero = went_to_zero || (board().calibrations > before && force() < 0.05);
+    came_back = went_to_zero && force() > 0.5;
+    return faulted || came_back;
+  });
+  EXPECT_FALSE(faulted) << text_of(servo_->tick().snapshot().fault);
+  EXPECT_TRUE(came_back);
+  board().trouble = Trouble::none;
+}
+
 INSTANTIATE_TEST_SUITE_P(EveryDriver, DeviceServoOf, testing::ValuesIn(driver_subjects()),
                          [](const auto& subject) { return subject.param.name; });
 

@@ -134,6 +134,53 @@ TEST(OpenHaptics, a_calibration_that_needs_an_update_gets_it_in_the_servo_and_is
   hd.board().clear();
 }
 
+// Each style alone, and two of which one is chosen.
+TEST(OpenHaptics, is_calibrated_in_one_style_that_it_supports) {
+  const DriverSubject& hd = subject("openhaptics");
+  for (const int styles : {4, 6}) {
+    hd.board().clear();
+    hd.board().calibration_styles = styles;
+    hd.board().trouble = Trouble::needs_update;
+    {
+      DriverRig rig(hd);
+      rig.start();
+      const int before = hd.board().calibrations;
+      EXPECT_TRUE(comes_true([&] { return hd.board().calibrations > before + 3; })) << styles;
+      EXPECT_EQ(rig.last().fault, DeviceFault::none);
+    }
+    EXPECT_EQ(hd.board().violations, 0) << styles << hd.board().first_violation.load();
+  }
+  hd.board().clear();
+}
+
+// Wherever the arm is becomes the origin, so that only the user can ask for it, and never under a hand.
+TEST(OpenHaptics, resets_encoders_before_the_servo_and_only_when_it_is_asked_to) {
+  const DriverSubject& hd = subject("openhaptics");
+  hd.board().clear();
+  hd.board().calibration_styles = 1;
+  hd.board().trouble = Trouble::needs_update;
+  const int before = hd.board().calibrations;
+  try {
+    const DevicePort port(*hd.driver, "", hd.words());
+    ADD_FAILURE() << "opened with encoders that are not reset";
+  } catch (const DeviceError& error) {
+    EXPECT_EQ(error.fault(), DeviceFault::not_calibrated);
+    EXPECT_THAT(error.what(), HasSubstr("reset_encoders=yes"));
+  }
+  EXPECT_EQ(hd.board().calibrations, before);
+  {
+    Push push;
+    DevicePort port(*hd.driver, "", hd.words() + " reset_encoders=yes");
+    EXPECT_EQ(hd.board().calibrations, before + 1);
+    port.start(&push);
+    EXPECT_TRUE(comes_true([&] { return push.ticks > 200; }));  // the stand-in asks again after 50
+    EXPECT_EQ(push.fault, DeviceFault::none);
+    EXPECT_EQ(hd.board().calibrations, before + 1);
+  }
+  EXPECT_EQ(hd.board().violations, 0) << hd.board().first_violation.load();
+  hd.board().clear();
+}
+
 TEST(OpenHaptics, hot_motors_stay_off_until_the_next_start) {
   const DriverSubject& hd = subject("openhaptics");
   hd.board().clear();

@@ -20,6 +20,11 @@ using namespace openhaptics;
 constexpr long temperature_every = 100;  // ticks between readings of the temperature
 constexpr long fault_shown = 20;         // ticks for which a passing fault is reported
 constexpr int oldest_version = 3;
+constexpr double fastest_hand = 1000.0;  // mm/s
+constexpr double least_shift = 1.0;      // mm beyond the hand's own motion that a calibration moves the pose
+constexpr int shift_frames = 3;          // after an update within which the pose moves
+// s without ticks after a calibration has moved the pose: the guard brings the force in anew after 50 ms without one.
+constexpr double shift_pause = 0.060;
 
 // Of an error in the loop.
 int result_of_openhaptics(unsigned code) noexcept {
@@ -74,7 +79,7 @@ const char* openhaptics_advice(int result) {
 using Session = std::shared_ptr<OpenHapticsSession>;
 
 DriverSettings openhaptics_settings(const char* settings) {
-  return {settings, {"library", "dead_man"}};
+  return {settings, {"library", "dead_man", "reset_encoders"}};
 }
 
 double number(const OpenHapticsLibrary& hd, unsigned parameter) {
@@ -135,10 +140,19 @@ unsigned style_of(const OpenHapticsLibrary& hd) {
   return inkwell;
 }
 
-// While the scheduler stands encoders alone can be reset; the other styles are for the servo, where a needed update
-// is an everyday thing.
-void check_calibration(const OpenHapticsLibrary& hd, unsigned style) {
-  if (style == encoder_reset && hd.hdCheckCalibration() == calibration_needs_update) hd.hdUpdateCalibration(style);
+// While the scheduler stands encoders alone can be reset, and only when the user says that the arm is where the
+// vendor wants it: wherever it is becomes the origin. The other styles are for the servo, where a needed update is an
+// everyday thing.
+void check_calibration(const OpenHapticsLibrary& hd, unsigned style, bool may_reset_encoders) {
+  if (style == encoder_reset) {
+    if (may_reset_encoders) {
+      hd.hdUpdateCalibration(style);
+    } else if (hd.hdCheckCalibration() == calibration_needs_update) {
+      throw DriverFailure(BODKIN_NOT_CALIBRATED,
+                          "the encoders of the device are not reset: hold its arm in the reset position that the "
+                          "vendor's manual shows, and give --settings reset_encoders=yes");
+    }
+  }
   if (hd.hdCheckCalibration() != calibration_needs_hand) return;
   throw DriverFailure(BODKIN_NOT_CALIBRATED,
                       "the device is not calibrated: put the stylus into its inkwell, or run the vendor's "
@@ -147,14 +161,14 @@ void check_calibration(const OpenHapticsLibrary& hd, unsigned style) {
 
 class OpenHapticsDevice : public OpenDevice {
  public:
-  OpenHapticsDevice(Session session, const std::string& name, bool dead_man)
+  OpenHapticsDevice(Session session, const std::string& name, bool dead_man, bool may_reset_encoders)
       : session_(std::move(session)), hd_(session_->hd) {
     session_->paused([&] {
       auto device = std::make_unique<Initialised>(*session_, name);  // ends in here when a check throws
       hd_.hdMakeCurrentDevice(device->id());
       check_version(hd_);
       style_ = style_of(hd_);
-      check_calibration(hd_, style_);
+      check_calibration(hd_, style_, may_reset_encoders);
       session_->newest_error(device->id());
       // What a device does not report leaves an error on the stack that the tick reads, so it is asked for once here.
       double temperatures[6] = {};
@@ -206,6 +220,8 @@ class OpenHapticsDevice : public OpenDevice {
     tick_ = tick;
     user_ = user;
     ticks_ = 0;
+    frames_since_update_ = shift_frames;
+    frame_time_ = paused_until_ = 0.0;
     lasting_ = passing_ = success;
     last_error_.store(success);
     state_ = blank_state();
@@ -249,14 +265,20 @@ class OpenHapticsDevice : public OpenDevice {
   // One tick in the scheduler's thread: one frame. A frame that sets no force has none.
   unsigned round() noexcept {
     const double time = monotonic_seconds();
-    const double dt = ticks_ == 0 ? period_ : time - last_time_;
-    last_time_ = time;
-
     hd_.hdMakeCurrentDevice(device_->id());
     calibrate();
     hd_.hdBeginFrame(device_->id());
+    const Vec3 before = Vec3(state_.position);
     read_state();
     note(session_->newest_error(device_->id()));
+    watch_for_shift(before, time);
+    if (time < paused_until_) {
+      hd_.hdEndFrame(device_->id());
+      note(session_->newest_error(device_->id()));
+      return 1;
+    }
+    const double dt = ticks_ == 0 ? period_ : time - last_time_;
+    last_time_ = time;
     state_.fault = static_cast<std::uint32_t>(fault());
     bodkin_command command{};
     tick_(user_, &state_, dt, &command);
@@ -268,13 +290,25 @@ class OpenHapticsDevice : public OpenDevice {
   }
 
   // As the vendor's samples do, before the frame: a stylus that goes into its inkwell, or a device that refines its
-  // calibration all the time, asks for an update while it runs.
+  // calibration all the time, asks for an update while it runs. Encoders are never reset under a hand.
   void calibrate() noexcept {
     const unsigned state = hd_.hdCheckCalibration();
     calibrated_ = state != calibration_needs_hand;
-    if (state != calibration_needs_update) return;
+    if (frames_since_update_ < shift_frames) ++frames_since_update_;
+    if (state != calibration_needs_update || style_ == encoder_reset) return;
     hd_.hdUpdateCalibration(style_);
     session_->newest_error(device_->id());  // an update that did not succeed is asked for again
+    frames_since_update_ = 0;
+  }
+
+  // A calibration that moves the pose is no motion of the hand. No tick comes for a while, and the frames carry no
+  // force; the guard then begins at zero, where it would take the pose's jump for a fault.
+  void watch_for_shift(const Vec3& before, double time) noexcept {
+    const double elapsed = time - frame_time_;
+    frame_time_ = time;
+    if (ticks_ == 0 || frames_since_update_ >= shift_frames) return;
+    const double moved = (Vec3(state_.position) - before).norm();
+    if (moved > least_shift + fastest_hand * elapsed) paused_until_ = time + shift_pause;
   }
 
   void read_state() noexcept {
@@ -349,6 +383,8 @@ class OpenHapticsDevice : public OpenDevice {
   long ticks_ = 0;
   double last_time_ = 0.0;  // s
   bool calibrated_ = true;
+  int frames_since_update_ = shift_frames;        // of the calibration, up to shift_frames
+  double frame_time_ = 0.0, paused_until_ = 0.0;  // s
   unsigned lasting_ = success, passing_ = success;
   long passing_until_ = 0;
   std::atomic<unsigned> last_error_{success};
@@ -372,9 +408,9 @@ struct OpenHaptics {
 
   static std::unique_ptr<OpenDevice> open(const std::string& device, const char* words, bodkin_abilities& abilities) {
     const DriverSettings settings = openhaptics_settings(words);
-    const bool dead_man = settings.flag("dead_man", false);
-    auto opened =
-        std::make_unique<OpenHapticsDevice>(OpenHapticsSession::join(settings.text("library", "")), device, dead_man);
+    const bool dead_man = settings.flag("dead_man", false), reset = settings.flag("reset_encoders", false);
+    auto opened = std::make_unique<OpenHapticsDevice>(OpenHapticsSession::join(settings.text("library", "")), device,
+                                                      dead_man, reset);
     opened->describe(abilities);
     return opened;
   }

@@ -17,7 +17,7 @@ constexpr const char* names[] = {
     "emergency_stop", "hand_off",     "too_fast",    "too_much_force", "unknown_code",
     "open_blocks",    "start_blocks", "stop_blocks", "needs_update",   "other_controller"};
 
-constexpr const char* habits[] = {"still", "wander", "swivel", "sweep", "gone"};
+constexpr const char* habits[] = {"still", "wander", "swivel", "sweep", "loose", "gone"};
 
 void read_habit(Board& to) {
   const char* value = std::getenv("BODKIN_STAND_IN_HAND");

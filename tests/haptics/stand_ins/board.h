@@ -36,6 +36,7 @@ enum class Hand : int {
   wander,  // through a box of 80 x 60 x 100 mm (vendor's axes)
   swivel,  // the tool's tip, 50 mm along its third axis, stays in one place
   sweep,   // 80 mm along the vendor's second axis, and no way back
+  loose,   // it stays there too, but yields to a force
   gone     // after three seconds it lets go, and the handle hangs down the vendor's third axis with 0.6 N
 };
 
@@ -52,6 +53,11 @@ struct Board {
   std::atomic<bool> firm{true};
   std::atomic<Hand> habit{Hand::still};
   std::atomic<std::uint32_t> buttons{0};
+
+  // Of calibration: the styles that the device supports, as the vendor writes them (0: those of a Touch), and by how
+  // much the next update moves the pose along the vendor's first axis.
+  std::atomic<int> calibration_styles{0};
+  std::atomic<double> calibration_shift{0.0};
 
   // The device: what its motors apply now, and where it is.
   std::array<std::atomic<double>, 3> force{}, torque{}, position{};
@@ -95,6 +101,8 @@ inline void Board::clear() noexcept {
   for (std::size_t i = 0; i < turn.size(); ++i) turn[i] = i % 4 == 0 ? 1.0 : 0.0;
   firm = true;
   habit = Hand::still;
+  calibration_styles = 0;
+  calibration_shift = 0.0;
   buttons = 0;
   ticks = pushes = pushes_in_trouble = 0;
   motors_on = false;

@@ -30,6 +30,7 @@ void Mechanism::follow_habit(Board& board) noexcept {
   };
   switch (board.habit.load()) {
     case Hand::still:
+    case Hand::loose:
     case Hand::gone:
       return;
     case Hand::wander:
@@ -52,12 +53,13 @@ void Mechanism::step(Board& board, const double (&force)[3], const double (&torq
   const double follow = 1.0 - std::exp(-dt / lag);
   bool pushed = false;
   follow_habit(board);
+  const bool firm = board.firm.load() && board.habit.load() != Hand::loose;
   const bool alone = board.habit.load() == Hand::gone && time_ > held_for;
   for (std::size_t i = 0; i < 3; ++i) {
     const double motor = std::clamp(force[i], -limit_, limit_);
     felt_[i] += (motor - felt_[i]) * follow;
     const double hand = board.hand[i].load() * unit_;
-    if (board.firm.load() && !alone) {
+    if (firm && !alone) {
       speed_[i] = (hand - at_[i]) / dt;
       at_[i] = hand;
     } else {
@@ -68,7 +70,7 @@ void Mechanism::step(Board& board, const double (&force)[3], const double (&torq
       at_[i] += speed_[i] * dt;
     }
     const double rounded = std::round(at_[i] / count) * count;
-    const double seen = board.firm.load() && !alone ? at_[i] : rounded;
+    const double seen = firm && !alone ? at_[i] : rounded;
     velocity_seen_[i] = speed_[i] / unit_;
     seen_[i] = board.troubled_by(Trouble::not_a_number) ? std::numeric_limits<double>::quiet_NaN() : seen / unit_;
     board.force[i] = motor;

@@ -60,6 +60,12 @@ std::size_t depth = 0;
 
 std::atomic<bool> updated{false};
 std::atomic<std::int64_t> updated_at{0};  // tick
+std::atomic<double> shifted{0.0};         // mm, along the first axis
+
+unsigned styles() {
+  const int set = board().calibration_styles;
+  return set != 0 ? static_cast<unsigned>(set) : 2 | 4;  // automatic, inkwell
+}
 
 void push(unsigned code, unsigned device) {
   while (stack_busy.test_and_set(std::memory_order_acquire)) std::this_thread::yield();
@@ -139,6 +145,8 @@ EXPORT unsigned hdInitDevice(const char* name) {
     return no_device;
   }
   devices[id] = Device{};
+  updated = false;
+  shifted = 0.0;
   devices[id].open = true;
   board().opened();
   current = id;
@@ -223,7 +231,7 @@ EXPORT void hdGetIntegerv(unsigned parameter, int* value) {
       *value = 6;
       return;
     case 0x2555:
-      *value = 2 | 4;  // automatic, inkwell
+      *value = static_cast<int>(styles());
       return;
     case 0x2600:
       *value = 1000;
@@ -248,6 +256,7 @@ EXPORT void hdGetDoublev(unsigned parameter, double* values) {
       for (std::size_t i = 0; i < 9; ++i) values[i % 3 * 4 + i / 3] = board().turn[i];
       values[3] = values[7] = values[11] = 0.0;
       std::copy_n(which->mechanism.position().data(), 3, values + 12);
+      if (first(which)) values[12] += shifted;
       values[15] = 1.0;
       return;
     case 0x2551: {
@@ -303,10 +312,14 @@ EXPORT unsigned hdCheckCalibration() {
   return board().troubled_by(Trouble::uncalibrated) ? 0x5002 : 0x5000;
 }
 EXPORT void hdUpdateCalibration(unsigned style) {
-  // Calibration.c of the vendor's samples: one of the supported styles, the inkwell while the scheduler runs.
+  // Calibration.c of the vendor's samples: one of the supported styles, encoders while the arm is in its reset
+  // position before the scheduler runs, the inkwell while it runs.
   if (about(false) == nullptr) return;
-  if (style != 2 && style != 4) return refuse(0x0101, "not one style of calibration that this device has");
-  if (!running) return refuse(0x0102, "calibrated before the scheduler ran");
+  const bool is_one = style == 1 || style == 2 || style == 4;
+  if (!is_one || (style & styles()) == 0) return refuse(0x0101, "not one style of calibration that this device has");
+  if (style == 1 && running) return refuse(0x0102, "encoders reset while the scheduler ran");
+  if (style != 1 && !running) return refuse(0x0102, "calibrated before the scheduler ran");
+  shifted = shifted + board().calibration_shift.exchange(0.0);
   updated = true;
   updated_at = board().ticks.load();
   ++board().calibrations;
