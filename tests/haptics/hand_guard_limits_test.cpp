@@ -127,6 +127,32 @@ TEST(HandGuardLimits, the_force_goes_to_zero_over_10_mm_outside_the_workspace) {
   EXPECT_TRUE(rig.guard.is_armed());
 }
 
+// s until a torque has gone to zero under a hand that turns about an axis by so many rad to each side; -1: it stays.
+double torque_ends_after(GuardRig& rig, double hertz, double amplitude) {
+  rig.push(nothing);
+  const Wrench turning{nothing, Vec3(0.0, 0.0, 80.0)};
+  for (int tick = 0; tick < 100; ++tick) rig.tick(turning);
+  for (int tick = 0; tick < 2000; ++tick) {
+    const double angle = amplitude * std::sin(6.283185307 * hertz * 0.001 * tick);
+    rig.device.hand.linear() = Eigen::AngleAxisd(angle, Vec3::UnitX()).toRotationMatrix();
+    if (rig.tick(turning).torque.isZero(0.0)) return 0.001 * tick;
+  }
+  return -1.0;
+}
+
+TEST(HandGuardLimits, a_tool_that_turns_to_and_fro_loses_its_torque) {
+  for (const auto& [hertz, amplitude] : {std::pair{12.0, 0.15}, {30.0, 0.02}}) {
+    GuardRig rig;
+    const double ended = torque_ends_after(rig, hertz, amplitude);
+    EXPECT_GT(ended, 0.0) << hertz;
+    EXPECT_LE(ended, 1.0) << hertz;
+    EXPECT_EQ(rig.guard.fault(), GuardReason::oscillation);
+    EXPECT_GE(rig.count(GuardReason::calming), 1) << "the torque is halved first";
+  }
+  GuardRig trembling;
+  EXPECT_EQ(torque_ends_after(trembling, 12.0, 0.02), -1.0) << "the hand's own";
+}
+
 // Moves the hand to and fro along the force.
 void shake(GuardRig& rig, double hertz, double amplitude, double seconds) {
   const Vec3 start = rig.device.hand.translation();
