@@ -1,6 +1,7 @@
 #include "session/session_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "session/session_schema.h"
@@ -58,6 +59,56 @@ std::vector<std::pair<std::string, std::string>> header_rows(const SessionHeader
   std::sort(rows.begin(), rows.end());
   return rows;
 }
+
+// SQLite's files of a database; its log belongs to it by its name.
+constexpr std::array<const char*, 4> file_endings = {"", "-wal", "-shm", "-journal"};
+
+void remove_session(const fs::path& file) noexcept {
+  std::error_code ignored;
+  for (const char* ending : file_endings) fs::remove(file.string() + ending, ignored);
+}
+
+// Throws fs::filesystem_error when the file itself cannot be renamed.
+void rename_session(const fs::path& from, const fs::path& to) {
+  remove_session(to);
+  fs::rename(from, to);
+  std::error_code ignored;
+  for (std::size_t i = 1; i < file_endings.size(); ++i)
+    fs::rename(from.string() + file_endings[i], to.string() + file_endings[i], ignored);
+}
+
+// The place of a new session. What stood there before is kept beside it until the new one is complete enough to be
+// read, and comes back when it does not get so far.
+class NewPlace {
+ public:
+  NewPlace(const fs::path& file, bool exists) : file_(file), aside_(file.string() + ".replaced") {
+    if (exists) {
+      rename_session(file_, aside_);
+      is_aside_ = true;
+    }
+    remove_session(file_);  // a log without its database would be taken for a part of the new file
+  }
+  ~NewPlace() {
+    if (stands_) {
+      if (is_aside_) remove_session(aside_);
+      return;
+    }
+    remove_session(file_);
+    try {
+      if (is_aside_) rename_session(aside_, file_);
+    } catch (const fs::filesystem_error&) {
+      // It stays beside its place: more cannot be done here, and nothing is lost.
+    }
+  }
+  NewPlace(const NewPlace&) = delete;
+  NewPlace& operator=(const NewPlace&) = delete;
+
+  void keep() noexcept { stands_ = true; }
+
+ private:
+  fs::path file_, aside_;
+  bool is_aside_ = false, stands_ = false;
+};
 
 }  // namespace
 
@@ -238,12 +289,14 @@ SessionWriter::SessionWriter(const fs::path& file, const SessionHeader& header, 
   if (exists && !fs::is_regular_file(file, ignored)) {
     throw InputError(fmt::format("{} is not a file that a session could replace", file.string()));
   }
-  // A log without its database would be taken for a part of the new file.
-  for (const char* ending : {"", "-wal", "-shm", "-journal"}) fs::remove(file.string() + ending, ignored);
   try {
+    NewPlace place(file, exists);
     impl_ = std::make_unique<Impl>(file, header);
+    place.keep();
   } catch (const SQLite::Exception& error) {
     throw SystemError(fmt::format("cannot create the session file {}: {}", file.string(), error.what()));
+  } catch (const fs::filesystem_error& error) {
+    throw SystemError(fmt::format("cannot replace the session file {}: {}", file.string(), error.code().message()));
   }
 }
 

@@ -60,6 +60,7 @@ struct SessionEvent {
 class SessionWriter {
  public:
   // Creates the file; throws InputError when it exists and `overwrite` is false, SystemError when it cannot be made.
+  // Then no file is left, and one that was to be replaced is as it was.
   SessionWriter(const std::filesystem::path& file, const SessionHeader& header, bool overwrite);
   ~SessionWriter();
   SessionWriter(SessionWriter&&) noexcept;

@@ -82,6 +82,25 @@ TEST_F(StandardStreams, a_disk_that_fills_under_a_recording_ends_it_and_keeps_wh
   EXPECT_GT(kept.ticks.size(), 100U);
 }
 
+TEST_F(StandardStreams, a_disk_that_is_full_from_the_beginning_leaves_no_file_and_keeps_the_one_before) {
+  ASSERT_EQ(perform("", "-q", "0.3").exit_code, 0);
+  const std::size_t ticks = ::bodkin::session::read_session(folder_ / "hand.bodkin").ticks.size();
+  ASSERT_GT(ticks, 0U);
+  const std::string begin = "trap '' XFSZ; ulimit -f 1; " + program +
+                            "-q perform patient force_dimension --settings library='" + BODKIN_STAND_INS +
+                            "/force_dimension/libdrd.so' --max-time 1 -o ";
+  const Outcome anew = shell(begin + "full.bodkin");
+  EXPECT_EQ(anew.exit_code, 1) << anew.output;
+  EXPECT_THAT(anew.output, HasSubstr("cannot create the session file full.bodkin"));
+  const Outcome again = shell(begin + "hand.bodkin --overwrite");
+  EXPECT_EQ(again.exit_code, 1) << again.output;
+  EXPECT_EQ(::bodkin::session::read_session(folder_ / "hand.bodkin").ticks.size(), ticks);
+  for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+    const std::string name = entry.path().filename().string();
+    EXPECT_TRUE(name.find(".bodkin") == std::string::npos || name == "hand.bodkin") << name;
+  }
+}
+
 TEST_F(StandardStreams, a_session_that_cannot_begin_leaves_no_file) {
   const Outcome no_device =
       shell(program + "-q perform patient force_dimension --settings library=/no/such/libdrd.so -o none.bodkin");

@@ -71,6 +71,23 @@ TEST(SessionFile, comes_back_bit_for_bit) {
   EXPECT_EQ(event, session.events.end());
 }
 
+TEST(SessionFile, replaces_an_unfinished_session_with_its_log_and_leaves_nothing_beside_it) {
+  const ScratchSession scratch;
+  const fs::path kept = scratch.path().string() + ".copy";
+  {
+    SessionWriter writer(scratch.path(), sample_header(), true);
+    for (std::uint64_t tick = 0; tick < 600; ++tick) writer.append(sample_record(tick));
+    writer.commit();
+    // As a process that was killed leaves it: the log holds the ticks.
+    for (const char* ending : {"", "-wal"}) fs::copy_file(scratch.path().string() + ending, kept.string() + ending);
+  }
+  write_sample(kept, 10);
+  EXPECT_EQ(read_session(kept).ticks.size(), 10U);
+  for (const char* ending : {"-wal", "-shm", "-journal", ".replaced", ".replaced-wal", ".replaced-shm"})
+    EXPECT_FALSE(fs::exists(kept.string() + ending)) << ending;
+  fs::remove(kept);
+}
+
 TEST(SessionFile, keeps_how_well_it_kept_its_time) {
   const ScratchSession scratch;
   ServoTimings servo;
