@@ -67,9 +67,19 @@ constexpr std::array<std::string_view, 2> enumeration_names(Mechanics) {
   return {"tables", "physical"};
 }
 
+// What the hand feels while the tip is in an organ that it must not be in.
+enum class ForceInOrgans : std::uint8_t {
+  felt,  // what the models say
+  none   // nothing, as in the simulator of Kwon et al. 2001: the force fades away, and comes back behind the organ
+};
+constexpr std::array<std::string_view, 2> enumeration_names(ForceInOrgans) {
+  return {"felt", "none"};
+}
+
 struct HapticSettings {
   double rate = 1000.0;
   Mechanics mechanics = Mechanics::tables;
+  ForceInOrgans force_in_organs = ForceInOrgans::felt;
   ResistanceSettings resistance;
   ConstraintSettings constraint;
   ForceParts parts;
@@ -81,7 +91,11 @@ struct HapticSettings {
     return std::tuple{
         Parameter{"rate_Hz", &S::rate, Range{200.0, 4000.0}, "Hz", "of the haptic tick", Origin::choice},
         Parameter{"mechanics", &S::mechanics,
-                  "numbers of each model's own, or one description of each tissue for every model", Origin::choice}};
+                  "numbers of each model's own, or one description of each tissue for every model", Origin::choice},
+        Parameter{"force_in_organs", &S::force_in_organs,
+                  "none: the force of every model fades to zero while the tip is in a critical structure, an organ "
+                  "or a lung",
+                  Origin::paper}};
   }
 };
 

@@ -24,6 +24,10 @@ void add_force_options(CLI::App& command, ForceOptions& options) {
       command, "--mechanics", options.mechanics,
       "Where the models have the numbers of the tissues from, other than the case's: tables (each model its own) "
       "or physical (one description of each tissue, for the needle of the case)");
+  add_text(
+      command, "--force-in-organs", options.force_in_organs,
+      "What is felt while the tip is in a critical structure, an organ or a lung, other than the case says: felt "
+      "(what the models say) or none (the force falls to zero)");
 }
 
 void apply(const ForceOptions& options, anatomy::HapticSettings& haptics) {
@@ -32,6 +36,8 @@ void apply(const ForceOptions& options, anatomy::HapticSettings& haptics) {
   if (!options.parts.empty()) haptics.parts = io::parse_parts(options.parts, "--part");
   if (!options.mechanics.empty() && !parse_value(options.mechanics, haptics.mechanics))
     throw InputError(fmt::format("--mechanics is '{}'; expected tables or physical", options.mechanics));
+  if (!options.force_in_organs.empty() && !parse_value(options.force_in_organs, haptics.force_in_organs))
+    throw InputError(fmt::format("--force-in-organs is '{}'; expected felt or none", options.force_in_organs));
 }
 
 std::string force_names(const anatomy::HapticSettings& haptics) {

@@ -15,10 +15,10 @@ namespace bodkin::cli {
 struct ForceOptions {
   std::string resistance, constraint;  // empty: the case's
   std::vector<std::string> parts;
-  std::string mechanics;
+  std::string mechanics, force_in_organs;
 };
 
-// Adds --resistance, --constraint, --part and --mechanics.
+// Adds --resistance, --constraint, --part, --mechanics and --force-in-organs.
 void add_force_options(CLI::App& command, ForceOptions& options);
 
 // What was given takes the place of what the case says; all --part together that of its parts. Throws InputError

@@ -93,6 +93,9 @@ NewCaseArguments add_new_case_options(CLI::App& command, NewCaseOptions& options
   add_texts(command, "--part", options.parts,
             fmt::format("An addition to the force along the needle, \"NAME SETTING=VALUE ...\", may be repeated: {}",
                         fmt::join(io::part_names, ", ")));
+  add_text(command, "--force-in-organs", options.force_in_organs,
+           "What is felt while the tip is in a critical structure, an organ or a lung: felt (what the models say) or "
+           "none (the force falls to zero) (default: felt)");
   add_text(command, "--procedure", options.procedure,
            "What is practised: a procedure that comes with Bodkin (default: lumbar_puncture where there is a lumbar "
            "spine)");
@@ -130,6 +133,12 @@ json new_case_request(const NewCaseOptions& options) {
   if (!options.parts.empty()) {
     io::parse_parts(options.parts, "--part");
     request["parts"] = options.parts;
+  }
+  if (!options.force_in_organs.empty()) {
+    anatomy::ForceInOrgans value{};
+    if (!parse_value(options.force_in_organs, value))
+      throw InputError(fmt::format("--force-in-organs is '{}'; expected felt or none", options.force_in_organs));
+    request["force_in_organs"] = options.force_in_organs;
   }
   const bool plans = !options.target.empty() && options.entry.empty();
   if (!options.procedure.empty() || plans) {

@@ -18,7 +18,7 @@ struct NewCaseOptions {
   std::string entry, target;  // "x,y,z"
   std::int64_t needle_gauge = 22;
   std::string needle;  // "GAUGE,LENGTH,TIP"
-  std::string mechanics;
+  std::string mechanics, force_in_organs;
   std::vector<std::string> parts;
   std::string procedure;
   bool overwrite = false;

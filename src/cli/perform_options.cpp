@@ -94,6 +94,8 @@ std::string window_order(const PerformOptions& options) {
   nlohmann::json order = {{"resistance", options.forces.resistance},
                           {"constraint", options.forces.constraint},
                           {"parts", options.forces.parts},
+                          {"mechanics", options.forces.mechanics},
+                          {"force_in_organs", options.forces.force_in_organs},
                           {"output", std::filesystem::absolute(options.output).string()},
                           {"overwrite", options.overwrite},
                           {"longest_s", options.longest},

@@ -57,6 +57,8 @@ anatomy::HapticSettings read_haptics(const XmlElement& element, const std::strin
   haptics.rate = element.number("rate_Hz", haptics.rate);
   if (const std::string* mechanics = element.find("mechanics"); mechanics != nullptr)
     parse_value(*mechanics, haptics.mechanics);
+  if (const std::string* in_organs = element.find("force_in_organs"); in_organs != nullptr)
+    parse_value(*in_organs, haptics.force_in_organs);
   if (const XmlElement* resistance = element.child("resistance"); resistance != nullptr)
     haptics.resistance = model_from<anatomy::ResistanceSettings>(*resistance, origin, anatomy::resistance_names);
   if (const XmlElement* constraint = element.child("constraint"); constraint != nullptr)

@@ -15,6 +15,7 @@
 #include "simulation/loss_of_resistance.h"
 #include "simulation/needle_bow.h"
 #include "simulation/needle_contact.h"
+#include "simulation/organ_release.h"
 #include "simulation/resistance.h"
 #include "simulation/tip_in_layers.h"
 
@@ -68,7 +69,8 @@ struct HapticTick::State {
         hub(from.description.needle.length, from.description.device.stiffness),
         deforms(from.description.haptics.mechanics == anatomy::Mechanics::physical),
         layers(from, resistance.passes_layers()),
-        bow(from, dt) {
+        bow(from, dt),
+        organs(from, dt) {
     if (from.description.haptics.parts.fingertip) {
       finger.emplace(from.tissues, *from.description.haptics.parts.fingertip, from.description.device.stiffness, dt);
     }
@@ -85,6 +87,7 @@ struct HapticTick::State {
   bool deforms;  // mechanics="physical"
   TipInLayers layers;
   NeedleBow bow;
+  OrganRelease organs;
   NeedleContact contact;
   std::optional<forces::Fingertip> finger;
   bool finger_is_down = false;  // in the needle's place
@@ -210,6 +213,7 @@ TickOutput HapticTick::State::step(const TickInput& input, const Vec3& axis) noe
     hub.begin();
     layers.begin(contact.entry(), contact.direction());
     bow.begin();
+    organs.begin();
     motion.rebase(contact.depth(tip) - advance);
     output.events.push({forces::EventKind::contact, output.tissue, 0.0, 0.0});
   } else if (BodyPort* const body = resistance.body()) {
@@ -245,13 +249,14 @@ TickOutput HapticTick::State::step(const TickInput& input, const Vec3& axis) noe
       request.in_contact = output.in_contact = true;
       double along = tissue_force.along;
       if (deforms) along = follow_layers(needle, tissue_force, output);
+      const double share = organs.step(tip, output.tissue);
       request.resistance = output.resistance =
-          along + hub.step(moving.depth, stiffness, output.tissue, output.events);
+          share * along + hub.step(moving.depth, stiffness, output.tissue, output.events);
       const bool feels_flavum = deforms && layers.felt() == anatomy::tissue::ligamentum_flavum;
       loss.step(needle.motion, feels_flavum ? layers.felt() : output.tissue, tissue_force.along, output.events);
       const Wrench held = constraint.step(tip, axis, resistance.holds_laterally());
-      request.constraint = tissue_force.across + held.force;
-      request.torque = output.requested.torque = tissue_force.torque + held.torque;
+      request.constraint = share * Vec3(tissue_force.across + held.force);
+      request.torque = output.requested.torque = share * Vec3(tissue_force.torque + held.torque);
       output.constraint = request.constraint.norm();
     } else {
       output.events.push({forces::EventKind::withdrawn, output.tissue, output.depth, 0.0});

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "core/parameter_value.h"
 #include "haptics/drivers/drivers.h"
 #include "haptics/plugin.h"
 #include "io/force_choice.h"
@@ -38,6 +39,8 @@ void AttemptOptions::apply(station::StationOptions& station) const {
   if (!resistance.empty()) haptics.resistance = io::parse_resistance(resistance, "--resistance");
   if (!constraint.empty()) haptics.constraint = io::parse_constraint(constraint, "--constraint");
   if (!parts.empty()) haptics.parts = io::parse_parts(parts, "--part");
+  if (mechanics) haptics.mechanics = *mechanics;
+  if (force_in_organs) haptics.force_in_organs = *force_in_organs;
   if (device.driver != nullptr) station.device = device;
   station.second = second;
   station.moving_body = moving_body;
@@ -64,6 +67,11 @@ AttemptOptions read_attempt_options(const std::string& text) {
     options.resistance = json.value("resistance", options.resistance);
     options.constraint = json.value("constraint", options.constraint);
     options.parts = json.value("parts", options.parts);
+    // `bodkin perform` has refused words that are no value.
+    if (anatomy::Mechanics value{}; parse_value(json.value("mechanics", std::string()), value))
+      options.mechanics = value;
+    if (anatomy::ForceInOrgans value{}; parse_value(json.value("force_in_organs", std::string()), value))
+      options.force_in_organs = value;
     options.scale = json.value("scale", options.scale);
     options.force_scale = json.value("force_scale", options.force_scale);
     options.allow_late = json.value("allow_late", options.allow_late);

@@ -14,6 +14,8 @@ struct AttemptOptions {
   station::DeviceChoice device;        // no driver: the mouse
   std::string resistance, constraint;  // "NAME SETTING=VALUE ..."; empty: the case's
   std::vector<std::string> parts;      // all of them; empty: the case's
+  std::optional<anatomy::Mechanics> mechanics;
+  std::optional<anatomy::ForceInOrgans> force_in_organs;
   std::optional<station::UltrasoundChoice> ultrasound;
   std::optional<station::SecondChoice> second;
   std::optional<fem::ProbeFace> moving_body;

@@ -252,6 +252,7 @@ CaseSummary build_imported_case(const NewCase& wanted, const ImportOptions& opti
   description.needle = wanted.needle.empty() ? needle_of(wanted.needle_gauge) : parse_needle(wanted.needle);
   description.haptics.mechanics = wanted.mechanics;
   description.haptics.parts = wanted.parts;
+  description.haptics.force_in_organs = wanted.force_in_organs;
   require_path(wanted.path);
   require_level(options.level);
   if (!options.lowest_vertebra.empty()) require_vertebra(options.lowest_vertebra);
@@ -322,6 +323,7 @@ CaseSummary build_synthetic_case(const NewCase& wanted, const LumbarParameters& 
   description.needle = wanted.needle.empty() ? needle_of(wanted.needle_gauge) : parse_needle(wanted.needle);
   description.haptics.mechanics = wanted.mechanics;
   description.haptics.parts = wanted.parts;
+  description.haptics.force_in_organs = wanted.force_in_organs;
   require_path(wanted.path);
   const bool is_calcified = parameters.calcification > 0.0;
   const anatomy::TissueLibrary library =

@@ -22,6 +22,7 @@ struct NewCase {
   std::string needle;  // "18,90,tuohy", see parse_needle; overrides needle_gauge; empty = only the gauge is said
   anatomy::Mechanics mechanics = anatomy::Mechanics::tables;  // of the new case
   anatomy::ForceParts parts;                                  // the same
+  anatomy::ForceInOrgans force_in_organs = anatomy::ForceInOrgans::felt;
   std::string procedure;      // name of what is practised; empty: a lumbar puncture where there is a lumbar spine
   std::string target_tissue;  // tissue whose entry is its aim; only with `procedure`; empty = the target point counts
   std::optional<anatomy::NeedlePath>

@@ -99,6 +99,7 @@ patient::NewCase new_case(const json& request) {
     parse_value(mechanics, wanted.mechanics);
   if (request.contains("parts"))
     wanted.parts = io::parse_parts(request["parts"].get<std::vector<std::string>>(), "--part");
+  parse_value(request.value("force_in_organs", "felt"), wanted.force_in_organs);
   wanted.procedure = request.value("procedure", "");
   wanted.target_tissue = request.value("target_tissue", "");
   wanted.target_structure = request.value("target_structure", "");
