@@ -170,6 +170,8 @@ TEST(CaseXml, the_defaults_that_the_schema_states_are_those_of_the_description) 
                                                {"device", "stiffness_N_per_mm", "1"},
                                                {"device", "position_resolution_mm", "0"},
                                                {"haptics", "rate_Hz", "1000"},
+                                               {"haptics", "mechanics", "tables"},
+                                               {"haptics", "force_in_organs", "felt"},
                                                {"procedure", "name", "lumbar_puncture"},
                                                {"procedure", "target_tolerance_mm", "3"}}) {
     EXPECT_THAT(schema, HasSubstr("name=\"" + attribute + "\" default=\"" + value + "\"")) << element;

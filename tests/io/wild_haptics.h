@@ -152,8 +152,8 @@ inline auto members(const GravitySettings& s) {
   return std::tie(a, b, c, d, e);
 }
 inline auto members(const HapticSettings& s) {
-  const auto& [a, b, c, d, e, f] = s;
-  return std::tie(a, b, c, d, e, f);
+  const auto& [a, b, c, d, e, f, g] = s;
+  return std::tie(a, b, c, d, e, f, g);
 }
 
 template <typename T>

@@ -90,6 +90,29 @@ TEST_F(Replay, of_a_recorded_session_is_identical_to_the_bit) {
   EXPECT_EQ(result.digest, replay_session(*session_, *patient_).digest);
 }
 
+TEST_F(Replay, of_a_session_without_force_in_organs_is_identical_and_the_setting_is_recorded) {
+  Case patient = slab_case(lumbar_slabs());
+  patient.structures = LabelVolume(patient.tissues.grid);
+  for (std::size_t i = 0; i < patient.tissues.voxels.size(); ++i)
+    patient.structures.voxels[i] = patient.tissues.voxels[i] == tissue::interspinous_ligament ? 7 : 0;
+  patient.description.structures = {{7, "organ", "", true}};
+  patient.description.haptics.force_in_organs = ForceInOrgans::none;
+  const auto file =
+      std::filesystem::temp_directory_path() / ("bodkin_organs_" + std::to_string(getpid()) + ".bodkin");
+  const RunSettings settings = settings_for(patient, "expert", file);
+  run_session(patient, header_for(patient, settings), settings, {});
+  Session recorded = read_session(file);
+  std::filesystem::remove(file);
+  EXPECT_EQ(recorded.header.haptics.force_in_organs, ForceInOrgans::none);
+  EXPECT_FALSE(replay_session(recorded, patient).difference.has_value());
+  int without = 0;
+  for (const auto& tick : recorded.ticks)
+    without += tick.output.in_contact && tick.output.requested.force.norm() == 0.0 ? 1 : 0;
+  EXPECT_GT(without, 100);
+  recorded.header.haptics.force_in_organs = ForceInOrgans::felt;
+  EXPECT_TRUE(replay_session(recorded, patient).difference.has_value());
+}
+
 TEST_F(Replay, finds_a_single_flipped_bit_and_says_where) {
   Session tampered = *session_;
   double& force = tampered.ticks[7777].output.applied.force[1];
