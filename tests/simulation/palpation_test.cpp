@@ -8,6 +8,7 @@
 
 #include "anatomy/tissue_surface.h"
 #include "core/random.h"
+#include "forces/fingertip.h"
 #include "forces/surface_proxy.h"
 #include "io/tissue_library_file.h"
 
@@ -137,6 +138,34 @@ TEST(Palpation, no_hand_gets_under_the_skin_or_into_bone) {
       ASSERT_LT(around, 6) << tick;
     }
     EXPECT_GT(touching, 1000);
+  }
+}
+
+// N/mm that a finger meets, pressed 5 mm into the skin in front of `place`.
+double firmness_at(const Vec3& place, const TissueVolume& tissues) {
+  Fingertip finger(tissues, {}, 1.0, 1e-3);
+  Vec3 skin = place + Vec3(0.0, 30.0, 0.0);
+  while (nearest(tissues, skin, tissue::air) == tissue::air) skin.y() -= 0.5;
+  FingertipState felt;
+  for (int tick = 0; tick < 100; ++tick) {
+    TickEvents events;
+    felt = finger.step(skin - Vec3(0.0, 5.0, 0.0), -Vec3::UnitY(), events);
+  }
+  return felt.firmness;
+}
+
+TEST(Palpation, a_finger_finds_the_interspaces_softer_than_the_processes_between_them) {
+  const SyntheticPatient patient = synthesize_lumbar({.spacing = 1.5}, default_tissue_library());
+  std::vector<Vec3> interspaces;
+  for (const char* name : {"L2_L3_skin", "L3_L4_skin", "L4_L5_skin"}) {
+    for (const Landmark& each : patient.landmarks)
+      if (each.name == name) interspaces.push_back(each.position);
+  }
+  ASSERT_EQ(interspaces.size(), 3U);
+  for (std::size_t i = 1; i < interspaces.size(); ++i) {
+    const double process = firmness_at(0.5 * (interspaces[i - 1] + interspaces[i]), patient.tissues);
+    EXPECT_GT(process, 1.4 * firmness_at(interspaces[i - 1], patient.tissues)) << i;
+    EXPECT_GT(process, 1.4 * firmness_at(interspaces[i], patient.tissues)) << i;
   }
 }
 
