@@ -12,6 +12,8 @@
 namespace bodkin::forces {
 namespace {
 
+constexpr double release_speed = 200.0;  // mm/s
+
 anatomy::ProxyProperties blend(const anatomy::ProxyProperties& a, const anatomy::ProxyProperties& b,
                                double part) noexcept {
   const auto mix = [part](double from, double to) { return from + (to - from) * part; };
@@ -69,12 +71,20 @@ anatomy::ProxyProperties VolumeProxy::properties(const FieldSample& here) const 
   return blend(below->properties, above->properties, (here.value - below->value) / (above->value - below->value));
 }
 
+// What was held back goes on at release_speed, however often a tick comes: as far as the tip has moved in the tick,
+// and that much farther.
+Vec3 VolumeProxy::released(const Vec3& wanted, const Vec3& tip) const noexcept {
+  const Vec3 move = wanted - proxy_;
+  const double length = move.norm(), most = (tip - last_tip_).norm() + release_speed * dt_;
+  return length > most ? Vec3(proxy_ + move * (most / length)) : wanted;
+}
+
 Vec3 VolumeProxy::step(const Vec3& tip, const Rail* rail, TickEvents& events) noexcept {
   if (!(tip.norm() <= farthest_depth)) {
     events.push({EventKind::fault, anatomy::tissue::air, 0.0, 0.0});
     return Vec3::Zero();
   }
-  if (!placed_) proxy_ = tip;
+  if (!placed_) proxy_ = last_tip_ = tip;
   placed_ = true;
   const FieldSample here = field_->sample(proxy_);
   if (here.inside) {
@@ -86,11 +96,13 @@ Vec3 VolumeProxy::step(const Vec3& tip, const Rail* rail, TickEvents& events) no
       const double part = std::min(slope / settings_.gradient_reference, 1.0);
       local.penetrability *= part * part * (3.0 - 2.0 * part);
     }
-    proxy_ =
+    const Vec3 wanted =
         advance_proxy(proxy_, tip, normal, local, settings_.stiffness, settings_.variant, settings_.two_sided, dt_);
+    proxy_ = settings_.variant == anatomy::ProxyVariant::drag ? released(wanted, tip) : wanted;
   } else {
     proxy_ = tip;
   }
+  last_tip_ = tip;
   if (rail != nullptr) proxy_ = rail->project(proxy_);
   const Vec3 force = -settings_.stiffness * (tip - proxy_);  // eq. 1
   const double size = force.norm();

@@ -27,6 +27,9 @@ Vec3 advance_proxy(const Vec3& proxy, const Vec3& tip, const Vec3& normal, const
 //                                viscous  x_p -= e (1 - k dt/(k dt + R_v))
 //   F_hand = -k (x_t - x_p)                               eq. 1
 //
+// With drag, the proxy moves in a tick as far as the tip does and at most 200 mm/s (our choice) farther, so that a
+// force that is let go falls in the same time at every rate; the viscosity of the other variant does that by itself.
+//
 // T_N is scaled by smoothstep(|grad V|/g_ref), so that walls fade with their gradient. Every move of the proxy
 // shortens d, so stored energy is only given up: passive. With a rail the proxy is projected onto the insertion line
 // before the force is taken. Readings: docs/models/volume_proxy.md.
@@ -61,13 +64,14 @@ class VolumeProxy : public ResistanceDefaults {
   VolumeProxy(const anatomy::Case& patient, const anatomy::VolumeProxySettings& settings,
               std::unique_ptr<HapticField> field, double dt);
   anatomy::ProxyProperties properties(const FieldSample& here) const noexcept;
+  Vec3 released(const Vec3& wanted, const Vec3& tip) const noexcept;
 
   anatomy::VolumeProxySettings settings_;
   std::array<anatomy::VolumeProxyTissue, 256> tissues_;  // 256, by TissueId
   std::unique_ptr<HapticField> own_field_;               // of a patient
   const HapticField* field_;
   double dt_;
-  Vec3 proxy_ = Vec3::Zero();
+  Vec3 proxy_ = Vec3::Zero(), last_tip_ = Vec3::Zero();
   Vec3 entry_ = Vec3::Zero();       // of the frozen line
   Vec3 direction_ = Vec3::UnitZ();  // of it
   bool placed_ = false;

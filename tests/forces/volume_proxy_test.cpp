@@ -123,6 +123,31 @@ TEST(VolumeProxy, drag_does_not_depend_on_speed_and_viscosity_does) {
   EXPECT_NEAR(0.5 * 1e-3 / (0.5 * 1e-3 + 0.01), 0.047619, 5e-7);
 }
 
+// N/s, the fastest fall of the force where a proxy that friction holds comes from muscle into fat, which does not.
+double fastest_release(double rate) {
+  VolumeProxySettings settings;
+  settings.variant = ProxyVariant::drag;
+  const double fat = field().sample({0.3, 0.2, 8.0}).value, muscle = field().sample({0.3, 0.2, 20.0}).value;
+  settings.transfer = {{fat, {}}, {muscle, {.friction = 2.0}}};
+  VolumeProxy model(checks::default_tissues(), settings, field(), 1.0 / rate);
+  TickEvents events;
+  double before = 0.0, fastest = 0.0;
+  for (double depth = 20.0; depth > 4.0; depth -= 10.0 / rate) {
+    const double force = model.step({0.3, 0.2, depth}, nullptr, events).norm();
+    fastest = std::max(fastest, (before - force) * rate);
+    before = force;
+  }
+  EXPECT_LT(before, 0.1) << "let go";
+  return fastest;
+}
+
+TEST(VolumeProxy, drag_lets_go_at_one_speed_at_every_rate) {
+  for (const double rate : {500.0, 1000.0, 2000.0}) {
+    const double speed = fastest_release(rate) / VolumeProxySettings{}.stiffness;
+    EXPECT_NEAR(speed, 200.0, 20.0) << rate;  // mm/s
+  }
+}
+
 TEST(VolumeProxy, a_tip_off_the_rail_is_pulled_towards_it) {
   VolumeProxy model(checks::default_tissues(), {}, field(), 1e-3);
   Rail rail({});
