@@ -12,8 +12,10 @@ namespace bodkin::fem {
 
 namespace {
 
-constexpr double farthest_tip = 1e4;  // mm; beyond, a sensor failed
-constexpr double nearer = 0.9;        // of the distance to the node that has the tip, for another to take over
+constexpr double farthest_tip = 1e4;       // mm; beyond, a sensor failed
+constexpr double same_channel = 1.0;       // mm between entries of one channel ...
+constexpr double same_direction = 0.9986;  // ... and cosine of 3 degrees
+constexpr double nearer = 0.9;             // of the distance to the node that has the tip, for another to take over
 
 }  // namespace
 
@@ -31,6 +33,7 @@ ClosestNodeContact::ClosestNodeContact(const anatomy::CondensedBody& body, const
                      " nodes");
   }
   limits_.resize(static_cast<std::size_t>(std::ceil(settings.longest / settings.layer)) + 1);
+  line_.resize(static_cast<std::size_t>(std::ceil(settings.longest / layer_step)) + 1);
 }
 
 void ClosestNodeContact::take_punctures(const ClosestNodeContact& other) noexcept {
@@ -41,10 +44,17 @@ void ClosestNodeContact::reset() noexcept {
   std::fill(punctured_.begin(), punctured_.end(), std::uint8_t{0});
   begin(Vec3::Zero(), Vec3::UnitZ());
   begun_ = false;
+  passed_ = deepest_ = 0.0;
 }
 
-void ClosestNodeContact::begin(const Vec3& entry, const Vec3& direction) noexcept {
+void ClosestNodeContact::begin(const Vec3& entry, const Vec3& direction,
+                               std::span<const anatomy::TissueId> line) noexcept {
+  const bool is_same_way =
+      begun_ && (entry - entry_).norm() < same_channel && direction.dot(direction_) > same_direction;
+  if (!is_same_way) passed_ = deepest_ = 0.0;
   entry_ = entry;
+  tissues_along_ = std::min(line.size(), line_.size());
+  std::copy_n(line.begin(), tissues_along_, line_.begin());
   direction_ = direction;
   begun_ = fresh_ = true;
   known_ = 0;
@@ -59,6 +69,7 @@ std::uint32_t ClosestNodeContact::closest(const Vec3& place, double within, bool
   for (std::size_t node = 0; node < body_.nodes.size(); ++node) {
     const double distance = (body_.nodes[node] - place).squaredNorm();
     if (distance > least || (unpunctured && punctured_[node] != 0)) continue;
+    if (unpunctured && is_passed(static_cast<std::uint32_t>(node))) continue;
     least = distance;
     found = static_cast<std::uint32_t>(node);
   }
@@ -79,6 +90,27 @@ Vec3 ClosestNodeContact::push(const Vec3& tip) const noexcept {
   return stiffness_scale(node_) * (own_compliance(node_).inverse() * (tip - body_.nodes[node_] - offset_));
 }
 
+// Of the tissues on the line that are not open yet and lie before `depth`, the one that takes most force; air when
+// nothing is known of them.
+anatomy::TissueId ClosestNodeContact::firmest_before(double depth) const noexcept {
+  anatomy::TissueId firmest = anatomy::tissue::air;
+  for (auto i = static_cast<std::size_t>(std::max(0.0, passed_) / layer_step); i < tissues_along_; ++i) {
+    if (layer_step * static_cast<double>(i) > depth) break;
+    if (tissues_[line_[i]].puncture_force > tissues_[firmest].puncture_force) firmest = line_[i];
+  }
+  return firmest;
+}
+
+// The line is open to `depth`, and to the end of the layer of `tissue` there.
+void ClosestNodeContact::pass(double depth, anatomy::TissueId tissue) noexcept {
+  deepest_ = std::max(deepest_, depth + layer_step);
+  passed_ = std::max(passed_, depth + layer_step);
+  for (auto i = static_cast<std::size_t>(std::max(0.0, passed_) / layer_step); i < tissues_along_; ++i) {
+    if (line_[i] != tissue) return;
+    passed_ = layer_step * static_cast<double>(i + 1);
+  }
+}
+
 // Which node the tip pushes, and where that node thinks the tip was when it met it.
 void ClosestNodeContact::follow(const Vec3& tip) noexcept {
   const std::uint32_t best = closest(tip, settings_.capture_radius, true);
@@ -86,7 +118,9 @@ void ClosestNodeContact::follow(const Vec3& tip) noexcept {
     node_ = best;
     if (node_ != none) offset_ = tip - body_.nodes[node_];
   } else if (best != none && best != node_ &&
-             (body_.nodes[best] - tip).norm() < nearer * (body_.nodes[node_] - tip).norm()) {
+             (body_.nodes[best] - tip).norm() < nearer * (body_.nodes[node_] - tip).norm() &&
+             !(depth_of(best) > depth_of(node_) + layer_step &&
+               tissues_[body_.tissues[best]].puncture_force < tissues_[body_.tissues[node_]].puncture_force)) {
     const Vec3 force = push(tip);
     node_ = best;
     offset_ = tip - body_.nodes[node_] - own_compliance(node_) * force / stiffness_scale(node_);
@@ -126,13 +160,17 @@ ClosestNodeForce ClosestNodeContact::step(const Vec3& tip) noexcept {
   if (node_ != none) {
     force_ = push(tip);
     out.tip_force = std::max(0.0, force_.dot(direction_));
-    const double strength = tissues_[body_.tissues[node_]].puncture_force;
+    anatomy::TissueId holds = body_.tissues[node_];
+    const anatomy::TissueId between = firmest_before(depth_of(node_));
+    if (tissues_[between].puncture_force > tissues_[holds].puncture_force) holds = between;
+    const double strength = tissues_[holds].puncture_force;
     if (force_.dot(direction_) < 0.0) {
       node_ = none;  // it lets go; what it meets next it meets without force
       force_.setZero();
     } else if (out.tip_force >= strength) {
-      if (strength > 0.0) out.puncture = TissuePuncture{body_.tissues[node_], depth, out.tip_force};
+      if (strength > 0.0) out.puncture = TissuePuncture{holds, depth, out.tip_force};
       punctured_[node_] = 1;
+      pass(depth_of(node_), holds);
       relaxing_ = node_;
       relaxing_force_ = force_ / stiffness_scale(node_);
       relaxed_ = 0.0;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "anatomy/condensed_body.h"
@@ -31,6 +32,10 @@ struct ClosestNodeForce {
 //   P tip, X_i node at rest, d the frozen line, S compliance of the corridor. A closer node (by 10 %) takes over with
 //   the force that there is, by its offset o. Friction: a spring that slides at the sum of length times mu_t.
 //
+// What lies behind a firmer tissue is not touched before that has given way: a node of a softer tissue deeper along
+// the line does not take over, and a layer that no node has is punctured with the first node behind it, at its own
+// F_p.
+//
 // c_i stands in for the size of the elements: a point load on a finer mesh meets less stiffness. A force that is
 // carried from a stiff node to a soft one stores more energy than before (**active**, see docs/fem-contact.md). For
 // the exact answer with all nodes of the shaft: EmbeddedNeedle. Memory is taken at construction; nothing else throws,
@@ -41,8 +46,11 @@ class ClosestNodeContact {
   ClosestNodeContact(const anatomy::CondensedBody& body, const ContactTissues& tissues,
                      const anatomy::ClosestNodeSettings& settings, double dt);
 
-  // The needle touches at `entry` and goes along the unit vector `direction`. Punctured nodes are remembered.
-  void begin(const Vec3& entry, const Vec3& direction) noexcept;
+  static constexpr double layer_step = 0.25;  // mm between the tissues that begin() is given
+  // The needle touches at `entry` and goes along the unit vector `direction`. Punctured nodes are remembered. `line`:
+  // the tissues along the line from the entry on, one every layer_step, by which a layer between two nodes is felt
+  // with the second of them; none: those of the nodes alone. As many as `longest` holds; the rest is not read.
+  void begin(const Vec3& entry, const Vec3& direction, std::span<const anatomy::TissueId> line = {}) noexcept;
   ClosestNodeForce step(const Vec3& tip) noexcept;
   void reset() noexcept;
   // Punctured is also what was so in another corridor of the same mesh. The mesh nodes of both must ascend.
@@ -62,14 +70,23 @@ class ClosestNodeContact {
   Vec3 push(const Vec3& tip) const noexcept;
   void follow(const Vec3& tip) noexcept;
   double shaft_limit(double depth) noexcept;
+  void pass(double depth, anatomy::TissueId tissue) noexcept;
+  anatomy::TissueId firmest_before(double depth) const noexcept;
+  // A deeper node has been punctured.
+  bool is_passed(std::uint32_t node) const noexcept { return tissues_along_ > 0 && depth_of(node) < deepest_; }
+  double depth_of(std::uint32_t node) const noexcept { return (body_.nodes[node] - entry_).dot(direction_); }
 
   const anatomy::CondensedBody& body_;
   ContactTissues tissues_;
   anatomy::ClosestNodeSettings settings_;
   double dt_;
   std::vector<std::uint8_t> punctured_;  // by node
-  std::vector<double> limits_;           // N of friction from the entry to each layer's end
-  std::size_t known_ = 0;                // layers
+  std::vector<anatomy::TissueId> line_;  // along the line, every layer_step; tissues_along_ of them
+  std::size_t tissues_along_ = 0;
+  double passed_ = 0.0;         // mm along the line, as far as its layers are open
+  double deepest_ = 0.0;        // mm, of the nodes that were punctured
+  std::vector<double> limits_;  // N of friction from the entry to each layer's end
+  std::size_t known_ = 0;       // layers
   bool begun_ = false, fresh_ = true;
   Vec3 entry_ = Vec3::Zero(), direction_ = Vec3::UnitZ();
   std::uint32_t node_ = none;   // i*

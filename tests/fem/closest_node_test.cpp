@@ -1,5 +1,6 @@
 #include "fem/closest_node.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "tests/fem/dense_body.h"
@@ -109,6 +110,39 @@ TEST(ClosestNodeContact, skin_is_punctured_5_mm_on_at_300_mN_per_mm) {
   EXPECT_EQ(bench.model.node_forces().count, 1u);  // the one that goes back
   for (int tick = 0; tick < 32; ++tick) bench.to(bench.place.z());
   EXPECT_EQ(bench.model.node_forces().count, 0u);
+}
+
+// Skin of 2 mm and a membrane at 16 mm, between nodes that are 11 mm apart and have none of them.
+TEST(ClosestNodeContact, a_layer_between_two_nodes_gives_way_at_its_own_force) {
+  ContactTissues tissues = default_contact_tissues();
+  CondensedBody body = coarse_body();
+  std::fill(body.tissues.begin(), body.tissues.end(), tissue::soft);
+  ClosestNodeContact model(body, tissues, coarse_settings(), 1e-3);
+  std::vector<TissueId> line(160, tissue::soft);
+  std::fill_n(line.begin(), 8, tissue::skin);
+  std::fill_n(line.begin() + 64, 2, tissue::ligamentum_flavum);
+  model.begin(Vec3::Zero(), Vec3::UnitZ(), line);
+  std::vector<TissuePuncture> punctures;
+  for (double depth = -2.0; depth < 45.0; depth += 0.01) {
+    const ClosestNodeForce force = model.step(Vec3(0.0, 0.0, depth));
+    if (force.puncture) punctures.push_back(*force.puncture);
+  }
+  ASSERT_GE(punctures.size(), 2U);
+  EXPECT_EQ(punctures[0].tissue, tissue::skin);
+  EXPECT_NEAR(punctures[0].force, 1.5, 0.01);
+  const auto firm = std::find_if(punctures.begin(), punctures.end(), [](const TissuePuncture& puncture) {
+    return puncture.tissue == tissue::ligamentum_flavum;
+  });
+  ASSERT_NE(firm, punctures.end());
+  EXPECT_NEAR(firm->force, 4.7, 0.02);
+  const std::size_t before = punctures.size();
+  model.begin(Vec3::Zero(), Vec3::UnitZ(), line);  // the same way again: it is open
+  for (double depth = -2.0; depth < 44.0; depth += 0.01) {
+    const ClosestNodeForce force = model.step(Vec3(0.0, 0.0, depth));
+    EXPECT_FALSE(force.puncture && force.puncture->tissue == tissue::ligamentum_flavum) << depth;
+    if (force.puncture) punctures.push_back(*force.puncture);
+  }
+  EXPECT_EQ(punctures.size(), before);
 }
 
 TEST(ClosestNodeContact, another_node_takes_over_at_the_same_force) {
