@@ -35,7 +35,7 @@ struct CompareArguments {
   std::string entry, target;
   std::string output;
   std::vector<std::string> models, parts;
-  std::string constraint, needle, motion;
+  std::string constraint, needle, motion, depth = "hand";
   double withdraw_speed = 0.0;
   Argument withdraw_speed_given, pause_given;
   bool no_reinsert = false;
@@ -168,6 +168,7 @@ void run_compare(const CompareArguments& arguments, const CommandContext& contex
   if (!arguments.constraint.empty()) options.constraint = io::parse_constraint(arguments.constraint, "--constraint");
   if (!arguments.parts.empty()) options.parts = io::parse_parts(arguments.parts, "--part");
   options.reinsert = !arguments.no_reinsert;
+  const report::PlottedDepth depth = report::parse_plotted_depth(arguments.depth, "--depth");
   if (!arguments.motion.empty()) {
     options.motion = study::parse_motion(arguments.motion, "--motion");
     const char* const other = arguments.withdraw_speed_given.given() ? "--withdraw-speed"
@@ -199,7 +200,7 @@ void run_compare(const CompareArguments& arguments, const CommandContext& contex
   for (const study::ModelRefused& model : comparison.refused)
     console.note(fmt::format("{} is left out: {}", model.name, model.reason));
 
-  std::vector<report::Plot> plots = report::comparison_plots(comparison, library, peak_force);
+  std::vector<report::Plot> plots = report::comparison_plots(comparison, library, peak_force, depth);
   plots[0].title = fmt::format("{}, {}, {} constraint", name,
                                arguments.motion.empty() ? fmt::format("{:g} mm/s", options.speed) : arguments.motion,
                                comparison.constraint);
@@ -248,6 +249,9 @@ void add_compare_command(CLI::App& app, CommandContext& context) {
       *command, "--motion", arguments->motion,
       "Steps of a motion, such as \"25 at 10, hold 2, 10, 45 at 5, out\": mm below the skin, target or out, each "
       "'at' mm/s (default: --speed), and 'hold' s");
+  add_text(*command, "--depth", arguments->depth,
+           "What the plot over depth counts: hand, how deep the tip has been brought, or material, how deep what it "
+           "touches lies at rest in each model (default: hand)");
   add_text(*command, "-o,--output", arguments->output, "BASE of BASE.csv and BASE.svg (default: compare)");
   on_run(*command, [arguments, &context] { run_compare(*arguments, context); });
 }

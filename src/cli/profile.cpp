@@ -7,6 +7,7 @@
 #include "report/crossings.h"
 #include "report/diagnostic_plot.h"
 #include "report/force_plot.h"
+#include "report/material_depth.h"
 #include "report/motion_plot.h"
 #include "study/straight_motion.h"
 #include <fmt/format.h>
@@ -30,7 +31,7 @@ namespace fs = std::filesystem;
 struct ProfileArguments {
   std::string folder;
   std::string entry, target;
-  std::string output, motion;
+  std::string output, motion, depth = "hand";
   Argument beyond_given, pause_given;
   study::ProfileOptions options;
   bool deformation = false;
@@ -111,6 +112,7 @@ void run_profile(const ProfileArguments& arguments, const CommandContext& contex
     if (other != nullptr) throw InputError(fmt::format("--motion says all steps; leave out {}", other));
   }
   const std::string base = arguments.output.empty() ? "profile" : arguments.output;
+  const report::PlottedDepth depth = report::parse_plotted_depth(arguments.depth, "--depth");
   for (const char* ending : {".csv", ".svg"}) require_writable(base + ending, "--output");
   if (arguments.deformation) require_writable(base + "-deformation.svg", "--output");
   anatomy::Case patient = io::load_case(arguments.folder, console.progress());
@@ -127,14 +129,21 @@ void run_profile(const ProfileArguments& arguments, const CommandContext& contex
 
   const std::vector<session::SessionEvent> events = report::events_of(profile.ticks);
   const std::vector<report::TissueCrossing> crossings = report::tissues_crossed(profile.ticks, profile.dt);
-  report::Plot plot = report::force_against_depth(profile.ticks, events, profile.dt, patient);
+  std::vector<session::RecordedDiagnostic> published;
+  for (const forces::DiagnosticName& one : profile.diagnostics)
+    published.push_back({std::string(one.name), std::string(one.title)});
+  report::Plot plot;
+  if (depth == report::PlottedDepth::material) {
+    const report::MaterialDepths inside = report::in_material(profile.ticks, events, published);
+    plot = report::force_against_depth(inside.ticks, inside.events, profile.dt, patient);
+  } else {
+    plot = report::force_against_depth(profile.ticks, events, profile.dt, patient);
+  }
+  plot.x_label = report::depth_label(depth);
   plot.title = fmt::format("{}, {}, {}", patient.description.name,
                            arguments.motion.empty() ? fmt::format("{:g} mm/s", options.speed) : arguments.motion,
                            anatomy::name_of(patient.description.haptics.resistance));
   std::vector<report::Plot> plots = {plot};
-  std::vector<session::RecordedDiagnostic> published;
-  for (const forces::DiagnosticName& one : profile.diagnostics)
-    published.push_back({std::string(one.name), std::string(one.title)});
   for (report::Plot& one : report::diagnostics_against_depth(profile.ticks, published))
     plots.push_back(std::move(one));
   if (!options.motion.empty() || options.pause > 0.0 || options.withdraw) {
@@ -183,6 +192,10 @@ void add_profile_command(CLI::App& app, CommandContext& context) {
       *command, "--motion", arguments->motion,
       "Steps of a motion, such as \"25 at 10, hold 2, 10, 45 at 5, out\": mm below the skin, target or out, each "
       "'at' mm/s (default: --speed), and 'hold' s");
+  add_text(
+      *command, "--depth", arguments->depth,
+      "What the plot counts: hand, how deep the tip has been brought, or material, how deep what it touches lies "
+      "at rest (default: hand)");
   add_text(*command, "-o,--output", arguments->output, "BASE of BASE.csv and BASE.svg (default: profile)");
   add_switch(*command, "--deformation", arguments->deformation,
              "Of a deformable body: also BASE-deformation.svg, the patient at rest and where it resisted most");

@@ -38,7 +38,7 @@ struct ReportArguments {
   std::string folder;
   std::string output;
   std::string procedure;
-  std::string experts;
+  std::string experts, depth = "hand";
   bool open = false;
 };
 
@@ -71,6 +71,7 @@ void run_report(const ReportArguments& arguments, const CommandContext& context)
     throw InputError(fmt::format("the report {} has the ending '{}', expected .html or .pdf", file.string(),
                                  file.extension().string()));
   }
+  const report::PlottedDepth depth = report::parse_plotted_depth(arguments.depth, "--depth");
   const session::Session session = session::read_session(arguments.session);
   const fs::path folder =
       arguments.folder.empty() ? fs::path(session.header.case_folder) : fs::path(arguments.folder);
@@ -94,7 +95,7 @@ void run_report(const ReportArguments& arguments, const CommandContext& context)
       changed ? training::PatientVolumes{} : training::PatientVolumes{&patient.structures, &patient.tissues};
   const training::Score score =
       training::score(session, description, procedure, volumes, experts ? &*experts : nullptr);
-  const report::Document document = report::report_document(session, patient, score, changed);
+  const report::Document document = report::report_document(session, patient, score, changed, depth);
 
   write_file(file, is_pdf ? report::pdf_of(document) : report::html_of(document));
   console.line(score.headline);
@@ -131,6 +132,9 @@ void add_report_command(CLI::App& app, CommandContext& context) {
            "The report, ending .html or .pdf (default: next to the session, ending .html)");
   add_text(*command, "--procedure", arguments->procedure, "Name or file of a procedure (default: the case's)");
   add_text(*command, "--experts", arguments->experts, "Table of attempts of experts to compare with");
+  add_text(*command, "--depth", arguments->depth,
+           "What the plot of the force counts: hand, how deep the tip was brought, or material, how deep what it "
+           "touched lies at rest (default: hand)");
   add_switch(*command, "--open", arguments->open, "Open the report when there is a display");
   on_run(*command, [arguments, &context] { run_report(*arguments, context); });
 }

@@ -32,9 +32,13 @@ struct ProvisionalSurface {
 
 // Result of one tick: the forces between a needle and a deformable body.
 struct EmbeddedNeedleForce {
-  Wrench on_hand;                      // about the tip
-  double resistance = 0.0;             // N, along the line, positive pushes the hand out
-  double tip_force = 0.0;              // N, the part of the resistance from the tissue in front of the tip
+  Wrench on_hand;               // about the tip
+  double resistance = 0.0;      // N, along the line, positive pushes the hand out
+  double tip_force = 0.0;       // N, the part of the resistance from the tissue in front of the tip
+  double material_depth = 0.0;  // mm, of the tissue at rest that the tip touches; no border beyond has given way
+  double opened_depth = -1.0;   // mm, of the deepest border on the shaft that gave way; negative: none
+  anatomy::TissueId inside = anatomy::tissue::air;  // at the tip, of contact points; air: unknown
+  anatomy::TissueId pushed = anatomy::tissue::air;  // that has to give way before the tip gets on, of contact points
   Vec3 tip_deflection = Vec3::Zero();  // mm, LPS, of a bending needle: from the tip of the pose to the needle's tip
   std::uint32_t nodes = 0;             // contact nodes on the shaft
   std::uint32_t sticking = 0;          // number of those that stick
@@ -151,6 +155,9 @@ class EmbeddedNeedle {
   }
   void start(const Vec3& entry, const Vec3& direction) noexcept;
   double provisional_force() noexcept;
+  double material_depth() const noexcept;
+  double opened_depth() const noexcept;
+  anatomy::TissueId tissue_at(double depth) const noexcept;
   bool blocked() const noexcept;
   void release_withdrawn() noexcept;
   void capture() noexcept;

@@ -5,6 +5,33 @@
 
 namespace bodkin::fem {
 
+namespace {
+
+constexpr double inside_border = 1e-6;  // mm before a border that has not given way
+
+}  // namespace
+
+// The tissue behind the tip has moved with its last contact node; what has not given way lies before the tip however
+// far the tip has come.
+double EmbeddedNeedle::material_depth() const noexcept {
+  if (captured_ == 0) return provisional_ > 0.0 || blocked() ? 0.0 : tip_;
+  const double here = tip_ - contacts_[captured_ - 1].moved;
+  return blocked() ? std::min(here, line()[captured_].depth) : here;
+}
+
+double EmbeddedNeedle::opened_depth() const noexcept {
+  for (std::size_t i = captured_; i > 0; --i)
+    if (line()[i - 1].resists) return line()[i - 1].depth;
+  return -1.0;
+}
+
+// Of the layers that the contact points know; the first one is the skin, also before it has given way.
+anatomy::TissueId EmbeddedNeedle::tissue_at(double depth) const noexcept {
+  std::size_t here = 0;
+  while (here + 1 < line().size() && line()[here + 1].depth <= depth) ++here;
+  return line()[here].tissue;
+}
+
 void EmbeddedNeedle::report() noexcept {
   const std::size_t known = constraints_.known();
   Vec3 pushed = Vec3::Zero(), torque = Vec3::Zero();  // of the tissue, about the tip, in the frame
@@ -37,6 +64,14 @@ void EmbeddedNeedle::report() noexcept {
   pushed(0) += provisional_;
   force_.resistance = pushed(0);
   force_.tip_force = known > captured_ ? forces_[3 * captured_] : provisional_;
+  force_.material_depth = material_depth();
+  force_.opened_depth = opened_depth();
+  force_.inside = force_.pushed = anatomy::tissue::air;
+  if (body_.has_contact_points() && !line().empty()) {
+    const double reached = std::max(force_.material_depth, force_.opened_depth);
+    force_.inside = tissue_at(blocked() ? std::min(reached, line()[captured_].depth - inside_border) : reached);
+    if (blocked()) force_.pushed = line()[captured_].tissue;
+  }
   force_.on_hand = {-(frame_ * pushed), -(frame_ * torque)};
   force_.beyond = begun_ && (line().empty() || tip_ > line().back().depth + 2.0 * std::max(settings_.spacing,
                                                                                            settings_.capture_radius));

@@ -37,6 +37,9 @@ struct ResistanceForce {
   // mm: how deep the tissue that touches the tip lies when nothing pushes it. Tissue that has not given way yet moves
   // with the tip, so this is less than the tip's depth. Infinite: the tip is as deep in the tissue as in space.
   double material = std::numeric_limits<double>::infinity();
+  // The tissue in which the tip is, and the one that it pushes before it, of a model that knows the layers of its
+  // line better than the voxels on the hand's; air: unknown.
+  anatomy::TissueId inside = anatomy::tissue::air, pushed = anatomy::tissue::air;
   bool in_contact = false;  // false: the needle has left the body, the line can be released
 };
 

@@ -5,6 +5,10 @@
 #include "report/crossings.h"
 #include "report/force_plot.h"
 #include "report/motion_plot.h"
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "simulation/resistance_models.h"
 
 namespace bodkin::report {
 
@@ -64,6 +68,16 @@ std::vector<PlotBand> bands_over_depth(const study::Comparison& comparison, cons
   return bands_of(tissues_crossed(ticks, comparison.dt), library);
 }
 
+// Where a model's depth in the material stands among what it publishes; of the hand's depth nothing is asked.
+std::size_t material_of(const study::ModelRun& run, PlottedDepth depth) {
+  if (depth == PlottedDepth::hand) return 0;
+  for (std::size_t i = 0; i < run.diagnostics.size(); ++i)
+    if (run.diagnostics[i].name == simulation::material_depth_name) return i;
+  throw InputError(fmt::format(
+      "--depth material: {} says nothing of it; give --needle, or take a case with mechanics=\"physical\"",
+      run.name));
+}
+
 // Where the plot over depth begins, mm: before the skin as far as any model still has a force.
 double least_depth(const study::Comparison& comparison) {
   double least = 0.0;
@@ -78,9 +92,9 @@ double least_depth(const study::Comparison& comparison) {
 }  // namespace
 
 std::vector<Plot> comparison_plots(const study::Comparison& comparison, const anatomy::TissueLibrary& library,
-                                   double peak_force) {
+                                   double peak_force, PlottedDepth depth) {
   Plot over_depth, over_time;
-  over_depth.x_label = "depth, mm (thick: insertion, thin: withdrawal)";
+  over_depth.x_label = depth_label(depth) + " (thick: insertion, thin: withdrawal)";
   over_time.x_label = "time, s";
   over_depth.y_label = over_time.y_label = "resistance, N";
   over_depth.height = 360.0;
@@ -100,9 +114,11 @@ std::vector<Plot> comparison_plots(const study::Comparison& comparison, const an
   for (std::size_t tick = 0; tick < time.size(); ++tick) time[tick] = static_cast<double>(tick) * comparison.dt;
   const double least = least_depth(comparison);
   const auto draw = [&](PlotSeries& series, const study::ModelRun& run, std::size_t part) {
+    const std::size_t published = run.diagnostics.size(), material = material_of(run, depth);
     for (std::size_t tick = comparison.first[part]; tick < comparison.first[part + 1]; ++tick) {
       if (comparison.depth[tick] < least) continue;
-      series.x.push_back(comparison.depth[tick]);
+      const bool at_rest = depth == PlottedDepth::material && comparison.depth[tick] > 0.0;
+      series.x.push_back(at_rest ? run.published[tick * published + material] : comparison.depth[tick]);
       series.y.push_back(run.force[tick]);
     }
   };

@@ -9,10 +9,18 @@ namespace bodkin::report {
 namespace {
 
 // The largest resistance of a crossing. What rises until the next tissue gives way is that tissue's, so a rise counts
-// only when it is over.
+// only when it is over; and what falls after a tissue has given way is still that tissue's.
 class PeakOfCrossing {
  public:
+  static constexpr int ticks_to_fall = 4;  // after a tissue has given way
+
   void see(const simulation::TickOutput& output, TissueCrossing& crossing) {
+    if (to_fall_ > 0 || (falls_ && output.resistance < last_)) {
+      to_fall_ = output.resistance < last_ ? 0 : to_fall_ - 1;
+      last_ = output.resistance;
+      return;
+    }
+    falls_ = false;
     if (output.resistance < last_) settle(crossing);
     last_ = output.resistance;
     if (output.resistance > rise_) {
@@ -27,12 +35,24 @@ class PeakOfCrossing {
     }
     rise_ = 0.0;
   }
-  // The rise belongs to a tissue that gave way: forgotten here.
-  void give_away() { rise_ = 0.0; }
-  void begin() { rise_ = last_ = 0.0; }
+  // Of the rise, all but `others` N belongs to a tissue that gave way.
+  void leave(double others) { rise_ = std::min(rise_, std::max(0.0, others)); }
+  void begin() {
+    rise_ = 0.0;
+    if (!falls_) last_ = 0.0;
+  }
+  // A tissue has given way at `felt` N.
+  void begin_to_fall(double felt) {
+    rise_ = 0.0;
+    last_ = felt;
+    falls_ = true;
+    to_fall_ = ticks_to_fall;
+  }
 
  private:
   double rise_ = 0.0, rise_depth_ = 0.0, last_ = 0.0;
+  bool falls_ = false;
+  int to_fall_ = 0;  // ticks left in which the fall may begin
 };
 
 }  // namespace
@@ -49,14 +69,15 @@ std::vector<TissueCrossing> tissues_crossed(std::span<const simulation::TickReco
     for (const forces::Event& event : output.events) {
       // With what the hand felt then, the tip was before the tissue until now, and the force before was its own.
       if (event.kind != forces::EventKind::puncture || event.felt == 0.0) continue;
-      peak.give_away();
       if (crossings.back().tissue != event.tissue) {
+        peak.leave(event.felt - event.value);
+        peak.settle(crossings.back());
         crossings.back().to = deepest;
         crossings.push_back({event.tissue, deepest, output.depth, 0.0, output.depth, 0.0});
       }
       crossings.back().peak_force = std::max(crossings.back().peak_force, event.felt);
       crossings.back().peak_depth = output.depth;
-      peak.begin();
+      peak.begin_to_fall(std::max(event.felt, output.resistance));
     }
     if (crossings.back().tissue != output.tissue) {
       // The face lies between the last tick in the old tissue and this one.

@@ -52,8 +52,8 @@ Table::Cell number(double value, int digits) {
 class ReportWriter {
  public:
   ReportWriter(const session::Session& session, const anatomy::Case& patient, const training::Score& score,
-               bool case_changed)
-      : session_(session), patient_(patient), score_(score), case_changed_(case_changed) {}
+               bool case_changed, PlottedDepth depth)
+      : session_(session), patient_(patient), score_(score), case_changed_(case_changed), depth_(depth) {}
 
   Document write() {
     document_.title = spoken(patient_.description.procedure.name) + ", " + patient_.description.name;
@@ -156,8 +156,15 @@ class ReportWriter {
       nothing("Nothing: it never touched the body.");
       return;
     }
-    figure(draw_plot(force_against_depth(session_.ticks, session_.events, session_.header.dt, patient_)),
-           "Resistance against depth, with the tissues as coloured bands");
+    Plot plot;
+    if (depth_ == PlottedDepth::material) {
+      const MaterialDepths inside = in_material(session_.ticks, session_.events, session_.header.diagnostics);
+      plot = force_against_depth(inside.ticks, inside.events, session_.header.dt, patient_);
+    } else {
+      plot = force_against_depth(session_.ticks, session_.events, session_.header.dt, patient_);
+    }
+    plot.x_label = depth_label(depth_);
+    figure(draw_plot(plot), "Resistance against depth, with the tissues as coloured bands");
     const std::vector<Plot> published = diagnostics_against_depth(session_.ticks, session_.header.diagnostics);
     if (!published.empty()) figure(draw_plots(published), "What the force models published, against depth");
   }
@@ -295,14 +302,15 @@ class ReportWriter {
   const anatomy::Case& patient_;
   const training::Score& score_;
   bool case_changed_;
+  PlottedDepth depth_;
   Document document_;
 };
 
 }  // namespace
 
 Document report_document(const session::Session& session, const anatomy::Case& patient, const training::Score& score,
-                         bool case_changed) {
-  return ReportWriter(session, patient, score, case_changed).write();
+                         bool case_changed, PlottedDepth depth) {
+  return ReportWriter(session, patient, score, case_changed, depth).write();
 }
 
 std::string report_html(const session::Session& session, const anatomy::Case& patient, const training::Score& score,

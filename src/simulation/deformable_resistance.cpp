@@ -9,6 +9,7 @@
 #include "fem/shaft_stiffness.h"
 #include "forces/beam.h"
 #include "forces/needle_law.h"
+#include "simulation/touching_tissue.h"
 
 namespace bodkin::simulation {
 
@@ -81,15 +82,9 @@ std::optional<fem::NeedleBeam> beam_in(const anatomy::Case& patient, const anato
                           .cut_offset = settings.cut_offset});
 }
 
-// mm along the line: the depth at rest of the node that the tip pushes before it, which is the deepest of those with
-// a force on them; infinite when it pushes none.
-double pushed_depth(const fem::NodeForces& forces, const anatomy::CondensedBody& body, double tip_force,
-                    const Vec3& entry, const Vec3& direction) noexcept {
-  if (!(tip_force > 0.0)) return std::numeric_limits<double>::infinity();
-  double deepest = 0.0;
-  for (std::size_t i = 0; i < forces.count; ++i)
-    deepest = std::max(deepest, (body.nodes[forces.nodes[i].node] - entry).dot(direction));
-  return deepest;
+// mm along the line: the depth at rest of what the tip touches, behind every border that has given way.
+double material_in(const fem::EmbeddedNeedleForce& found) noexcept {
+  return std::max(found.material_depth, found.opened_depth + 2.0 * beside_boundary);
 }
 
 // Reports a punctured tissue.
@@ -117,7 +112,7 @@ double sunk_at(const Vec3& entry, const Vec3& direction, const std::vector<Vec3>
 
 DeformableShaft::DeformableShaft(const anatomy::Case& patient, const anatomy::PreparedCorridor& corridor,
                                  const anatomy::EmbeddedNeedleSettings& settings, double dt)
-    : bone_(patient), deforms_(patient.description.haptics.mechanics == anatomy::Mechanics::physical) {
+    : bone_(patient), deforms_(goes_by_material(patient.description.haptics)) {
   const std::shared_ptr<const anatomy::CondensedBody>& body = body_in(corridor, patient);
   const double found = stiffness_on_path(*body, corridor.path, settings);
   const double rendered = std::min(found, patient.description.device.stiffness);
@@ -156,7 +151,6 @@ void DeformableShaft::begin_growing(const Vec3& entry, const Vec3& direction, bo
       entry, direction,
       {.compliance = open ? 0.0 : direction.dot(surface_compliance_ * direction), .strength = surface_strength_});
   bone_.reset();
-  entry_ = entry;
   direction_ = direction;
   beyond_ = false;
   growing_ = true;
@@ -171,7 +165,6 @@ void DeformableShaft::begin(const Vec3& entry, const Vec3& direction) noexcept {
   sunk_ = at_rest_.empty() ? 0.0 : sunk_at(entry, direction, at_rest_, *body_);
   needle_->begin(entry + sunk_ * direction, direction);
   bone_.reset();
-  entry_ = entry;
   direction_ = direction;
   beyond_ = false;
 }
@@ -186,7 +179,6 @@ fem::FollowState DeformableShaft::follow(const DeformableShaft& other) noexcept 
   const fem::FollowState state = needle_->follow(*other.needle_);
   if (state != fem::FollowState::done) return state;
   bone_ = other.bone_;
-  entry_ = other.entry_;
   direction_ = other.direction_;
   ahead_ = other.ahead_;
   beyond_ = other.beyond_;
@@ -221,14 +213,18 @@ forces::ResistanceForce DeformableShaft::step(const forces::NeedleInTissue& need
   return {.along = found.resistance + bone,
           .across = across,
           .torque = found.on_hand.torque + short_of.cross(square),
-          .material = deforms_ ? pushed_depth(needle_->node_forces(), *body_, tip_force_, entry_, direction_)
-                               : std::numeric_limits<double>::infinity(),
+          .material = deforms_ ? material_in(found) : std::numeric_limits<double>::infinity(),
+          .inside = found.beyond ? anatomy::tissue::air : found.inside,
+          .pushed = found.beyond ? anatomy::tissue::air : found.pushed,
           .in_contact = needle.motion.depth > 0.0};
 }
 
 DeformableTip::DeformableTip(const anatomy::Case& patient, const anatomy::PreparedCorridor& corridor,
                              const anatomy::ClosestNodeSettings& settings, double dt)
-    : body_(body_in(corridor, patient)), bone_(patient) {
+    : body_(body_in(corridor, patient)),
+      bone_(patient),
+      tissues_(patient.tissues),
+      line_(static_cast<std::size_t>(settings.longest / fem::ClosestNodeContact::layer_step), anatomy::tissue::air) {
   const double device = patient.description.device.stiffness;
   fem::ContactTissues tissues = tissues_in(patient);
   double firm = 0.0;
@@ -244,7 +240,11 @@ DeformableTip::DeformableTip(const anatomy::Case& patient, const anatomy::Prepar
 }
 
 void DeformableTip::begin(const Vec3& entry, const Vec3& direction) noexcept {
-  contact_->begin(entry, direction);
+  for (std::size_t i = 0; i < line_.size(); ++i) {
+    const double depth = fem::ClosestNodeContact::layer_step * static_cast<double>(i);
+    line_[i] = anatomy::nearest<anatomy::TissueId>(tissues_, Vec3(entry + depth * direction), anatomy::tissue::air);
+  }
+  contact_->begin(entry, direction, line_);
   bone_.reset();
   entry_ = entry;
   direction_ = direction;

@@ -81,8 +81,8 @@ class DeformableShaft {
   double tip_force_ = 0.0, nodes_ = 0.0;         // N, count; of the last tick
   std::unique_ptr<fem::EmbeddedNeedle> needle_;  // refers to the body
   BoneWall bone_;
-  bool deforms_;  // mechanics="physical"
-  Vec3 entry_ = Vec3::Zero(), direction_ = Vec3::UnitZ();
+  bool deforms_;  // the tip's tissue is that of the deformed material
+  Vec3 direction_ = Vec3::UnitZ();
   bool beyond_ = false;                     // the needle has left the corridor
   bool growing_ = false;                    // more contact points will come
   Mat3 surface_compliance_ = Mat3::Zero();  // mm/N, of the prepared line's first point
@@ -120,6 +120,8 @@ class DeformableTip {
   double scale_ = 1.0;
   std::shared_ptr<const anatomy::CondensedBody> body_;
   BoneWall bone_;
+  const anatomy::TissueVolume& tissues_;
+  std::vector<anatomy::TissueId> line_;  // along the line, every ClosestNodeContact::layer_step
   std::unique_ptr<fem::ClosestNodeContact> contact_;
   Vec3 entry_ = Vec3::Zero(), direction_ = Vec3::UnitZ();
 };

@@ -18,6 +18,7 @@
 #include "simulation/organ_release.h"
 #include "simulation/resistance.h"
 #include "simulation/tip_in_layers.h"
+#include "simulation/touching_tissue.h"
 
 namespace bodkin::simulation {
 
@@ -67,7 +68,8 @@ struct HapticTick::State {
         compensation(from.description.haptics.compensation),
         governor(governor_settings(from, dt, motion.threshold())),
         hub(from.description.needle.length, from.description.device.stiffness),
-        deforms(from.description.haptics.mechanics == anatomy::Mechanics::physical),
+        buckles(from.description.haptics.mechanics == anatomy::Mechanics::physical),
+        deforms(goes_by_material(from.description.haptics)),
         layers(from, resistance.passes_layers()),
         bow(from, dt),
         organs(from, dt) {
@@ -84,7 +86,8 @@ struct HapticTick::State {
   forces::GravityCompensation compensation;
   haptics::ForceGovernor governor;
   HubStop hub;
-  bool deforms;  // mechanics="physical"
+  bool buckles;  // mechanics="physical"
+  bool deforms;  // the tip's tissue is that of the deformed material
   TipInLayers layers;
   NeedleBow bow;
   OrganRelease organs;
@@ -122,11 +125,11 @@ void HapticTick::State::place_tip(forces::NeedleInTissue& needle) noexcept {
 // Tissue and events of the deformed material; N of the resistance that reach the hand.
 double HapticTick::State::follow_layers(const forces::NeedleInTissue& needle, const forces::ResistanceForce& found,
                                         TickOutput& output) noexcept {
-  output.tissue = layers.step(output.depth, found.material, needle.tissue, found.along, output.events);
+  output.tissue = layers.step(output.depth, needle.tissue, found, output.events);
   announced = output.tissue;
   announced_at = last_tip;
   anything_announced = true;
-  return bow.limited(found.along, output.tissue, output.events);
+  return buckles ? bow.limited(found.along, output.tissue, output.events) : found.along;
 }
 
 void HapticTick::State::announce_tissue(const Vec3& tip, TickOutput& output) noexcept {
@@ -240,7 +243,7 @@ TickOutput HapticTick::State::step(const TickInput& input, const Vec3& axis) noe
                                   .thumb_force = input.thumb.force(),
                                   .stylet_moved = input.other.stylet_moved,
                                   .manometer_moved = input.other.manometer_moved};
-    if (deforms) place_tip(needle);
+    if (buckles) place_tip(needle);
     output.depth = needle.motion.depth;
     const forces::ResistanceForce tissue_force = resistance.step(needle, output.events);
     stiffness = tissue_force.stiffness;

@@ -50,7 +50,7 @@ struct Resistance::State {
         names(bodkin::simulation::diagnostic_names(patient.description.haptics)),
         model_names(forces::count_of(model->traits().diagnostics)),
         tissues(patient.tissues),
-        deforms(patient.description.haptics.mechanics == anatomy::Mechanics::physical) {
+        deforms(goes_by_material(patient.description.haptics)) {
     const anatomy::ForceParts& parts = patient.description.haptics.parts;
     check_parts(parts, model->traits());
     relaxes = !parts.relaxation.empty();
@@ -71,6 +71,7 @@ struct Resistance::State {
   std::vector<forces::DiagnosticName> names;
   std::size_t model_names;  // of them those of the model, the first
   const anatomy::TissueVolume& tissues;
+  double material = 0.0;      // mm, of the last tick
   bool deforms;               // the tip's tissue is that of the deformed material
   Vec3 entry = Vec3::Zero();  // of the frozen line
 };
@@ -112,10 +113,13 @@ forces::ResistanceForce Resistance::step_held(const forces::NeedleInTissue& held
     state.friction_force = state.friction->step(held, state.found).along;
     force.along += state.friction_force;
   }
+  state.material = std::min(force.material, held.motion.depth);
   if (state.deforms && !state.others.empty()) {
     forces::NeedleInTissue inside = held;
-    inside.tissue =
-        touching_tissue(state.tissues, state.entry, state.direction, held.motion.depth, force.material, held.tissue);
+    inside.tissue = force.inside != anatomy::tissue::air
+                        ? force.inside
+                        : touching_tissue(state.tissues, state.entry, state.direction, held.motion.depth,
+                                          force.material, held.tissue);
     for (const auto& part : state.others) part->step(inside, force, state.found);
   } else {
     for (const auto& part : state.others) part->step(held, force, state.found);
@@ -166,6 +170,7 @@ void Resistance::publish(forces::Diagnostics& values) const noexcept {
   if (state.friction) values[at++] = state.friction_force;
   if (state.grasp) values[at++] = state.grip;
   for (const auto& part : state.others) at += part->publish(std::span(values).subspan(at));
+  if (at < state.names.size()) values[at] = state.material;
 }
 
 BodyPort* Resistance::body() noexcept {

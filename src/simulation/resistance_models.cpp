@@ -20,6 +20,7 @@
 #include "simulation/corridors.h"
 #include "simulation/deformable_resistance.h"
 #include "simulation/force_part.h"
+#include "simulation/touching_tissue.h"
 
 namespace bodkin::simulation {
 
@@ -107,6 +108,8 @@ std::vector<forces::DiagnosticName> diagnostic_names(const anatomy::HapticSettin
   if (haptics.parts.shaft_friction) names.push_back({"shaft_friction_N", "friction of the shaft"});
   if (haptics.parts.needle_grasp) names.push_back({"grip", "factor on the friction of the shaft"});
   for (const forces::DiagnosticName& name : force_part_diagnostics(haptics.parts)) names.push_back(name);
+  if (goes_by_material(haptics) && names.size() < forces::most_diagnostics)
+    names.push_back({material_depth_name, "depth in the tissue at rest"});
   return names;
 }
 

@@ -47,7 +47,9 @@ void register_resistance() {
 }
 
 // What the resistance of the settings and its parts publish each tick, in their order in TickOutput::diagnostics.
+// The last is the depth in the material where the models go by it (goes_by_material).
 std::vector<forces::DiagnosticName> diagnostic_names(const anatomy::HapticSettings& haptics);
+inline constexpr std::string_view material_depth_name = "material_mm";
 
 // The resistance that the description of the patient names.
 std::unique_ptr<AnyResistance> make_resistance(const anatomy::Case& patient, double dt);

@@ -19,8 +19,10 @@ constexpr double least_change = 0.2;   // mm on the way out before a change of t
 
 TipInLayers::TipInLayers(const anatomy::Case& patient, bool passes_layers)
     : tissues_(patient.tissues), passes_layers_(passes_layers) {
-  for (const anatomy::TissueProperties& tissue : patient.library.tissues())
+  for (const anatomy::TissueProperties& tissue : patient.library.tissues()) {
     strength_[tissue.id] = forces::puncture_force(tissue.physical, patient.description.needle);
+    rigid_[tissue.id] = tissue.layered.kind == anatomy::LayeredKind::rigid;
+  }
 }
 
 void TipInLayers::begin(const Vec3& entry, const Vec3& direction) noexcept {
@@ -36,13 +38,29 @@ void TipInLayers::enter(anatomy::TissueId tissue, double depth, forces::TickEven
   events.push({forces::EventKind::tissue_entered, tissue, depth, 0.0});
 }
 
-anatomy::TissueId TipInLayers::step(double depth, double material, anatomy::TissueId at_tip, double resistance,
+// Of a model that says itself in which tissue the tip is. Bone is where the hand is.
+anatomy::TissueId TipInLayers::step_known(double depth, anatomy::TissueId at_tip,
+                                          const forces::ResistanceForce& found, forces::TickEvents& events) noexcept {
+  const anatomy::TissueId inside = rigid_[at_tip] ? at_tip : found.inside;
+  felt_ = found.pushed != anatomy::tissue::air ? found.pushed : inside;
+  const bool returns = depth < depth_;
+  depth_ = depth;
+  const bool is_far = !returns || std::abs(announced_at_ - depth) > least_change;
+  if (inside != announced_ && is_far) {
+    enter(inside, depth, events);
+    announced_at_ = depth;
+  }
+  return announced_;
+}
+
+anatomy::TissueId TipInLayers::step(double depth, anatomy::TissueId at_tip, const forces::ResistanceForce& found,
                                     forces::TickEvents& events) noexcept {
-  const double before = std::max(resistance_, 0.0);
-  resistance_ = resistance;
+  const double before = std::max(resistance_, 0.0), material = found.material;
+  resistance_ = found.along;
   for (forces::Event& event : events.all()) {
     if (event.kind == forces::EventKind::puncture && event.felt == 0.0) event.felt = std::max(before, event.value);
   }
+  if (found.inside != anatomy::tissue::air) return step_known(depth, at_tip, found, events);
   const anatomy::TissueId inside = touching_tissue(tissues_, entry_, direction_, depth, material, at_tip);
   felt_ = pushed_tissue(tissues_, entry_, direction_, depth, material, at_tip);
   // A thin ligament that moves as a whole lies between what the tip pushes and the tip.

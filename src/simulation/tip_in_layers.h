@@ -4,6 +4,7 @@
 
 #include "anatomy/case.h"
 #include "forces/events.h"
+#include "forces/resistance_model.h"
 
 namespace bodkin::simulation {
 
@@ -15,19 +16,22 @@ class TipInLayers {
   TipInLayers(const anatomy::Case& patient, bool passes_layers);
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
-  // One tick in contact. `depth`: of the tip; `material`: of what touches it, at rest, mm; `at_tip`: tissue in the CT
-  // at the tip; `resistance`: N along the needle, of this tick. Completes the punctures among `events`, and appends
-  // punctures of models that pass layers, and tissue_entered. Returns the tissue that the tip is in.
-  anatomy::TissueId step(double depth, double material, anatomy::TissueId at_tip, double resistance,
+  // One tick in contact. `depth`: mm, of the tip; `at_tip`: tissue in the CT at the tip; `found`: of this tick.
+  // Completes the punctures among `events`, and appends punctures of models that pass layers, and tissue_entered.
+  // Returns the tissue that the tip is in.
+  anatomy::TissueId step(double depth, anatomy::TissueId at_tip, const forces::ResistanceForce& found,
                          forces::TickEvents& events) noexcept;
   // The tissue that the tip is in or pushes before it: a ligament that it pushes is being felt.
   anatomy::TissueId felt() const noexcept { return felt_; }
 
  private:
+  anatomy::TissueId step_known(double depth, anatomy::TissueId at_tip, const forces::ResistanceForce& found,
+                               forces::TickEvents& events) noexcept;
   void enter(anatomy::TissueId tissue, double depth, forces::TickEvents& events) noexcept;
 
   const anatomy::TissueVolume& tissues_;
   bool passes_layers_;
+  std::array<bool, 256> rigid_{};       // 256, by TissueId
   std::array<double, 256> strength_{};  // N, F_p of the needle, 256, by TissueId
   Vec3 entry_ = Vec3::Zero(), direction_ = Vec3::UnitZ();
   double depth_ = 0.0;       // mm, of the tip in the last tick

@@ -25,9 +25,14 @@ bool is_rigid(const anatomy::TissueLibrary& library, anatomy::TissueId id) {
   return tissue != nullptr && tissue->layered.kind == anatomy::LayeredKind::rigid;
 }
 
-double puncture_force(const anatomy::TissueLibrary& library, anatomy::TissueId id) {
-  const anatomy::TissueProperties* tissue = library.find(id);
-  return tissue == nullptr ? 0.0 : tissue->deformable.puncture_force;
+// N; with mechanics="physical" of the tissue's reference needle, which is enough to tell which of two bears more.
+double puncture_force(const anatomy::Case& patient, anatomy::TissueId id) {
+  const anatomy::TissueProperties* tissue = patient.library.find(id);
+  if (tissue == nullptr) return 0.0;
+  const bool is_physical = patient.description.haptics.mechanics == anatomy::Mechanics::physical;
+  const anatomy::PhysicalTissue& is = tissue->physical;
+  return is_physical && (is.puncture_force > 0.0 || is.friction > 0.0) ? is.puncture_force
+                                                                       : tissue->deformable.puncture_force;
 }
 
 // Down to the first rigid tissue that is thick enough to be a layer, which is the last piece then.
@@ -94,7 +99,7 @@ std::vector<NeedleStation> stations_along(const anatomy::NeedlePath& path, doubl
   std::vector<NeedleStation> stations;
   double before = 0.0;
   for (const Piece& piece : pieces) {
-    const double force = puncture_force(patient.library, piece.tissue);
+    const double force = puncture_force(patient, piece.tissue);
     const auto add = [&](double depth, bool border) {
       const Vec3 place = path.entry + depth * path.direction();
       stations.push_back({place, depth, piece.tissue, border, border && force > before});

@@ -1,0 +1,140 @@
+// Whether the epidural space can be found by feeling in the deformable body of the default patient.
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "patient/prepared_body.h"
+#include "session/operator_file.h"
+#include "tests/cli/bodkin_command.h"
+#include "tests/cli/mesher_rig.h"
+#include <nlohmann/json.hpp>
+
+#include "core/thread_pool.h"
+#include "io/case_folder.h"
+#include "simulation/closed_loop.h"
+
+namespace bodkin_test {
+namespace {
+
+using namespace ::bodkin;
+using nlohmann::json;
+
+constexpr int seeds = 100;
+constexpr double at_rest = 0.4;          // mm, within which the tip stays
+constexpr double long_enough = 0.7;      // s
+constexpr double longest_search = 60.0;  // s
+
+// The default patient with a mesh, as `bodkin case synthesize lumbar` and `bodkin case mesh` make them.
+class EpiduralSpace : public BodkinCommand {
+ protected:
+  static void SetUpTestSuite() {
+    BodkinCommand::SetUpTestSuite();
+    if (!mesher_built) return;
+    setenv("BODKIN_MESHER_WORKER", BODKIN_BUILD "/bin/bodkin-mesher", 1);
+    made_ =
+        bodkin("-q case synthesize lumbar patient").exit_code == 0 && bodkin("-q case mesh patient").exit_code == 0;
+  }
+  void SetUp() override {
+    BODKIN_NEEDS_MESHER();
+    ASSERT_TRUE(made_);
+  }
+
+  // Along the planned path, without feeling, past the dura.
+  static json profile(const std::string& mechanics) {
+    const Outcome found = bodkin(
+        "-q --json profile patient --beyond 6 --constraint none --resistance "
+        "'embedded_needle contact=points' -o " +
+        mechanics + " --mechanics " + mechanics);
+    EXPECT_EQ(found.exit_code, 0) << found.errors;
+    return json::parse(found.output);
+  }
+
+  static inline bool made_ = false;
+};
+
+// mm, depth of the hand's tip at the first event whose text begins so; negative: there is none.
+double depth_of(const json& profile, const std::string& text) {
+  for (const json& event : profile.at("events"))
+    if (event.at("text").get<std::string>().rfind(text, 0) == 0) return event.at("depth_mm").get<double>();
+  return -1.0;
+}
+
+double force_of(const json& profile, const std::string& text) {
+  for (const json& event : profile.at("events"))
+    if (event.at("text").get<std::string>().rfind(text, 0) == 0) return event.at("value_N").get<double>();
+  return -1.0;
+}
+
+constexpr double least_space = 2.5;  // mm of the hand between the loss of resistance and the dura
+
+// Whether the operator rests in the epidural space: after the loss of resistance and before the dura has given way.
+bool finds_the_space(const anatomy::Case& patient, const simulation::OperatorScript& script, std::uint64_t seed) {
+  simulation::ClosedLoop loop(patient, script, *patient.description.procedure.path, seed);
+  simulation::TickRecord record;
+  bool lost = false;
+  double rest = 0.0, least = 0.0, most = 0.0;  // s; mm
+  for (double time = 0.0; time < longest_search && !loop.finished(); time += loop.dt()) {
+    loop.step(record);
+    for (const forces::Event& event : record.output.events) {
+      if (event.kind == forces::EventKind::loss_of_resistance) lost = true;
+      if (event.kind == forces::EventKind::puncture && event.tissue == anatomy::tissue::dura) return false;
+    }
+    const double depth = record.output.depth;
+    least = std::min(least, depth);
+    most = std::max(most, depth);
+    rest += loop.dt();
+    if (!lost || record.output.tissue != anatomy::tissue::epidural_fat || most - least > at_rest) {
+      least = most = depth;
+      rest = 0.0;
+    }
+    if (rest >= long_enough) return true;
+  }
+  return false;
+}
+
+int found_by(const anatomy::Case& patient, const std::string& name) {
+  const simulation::OperatorScript script = session::load_operator(name);
+  std::vector<char> found(seeds, 0);
+  ThreadPool(2).run(seeds,
+                    [&](std::size_t seed) { found[seed] = finds_the_space(patient, script, seed + 1) ? 1 : 0; });
+  return static_cast<int>(std::count(found.begin(), found.end(), 1));
+}
+
+TEST_F(EpiduralSpace, each_layer_gives_way_by_itself_at_its_force) {
+  // The forces of the tables; the physical description's for a 22G quincke needle (docs/needle-forces.md).
+  const std::vector<std::pair<std::string, std::vector<double>>> expected = {{"tables", {1.5, 4.7, 0.9}},
+                                                                             {"physical", {1.22, 1.41, 0.9}}};
+  for (const auto& [mechanics, force] : expected) {
+    const json found = profile(mechanics);
+    EXPECT_NEAR(force_of(found, "skin gives way"), force[0], 0.02) << mechanics;
+    EXPECT_NEAR(force_of(found, "ligamentum flavum gives way"), force[1], 0.02) << mechanics;
+    EXPECT_NEAR(force_of(found, "dura gives way"), force[2], 0.02) << mechanics;
+    const double skin = depth_of(found, "skin gives way"), flavum = depth_of(found, "ligamentum flavum gives way");
+    const double loss = depth_of(found, "loss of resistance"), dura = depth_of(found, "dura gives way");
+    // In the patient at rest the ligamentum flavum begins at 41.3 mm, the dura at 49.4 mm.
+    EXPECT_GT(skin, 2.5) << mechanics;
+    EXPECT_LT(skin, 5.5) << mechanics;
+    EXPECT_GT(flavum, 43.0) << mechanics;
+    EXPECT_LT(flavum, 48.5) << mechanics;
+    EXPECT_GE(loss, flavum) << mechanics;
+    EXPECT_GT(dura - loss, least_space) << mechanics;
+    EXPECT_GT(dura, 49.4 + 2.0) << mechanics << ": Zarzur and Goncalves 1992, 2 to 6 mm";
+    EXPECT_LT(dura, 49.4 + 6.0) << mechanics;
+    EXPECT_GT(depth_of(found, "the tip enters cerebrospinal fluid"), dura - 1e-3) << mechanics;
+    EXPECT_GT(depth_of(found, "the tip enters epidural space"), flavum - 1e-3) << mechanics;
+  }
+}
+
+TEST_F(EpiduralSpace, experts_find_it_in_the_deformable_body_and_novices_mostly_do_not) {
+  anatomy::Case patient = io::load_case(folder_ / "patient");
+  patient.description.haptics.resistance =
+      anatomy::EmbeddedNeedleSettings{.contact = anatomy::NeedleContactKind::points};
+  patient::prepare_body(patient, folder_ / "patient", {}, {}, {});
+  EXPECT_GE(found_by(patient, "expert"), 95);
+  EXPECT_GE(found_by(patient, "expert_epidural"), 95);
+  EXPECT_LT(found_by(patient, "novice"), 50);
+}
+
+}  // namespace
+}  // namespace bodkin_test
