@@ -74,6 +74,7 @@ MainWindow::MainWindow(const std::filesystem::path& folder)
       pause_(new PauseCard(pages_)),
       results_(new ResultsCard(pages_)),
       keys_(new KeysCard(this)),
+      about_(new AboutCard(this)),
       palette_(new Palette(this)),
       tour_(new Tour(practise_, &practise_->view3d())),
       ultrasound_(new UltrasoundPage(folder)) {
@@ -197,7 +198,13 @@ void MainWindow::connect_cards() {
     if (practice_.result()) review(practice_.result()->session);
   });
   connect(results_, &ResultsCard::leave_requested, this, [this] { practice_.leave(); });
+  connect(results_, &ResultsCard::look_requested, this, [this] {
+    results_->hide();
+    practice_.say(tr("The ring is where it was planned. Esc brings the results back.").toStdString());
+  });
   connect(keys_, &KeysCard::closed, keys_, &QWidget::hide);
+  connect(about_, &AboutCard::closed, about_, &QWidget::hide);
+  connect(start_, &StartPage::about_requested, this, &MainWindow::show_about);
 }
 
 // Every page of its own has its line here.
@@ -217,7 +224,10 @@ void MainWindow::add_pages() {
   add_page(new SegmentPage, tr("Structures"), tr("Correct the structures of the segmentation, or make new ones"));
   devices_ = new DevicesPage;
   add_page(devices_, tr("Devices"), tr("What holds the needle: find, check, calibrate"));
-  add_page(new AtlasPage(data_folder()), tr("Acupuncture"), tr("Points and meridians on a whole body"));
+  auto* const atlas = new AtlasPage(data_folder());
+  connect(atlas, &AtlasPage::needling_requested, this,
+          [this](const QString& folder, const Vec3& place) { needle_found_point(folder.toStdString(), place); });
+  add_page(atlas, tr("Acupuncture"), tr("Points and meridians on a whole body"));
   connect(devices_, &DevicesPage::use_requested, this, &MainWindow::use_device);
   auto* const models = new ModelsPage;
   connect(models, &ModelsPage::settings_chosen, this,
@@ -317,18 +327,6 @@ void MainWindow::open(const std::filesystem::path& patient) {
   practice_.choose(patient);
 }
 
-void MainWindow::practise_procedure(const QString& name) {
-  const PracticePatient* const patient = find_practice_patient(name.toStdString());
-  if (patient == nullptr) return;
-  if (patient->with_ultrasound && practice_.state() == State::no_case) {
-    asked_ultrasound_.reset();
-    has_ultrasound_ = true;  // from the first attempt on
-    practice_.set_ultrasound(usual_ultrasound(true));
-    bar_->set_ultrasound(true);
-  }
-  practice_.choose_practice(*patient);
-}
-
 void MainWindow::follow(const std::string& server, const std::filesystem::path& patient) {
   link::ClientSettings settings = link::parse_server(server, "--connect");
   settings.largest_queue = std::size_t{1} << 16U;      // commands alone
@@ -360,6 +358,7 @@ void MainWindow::draw(double clock) {
     if (stage_ && shown_ != nullptr) begin_stage();
   }
   advance_plan(frame);
+  follow_found_point();
   if (wanted_page_ != nullptr && shown_ != nullptr && frame.state == State::ready) show_page(wanted_page_->id());
   if (practice_.state() == State::no_case) wanted_page_ = nullptr;  // the patient could not be opened
   if (frame.state != shown_state_ || practice_.failure() != shown_failure_) {
@@ -377,7 +376,8 @@ void MainWindow::draw(double clock) {
                           in_words(practice_.failure().empty() ? practice_.completion() : practice_.failure()));
   }
   bar_->show_frame(frame, practice_.changes());
-  const Frame allowed = stage_ ? allowed_frame(frame, stage_->aids) : frame;
+  const training::PlanAids* const aids = stage_ ? &stage_->aids : seeking_aids_ ? &*seeking_aids_ : nullptr;
+  const Frame allowed = aids != nullptr ? allowed_frame(frame, *aids) : frame;
   sounds_.follow(allowed);
   tour_->show_frame(frame);
   if (page_ != nullptr) page_->advance(clock);
@@ -428,6 +428,7 @@ void MainWindow::show_state() {
 void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
   keys_->setGeometry(rect());
+  about_->setGeometry(rect());
   palette_->setGeometry(rect());
   for (QWidget* card :
        {static_cast<QWidget*>(preparing_), static_cast<QWidget*>(pause_), static_cast<QWidget*>(results_)})

@@ -25,6 +25,7 @@ namespace bodkin::app {
 
 using namespace views;
 
+class AboutCard;
 class DevicesPage;
 class KeysCard;
 class PauseCard;
@@ -58,6 +59,9 @@ class MainWindow : public QMainWindow {
   void perform(const std::filesystem::path& patient, const AttemptOptions& options);
   void scan(const std::filesystem::path& patient, const station::UltrasoundRequest& request,
             const std::filesystem::path& output);
+  // The needle goes in where a point was found on the body; the way to the true one is hidden until the attempt is
+  // over.
+  void needle_found_point(const std::filesystem::path& patient, const Vec3& place);
   void run(Command command);
   // Start and practise follow the practice; the others stand over it, and an attempt pauses meanwhile.
   void show_page(PageId id);
@@ -94,6 +98,8 @@ class MainWindow : public QMainWindow {
   void advance_plan(const Frame& frame);
   void take_attempt(const AttemptResult& result);
   void another_attempt();
+  void show_about();
+  void follow_found_point();
   // Where a stage of a plan does not allow the page: false, and why is said.
   bool may_show(PageId id);
   void use_device(const QString& driver, const QString& identity);
@@ -120,6 +126,7 @@ class MainWindow : public QMainWindow {
   PauseCard* pause_;
   ResultsCard* results_;
   KeysCard* keys_;
+  AboutCard* about_;
   ReviewPage* review_ = nullptr;
   DevicesPage* devices_ = nullptr;
   Palette* palette_;
@@ -137,6 +144,8 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<TrainingRun> run_;          // the plan that is followed
   std::optional<training::PlanStage> stage_;  // of the attempts now; nothing: they belong to no plan
   int stage_number_ = 0;
+  std::optional<training::PlanAids> seeking_aids_;  // of a point that the trainee has found himself
+  std::optional<Vec3> found_place_;                 // of it, until the needle is there
   StepFollower steps_;
   QString plan_words_;                                         // how far it is, on strip and card
   std::optional<station::UltrasoundChoice> asked_ultrasound_;  // instead of the usual one

@@ -34,9 +34,11 @@ void MainWindow::run(Command command) {
     case Command::back:
       if (palette_->isVisible()) return palette_->hide();
       if (keys_->isVisible()) return keys_->hide();
+      if (about_->isVisible()) return about_->hide();
       if (page_ != nullptr && page_->press(QKeySequence(Qt::Key_Escape))) return;  // it has closed something itself
       if (page_ != nullptr) return show_page(shown_ != nullptr ? PageId::practise : PageId::start);
       if (practice_.state() == State::preparing) return practice_.cancel();
+      if (practice_.state() == State::ended && results_->isHidden()) return results_->show();
       if (practice_.state() == State::ended) return practice_.leave();
       return practice_.pause(practice_.state() != State::paused);
     case Command::open_patient:
@@ -117,6 +119,24 @@ void MainWindow::run(Command command) {
     case Command::of_the_page:
       return;
   }
+}
+
+void MainWindow::show_about() {
+  about_->setGeometry(rect());
+  about_->show();
+  about_->raise();
+}
+
+void MainWindow::practise_procedure(const QString& name) {
+  const PracticePatient* const patient = find_practice_patient(name.toStdString());
+  if (patient == nullptr) return;
+  if (patient->with_ultrasound && practice_.state() == State::no_case) {
+    asked_ultrasound_.reset();
+    has_ultrasound_ = true;  // from the first attempt on
+    practice_.set_ultrasound(usual_ultrasound(true));
+    bar_->set_ultrasound(true);
+  }
+  practice_.choose_practice(*patient);
 }
 
 void MainWindow::show_moving(bool on) {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <exception>
 
+#include "app/hand/aim.h"
 #include "app/main_window.h"
 #include "app/pages/cards.h"
 #include "app/pages/practise.h"
@@ -23,6 +24,8 @@ namespace {
 // Pages that show or change what a stage is about.
 constexpr std::array closed_pages = {PageId::plan,    PageId::scan,   PageId::volume,
                                      PageId::segment, PageId::models, PageId::ultrasound};
+
+constexpr double found_reach = 30.0;  // mm about a found place in which its skin is looked for
 
 bool is_closed(PageId id) {
   return std::find(closed_pages.begin(), closed_pages.end(), id) != closed_pages.end();
@@ -165,6 +168,46 @@ void MainWindow::advance_plan(const Frame& frame) {
                                                                       : is_over            ? tr("The plan   A")
                                                                                            : tr("Next stage   A"));
   }
+}
+
+void MainWindow::needle_found_point(const std::filesystem::path& patient, const Vec3& place) {
+  leave_stage();
+  if (practice_.state() != State::no_case) practice_.leave();
+  leave_page();
+  training::PlanStage stage;
+  stage.aids.overlay = false;
+  practice_.set_stage(stage);
+  practise_->set_aids(stage.aids);
+  seeking_aids_ = stage.aids;
+  found_place_ = place;
+  open(patient);
+}
+
+// The needle to where the point was found, once; and everything may be seen again when the patient is left.
+void MainWindow::follow_found_point() {
+  if (!seeking_aids_) return;
+  const State state = practice_.state();
+  if (state == State::no_case || stage_) {
+    seeking_aids_.reset();
+    found_place_.reset();
+    if (!stage_) {
+      practice_.set_stage({});
+      practise_->set_aids({.ultrasound = true});
+    }
+    return;
+  }
+  if (!found_place_ || state != State::ready || practice_.patient() == nullptr) return;
+  const anatomy::TissueVolume& tissues = practice_.patient()->patient.tissues;
+  const anatomy::NeedlePath& path = *practice_.patient()->description().procedure.path;
+  // The skin under the place: the body of the atlas is drawn coarser than that of the case.
+  const Vec3 inwards = path.direction();
+  if (const auto skin = skin_on_ray(tissues, *found_place_ - found_reach * inwards, inwards, 2.0 * found_reach)) {
+    practice_.aim(*skin);
+    practice_.put_down();
+    practice_.say(
+        tr("The needle is where you found the point. Push; the true point is shown when you end.").toStdString());
+  }
+  found_place_.reset();
 }
 
 }  // namespace bodkin::app

@@ -22,6 +22,22 @@ QString letters_of(const Vec3& direction) {
   return QString::fromStdString(imaging::direction_letters(direction));
 }
 
+// The end of the cord, which a lumbar puncture must stay below, in the planes that pass near it.
+void draw_conus(QPainter& painter, const SliceView& view, const OpenCase& patient) {
+  constexpr double near_the_end = 6.0;                  // mm
+  constexpr double gap = 5.0, stroke = 22.0, up = 4.0;  // pixels
+  const imaging::SlicePlane now = view.plane();
+  for (const anatomy::Landmark& landmark : patient.description().landmarks) {
+    if (landmark.name != "conus" || std::abs(now.distance(landmark.position)) > near_the_end) continue;
+    const QPointF at = view.to_widget(landmark.position);
+    if (!view.rect().adjusted(20, 30, -60, -30).contains(at.toPoint())) continue;
+    const QColor ink = Theme::dark().caution;
+    draw_line_on_picture(painter, at + QPointF(gap, 0.0), at + QPointF(stroke, 0.0), ink, 1.5, 1.0);
+    set_font(painter, label_size, true);
+    draw_text_on_picture(painter, at + QPointF(stroke + up, up), SliceView::tr("conus"), ink);
+  }
+}
+
 }  // namespace
 
 QColor SliceView::colour() const {
@@ -65,6 +81,7 @@ void SliceView::paintEvent(QPaintEvent* /*event*/) {
     draw_trails(painter);
     draw_left_needles(painter);
     draw_needle(painter);
+    if (look_.tints) draw_conus(painter, *this, *patient_);
     draw_measures(painter);
   }
   draw_words(painter);

@@ -75,6 +75,34 @@ TEST(SliceView, the_slice_at_the_tip_shows_the_voxel_of_the_tip) {
   }
 }
 
+TEST(SliceView, the_conus_is_lettered_in_the_planes_that_pass_near_it) {
+  const auto amber = [](const std::shared_ptr<const OpenCase>& patient, SliceKind kind, bool tints) {
+    SliceView view(kind);
+    view.resize(400, 300);
+    view.set_case(patient);
+    SliceLook look = view.look();
+    look.tints = tints;
+    view.set_look(look);
+    view.show_frame(frame_at(20.0), Changes::all());
+    const QImage picture = view.grab().toImage();
+    const QColor ink = Theme::dark().caution;
+    // To the right of the place, where the word stands.
+    const QPoint at = view.to_widget(patient->description().landmarks.front().position).toPoint();
+    int pixels = 0;
+    for (int y = at.y() - 12; y < at.y() + 12; ++y)
+      for (int x = at.x() + 4; x < at.x() + 70; ++x)
+        if (picture.rect().contains(x, y)) pixels += picture.pixelColor(x, y) == ink ? 1 : 0;
+    return pixels;
+  };
+  OpenCase with_conus = *bodkin_test::layered_patient();
+  const Vec3 tip = frame_at(20.0).needle.translation();
+  with_conus.patient.description.landmarks = {{"conus", tip + Vec3(1.0, -8.0, 12.0)}};
+  const auto patient = std::make_shared<const OpenCase>(with_conus);
+  EXPECT_GT(amber(patient, SliceKind::sagittal, true), 15);
+  EXPECT_EQ(amber(patient, SliceKind::axial, true), 0) << "12 mm from the plane";
+  EXPECT_EQ(amber(patient, SliceKind::sagittal, false), 0) << "the CT alone";
+}
+
 TEST(SliceView, the_needle_is_white_along_the_computed_line) {
   Frame frame = frame_at(25.0);
   const Vec3 axis = Vec3(0.0, -0.95, 0.3).normalized();

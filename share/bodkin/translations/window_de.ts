@@ -2,7 +2,50 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>AboutCard</name>
+    <message>
+        <source>A simulator and trainer for needle procedures: forces, images and training. For training, not for treatment.</source>
+        <translation>Ein Simulator und Trainer für Eingriffe mit der Nadel: Kräfte, Bilder und Übung. Zum Üben, nicht zum Behandeln.</translation>
+    </message>
+    <message>
+        <source>Free software under the Apache License 2.0, without any warranty.</source>
+        <translation>Freie Software unter der Apache-Lizenz 2.0, ohne jede Gewähr.</translation>
+    </message>
+    <message>
+        <source>Compiler</source>
+        <translation>Übersetzer</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>Betriebssystem</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>The versions as text, for a report of a fault</source>
+        <translation>Die Versionen als Text, für die Meldung eines Fehlers</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Back (Esc)</source>
+        <translation>Zurück (Esc)</translation>
+    </message>
+</context>
+<context>
     <name>AtlasPage</name>
+    <message>
+        <source>And needle it</source>
+        <translation>Und nadeln</translation>
+    </message>
+    <message>
+        <source>Where you show the point, the needle goes in; the true point is shown afterwards</source>
+        <translation>Wo Sie den Punkt zeigen, geht die Nadel hinein; der wahre Punkt wird danach gezeigt</translation>
+    </message>
     <message>
         <source>Code, name or meridian</source>
         <translation>Code, Name oder Meridian</translation>
@@ -666,6 +709,14 @@
 </context>
 <context>
     <name>MainWindow</name>
+    <message>
+        <source>The ring is where it was planned. Esc brings the results back.</source>
+        <translation>Der Ring zeigt, wo es geplant war. Esc bringt die Ergebnisse zurück.</translation>
+    </message>
+    <message>
+        <source>The needle is where you found the point. Push; the true point is shown when you end.</source>
+        <translation>Die Nadel ist dort, wo Sie den Punkt gefunden haben. Stechen Sie; der wahre Punkt wird am Ende gezeigt.</translation>
+    </message>
     <message>
         <source>Plan</source>
         <translation>Plan</translation>
@@ -1406,6 +1457,14 @@
 </context>
 <context>
     <name>ResultsCard</name>
+    <message>
+        <source>See where</source>
+        <translation>Ansehen, wo</translation>
+    </message>
+    <message>
+        <source>The card away: the needle and the planned point in the views (Esc brings it back)</source>
+        <translation>Die Karte weg: die Nadel und der geplante Punkt in den Ansichten (Esc bringt sie zurück)</translation>
+    </message>
     <message>
         <source>Passed</source>
         <translation>Bestanden</translation>
@@ -2156,6 +2215,10 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
 <context>
     <name>SliceView</name>
     <message>
+        <source>conus</source>
+        <translation>Konus</translation>
+    </message>
+    <message>
         <source>%1 slice. Left drag: crosshair. Right drag: window. Middle drag: move. Ctrl and wheel: zoom. Alt and wheel: scroll. M measures a distance, Q an angle.</source>
         <translation>Schicht %1. Links ziehen: Fadenkreuz. Rechts ziehen: Fenster. Mitte ziehen: verschieben. Strg und Mausrad: vergrößern. Alt und Mausrad: blättern. M misst einen Abstand, Q einen Winkel.</translation>
     </message>
@@ -2258,6 +2321,14 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
 </context>
 <context>
     <name>StartPage</name>
+    <message>
+        <source>About, version %1</source>
+        <translation>Über Bodkin, Version %1</translation>
+    </message>
+    <message>
+        <source>Versions of Bodkin and its libraries, and the licence</source>
+        <translation>Versionen von Bodkin und seinen Bibliotheken, und die Lizenz</translation>
+    </message>
     <message>
         <source>The window in this language, now and the next time</source>
         <translation>Das Fenster in dieser Sprache, jetzt und beim nächsten Mal</translation>

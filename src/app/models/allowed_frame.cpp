@@ -4,7 +4,8 @@ namespace bodkin::app {
 
 Frame allowed_frame(const Frame& frame, const training::PlanAids& aids) {
   Frame allowed = frame;
-  if (!aids.overlay) {
+  // When the attempt is over, everybody may see where it should have gone.
+  if (!aids.overlay && frame.state != State::ended) {
     allowed.plan.reset();
     allowed.plan_broken.clear();
     allowed.target_distance = allowed.off_path = allowed.off_angle = 0.0;

@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <random>
+#include <utility>
 
 #include "views/atlas_view.h"
 
@@ -18,6 +19,7 @@ using namespace views;
 namespace {
 
 constexpr int side_width = 316;
+constexpr double farthest_needled = 60.0;  // mm off the point: within the block about it
 
 QString text(const std::string& words) {
   return QString::fromStdString(words);
@@ -83,6 +85,9 @@ QWidget* AtlasPage::make_side() {
       button(tr("Practise this point"), "atlas.practise", tr("Needle it in a block of the body about it"), *rows);
   needle_->setProperty("role", QStringLiteral("primary"));
   find_ = button(tr("Find points"), "atlas.find", tr("A point is named, you show it on the body (N)"), *rows);
+  both_ = button(tr("And needle it"), "atlas.both",
+                 tr("Where you show the point, the needle goes in; the true point is shown afterwards"), *rows);
+  both_->setCheckable(true);
   again_ = button(tr("The same again"), "atlas.again", tr("Show the same point once more (A)"), *rows);
   stop_ = button(tr("Back to the atlas"), "atlas.stop", tr("Stop being asked (Esc)"), *rows);
   score_ = new QLabel;
@@ -95,6 +100,7 @@ QWidget* AtlasPage::make_side() {
   rows->addWidget(remark);
   again_->hide();
   stop_->hide();
+  both_->hide();
 
   connect(search_, &QLineEdit::textChanged, this, &AtlasPage::list_points);
   connect(search_, &QLineEdit::returnPressed, this, [this] {
@@ -142,7 +148,12 @@ void AtlasPage::advance(double /*clock*/) {
     if (!status.working) {
       making_ = false;
       view_->say(text(status.error));
-      if (status.error.empty()) emit patient_requested(text(status.made.string()));
+      const std::optional<Vec3> found = std::exchange(found_at_, std::nullopt);
+      if (status.error.empty() && found) {
+        emit needling_requested(text(status.made.string()), *found);
+      } else if (status.error.empty()) {
+        emit patient_requested(text(status.made.string()));
+      }
     }
   }
 }
@@ -196,15 +207,28 @@ void AtlasPage::take(const Vec3& place, const patient::AtlasPoint* point) {
     return;
   }
   quiz_.answer(place);
+  show_score();
+  again_->show();
+  find_->setText(tr("Next point"));
+  if (both_->isChecked() && needles_found(place)) return;
   view_->hide_points(false);
   view_->show_answer(place);
   choose(quiz_.point(), false);
   view_->say(tr("%1 %2: you are %3 mm off")
                  .arg(text(quiz_.point()->code), text(quiz_.point()->pinyin))
                  .arg(quiz_.miss(), 0, 'f', 0));
-  find_->setText(tr("Next point"));
-  again_->show();
-  show_score();
+}
+
+// The case about the point that was asked for, for a needle at the place that was shown. False where the place is not
+// in it. A case has the left half of the body.
+bool AtlasPage::needles_found(const Vec3& place) {
+  const patient::AtlasPoint& point = *quiz_.point();
+  const bool is_right = point.bilateral && (place - point.mirrored()).norm() < (place - point.place).norm();
+  if (quiz_.miss() > farthest_needled) return false;
+  found_at_ = is_right ? Vec3(-place.x(), place.y(), place.z()) : place;
+  model_.make_case(point.code);
+  making_ = true;
+  return true;
 }
 
 void AtlasPage::ask(bool same) {
@@ -224,6 +248,7 @@ void AtlasPage::ask(bool same) {
   view_->say(tr("Where is %1, %2?").arg(text(quiz_.point()->code), text(quiz_.point()->pinyin)));
   again_->hide();
   stop_->show();
+  both_->show();
   view_->setFocus();
 }
 
@@ -237,6 +262,7 @@ void AtlasPage::stop_asking() {
   find_->setText(tr("Find points"));
   again_->hide();
   stop_->hide();
+  both_->hide();
 }
 
 void AtlasPage::show_score() {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
+#include <optional>
 
 #include "app/models/atlas_model.h"
 #include "app/page.h"
@@ -30,8 +32,13 @@ class AtlasPage : public Page {
   void advance(double clock) override;
   bool press(const QKeySequence& keys) override;
 
+ signals:
+  // Needle a point that was found on the body: the case about it, and where the student pointed, LPS mm.
+  void needling_requested(const QString& folder, const bodkin::Vec3& place);
+
  private:
   QWidget* make_side();
+  bool needles_found(const Vec3& place);
   void list_points();
   void choose(const patient::AtlasPoint* point, bool look);
   void take(const Vec3& place, const patient::AtlasPoint* point);
@@ -46,9 +53,10 @@ class AtlasPage : public Page {
   QListWidget* list_ = nullptr;
   QLabel* card_ = nullptr;
   QLabel* score_ = nullptr;
-  QPushButton *needle_ = nullptr, *find_ = nullptr, *again_ = nullptr, *stop_ = nullptr;
+  QPushButton *needle_ = nullptr, *find_ = nullptr, *again_ = nullptr, *stop_ = nullptr, *both_ = nullptr;
   const patient::AtlasPoint* chosen_ = nullptr;
   std::shared_ptr<const patient::Atlas> atlas_;
+  std::optional<Vec3> found_at_;  // is to be needled as soon as its case is there
   bool making_ = false, listed_ = false;
 };
 

@@ -170,6 +170,9 @@ ResultsCard::ResultsCard(QWidget* parent) : Card("results", parent) {
   row->addStretch(1);
   connect(add_button(row, "results.leave", tr("To the start"), tr("Choose another patient"), false),
           &QPushButton::clicked, this, &ResultsCard::leave_requested);
+  connect(add_button(row, "results.look", tr("See where"),
+                     tr("The card away: the needle and the planned point in the views (Esc brings it back)"), false),
+          &QPushButton::clicked, this, &ResultsCard::look_requested);
   review_ =
       add_button(row, "results.review", tr("Review this"), tr("See the attempt again, moment by moment"), false);
   connect(review_, &QPushButton::clicked, this, &ResultsCard::review_requested);
@@ -180,7 +183,8 @@ ResultsCard::ResultsCard(QWidget* parent) : Card("results", parent) {
 
 void ResultsCard::show_result(const AttemptResult* result, const QStringList& dangers, const QString& failure) {
   dangers_->setText(dangers.join(QLatin1Char('\n')));
-  dangers_->setVisible(!dangers.isEmpty());
+  // With a verdict they are among the reasons. Set once: showing and hiding again leaves an empty line.
+  dangers_->setVisible(!dangers.isEmpty() && (result == nullptr || !result->verdict));
   review_->setEnabled(result != nullptr);
   if (result == nullptr) {
     grade_->hide();
@@ -193,7 +197,6 @@ void ResultsCard::show_result(const AttemptResult* result, const QStringList& da
   headline_->setText(in_words(result->headline));
   grade_->setVisible(result->verdict.has_value());
   if (result->verdict) show_grade(*result->verdict);
-  dangers_->setVisible(!result->verdict && !dangers.isEmpty());  // else they are among the reasons
   QStringList remarks;
   for (const std::string& remark : result->remarks) remarks << in_words(remark);
   if (!failure.isEmpty()) remarks.prepend(failure);

@@ -2,6 +2,8 @@
 
 #include <QWidget>
 #include <array>
+#include <utility>
+#include <vector>
 
 #include "app/key_table.h"
 #include "app/models/case_model.h"
@@ -88,6 +90,7 @@ class ResultsCard : public Card {
  signals:
   void again_requested();
   void review_requested();
+  void look_requested();  // at the views under the card
   void leave_requested();
 
  private:
@@ -103,6 +106,22 @@ class ResultsCard : public Card {
   QLabel* plan_;
   QPushButton* review_;
   QPushButton* again_;
+};
+
+// Which Bodkin this is, under which licence, and which libraries and system it runs with.
+class AboutCard : public Card {
+  Q_OBJECT
+ public:
+  explicit AboutCard(QWidget* parent);
+
+  // Name and version of Bodkin, its libraries, compiler and system, in the order in which they are shown.
+  static std::vector<std::pair<QString, QString>> versions();
+
+ signals:
+  void closed();
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
 };
 
 // The keys of a screen.

@@ -124,7 +124,14 @@ QWidget* StartPage::make_side() {
           &QPushButton::clicked, this, &StartPage::open_requested);
   rows->addStretch(1);
   add_languages(rows);
-  rows->addWidget(label(tr("Version %1").arg(QStringLiteral(BODKIN_VERSION)), "label"));
+  auto* const about = new QPushButton(tr("About, version %1").arg(QStringLiteral(BODKIN_VERSION)));
+  about->setObjectName(QStringLiteral("start.about"));
+  about->setProperty("role", QStringLiteral("flat"));
+  about->setStyleSheet(QStringLiteral("text-align: left; padding: 9px 12px;"));
+  about->setAccessibleName(about->text());
+  about->setToolTip(tr("Versions of Bodkin and its libraries, and the licence"));
+  connect(about, &QPushButton::clicked, this, &StartPage::about_requested);
+  rows->addWidget(about);
   return side;
 }
 

@@ -37,6 +37,7 @@ class StartPage : public QWidget {
   void tour_requested();
   void patient_chosen(const QString& path);
   void open_requested();
+  void about_requested();
   void page_requested(bodkin::app::PageId id);
   void review_requested(const QString& file);
   void forget_requested(const QString& file);

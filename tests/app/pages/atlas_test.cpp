@@ -83,6 +83,36 @@ TEST(AtlasPage, finds_a_point_by_search_shows_its_card_and_plays_the_game) {
   QTest::mouseClick(view, Qt::LeftButton, Qt::NoModifier, QPoint(view->width() / 2, view->height() / 3));
   EXPECT_TRUE(view->said().contains(QStringLiteral("mm off"))) << view->said().toStdString();
   EXPECT_TRUE(page.findChild<QLabel*>(QStringLiteral("atlas.score"))->text().contains(QStringLiteral("of 1 found")));
+
+  // The next point is to be needled as well: nothing is given away, and its case is asked for.
+  QTest::mouseClick(page.findChild<QPushButton*>(QStringLiteral("atlas.both")), Qt::LeftButton);
+  std::string asked;
+  std::optional<QPointF> there;
+  Vec3 wanted = Vec3::Zero();
+  for (int question = 0; question < 30 && !there; ++question) {  // another one where an arm hides it
+    QTest::mouseClick(page.findChild<QPushButton*>(QStringLiteral("atlas.find")), Qt::LeftButton);
+    asked = view->said().section(QStringLiteral("Where is "), 1).section(QLatin1Char(','), 0, 0).toStdString();
+    wanted = atlas_of_tests().find(asked)->place;
+    view->look_at(wanted, atlas_of_tests().find(asked)->normal);
+    there = view->place_of(wanted);
+  }
+  ASSERT_TRUE(there.has_value()) << asked;
+  QString made;
+  Vec3 at_place = Vec3::Zero();
+  QObject::connect(&page, &AtlasPage::needling_requested, &page, [&](const QString& where, const Vec3& place) {
+    made = where;
+    at_place = place;
+  });
+  QTest::mouseClick(view, Qt::LeftButton, Qt::NoModifier, there->toPoint());
+  EXPECT_FALSE(view->said().contains(QStringLiteral("mm off")));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        page.advance(0.0);
+        return !made.isEmpty();
+      },
+      120000));
+  EXPECT_TRUE(made.endsWith(QString::fromStdString(asked)));
+  EXPECT_LT((at_place - wanted).norm(), 12.0);
 }
 
 }  // namespace
