@@ -6,6 +6,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "app/models/allowed_frame.h"
 #include "app/models/data_folder.h"
@@ -375,13 +376,15 @@ void MainWindow::draw(double clock) {
     results_->show_result(practice_.result() ? &*practice_.result() : nullptr, dangers(),
                           in_words(practice_.failure().empty() ? practice_.completion() : practice_.failure()));
   }
-  bar_->show_frame(frame, practice_.changes());
+  Changes changes = practice_.changes();
+  changes.theme = std::exchange(theme_changed_, false);
+  bar_->show_frame(frame, changes);
   const training::PlanAids* const aids = stage_ ? &stage_->aids : seeking_aids_ ? &*seeking_aids_ : nullptr;
   const Frame allowed = aids != nullptr ? allowed_frame(frame, *aids) : frame;
   sounds_.follow(allowed);
   tour_->show_frame(frame);
   if (page_ != nullptr) page_->advance(clock);
-  if (pages_->currentWidget() == practise_) practise_->show_frame(allowed, practice_.changes());
+  if (pages_->currentWidget() == practise_) practise_->show_frame(allowed, changes);
 }
 
 // What the tip must not have met, the worst first.

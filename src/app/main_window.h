@@ -140,6 +140,7 @@ class MainWindow : public QMainWindow {
   std::shared_ptr<const OpenCase> shown_;
   std::string shown_failure_;
   bool has_ultrasound_ = false;
+  bool theme_changed_ = true;                 // since the last frame
   std::future<PlanStanding> standing_;        // of the plan that is to be followed
   std::unique_ptr<TrainingRun> run_;          // the plan that is followed
   std::optional<training::PlanStage> stage_;  // of the attempts now; nothing: they belong to no plan

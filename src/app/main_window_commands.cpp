@@ -233,6 +233,7 @@ void MainWindow::save_picture() {
 void MainWindow::apply_theme(bool dark) {
   Theme::use(dark);
   qApp->setStyleSheet(Theme::now().style_sheet());
+  theme_changed_ = true;
   QSettings().setValue(QStringLiteral("dark"), dark);
   update();
 }

@@ -58,6 +58,7 @@ std::vector<std::string> make_torso(const PracticePatient& patient, const fs::pa
   if (name == "spinal_anaesthesia") request["needle"] = "25,90,whitacre";
   if (name == "ct_guided_biopsy") {
     request["needle"] = "18,150,chiba";
+    request["force_in_organs"] = "none";  // as in the biopsy simulator of Kwon et al. 2001
     request["lesion"] = 20.0;
     request["target_structure"] = "lesion";
     const patient::PlanningRules rules = training::planning_rules(procedure);
