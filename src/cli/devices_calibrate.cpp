@@ -14,6 +14,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/device_options.h"
+#include "cli/end_on_signal.h"
 #include "cli/terminal_keys.h"
 #include "core/error.h"
 #include "core/utc_time.h"
@@ -132,6 +133,7 @@ haptics::DeviceCalibration measure(haptics::DevicePort port, const haptics::Devi
   settings.rate = std::clamp(abilities.rate, 200.0, 4000.0);
   settings.guard.user_force = haptics::Weighing::force_limit;
   settings.guard.frozen_time = 0.0;  // a free handle can stand still under force
+  const EndOnSignal signals;  // until the servo has ramped its force down
   haptics::DeviceServo servo(std::move(port), abilities, settings,
                              [weighing](const haptics::ControlInput& input) { return weighing->step(input); });
   servo.start();
@@ -140,6 +142,7 @@ haptics::DeviceCalibration measure(haptics::DevicePort port, const haptics::Devi
   person.say = [&](const std::string& sentence) { console.line(sentence); };
   person.progress = console.progress();
   person.waited = [&] { console.clear_bar(); };
+  person.gives_up = [] { return EndOnSignal::signal() != 0; };
   if (keys.are_there()) {
     person.goes_on = [&keys] {
       bool pressed = false;
@@ -171,7 +174,7 @@ std::filesystem::path file_of(const DevicesCalibrateArguments& arguments) {
       "there is no place for calibrations, for neither XDG_CONFIG_HOME nor HOME is an absolute path; give a --file");
 }
 
-void run_devices_calibrate(const DevicesCalibrateArguments& arguments, const CommandContext& context) {
+void run_devices_calibrate(const DevicesCalibrateArguments& arguments, CommandContext& context) {
   Console console(context);
   const std::filesystem::path file = file_of(arguments);
   std::vector<haptics::DeviceCalibration> all = io::read_calibrations(file);
@@ -189,7 +192,15 @@ void run_devices_calibrate(const DevicesCalibrateArguments& arguments, const Com
     console.note("forgotten");
     return;
   }
-  haptics::DeviceCalibration measured = measure(std::move(port), abilities, arguments, console);
+  haptics::DeviceCalibration measured;
+  try {
+    measured = measure(std::move(port), abilities, arguments, console);
+  } catch (const station::CalibrationGivenUp&) {
+    console.clear_bar();
+    console.note("the calibration was ended from outside; nothing of it is kept");
+    context.exit_code = 128 + EndOnSignal::signal();
+    return;
+  }
   measured.driver = chosen.driver->name;
   measured.model = abilities.name;
   measured.serial = abilities.serial;

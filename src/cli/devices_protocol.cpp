@@ -16,6 +16,7 @@
 #include <sys/utsname.h>
 
 #include "cli/console.h"
+#include "cli/end_on_signal.h"
 #include "cli/terminal_keys.h"
 #include "core/error.h"
 #include "core/files.h"
@@ -108,6 +109,10 @@ class EnterKey {
   TerminalKeys keys_;
 };
 
+void require_no_signal() {
+  if (EndOnSignal::signal() != 0) throw station::CalibrationGivenUp();
+}
+
 // The steps in which the motors push, by 1 N and by the handle's weight; what cannot be measured is a sentence.
 Json measure_force(haptics::DeviceServo& servo, haptics::Weighing& weighing, Console& console, EnterKey& enter,
                    double seconds) {
@@ -116,6 +121,7 @@ Json measure_force(haptics::DeviceServo& servo, haptics::Weighing& weighing, Con
   person.progress = console.progress();
   person.waited = [&] { console.clear_bar(); };
   if (enter.is_there()) person.goes_on = [&enter] { return enter.pressed(); };
+  person.gives_up = [] { return EndOnSignal::signal() != 0; };
   station::CalibrationSettings settings;
   settings.seconds = std::max(1.0, seconds);
   station::CalibrationSteps steps(servo, weighing, settings, std::move(person));
@@ -138,6 +144,35 @@ Json measure_force(haptics::DeviceServo& servo, haptics::Weighing& weighing, Con
   return json;
 }
 
+// Leads through the steps and adds what was seen to `json`. Returns how many were not as they should be. Throws
+// station::CalibrationGivenUp when a signal ends the command.
+int perform_steps(haptics::DeviceServo& servo, haptics::Weighing& weighing, const haptics::DeviceAbilities& abilities,
+                  const ProtocolOptions& options, Console& console, Json& json) {
+  EnterKey enter;
+  if (enter.is_there()) console.line("press Enter to begin each step, and to end it early");
+  int against = 0;
+  for (const station::ProtocolStep& step : station::protocol_steps(abilities)) {
+    // The last step may leave a device that wants to be started again.
+    if (step.name == station::last_protocol_step && abilities.peak_force > 0.0 && !options.without_force) {
+      json["force"] = measure_force(servo, weighing, console, enter, options.seconds);
+    }
+    console.line(fmt::format("{}: {}", step.name, step.task));
+    while (enter.is_there() && !enter.pressed()) {
+      require_no_signal();
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    const auto goes_on = [&](double) { return !enter.pressed() && EndOnSignal::signal() == 0; };
+    const ProtocolFinding found = station::observe_step(servo, abilities, step, options.seconds, goes_on);
+    require_no_signal();
+    if (!found.against.empty()) {
+      ++against;
+      console.line(fmt::format("  {:<11} {}", step.name, found.against));
+    }
+    json["steps"].push_back(json_of_finding(found));
+  }
+  return against;
+}
+
 }  // namespace
 
 int run_device_protocol(const DeviceOptions& device, const ProtocolOptions& options, const CommandContext& context) {
@@ -151,6 +186,7 @@ int run_device_protocol(const DeviceOptions& device, const ProtocolOptions& opti
   settings.guard.user_force = haptics::Weighing::force_limit;
   settings.guard.frozen_time = 0.0;  // a handle that is left alone may stand still
   const auto weighing = std::make_shared<haptics::Weighing>();
+  const EndOnSignal signals;  // until the servo has ramped its force down
   haptics::DeviceServo servo(std::move(port), abilities, settings,
                              [weighing](const haptics::ControlInput& input) { return weighing->step(input); });
   Json json = {{"protocol", protocol_version},
@@ -162,23 +198,14 @@ int run_device_protocol(const DeviceOptions& device, const ProtocolOptions& opti
                {"device", json_of_device(abilities, settings.rate)},
                {"steps", Json::array()}};
   servo.start();
-  EnterKey enter;
-  if (enter.is_there()) console.line("press Enter to begin each step, and to end it early");
   int against = 0;
-  for (const station::ProtocolStep& step : station::protocol_steps(abilities)) {
-    // The last step may leave a device that wants to be started again.
-    if (step.name == station::last_protocol_step && abilities.peak_force > 0.0 && !options.without_force) {
-      json["force"] = measure_force(servo, *weighing, console, enter, options.seconds);
-    }
-    console.line(fmt::format("{}: {}", step.name, step.task));
-    while (enter.is_there() && !enter.pressed()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    const ProtocolFinding found =
-        station::observe_step(servo, abilities, step, options.seconds, [&](double) { return !enter.pressed(); });
-    if (!found.against.empty()) {
-      ++against;
-      console.line(fmt::format("  {:<11} {}", step.name, found.against));
-    }
-    json["steps"].push_back(json_of_finding(found));
+  try {
+    against = perform_steps(servo, *weighing, abilities, options, console, json);
+  } catch (const station::CalibrationGivenUp&) {
+    servo.stop();
+    console.clear_bar();
+    console.note("the protocol was ended from outside; nothing is written");
+    return 128 + EndOnSignal::signal();
   }
   const haptics::ServoTimings& timings = servo.tick().timings();
   json["loop"] = {{"rounds", servo.rounds()},

@@ -14,8 +14,8 @@ struct ProtocolOptions {
 };
 
 // Leads a person through the steps that show whether a driver and a device understand each other, and writes what was
-// seen to a file that can be sent to the people who write the driver. Returns the exit code. Throws as
-// haptics::DevicePort does, and SystemError when the file cannot be written.
+// seen to a file that can be sent to the people who write the driver. Returns the exit code; a signal ends it without
+// a file. Throws as haptics::DevicePort does, and SystemError when the file cannot be written.
 int run_device_protocol(const DeviceOptions& device, const ProtocolOptions& options, const CommandContext& context);
 
 }  // namespace bodkin::cli

@@ -14,8 +14,16 @@ void end_running(int signal) {
 
 }  // namespace
 
+EndOnSignal::EndOnSignal() {
+  listen();
+}
+
 EndOnSignal::EndOnSignal(station::Station& station) {
   running_station.store(&station);
+  listen();
+}
+
+void EndOnSignal::listen() {
   for (std::size_t i = 0; i < signals.size(); ++i) before_[i] = std::signal(signals[i], &end_running);
 }
 
@@ -26,6 +34,10 @@ EndOnSignal::~EndOnSignal() {
 
 int EndOnSignal::reason() noexcept {
   return ended_by.load() == SIGINT ? 0 : ended_by.load();
+}
+
+int EndOnSignal::signal() noexcept {
+  return ended_by.load();
 }
 
 }  // namespace bodkin::cli

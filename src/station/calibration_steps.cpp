@@ -89,6 +89,7 @@ CalibrationSteps::CalibrationSteps(haptics::DeviceServo& servo, haptics::Weighin
     : servo_(servo), weighing_(weighing), settings_(settings), person_(std::move(person)) {}
 
 void CalibrationSteps::require_sound() {
+  if (person_.gives_up && person_.gives_up()) throw CalibrationGivenUp();
   const haptics::ServoSnapshot& now = servo_.tick().snapshot();
   if (now.device.fault != haptics::DeviceFault::none) {
     const std::string sentence = servo_.explain();

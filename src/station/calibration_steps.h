@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -29,14 +30,20 @@ struct CalibrationSettings {
   double countdown = 3.0;  // s before a step where nobody can say "go on"
 };
 
+// Thrown where the person gives up. It is no error, so nothing that tells of one catches it.
+struct CalibrationGivenUp : std::exception {
+  const char* what() const noexcept override { return "the calibration was given up"; }
+};
+
 // How the steps and the person talk. Called on the thread that performs them.
 struct CalibrationPerson {
   std::function<void(const std::string& sentence)> say;
   // The person has said "go on" since the last call: begin the step, or enough of it. Empty: he cannot, and each step
   // begins after the countdown.
   std::function<bool()> goes_on;
-  Progress progress;             // may be empty
-  std::function<void()> waited;  // a long measurement is over; may be empty
+  std::function<bool()> gives_up;  // asked every 10 ms; empty: never
+  Progress progress;               // may be empty
+  std::function<void()> waited;    // a long measurement is over; may be empty
 };
 
 // Leads a person through the steps with an open device, and keeps what they came to.
@@ -47,7 +54,8 @@ class CalibrationSteps {
                    CalibrationPerson person);
 
   // Says what to do, waits for the person or the countdown, measures. Throws InputError where the readings do not
-  // do, and SystemError when the device fails.
+  // do, SystemError when the device fails, and
+  // CalibrationGivenUp.
   void perform(CalibrationStep step, haptics::DeviceCalibration& measured);
 
  private:
@@ -57,6 +65,7 @@ class CalibrationSteps {
   void weigh(haptics::DeviceCalibration& measured);
   void measure_delay(haptics::DeviceCalibration& measured);
   void bring_force_in();
+  // Throws when the device has failed or the person gives up.
   void require_sound();
 
   haptics::DeviceServo& servo_;

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <utility>
 
 #include "tests/cli/bodkin_command.h"
 #include <gmock/gmock.h>
@@ -98,6 +99,25 @@ TEST_F(DevicesCalibrateCommand, a_damaged_file_is_refused_and_left_alone) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.errors, HasSubstr("kept.xml"));
   EXPECT_EQ(text_of("kept.xml"), "<calibrations version=\"1\"><device/></calibrations>");
+}
+
+TEST_F(DevicesCalibrateCommand, a_signal_ends_it_and_nothing_is_kept) {
+  const std::string begin = "'" BODKIN_BUILD "/bin/bodkin' devices ";
+  for (const auto& [signal, code] : {std::pair{"INT", 130}, {"HUP", 129}, {"TERM", 143}}) {
+    for (const std::string command :
+         {"calibrate force_dimension --file kept.xml --countdown 0 --seconds 60 --steps workspace",
+          "check force_dimension --protocol kept.xml --seconds 60"}) {
+      // It has begun as soon as it says what to do.
+      write("end.sh", begin + command + vendor + " > end.log 2>&1 &\nfor wait in $(seq 600); do " +
+                          "grep -q 'ove the handle\\|eave the handle' end.log && break; sleep 0.1; done\nkill -" +
+                          std::string(signal) + " $!\nwait $!\n");
+      const std::string line = "cd '" + folder_.string() + "' && bash end.sh";
+      const int status = std::system(line.c_str());
+      EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, code) << command << text_of("end.log");
+      EXPECT_THAT(text_of("end.log"), HasSubstr("was ended from outside"));
+      EXPECT_FALSE(std::filesystem::exists(folder_ / "kept.xml"));
+    }
+  }
 }
 
 }  // namespace
