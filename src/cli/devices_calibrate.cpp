@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "station/calibration_steps.h"
+#include "station/real_time_check.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -36,6 +37,7 @@ struct DevicesCalibrateArguments {
   CalibrationSettings settings;
   bool show = false;
   bool forget = false;
+  bool allow_late = false;
 };
 
 constexpr const char* devices_calibrate_footer = R"(Examples:
@@ -48,6 +50,7 @@ Steps: workspace (the box that the hand reaches: its middle becomes the middle o
 is away from you), tip (where the needle's tip is), axis (which way the needle points), weight (of the handle; the
 motors lift it by 25 mm, let go of it then), delay (of a force; the motors tick the handle up and down by 1 N, hold it
 loosely then). Each begins with the Enter key, and without a terminal after a countdown.
+Where the system may hold up the motors' force it is kept below 1.5 N, and a note says so before.
 The result is kept in ~/.config/bodkin/calibrations.xml for this very device, and 'bodkin perform' uses it.)";
 
 Json list_of(const Vec3& vector) {
@@ -124,16 +127,27 @@ std::vector<CalibrationStep> chosen_steps(const DevicesCalibrateArguments& argum
   return steps;
 }
 
-haptics::DeviceCalibration measure(haptics::DevicePort port, const haptics::DeviceAbilities& abilities,
+bool needs_force(const std::vector<CalibrationStep>& steps) {
+  return std::any_of(steps.begin(), steps.end(), [](CalibrationStep step) {
+    return step == CalibrationStep::weight || step == CalibrationStep::delay;
+  });
+}
+
+haptics::DeviceCalibration measure(haptics::DevicePort port, const station::DeviceChoice& chosen,
+                                   const haptics::DeviceAbilities& abilities,
                                    const DevicesCalibrateArguments& arguments, Console& console) {
   const std::vector<CalibrationStep> steps = chosen_steps(arguments, abilities);
   haptics::DeviceCalibration measured;
   const auto weighing = std::make_shared<haptics::Weighing>();
   haptics::ServoSettings settings;
   settings.rate = std::clamp(abilities.rate, 200.0, 4000.0);
-  settings.guard.user_force = haptics::Weighing::force_limit;
+  const auto note = [&console](const std::string& sentence) { console.note(sentence); };
+  if (needs_force(steps))
+    settings.guard.user_force = station::measuring_force(chosen, abilities, arguments.allow_late, note);
+  else
+    settings.guard.user_force = 0.0;
   settings.guard.frozen_time = 0.0;  // a free handle can stand still under force
-  const EndOnSignal signals;  // until the servo has ramped its force down
+  const EndOnSignal signals;         // until the servo has ramped its force down
   haptics::DeviceServo servo(std::move(port), abilities, settings,
                              [weighing](const haptics::ControlInput& input) { return weighing->step(input); });
   servo.start();
@@ -194,7 +208,7 @@ void run_devices_calibrate(const DevicesCalibrateArguments& arguments, CommandCo
   }
   haptics::DeviceCalibration measured;
   try {
-    measured = measure(std::move(port), abilities, arguments, console);
+    measured = measure(std::move(port), chosen, abilities, arguments, console);
   } catch (const station::CalibrationGivenUp&) {
     console.clear_bar();
     console.note("the calibration was ended from outside; nothing of it is kept");
@@ -231,6 +245,8 @@ void add_devices_calibrate_command(CLI::App& devices_group, CommandContext& cont
   add_number(*command, "--countdown", arguments->settings.countdown, 0.0, 600.0,
              "s before each step where there is no terminal, 0 to 600");
   add_text(*command, "--file", arguments->file, "Keep it in this file").without_default();
+  add_switch(*command, "--allow-late", arguments->allow_late,
+             "Weigh with up to 4 N although the system may hold up the servo (no real-time priority)");
   add_switch(*command, "--show", arguments->show, "Measure nothing, print what is kept");
   add_switch(*command, "--forget", arguments->forget, "Measure nothing, remove what is kept");
   on_run(*command, [arguments, &context] { run_devices_calibrate(*arguments, context); });

@@ -27,6 +27,7 @@ struct DevicesCheckArguments {
   double seconds = 10.0;
   std::string protocol;  // file to write, "" = none
   bool without_force = false;
+  bool allow_late = false;
 };
 
 constexpr const char* devices_check_footer = R"(Examples:
@@ -39,7 +40,8 @@ constexpr const char* devices_check_footer = R"(Examples:
 No force is asked for. Move the device while it is being checked: to every corner, and press its buttons.
 Exit code 0: it is ready. 3: it is not, and the last line says why.
 --protocol says step by step what to do (which way to move, which buttons, when to let go) and writes what it sees to the
-file, which you can send to us; its last steps weigh the handle and tick it with 1 N unless --without-force is given.)";
+file, which you can send to us; its last steps weigh the handle and tick it with 1 N unless --without-force is given.
+Where the system may hold up the motors' force it is kept below 1.5 N then, and a note says so before.)";
 
 std::string box_text(const Vec3& low, const Vec3& high) {
   return fmt::format("x {:.0f} to {:.0f}, y {:.0f} to {:.0f}, z {:.0f} to {:.0f} mm", low.x(), high.x(), low.y(),
@@ -126,7 +128,8 @@ Json json_of(const station::DeviceObservation& seen, const haptics::DeviceAbilit
 int run_devices_check(const DevicesCheckArguments& arguments, const CommandContext& context) {
   if (!arguments.protocol.empty()) {
     require_writable(arguments.protocol, "--protocol");
-    return run_device_protocol(arguments.device, {arguments.protocol, arguments.seconds, arguments.without_force},
+    return run_device_protocol(arguments.device,
+                               {arguments.protocol, arguments.seconds, arguments.without_force, arguments.allow_late},
                                context);
   }
   Console console(context);
@@ -183,6 +186,8 @@ void add_devices_check_command(CLI::App& devices_group, CommandContext& context)
       .without_default();
   add_switch(*command, "--without-force", arguments->without_force,
              "With --protocol: leave out the steps in which the motors push");
+  add_switch(*command, "--allow-late", arguments->allow_late,
+             "With --protocol: up to 4 N although the system may hold up the servo (no real-time priority)");
   on_run(*command, [arguments, &context] { context.exit_code = run_devices_check(*arguments, context); });
 }
 

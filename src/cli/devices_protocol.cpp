@@ -11,6 +11,7 @@
 
 #include "station/calibration_steps.h"
 #include "station/device_protocol.h"
+#include "station/real_time_check.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <sys/utsname.h>
@@ -183,7 +184,11 @@ int run_device_protocol(const DeviceOptions& device, const ProtocolOptions& opti
   station::complete_from_table(abilities);
   haptics::ServoSettings settings;
   settings.rate = std::clamp(abilities.rate, 200.0, 4000.0);
-  settings.guard.user_force = haptics::Weighing::force_limit;
+  const auto note = [&console](const std::string& sentence) { console.note(sentence); };
+  if (options.without_force)
+    settings.guard.user_force = 0.0;
+  else
+    settings.guard.user_force = station::measuring_force(chosen, abilities, options.allow_late, note);
   settings.guard.frozen_time = 0.0;  // a handle that is left alone may stand still
   const auto weighing = std::make_shared<haptics::Weighing>();
   const EndOnSignal signals;  // until the servo has ramped its force down

@@ -11,6 +11,7 @@ struct ProtocolOptions {
   std::filesystem::path file;  // to write
   double seconds = 10.0;       // that a step lasts at most
   bool without_force = false;
+  bool allow_late = false;  // the whole force although the system may hold up the servo
 };
 
 // Leads a person through the steps that show whether a driver and a device understand each other, and writes what was

@@ -1,11 +1,13 @@
 #include "station/real_time_check.h"
 
+#include <algorithm>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "haptics/deadline_clock.h"
+#include "haptics/weighing.h"
 
 namespace bodkin::station {
 
@@ -28,6 +30,14 @@ bool is_kept_low(const DeviceChoice& choice, const haptics::DeviceAbilities& dev
   const std::string warning = holds_a_hand(choice, device) ? real_time_warning(allow_late) : "";
   if (!warning.empty()) observer.note(whose + warning);
   return !warning.empty() && !allow_late;
+}
+
+double measuring_force(const DeviceChoice& choice, const haptics::DeviceAbilities& device, bool allow_late,
+                       const std::function<void(const std::string& sentence)>& note) {
+  const std::string warning = holds_a_hand(choice, device) ? real_time_warning(allow_late) : "";
+  if (!warning.empty() && note) note(warning);
+  const double usual = haptics::Weighing::force_limit;
+  return warning.empty() || allow_late ? usual : std::min(usual, late_force);
 }
 
 }  // namespace bodkin::station

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "station/device_choice.h"
@@ -24,5 +25,10 @@ std::string real_time_warning(bool allowed);
 // the sentence.
 bool is_kept_low(const DeviceChoice& choice, const haptics::DeviceAbilities& device, bool allow_late,
                  const char* whose, StationObserver& observer);
+
+// N that the motors may give at most while a device is weighed and its delay measured: Weighing::force_limit, or
+// late_force where a hand is held and the system may hold up the servo. Then `note` is told, unless it is empty.
+double measuring_force(const DeviceChoice& choice, const haptics::DeviceAbilities& device, bool allow_late,
+                       const std::function<void(const std::string& sentence)>& note);
 
 }  // namespace bodkin::station

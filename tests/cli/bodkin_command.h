@@ -14,6 +14,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <wordexp.h>
@@ -116,6 +117,23 @@ class BodkinCommand : public ::testing::Test {
   }
 
   static inline std::filesystem::path folder_;
+};
+
+// A system that lets no program lock its memory, for as long as this lives.
+class LittleLockedMemory {
+ public:
+  LittleLockedMemory() {
+    getrlimit(RLIMIT_MEMLOCK, &before_);
+    rlimit little = before_;
+    little.rlim_cur = std::min<rlim_t>(little.rlim_cur, 65536);
+    setrlimit(RLIMIT_MEMLOCK, &little);
+  }
+  ~LittleLockedMemory() { setrlimit(RLIMIT_MEMLOCK, &before_); }
+  LittleLockedMemory(const LittleLockedMemory&) = delete;
+  LittleLockedMemory& operator=(const LittleLockedMemory&) = delete;
+
+ private:
+  rlimit before_{};
 };
 
 // A small synthetic patient, made once for all the tests of this process: under a sanitizer that takes seconds.

@@ -12,6 +12,7 @@ namespace {
 
 using nlohmann::json;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const std::string vendor = " --settings library=" BODKIN_STAND_INS "/force_dimension/libdrd.so";
 
@@ -76,6 +77,32 @@ TEST_F(DevicesCalibrateCommand, weighs_a_handle_that_nobody_holds) {
   const json found = calibrated("weight");
   EXPECT_NEAR(found.at("weight_N").get<double>(), 0.6, 0.06);
   EXPECT_LT(found.at("friction_N").get<double>(), 0.1);
+}
+
+TEST_F(DevicesCalibrateCommand, measures_how_late_a_force_comes_to_a_hand_that_holds_it_loosely) {
+  const HandDoes loose("loose");
+  Outcome outcome;
+  // On a busy machine the pulses may come too unevenly to be read; the command then says so.
+  for (int attempt = 0; attempt < 5 && outcome.exit_code != 0; ++attempt) outcome = calibrate("delay");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.text();
+  // The stand-in's motors follow a command within some 2 ms, and it has no other delay.
+  EXPECT_LT(json::parse(outcome.output).at("delay_s").get<double>(), 0.006);
+}
+
+TEST_F(DevicesCalibrateCommand, without_real_time_the_force_that_weighs_is_kept_low_and_a_note_says_so) {
+  const LittleLockedMemory little;
+  const HandDoes nothing("gone");
+  const std::string weigh =
+      "devices calibrate force_dimension --file kept.xml --countdown 0 --seconds 3 --steps weight" + vendor;
+  EXPECT_THAT(bodkin(weigh).errors, HasSubstr("kept below 1.5 N; --allow-late lifts that limit"));
+  const Outcome allowed = bodkin(weigh + " --allow-late");
+  EXPECT_THAT(allowed.errors, HasSubstr("other programs can hold up the force"));
+  EXPECT_THAT(allowed.errors, Not(HasSubstr("kept below 1.5 N")));
+  // Steps that need no force arm none.
+  const HandDoes wander("wander");
+  const Outcome no_force = bodkin(
+      "devices calibrate force_dimension --file kept.xml --countdown 0 --seconds 3 --steps workspace" + vendor);
+  EXPECT_THAT(no_force.errors, Not(HasSubstr("other programs can hold up the force")));
 }
 
 TEST_F(DevicesCalibrateCommand, a_hand_that_does_something_else_is_told_so_and_nothing_is_kept) {

@@ -87,6 +87,21 @@ TEST_F(DevicesCheckCommand, leads_through_the_protocol_and_writes_what_it_saw) {
   EXPECT_TRUE(asked_away);
 }
 
+TEST_F(DevicesCheckCommand, the_protocol_pushes_a_hand_gently_and_keeps_the_force_low_without_real_time) {
+  const LittleLockedMemory little;
+  setenv("BODKIN_STAND_IN_HAND", "loose", 1);
+  const Outcome outcome =
+      bodkin("devices check force_dimension --protocol weighed.json --seconds 0.4 " + check_vendor);
+  unsetenv("BODKIN_STAND_IN_HAND");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.text();
+  EXPECT_THAT(outcome.errors, HasSubstr("kept below 1.5 N"));
+  const json seen = json::parse(text_of("weighed.json"));
+  const json& force = seen.at("force");
+  // What is not found, as on a machine that holds up the loop, is a sentence.
+  EXPECT_TRUE(force.contains("weight_N") || force.contains("weight_against"));
+  EXPECT_TRUE(force.contains("delay_s") || force.contains("delay_against"));
+}
+
 TEST_F(DevicesCheckCommand, the_protocol_keeps_what_the_device_says_against_it) {
   const Trouble unplugged("unplug@300");
   const Outcome outcome =

@@ -37,7 +37,15 @@ TEST_F(PerformCommand, records_a_hand_on_a_device_and_the_recording_replays_to_t
   // The models were made for the device that was held, and the recording says so.
   ASSERT_TRUE(session.header.device.has_value());
   EXPECT_NE(session.header.device->profile, "generic");
-  EXPECT_EQ(json::parse(session.header.operator_settings).at("driver"), "force_dimension");
+  const json settings = json::parse(session.header.operator_settings);
+  EXPECT_EQ(settings.at("driver"), "force_dimension");
+  // What the driver states, and what that leaves of the device's stiffness in our loop of 1 kHz.
+  EXPECT_EQ(settings.at("delay_s"), 0.00025);
+  EXPECT_THAT(settings.at("delay_source").get<std::string>(), Not(testing::IsEmpty()));
+  EXPECT_NEAR(settings.at("force_delay_s").get<double>(), 0.00125, 1e-9);
+  EXPECT_GT(settings.at("stiffness_N_per_mm").get<double>(), 0.1);
+  EXPECT_LT(settings.at("stiffness_N_per_mm").get<double>(),
+            settings.at("published_stiffness_N_per_mm").get<double>());
   const Outcome replay = bodkin("-q replay hand.bodkin");
   EXPECT_EQ(replay.exit_code, 0) << replay.text();
   EXPECT_THAT(replay.output, HasSubstr("identical: "));
@@ -177,23 +185,6 @@ TEST_F(PerformCommand, a_bad_recording_is_one_sentence) {
     EXPECT_EQ(lines_of(outcome.errors), 1) << outcome.errors;
   }
 }
-
-// A system that lets no program lock its memory, for as long as this lives.
-class LittleLockedMemory {
- public:
-  LittleLockedMemory() {
-    getrlimit(RLIMIT_MEMLOCK, &before_);
-    rlimit little = before_;
-    little.rlim_cur = std::min<rlim_t>(little.rlim_cur, 65536);
-    setrlimit(RLIMIT_MEMLOCK, &little);
-  }
-  ~LittleLockedMemory() { setrlimit(RLIMIT_MEMLOCK, &before_); }
-  LittleLockedMemory(const LittleLockedMemory&) = delete;
-  LittleLockedMemory& operator=(const LittleLockedMemory&) = delete;
-
- private:
-  rlimit before_{};
-};
 
 TEST_F(PerformCommand, without_real_time_the_force_of_either_hand_and_of_a_vendors_loop_is_kept_low) {
   const LittleLockedMemory little;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "station/device_check.h"
+#include "station/real_time_check.h"
 #include <fmt/format.h>
 
 #include "core/error.h"
@@ -135,7 +136,10 @@ void DeviceWork::do_calibration(const station::DeviceChoice& choice, const stati
   const auto weighing = std::make_shared<haptics::Weighing>();
   haptics::ServoSettings servo_settings;
   servo_settings.rate = std::clamp(abilities.rate, slowest_rate, fastest_rate);
-  servo_settings.guard.user_force = haptics::Weighing::force_limit;
+  const auto note = [this](const std::string& sentence) {
+    change([&](News& news) { news.said.push_back(sentence); });
+  };
+  servo_settings.guard.user_force = station::measuring_force(choice, abilities, false, note);
   servo_settings.guard.frozen_time = 0.0;  // a free handle can stand still under force
   haptics::DeviceServo servo(std::move(port), abilities, servo_settings,
                              [weighing](const haptics::ControlInput& input) { return weighing->step(input); });

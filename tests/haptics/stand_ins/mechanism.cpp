@@ -14,6 +14,8 @@ constexpr double damping = 1.0;       // N s/m
 constexpr double dry = 0.05;          // N
 constexpr double hand_spring = 300;   // N/m
 constexpr double hand_damper = 3.0;   // N s/m
+constexpr double loose_spring = 40;   // N/m
+constexpr double loose_damper = 0.5;  // N s/m
 constexpr double count = 5e-5;        // m, one encoder count
 constexpr double held_for = 3.0;      // s
 constexpr double handle = 0.6;        // N, of a device that nobody holds
@@ -53,7 +55,9 @@ void Mechanism::step(Board& board, const double (&force)[3], const double (&torq
   const double follow = 1.0 - std::exp(-dt / lag);
   bool pushed = false;
   follow_habit(board);
-  const bool firm = board.firm.load() && board.habit.load() != Hand::loose;
+  const bool loose = board.habit.load() == Hand::loose;
+  const bool firm = board.firm.load() && !loose;
+  const double spring = loose ? loose_spring : hand_spring, damper = loose ? loose_damper : hand_damper;
   const bool alone = board.habit.load() == Hand::gone && time_ > held_for;
   for (std::size_t i = 0; i < 3; ++i) {
     const double motor = std::clamp(force[i], -limit_, limit_);
@@ -63,7 +67,7 @@ void Mechanism::step(Board& board, const double (&force)[3], const double (&torq
       speed_[i] = (hand - at_[i]) / dt;
       at_[i] = hand;
     } else {
-      const double hold = alone ? (i == 2 ? -handle : 0.0) : hand_spring * (hand - at_[i]) - hand_damper * speed_[i];
+      const double hold = alone ? (i == 2 ? -handle : 0.0) : spring * (hand - at_[i]) - damper * speed_[i];
       const double free = speed_[i] + dt / mass * (felt_[i] + hold - damping * speed_[i]);
       const double loss = std::min(std::abs(free), dt / mass * dry);
       speed_[i] = free - std::copysign(loss, free);
