@@ -207,7 +207,6 @@ class OpenHapticsDevice : public OpenDevice {
     const Vec3 half = frame_.to_operator * (0.5 * (high_ - low_));
     Eigen::Map<Vec3>(abilities.workspace_low) = -half.cwiseAbs();
     Eigen::Map<Vec3>(abilities.workspace_high) = half.cwiseAbs();
-    abilities.resolution = 0.055;  // of a Touch; finer devices only profit
     abilities.rate = 1.0 / period_;
     abilities.has_dead_man = has_dead_man_ ? 1 : 0;
     abilities.owns_loop = 1;
