@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -38,6 +39,43 @@ namespace {
 using ::testing::HasSubstr;
 
 constexpr const char* quick_hand = "speed_mm_s=80 start_mm=10 depth_mm=20 wait_s=0.3";
+
+// A device that only measures: it goes straight down along the planned path, then 30 mm to the side, then ends.
+struct PuckOnRails {
+  std::uint64_t round = 0;
+  static constexpr double ms_down = 800.0, ms_aside = 1200.0, ms_end = 1300.0;
+
+  void read(bodkin_state& state) {
+    const double ms = static_cast<double>(++round);
+    state.position[2] = 10.0 - 0.07 * std::min(ms, ms_down);
+    state.position[0] = 30.0 * std::clamp((ms - ms_down) / (ms_aside - ms_down), 0.0, 1.0);
+    for (const int one : {0, 4, 8}) state.rotation[one] = one == 0 ? 1.0 : -1.0;  // points down
+    state.held = 1;
+    if (ms > ms_end) state.buttons = BODKIN_BUTTON_END;
+  }
+};
+
+PuckOnRails puck_on_rails;
+
+const bodkin_driver puck_driver = {BODKIN_DRIVER_ABI,
+                                   "puck",
+                                   "for tests",
+                                   [](const char*, bodkin_found, void*, char*) { return int{BODKIN_OK}; },
+                                   [](const char*, const char*, void** handle, bodkin_abilities* abilities, char*) {
+                                     puck_on_rails = {};
+                                     *handle = &puck_on_rails;
+                                     abilities->rate = 1000.0;
+                                     abilities->measures_rotation = 1;
+                                     return int{BODKIN_OK};
+                                   },
+                                   [](void*, bodkin_tick, void*, char*) { return int{BODKIN_OK}; },
+                                   [](void* handle, const bodkin_command*, bodkin_state* state) {
+                                     static_cast<PuckOnRails*>(handle)->read(*state);
+                                     return int{BODKIN_OK};
+                                   },
+                                   [](void*) { return int{BODKIN_OK}; },
+                                   [](void*) {},
+                                   nullptr};
 
 // Remembers what it is shown, and what it is told.
 struct Watcher : StationObserver {
@@ -143,6 +181,28 @@ TEST_F(StationTest, performs_on_a_rigid_patient_with_ultrasound_and_the_recordin
   const ReplayResult replayed = replay(station.patient());
   EXPECT_FALSE(replayed.difference.has_value());
   EXPECT_EQ(replayed.ticks, result.run.ticks);
+}
+
+TEST_F(StationTest, a_device_without_force_does_not_move_the_needle_sideways_in_tissue) {
+  StationOptions wanted = options();
+  wanted.device = {&puck_driver, "", ""};
+  Watcher watcher;
+  Station station(std::move(wanted), watcher);
+  station.run();
+  const Session session = read_session(folder_.path() / "session.bodkin");
+  double sideways = 0.0, deepest = 0.0;
+  std::optional<Vec3> entered;
+  for (const simulation::TickRecord& tick : session.ticks) {
+    if (tick.output.depth <= 0.0) continue;
+    const Vec3 tip = tick.input.needle.translation();
+    if (!entered) entered = tip;
+    const Vec3 axis = tick.input.needle.linear().col(2);
+    const Vec3 way = tip - *entered;
+    sideways = std::max(sideways, (way - axis.dot(way) * axis).norm());
+    deepest = std::max(deepest, tick.output.depth);
+  }
+  EXPECT_GT(deepest, 10.0);
+  EXPECT_LT(sideways, 0.1) << "the hand went 30 mm aside";
 }
 
 TEST_F(StationTest, the_body_is_moved_while_the_needle_is_outside_and_stays_while_it_touches) {
