@@ -2,8 +2,10 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <iostream>
+#include <optional>
 
 #include "app/benchmark.h"
+#include "app/close_on_signal.h"
 #include "app/main_window.h"
 #include "app/models/data_folder.h"
 #include "app/script.h"
@@ -88,6 +90,9 @@ int main(int argc, char** argv) {
   options.process(application);
   try {
     if (options.isSet(QStringLiteral("language"))) bodkin::app::speak(options.value("language"));
+    // A script and a benchmark hold nobody's hand, and end when they are told to.
+    std::optional<bodkin::app::CloseOnSignal> closing;
+    if (!options.isSet(QStringLiteral("script")) && !options.isSet(QStringLiteral("benchmark"))) closing.emplace();
     int result = open_window(options);
     while (result == bodkin::app::speak_anew) {
       bodkin::app::speak(bodkin::app::usual_language());

@@ -1,7 +1,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
+#include "session/session_file.h"
 #include "tests/cli/bodkin_command.h"
 #include <gmock/gmock.h>
 
@@ -46,6 +48,22 @@ TEST_F(App, what_is_no_line_of_a_script_and_no_size_is_refused) {
   EXPECT_EQ(size.exit_code, 2);
   EXPECT_THAT(size.errors, HasSubstr("1280x720"));
   EXPECT_EQ(run_bodkin(folder_, "app --script missing.txt").exit_code, 2);
+}
+
+// The attempt begins, the terminal or the machine goes away, and the session is whole.
+TEST_F(App, the_end_of_the_terminal_or_the_machine_closes_the_window_and_saves_the_session) {
+  ASSERT_EQ(run_bodkin(folder_, "-q case synthesize lumbar patient --spacing 1.5").exit_code, 0);
+  for (const auto& [signal, code] : {std::pair{"HUP", 129}, {"TERM", 143}}) {
+    const std::string file = std::string("ended-by-") + signal + ".bodkin";
+    std::ofstream(folder_ / "end.sh") << "'" BODKIN_BUILD "/bin/bodkin-app' --attempt '{\"resistance\": \"layered\", "
+                                      << "\"output\": \"" << file << "\"}' -- patient &\n"
+                                      << "for wait in $(seq 600); do ls " << file << "* > /dev/null 2>&1 && break; "
+                                      << "sleep 0.1; done\nsleep 2\nkill -" << signal << " $!\nwait $!\n";
+    const std::string line = "cd '" + folder_.string() + "' && timeout 110 bash end.sh > end.log 2>&1";
+    const int status = std::system(line.c_str());
+    EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, code) << text_of("end.log");
+    EXPECT_TRUE(::bodkin::session::read_session(folder_ / file).finished);
+  }
 }
 
 }  // namespace
