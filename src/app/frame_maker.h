@@ -4,7 +4,7 @@
 
 #include "app/hand/needle_control.h"
 #include "app/models/station_link.h"
-#include "station/needle_contact.h"
+#include "station/puncture_watch.h"
 #include "views/changes.h"
 #include "views/frame.h"
 #include "views/open_case.h"
@@ -39,7 +39,7 @@ class FrameMaker {
 
   std::shared_ptr<const OpenCase> patient_;
   std::optional<anatomy::NeedlePath> plan_;
-  station::NeedleContact contact_;
+  station::PunctureWatch contact_;
   bool new_attempt_ = true;
   double time_in_body_ = 0.0, last_time_ = 0.0;
   Frame last_;

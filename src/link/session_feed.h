@@ -10,7 +10,7 @@
 #include "link/server.h"
 #include "link/skin_sheet.h"
 #include "link/step_watch.h"
-#include "station/needle_contact.h"
+#include "station/puncture_watch.h"
 #include "station/station_observer.h"
 #include "station/ultrasound_choice.h"
 
@@ -55,7 +55,7 @@ class SessionFeed : public station::StationObserver {
   std::uint64_t picture_ = 0;                // number of the last one that was sent
   std::string state_;                        // that was sent last
   SkinSheet skin_;
-  station::NeedleContact contact_;
+  station::PunctureWatch contact_;
   std::size_t screen_points_ = 0;  // of a deformable body that the screen follows; those of the skin come after them
   double dimple_ = 0.0;            // mm, that was sent last
   std::string tissues_;            // fingerprint of the patient's tissue voxels

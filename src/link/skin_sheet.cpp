@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "station/needle_contact.h"
+#include "station/puncture_watch.h"
 
 namespace bodkin::link {
 

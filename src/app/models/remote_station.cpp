@@ -21,7 +21,6 @@ namespace {
 
 using nlohmann::json;
 using Values = std::vector<std::pair<std::string, std::string>>;
-constexpr std::size_t most_samples = 20000;  // that wait for a window which does not look
 constexpr std::size_t force_columns = 6;
 
 std::string text_in(const json& object, const char* key) {
@@ -64,7 +63,7 @@ std::optional<training::Grade> grade_of(const std::string& text) {
   return std::nullopt;
 }
 
-AttemptResult result_of(const json& score, double time_in_body) {
+AttemptResult result_in(const json& score, double time_in_body) {
   AttemptResult result;
   result.verdict = grade_of(text_in(score, "verdict"));
   result.reached = flag_in(score, "reached");
@@ -147,7 +146,7 @@ struct RemoteStation::Shared {
   void take_forces(const link::NumberArray& rows) {
     if (rows.size.size() != 2 || rows.size[1] != force_columns) return;
     for (std::size_t at = 0; at + force_columns <= rows.values.size(); at += force_columns) {
-      if (samples.size() >= most_samples) return;
+      if (samples.size() >= StationNews::most_samples) return;
       const double* const row = &rows.values[at];
       const auto tissue = row[5] >= 0.0 && row[5] <= 255.0 ? static_cast<anatomy::TissueId>(row[5]) : 0;
       samples.push_back({row[0], row[1], row[2], row[3], row[4], static_cast<anatomy::TissueId>(tissue)});
@@ -174,7 +173,7 @@ struct RemoteStation::Shared {
     if (!object.is_object()) return;
     if (device == "Case") return take_case(object);
     if (device == "Score") {
-      score = result_of(object, time_in_body);
+      score = result_in(object, time_in_body);
       return;
     }
     if (device == "Event") return take_event(object);

@@ -16,7 +16,6 @@ namespace bodkin::app {
 namespace {
 
 constexpr std::chrono::milliseconds watch_interval{4};
-constexpr std::size_t most_samples = 20000;  // that wait for a window which does not look
 
 AttemptResult result_of(const std::filesystem::path& file, const anatomy::Case& patient, const AttemptRules& rules,
                         session::RunResult run) {
@@ -122,7 +121,7 @@ class StationLink::Observer : public station::StationObserver {
     news.message = status.message;
     if (news.diagnostic_names.empty())
       news.diagnostic_names.assign(status.diagnostic_names.begin(), status.diagnostic_names.end());
-    if (news.samples.size() < most_samples)
+    if (news.samples.size() < StationNews::most_samples)
       news.samples.insert(news.samples.end(), status.samples.begin(), status.samples.end());
     news.events.insert(news.events.end(), status.events.begin(), status.events.end());
     news.displacements.assign(status.displacements.begin(), status.displacements.end());

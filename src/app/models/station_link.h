@@ -55,9 +55,10 @@ struct StationNews {
   haptics::ServoTimings timings;
   std::vector<forces::DiagnosticName> diagnostic_names;
   std::string device;
-  std::string message;                       // the newest sentence
-  std::vector<std::string> notes;            // since the last poll
-  std::vector<station::HandSample> samples;  // since the last poll
+  std::string message;             // the newest sentence
+  std::vector<std::string> notes;  // since the last poll
+  static constexpr std::size_t most_samples = 20000;
+  std::vector<station::HandSample> samples;  // since the last poll; no more than these wait for a window
   std::vector<session::SessionEvent> events;
   std::vector<float> displacements;  // mm, of the points that were asked for
   std::shared_ptr<const station::LivePicture> ultrasound;

@@ -1,4 +1,4 @@
-#include "station/needle_contact.h"
+#include "station/puncture_watch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ constexpr double dimple_width = 3.0;   // mm
 
 }  // namespace
 
-void NeedleContact::update(const simulation::TickOutput& output, std::span<const session::SessionEvent> events) {
+void PunctureWatch::update(const simulation::TickOutput& output, std::span<const session::SessionEvent> events) {
   using forces::EventKind;
   for (const session::SessionEvent& event : events) {
     switch (event.event.kind) {
@@ -38,7 +38,7 @@ void NeedleContact::update(const simulation::TickOutput& output, std::span<const
   if (!touching_) punctured_ = on_bone_ = false;
 }
 
-double NeedleContact::skin_dimple(const simulation::TickOutput& output,
+double PunctureWatch::skin_dimple(const simulation::TickOutput& output,
                                   std::span<const forces::DiagnosticName> names) const noexcept {
   if (!touching_) return 0.0;
   if (!punctured_) {

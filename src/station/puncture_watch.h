@@ -12,7 +12,7 @@ namespace bodkin::station {
 
 // What a needle has done to the body so far, followed through a session's ticks and events for whoever shows it:
 // whether it touches, whether the skin has given way, whether the tip is on bone.
-class NeedleContact {
+class PunctureWatch {
  public:
   // `output`: of the newest tick. `events`: since the last call.
   void update(const simulation::TickOutput& output, std::span<const session::SessionEvent> events);
