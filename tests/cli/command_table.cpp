@@ -439,6 +439,7 @@ const std::vector<CommandRow>& command_table() {
         {"--shots", Kind::text},
         {"--size", Kind::text},
         {"--language", Kind::text},
+        {"--connect", Kind::text},
         {"--benchmark", Kind::toggle}}}};
   return rows;
 }

@@ -83,7 +83,7 @@ TEST_F(StandardStreams, a_disk_that_fills_under_a_recording_ends_it_and_keeps_wh
 }
 
 TEST_F(StandardStreams, a_disk_that_is_full_from_the_beginning_leaves_no_file_and_keeps_the_one_before) {
-  ASSERT_EQ(perform("", "-q", "0.3").exit_code, 0);
+  ASSERT_EQ(perform("", "-q").exit_code, 0);
   const std::size_t ticks = ::bodkin::session::read_session(folder_ / "hand.bodkin").ticks.size();
   ASSERT_GT(ticks, 0U);
   const std::string begin = "trap '' XFSZ; ulimit -f 1; " + program +
