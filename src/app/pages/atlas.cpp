@@ -110,9 +110,9 @@ QWidget* AtlasPage::make_side() {
     if (item != nullptr && atlas_) choose(atlas_->find(item->data(Qt::UserRole).toString().toStdString()), true);
   });
   connect(needle_, &QPushButton::clicked, this, [this] {
-    if (chosen_ == nullptr || making_) return;
+    if (chosen_ == nullptr || !making_.isEmpty()) return;
     model_.make_case(chosen_->code);
-    making_ = true;
+    making_ = text(chosen_->code);
   });
   connect(find_, &QPushButton::clicked, this, [this] { ask(false); });
   connect(again_, &QPushButton::clicked, this, [this] { ask(true); });
@@ -143,10 +143,10 @@ void AtlasPage::advance(double /*clock*/) {
                                       : text(status.error));
     }
   }
-  if (making_) {
-    view_->say(tr("Preparing %1: %2 %").arg(text(chosen_->code)).arg(qRound(100.0 * status.fraction)));
+  if (!making_.isEmpty()) {
+    view_->say(tr("Preparing %1: %2 %").arg(making_).arg(qRound(100.0 * status.fraction)));
     if (!status.working) {
-      making_ = false;
+      making_.clear();
       view_->say(text(status.error));
       const std::optional<Vec3> found = std::exchange(found_at_, std::nullopt);
       if (status.error.empty() && found) {
@@ -227,12 +227,12 @@ bool AtlasPage::needles_found(const Vec3& place) {
   if (quiz_.miss() > farthest_needled) return false;
   found_at_ = is_right ? Vec3(-place.x(), place.y(), place.z()) : place;
   model_.make_case(point.code);
-  making_ = true;
+  making_ = text(point.code);
   return true;
 }
 
 void AtlasPage::ask(bool same) {
-  if (!atlas_ || !view_->is_ready() || making_) return;
+  if (!atlas_ || !view_->is_ready() || !making_.isEmpty()) return;
   if (same) {
     quiz_.ask_again();
   } else {

@@ -57,7 +57,8 @@ class AtlasPage : public Page {
   const patient::AtlasPoint* chosen_ = nullptr;
   std::shared_ptr<const patient::Atlas> atlas_;
   std::optional<Vec3> found_at_;  // is to be needled as soon as its case is there
-  bool making_ = false, listed_ = false;
+  QString making_;                // code of the point whose case is made; empty: none
+  bool listed_ = false;
 };
 
 }  // namespace bodkin::app
