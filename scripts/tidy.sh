@@ -17,6 +17,13 @@ for build in "$@"; do
   done
 done
 # What is compiled by itself goes first: the mesher's one file, which includes CGAL, takes longer than any module.
-{ sed "s|^|$1 |" "$work/left"; cat "$work/units"; } |
+while read -r file; do
+  of="$1"
+  for build in "$@"; do
+    grep -q "\"$root/$file\"" "$build/compile_commands.json" && of="$build" && break
+  done
+  echo "$of $file"
+done < "$work/left" > "$work/alone"
+cat "$work/alone" "$work/units" |
   xargs -P "$(nproc)" -L 1 clang-tidy --quiet --extra-arg=-Wno-unknown-warning-option -p 2>&1 |
   { grep -v -E '^[0-9]+ warnings? (generated|treated)|^Suppressed|^Use -header-filter|warnings generated' || true; }

@@ -213,7 +213,8 @@ GreyPicture render_picture(const CameraModel& camera, const FootageLook& look, c
           const Vec3 by_y = camera.ray({x, y + 0.5}) - camera.ray({x, y - 0.5});
           for (int s = 0; s < samples * samples; ++s) {
             const double dx = (s % samples + 0.5) / samples - 0.5;
-            const double dy = static_cast<double>(s / samples) / samples + 0.5 / samples - 0.5;
+            const int line = s / samples;
+            const double dy = static_cast<double>(line) / samples + 0.5 / samples - 0.5;
             rays[static_cast<std::size_t>(s)] = middle + dx * by_x + dy * by_y;
           }
           have_rays = true;
