@@ -77,8 +77,8 @@ void rename_session(const fs::path& from, const fs::path& to) {
     fs::rename(from.string() + file_endings[i], to.string() + file_endings[i], ignored);
 }
 
-// The place of a new session. What stood there before is kept beside it until the new one is complete enough to be
-// read, and comes back when it does not get so far.
+// The file of a new session. An older session of that name is renamed until the new one can be read, and gets its
+// name back when the new one could not be created.
 class NewPlace {
  public:
   NewPlace(const fs::path& file, bool exists) : file_(file), aside_(file.string() + ".replaced") {
@@ -97,7 +97,7 @@ class NewPlace {
     try {
       if (is_aside_) rename_session(aside_, file_);
     } catch (const fs::filesystem_error&) {
-      // It stays beside its place: more cannot be done here, and nothing is lost.
+      // The older session keeps its new name: nothing is lost, and a destructor can do no more.
     }
   }
   NewPlace(const NewPlace&) = delete;

@@ -64,7 +64,7 @@ anatomy::NeedlePath aim_at_fluid(const anatomy::NeedlePath& path, const anatomy:
   return {path.entry, path.entry + 0.5 * (begin + end) * direction};
 }
 
-// A ball at the side of the left psoas at L3, half in the muscle and half in the fat beside it. Bone, vessels, nerves
+// A ball at the side of the left psoas at L3, half in the muscle and half in the fat around it. Bone, vessels, nerves
 // and organs stay as they are.
 void add_lesion(double across, anatomy::TissueVolume& tissues, anatomy::LabelVolume& structures) {
   const anatomy::Grid& grid = tissues.grid;
