@@ -10,7 +10,9 @@ namespace bodkin::training {
 std::vector<Metric> metrics_of_time();
 std::vector<Metric> metrics_of_motion();
 std::vector<Metric> metrics_of_target();
+std::vector<Metric> metrics_of_way();
 std::vector<Metric> metrics_of_tissue();
+std::vector<Metric> metrics_of_hands();
 std::vector<Metric> metrics_of_technique();
 std::vector<Metric> metrics_of_ultrasound();
 std::vector<Metric> metrics_of_palpation();

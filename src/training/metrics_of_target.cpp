@@ -85,6 +85,18 @@ std::optional<double> deviation_rms(const Measured& measured) {
   });
 }
 
+std::optional<double> deviation_mean(const Measured& measured) {
+  return with_insertion(measured, [](const Attempt& a) {
+    double sum = 0.0, count = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      if (a.inside[i] == 0) continue;
+      sum += distance_to_plan(a.tip[i], a.path());
+      count += 1.0;
+    }
+    return sum / count;
+  });
+}
+
 std::optional<double> angle_at_contact(const Measured& measured) {
   return with_insertion(measured,
                         [](const Attempt& a) { return angle_to_plan(a.axis[a.insertions.back().first], a.path()); });
@@ -117,6 +129,7 @@ std::vector<Metric> metrics_of_target() {
        "Kwon et al. 2001, maximum deviation; PerkTutor, Hausdorff", deviation_max},
       {"deviation_rms_mm", "mm", "distance from the planned path, root mean square", "the same, over all ticks",
        "Bodkin", deviation_rms},
+      {"deviation_mean_mm", "mm", "distance from the planned path, mean", "the same, mean", "Bodkin", deviation_mean},
       {"angle_at_contact_deg", "deg", "angle to the planned path at the skin",
        "between needle and planned path at the first contact of the last insertion", "TrainUS", angle_at_contact},
       {"angle_at_end_deg", "deg", "angle to the planned path at the final position", "the same there", "Bodkin",

@@ -14,6 +14,8 @@ constexpr std::size_t fewest_turns = 5;  // of a motion to and fro: two whole cy
 struct Oscillation {
   double amplitude = 0.0;  // from one end to the other, median
   double frequency = 0.0;  // Hz
+  double scatter = 0.0;    // standard deviation of the way from one end to the other
+  double far_end = 0.0;    // where the maxima lie, median
 };
 
 struct Turn {
@@ -54,7 +56,14 @@ std::optional<Oscillation> oscillation(const std::vector<Turn>& curve, double le
     ways.push_back(std::abs(turns[i].value - turns[i - 1].value));
     times.push_back(turns[i].time - turns[i - 1].time);
   }
-  return Oscillation{median_of(ways), 0.5 / median_of(times)};
+  double mean = 0.0, squares = 0.0;
+  for (const double way : ways) mean += way / static_cast<double>(ways.size());
+  for (const double way : ways) squares += (way - mean) * (way - mean);
+  std::vector<double> maxima;
+  const bool begins_high = turns[0].value > turns[1].value;
+  for (std::size_t i = begins_high ? 0 : 1; i < turns.size(); i += 2) maxima.push_back(turns[i].value);
+  return Oscillation{median_of(ways), 0.5 / median_of(times),
+                     std::sqrt(squares / static_cast<double>(ways.size() - 1)), median_of(maxima)};
 }
 
 // Depth along the planned path, of the filtered motion.
@@ -97,6 +106,14 @@ std::optional<double> lift_frequency(const Measured& measured) {
   const auto found = lifting(measured);
   return found ? std::optional(found->frequency) : std::nullopt;
 }
+std::optional<double> lift_scatter(const Measured& measured) {
+  const auto found = lifting(measured);
+  return found ? std::optional(found->scatter) : std::nullopt;
+}
+std::optional<double> thrust_depth(const Measured& measured) {
+  const auto found = lifting(measured);
+  return found ? std::optional(found->far_end - measured.attempt.path().length()) : std::nullopt;
+}
 std::optional<double> twirl_amplitude(const Measured& measured) {
   const auto found = twirling(measured);
   return found ? std::optional(found->amplitude) : std::nullopt;
@@ -117,6 +134,12 @@ std::vector<Metric> metrics_of_technique() {
       {"lift_thrust_Hz", "Hz", "frequency of lifting and thrusting",
        "reciprocal of the median cycle, which is a thrust and a lift", "Evid.-Based Compl. Alt. Med. 2019, 1725936",
        lift_frequency},
+      {"lift_thrust_scatter_mm", "mm", "unevenness of lifting and thrusting",
+       "standard deviation of the distances between these turns", "Evid.-Based Compl. Alt. Med. 2019, 1725936",
+       lift_scatter},
+      {"thrust_depth_mm", "mm", "depth of the thrusts beyond the target",
+       "median depth of the lower turns along the planned path, less that of the target; negative: too shallow",
+       "PLoS ONE 2015, 0117992, depth error", thrust_depth},
       {"twirl_deg", "deg", "amplitude of twirling",
        "median angle between neighbouring turns of at least 10 deg about the needle's axis; from two whole cycles on",
        "Bodkin", twirl_amplitude},

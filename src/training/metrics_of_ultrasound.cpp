@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "training/metric_groups.h"
 
@@ -7,11 +8,29 @@ namespace bodkin::training {
 
 namespace {
 
-constexpr double in_plane = 2.0;  // mm from the slice within which the tip is seen
+constexpr double in_plane = 2.0;         // mm from the slice within which the tip is seen
+constexpr double target_in_plane = 5.0;  // mm, the same of the target, PerkTutor's
+constexpr double in_motion = 5.0;        // mm/s of a tip that is on its way, TrainUS
+constexpr double at_target = 1.0;        // mm: nearer, the line to the target has no direction
+
+struct Mean {
+  double sum = 0.0, most = 0.0;
+  int count = 0;
+
+  void add(double value) {
+    sum += value;
+    most = std::max(most, value);
+    ++count;
+  }
+  std::optional<double> mean() const { return count > 0 ? std::optional(sum / count) : std::nullopt; }
+  std::optional<double> greatest() const { return count > 0 ? std::optional(most) : std::nullopt; }
+};
 
 struct Seen {
-  double sum = 0.0, most = 0.0, angle = 0.0;  // mm, mm, deg
-  int seen = 0, count = 0;
+  Mean distance, angle;                // mm of the tip, deg of the needle
+  Mean moving_distance, moving_angle;  // the same while the tip moved
+  Mean to_target;                      // deg in the slice, between needle and the line to the target
+  Mean tip_seen, target_seen;          // 1: it was
 };
 
 // Of the samples of the probe while the needle was in the body. The slice lies in the first and third axis of the
@@ -21,6 +40,7 @@ std::optional<Seen> look(const Measured& measured) {
   const session::Session& session = attempt.session();
   if (!session.header.second || session.header.second->role != session::SecondRole::probe) return std::nullopt;
   const double start = static_cast<double>(session.ticks.front().tick) * attempt.dt();
+  const std::vector<char> moving = in_action(speeds(measured.motion), measured.motion.interval, in_motion);
   Seen found;
   for (const session::SecondSample& sample : session.second) {
     const auto place = std::lower_bound(attempt.time.begin(), attempt.time.end(), sample.time - start);
@@ -29,46 +49,71 @@ std::optional<Seen> look(const Measured& measured) {
     if (attempt.inside[i] == 0) continue;
     const Vec3 normal = sample.rotation * Vec3::UnitY();
     const double distance = std::abs((attempt.tip[i] - sample.position).dot(normal));
-    found.sum += distance;
-    found.most = std::max(found.most, distance);
-    found.angle += std::asin(std::clamp(std::abs(attempt.axis[i].dot(normal)), 0.0, 1.0)) / degree;
-    found.seen += distance <= in_plane ? 1 : 0;
-    ++found.count;
+    const double angle = std::asin(std::clamp(std::abs(attempt.axis[i].dot(normal)), 0.0, 1.0)) / degree;
+    found.distance.add(distance);
+    found.angle.add(angle);
+    found.tip_seen.add(distance <= in_plane ? 1.0 : 0.0);
+    const auto point = static_cast<std::size_t>(attempt.time[i] / measured.motion.interval + 0.5);
+    if (moving[std::min(point, moving.size() - 1)] != 0) {
+      found.moving_distance.add(distance);
+      found.moving_angle.add(angle);
+    }
+    const Vec3 target = attempt.path().target - sample.position;
+    const bool in_front = target.dot(sample.rotation * Vec3::UnitZ()) > 0.0;
+    found.target_seen.add(in_front && std::abs(target.dot(normal)) <= target_in_plane ? 1.0 : 0.0);
+    const auto in_slice = [&](const Vec3& v) { return Vec3(v - v.dot(normal) * normal); };
+    const Vec3 way = in_slice(attempt.path().target - attempt.tip[i]), shaft = in_slice(attempt.axis[i]);
+    if (way.norm() > at_target && shaft.norm() > 0.1)
+      found.to_target.add(std::atan2(way.cross(shaft).norm(), way.dot(shaft)) / degree);
   }
-  return found.count > 0 ? std::optional(found) : std::nullopt;
+  return found.distance.count > 0 ? std::optional(found) : std::nullopt;
 }
 
-std::optional<double> tip_to_slice_mean(const Measured& measured) {
+std::optional<double> mean_of(const Measured& measured, Mean Seen::*member) {
   const auto seen = look(measured);
-  return seen ? std::optional(seen->sum / seen->count) : std::nullopt;
+  return seen ? (*seen.*member).mean() : std::nullopt;
 }
 
-std::optional<double> tip_to_slice_max(const Measured& measured) {
+std::optional<double> greatest_of(const Measured& measured, Mean Seen::*member) {
   const auto seen = look(measured);
-  return seen ? std::optional(seen->most) : std::nullopt;
+  return seen ? (*seen.*member).greatest() : std::nullopt;
 }
 
-std::optional<double> tip_in_slice(const Measured& measured) {
+std::optional<double> percent_of(const Measured& measured, Mean Seen::*member) {
   const auto seen = look(measured);
-  return seen ? std::optional(100.0 * seen->seen / seen->count) : std::nullopt;
-}
-
-std::optional<double> needle_to_slice(const Measured& measured) {
-  const auto seen = look(measured);
-  return seen ? std::optional(seen->angle / seen->count) : std::nullopt;
+  return seen ? std::optional(100.0 * (*seen.*member).sum / (*seen.*member).count) : std::nullopt;
 }
 
 }  // namespace
 
 std::vector<Metric> metrics_of_ultrasound() {
   return {{"tip_to_slice_mean_mm", "mm", "distance of the tip from the ultrasound slice, mean",
-           "over the probe's samples with the needle in the body", "TrainUS", tip_to_slice_mean},
+           "over the probe's samples with the needle in the body", "TrainUS",
+           [](const Measured& m) { return mean_of(m, &Seen::distance); }},
           {"tip_to_slice_max_mm", "mm", "distance of the tip from the ultrasound slice, greatest",
-           "the same, greatest", "TrainUS", tip_to_slice_max},
+           "the same, greatest", "TrainUS", [](const Measured& m) { return greatest_of(m, &Seen::distance); }},
+          {"tip_to_slice_moving_mean_mm", "mm", "distance of the moving tip from the ultrasound slice, mean",
+           "the same while the filtered tip was faster than 5 mm/s for over 0.2 s", "TrainUS, while in action",
+           [](const Measured& m) { return mean_of(m, &Seen::moving_distance); }},
+          {"tip_to_slice_moving_max_mm", "mm", "distance of the moving tip from the ultrasound slice, greatest",
+           "the same, greatest", "TrainUS, while in action",
+           [](const Measured& m) { return greatest_of(m, &Seen::moving_distance); }},
           {"tip_in_slice_percent", "%", "time with the tip in the ultrasound slice",
-           "share of those samples with the tip within 2 mm of the slice", "Bodkin", tip_in_slice},
+           "share of those samples with the tip within 2 mm of the slice", "Bodkin",
+           [](const Measured& m) { return percent_of(m, &Seen::tip_seen); }},
+          {"target_in_slice_percent", "%", "time with the target in the ultrasound slice",
+           "share of those samples with the target in front of the probe and within 5 mm of the slice",
+           "PerkTutor, Targets Scanned", [](const Measured& m) { return percent_of(m, &Seen::target_seen); }},
           {"needle_to_slice_deg", "deg", "angle between needle and ultrasound slice", "mean over those samples",
-           "TrainUS", needle_to_slice}};
+           "TrainUS", [](const Measured& m) { return mean_of(m, &Seen::angle); }},
+          {"needle_to_slice_max_deg", "deg", "greatest angle between needle and ultrasound slice",
+           "the same, greatest", "TrainUS", [](const Measured& m) { return greatest_of(m, &Seen::angle); }},
+          {"needle_to_slice_moving_deg", "deg", "angle between moving needle and ultrasound slice",
+           "mean while the filtered tip was faster than 5 mm/s for over 0.2 s", "TrainUS, while in action",
+           [](const Measured& m) { return mean_of(m, &Seen::moving_angle); }},
+          {"needle_to_target_deg", "deg", "angle between needle and the way to the target in the ultrasound picture",
+           "both cast on the slice, mean over the samples with the tip over 1 mm from the target", "TrainUS",
+           [](const Measured& m) { return mean_of(m, &Seen::to_target); }}};
 }
 
 }  // namespace bodkin::training

@@ -111,6 +111,30 @@ double path_length(const Motion& motion) {
   return length;
 }
 
+std::vector<double> speeds(const Motion& motion) {
+  std::vector<double> found(motion.tip.size(), 0.0);
+  for (std::size_t i = 1; i + 1 < motion.tip.size(); ++i)
+    found[i] = (motion.tip[i + 1] - motion.tip[i - 1]).norm() / (2.0 * motion.interval);
+  return found;
+}
+
+std::vector<char> in_action(const std::vector<double>& speed, double interval, double fast) {
+  constexpr double shortest = 0.2;  // s
+  std::vector<char> active(speed.size(), 0);
+  char state = 0;
+  std::size_t since = 0;  // where the speed last changed sides
+  for (std::size_t i = 0; i < speed.size(); ++i) {
+    const char side = speed[i] > fast ? 1 : 0;
+    if (side == state) since = i + 1;
+    active[i] = state;
+    if (static_cast<double>(i + 1 - since) * interval <= shortest) continue;
+    state = side;
+    for (std::size_t k = since; k <= i; ++k) active[k] = state;
+    since = i + 1;
+  }
+  return active;
+}
+
 std::optional<double> smoothness(const Motion& motion, double until) {
   std::size_t first = 0;
   while (first < motion.tip.size() && motion.inside[first] == 0) ++first;

@@ -20,6 +20,13 @@ Motion filtered_motion(const Attempt& attempt);
 // mm; sum of the distances between neighbouring points that are both in the body.
 double path_length(const Motion& motion);
 
+// mm/s of the tip at each point, by central differences.
+std::vector<double> speeds(const Motion& motion);
+
+// 1 where something is in action: a change to above `fast` counts once it has lasted for over 0.2 s, from its
+// beginning, and so does the change back. `interval`: s between the speeds.
+std::vector<char> in_action(const std::vector<double>& speed, double interval, double fast);
+
 // Smoothness of the motion from the first point in the body to the point at time `until` (s): the logarithmic
 // dimensionless jerk
 //

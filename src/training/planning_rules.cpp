@@ -1,13 +1,15 @@
 #include "training/planning_rules.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace bodkin::training {
 
 patient::PlanningRules planning_rules(const Procedure& procedure) {
   patient::PlanningRules rules;
+  // A plan leaves more room than a hand must: what is a near miss of an attempt is no margin for a path.
   for (const Forbidden& each : procedure.forbidden)
-    rules.avoid.push_back({each.tissue, each.structure, each.title, each.margin});
+    rules.avoid.push_back({each.tissue, each.structure, each.title, std::max(each.margin, rules.margin)});
   std::istringstream levels(procedure.levels);
   for (std::string level; levels >> level;) rules.levels.push_back(level);
   return rules;

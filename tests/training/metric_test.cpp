@@ -49,7 +49,7 @@ TEST(Metric, names_are_unique_and_say_their_unit) {
       EXPECT_TRUE(metric.name.ends_with("_s")) << metric.name;
     }
   }
-  EXPECT_GE(names.size(), 35U);
+  EXPECT_GE(names.size(), 75U);
 }
 
 TEST(Metric, a_straight_insertion_to_the_target_has_the_numbers_that_it_was_made_with) {
@@ -181,6 +181,13 @@ TEST(Metric, the_needle_in_an_ultrasound_slice_is_measured_from_the_probes_pose)
   EXPECT_NEAR(*value_of(written, "tip_to_slice_max_mm"), 3.0, 1e-9);
   EXPECT_NEAR(*value_of(written, "tip_in_slice_percent"), 0.0, 1e-9);
   EXPECT_NEAR(*value_of(written, "needle_to_slice_deg"), 0.0, 1e-9);
+  EXPECT_NEAR(*value_of(written, "needle_to_slice_max_deg"), 0.0, 1e-9);
+  EXPECT_NEAR(*value_of(written, "tip_to_slice_moving_mean_mm"), 3.0, 1e-9);  // at 10 mm/s
+  EXPECT_NEAR(*value_of(written, "tip_to_slice_moving_max_mm"), 3.0, 1e-9);
+  EXPECT_NEAR(*value_of(written, "target_in_slice_percent"), 100.0, 1e-9);  // 3 mm beside it, in front of the probe
+  EXPECT_NEAR(*value_of(written, "needle_to_target_deg"), 0.0, 1e-6);
+  for (session::SecondSample& each : written.session().second) each.position.z() = 6.0;
+  EXPECT_NEAR(*value_of(written, "target_in_slice_percent"), 0.0, 1e-9);
 }
 
 TEST(Metric, lifting_thrusting_and_twirling_have_the_amplitude_and_frequency_that_they_were_made_with) {
@@ -198,11 +205,83 @@ TEST(Metric, lifting_thrusting_and_twirling_have_the_amplitude_and_frequency_tha
   written.to(0, 1000, {});
   EXPECT_NEAR(*value_of(written, "lift_thrust_mm"), amplitude, 0.02);
   EXPECT_NEAR(*value_of(written, "lift_thrust_Hz"), lifting, 0.01);
+  EXPECT_LT(*value_of(written, "lift_thrust_scatter_mm"), 1.0);
+  EXPECT_NEAR(*value_of(written, "thrust_depth_mm"), 22.0 - 50.0, 0.02);  // 20 mm and half the way, target at 50
   EXPECT_NEAR(*value_of(written, "twirl_deg"), turn, 1.0);
   EXPECT_NEAR(*value_of(written, "twirl_Hz"), twirling, 0.01);
   WrittenSession straight = good_puncture();
   EXPECT_FALSE(value_of(straight, "lift_thrust_mm").has_value());
   EXPECT_FALSE(value_of(straight, "twirl_deg").has_value());
+}
+
+// Beside the planned path by 3 mm all the way, and once back to the beginning: the maximum of the distances does not
+// see the way back, the Fréchet distance does, for the plan cannot be walked backwards.
+TEST(Metric, a_way_that_turns_back_is_far_from_the_plan_by_frechet_and_near_it_by_the_greatest_distance) {
+  WrittenSession beside;
+  beside.go(Vec3(3, 0, 0), 100, WrittenSession::air).go(Vec3(3, -50, 0), 5000, {}).rest(1000, {});
+  EXPECT_NEAR(*value_of(beside, "deviation_frechet_mm"), 3.0, 0.02);
+  EXPECT_NEAR(*value_of(beside, "deviation_mean_mm"), 3.0, 1e-6);
+  WrittenSession back;
+  back.go(Vec3(3, 0, 0), 100, WrittenSession::air).go(Vec3(3, -45, 0), 4500, {}).go(Vec3(3, -5, 0), 4000, {});
+  back.go(Vec3(3, -50, 0), 4500, {}).rest(1000, {});
+  EXPECT_NEAR(*value_of(back, "deviation_max_mm"), 3.0, 1e-6);
+  // The best walk waits in the middle of what is gone twice: 20 mm along it from either end, and 3 mm beside.
+  EXPECT_NEAR(*value_of(back, "deviation_frechet_mm"), std::hypot(20.0, 3.0), 0.3);
+  EXPECT_GT(*value_of(back, "deviation_warped_mm"), *value_of(beside, "deviation_warped_mm"));
+}
+
+TEST(Metric, a_straight_insertion_has_the_spread_the_box_and_the_times_that_follow_from_its_length) {
+  WrittenSession written;
+  written.to(0, 100, WrittenSession::air).to(50, 5000, {});
+  EXPECT_NEAR(*value_of(written, "spread_mm"), 50.0 / std::sqrt(12.0), 0.02);  // of an even distribution
+  EXPECT_NEAR(*value_of(written, "box_mm3"), 0.0, 1e-9);
+  EXPECT_NEAR(*value_of(written, "time_to_target_s"), 4.7, 0.002);  // 3 mm before the end, at 10 mm/s
+  EXPECT_NEAR(*value_of(written, "closest_time_s"), 5.0, 0.002);
+  EXPECT_NEAR(*value_of(written, "sawing"), 1.0, 0.01);
+  EXPECT_EQ(*value_of(written, "translational_actions"), 0.0);
+  EXPECT_NEAR(*value_of(written, "spin_deg"), 0.0, 1e-6);
+  WrittenSession short_of_it;
+  short_of_it.to(0, 100, WrittenSession::air).to(46, 5000, {});
+  EXPECT_FALSE(value_of(short_of_it, "time_to_target_s").has_value());
+}
+
+TEST(Metric, quick_movements_and_turns_count_when_they_last) {
+  WrittenSession written;
+  written.rest(1000, WrittenSession::air);
+  for (int k = 0; k < 3; ++k)  // 100 mm/s for 0.4 s
+    written.to(k % 2 == 0 ? -50 : -10, 400, WrittenSession::air).rest(600, WrittenSession::air);
+  written.to(-45, 50, WrittenSession::air).rest(600, WrittenSession::air);  // as fast, for 0.05 s
+  EXPECT_EQ(*value_of(written, "translational_actions"), 3.0);
+  EXPECT_EQ(*value_of(written, "rotational_actions"), 0.0);
+
+  WrittenSession turned;
+  turned.to(0, 100, WrittenSession::air).to(20, 2000, {});
+  for (int i = 1; i <= 1000; ++i) {  // 90 degrees in a second
+    turned.add(Vec3(0, -20, 0), {});
+    turned.session().ticks.back().input.needle.rotate(Eigen::AngleAxisd(0.09 * i * degree, Vec3::UnitZ()));
+  }
+  EXPECT_NEAR(*value_of(turned, "spin_deg"), 90.0, 5.0);  // 50 ms at either end
+  EXPECT_EQ(*value_of(turned, "rotational_actions"), 1.0);
+}
+
+TEST(Metric, hands_that_move_and_rest_together_correlate) {
+  const auto of_hands = [](double shift) {
+    WrittenSession written;
+    written.to(0, 1000, WrittenSession::air);
+    for (int k = 0; k < 4; ++k) written.to(5.0 * (k + 1), 1000, {}).rest(1000, {});
+    written.session().header.second = session::SecondHeader{session::SecondRole::plunger, "{}"};
+    for (int i = 0; i < 800; ++i) {
+      session::SecondSample sample;
+      sample.time = 1.0 + 0.01 * i;
+      const double phase = std::fmod(0.01 * i + shift, 2.0), whole = std::floor((0.01 * i + shift) / 2.0);
+      sample.position = Vec3(7.0 * (whole + std::min(phase, 1.0)), 0, 0);
+      written.session().second.push_back(sample);
+    }
+    return *value_of(written, "hands_together");
+  };
+  EXPECT_NEAR(of_hands(0.0), 1.0, 0.03);
+  EXPECT_NEAR(of_hands(1.0), -1.0, 0.03);
+  EXPECT_NEAR(of_hands(0.5), 0.0, 0.05);
 }
 
 // docs/metrics.md holds the table of all metrics; BODKIN_WRITE_PAGES=1 writes it.
