@@ -22,7 +22,7 @@ namespace bodkin::cli {
 namespace {
 
 struct CaseSynthesizeShoulderOptions {
-  std::string folder, name, side = "right", needle, mechanics, procedure = "joint_injection";
+  std::string folder, name, side = "right", target = "joint", needle, mechanics, procedure;
   bool overwrite = false, vary = false;
   std::int64_t seed = 1;
   // A parameter with its option; what is not given is drawn with --vary.
@@ -39,15 +39,23 @@ constexpr const char* case_synthesize_shoulder_footer = R"(Examples:
   bodkin case synthesize shoulder patient
   bodkin case synthesize shoulder stout --weight 105 --height 1.70 --side left
   bodkin case synthesize shoulder dry --fluid 3 --age 70
+  bodkin case synthesize shoulder block --target suprascapular_nerve
   bodkin case synthesize shoulder patient_7 --vary --seed 7      somebody else for every seed
 
 The planned path is the posterior approach: 2 cm below and 1 cm medial of the posterolateral corner of the acromion,
-towards the coracoid. docs/synthetic-shoulder.md says what is in it and where the numbers come from.)";
+towards the coracoid. With --target suprascapular_nerve it goes from behind and above to a place beside that nerve, for
+an ultrasound-guided nerve block. docs/synthetic-shoulder.md says what is in it and where the numbers come from.)";
 
 patient::BodySide side_of(const std::string& text) {
   if (text == "left") return patient::BodySide::left;
   if (text == "right") return patient::BodySide::right;
   throw InputError(fmt::format("--side is '{}'; expected left or right", text));
+}
+
+patient::ShoulderTarget target_of(const std::string& text) {
+  if (text == "joint") return patient::ShoulderTarget::joint;
+  if (text == "suprascapular_nerve") return patient::ShoulderTarget::suprascapular_nerve;
+  throw InputError(fmt::format("--target is '{}'; expected joint or suprascapular_nerve", text));
 }
 
 void run_case_synthesize_shoulder(const CaseSynthesizeShoulderOptions& options, const CommandContext& context) {
@@ -57,7 +65,8 @@ void run_case_synthesize_shoulder(const CaseSynthesizeShoulderOptions& options, 
   wanted.folder = options.folder;
   wanted.overwrite = options.overwrite;
   wanted.name = options.name;
-  wanted.procedure = training::find_shipped_procedure(options.procedure).name;
+  wanted.target = target_of(options.target);
+  if (!options.procedure.empty()) wanted.procedure = training::find_shipped_procedure(options.procedure).name;
   if (!options.needle.empty()) wanted.needle = patient::parse_needle(options.needle);
   if (options.vary) wanted.gauge = drawn.gauge;
   if (!options.mechanics.empty() && !parse_value(options.mechanics, wanted.mechanics))
@@ -90,7 +99,7 @@ void run_case_synthesize_shoulder(const CaseSynthesizeShoulderOptions& options, 
 
 void add_case_synthesize_shoulder_command(CLI::App& group, CommandContext& context) {
   auto options = std::make_shared<CaseSynthesizeShoulderOptions>();
-  CLI::App* command = add_command(group, "shoulder", "A shoulder, for an injection into its joint from behind",
+  CLI::App* command = add_command(group, "shoulder", "A shoulder, for an injection into its joint or a nerve block",
                                   case_synthesize_shoulder_footer);
   add_text(*command, "DIR", options->folder, "Folder of the case; it must not exist yet").required();
   add_text(*command, "--name", options->name, "Name of the patient (default: the folder's)");
@@ -122,7 +131,11 @@ void add_case_synthesize_shoulder_command(CLI::App& group, CommandContext& conte
            "GAUGE,LENGTH,TIP, such as 21,90,quincke (default: 22 gauge, 50 mm where that reaches, or else 90 mm)");
   add_text(*command, "--mechanics", options->mechanics,
            "Where the force models have the numbers of the tissues from: tables or physical (default: tables)");
-  add_text(*command, "--procedure", options->procedure, "What is practised: a procedure that comes with Bodkin");
+  add_text(*command, "--target", options->target,
+           "joint or suprascapular_nerve: where the planned needle goes (default: joint)");
+  add_text(*command, "--procedure", options->procedure,
+           "What is practised: a procedure that comes with Bodkin (default: joint_injection, or "
+           "ultrasound_guided_nerve_block at the nerve)");
   add_switch(*command, "--vary", options->vary,
              "What is not given (age, height, weight, fluid, side, gauge) is drawn from the seed");
   add_switch(*command, "--overwrite", options->overwrite, "Replace a case that is already there");

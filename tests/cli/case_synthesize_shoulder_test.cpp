@@ -39,8 +39,18 @@ TEST_F(CaseSynthesizeShoulder, seed_varies_everything_that_is_not_given) {
   EXPECT_THAT(drawn, testing::Not(HasSubstr("55 years, 1.72 m, 76 kg")));
 }
 
+TEST_F(CaseSynthesizeShoulder, a_nerve_block_is_planned_beside_the_nerve_and_judged_as_one) {
+  const Outcome made = bodkin("-q case synthesize shoulder block --target suprascapular_nerve --spacing 1.5");
+  ASSERT_EQ(made.exit_code, 0) << made.errors;
+  EXPECT_THAT(text_of("block/case.xml"), HasSubstr("ultrasound_guided_nerve_block"));
+  ASSERT_EQ(bodkin("-q run block --operator expert_to_target --seed 3 --output expert.bodkin").exit_code, 0);
+  const Outcome score = bodkin("--json score expert.bodkin");
+  const nlohmann::json judged = nlohmann::json::parse(score.output);
+  EXPECT_EQ(judged["verdict"], "borderline") << score.output;  // `run` holds no probe: nobody saw the tip
+}
+
 TEST_F(CaseSynthesizeShoulder, what_cannot_be_is_refused_and_leaves_nothing) {
-  for (const char* wrong : {"--side middle", "--fluid 1", "--spacing 5", "--procedure none_such",
+  for (const char* wrong : {"--side middle", "--target elbow", "--fluid 1", "--spacing 5", "--procedure none_such",
                             "--needle 22,0,quincke", "--mechanics wrong"}) {
     const Outcome outcome = bodkin(std::string("case synthesize shoulder refused ") + wrong);
     EXPECT_EQ(outcome.exit_code, 2) << wrong;

@@ -53,7 +53,7 @@ TEST(ProcedureFile, those_that_come_with_bodkin_are_sound) {
       EXPECT_TRUE(forbids(tissue)) << name << ' ' << tissue;
   }
   for (const char* name : {"lumbar_puncture", "epidural", "spinal_anaesthesia", "ct_guided_biopsy", "joint_injection",
-                           "ultrasound_guided_injection", "acupuncture"})
+                           "ultrasound_guided_injection", "ultrasound_guided_nerve_block", "acupuncture"})
     EXPECT_TRUE(names.contains(name)) << name;
 }
 

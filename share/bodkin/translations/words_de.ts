@@ -2492,6 +2492,130 @@
         <translation>Halten Sie die Nadel mit beiden Händen, die am Rücken aufliegen: das Band gibt plötzlich nach.</translation>
     </message>
     <message>
+        <source>Ultrasound-guided nerve block</source>
+        <translation>Ultraschallgeführte Nervenblockade</translation>
+    </message>
+    <message>
+        <source>A local anaesthetic is injected beside a nerve, with the needle's tip in the ultrasound slice all the way.</source>
+        <translation>Ein Lokalanästhetikum wird neben einen Nerv gespritzt, die Nadelspitze auf dem ganzen Weg in der Ultraschallebene.</translation>
+    </message>
+    <message>
+        <source>Show the nerve</source>
+        <translation>Den Nerv zeigen</translation>
+    </message>
+    <message>
+        <source>Turn the probe until the nerve and the way to it lie in one slice.</source>
+        <translation>Drehen Sie den Schallkopf, bis der Nerv und der Weg zu ihm in einer Ebene liegen.</translation>
+    </message>
+    <message>
+        <source>Advance beside the nerve</source>
+        <translation>Neben dem Nerv vorschieben</translation>
+    </message>
+    <message>
+        <source>Aim at the side of the nerve, not at its middle. Advance only while you see the tip.</source>
+        <translation>Zielen Sie auf die Seite des Nervs, nicht auf seine Mitte. Schieben Sie nur vor, solange Sie die Spitze sehen.</translation>
+    </message>
+    <message>
+        <source>Rest beside the nerve</source>
+        <translation>Neben dem Nerv ruhen</translation>
+    </message>
+    <message>
+        <source>Look for blood in the syringe, then inject slowly. Stop at once if it hurts or resists: the tip is in the nerve.</source>
+        <translation>Achten Sie auf Blut in der Spritze, dann spritzen Sie langsam. Hören Sie sofort auf, wenn es schmerzt oder Widerstand leistet: die Spitze ist im Nerv.</translation>
+    </message>
+    <message>
+        <source>bleeding, or convulsions when the drug enters the circulation</source>
+        <translation>Blutung, oder Krämpfe, wenn das Mittel in den Kreislauf gelangt</translation>
+    </message>
+    <message>
+        <source>Stop as soon as the tip shows beside the nerve.</source>
+        <translation>Halten Sie an, sobald die Spitze neben dem Nerv erscheint.</translation>
+    </message>
+    <message>
+        <source>Shoulder. Beside the nerve, never into it.</source>
+        <translation>Schulter. Neben den Nerv, nie hinein.</translation>
+    </message>
+    <message>
+        <source>distance from the planned path, mean</source>
+        <translation>Abstand vom geplanten Weg, Mittel</translation>
+    </message>
+    <message>
+        <source>Fréchet distance of the way from the planned path</source>
+        <translation>Fréchet-Abstand des Wegs vom geplanten</translation>
+    </message>
+    <message>
+        <source>mean distance of the way from the planned path, best aligned</source>
+        <translation>mittlerer Abstand des Wegs vom geplanten, bestmöglich ausgerichtet</translation>
+    </message>
+    <message>
+        <source>time to the target</source>
+        <translation>Zeit bis zum Ziel</translation>
+    </message>
+    <message>
+        <source>time of the closest approach to the target</source>
+        <translation>Zeitpunkt der größten Annäherung an das Ziel</translation>
+    </message>
+    <message>
+        <source>spread of the tip in the body</source>
+        <translation>Streuung der Spitze im Körper</translation>
+    </message>
+    <message>
+        <source>volume that the tip moved in</source>
+        <translation>Raum, in dem sich die Spitze bewegte</translation>
+    </message>
+    <message>
+        <source>quick movements of the tip</source>
+        <translation>schnelle Bewegungen der Spitze</translation>
+    </message>
+    <message>
+        <source>quick turns of the needle</source>
+        <translation>schnelle Drehungen der Nadel</translation>
+    </message>
+    <message>
+        <source>turning about the shaft in the body</source>
+        <translation>Drehung um die Nadelachse im Körper</translation>
+    </message>
+    <message>
+        <source>travel along the shaft over the greatest depth</source>
+        <translation>Weg entlang der Nadel im Verhältnis zur größten Tiefe</translation>
+    </message>
+    <message>
+        <source>how the two hands move together</source>
+        <translation>wie sich beide Hände gemeinsam bewegen</translation>
+    </message>
+    <message>
+        <source>unevenness of lifting and thrusting</source>
+        <translation>Ungleichmäßigkeit von Heben und Senken</translation>
+    </message>
+    <message>
+        <source>depth of the thrusts beyond the target</source>
+        <translation>Tiefe der Stöße über das Ziel hinaus</translation>
+    </message>
+    <message>
+        <source>distance of the moving tip from the ultrasound slice, mean</source>
+        <translation>Abstand der bewegten Spitze von der Ultraschallebene, Mittel</translation>
+    </message>
+    <message>
+        <source>distance of the moving tip from the ultrasound slice, greatest</source>
+        <translation>Abstand der bewegten Spitze von der Ultraschallebene, größter</translation>
+    </message>
+    <message>
+        <source>time with the target in the ultrasound slice</source>
+        <translation>Zeit mit dem Ziel in der Ultraschallebene</translation>
+    </message>
+    <message>
+        <source>greatest angle between needle and ultrasound slice</source>
+        <translation>größter Winkel zwischen Nadel und Ultraschallebene</translation>
+    </message>
+    <message>
+        <source>angle between moving needle and ultrasound slice</source>
+        <translation>Winkel zwischen bewegter Nadel und Ultraschallebene</translation>
+    </message>
+    <message>
+        <source>angle between needle and the way to the target in the ultrasound picture</source>
+        <translation>Winkel zwischen Nadel und Weg zum Ziel im Ultraschallbild</translation>
+    </message>
+    <message>
         <source>Ultrasound-guided injection</source>
         <translation>Ultraschallgeführte Injektion</translation>
     </message>

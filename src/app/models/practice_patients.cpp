@@ -24,7 +24,7 @@ constexpr double block_width = 160.0;                 // mm, about an acupunctur
 constexpr std::string_view practised_point = "ST36";  // on the leg, away from organs
 constexpr std::string_view practised_layers = "alamilla_2018_fig_9";
 
-constexpr std::array<PracticePatient, 8> all_patients = {{
+constexpr std::array<PracticePatient, 9> all_patients = {{
     {"lumbar_puncture", "synthetic-lumbar", "Lumbar torso. Fluid from the sac below the cord.", false},
     {"epidural", "synthetic-epidural", "Lumbar torso. Stop behind the flavum, before the dura.", false},
     {"spinal_anaesthesia", "synthetic-spinal", "Lumbar torso. A thin needle, 25G, into the fluid.", false},
@@ -32,6 +32,7 @@ constexpr std::array<PracticePatient, 8> all_patients = {{
     {"joint_injection", "synthetic-shoulder", "Shoulder. From behind, into the space of the joint.", false},
     {"ultrasound_guided_injection", "synthetic-shoulder-ultrasound", "Shoulder. The tip in the picture all the way.",
      true},
+    {"ultrasound_guided_nerve_block", "synthetic-shoulder-nerve", "Shoulder. Beside the nerve, never into it.", true},
     {"acupuncture", practised_point, "Leg. Needle ST36; lift, thrust and twirl.", false},
     {"needle_insertion", "synthetic-layers", "Nine layers of a half ball, no anatomy.", false},
 }};
@@ -89,6 +90,8 @@ void make_shoulder(const PracticePatient& patient, const fs::path& folder, const
   wanted.overwrite = true;
   wanted.name = "Synthetic shoulder";
   wanted.procedure = std::string(patient.procedure);
+  if (patient.procedure == "ultrasound_guided_nerve_block")
+    wanted.target = patient::ShoulderTarget::suprascapular_nerve;
   patient::write_shoulder_case(wanted, progress);
 }
 
@@ -116,7 +119,8 @@ std::vector<std::string> make_practice_patient(const PracticePatient& patient, c
     needle_point_case(atlas, std::string(practised_point), folder.parent_path(), progress);
     return {};
   }
-  if (patient.procedure == "joint_injection" || patient.procedure == "ultrasound_guided_injection") {
+  if (patient.procedure == "joint_injection" || patient.procedure == "ultrasound_guided_injection" ||
+      patient.procedure == "ultrasound_guided_nerve_block") {
     make_shoulder(patient, folder, progress);
     return {};
   }

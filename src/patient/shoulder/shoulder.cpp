@@ -157,7 +157,7 @@ ShoulderSizes shoulder_sizes(const ShoulderParameters& parameters) {
 }
 
 SyntheticShoulder synthesize_shoulder(const ShoulderParameters& parameters, const anatomy::TissueLibrary& library,
-                                      const Progress& progress) {
+                                      const Progress& progress, ShoulderTarget target) {
   check_shoulder(parameters);
   const BodySide side = parameters.side;
   const ShoulderModel model(shoulder_sizes(parameters), parameters.spacing);
@@ -184,11 +184,16 @@ SyntheticShoulder synthesize_shoulder(const ShoulderParameters& parameters, cons
       }
     }
   });
-  made.path = aimed_at_fluid(placed(model.entry(), side), placed(model.direction(), side), made.tissues);
+  if (target == ShoulderTarget::suprascapular_nerve) {
+    made.path = {placed(model.block_entry(), side), placed(model.block(), side)};
+  } else {
+    made.path = aimed_at_fluid(placed(model.entry(), side), placed(model.direction(), side), made.tissues);
+  }
   made.landmarks = {{"acromion_corner", placed(model.acromion_corner(), side)},
                     {"coracoid_tip", placed(model.coracoid_tip(), side)},
                     {"humeral_head", Vec3::Zero()},
-                    {"glenoid", placed(model.glenoid(), side)}};
+                    {"glenoid", placed(model.glenoid(), side)},
+                    {"suprascapular_nerve", placed(model.blocked_nerve(), side)}};
   made.structure_table = shoulder_structures(made.structures, side);
   LumbarSizes adult{};  // for what age does to bone and muscle, as in the lumbar torso
   adult.cancellous_factor = std::clamp(1.0 - 0.0125 * (parameters.age - 45.0), 0.4, 1.3);

@@ -10,6 +10,9 @@ namespace bodkin::patient {
 
 enum class BodySide : std::uint8_t { left, right };
 
+// Where the planned needle goes.
+enum class ShoulderTarget : std::uint8_t { joint, suprascapular_nerve };
+
 // What a synthetic shoulder is made from.
 struct ShoulderParameters {
   std::uint64_t seed = 1;  // small variations of sizes, and the noise of the HU
@@ -36,8 +39,9 @@ struct SyntheticShoulder {
   std::vector<anatomy::Structure> structure_table;
   anatomy::TissueVolume tissues;
   std::vector<anatomy::Landmark> landmarks;  // acromion_corner, coracoid_tip, humeral_head, glenoid
-  // From behind, 20 mm below and 10 mm medial of the posterolateral corner of the acromion, towards the coracoid, to
-  // the middle of the fluid.
+  // Joint: from behind, 20 mm below and 10 mm medial of the posterolateral corner of the acromion, towards the
+  // coracoid, to the middle of the fluid. Suprascapular nerve: from behind and above, above the spine of the scapula,
+  // to a place in the supraspinous fossa beside the nerve, 5 mm from its axis.
   anatomy::NeedlePath path;
 };
 
@@ -47,7 +51,7 @@ void check_shoulder(const ShoulderParameters& parameters);
 // The same parameters give the same voxels on every machine. HU and their noise come from `library`, which must have
 // the tissues of with_joint_tissues. LPS, mm; the origin is the centre of the head of the humerus. Throws InputError.
 SyntheticShoulder synthesize_shoulder(const ShoulderParameters& parameters, const anatomy::TissueLibrary& library,
-                                      const Progress& progress = {});
+                                      const Progress& progress = {}, ShoulderTarget target = ShoulderTarget::joint);
 
 struct ShoulderVariant {
   ShoulderParameters parameters;  // with the seed; the spacing is the default

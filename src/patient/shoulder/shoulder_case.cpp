@@ -11,7 +11,7 @@
 namespace bodkin::patient {
 namespace {
 
-constexpr double tolerance = 3.0;                          // mm about the target
+constexpr double tolerance = 3.0;                          // mm about the target: at a nerve, less than lies between
 constexpr double short_needle = 50.0, long_needle = 90.0;  // mm
 constexpr double stays_outside = 5.0;                      // mm of the needle
 
@@ -23,7 +23,9 @@ anatomy::CaseDescription write_shoulder_case(const ShoulderCase& wanted, const P
   check_shoulder(wanted.shoulder);
   const anatomy::TissueLibrary library = with_joint_tissues(io::default_tissue_library());
   io::PartialFolder folder(wanted.folder, wanted.overwrite);
-  const SyntheticShoulder made = synthesize_shoulder(wanted.shoulder, library, progress);
+  const SyntheticShoulder made = synthesize_shoulder(wanted.shoulder, library, progress, wanted.target);
+  const bool at_nerve = wanted.target == ShoulderTarget::suprascapular_nerve;
+  const char* const usual = at_nerve ? "ultrasound_guided_nerve_block" : "joint_injection";
 
   anatomy::CaseDescription description;
   description.name = wanted.name.empty() ? wanted.folder.filename().string() : wanted.name;
@@ -36,7 +38,7 @@ anatomy::CaseDescription write_shoulder_case(const ShoulderCase& wanted, const P
   description.structures = made.structure_table;
   description.landmarks = made.landmarks;
   description.haptics.mechanics = wanted.mechanics;
-  description.procedure.name = wanted.procedure;
+  description.procedure.name = wanted.procedure.empty() ? usual : wanted.procedure;
   description.procedure.path = made.path;
   description.procedure.target_tolerance = tolerance;
   if (wanted.needle) {

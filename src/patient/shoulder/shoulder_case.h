@@ -15,7 +15,8 @@ struct ShoulderCase {
   std::filesystem::path folder;
   bool overwrite = false;
   std::string name;  // empty: the folder's
-  std::string procedure = "joint_injection";
+  ShoulderTarget target = ShoulderTarget::joint;
+  std::string procedure;                  // empty: joint_injection, or ultrasound_guided_nerve_block at the nerve
   std::optional<anatomy::Needle> needle;  // none: of `gauge`, 50 mm long where that reaches, or else 90 mm
   int gauge = 22;
   anatomy::Mechanics mechanics = anatomy::Mechanics::tables;

@@ -20,6 +20,7 @@ constexpr double capsule_thickness = 2.0;                        // mm: our choi
 constexpr double bone_shell = 1.6, shaft_shell = 3.5;            // mm: our choice
 // Where the joint is entered: 38 degrees around the head from the middle of the glenoid backwards, 7 mm above it.
 constexpr double recess_angle = 38.0 * degrees, recess_height = 7.0;
+constexpr double beside_nerve = 5.0;  // mm, of a block from the axis of the nerve: our choice
 constexpr double below_corner = 20.0, medial_of_corner = 10.0;  // mm, of the entry
 
 double square(double x) {
@@ -49,12 +50,7 @@ ShoulderModel::ShoulderModel(const ShoulderSizes& sizes, double spacing) : sizes
   const Vec3 recess = level * (shapes::sine(recess_angle) * backwards_ - shapes::cosine(recess_angle) * outwards_) +
                       Vec3(0.0, 0.0, height);
   const Vec3 out = (recess - coracoid_tip_).normalized();
-  double inside = 0.0, outside = 200.0;
-  for (int i = 0; i < 40; ++i) {
-    const double middle = 0.5 * (inside + outside);
-    (skin_distance(recess + middle * out) > 0.0 ? outside : inside) = middle;
-  }
-  entry_ = recess + inside * out;
+  entry_ = skin_from(recess, out);
   direction_ = -out;
   acromion_corner_ = Vec3(entry_.x() + medial_of_corner, 30.0 * s, entry_.z() + below_corner);
 
@@ -100,6 +96,25 @@ ShoulderModel::ShoulderModel(const ShoulderSizes& sizes, double spacing) : sizes
                {round_rod(at(9.0, 22.0, -36.0), at(30.0, 6.0, -34.0), 1.6), x},
                {round_rod(on_blade(22.0, 9.0, 34.0), on_blade(20.0, 11.0, 14.0), 1.6), u},
                {round_rod(on_blade(20.0, 11.0, 14.0), on_blade(34.0, 9.0, -16.0), 1.5), u}}};
+
+  // The block: from behind, above and somewhat medial. The line passes the nerve at a distance, so that a needle that
+  // goes too far meets the blade and not the nerve.
+  const Vec3 away = Vec3(-0.25, 0.72, 0.65).normalized();
+  const Vec3 nerve_axis = (on_blade(20.0, 11.0, 14.0) - on_blade(22.0, 9.0, 34.0)).normalized();
+  blocked_nerve_ = on_blade(21.2, 9.8, 26.0);
+  block_ = blocked_nerve_ + beside_nerve * nerve_axis.cross(away).normalized();
+  if (block_.x() > blocked_nerve_.x()) block_ = 2.0 * blocked_nerve_ - block_;  // on its medial side
+  block_entry_ = skin_from(block_, away);
+}
+
+// Where a line from a point inside leaves the skin; `out` is of unit length.
+Vec3 ShoulderModel::skin_from(const Vec3& inner, const Vec3& out) const {
+  double inside = 0.0, outside = 200.0;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (inside + outside);
+    (skin_distance(inner + middle * out) > 0.0 ? outside : inside) = middle;
+  }
+  return inner + inside * out;
 }
 
 Vec3 ShoulderModel::lowest() const {

@@ -44,12 +44,18 @@ class ShoulderModel {
   // Where the posterior approach enters the skin, and its direction (unit).
   const Vec3& entry() const { return entry_; }
   const Vec3& direction() const { return direction_; }
+  // Where the suprascapular nerve is blocked: beside it in the supraspinous fossa; its axis there, and the skin
+  // above.
+  const Vec3& block() const { return block_; }
+  const Vec3& blocked_nerve() const { return blocked_nerve_; }
+  const Vec3& block_entry() const { return block_entry_; }
   // The box that holds the shoulder: the trunk is cut off medially and below.
   Vec3 lowest() const;
   Vec3 highest() const;
 
  private:
   double fascia(const Vec3& p) const;
+  Vec3 skin_from(const Vec3& inner, const Vec3& out) const;
   double humerus(const Vec3& p) const;
   double scapula(const Vec3& p) const;
   bool in_vault(const Vec3& p) const;
@@ -65,6 +71,7 @@ class ShoulderModel {
   Vec3 blade_medial_, blade_backwards_;  // of the blade of the scapula
   Vec3 articular_;                       // axis of the joint surface of the head
   Vec3 glenoid_, coracoid_tip_, entry_, direction_, acromion_corner_;
+  Vec3 blocked_nerve_, block_, block_entry_;
   std::array<shapes::Rod, 2> acromion_, coracoid_, spine_;
   std::array<shapes::Rod, 2> clavicle_;
   struct Strand {
