@@ -28,7 +28,7 @@ constexpr double frozen_force = 0.5;       // N
 constexpr double unpushed_time = 0.1;      // s without force after which a hand shakes by itself
 constexpr double least_push = 0.1;         // N
 constexpr double steady_force = 0.05;      // N by which a force changes that does not shake a hand
-constexpr double force_window = 0.25;      // s over which that is measured: two cycles at least
+constexpr double force_window = 0.35;      // s over which that is measured: a cycle at least
 constexpr double lever = 30.0;             // mm, on which the tool's turning is watched
 constexpr double turning_noise = 0.3;      // mm on that lever
 constexpr double useful_phase = 1.0;       // rad by which damping may come late and still damp
@@ -123,7 +123,7 @@ void HandGuard::ramp_from_zero() noexcept {
   ramp_ = 0.0;
   faded_ = 1.0;
   fast_ticks_ = 0;
-  still_for_ = window_for_ = force_range_ = 0.0;
+  still_for_ = window_for_ = force_range_.last = torque_range_.last = 0.0;
   applied_ = Wrench{};
   passivity_.reset();
   fast_.reset();
@@ -179,13 +179,17 @@ void HandGuard::calm(Calming::Step step) noexcept {
   }
 }
 
-void HandGuard::watch_force_range(double dt) noexcept {
-  if (window_for_ == 0.0) force_low_ = force_high_ = held_force_;
-  force_low_ = force_low_.cwiseMin(held_force_);
-  force_high_ = force_high_.cwiseMax(held_force_);
+void HandGuard::watch_range(double dt) noexcept {
+  const auto follow = [this](Range& range, const Vec3& now) {
+    if (window_for_ == 0.0) range.low = range.high = now;
+    range.low = range.low.cwiseMin(now);
+    range.high = range.high.cwiseMax(now);
+  };
+  follow(force_range_, held_force_);
+  follow(torque_range_, applied_.torque);
   window_for_ += dt;
   if (window_for_ < force_window) return;
-  force_range_ = (force_high_ - force_low_).maxCoeff();
+  for (Range* range : {&force_range_, &torque_range_}) range->last = (range->high - range->low).maxCoeff();
   window_for_ = 0.0;
 }
 
@@ -201,11 +205,13 @@ void HandGuard::watch_shaking(double dt) noexcept {
   if (!is_armed()) return;
   if (fast || driven || slow) return calm(calming_.begin(0.0, 0.0));
 
-  watch_force_range(dt);
-  const bool fast_or_wide = swings_.step(motion_.moved(), dt), turns = turns_.step(lever * motion_.turned(), dt);
+  watch_range(dt);
+  const bool fast_or_wide = swings_.step(motion_.moved(), dt);
+  const bool turns_fast_or_wide = turns_.step(lever * motion_.turned(), dt);
   const bool pushed = held_force_.norm() > least_push || applied_.torque.norm() > lever * least_push;
   // A small swing that lasts under a force that stays the same is the hand's own.
-  const bool swings = fast_or_wide || (swings_.lasts() && force_range_ > steady_force);
+  const bool swings = fast_or_wide || (swings_.lasts() && force_range_.last > steady_force);
+  const bool turns = turns_fast_or_wide || (turns_.lasts() && torque_range_.last > lever * steady_force);
   unpushed_for_ = pushed ? 0.0 : unpushed_for_ + dt;
   if (unpushed_for_ > unpushed_time) {
     swings_.reset();

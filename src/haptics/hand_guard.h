@@ -74,12 +74,17 @@ class HandGuard {
   double bound() const noexcept;
 
  private:
+  // Within a window, and by how much it changed on the axis where it did most in the last one.
+  struct Range {
+    Vec3 low = Vec3::Zero(), high = Vec3::Zero();
+    double last = 0.0;
+  };
   static constexpr auto reasons = static_cast<std::size_t>(GuardReason::count_of_reasons);
 
   void watch(const DeviceState& device, const GuardInput& input, double dt) noexcept;
   void watch_hand(double dt) noexcept;
   void watch_shaking(double dt) noexcept;
-  void watch_force_range(double dt) noexcept;
+  void watch_range(double dt) noexcept;
   void calm(Calming::Step step) noexcept;
   double calming_damping() const noexcept;
   void watch_age(double age) noexcept;
@@ -125,9 +130,8 @@ class HandGuard {
   double ramp_ = 0.0;                    // share of the force that is let through
   double mean_square_ = 0.0;             // N^2
   double arming_for_ = -1.0;             // s since the request to arm; negative: none is pending
-  Vec3 force_low_ = Vec3::Zero(), force_high_ = Vec3::Zero();  // N, held within the window
-  double force_range_ = 0.0;  // N on the axis where it is largest, of the last window
-  double window_for_ = 0.0;   // s
+  Range force_range_, torque_range_;  // N held, N mm
+  double window_for_ = 0.0;           // s
   bool disarming_ = false;
   double resting_for_ = 0.0;                      // s
   double still_for_ = 0.0;                        // s of unchanged readings under force

@@ -9,16 +9,23 @@
 namespace bodkin::haptics {
 
 namespace {
-constexpr double slowest_shaking = 3.0;      // Hz
+constexpr double slowest_shaking = 2.8;      // Hz: 3 Hz, whatever the ticks make of a period
 constexpr double faster_than_hands = 19.0;   // Hz
 constexpr double hand_acceleration = 2.0e4;  // mm/s^2
 constexpr double persists = 0.85;            // of a cycle's width that the next one has at least
 constexpr double unsteady = 0.25;            // of a period by which another one may differ
 constexpr double fast_swings = 2.0;          // times the least swing
-constexpr double slowest_lasting = 8.5;      // Hz
-constexpr double lasting_time = 1.2;         // s
-constexpr double unequal_time = 0.15;  // of the shortest period by which the longest exceeds it, beyond two ticks
-constexpr double unequal_width = 0.3;  // of the narrowest width, beyond one least swing
+
+// How equal the cycles of a swing are that no hand makes, and how many of them, for how long.
+struct Evenness {
+  double time = 0.0;         // of the shortest period by which the longest exceeds it, beyond two ticks
+  double width = 0.0;        // of the narrowest width, beyond one least swing
+  double half_cycles = 0.0;  // at least
+  double lasting = 0.0;      // s, at least
+};
+constexpr double slower_than_tremor = 8.5;  // Hz
+constexpr Evenness of_a_tremor{0.15, 0.3, 0.0, 1.2};
+constexpr Evenness of_a_rhythm{0.05, 0.1, 24.0, 0.0};
 }  // namespace
 
 double SwingWatch::allowed(double frequency) const noexcept {
@@ -48,8 +55,8 @@ bool SwingWatch::is_shaken(const Axis& axis) noexcept {
 void SwingWatch::watch_lasting(Axis& axis, double dt) noexcept {
   const auto& swing = axis.last;
   const double period = swing[0].time + swing[1].time, width = 0.5 * (swing[0].width + swing[1].width);
-  if (axis.count < 3 || period * slowest_lasting > 1.0 || width <= fast_swings * least_) {
-    axis.widest = axis.longest = axis.lasting = 0.0;
+  if (axis.count < 3 || width <= fast_swings * least_) {
+    axis.widest = axis.longest = axis.lasting = axis.half_cycles = 0.0;
     axis.narrowest = axis.shortest = std::numeric_limits<double>::infinity();
     return;
   }
@@ -57,16 +64,18 @@ void SwingWatch::watch_lasting(Axis& axis, double dt) noexcept {
   axis.narrowest = std::min(axis.narrowest, width);
   axis.longest = std::max(axis.longest, period);
   axis.shortest = std::min(axis.shortest, period);
-  const bool equal = axis.longest - axis.shortest <= unequal_time * axis.shortest + 2.0 * dt &&
-                     axis.widest - axis.narrowest <= unequal_width * axis.narrowest + least_;
+  const Evenness& wanted = axis.longest * slower_than_tremor > 1.0 ? of_a_rhythm : of_a_tremor;
+  const bool equal = axis.longest - axis.shortest <= wanted.time * axis.shortest + 2.0 * dt &&
+                     axis.widest - axis.narrowest <= wanted.width * axis.narrowest + least_;
   axis.lasting += swing[0].time;
+  axis.half_cycles += 1.0;
   if (!equal) {
     axis.widest = axis.narrowest = width;
     axis.longest = axis.shortest = period;
-    axis.lasting = 0.0;
+    axis.lasting = axis.half_cycles = 0.0;
   }
-  if (axis.lasting < lasting_time) return;
-  axis.lasting = 0.0;
+  if (axis.lasting < wanted.lasting || axis.half_cycles < wanted.half_cycles) return;
+  axis.lasting = axis.half_cycles = 0.0;
   lasts_ = true;
   frequency_ = 1.0 / period;
   width_ = width;
@@ -82,7 +91,7 @@ bool SwingWatch::step(Axis& axis, double moved, double dt) noexcept {
     axis.extreme = axis.place;
   }
   const double longest = 0.5 / slowest_shaking;
-  if (axis.since_turn + axis.since_extreme > longest) axis.count = 0;
+  if (std::max(axis.since_turn, axis.since_extreme) > longest) axis.count = 0;
   if (std::abs(axis.extreme - axis.place) < least_) return false;
 
   std::rotate(axis.last.begin(), axis.last.end() - 1, axis.last.end());

@@ -14,10 +14,16 @@ namespace bodkin::haptics {
 //   below: A = 2 a / (2 pi f)^2 from side to side, a = 20 m/s^2 (a choice: about four times what a hand that trembles
 //   by 3 mm at 6 Hz or by 1 mm at 11 Hz needs), which is 2.8 mm at 19 Hz, 10 mm at 10 Hz and 113 mm at 3 Hz.
 //
-// What swings less below 19 Hz is for OscillationWatch, which asks who does the work, and for lasts(): a swing of
-// more than 8.5 Hz, however small, all of whose cycles are equally long (within 15 % and two ticks) and equally wide
-// (within 30 % and a count) for 1.2 s without a break. A tremor waxes and wanes and changes its pace
-// meanwhile; a loop that drives itself does not. step() is noexcept and allocates nothing.
+// What swings less below 19 Hz is for OscillationWatch, which asks who does the work, and for lasts(): a swing,
+// however small, all of whose cycles are equally long and equally wide without a break.
+//
+//   from 8.5 Hz on: within 15 % (and two ticks) of the period and 30 % (and a count) of the width, for 1.2 s; a tremor
+//   waxes and wanes and changes its pace meanwhile, a loop that drives itself does not;
+//   from 3 to 8.5 Hz: within 5 % and 10 %, for twelve cycles (4 s at 3 Hz, 1.4 s at 8.5 Hz). A hand that means to keep
+//   a rhythm varies by 3 to 5 % from one interval to the next (Wing and Kristofferson, Perception & Psychophysics 14
+//   (1973) 5-12) and by more in how far it goes, so that twelve such cycles are not its own.
+//
+// step() is noexcept and allocates nothing.
 class SwingWatch {
  public:
   // `least`: mm from turning point to turning point that are no noise.
@@ -50,6 +56,7 @@ class SwingWatch {
     std::array<Swing, 6> last{};                                          // the newest first
     double widest = 0.0, narrowest = 0.0, longest = 0.0, shortest = 0.0;  // mm, s, of the equal cycles
     double lasting = 0.0;                                                 // s of them
+    double half_cycles = 0.0;                                             // of them
   };
 
   bool step(Axis& axis, double moved, double dt) noexcept;

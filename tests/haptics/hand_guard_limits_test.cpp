@@ -127,13 +127,15 @@ TEST(HandGuardLimits, the_force_goes_to_zero_over_10_mm_outside_the_workspace) {
   EXPECT_TRUE(rig.guard.is_armed());
 }
 
-// s until a torque has gone to zero under a hand that turns about an axis by so many rad to each side; -1: it stays.
-double torque_ends_after(GuardRig& rig, double hertz, double amplitude) {
+// s until a torque has gone to zero under a hand that turns about an axis by so many rad to each side, while `share`
+// of the torque swings with it; -1: it stays for eight seconds.
+double torque_ends_after(GuardRig& rig, double hertz, double amplitude, double share = 0.0) {
   rig.push(nothing);
-  const Wrench turning{nothing, Vec3(0.0, 0.0, 80.0)};
+  Wrench turning{nothing, Vec3(0.0, 0.0, 80.0)};
   for (int tick = 0; tick < 100; ++tick) rig.tick(turning);
-  for (int tick = 0; tick < 2000; ++tick) {
-    const double angle = amplitude * std::sin(6.283185307 * hertz * 0.001 * tick);
+  for (int tick = 0; tick < 8000; ++tick) {
+    const double swing = std::sin(6.283185307 * hertz * 0.001 * tick), angle = amplitude * swing;
+    turning.torque.z() = 80.0 * (1.0 - share * swing);
     rig.device.hand.linear() = Eigen::AngleAxisd(angle, Vec3::UnitX()).toRotationMatrix();
     if (rig.tick(turning).torque.isZero(0.0)) return 0.001 * tick;
   }
@@ -151,6 +153,12 @@ TEST(HandGuardLimits, a_tool_that_turns_to_and_fro_loses_its_torque) {
   }
   GuardRig trembling;
   EXPECT_EQ(torque_ends_after(trembling, 12.0, 0.02), -1.0) << "the hand's own";
+  for (const double hertz : {4.0, 8.0, 12.0}) {  // found again after as long as the first time
+    GuardRig rig;
+    const double ended = torque_ends_after(rig, hertz, 0.02, 0.2);
+    EXPECT_GT(ended, 0.0) << hertz;
+    EXPECT_LE(ended, 2.0 * std::max(1.2 + 2.0 / hertz, 14.0 / hertz)) << hertz;
+  }
 }
 
 // Moves the hand to and fro along the force.
@@ -180,6 +188,46 @@ TEST(HandGuardLimits, a_shaking_hand_gets_half_the_force_and_then_none) {
   shake(rig, 45.0, 0.3, 0.1);
   EXPECT_EQ(rig.guard.fault(), GuardReason::oscillation);
   EXPECT_TRUE(rig.guard.applied().force.isZero(0.0));
+}
+
+struct SlowSwing {
+  double calmed = 0.0, zero = 0.0;  // s; 0: never within eight seconds
+};
+
+// The hand swings evenly by 1.5 mm to each side, whatever is done. The force of 3 N opposes its speed by `share` of
+// itself, so that the hand gives energy with each cycle and no account finds anything amiss.
+SlowSwing swing_slowly(GuardRig& rig, double hertz, double share) {
+  rig.push({0.0, 0.0, 3.0});
+  SlowSwing seen;
+  const double turn_rate = 2.0 * std::numbers::pi * hertz;
+  for (int i = 0; i < 8000 && seen.zero == 0.0; ++i) {
+    const double time = 0.001 * i;
+    rig.device.hand.translation().z() = 1.5 * std::sin(turn_rate * time);
+    const Vec3& force = rig.tick(Vec3(0.0, 0.0, 3.0 * (1.0 - share * std::cos(turn_rate * time)))).force;
+    if (seen.calmed == 0.0 && rig.count(GuardReason::calming) > 0) seen.calmed = time;
+    if (seen.calmed > 0.0 && force.isZero(0.0)) seen.zero = time;
+  }
+  return seen;
+}
+
+TEST(HandGuardLimits, a_slow_small_even_swing_ends_the_force_though_the_hand_does_the_work) {
+  for (const double hertz : {3.0, 4.0, 5.0, 6.0, 7.0, 8.4, 9.0, 12.0, 18.0}) {
+    GuardRig rig(undamped());
+    const SlowSwing seen = swing_slowly(rig, hertz, 0.1);
+    EXPECT_GT(seen.calmed, 0.0) << hertz << " Hz";
+    EXPECT_LE(seen.calmed, hertz < 8.5 ? 13.75 / hertz : 1.2 + 3.0 / hertz) << hertz << " Hz";
+    EXPECT_GT(seen.zero, 0.0) << hertz << " Hz";
+    EXPECT_LE(seen.zero - seen.calmed, 0.1001) << hertz << " Hz";
+    EXPECT_EQ(rig.guard.fault(), GuardReason::oscillation) << hertz << " Hz";
+    EXPECT_GE(rig.guard.energy().z(), 0.0) << "the hand has given it";
+  }
+}
+
+TEST(HandGuardLimits, a_slow_small_swing_under_a_steady_force_is_the_hands_own) {
+  for (const double hertz : {3.0, 5.0, 8.0}) {
+    GuardRig rig(undamped());
+    EXPECT_EQ(swing_slowly(rig, hertz, 0.0).calmed, 0.0) << hertz << " Hz";
+  }
 }
 
 TEST(HandGuardLimits, half_the_force_becomes_the_whole_again_when_the_hand_was_quiet_for_ten_seconds) {
