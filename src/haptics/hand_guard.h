@@ -130,8 +130,8 @@ class HandGuard {
   double ramp_ = 0.0;                    // share of the force that is let through
   double mean_square_ = 0.0;             // N^2
   double arming_for_ = -1.0;             // s since the request to arm; negative: none is pending
-  Range force_range_, torque_range_;  // N held, N mm
-  double window_for_ = 0.0;           // s
+  Range force_range_, torque_range_;     // N held, N mm
+  double window_for_ = 0.0;              // s
   bool disarming_ = false;
   double resting_for_ = 0.0;                      // s
   double still_for_ = 0.0;                        // s of unchanged readings under force

@@ -17,11 +17,11 @@ namespace bodkin::haptics {
 // What swings less below 19 Hz is for OscillationWatch, which asks who does the work, and for lasts(): a swing,
 // however small, all of whose cycles are equally long and equally wide without a break.
 //
-//   from 8.5 Hz on: within 15 % (and two ticks) of the period and 30 % (and a count) of the width, for 1.2 s; a tremor
-//   waxes and wanes and changes its pace meanwhile, a loop that drives itself does not;
-//   from 3 to 8.5 Hz: within 5 % and 10 %, for twelve cycles (4 s at 3 Hz, 1.4 s at 8.5 Hz). A hand that means to keep
-//   a rhythm varies by 3 to 5 % from one interval to the next (Wing and Kristofferson, Perception & Psychophysics 14
-//   (1973) 5-12) and by more in how far it goes, so that twelve such cycles are not its own.
+//   from 8.5 Hz on: within 15 % (and two ticks) of the period and 30 % (and a count) of the width, for 1.2 s; a
+//   tremor waxes and wanes and changes its pace meanwhile, a loop that drives itself does not; from 3 to 8.5 Hz:
+//   within 5 % and 10 %, for twelve cycles (4 s at 3 Hz, 1.4 s at 8.5 Hz). A hand that means to keep a rhythm varies
+//   by 3 to 5 % from one interval to the next (Wing and Kristofferson, Perception & Psychophysics 14 (1973) 5-12) and
+//   by more in how far it goes, so that twelve such cycles are not its own.
 //
 // step() is noexcept and allocates nothing.
 class SwingWatch {

@@ -104,7 +104,8 @@ TEST(SwingWatch, finds_a_slow_small_swing_that_lasts_for_twelve_cycles) {
   EXPECT_EQ(found_to_last(2.0, 2.0), 0.0) << "slower than 3 Hz";
 }
 
-// A hand that works to and fro as evenly as people can: 3 % of a period, 10 % of a width, for half an hour altogether.
+// A hand that works to and fro as evenly as people can: 3 % of a period, 10 % of a width, for half an hour
+// altogether.
 TEST(SwingWatch, a_rhythm_that_a_hand_keeps_does_not_last) {
   for (const double hertz : {3.0, 4.0, 5.0, 6.5, 8.0}) {
     Random random(7);
