@@ -15,7 +15,8 @@ constexpr const char* names[] = {
     "none",           "no_device",    "busy",        "wrong_version",  "uncalibrated",
     "unplug",         "freeze",       "nan",         "late",           "hot",
     "emergency_stop", "hand_off",     "too_fast",    "too_much_force", "unknown_code",
-    "open_blocks",    "start_blocks", "stop_blocks", "needs_update",   "other_controller"};
+    "open_blocks",    "start_blocks", "stop_blocks", "needs_update",   "other_controller",
+    "stuck"};
 
 constexpr const char* habits[] = {"still", "wander", "swivel", "sweep", "loose", "gone"};
 

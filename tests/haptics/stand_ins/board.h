@@ -26,8 +26,9 @@ enum class Trouble : int {
   open_blocks,
   start_blocks,
   stop_blocks,
-  needs_update,     // of its calibration, every now and then, which the servo does in one style
-  other_controller  // of a version that the library does not speak
+  needs_update,      // of its calibration, every now and then, which the servo does in one style
+  other_controller,  // of a version that the library does not speak
+  stuck              // the library goes on, but its readings stand still
 };
 
 // What the hand does by itself. Environment: BODKIN_STAND_IN_HAND="swivel".
@@ -53,6 +54,7 @@ struct Board {
   std::atomic<bool> firm{true};
   std::atomic<Hand> habit{Hand::still};
   std::atomic<std::uint32_t> buttons{0};
+  std::atomic<int> type{0};  // of the device, as the vendor numbers it; 0: the one that the library has by itself
 
   // Of calibration: the styles that the device supports, as the vendor writes them (0: those of a Touch), and by how
   // much the next update moves the pose along the vendor's first axis.
@@ -75,6 +77,10 @@ struct Board {
 
   // Run on the vendor's thread around everything of ours that it calls; may be null.
   std::atomic<void (*)()> before_callback{nullptr}, after_callback{nullptr};
+
+  // Times of the steady clock, ns; 0: not yet. From the tick `watched_from` on (negative: never): the first of these
+  // ticks, the first without force, and the longest time between two of them until then.
+  std::atomic<std::int64_t> watched_from{-1}, watched_at{0}, zero_at{0}, longest_gap{0};
 
   bool troubled_by(Trouble which) const noexcept {
     return trouble.load() == which && ticks.load() >= from_tick.load();
@@ -104,11 +110,14 @@ inline void Board::clear() noexcept {
   calibration_styles = 0;
   calibration_shift = 0.0;
   buttons = 0;
+  type = 0;
   ticks = pushes = pushes_in_trouble = 0;
   motors_on = false;
   violations = 0;
   first_violation = "";
   before_callback = after_callback = nullptr;
+  watched_from = -1;
+  watched_at = zero_at = longest_gap = 0;
 }
 
 // The library's one board, with the environment's trouble.

@@ -1,6 +1,7 @@
 #include "tests/haptics/stand_ins/mechanism.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -51,6 +52,19 @@ void Mechanism::follow_habit(Board& board) noexcept {
   }
 }
 
+void Mechanism::keep_times(Board& board, bool pushed) noexcept {
+  const std::int64_t now = std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+  const std::int64_t from = board.watched_from, gap = last_ == 0 ? 0 : now - last_;
+  last_ = now;
+  if (from < 0 || board.ticks < from || board.zero_at != 0) return;
+  if (board.watched_at == 0) {
+    board.watched_at = now;
+  } else {
+    board.longest_gap = std::max(board.longest_gap.load(), gap);
+  }
+  if (!pushed) board.zero_at = now;
+}
+
 void Mechanism::step(Board& board, const double (&force)[3], const double (&torque)[3]) noexcept {
   const double follow = 1.0 - std::exp(-dt / lag);
   bool pushed = false;
@@ -75,13 +89,15 @@ void Mechanism::step(Board& board, const double (&force)[3], const double (&torq
     }
     const double rounded = std::round(at_[i] / count) * count;
     const double seen = firm && !alone ? at_[i] : rounded;
-    velocity_seen_[i] = speed_[i] / unit_;
-    seen_[i] = board.troubled_by(Trouble::not_a_number) ? std::numeric_limits<double>::quiet_NaN() : seen / unit_;
     board.force[i] = motor;
     board.torque[i] = torque[i];
     board.position[i] = at_[i] / unit_;
     pushed = pushed || motor != 0.0 || torque[i] != 0.0;
+    if (board.troubled_by(Trouble::stuck)) continue;
+    velocity_seen_[i] = speed_[i] / unit_;
+    seen_[i] = board.troubled_by(Trouble::not_a_number) ? std::numeric_limits<double>::quiet_NaN() : seen / unit_;
   }
+  keep_times(board, pushed);
   if (pushed) ++board.pushes;
   if (pushed && board.trouble.load() != Trouble::none && board.troubled_by(board.trouble)) ++board.pushes_in_trouble;
   ++board.ticks;

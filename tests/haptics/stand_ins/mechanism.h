@@ -26,9 +26,11 @@ class Mechanism {
 
  private:
   void follow_habit(Board& board) noexcept;
+  void keep_times(Board& board, bool pushed) noexcept;
 
   double unit_, limit_;
   double time_ = 0.0;                     // s
+  std::int64_t last_ = 0;                 // ns of the steady clock, the step before
   std::array<double, 3> at_{}, speed_{};  // m, m/s
   std::array<double, 3> felt_{};          // N, behind the lag
   std::array<double, 3> seen_{}, velocity_seen_{};

@@ -1,0 +1,160 @@
+// How long a force lasts after a fault, measured at the motors of the stand-ins for the vendors' libraries: driver,
+// port, servo and guard together, in real time. BODKIN_FAULT_ROUNDS=30 haptics_tests --gtest_filter='*FaultTimes*'
+// measures every fault so often and prints the table of docs/safety.md.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tests/haptics/driver_rig.h"
+#include <gtest/gtest.h>
+
+#include "haptics/device_servo.h"
+
+namespace bodkin {
+
+using namespace bodkin::haptics;
+
+namespace {
+
+using stand_in::Trouble;
+
+// 0: the short form, which leaves out what force_contract_test.cpp has.
+int wanted_rounds() {
+  const char* text = std::getenv("BODKIN_FAULT_ROUNDS");
+  return text != nullptr ? std::atoi(text) : 0;
+}
+
+struct TimedFault {
+  const char* name;
+  Trouble trouble;     // none: the session ends
+  double longest;      // ms from the fault to zero force, as docs/safety.md says
+  GuardReason reason;  // why the guard is faulted then
+};
+
+// Ticks that a driver adds: a command that is under way, and a status that is not polled in every tick.
+constexpr double of_the_driver = 5.0;
+
+// ms; a tick that the machine holds up is felt for as long.
+struct Measured {
+  double time = 0.0, longest_gap = 1.0;
+};
+
+class FaultTimes : public testing::TestWithParam<DriverSubject> {
+ protected:
+  ~FaultTimes() override {
+    servo_.reset();
+    board().clear();
+  }
+
+  stand_in::Board& board() const { return GetParam().board(); }
+  double force() const { return Vec3(board().force[0], board().force[1], board().force[2]).norm(); }
+
+  std::vector<TimedFault> faults() const {
+    const double of_the_grip = GetParam().name == "haply" ? 20.0 : 0.0;  // it tells of its buttons 50 times a second
+    std::vector<TimedFault> all = {{"the readings stand still", Trouble::stuck, 521, GuardReason::frozen},
+                                   {"the hand lets go", Trouble::hand_off, 20 + of_the_grip, GuardReason::none},
+                                   {"the session ends", Trouble::none, 20, GuardReason::none}};
+    if (wanted_rounds() == 0) return all;
+    const auto add = [&](Trouble trouble, const char* name) {
+      if (GetParam().in_loop.count(trouble) > 0) all.push_back({name, trouble, 1, GuardReason::device_fault});
+    };
+    add(Trouble::unplug, "it is unplugged");
+    add(Trouble::emergency_stop, "its emergency stop is pressed");
+    add(Trouble::hot, "its motors are hot");
+    add(Trouble::too_fast, "its own limit of speed");
+    add(Trouble::too_much_force, "its own limit of force");
+    add(Trouble::uncalibrated, "it loses its calibration");
+    add(Trouble::unknown_code, "an error that nobody knows");
+    add(Trouble::not_a_number, "its pose is no number");
+    return all;
+  }
+
+  // The hand drifts to and fro by some millimetres in four seconds, as no frozen device does.
+  void drift() {
+    const double way = std::abs(std::fmod(0.001 * static_cast<double>(board().ticks.load()), 4.0) - 2.0);
+    const Vec3 at = GetParam().origin_vendor + 0.05 * way * (GetParam().pushed_vendor - GetParam().origin_vendor);
+    for (int i = 0; i < 3; ++i) board().hand[static_cast<std::size_t>(i)] = at[i];
+  }
+
+  // With a force of more than a newton.
+  void start() {
+    board().clear();
+    drift();
+    DevicePort port(*GetParam().driver, "", GetParam().words());
+    const DeviceAbilities known = port.abilities();
+    servo_ = std::make_unique<DeviceServo>(std::move(port), known, ServoSettings{}, [](const ControlInput& input) {
+      Control control;
+      const bool armed = input.guard == GuardState::ramping || input.guard == GuardState::active;
+      if (armed) control.wrench.force = Vec3(0.0, 0.0, 2.5);
+      return control;
+    });
+    servo_->start();
+    ASSERT_TRUE(comes_true([this] {
+      drift();
+      const GuardState state = servo_->tick().snapshot().state;
+      if (state == GuardState::disarmed || state == GuardState::faulted) {
+        servo_->tick().command({.kind = ServoCommand::Kind::arm});
+      }
+      return force() > 1.0;
+    }));
+  }
+
+  // From the first tick with the fault to the first without force.
+  Measured measured(const TimedFault& fault) {
+    board().from_tick = board().ticks + 5;
+    board().watched_from = board().from_tick.load();
+    board().trouble = fault.trouble;
+    if (fault.trouble == Trouble::none) {
+      EXPECT_TRUE(comes_true([this] { return board().watched_at != 0; }));
+      EXPECT_TRUE(servo_->stop());
+    } else {
+      EXPECT_TRUE(comes_true([&] {
+        if (fault.trouble != Trouble::stuck) drift();
+        const GuardState state = servo_->tick().snapshot().state;
+        return board().zero_at != 0 && (state == GuardState::disarmed || state == GuardState::faulted);
+      })) << fault.name;
+      EXPECT_EQ(servo_->tick().snapshot().fault, fault.reason) << fault.name;
+      board().trouble = Trouble::none;
+      servo_->stop();
+    }
+    Measured result;
+    EXPECT_NE(board().zero_at, 0) << fault.name;
+    result.time = 1e-6 * static_cast<double>(board().zero_at - board().watched_at);
+    result.longest_gap = std::max(1.0, 1e-6 * static_cast<double>(board().longest_gap));
+    return result;
+  }
+
+  std::unique_ptr<DeviceServo> servo_;
+};
+
+TEST_P(FaultTimes, of_a_device_are_within_what_the_page_says) {
+  for (const TimedFault& fault : faults()) {
+    std::vector<double> times;
+    int held_up = 0;
+    const int rounds = std::max(1, wanted_rounds());
+    for (int round = 0; round < rounds; ++round) {
+      ASSERT_NO_FATAL_FAILURE(start()) << fault.name;
+      const Measured seen = measured(fault);
+      EXPECT_EQ(force(), 0.0) << fault.name;
+      EXPECT_LE(seen.time, fault.longest + of_the_driver * seen.longest_gap) << fault.name << ", round " << round;
+      times.push_back(seen.time);
+      held_up += seen.longest_gap > 3.0 ? 1 : 0;
+      servo_.reset();
+    }
+    if (wanted_rounds() == 0) continue;
+    std::sort(times.begin(), times.end());
+    std::printf("| %s | %s | %d | %.0f | %.1f | %.1f | %d |\n", GetParam().name.c_str(), fault.name, rounds,
+                fault.longest, times[times.size() / 2], times.back(), held_up);
+    std::fflush(stdout);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryDriver, FaultTimes, testing::ValuesIn(driver_subjects()),
+                         [](const auto& subject) { return subject.param.name; });
+
+}  // namespace
+}  // namespace bodkin
