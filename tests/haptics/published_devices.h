@@ -15,8 +15,9 @@ struct PublishedDevice {
 };
 
 // Data sheets (peak force, resolution) and CHAI3D's device table (stiffness, damping), as share/bodkin/devices.csv
-// has them where it has the device; of a Touch the 0.5 N/mm and 0.004 N s/mm that its library reports.
-// published_devices_test.cpp holds them against the drivers.
+// has them where it has the device; of a Touch the 0.5 N/mm and 0.004 N s/mm that its library reports. No source has
+// numbers of each Virtuose, so the driver gives all of them those of the smallest; their encoder and that of an
+// Inverse3 are assumed. published_devices_test.cpp holds them against the drivers.
 inline const std::vector<PublishedDevice>& published_devices() {
   static const std::vector<PublishedDevice> devices = {
       {"Falcon", 8.0, 3.0, 0.02, 0.0635, 0.001, false},
@@ -29,8 +30,8 @@ inline const std::vector<PublishedDevice>& published_devices() {
       {"Touch", 3.3, 0.5, 0.004, 0.055, 0.001, true},
       {"Touch X", 7.9, 1.0, 0.005, 0.023, 0.001, true},
       {"Premium 1.5", 8.5, 0.8, 0.005, 0.0295, 0.001, true},
-      {"Virtuose 3D Desktop", 10.0, 2.0, 0.01, 0.02, 0.001, true},
-      {"Virtuose 6D", 31.0, 2.0, 0.01, 0.02, 0.001, true},
+      {"Virtuose 3D", 10.0, 2.0, 0.01, 0.02, 0.001, true},
+      {"Virtuose 6D", 10.0, 2.0, 0.01, 0.02, 0.001, true},
       {"Virtuose 6D Desktop", 10.0, 2.0, 0.01, 0.02, 0.001, true},
       {"Inverse3", 10.0, 1.0, 0.006, 0.01, 0.002, false},
   };

@@ -277,6 +277,25 @@ TEST(Haption, the_tick_begins_when_the_relays_have_closed) {
   EXPECT_EQ(virtuose.board().violations, 0) << virtuose.board().first_violation.load();
 }
 
+// Every type has the limits of the smallest one; torques only where motors turn the handle.
+TEST(Haption, is_called_by_its_type) {
+  const DriverSubject& virtuose = subject("haption");
+  virtuose.board().clear();
+  for (const auto& [type, name, torque] : {std::tuple{1, "Virtuose 3D", 0.0},
+                                           {2, "Virtuose 3D Desktop", 0.0},
+                                           {3, "Virtuose 6D", 800.0},
+                                           {4, "Virtuose 6D Desktop", 800.0},
+                                           {8, "Inca 6D", 800.0},
+                                           {13, "Virtuose of type 13", 0.0}}) {
+    virtuose.board().type = type;
+    const DevicePort port(*virtuose.driver, "", virtuose.words());
+    EXPECT_EQ(port.abilities().name, name);
+    EXPECT_EQ(port.abilities().peak_torque, torque) << name;
+    EXPECT_EQ(port.abilities().peak_force, 10.0) << name;
+  }
+  virtuose.board().clear();
+}
+
 TEST(Haption, tells_the_version_of_the_library_from_that_of_the_controller) {
   const DriverSubject& virtuose = subject("haption");
   virtuose.board().clear();

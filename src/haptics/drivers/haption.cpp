@@ -27,11 +27,29 @@ constexpr int oldest_api = 4;
 constexpr int handle_buttons = 2;
 constexpr const char* usual_address = "127.0.0.1#53210";  // the vendor's daemon on this machine
 
-// Of a Virtuose 6D Desktop, the smallest of the family; the profile knows better.
+// Of a Virtuose 6D Desktop, the smallest of the family, whatever the type: no source has the numbers of each.
 constexpr double peak_force = 10.0, continuous_force = 3.0;  // N
-constexpr double peak_torque = 800.0;                        // N mm
+constexpr double peak_torque = 800.0;                        // N mm, where the handle's rotation has motors
 constexpr double stiffness = 2.0, damping = 0.01;            // N/mm, N s/mm
 constexpr double radius = 60.0;                              // mm
+
+// As virtGetDeviceID numbers them.
+struct Type {
+  int number;
+  const char* name;
+  bool torques;  // false: three motors, none of which turns the handle
+};
+constexpr Type types[] = {{1, "Virtuose 3D", false}, {2, "Virtuose 3D Desktop", false},
+                          {3, "Virtuose 6D", true},  {4, "Virtuose 6D Desktop", true},
+                          {5, "Virtuose 7D", true},  {6, "MAT 6D", true},
+                          {7, "MAT 7D", true},       {8, "Inca 6D", true},
+                          {9, "Inca 3D", false},     {11, "Scale1", true}};
+
+const Type* find_type(int number) noexcept {
+  const auto* found =
+      std::find_if(std::begin(types), std::end(types), [=](auto& one) { return one.number == number; });
+  return found == std::end(types) ? nullptr : found;
+}
 
 int result_of_haption(int error) noexcept {
   switch (error) {
@@ -115,9 +133,13 @@ class Connection {
   }
 
   std::string name() const {
-    int type = 0, serial = 0;
-    must(api_->virtGetDeviceID(context_, &type, &serial), "to report its type");
-    return type == 3 ? "Virtuose 6D" : type == 4 ? "Virtuose 6D Desktop" : "Virtuose of type " + std::to_string(type);
+    const Type* type = find_type(type_number());
+    return type == nullptr ? "Virtuose of type " + std::to_string(type_number()) : type->name;
+  }
+  // Whether its motors turn the handle: not where the type is unknown.
+  bool renders_torques() const {
+    const Type* type = find_type(type_number());
+    return type != nullptr && type->torques;
   }
   // Of the library and of the controller, where that tells its own.
   std::string versions() const {
@@ -134,6 +156,12 @@ class Connection {
   }
 
  private:
+  int type_number() const {
+    int type = 0, serial = 0;
+    must(api_->virtGetDeviceID(context_, &type, &serial), "to report its type");
+    return type;
+  }
+
   HaptionHandle api_;
   HaptionLibrary::Context context_;
 };
@@ -320,7 +348,7 @@ struct Haption {
     copy_text(connection->serial(), abilities.serial, BODKIN_TEXT);
     abilities.peak_force = peak_force;
     abilities.continuous_force = continuous_force;
-    abilities.peak_torque = peak_torque;
+    abilities.peak_torque = connection->renders_torques() ? peak_torque : 0.0;
     abilities.stiffness = stiffness;
     abilities.damping = damping;
     abilities.rate = 1.0 / static_cast<double>(period);

@@ -109,10 +109,28 @@ EXPORT int dhdClose(char id) {
   return close_device(id, false);
 }
 EXPORT int dhdGetSystemType(char id) {
-  return is_ours(id) ? 104 : -1;
+  if (!is_ours(id)) return -1;
+  return board().type == 0 ? 104 : board().type.load();
 }
 EXPORT const char* dhdGetSystemName(char id) {
-  return is_ours(id) ? "sigma.7" : nullptr;
+  switch (dhdGetSystemType(id)) {
+    case 33:
+      return "omega.3";
+    case 34:
+      return "omega.6";
+    case 35:
+      return "omega.7";
+    case 60:
+      return "Falcon";
+    case 63:
+      return "delta.3";
+    case 104:
+      return "sigma.7";
+    case 108:
+      return "lambda.7";
+    default:
+      return nullptr;
+  }
 }
 EXPORT int dhdGetSerialNumber(unsigned short* serial, char id) {
   *serial = 10204;
@@ -200,7 +218,8 @@ EXPORT int dhdSetMaxForce(double limit, char id) {
   return is_ours(id) && limit > 0.0 ? 0 : -1;
 }
 EXPORT double dhdGetMaxForce(char id) {
-  return is_ours(id) ? peak : -1.0;
+  if (!is_ours(id)) return -1.0;
+  return board().type == 60 ? 8.0 : board().type == 63 ? 20.0 : peak;
 }
 #endif
 EXPORT int dhdSetGravityCompensation(int, char id) {

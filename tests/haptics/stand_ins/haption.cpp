@@ -118,7 +118,7 @@ EXPORT int virtGetControlerVersion(Context context, int* major, int* minor) {
   return about(context);
 }
 EXPORT int virtGetDeviceID(Context context, int* type, int* serial) {
-  *type = 4;
+  *type = board().type == 0 ? 4 : board().type.load();
   *serial = 77;
   return about(context);
 }
