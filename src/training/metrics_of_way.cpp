@@ -9,8 +9,8 @@ namespace bodkin::training {
 
 namespace {
 
-constexpr std::size_t most_points = 1000;      // of a way that is compared with the plan
-constexpr double plan_step = 0.5;              // mm between points of the plan
+constexpr std::size_t most_points = 1000;  // of a way that is compared with the plan
+constexpr double plan_step = 0.5;          // mm between points of the plan
 
 struct TwoWays {
   std::vector<Vec3> gone, planned;
