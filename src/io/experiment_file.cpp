@@ -118,6 +118,7 @@ ExperimentBody body_from(const XmlElement& element, const anatomy::TissueLibrary
   body.radius = shape.number("radius_mm", 0.0);
   body.width = shape.number("width_mm", body.width);
   body.voxel = shape.number("voxel_mm", body.hemisphere ? 1.0 : body.voxel);
+  body.mesh = shape.number("mesh_mm", body.mesh);
   for (const XmlElement& layer : shape.children) {
     const ExperimentLayer read = {layer.string("tissue"), layer.number("thickness_mm", 0.0)};
     if (library.find(read.tissue) == nullptr) {

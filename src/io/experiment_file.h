@@ -30,6 +30,7 @@ struct ExperimentBody {
   double radius = 0.0;  // mm, of the half ball
   double width = 60.0;  // mm, of the stack across the needle
   double voxel = 0.5;   // mm
+  double mesh = 5.0;    // mm, longest edge along each axis of a stack's mesh, for resistances that need one
   std::vector<ExperimentLayer> layers;
   std::filesystem::path patient;      // the case's folder; empty for a stack or a half ball
   std::optional<Vec3> entry, target;  // LPS mm, of a patient; the planned path where absent

@@ -50,6 +50,34 @@ std::shared_ptr<const fem::ContactBody> contact_body(const fem::BodyDescription&
   return whole;
 }
 
+// The body of a mesh; `cache`: where the corridor about the planned path is kept, empty for nowhere.
+std::shared_ptr<const fem::BodyDescription> prepare_body_of(anatomy::TetrahedralMesh mesh, anatomy::Case& patient,
+                                                            const std::filesystem::path& cache,
+                                                            const anatomy::NeedlePath& about,
+                                                            const Progress& progress,
+                                                            const std::function<void(const std::string&)>& note,
+                                                            std::shared_ptr<const fem::ContactBody>* kept) {
+  const anatomy::DeformableBodySettings& settings = *anatomy::body_of(patient.description.haptics.resistance);
+  fem::DescribedBody described = fem::describe_body(std::move(mesh), patient, settings, about);
+  if (const anatomy::EmbeddedNeedleSettings* points = with_points(patient)) {
+    const auto whole = contact_body(described.body, progress, note);
+    patient.corridor = {
+        std::make_shared<const anatomy::CondensedBody>(points_of(*whole, patient, about, *points)), about, {}};
+    if (kept != nullptr) *kept = whole;
+    return std::make_shared<const fem::BodyDescription>(std::move(described.body));
+  }
+  if (note) {  // of the corridor of nodes
+    for (const std::string& sentence : described.notes) note(sentence);
+  }
+  const std::optional<anatomy::NeedlePath>& planned = patient.description.procedure.path;
+  anatomy::CondensedBody body = !cache.empty() && planned && same(about, *planned)
+                                    ? fem::condensed_with_cache(cache, described.body, {}, progress, note)
+                                    : fem::condense(described.body, {}, progress, note);
+  fem::take_tissues_of_voxels(body, patient);
+  patient.corridor = {std::make_shared<const anatomy::CondensedBody>(std::move(body)), about, {}};
+  return std::make_shared<const fem::BodyDescription>(std::move(described.body));
+}
+
 }  // namespace
 
 std::shared_ptr<const fem::BodyDescription> prepare_body(anatomy::Case& patient, const std::filesystem::path& folder,
@@ -74,24 +102,13 @@ std::shared_ptr<const fem::BodyDescription> prepare_body(anatomy::Case& patient,
     throw InputError(fmt::format("{}: the case has no mesh, which {} needs; make one with: bodkin case mesh {}",
                                  folder.string(), anatomy::name_of(resistance), folder.string()));
   }
-  fem::DescribedBody described = fem::describe_body(std::move(mesh->mesh), patient, *settings, *about);
-  if (const anatomy::EmbeddedNeedleSettings* points = with_points(patient)) {
-    const auto whole = contact_body(described.body, progress, note);
-    patient.corridor = {
-        std::make_shared<const anatomy::CondensedBody>(points_of(*whole, patient, *about, *points)), *about, {}};
-    if (kept != nullptr) *kept = whole;
-    return std::make_shared<const fem::BodyDescription>(std::move(described.body));
-  }
-  if (note) {  // of the corridor of nodes
-    for (const std::string& sentence : described.notes) note(sentence);
-  }
-  const bool is_planned = planned && same(*about, *planned);
-  anatomy::CondensedBody body =
-      is_planned ? fem::condensed_with_cache(folder / body_file_name, described.body, {}, progress, note)
-                 : fem::condense(described.body, {}, progress, note);
-  fem::take_tissues_of_voxels(body, patient);
-  patient.corridor = {std::make_shared<const anatomy::CondensedBody>(std::move(body)), *about, {}};
-  return std::make_shared<const fem::BodyDescription>(std::move(described.body));
+  return prepare_body_of(std::move(mesh->mesh), patient, folder / body_file_name, *about, progress, note, kept);
+}
+
+void prepare_body(anatomy::Case& patient, anatomy::TetrahedralMesh mesh, const anatomy::NeedlePath& path,
+                  const Progress& progress) {
+  if (anatomy::body_of(patient.description.haptics.resistance) != nullptr)
+    prepare_body_of(std::move(mesh), patient, {}, path, progress, {}, nullptr);
 }
 
 anatomy::PreparedCorridor another_corridor(const fem::BodyDescription& body, const anatomy::Case& patient,

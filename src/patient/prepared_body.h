@@ -8,6 +8,7 @@
 #include <string>
 
 #include "anatomy/case.h"
+#include "anatomy/tetrahedral_mesh.h"
 #include "core/progress.h"
 #include "fem/solid/contact_body.h"
 #include "fem/solid/contact_stream.h"
@@ -29,6 +30,11 @@ std::shared_ptr<const fem::BodyDescription> prepare_body(anatomy::Case& patient,
                                                          const Progress& progress,
                                                          const std::function<void(const std::string&)>& note,
                                                          std::shared_ptr<const fem::ContactBody>* kept = nullptr);
+
+// The same from a mesh in memory, with a corridor about `path`; nothing is kept. Nothing is done when the resistance
+// needs no body. Throws InputError for everything that describe_body() and condense() refuse.
+void prepare_body(anatomy::Case& patient, anatomy::TetrahedralMesh mesh, const anatomy::NeedlePath& path,
+                  const Progress& progress = {});
 
 // Another corridor of the same body. `aimed_at`: the tick whose needle goes along `path`. `kept`: of a needle with
 // contact points (EmbeddedNeedleSettings::contact), the factorised body for further calls with the same `body`; a

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "patient/prepared_body.h"
+#include "study/layer_mesh.h"
 #include "study/needle_motion.h"
 #include <fmt/format.h>
 
@@ -20,6 +21,7 @@ namespace {
 constexpr double most_voxels = 60e6;
 constexpr double same_time = 1e-9;  // s; the time of a tick is a rounded product
 constexpr std::int16_t air_hounsfield = -1000;
+constexpr double air_before_mesh = 5.0;  // mm
 
 // Tissue at a depth below the surface, or along the radius of a half ball.
 anatomy::TissueId tissue_at(const io::ExperimentBody& body, const std::vector<anatomy::TissueId>& ids, double depth) {
@@ -48,10 +50,15 @@ anatomy::TissueVolume tissues_of(const io::Experiment& experiment) {
         fmt::format("{}: the body has {:.0f} million voxels, expected at most {:.0f}; make voxel_mm larger",
                     experiment.name, count / 1e6, most_voxels / 1e6));
   }
+  // Air in front of the skin of a mesh, whose faces are held where the volume ends.
+  const bool deforms = anatomy::body_of(experiment.haptics.resistance) != nullptr;
+  const int front = deforms ? static_cast<int>(voxels(air_before_mesh)) : 0;
   anatomy::Grid grid;
-  grid.size = {static_cast<int>(voxels(across)), static_cast<int>(voxels(across)), static_cast<int>(voxels(along))};
+  grid.size = {static_cast<int>(voxels(across)), static_cast<int>(voxels(across)),
+               static_cast<int>(voxels(along)) + front};
   grid.spacing = Vec3::Constant(body.voxel);
-  grid.origin = {-0.5 * body.voxel * (grid.size[0] - 1), -0.5 * body.voxel * (grid.size[1] - 1), 0.5 * body.voxel};
+  grid.origin = {-0.5 * body.voxel * (grid.size[0] - 1), -0.5 * body.voxel * (grid.size[1] - 1),
+                 (0.5 - front) * body.voxel};
   anatomy::TissueVolume volume(grid, anatomy::tissue::air);
   const Vec3 centre = {0.0, 0.0, body.radius};
   for (int k = 0; k < grid.size[2]; ++k) {
@@ -64,6 +71,25 @@ anatomy::TissueVolume tissues_of(const io::Experiment& experiment) {
     }
   }
   return volume;
+}
+
+// The deformable body of layers, about the line of the motion, where the resistance needs one.
+void give_body(const io::Experiment& experiment, const Progress& progress, anatomy::Case& patient) {
+  const io::ExperimentBody& body = experiment.body;
+  if (experiment.patient || anatomy::body_of(experiment.haptics.resistance) == nullptr) return;
+  if (body.hemisphere) {
+    throw InputError(
+        fmt::format("{}: {} needs a mesh, and only a stack of layers or a patient has one, not a half ball",
+                    experiment.name, anatomy::name_of(experiment.haptics.resistance)));
+  }
+  std::vector<MeshLayer> layers;
+  for (const io::ExperimentLayer& layer : body.layers)
+    layers.push_back({experiment.library.find(layer.tissue)->id, layer.thickness});
+  double deepest = 0.0;
+  for (const io::ExperimentPlace& place : experiment.motion.places) deepest = std::max(deepest, place.depth);
+  const io::ExperimentMotion& motion = experiment.motion;
+  patient::prepare_body(patient, mesh_of_layers(layers, body.width, body.mesh),
+                        {motion.entry, motion.entry + deepest * motion.direction}, progress);
 }
 
 // Where the needle is at a time.
@@ -206,7 +232,8 @@ anatomy::CtVolume ct_of_tissues(const anatomy::Case& patient) {
 }
 
 ExperimentRun play(const io::Experiment& experiment, const Progress& progress) {
-  const anatomy::Case patient = experiment_case(experiment);
+  anatomy::Case patient = experiment_case(experiment);
+  give_body(experiment, progress, patient);
   simulation::HapticTick tick(patient);
   Mover mover(experiment.motion);
   ExperimentRun run;

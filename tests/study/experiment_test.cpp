@@ -159,6 +159,65 @@ TEST(Experiment, sutherlands_means_come_out) {
   EXPECT_LT(played.run.ticks.back().resistance, 2.5);  // the loss of resistance
 }
 
+TEST(Experiment, sutherlands_finite_elements_go_up_and_down_in_soft_tissue_and_lose_resistance_behind_the_ligament) {
+  const Figure& played = figure("sutherland_2013_fig_10_elements");
+  int nodes = 0;  // falls of more than half a newton between skin and ligament
+  double highest = 0.0, before = 0.0;
+  for (const ExperimentTick& tick : played.run.ticks) {
+    if (tick.depth > 6.0 && tick.depth < 42.0 && before - tick.resistance > 0.5) ++nodes;
+    before = tick.resistance;
+    highest = std::max(highest, tick.resistance);
+  }
+  EXPECT_GE(nodes, 6);
+  EXPECT_LE(nodes, 10);
+  EXPECT_NEAR(highest, 4.7, 0.05);
+  EXPECT_LT(played.run.ticks.back().resistance, 1.0);
+}
+
+// The layers give way in their order, each at its own force and the friction of 0.1 N/mm at most: with the model's
+// own way of meeting the body, nodes or points.
+TEST(Experiment, both_deformable_models_are_played_on_layers) {
+  for (const char* model : {"closest_node", "embedded_needle"}) {
+    const std::string text = std::string(R"(<experiment version="1" name="stack" title="a stack">
+  <caption><reproduces>a stack</reproduces></caption>
+  <body><stack mesh_mm="4" width_mm="40"><tissue_layer tissue="skin" thickness_mm="4"/>
+    <tissue_layer tissue="fat" thickness_mm="16"/><tissue_layer tissue="ligamentum_flavum" thickness_mm="4"/>
+    <tissue_layer tissue="epidural_fat" thickness_mm="16"/></stack></body>
+  <haptics><resistance><)") + model +
+                             R"(/></resistance></haptics>
+  <motion from_mm="-5"><move depth_mm="36" speed_mm_per_s="20"/></motion>
+  <plot><panel><curve quantity="resistance_N"/></panel></plot>
+</experiment>)";
+    const ExperimentRun run = play(parse_experiment(text, "stack.xml"));
+    double skin = 0.0, flavum = 0.0;
+    for (const ExperimentTick& tick : run.ticks) {
+      if (tick.depth < 15.0) skin = std::max(skin, tick.resistance);
+      flavum = std::max(flavum, tick.resistance);
+    }
+    EXPECT_GT(skin, 1.4) << model;
+    EXPECT_LT(skin, 1.5 + 0.1 * 15.0) << model;
+    EXPECT_GT(flavum, 4.6) << model;
+    EXPECT_LT(flavum, 4.7 + 0.1 * 30.0) << model;
+    EXPECT_LT(run.ticks.back().resistance, flavum - 2.0) << model;
+  }
+}
+
+TEST(Experiment, a_deformable_model_needs_layers_that_are_plane) {
+  std::string text = R"(<experiment version="1" name="ball" title="a ball">
+  <caption><reproduces>a ball</reproduces></caption>
+  <body><hemisphere radius_mm="20" voxel_mm="1"><tissue_layer tissue="skin" thickness_mm="4"/></hemisphere></body>
+  <haptics><resistance><closest_node/></resistance></haptics>
+  <motion from_mm="-5"><move depth_mm="10" speed_mm_per_s="50"/></motion>
+  <plot><panel><curve quantity="resistance_N"/></panel></plot>
+</experiment>)";
+  try {
+    play(parse_experiment(text, "ball.xml"));
+    FAIL() << "a half ball was played";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("not a half ball"));
+  }
+}
+
 constexpr const char* ball = R"(<experiment version="1" name="ball" title="a ball">
   <caption><reproduces>a ball</reproduces></caption>
   <body><hemisphere radius_mm="20" voxel_mm="1"><tissue_layer tissue="skin" thickness_mm="4"/>
