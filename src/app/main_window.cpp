@@ -230,9 +230,10 @@ void MainWindow::add_pages() {
           [this](const QString& folder, const Vec3& place) { needle_found_point(folder.toStdString(), place); });
   add_page(atlas, tr("Acupuncture"), tr("Points and meridians on a whole body"));
   connect(devices_, &DevicesPage::use_requested, this, &MainWindow::use_device);
-  auto* const models = new ModelsPage;
-  connect(models, &ModelsPage::settings_chosen, this,
-          [this](const ModelSettings& settings) { practice_.set_models(settings); });
+  const auto frame = [this]() -> const Frame& { return practice_.frame(); };
+  auto* const models =
+      new ModelsPage(frame, [this](const ModelSettings& settings) { return practice_.feel_models(settings); });
+  connect(models, &ModelsPage::settings_chosen, this, [this](const auto& chosen) { practice_.set_models(chosen); });
   add_page(models, tr("Model settings"), tr("The numbers of the force model, one a step, and what they do"));
   add_page(ultrasound_, tr("Ultrasound"), tr("The probe in your hand, with the CT of the same plane"));
   const QSettings settings;

@@ -128,6 +128,17 @@ void Practice::set_models(const ModelSettings& models) {
   if (is_attempt(state())) again();
 }
 
+bool Practice::feel_models(const ModelSettings& models) {
+  const auto same_kind = [](const auto& a, const auto& b) { return a.index() == b.index(); };
+  if (server_ || !is_attempt(state()) || anatomy::body_of(haptics_.resistance) != nullptr ||
+      !same_kind(models.haptics.resistance, haptics_.resistance) ||
+      !same_kind(models.haptics.constraint, haptics_.constraint))
+    return false;
+  models_ = models;
+  link_.change_numbers(models.haptics, models.tissues);
+  return true;
+}
+
 void Practice::say(const std::string& sentence) {
   refusal_ = sentence;
   refused_at_ = clock_;
@@ -237,10 +248,12 @@ void Practice::begin_attempt() {
     options.overwrite = options_.overwrite && attempts_ == 0;
     ++attempts_;
     options_.apply(options);
-    if (models_) {
-      options.patient.description.haptics = models_->haptics;
-      options.patient.library = anatomy::TissueLibrary(models_->tissues);
-    }
+    if (models_) options.patient.description.haptics = models_->haptics;
+    haptics_ = options.patient.description.haptics;
+    // A deformable body is prepared with its tissues; otherwise they change as soon as the session runs, so that it
+    // can be replayed on the patient as he is.
+    const bool is_deformable = anatomy::body_of(haptics_.resistance) != nullptr;
+    if (models_ && is_deformable) options.patient.library = anatomy::TissueLibrary(models_->tissues);
     options.ultrasound = ultrasound_;
     const bool has_mouse = options.device.driver == &mouse_driver();
     feed_ = has_mouse ? std::make_shared<MouseFeed>(station::workspace_about(path)) : nullptr;
@@ -250,6 +263,7 @@ void Practice::begin_attempt() {
     }
     const std::string device = has_mouse ? "Mouse" : is_asked ? options.device.driver->name : device_->title;
     link_.start(std::move(options), device, {plan.has_value(), procedure}, points_);
+    if (models_ && !is_deformable) link_.change_numbers(models_->haptics, models_->tissues);
     if (feed_ == nullptr && mover_.is_moved()) send_body();
   } catch (const std::exception& error) {
     failure_ = error.what();

@@ -95,6 +95,9 @@ class Practice {
   // Other numbers of the force model in the attempts that follow on this patient. One that runs is saved, and another
   // begins.
   void set_models(const ModelSettings& models);
+  // The attempt that runs feels them at once, and those after it. False, and nothing done: there is none, or it has
+  // another model, or one with a deformable body.
+  bool feel_models(const ModelSettings& models);
   // How the attempts that follow are done and judged by a stage of a training plan; nothing: as the case says.
   void set_stage(const std::optional<training::PlanStage>& stage) { stage_ = stage; }
   // Called with each attempt that was saved, also one that was left.
@@ -172,7 +175,8 @@ class Practice {
   AttemptOptions options_;
   std::optional<link::ClientSettings> server_;  // of the station, if it is elsewhere
   std::optional<ModelSettings> models_;
-  int attempts_ = 0;  // with these options
+  anatomy::HapticSettings haptics_;  // with which the attempt began
+  int attempts_ = 0;                 // with these options
   StationLink::Points points_;
   BodyMover mover_;
   Frame frame_;

@@ -33,6 +33,20 @@ void Recorder::take_samples() {
   while (second_->samples.pop(sample)) writer_.append(sample);
 }
 
+void Recorder::note(NumberChange change) {
+  const std::lock_guard guard(lock_);
+  changes_.push_back(std::move(change));
+}
+
+void Recorder::take_changes() {
+  std::vector<NumberChange> changes;
+  {
+    const std::lock_guard guard(lock_);
+    changes.swap(changes_);
+  }
+  for (const NumberChange& change : changes) writer_.append(change);
+}
+
 void Recorder::work() {
   try {
     simulation::TickRecord record;
@@ -45,6 +59,7 @@ void Recorder::work() {
         if (observer_) observer_(record);
       }
       take_samples();
+      take_changes();
       const auto now = std::chrono::steady_clock::now();
       if (now - saved >= save_interval) {
         writer_.commit();

@@ -5,8 +5,10 @@
 #include <exception>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <thread>
+#include <vector>
 
 #include "session/second_link.h"
 #include "session/session_file.h"
@@ -34,6 +36,8 @@ class Recorder {
 
   // Servo thread only; wait-free. A record that finds the ring full is lost and counted.
   void push(const simulation::TickRecord& record) noexcept;
+  // Any thread; waits for a copy at most. Saved with the ticks.
+  void note(NumberChange change);
   // Saves what is left and closes the session. Throws what went wrong on the recorder's thread.
   void finish(const std::optional<SessionTimings>& timings = {});
 
@@ -45,12 +49,15 @@ class Recorder {
  private:
   void work();
   void take_samples();
+  void take_changes();
   void stop();
 
   SessionWriter writer_;
   Observer observer_;
   SingleProducerRing<simulation::TickRecord> ring_;
   std::shared_ptr<SecondLink> second_;
+  std::mutex lock_;  // guards `changes_`
+  std::vector<NumberChange> changes_;
   std::uint64_t lost_ = 0;
   std::atomic<bool> stopping_{false};
   std::atomic<bool> failed_{false};

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "patient/prepared_body.h"
@@ -16,7 +17,7 @@
 
 #include "core/error.h"
 #include "io/resources.h"
-#include "simulation/haptic_tick.h"
+#include "simulation/changing_tick.h"
 
 namespace bodkin::session {
 
@@ -155,6 +156,48 @@ class CorridorsTaken {
   std::unique_ptr<fem::ContactStream> stream_;  // of the needle's own lines
 };
 
+// The ticks with other numbers that took over while the session ran, made in time for theirs.
+class NumbersTaken {
+ public:
+  NumbersTaken(const Session& session, const anatomy::Case& patient, simulation::HapticTick& first)
+      : session_(session), patient_(patient), felt_(first), next_(session.changes.begin()) {}
+
+  simulation::TickOutput step(const simulation::TickRecord& recorded) {
+    if (next_ != session_.changes.end() && next_->tick == recorded.tick) take(*next_++);
+    return felt_.step(recorded.input);
+  }
+
+ private:
+  struct Made {
+    Made(const anatomy::Case& from, const NumberChange& change) : patient(with(from, change)), tick(patient) {}
+    static anatomy::Case with(anatomy::Case patient, const NumberChange& change) {
+      apply(change, patient);
+      return patient;
+    }
+    anatomy::Case patient;
+    simulation::HapticTick tick;
+  };
+
+  void take(const NumberChange& change) {
+    auto made = std::make_unique<Made>(patient_, change);
+    for (std::uint64_t tick = change.from_tick; tick < change.tick; ++tick)
+      made->tick.step(session_.ticks[tick].input);
+    if (!felt_.take(made->tick)) {
+      throw InputError(
+          fmt::format("the session changes its numbers at tick {} while those before still settle; the recording is "
+                      "damaged",
+                      change.tick));
+    }
+    before_ = std::exchange(now_, std::move(made));
+  }
+
+  const Session& session_;
+  const anatomy::Case& patient_;
+  simulation::ChangingTick felt_;
+  std::vector<NumberChange>::const_iterator next_;
+  std::unique_ptr<Made> now_, before_;  // the latter fades
+};
+
 // The equations of the body are those of the session, since check_same_case() has compared the case.
 std::string body_difference(const Session& session, const anatomy::Case& patient) {
   const std::string now = digest_of_body(patient);
@@ -202,6 +245,7 @@ ReplayResult replay_session(const Session& session, anatomy::Case patient, const
   const std::span<const forces::DiagnosticName> published = haptics.diagnostic_names();
   const auto names = has_same_diagnostics(session.header, published) ? published : published.first(0);
   auto event = session.events.begin();
+  NumbersTaken numbers(session, patient, haptics);
   for (const simulation::TickRecord& recorded : session.ticks) {
     if (recorded.tick != result.ticks) {
       throw InputError(
@@ -211,7 +255,7 @@ ReplayResult replay_session(const Session& session, anatomy::Case patient, const
     for (; event != session.events.end() && event->tick == recorded.tick; ++event)
       if (is_compared(event->event, session)) recorded_events.push_back(event->event);
     corridors.prepare_for(recorded_events, haptics);
-    simulation::TickRecord recomputed{recorded.tick, recorded.input, haptics.step(recorded.input)};
+    simulation::TickRecord recomputed{recorded.tick, recorded.input, numbers.step(recorded)};
     was.clear();
     is.clear();
     encode_tick(recorded, was);

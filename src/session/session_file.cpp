@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "session/change_table.h"
 #include "session/session_schema.h"
 #include "session/tick_codec.h"
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -329,6 +330,15 @@ void SessionWriter::append(const SecondSample& sample) {
   Impl& writer = *impl_;
   if (writer.has_second && writer.total_samples + writer.samples.size() < session_schema::most_second_samples) {
     writer.samples.push_back(sample);
+  }
+}
+
+void SessionWriter::append(const NumberChange& change) {
+  commit();
+  try {
+    append_change(impl_->database, change);
+  } catch (const SQLite::Exception& error) {
+    impl_->fail(error);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "session/number_change.h"
 #include "session/second_sample.h"
 #include "session/session_timings.h"
 
@@ -69,6 +70,8 @@ class SessionWriter {
   void append(const simulation::TickRecord& record);
   // Of the second hand, which the header names; times rise strictly.
   void append(const SecondSample& sample);
+  // Ticks of changes rise strictly. Writes at once what was appended.
+  void append(const NumberChange& change);
   // Makes everything appended so far safe on disk.
   void commit();
   // Writes the closing entry: the session ended on purpose. Throws SystemError when the disk is full.
@@ -87,6 +90,7 @@ struct Session {
   std::vector<simulation::TickRecord> ticks;  // events stand in `events`, not in the records
   std::vector<SessionEvent> events;
   std::vector<SecondSample> second;       // of the second hand
+  std::vector<NumberChange> changes;      // of the force models' numbers while it ran
   std::optional<SessionTimings> timings;  // of a finished session that ran on the clock
   bool finished = false;                  // false: the recording process died; what is here is what was saved
 };

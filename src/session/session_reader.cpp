@@ -7,6 +7,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "session/change_table.h"
 #include "session/session_end.h"
 #include "session/session_file.h"
 #include "session/session_schema.h"
@@ -143,6 +144,8 @@ void Reader::check_schema(SQLite::Database& database) const {
   std::map<std::string, std::string> expected;
   for (const auto& table : session_schema::tables) expected[table.name] = table.sql;
   if (version_ < 3) expected.erase("diagnostics");
+  const std::string changes = session_schema::changes.name;
+  expected[changes] = session_schema::changes.sql;
   SQLite::Statement query(database, "SELECT type, name, sql FROM sqlite_schema");
   while (query.executeStep()) {
     const std::string type = query.getColumn(0).getString();
@@ -153,6 +156,7 @@ void Reader::check_schema(SQLite::Database& database) const {
     }
     expected.erase(found);
   }
+  expected.erase(changes);  // a session without changes has none
   if (!expected.empty()) fail(fmt::format("the table '{}' is missing", expected.begin()->first));
 }
 
@@ -408,6 +412,7 @@ Session Reader::read() {
     read_chunks(database, session);
     if (version_ >= 3) read_diagnostics(database, session);
     read_second_hand(database, session);
+    session.changes = read_changes(database, file_.string());
     read_timings(database, session);
   } catch (const SQLite::Exception& error) {
     fail(fmt::format("the file is damaged ({})", error.what()));

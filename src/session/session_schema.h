@@ -19,8 +19,8 @@ struct Table {
   const char* sql;
 };
 
-// The authority is `header`, `tissues`, `chunks`, `diagnostics`, `second_hand` and `timings`; `events` repeats the
-// events of the chunks for those who ask in SQL.
+// The authority is `header`, `tissues`, `chunks`, `diagnostics`, `second_hand`, `changes` and `timings`; `events`
+// repeats the events of the chunks for those who ask in SQL.
 inline constexpr std::array<Table, 7> tables = {{
     {"header", "CREATE TABLE header(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID"},
     {"tissues", "CREATE TABLE tissues(id INTEGER PRIMARY KEY, name TEXT NOT NULL, title TEXT NOT NULL)"},
@@ -40,6 +40,13 @@ inline constexpr std::array<Table, 7> tables = {{
     {"timings", "CREATE TABLE timings(what TEXT NOT NULL, up_to_s REAL NOT NULL, count INTEGER NOT NULL)"},
 }};
 
+// Only in a session whose numbers were changed while it ran.
+inline constexpr Table changes = {
+    "changes",
+    "CREATE TABLE changes(tick INTEGER PRIMARY KEY, from_tick INTEGER NOT NULL, haptics TEXT NOT NULL, tissues TEXT "
+    "NOT NULL, checksum INTEGER NOT NULL)"};
+
+inline constexpr std::uint32_t most_changes = 10'000;
 inline constexpr std::uint32_t most_ticks_of_a_chunk = 4096;
 inline constexpr std::uint64_t most_second_samples = 1'000'000;  // almost three hours
 

@@ -7,6 +7,7 @@
 
 #include "session/recorder.h"
 #include "station/axial_needle.h"
+#include "station/felt_numbers.h"
 
 #include "core/latest_value.h"
 #include "core/single_producer_ring.h"
@@ -47,7 +48,10 @@ struct HandSession::Shared {
         second(std::move(link)),
         plunger(header.second && header.second->role == session::SecondRole::plunger ? second.get() : nullptr),
         has_syringe(patient->description.haptics.parts.syringe.has_value()),
-        recorder(session::SessionWriter(output, header, overwrite), {}, session::Recorder::usual_capacity, second) {}
+        recorder(
+            session::SessionWriter(output, header, overwrite),
+            [this](const simulation::TickRecord& record) { numbers.keep(record); }, session::Recorder::usual_capacity,
+            second) {}
 
   haptics::Control step(const haptics::ControlInput& input) noexcept {
     simulation::TickRecord record;
@@ -56,7 +60,7 @@ struct HandSession::Shared {
     if (has_syringe) record.input.thumb = thumb_now();
     record.input.other =
         simulation::OtherHand::from_byte(other.load(std::memory_order_relaxed)).value_or(simulation::OtherHand());
-    record.output = tick.step(record.input);
+    record.output = numbers.step(ticks, record.input);
     tick_in_tissue = record.output.depth > 0.0;
     const Vec3 ahead = body == nullptr ? Vec3(Vec3::Zero()) : body->needle_ahead();
     publish_forces(record.input.needle, ahead);
@@ -75,7 +79,8 @@ struct HandSession::Shared {
         corridor_left = false;
       if (event.kind == forces::EventKind::corridor_left) corridor_left = true;
     }
-    HandSnapshot now{ticks, record.input.needle, ahead, record.output, corridor_left, record.input.other};
+    HandSnapshot now{ticks,         record.input.needle, ahead,          record.output,
+                     corridor_left, record.input.other,  numbers.taken()};
     now.output.events.clear();
     snapshot.write(now);
     return {record.output.applied, 0.0};
@@ -104,6 +109,7 @@ struct HandSession::Shared {
 
   std::shared_ptr<const anatomy::Case> patient;
   simulation::HapticTick tick;
+  FeltNumbers numbers{patient, tick};
   simulation::BodyPort* body;                   // of the tick; may be null
   std::shared_ptr<session::SecondLink> second;  // may be null
   const session::SecondLink* plunger;           // the same, if the second hand holds the plunger
@@ -133,7 +139,10 @@ HandSession::HandSession(std::shared_ptr<const anatomy::Case> patient, const ses
           std::move(port), device, settings,
           [shared = shared_](const haptics::ControlInput& input) { return shared->step(input); })) {}
 
-HandSession::~HandSession() = default;
+HandSession::~HandSession() {
+  servo_.reset();
+  shared_->numbers.stop();  // before the recorder goes, to which it tells what acts
+}
 
 void HandSession::show_on(std::shared_ptr<simulation::DisplayThread> display) {
   shared_->display = std::move(display);
@@ -197,8 +206,20 @@ void HandSession::turn(bool simulation::OtherHand::*what) noexcept {
   kept.store(other.byte(), std::memory_order_relaxed);
 }
 
+void HandSession::change_numbers(const anatomy::HapticSettings& haptics,
+                                 const std::vector<anatomy::TissueProperties>& tissues) {
+  shared_->numbers.order(haptics, tissues, [recorder = &shared_->recorder](session::NumberChange change) {
+    recorder->note(std::move(change));
+  });
+}
+
+std::string HandSession::take_refusal() {
+  return shared_->numbers.take_refusal();
+}
+
 bool HandSession::finish() {
   const bool answered = servo_->stop();
+  shared_->numbers.stop();
   shared_->closed.store(true, std::memory_order_release);
   shared_->recorder.finish(session::timings_of(servo_->tick().timings()));
   return answered;

@@ -44,6 +44,7 @@ struct HandSnapshot {
   simulation::TickOutput output;     // without events
   bool corridor_left = false;   // the needle is where its deformable body was not prepared: the force is not valid
   simulation::OtherHand other;  // of that tick
+  std::uint32_t changes = 0;    // of the force models' numbers so far
 };
 
 // A person's hand on a device performs a procedure on a patient, and every tick is recorded. The constructor opens
@@ -87,6 +88,13 @@ class HandSession {
   void set_thumb(simulation::Thumb thumb) noexcept;
   // One thread: what the other hand does from the next tick on, the other way than now.
   void turn(bool simulation::OtherHand::*what) noexcept;
+
+  // The observer's thread: other numbers for the force models, felt within a moment and recorded; what was ordered
+  // before and has not begun to act is dropped. Throws InputError for numbers with which the session cannot go on:
+  // another rate, a model that publishes others, a deformable body.
+  void change_numbers(const anatomy::HapticSettings& haptics, const std::vector<anatomy::TissueProperties>& tissues);
+  // The observer's thread: why numbers that were ordered are not felt, once; empty: nothing to say.
+  std::string take_refusal();
 
   // Zero force, the end of the loop, and the recording closed. False: the device did not let itself be stopped.
   // Throws what went wrong with the recording.

@@ -39,21 +39,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double rate_tolerance = 0.05;  // of the rate; a device that misses it by more is reported
 
-// Of the device that is held; with a recording, of the device that was held then.
-anatomy::DeviceLimits limits_with(const DeviceChoice& choice, const haptics::DeviceAbilities& device,
-                                  const anatomy::DeviceLimits& of_case) {
-  if (!choice.is_recorded()) return limits_of(device, of_case);
-  return read_recorded_hand(choice.identity).limits.value_or(of_case);
-}
-
-Pose first_probe(const UltrasoundChoice& choice, const anatomy::Case& patient) {
-  try {
-    return hold_probe(choice, patient).pose();
-  } catch (const InputError& refused) {
-    throw InputError(fmt::format("--ultrasound: {}", refused.what()));
-  }
-}
-
 }  // namespace
 
 struct Station::Parts {
@@ -350,6 +335,7 @@ const StationStatus& Station::update() {
   if (parts.supervisor) {
     for (const std::string& sentence : parts.supervisor->update(*parts.session)) parts.say(sentence);
   }
+  if (const std::string refusal = parts.session->take_refusal(); !refusal.empty()) parts.say(refusal);
   status.time = parts.elapsed();
   status.servo = parts.session->servo().tick().snapshot();
   status.timings = parts.session->servo().tick().timings();
@@ -433,6 +419,15 @@ bool Station::move_body(const Vec3& middle, const Mat3& rotation) {
   if (parts.second != nullptr || BodyGlide::touches(parts.session->snapshot())) return false;
   parts.glide.order(middle, rotation, parts.elapsed(), parts.session->servo().tick(), parts.servo.workspace);
   return true;
+}
+
+void Station::change_numbers(const anatomy::HapticSettings& haptics,
+                             const std::vector<anatomy::TissueProperties>& tissues) {
+  try {
+    parts_->session->change_numbers(haptics, tissues);
+  } catch (const InputError& refused) {
+    parts_->say(refused.what());
+  }
 }
 
 void Station::end() noexcept {

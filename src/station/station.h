@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "session/session_run.h"
 #include "station/station_observer.h"
@@ -63,6 +64,9 @@ class Station {
   // touches it. False, and nothing done: the needle touches it now, or there is a second hand, whose workspace would
   // stay behind.
   bool move_body(const Vec3& middle, const Mat3& rotation);
+  // Other numbers for the force models of the running session; see HandSession::change_numbers. What cannot be is
+  // said in StationStatus::message.
+  void change_numbers(const anatomy::HapticSettings& haptics, const std::vector<anatomy::TissueProperties>& tissues);
   // Any thread, and signal handlers.
   void end() noexcept;
   // Where the ultrasound probe is and how the machine is set; the place is ignored while the second hand holds the

@@ -2,6 +2,9 @@
 
 #include <variant>
 
+#include "station/hand_session.h"
+#include "station/probe_contact.h"
+#include "station/recorded_hand.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -31,6 +34,20 @@ void check_moving_body(const StationOptions& options) {
       fmt::format("--body is 'moving', which only the resistance embedded_needle feels, and this one is {}; add "
                   "--resistance embedded_needle",
                   anatomy::name_of(resistance)));
+}
+
+anatomy::DeviceLimits limits_with(const DeviceChoice& choice, const haptics::DeviceAbilities& device,
+                                  const anatomy::DeviceLimits& of_case) {
+  if (!choice.is_recorded()) return limits_of(device, of_case);
+  return read_recorded_hand(choice.identity).limits.value_or(of_case);
+}
+
+Pose first_probe(const UltrasoundChoice& choice, const anatomy::Case& patient) {
+  try {
+    return hold_probe(choice, patient).pose();
+  } catch (const InputError& refused) {
+    throw InputError(fmt::format("--ultrasound: {}", refused.what()));
+  }
 }
 
 std::string moving_body_record(const fem::ProbeFace& face, std::size_t nodes) {

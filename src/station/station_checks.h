@@ -19,6 +19,13 @@ void check_moving_body(const StationOptions& options);
 // What a session keeps of its moving body, JSON.
 std::string moving_body_record(const fem::ProbeFace& face, std::size_t nodes);
 
+// Of the device that is held; with a recording, of the device that was held then.
+anatomy::DeviceLimits limits_with(const DeviceChoice& choice, const haptics::DeviceAbilities& device,
+                                  const anatomy::DeviceLimits& of_case);
+
+// Where the probe is at first. Throws InputError where the choice does not go with the patient.
+Pose first_probe(const UltrasoundChoice& choice, const anatomy::Case& patient);
+
 // Why springs are softer than the device's published stiffness, one sentence.
 std::string stiffness_sentence(const haptics::StableStiffness& stiffness);
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "patient/acupuncture/collaterals.h"
 #include "scene/camera_moves.h"
 #include "views/theme.h"
 
@@ -146,11 +147,13 @@ const AtlasView::Mark* AtlasView::mark_at(const QPointF& at) const {
 void AtlasView::paint_meridians(QPainter& painter) const {
   const scene::Projection projection = scene_->projection();
   const patient::AtlasPoint* lit = lit_ != nullptr ? lit_ : chosen_;
+  const patient::Collateral* const collateral = lit != nullptr ? patient::collateral_at(lit->code) : nullptr;
   for (const patient::Meridian& meridian : atlas_->meridians()) {
-    const bool is_lit = lit != nullptr && lit->meridian == meridian.name;
+    const bool is_partner = collateral != nullptr && collateral->partner == meridian.code;
+    const bool is_lit = lit != nullptr && (lit->meridian == meridian.name || is_partner);
     QColor colour = colour_of(meridian.colour);
     colour.setAlphaF(is_lit ? 1.0 : lit != nullptr ? 0.35 : 0.75);
-    painter.setPen(QPen(colour, is_lit ? 3.0 : 1.3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setPen(QPen(colour, is_partner ? 2.0 : is_lit ? 3.0 : 1.3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     for (const bool right : {false, true}) {
       if (right && !meridian.bilateral) continue;
       for (const std::vector<Vec3>& line : meridian.lines) {
@@ -169,6 +172,23 @@ void AtlasView::paint_meridians(QPainter& painter) const {
         }
       }
     }
+  }
+}
+
+// From the luo-connecting point that is lit straight to the source point of the partner's meridian, as schemes draw
+// it.
+void AtlasView::paint_collateral(QPainter& painter) const {
+  const patient::AtlasPoint* const luo = lit_ != nullptr ? lit_ : chosen_;
+  const patient::Collateral* const collateral = luo != nullptr ? patient::collateral_at(luo->code) : nullptr;
+  const patient::AtlasPoint* const source = collateral != nullptr ? atlas_->find(collateral->source) : nullptr;
+  if (source == nullptr) return;
+  const scene::Projection projection = scene_->projection();
+  painter.setPen(QPen(QColor(255, 210, 70), 2.0, Qt::DashLine, Qt::RoundCap));
+  for (const bool right : {false, true}) {
+    const Vec3 from = right ? luo->mirrored() : luo->place, to = right ? source->mirrored() : source->place;
+    const auto line = projection.line(from, to);
+    if (!line || (!sees(from) && !sees(to))) continue;
+    painter.drawLine(QPointF((*line)[0].x, (*line)[0].y), QPointF((*line)[1].x, (*line)[1].y));
   }
 }
 
@@ -212,6 +232,7 @@ void AtlasView::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   if (!hidden_) {
     paint_meridians(painter);
+    paint_collateral(painter);
     paint_points(painter);
   }
   if (shown_) {

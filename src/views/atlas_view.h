@@ -22,7 +22,7 @@ class AtlasView : public QWidget {
   explicit AtlasView(QWidget* parent = nullptr);
 
   void set_body(std::shared_ptr<const patient::Atlas> atlas, std::shared_ptr<const scene::PatientSurfaces> surfaces);
-  // The chosen point, or none: it is lit, and its meridian.
+  // The chosen point, or none: it is lit, its meridian, and of a luo-connecting point its collateral.
   void choose(const patient::AtlasPoint* point);
   // Without points and names, for practice; then the place that was shown and the true point.
   void hide_points(bool hidden);
@@ -58,6 +58,7 @@ class AtlasView : public QWidget {
   void find_visible();
   bool sees(const Vec3& p) const;
   void paint_meridians(QPainter& painter) const;
+  void paint_collateral(QPainter& painter) const;
   void paint_points(QPainter& painter) const;
   const Mark* mark_at(const QPointF& at) const;
   void move_camera(const scene::Camera& camera);

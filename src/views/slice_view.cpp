@@ -38,6 +38,7 @@ void SliceView::set_case(std::shared_ptr<const OpenCase> patient) {
   measures_->cancel();
   cine_ = false;
   shown_ = {};
+  hides_plan_ = false;
   show_whole_procedure();
 }
 
@@ -47,7 +48,7 @@ void SliceView::show_whole_procedure() {
   if (patient_ == nullptr) return update();
   const anatomy::Grid& lattice = patient_->patient.tissues.grid;
   middle_ = lattice.to_patient(0.5 * Vec3(lattice.size[0] - 1, lattice.size[1] - 1, lattice.size[2] - 1));
-  if (const auto& path = patient_->description().procedure.path) {
+  if (const auto& path = patient_->description().procedure.path; path && !hides_plan_) {
     // The target a little off the middle, so that the way from the skin is seen.
     constexpr double towards_the_entry = 0.3;
     middle_ = path->target + towards_the_entry * (path->entry - path->target);
@@ -115,6 +116,11 @@ void SliceView::show_frame(const Frame& frame, const Changes& changes) {
   const bool redraw = changes.needle || changes.tissue || changes.state || changes.plan || changes.crosshair ||
                       changes.warning || changes.theme || changes.attempt;
   if (!redraw) return;
+  // An attempt without a plan to be seen must not begin with the slices at it.
+  if (const bool hides = !frame.plan; changes.attempt && hides != hides_plan_) {
+    hides_plan_ = hides;
+    show_whole_procedure();
+  }
   shown_.state = frame.state;
   shown_.has_needle = frame.has_needle;
   shown_.tip = frame.needle.translation();

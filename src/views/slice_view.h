@@ -115,7 +115,8 @@ class SliceView : public View {
   Vec3 middle_ = Vec3::Zero();  // LPS mm, in the middle of the view
   double field_ = 135.0;
   Shown shown_;
-  bool placed_ = false;  // middle_ has been set for the patient
+  bool placed_ = false;      // middle_ has been set for the patient
+  bool hides_plan_ = false;  // the attempt is one without a plan to be seen
 
   enum class Drag { none, crosshair, window, pan };
   Drag drag_ = Drag::none;

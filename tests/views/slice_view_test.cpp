@@ -75,6 +75,28 @@ TEST(SliceView, the_slice_at_the_tip_shows_the_voxel_of_the_tip) {
   }
 }
 
+TEST(SliceView, an_attempt_whose_plan_is_hidden_does_not_begin_at_it) {
+  OpenCase aside = *bodkin_test::layered_patient();
+  const Vec3 off(25.0, 0.0, 0.0);  // from the middle of the image
+  anatomy::NeedlePath& path = *aside.patient.description.procedure.path;
+  path = {path.entry + off, path.target + off};
+  const auto patient = std::make_shared<const OpenCase>(aside);
+  const auto off_centre = [&](bool is_shown) {
+    SliceView view(SliceKind::axial);
+    view.resize(400, 300);
+    view.set_case(patient);
+    Frame frame = frame_at(0.0);
+    frame.has_needle = frame.follows_tip = false;
+    frame.crosshair = Vec3::Zero();
+    frame.plan.reset();
+    if (is_shown) frame.plan = path;
+    view.show_frame(frame, Changes::all());
+    return std::abs(view.to_widget(Vec3::Zero()).x() - 200.0);
+  };
+  EXPECT_LT(off_centre(false), 3.0) << "pixels";
+  EXPECT_GT(off_centre(true), 20.0) << "with the plan it is the way to the target that is shown";
+}
+
 TEST(SliceView, the_conus_is_lettered_in_the_planes_that_pass_near_it) {
   const auto amber = [](const std::shared_ptr<const OpenCase>& patient, SliceKind kind, bool tints) {
     SliceView view(kind);

@@ -39,6 +39,14 @@
 <context>
     <name>AtlasPage</name>
     <message>
+        <source>&lt;p&gt;&lt;b&gt;Luo-connecting point&lt;/b&gt; Its collateral %1.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;&lt;b&gt;Luo-Verbindungspunkt&lt;/b&gt; Sein Nebengefäß %1.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;&lt;b&gt;Luo-connecting point&lt;/b&gt; Its collateral goes to the %1 meridian; the dashed line to the source point %2 is a scheme, no course is published.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;&lt;b&gt;Luo-Verbindungspunkt&lt;/b&gt; Sein Nebengefäß führt zum Meridian %1; die gestrichelte Linie zum Ursprungspunkt %2 ist ein Schema, kein Verlauf ist veröffentlicht.&lt;/p&gt;</translation>
+    </message>
+    <message>
         <source>And needle it</source>
         <translation>Und nadeln</translation>
     </message>
@@ -979,6 +987,18 @@
     <message>
         <source>Practise with this</source>
         <translation>Damit üben</translation>
+    </message>
+    <message>
+        <source>Another model is felt from the next attempt on.</source>
+        <translation>Ein anderes Modell spürt man vom nächsten Versuch an.</translation>
+    </message>
+    <message>
+        <source>The needle feels it at once: now %1 N along it, %2 mm deep.</source>
+        <translation>Die Nadel spürt es sofort: jetzt %1 N längs, %2 mm tief.</translation>
+    </message>
+    <message>
+        <source>The needle feels it at once; it is outside now.</source>
+        <translation>Die Nadel spürt es sofort; sie ist gerade außerhalb.</translation>
     </message>
     <message>
         <source>A new attempt begins, which feels these numbers</source>

@@ -472,6 +472,34 @@
 <context>
     <name>Words</name>
     <message>
+        <source>spreads over the abdomen</source>
+        <translation>breitet sich über den Bauch aus</translation>
+    </message>
+    <message>
+        <source>runs up beside the spine and spreads over the head</source>
+        <translation>steigt neben der Wirbelsäule auf und breitet sich über den Kopf aus</translation>
+    </message>
+    <message>
+        <source>spreads over chest and flanks</source>
+        <translation>breitet sich über Brust und Flanken aus</translation>
+    </message>
+    <message>
+        <source>another force model is felt from the next attempt on</source>
+        <translation>ein anderes Kraftmodell spürt man vom nächsten Versuch an</translation>
+    </message>
+    <message>
+        <source>another rate holds from the next attempt on</source>
+        <translation>eine andere Rate gilt vom nächsten Versuch an</translation>
+    </message>
+    <message>
+        <source>a deformable body has other numbers from the next attempt on, for it is prepared with them</source>
+        <translation>ein verformbarer Körper hat andere Zahlen vom nächsten Versuch an, denn er wird mit ihnen vorbereitet</translation>
+    </message>
+    <message>
+        <source>the needle has been in for more than ten minutes, or the disk was too slow; draw it out before you change a number</source>
+        <translation>die Nadel ist länger als zehn Minuten im Körper, oder die Platte war zu langsam; ziehen Sie sie heraus, bevor Sie eine Zahl ändern</translation>
+    </message>
+    <message>
         <source>The body stays where it is: a needle touches it, or a second hand takes part.</source>
         <translation>Der Körper bleibt, wo er ist: eine Nadel berührt ihn, oder eine zweite Hand nimmt teil.</translation>
     </message>

@@ -62,6 +62,7 @@ struct StationLink::Shared {
   std::vector<station::StationCommand> commands;
   std::optional<station::ScanOrder> order;
   std::optional<BodyPlace> body;
+  std::optional<std::pair<anatomy::HapticSettings, std::vector<anatomy::TissueProperties>>> numbers;
   std::atomic<bool> ended{false};
 };
 
@@ -92,6 +93,7 @@ class StationLink::Observer : public station::StationObserver {
     std::vector<station::StationCommand> commands;
     std::optional<station::ScanOrder> order;
     std::optional<BodyPlace> body;
+    decltype(shared_->numbers) numbers;
     std::shared_ptr<const station::LivePicture> picture;
     if (status.ultrasound != nullptr && status.ultrasound->number != shown_picture_) {
       shown_picture_ = status.ultrasound->number;
@@ -102,12 +104,14 @@ class StationLink::Observer : public station::StationObserver {
       commands.swap(shared_->commands);
       order.swap(shared_->order);
       body.swap(shared_->body);
+      numbers.swap(shared_->numbers);
       publish(status, std::move(picture));
     }
     for (const station::StationCommand command : commands) station.command(command);
     if (order) station.set_scan_order(*order);
     if (body && !station.move_body(body->middle, body->rotation))
       note("The body stays where it is: a needle touches it, or a second hand takes part.");
+    if (numbers) station.change_numbers(numbers->first, numbers->second);
     if (shared_->ended.load()) station.end();
   }
 
@@ -212,6 +216,13 @@ void StationLink::move_body(const BodyPlace& place) {
   if (shared_ == nullptr) return;
   const std::lock_guard guard(shared_->lock);
   shared_->body = place;
+}
+
+void StationLink::change_numbers(const anatomy::HapticSettings& haptics,
+                                 const std::vector<anatomy::TissueProperties>& tissues) {
+  if (shared_ == nullptr) return;
+  const std::lock_guard guard(shared_->lock);
+  shared_->numbers = {haptics, tissues};
 }
 
 void StationLink::end() {

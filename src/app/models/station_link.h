@@ -89,6 +89,8 @@ class StationLink {
   void set_scan_order(const station::ScanOrder& order);
   // See station::Station::move_body; what was ordered last before the station runs holds as well.
   void move_body(const BodyPlace& place);
+  // See station::Station::change_numbers; what was ordered last before the station runs holds as well.
+  void change_numbers(const anatomy::HapticSettings& haptics, const std::vector<anatomy::TissueProperties>& tissues);
   // Ends the session; the news say when it is saved.
   void end();
   // Ends it, and waits until it is saved.

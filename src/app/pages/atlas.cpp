@@ -10,7 +10,9 @@
 #include <random>
 #include <utility>
 
+#include "patient/acupuncture/collaterals.h"
 #include "views/atlas_view.h"
+#include "views/language.h"
 
 namespace bodkin::app {
 
@@ -172,6 +174,18 @@ void AtlasPage::list_points() {
   if (found.empty()) list_->addItem(tr("No point of that name."));
 }
 
+QString AtlasPage::collateral_words(const patient::Collateral& collateral) const {
+  const patient::AtlasPoint* const source = atlas_->find(collateral.source);
+  if (source == nullptr) {
+    return tr("<p><b>Luo-connecting point</b> Its collateral %1.</p>")
+        .arg(in_words(std::string(collateral.goes_to)).toHtmlEscaped());
+  }
+  return tr("<p><b>Luo-connecting point</b> Its collateral goes to the %1 meridian; the dashed line to the source "
+            "point "
+            "%2 is a scheme, no course is published.</p>")
+      .arg(text(source->meridian), text(source->code));
+}
+
 void AtlasPage::choose(const patient::AtlasPoint* point, bool look) {
   chosen_ = point;
   view_->choose(point);
@@ -196,6 +210,8 @@ void AtlasPage::choose(const patient::AtlasPoint* point, bool look) {
   if (point->bone_depth) under << tr("bone at %1 mm").arg(qRound(*point->bone_depth));
   if (point->danger_depth) under << tr("%1 at %2 mm").arg(text(point->danger)).arg(qRound(*point->danger_depth));
   if (!under.isEmpty()) words += tr("<p><b>Straight under it</b> %1</p>").arg(under.join(QStringLiteral(", ")));
+  if (const patient::Collateral* const collateral = patient::collateral_at(point->code))
+    words += collateral_words(*collateral);
   words += how.derived ? tr("<p>Depth derived from this body, not published.</p>")
                        : tr("<p>%1</p>").arg(text(how.source).toHtmlEscaped());
   card_->setText(words);

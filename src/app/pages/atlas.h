@@ -6,6 +6,7 @@
 
 #include "app/models/atlas_model.h"
 #include "app/page.h"
+#include "patient/acupuncture/collaterals.h"
 
 class QLabel;
 class QLineEdit;
@@ -40,6 +41,7 @@ class AtlasPage : public Page {
   QWidget* make_side();
   bool needles_found(const Vec3& place);
   void list_points();
+  QString collateral_words(const patient::Collateral& collateral) const;
   void choose(const patient::AtlasPoint* point, bool look);
   void take(const Vec3& place, const patient::AtlasPoint* point);
   void ask(bool same);

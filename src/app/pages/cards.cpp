@@ -59,6 +59,13 @@ QLabel* Card::add_label(const char* role) {
   return label;
 }
 
+void Card::write(QLabel* label, const QString& text) {
+  if (label->text() == text && label->isHidden() == text.isEmpty()) return;
+  label->setText(text);
+  label->setVisible(!text.isEmpty());
+  rows_->invalidate();  // else the height of a label that has gone stays as an empty line
+}
+
 QPushButton* Card::add_button(QHBoxLayout* row, const char* name, const QString& text, const QString& tip,
                               bool primary) {
   auto* button = new QPushButton(text);
@@ -182,16 +189,16 @@ ResultsCard::ResultsCard(QWidget* parent) : Card("results", parent) {
 }
 
 void ResultsCard::show_result(const AttemptResult* result, const QStringList& dangers, const QString& failure) {
-  dangers_->setText(dangers.join(QLatin1Char('\n')));
-  // With a verdict they are among the reasons. Set once: showing and hiding again leaves an empty line.
-  dangers_->setVisible(!dangers.isEmpty() && (result == nullptr || !result->verdict));
+  // With a verdict they are among the reasons.
+  const bool has_verdict = result != nullptr && result->verdict;
+  write(dangers_, has_verdict ? QString() : dangers.join(QLatin1Char('\n')));
   review_->setEnabled(result != nullptr);
   if (result == nullptr) {
     grade_->hide();
     headline_->setText(failure.isEmpty() ? tr("The session is being saved.") : tr("The session has ended."));
-    remarks_->setText(failure);
-    numbers_->clear();
-    file_->clear();
+    write(remarks_, failure);
+    write(numbers_, {});
+    write(file_, {});
     return;
   }
   headline_->setText(in_words(result->headline));
@@ -200,14 +207,14 @@ void ResultsCard::show_result(const AttemptResult* result, const QStringList& da
   QStringList remarks;
   for (const std::string& remark : result->remarks) remarks << in_words(remark);
   if (!failure.isEmpty()) remarks.prepend(failure);
-  remarks_->setText(remarks.join(QLatin1Char('\n')));
-  numbers_->setVisible(result->verdict.has_value());
-  numbers_->setText(tr("%1 mm from the target, %2 mm deep, at most %3 N, %4 s in the body")
-                        .arg(result->target_distance, 0, 'f', 1)
-                        .arg(result->deepest, 0, 'f', 1)
-                        .arg(result->peak_force, 0, 'f', 2)
-                        .arg(result->time_in_body, 0, 'f', 0));
-  file_->setText(tr("Saved: %1").arg(QString::fromStdString(result->session.string())));
+  write(remarks_, remarks.join(QLatin1Char('\n')));
+  write(numbers_, !has_verdict ? QString()
+                               : tr("%1 mm from the target, %2 mm deep, at most %3 N, %4 s in the body")
+                                     .arg(result->target_distance, 0, 'f', 1)
+                                     .arg(result->deepest, 0, 'f', 1)
+                                     .arg(result->peak_force, 0, 'f', 2)
+                                     .arg(result->time_in_body, 0, 'f', 0));
+  write(file_, tr("Saved: %1").arg(QString::fromStdString(result->session.string())));
 }
 
 void ResultsCard::show_plan(const QString& standing, const QString& next) {

@@ -31,6 +31,8 @@ class Card : public QWidget {
   void paintEvent(QPaintEvent* event) override;
   QVBoxLayout* rows() { return rows_; }
   QLabel* add_label(const char* role);
+  // A label without words takes no room.
+  void write(QLabel* label, const QString& text);
   QPushButton* add_button(QHBoxLayout* row, const char* name, const QString& text, const QString& tip, bool primary);
 
  private:

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "app/models/live_profile.h"
 #include "app/models/parameter_model.h"
 #include "app/page.h"
+#include "views/frame.h"
 #include "views/profile_chart.h"
 
 class QCheckBox;
@@ -25,7 +27,9 @@ using namespace views;
 class ModelsPage : public Page {
   Q_OBJECT
  public:
-  explicit ModelsPage(QWidget* parent = nullptr);
+  // `frame`: the newest one of the practice; `feel`: the attempt that runs has these settings from now on, if it can.
+  ModelsPage(std::function<const Frame&()> frame, std::function<bool(const ModelSettings&)> feel,
+             QWidget* parent = nullptr);
 
   void set_case(std::shared_ptr<const OpenCase> patient) override;
   void enter() override;
@@ -42,6 +46,8 @@ class ModelsPage : public Page {
   void settings_chosen(const bodkin::app::ModelSettings& settings);
 
  private:
+  static constexpr int slider_steps = 1000;
+
   QWidget* make_side();
   QWidget* make_question();
   QWidget* make_value();
@@ -50,10 +56,15 @@ class ModelsPage : public Page {
   void show_steps();
   void show_step();
   void show_curve();
+  void feel();
+  void show_felt();
   void go(int step);
   void change(double value, bool continues);
   void say(const QString& sentence, bool is_trouble);
 
+  std::function<const Frame&()> frame_;
+  std::function<bool(const ModelSettings&)> feel_;
+  bool is_felt_ = true;  // by the attempt that runs, if there is one
   std::shared_ptr<const OpenCase> patient_;
   std::unique_ptr<ParameterModel> model_;
   std::unique_ptr<LiveProfile> profile_;
@@ -64,7 +75,7 @@ class ModelsPage : public Page {
   QListWidget* list_;
   QComboBox* models_;
   QCheckBox* all_;
-  QLabel *number_, *question_, *instruction_, *name_, *range_, *cue_, *source_, *figures_, *line_;
+  QLabel *number_, *question_, *instruction_, *name_, *range_, *cue_, *source_, *figures_, *felt_, *line_;
   QSlider* slider_;
   QDoubleSpinBox* value_;
   ProfileChart* chart_;

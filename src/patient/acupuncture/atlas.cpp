@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "patient/acupuncture/collaterals.h"
 #include "patient/acupuncture/meridian_line.h"
 #include "patient/acupuncture/placement.h"
 #include <fmt/format.h>
@@ -148,7 +149,8 @@ std::vector<const AtlasPoint*> Atlas::search(std::string_view words) const {
     const bool fits = wanted.empty() || plain(point.code).rfind(wanted, 0) == 0 ||
                       plain(point.pinyin).find(wanted) != std::string::npos ||
                       plain(point.meridian).find(wanted) != std::string::npos ||
-                      (!words.empty() && point.hanzi == words);
+                      (!words.empty() && point.hanzi == words) ||
+                      (wanted == "luo" && collateral_at(point.code) != nullptr);
     if (fits && (found.empty() || found.front() != &point)) found.push_back(&point);
   }
   return found;

@@ -58,7 +58,7 @@ class Atlas {
   const std::vector<Meridian>& meridians() const { return meridians_; }
   // Nothing where there is none of that code or name ("ST36", "st 36", "Zusanli").
   const AtlasPoint* find(std::string_view code_or_name) const;
-  // By code, name or meridian, however written; all of them for no words.
+  // By code, name or meridian, however written; "luo": with the luo-connecting points; all of them for no words.
   std::vector<const AtlasPoint*> search(std::string_view words) const;
   // The nearest point, of the right half too, and its distance in mm.
   struct Near {

@@ -71,6 +71,19 @@ TEST(AtlasPage, finds_a_point_by_search_shows_its_card_and_plays_the_game) {
   QTest::keyClick(search, Qt::Key_Return);
   EXPECT_TRUE(card->text().contains(QStringLiteral("Zusanli")));
   EXPECT_TRUE(card->text().contains(QStringLiteral("22 to 45 mm")));
+  EXPECT_FALSE(card->text().contains(QStringLiteral("Luo-connecting")));
+  // A luo-connecting point tells where its collateral goes.
+  search->clear();
+  QTest::keyClicks(search, QStringLiteral("luo"));
+  EXPECT_GE(list->count(), 15);
+  search->clear();
+  QTest::keyClicks(search, QStringLiteral("pc6"));
+  QTest::keyClick(search, Qt::Key_Return);
+  EXPECT_TRUE(card->text().contains(QStringLiteral("Triple Energizer meridian"))) << card->text().toStdString();
+  EXPECT_TRUE(card->text().contains(QStringLiteral("TE4")));
+  search->clear();
+  QTest::keyClicks(search, QStringLiteral("st36"));
+  QTest::keyClick(search, Qt::Key_Return);
   // The view has come to the point: it is near the middle, and a click there chooses it.
   const patient::AtlasPoint& point = *atlas_of_tests().find("ST36");
   const auto at = view->place_of(point.place);
