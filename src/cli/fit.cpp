@@ -358,7 +358,8 @@ void add_fit_command(CLI::App& app, CommandContext& context) {
   add_texts(*command, "--bounds", arguments->bounds, "Keep a parameter within name=low:high");
   add_texts(*command, "--free", request.free, "Fit a parameter that the model usually keeps");
   add_texts(*command, "--layers", arguments->layers,
-            "mm at which the layers of a stack begin, the first 0: a force for each (tracking_wall)")
+            "mm at which the layers of a stack begin, the first 0: values for each (tracking_wall, depth_profile, "
+            "shaft_friction)")
       .separated_by_commas("MM,MM,...");
   add_texts(*command, "--needles", arguments->needles,
             "The gauge of each curve's needle: fits each curve, then the law of puncture force and diameter")

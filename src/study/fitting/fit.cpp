@@ -89,9 +89,10 @@ std::vector<bool> counting(const MeasuredCurve& curve, const FitRequest& request
   return counts;
 }
 
-// Of a stack: each layer's force begins with the median of what was measured in its deeper half on the way in. From a
-// force that is never reached there is no slope to follow.
+// Of a stack of `tracking_wall`: each layer's force begins with the median of what was measured in its deeper half on
+// the way in. From a force that is never reached there is no slope to follow.
 void begin_layers(const MeasuredCurve& curve, FitRequest& request) {
+  if (request.model != "tracking_wall") return;
   const double deepest = *std::max_element(curve.depth.begin(), curve.depth.end());
   for (std::size_t layer = 0; layer < request.layers.size(); ++layer) {
     const std::string name = fmt::format("force_{}", layer + 1);

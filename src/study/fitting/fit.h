@@ -31,8 +31,8 @@ struct FitRequest {
   std::vector<NamedValue> start;                           // begun with a value
   std::vector<ParameterBounds> bounds;                     // narrower than the model's own
   std::vector<std::string> free;                           // fitted although the model usually keeps them
-  // mm below the skin at which layers begin, the first 0, rising; for `tracking_wall`: a force for each layer. May be
-  // empty: one tissue.
+  // mm below the skin at which layers begin, the first 0, rising: a value for each layer; for the models of
+  // fit_stack(). May be empty: one tissue.
   std::vector<double> layers;
 };
 

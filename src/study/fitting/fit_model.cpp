@@ -27,9 +27,17 @@ const FitModel& fit_model(std::string_view name) {
 FitModel fit_stack(std::string_view name, std::span<const double> tops) {
   constexpr std::size_t most = 30;
   constexpr double deepest = 500.0;  // mm
-  if (fit_model(name).name != "tracking_wall")
-    throw InputError(
-        fmt::format("--layers is for tracking_wall; fit each layer of {} by itself with --from and --to", name));
+  using Stack = FitModel (*)(std::span<const double>);
+  const std::string_view known = fit_model(name).name;
+  const Stack stack = known == "tracking_wall"    ? tracking_wall_stack_fit
+                      : known == "depth_profile"  ? depth_profile_stack_fit
+                      : known == "shaft_friction" ? shaft_friction_stack_fit
+                                                  : Stack{nullptr};
+  if (stack == nullptr) {
+    throw InputError(fmt::format(
+        "--layers is for tracking_wall, depth_profile and shaft_friction, not {}; {}", name,
+        known == "layered" ? "fit each layer by itself with --from and --to" : "it knows one tissue and no layers"));
+  }
   if (tops.front() != 0.0)
     throw InputError(fmt::format("--layers begins at {:g} mm, expected 0, the skin, first", tops.front()));
   for (std::size_t i = 1; i < tops.size(); ++i) {
@@ -39,7 +47,7 @@ FitModel fit_stack(std::string_view name, std::span<const double> tops) {
   }
   if (tops.size() > most)
     throw InputError(fmt::format("--layers has {} depths, expected at most {}", tops.size(), most));
-  return tracking_wall_stack_fit(tops);
+  return stack(tops);
 }
 
 }  // namespace bodkin::study

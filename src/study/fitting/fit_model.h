@@ -36,7 +36,7 @@ struct CurveShape {
 
 // Where the fitted values belong.
 struct FittedElements {
-  std::optional<io::XmlElement> tissue;      // in a <tissue> of the tissue library
+  std::vector<io::XmlElement> tissues;       // in a <tissue> of the tissue library; of a stack one for each layer
   std::optional<io::XmlElement> resistance;  // in the <resistance> of a case
 };
 
@@ -66,7 +66,8 @@ const std::vector<FitModel>& fit_models();
 const FitModel& fit_model(std::string_view name);
 
 // A model of a stack whose layers begin at `tops` (mm, the first 0, rising): a force for each, what the layers share
-// once. Throws InputError for a model other than `tracking_wall` and for depths that are none.
+// once. Throws InputError for a model that knows no layers or whose layers give way by jumps, and for depths that are
+// none.
 FitModel fit_stack(std::string_view name, std::span<const double> tops);
 
 // The models whose force has no law of its own for tissue along the shaft ...
@@ -74,10 +75,12 @@ FitModel spring_damper_wall_fit();
 FitModel tracking_wall_fit();
 FitModel tracking_wall_stack_fit(std::span<const double> tops);
 FitModel depth_profile_fit();
+FitModel depth_profile_stack_fit(std::span<const double> tops);
 // ... and those that have.
 FitModel layered_fit();
 FitModel three_component_fit();
 FitModel fracture_fit();
 FitModel shaft_friction_fit();
+FitModel shaft_friction_stack_fit(std::span<const double> tops);
 
 }  // namespace bodkin::study

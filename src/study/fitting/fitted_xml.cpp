@@ -37,12 +37,12 @@ std::string fitted_xml(const CurveFit& fit, const MeasuredCurve& curve) {
   io::XmlElement root;
   root.name = "fit";
   root.attributes.emplace_back("model", fit.model);
-  if (fit.elements.tissue) {
+  for (const io::XmlElement& element : fit.elements.tissues) {
     io::XmlElement tissue, source;
     tissue.name = "tissue";
     source.name = "source";
     source.text = source_of(fit, curve);
-    tissue.children = {*fit.elements.tissue, source};
+    tissue.children = {element, source};
     root.children.push_back(std::move(tissue));
   }
   if (fit.elements.resistance) {

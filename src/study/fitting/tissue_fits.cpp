@@ -103,7 +103,7 @@ FittedElements elements(std::span<const double> p) {
                                                               {"shaft_spacing_mm", one.shaft_spacing},
                                                               {"static_friction_N_per_mm", one.static_friction},
                                                               {"dynamic_friction_N_per_mm", one.dynamic_friction}}));
-  return {.tissue = element};
+  return {.tissues = {element}};
 }
 }  // namespace layered
 
@@ -254,11 +254,12 @@ void guess(const CurveShape& shape, std::span<double> p) {
 }
 
 FittedElements elements(std::span<const double> p) {
-  return {.tissue = numbers_element("shaft_friction", {{"coulomb_N_per_mm", p[coulomb]},
-                                                       {"static_N_per_mm", std::max(p[static_friction], p[coulomb])},
-                                                       {"stiffness_N_per_mm2", p[stiffness]},
-                                                       {"viscous_N_s_per_mm2", p[viscous]}}),
-          .resistance = numbers_element("shaft_friction", {{"stribeck_velocity_mm_per_s", p[stribeck]}})};
+  return {
+      .tissues = {numbers_element("shaft_friction", {{"coulomb_N_per_mm", p[coulomb]},
+                                                     {"static_N_per_mm", std::max(p[static_friction], p[coulomb])},
+                                                     {"stiffness_N_per_mm2", p[stiffness]},
+                                                     {"viscous_N_s_per_mm2", p[viscous]}})},
+      .resistance = numbers_element("shaft_friction", {{"stribeck_velocity_mm_per_s", p[stribeck]}})};
 }
 }  // namespace friction
 

@@ -59,8 +59,9 @@ void guess(const CurveShape& shape, std::span<double> p) {
 }
 
 FittedElements elements(std::span<const double> p) {
-  return {.tissue = numbers_element("tracking_wall", {{"stiffness_N_per_mm", p[stiffness]}, {"force_N", p[force]}}),
-          .resistance = numbers_element("tracking_wall", {{"catch_up_s", p[catch_up]}})};
+  return {
+      .tissues = {numbers_element("tracking_wall", {{"stiffness_N_per_mm", p[stiffness]}, {"force_N", p[force]}})},
+      .resistance = numbers_element("tracking_wall", {{"catch_up_s", p[catch_up]}})};
 }
 }  // namespace tracking
 
@@ -150,7 +151,7 @@ FittedElements elements(std::span<const double> p) {
       numbers_element("depth_profile", {{"stiffness_N_per_mm", p[stiffness]}, {"slope_N_per_mm2", p[slope]}});
   tissue.attributes.insert(tissue.attributes.begin(), {"kind", "soft"});
   return {
-      .tissue = tissue,
+      .tissues = {tissue},
       .resistance = numbers_element("depth_profile", {{"skin_stiffness_N_per_mm", p[skin_stiffness]},
                                                       {"puncture_depth_mm", p[puncture_depth]},
                                                       {"trailing_mm", std::min(p[trailing], p[puncture_depth])}})};

@@ -188,7 +188,7 @@ TEST(FittedXml, is_what_tissue_library_and_case_read) {
     MeasuredCurve curve;
     curve.name = "a<b>&\"c\".csv";
     const std::string document = fitted_xml(fit, curve);
-    if (fit.elements.tissue) {
+    if (!fit.elements.tissues.empty()) {
       std::string inside = element_of(document, "tissue");
       inside = inside.substr(inside.find('>') + 1);
       inside = inside.substr(0, inside.rfind("</tissue>"));
@@ -214,7 +214,7 @@ TEST(FittedXml, is_what_tissue_library_and_case_read) {
       EXPECT_NO_THROW(cases.read(haptics, "case.xml")) << haptics;
       EXPECT_THAT(haptics, HasSubstr("<" + std::string(model.name)));
     }
-    EXPECT_TRUE(fit.elements.tissue || fit.elements.resistance) << model.name;
+    EXPECT_TRUE(!fit.elements.tissues.empty() || fit.elements.resistance) << model.name;
   }
 }
 

@@ -3,6 +3,9 @@
 
     measured_by_others.py tracking_wall SEED     Alamilla 2018, eq. 3 to 7: one layer of 1.2 N, K_t 0.8 N/mm, catch-up 0.4 s
     measured_by_others.py shoulder SEED          the same through the nine layers of its section 3.4
+    measured_by_others.py dahl SEED              Dahl 1968: the shaft in three layers of 0.01, 0.05 and 0.002 N/mm
+    measured_by_others.py profile SEED           Kwon 2001: skin of 0.3 N/mm to 5 mm, then springs of 0.4, 0.9 and 0.2 N/mm
+                                                 that trail by 2 mm
     measured_by_others.py layered GAUGE_MM SEED  Heng 2004, eq. 2 at rest: breaks at 2 N per mm of diameter, then friction
 
 Nothing is stepped at Bodkin's tick: walls move in steps of 0.1 ms. 100 samples a second.
@@ -71,6 +74,50 @@ def layered(rows, breaks_at, stiffness=0.08, friction=0.02):
     return out
 
 
+def held(layers, depth):
+    return [value for begin, value in layers if begin <= depth][-1]
+
+
+def dahl(rows, layers, per_newton=3.0):
+    """Dahl 1968: a bristle of the shaft, dz/dx = 1 - sigma z sgn(dx) / Fc, in 1000 steps between two samples."""
+    ends = [begin for begin, _ in layers[1:]] + [float("inf")]
+    stretch, out, last = 0.0, [], rows[0]
+    for time, depth in rows:
+        coulomb = 0.0
+        for i in range(1, 1001):
+            x = last[1] + (depth - last[1]) * i / 1000.0
+            dx = (depth - last[1]) / 1000.0
+            coulomb = sum(f * max(0.0, min(x, end) - begin) for (begin, f), end in zip(layers, ends))
+            if coulomb > 0.0:
+                stretch += dx * (1.0 - per_newton * stretch * (1 if dx > 0 else -1))
+        out.append((time, depth, per_newton * coulomb * stretch))
+        last = (time, depth)
+    return out
+
+
+def profile(rows, layers, skin=0.3, puncture=5.0, trailing=2.0):
+    """Kwon 2001, on the way in: the spring of the skin, then that of each layer, whose slack end trails by 2 mm. A
+    firmer layer takes the force over as it is, a softer one the stretch."""
+    out, force, tissue, last = [], None, None, 0.0
+    for time, depth in rows:
+        if depth <= 0.0:
+            out.append((time, depth, 0.0))
+            continue
+        if force is None and depth < puncture:
+            out.append((time, depth, skin * depth))
+            continue
+        here = held(layers, depth)
+        if force is None:
+            force, tissue, last = here * trailing, here, depth
+        if here < tissue:
+            force *= here / tissue
+        tissue = here
+        force = min(here * trailing, force + here * (depth - last))
+        last = depth
+        out.append((time, depth, force))
+    return out
+
+
 def main(arguments):
     kind, seed = arguments[0], int(arguments[-1])
     if kind == "tracking_wall":
@@ -81,6 +128,12 @@ def main(arguments):
         layers = [(150.0 / 9.0 * i, force) for i, force in enumerate(forces)]
         rows = path([(30.0, 3.0), (0.0, 0.8), (30.0, 1.95)])
         curve, noise = tracking_wall(rows, layers, 0.5, 0.5), 0.05
+    elif kind == "dahl":
+        rows = path([(10.0, 2.0), (-10.0, 0.3), (10.0, 0.8)])
+        curve, noise = dahl(rows, [(0.0, 0.01), (8.0, 0.05), (15.0, 0.002)]), 0.005
+    elif kind == "profile":
+        rows = path([(10.0, 3.0)])
+        curve, noise = profile(rows, [(0.0, 0.4), (12.0, 0.9), (20.0, 0.2)]), 0.01
     else:
         curve, noise = layered(path([(5.0, 2.4)]), 2.0 * float(arguments[1])), 0.01
     noisy = random.Random(seed)

@@ -65,6 +65,29 @@ TEST_F(CurvesOfOthers, the_nine_layers_of_the_shoulder_come_back_at_once) {
   EXPECT_EQ(fit.elements.resistance->children.size(), 9U);
 }
 
+TEST_F(CurvesOfOthers, the_friction_of_each_layer_comes_back) {
+  FitRequest request{
+      .model = "shaft_friction", .fix = {{"static_ratio", 1.0}, {"viscous_ratio", 0.0}}, .layers = {0.0, 8.0, 15.0}};
+  const CurveFit fit = fit_curve(curve_of({"dahl", "4"}), request);
+  EXPECT_NEAR(fit.find("coulomb_1")->value, 0.01, 0.001);
+  EXPECT_NEAR(fit.find("coulomb_2")->value, 0.05, 0.001);
+  EXPECT_NEAR(fit.find("coulomb_3")->value, 0.002, 0.001);
+  EXPECT_NEAR(fit.find("stiffness_ratio")->value, 3.0, 0.3);
+  ASSERT_EQ(fit.elements.tissues.size(), 3U) << "a tissue for each layer";
+}
+
+TEST_F(CurvesOfOthers, the_spring_of_each_layer_comes_back) {
+  FitRequest request{.model = "depth_profile", .fix = {{"trailing", 2.0}}, .layers = {0.0, 12.0, 20.0}};
+  const CurveFit fit = fit_curve(curve_of({"profile", "4"}), request);
+  EXPECT_NEAR(fit.find("skin_stiffness")->value, 0.3, 0.01);
+  EXPECT_NEAR(fit.find("puncture_depth")->value, 5.0, 0.15);
+  EXPECT_NEAR(fit.find("stiffness_1")->value, 0.4, 0.02);
+  EXPECT_NEAR(fit.find("stiffness_2")->value, 0.9, 0.02);
+  EXPECT_NEAR(fit.find("stiffness_3")->value, 0.2, 0.02);
+  ASSERT_EQ(fit.elements.tissues.size(), 3U);
+  EXPECT_EQ(fit.elements.tissues[1].name, "depth_profile");
+}
+
 TEST_F(CurvesOfOthers, the_force_of_puncture_goes_with_the_diameter) {
   std::vector<PunctureOfNeedle> points;
   for (const double diameter : {0.4, 0.7, 1.2, 1.6}) {
@@ -159,7 +182,8 @@ TEST(SeveralCurves, stacks_and_needles_that_make_no_sense_are_refused) {
       fit_curve(curve, request);
     });
   };
-  EXPECT_THAT(stack("layered", {0.0, 3.0}), HasSubstr("--layers is for tracking_wall"));
+  EXPECT_THAT(stack("layered", {0.0, 3.0}), HasSubstr("fit each layer by itself"));
+  EXPECT_THAT(stack("fracture", {0.0, 3.0}), HasSubstr("knows one tissue and no layers"));
   EXPECT_THAT(stack("tracking_wall", {1.0, 3.0}), HasSubstr("expected 0, the skin, first"));
   EXPECT_THAT(stack("tracking_wall", {0.0, 3.0, 3.0}), HasSubstr("expected depths that rise"));
   const auto law = [](const std::vector<PunctureOfNeedle>& points) {
