@@ -36,6 +36,7 @@ constexpr const char* case_mesh_footer = R"(Examples:
   bodkin case mesh patient                         20,000 nodes, fine along the planned path
   bodkin case mesh patient --nodes 100000
   bodkin case mesh patient --fine 1.5 --coarse 15 --corridor 20
+  bodkin case mesh patient --hold-layers           the mesh has every layer that the planned path crosses
   bodkin case mesh patient --import body.msh --regions regions.csv
 
 The mesh is kept in the case folder as mesh.vtu and made again only when the tissues, the path or these options have
@@ -274,6 +275,10 @@ void add_case_mesh_command(CLI::App& case_group, CommandContext& context) {
   add_number(*command, "--coarse", settings.coarse, 0.2, 100.0, "mm, edges far away, before scaling");
   add_number(*command, "--corridor", settings.corridor_radius, 1.0, 200.0,
              "mm, radius of the corridor around the planned path");
+  add_switch(
+      *command, "--hold-layers", settings.hold_layers,
+      "Finer where the planned path crosses a thin layer (skin, ligamentum flavum, dura), so that the mesh has it; "
+      "too few --nodes for that are refused with the number needed");
   add_text(*command, "--import", options->import, "Take this mesh instead: Gmsh .msh (ASCII 2.2 or 4.1) or VTK .vtu");
   add_text(*command, "--regions", options->regions,
            "CSV with label,name,tissue,critical: tissues of the imported regions (without it they are tissue ids)");

@@ -16,6 +16,10 @@ constexpr double growth_from_corridor = 0.30;  // mm of edge per mm, inside a ti
 constexpr double border_growth = 0.20;         // the same at a border between tissues
 constexpr double voxels_per_edge = 2.5;        // the lattice need not be finer than that
 constexpr std::size_t most_voxels = 40'000'000;
+constexpr double layer_step = 0.05;      // mm, along the path
+constexpr double corner_of_voxel = 0.5;  // of a voxel: what the path crosses less of is no layer
+constexpr double held_radius = 4.0;      // [D] mm around the path in which a layer is held
+constexpr double held_growth = 0.3;      // [D] mm of edge per mm farther away
 
 struct Box {
   std::array<int, 3> low, high;  // voxels, both included
@@ -127,7 +131,51 @@ void wish_edges(const std::optional<anatomy::NeedlePath>& path, const MeshSettin
   }
 }
 
+double distance_to_layer(const Vec3& point, const PathLayer& layer) {
+  const Vec3 along = layer.to - layer.from;
+  const double share = std::clamp((point - layer.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (point - layer.from - share * along).norm();
+}
+
+// Edges as long as a layer is thick, around the place where the path crosses it.
+void hold_layers(MeshPlan& plan) {
+  const anatomy::Grid& grid = plan.tissues.grid;
+  plan.held_edges.assign(grid.voxel_count(), std::numeric_limits<float>::infinity());
+  for (int k = 0; k < grid.size[2]; ++k) {
+    for (int j = 0; j < grid.size[1]; ++j) {
+      for (int i = 0; i < grid.size[0]; ++i) {
+        const Vec3 place = grid.to_patient(Vec3(i, j, k));
+        float& edge = plan.held_edges[grid.offset(i, j, k)];
+        for (const PathLayer& layer : plan.layers) {
+          const double away = std::max(0.0, distance_to_layer(place, layer) - held_radius);
+          edge = std::min(edge, static_cast<float>(layer.thickness() + held_growth * away));
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
+
+std::vector<PathLayer> layers_on(const anatomy::NeedlePath& path, double beyond,
+                                 const anatomy::TissueVolume& tissues) {
+  std::vector<PathLayer> layers;
+  const double length = path.length() + beyond;
+  anatomy::TissueId before = anatomy::tissue::air;
+  for (double depth = 0.0; depth <= length; depth += layer_step) {
+    const Vec3 place = path.entry + depth * path.direction();
+    const auto here = anatomy::nearest<anatomy::TissueId>(tissues, place, anatomy::tissue::air);
+    if (here != anatomy::tissue::air) {
+      if (here != before) layers.push_back({here, place, place, depth});
+      layers.back().to = place + layer_step * path.direction();
+    }
+    before = here;
+  }
+  if (before != anatomy::tissue::air) layers.pop_back();  // it goes on
+  const double thinnest = corner_of_voxel * tissues.grid.spacing.minCoeff();
+  std::erase_if(layers, [thinnest](const PathLayer& layer) { return layer.thickness() < thinnest; });
+  return layers;
+}
 
 double distance_to_corridor(const Vec3& point, const anatomy::NeedlePath& path, const MeshSettings& settings) {
   const Vec3 axis = path.direction();
@@ -150,10 +198,16 @@ MeshPlan plan_mesh(const anatomy::TissueVolume& tissues, const std::optional<ana
              : std::string("there is nothing but air in the tissue volume"));
   }
   MeshPlan plan;
-  plan.tissues = take_out(tissues, *body, stride_of(tissues.grid, *body, settings.fine));
+  double finest = settings.fine;
+  if (path) plan.layers = layers_on(*path, settings.corridor_beyond, tissues);
+  if (settings.hold_layers) {
+    for (const PathLayer& layer : plan.layers) finest = std::min(finest, layer.thickness());
+  }
+  plan.tissues = take_out(tissues, *body, stride_of(tissues.grid, *body, finest));
   const std::optional<Box> everything = with_tissue(tissues, all);
   plan.boxed = everything->low != body->low || everything->high != body->high;
   wish_edges(path, settings, plan);
+  if (settings.hold_layers && path) hold_layers(plan);
   return plan;
 }
 

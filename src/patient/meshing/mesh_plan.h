@@ -16,10 +16,27 @@ struct MeshSettings {
   double coarse = 10.0;           // mm, far from both; fine to 100
   double corridor_radius = 25.0;  // mm around the planned path; 1 to 200
 
+  bool hold_layers = false;  // finer where the planned path crosses a layer that is thin, whatever `nodes` scales
+
   // [D] our choices, not offered on the command line.
   double corridor_beyond = 15.0;  // mm by which the corridor extends beyond the target
   double reach = 60.0;            // mm of body around the corridor that is meshed
 };
+
+// A layer of one tissue that the planned path crosses.
+struct PathLayer {
+  anatomy::TissueId tissue = anatomy::tissue::air;
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();  // mm, on the path
+  double depth = 0.0;                           // mm, of `from` below the entry
+
+  double thickness() const { return (to - from).norm(); }  // mm, along the path
+  Vec3 middle() const { return 0.5 * (from + to); }
+};
+
+// The layers that a path crosses from its entry to `beyond` (mm) behind its target, in order; without air, without
+// corners of voxels and without the one in which it ends.
+std::vector<PathLayer> layers_on(const anatomy::NeedlePath& path, double beyond,
+                                 const anatomy::TissueVolume& tissues);
 
 // Where and how finely: the part of the tissue lattice that is meshed, with a layer of air around it, and the wished
 // edges at each of its voxels for a scale of 1.
@@ -27,7 +44,10 @@ struct MeshPlan {
   anatomy::TissueVolume tissues;    // tissue ids; air and the outermost layer are 0, which is not meshed
   std::vector<float> border_edges;  // mm, at a border between tissues, were there one at the voxel
   std::vector<float> inner_edges;   // mm, far from any border
-  bool boxed = false;               // the volume was larger than what is meshed
+  // mm, edges at each voxel that no scale makes longer; empty: none (MeshSettings::hold_layers).
+  std::vector<float> held_edges;
+  std::vector<PathLayer> layers;  // of the planned path
+  bool boxed = false;             // the volume was larger than what is meshed
 };
 
 // The plan for a case's tissues. Throws InputError when there is no tissue in reach of the path.

@@ -52,6 +52,7 @@ std::string mesh_made_from(const anatomy::TissueVolume& tissues, const std::opti
   if (path) {
     for (const Vec3& end : {path->entry, path->target}) text += fmt::format(" {} {} {}", end.x(), end.y(), end.z());
   }
+  if (settings.hold_layers) text += " layers held";
   return io::bytes_digest(text);
 }
 

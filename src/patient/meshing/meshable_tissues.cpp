@@ -152,23 +152,37 @@ MeshableTissues meshable_tissues(const MeshPlan& plan, double scale) {
   MeshableTissues result;
   result.tissues = plan.tissues;
   anatomy::TissueVolume& tissues = result.tissues;
+  const auto held = [&plan](std::size_t i, double edge) {
+    return plan.held_edges.empty() ? edge : std::min(edge, static_cast<double>(plan.held_edges[i]));
+  };
   std::vector<float> radius(plan.border_edges.size());
-  std::transform(plan.border_edges.begin(), plan.border_edges.end(), radius.begin(), [scale](float edge) {
-    return static_cast<float>(0.5 * thinnest * scale * static_cast<double>(edge));
-  });
+  for (std::size_t i = 0; i < radius.size(); ++i) {
+    const double edge = held(i, scale * static_cast<double>(plan.border_edges[i]));
+    radius[i] = static_cast<float>(0.5 * thinnest * edge);
+  }
   merge_tissues(merge_families(tissues, radius), radius, tissues);
   keep_largest(tissues);
   result.edges = anatomy::distance_to_other_label(tissues);
   for (std::size_t i = 0; i < result.edges.size(); ++i) {
     const double border =
         static_cast<double>(plan.border_edges[i]) * scale + growth_from_border * static_cast<double>(result.edges[i]);
-    result.edges[i] = static_cast<float>(std::min(scale * static_cast<double>(plan.inner_edges[i]), border));
+    const double inner = scale * static_cast<double>(plan.inner_edges[i]);
+    result.edges[i] = static_cast<float>(held(i, std::min(inner, border)));
     const anatomy::TissueId was = plan.tissues.voxels[i], is = tissues.voxels[i];
     if (was == anatomy::tissue::air) continue;
     ++result.before[was];
     is == anatomy::tissue::air ? ++result.dropped : ++result.after[is];
   }
   return result;
+}
+
+std::vector<PathLayer> lost_layers(const MeshPlan& plan, const MeshableTissues& meshable) {
+  std::vector<PathLayer> lost;
+  for (const PathLayer& layer : plan.layers) {
+    if (anatomy::nearest<anatomy::TissueId>(meshable.tissues, layer.middle(), anatomy::tissue::air) != layer.tissue)
+      lost.push_back(layer);
+  }
+  return lost;
 }
 
 double expected_nodes(const MeshableTissues& meshable) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
 
 #include "patient/meshing/meshable_tissues.h"
 #include <fmt/format.h>
@@ -22,10 +24,11 @@ const io::WorkerProgram mesh_program{"bodkin-mesher", "BODKIN_MESHER_WORKER", "B
 
 constexpr int guesses = 1;  // of the scale, before anything is meshed
 constexpr int most_rounds = 5;
-constexpr double close_enough = 0.10;  // of the wanted number of nodes
-constexpr double nodes_power = 2.6;    // nodes go with the edge to minus this, between a surface and a volume
-constexpr double widest_scale = 50.0;  // beyond this there is no sense in a scale
-constexpr double mostly_gone = 0.5;    // share of a tissue that is said to have been merged
+constexpr double close_enough = 0.10;       // of the wanted number of nodes
+constexpr double nodes_power = 2.6;         // nodes go with the edge to minus this, between a surface and a volume
+constexpr double widest_scale = 50.0;       // beyond this there is no sense in a scale
+constexpr double coarsest_when_held = 4.0;  // [D] scale with which the nodes that held layers need are counted
+constexpr double mostly_gone = 0.5;         // share of a tissue that is said to have been merged
 constexpr std::size_t bytes_per_node = 3 * sizeof(double), bytes_per_element = 4 * sizeof(std::uint32_t) + 1;
 
 struct Attempt {
@@ -116,6 +119,57 @@ std::vector<std::string> merge_notes(const MeshPlan& plan, const MeshableTissues
   return notes;
 }
 
+std::string named(const std::vector<PathLayer>& layers, const anatomy::TissueLibrary& library) {
+  constexpr std::size_t most = 5;
+  std::string names;
+  for (const PathLayer& layer : std::span(layers).first(std::min(most, layers.size()))) {
+    names += fmt::format("{}{} ({:.1f} mm thick, {:.1f} mm deep)", names.empty() ? "" : ", ",
+                         library.title(layer.tissue), layer.thickness(), layer.depth);
+  }
+  if (layers.size() > most) names += fmt::format(" and {} more", layers.size() - most);
+  return names;
+}
+
+// To three digits, upwards.
+long long rounded_nodes(double nodes) {
+  const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(nodes)) - 2.0));
+  return static_cast<long long>(unit * std::ceil(nodes / unit));
+}
+
+// Refuses fewer nodes than the layers of the planned path need where they are held, with the rest as coarse as it may
+// be.
+void check_held(const MeshPlan& plan, const MeshSettings& settings, const anatomy::TissueLibrary& library) {
+  if (!settings.hold_layers) return;
+  constexpr double room = 1.3;  // [D] for the body around
+  const double least = room * expected_nodes(meshable_tissues(plan, coarsest_when_held));
+  if (least <= static_cast<double>(settings.nodes)) return;
+  std::vector<PathLayer> thin = plan.layers;
+  const auto thinner = [](const PathLayer& a, const PathLayer& b) { return a.thickness() < b.thickness(); };
+  std::sort(thin.begin(), thin.end(), thinner);
+  thin.resize(std::min<std::size_t>(thin.size(), 3));
+  throw InputError(
+      fmt::format("{} nodes are too few to hold the layers of the planned path, of which the thinnest are {}; "
+                  "expected at least {}: give --nodes {}",
+                  settings.nodes, named(thin, library), rounded_nodes(least), rounded_nodes(least)));
+}
+
+// What is to be said of layers that the mesh does not hold; refuses them where they were to be held.
+std::vector<std::string> layer_notes(const MeshPlan& plan, const MeshableTissues& meshable,
+                                     const MeshSettings& settings, const anatomy::TissueLibrary& library) {
+  const std::vector<PathLayer> lost = lost_layers(plan, meshable);
+  if (lost.empty()) return {};
+  if (settings.hold_layers) {
+    throw InputError(
+        fmt::format("the mesh of {} nodes does not hold {} on the planned path; expected a path that crosses these "
+                    "layers less obliquely, or at least {} nodes",
+                    settings.nodes, named(lost, library), 2 * settings.nodes));
+  }
+  return {fmt::format(
+      "The mesh does not hold these layers of the planned path: {}. Models that deform read them from the voxels; "
+      "--hold-layers refines the mesh there.",
+      named(lost, library))};
+}
+
 }  // namespace
 
 bool mesher_present() {
@@ -136,6 +190,7 @@ MeshedBody mesh_tissues(const anatomy::TissueVolume& tissues, const std::optiona
   };
   report("planning the mesh", 0.0);
   const MeshPlan plan = plan_mesh(tissues, path, settings);
+  check_held(plan, settings, library);
   const double wanted = static_cast<double>(settings.nodes);
   const auto nonsense = [](double scale) { return !(scale < widest_scale && scale > 1.0 / widest_scale); };
   double scale = 1.0;
@@ -168,6 +223,7 @@ MeshedBody mesh_tissues(const anatomy::TissueVolume& tissues, const std::optiona
       continue;
     }
     MeshedBody body{std::move(made.mesh), scale, merge_notes(plan, meshable, library)};
+    for (std::string& note : layer_notes(plan, meshable, settings, library)) body.notes.push_back(std::move(note));
     anatomy::orient_elements(body.mesh);
     if (const std::size_t removed = anatomy::keep_largest_part(body.mesh); removed > 0) {
       body.notes.push_back(fmt::format("{} elements that hung on nothing by a face were left out.", removed));

@@ -116,6 +116,51 @@ TEST(MeshPlan, thin_skin_becomes_what_is_below_it_and_thick_bone_stays) {
   EXPECT_EQ(before, after + merged.dropped);
 }
 
+// Skin of 2 mm, a dura of one voxel at 10 mm, bone of 4 mm.
+TissueVolume block_with_dura() {
+  TissueVolume tissues = layered_block();
+  for (int k = 0; k < 100; ++k) {
+    for (int i = 0; i < 100; ++i) tissues.at(i, 49, k) = tissue::dura;
+  }
+  return tissues;
+}
+
+TEST(MeshPlan, layers_of_the_path_are_those_of_the_voxels) {
+  const std::vector<PathLayer> layers = layers_on(straight_in, 15.0, block_with_dura());
+  ASSERT_EQ(layers.size(), 5U);  // the muscle behind the bone goes on
+  const TissueId ids[] = {tissue::skin, tissue::muscle, tissue::dura, tissue::muscle, tissue::cortical_bone};
+  const double thickness[] = {2.0, 8.0, 1.0, 9.0, 4.0};
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    EXPECT_EQ(layers[i].tissue, ids[i]);
+    EXPECT_NEAR(layers[i].thickness(), thickness[i], 0.11);
+  }
+  EXPECT_NEAR(layers[2].depth, 10.0, 0.06);
+}
+
+TEST(MeshPlan, held_layers_stay_where_the_path_crosses_them_however_coarse_the_rest) {
+  MeshSettings settings;
+  settings.corridor_radius = 15.0;
+  const TissueVolume tissues = block_with_dura();
+  const MeshPlan lax = plan_mesh(tissues, straight_in, settings);
+  const MeshableTissues coarse = meshable_tissues(lax, 1.5);
+  const std::vector<PathLayer> lost = lost_layers(lax, coarse);
+  ASSERT_EQ(lost.size(), 2U);
+  EXPECT_EQ(lost[0].tissue, tissue::skin);
+  EXPECT_EQ(lost[1].tissue, tissue::dura);
+  settings.hold_layers = true;
+  const MeshPlan plan = plan_mesh(tissues, straight_in, settings);
+  for (const double scale : {1.0, 1.5, 4.0}) {
+    const MeshableTissues held = meshable_tissues(plan, scale);
+    EXPECT_TRUE(lost_layers(plan, held).empty()) << scale;
+    EXPECT_EQ(nearest(held.tissues, Vec3(30, -10.5, 0), tissue::air), tissue::muscle) << "far from the path";
+    const Vec3 index = plan.tissues.grid.to_index(Vec3(0.5, -10.5, 0.5)).array().round();
+    const float edge = held.edges[plan.tissues.grid.offset(static_cast<int>(index.x()), static_cast<int>(index.y()),
+                                                           static_cast<int>(index.z()))];
+    EXPECT_NEAR(edge, 1.0F, 0.11F) << scale;
+  }
+  EXPECT_GT(expected_nodes(meshable_tissues(plan, 4.0)), 2.0 * expected_nodes(meshable_tissues(lax, 4.0)));
+}
+
 TEST(MeshPlan, a_thin_shell_of_bone_joins_the_bone_in_it_and_not_the_muscle_around) {
   TissueVolume tissues = layered_block();
   // Bone 4 mm deep becomes 1 mm of cortical, 2 mm of cancellous, 1 mm of cortical bone: one family, thick as a whole.

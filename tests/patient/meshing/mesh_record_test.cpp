@@ -112,12 +112,13 @@ TEST(MeshRecord, the_fingerprint_follows_from_everything_that_the_mesh_does) {
   EXPECT_EQ(mesh_made_from(tissues, path, {}), first);
   std::vector<std::string> others = {mesh_made_from(tissues, std::nullopt, {}),
                                      mesh_made_from(tissues, NeedlePath{Vec3::Zero(), Vec3(0, 3.1, 0)}, {})};
-  for (int change = 0; change < 4; ++change) {
+  for (int change = 0; change < 5; ++change) {
     MeshSettings settings;
     if (change == 0) settings.nodes += 1;
     if (change == 1) settings.fine += 0.1;
     if (change == 2) settings.coarse += 0.1;
     if (change == 3) settings.corridor_radius += 0.1;
+    if (change == 4) settings.hold_layers = true;
     others.push_back(mesh_made_from(tissues, path, settings));
   }
   tissues.at(1, 2, 3) = tissue::muscle;
