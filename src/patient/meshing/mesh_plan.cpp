@@ -137,7 +137,13 @@ double distance_to_layer(const Vec3& point, const PathLayer& layer) {
   return (point - layer.from - share * along).norm();
 }
 
-// Edges as long as a layer is thick, around the place where the path crosses it.
+// mm; a layer of two voxels has no ball of more than one in it.
+double edge_that_holds(const PathLayer& layer, const anatomy::Grid& grid) {
+  const double voxel = grid.spacing.minCoeff(), thickness = layer.thickness();
+  return std::max(thickness - voxel, std::min(thickness, voxel));
+}
+
+// Edges that hold a layer, around the place where the path crosses it.
 void hold_layers(MeshPlan& plan) {
   const anatomy::Grid& grid = plan.tissues.grid;
   plan.held_edges.assign(grid.voxel_count(), std::numeric_limits<float>::infinity());
@@ -148,7 +154,7 @@ void hold_layers(MeshPlan& plan) {
         float& edge = plan.held_edges[grid.offset(i, j, k)];
         for (const PathLayer& layer : plan.layers) {
           const double away = std::max(0.0, distance_to_layer(place, layer) - held_radius);
-          edge = std::min(edge, static_cast<float>(layer.thickness() + held_growth * away));
+          edge = std::min(edge, static_cast<float>(edge_that_holds(layer, grid) + held_growth * away));
         }
       }
     }
@@ -201,7 +207,7 @@ MeshPlan plan_mesh(const anatomy::TissueVolume& tissues, const std::optional<ana
   double finest = settings.fine;
   if (path) plan.layers = layers_on(*path, settings.corridor_beyond, tissues);
   if (settings.hold_layers) {
-    for (const PathLayer& layer : plan.layers) finest = std::min(finest, layer.thickness());
+    for (const PathLayer& layer : plan.layers) finest = std::min(finest, edge_that_holds(layer, tissues.grid));
   }
   plan.tissues = take_out(tissues, *body, stride_of(tissues.grid, *body, finest));
   const std::optional<Box> everything = with_tissue(tissues, all);
