@@ -1,6 +1,6 @@
 // What a body that moves on its own time costs a step, at the sizes of design/numerics.md: a box of 100 mm, held at
 // its bottom and pressed at its top by a face of 40 x 15 mm that goes in and out by 15 mm once a second, at 60 steps
-// a second. And what a new corridor of 200 nodes costs about such a state.
+// a second.
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -10,7 +10,6 @@
 #include <benchmark/benchmark.h>
 
 #include "fem/moving/corotational_body.h"
-#include "fem/moving/corotational_tangent.h"
 
 namespace {
 
@@ -74,21 +73,6 @@ void step(benchmark::State& state) {
   state.counters["halvings"] = halvings / static_cast<double>(times.size());
 }
 
-void refresh(benchmark::State& state) {
-  const BodyDescription body = lattice_body(static_cast<std::uint32_t>(state.range(0)), side, 0.1, 200);
-  CorotationalBody moving(body, CorotationalSettings{});
-  press(body, pressed_nodes(body), 10.0, moving);
-  for (int number = 0; number < 60; ++number) moving.step();
-  BodyPlan plan = plan_body(body);
-  for (auto _ : state) {
-    assemble_tangent(body, moving.places(), moving.all_held(), StressStiffness::exact, plan.system);
-    const MultifrontalCholesky factor(plan.system.stiffness, plan.symbolic, {.threads = 1, .keep_field = false});
-    benchmark::DoNotOptimize(factor.last_compliance());
-  }
-  state.counters["nodes"] = static_cast<double>(body.mesh.nodes.size());
-}
-
 BENCHMARK(step)->Arg(13)->Arg(17)->Arg(18)->Iterations(600)->Unit(benchmark::kMillisecond);
-BENCHMARK(refresh)->Arg(13)->Arg(18)->Iterations(5)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace

@@ -1,7 +1,6 @@
-// Rows of docs/numbers.md: a body of so many nodes from its mesh to the tick and to the eyes. Boxes of 100 mm with a
-// slab of ligament, a corridor of 1,000 nodes. 2,197 nodes are what Sutherland et al. 2013 had in their
-// haptic loop. Sizes above 20,000 come when BODKIN_LARGE_BODIES is set; then also a body whose mesh is fine about an
-// oblique way, in which a needle holds 150 nodes.
+// Rows of docs/numbers.md: a body of so many nodes from its mesh to the eyes. Boxes of 100 mm with a slab of
+// ligament, a corridor of 1,000 nodes. 2,197 nodes are what Sutherland et al. 2013 had in their haptic loop. Sizes
+// above 20,000 come when BODKIN_LARGE_BODIES is set; then also a body whose mesh is fine about an oblique way.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -19,7 +18,6 @@
 #include "tests/fem/lattice_body.h"
 #include <benchmark/benchmark.h>
 
-#include "fem/embedded_needle.h"
 #include "fem/solid/condensed_cache.h"
 #include "fem/solid/display_columns.h"
 #include "fem/solid/elastic_body.h"
@@ -51,27 +49,10 @@ struct Preparation {
   double seconds = 0.0, peak_MB = 0.0;
 };
 
-// A way through a body and how a needle looks for its nodes there.
-struct NeedleWay {
-  Vec3 entry, along;
-  double longest = 0.0;  // mm
-  double capture_radius = 0.0, spacing = 0.0;
-};
-
-// The straight way down the middle of a box, where a mesh of its size has nodes for few stations: each within 20 mm.
-NeedleWay way_down(double spacing) {
-  return {Vec3(0.5 * side, 0.5 * side, side), -Vec3::UnitZ(), 0.8 * side, 20.0, spacing};
-}
-
 // The box with 99,937 nodes, fine (0.4 to 1.4 mm) about a way that goes down at 27 degrees, coarse (up to 10 mm) at
 // its sides. Layers are 1.4 mm apart everywhere. That is what `bodkin case mesh` makes about a planned path.
 constexpr std::uint32_t graded_across = 37, graded_layers = 73;
 constexpr double graded_slope = 0.5;
-
-NeedleWay oblique_way() {
-  const Vec3 along = Vec3(-graded_slope, 0.0, -1.0).normalized();
-  return {Vec3(0.5 * side * (1.0 + graded_slope), 0.5 * side, side), along, 0.85 * side / -along.z(), 1.5, 0.5};
-}
 
 BodyDescription graded_body() {
   BodyDescription body;
@@ -83,11 +64,12 @@ BodyDescription graded_body() {
                 side * node.z());
   }
   layers_of_ligament(body, side);
-  const NeedleWay way = oblique_way();
+  const Vec3 entry(0.5 * side * (1.0 + graded_slope), 0.5 * side, side);
+  const Vec3 along = Vec3(-graded_slope, 0.0, -1.0).normalized();
   std::vector<std::pair<double, std::uint32_t>> near;
   for (std::uint32_t node = 0; node < body.mesh.nodes.size(); ++node) {
-    const Vec3 place = body.mesh.nodes[node] - way.entry;
-    if (body.mesh.nodes[node].z() > 0.12 * side) near.emplace_back(place.cross(way.along).norm(), node);
+    const Vec3 place = body.mesh.nodes[node] - entry;
+    if (body.mesh.nodes[node].z() > 0.12 * side) near.emplace_back(place.cross(along).norm(), node);
   }
   std::sort(near.begin(), near.end());
   for (std::size_t i = 0; i < corridor_size; ++i) body.corridor.push_back(near[i].second);
@@ -131,47 +113,6 @@ void prepare_from_cache(benchmark::State& state) {
   save_condensed(file, box.condensed, digest_of(box.description));
   for (auto _ : state) benchmark::DoNotOptimize(condensed_with_cache(file, box.description));
   std::filesystem::remove(file);
-}
-
-// A needle that holds about k nodes of the body goes to and fro by 5 mm and sways: a node comes or goes every 20
-// ticks or so, friction slides and turns round every 200. Third argument 1: it bends (27G, clamped, with a bevel).
-void needle_tick(benchmark::State& state) {
-  const auto along = static_cast<std::uint32_t>(state.range(0));
-  const BoxBody& box = box_of(along);
-  const auto wanted = static_cast<std::uint32_t>(state.range(1));
-  const NeedleWay way = along == graded_box ? oblique_way() : way_down(wanted > 60 ? 0.45 : 1.4);
-  ContactTissues tissues;
-  tissues.fill({.friction = 0.005});
-  EmbeddedNeedleSettings settings;
-  settings.capture_radius = way.capture_radius;
-  settings.spacing = way.spacing;
-  settings.most_nodes = 160;
-  std::optional<NeedleBeam> beam;
-  if (state.range(2) != 0) beam = NeedleBeam({.rigidity = 257.0, .length = 110.0, .cut_offset = 0.1});
-  EmbeddedNeedle needle(box.condensed, tissues, settings, 1e-3, beam);
-  needle.begin(way.entry, way.along);
-  const auto hold = [&](double depth) { return needle.step(needle_pose(way.entry + depth * way.along, way.along)); };
-  double depth = -1.0;
-  while (depth < way.longest - 2.5 && hold(depth).nodes < wanted) depth += 0.02;
-  const Vec3 side_on = Vec3::UnitY().cross(way.along).normalized(), other = way.along.cross(side_on);
-  std::vector<Pose> motion;
-  for (int tick = 0; tick < 2000; ++tick) {
-    const double swing = std::abs(static_cast<double>(tick % 400) - 200.0) / 200.0;  // 1 to 0 to 1
-    const double angle = 2.0 * 3.14159265358979323846 * tick / 2000.0;
-    const Vec3 aside = 0.5 * std::sin(angle) * side_on + 0.3 * std::sin(2.0 * angle) * other;
-    motion.push_back(needle_pose(way.entry + aside + (depth + 5.0 * (swing - 0.5)) * way.along,
-                                 (way.along + 0.01 * std::sin(3.0 * angle) * side_on).normalized()));
-  }
-  double nodes = 0.0, changes = 0.0;
-  std::uint32_t before = 0;
-  time_every_tick(state, motion.size(), [&](int tick) {
-    const std::uint32_t held = needle.step(motion[static_cast<std::size_t>(tick) % motion.size()]).nodes;
-    nodes += held;
-    changes += held != before ? 1.0 : 0.0;
-    before = held;
-  });
-  state.counters["held"] = nodes / static_cast<double>(state.iterations());
-  state.counters["ticks_a_change"] = static_cast<double>(state.iterations()) / std::max(changes, 1.0);
 }
 
 // What the eyes see: a grid by which ultrasound and re-slices are warped, and a face of skin.
@@ -236,11 +177,6 @@ const bool registered = [] {
         ->UseRealTime()
         ->Iterations(3)
         ->Unit(benchmark::kSecond);
-    for (const std::int64_t k : {1, 10, 50, 150})
-      benchmark::RegisterBenchmark("needle_tick", needle_tick)
-          ->ArgNames({"along", "k", "bends"})
-          ->Args({along, k, 0})
-          ->Iterations(50000);
     for (const std::int64_t k : {10, 50, 150})
       benchmark::RegisterBenchmark("field_for_the_eyes", field_for_the_eyes)
           ->ArgNames({"along", "k"})
@@ -253,12 +189,6 @@ const bool registered = [] {
       ->UseManualTime()
       ->Iterations(1)
       ->Unit(benchmark::kSecond);
-  for (const std::int64_t k : {1, 10, 50, 100, 150})
-    for (const std::int64_t bends : {0, 1})
-      benchmark::RegisterBenchmark("needle_tick", needle_tick)
-          ->ArgNames({"along", "k", "bends"})
-          ->Args({graded_box, k, bends})
-          ->Iterations(50000);
   return true;
 }();
 

@@ -1,5 +1,5 @@
-// What a needle in a deformable body costs: a corridor of 1000 nodes, k of which the needle holds. The motion is
-// recorded beforehand and the state is warm.
+// What a needle in a deformable body costs that holds k contact points. The motion is recorded beforehand and the
+// state is warm.
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -59,22 +59,16 @@ void factor_tick(benchmark::State& state) {
 
 BENCHMARK(factor_tick)->ArgNames({"k", "anywhere"})->ArgsProduct({{1, 10, 50, 150}, {0, 1}})->Iterations(50000);
 
-// A corridor of 1000 nodes with one every 0.5 mm of the needle's way, 85 mm of soft tissue.
+// A point every 0.5 mm of the needle's way, 85 mm of soft tissue.
 const CondensedBody& way_of_the_needle() {
   static const CondensedBody body = [] {
     CondensedBody made;
-    const auto add = [&made](const Vec3& place) {
-      made.mesh_nodes.push_back(static_cast<std::uint32_t>(made.nodes.size()));
-      made.nodes.push_back(place);
+    for (int i = 0; i < 170; ++i) {
+      made.nodes.emplace_back(0.0, 0.0, 0.5 * i);
       made.tissues.push_back(tissue::soft);
-    };
-    for (int i = 0; i < 170; ++i) add(Vec3(0.0, 0.0, 0.5 * i));
-    for (int i = 0; made.nodes.size() < 1000; ++i) {
-      const double angle = 2.4 * i;
-      add(Vec3((2.0 + 0.005 * i) * std::cos(angle), (2.0 + 0.005 * i) * std::sin(angle), 0.102 * i));
     }
     checks::fill_compliance(made, 0.05, 0.3);
-    return made;
+    return checks::as_points(std::move(made));
   }();
   return body;
 }
@@ -84,7 +78,6 @@ EmbeddedNeedle needle_on_its_way(const CondensedBody& body, bool bends) {
   tissues.fill({.friction = 0.005});
   EmbeddedNeedleSettings settings;
   settings.capture_radius = 0.6;
-  settings.spacing = 0.45;
   settings.most_nodes = 160;
   std::optional<NeedleBeam> beam;
   if (bends) beam = NeedleBeam({.rigidity = 257.0, .length = 90.0, .cut_offset = 0.1});
@@ -136,47 +129,6 @@ void needle_tick(benchmark::State& state) {
   state.counters["sticking"] = sticking / static_cast<double>(ticks);
 }
 
-// The same needle, which goes over into another corridor of as many nodes every 300 ticks: the ticks on the way, the
-// one in which it takes over the state, and the one after that.
-void needle_take_over(benchmark::State& state) {
-  static const CondensedBody other = [] {
-    CondensedBody firmer = way_of_the_needle();
-    firmer.compliance *= 0.8;
-    return firmer;
-  }();
-  EmbeddedNeedle first = needle_on_its_way(way_of_the_needle(), state.range(1) != 0);
-  EmbeddedNeedle second = needle_on_its_way(other, state.range(1) != 0);
-  EmbeddedNeedle *now = &first, *next = &second;
-  const double depth = 0.5 * static_cast<double>(state.range(0)) - 0.25;
-  const std::vector<Pose> motion = pushing_and_swaying(depth);
-  for (double tip = -1.0; tip < depth + 2.5; tip += 0.02) first.step(needle_pose(Vec3(0.0, 0.0, tip), Vec3::UnitZ()));
-  std::vector<double> on_the_way, last, after;
-  bool follows = false, done = false;
-  int tick = 0;
-  for (auto _ : state) {
-    std::vector<double>& times = done ? after : on_the_way;
-    const bool begins = !follows && tick % 300 == 0;
-    const bool counts = follows || begins || done;
-    const double start = processor_time();
-    now->step(motion[static_cast<std::size_t>(tick) % motion.size()]);
-    done = follows && next->follow(*now) == FollowState::done;
-    if (begins) follows = next->begin_to_follow(*now);
-    const double time = processor_time() - start;
-    if (counts) (done ? last : times).push_back(time);
-    if (done) std::swap(now, next);
-    if (done) follows = false;
-    ++tick;
-  }
-  report_times(state, on_the_way);
-  std::sort(last.begin(), last.end());
-  std::sort(after.begin(), after.end());
-  state.counters["times"] = static_cast<double>(last.size());
-  state.counters["taking_median_us"] = last[last.size() / 2];
-  state.counters["taking_most_us"] = last.back();
-  state.counters["after_median_us"] = after[after.size() / 2];
-  state.counters["after_most_us"] = after.back();
-}
-
 // The field for the eyes: a grid of 32^3 points and 2116 points of skin.
 void display_field(benchmark::State& state) {
   constexpr Eigen::Index points = 32 * 32 * 32 + 2116;
@@ -205,7 +157,6 @@ BENCHMARK(needle_tick)
     ->ArgsProduct({{1, 10, 50, 100, 150}, {0, 1}, {0}})
     ->ArgsProduct({{50, 150}, {0, 1}, {1, 2, 3}})
     ->Iterations(50000);
-BENCHMARK(needle_take_over)->ArgNames({"k", "bends"})->ArgsProduct({{10, 50, 150}, {0, 1}})->Iterations(50000);
 BENCHMARK(display_field)->ArgName("k")->Arg(10)->Arg(50)->Arg(150)->Iterations(500)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -51,13 +51,11 @@ run_bench:expert_without_recording a whole procedure by the simulated expert
 run_bench:expert_recorded the same, recorded
 fem_tick_bench:machine_itself a fixed sum of about 6 us: what the machine adds
 fem_tick_bench:factor_tick constraint factor: solve and update, k constraints
-fem_tick_bench:needle_tick needle in the deformable body, k contact nodes
-fem_tick_bench:needle_take_over transfer of an inserted needle to an updated submodel, k contact nodes
+fem_tick_bench:needle_tick needle in the deformable body, k contact points
 fem_tick_bench:display_field displacement field for the display, k contact nodes
 fem_body_bench:machine_itself -
 fem_body_bench:prepare mesh to condensed body, nodes along an edge (0: fine near an oblique path)
 fem_body_bench:prepare_from_cache condensed body read from its file, nodes along an edge
-fem_body_bench:needle_tick tick of a needle
 fem_body_bench:field_for_the_eyes displacement field for the display
 fem_preparation_bench:prepare preparation, nodes along an edge,
 fem_preparation_bench:only_check check of the mesh, nodes along an edge
@@ -65,7 +63,6 @@ fem_preparation_bench:only_plan order of elimination, nodes along an edge
 fem_preparation_bench:only_factorise factorisation and condensation, nodes along an edge
 fem_preparation_bench:field_of_corridor displacement of all nodes, nodes along an edge
 corotational_bench:step one step, nodes along an edge
-corotational_bench:refresh updated submodel of 200 nodes, nodes along an edge
 ultrasound_bench:paper feature set of Sutherland et al. 2013, 300 x 300, one thread
 ultrasound_bench:everything everything, 300 x 300, threads
 ultrasound_bench:everything_displaced the same with displaced tissue and a needle, threads
@@ -116,10 +113,10 @@ heading() {
     servo_bench) echo "Servo and guard" ;;
     haply_bench) echo "Drivers" ;;
     run_bench) echo "Whole procedures" ;;
-    fem_tick_bench) echo "Needle in a deformable body: 1,000 nodes" ;;
-    fem_body_bench) echo "Deformable body: preparation, tick and display by size" ;;
+    fem_tick_bench) echo "Needle in a deformable body" ;;
+    fem_body_bench) echo "Deformable body: preparation and display by size" ;;
     fem_preparation_bench) echo "Deformable body: the steps of its preparation" ;;
-    corotational_bench) echo "Moving body: one step, and one updated submodel" ;;
+    corotational_bench) echo "Moving body: one step" ;;
     ultrasound_bench) echo "Ultrasound: one image" ;;
     case_load_bench) echo "Opening a case: the lumbar torso of 1 mm" ;;
     scene_bench) echo "The patient in 3-D: one frame" ;;
@@ -131,10 +128,9 @@ heading() {
 note() {
   case "$1" in
     fem_tick_bench) cat << 'NOTE'
-k contact nodes of a body condensed to 1,000; the needle moves in and out at 25 mm/s and meets a node every 20 ticks, friction reverses
+k contact points; the needle moves in and out at 25 mm/s and meets a node every 20 ticks, friction reverses
 every 200. Hand 1 sways by 3 mm at 2 Hz and trembles by 0.2 mm at 10 Hz, hand 2 moves at 125 mm/s, hand 3 at 500 mm/s. *Of the tick
-itself*: the p99.9 over the ticks of the motion of each tick's median over its repetitions, so without the machine's interrupts. A
-transfer is done in one tick (*taking*); *after* is the tick that follows.
+itself*: the p99.9 over the ticks of the motion of each tick's median over its repetitions, so without the machine's interrupts.
 
 NOTE
       ;;

@@ -36,10 +36,6 @@ ClosestNodeContact::ClosestNodeContact(const anatomy::CondensedBody& body, const
   line_.resize(static_cast<std::size_t>(std::ceil(settings.longest / layer_step)) + 1);
 }
 
-void ClosestNodeContact::take_punctures(const ClosestNodeContact& other) noexcept {
-  anatomy::take_marks(body_, punctured_, other.body_, other.punctured_);
-}
-
 void ClosestNodeContact::reset() noexcept {
   std::fill(punctured_.begin(), punctured_.end(), std::uint8_t{0});
   begin(Vec3::Zero(), Vec3::UnitZ());

@@ -53,8 +53,6 @@ class ClosestNodeContact {
   void begin(const Vec3& entry, const Vec3& direction, std::span<const anatomy::TissueId> line = {}) noexcept;
   ClosestNodeForce step(const Vec3& tip) noexcept;
   void reset() noexcept;
-  // Punctured is also what was so in another corridor of the same mesh. The mesh nodes of both must ascend.
-  void take_punctures(const ClosestNodeContact& other) noexcept;
 
   // What the tissue feels, a punctured node that goes back included: at most 2 nodes, with forces on the body as the
   // mesh has it (that is, divided by c_i).

@@ -15,8 +15,10 @@ constexpr double farthest_pose = 1e4;         // mm; a position farther away is 
 constexpr double least_cosine = 0.2;          // between needle and line; below, the needle is not being inserted
 constexpr double least_friction = 1e-9;       // N; less counts as no friction
 constexpr double least_captured_part = 1e-6;  // of the full-capture length; below, there is no lateral constraint
+constexpr double same_hole = 1.0;             // mm
 constexpr std::size_t bevelled_nodes = 4;     // behind the tip, whose holes a bevel may move
 constexpr int most_captures = 2;              // per tick; the others follow in the next
+constexpr double carry_time = 0.02;           // s, in which tissue that moves by itself covers most of a step of it
 
 const anatomy::CondensedBody& checked_body(const anatomy::CondensedBody& body) {
   const std::size_t nodes = body.nodes.size();
@@ -24,10 +26,10 @@ const anatomy::CondensedBody& checked_body(const anatomy::CondensedBody& body) {
       (!body.has_contact_points() || body.in_mesh.size() == nodes)) {
     return body;
   }
-  throw InputError("needle contact: the corridor has " + std::to_string(nodes) + " nodes, " +
+  throw InputError("needle contact: the body has " + std::to_string(nodes) + " points, " +
                    std::to_string(body.tissues.size()) + " tissues and a compliance of " +
                    std::to_string(body.compliance.rows()) +
-                   " rows; expected as many tissues as nodes and 3 rows for each");
+                   " rows; expected as many tissues as points and 3 rows for each");
 }
 
 std::size_t checked_room(const anatomy::EmbeddedNeedleSettings& settings) {
@@ -47,18 +49,15 @@ EmbeddedNeedle::EmbeddedNeedle(const anatomy::CondensedBody& body, const Contact
       settings_(settings),
       dt_(dt),
       beam_(beam),
-      contact_nodes_(body, settings.capture_radius, settings.spacing),
+      contact_nodes_(body),
       constraints_(body.compliance, checked_room(settings), beam_),
       contacts_(settings.most_nodes + 1),
       displacements_(upper_triangular::padded(3 * settings.most_nodes + 3), 0.0),
       forces_(3 * settings.most_nodes + 3, 0.0),
-      punctured_(body.nodes.size(), 0) {
+      punctured_(body.nodes.size(), 0),
+      carried_(body.nodes.size(), Vec3::Zero()) {
   check_contact_tissues(tissues);
   check_tick("embedded_needle", dt);
-  if (body.mesh_nodes.size() != body.nodes.size()) return;  // without mesh numbers no transfer is possible
-  for (const std::uint32_t name : body.mesh_nodes)
-    names_.emplace_back(name, static_cast<std::uint32_t>(names_.size()));
-  std::sort(names_.begin(), names_.end());
 }
 
 void EmbeddedNeedle::reset() noexcept {
@@ -66,11 +65,54 @@ void EmbeddedNeedle::reset() noexcept {
   start(Vec3::Zero(), Vec3::UnitZ());  // reads nothing of the body, which may be growing
   contact_nodes_.clear();
   begun_ = false;
+  field_ = {};
+}
+
+// mm, LPS, that the body moves a point by itself.
+Vec3 EmbeddedNeedle::goal(std::uint32_t point) const noexcept {
+  Vec3 moved = Vec3::Zero();
+  if (field_.empty() || point >= body_.in_mesh.size()) return moved;
+  const anatomy::PlaceInElement& place = body_.in_mesh[point];
+  for (std::size_t corner = 0; corner < 4; ++corner) {
+    const std::size_t at = 3 * std::size_t{place.nodes[corner]};
+    if (at + 3 > field_.size()) return Vec3::Zero();
+    moved += place.weights[corner] * Eigen::Map<const Eigen::Vector3f>(field_.data() + at).cast<double>();
+  }
+  return moved;
+}
+
+void EmbeddedNeedle::place_new_points() noexcept {
+  for (; placed_ < line().size(); ++placed_) {
+    Vec3& here = carried_[line()[placed_].index];
+    here = goal(line()[placed_].index);
+    moves_ = moves_ || here != Vec3::Zero();
+  }
+}
+
+bool EmbeddedNeedle::move_with(std::span<const float> of_mesh) noexcept {
+  field_ = of_mesh;
+  if (field_.empty() && !moves_) return false;
+  const double share = std::min(1.0, dt_ / carry_time);
+  moves_ = false;
+  for (const ContactNode& node : line()) {
+    Vec3& here = carried_[node.index];
+    here += share * (goal(node.index) - here);
+    moves_ = moves_ || here != Vec3::Zero();
+  }
+  return moves_;
+}
+
+void EmbeddedNeedle::open(const Vec3& place, anatomy::TissueId tissue) noexcept {
+  for (const ContactNode& node : line()) {
+    if (node.tissue == tissue && (body_.nodes[node.index] - place).squaredNorm() < same_hole * same_hole)
+      punctured_[node.index] = 1;
+  }
 }
 
 void EmbeddedNeedle::begin(const Vec3& entry, const Vec3& direction) noexcept {
   start(entry, direction);
   contact_nodes_.begin(entry, direction, tissues_);
+  place_new_points();
   if (!line().empty()) constraints_.add_before_tip(line()[0].index);
 }
 
@@ -86,9 +128,11 @@ void EmbeddedNeedle::begin_growing(const Vec3& entry, const Vec3& direction,
 void EmbeddedNeedle::extend(std::size_t points, bool complete) noexcept {
   surface_.is_missing = complete && points == 0;
   const bool first = line().empty();
-  if (!contact_nodes_.grow(points, tissues_) || !first || line().empty()) return;
+  const bool grew = contact_nodes_.grow(points, tissues_);
+  place_new_points();
+  if (!grew || !first || line().empty()) return;
   constraints_.add_before_tip(line()[0].index);
-  if (!fresh_) place_tip_contact(constraints_.compliance().row(0, 0)[0] * provisional_);
+  if (!fresh_) place_tip_contact(constraints_.compliance().row(0, 0)[0] * provisional_ + carried(0)(0));
   provisional_ = 0.0;
 }
 
@@ -111,7 +155,8 @@ void EmbeddedNeedle::start(const Vec3& entry, const Vec3& direction) noexcept {
   turn_.setZero();
   bevel_energy_ = provisional_ = 0.0;
   surface_ = {};
-  captured_ = 0;
+  captured_ = placed_ = 0;
+  moves_ = false;
   begun_ = fresh_ = true;
   force_ = {};
   published_.count = 0;
@@ -124,7 +169,7 @@ bool EmbeddedNeedle::blocked() const noexcept {
 
 // Removes the nodes from which the tip has been withdrawn.
 void EmbeddedNeedle::release_withdrawn() noexcept {
-  while (captured_ > 0 && tip_ < line()[captured_ - 1].depth) {
+  while (captured_ > 0 && tip_ < depth_now(captured_ - 1)) {
     std::fill_n(forces_.begin() + static_cast<std::ptrdiff_t>(3 * captured_ - 3), 6, 0.0);
     constraints_.pop();  // the node is in front of the tip again
     --captured_;
@@ -167,7 +212,7 @@ bool EmbeddedNeedle::capture_node(std::size_t index) noexcept {
 void EmbeddedNeedle::capture() noexcept {
   force_.full = false;
   for (int i = 0; i < most_captures; ++i) {
-    if (captured_ >= line().size() || blocked() || tip_ < line()[captured_].depth) return;
+    if (captured_ >= line().size() || blocked() || tip_ < depth_now(captured_)) return;
     const ContactNode& node = line()[captured_];
     if (!capture_node(captured_)) {
       force_.full = true;
@@ -176,7 +221,7 @@ void EmbeddedNeedle::capture() noexcept {
     // A node that the tip passed while a puncture was pending starts sticking; a newly reached node starts sliding,
     // with the friction of the short piece of shaft in its part of the line.
     const bool rubs = tissues_[node.tissue].friction * node.length > least_friction;
-    if (rubs && tip_ >= node.depth + node.length) constraints_.constrain_along(captured_ - 1);
+    if (rubs && tip_ >= depth_now(captured_ - 1) + node.length) constraints_.constrain_along(captured_ - 1);
   }
 }
 
@@ -205,15 +250,15 @@ void EmbeddedNeedle::set_lateral_compliance(double lateral_compliance) noexcept 
 void EmbeddedNeedle::update_capture() noexcept {
   for (std::size_t i = 0; i < captured_; ++i) {
     const ContactNode& node = line()[i];
-    const double length = std::clamp(tip_ - node.depth, 0.0, node.length);
+    const double length = std::clamp(tip_ - depth_now(i), 0.0, node.length);
     NodeContact& contact = contacts_[i];
     contact.puncture_residual = std::max(
         0.0, contact.puncture_residual - tissues_[node.tissue].puncture_force * dt_ / settings_.puncture_time);
     contact.limit = tissues_[node.tissue].friction * length + contact.puncture_residual;
   }
   if (captured_ == 0) return;
-  const ContactNode& last = line()[captured_ - 1];
-  const double part = std::clamp((tip_ - last.depth) / contacts_[captured_ - 1].full_capture_length, 0.0, 1.0);
+  const double part =
+      std::clamp((tip_ - depth_now(captured_ - 1)) / contacts_[captured_ - 1].full_capture_length, 0.0, 1.0);
   set_lateral_compliance(part < least_captured_part ? -1.0
                                                     : contacts_[captured_ - 1].own_compliance * (1.0 / part - 1.0));
 }
@@ -227,7 +272,7 @@ void EmbeddedNeedle::cut_aside(double advance) noexcept {
     NodeContact& contact = contacts_[i];
     const ContactNode& next = line()[i + 1];
     const double full_capture_length = std::min(next.length, settings_.capture_radius);
-    const double cut = std::clamp((tip_ - next.depth) / full_capture_length, contact.cut, 1.0);
+    const double cut = std::clamp((tip_ - depth_now(i + 1)) / full_capture_length, contact.cut, 1.0);
     const Eigen::Vector2d aside = beam_->settings().cut_offset * (cut - contact.cut) * side_;
     const double force = Eigen::Vector2d(forces_[3 * i + 1], forces_[3 * i + 2]).norm();
     used += force * aside.norm() + 2.0 * aside.squaredNorm() / contact.own_compliance;
@@ -282,12 +327,8 @@ const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle, double press
     side_ = known ? Eigen::Vector2d(-(frame_.transpose() * across).tail<2>()) : Eigen::Vector2d(0.0, 0.0);
   }
   if (begun_) {
-    if (fresh_ && !line().empty()) place_tip_contact(0.0);
+    if (fresh_ && !line().empty()) place_tip_contact(carried(0)(0));
     fresh_ = false;
-    // After a transfer there may be no node in front of the tip yet.
-    if (captured_ > 0 && captured_ < std::min(line().size(), contacts_.size()) && constraints_.known() == captured_ &&
-        constraints_.add_before_tip(line()[captured_].index))
-      place_tip_contact(displacement(captured_)(0));
     release_withdrawn();
     add_next_before_tip();
     capture();

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <optional>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "anatomy/condensed_body.h"
@@ -20,7 +20,7 @@ struct TissuePuncture {
   anatomy::TissueId tissue = anatomy::tissue::air;
   double depth = 0.0;         // mm, of the tip below the entry, along the line
   double force = 0.0;         // N, along the needle
-  Vec3 place = Vec3::Zero();  // mm, LPS, of the node or contact point, at rest
+  Vec3 place = Vec3::Zero();  // mm, LPS, of the contact point, at rest
 };
 
 // What the tip pushes on where the first contact point is still being computed.
@@ -37,22 +37,19 @@ struct EmbeddedNeedleForce {
   double tip_force = 0.0;       // N, the part of the resistance from the tissue in front of the tip
   double material_depth = 0.0;  // mm, of the tissue at rest that the tip touches; no border beyond has given way
   double opened_depth = -1.0;   // mm, of the deepest border on the shaft that gave way; negative: none
-  anatomy::TissueId inside = anatomy::tissue::air;  // at the tip, of contact points; air: unknown
-  anatomy::TissueId pushed = anatomy::tissue::air;  // that has to give way before the tip gets on, of contact points
+  anatomy::TissueId inside = anatomy::tissue::air;  // at the tip; air: unknown
+  anatomy::TissueId pushed = anatomy::tissue::air;  // that has to give way before the tip gets on; air: none
   Vec3 tip_deflection = Vec3::Zero();  // mm, LPS, of a bending needle: from the tip of the pose to the needle's tip
-  std::uint32_t nodes = 0;             // contact nodes on the shaft
+  std::uint32_t nodes = 0;             // contact points on the shaft
   std::uint32_t sticking = 0;          // number of those that stick
   std::optional<TissuePuncture> puncture;
-  bool full = false;    // capacity reached: the shaft beyond the last contact node has no contact
-  bool beyond = false;  // out of range: the tip is deeper than the corridor; the force is that of the existing nodes
+  bool full = false;    // capacity reached: the shaft beyond the last contact point has no contact
+  bool beyond = false;  // the tip is deeper than the last contact point; the force is that of those there are
   bool fault = false;   // the pose is invalid for an inserted needle: zero force, state unchanged
 };
 
-// Progress of the transfer of a needle into another corridor.
-enum class FollowState : std::uint8_t { under_way, done, impossible };
-
-// A straight needle in a deformable body (CondensedBody), its shaft as many contact nodes. It is rigid, or bends as a
-// beam (NeedleBeam).
+// A straight needle in a deformable body (CondensedBody), its shaft as many contact points of its line, called nodes
+// below. It is rigid, or bends as a beam (NeedleBeam).
 //
 //   S f = u                    for all nodes at once, exactly (ShaftConstraints)
 //   across the needle          u_i = offset of the needle's axis from the line at depth_i, less its value when node i
@@ -67,7 +64,8 @@ enum class FollowState : std::uint8_t { under_way, done, impossible };
 // needle deeper bends it more sharply, and the hand feels the force of that.
 //
 //   s depth of the tip along the frozen line, mm; z_i slip, the position of node i on the needle, mm; l_i the length
-//   of shaft in node i's part of the line; mu_t, F_p see ContactTissue.
+//   of shaft in node i's part of the line; mu_t, F_p see ContactTissue. Where the body moves by itself (move_with),
+//   u_i is S f and that motion.
 //
 // Forces are continuous. At a puncture F_p becomes friction that decays to zero within puncture_time. A newly
 // captured node has a soft lateral constraint, which stiffens as the tip moves on and softens again on withdrawal. No
@@ -94,6 +92,10 @@ class EmbeddedNeedle {
   void begin_growing(const Vec3& entry, const Vec3& direction, const ProvisionalSurface& surface = {}) noexcept;
   // Before a tick: the first `points` of the body are there now; `complete`: no more will come.
   void extend(std::size_t points, bool complete = false) noexcept;
+  // Before a tick: the body moves by itself, pressed by a probe for example. `of_mesh`: mm, 3 per node of its mesh;
+  // fewer: it stands still. The tissue at the needle goes there within some hundredths of a second, and takes the
+  // needle along or moves along it. Whether any point moves at all.
+  bool move_with(std::span<const float> of_mesh) noexcept;
   // Adds a puncture: the points within 1 mm of it in the same tissue are open.
   void open(const Vec3& place, anatomy::TissueId tissue) noexcept;
   // mm, of the points that extend() added, in their order; negative for one that is not there.
@@ -102,23 +104,8 @@ class EmbeddedNeedle {
   // the hub is nearer to the body than the needle's length allows because its tip stands on something rigid; the free
   // length of a bending needle is shorter by as much.
   const EmbeddedNeedleForce& step(const Pose& needle, double pressed = 0.0) noexcept;
-  // Restores the state after construction: no contact, nothing punctured.
+  // Restores the state after construction: no contact, nothing punctured, a body that stands still.
   void reset() noexcept;
-  // Adds the punctures of a needle in another corridor of the same mesh: a mesh node is punctured in both corridors,
-  // a contact point where one of the same tissue was within 1 mm of it.
-  void take_punctures(const EmbeddedNeedle& other) noexcept;
-
-  // Transfers an inserted needle from `other`, which has the same settings and another corridor of the same mesh, to
-  // this one without a jump of the force (docs/corotational.md). Call begin_to_follow() once. If it returns false,
-  // `other` has no contact node or one that this corridor lacks; this needle then has no contact, and its punctured
-  // nodes are kept.
-  bool begin_to_follow(const EmbeddedNeedle& other) noexcept;
-  // After begin_to_follow(), call this after each other.step() until it returns `done` or `impossible`. Each call
-  // transfers one node, the last one the state, so that the cost of a tick is bounded. After `done` this needle has
-  // the same contact nodes with the same forces, and use it instead of `other`. `impossible`: `other` was withdrawn,
-  // or has reached a node that this corridor lacks. Until then this needle has no contact.
-  FollowState follow(const EmbeddedNeedle& other) noexcept;
-
   // Forces of the last tick, by node.
   const NodeForces& node_forces() const noexcept { return published_; }
   // Whether an insertion has begun and, as of the last tick, has contact nodes or its tip below the entry.
@@ -175,13 +162,17 @@ class EmbeddedNeedle {
   bool update_tip_contact() noexcept;
   void puncture() noexcept;
   void report() noexcept;
-  bool take_line_of(const EmbeddedNeedle& other) noexcept;
-  void take_punctures_of_points(const EmbeddedNeedle& other) noexcept;
-  void take_sticking_of(const EmbeddedNeedle& other) noexcept;
-  bool take_state_of(const EmbeddedNeedle& other) noexcept;
   Vec3 displacement(std::size_t index) const noexcept {
-    return constraints_.compliance().displacement(index, forces_);
+    return constraints_.compliance().displacement(index, forces_) + carried(index);
   }
+  // mm, in the frame: by which the body has moved by itself at a node of the line.
+  Vec3 carried(std::size_t index) const noexcept {
+    return moves_ ? Vec3(frame_.transpose() * carried_[line()[index].index]) : Vec3(Vec3::Zero());
+  }
+  // mm along the line, at which a node lies now if the needle did nothing to it.
+  double depth_now(std::size_t index) const noexcept { return line()[index].depth + carried(index)(0); }
+  Vec3 goal(std::uint32_t point) const noexcept;
+  void place_new_points() noexcept;
 
   const anatomy::CondensedBody& body_;
   ContactTissues tissues_;
@@ -193,9 +184,12 @@ class EmbeddedNeedle {
   std::vector<NodeContact> contacts_;    // most_nodes + 1: the shaft's nodes and the one in front of the tip
   std::vector<double> displacements_;    // 3 x (most_nodes + 1), mm: along, across, across
   std::vector<double> forces_;           // 3 x (most_nodes + 1), N on the tissue: along, across, across
-  std::vector<std::uint8_t> punctured_;  // by node of the corridor
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> names_;  // number in the mesh, ascending; node
-  std::size_t captured_ = 0;                                    // contact nodes on the shaft
+  std::vector<std::uint8_t> punctured_;  // by point of the body
+  std::span<const float> field_;         // of the body's own motion, as move_with() has it
+  std::vector<Vec3> carried_;            // mm, LPS, by point of the body; as far as the tissue has gone there
+  std::size_t placed_ = 0;               // nodes of the line whose carried_ is known
+  bool moves_ = false;                   // something of carried_ is not 0
+  std::size_t captured_ = 0;             // contact nodes on the shaft
   bool begun_ = false, fresh_ = true;
   Vec3 entry_ = Vec3::Zero();
   Mat3 frame_ = Mat3::Identity();  // columns: along the line, across, across

@@ -20,8 +20,10 @@ constexpr std::size_t release_budget = 50000;  // rotated numbers of the factor 
 void EmbeddedNeedle::place() noexcept {
   double* d = displacements_.data();
   for (std::size_t i = 0; i < constraints_.known(); ++i) {
-    d[3 * i] = tip_ - contacts_[i].slip;
-    Eigen::Map<Eigen::Vector2d>(d + 3 * i + 1) = axis_offset(line()[i].depth) - contacts_[i].anchor;
+    const Vec3 by_itself = carried(i);
+    d[3 * i] = tip_ - contacts_[i].slip - by_itself(0);
+    Eigen::Map<Eigen::Vector2d>(d + 3 * i + 1) =
+        axis_offset(line()[i].depth) - contacts_[i].anchor - by_itself.tail<2>();
   }
   constraints_.place(displacements_, root_);
 }
@@ -35,7 +37,8 @@ void EmbeddedNeedle::solve() noexcept {
   }
   constraints_.solve_along(forces_);
   for (std::size_t i = 0; i < known; ++i) {
-    contacts_[i].moved = constraints_.constrained_along(i) ? tip_ - contacts_[i].slip : constraints_.moved(i);
+    contacts_[i].moved =
+        constraints_.constrained_along(i) ? tip_ - contacts_[i].slip : constraints_.moved(i) + carried(i)(0);
   }
 }
 

@@ -14,7 +14,7 @@ constexpr double inside_border = 1e-6;  // mm before a border that has not given
 // The tissue behind the tip has moved with its last contact node; what has not given way lies before the tip however
 // far the tip has come.
 double EmbeddedNeedle::material_depth() const noexcept {
-  if (captured_ == 0) return provisional_ > 0.0 || blocked() ? 0.0 : tip_;
+  if (captured_ == 0) return provisional_ > 0.0 || blocked() ? 0.0 : tip_ - (line().empty() ? 0.0 : carried(0)(0));
   const double here = tip_ - contacts_[captured_ - 1].moved;
   return blocked() ? std::min(here, line()[captured_].depth) : here;
 }
@@ -44,7 +44,7 @@ void EmbeddedNeedle::report() noexcept {
     if (i < captured_ && constraints_.constrained_along(i)) ++force_.sticking;
     // A force along the line acts on the line, a lateral one on the needle's axis and perpendicular to it: these are
     // the directions in which the constraints move with the needle.
-    const double reach = line()[i].depth - tip_;
+    const double reach = depth_now(i) - tip_;
     const Vec3 at(reach, slope_(0) * reach, slope_(1) * reach);
     const Vec3 square(-(force(1) * slope_(0) + force(2) * slope_(1)), force(1), force(2));
     pushed += Vec3(force(0), 0.0, 0.0) + square;
@@ -67,14 +67,13 @@ void EmbeddedNeedle::report() noexcept {
   force_.material_depth = material_depth();
   force_.opened_depth = opened_depth();
   force_.inside = force_.pushed = anatomy::tissue::air;
-  if (body_.has_contact_points() && !line().empty()) {
+  if (!line().empty()) {
     const double reached = std::max(force_.material_depth, force_.opened_depth);
     force_.inside = tissue_at(blocked() ? std::min(reached, line()[captured_].depth - inside_border) : reached);
     if (blocked()) force_.pushed = line()[captured_].tissue;
   }
   force_.on_hand = {-(frame_ * pushed), -(frame_ * torque)};
-  force_.beyond = begun_ && (line().empty() || tip_ > line().back().depth + 2.0 * std::max(settings_.spacing,
-                                                                                           settings_.capture_radius));
+  force_.beyond = begun_ && (line().empty() || tip_ > depth_now(line().size() - 1) + 2.0 * settings_.capture_radius);
 }
 
 // mm, across: deflection of the shaft from the straight needle, a beam under -f on a hub that may have rotated.
@@ -97,7 +96,7 @@ double EmbeddedNeedle::stored_energy() const noexcept {
   double sum = 0.0;
   for (std::size_t i = 0; i < constraints_.known(); ++i) {
     const Vec3 force = Eigen::Map<const Vec3>(forces_.data() + 3 * i);
-    sum += 0.5 * force.dot(displacement(i));
+    sum += 0.5 * force.dot(constraints_.compliance().displacement(i, forces_));
     sum -= 0.5 * force.tail<2>().dot(beam_deflection(root_.outside + line()[i].depth));
     if (i < captured_ && contacts_[i].lateral_compliance > 0.0)
       sum += 0.5 * contacts_[i].lateral_compliance * force.tail<2>().squaredNorm();

@@ -8,7 +8,7 @@
 
 namespace bodkin::fem {
 
-// What a needle does to one node: of the corridor, or of the mesh, as who gives it says.
+// What a needle does to one node: of the mesh, or of the body or line of CondensedBody, as who gives it says.
 struct NodeForce {
   std::uint32_t node = 0;
   std::array<float, 3> force{};  // N on the tissue, LPS
@@ -24,8 +24,8 @@ struct NodeForces {
   std::array<NodeForce, capacity> nodes{};  // capacity; the first `count` are in use
 };
 
-// Forces on nodes or contact points of a corridor, by the nodes of its mesh. A force on a point is spread over the
-// corners of its element, as the point moves with them.
+// Forces on the nodes of a corridor or on contact points, by the nodes of the mesh. A force on a point is spread over
+// the corners of its element, as the point moves with them.
 inline NodeForces of_mesh(NodeForces forces, const anatomy::CondensedBody& corridor) noexcept {
   if (!corridor.has_contact_points()) {
     for (std::size_t i = 0; i < forces.count; ++i) forces.nodes[i].node = corridor.mesh_nodes[forces.nodes[i].node];

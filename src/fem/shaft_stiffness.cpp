@@ -11,8 +11,8 @@
 namespace bodkin::fem {
 
 double shaft_stiffness(const anatomy::CondensedBody& body, const Vec3& entry, const Vec3& direction, double length,
-                       double radius, double spacing, std::size_t most_nodes) {
-  ContactNodes stations(body, radius, spacing);
+                       std::size_t most_nodes) {
+  ContactNodes stations(body);
   stations.begin(entry, direction, {});
   std::vector<Eigen::Index> rows;
   for (const ContactNode& station : stations.along()) {

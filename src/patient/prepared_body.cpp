@@ -15,17 +15,13 @@ namespace bodkin::patient {
 
 namespace {
 
-constexpr double farthest_skin = 150.0;  // mm before the tip
-constexpr double skin_step = 0.5;        // mm
-
 bool same(const anatomy::NeedlePath& one, const anatomy::NeedlePath& other) {
   return one.entry == other.entry && one.target == other.target;
 }
 
 // The settings of a needle that meets points of its line; nullptr: it meets nodes.
 const anatomy::EmbeddedNeedleSettings* with_points(const anatomy::Case& patient) {
-  const auto* settings = std::get_if<anatomy::EmbeddedNeedleSettings>(&patient.description.haptics.resistance);
-  return settings != nullptr && settings->contact == anatomy::NeedleContactKind::points ? settings : nullptr;
+  return std::get_if<anatomy::EmbeddedNeedleSettings>(&patient.description.haptics.resistance);
 }
 
 anatomy::CondensedBody points_of(const fem::ContactBody& body, const anatomy::Case& patient,
@@ -111,22 +107,6 @@ void prepare_body(anatomy::Case& patient, anatomy::TetrahedralMesh mesh, const a
     prepare_body_of(std::move(mesh), patient, {}, path, progress, {}, nullptr);
 }
 
-anatomy::PreparedCorridor another_corridor(const fem::BodyDescription& body, const anatomy::Case& patient,
-                                           const anatomy::NeedlePath& path, std::uint64_t aimed_at,
-                                           std::shared_ptr<const fem::ContactBody>& kept, const Progress& progress) {
-  if (const anatomy::EmbeddedNeedleSettings* points = with_points(patient)) {
-    if (kept == nullptr) kept = contact_body(body, progress, {});
-    return {std::make_shared<const anatomy::CondensedBody>(points_of(*kept, patient, path, *points)), path, aimed_at};
-  }
-  std::vector<std::string> notes;
-  fem::BodyDescription described = body;
-  described.corridor =
-      fem::corridor_about(body, path, *anatomy::body_of(patient.description.haptics.resistance), notes);
-  anatomy::CondensedBody condensed = fem::condense(described, {}, progress);
-  fem::take_tissues_of_voxels(condensed, patient);
-  return {std::make_shared<const anatomy::CondensedBody>(std::move(condensed)), path, aimed_at};
-}
-
 std::unique_ptr<fem::ContactStream> contact_stream(const fem::BodyDescription& body,
                                                    std::shared_ptr<const anatomy::Case> patient, double length,
                                                    std::shared_ptr<const fem::ContactBody>& kept,
@@ -138,19 +118,6 @@ std::unique_ptr<fem::ContactStream> contact_stream(const fem::BodyDescription& b
                                             .spacing = points->point_spacing,
                                             .tip_radius = points->tip_radius};
   return std::make_unique<fem::ContactStream>(kept, std::move(patient), settings, std::move(line));
-}
-
-std::optional<anatomy::NeedlePath> aimed_path(const Pose& needle, const anatomy::TissueVolume& tissues,
-                                              double length) {
-  const Vec3 tip = needle.translation(), along = needle_axis(needle).normalized();
-  if (!tip.allFinite() || !along.allFinite()) return {};
-  if (anatomy::nearest<anatomy::TissueId>(tissues, tip, anatomy::tissue::air) != anatomy::tissue::air) return {};
-  for (double ahead = skin_step; ahead <= farthest_skin; ahead += skin_step) {
-    const Vec3 place = tip + ahead * along;
-    if (anatomy::nearest<anatomy::TissueId>(tissues, place, anatomy::tissue::air) != anatomy::tissue::air)
-      return anatomy::NeedlePath{place, place + length * along};
-  }
-  return {};
 }
 
 }  // namespace bodkin::patient

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -18,13 +17,13 @@ namespace bodkin::patient {
 // The condensed body is stored next to the mesh that it was made from, in the case folder.
 inline constexpr const char* body_file_name = "body.condensed";
 
-// Gives a case the deformable body that its resistance needs, with a corridor about `path` (the planned one where
-// there is none), from the mesh in `folder` and the settings of the resistance: condensed now or, about the planned
-// path, read back when that was done before. With contact points the corridor is the points of the path itself, and
-// `kept`, unless null, becomes the factorised body for the functions below.
-// Returns what the body was made from, for more corridors; nullptr, and nothing done, when the resistance needs no
-// body. `note` hears what was assumed, and what memory the work takes, before it takes it. Throws InputError, one
-// sentence, when there is no path or no mesh, and for everything that describe_body() and condense() refuse.
+// Gives a case the deformable body that its resistance needs, from the mesh in `folder` and the settings of the
+// resistance. For `embedded_needle` that is the contact points of `path` (the planned one where there is none), and
+// `kept`, unless null, becomes the factorised body for contact_stream(). For `closest_node` it is the nodes of the
+// corridor about the path, condensed now or, about the planned path, read back when that was done before.
+// Returns what the body was made from; nullptr, and nothing done, when the resistance needs no body. `note` hears
+// what was assumed, and what memory the work takes, before it takes it. Throws InputError, one sentence, when there
+// is no path or no mesh, and for everything that describe_body() and condense() refuse.
 std::shared_ptr<const fem::BodyDescription> prepare_body(anatomy::Case& patient, const std::filesystem::path& folder,
                                                          const std::optional<anatomy::NeedlePath>& path,
                                                          const Progress& progress,
@@ -36,14 +35,6 @@ std::shared_ptr<const fem::BodyDescription> prepare_body(anatomy::Case& patient,
 void prepare_body(anatomy::Case& patient, anatomy::TetrahedralMesh mesh, const anatomy::NeedlePath& path,
                   const Progress& progress = {});
 
-// Another corridor of the same body. `aimed_at`: the tick whose needle goes along `path`. `kept`: of a needle with
-// contact points (EmbeddedNeedleSettings::contact), the factorised body for further calls with the same `body`; a
-// null pointer at first, and nothing else to be done with it. Throws like prepare_body().
-anatomy::PreparedCorridor another_corridor(const fem::BodyDescription& body, const anatomy::Case& patient,
-                                           const anatomy::NeedlePath& path, std::uint64_t aimed_at,
-                                           std::shared_ptr<const fem::ContactBody>& kept,
-                                           const Progress& progress = {});
-
 // Computes the contact points of every line that `line` is asked for, as deep as `length` mm (that of the planned
 // path) and what the settings add to it. `kept` as above. Throws like prepare_body(); null for a resistance without
 // contact points.
@@ -51,10 +42,5 @@ std::unique_ptr<fem::ContactStream> contact_stream(const fem::BodyDescription& b
                                                    std::shared_ptr<const anatomy::Case> patient, double length,
                                                    std::shared_ptr<const fem::ContactBody>& kept,
                                                    std::shared_ptr<fem::ContactLine> line);
-
-// The path that a needle outside the body would take: from where it would meet the skin, as deep as `length` mm.
-// Nothing when it is in the body already, or when there is none within 150 mm before its tip.
-std::optional<anatomy::NeedlePath> aimed_path(const Pose& needle, const anatomy::TissueVolume& tissues,
-                                              double length);
 
 }  // namespace bodkin::patient

@@ -133,11 +133,11 @@ std::string event_text(const forces::Event& event, const anatomy::TissueLibrary&
     case forces::EventKind::force_limited:
       return fmt::format("force limited, {:.1f} N were asked for", event.value);
     case forces::EventKind::corridor_left:
-      return "the needle leaves the corridor that the deformable body was prepared for";
+      return "the needle is past the contact points of its line";
     case forces::EventKind::corridor_taken:
-      return "the needle begins in another corridor of the deformable body";
+      return "the needle begins on another line than before";
     case forces::EventKind::corridor_refreshed:
-      return "the needle is in the body as the probe presses it";
+      return "the needle is in tissue that the probe has moved";
     case forces::EventKind::moving_body_failed:
       return "the moving body failed: the probe lost its force, the needle finds the body at rest";
     case forces::EventKind::fluid_returned:

@@ -92,68 +92,40 @@ ReplayDifference difference_of(const simulation::TickRecord& recorded, const sim
   return difference;
 }
 
-// The corridors of a deformable body that were prepared while the session ran: each is there from the tick on in
-// which the needle took it.
-class CorridorsTaken {
+// The contact points of the needle's own lines: as many are there in each tick as in the recording.
+class PointsTaken {
  public:
-  CorridorsTaken(const Session& session, const anatomy::Case& patient, const fem::BodyDescription* body,
-                 const Progress& progress)
-      : session_(session), patient_(patient), body_(body), progress_(progress) {}
-
   // Before the first tick.
-  void begin(simulation::HapticTick& haptics) {
-    const bool own_lines = std::any_of(session_.events.begin(), session_.events.end(), [](const SessionEvent& event) {
+  PointsTaken(const Session& session, const anatomy::Case& patient, const fem::BodyDescription* body,
+              simulation::BodyPort* port)
+      : port_(port) {
+    const bool own_lines = std::any_of(session.events.begin(), session.events.end(), [](const SessionEvent& event) {
       return event.event.kind == forces::EventKind::points_taken ||
              (event.event.kind == forces::EventKind::corridor_taken &&
               event.event.value == simulation::BodyPort::own_line);
     });
     if (!own_lines) return;
     std::shared_ptr<fem::ContactLine> line;
-    if (body_ != nullptr && haptics.body() != nullptr) line = haptics.body()->stream_points(true);
+    if (body != nullptr && port != nullptr) line = port->stream_points(true);
     if (line == nullptr) {
       throw InputError(
           "the session's needle met contact points of its own line, but the resistance has none here; record it "
           "again");
     }
-    const std::shared_ptr<const anatomy::Case> patient(std::shared_ptr<const anatomy::Case>(), &patient_);
-    stream_ = patient::contact_stream(*body_, patient, session_.header.path.length(), kept_, std::move(line));
+    const std::shared_ptr<const anatomy::Case> shared(std::shared_ptr<const anatomy::Case>(), &patient);
+    stream_ = patient::contact_stream(*body, shared, session.header.path.length(), kept_, std::move(line));
   }
 
-  void prepare_for(std::span<const forces::Event> events, simulation::HapticTick& haptics) {
-    for (const forces::Event& event : events) {
-      if (event.kind == forces::EventKind::points_taken && stream_ != nullptr)
-        haptics.body()->take_points(event.value);
-      const bool is_another = event.value >= 0.0 && event.value < static_cast<double>(session_.ticks.size());
-      if (event.kind != forces::EventKind::corridor_taken || !is_another) continue;
-      const auto aimed_at = static_cast<std::uint64_t>(event.value);
-      if (std::find(there_.begin(), there_.end(), aimed_at) != there_.end()) continue;
-      if (simulation::BodyPort* const body = haptics.body(); body == nullptr || !body->add_corridor(made(aimed_at))) {
-        throw InputError(fmt::format("the session takes more corridors than the {} that there is room for",
-                                     simulation::BodyPort::most_corridors));
-      }
-      there_.push_back(aimed_at);
-    }
+  void prepare_for(std::span<const forces::Event> events) {
+    if (stream_ == nullptr) return;
+    for (const forces::Event& event : events)
+      if (event.kind == forces::EventKind::points_taken) port_->take_points(event.value);
   }
 
  private:
-  anatomy::PreparedCorridor made(std::uint64_t aimed_at) {
-    const anatomy::NeedlePath& planned = session_.header.path;
-    std::optional<anatomy::NeedlePath> path;
-    if (body_ != nullptr)
-      path = patient::aimed_path(session_.ticks[aimed_at].input.needle, patient_.tissues, planned.length());
-    if (path) return patient::another_corridor(*body_, patient_, *path, aimed_at, kept_, progress_);
-    throw InputError(
-        fmt::format("the session takes a corridor that the needle aimed along in tick {}, but {}; record it again",
-                    aimed_at, body_ == nullptr ? "its resistance has no deformable body" : "it aims nowhere there"));
-  }
-
-  const Session& session_;
-  const anatomy::Case& patient_;
-  const fem::BodyDescription* body_;
-  const Progress& progress_;
+  simulation::BodyPort* port_;
   std::shared_ptr<const fem::ContactBody> kept_;
-  std::vector<std::uint64_t> there_;
-  std::unique_ptr<fem::ContactStream> stream_;  // of the needle's own lines
+  std::unique_ptr<fem::ContactStream> stream_;
 };
 
 // The ticks with other numbers that took over while the session ran, made in time for theirs.
@@ -213,6 +185,12 @@ std::string body_difference(const Session& session, const anatomy::Case& patient
 
 void check_recomputable(const Session& session) {
   for (const SessionEvent& event : session.events) {
+    if (event.event.kind == forces::EventKind::corridor_taken && event.event.value >= 0.0) {
+      throw InputError(fmt::format(
+          "the session cannot be recomputed: at {:.3f} s its needle took another corridor of mesh nodes, which older "
+          "versions of Bodkin prepared; 'bodkin report' and 'bodkin export' show what was felt",
+          static_cast<double>(event.tick) * session.header.dt));
+    }
     if (event.event.kind != forces::EventKind::corridor_refreshed &&
         event.event.kind != forces::EventKind::moving_body_failed)
       continue;
@@ -240,8 +218,7 @@ ReplayResult replay_session(const Session& session, anatomy::Case patient, const
   result.body_difference = body_difference(session, patient);
   std::vector<std::uint8_t> was, is, all_events;
   std::uint64_t chain = 0;
-  CorridorsTaken corridors(session, patient, body, progress);
-  corridors.begin(haptics);
+  PointsTaken points(session, patient, body, haptics.body());
   const std::span<const forces::DiagnosticName> published = haptics.diagnostic_names();
   const auto names = has_same_diagnostics(session.header, published) ? published : published.first(0);
   auto event = session.events.begin();
@@ -254,7 +231,7 @@ ReplayResult replay_session(const Session& session, anatomy::Case patient, const
     std::vector<forces::Event> recorded_events;
     for (; event != session.events.end() && event->tick == recorded.tick; ++event)
       if (is_compared(event->event, session)) recorded_events.push_back(event->event);
-    corridors.prepare_for(recorded_events, haptics);
+    points.prepare_for(recorded_events);
     simulation::TickRecord recomputed{recorded.tick, recorded.input, numbers.step(recorded)};
     was.clear();
     is.clear();

@@ -19,9 +19,10 @@ constexpr double least_friction_share = 0.1;  // of the device's stiffness, left
 constexpr double least_cosine = 0.2;          // between needle and line, as EmbeddedNeedle takes it
 constexpr double least_presliding = 0.01;     // N/mm, that ClosestNodeContact takes
 
-const std::shared_ptr<const anatomy::CondensedBody>& body_in(const anatomy::PreparedCorridor& corridor,
-                                                             const anatomy::Case& patient) {
-  if (corridor.body != nullptr) return corridor.body;
+// The contact points of the planned line, or the nodes of the corridor, as the resistance needs them.
+const std::shared_ptr<const anatomy::CondensedBody>& body_in(const anatomy::Case& patient, bool of_points) {
+  const std::shared_ptr<const anatomy::CondensedBody>& body = patient.corridor.body;
+  if (body != nullptr && body->has_contact_points() == of_points) return body;
   throw InputError(
       std::string(anatomy::name_of(patient.description.haptics.resistance)) +
       " needs the deformable body of the case, and none was prepared; make a mesh with: bodkin case mesh");
@@ -41,7 +42,7 @@ fem::ContactTissues tissues_in(const anatomy::Case& patient) {
 double stiffness_on_path(const anatomy::CondensedBody& body, const anatomy::NeedlePath& path,
                          const anatomy::EmbeddedNeedleSettings& settings) {
   return fem::shaft_stiffness(body, path.entry, path.direction(), path.length() + settings.body.corridor_beyond,
-                              settings.capture_radius, settings.spacing, settings.most_nodes);
+                              settings.most_nodes);
 }
 
 // The body on a spring: moving all nodes alike is what the hand does, so to every pair of them the spring's
@@ -88,49 +89,23 @@ double material_in(const fem::EmbeddedNeedleForce& found) noexcept {
 }
 
 // Reports a punctured tissue.
-void report(const std::optional<fem::TissuePuncture>& puncture, double sunk, forces::TickEvents& events) noexcept {
-  if (!puncture) return;
-  const double depth = puncture->depth + sunk;
-  events.push({forces::EventKind::puncture, puncture->tissue, depth, puncture->force});
-}
-
-// mm along `direction` by which the node has sunk that lay nearest to `entry`; one that rose counts as none, for the
-// tick knows of no contact before the surface at rest.
-double sunk_at(const Vec3& entry, const Vec3& direction, const std::vector<Vec3>& at_rest,
-               const anatomy::CondensedBody& now) noexcept {
-  double nearest = std::numeric_limits<double>::infinity(), sunk = 0.0;
-  for (std::size_t node = 0; node < at_rest.size(); ++node) {
-    const double away = (at_rest[node] - entry).squaredNorm();
-    if (!(away < nearest)) continue;
-    nearest = away;
-    sunk = (now.nodes[node] - at_rest[node]).dot(direction);
-  }
-  return std::max(0.0, sunk);
+void report(const std::optional<fem::TissuePuncture>& puncture, forces::TickEvents& events) noexcept {
+  if (puncture) events.push({forces::EventKind::puncture, puncture->tissue, puncture->depth, puncture->force});
 }
 
 }  // namespace
 
-DeformableShaft::DeformableShaft(const anatomy::Case& patient, const anatomy::PreparedCorridor& corridor,
-                                 const anatomy::EmbeddedNeedleSettings& settings, double dt)
+DeformableShaft::DeformableShaft(const anatomy::Case& patient, const anatomy::EmbeddedNeedleSettings& settings,
+                                 double dt)
     : bone_(patient), deforms_(goes_by_material(patient.description.haptics)) {
-  const std::shared_ptr<const anatomy::CondensedBody>& body = body_in(corridor, patient);
-  const double found = stiffness_on_path(*body, corridor.path, settings);
+  const std::shared_ptr<const anatomy::CondensedBody>& body = body_in(patient, true);
+  const double found = stiffness_on_path(*body, patient.corridor.path, settings);
   const double rendered = std::min(found, patient.description.device.stiffness);
   if (rendered < found) scale_ = rendered / found;
   if (rendered < found) spring_ = 1.0 / rendered - 1.0 / found;
   body_ = on_spring(body, spring_);
   needle_ = std::make_unique<fem::EmbeddedNeedle>(*body_, tissues_in(patient), settings, dt,
                                                   beam_in(patient, settings.bending));
-  if (corridor.state == 0) return;
-  at_rest_ = corridor.at_rest;
-  if (at_rest_.size() == body->nodes.size()) return;
-  const anatomy::CondensedBody& first = *body_in(patient.corridor, patient);
-  if (!at_rest_.empty() || first.mesh_nodes != body->mesh_nodes) {
-    throw InputError(
-        "a corridor of the pressed body has other nodes than the one that it began with, and does not say where they "
-        "are at rest");
-  }
-  at_rest_ = first.nodes;
 }
 
 DeformableShaft::DeformableShaft(const DeformableShaft& other, const anatomy::Case& patient,
@@ -162,8 +137,7 @@ void DeformableShaft::extend(std::size_t points, bool complete) noexcept {
 }
 
 void DeformableShaft::begin(const Vec3& entry, const Vec3& direction) noexcept {
-  sunk_ = at_rest_.empty() ? 0.0 : sunk_at(entry, direction, at_rest_, *body_);
-  needle_->begin(entry + sunk_ * direction, direction);
+  needle_->begin(entry, direction);
   bone_.reset();
   direction_ = direction;
   beyond_ = false;
@@ -173,17 +147,6 @@ void DeformableShaft::reset() noexcept {
   needle_->reset();
   bone_.reset();
   beyond_ = false;
-}
-
-fem::FollowState DeformableShaft::follow(const DeformableShaft& other) noexcept {
-  const fem::FollowState state = needle_->follow(*other.needle_);
-  if (state != fem::FollowState::done) return state;
-  bone_ = other.bone_;
-  direction_ = other.direction_;
-  ahead_ = other.ahead_;
-  beyond_ = other.beyond_;
-  sunk_ = other.sunk_;
-  return state;
 }
 
 forces::ResistanceForce DeformableShaft::step(const forces::NeedleInTissue& needle,
@@ -202,10 +165,10 @@ forces::ResistanceForce DeformableShaft::step(const forces::NeedleInTissue& need
   ahead_ = -short_of - spring_ * found.on_hand.force;
   tip_force_ = found.tip_force;
   nodes_ = static_cast<double>(found.nodes);
-  report(found.puncture, sunk_, events);
+  report(found.puncture, events);
   puncture_ = found.puncture;
   const bool beyond = found.beyond && !growing_;
-  if (beyond && !beyond_ && !bone_.met())  // at bone the nodes end, for it does not move
+  if (beyond && !beyond_ && !bone_.met())  // at bone the points end, for it does not move
     events.push({forces::EventKind::corridor_left, needle.tissue, needle.motion.depth, 0.0});
   beyond_ = beyond;
   const Vec3 across = found.on_hand.force + found.resistance * direction_;
@@ -219,9 +182,8 @@ forces::ResistanceForce DeformableShaft::step(const forces::NeedleInTissue& need
           .in_contact = needle.motion.depth > 0.0};
 }
 
-DeformableTip::DeformableTip(const anatomy::Case& patient, const anatomy::PreparedCorridor& corridor,
-                             const anatomy::ClosestNodeSettings& settings, double dt)
-    : body_(body_in(corridor, patient)),
+DeformableTip::DeformableTip(const anatomy::Case& patient, const anatomy::ClosestNodeSettings& settings, double dt)
+    : body_(body_in(patient, false)),
       bone_(patient),
       tissues_(patient.tissues),
       line_(static_cast<std::size_t>(settings.longest / fem::ClosestNodeContact::layer_step), anatomy::tissue::air) {
@@ -253,18 +215,20 @@ void DeformableTip::begin(const Vec3& entry, const Vec3& direction) noexcept {
 void DeformableTip::reset() noexcept {
   contact_->reset();
   bone_.reset();
+  touches_ = false;
 }
 
 forces::ResistanceForce DeformableTip::step(const forces::NeedleInTissue& needle,
                                             forces::TickEvents& events) noexcept {
   const double bone = bone_.step(needle.motion.depth, needle.tissue, events);
   const fem::ClosestNodeForce found = contact_->step(needle.tip - bone_.behind() * direction_);
-  report(found.puncture, 0.0, events);
+  report(found.puncture, events);
+  touches_ = needle.motion.depth > 0.0;
   const bool pushes = found.node && found.tip_force > 0.0;
   return {.along = found.resistance + bone,
           .material = pushes ? std::max(0.0, (body_->nodes[*found.node] - entry_).dot(direction_))
                              : std::numeric_limits<double>::infinity(),
-          .in_contact = needle.motion.depth > 0.0};
+          .in_contact = touches_};
 }
 
 }  // namespace bodkin::simulation

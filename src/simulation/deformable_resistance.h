@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "anatomy/case.h"
@@ -9,23 +10,20 @@
 #include "fem/contact_line.h"
 #include "fem/embedded_needle.h"
 #include "forces/resistance_model.h"
+#include "simulation/body_port.h"
 #include "simulation/bone_wall.h"
 
 namespace bodkin::simulation {
 
-// The resistances of a deformable body (docs/fem-contact.md) in the tick, in one of its corridors. The patient must
-// outlive them; its library says what a needle meets in each tissue. Throw InputError when the corridor has no body,
-// or for settings or tissues out of range.
+// The resistances of a deformable body (docs/fem-contact.md) in the tick. The patient must outlive them; its library
+// says what a needle meets in each tissue. Throw InputError when the patient has no body, or for settings or tissues
+// out of range.
 
-// `embedded_needle`: all nodes along the shaft. Where these are stiffer along the planned path than the device can
-// render, the hand feels the body through a spring, which leaves stiffness_scale() of that stiffness and every force.
-// With `bending.flexible` the needle of the case bends: its tube and length are those of the description. Throws
-// InputError for a needle that is no beam (NeedleBeam), and for a cut_offset of one that does not bend or has no
-// bevel.
-//
-// In a corridor about a state in which the body is pressed (PreparedCorridor::state) the needle meets the surface
-// where it is now: as far along the line as the node has sunk that lay nearest to the entry. Depths stay those of the
-// body at rest, as the voxels are.
+// `embedded_needle` on one line: all contact points along the shaft. Where these are stiffer along the planned path
+// than the device can render, the hand feels the body through a spring, which leaves stiffness_scale() of that
+// stiffness and every force. With `bending.flexible` the needle of the case bends: its tube and length are those of
+// the description. Throws InputError for a needle that is no beam (NeedleBeam), and for a cut_offset of one that does
+// not bend or has no bevel.
 class DeformableShaft {
  public:
   using Settings = anatomy::EmbeddedNeedleSettings;
@@ -35,12 +33,11 @@ class DeformableShaft {
       .has_shaft_friction = true,
       .diagnostics = {{{"tip_N", "force at the tip"},
                        {"ahead_mm", "hand ahead of the needle in the body"},
-                       {"nodes", "nodes of the mesh on the shaft"}}},
+                       {"nodes", "contact points on the shaft"}}},
   };
 
-  DeformableShaft(const anatomy::Case& patient, const anatomy::PreparedCorridor& corridor,
-                  const anatomy::EmbeddedNeedleSettings& settings, double dt);
-
+  // In the points of the patient's planned line.
+  DeformableShaft(const anatomy::Case& patient, const anatomy::EmbeddedNeedleSettings& settings, double dt);
   // In contact points of the needle's own lines, as they become known in `line`, of the same body as `other`.
   DeformableShaft(const DeformableShaft& other, const anatomy::Case& patient, const fem::ContactLine& line,
                   const anatomy::EmbeddedNeedleSettings& settings, double dt);
@@ -52,7 +49,6 @@ class DeformableShaft {
   void extend(std::size_t points, bool complete) noexcept;
   // mm, of the points that extend() added, in their order; below 0 for one that is not there.
   double point_depth(std::size_t point) const noexcept { return needle_->point_depth(point); }
-  bool has_contact_points() const noexcept { return body_->has_contact_points(); }
   // Of the last step, where something gave way.
   const std::optional<fem::TissuePuncture>& puncture() const noexcept { return puncture_; }
   void open(const Vec3& place, anatomy::TissueId tissue) noexcept { needle_->open(place, tissue); }
@@ -62,12 +58,8 @@ class DeformableShaft {
   forces::ResistanceForce step(const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept;
   // mm by which the hand's needle is ahead of the one in the body: the spring between them, and bone.
   Vec3 ahead() const noexcept { return ahead_; }
-  // What was punctured in another corridor.
-  void take_punctures(const DeformableShaft& other) noexcept { needle_->take_punctures(*other.needle_); }
-  // See EmbeddedNeedle: transfers an inserted needle from another one. Bone stays where that one met it.
-  bool holds() const noexcept { return needle_->holds(); }
-  bool begin_to_follow(const DeformableShaft& other) noexcept { return needle_->begin_to_follow(*other.needle_); }
-  fem::FollowState follow(const DeformableShaft& other) noexcept;
+  // Before a step: how the body moves by itself (EmbeddedNeedle::move_with).
+  bool move_with(std::span<const float> of_mesh) noexcept { return needle_->move_with(of_mesh); }
   // Forces on the tissue in the last tick, by node of the mesh.
   fem::NodeForces node_forces() const noexcept { return fem::of_mesh(needle_->node_forces(), *body_); }
   double stiffness_scale() const noexcept { return scale_; }
@@ -83,19 +75,16 @@ class DeformableShaft {
   BoneWall bone_;
   bool deforms_;  // the tip's tissue is that of the deformed material
   Vec3 direction_ = Vec3::UnitZ();
-  bool beyond_ = false;                     // the needle has left the corridor
+  bool beyond_ = false;                     // the needle is past its last point
   bool growing_ = false;                    // more contact points will come
   Mat3 surface_compliance_ = Mat3::Zero();  // mm/N, of the prepared line's first point
   double surface_strength_ = 0.0;           // N, at which its tissue gives way
   std::optional<fem::TissuePuncture> puncture_;
-  // Of a body that is pressed: its nodes at rest, by which its surface is found again; else none.
-  std::vector<Vec3> at_rest_;
-  double sunk_ = 0.0;  // mm along the line by which the surface lies deeper than at rest
 };
 
-// `closest_node`: the paper's scheme, one node at the tip. Tissues that are stiffer than the device can render are as
-// stiff as it can; stiffness_scale() gives the factor.
-class DeformableTip {
+// `closest_node`: the paper's scheme, one node of the corridor at the tip. Tissues that are stiffer than the device
+// can render are as stiff as it can; stiffness_scale() gives the factor.
+class DeformableTip final : public BodyPort {
  public:
   using Settings = anatomy::ClosestNodeSettings;
   static constexpr forces::ResistanceTraits traits = {
@@ -104,17 +93,20 @@ class DeformableTip {
       .diagnostics = {{{"ahead_mm", "hand ahead of the needle in the body"}}},
   };
 
-  DeformableTip(const anatomy::Case& patient, const anatomy::PreparedCorridor& corridor,
-                const anatomy::ClosestNodeSettings& settings, double dt);
+  DeformableTip(const anatomy::Case& patient, const anatomy::ClosestNodeSettings& settings, double dt);
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   void reset() noexcept;
   forces::ResistanceForce step(const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept;
-  Vec3 ahead() const noexcept { return bone_.behind() * direction_; }
-  void take_punctures(const DeformableTip& other) noexcept { contact_->take_punctures(*other.contact_); }
-  fem::NodeForces node_forces() const noexcept { return fem::of_mesh(contact_->node_forces(), *body_); }
+  Vec3 needle_ahead() const noexcept override {
+    return touches_ ? Vec3(bone_.behind() * direction_) : Vec3(Vec3::Zero());
+  }
+  fem::NodeForces node_forces() const noexcept override {
+    return touches_ ? fem::of_mesh(contact_->node_forces(), *body_) : fem::NodeForces{};
+  }
+  double firm_stiffness() const noexcept { return 0.0; }
   double stiffness_scale() const noexcept { return scale_; }
-  forces::ModelDiagnostics diagnostics() const noexcept { return {ahead().norm()}; }
+  forces::ModelDiagnostics diagnostics() const noexcept { return {bone_.behind()}; }
 
  private:
   double scale_ = 1.0;
@@ -124,6 +116,7 @@ class DeformableTip {
   std::vector<anatomy::TissueId> line_;  // along the line, every ClosestNodeContact::layer_step
   std::unique_ptr<fem::ClosestNodeContact> contact_;
   Vec3 entry_ = Vec3::Zero(), direction_ = Vec3::UnitZ();
+  bool touches_ = false;  // as of the last step
 };
 
 }  // namespace bodkin::simulation

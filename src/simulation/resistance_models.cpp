@@ -17,9 +17,9 @@
 #include "forces/tracking_wall.h"
 #include "forces/tracking_wall_leash.h"
 #include "forces/volume_proxy.h"
-#include "simulation/corridors.h"
 #include "simulation/deformable_resistance.h"
 #include "simulation/force_part.h"
+#include "simulation/needle_in_body.h"
 #include "simulation/touching_tissue.h"
 
 namespace bodkin::simulation {
@@ -61,8 +61,8 @@ constexpr ResistanceEntry models[] = {
     entry_of<forces::Fracture>(),
     entry_of<forces::ShaftFrictionResistance>(),
     entry_of<forces::SurfaceProxyResistance>(),
-    entry_of<Corridors<DeformableShaft>>(),
-    entry_of<Corridors<DeformableTip>>(),
+    entry_of<NeedleInBody>(),
+    entry_of<DeformableTip>(),
 };
 
 const ResistanceEntry* find(std::string_view name) {

@@ -16,12 +16,11 @@ namespace bodkin::simulation {
 // mm on either side of a boundary that has not given way, where the tissue is looked up: half a layer of `layered`.
 inline constexpr double beside_boundary = 0.3;
 
-// Whether the tip's tissue is found so: with mechanics="physical" in every model, and always in a deformable body
-// that the needle meets in contact points. Elsewhere it is that of the voxel at the tip, as old cases have it.
+// Whether the tip's tissue is found so: with mechanics="physical" in every model, and always with `embedded_needle`.
+// Elsewhere it is that of the voxel at the tip, as old cases have it.
 inline bool goes_by_material(const anatomy::HapticSettings& haptics) noexcept {
   if (haptics.mechanics == anatomy::Mechanics::physical) return true;
-  const auto* needle = std::get_if<anatomy::EmbeddedNeedleSettings>(&haptics.resistance);
-  return needle != nullptr && needle->contact == anatomy::NeedleContactKind::points;
+  return std::holds_alternative<anatomy::EmbeddedNeedleSettings>(haptics.resistance);
 }
 
 // The tissue that the tip is in. `depth`: of the tip; `material`: at rest, of what touches it; `at_tip`: in the CT at

@@ -64,7 +64,7 @@ struct HandSession::Shared {
     tick_in_tissue = record.output.depth > 0.0;
     const Vec3 ahead = body == nullptr ? Vec3(Vec3::Zero()) : body->needle_ahead();
     publish_forces(record.input.needle, ahead);
-    if (moving && !moving_failed && moving->failed()) leave_moving_body(record.output);
+    if (moving) keep_moving(record.output);
     if (!closed.load(std::memory_order_acquire)) recorder.push(record);
     // After the tick itself, so that a recorded sample of the second hand has its tick before it.
     if (second) second->needle.write({static_cast<double>(ticks) * tick.dt(), record.output.tissue});
@@ -74,8 +74,7 @@ struct HandSession::Shared {
                   record.output.resistance, record.output.constraint, record.output.tissue});
     for (const forces::Event& event : record.output.events) {
       events.push({record.tick, event});
-      if (event.kind == forces::EventKind::contact || event.kind == forces::EventKind::withdrawn ||
-          event.kind == forces::EventKind::corridor_refreshed)
+      if (event.kind == forces::EventKind::contact || event.kind == forces::EventKind::withdrawn)
         corridor_left = false;
       if (event.kind == forces::EventKind::corridor_left) corridor_left = true;
     }
@@ -91,19 +90,18 @@ struct HandSession::Shared {
     return simulation::Thumb::of_force(plunger->thumb_force.load(std::memory_order_relaxed));
   }
 
-  // To whoever shows the body, the needle in it, and moves it.
+  // To whoever shows the body and the needle in it.
   void publish_forces(Pose needle, const Vec3& ahead) noexcept {
-    if (!display && !scan && !moving) return;
+    if (!display && !scan) return;
     const fem::NodeForces forces = body == nullptr ? fem::NodeForces{} : body->node_forces();
     needle.translation() -= ahead;
     if (display) display->set_forces(forces);
     if (scan) scan->set_needle(forces, needle);
-    if (moving) moving->set_needle(static_cast<double>(ticks) * tick.dt(), forces);
   }
 
-  void leave_moving_body(simulation::TickOutput& output) noexcept {
-    moving_failed = true;
-    if (body != nullptr) body->stay_at_rest();
+  void keep_moving(simulation::TickOutput& output) noexcept {
+    moving->set_time(static_cast<double>(ticks) * tick.dt());
+    if (!moving->failed() || std::exchange(moving_failed, true)) return;
     output.events.push({forces::EventKind::moving_body_failed, output.tissue, output.depth, 0.0});
   }
 
@@ -117,7 +115,7 @@ struct HandSession::Shared {
   std::atomic<std::uint8_t> thumb{0}, other{0};
   std::shared_ptr<simulation::DisplayThread> display;  // may be null
   std::shared_ptr<ScanThread> scan;                    // may be null
-  std::shared_ptr<PatientBody> moving;                 // may be null
+  std::shared_ptr<fem::BodyThread> moving;             // may be null
   bool moving_failed = false;
   std::optional<AxialNeedle> axial;  // empty: the device renders force
   bool tick_in_tissue = false;       // after the tick before
@@ -156,7 +154,8 @@ void HandSession::guide_along_axis() {
   shared_->axial.emplace();
 }
 
-void HandSession::press(std::shared_ptr<PatientBody> body) {
+void HandSession::move_with(std::shared_ptr<fem::BodyThread> body) {
+  if (shared_->body != nullptr) shared_->body->move_with(body->motion());
   shared_->moving = std::move(body);
 }
 

@@ -9,9 +9,9 @@
 
 #include "session/second_link.h"
 #include "session/session_file.h"
-#include "station/patient_body.h"
 #include "station/scan_thread.h"
 
+#include "fem/moving/body_thread.h"
 #include "haptics/device_servo.h"
 #include "simulation/body_port.h"
 #include "simulation/display_thread.h"
@@ -42,9 +42,9 @@ struct HandSnapshot {
   Pose needle = Pose::Identity();
   Vec3 needle_ahead = Vec3::Zero();  // mm, see BodyPort
   simulation::TickOutput output;     // without events
-  bool corridor_left = false;   // the needle is where its deformable body was not prepared: the force is not valid
-  simulation::OtherHand other;  // of that tick
-  std::uint32_t changes = 0;    // of the force models' numbers so far
+  bool corridor_left = false;        // the needle is past the contact points of its line: the force is not valid
+  simulation::OtherHand other;       // of that tick
+  std::uint32_t changes = 0;         // of the force models' numbers so far
 };
 
 // A person's hand on a device performs a procedure on a patient, and every tick is recorded. The constructor opens
@@ -77,8 +77,8 @@ class HandSession {
   std::span<const session::SessionEvent> take_events();
   // Of HandSnapshot::output; they live as long as this.
   std::span<const forces::DiagnosticName> diagnostic_names() const noexcept;
-  // Every tick passes it the time and the needle's forces, and checks whether it has failed; before start().
-  void press(std::shared_ptr<PatientBody> body);
+  // The body moves by itself, in the time of the ticks, and takes the needle along; before start().
+  void move_with(std::shared_ptr<fem::BodyThread> body);
   // The deformable body of the tick, for the observer's thread; null for a rigid one.
   simulation::BodyPort* body() noexcept;
   // The recording cannot be written; finish() says why.

@@ -50,7 +50,7 @@ ScanThread::ScanThread(std::shared_ptr<const imaging::AcousticVolume> patient, i
       needle_(needle),
       body_(std::move(body)),
       slice_(body_.mesh == nullptr ? nullptr : std::make_unique<SliceField>(body_.mesh)),
-      layers_(body_.by_forces == nullptr
+      layers_(body_.moves || body_.by_forces == nullptr
                   ? std::nullopt
                   : std::optional<PressedLayers>(std::in_place, std::move(patient), machine_.probe())),
       orders_(first),
@@ -124,19 +124,18 @@ void ScanThread::add_layers(LivePicture& now, const imaging::SlicePlane& grid) {
 
 void ScanThread::move_tissue(LivePicture& now, const fem::NodeForces& forces) {
   const imaging::SlicePlane grid = imaging::warp_grid(plane_of_frame(now.frame, now.order.probe), field_spacing);
-  std::span<const float> nodes;
+  moved_.assign(3 * body_.mesh->mesh.nodes.size(), 0.0F);
   now.left_out = 0.0;
+  const auto add = [this](std::span<const float> nodes) {
+    if (nodes.size() != moved_.size()) return;  // nothing was published yet
+    for (std::size_t i = 0; i < moved_.size(); ++i) moved_[i] += nodes[i];
+  };
   if (body_.by_forces != nullptr) {
-    nodes = body_.by_forces->evaluate(forces);
+    add(body_.by_forces->evaluate(forces));
     now.left_out = body_.by_forces->left_out(forces);
-  } else {
-    nodes = nodes_.read();
   }
-  if (nodes.size() == 3 * body_.mesh->mesh.nodes.size()) {
-    now.moved = imaging::displacements_of_places(grid, slice_->displacements(grid, nodes));
-  } else {  // nothing was published yet
-    now.moved.assign(3 * static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height), 0.0F);
-  }
+  if (body_.moves) add(nodes_.read());
+  now.moved = imaging::displacements_of_places(grid, slice_->displacements(grid, moved_));
   now.most = farthest(now.moved);
   if (layers_) add_layers(now, grid);
   now.grid = {now.frame.corner, grid.pixel, grid.width, grid.height, {}};

@@ -40,10 +40,11 @@ struct LivePicture {
 // The deformable body of a live ultrasound, static or moving.
 struct ScanBody {
   std::shared_ptr<const fem::BodyDescription>
-      mesh;  // null: no body; only the probe compresses tissue, layer by layer
-  // A static body: its displacements by the needle's forces; the probe's compression is added layer by layer.
-  // Null: a moving body, which feels the probe too and gives its displacements by set_displacements().
-  std::unique_ptr<NodeField> by_forces;
+      mesh;                              // null: no body; only the probe compresses tissue, layer by layer
+  std::unique_ptr<NodeField> by_forces;  // its displacements by the needle's forces; may be null
+  // A body that moves by itself, feels the probe too and gives that motion by set_displacements(). To a static one
+  // the probe's compression is added layer by layer.
+  bool moves = false;
 };
 
 // Simulates ultrasound pictures repeatedly on a thread of its own, from the newest needle and forces of the tick and
@@ -82,6 +83,7 @@ class ScanThread {
   ScanBody body_;
   std::unique_ptr<SliceField> slice_;
   std::optional<PressedLayers> layers_;
+  std::vector<float> moved_;  // mm, of every node of the mesh, in this picture
   LatestValue<Tick> ticks_;
   LatestValue<ScanOrder> orders_;
   LatestValue<std::vector<float>> nodes_;

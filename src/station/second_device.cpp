@@ -49,7 +49,7 @@ session::SecondHeader SecondDevice::header() const {
 }
 
 std::unique_ptr<SecondHand> SecondDevice::hand(std::shared_ptr<const anatomy::Case> patient,
-                                               std::shared_ptr<PatientBody> body) {
+                                               std::shared_ptr<fem::BodyThread> body) {
   return std::make_unique<SecondHand>(choice_.role, std::move(port_), device_, settings_, std::move(patient), link_,
                                       std::move(body));
 }

@@ -33,7 +33,8 @@ class SecondDevice {
   // N that the device gives at most from now on. Before hand().
   void limit_force(double most) noexcept { settings_.guard.user_force = most; }
   // To be called once: the hand takes the device. `body`: see SecondHand.
-  std::unique_ptr<SecondHand> hand(std::shared_ptr<const anatomy::Case> patient, std::shared_ptr<PatientBody> body);
+  std::unique_ptr<SecondHand> hand(std::shared_ptr<const anatomy::Case> patient,
+                                   std::shared_ptr<fem::BodyThread> body);
 
  private:
   SecondChoice choice_;

@@ -41,7 +41,7 @@ haptics::WorkspaceSettings second_workspace(session::SecondRole role, const anat
 struct SecondHand::Shared {
   Shared(session::SecondRole wanted, std::shared_ptr<const anatomy::Case> from,
          const haptics::DeviceAbilities& device, double dt, std::shared_ptr<session::SecondLink> through,
-         std::shared_ptr<PatientBody> body)
+         std::shared_ptr<fem::BodyThread> body)
       : role(wanted),
         patient(std::move(from)),
         link(std::move(through)),
@@ -88,7 +88,7 @@ struct SecondHand::Shared {
   session::SecondRole role;
   std::shared_ptr<const anatomy::Case> patient;
   std::shared_ptr<session::SecondLink> link;
-  std::shared_ptr<PatientBody> pressed;  // may be null
+  std::shared_ptr<fem::BodyThread> pressed;  // may be null
   SecondModel model;
   double next_sample = 0.0;  // s of the session
   LatestValue<session::SecondSample> samples;
@@ -97,7 +97,7 @@ struct SecondHand::Shared {
 
 SecondHand::SecondHand(session::SecondRole role, haptics::DevicePort port, const haptics::DeviceAbilities& device,
                        const haptics::ServoSettings& settings, std::shared_ptr<const anatomy::Case> patient,
-                       std::shared_ptr<session::SecondLink> link, std::shared_ptr<PatientBody> pressed)
+                       std::shared_ptr<session::SecondLink> link, std::shared_ptr<fem::BodyThread> pressed)
     : shared_(std::make_shared<Shared>(role, std::move(patient), device, 1.0 / settings.rate, std::move(link),
                                        std::move(pressed))),
       servo_(std::make_unique<haptics::DeviceServo>(

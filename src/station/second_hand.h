@@ -4,7 +4,6 @@
 
 #include "session/second_link.h"
 #include "session/second_sample.h"
-#include "station/patient_body.h"
 
 #include "anatomy/case.h"
 #include "haptics/device_servo.h"
@@ -27,7 +26,7 @@ class SecondHand {
   // the model impossible.
   SecondHand(session::SecondRole role, haptics::DevicePort port, const haptics::DeviceAbilities& device,
              const haptics::ServoSettings& settings, std::shared_ptr<const anatomy::Case> patient,
-             std::shared_ptr<session::SecondLink> link, std::shared_ptr<PatientBody> pressed = nullptr);
+             std::shared_ptr<session::SecondLink> link, std::shared_ptr<fem::BodyThread> pressed = nullptr);
   ~SecondHand();
   SecondHand(const SecondHand&) = delete;
   SecondHand& operator=(const SecondHand&) = delete;

@@ -65,10 +65,10 @@ struct Station::Parts {
   anatomy::NeedlePath path;
   std::shared_ptr<anatomy::Case> patient;
   std::shared_ptr<const fem::BodyDescription> body;    // null: rigid
-  std::shared_ptr<PatientBody> moving;                 // null: rigid or static
+  std::shared_ptr<fem::BodyThread> moving;             // null: rigid or static
   std::shared_ptr<const fem::ContactBody> whole_body;  // of contact points; else null
   std::optional<FollowedPoints> points;                // of the observer
-  std::unique_ptr<NodeField> field;                    // of a static body, until the ultrasound takes it
+  std::unique_ptr<NodeField> field;                    // of the needle, until the ultrasound takes it
   haptics::DeviceAbilities device;
   haptics::DeviceCalibration calibration;
   haptics::StableStiffness stiffness;  // that the device may be asked to render
@@ -104,16 +104,12 @@ void Station::Parts::prepare_patient() {
   fem::BodySolverSettings settings;
   settings.motion.dt = body_step_time;
   settings.probe = *options.moving_body;
-  moving = std::make_shared<PatientBody>(*patient, *body, settings);
+  moving = std::make_shared<fem::BodyThread>(*body, settings);
 }
 
 // Precomputes what moves the points that the observer wants to see, and the ultrasound.
 void Station::Parts::follow_points(const std::vector<Vec3>& wanted) {
   if (body == nullptr || (wanted.empty() && !options.ultrasound)) return;
-  if (moving != nullptr) {
-    if (!wanted.empty()) points.emplace(body->mesh, wanted);
-    return;
-  }
   const Progress progress = observer.progress();
   const fem::ElasticBody elastic(*body, fem::plan_body(*body, progress), {}, progress);
   if (!wanted.empty()) points.emplace(elastic, body->mesh, patient->corridor.path, wanted, progress);
@@ -192,7 +188,7 @@ void Station::Parts::prepare_ultrasound(const Pose& probe) {
   imaging::Ultrasound machine(volume, choice.probe, choice.settings, choice.detail);
   order = {probe, choice.settings};
   scan = std::make_shared<ScanThread>(volume, std::move(machine), patient->description.needle,
-                                      ScanBody{body, std::move(field)}, order);
+                                      ScanBody{body, std::move(field), moving != nullptr}, order);
 }
 
 void Station::Parts::say(const std::string& sentence) {
@@ -276,10 +272,8 @@ Station::Station(StationOptions options, StationObserver& observer) {
   haptics::DevicePort port = parts.open_device();
   parts.open_second(parts.device);
   const session::SessionHeader header = parts.header();
-  if (parts.moving != nullptr) {
-    parts.supervisor.emplace(parts.patient, parts.moving);
-  } else if (parts.body != nullptr) {
-    parts.supervisor.emplace(parts.patient, parts.body, parts.path.length(), parts.whole_body);
+  if (parts.body != nullptr) {
+    parts.supervisor.emplace(parts.patient, parts.body, parts.path.length(), parts.whole_body, parts.moving);
   }
   if (ultrasound) parts.prepare_ultrasound(probe);
   std::shared_ptr<session::SecondLink> link;
@@ -292,10 +286,9 @@ Station::Station(StationOptions options, StationObserver& observer) {
   // The mouse is a hand of its own that tissue holds back, and a recording is to come back as it was.
   const DeviceChoice& hand = parts.options.device;
   if (parts.device.peak_force == 0.0 && !hand.is_recorded() && !hand.is_mouse()) parts.session->guide_along_axis();
-  if (parts.supervisor) parts.supervisor->stream_points(*parts.session);
-  if (parts.moving != nullptr) parts.session->press(parts.moving);
+  if (parts.supervisor) parts.supervisor->attach(*parts.session);
   if (parts.scan != nullptr) parts.session->show_on(parts.scan);
-  if (parts.points && parts.points->display() != nullptr) parts.session->show_on(parts.points->display());
+  if (parts.points) parts.session->show_on(parts.points->display());
 }
 
 Station::~Station() = default;
@@ -333,7 +326,7 @@ const StationStatus& Station::update() {
   if (parts.second_runs)
     parts.report_events(parts.second->servo().tick(), parts.second_device->has_force(), "second hand: ");
   if (parts.supervisor) {
-    for (const std::string& sentence : parts.supervisor->update(*parts.session)) parts.say(sentence);
+    for (const std::string& sentence : parts.supervisor->update()) parts.say(sentence);
   }
   if (const std::string refusal = parts.session->take_refusal(); !refusal.empty()) parts.say(refusal);
   status.time = parts.elapsed();

@@ -44,7 +44,7 @@ class EpiduralSpace : public BodkinCommand {
   static json profile(const std::string& mechanics) {
     const Outcome found = bodkin(
         "-q --json profile patient --beyond 6 --constraint none --resistance "
-        "'embedded_needle contact=points' -o " +
+        "embedded_needle -o " +
         mechanics + " --mechanics " + mechanics);
     EXPECT_EQ(found.exit_code, 0) << found.errors;
     return json::parse(found.output);

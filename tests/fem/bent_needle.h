@@ -23,7 +23,7 @@ inline NeedleRig bent_rig(const CondensedBody& body, const ContactTissues& tissu
 }
 
 inline const CondensedBody& flesh() {
-  static const CondensedBody body = kelvin_body(3, sanitized ? 16 : 41, 1.0, 0.05);
+  static const CondensedBody body = kelvin_body(1, sanitized ? 16 : 41, 1.0, 0.05);
   return body;
 }
 

@@ -56,6 +56,14 @@ inline CondensedBody kelvin_body(int across, int along, double spacing, double m
   return body;
 }
 
+// The same places as contact points, each at a node of a mesh that has these nodes.
+inline CondensedBody as_points(CondensedBody body) {
+  body.mesh_nodes.clear();
+  for (std::uint32_t node = 0; node < body.nodes.size(); ++node)
+    body.in_mesh.push_back({{node, node, node, node}, {1.0, 0.0, 0.0, 0.0}});
+  return body;
+}
+
 // Up to three orthonormal directions, at random.
 inline Mat3 random_frame(Random& random) {
   Vec3 a(random.normal(), random.normal(), random.normal());

@@ -18,9 +18,9 @@ namespace {
 
 using checks::NeedleRig;
 
-// 3 x 3 columns of nodes 1 mm apart, 30 mm deep; the middle one is the needle's. So stiff that it hardly gives.
+// Points 1 mm apart, 30 mm deep. So stiff that it hardly gives.
 CondensedBody stiff_body() {
-  CondensedBody body = checks::kelvin_body(3, 31, 1.0, 20.0);
+  CondensedBody body = checks::kelvin_body(1, 31, 1.0, 20.0);
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     if (body.nodes[i].z() > 19.5) body.tissues[i] = tissue::interspinous_ligament;
   }
@@ -28,7 +28,7 @@ CondensedBody stiff_body() {
 }
 
 const CondensedBody& soft_body() {
-  static const CondensedBody body = checks::kelvin_body(3, sanitized ? 16 : 41, 1.0, 0.05);
+  static const CondensedBody body = checks::kelvin_body(1, sanitized ? 16 : 41, 1.0, 0.05);
   return body;
 }
 
@@ -114,7 +114,7 @@ TEST(EmbeddedNeedle, the_tip_never_pulls_on_the_tissue_in_front_of_it) {
   }
 }
 
-// Forces of a straight needle that is moved sideways, by a dense solve over the nodes of the middle column.
+// Forces of a straight needle that is moved sideways, by a dense solve over its points.
 Eigen::VectorXd dense_forces(const CondensedBody& body, std::size_t nodes, const Mat3& directions, int first,
                              int columns, const Vec3& moved) {
   std::vector<Eigen::Index> held;
@@ -297,7 +297,7 @@ TEST(EmbeddedNeedle, the_same_motion_gives_the_same_bits) {
   }
 }
 
-TEST(EmbeddedNeedle, says_when_its_room_and_when_the_corridor_end) {
+TEST(EmbeddedNeedle, says_when_its_room_and_when_its_points_end) {
   EmbeddedNeedleSettings settings = checks::narrow_settings();
   settings.most_nodes = 5;
   NeedleRig rig(soft_body(), checks::plain_tissues(0.02), settings);

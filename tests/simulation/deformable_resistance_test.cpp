@@ -39,7 +39,8 @@ TissueId deformable_tissue_at(double depth) {
                                         : tissue::cortical_bone;
 }
 
-// Layers along z with a lattice of nodes about the planned path, which is the z axis. `modulus`: MPa.
+// Layers along z with points of the planned path, which is the z axis, or a lattice of nodes about it. `modulus`:
+// MPa.
 Case deformable_patient(const ResistanceSettings& resistance, double device = 10.0, double modulus = 0.02,
                         double apart = lattice_step) {
   Case patient;
@@ -54,8 +55,11 @@ Case deformable_patient(const ResistanceSettings& resistance, double device = 10
     }
   }
   patient.ct = CtVolume(grid, 40);
-  auto body = std::make_shared<CondensedBody>(
-      checks::kelvin_body(3, 1 + static_cast<int>(deformable_bone_from / apart), apart, modulus));
+  const bool points = std::holds_alternative<EmbeddedNeedleSettings>(resistance);
+  const int along = 1 + static_cast<int>(deformable_bone_from / apart);
+  auto body =
+      std::make_shared<CondensedBody>(points ? checks::as_points(checks::kelvin_body(1, along, apart, modulus))
+                                             : checks::kelvin_body(3, along, apart, modulus));
   for (std::size_t node = 0; node < body->nodes.size(); ++node)
     body->tissues[node] = deformable_tissue_at(body->nodes[node].z() + 0.01);
   patient.corridor = {std::move(body), NeedlePath{Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 30.0)}, {}};
@@ -324,7 +328,7 @@ TEST(DeformableResistance, a_needle_that_is_bent_on_bone_gives_no_work) {
   }
 }
 
-TEST(DeformableResistance, a_needle_beside_the_corridor_is_told) {
+TEST(DeformableResistance, a_needle_beside_its_line_of_points_is_told) {
   const Case patient = deformable_patient(EmbeddedNeedleSettings{});
   HapticTick tick(patient);
   std::vector<Event> events;

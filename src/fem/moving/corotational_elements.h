@@ -48,7 +48,7 @@ class CorotationalElements {
 
   // By element of the mesh, at the places of the last evaluate(). The stiffness is that of the turned element and b,
   // what tension adds to it where its corners turn: rounded up, and never negative, so that the whole is positive
-  // semidefinite and, but for elements blown up by half, not less than the exact one (corotational_tangent.h).
+  // semidefinite and, but for elements blown up by half, not less than the exact one.
   const std::vector<TurnedElement>& turned() const noexcept { return turned_; }
 
   std::size_t count() const noexcept { return count_; }

@@ -16,10 +16,9 @@ namespace bodkin::fem {
 
 namespace {
 
-constexpr double before_skin = 5.0;         // mm of the planned line before the entry that belong to the corridor
-constexpr double behind_face = 2.5;         // mm outwards of a face, where one looks for what lies behind it
-constexpr double contact_line_reach = 1.5;  // mm: farther away the layers are other ones
-constexpr double closest_voxel = 3.0;       // mm from a node, how far its tissue is looked for
+constexpr double before_skin = 5.0;    // mm of the planned line before the entry that belong to the corridor
+constexpr double behind_face = 2.5;    // mm outwards of a face, where one looks for what lies behind it
+constexpr double closest_voxel = 3.0;  // mm from a node, how far its tissue is looked for
 constexpr anatomy::TissueId outside_volume = 255;
 
 // By TissueId: does not move and cannot be punctured.
@@ -190,21 +189,6 @@ std::vector<std::uint32_t> corridor_about(const BodyDescription& body, const ana
   for (const auto& [away, node] : near) nodes.push_back(node);
   std::sort(nodes.begin(), nodes.end());
   return nodes;
-}
-
-double corridor_reach(const anatomy::PreparedCorridor& corridor, const anatomy::DeformableBodySettings& settings) {
-  if (corridor.body->has_contact_points()) return contact_line_reach;
-  const auto [from, to] = corridor_line(corridor.path, settings);
-  double reach = 0.0;
-  for (const Vec3& node : corridor.body->nodes) reach = std::max(reach, distance_to_segment(node, from, to));
-  return reach;
-}
-
-bool covers(const anatomy::PreparedCorridor& corridor, const anatomy::NeedlePath& path,
-            const anatomy::DeformableBodySettings& settings) {
-  const auto [from, to] = corridor_line(corridor.path, settings);
-  const double reach = corridor_reach(corridor, settings);
-  return distance_to_segment(path.entry, from, to) < reach && distance_to_segment(path.target, from, to) < reach;
 }
 
 DescribedBody describe_body(anatomy::TetrahedralMesh mesh, const anatomy::Case& patient,

@@ -30,13 +30,6 @@ std::vector<std::uint32_t> corridor_about(const BodyDescription& body, const ana
                                           const anatomy::DeformableBodySettings& settings,
                                           std::vector<std::string>& notes);
 
-// mm from a corridor's path within which its nodes lie; of contact points, within which they stand for the line.
-double corridor_reach(const anatomy::PreparedCorridor& corridor, const anatomy::DeformableBodySettings& settings);
-
-// Whether a needle that goes along `path` stays within the reach of a corridor.
-bool covers(const anatomy::PreparedCorridor& corridor, const anatomy::NeedlePath& path,
-            const anatomy::DeformableBodySettings& settings);
-
 // The tissue that a needle meets at each node of a condensed body: that of the voxel there or, where that is air, of
 // the closest one within 3 mm that is not, so that thin layers which the mesh has merged are felt. Nodes next to
 // rigid tissue keep the tissue of the mesh.

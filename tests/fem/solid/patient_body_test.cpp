@@ -143,22 +143,5 @@ TEST(DescribeBody, what_cannot_be_a_body_is_refused) {
   EXPECT_THAT(refusal([&] { describe_body(block_of_muscle(), patient, {}, elsewhere); }), HasSubstr("within 25 mm"));
 }
 
-TEST(DescribeBody, a_corridor_covers_the_paths_between_its_nodes) {
-  DeformableBodySettings settings;
-  settings.corridor_radius = 8.0;
-  settings.corridor_nodes = 5000;
-  const BodyDescription body = describe_body(block_of_muscle(), block_patient(), settings, block_path).body;
-  const PreparedCorridor corridor{std::make_shared<const CondensedBody>(condense(body)), block_path, {}};
-  EXPECT_NEAR(corridor_reach(corridor, settings), 5.0 * std::sqrt(2.0), 1e-9);  // nodes are 5 mm apart
-  const auto moved = [](const Vec3& entry, const Vec3& target) {
-    return NeedlePath{block_path.entry + entry, block_path.target + target};
-  };
-  EXPECT_TRUE(covers(corridor, block_path, settings));
-  EXPECT_TRUE(covers(corridor, moved({5, 0, 0}, {-5, 0, 0}), settings));
-  EXPECT_FALSE(covers(corridor, moved({8, 0, 0}, {0, 0, 0}), settings));
-  EXPECT_FALSE(covers(corridor, moved({0, 0, 0}, {0, 8, 0}), settings));
-  EXPECT_FALSE(covers(corridor, moved({0, 0, 0}, {0, 0, 40}), settings));
-}
-
 }  // namespace
 }  // namespace bodkin

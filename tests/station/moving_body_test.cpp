@@ -1,6 +1,4 @@
-// A body that moves on its own time between two hands: the probe presses it, the needle enters it as it is pressed.
-#include "station/patient_body.h"
-
+// A body that moves on its own time between two hands: the probe presses it and takes the needle in it along.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -9,7 +7,6 @@
 #include <string>
 #include <thread>
 
-#include "patient/prepared_body.h"
 #include "session/replay.h"
 #include "station/hand_session.h"
 #include "station/second_hand.h"
@@ -18,6 +15,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "fem/moving/body_thread.h"
+#include "fem/solid/contact_body.h"
 #include "fem/solid/patient_body.h"
 #include "haptics/drivers/simulated.h"
 #include "io/tissue_library_file.h"
@@ -63,8 +62,6 @@ PressedBlock pressed_block() {
   patient.description.device = {"strong", 100.0, 50.0, 1e6, 100.0, 0.0};
   patient.description.haptics.constraint = NoConstraint{};
   EmbeddedNeedleSettings needle;
-  needle.capture_radius = 6.0;
-  needle.spacing = 5.0;
   needle.body.corridor_radius = 15.0;
   needle.body.stiffness_scale = 1.0;
   needle.body.fix_cut = false;
@@ -76,14 +73,19 @@ PressedBlock pressed_block() {
   std::fill(mesh.tissues.begin(), mesh.tissues.end(), tissue::muscle);
   const NeedlePath& path = *patient.description.procedure.path;
   made.body = std::make_shared<const BodyDescription>(describe_body(mesh, patient, needle.body, path).body);
-  patient.corridor = {std::make_shared<const CondensedBody>(condense(*made.body)), path, {}};
+  const ContactBody whole(made.body);
+  const auto stations = stations_along(path, path.length() + 10.0, needle.point_spacing, patient);
+  patient.corridor = {
+      std::make_shared<const CondensedBody>(whole.contact_points(stations, path.direction(), needle.tip_radius)),
+      path,
+      {}};
   made.settings.probe.width = made.settings.probe.thickness = 35.0;
   return made;
 }
 
 std::unique_ptr<SecondHand> probe_hand(const PressedBlock& block, const std::string& settings,
                                        const std::shared_ptr<SecondLink>& link,
-                                       const std::shared_ptr<PatientBody>& pressed) {
+                                       const std::shared_ptr<BodyThread>& pressed) {
   DevicePort port(simulated_driver(), "", settings);
   const DeviceAbilities device = port.abilities();
   ServoSettings servo;
@@ -128,7 +130,7 @@ const bodkin_driver& gated_driver() {
 // of the body.
 class Settled {
  public:
-  bool look(SecondHand& hand, PatientBody& body) {
+  bool look(SecondHand& hand, BodyThread& body) {
     const double force = hand.snapshot().force;
     const std::uint64_t rounds = hand.servo().rounds(), steps = body.snapshot().steps;
     if (force < 1.0 || std::abs(force - force_) > 0.15 * force) {
@@ -146,7 +148,7 @@ class Settled {
 
 // The probe presses 12 mm at x = 5, 35 mm beside the needle, which enters when it has done so.
 Session perform_on(const PressedBlock& block, const std::filesystem::path& file) {
-  const auto pressed = std::make_shared<PatientBody>(block.patient, *block.body, block.settings);
+  const auto pressed = std::make_shared<BodyThread>(*block.body, block.settings);
   SessionHeader header = sample_header();
   header.path = *block.patient.description.procedure.path;
   header.haptics = block.patient.description.haptics;
@@ -161,7 +163,7 @@ Session perform_on(const PressedBlock& block, const std::filesystem::path& file)
   HandSession session(std::make_shared<const Case>(block.patient), header, file, true, std::move(port), device, servo,
                       link);
   const auto second = probe_hand(block, "speed_mm_s=40 depth_mm=12 lateral_mm=25 wait_s=600", link, pressed);
-  session.press(pressed);
+  session.move_with(pressed);
   second->start();
   session.start();
   arm(session);
@@ -169,8 +171,6 @@ Session perform_on(const PressedBlock& block, const std::filesystem::path& file)
   Settled settled;
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(240);  // so long only where it fails
   while (!session.servo().tick().snapshot().device.ended() && std::chrono::steady_clock::now() < end) {
-    const std::optional<PreparedCorridor> corridor = pressed->take_corridor();
-    EXPECT_TRUE(!corridor || session.body()->refresh_corridor(*corridor));
     EXPECT_TRUE(std::isfinite(pressed->snapshot().on_probe.force.norm()));
     if (!gate_is_open && settled.look(*second, *pressed)) gate_is_open = true;
     std::this_thread::sleep_for(milliseconds(10));
@@ -182,7 +182,7 @@ Session perform_on(const PressedBlock& block, const std::filesystem::path& file)
   return read_session(file);
 }
 
-TEST(PatientBody, the_probes_hand_feels_the_bodys_force_and_the_needle_enters_it_as_it_is_pressed) {
+TEST(MovingBody, the_probes_hand_feels_the_bodys_force_and_the_needle_enters_it_as_it_is_moved) {
   const ScratchSession scratch;
   const PressedBlock block = pressed_block();
   const Session session = perform_on(block, scratch.path());
@@ -209,7 +209,7 @@ TEST(PatientBody, the_probes_hand_feels_the_bodys_force_and_the_needle_enters_it
   BodySolverSettings at_rest = block.settings;
   at_rest.motion.dt = 0.0;
   DeformableBodySolver reference(*block.body, at_rest);
-  for (int step = 0; step < 60; ++step) reference.step(probe, {});
+  for (int step = 0; step < 60; ++step) reference.step(probe);
   const double expected = -reference.press().on_probe(reference.body()).force.dot(axis);
   EXPECT_NEAR(sample->force, expected, 0.1 * expected);
 
@@ -225,132 +225,93 @@ Pose straight_down(double x, double depth) {
   return needle_pose(Vec3(x, -depth, 0.0), -Vec3::UnitY());
 }
 
-Pose flat_probe(double x, double depth) {
-  Pose pose = Pose::Identity();
-  pose.linear().col(0) = Vec3::UnitX();
-  pose.linear().col(1) = Vec3::UnitZ();
-  pose.linear().col(2) = -Vec3::UnitY();
-  pose.translation() = Vec3(x, -depth, 0.0);
-  return pose;
+// The tissue at the needle is moved by `by` mm: all nodes of the block alike.
+std::vector<float> moved_alike(const PressedBlock& block, const Vec3& by) {
+  std::vector<float> moved;
+  for (std::size_t node = 0; node < block.body->mesh.nodes.size(); ++node)
+    for (Eigen::Index axis = 0; axis < 3; ++axis) moved.push_back(static_cast<float>(by[axis]));
+  return moved;
 }
 
-// The test is the needle's thread, and whoever watches.
-struct NeedleInBlock {
-  explicit NeedleInBlock(const PressedBlock& made)
-      : block(made), pressed(block.patient, *block.body, block.settings), tick(block.patient) {}
-
-  TickOutput step(const Pose& needle) {
-    const TickOutput output = tick.step({needle});
-    pressed.set_needle(time += tick.dt(), tick.body()->node_forces());
-    return output;
+// Tissue that moves aside as a whole drags a needle that is held: what is felt is what the needle feels that is moved
+// the other way in tissue that stands still.
+TEST(MovingBody, tissue_that_moves_aside_takes_the_needle_along) {
+  const PressedBlock block = pressed_block();
+  HapticTick moved(block.patient), aside(block.patient);
+  const auto motion = std::make_shared<BodyMotion>();
+  ASSERT_TRUE(moved.body()->move_with(motion));
+  for (double depth = -2.0; depth < 22.0; depth += 0.05) {
+    const TickInput input{straight_down(-30.0, depth)};
+    ASSERT_EQ(moved.step(input).resistance, aside.step(input).resistance) << "nothing moves yet";
   }
-  // Goes on until a corridor comes; the pose stays.
-  std::optional<PreparedCorridor> wait_for_corridor(const Pose& needle) {
-    for (int look = 0; look < 20000; ++look) {
-      for (int i = 0; i < 4; ++i) step(needle);
-      if (std::optional<PreparedCorridor> corridor = pressed.take_corridor()) return corridor;
-      std::this_thread::sleep_for(std::chrono::microseconds(500));
-    }
-    return {};
+  motion->write(moved_alike(block, Vec3(0.5, 0.0, 0.0)));
+  Vec3 found = Vec3::Zero(), expected = Vec3::Zero(),
+       before = moved.step({straight_down(-30.0, 22.0)}).requested.force;
+  double largest = 0.0;
+  int told = 0;
+  for (int tick = 0; tick < 400; ++tick) {
+    const TickOutput output = moved.step({straight_down(-30.0, 22.0)});
+    found = output.requested.force;
+    largest = std::max(largest, (found - before).norm());
+    before = found;
+    for (const Event& event : output.events) told += event.kind == EventKind::corridor_refreshed ? 1 : 0;
+    expected = aside.step({straight_down(-30.0 - 0.5 * std::min(1.0, 0.01 * tick), 22.0)}).requested.force;
   }
+  EXPECT_LE(told, 1);
+  EXPECT_GT(expected.x(), 0.01);
+  EXPECT_NEAR(found.x(), expected.x(), 0.02 * expected.x());
+  EXPECT_LT(largest, 0.1 * expected.x() + 0.005) << "it goes there gradually";
+  // Back to rest, once the body has failed.
+  motion->write({});
+  for (int tick = 0; tick < 400; ++tick) found = moved.step({straight_down(-30.0, 22.0)}).requested.force;
+  EXPECT_LT(std::abs(found.x()), 0.1 * expected.x());
+}
 
-  const PressedBlock& block;
-  PatientBody pressed;
-  HapticTick tick;
+// Pressed deeper by 3 mm, the skin is met 3 mm deeper, and every layer gives way 3 mm deeper.
+TEST(MovingBody, a_surface_that_is_pressed_deeper_is_met_deeper) {
+  const PressedBlock block = pressed_block();
+  HapticTick pressed(block.patient), rest(block.patient);
+  const auto motion = std::make_shared<BodyMotion>(moved_alike(block, Vec3(0.0, -3.0, 0.0)));
+  ASSERT_TRUE(pressed.body()->move_with(motion));
+  double greatest = 0.0;
+  int told = 0;
+  std::vector<double> found, expected;
+  for (double depth = -4.0; depth < 15.0; depth += 0.05) {
+    const TickOutput output = pressed.step({straight_down(-30.0, depth + 3.0)});
+    found.push_back(output.resistance);
+    for (const Event& event : output.events) told += event.kind == EventKind::corridor_refreshed ? 1 : 0;
+    expected.push_back(rest.step({straight_down(-30.0, depth)}).resistance);
+    greatest = std::max(greatest, expected.back());
+  }
+  EXPECT_EQ(told, 1);
+  EXPECT_GT(greatest, 0.1);
+  int apart = 0;  // but for single ticks in which something gives way, or is met
+  for (std::size_t i = 0; i < found.size(); ++i) apart += std::abs(found[i] - expected[i]) > 0.05 * greatest ? 1 : 0;
+  EXPECT_LE(apart, 8);
+}
+
+TEST(MovingBody, when_the_body_fails_the_needle_is_told_so_and_meets_it_at_rest) {
+  const PressedBlock block = pressed_block();
+  const auto pressed = std::make_shared<BodyThread>(*block.body, block.settings);
+  Pose probe = Pose::Identity();
+  probe.linear().col(0) = Vec3::UnitX();
+  probe.linear().col(1) = Vec3::UnitZ();
+  probe.linear().col(2) = -Vec3::UnitY();
+  probe.translation() = Vec3(0.0, -8.0, 0.0);
   double time = 0.0;
-};
-
-TEST(PatientBody, a_needle_that_is_in_feels_that_the_probe_presses_beside_it) {
-  const PressedBlock block = pressed_block();
-  NeedleInBlock rig(block);
-  for (double depth = -2.0; depth < 22.0; depth += 0.05) rig.step(straight_down(-30.0, depth));
-  const auto sideways = [&] {  // N by 0.5 mm
-    const double before = rig.step(straight_down(-30.0, 22.0)).requested.force.x();
-    const double there = rig.step(straight_down(-29.5, 22.0)).requested.force.x();
-    rig.step(straight_down(-30.0, 22.0));
-    return before - there;
-  };
-  const double at_rest = sideways();
-  ASSERT_GT(at_rest, 0.001);
-  rig.pressed.move_probe(flat_probe(-5.0, 14.0));
-  const Vec3 force = rig.step(straight_down(-30.0, 22.0)).requested.force;
-  bool told = false;
-  for (int corridors = 0; corridors < 20 && !told; ++corridors) {
-    const std::optional<PreparedCorridor> corridor = rig.wait_for_corridor(straight_down(-30.0, 22.0));
-    ASSERT_TRUE(corridor);
-    EXPECT_EQ(corridor->body->mesh_nodes, block.patient.corridor.body->mesh_nodes);
-    ASSERT_TRUE(rig.tick.body()->refresh_corridor(*corridor));
-    for (int i = 0; i < 100; ++i) {
-      const TickOutput output = rig.step(straight_down(-30.0, 22.0));
-      EXPECT_LT((output.requested.force - force).norm(), 1e-9);
-      for (const Event& event : output.events) told = told || event.kind == EventKind::corridor_refreshed;
-    }
-  }
-  EXPECT_TRUE(told);
-  EXPECT_GT(std::abs(sideways() - at_rest), 0.02 * at_rest);
-  EXPECT_FALSE(rig.pressed.failed());
-}
-
-TEST(PatientBody, leads_the_corridor_to_where_the_needle_aims_and_says_so) {
-  const PressedBlock block = pressed_block();
-  NeedleInBlock rig(block);
-  EXPECT_FALSE(rig.pressed.follow(straight_down(-28.0, -10.0), block.patient)) << "that is covered";
-  EXPECT_FALSE(rig.pressed.follow(straight_down(200.0, -10.0), block.patient)) << "there is no patient";
-  const std::optional<std::string> sentence = rig.pressed.follow(straight_down(30.0, -10.0), block.patient);
-  ASSERT_TRUE(sentence);
-  EXPECT_THAT(*sentence, HasSubstr("aims where the deformable body is not prepared"));
-  EXPECT_FALSE(rig.pressed.follow(straight_down(30.0, -10.0), block.patient)) << "it is said once";
-  const std::optional<PreparedCorridor> corridor = rig.wait_for_corridor(straight_down(30.0, -10.0));
-  ASSERT_TRUE(corridor);
-  EXPECT_THAT(rig.pressed.follow(straight_down(30.0, -10.0), block.patient).value_or(""),
-              HasSubstr("is prepared where the needle aimed"));
-  EXPECT_NEAR(corridor->path.entry.x(), 30.0, 1e-9);
-  for (const Vec3& node : corridor->at_rest) EXPECT_NEAR(node.x(), 30.0, 16.0);
-  // As a static body would have it there.
-  std::shared_ptr<const ContactBody> kept;
-  const PreparedCorridor expected = another_corridor(*block.body, block.patient, corridor->path, 0, kept);
-  EXPECT_EQ(corridor->body->mesh_nodes, expected.body->mesh_nodes);
-  EXPECT_EQ(corridor->body->tissues, expected.body->tissues);
-  EXPECT_EQ(corridor->at_rest, expected.body->nodes);
-  EXPECT_LT((corridor->body->compliance - expected.body->compliance).norm(), 1e-9 * expected.body->compliance.norm());
-  ASSERT_TRUE(rig.tick.body()->refresh_corridor(*corridor));
-  std::uint32_t most = 0;
-  for (double depth = -2.0; depth < 12.0; depth += 0.05) {
-    const TickOutput output = rig.step(straight_down(30.0, depth));
-    for (const Event& event : output.events) EXPECT_NE(event.kind, EventKind::corridor_left);
-    most = std::max(most, static_cast<std::uint32_t>(rig.tick.body()->node_forces().count));
-  }
-  EXPECT_GE(most, 2U);
-  // And back, once it is out again.
-  EXPECT_THAT(rig.pressed.follow(straight_down(-30.0, -10.0), block.patient).value_or(""), HasSubstr("not prepared"));
-}
-
-// The test is the needle here, and does to the body what no needle does.
-TEST(PatientBody, when_the_body_fails_the_probe_loses_its_force_and_no_corridor_comes_any_more) {
-  const PressedBlock block = pressed_block();
-  const auto pressed = std::make_shared<PatientBody>(block.patient, *block.body, block.settings);
-  const auto hand =
-      probe_hand(block, "speed_mm_s=80 depth_mm=8 lateral_mm=25 wait_s=60", std::make_shared<SecondLink>(), pressed);
-  hand->start();
-  hand->arm();
-  double time = 0.0;
-  NodeForces forces;
   const auto comes_true = [&](const auto& condition) {
     for (int look = 0; look < 20000 && !condition(); ++look) {
-      pressed->set_needle(time += 0.002, forces);
+      pressed->set_time(time += 0.002);
       std::this_thread::sleep_for(milliseconds(1));
     }
     return condition();
   };
-  ASSERT_TRUE(comes_true([&] { return hand->snapshot().force > 1.0; }));
+  pressed->move_probe(probe);
+  ASSERT_TRUE(comes_true([&] { return pressed->reading().nodes > 0; }));
   EXPECT_FALSE(pressed->failed());
-  forces.count = 1;
-  forces.nodes[0] = {block.patient.corridor.body->mesh_nodes[0], {3e38F, 3e38F, 0.0F}};
+  probe.translation().y() = -5e4;  // 50 m, what no hand does
+  pressed->move_probe(probe);
   ASSERT_TRUE(comes_true([&] { return pressed->failed(); }));
-  EXPECT_TRUE(comes_true([&] { return hand->snapshot().force == 0.0; }));
-  EXPECT_FALSE(pressed->take_corridor());
-  EXPECT_EQ(hand->servo().tick().snapshot().state, GuardState::active) << "nothing is wrong with the device";
-  EXPECT_TRUE(hand->stop());
 
   // A needle whose body has failed is told so, once, and goes on.
   const ScratchSession scratch;
@@ -362,7 +323,7 @@ TEST(PatientBody, when_the_body_fails_the_probe_loses_its_force_and_no_corridor_
   servo.workspace = workspace_about(header.path);
   HandSession session(std::make_shared<const Case>(block.patient), header, scratch.path(), true, std::move(port),
                       device, servo);
-  session.press(pressed);
+  session.move_with(pressed);
   session.start();
   arm(session);
   for (int look = 0; look < 2000 && !session.servo().tick().snapshot().device.ended(); ++look)

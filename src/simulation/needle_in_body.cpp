@@ -1,0 +1,185 @@
+#include "simulation/needle_in_body.h"
+
+#include <span>
+#include <utility>
+
+namespace bodkin::simulation {
+
+namespace {
+
+constexpr double same_line = 1.5;       // mm, between the planned line and the needle's
+constexpr double same_aim = 1.0;        // mm, between the line asked for and that of a needle outside
+constexpr double farthest_skin = 50.0;  // mm before the tip
+constexpr double skin_step = 0.5;       // mm
+constexpr int bisections = 10;
+constexpr double same_hole = 1.0;  // mm
+constexpr double late = 1.0;       // mm past a point's place, at which it comes late
+constexpr std::uint32_t ticks_from_look_to_look = 10;
+
+double distance(const Vec3& point, const Vec3& entry, const Vec3& direction) noexcept {
+  const Vec3 from = point - entry;
+  return (from - from.dot(direction) * direction).norm();
+}
+
+bool runs_along(const anatomy::NeedlePath& path, const Vec3& entry, const Vec3& direction, double within) noexcept {
+  return distance(path.entry, entry, direction) <= within && distance(path.target, entry, direction) <= within;
+}
+
+void tell_late(double past, const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept {
+  events.push({forces::EventKind::points_late, needle.tissue, needle.motion.depth, past});
+}
+
+}  // namespace
+
+NeedleInBody::NeedleInBody(const anatomy::Case& patient, const Settings& settings, double dt)
+    : patient_(&patient),
+      settings_(settings),
+      dt_(dt),
+      path_(patient.corridor.path),
+      planned_(patient, settings, dt) {}
+
+std::shared_ptr<fem::ContactLine> NeedleInBody::stream_points(bool as_recorded) {
+  line_ = std::make_shared<fem::ContactLine>(planned_.spring());
+  own_ = std::make_unique<DeformableShaft>(planned_, *patient_, *line_, settings_, dt_);
+  as_recorded_ = as_recorded;
+  return line_;
+}
+
+bool NeedleInBody::move_with(std::shared_ptr<fem::BodyMotion> motion) {
+  motion_ = std::move(motion);
+  return true;
+}
+
+void NeedleInBody::approach(const Vec3& tip, const Vec3& axis) noexcept {
+  if (line_ == nullptr || ticks_outside_++ % ticks_from_look_to_look != 0) return;
+  const std::optional<Vec3> entry = skin_ahead(tip, axis);
+  if (!entry || runs_along(path_, *entry, axis, same_line)) return;
+  if (!asked_ || !runs_along(*asked_, *entry, axis, same_aim)) ask(*entry, axis);
+}
+
+fem::NodeForces NeedleInBody::node_forces() const noexcept {
+  return touches_ ? model().node_forces() : fem::NodeForces{};
+}
+
+Vec3 NeedleInBody::needle_ahead() const noexcept {
+  return touches_ ? model().ahead() : Vec3(Vec3::Zero());
+}
+
+void NeedleInBody::begin(const Vec3& entry, const Vec3& direction) noexcept {
+  told_motion_ = false;
+  const bool own = line_ != nullptr && !runs_along(path_, entry, direction, same_line);
+  if (own != on_own_line_) announced_ = false;
+  on_own_line_ = own;
+  if (own) {
+    begin_own_line(entry, direction);
+  } else {
+    planned_.begin(entry, direction);
+    open_holes();
+  }
+}
+
+void NeedleInBody::begin_own_line(const Vec3& entry, const Vec3& direction) noexcept {
+  points_ = 0;
+  complete_ = false;
+  begins_ = true;
+  if (!asked_ || !runs_along(*asked_, entry, direction, same_line)) ask(entry, direction);
+  own_->begin_growing(entry, direction, is_hole(entry));
+}
+
+forces::ResistanceForce NeedleInBody::step(const forces::NeedleInTissue& needle,
+                                           forces::TickEvents& events) noexcept {
+  if (!std::exchange(announced_, true)) {
+    events.push(
+        {forces::EventKind::corridor_taken, needle.tissue, needle.motion.depth, on_own_line_ ? own_line : -1.0});
+  }
+  if (on_own_line_) take_known_points(needle, events);
+  if (motion_ != nullptr) take_motion(needle, events);
+  const forces::ResistanceForce force = model().step(needle, events);
+  touches_ = force.in_contact;
+  remember_hole();
+  return force;
+}
+
+void NeedleInBody::reset() noexcept {
+  planned_.reset();
+  if (own_ != nullptr) own_->reset();
+  on_own_line_ = touches_ = false;
+  announced_ = told_motion_ = true;
+  hole_count_ = 0;
+  asked_.reset();
+  ticks_outside_ = 0;
+}
+
+// Those that are there, or that were in the recording.
+void NeedleInBody::take_known_points(const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept {
+  fem::ContactLine::Progress now{points_, complete_};
+  if (!as_recorded_) {
+    now = line_->progress();
+  } else if (recorded_) {
+    now.complete = *recorded_ < 0.0;
+    const double count = now.complete ? -1.0 - *recorded_ : *recorded_;
+    now.points = count > 0.0 && count <= fem::ContactLine::most_points ? static_cast<std::size_t>(count) : 0;
+    line_->wait_for(now.points);
+  }
+  recorded_.reset();
+  if (now.points != points_ || now.complete != complete_) {
+    const std::size_t before = points_;
+    points_ = now.points;
+    complete_ = now.complete;
+    own_->extend(points_, complete_);
+    open_holes();
+    const double past = needle.motion.depth - own_->point_depth(before);
+    if (before > 0 && points_ > before && past > late) tell_late(past, needle, events);
+    const auto count = static_cast<double>(points_);
+    events.push(
+        {forces::EventKind::points_taken, needle.tissue, needle.motion.depth, complete_ ? -1.0 - count : count});
+  }
+  // The needle touches a surface that is not there yet.
+  if (std::exchange(begins_, false) && points_ == 0 && !complete_) tell_late(needle.motion.depth, needle, events);
+}
+
+void NeedleInBody::take_motion(const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept {
+  const bool moves = model().move_with(std::span<const float>(motion_->read()));
+  if (!moves || std::exchange(told_motion_, true)) return;
+  events.push({forces::EventKind::corridor_refreshed, needle.tissue, needle.motion.depth, 1.0});
+}
+
+void NeedleInBody::ask(const Vec3& entry, const Vec3& direction) noexcept {
+  asked_ = anatomy::NeedlePath{entry, entry + path_.length() * direction};
+  line_->ask(entry, direction);
+}
+
+// Where a needle outside the body would meet the skin.
+std::optional<Vec3> NeedleInBody::skin_ahead(const Vec3& tip, const Vec3& axis) const noexcept {
+  const auto is_air = [this](const Vec3& place) {
+    return anatomy::nearest<anatomy::TissueId>(patient_->tissues, place, anatomy::tissue::air) ==
+           anatomy::tissue::air;
+  };
+  if (!is_air(tip)) return {};
+  double inside = skin_step;
+  while (inside <= farthest_skin && is_air(tip + inside * axis)) inside += skin_step;
+  if (inside > farthest_skin) return {};
+  double outside = inside - skin_step;
+  for (int step = 0; step < bisections; ++step) {
+    const double middle = 0.5 * (outside + inside);
+    (is_air(tip + middle * axis) ? outside : inside) = middle;
+  }
+  return tip + inside * axis;
+}
+
+bool NeedleInBody::is_hole(const Vec3& place) const noexcept {
+  for (std::size_t i = 0; i < hole_count_; ++i)
+    if ((holes_[i].place - place).squaredNorm() < same_hole * same_hole) return true;
+  return false;
+}
+
+void NeedleInBody::remember_hole() noexcept {
+  const auto& found = model().puncture();
+  if (found && hole_count_ < most_holes) holes_[hole_count_++] = {found->place, found->tissue};
+}
+
+void NeedleInBody::open_holes() noexcept {
+  for (std::size_t i = 0; i < hole_count_; ++i) model().open(holes_[i].place, holes_[i].tissue);
+}
+
+}  // namespace bodkin::simulation
