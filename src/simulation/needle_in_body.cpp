@@ -11,7 +11,7 @@ constexpr double same_line = 1.5;       // mm, between the planned line and the 
 constexpr double same_aim = 1.0;        // mm, between the line asked for and that of a needle outside
 constexpr double farthest_skin = 50.0;  // mm before the tip
 constexpr double skin_step = 0.5;       // mm
-constexpr int bisections = 10;
+constexpr int skin_bisections = 10;
 constexpr double same_hole = 1.0;  // mm
 constexpr double late = 1.0;       // mm past a point's place, at which it comes late
 constexpr std::uint32_t ticks_from_look_to_look = 10;
@@ -160,7 +160,7 @@ std::optional<Vec3> NeedleInBody::skin_ahead(const Vec3& tip, const Vec3& axis) 
   while (inside <= farthest_skin && is_air(tip + inside * axis)) inside += skin_step;
   if (inside > farthest_skin) return {};
   double outside = inside - skin_step;
-  for (int step = 0; step < bisections; ++step) {
+  for (int step = 0; step < skin_bisections; ++step) {
     const double middle = 0.5 * (outside + inside);
     (is_air(tip + middle * axis) ? outside : inside) = middle;
   }
