@@ -29,7 +29,6 @@ using namespace bodkin::fem;
 using namespace bodkin::forces;
 using namespace bodkin::haptics;
 using namespace bodkin::io;
-using namespace bodkin::patient;
 using namespace bodkin::session;
 using namespace bodkin::simulation;
 using namespace bodkin::station;

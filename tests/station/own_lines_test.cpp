@@ -27,7 +27,6 @@ using namespace bodkin::io;
 using namespace bodkin::patient;
 using namespace bodkin::session;
 using namespace bodkin::simulation;
-using namespace bodkin::station;
 namespace {
 
 using ::testing::HasSubstr;
