@@ -9,7 +9,7 @@ packages_to_run=(
   libinsighttoolkit5-dev libgdcm-dev libgdcm-tools
   libcairo2-dev fonts-dejavu-core
   libopencv-core-dev libopencv-imgproc-dev libopencv-calib3d-dev libopencv-contrib-dev
-  libjpeg62-turbo-dev
+  libjpeg62-turbo-dev ffmpeg
 )
 
 # The window, which `./run --without-app` leaves out.
@@ -20,7 +20,7 @@ packages_of_app=(
 packages_to_test=(
   git libgtest-dev libgmock-dev libbenchmark-dev doxygen
   clang clang-format clang-tidy libclang-rt-14-dev llvm libxml2-utils poppler-utils
-  xvfb xauth xdotool imagemagick ffmpeg
+  xvfb xauth xdotool imagemagick
   libsuitesparse-dev calculix-ccx libopenigtlink-dev openmpi-bin
   postgresql curl chromium-headless-shell
   g++-aarch64-linux-gnu qemu-user

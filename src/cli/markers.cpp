@@ -19,11 +19,13 @@ namespace {
 
 struct MarkersArguments {
   std::string pdf, json, bodies;
+  double ruler = 100.0;
 };
 
 constexpr const char* markers_footer = R"(Examples:
   bodkin markers --pdf markers.pdf --save bodies.json     the board, and cubes for needle and probe
   bodkin markers --pdf mine.pdf --bodies mine.json        bodies of your own
+  bodkin markers --ruler 99.5 --save bodies.json          the ruler on the print measures 99.5 mm
   bodkin markers calibrate pictures --body needle -o calibrated.json
 
 Print at 100 % on stiff paper, measure the ruler, fold along the light lines. docs/augmented-reality.md describes the bodies
@@ -35,8 +37,18 @@ void run_markers(const MarkersArguments& arguments, const CommandContext& contex
   }
   if (!arguments.pdf.empty()) require_writable(arguments.pdf, "--pdf", arguments.bodies);
   if (!arguments.json.empty()) require_writable(arguments.json, "--save", arguments.bodies);
-  const auto bodies = arguments.bodies.empty() ? tracking::station_bodies() : tracking::read_bodies(arguments.bodies);
+  auto bodies = arguments.bodies.empty() ? tracking::station_bodies() : tracking::read_bodies(arguments.bodies);
   if (!arguments.pdf.empty()) write_file(arguments.pdf, tracking::marker_sheets_pdf(bodies));
+  if (arguments.ruler != 100.0) {
+    // The print is not to scale: its faces are as large as they came out. Tips are no part of the print.
+    for (tracking::MarkerBody& body : bodies) {
+      for (tracking::MarkerFace& face : body.faces) {
+        face.side *= 0.01 * arguments.ruler;
+        face.sheet *= 0.01 * arguments.ruler;
+        face.place.translation() *= 0.01 * arguments.ruler;
+      }
+    }
+  }
   if (!arguments.json.empty()) write_file(arguments.json, tracking::bodies_json(bodies));
   const Console console(context);
   nlohmann::ordered_json names = nlohmann::ordered_json::array();
@@ -56,6 +68,8 @@ CLI::App* add_markers_command(CLI::App& app, CommandContext& context) {
   add_text(*command, "--pdf", arguments->pdf, "File to print, A4");
   add_text(*command, "--save", arguments->json, "File for the bodies (JSON)");
   add_text(*command, "--bodies", arguments->bodies, "Bodies to print (default: those of a teaching station)");
+  add_number(*command, "--ruler", arguments->ruler, 80.0, 120.0,
+             "What the ruler of 100 mm on the print measures, for --save, mm, 80 to 120");
   // The command itself prints; with a command below it, that one works alone.
   on_run(*command, [arguments, command, &context] {
     if (command->get_subcommands().empty()) run_markers(*arguments, context);

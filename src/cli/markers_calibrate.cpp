@@ -26,7 +26,7 @@ constexpr const char* markers_calibrate_footer = R"(Examples:
   bodkin markers calibrate pictures --body needle --camera camera.json --bodies bodies.json -o calibrated.json
 
 Hold the folded body 300 to 500 mm before the camera and turn it slowly, so that two faces or more are seen; 100 to 200
-pictures are good. The size of the markers is taken as it is: measure the print's ruler. docs/augmented-reality.md says more.)";
+pictures, or 20 seconds of /dev/video0, are good. The size of the markers is taken as it is: measure the print's ruler. docs/augmented-reality.md says more.)";
 
 void run_markers_calibrate(const MarkersCalibrateArguments& arguments, const CommandContext& context) {
   if (arguments.output.empty()) throw InputError("--output is missing; expected a file for the calibrated bodies");
@@ -39,18 +39,17 @@ void run_markers_calibrate(const MarkersCalibrateArguments& arguments, const Com
     throw InputError(fmt::format("--body is '{}'; there is no body of that name", arguments.body));
   }
   tracking::BodyCalibration calibration(opened.camera, *body);
-  const Progress progress = console.progress();
-  const auto& frames = opened.footage.frames;
-  for (std::size_t n = 0; n < frames.size(); ++n) {
-    if (progress) progress("pictures", static_cast<double>(n) / static_cast<double>(frames.size()));
-    calibration.add(tracking::grey_of(tracking::read_picture(opened.footage.folder / frames[n].file)));
-  }
+  int pictures = 0;
+  for_each_picture(*opened.source, arguments.footage, console, "pictures", [&](const tracking::SourcePicture& frame) {
+    calibration.add(frame.grey);
+    ++pictures;
+    return true;
+  });
   const tracking::CalibratedBody made = calibration.solve();
-  console.clear_bar();
   *body = made.body;
   write_file(arguments.output, tracking::bodies_json(opened.bodies));
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  console.line(fmt::format("{} of {} pictures show two faces or more", made.pictures, frames.size()));
+  console.line(fmt::format("{} of {} pictures show two faces or more", made.pictures, pictures));
   for (const tracking::CalibratedFace& face : made.faces) {
     console.line(fmt::format("marker {:<3} {} pictures, moved by {:.2f} mm (±{:.3f}) and {:.2f} deg (±{:.3f})",
                              face.id, face.pictures, face.moved, face.deviation, face.turned, face.angle_deviation));

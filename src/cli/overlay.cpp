@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "tracking/augmented_view.h"
+#include "tracking/footage_scene.h"
+#include "tracking/lens_watch.h"
 #include "tracking/registration_file.h"
 #include "tracking/tracker.h"
 #include "tracking/video_file.h"
@@ -41,6 +43,7 @@ constexpr const char* overlay_footer = R"(Examples:
   bodkin overlay patient footage                           overlay.avi: the patient within the mannequin
   bodkin overlay patient footage -o pictures               the same as a folder of pictures
   bodkin overlay patient footage --registration registration.json --preset bone
+  bodkin overlay patient /dev/video0 --camera camera.json --seconds 60    a minute of a live camera
 
 Every picture is drawn with its own poses. Without --registration the entry of the planned path lies where the mannequin's
 back is in rendered footage. docs/augmented-reality.md says more.)";
@@ -76,7 +79,7 @@ void run_overlay(const OverlayArguments& arguments, const CommandContext& contex
         fmt::format("--output is '{}'; expected a file that ends in .avi, or a new folder", arguments.output));
   }
   Console console(context);
-  const OpenedFootage opened = open_footage_of(arguments.footage);
+  OpenedFootage opened = open_footage_of(arguments.footage);
   const anatomy::Case patient = io::load_case(arguments.patient, console.progress());
   const tracking::Similarity place = arguments.registration.empty()
                                          ? tracking::placed_at(patient, tracking::scene_skin())
@@ -90,43 +93,42 @@ void run_overlay(const OverlayArguments& arguments, const CommandContext& contex
   const std::optional<std::size_t> mannequin = index_of("mannequin");
   if (!mannequin) {
     throw InputError(
-        fmt::format("{}: no body is called \"mannequin\", which the patient is laid into", arguments.footage.folder));
+        fmt::format("{}: no body is called \"mannequin\", which the patient is laid into", arguments.footage.source));
   }
   tracking::Tracker tracker(opened.camera, opened.bodies);
   tracking::AugmentedView view(patient, opened.camera, place, look);
-  const tracking::Footage& footage = opened.footage;
-  const double rate = footage.frames.size() > 1
-                          ? static_cast<double>(footage.frames.size() - 1) /
-                                std::max(footage.frames.back().time - footage.frames.front().time, 1e-3)
-                          : 30.0;
+  tracking::LensWatch lens;
   std::optional<tracking::VideoWriter> writer;
-  if (video) writer.emplace(output, opened.camera.width, opened.camera.height, rate);
-  const Progress progress = console.progress();
-  int drawn = 0;
-  for (std::size_t n = 0; n < footage.frames.size(); ++n) {
-    if (progress) progress("overlay", static_cast<double>(n) / static_cast<double>(footage.frames.size()));
-    imaging::ImageRgb picture = tracking::read_picture(footage.folder / footage.frames[n].file);
-    const auto& poses = tracker.track(tracking::grey_of(picture), footage.frames[n].time);
+  if (video) writer.emplace(output, opened.camera.width, opened.camera.height, opened.source->rate());
+  int drawn = 0, pictures = 0;
+  tracking::GreyPicture last;
+  std::string warning;
+  for_each_picture(*opened.source, arguments.footage, console, "overlay", [&](const tracking::SourcePicture& frame) {
+    const auto& poses = tracker.track(frame.grey, frame.time);
+    lens.add(poses);
+    if (warning.empty()) warning = lens.warning();
     std::vector<tracking::ShownBody> tools;
     for (std::size_t b = 0; b < poses.size(); ++b) {
       if (b != *mannequin) tools.push_back({&opened.bodies[b], &poses[b]});
     }
+    imaging::ImageRgb picture = frame.colour;
     view.draw(picture, &poses[*mannequin], tools);
     if (poses[*mannequin].status == tracking::TrackingStatus::ok) ++drawn;
+    if (drawn == 0 && tracker.markers().empty()) last = frame.grey;
     if (writer) {
       writer->add(picture);
     } else {
-      write_file(output / fmt::format("overlay_{:05}.png", n), imaging::encode_png(picture));
+      write_file(output / fmt::format("overlay_{:05}.png", pictures), imaging::encode_png(picture));
     }
-  }
+    ++pictures;
+    return true;
+  });
   if (writer) writer->finish();
-  console.clear_bar();
-  if (drawn == 0 && tracker.markers().empty()) console.note(why_nothing_was_found(footage));
-  console.line(
-      fmt::format("{}: {} pictures, the patient in {} of them", arguments.output, footage.frames.size(), drawn));
+  if (drawn == 0 && last.width > 0) console.note(why_nothing_was_found(arguments.footage.source, last));
+  if (!warning.empty()) console.note(warning);
+  console.line(fmt::format("{}: {} pictures, the patient in {} of them", arguments.output, pictures, drawn));
   console.json(
-      nlohmann::ordered_json{{"output", arguments.output}, {"pictures", footage.frames.size()}, {"drawn", drawn}}
-          .dump(2));
+      nlohmann::ordered_json{{"output", arguments.output}, {"pictures", pictures}, {"drawn", drawn}}.dump(2));
 }
 
 }  // namespace

@@ -104,7 +104,13 @@ int run_program(int argc, char** argv) {
   scene_group->require_subcommand(1);
   add_scene_render_command(*scene_group, context);
   add_track_command(app, context);
-  add_markers_calibrate_command(*add_markers_command(app, context), context);
+  CLI::App* markers_group = add_markers_command(app, context);
+  add_markers_calibrate_command(*markers_group, context);
+  add_markers_pivot_command(*markers_group, context);
+  CLI::App* camera_group = app.add_subcommand("camera", "Find out how a camera sees");
+  camera_group->require_subcommand(1);
+  add_camera_board_command(*camera_group, context);
+  add_camera_calibrate_command(*camera_group, context);
   add_register_command(app, context);
   add_overlay_command(app, context);
 #endif

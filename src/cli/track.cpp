@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tracking/lens_watch.h"
 #include "tracking/tracker.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -28,6 +29,8 @@ constexpr const char* track_footer = R"(Examples:
   bodkin track footage                              status of every body, and errors where the truth is known
   bodkin track footage --csv poses.csv              every pose of every picture
   bodkin track pictures --camera camera.json --bodies bodies.json
+  bodkin track video.mp4 --camera camera.json       a video, each picture with its own time
+  bodkin track /dev/video0 --camera camera.json     a camera, a line a second, until Ctrl-C
 
 A pose is ok, uncertain (picture and model disagree, or two poses explain it nearly as well) or lost. The error is that of
 the body's tip. docs/augmented-reality.md says how poses are found.)";
@@ -44,57 +47,83 @@ double rms(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
+// Counts a pose, and gives its row of the table. `truth`: null where it is not known.
+std::string row_of(double time, const tracking::MarkerBody& body, const tracking::TrackedPose& pose,
+                   const Pose* truth, BodySummary& summary) {
+  std::string row = fmt::format("{:.6f},{},{},", time, body.name, name_of(pose.status));
+  if (pose.status == tracking::TrackingStatus::lost) {
+    ++summary.lost;
+    return row + ",,,,,,,,,0,\n";
+  }
+  const bool ok = pose.status == tracking::TrackingStatus::ok;
+  ++(ok ? summary.ok : summary.uncertain);
+  const double deviation = std::sqrt(point_covariance(pose, body.tip).trace());
+  const Vec3 at = pose.camera_from_body.translation();
+  const Eigen::Quaterniond turn(pose.camera_from_body.linear());
+  row += fmt::format("{:.4f},{:.4f},{:.4f},{:.7f},{:.7f},{:.7f},{:.7f},{:.4f},{:.4f},{},", at.x(), at.y(), at.z(),
+                     turn.w(), turn.x(), turn.y(), turn.z(), deviation, pose.residual, pose.markers);
+  if (truth == nullptr) return row + "\n";
+  const double error = (pose.camera_from_body * body.tip - *truth * body.tip).norm();
+  if (ok) {
+    summary.errors.push_back(error);
+    summary.predicted.push_back(deviation);
+  }
+  return row + fmt::format("{:.4f}\n", error);
+}
+
+// What a live camera sees, on one line.
+std::string live_line(const std::vector<tracking::MarkerBody>& bodies,
+                      const std::vector<tracking::TrackedPose>& poses) {
+  std::string line;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    line += fmt::format("{}{} {}", b == 0 ? "" : ", ", bodies[b].name, name_of(poses[b].status));
+    if (poses[b].status != tracking::TrackingStatus::ok) continue;
+    const Vec3 tip = poses[b].camera_from_body * bodies[b].tip;
+    line += fmt::format(" ({:.1f} {:.1f} {:.1f} ±{:.2f} mm)", tip.x(), tip.y(), tip.z(),
+                        std::sqrt(point_covariance(poses[b], bodies[b].tip).trace()));
+  }
+  return line;
+}
+
 void run_track(const TrackArguments& arguments, const CommandContext& context) {
   if (!arguments.csv.empty()) require_writable(arguments.csv, "--csv");
   Console console(context);
-  const OpenedFootage opened = open_footage_of(arguments.footage);
+  OpenedFootage opened = open_footage_of(arguments.footage);
   tracking::Tracker tracker(opened.camera, opened.bodies);
+  tracking::LensWatch lens;
   std::vector<BodySummary> summaries(opened.bodies.size());
   std::string table = "time_s,body,status,x_mm,y_mm,z_mm,qw,qx,qy,qz,tip_sd_mm,residual,markers,error_mm\n";
-  const tracking::Footage& footage = opened.footage;
-  const Progress progress = console.progress();
+  const std::vector<std::string> known = opened.source->bodies();
   std::size_t markers = 0;
-  for (std::size_t n = 0; n < footage.frames.size(); ++n) {
-    if (progress) progress("tracking", static_cast<double>(n) / static_cast<double>(footage.frames.size()));
-    const tracking::FootageFrame& frame = footage.frames[n];
-    const auto picture = tracking::grey_of(tracking::read_picture(footage.folder / frame.file));
-    const std::vector<tracking::TrackedPose>& poses = tracker.track(picture, frame.time);
+  int pictures = 0;
+  double said = -1e9;
+  tracking::GreyPicture last;
+  std::string warning;
+  for_each_picture(*opened.source, arguments.footage, console, "tracking", [&](const tracking::SourcePicture& frame) {
+    const std::vector<tracking::TrackedPose>& poses = tracker.track(frame.grey, frame.time);
+    lens.add(poses);
+    if (warning.empty()) warning = lens.warning();
     markers += tracker.markers().size();
+    ++pictures;
     for (std::size_t b = 0; b < poses.size(); ++b) {
-      const tracking::TrackedPose& pose = poses[b];
       const tracking::MarkerBody& body = opened.bodies[b];
-      BodySummary& summary = summaries[b];
-      ++(pose.status == tracking::TrackingStatus::ok          ? summary.ok
-         : pose.status == tracking::TrackingStatus::uncertain ? summary.uncertain
-                                                              : summary.lost);
-      double error = NAN;
-      const auto truth = std::find(footage.bodies.begin(), footage.bodies.end(), body.name);
-      const double deviation = std::sqrt(point_covariance(pose, body.tip).trace());
-      if (truth != footage.bodies.end() && pose.status != tracking::TrackingStatus::lost) {
-        const Pose& place = frame.camera_from_body[static_cast<std::size_t>(truth - footage.bodies.begin())];
-        error = (pose.camera_from_body * body.tip - place * body.tip).norm();
-        if (pose.status == tracking::TrackingStatus::ok) {
-          summary.errors.push_back(error);
-          summary.predicted.push_back(deviation);
-        }
-      }
-      const Vec3 at = pose.camera_from_body.translation();
-      const Eigen::Quaterniond turn(pose.camera_from_body.linear());
-      table += fmt::format("{:.6f},{},{},", frame.time, body.name, name_of(pose.status));
-      if (pose.status == tracking::TrackingStatus::lost) {
-        table += ",,,,,,,,,0,\n";
-        continue;
-      }
-      table += fmt::format("{:.4f},{:.4f},{:.4f},{:.7f},{:.7f},{:.7f},{:.7f},{:.4f},{:.4f},{},", at.x(), at.y(),
-                           at.z(), turn.w(), turn.x(), turn.y(), turn.z(), deviation, pose.residual, pose.markers);
-      table += std::isnan(error) ? "\n" : fmt::format("{:.4f}\n", error);
+      const auto truth = std::find(known.begin(), known.end(), body.name);
+      const Pose* const place =
+          truth == known.end() ? nullptr : &frame.camera_from_body[static_cast<std::size_t>(truth - known.begin())];
+      table += row_of(frame.time, body, poses[b], place, summaries[b]);
     }
-  }
-  console.clear_bar();
-  if (markers == 0) throw InputError(why_nothing_was_found(footage));
+    if (opened.source->live() && frame.time - said >= 1.0) {
+      said = frame.time;
+      console.line(live_line(opened.bodies, poses));
+      if (!warning.empty()) console.note(warning);
+    }
+    if (markers == 0) last = frame.grey;
+    return true;
+  });
+  if (markers == 0) throw InputError(why_nothing_was_found(arguments.footage.source, last));
+  if (!warning.empty()) console.note(warning);
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  console.line(
-      fmt::format("{} pictures of {} x {}", footage.frames.size(), opened.camera.width, opened.camera.height));
+  console.line(fmt::format("{} pictures of {} x {}", pictures, opened.camera.width, opened.camera.height));
   for (std::size_t b = 0; b < summaries.size(); ++b) {
     const BodySummary& summary = summaries[b];
     std::string line = fmt::format("{:<12} ok {}, uncertain {}, lost {}", opened.bodies[b].name, summary.ok,

@@ -10,6 +10,9 @@ void add_track_command(CLI::App& app, CommandContext& context);
 // Returns the group, which works without a command too.
 CLI::App* add_markers_command(CLI::App& app, CommandContext& context);
 void add_markers_calibrate_command(CLI::App& markers_group, CommandContext& context);
+void add_markers_pivot_command(CLI::App& markers_group, CommandContext& context);
+void add_camera_board_command(CLI::App& camera_group, CommandContext& context);
+void add_camera_calibrate_command(CLI::App& camera_group, CommandContext& context);
 void add_register_command(CLI::App& app, CommandContext& context);
 void add_overlay_command(CLI::App& app, CommandContext& context);
 

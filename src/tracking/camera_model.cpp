@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tracking/json_fields.h"
 #include <fmt/format.h>
@@ -20,6 +21,13 @@ Eigen::Vector2d distorted(const CameraModel& c, const Eigen::Vector2d& at) {
   return {x * radial + 2.0 * c.p1 * x * y + c.p2 * (r2 + 2.0 * x * x),
           y * radial + c.p1 * (r2 + 2.0 * y * y) + 2.0 * c.p2 * x * y};
 }
+
+constexpr std::pair<const char*, std::optional<int> CameraControls::*> control_fields[] = {
+    {"focus", &CameraControls::focus},
+    {"exposure", &CameraControls::exposure},
+    {"gain", &CameraControls::gain},
+    {"white_balance", &CameraControls::white_balance},
+    {"sharpness", &CameraControls::sharpness}};
 
 }  // namespace
 
@@ -92,7 +100,7 @@ CameraModel read_camera(const std::filesystem::path& file) {
   const nlohmann::json json = read_json_object(file, "camera");
   const JsonFields fields{json, file.string() + ": camera"};
   fields.know({"width", "height", "fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2", "k3", "tone_exponent",
-               "tone_contrast", "blur", "residual"});
+               "tone_contrast", "blur", "residual", "controls"});
   CameraModel camera;
   camera.width = static_cast<int>(fields.number("width", 16.0, 16384.0));
   camera.height = static_cast<int>(fields.number("height", 16.0, 16384.0));
@@ -114,6 +122,15 @@ CameraModel read_camera(const std::filesystem::path& file) {
   }
   camera.blur = fields.number("blur", 0.2, 10.0, 0.7);
   camera.residual = fields.number("residual", 0.0, 1000.0, 0.0);
+  if (json.contains("controls")) {
+    const nlohmann::json& entry = json["controls"];
+    const JsonFields controls{entry, fields.where + ": controls"};
+    if (!entry.is_object()) throw InputError(controls.where + " must be an object");
+    controls.know({"focus", "exposure", "gain", "white_balance", "sharpness"});
+    for (const auto& [name, field] : control_fields) {
+      if (entry.contains(name)) camera.controls.*field = static_cast<int>(controls.number(name, -1e9, 1e9));
+    }
+  }
   return camera;
 }
 
@@ -134,6 +151,11 @@ std::string camera_json(const CameraModel& camera) {
   json["tone_contrast"] = camera.tone.contrast;
   json["blur"] = camera.blur;
   json["residual"] = camera.residual;
+  nlohmann::ordered_json controls;
+  for (const auto& [name, field] : control_fields) {
+    if (camera.controls.*field) controls[name] = *(camera.controls.*field);
+  }
+  if (!controls.empty()) json["controls"] = controls;
   return json.dump(2) + "\n";
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,13 @@ struct ToneCurve {
   bool operator==(const ToneCurve&) const = default;
 };
 
+// What a camera was locked to, in the units of its own driver; absent: it has no such control.
+struct CameraControls {
+  std::optional<int> focus, exposure, gain, white_balance, sharpness;
+
+  bool operator==(const CameraControls&) const = default;
+};
+
 // A camera with a lens: pinhole, Brown's distortion (Brown 1966, as OpenCV numbers it), tone curve and blur.
 // Camera coordinates are mm, x to the right, y down, z forward; the centre of the upper left pixel is (0, 0).
 struct CameraModel {
@@ -32,6 +40,7 @@ struct CameraModel {
   ToneCurve tone;
   double blur = 0.7;      // standard deviation of the optical blur, pixels
   double residual = 0.0;  // RMS of the calibration, pixels; 0: not calibrated from pictures
+  CameraControls controls;
 
   // The pixel that sees a point in front of the camera (z > 0).
   Eigen::Vector2d project(const Vec3& point) const;

@@ -15,7 +15,7 @@ namespace bodkin::tracking {
 
 namespace {
 
-constexpr float white = 0.82F, black = 0.035F, plain = 0.45F, skin = 0.3F;  // reflectance
+constexpr float white = 0.82F, black = 0.035F, skin = 0.3F;  // reflectance
 
 // A sheet as the camera sees it at one instant of the exposure.
 struct SeenSheet {
@@ -23,6 +23,7 @@ struct SeenSheet {
   Vec3 eye = Vec3::Zero();          // the camera in the face's frame
   double sheet = 0.0, cell = 0.0;   // mm: half an edge, a cell
   bool marked = false;
+  float plain = 0.0F;  // reflectance of a sheet without a marker
   std::array<std::array<bool, marker_cells>, marker_cells> pattern{};
   float shade = 1.0F;
   int left = 0, top = 0, right = -1, bottom = -1;  // pixels that it may cover
@@ -41,6 +42,7 @@ bool front(SeenSheet& seen, const MarkerFace& face, const Pose& camera_from_body
   seen.eye = -(seen.to_face * place.translation());
   seen.sheet = 0.5 * face.sheet;
   seen.marked = face.id >= 0;
+  seen.plain = static_cast<float>(face.reflectance);
   seen.cell = face.side / marker_cells;
   if (seen.marked) seen.pattern = marker_pattern(face.id);
   // Light from above the camera's left shoulder.
@@ -71,7 +73,7 @@ float light_from(const SeenSheet& seen, const Vec3& ray, double& depth) {
   const double u = seen.eye.x() + far * along.x(), v = seen.eye.y() + far * along.y();
   if (std::abs(u) > seen.sheet || std::abs(v) > seen.sheet) return -1.0F;
   depth = far;
-  if (!seen.marked) return plain * seen.shade;
+  if (!seen.marked) return seen.plain * seen.shade;
   const int column = static_cast<int>(std::floor(u / seen.cell + 0.5 * marker_cells));
   const int row = static_cast<int>(std::floor(v / seen.cell + 0.5 * marker_cells));
   const bool on_marker = column >= 0 && row >= 0 && column < marker_cells && row < marker_cells;

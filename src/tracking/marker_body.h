@@ -25,6 +25,7 @@ struct MarkerFace {
   double side = 0.0;              // of the black square, mm
   double sheet = 0.0;             // edge of the white sheet, mm
   Pose place = Pose::Identity();  // face frame to body frame
+  double reflectance = 0.45;      // of a plain sheet, share of white; only what draws it asks
 
   // Upper left, upper right, lower right, lower left corner of the black square, body frame.
   std::array<Vec3, 4> corners() const;

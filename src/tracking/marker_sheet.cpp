@@ -21,6 +21,7 @@ constexpr double mm = 72.0 / 25.4;
 constexpr double short_side = 210.0 * mm, long_side = 297.0 * mm;  // A4
 constexpr double border = 8.0 * mm, ruler_room = 22.0 * mm;
 constexpr double tab = 8.0 * mm;  // width of a glue tab
+constexpr double darkest = 0.1;   // reflectance up to which a plain sheet is printed, black
 
 // A face laid flat: its middle and its axes on the paper.
 struct FlatFace {
@@ -37,7 +38,7 @@ std::vector<FlatFace> laid_flat(const MarkerBody& body) {
   std::vector<FlatFace> flat;
   const Pose* first = nullptr;
   for (const MarkerFace& face : body.faces) {
-    if (face.id < 0) continue;
+    if (face.id < 0 && face.reflectance > darkest) continue;
     if (first == nullptr) first = &face.place;
     const Pose relative = first->inverse() * face.place;
     FlatFace laid;
@@ -64,10 +65,11 @@ std::vector<FlatFace> laid_flat(const MarkerBody& body) {
 
 void draw_face(Canvas& canvas, const FlatFace& flat, bool folds) {
   const double cell = flat.side / marker_cells, half = 0.5 * flat.side, rim = 0.5 * flat.sheet;
-  const auto pattern = marker_pattern(flat.id);
   // Black first, then the white cells: no hairline shows between cells.
   canvas.fill(Path::polygon({flat.at(-half, -half), flat.at(half, -half), flat.at(half, half), flat.at(-half, half)}),
               Ink(0x000000));
+  if (flat.id < 0) return;
+  const auto pattern = marker_pattern(flat.id);
   for (int row = 0; row < marker_cells; ++row) {
     for (int column = 0; column < marker_cells; ++column) {
       if (!pattern[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)]) continue;

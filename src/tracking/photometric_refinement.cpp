@@ -96,6 +96,13 @@ PhotometricRefinement::PhotometricRefinement(const CameraModel& camera)
       light_(camera.tone.light_of_bytes()),
       variance_(camera.blur * camera.blur + 1.0 / 12.0) {}
 
+void PhotometricRefinement::set_light(const ToneCurve& tone, double blur) {
+  camera_.tone = tone;
+  camera_.blur = blur;
+  light_ = tone.light_of_bytes();
+  variance_ = blur * blur + 1.0 / 12.0;
+}
+
 bool PhotometricRefinement::gather(const GreyPicture& picture, const Face& face, const Pose& camera_from_body,
                                    int stride, Sums& sums) const {
   const MarkerFace& sheet = *face.face;

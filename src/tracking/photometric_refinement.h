@@ -40,6 +40,8 @@ class PhotometricRefinement {
                      int steps = 4) const;
 
   const CameraModel& camera() const { return camera_; }
+  // Another tone curve and blur of the same lens.
+  void set_light(const ToneCurve& tone, double blur);
 
  private:
   struct Row;  // what one step gathers from one face

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tracking/grey_picture.h"
+#include "tracking/marker_body.h"
+#include "tracking/marker_search.h"
+
+namespace bodkin::tracking {
+
+// A chessboard of which every white square carries a marker (ChArUco): its markers name its corners, so a picture may
+// show a part of it. Markers 22 to 49, which no body of a teaching station has.
+struct CalibrationBoard {
+  int columns = 7, rows = 8;  // squares; the upper left one is black
+  double square = 26.0;       // edge, mm
+
+  // The white squares with their markers, and where the black ones lie. Frame: origin in the middle of the board, x
+  // to the right, y down, z away from the viewer.
+  MarkerBody body() const;
+  // The same with its black squares as sheets, as it is printed and drawn.
+  MarkerBody printed() const;
+  // Inner corners: there are (columns - 1) (rows - 1), row by row.
+  int corner_count() const { return (columns - 1) * (rows - 1); }
+  Vec3 corner(int index) const;
+};
+
+// A corner of the chessboard in a picture.
+struct FoundCorner {
+  int index = 0;
+  Eigen::Vector2d at;  // pixels
+};
+
+// The inner corners of which both white squares were found. Where four squares meet, blur and tone curve shift
+// nothing: unlike the corners of a marker these have no bias.
+std::vector<FoundCorner> find_corners(const GreyPicture& picture, const CalibrationBoard& board,
+                                      const std::vector<FoundMarker>& markers);
+
+// A PDF (A4) of the board to print at 100 %, with a ruler. Throws InputError when it does not fit on the page.
+std::string calibration_board_pdf(const CalibrationBoard& board);
+
+}  // namespace bodkin::tracking

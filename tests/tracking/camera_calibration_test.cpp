@@ -1,0 +1,122 @@
+// A rendered camera whose lens, tone curve and blur are known is found again from pictures of the board.
+#include "tracking/camera_calibration.h"
+
+#include <cmath>
+#include <vector>
+
+#include "tracking/footage.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+
+namespace bodkin::tracking {
+namespace {
+
+using testing::HasSubstr;
+
+CameraModel true_camera() {
+  CameraModel camera = footage_camera(640, 480);
+  camera.tone = {1.8, 0.3};
+  camera.blur = 0.9;
+  return camera;
+}
+
+// The board before the camera: `n` from 0 to 11 tilts and moves it about.
+Pose board_place(int n) {
+  const double round = 2.0 * 3.14159265 * n / 12.0;
+  Pose pose = Pose::Identity();
+  pose.linear() = (Eigen::AngleAxisd(n == 0 ? 0.0 : 0.6, Vec3(std::cos(round), std::sin(round), 0.0)) *
+                   Eigen::AngleAxisd(0.4 * std::sin(3.0 * round), Vec3::UnitZ()))
+                      .toRotationMatrix();
+  pose.translation() =
+      Vec3(85.0 * std::cos(5.0 * round), 55.0 * std::sin(5.0 * round), 350.0 + 30.0 * std::sin(round));
+  return pose;
+}
+
+GreyPicture picture_of_board(const CameraModel& camera, const Pose& place, const Vec3& shift = Vec3::Zero()) {
+  static const MarkerBody printed = CalibrationBoard{}.printed();
+  FootageLook look;
+  look.samples = 4;
+  look.instants = 6;
+  PlacedBody body{&printed, place};
+  body.shift = shift;
+  return render_picture(camera, look, {body}, 5);
+}
+
+CalibrationOptions single_pictures() {
+  CalibrationOptions options;
+  options.in_motion = false;
+  return options;
+}
+
+TEST(CameraCalibration, finds_lens_tone_curve_and_blur_and_leaves_out_what_moved) {
+  const CameraModel truth = true_camera();
+  CameraCalibration calibration(CalibrationBoard{}, single_pictures());
+  for (int n = 0; n < 12; ++n)
+    ASSERT_EQ(calibration.add(picture_of_board(truth, board_place(n))), PictureUse::kept) << n;
+  Pose between = board_place(3);
+  between.translation() += Vec3(-30.0, 25.0, 10.0);
+  // 8 pixels during the exposure.
+  ASSERT_EQ(calibration.add(picture_of_board(truth, between, Vec3(5.5, 0.0, 0.0))), PictureUse::kept);
+  const CalibratedCamera made = calibration.solve();
+  EXPECT_EQ(made.refused, 1);
+  EXPECT_EQ(made.pictures, 12);
+  EXPECT_LT(made.residual, 0.15);
+  EXPECT_NEAR(made.camera.fx, truth.fx, 0.002 * truth.fx);
+  EXPECT_NEAR(made.camera.cx, truth.cx, 1.0);
+  EXPECT_NEAR(made.camera.cy, truth.cy, 1.0);
+  EXPECT_LT(std::abs(made.camera.fx - truth.fx), 4.0 * made.focal_deviation + 0.2);
+  // A ray is what matters: within a tenth of a pixel or two where the board was.
+  for (const Vec3& at : {Vec3(0.0, 0.0, 1.0), Vec3(0.4, 0.25, 1.0), Vec3(-0.4, -0.25, 1.0)}) {
+    const Eigen::Vector2d off = made.camera.project(at) - truth.project(at);
+    EXPECT_LT(off.norm(), 1.2);
+  }
+  EXPECT_NEAR(made.camera.blur, truth.blur, 0.15);
+  for (const double level : {0.3, 0.5, 0.7}) {
+    // Up to gain and offset, which do not matter: the share of the way from black to white.
+    const auto share = [&](const ToneCurve& tone) {
+      const double black = tone.light(0.15), white = tone.light(0.85);
+      return (tone.light(level) - black) / (white - black);
+    };
+    EXPECT_NEAR(share(made.camera.tone), share(truth.tone), 0.03) << level;
+  }
+}
+
+TEST(CameraCalibration, a_picture_counts_only_while_the_board_rests) {
+  const CameraModel truth = true_camera();
+  CameraCalibration calibration{CalibrationBoard{}};
+  const GreyPicture first = picture_of_board(truth, board_place(1));
+  EXPECT_EQ(calibration.add(first), PictureUse::moving);  // nothing to compare with yet
+  EXPECT_EQ(calibration.add(first), PictureUse::kept);
+  EXPECT_EQ(calibration.add(first), PictureUse::seen_already);
+  Pose moved = board_place(1);
+  moved.translation().x() += 1.5;  // two pixels
+  EXPECT_EQ(calibration.add(picture_of_board(truth, moved)), PictureUse::moving);
+  EXPECT_EQ(calibration.add(GreyPicture(640, 480)), PictureUse::few_corners);
+  EXPECT_THROW(calibration.add(GreyPicture(320, 240)), InputError);
+  EXPECT_THROW(calibration.solve(), InputError);
+  EXPECT_NE(calibration.advice(), "");
+}
+
+TEST(CalibrationBoard, corners_are_found_where_the_lens_puts_them) {
+  const CameraModel truth = true_camera();
+  const CalibrationBoard board;
+  const GreyPicture picture = picture_of_board(truth, board_place(2));
+  const std::vector<FoundCorner> corners = find_corners(picture, board, search_markers(picture));
+  ASSERT_GT(corners.size(), 30U);
+  double squares = 0.0;
+  for (const FoundCorner& corner : corners)
+    squares += (corner.at - truth.project(board_place(2) * board.corner(corner.index))).squaredNorm();
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(corners.size())), 0.12);
+}
+
+TEST(CalibrationBoard, fits_on_a_page) {
+  EXPECT_THAT(calibration_board_pdf(CalibrationBoard{}), HasSubstr("%PDF"));
+  CalibrationBoard large;
+  large.square = 40.0;
+  EXPECT_THROW(calibration_board_pdf(large), InputError);
+}
+
+}  // namespace
+}  // namespace bodkin::tracking
