@@ -23,5 +23,7 @@ struct CommandRow {
 };
 
 const std::vector<CommandRow>& command_table();
+// Those of a build with OpenCV, which are a part of it; none in another build.
+std::vector<CommandRow> tracking_commands();
 
 }  // namespace bodkin_test
