@@ -137,6 +137,8 @@ void MainWindow::connect_views() {
   connect(&practise_->view3d(), &View3d::body_placed, this, [this](const Vec3& middle, const Mat3& rotation) {
     practice_.place_body({middle, rotation});
   });
+  connect(&practise_->view3d(), &View3d::ready, this,
+          [this] { practice_.follow_points(practise_->view3d().deformable_points()); });
   connect(practise_, &PractisePage::again_requested, this, [this] { run(Command::again); });
   connect(practise_, &PractisePage::end_requested, this, [this] { run(Command::end); });
   connect(practise_, &PractisePage::warning_acknowledged, this, [this] { practice_.acknowledge(); });
@@ -327,13 +329,6 @@ void MainWindow::show_page(PageId id) {
 void MainWindow::open(const std::filesystem::path& patient) {
   if (patient.extension() == ".bodkin") return review(patient);
   practice_.choose(patient);
-}
-
-void MainWindow::follow(const std::string& server, const std::filesystem::path& patient) {
-  link::ClientSettings settings = link::parse_server(server, "--connect");
-  settings.largest_queue = std::size_t{1} << 16U;      // commands alone
-  settings.silence = std::chrono::milliseconds(3000);  // three of the messages that say "I live"
-  practice_.follow(settings, patient);
 }
 
 void MainWindow::perform(const std::filesystem::path& patient, const AttemptOptions& options) {

@@ -22,6 +22,13 @@ namespace bodkin::app {
 
 using namespace views;
 
+void MainWindow::follow(const std::string& server, const std::filesystem::path& patient) {
+  link::ClientSettings settings = link::parse_server(server, "--connect");
+  settings.largest_queue = std::size_t{1} << 16U;      // commands alone
+  settings.silence = std::chrono::milliseconds(3000);  // three of the messages that say "I live"
+  practice_.follow(settings, patient);
+}
+
 void MainWindow::run(Command command) {
   switch (command) {
     case Command::show_keys:

@@ -78,6 +78,11 @@ void Practice::follow(const link::ClientSettings& server, const std::filesystem:
   if (state() == State::preparing) server_ = server;
 }
 
+void Practice::follow_points(std::vector<Vec3> points) {
+  points_ = std::move(points);
+  link_.follow_points(points_);
+}
+
 void Practice::cancel() {
   if (state() != State::preparing) return;
   cases_.cancel();
@@ -181,6 +186,7 @@ void Practice::take_patient() {
     plan_ = patient_->description().procedure.path;
     models_.reset();
     left_needles_.clear();
+    points_.clear();  // of another patient
     mover_.begin(usual_place(plan_ ? *plan_ : unplanned_path(patient_->patient.tissues)));
     begin_attempt();
   }
@@ -276,6 +282,7 @@ void Practice::begin_following() {
   completing_.reset();  // the station ends its session itself
   const bool is_first = attempts_++ == 0;
   link_.follow(std::make_unique<RemoteStation>(*server_, patient_, !is_first));
+  link_.follow_points(points_);
 }
 
 bool Practice::is_decided_elsewhere() {

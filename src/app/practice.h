@@ -134,8 +134,9 @@ class Practice {
   // Sentences of station and guard of this attempt, the newest last.
   const std::vector<std::string>& log() const noexcept { return log_; }
   CaseModel& cases() noexcept { return cases_; }
-  // Points of a deformable body that a view wants to follow.
-  void follow(StationLink::Points points) { points_ = std::move(points); }
+  // Points of the skin (LPS mm, at rest) whose displacements a view draws when the body is a deformable one: from the
+  // next session on, and of a station elsewhere at once.
+  void follow_points(std::vector<Vec3> points);
 
  private:
   void begin_attempt();
@@ -177,7 +178,7 @@ class Practice {
   std::optional<ModelSettings> models_;
   anatomy::HapticSettings haptics_;  // with which the attempt began
   int attempts_ = 0;                 // with these options
-  StationLink::Points points_;
+  std::vector<Vec3> points_;
   BodyMover mover_;
   Frame frame_;
   Changes changes_;

@@ -61,6 +61,7 @@ struct ServeOptions {
 struct StartOrder {
   std::string folder;  // of the case
   std::string trainee;
+  bool begins = true;  // else the case is chosen only
 };
 
 // The case that `wanted` names inside `folder`; empty: `folder` itself. Never one elsewhere.
@@ -75,23 +76,31 @@ std::string case_for(const std::string& folder, const std::string& wanted) {
   throw InputError(fmt::format("this station has no case {}", io::in_quotes(wanted)));
 }
 
-std::optional<StartOrder> order_in(const link::Message& message, const ServeOptions& arguments) {
+// Nothing: the message asks for no session. `chosen`: the case of LoadCase, which this may change; empty: none.
+std::optional<StartOrder> order_in(const link::Message& message, const ServeOptions& arguments, std::string& chosen) {
   const std::optional<link::Command> command = link::command_of(message);
   if (!command) return std::nullopt;
-  if (command->name != "StartProcedure")
-    throw InputError("no session runs here; StartProcedure with Case=\"name\" starts one");
+  const bool loads = command->name == "LoadCase";
+  if (!loads && command->name != "StartProcedure" && command->name != "StartRecording") {
+    throw InputError(
+        "no session runs here; StartProcedure or StartRecording with Case=\"name\" starts one, LoadCase chooses it");
+  }
   const auto value = [&](const char* name) {
     const auto found = command->values.find(name);
     return found == command->values.end() ? std::string() : found->second;
   };
-  StartOrder order{case_for(arguments.perform.folder, value("Case")), value("Trainee")};
+  const std::string wanted = value("Case").empty() ? chosen : value("Case");
+  StartOrder order{case_for(arguments.perform.folder, wanted), value("Trainee")};
   if (!order.trainee.empty()) training::check_label(order.trainee, "Trainee");
+  if (loads) chosen = wanted;
+  order.begins = !loads;
   return order;
 }
 
 // Until a client asks for a session; nothing when a person ended the program first.
 std::optional<StartOrder> wait_for_order(link::Server& server, const ServeOptions& arguments, Console& console) {
   std::uint64_t greeted = 0;
+  std::string chosen;  // by LoadCase
   const nlohmann::json state = {{"guard", "waiting"}, {"message", "waits for StartProcedure"}};
   for (auto told = std::chrono::steady_clock::time_point{}; !WaitForOrder::is_ended();) {
     const auto now = std::chrono::steady_clock::now();
@@ -106,10 +115,13 @@ std::optional<StartOrder> wait_for_order(link::Server& server, const ServeOption
       bool success = false;
       std::string sentence = "the procedure begins";
       try {
-        std::optional<StartOrder> wanted = order_in(received.message, arguments);
+        std::optional<StartOrder> wanted = order_in(received.message, arguments, chosen);
         if (!wanted) continue;
         if (order) throw InputError("another client was first");
-        order = std::move(wanted);
+        if (wanted->begins)
+          order = std::move(wanted);
+        else
+          sentence = "the case is chosen; StartProcedure or StartRecording begins";
         success = true;
       } catch (const InputError& error) {
         sentence = error.what();
@@ -133,11 +145,18 @@ std::vector<link::WatchedStep> steps_of(const anatomy::Case& patient) {
 struct Served {
   Outcome outcome;
   nlohmann::ordered_json json;
+  bool again = false;                           // a client asked for Reset
+  std::optional<forces::ModelSettings> models;  // of the next session, when clients have changed them
 };
 
-Served serve_session(const PerformOptions& perform, double rate, link::Server& server, Console& console,
-                     CommandContext& context) {
+// `models`: in place of the case's.
+Served serve_session(const PerformOptions& perform, const std::optional<forces::ModelSettings>& models, double rate,
+                     link::Server& server, Console& console, CommandContext& context) {
   station::StationOptions options = station_options(perform, console);
+  if (models) {
+    options.patient.description.haptics = models->haptics;
+    options.patient.library = anatomy::TissueLibrary(models->tissues);
+  }
   if (!perform.ultrasound.empty()) options.ultrasound = station::choose_ultrasound(pane_request(perform.ultrasound));
   PerformScreen screen(console, options.longest);
   link::SessionFeed feed(server, screen, options.ultrasound, rate, steps_of(options.patient));
@@ -159,7 +178,7 @@ Served serve_session(const PerformOptions& perform, double rate, link::Server& s
   constexpr std::chrono::milliseconds patience{1000};  // with clients that read slowly
   server.publish({"STRING", "Score", link::time_now(), link::string_content(json.dump())}, false);
   server.flush(patience);
-  return {std::move(outcome), std::move(json)};
+  return {std::move(outcome), std::move(json), feed.commands().wants_again(), feed.commands().models()};
 }
 
 // "a.bodkin", "a-2.bodkin", ...: the first that is not there.
@@ -169,6 +188,22 @@ std::string free_session(const std::string& wanted) {
   for (int number = 2; fs::exists(name); ++number)
     name = path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), number, path.extension().string());
   return name.string();
+}
+
+// A session, and one more of the same kind as long as clients ask for Reset. Calls saved(served) after each; returns
+// the last one.
+template <typename Saved>
+Served serve_until_done(PerformOptions perform, double rate, link::Server& server, Console& console,
+                        CommandContext& context, const Saved& saved) {
+  const std::string wanted = perform.output;
+  std::optional<forces::ModelSettings> models;
+  while (true) {
+    Served served = serve_session(perform, models, rate, server, console, context);
+    saved(served, perform.output);
+    if (!served.again || context.exit_code != 0) return served;
+    if (served.models) models = served.models;
+    perform.output = free_session(wanted);
+  }
 }
 
 void serve_orders(const ServeOptions& arguments, link::Server& server, Console& console, CommandContext& context) {
@@ -181,10 +216,13 @@ void serve_orders(const ServeOptions& arguments, link::Server& server, Console& 
     perform.folder = order->folder;
     perform.output = free_session(arguments.perform.output);
     try {
-      const Outcome outcome = serve_session(perform, arguments.rate, server, console, context).outcome;
-      sessions.push_back({{"session", outcome.file.string()}, {"verdict", training::name_of(outcome.score.verdict)}});
       const std::string& trainee = order->trainee.empty() ? arguments.trainee : order->trainee;
-      if (!trainee.empty()) deliver_result(perform.output, trainee, arguments.store, console);
+      serve_until_done(
+          perform, arguments.rate, server, console, context, [&](const Served& served, const std::string& file) {
+            const training::Grade verdict = served.outcome.score.verdict;
+            sessions.push_back({{"session", served.outcome.file.string()}, {"verdict", training::name_of(verdict)}});
+            if (!trainee.empty()) deliver_result(file, trainee, arguments.store, console);
+          });
     } catch (const std::runtime_error& error) {
       console.note(error.what());  // of this order alone: the station waits for the next one
     }
@@ -205,12 +243,14 @@ void run_serve(const ServeOptions& arguments, CommandContext& context) {
     console.note(
         "every machine that reaches this one can look and give commands; without --listen only this one can");
   if (arguments.wait) return serve_orders(arguments, server, console, context);
-  nlohmann::ordered_json json = serve_session(arguments.perform, arguments.rate, server, console, context).json;
+  const auto deliver = [&](const Served&, const std::string& file) {
+    if (!arguments.trainee.empty()) deliver_result(file, arguments.trainee, arguments.store, console);
+  };
+  nlohmann::ordered_json json =
+      serve_until_done(arguments.perform, arguments.rate, server, console, context, deliver).json;
   const link::ServerCounts counts = server.counts();
   console.note(fmt::format("{} clients, {} messages sent, {} received, {} clients dropped", counts.accepted,
                            counts.sent, counts.received, counts.dropped));
-  if (!arguments.trainee.empty())
-    deliver_result(arguments.perform.output, arguments.trainee, arguments.store, console);
   json["clients"] = counts.accepted;
   json["clients_dropped"] = counts.dropped;
   json["messages_sent"] = counts.sent;

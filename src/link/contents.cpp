@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint16_t us_ascii = 3;  // of the IANA's numbers of character sets
 constexpr std::uint8_t float64 = 11;   // scalar types of NDARRAY and IMAGE
-constexpr std::uint8_t uint8 = 3;
+constexpr std::uint8_t uint8 = 3, int16 = 4;
 constexpr std::uint8_t six_degrees = 2;  // of a tool of TDATA
 constexpr std::size_t most_values = 1 << 22;
 
@@ -30,6 +30,22 @@ void put_matrix(ByteWriter& writer, const Pose& ras) {
 void put_point(ByteWriter& writer, const Vec3& lps) {
   const Vec3 ras = turned(lps);
   for (int axis = 0; axis < 3; ++axis) writer.f32(static_cast<float>(ras[axis]));
+}
+
+// Of an image with one number a voxel. Its place is its middle, not its corner.
+void put_image_header(ByteWriter& writer, std::uint8_t type, std::uint8_t byte_order, const anatomy::Grid& grid) {
+  constexpr std::uint16_t image_version = 1;
+  constexpr std::uint8_t right_anterior_superior = 1;
+  writer.u16(image_version);
+  writer.u8(1);  // numbers a voxel
+  writer.u8(type);
+  writer.u8(byte_order);
+  writer.u8(right_anterior_superior);
+  for (const int count : grid.size) writer.u16(static_cast<std::uint16_t>(count));
+  for (int axis = 0; axis < 3; ++axis) put_point(writer, grid.spacing[axis] * grid.direction.col(axis));
+  put_point(writer, grid.to_patient(0.5 * Vec3(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1)));
+  for (int axis = 0; axis < 3; ++axis) writer.u16(0);  // the whole image, not a part
+  for (const int count : grid.size) writer.u16(static_cast<std::uint16_t>(count));
 }
 
 }  // namespace
@@ -157,29 +173,60 @@ Bytes surface_content(std::span<const Vec3> points, std::span<const std::array<i
   return writer.take();
 }
 
+std::vector<Vec3> read_surface_points(std::span<const std::uint8_t> content) {
+  constexpr std::size_t other_counts = 9, point_size = 12;
+  ByteReader reader(content);
+  const std::size_t count = reader.u32();
+  for (std::size_t i = 0; i < other_counts; ++i) reader.u32();
+  if (count > reader.left() / point_size)
+    throw InputError(fmt::format("a surface of {} points comes with {} bytes", count, reader.left()));
+  std::vector<Vec3> points(count);
+  for (Vec3& point : points) {
+    const auto x = static_cast<double>(reader.f32()), y = static_cast<double>(reader.f32());
+    point = turned({x, y, static_cast<double>(reader.f32())});
+    if (!point.allFinite()) throw InputError("a surface has a point that is not a finite number");
+  }
+  return points;
+}
+
 Bytes image_content(std::span<const std::uint8_t> pixels, int columns, int rows, double pixel, const Pose& pose) {
-  constexpr std::uint16_t image_version = 1;
-  constexpr std::uint8_t either_end = 2, right_anterior_superior = 1;
+  constexpr std::uint8_t either_end = 2;
   if (columns < 1 || rows < 1 ||
       pixels.size() != static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {
     throw InputError(fmt::format("{} pixels are no picture of {} x {}", pixels.size(), columns, rows));
   }
-  // The centre of the picture, not its corner, is its place.
-  const Vec3 middle = pose * Vec3(0.5 * (columns - 1) * pixel, 0.5 * (rows - 1) * pixel, 0.0);
+  const anatomy::Grid grid{{columns, rows, 1}, Vec3::Constant(pixel), pose.linear(), pose.translation()};
   ByteWriter writer;
-  writer.u16(image_version);
-  writer.u8(1);  // numbers a pixel
-  writer.u8(uint8);
-  writer.u8(either_end);
-  writer.u8(right_anterior_superior);
-  const std::array<std::uint16_t, 3> size = {static_cast<std::uint16_t>(columns), static_cast<std::uint16_t>(rows),
-                                             1};
-  for (const std::uint16_t count : size) writer.u16(count);
-  for (int axis = 0; axis < 3; ++axis) put_point(writer, pixel * pose.linear().col(axis));
-  put_point(writer, middle);
-  for (int axis = 0; axis < 3; ++axis) writer.u16(0);  // the whole picture, not a part
-  for (const std::uint16_t count : size) writer.u16(count);
+  put_image_header(writer, uint8, either_end, grid);
   writer.raw(pixels);
+  return writer.take();
+}
+
+Bytes volume_header(const anatomy::Grid& grid) {
+  constexpr std::uint8_t lowest_first = 2;
+  for (const int count : grid.size) {
+    if (count < 1 || count > std::numeric_limits<std::uint16_t>::max())
+      throw InputError(fmt::format("an image has {} voxels along an axis, expected 1 to 65,535", count));
+  }
+  ByteWriter writer;
+  put_image_header(writer, int16, lowest_first, grid);
+  return writer.take();
+}
+
+Bytes image_list_content(std::span<const ListedImage> images) {
+  constexpr std::size_t text = 64, device = 20, modality = 32;
+  ByteWriter writer;
+  for (const ListedImage& image : images) {
+    writer.field(image.name, text);
+    writer.field(image.device, device);
+    writer.field(image.modality, modality);
+    writer.field({}, text);  // of the patient: name
+    writer.field({}, text);  // and number
+    writer.u64(0);           // time of the scan
+    for (const int count : image.size) writer.u16(static_cast<std::uint16_t>(count));
+    writer.u8(int16);
+    writer.u8(0);
+  }
   return writer.take();
 }
 

@@ -8,6 +8,7 @@
 
 #include "link/bytes.h"
 
+#include "anatomy/grid.h"
 #include "core/geometry.h"
 
 // What the kinds of message contain (OpenIGTLink's protocol, header version 1). Coordinates on the network are RAS in
@@ -52,9 +53,24 @@ Bytes points_content(std::span<const NamedPoint> points);
 Bytes surface_content(std::span<const Vec3> points, std::span<const std::array<int, 3>> triangles,
                       std::span<const int> line);
 
+// The points of a POLYDATA, LPS mm. Throws InputError for fewer bytes than it names and for what is not finite.
+std::vector<Vec3> read_surface_points(std::span<const std::uint8_t> content);
+
 // IMAGE of unsigned bytes, `columns` x `rows` x 1 in a row each. `pose`: of the centre of its first pixel, first axis
 // along a row, second down the columns, LPS; `pixel` mm.
 Bytes image_content(std::span<const std::uint8_t> pixels, int columns, int rows, double pixel, const Pose& pose);
+
+// What stands before the voxels in an IMAGE of 16-bit numbers with signs, the lowest byte first, on that lattice.
+Bytes volume_header(const anatomy::Grid& grid);
+
+// IMGMETA: the images of 16-bit numbers that can be asked for.
+struct ListedImage {
+  std::string name;      // for people, at most 64 bytes
+  std::string device;    // that GET_IMAGE names, at most 20 bytes
+  std::string modality;  // at most 32 bytes
+  std::array<int, 3> size = {0, 0, 0};
+};
+Bytes image_list_content(std::span<const ListedImage> images);
 
 // The bytes of an IMAGE of unsigned bytes with one slice. Throws InputError for another kind, for a part of a
 // picture, and for fewer bytes than it names.

@@ -48,25 +48,31 @@ bool is_printable(const std::string& text) {
 
 }  // namespace
 
-std::uint64_t crc64(std::span<const std::uint8_t> bytes) noexcept {
-  std::uint64_t crc = 0;
+std::uint64_t crc64(std::span<const std::uint8_t> bytes, std::uint64_t before) noexcept {
+  std::uint64_t crc = before;
   for (const std::uint8_t byte : bytes) crc = crc_table[(crc >> 56U) ^ byte] ^ (crc << 8U);
   return crc;
 }
 
+Bytes pack_header(const MessageHeader& header) {
+  check_name(header.type, type_size, "type");
+  check_name(header.device, device_size, "device name");
+  if (header.type.empty()) throw InputError("a message has no type, expected one such as TRANSFORM");
+  ByteWriter writer;
+  writer.u16(1);
+  writer.field(header.type, type_size);
+  writer.field(header.device, device_size);
+  writer.u64(time_stamp(header.time));
+  writer.u64(header.body_size);
+  writer.u64(header.crc);
+  return writer.take();
+}
+
 Bytes pack(const Message& message) {
-  check_name(message.type, type_size, "type");
-  check_name(message.device, device_size, "device name");
-  if (message.type.empty()) throw InputError("a message has no type, expected one such as TRANSFORM");
-  ByteWriter header;
-  header.u16(1);
-  header.field(message.type, type_size);
-  header.field(message.device, device_size);
-  header.u64(time_stamp(message.time));
-  header.u64(message.content.size());
-  header.u64(crc64(message.content));
-  header.raw(message.content);
-  return header.take();
+  const std::uint64_t crc = crc64(message.content);
+  Bytes bytes = pack_header({1, message.type, message.device, message.time, message.content.size(), crc});
+  bytes.insert(bytes.end(), message.content.begin(), message.content.end());
+  return bytes;
 }
 
 MessageHeader read_header(std::span<const std::uint8_t> bytes) {

@@ -27,12 +27,15 @@ struct MessageHeader {
   std::uint64_t crc = 0;        // of the body
 };
 
-// CRC-64 of ECMA-182, as the protocol uses it: highest bit first, from 0, nothing inverted.
-std::uint64_t crc64(std::span<const std::uint8_t> bytes) noexcept;
+// CRC-64 of ECMA-182, as the protocol uses it: highest bit first, from 0, nothing inverted. `before`: that of the
+// bytes that come before these.
+std::uint64_t crc64(std::span<const std::uint8_t> bytes, std::uint64_t before = 0) noexcept;
 
 // Header of version 1 and body. Throws InputError when the type or the device's name is too long for its field or
 // empty (the type).
 Bytes pack(const Message& message);
+// The header alone, of version 1. Throws the same.
+Bytes pack_header(const MessageHeader& header);
 
 // Throws InputError for fewer than 58 bytes, a version of 0 or above 255, and a type or name that is not printable
 // ASCII, which is how a stream that speaks another protocol looks.

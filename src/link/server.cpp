@@ -39,6 +39,7 @@ struct Connection {
   struct Waiting {
     std::string replaceable;  // type and device of a message that a newer one replaces; empty: it is sent in any case
     Packed bytes;
+    std::size_t counted = 0;  // bytes of `queued`: none when the message is shared by all
   };
 
   tcp::socket socket;
@@ -243,14 +244,15 @@ void Server::Shared::queue(const std::shared_ptr<Connection>& connection, const 
       Connection::Waiting& waiting = connection->queue[i];
       if (waiting.replaceable != replaceable) continue;
       connection->queued += bytes->size();
-      connection->queued -= waiting.bytes->size();
+      connection->queued -= waiting.counted;
       waiting.bytes = bytes;
+      waiting.counted = bytes->size();
       return;
     }
   }
   if (connection->queued + bytes->size() > settings.largest_queue)
     return close(*connection, "it does not take what it asked for");
-  connection->queue.push_back({replaceable, bytes});
+  connection->queue.push_back({replaceable, bytes, bytes->size()});
   connection->queued += bytes->size();
   if (!connection->writes) write(connection);
 }
@@ -262,7 +264,7 @@ void Server::Shared::write(const std::shared_ptr<Connection>& connection) {
                     [this, connection, bytes](const error_code& error, std::size_t /*size*/) {
                       connection->writes = false;
                       if (error) return close(*connection, {});
-                      connection->queued -= bytes->size();
+                      connection->queued -= connection->queue.front().counted;
                       connection->queue.pop_front();
                       {
                         const std::lock_guard lock(mutex);
@@ -328,6 +330,19 @@ void Server::send(std::uint64_t client, const Message& message) {
     if (found == shared->connections.end()) return;
     const std::shared_ptr<Connection> connection = found->second;
     shared->queue(connection, {}, bytes);
+  });
+}
+
+void Server::send_shared(std::uint64_t client, const std::string& name, std::shared_ptr<const Bytes> packed) {
+  asio::post(shared_->context, [shared = shared_.get(), packed = std::move(packed), client, name] {
+    const auto found = shared->connections.find(client);
+    if (found == shared->connections.end()) return;
+    Connection& connection = *found->second;
+    const bool is_under_way = std::any_of(connection.queue.begin(), connection.queue.end(),
+                                          [&name](const auto& waiting) { return waiting.replaceable == name; });
+    if (is_under_way) return;
+    connection.queue.push_back({name, packed, 0});
+    if (!connection.writes) shared->write(found->second);
   });
 }
 

@@ -58,6 +58,9 @@ class Server {
   void publish_tracking(const Message& message);
   // To one client; nothing happens when it is gone.
   void send(std::uint64_t client, const Message& message);
+  // A packed message too large for the queue of each client, of which all share one copy: a CT. While one of this
+  // name is on its way to a client, another one is not sent to it.
+  void send_shared(std::uint64_t client, const std::string& name, std::shared_ptr<const Bytes> packed);
   // Waits until everything published has left for the clients, at most so long.
   void flush(std::chrono::milliseconds longest);
   // What came since the last call, in order; at most 1024 are kept. GET_STATUS, STT_TDATA and STP_TDATA are answered

@@ -29,22 +29,12 @@ Pose needle_in_body(const station::HandSnapshot& needle) {
   return pose;
 }
 
-// On="true" of a command, or the other way round from `now`.
-bool wanted(const Command& command, bool now) {
-  const auto found = command.values.find("On");
-  if (found == command.values.end()) return !now;
-  if (found->second == "true" || found->second == "1") return true;
-  if (found->second == "false" || found->second == "0") return false;
-  throw InputError(
-      fmt::format("On of the command {} is '{}', expected true or false", command.name, found->second.substr(0, 40)));
-}
-
 }  // namespace
 
 SessionFeed::SessionFeed(Server& server, station::StationObserver& screen,
                          const std::optional<station::UltrasoundChoice>& ultrasound, double rate,
                          std::vector<WatchedStep> steps)
-    : server_(server), screen_(screen), ultrasound_(ultrasound), rate_(rate), steps_(std::move(steps)) {
+    : server_(server), screen_(screen), rate_(rate), steps_(std::move(steps)), commands_(ultrasound) {
   constexpr double highest_rate = 240.0;
   if (!(rate >= 1.0 && rate <= highest_rate))
     throw InputError(fmt::format("the rate is {:g} a second, expected 1 to {:g}", rate, highest_rate));
@@ -52,6 +42,7 @@ SessionFeed::SessionFeed(Server& server, station::StationObserver& screen,
 
 std::vector<Vec3> SessionFeed::prepare(const anatomy::Case& patient, const fem::BodyDescription* body) {
   tissues_ = io::volume_digest(patient.tissues);
+  deforms_ = body != nullptr;
   skin_ = SkinSheet(patient);
   std::vector<Vec3> points = screen_.prepare(patient, body);
   screen_points_ = points.size();
@@ -105,6 +96,7 @@ void SessionFeed::greet(const anatomy::Case& patient, std::span<const forces::Di
                     {"tip", anatomy::to_string(about.needle.tip)}};
   json["rate_hz"] = about.haptics.rate;
   json["tissues_digest"] = tissues_;
+  json["deformable_body"] = deforms_;
   json["needle_state_columns"] = needle_state_columns(diagnostics);
   json["force_columns"] = {"time_s", "depth_mm", "force_N", "resistance_N", "constraint_N", "tissue"};
   server_.publish({"STRING", "Case", now, string_content(json.dump())}, false);
@@ -200,86 +192,41 @@ void SessionFeed::send_picture(const station::LivePicture& picture, double now) 
                   true);
 }
 
+// Of the images that a client may fetch: which there are, or one of them.
+bool SessionFeed::is_query(const Received& received, const anatomy::Case& patient, double now) {
+  const std::string& type = received.message.type;
+  if (type == "GET_IMGMETA") {
+    const ListedImage ct{
+        .name = patient.description.name, .device = "CT", .modality = "CT", .size = patient.ct.grid.size};
+    server_.send(received.client, {"IMGMETA", received.message.device, now, image_list_content({&ct, 1})});
+    return true;
+  }
+  if (type != "GET_IMAGE" || received.message.device != "CT") return false;
+  if (!ct_) ct_.emplace(patient.ct);
+  waiting_for_ct_.push_back(received.client);
+  return true;
+}
+
 void SessionFeed::answer(station::Station& station, const station::StationStatus& status, double now) {
   for (const Received& received : server_.take()) {
     bool success = false;
     std::string sentence;
     try {
+      if (is_query(received, station.patient(), now)) continue;
       const std::optional<Command> command = command_of(received.message);
       if (!command) continue;  // a message that means nothing here
-      sentence = apply(*command, station, status);
+      SessionCommands::Answer answer = commands_.apply(*command, station, status);
+      if (answer.besides) server_.send(received.client, *answer.besides);
+      sentence = std::move(answer.sentence);
       success = true;
     } catch (const InputError& error) {
       sentence = error.what();
     }
     server_.send(received.client, reply_to(received.message, success, sentence, now));
   }
-}
-
-std::string SessionFeed::apply(const Command& command, station::Station& station,
-                               const station::StationStatus& status) {
-  using station::StationCommand;
-  const haptics::ServoSnapshot& servo = status.servo;
-  if (command.name == "Freeze") {
-    const bool on = wanted(command, servo.frozen);
-    if (on != servo.frozen) station.command(StationCommand::toggle_hold);
-    return on ? "the needle is held" : "the needle follows the hand";
-  }
-  if (command.name == "Clutch") {
-    const bool on = wanted(command, servo.clutched);
-    if (on != servo.clutched) station.command(StationCommand::toggle_clutch);
-    return on ? "the hand is free" : "the needle follows the hand";
-  }
-  if (command.name == "Arm") return station.command(StationCommand::arm), "the force is armed";
-  if (command.name == "Disarm") return station.command(StationCommand::disarm), "the force fades";
-  if (command.name == "StopRecording") return station.command(StationCommand::end), "the session ends and is saved";
-  if (command.name == "Plunger") {
-    const bool on = wanted(command, status.plunger_pressed);
-    station.command(on ? StationCommand::press_plunger : StationCommand::release_plunger);
-    return on ? "the thumb is on the plunger" : "the thumb is off the plunger";
-  }
-  if (command.name == "Finger")
-    return station.command(StationCommand::turn_finger), "the finger takes the place of the needle, or gives it back";
-  if (command.name == "Stylet")
-    return station.command(StationCommand::turn_stylet), "the stylet comes out of the needle, or goes back";
-  if (command.name == "Manometer")
-    return station.command(StationCommand::turn_manometer), "the manometer is connected, or taken off";
-  if (command.name == "RequestDeviceIds")
-    return ultrasound_ ? "NeedleTipToReference,ProbeToReference,Image_Reference" : "NeedleTipToReference";
-  if (command.name == "StartProcedure") throw InputError("a session runs already; StopRecording ends it");
-  if (command.name != "SetUsParameter" && command.name != "GetUsParameter") {
-    throw InputError(
-        fmt::format("the command {} is not known; expected Freeze, Clutch, Plunger, Finger, Stylet, Manometer, Arm, "
-                    "Disarm, StopRecording, "
-                    "RequestDeviceIds, SetUsParameter or GetUsParameter",
-                    command.name));
-  }
-  if (!ultrasound_ || status.ultrasound == nullptr)
-    throw InputError("this session has no ultrasound; start bodkin serve with --ultrasound PROBE");
-  station::ScanOrder order = order_.value_or(status.ultrasound->order);
-  order.probe = status.ultrasound->order.probe;
-  if (command.name == "GetUsParameter") {
-    return fmt::format("DepthMm={:g},GainDb={:g},FrequencyMhz={:g},FocusMm={:g}", order.settings.depth,
-                       order.settings.gain, order.settings.frequency, order.settings.focus);
-  }
-  for (const auto& [name, value] : command.values) {
-    if (name == "DepthMm")
-      order.settings.depth = command.number(name);
-    else if (name == "GainDb")
-      order.settings.gain = command.number(name);
-    else if (name == "FrequencyMhz")
-      order.settings.frequency = command.number(name);
-    else if (name == "FocusMm")
-      order.settings.focus = command.number(name);
-    else if (name != "UsDeviceId")
-      throw InputError(
-          fmt::format("{} is no setting of the ultrasound; expected DepthMm, GainDb, FrequencyMhz or FocusMm",
-                      name.substr(0, 40)));
-  }
-  imaging::check(order.settings, ultrasound_->probe);
-  station.set_scan_order(order);
-  order_ = order;
-  return "the ultrasound is set";
+  if (waiting_for_ct_.empty() || !ct_->proceed()) return;
+  for (const std::uint64_t client : waiting_for_ct_) server_.send_shared(client, "IMAGE CT", ct_->packed());
+  waiting_for_ct_.clear();
 }
 
 }  // namespace bodkin::link

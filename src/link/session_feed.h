@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "link/command.h"
+#include "link/ct_message.h"
 #include "link/server.h"
+#include "link/session_commands.h"
 #include "link/skin_sheet.h"
 #include "link/step_watch.h"
 #include "station/puncture_watch.h"
@@ -33,6 +34,9 @@ class SessionFeed : public station::StationObserver {
   std::chrono::milliseconds interval() const override;
   void update(station::Station& station, const station::StationStatus& status) override;
 
+  // What clients have asked for beyond this session.
+  const SessionCommands& commands() const { return commands_; }
+
  private:
   void greet(const anatomy::Case& patient, std::span<const forces::DiagnosticName> diagnostics, double now);
   void send_poses(const station::StationStatus& status, double now);
@@ -41,24 +45,25 @@ class SessionFeed : public station::StationObserver {
   void send_skin(const station::StationStatus& status, std::span<const float> displacements, double now);
   void send_state(const station::StationStatus& status, const anatomy::TissueLibrary& library, double now);
   void send_picture(const station::LivePicture& picture, double now);
+  bool is_query(const Received& received, const anatomy::Case& patient, double now);
   void answer(station::Station& station, const station::StationStatus& status, double now);
-  // The answer to a command; throws InputError when it cannot be done.
-  std::string apply(const Command& command, station::Station& station, const station::StationStatus& status);
 
   Server& server_;
   station::StationObserver& screen_;
-  std::optional<station::UltrasoundChoice> ultrasound_;
   double rate_;
   StepWatch steps_;
-  std::optional<station::ScanOrder> order_;  // that clients have made
-  std::uint64_t greeted_ = 0;                // clients accepted when all were told of the patient
-  std::uint64_t picture_ = 0;                // number of the last one that was sent
-  std::string state_;                        // that was sent last
+  SessionCommands commands_;
+  std::optional<CtMessage> ct_;  // once a client has asked for it
+  std::vector<std::uint64_t> waiting_for_ct_;
+  std::uint64_t greeted_ = 0;  // clients accepted when all were told of the patient
+  std::uint64_t picture_ = 0;  // number of the last one that was sent
+  std::string state_;          // that was sent last
   SkinSheet skin_;
   station::PunctureWatch contact_;
   std::size_t screen_points_ = 0;  // of a deformable body that the screen follows; those of the skin come after them
   double dimple_ = 0.0;            // mm, that was sent last
   std::string tissues_;            // fingerprint of the patient's tissue voxels
+  bool deforms_ = false;           // the body is a deformable one
 };
 
 }  // namespace bodkin::link

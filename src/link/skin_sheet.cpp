@@ -1,5 +1,6 @@
 #include "link/skin_sheet.h"
 
+#include <cmath>
 #include <optional>
 
 #include "station/puncture_watch.h"
@@ -27,13 +28,16 @@ std::optional<Vec3> skin_on(const anatomy::TissueVolume& tissues, const Vec3& fr
 SkinSheet::SkinSheet(const anatomy::Case& patient) {
   const std::optional<anatomy::NeedlePath>& path = patient.description.procedure.path;
   if (!path || !(path->length() > 0.0)) return;
-  const Vec3 along = path->direction(), right = along.unitOrthogonal(), up = along.cross(right);
-  std::vector<int> index(static_cast<std::size_t>(points_across) * points_across, -1);
-  const auto at = [&](int i, int j) -> int& { return index[static_cast<std::size_t>(j * points_across + i)]; };
+  const Vec3 along = path->direction();
+  middle_ = path->entry;
+  right_ = along.unitOrthogonal();
+  up_ = along.cross(right_);
+  index_.assign(static_cast<std::size_t>(points_across) * points_across, -1);
+  const auto at = [&](int i, int j) -> int& { return index_[static_cast<std::size_t>(j * points_across + i)]; };
   for (int j = 0; j < points_across; ++j) {
     for (int i = 0; i < points_across; ++i) {
       const double x = spacing * (i - points_across / 2), y = spacing * (j - points_across / 2);
-      const std::optional<Vec3> skin = skin_on(patient.tissues, path->entry + x * right + y * up, along);
+      const std::optional<Vec3> skin = skin_on(patient.tissues, middle_ + x * right_ + y * up_, along);
       if (!skin) continue;
       at(i, j) = static_cast<int>(rest_.size());
       rest_.push_back(*skin);
@@ -63,6 +67,34 @@ std::vector<Vec3> SkinSheet::moved(const Pose& needle, double dimple, std::span<
     point += dimple * station::dimple_share(distance) * along;
   }
   return points;
+}
+
+std::vector<float> SkinSheet::displacements_at(std::span<const Vec3> points, std::span<const Vec3> moved) const {
+  std::vector<float> found(3 * points.size(), 0.0F);
+  if (moved.size() != rest_.size()) return found;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const Vec3 from = points[p] - middle_;
+    const double x = from.dot(right_) / spacing + points_across / 2, y = from.dot(up_) / spacing + points_across / 2;
+    const double left = std::floor(x), low = std::floor(y);
+    if (!(left >= 0.0 && low >= 0.0 && left + 1.0 < points_across && low + 1.0 < points_across)) continue;
+    Vec3 sum = Vec3::Zero();
+    double weights = 0.0;
+    for (int corner = 0; corner < 4; ++corner) {
+      const int right = corner % 2, up = corner / 2;
+      const int at = index_[static_cast<std::size_t>((static_cast<int>(low) + up) * points_across +
+                                                     static_cast<int>(left) + right)];
+      if (at < 0) continue;
+      const auto i = static_cast<std::size_t>(at);
+      const double weight = (right == 1 ? x - left : 1.0 - (x - left)) * (up == 1 ? y - low : 1.0 - (y - low));
+      sum += weight * (moved[i] - rest_[i]);
+      weights += weight;
+    }
+    if (weights == 0.0) continue;
+    sum /= weights;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      found[3 * p + axis] = static_cast<float>(sum[static_cast<Eigen::Index>(axis)]);
+  }
+  return found;
 }
 
 }  // namespace bodkin::link

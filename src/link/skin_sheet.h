@@ -26,7 +26,13 @@ class SkinSheet {
   // already hold what the needle does. Other numbers of them than three a point are ignored.
   std::vector<Vec3> moved(const Pose& needle, double dimple, std::span<const float> displacements) const;
 
+  // How far other points near the skin have moved, mm, x y z of each in turn: bilinear between the points of this
+  // sheet, which are now at `moved`; zero beyond its border. All zero when there are not as many as in rest().
+  std::vector<float> displacements_at(std::span<const Vec3> points, std::span<const Vec3> moved) const;
+
  private:
+  Vec3 middle_ = Vec3::Zero(), right_ = Vec3::UnitX(), up_ = Vec3::UnitY();
+  std::vector<int> index_;  // of each place of the lattice in rest(); -1: there is no skin
   std::vector<Vec3> rest_;
   std::vector<std::array<int, 3>> triangles_;
 };

@@ -28,6 +28,8 @@ using haptics::DriverSettings;
 struct TrackingSettings {
   ClientSettings server;
   std::string tool = "NeedleTipToReference";
+  std::string
+      reference;  // to which the tool is taken, in the same tracker's frame: "ReferenceToTracker"; empty: none
   TrackedPlacement placement;
   double rate = 1000.0;        // Hz
   double patience = 0.5;       // s without a pose; 0: for ever
@@ -51,8 +53,8 @@ std::optional<Mat3> axes_of_tracker(const std::string& text) {
 
 TrackingSettings tracking_settings(const std::string& identity, const char* words) {
   const DriverSettings given(
-      words, {"frame", "axes", "points", "middle_x_mm", "middle_y_mm", "middle_z_mm", "patient_x_mm", "patient_y_mm",
-              "patient_z_mm", "rate_Hz", "patience_ms", "first_pose_s", "tdata_ms"});
+      words, {"reference", "frame", "axes", "points", "middle_x_mm", "middle_y_mm", "middle_z_mm", "patient_x_mm",
+              "patient_y_mm", "patient_z_mm", "rate_Hz", "patience_ms", "first_pose_s", "tdata_ms"});
   constexpr double farthest = 1e4;  // mm
   TrackingSettings settings;
   const std::size_t slash = identity.find('/');
@@ -68,6 +70,13 @@ TrackingSettings tracking_settings(const std::string& identity, const char* word
                         fmt::format("the tool is '{}', expected a name of 1 to 20 letters, as in "
                                     "openigtlink:localhost:18944/NeedleTipToReference",
                                     settings.tool.substr(0, 60)));
+  }
+  settings.reference = given.text("reference", "");
+  if (settings.reference.size() > 20 || settings.reference == settings.tool) {
+    throw DriverFailure(BODKIN_BAD_SETTINGS,
+                        fmt::format("the setting reference is '{}', expected another tool of at most 20 letters, as "
+                                    "ReferenceToTracker of a tracked mannequin",
+                                    settings.reference.substr(0, 60)));
   }
   const std::string frame = given.text("frame", "patient");
   if (frame != "patient" && frame != "hand") {
@@ -172,10 +181,22 @@ class TrackingDevice : public haptics::OpenDevice {
 
   void take(const Message& message) noexcept {
     try {
-      const std::optional<Pose> pose = pose_of_tool(message, settings_.tool);
+      const double now = haptics::monotonic_seconds();
+      if (!settings_.reference.empty()) {
+        if (const std::optional<Pose> found = pose_of_tool(message, settings_.reference)) {
+          reference_ = found;
+          reference_time_ = now;
+        }
+      }
+      std::optional<Pose> pose = pose_of_tool(message, settings_.tool);
       if (!pose) return;
+      if (!settings_.reference.empty()) {
+        if (!reference_ || (settings_.patience > 0.0 && now - reference_time_ > settings_.patience)) return;
+        // Both have come with the tracker's axes turned to LPS, which their quotient takes back.
+        pose = turn_axes(reference_->inverse() * *pose);
+      }
       const std::uint64_t number = poses_.load() + 1;
-      readings_.write({settings_.placement.to_operator(*pose), haptics::monotonic_seconds(), number});
+      readings_.write({settings_.placement.to_operator(*pose), now, number});
       poses_.store(number);
     } catch (const std::exception& error) {
       const std::lock_guard lock(mutex_);
@@ -191,13 +212,16 @@ class TrackingDevice : public haptics::OpenDevice {
     }
     const std::lock_guard lock(mutex_);
     if (!refused_.empty()) return refused_;
-    return fmt::format("{} is connected and sends no {}: is the tool in sight, and is that its name?",
-                       client_.place(), settings_.tool);
+    return fmt::format("{} is connected and sends no {}{}: is the tool in sight, and is that its name?",
+                       client_.place(), settings_.tool,
+                       settings_.reference.empty() ? "" : " with " + settings_.reference);
   }
 
   TrackingSettings settings_;
   LatestValue<Reading> readings_;
   std::atomic<std::uint64_t> poses_{0};
+  std::optional<Pose> reference_;  // of the client's thread
+  double reference_time_ = 0.0;    // s, monotonic, when it came
   TrackedMotion motion_;
   std::uint64_t seen_ = 0;
   mutable std::mutex mutex_;

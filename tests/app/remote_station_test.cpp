@@ -2,6 +2,7 @@
 #include "app/models/remote_station.h"
 
 #include "link/contents.h"
+#include "link/skin_sheet.h"
 #include "session/session_file.h"
 #include "tests/app/window_fixture.h"
 #include "tests/link/served_session.h"
@@ -9,6 +10,7 @@
 #include <unistd.h>
 
 #include "io/case_folder.h"
+#include "io/digest.h"
 
 namespace bodkin::app {
 namespace {
@@ -98,6 +100,39 @@ TEST_F(RemoteWindow, refuses_a_station_with_another_patient) {
   follow(station.port());
   ASSERT_TRUE(wait_until([&] { return !window_->practice().failure().empty(); }));
   EXPECT_THAT(window_->practice().failure(), HasSubstr("has another patient"));
+}
+
+// A body of finite elements: the window is told where the skin is, not how it came there.
+TEST(RemoteStation, brings_the_displacements_of_a_deformable_body_and_none_of_a_rigid_one) {
+  const auto patient = std::make_shared<OpenCase>();
+  patient->patient = link::served_slabs();
+  link::ServerSettings any;
+  any.port = 0;
+  link::Server server(any);
+  link::ClientSettings place;
+  place.host = "127.0.0.1";
+  place.port = server.port();
+  RemoteStation station(place, patient, false);
+  const link::SkinSheet sheet(patient->patient);
+  std::vector<Vec3> moved = sheet.rest();
+  for (Vec3& point : moved) point.y() -= 1.5;
+  const Vec3 entry = patient->patient.description.procedure.path->entry;
+  station.follow_points({entry, entry + Vec3(4.0, 0.0, 1.0)});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return server.counts().clients == 1; }, patience));
+  StationNews news;
+  const auto tell = [&](bool deforms) {
+    const std::string about = R"({"case":"x","deformable_body":)" + std::string(deforms ? "true" : "false") +
+                              R"(,"tissues_digest":")" + io::volume_digest(patient->patient.tissues) + "\"}";
+    server.publish({"STRING", "Case", 0.0, link::string_content(about)}, false);
+    server.publish({"POLYDATA", "Skin", 0.0, link::surface_content(moved, sheet.triangles(), {})}, false);
+    server.publish({"STRING", "State", 0.0, link::string_content(R"({"message":"told"})")}, false);
+  };
+  tell(true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return station.poll(news), news.message == "told"; }, patience));
+  ASSERT_EQ(news.displacements.size(), 6U);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(news.displacements[i], i % 3 == 1 ? -1.5 : 0.0, 1e-4);
+  tell(false);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return station.poll(news), news.displacements.empty(); }, patience));
 }
 
 TEST_F(RemoteWindow, refuses_a_place_that_is_none) {

@@ -3,10 +3,13 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <functional>
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
+#include "link/station_watch.h"
 #include "session/session_file.h"
 #include "tests/cli/bodkin_command.h"
 #include <gmock/gmock.h>
@@ -83,6 +86,37 @@ TEST_F(StationsCommand, a_teacher_starts_a_procedure_and_the_result_comes_to_the
   EXPECT_THAT(list, HasSubstr("t-01")) << station.notes();
   EXPECT_EQ(station.end(), 0) << station.notes();
   EXPECT_TRUE(::bodkin::session::read_session(folder_ / "session-by-hand.bodkin").finished);
+}
+
+TEST_F(StationsCommand, a_client_changes_a_number_of_the_model_and_begins_again) {
+  using ::bodkin::link::StationWatch;
+  WaitingStation station(folder_, "serve patient simulated --settings 'depth_mm=10 wait_s=60' --port 0 -o s.bodkin");
+  const std::string place = station.place();
+  ASSERT_FALSE(place.empty()) << station.notes();
+  StationWatch watch(::bodkin::link::parse_server(place, "STATION"));
+  const auto within_a_minute = [](const std::function<bool()>& is_so) {
+    for (int i = 0; i < 3000 && !is_so(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return is_so();
+  };
+  const auto does = [&](const std::string& name, const std::vector<std::pair<std::string, std::string>>& values) {
+    watch.command(name, values);
+    return within_a_minute([&] { return watch.view().reply == "SUCCESS"; });
+  };
+  ASSERT_TRUE(within_a_minute([&] { return watch.view().runs; })) << station.notes();
+  ASSERT_TRUE(does("SetModelParameter", {{"Part", "compensation"}, {"Parameter", "weight_N"}, {"Value", "0.125"}}))
+      << watch.view().reply;
+  ASSERT_TRUE(does("Reset", {})) << watch.view().reply;
+  ASSERT_TRUE(within_a_minute([&] { return std::filesystem::exists(folder_ / "s-2.bodkin") && watch.view().runs; }))
+      << station.notes();
+  ASSERT_TRUE(does("StopRecording", {})) << watch.view().reply;
+  ASSERT_TRUE(within_a_minute([&] { return station.notes().find("messages sent") != std::string::npos; }))
+      << station.notes();
+  const ::bodkin::session::Session first = ::bodkin::session::read_session(folder_ / "s.bodkin");
+  const ::bodkin::session::Session second = ::bodkin::session::read_session(folder_ / "s-2.bodkin");
+  EXPECT_TRUE(first.finished);
+  EXPECT_TRUE(second.finished);
+  EXPECT_NE(first.header.haptics.compensation.weight, 0.125);
+  EXPECT_EQ(second.header.haptics.compensation.weight, 0.125);
 }
 
 TEST_F(StationsCommand, a_station_that_is_not_there_is_told_in_one_sentence) {

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "igtlClientSocket.h"
+#include "igtlImageMessage.h"
 #include "igtlMessageHeader.h"
 #include "igtlStringMessage.h"
 #include "igtlTrackingDataMessage.h"
@@ -36,6 +37,13 @@ void LibraryClient::start_tracking(int interval) {
   message->SetDeviceName("Client");
   message->SetResolution(interval);
   message->SetCoordinateName("Reference");
+  message->Pack();
+  EXPECT_NE(socket_->igtl->Send(message->GetPackPointer(), message->GetPackSize()), 0);
+}
+
+void LibraryClient::ask_for_image(const std::string& device) {
+  igtl::GetImageMessage::Pointer message = igtl::GetImageMessage::New();
+  message->SetDeviceName(device.c_str());
   message->Pack();
   EXPECT_NE(socket_->igtl->Send(message->GetPackPointer(), message->GetPackSize()), 0);
 }

@@ -21,6 +21,7 @@ class LibraryClient {
 
   void send_string(const std::string& device, const std::string& text);
   void start_tracking(int interval);  // ms
+  void ask_for_image(const std::string& device);
   // Reads until a message of this type ("": of any) pleases `is_it`. False when none came in time.
   bool wait_for(const std::string& type, std::chrono::milliseconds most,
                 const std::function<bool(const Message&)>& is_it);

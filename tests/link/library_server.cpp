@@ -31,6 +31,11 @@ void LibraryServer::set_matrix(const std::array<float, 12>& rows) {
   rows_ = rows;
 }
 
+void LibraryServer::set_reference(const std::array<float, 12>& rows) {
+  const std::lock_guard lock(mutex_);
+  reference_ = rows;
+}
+
 void LibraryServer::serve(const std::stop_token& stop) {
   igtl::ClientSocket::Pointer client;
   while (!stop.stop_requested()) {
@@ -40,12 +45,16 @@ void LibraryServer::serve(const std::stop_token& stop) {
       ++clients_;
       hang_up_ = false;
     }
-    igtl::Matrix4x4 matrix;
+    igtl::Matrix4x4 matrix, other;
     igtl::IdentityMatrix(matrix);
+    igtl::IdentityMatrix(other);
     {
       const std::lock_guard lock(mutex_);
       for (std::size_t row = 0; row < 3; ++row)
-        for (std::size_t column = 0; column < 4; ++column) matrix[row][column] = rows_[4 * row + column];
+        for (std::size_t column = 0; column < 4; ++column) {
+          matrix[row][column] = rows_[4 * row + column];
+          other[row][column] = reference_[4 * row + column];
+        }
     }
     int sent = 1;
     if (hidden_) {
@@ -59,8 +68,6 @@ void LibraryServer::serve(const std::stop_token& stop) {
     } else {
       igtl::TrackingDataMessage::Pointer message = igtl::TrackingDataMessage::New();
       message->SetDeviceName("TDATA_2Elem");
-      igtl::Matrix4x4 other;
-      igtl::IdentityMatrix(other);
       for (const bool is_tool : {false, true}) {
         igtl::TrackingDataElement::Pointer element = igtl::TrackingDataElement::New();
         element->SetName(is_tool ? tool_.c_str() : "ReferenceToTracker");

@@ -26,6 +26,8 @@ class LibraryServer {
   std::uint16_t port() const noexcept { return port_; }
   // RAS mm, upper three rows, row by row.
   void set_matrix(const std::array<float, 12>& rows);
+  // Of ReferenceToTracker, the other tool of TDATA.
+  void set_reference(const std::array<float, 12>& rows);
   // Sends nothing from now on, as a tracker does that does not see its tool.
   void hide(bool on) { hidden_ = on; }
   // Ends the connection; the next client is let in.
@@ -42,6 +44,7 @@ class LibraryServer {
   std::uint16_t port_ = 0;
   std::mutex mutex_;
   std::array<float, 12> rows_ = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+  std::array<float, 12> reference_ = rows_;
   std::atomic<bool> hidden_{false}, hang_up_{false};
   std::atomic<int> clients_{0};
   std::jthread thread_;

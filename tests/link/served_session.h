@@ -57,6 +57,8 @@ class ServedSession {
   Server& server() { return server_; }
   std::uint16_t port() const { return server_.port(); }
   const station::StationResult& result() const { return result_; }
+  // When it has ended.
+  const SessionCommands& commands() const { return feed_->commands(); }
 
  private:
   static ServerSettings settings(std::uint16_t port) {

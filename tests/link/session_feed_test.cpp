@@ -85,13 +85,51 @@ TEST(SessionFeed, commands_hold_the_needle_and_end_the_session_and_unknown_ones_
   EXPECT_TRUE(client.wait_for("STRING", 5s, [](const Message& message) {
     return message.device == "State" && read_string(message.content).find("\"held\":true") != std::string::npos;
   }));
-  EXPECT_THAT(answer("2", "<Command Name='LoadCase' Folder='/etc'/>"), HasSubstr("is not known"));
+  EXPECT_THAT(answer("2", "<Command Name='SaveConfig' Filename='/etc/passwd'/>"), HasSubstr("is not known"));
   EXPECT_THAT(answer("3", "<Command Name='SetUsParameter' DepthMm='50'/>"), HasSubstr("has no ultrasound"));
   EXPECT_THAT(answer("4", "not even XML"), HasSubstr("FAIL"));
   EXPECT_THAT(answer("5", "<Command Name='Freeze' On='perhaps'/>"), HasSubstr("expected true or false"));
   EXPECT_THAT(answer("6", "<Command Name='StopRecording'/>"), HasSubstr("SUCCESS"));
   session.join();
   EXPECT_TRUE(session::read_session(session.file()).finished);
+}
+
+TEST(SessionFeed, a_client_fetches_the_ct_sets_a_parameter_and_begins_again) {
+  ServedSession session("speed_mm_s=5 start_mm=10 depth_mm=20 wait_s=20");
+  LibraryClient client(session.port());
+  session.start();
+  std::string told;
+  const auto answer = [&](const std::string& id, const std::string& text) {
+    client.send_string("CMD_" + id, text);
+    std::string reply;
+    EXPECT_TRUE(client.wait_for("STRING", 10s, [&](const Message& message) {
+      if (message.device == "ModelParameters") told = read_string(message.content);
+      if (message.device != "ACK_" + id) return false;
+      reply = read_string(message.content);
+      return true;
+    }));
+    return reply;
+  };
+  EXPECT_THAT(answer("1", "<Command Name='GetModelParameters' Part='skin'/>"), HasSubstr("SUCCESS"));
+  EXPECT_THAT(told, HasSubstr("\"break_force_N\""));
+  const std::string set = "<Command Name='SetModelParameter' Part='skin' Parameter='break_force_N' ";
+  EXPECT_THAT(answer("2", set + "Value='-3'/>"), HasSubstr("expected"));
+  EXPECT_THAT(answer("3", set + "Value='0.625'/>"), HasSubstr("SUCCESS"));
+  EXPECT_THAT(answer("4", "<Command Name='GetModelParameters' Part='skin'/>"), HasSubstr("SUCCESS"));
+  EXPECT_THAT(told, HasSubstr("0.625")) << "what is told is what the next session has";
+  EXPECT_THAT(answer("5", "<Command Name='LoadCase' Case='other'/>"), HasSubstr("a session runs already"));
+  client.ask_for_image("CT");
+  const anatomy::CtVolume ct = served_slabs().ct;
+  EXPECT_TRUE(client.wait_for("IMAGE", 20s, [&](const Message& message) {
+    return message.device == "CT" && message.content.size() == 72 + 2 * ct.voxels.size();
+  }));
+  EXPECT_FALSE(session.finished()) << "the session went on meanwhile";
+  EXPECT_THAT(answer("6", "<Command Name='Reset'/>"), HasSubstr("begins again"));
+  session.join();
+  EXPECT_TRUE(session::read_session(session.file()).finished);
+  EXPECT_TRUE(session.commands().wants_again());
+  ASSERT_TRUE(session.commands().models());
+  EXPECT_EQ(anatomy::TissueLibrary(session.commands().models()->tissues).find("skin")->layered.break_force, 0.625);
 }
 
 TEST(SessionFeed, clients_that_vanish_in_the_middle_take_nothing_with_them) {

@@ -52,6 +52,27 @@ TEST(SkinSheet, follows_a_deformable_body_point_by_point) {
   EXPECT_NEAR(moved[1].y(), sheet.rest()[1].y() - 2.5, 1e-6);
 }
 
+TEST(SkinSheet, tells_how_far_what_lies_between_its_points_has_moved) {
+  const SkinSheet sheet(slab_case(lumbar_slabs()));
+  std::vector<Vec3> moved = sheet.rest();
+  const auto field = [](const Vec3& at) { return Vec3(0.01 * at.x(), -2.0 + 0.02 * at.z() - 0.03 * at.x(), 0.5); };
+  for (Vec3& point : moved) point += field(point);
+  const Vec3 middle = sheet.rest()[sheet.rest().size() / 2];
+  std::vector<Vec3> points;
+  for (double x = -20.0; x <= 20.0; x += 3.7)
+    for (double z = -20.0; z <= 20.0; z += 4.3) points.push_back(middle + Vec3(x, 0.8, z));
+  points.push_back(middle + Vec3(200.0, 0.0, 0.0));
+  const std::vector<float> found = sheet.displacements_at(points, moved);
+  ASSERT_EQ(found.size(), 3 * points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3 is = Eigen::Map<const Eigen::Vector3f>(&found[3 * i]).cast<double>();
+    const Vec3 expected = i + 1 < points.size() ? field(points[i]) : Vec3(Vec3::Zero());
+    EXPECT_LT((is - expected).norm(), 1e-5) << "what is linear is kept; beyond the sheet nothing moves";
+  }
+  moved.pop_back();
+  for (const float each : sheet.displacements_at(points, moved)) EXPECT_EQ(each, 0.0F);
+}
+
 TEST(SkinSheet, is_empty_where_nothing_is_planned) {
   anatomy::Case patient = slab_case(lumbar_slabs());
   patient.description.procedure.path.reset();

@@ -54,6 +54,39 @@ TEST(TrackingDriver, a_pose_in_the_patient_becomes_the_hand_that_has_the_needle_
   }
 }
 
+// The tracker sees a needle and the mannequin; where the needle is in the mannequin does not depend on where that
+// lies.
+TEST(TrackingDriver, a_needle_is_taken_to_a_tracked_mannequin_wherever_it_lies) {
+  const auto rows_of = [](const Pose& pose) {
+    std::array<float, 12> rows{};
+    for (Eigen::Index row = 0; row < 3; ++row)
+      for (Eigen::Index column = 0; column < 4; ++column)
+        rows[static_cast<std::size_t>(4 * row + column)] = static_cast<float>(pose.matrix()(row, column));
+    return rows;
+  };
+  Pose needle = Pose::Identity();  // in the mannequin, RAS mm
+  for (Eigen::Index row = 0; row < 3; ++row)
+    for (Eigen::Index column = 0; column < 4; ++column)
+      needle.matrix()(row, column) = static_cast<double>(down[static_cast<std::size_t>(4 * row + column)]);
+  for (const double turn : {0.0, 1.1}) {
+    Pose mannequin = Pose::Identity();
+    mannequin.linear() = Eigen::AngleAxisd(turn, Vec3(0.3, -1.0, 0.4).normalized()).toRotationMatrix();
+    mannequin.translation() = 100.0 * turn * Vec3(1.0, -2.0, 5.0);
+    LibraryServer server("NeedleToTracker", LibraryServer::Kind::tracking_data);
+    server.set_matrix(rows_of(mannequin * needle));
+    server.set_reference(rows_of(mannequin));
+    haptics::DevicePort port(tracking_driver(), identity_of(server.port(), "NeedleToTracker"),
+                             "reference=ReferenceToTracker patient_x_mm=-20 patient_y_mm=-10 patient_z_mm=45");
+    port.start();
+    haptics::DeviceState state;
+    EXPECT_TRUE(within(20s, [&] {
+      state = state_of(port);
+      return (state.hand.translation() - Vec3(10.0, 5.0, -30.0)).norm() < 1e-3;
+    })) << state.hand.translation();
+    EXPECT_LT((state.hand.linear().col(2) - -Vec3::UnitZ()).norm(), 1e-5);
+  }
+}
+
 TEST(TrackingDriver, a_pose_of_the_hand_is_taken_in_the_trackers_own_axes) {
   LibraryServer server("StylusToTracker");
   server.set_matrix({1, 0, 0, 10, 0, 1, 0, 20, 0, 0, 1, 30});
@@ -105,6 +138,9 @@ TEST(TrackingDriver, what_is_not_there_or_misspelled_is_told_in_one_sentence) {
   EXPECT_THAT(refusal("127.0.0.1:0/Needle", ""), HasSubstr("expected HOST or HOST:PORT"));
   EXPECT_THAT(refusal("127.0.0.1/NeedleTipToReferenceFrame", ""), HasSubstr("1 to 20 letters"));
   EXPECT_THAT(refusal("127.0.0.1/Needle", "frame=room"), HasSubstr("'room', expected patient"));
+  EXPECT_THAT(refusal("127.0.0.1/Needle", "reference=Needle"), HasSubstr("expected another tool"));
+  EXPECT_THAT(refusal(identity_of(server.port(), "ProbeToReference"), "reference=Table first_pose_s=0.3"),
+              HasSubstr("sends no ProbeToReference with Table"));
   EXPECT_THAT(refusal("127.0.0.1/Needle", "axes=x,y,-z"), HasSubstr("not mirrored"));
   EXPECT_THAT(refusal("127.0.0.1/Needle", "points=down"), HasSubstr("'down', expected x"));
 }

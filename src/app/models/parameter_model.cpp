@@ -12,14 +12,13 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/settings_check.h"
-#include "forces/needle_law.h"
 #include "io/tissue_library_file.h"
 
 namespace bodkin::app {
 
 namespace {
 
-using Place = SettingStep::Place;
+using Place = forces::ModelPart;
 
 constexpr std::array<std::string_view, 8> rigid_models = {
     "layered",      "spring_damper_wall", "tracking_wall",  "depth_profile",
@@ -48,39 +47,12 @@ constexpr std::array usual_steps = {
     UsualStep{Place::tissue, anatomy::tissue::cortical_bone, "contact_stiffness", "How hard is bone?"},
     UsualStep{Place::constraint, 0, "", "How firmly does the body hold the needle on its path?"}};
 
-// Calls visit(settings) with the struct that a step's number stands in; `Settings` may be const.
-template <typename Settings, typename Visit>
-void at_place(Settings& settings, Place place, anatomy::TissueId id, const Visit& visit) {
-  const auto open = [&](auto& value) {
-    if constexpr (Parameterized<std::remove_cvref_t<decltype(value)>>) visit(value);
-  };
-  switch (place) {
-    case Place::resistance:
-      return std::visit(open, settings.haptics.resistance);
-    case Place::constraint:
-      return std::visit(open, settings.haptics.constraint);
-    case Place::weight:
-      return visit(settings.haptics.compensation);
-    case Place::tissue:
-      break;
-  }
-  const auto found = std::find_if(settings.tissues.begin(), settings.tissues.end(),
-                                  [id](const anatomy::TissueProperties& tissue) { return tissue.id == id; });
-  if (found == settings.tissues.end()) return;
-  const std::string_view model = anatomy::name_of(settings.haptics.resistance);
-  if (model == "layered") visit(found->layered);
-  if (model == "tracking_wall") visit(found->tracking_wall);
-  if (model == "depth_profile") visit(found->depth_profile);
-  if (model == "volume_proxy") visit(found->volume_proxy);
-  if (model == "shaft_friction") visit(found->shaft_friction);
-}
-
 // The number of a step, where it counts; null where there is none.
 template <typename Settings>
 auto* number_at(Settings& settings, const SettingStep& step) {
   using Number = std::conditional_t<std::is_const_v<Settings>, const double, double>;
   Number* found = nullptr;
-  at_place(settings, step.place, step.tissue, [&](auto& owner) {
+  forces::visit_part(settings, step.place, step.tissue, [&](auto& owner) {
     const std::string_view word = alternative_of(owner);
     for_each_parameter(
         [&](const auto& parameter, auto& value) {
@@ -138,10 +110,7 @@ bool same_library(const std::vector<anatomy::TissueProperties>& a, const std::ve
 
 ParameterModel::ParameterModel(std::shared_ptr<const OpenCase> patient) : patient_(std::move(patient)) {
   const anatomy::Case& opened = patient_->patient;
-  // What is changed here are the models' own numbers, so those of a physical description are taken over as such.
-  reference_ = {opened.description.haptics, forces::felt_tissues(opened).tissues()};
-  reference_.haptics.mechanics = anatomy::Mechanics::tables;
-  now_ = reference_;
+  now_ = reference_ = forces::model_settings(opened);
   if (const std::optional<anatomy::NeedlePath>& path = opened.description.procedure.path) {
     constexpr double stride = 0.25;  // mm
     for (double depth = 0.0; depth <= path->length(); depth += stride) {
@@ -186,7 +155,7 @@ void ParameterModel::find_steps() {
   steps_.clear();
   const auto add_all = [this](Place place, anatomy::TissueId id, const std::string& group, const std::string& source,
                               std::string_view only, std::string_view question) {
-    at_place(std::as_const(now_), place, id, [&](const auto& owner) {
+    forces::visit_part(std::as_const(now_), place, id, [&](const auto& owner) {
       const std::string_view word = alternative_of(owner);
       for_each_parameter(
           [&](const auto& parameter, const auto& value) {
@@ -254,8 +223,8 @@ std::string ParameterModel::set(std::size_t step, double value, bool continues) 
   if (number == nullptr || *number == value) return {};
   *number = value;
   try {
-    at_place(std::as_const(changed), asked.place, asked.tissue,
-             [&](const auto& owner) { check(owner, asked.title); });
+    forces::visit_part(std::as_const(changed), asked.place, asked.tissue,
+                       [&](const auto& owner) { check(owner, asked.title); });
   } catch (const InputError& refused) {
     return refused.what();
   }
@@ -290,8 +259,8 @@ void ParameterModel::redo() {
 bool ParameterModel::is_changed() const {
   const auto differs = [this](Place place) {
     bool same = true;
-    at_place(now_, place, 0, [&](const auto& owner) {
-      at_place(reference_, place, 0, [&](const auto& other) {
+    forces::visit_part(now_, place, 0, [&](const auto& owner) {
+      forces::visit_part(reference_, place, 0, [&](const auto& other) {
         if constexpr (std::is_same_v<decltype(owner), decltype(other)>) same = same_parameters(owner, other);
       });
     });

@@ -10,23 +10,19 @@
 #include "views/open_case.h"
 
 #include "core/parameter.h"
+#include "forces/model_settings.h"
 
 namespace bodkin::app {
 
 using namespace views;
 
-// Everything about a force model that the wizard changes.
-struct ModelSettings {
-  anatomy::HapticSettings haptics;
-  std::vector<anatomy::TissueProperties> tissues;
-};
+using forces::ModelSettings;
 
 // One number, as one step of the wizard asks for it. Range, unit, description and origin are those of the parameter's
 // declaration.
 struct SettingStep {
-  enum class Place : std::uint8_t { resistance, constraint, weight, tissue };
-  Place place = Place::resistance;
-  anatomy::TissueId tissue = anatomy::tissue::air;  // of Place::tissue
+  forces::ModelPart place = forces::ModelPart::resistance;
+  anatomy::TissueId tissue = anatomy::tissue::air;  // of ModelPart::tissue
   std::string name;                                 // "break_force_N"
   std::string title;                                // "Skin: break force"
   std::string question;                             // one sentence

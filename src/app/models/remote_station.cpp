@@ -8,6 +8,7 @@
 
 #include "link/contents.h"
 #include "link/needle_state.h"
+#include "link/skin_sheet.h"
 #include "session/tick_codec.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -85,6 +86,7 @@ struct RemoteStation::Shared {
   Shared(const link::ClientSettings& server, std::shared_ptr<const OpenCase> patient_here, bool starts)
       : patient(std::move(patient_here)),
         starts_left(starts ? 2 : 0),
+        sheet(patient->patient),
         client(server, {.message = [this](const link::Message& message) { take(message); },
                         .connected = [this](link::Client&) { begin(); }}) {}
 
@@ -92,7 +94,8 @@ struct RemoteStation::Shared {
   void begin() {
     const std::lock_guard lock(mutex);
     fresh = {};
-    is_known = false;
+    is_known = deforms = false;
+    skin.clear();
   }
 
   void take(const link::Message& message) noexcept {
@@ -109,6 +112,8 @@ struct RemoteStation::Shared {
         take_forces(link::read_array(message.content));
       } else if (message.type == "IMAGE" && message.device == "Image_Reference") {
         take_picture(link::read_image(message.content));
+      } else if (message.type == "POLYDATA" && message.device == "Skin") {
+        skin = link::read_surface_points(message.content);
       } else if (message.type == "STRING") {
         take_text(message.device, link::read_string(message.content));
       }
@@ -210,6 +215,7 @@ struct RemoteStation::Shared {
       return;
     }
     is_known = true;
+    deforms = flag_in(about, "deformable_body");
     const auto columns = about.find("needle_state_columns");
     if (columns == about.end() || !columns->is_array()) return;
     constexpr std::size_t before_diagnostics = 18;
@@ -251,6 +257,10 @@ struct RemoteStation::Shared {
   std::vector<session::SessionEvent> events;
   std::deque<std::string> names;  // of the diagnostics
   std::optional<Pose> probe;
+  link::SkinSheet sheet;     // at rest
+  bool deforms = false;      // the station's body is a deformable one
+  std::vector<Vec3> skin;    // where the points of the sheet are now
+  std::vector<Vec3> points;  // that are followed
   std::optional<AttemptResult> score;
   std::uint64_t pictures = 0, commands = 0;
   double last_time = 0.0, time_in_body = 0.0;
@@ -295,6 +305,11 @@ void RemoteStation::set_scan_order(const station::ScanOrder& order) {
                                    {"FocusMm", fmt::format("{}", order.settings.focus)}});
 }
 
+void RemoteStation::follow_points(std::vector<Vec3> points) {
+  const std::lock_guard lock(shared_->mutex);
+  shared_->points = std::move(points);
+}
+
 void RemoteStation::end() {
   shared_->send("StopRecording", {});
 }
@@ -313,6 +328,9 @@ void RemoteStation::poll(StationNews& news) {
   news.device = shared.client.place();
   news.samples = std::exchange(shared.samples, {});
   news.events = std::exchange(shared.events, {});
+  // A rigid body has the dimple of its force model, as in a session of this program.
+  if (shared.deforms && !shared.skin.empty() && !shared.points.empty())
+    news.displacements = shared.sheet.displacements_at(shared.points, shared.skin);
   news.diagnostic_names.clear();
   for (const std::string& name : shared.names) news.diagnostic_names.push_back({name, name});
   if (!is_connected) {

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/models/station_link.h"
 #include "link/client.h"
@@ -28,6 +29,10 @@ class RemoteStation {
   void set_scan_order(const station::ScanOrder& order);
   // The session is to end and be saved there.
   void end();
+
+  // Whose displacements poll() is to bring when the station's body deforms: points near the planned entry, LPS mm at
+  // rest.
+  void follow_points(std::vector<Vec3> points);
 
   // Moves what is new since the last call into `news`, as StationLink::poll() has it.
   void poll(StationNews& news);

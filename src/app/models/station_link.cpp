@@ -68,7 +68,8 @@ struct StationLink::Shared {
 
 class StationLink::Observer : public station::StationObserver {
  public:
-  Observer(std::shared_ptr<Shared> shared, Points points) : shared_(std::move(shared)), points_(std::move(points)) {}
+  Observer(std::shared_ptr<Shared> shared, std::vector<Vec3> points)
+      : shared_(std::move(shared)), points_(std::move(points)) {}
 
   Progress progress() override {
     return [shared = shared_](std::string_view stage, double fraction) {
@@ -83,8 +84,8 @@ class StationLink::Observer : public station::StationObserver {
     shared_->news.notes.push_back(sentence);
   }
 
-  std::vector<Vec3> prepare(const anatomy::Case& patient, const fem::BodyDescription* body) override {
-    return points_ ? points_(patient, body) : std::vector<Vec3>();
+  std::vector<Vec3> prepare(const anatomy::Case& /*patient*/, const fem::BodyDescription* body) override {
+    return body != nullptr ? points_ : std::vector<Vec3>();
   }
 
   std::chrono::milliseconds interval() const override { return watch_interval; }
@@ -133,7 +134,7 @@ class StationLink::Observer : public station::StationObserver {
   }
 
   std::shared_ptr<Shared> shared_;
-  Points points_;
+  std::vector<Vec3> points_;
   std::uint64_t shown_picture_ = 0;
 };
 
@@ -162,7 +163,7 @@ void StationLink::follow(std::unique_ptr<RemoteStation> station) {
 }
 
 void StationLink::start(station::StationOptions options, const std::string& device, AttemptRules rules,
-                        Points points) {
+                        std::vector<Vec3> points) {
   stop();
   shared_ = std::make_shared<Shared>();
   shared_->news.phase = StationNews::Phase::preparing;
@@ -196,6 +197,10 @@ void StationLink::start(station::StationOptions options, const std::string& devi
       shared->news.phase = StationNews::Phase::failed;
     }
   });
+}
+
+void StationLink::follow_points(std::vector<Vec3> points) {
+  if (remote_ != nullptr) remote_->follow_points(std::move(points));
 }
 
 void StationLink::command(station::StationCommand command) {

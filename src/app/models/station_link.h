@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -72,19 +71,19 @@ class RemoteStation;
 // commands; neither waits for the other longer than a copy takes, and the haptic tick waits for none of them.
 class StationLink {
  public:
-  // Which points of a deformable body shall be followed; called on the station's thread.
-  using Points = std::function<std::vector<Vec3>(const anatomy::Case&, const fem::BodyDescription*)>;
-
   StationLink();
   // Ends the session and saves it.
   ~StationLink();
   StationLink(const StationLink&) = delete;
   StationLink& operator=(const StationLink&) = delete;
 
-  // Ends what runs, and begins another session.
-  void start(station::StationOptions options, const std::string& device, AttemptRules rules, Points points = {});
+  // Ends what runs, and begins another session. `points`: of a deformable body, LPS mm at rest, that are followed.
+  void start(station::StationOptions options, const std::string& device, AttemptRules rules,
+             std::vector<Vec3> points = {});
   // Ends what runs, and follows this one from now on; end() ends its session, stop() looks away.
   void follow(std::unique_ptr<RemoteStation> station);
+  // Of a station elsewhere: other points than before.
+  void follow_points(std::vector<Vec3> points);
   void command(station::StationCommand command);
   void set_scan_order(const station::ScanOrder& order);
   // See station::Station::move_body; what was ordered last before the station runs holds as well.

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <algorithm>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "anatomy/case.h"
+#include "core/parameter.h"
+#include "forces/needle_law.h"
+
+namespace bodkin::forces {
+
+// Everything about a force model that a person may change.
+struct ModelSettings {
+  anatomy::HapticSettings haptics;
+  std::vector<anatomy::TissueProperties> tissues;
+};
+
+// As the case feels: what is changed are the models' own numbers, so those of a physical description are taken over
+// as such.
+inline ModelSettings model_settings(const anatomy::Case& patient) {
+  ModelSettings settings{patient.description.haptics, felt_tissues(patient).tissues()};
+  settings.haptics.mechanics = anatomy::Mechanics::tables;
+  return settings;
+}
+
+// Which struct of them a parameter stands in.
+enum class ModelPart : std::uint8_t { resistance, constraint, weight, tissue };
+
+// Calls visit(struct) with the one that is meant, as long as it has a table of parameters. Of a tissue (`id`) it is
+// what the resistance asks of it; nothing is called where it asks for nothing. `Settings` may be const.
+template <typename Settings, typename Visit>
+void visit_part(Settings& settings, ModelPart part, anatomy::TissueId id, const Visit& visit) {
+  const auto open = [&](auto& value) {
+    if constexpr (Parameterized<std::remove_cvref_t<decltype(value)>>) visit(value);
+  };
+  switch (part) {
+    case ModelPart::resistance:
+      return std::visit(open, settings.haptics.resistance);
+    case ModelPart::constraint:
+      return std::visit(open, settings.haptics.constraint);
+    case ModelPart::weight:
+      return visit(settings.haptics.compensation);
+    case ModelPart::tissue:
+      break;
+  }
+  const auto found = std::find_if(settings.tissues.begin(), settings.tissues.end(),
+                                  [id](const anatomy::TissueProperties& tissue) { return tissue.id == id; });
+  if (found == settings.tissues.end()) return;
+  const std::string_view model = anatomy::name_of(settings.haptics.resistance);
+  if (model == "layered") visit(found->layered);
+  if (model == "tracking_wall") visit(found->tracking_wall);
+  if (model == "depth_profile") visit(found->depth_profile);
+  if (model == "volume_proxy") visit(found->volume_proxy);
+  if (model == "shaft_friction") visit(found->shaft_friction);
+}
+
+}  // namespace bodkin::forces

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "link/command.h"
+
+#include "forces/model_settings.h"
+
+namespace bodkin::link {
+
+// The parameters of a force model by name, for clients: those of one part, which is "resistance", "constraint",
+// "compensation" or the name of a tissue ("skin"), as their one declaration (core/parameter.h) has them.
+
+// JSON: {"model", "part", "parts": names of all, "parameters": [{"name", "value", "unit", "low", "high", "choices",
+// "description", "origin"}]}; a bound that is none is left out. Throws InputError for another part.
+std::string parameters_json(const forces::ModelSettings& settings, const std::string& part);
+
+// Sets one of them to what `text` says. Throws InputError, and changes nothing, when there is no such part or
+// parameter, when the text is no value of it, and when it lies outside its range or contradicts another one.
+void set_parameter(forces::ModelSettings& settings, const std::string& part, const std::string& name,
+                   const std::string& text);
+
+// The same for SetModelParameter with Part, Parameter and Value. Returns the answer for the client.
+std::string set_parameter(forces::ModelSettings& settings, const Command& command);
+
+}  // namespace bodkin::link
