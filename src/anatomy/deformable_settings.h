@@ -67,10 +67,10 @@ struct NeedleBendingSettings {
   }
 };
 
-// Where a needle's shaft meets a deformable body.
+// Where a needle's shaft meets a deformable body: at points of its line, wherever the mesh has its nodes.
 enum class NeedleContactKind : std::uint8_t {
-  nodes,  // at the nodes of the mesh that lie near its line
-  points  // at points of its line itself, wherever the mesh has its nodes
+  nodes,  // as cases of earlier versions say; it means points
+  points
 };
 constexpr std::array<std::string_view, 2> enumeration_names(NeedleContactKind) {
   return {"nodes", "points"};
@@ -78,7 +78,7 @@ constexpr std::array<std::string_view, 2> enumeration_names(NeedleContactKind) {
 
 // Settings of EmbeddedNeedle.
 struct EmbeddedNeedleSettings {
-  NeedleContactKind contact = NeedleContactKind::nodes;
+  NeedleContactKind contact = NeedleContactKind::points;
   double tip_radius = 1.0;
   double point_spacing = 1.0;
   double capture_radius = 1.5;
@@ -92,15 +92,16 @@ struct EmbeddedNeedleSettings {
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"contact", &S::contact,
-                  "the shaft meets the mesh's nodes near its line, or points of the line itself", Origin::choice},
-        Parameter{"tip_radius_mm", &S::tip_radius, Range{0.2, 5.0}, "mm",
-                  "of the disk over which the tip pushes; of points only", Origin::choice},
-        Parameter{"point_spacing_mm", &S::point_spacing, Range{0.5, 5.0}, "mm",
-                  "between points of one tissue; of points only", Origin::choice},
-        Parameter{"capture_radius_mm", &S::capture_radius, Range{0.05, 20.0}, "mm",
-                  "nodes this close to the line are the needle's; half an edge of 3 mm", Origin::choice},
-        Parameter{"spacing_mm", &S::spacing, Range{0.05, 20.0}, "mm", "of the line for which one node is kept",
+                  "the shaft meets the body at points of its line; nodes, of earlier versions, means the same",
                   Origin::choice},
+        Parameter{"tip_radius_mm", &S::tip_radius, Range{0.2, 5.0}, "mm", "of the disk over which the tip pushes",
+                  Origin::choice},
+        Parameter{"point_spacing_mm", &S::point_spacing, Range{0.5, 5.0}, "mm", "between points of one tissue",
+                  Origin::choice},
+        Parameter{"capture_radius_mm", &S::capture_radius, Range{0.05, 20.0}, "mm",
+                  "of the line past a point, at most, within which it takes full hold of the shaft", Origin::choice},
+        Parameter{"spacing_mm", &S::spacing, Range{0.05, 20.0}, "mm",
+                  "of mesh nodes, of earlier versions; changes nothing", Origin::choice},
         Parameter{"puncture_time_s", &S::puncture_time, Range{0.001, 1.0}, "s",
                   "in which the force of a puncture goes", Origin::choice},
         Inlined{&S::bending},

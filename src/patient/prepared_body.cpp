@@ -57,8 +57,8 @@ std::shared_ptr<const fem::BodyDescription> prepare_body_of(anatomy::Tetrahedral
   fem::DescribedBody described = fem::describe_body(std::move(mesh), patient, settings, about);
   if (const anatomy::EmbeddedNeedleSettings* points = with_points(patient)) {
     const auto whole = contact_body(described.body, progress, note);
-    patient.corridor = {
-        std::make_shared<const anatomy::CondensedBody>(points_of(*whole, patient, about, *points)), about, {}};
+    patient.corridor = {std::make_shared<const anatomy::CondensedBody>(points_of(*whole, patient, about, *points)),
+                        about};
     if (kept != nullptr) *kept = whole;
     return std::make_shared<const fem::BodyDescription>(std::move(described.body));
   }
@@ -70,7 +70,7 @@ std::shared_ptr<const fem::BodyDescription> prepare_body_of(anatomy::Tetrahedral
                                     ? fem::condensed_with_cache(cache, described.body, {}, progress, note)
                                     : fem::condense(described.body, {}, progress, note);
   fem::take_tissues_of_voxels(body, patient);
-  patient.corridor = {std::make_shared<const anatomy::CondensedBody>(std::move(body)), about, {}};
+  patient.corridor = {std::make_shared<const anatomy::CondensedBody>(std::move(body)), about};
   return std::make_shared<const fem::BodyDescription>(std::move(described.body));
 }
 

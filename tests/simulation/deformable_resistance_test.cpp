@@ -62,7 +62,7 @@ Case deformable_patient(const ResistanceSettings& resistance, double device = 10
                                              : checks::kelvin_body(3, along, apart, modulus));
   for (std::size_t node = 0; node < body->nodes.size(); ++node)
     body->tissues[node] = deformable_tissue_at(body->nodes[node].z() + 0.01);
-  patient.corridor = {std::move(body), NeedlePath{Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 30.0)}, {}};
+  patient.corridor = {std::move(body), NeedlePath{Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 30.0)}};
   patient.description.device = {"strong", 100.0, 50.0, 1e6, device, 0.0};
   patient.description.haptics.resistance = resistance;
   patient.description.haptics.constraint = NoConstraint{};

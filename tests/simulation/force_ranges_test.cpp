@@ -31,8 +31,7 @@ Case strong_patient() {
   patient.description.device = {"strong", 1e3, 1e3, 1e6, 1e9, 0.0};
   patient.description.procedure.path = NeedlePath{Vec3::Zero(), Vec3(0.0, 0.0, 4.0)};
   patient.corridor = {std::make_shared<CondensedBody>(checks::as_points(checks::kelvin_body(1, 4, 1.5))),
-                      NeedlePath{Vec3::Zero(), Vec3(0.0, 0.0, 5.0)},
-                      {}};
+                      NeedlePath{Vec3::Zero(), Vec3(0.0, 0.0, 5.0)}};
   return patient;
 }
 

@@ -76,8 +76,7 @@ PressedBlock pressed_block() {
   const auto stations = stations_along(path, path.length() + 10.0, needle.point_spacing, patient);
   patient.corridor = {
       std::make_shared<const CondensedBody>(whole.contact_points(stations, path.direction(), needle.tip_radius)),
-      path,
-      {}};
+      path};
   made.settings.probe.width = made.settings.probe.thickness = 35.0;
   return made;
 }

@@ -69,8 +69,7 @@ BlockOfTissue block_of_tissue() {
       stations_along(path, path.length() + settings.body.corridor_beyond, settings.point_spacing, patient);
   patient.corridor = {std::make_shared<const CondensedBody>(
                           made.whole->contact_points(stations, path.direction(), settings.tip_radius)),
-                      path,
-                      {}};
+                      path};
   return made;
 }
 
