@@ -86,7 +86,7 @@ std::vector<FoundCorner> find_corners(const GreyPicture& picture, const Calibrat
     std::vector<cv::Point2d> from = {{corner.x(), corner.y()}}, to;
     cv::perspectiveTransform(from, to, plane);
     if (to[0].x < 8.0 || to[0].y < 8.0 || to[0].x > picture.width - 9.0 || to[0].y > picture.height - 9.0) continue;
-    found.push_back({index, {}});
+    found.push_back({index, Eigen::Vector2d::Zero()});
     at.emplace_back(static_cast<float>(to[0].x), static_cast<float>(to[0].y));
   }
   if (found.empty()) return found;

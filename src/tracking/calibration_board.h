@@ -28,7 +28,7 @@ struct CalibrationBoard {
 // A corner of the chessboard in a picture.
 struct FoundCorner {
   int index = 0;
-  Eigen::Vector2d at;  // pixels
+  Eigen::Vector2d at = Eigen::Vector2d::Zero();  // pixels
 };
 
 // The inner corners of which both white squares were found. Where four squares meet, blur and tone curve shift

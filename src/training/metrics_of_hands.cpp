@@ -11,7 +11,7 @@ namespace {
 constexpr double fast_tip = 50.0;   // mm/s, PerkTutor's
 constexpr double fast_turn = 50.0;  // deg/s, PerkTutor's
 constexpr double turn_span = 0.05;  // s over which a turn is taken, so that noise of the rotation does not add up
-constexpr std::size_t fewest = 10;  // samples of a correlation
+constexpr std::size_t fewest_samples = 10;  // of a correlation
 
 std::size_t ticks_in(double seconds, const Attempt& attempt) {
   return static_cast<std::size_t>(std::max(1.0, std::round(seconds / attempt.dt())));
@@ -75,7 +75,7 @@ std::optional<double> sawing(const Measured& measured) {
 std::optional<double> hands_together(const Measured& measured) {
   const Attempt& attempt = measured.attempt;
   const session::Session& session = attempt.session();
-  if (!session.header.second || session.second.size() <= fewest) return std::nullopt;
+  if (!session.header.second || session.second.size() <= fewest_samples) return std::nullopt;
   const double start = static_cast<double>(session.ticks.front().tick) * attempt.dt();
   const auto tip_at = [&](double time) {
     const auto place = std::lower_bound(attempt.time.begin(), attempt.time.end(), time - start);
@@ -98,7 +98,8 @@ std::optional<double> hands_together(const Measured& measured) {
   }
   const double spread_x = n * xx - x * x, spread_y = n * yy - y * y;
   // A hand that did not move has no correlation; the bound is what rounding leaves of its variance.
-  if (n < static_cast<double>(fewest) || spread_x <= 1e-9 * n * xx || spread_y <= 1e-9 * n * yy) return std::nullopt;
+  if (n < static_cast<double>(fewest_samples) || spread_x <= 1e-9 * n * xx || spread_y <= 1e-9 * n * yy)
+    return std::nullopt;
   return (n * xy - x * y) / std::sqrt(spread_x * spread_y);
 }
 
