@@ -30,8 +30,6 @@ Case strong_patient() {
   patient.ct = CtVolume(grid, 45);
   patient.description.device = {"strong", 1e3, 1e3, 1e6, 1e9, 0.0};
   patient.description.procedure.path = NeedlePath{Vec3::Zero(), Vec3(0.0, 0.0, 4.0)};
-  patient.corridor = {std::make_shared<CondensedBody>(checks::as_points(checks::kelvin_body(1, 4, 1.5))),
-                      NeedlePath{Vec3::Zero(), Vec3(0.0, 0.0, 5.0)}};
   return patient;
 }
 
@@ -86,6 +84,9 @@ TEST(ForceRanges, both_ends_of_every_range_of_the_schema_can_be_simulated) {
   Case patient = strong_patient();
   int tried = 0;
   const auto attempt = [&](const std::string& model, const std::string& before, const std::string& after) {
+    const CondensedBody body = checks::kelvin_body(1, 4, 1.5);
+    patient.corridor = {std::make_shared<CondensedBody>(model == "closest_node" ? body : checks::as_points(body)),
+                        NeedlePath{Vec3::Zero(), Vec3(0.0, 0.0, 5.0)}};
     for (const ForceRange& range : ranges_of(text, model)) {
       for (const bool at_low : {true, false}) {
         if (range.attribute == "field_highest_HU" && at_low) continue;  // nothing lower is allowed for the lowest

@@ -262,7 +262,7 @@ TEST(ScanThread, without_a_body_the_picture_is_rigid) {
 
 TEST(ScanThread, what_is_told_of_the_nodes_of_a_moving_body_moves_the_picture) {
   SeenThread seen;
-  ScanThread thread(seen.block.sounding, seen.machine(), Needle(), {seen.block.body, nullptr},
+  ScanThread thread(seen.block.sounding, seen.machine(), Needle(), {seen.block.body, nullptr, true},
                     {on_skin(0.0, 0.0), shallow()}, 200.0);
   ASSERT_NE(picture_where(thread, [](const LivePicture&) { return true; }), nullptr);
   EXPECT_EQ(thread.picture().most, 0.0);
