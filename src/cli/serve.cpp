@@ -155,11 +155,14 @@ Served serve_session(const PerformOptions& perform, const std::optional<forces::
   station::StationOptions options = station_options(perform, console);
   if (models) {
     options.patient.description.haptics = models->haptics;
-    options.patient.library = anatomy::TissueLibrary(models->tissues);
+    // A deformable body is prepared with its tissues; others change as soon as the session runs, so that it can be
+    // replayed on the case as it is.
+    if (anatomy::body_of(models->haptics.resistance) != nullptr)
+      options.patient.library = anatomy::TissueLibrary(models->tissues);
   }
   if (!perform.ultrasound.empty()) options.ultrasound = station::choose_ultrasound(pane_request(perform.ultrasound));
   PerformScreen screen(console, options.longest);
-  link::SessionFeed feed(server, screen, options.ultrasound, rate, steps_of(options.patient));
+  link::SessionFeed feed(server, screen, options.ultrasound, rate, steps_of(options.patient), models);
   station::Station station(std::move(options), feed);
   station::StationResult result;
   {

@@ -129,7 +129,7 @@ std::string set_parameter(ModelSettings& settings, const Command& command) {
   };
   const std::string part = value("Part"), name = value("Parameter"), text = value("Value");
   set_parameter(settings, part, name, text);
-  return fmt::format("{} of {} is {} from the next start on; Reset begins it now", name, part, text);
+  return fmt::format("{} of {} is {}", name, part, text);
 }
 
 }  // namespace bodkin::link

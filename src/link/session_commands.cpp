@@ -22,6 +22,16 @@ bool wanted(const Command& command, bool now) {
 
 }  // namespace
 
+void SessionCommands::begin(station::Station& station) {
+  if (models_) feel_models(station);
+}
+
+bool SessionCommands::feel_models(station::Station& station) const {
+  if (anatomy::body_of(station.patient().description.haptics.resistance) != nullptr) return false;
+  station.change_numbers(models_->haptics, models_->tissues);
+  return true;
+}
+
 SessionCommands::Answer SessionCommands::apply(const Command& command, station::Station& station,
                                                const station::StationStatus& status) {
   const std::string& name = command.name;
@@ -41,6 +51,7 @@ SessionCommands::Answer SessionCommands::apply(const Command& command, station::
     forces::ModelSettings changed = models_ ? *models_ : forces::model_settings(station.patient());
     std::string sentence = set_parameter(changed, command);
     models_ = std::move(changed);
+    sentence += feel_models(station) ? "" : " from Reset on: a deformable body keeps what it was prepared with";
     return {std::move(sentence), {}};
   }
   if (name == "SetUsParameter" || name == "GetUsParameter")

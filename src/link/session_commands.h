@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "link/command.h"
 #include "station/station.h"
@@ -19,15 +20,20 @@ class SessionCommands {
     std::optional<Message> besides;  // for the same client, before the answer
   };
 
-  // `ultrasound`: that the station was given.
-  explicit SessionCommands(const std::optional<station::UltrasoundChoice>& ultrasound) : ultrasound_(ultrasound) {}
+  // `ultrasound`: that the station was given. `models`: numbers of the force model in place of those of the case.
+  explicit SessionCommands(const std::optional<station::UltrasoundChoice>& ultrasound,
+                           std::optional<forces::ModelSettings> models = {})
+      : ultrasound_(ultrasound), models_(std::move(models)) {}
+
+  // The session has begun.
+  void begin(station::Station& station);
 
   // Throws InputError, one sentence, when it cannot be done.
   Answer apply(const Command& command, station::Station& station, const station::StationStatus& status);
 
   // Somebody asked for Reset: this session is to be saved, and another one to begin.
   bool wants_again() const { return again_; }
-  // The numbers of the force model that it is to begin with; nothing: those of this one.
+  // The numbers of the force model now, which it is to begin with; nothing: those of the case.
   const std::optional<forces::ModelSettings>& models() const { return models_; }
 
  private:
@@ -35,6 +41,8 @@ class SessionCommands {
                               const station::StationStatus& status);
   std::string apply_to_ultrasound(const Command& command, station::Station& station,
                                   const station::StationStatus& status);
+  // False: a deformable body keeps the numbers that it was prepared with.
+  bool feel_models(station::Station& station) const;
   Answer tell_parameters(const Command& command, const station::Station& station);
 
   std::optional<station::UltrasoundChoice> ultrasound_;

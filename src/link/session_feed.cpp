@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "link/contents.h"
@@ -33,8 +34,12 @@ Pose needle_in_body(const station::HandSnapshot& needle) {
 
 SessionFeed::SessionFeed(Server& server, station::StationObserver& screen,
                          const std::optional<station::UltrasoundChoice>& ultrasound, double rate,
-                         std::vector<WatchedStep> steps)
-    : server_(server), screen_(screen), rate_(rate), steps_(std::move(steps)), commands_(ultrasound) {
+                         std::vector<WatchedStep> steps, std::optional<forces::ModelSettings> models)
+    : server_(server),
+      screen_(screen),
+      rate_(rate),
+      steps_(std::move(steps)),
+      commands_(ultrasound, std::move(models)) {
   constexpr double highest_rate = 240.0;
   if (!(rate >= 1.0 && rate <= highest_rate))
     throw InputError(fmt::format("the rate is {:g} a second, expected 1 to {:g}", rate, highest_rate));
@@ -55,6 +60,7 @@ std::chrono::milliseconds SessionFeed::interval() const {
 }
 
 void SessionFeed::update(station::Station& station, const station::StationStatus& status) {
+  if (!std::exchange(has_begun_, true)) commands_.begin(station);
   const std::span<const float> moved = status.displacements;
   const std::size_t of_screen = std::min(moved.size(), 3 * screen_points_);
   if (of_screen == moved.size()) {

@@ -23,10 +23,11 @@ namespace bodkin::link {
 class SessionFeed : public station::StationObserver {
  public:
   // `ultrasound`: that the station was given. `rate`: poses per second, 1 to 240. `steps`: of the procedure, to say
-  // which of them was reached. The server and the screen must outlive this.
+  // which of them was reached. `models`: numbers of the force model in place of those of the case. The server and the
+  // screen must outlive this.
   SessionFeed(Server& server, station::StationObserver& screen,
               const std::optional<station::UltrasoundChoice>& ultrasound, double rate,
-              std::vector<WatchedStep> steps = {});
+              std::vector<WatchedStep> steps = {}, std::optional<forces::ModelSettings> models = {});
 
   Progress progress() override { return screen_.progress(); }
   void note(const std::string& sentence) override { screen_.note(sentence); }
@@ -53,6 +54,7 @@ class SessionFeed : public station::StationObserver {
   double rate_;
   StepWatch steps_;
   SessionCommands commands_;
+  bool has_begun_ = false;
   std::optional<CtMessage> ct_;  // once a client has asked for it
   std::vector<std::uint64_t> waiting_for_ct_;
   std::uint64_t greeted_ = 0;  // clients accepted when all were told of the patient
