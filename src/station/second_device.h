@@ -6,6 +6,7 @@
 #include "station/device_choice.h"
 #include "station/second_hand.h"
 
+#include "fem/moving/body_thread.h"
 #include "haptics/stable_stiffness.h"
 
 namespace bodkin::station {

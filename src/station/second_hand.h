@@ -6,6 +6,7 @@
 #include "session/second_sample.h"
 
 #include "anatomy/case.h"
+#include "fem/moving/body_thread.h"
 #include "haptics/device_servo.h"
 
 namespace bodkin::station {
