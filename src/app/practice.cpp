@@ -256,10 +256,7 @@ void Practice::begin_attempt() {
     options_.apply(options);
     if (models_) options.patient.description.haptics = models_->haptics;
     haptics_ = options.patient.description.haptics;
-    // A deformable body is prepared with its tissues; otherwise they change as soon as the session runs, so that it
-    // can be replayed on the patient as he is.
-    const bool is_deformable = anatomy::body_of(haptics_.resistance) != nullptr;
-    if (models_ && is_deformable) options.patient.library = anatomy::TissueLibrary(models_->tissues);
+    if (models_) options.patient.library = anatomy::TissueLibrary(models_->tissues);  // felt from the first tick on
     options.ultrasound = ultrasound_;
     const bool has_mouse = options.device.driver == &mouse_driver();
     feed_ = has_mouse ? std::make_shared<MouseFeed>(station::workspace_about(path)) : nullptr;
@@ -269,7 +266,6 @@ void Practice::begin_attempt() {
     }
     const std::string device = has_mouse ? "Mouse" : is_asked ? options.device.driver->name : device_->title;
     link_.start(std::move(options), device, {plan.has_value(), procedure}, points_);
-    if (models_ && !is_deformable) link_.change_numbers(models_->haptics, models_->tissues);
     if (feed_ == nullptr && mover_.is_moved()) send_body();
   } catch (const std::exception& error) {
     failure_ = error.what();
