@@ -26,7 +26,7 @@ class BodyPort {
   }
   // Before the ticks: the body moves by itself from now on, as `motion` says, and takes the needle along. False, and
   // nothing done, when the resistance knows no such motion.
-  virtual bool move_with(std::shared_ptr<fem::BodyMotion> motion) {
+  virtual bool move_with(const std::shared_ptr<fem::BodyMotion>& motion) {
     static_cast<void>(motion);
     return false;
   }

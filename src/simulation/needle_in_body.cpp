@@ -45,8 +45,8 @@ std::shared_ptr<fem::ContactLine> NeedleInBody::stream_points(bool as_recorded) 
   return line_;
 }
 
-bool NeedleInBody::move_with(std::shared_ptr<fem::BodyMotion> motion) {
-  motion_ = std::move(motion);
+bool NeedleInBody::move_with(const std::shared_ptr<fem::BodyMotion>& motion) {
+  motion_ = motion;
   return true;
 }
 
@@ -94,7 +94,7 @@ forces::ResistanceForce NeedleInBody::step(const forces::NeedleInTissue& needle,
   }
   if (on_own_line_) take_known_points(needle, events);
   if (motion_ != nullptr) take_motion(needle, events);
-  const forces::ResistanceForce force = model().step(needle, events);
+  forces::ResistanceForce force = model().step(needle, events);
   touches_ = force.in_contact;
   remember_hole();
   return force;

@@ -35,7 +35,7 @@ class NeedleInBody final : public BodyPort {
   NeedleInBody(const anatomy::Case& patient, const Settings& settings, double dt);
 
   std::shared_ptr<fem::ContactLine> stream_points(bool as_recorded) override;
-  bool move_with(std::shared_ptr<fem::BodyMotion> motion) override;
+  bool move_with(const std::shared_ptr<fem::BodyMotion>& motion) override;
   void approach(const Vec3& tip, const Vec3& axis) noexcept override;
   void take_points(double recorded) noexcept override { recorded_ = recorded; }
   fem::NodeForces node_forces() const noexcept override;

@@ -103,8 +103,9 @@ TEST_F(DeformableCase, a_patient_is_felt_through_its_mesh) {
 
   const Outcome compared = bodkin("--json compare patient --models layered,embedded_needle,closest_node -o compared");
   ASSERT_EQ(compared.exit_code, 0) << compared.errors;
-  EXPECT_THAT(text_of("compared.csv"), HasSubstr("layered_shaft_N,embedded_needle_N,embedded_needle_tip_N,embedded_"
-                                                 "needle_ahead_mm,embedded_needle_nodes,closest_node_N"));
+  EXPECT_THAT(text_of("compared.csv"),
+              HasSubstr("layered_shaft_N,embedded_needle_N,embedded_needle_tip_N,embedded_"
+                        "needle_ahead_mm,embedded_needle_nodes,embedded_needle_material_mm,closest_node_N"));
 }
 
 TEST_F(DeformableCase, a_damaged_body_file_is_made_anew_and_a_damaged_mesh_is_refused) {
