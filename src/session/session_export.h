@@ -17,10 +17,10 @@ using TextSink = std::function<void(std::string_view)>;
 // diagnostics that the force models published follow, each under its own name.
 void export_ticks(const Session& session, const TextSink& sink);
 
-// The events of a session, likewise: time, depth, kind, tissue, value.
+// The events of a session as CSV: time, depth, kind, tissue, value.
 void export_events(const Session& session, const TextSink& sink);
 
-// The samples of the second hand, likewise; what a probe has none of stays empty. Only the line of names where there
+// The samples of the second hand as CSV; columns that a probe has no value for stay empty. Only the line of names where there
 // was no second hand.
 void export_second(const Session& session, const TextSink& sink);
 
