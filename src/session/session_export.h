@@ -20,8 +20,8 @@ void export_ticks(const Session& session, const TextSink& sink);
 // The events of a session as CSV: time, depth, kind, tissue, value.
 void export_events(const Session& session, const TextSink& sink);
 
-// The samples of the second hand as CSV; columns that a probe has no value for stay empty. Only the line of names where there
-// was no second hand.
+// The samples of the second hand as CSV; columns that a probe has no value for stay empty. Only the line of names
+// where there was no second hand.
 void export_second(const Session& session, const TextSink& sink);
 
 }  // namespace bodkin::session
