@@ -52,7 +52,10 @@ TEST_F(DeformableCase, a_patient_is_felt_through_its_mesh) {
   EXPECT_THAT(paper.errors, HasSubstr("the needle meets points of its line in a body of"));
   const json said = json::parse(paper.output);
   EXPECT_FALSE(texts_in(said, "skin gives way at 1.5").empty()) << paper.output;
-  EXPECT_FALSE(texts_in(said, "ligamentum flavum gives way at 4.7").empty()) << paper.output;
+  // Friction of the shaft comes on top of what the ligament itself takes.
+  const std::vector<std::string> flavum = texts_in(said, "ligamentum flavum gives way at");
+  ASSERT_EQ(flavum.size(), 1U) << paper.output;
+  EXPECT_THAT(flavum.front(), HasSubstr("N, 4.71 N of it its own"));
   EXPECT_FALSE(texts_in(said, "loss of resistance").empty()) << paper.output;
   EXPECT_GT(peak_in(said, "interspinous ligament"), 0.2);
   EXPECT_LT(peak_in(said, "interspinous ligament"), 2.0);
@@ -72,9 +75,9 @@ TEST_F(DeformableCase, a_patient_is_felt_through_its_mesh) {
   ASSERT_EQ(seen.exit_code, 0) << seen.errors;
   EXPECT_THAT(text_of("seen-deformation.svg"), AllOf(HasSubstr("at rest"), HasSubstr("tissue moved ")));
 
-  // Ultrasound of the same tissue: it has moved where the needle is, and not far below.
+  // Ultrasound of the same tissue: it has moved where the tip dents the skin.
   const std::string scan =
-      "-q --json ultrasound patient --view needle --probe L14-5 --needle --needle-depth 35 --plain ";
+      "-q --json ultrasound patient --view needle --probe L14-5 --needle --needle-depth 3 --plain ";
   const Outcome straight = bodkin(scan + "--press 0 -o straight.png");
   ASSERT_EQ(straight.exit_code, 0) << straight.errors;
   const Outcome drawn = bodkin(scan + "--deformed -o drawn.png");

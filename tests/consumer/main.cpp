@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "fem/solid/elastic_body.h"
+#include "fem/solid/contact_body.h"
 #include "simulation/haptic_tick.h"
 #include "simulation/resistance_models.h"
 
@@ -54,7 +54,6 @@ bodkin::fem::BodyDescription block_of_skin() {
       for (std::uint32_t i = 0; i < n; ++i) {
         body.mesh.nodes.emplace_back(5.0 * i - 20.0, 5.0 * j - 20.0, 5.0 * k);
         if (k + 1 == n) body.fixed.push_back(name({i, j, k}));
-        if (k + 1 < n && i > 1 && i < 7 && j > 1 && j < 7) body.corridor.push_back(name({i, j, k}));
       }
   for (std::uint32_t cube = 0; cube < (n - 1) * (n - 1) * (n - 1); ++cube) {
     const std::array<std::uint32_t, 3> low = {cube % (n - 1), cube / (n - 1) % (n - 1), cube / ((n - 1) * (n - 1))};
@@ -116,10 +115,13 @@ int main() {
   std::printf("constant drag %.3f N\n", dragged);
 
   const bodkin::anatomy::NeedlePath path{bodkin::Vec3::Zero(), bodkin::Vec3(0.0, 0.0, 30.0)};
-  patient.corridor.body =
-      std::make_shared<const bodkin::anatomy::CondensedBody>(bodkin::fem::condense(block_of_skin()));
+  const bodkin::anatomy::EmbeddedNeedleSettings embedded;
+  const bodkin::fem::ContactBody block(std::make_shared<const bodkin::fem::BodyDescription>(block_of_skin()));
+  const auto stations = bodkin::fem::stations_along(path, path.length(), embedded.point_spacing, patient);
+  patient.corridor.body = std::make_shared<const bodkin::anatomy::CondensedBody>(
+      block.contact_points(stations, path.direction(), embedded.tip_radius));
   patient.corridor.path = path;
-  patient.description.haptics.resistance = bodkin::anatomy::EmbeddedNeedleSettings{.capture_radius = 3.0};
+  patient.description.haptics.resistance = embedded;
   bodkin::simulation::HapticTick deformable(patient);
   double held = 0.0;
   for (int step = 0; step < 4000; ++step) {
