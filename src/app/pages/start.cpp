@@ -12,6 +12,7 @@
 #include <QPainter>
 #include <QPixmap>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -33,7 +34,7 @@ using namespace views;
 namespace {
 
 constexpr std::size_t most_patients = 2;  // beside the card for dropping
-constexpr int procedure_columns = 4;
+constexpr int procedure_columns = 3;
 
 QLabel* label(const QString& text, const char* role) {
   auto* words = new QLabel(text);
@@ -84,7 +85,13 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   columns->setContentsMargins(0, 0, 0, 0);
   columns->setSpacing(0);
   columns->addWidget(make_side());
-  auto* main = new QVBoxLayout;
+  auto* area = new QScrollArea;  // for windows in which not all of it has room
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* inner = new QWidget;
+  inner->setObjectName(QStringLiteral("ground"));
+  auto* main = new QVBoxLayout(inner);
   main->setContentsMargins(32, 28, 32, 20);
   main->setSpacing(14);
   main->addWidget(make_recovered());
@@ -99,7 +106,8 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   line_ = label({}, "second");
   line_->setObjectName(QStringLiteral("start.line"));
   main->addWidget(line_);
-  columns->addLayout(main, 1);
+  area->setWidget(inner);
+  columns->addWidget(area, 1);
   show_patients({});
 }
 
@@ -109,13 +117,13 @@ QWidget* StartPage::make_side() {
   side->setAttribute(Qt::WA_StyledBackground);
   side->setFixedWidth(232);
   auto* rows = new QVBoxLayout(side);
-  rows->setContentsMargins(14, 24, 14, 20);
-  rows->setSpacing(8);
+  rows->setContentsMargins(14, 20, 14, 12);
+  rows->setSpacing(1);
   auto* name = new QLabel(QStringLiteral("Bodkin"));
   name->setStyleSheet(QStringLiteral("font-size: 22px; font-weight: 500; padding: 4px 8px 18px 8px;"));
   rows->addWidget(name);
   entries_ = new QVBoxLayout;
-  entries_->setSpacing(8);
+  entries_->setSpacing(1);
   rows->addLayout(entries_);
   connect(make_entry(tr("Practise"), QStringLiteral("start.practise"), tr("Begin on the built-in patient")),
           &QPushButton::clicked, this, &StartPage::begin_requested);
@@ -172,11 +180,12 @@ QWidget* StartPage::make_hero() {
   auto* hero = new QWidget;
   hero->setObjectName(QStringLiteral("hero"));
   hero->setAttribute(Qt::WA_StyledBackground);
+  hero->setMinimumHeight(220);
   auto* columns = new QHBoxLayout(hero);
   columns->setContentsMargins(30, 1, 1, 1);
   auto* rows = new QVBoxLayout;
-  rows->setContentsMargins(0, 28, 0, 28);
-  rows->setSpacing(12);
+  rows->setContentsMargins(0, 24, 0, 16);
+  rows->setSpacing(10);
   columns->addLayout(rows, 4);
   columns->addWidget(new HeroPicture, 5);
   rows->addWidget(label(tr("Put a needle in."), "title"));
