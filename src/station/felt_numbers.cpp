@@ -104,7 +104,7 @@ simulation::TickOutput FeltNumbers::step(std::uint64_t tick, const simulation::T
     }
   }
   recent_[tick % recent_ticks] = input;
-  const simulation::TickOutput output = felt_.step(input);
+  simulation::TickOutput output = felt_.step(input);
   if (settling_ != nullptr && !felt_.is_settling())
     std::exchange(settling_, nullptr)->state.store(Next::State::settled, std::memory_order_release);
   return output;
