@@ -2,7 +2,9 @@
 // port, servo and guard together, in real time. BODKIN_FAULT_ROUNDS=30 haptics_tests --gtest_filter='*FaultTimes*'
 // measures every fault so often and prints the table of docs/safety.md.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -103,13 +105,15 @@ class FaultTimes : public testing::TestWithParam<DriverSubject> {
     }));
   }
 
-  // From the first tick with the fault to the first without force.
+  // From the first tick with the fault, or from when the session is told to end, to the first tick without force.
   Measured measured(const TimedFault& fault) {
     board().from_tick = board().ticks + 5;
     board().watched_from = board().from_tick.load();
     board().trouble = fault.trouble;
+    std::int64_t began = 0;  // of the steady clock, ns
     if (fault.trouble == Trouble::none) {
       EXPECT_TRUE(comes_true([this] { return board().watched_at != 0; }));
+      began = std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
       EXPECT_TRUE(servo_->stop());
     } else {
       EXPECT_TRUE(comes_true([&] {
@@ -123,7 +127,8 @@ class FaultTimes : public testing::TestWithParam<DriverSubject> {
     }
     Measured result;
     EXPECT_NE(board().zero_at, 0) << fault.name;
-    result.time = 1e-6 * static_cast<double>(board().zero_at - board().watched_at);
+    if (began == 0) began = board().watched_at;
+    result.time = 1e-6 * static_cast<double>(board().zero_at - began);
     result.longest_gap = std::max(1.0, 1e-6 * static_cast<double>(board().longest_gap));
     return result;
   }
