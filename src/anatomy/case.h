@@ -36,7 +36,11 @@ struct DeviceLimits {
   double continuous_force = 2.0;
   double peak_torque = 188.0;
   double stiffness = 1.0;
+  double lateral_stiffness = 0.0;
   double position_resolution = 0.0;
+
+  // N/mm of springs that act across the needle, or to every side.
+  double across() const noexcept { return lateral_stiffness > 0.0 ? lateral_stiffness : stiffness; }
 
   template <typename S = DeviceLimits>
   static constexpr auto parameters() {
@@ -47,8 +51,10 @@ struct DeviceLimits {
                   "for as long as one likes; at most peak_force_N", Origin::choice},
         Parameter{"peak_torque_N_mm", &S::peak_torque, Range{0.0, 1e4}, "N mm", "0: the device renders no torques",
                   Origin::choice},
-        Parameter{"stiffness_N_per_mm", &S::stiffness, above(0.0, 100.0), "N/mm", "that it renders stably",
-                  Origin::choice},
+        Parameter{"stiffness_N_per_mm", &S::stiffness, above(0.0, 100.0), "N/mm",
+                  "that it renders stably along the needle", Origin::choice},
+        Parameter{"lateral_stiffness_N_per_mm", &S::lateral_stiffness, Range{0.0, 100.0}, "N/mm",
+                  "that it renders stably across the needle; 0: as along it", Origin::choice},
         Parameter{"position_resolution_mm", &S::position_resolution, Range{0.0, 1.0}, "mm", "0: without noise",
                   Origin::choice}};
   }
