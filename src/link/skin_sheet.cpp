@@ -10,9 +10,10 @@ namespace bodkin::link {
 namespace {
 
 constexpr int points_across = 25;
-constexpr double spacing = 3.0;  // mm
-constexpr double before = 40.0;  // mm of the plan's line that are searched for skin, and as many behind
-constexpr double step = 0.25;    // mm
+constexpr double spacing = 3.0;              // mm
+constexpr double before = 40.0;              // mm of the plan's line that are searched for skin, and as many behind
+constexpr double step = 0.25;                // mm
+constexpr double farthest_from_sheet = 5.0;  // mm, of a point that goes with the skin
 
 // The first place along the line that is not air.
 std::optional<Vec3> skin_on(const anatomy::TissueVolume& tissues, const Vec3& from, const Vec3& along) {
@@ -77,7 +78,7 @@ std::vector<float> SkinSheet::displacements_at(std::span<const Vec3> points, std
     const double x = from.dot(right_) / spacing + points_across / 2, y = from.dot(up_) / spacing + points_across / 2;
     const double left = std::floor(x), low = std::floor(y);
     if (!(left >= 0.0 && low >= 0.0 && left + 1.0 < points_across && low + 1.0 < points_across)) continue;
-    Vec3 sum = Vec3::Zero();
+    Vec3 sum = Vec3::Zero(), at_rest = Vec3::Zero();
     double weights = 0.0;
     for (int corner = 0; corner < 4; ++corner) {
       const int right = corner % 2, up = corner / 2;
@@ -87,9 +88,10 @@ std::vector<float> SkinSheet::displacements_at(std::span<const Vec3> points, std
       const auto i = static_cast<std::size_t>(at);
       const double weight = (right == 1 ? x - left : 1.0 - (x - left)) * (up == 1 ? y - low : 1.0 - (y - low));
       sum += weight * (moved[i] - rest_[i]);
+      at_rest += weight * rest_[i];
       weights += weight;
     }
-    if (weights == 0.0) continue;
+    if (weights == 0.0 || (points[p] - at_rest / weights).norm() > farthest_from_sheet) continue;
     sum /= weights;
     for (std::size_t axis = 0; axis < 3; ++axis)
       found[3 * p + axis] = static_cast<float>(sum[static_cast<Eigen::Index>(axis)]);

@@ -27,7 +27,8 @@ class SkinSheet {
   std::vector<Vec3> moved(const Pose& needle, double dimple, std::span<const float> displacements) const;
 
   // How far other points near the skin have moved, mm, x y z of each in turn: bilinear between the points of this
-  // sheet, which are now at `moved`; zero beyond its border. All zero when there are not as many as in rest().
+  // sheet, which are now at `moved`; zero beyond its border and more than 5 mm from it. All zero when there are not
+  // as many as in rest().
   std::vector<float> displacements_at(std::span<const Vec3> points, std::span<const Vec3> moved) const;
 
  private:

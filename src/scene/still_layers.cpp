@@ -38,6 +38,15 @@ float opacity_of(std::uint32_t colour) {
   return static_cast<float>(colour >> 24U) * (1.0F / 255.0F);
 }
 
+// The one that a place lies in.
+template <typename Number>
+PixelBox sample_box(Number right, Number down) {
+  const auto limit = static_cast<Number>(1e6);
+  const int x = static_cast<int>(std::floor(std::clamp(right, -limit, limit)));
+  const int y = static_cast<int>(std::floor(std::clamp(down, -limit, limit)));
+  return {x, y, x + 1, y + 1};
+}
+
 // `box` lies within both.
 void copy(const Layer& from, const PixelBox& box, Layer& to) {
   for (int y = box.top; y < box.bottom; ++y) {
@@ -76,19 +85,24 @@ StillLayers::StillLayers(int width, int height, int detail)
       skin_(box().times(detail)),
       sky_rows_(static_cast<std::size_t>(height), 0U) {}
 
-// Where opaque things are drawn (`opaque`), or the others.
-void StillLayers::draw_inside(const PatientSurface& part, const Look& look, const Projection& projection,
-                              bool opaque) {
+// Where opaque things are drawn (`opaque`), or the others. `moving`: what of it is drawn elsewhere; null: nothing.
+void StillLayers::draw_inside(const PatientSurface& part, const InnerPatch::Part* moving, const Look& look,
+                              const Projection& projection, bool opaque) {
   const SurfaceSection whole{part.name, 0, part.mesh.triangles.size()};
-  const std::span<const SurfaceSection> sections =
-      part.sections.empty() ? std::span<const SurfaceSection>(&whole, 1) : std::span(part.sections);
+  const bool less = moving != nullptr && opaque;
+  const std::span<const SurfaceSection> sections = less ? std::span(moving->around)
+                                                   : part.sections.empty()
+                                                       ? std::span<const SurfaceSection>(&whole, 1)
+                                                       : std::span(part.sections);
+  const std::span<const std::array<std::int32_t, 3>> all =
+      less ? std::span(moving->still_triangles) : std::span(part.mesh.triangles);
   std::optional<std::uint32_t> shaded;
   for (const SurfaceSection& section : sections) {
     const Appearance now = appearance(look, part, section.name);
     if (!now.drawn() || (now.opacity >= 1.0F) != opaque) continue;
     if (shaded != now.colour) shade(part.mesh, material_of(part, now.colour), projection, points_);
     shaded = now.colour;
-    const auto triangles = std::span(part.mesh.triangles).subspan(section.first, section.count);
+    const auto triangles = all.subspan(section.first, section.count);
     if (opaque) {
       draw_triangles(points_, triangles, true, opaque_);
     } else {
@@ -129,15 +143,17 @@ void StillLayers::add_to_veil(float opacity) {
 }
 
 void StillLayers::draw(const PatientSurfaces& surfaces, std::span<const std::array<std::int32_t, 3>> skin_triangles,
-                       const Camera& camera, const Look& look, std::span<const std::uint32_t> skin_tint) {
+                       const InnerPatch& inner, const Camera& camera, const Look& look,
+                       std::span<const std::uint32_t> skin_tint) {
   const Projection projection = samples(camera);
   opaque_.clear();
   skin_.clear();
   veil_ = Layer();
   const bool closed = skin_is_closed(look, surfaces);
   for (const bool opaque : {true, false}) {
-    for (const PatientSurface& part : surfaces.parts) {
-      if (part.kind != SurfaceKind::skin && !closed) draw_inside(part, look, projection, opaque);
+    for (std::size_t i = 0; i < surfaces.parts.size(); ++i) {
+      const PatientSurface& part = surfaces.parts[i];
+      if (part.kind != SurfaceKind::skin && !closed) draw_inside(part, inner.part_of(i), look, projection, opaque);
     }
   }
   scratch_ = Layer();
@@ -148,6 +164,43 @@ void StillLayers::draw(const PatientSurfaces& surfaces, std::span<const std::arr
     draw_triangles(points_, skin_triangles, true, skin_);
   }
   under_patch_.resize({});
+  under_inner_.resize({});
+}
+
+PixelBox StillLayers::draw_inner(const PatientSurfaces& surfaces, const InnerPatch& inner, const Camera& camera,
+                                 const Look& look) {
+  PixelBox changed = under_inner_.box();
+  copy(under_inner_, under_inner_.box(), opaque_);
+  under_inner_.resize({});
+  if (!skin_is_closed(look, surfaces)) {
+    const Projection projection = samples(camera);
+    PixelBox covered;
+    for (const InnerPatch::Part& part : inner.parts()) {
+      for (const Eigen::Vector3f& point : part.mesh.points) {
+        if (const std::optional<Place> place = projection.place(point.cast<double>()))
+          covered = covered.join(sample_box(place->x, place->y));
+      }
+    }
+    covered = covered.meet(opaque_.box());
+    if (!covered.empty()) {
+      under_inner_.resize(covered);
+      copy(opaque_, covered, under_inner_);
+      changed = changed.join(covered);
+      for (const InnerPatch::Part& part : inner.parts()) {
+        const PatientSurface& surface = surfaces.parts[part.surface];
+        std::optional<std::uint32_t> shaded;
+        for (const SurfaceSection& section : part.sections) {
+          const Appearance now = appearance(look, surface, section.name);
+          if (!now.drawn() || now.opacity < 1.0F) continue;
+          if (shaded != now.colour) shade(part.mesh, material_of(surface, now.colour), projection, points_);
+          shaded = now.colour;
+          draw_triangles(points_, std::span(part.mesh.triangles).subspan(section.first, section.count), true,
+                         opaque_);
+        }
+      }
+    }
+  }
+  return changed.over(detail_).meet(box());
 }
 
 PixelBox StillLayers::draw_patch(std::span<const ScreenPoint> points,
@@ -155,10 +208,7 @@ PixelBox StillLayers::draw_patch(std::span<const ScreenPoint> points,
   PixelBox covered;
   for (const ScreenPoint& point : points) {
     if (point.nearness <= 0.0F) continue;
-    const float limit = 1e6F;
-    const int x = static_cast<int>(std::floor(std::clamp(point.x, -limit, limit)));
-    const int y = static_cast<int>(std::floor(std::clamp(point.y, -limit, limit)));
-    covered = covered.join({x, y, x + 1, y + 1});
+    covered = covered.join(sample_box(point.x, point.y));
   }
   covered = covered.meet(skin_.box());
   if (covered.empty()) covered = {};

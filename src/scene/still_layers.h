@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scene/camera.h"
+#include "scene/inner_patch.h"
 #include "scene/look.h"
 #include "scene/picture.h"
 #include "scene/raster.h"
@@ -44,9 +45,14 @@ class StillLayers {
   Projection samples(const Camera& camera) const { return {camera, width_ * detail_, height_ * detail_}; }
 
   // Draws all that `look` shows except the skin, and the triangles of the skin in `skin_triangles`; `skin_tint` as
-  // shade() takes it.
+  // shade() takes it. What is opaque of `inner` is left to draw_inner().
   void draw(const PatientSurfaces& surfaces, std::span<const std::array<std::int32_t, 3>> skin_triangles,
-            const Camera& camera, const Look& look, std::span<const std::uint32_t> skin_tint = {});
+            const InnerPatch& inner, const Camera& camera, const Look& look,
+            std::span<const std::uint32_t> skin_tint = {});
+  // What is opaque of `inner`, as it is now. Replaces what the last call drew. Returns the pixels that may have
+  // changed. Translucent surfaces stay as draw() has drawn them.
+  PixelBox draw_inner(const PatientSurfaces& surfaces, const InnerPatch& inner, const Camera& camera,
+                      const Look& look);
   // What covers the skin's other triangles as it is now; `points` in samples. Replaces what the last call drew.
   // Returns the pixels that may have changed.
   PixelBox draw_patch(std::span<const ScreenPoint> points, std::span<const std::array<std::int32_t, 3>> triangles);
@@ -64,7 +70,8 @@ class StillLayers {
   float nearness_at(int x, int y) const;
 
  private:
-  void draw_inside(const PatientSurface& part, const Look& look, const Projection& projection, bool opaque);
+  void draw_inside(const PatientSurface& part, const InnerPatch::Part* moving, const Look& look,
+                   const Projection& projection, bool opaque);
   void add_to_veil(float opacity);
   float skin_at(int x, int y) const;
   std::uint32_t sky_at(int y) const { return sky_rows_[static_cast<std::size_t>(y)]; }
@@ -75,6 +82,7 @@ class StillLayers {
   Layer scratch_;      // samples, one translucent surface
   Layer skin_;         // samples, with the patch
   Layer under_patch_;  // samples, what the patch covers
+  Layer under_inner_;  // samples, what draw_inner() covers
   std::vector<ScreenPoint> points_;
   std::vector<std::uint32_t> sky_rows_;  // of pixels
   float opacity_ = 1.0F;

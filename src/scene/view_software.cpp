@@ -64,8 +64,15 @@ void SoftwareView::set_marks(SceneMarks marks) {
 
 void SoftwareView::set_entry(const Vec3& entry, const Vec3& direction) {
   patch_ = SkinPatch(surfaces_->skin(), entry, direction);
-  dented_ = false;
+  inner_ = patch_.empty() ? InnerPatch() : InnerPatch(*surfaces_, entry, direction.normalized());
+  dented_ = inside_moved_ = false;
   stale_ = true;
+}
+
+std::vector<Vec3> SoftwareView::deformable_points() const {
+  std::vector<Vec3> points = patch_.rest();
+  points.insert(points.end(), inner_.rest().begin(), inner_.rest().end());
+  return points;
 }
 
 void SoftwareView::set_dent(const std::optional<SkinDent>& dent, std::span<const float> displacements) {
@@ -77,10 +84,16 @@ void SoftwareView::set_dent(const std::optional<SkinDent>& dent, std::span<const
       now.direction == dent_.direction) {
     return;
   }
-  patch_.deform(now, displacements);
+  const std::size_t of_skin = 3 * patch_.rest().size();
+  const bool known = displacements.size() == of_skin + 3 * inner_.rest().size();
+  patch_.deform(now, known ? displacements.first(of_skin) : std::span<const float>());
   dent_ = now;
   dented_ = dented;
   patch_stale_ = true;
+  if (!known && !inside_moved_) return;
+  inner_.deform(known ? displacements.subspan(of_skin) : std::span<const float>());
+  inside_moved_ = known;
+  inner_stale_ = true;
 }
 
 void SoftwareView::set_skin_tint(std::vector<std::uint32_t> tint) {
@@ -90,7 +103,8 @@ void SoftwareView::set_skin_tint(std::vector<std::uint32_t> tint) {
   skin_tint_ = std::move(tint);
   if (!skin_tint_.empty()) {
     patch_ = SkinPatch();
-    dented_ = false;
+    inner_ = InnerPatch();
+    dented_ = inside_moved_ = false;
   }
   stale_ = true;
 }
@@ -99,29 +113,30 @@ PixelBox SoftwareView::draw() {
   const PixelBox whole = layers_->box();
   const bool everything = stale_ || look_stale_;
   if (stale_) {
-    layers_->draw(*surfaces_, patch_.empty() ? surfaces_->skin().triangles : patch_.around(), camera_, look_,
+    layers_->draw(*surfaces_, patch_.empty() ? surfaces_->skin().triangles : patch_.around(), inner_, camera_, look_,
                   skin_tint_);
-    patch_stale_ = true;
+    patch_stale_ = inner_stale_ = true;
   }
   const Appearance skin = appearance(look_, surfaces_->parts.front());
   if (everything) layers_->set_look(camera_, look_.preset, skin, opening_, sky_);
   PixelBox changed;
+  if (inner_stale_ && !inner_.empty()) changed = layers_->draw_inner(*surfaces_, inner_, camera_, look_);
   if (patch_stale_ && !patch_.empty() && skin.drawn()) {
     shade(patch_.mesh(), material_of(surfaces_->parts.front(), skin.colour), layers_->samples(camera_), points_);
-    changed = layers_->draw_patch(points_, patch_.mesh().triangles);
+    changed = changed.join(layers_->draw_patch(points_, patch_.mesh().triangles));
   }
   if (everything) changed = whole;
   layers_->compose(changed, still_);
   for (int y = changed.top; y < changed.bottom; ++y) {
     std::copy(still_.row(y) + changed.left, still_.row(y) + changed.right, picture_.row(y) + changed.left);
   }
-  if (everything || patch_stale_ || moving_stale_) {
+  if (everything || patch_stale_ || inner_stale_ || moving_stale_) {
     const Projection seen = projection();
     draw_marks(marks_, seen, *moving_);
     for (const NeedleLook& needle : needles_) draw_needle(needle, seen, *moving_);
     changed = changed.join(moving_->show(*layers_, still_, picture_));
   }
-  stale_ = look_stale_ = patch_stale_ = moving_stale_ = false;
+  stale_ = look_stale_ = patch_stale_ = inner_stale_ = moving_stale_ = false;
   return changed;
 }
 

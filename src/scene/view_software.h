@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/camera.h"
+#include "scene/inner_patch.h"
 #include "scene/look.h"
 #include "scene/marks.h"
 #include "scene/moving_pixels.h"
@@ -38,7 +39,11 @@ class SoftwareView {
   void set_marks(SceneMarks marks);
   // The skin about the place where a needle will go in is cut out as a patch, which can dent from then on.
   void set_entry(const Vec3& entry, const Vec3& direction);
-  // See SkinPatch::deform; nothing: the skin at rest. set_entry() comes first.
+  // LPS mm at rest: where displacements of a deformable body are wanted, of the skin about the entry and then of the
+  // surfaces inside near the needle's line.
+  std::vector<Vec3> deformable_points() const;
+  // See SkinPatch::deform; nothing: the skin at rest. `displacements`: of deformable_points(). set_entry() comes
+  // first.
   void set_dent(const std::optional<SkinDent>& dent, std::span<const float> displacements = {});
 
   // Colours laid over the skin, 0xAARRGGBB for each of its points (surfaces().skin()); empty: none. Tinted skin does
@@ -55,6 +60,7 @@ class SoftwareView {
   int height() const { return picture_.height; }
   Projection projection() const { return {camera_, picture_.width, picture_.height}; }
   const SkinPatch& patch() const { return patch_; }
+  const InnerPatch& inner_patch() const { return inner_; }
   const PatientSurfaces& surfaces() const { return *surfaces_; }
   const std::shared_ptr<const PatientSurfaces>& shared_surfaces() const { return surfaces_; }
   const StillLayers& layers() const { return *layers_; }
@@ -71,13 +77,16 @@ class SoftwareView {
   std::vector<NeedleLook> needles_;
   SceneMarks marks_;
   SkinPatch patch_;
+  InnerPatch inner_;
   std::vector<std::uint32_t> skin_tint_;
   SkinDent dent_;
   bool dented_ = false;
+  bool inside_moved_ = false;
 
   bool stale_ = true;        // layers
   bool look_stale_ = true;   // what covers what
   bool patch_stale_ = true;  // the skin about the needle
+  bool inner_stale_ = true;  // what moves inside
   bool moving_stale_ = true;
   std::optional<StillLayers> layers_;
   std::optional<MovingPixels> moving_;

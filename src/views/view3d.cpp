@@ -196,7 +196,7 @@ void View3d::set_plan_shown(bool shown) {
 }
 
 std::vector<Vec3> View3d::deformable_points() const {
-  return scene_ ? scene_->patch().rest() : std::vector<Vec3>{};
+  return scene_ ? scene_->deformable_points() : std::vector<Vec3>{};
 }
 
 void View3d::show_frame(const Frame& frame, const Changes& changes) {

@@ -219,11 +219,11 @@ TEST_F(View3dTest, the_dimple_of_a_frame_is_as_deep_in_the_scene) {
   const scene::SkinPatch& patch = view_.scene()->patch();
   const Vec3 bottom = patch.mesh().points[patch.bottom()].cast<double>();
   EXPECT_LT((bottom - Vec3(0.4, 27.0, 0.2)).norm(), 1e-3);
-  const std::vector<float> displacements(3 * patch.rest().size(), 0.25F);
+  const std::vector<float> displacements(3 * view_.deformable_points().size(), 0.25F);
   frame.displacements = displacements;
   frame.dimple.at = Vec3(4.0, 30.0, -3.0);  // elsewhere, but the points that were asked for stay
   show(frame);
-  EXPECT_EQ(patch.rest().size() * 3, displacements.size());
+  EXPECT_EQ(view_.deformable_points().size() * 3, displacements.size());
   EXPECT_LT((patch.mesh().points[patch.bottom()].cast<double>() - Vec3(4.0, 27.0, -3.0)).norm(), 1e-3);
   frame.displacements = {};
   frame.dimple.depth = 0.0;
