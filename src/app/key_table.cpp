@@ -105,6 +105,8 @@ constexpr std::array table = {
     KeyBinding{KeyScope::review, "G", Command::of_the_page, BODKIN_TEXT_OF("write the report"), false},
     KeyBinding{KeyScope::atlas, "N", Command::of_the_page, BODKIN_TEXT_OF("name a point to find"), false},
     KeyBinding{KeyScope::atlas, "A", Command::of_the_page, BODKIN_TEXT_OF("the same point again"), false},
+    KeyBinding{KeyScope::atlas, "T", Command::of_the_page, BODKIN_TEXT_OF("touch with the device's needle, or not"),
+               false},
     KeyBinding{KeyScope::atlas, "0", Command::of_the_page, BODKIN_TEXT_OF("the whole body"), false},
     KeyBinding{KeyScope::scan, "S", Command::of_the_page, BODKIN_TEXT_OF("scan, stop"), false},
     KeyBinding{KeyScope::scan, "C", Command::of_the_page, BODKIN_TEXT_OF("run through the slices"), false},

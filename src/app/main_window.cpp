@@ -227,10 +227,10 @@ void MainWindow::add_pages() {
   add_page(new SegmentPage, tr("Structures"), tr("Correct the structures of the segmentation, or make new ones"));
   devices_ = new DevicesPage;
   add_page(devices_, tr("Devices"), tr("What holds the needle: find, check, calibrate"));
-  auto* const atlas = new AtlasPage(data_folder());
-  connect(atlas, &AtlasPage::needling_requested, this,
+  atlas_ = new AtlasPage(data_folder());
+  connect(atlas_, &AtlasPage::needling_requested, this,
           [this](const QString& folder, const Vec3& place) { needle_found_point(folder.toStdString(), place); });
-  add_page(atlas, tr("Acupuncture"), tr("Points and meridians on a whole body"));
+  add_page(atlas_, tr("Acupuncture"), tr("Points and meridians on a whole body"));
   connect(devices_, &DevicesPage::use_requested, this, &MainWindow::use_device);
   const auto frame = [this]() -> const Frame& { return practice_.frame(); };
   auto* const models =
@@ -259,6 +259,7 @@ void MainWindow::use_device(const QString& driver, const QString& identity) {
   settings.setValue(QStringLiteral("device/identity"), device ? identity : QString());
   devices_->set_used(device ? driver + QLatin1Char(':') + identity : QString());
   practice_.set_device(device);
+  atlas_->set_device(device ? std::optional(device->choice) : std::nullopt);
 }
 
 // The newest session that a crash has cut off, until a person has forgotten it.

@@ -26,6 +26,7 @@ namespace bodkin::app {
 using namespace views;
 
 class AboutCard;
+class AtlasPage;
 class DevicesPage;
 class KeysCard;
 class PauseCard;
@@ -129,6 +130,7 @@ class MainWindow : public QMainWindow {
   AboutCard* about_;
   ReviewPage* review_ = nullptr;
   DevicesPage* devices_ = nullptr;
+  AtlasPage* atlas_ = nullptr;
   Palette* palette_;
   Tour* tour_;
   Sounds sounds_;

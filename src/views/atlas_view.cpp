@@ -20,6 +20,8 @@ constexpr double near_height = 420.0;   // mm, about a point that is looked at
 constexpr double touch = 9.0;           // pixels
 constexpr double turn_rate = 0.008;     // rad for a pixel
 constexpr double hidden_by = 6.0;       // mm of skin in front of a point that hide it
+constexpr double needle_touch = 8.0;    // mm from a needle's tip to a point
+constexpr double needle_share = 0.12;   // of the picture's height that a needle is long
 
 scene::ViewSubject whole_body(const patient::Atlas& atlas) {
   scene::ViewSubject subject;
@@ -77,6 +79,33 @@ void AtlasView::move_camera(const scene::Camera& camera) {
 
 void AtlasView::choose(const patient::AtlasPoint* point) {
   chosen_ = point;
+  update();
+}
+
+void AtlasView::show_needle(const std::optional<Pose>& hand, double reach) {
+  if (!scene_) return;
+  const patient::AtlasPoint* point = nullptr;
+  tip_.reset();
+  std::vector<scene::NeedleLook> needles;
+  if (hand) {
+    const double high = 2.0 * camera_.distance() * std::tan(0.5 * camera_.angle);  // mm
+    const Mat3 seen = camera_.axes();
+    Mat3 axes;
+    axes << seen.col(0), seen.col(2), -seen.col(1);  // right, away, up
+    tip_ = camera_.focus + axes * hand->translation() * (high / reach);
+    scene::NeedleLook needle;
+    needle.pose.translation() = *tip_;
+    needle.pose.linear() = axes * hand->linear();
+    needle.shape.length = needle_share * high;
+    needle.shape.outer_diameter = 0.01 * needle.shape.length;
+    needles.push_back(std::move(needle));
+    const patient::Atlas::Near near = atlas_->nearest(*tip_);
+    if (!hidden_ && near.distance <= needle_touch) point = near.point;
+  }
+  scene_->set_needles(std::move(needles));
+  if (point != nullptr && point != touched_) emit touched(point);
+  touched_ = point;
+  if (hand) lit_ = point;
   update();
 }
 

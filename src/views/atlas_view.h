@@ -24,6 +24,12 @@ class AtlasView : public QWidget {
   void set_body(std::shared_ptr<const patient::Atlas> atlas, std::shared_ptr<const scene::PatientSurfaces> surfaces);
   // The chosen point, or none: it is lit, its meridian, and of a luo-connecting point its collateral.
   void choose(const patient::AtlasPoint* point);
+  // The needle of a device, in the operator's frame with its middle at zero (mm); `reach`: mm that its workspace is
+  // high, which fills the picture. It lies along the screen: right is right, up is up, away is into the picture. The
+  // point that it touches, within 8 mm, is lit and told once. Nothing: no needle.
+  void show_needle(const std::optional<Pose>& hand, double reach);
+  // LPS mm, of the needle that is shown.
+  std::optional<Vec3> tip() const { return tip_; }
   // Without points and names, for practice; then the place that was shown and the true point.
   void hide_points(bool hidden);
   void show_answer(const std::optional<Vec3>& shown);
@@ -40,6 +46,8 @@ class AtlasView : public QWidget {
  signals:
   // A place on the skin, and the point within 8 mm of it (null: none).
   void clicked(const bodkin::Vec3& place, const bodkin::patient::AtlasPoint* point);
+  // The needle has come to another point.
+  void touched(const bodkin::patient::AtlasPoint* point);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -69,7 +77,8 @@ class AtlasView : public QWidget {
   std::vector<Mark> marks_;  // that are seen
   const patient::AtlasPoint* chosen_ = nullptr;
   const patient::AtlasPoint* lit_ = nullptr;
-  std::optional<Vec3> shown_;
+  std::optional<Vec3> shown_, tip_;
+  const patient::AtlasPoint* touched_ = nullptr;  // by the needle
   bool hidden_ = false, moved_ = false;
   QPointF pressed_, last_;
   QString said_;

@@ -39,6 +39,22 @@
 <context>
     <name>AtlasPage</name>
     <message>
+        <source>Touch with the needle</source>
+        <translation>Mit der Nadel berühren</translation>
+    </message>
+    <message>
+        <source>The needle of your device shows points on the body, without force (T)</source>
+        <translation>Die Nadel Ihres Geräts zeigt Punkte am Körper, ohne Kraft (T)</translation>
+    </message>
+    <message>
+        <source>The mouse points by itself. Choose a device under Devices to touch with its needle.</source>
+        <translation>Die Maus zeigt von selbst. Wählen Sie unter Geräte ein Gerät, um mit seiner Nadel zu berühren.</translation>
+    </message>
+    <message>
+        <source>Touch a point with the needle. Wheel to come nearer, drag to turn.</source>
+        <translation>Berühren Sie einen Punkt mit der Nadel. Rad: näher, Ziehen: drehen.</translation>
+    </message>
+    <message>
         <source>&lt;p&gt;&lt;b&gt;Luo-connecting point&lt;/b&gt; Its collateral %1.&lt;/p&gt;</source>
         <translation>&lt;p&gt;&lt;b&gt;Luo-Verbindungspunkt&lt;/b&gt; Sein Nebengefäß %1.&lt;/p&gt;</translation>
     </message>

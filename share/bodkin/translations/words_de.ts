@@ -193,6 +193,10 @@
         <translation>einen zu findenden Punkt nennen</translation>
     </message>
     <message>
+        <source>touch with the device's needle, or not</source>
+        <translation>mit der Nadel des Geräts berühren, oder nicht</translation>
+    </message>
+    <message>
         <source>nearer</source>
         <translation>näher</translation>
     </message>

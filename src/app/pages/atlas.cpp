@@ -22,6 +22,8 @@ namespace {
 
 constexpr int side_width = 316;
 constexpr double farthest_needled = 60.0;  // mm off the point: within the block about it
+constexpr double longest_touch = 3600.0;   // s for which the device is read
+constexpr double usual_reach = 100.0;      // mm, of a device that does not say how high its workspace is
 
 QString text(const std::string& words) {
   return QString::fromStdString(words);
@@ -90,6 +92,9 @@ QWidget* AtlasPage::make_side() {
   both_ = button(tr("And needle it"), "atlas.both",
                  tr("Where you show the point, the needle goes in; the true point is shown afterwards"), *rows);
   both_->setCheckable(true);
+  touch_ = button(tr("Touch with the needle"), "atlas.touch",
+                  tr("The needle of your device shows points on the body, without force (T)"), *rows);
+  touch_->setCheckable(true);
   again_ = button(tr("The same again"), "atlas.again", tr("Show the same point once more (A)"), *rows);
   stop_ = button(tr("Back to the atlas"), "atlas.stop", tr("Stop being asked (Esc)"), *rows);
   score_ = new QLabel;
@@ -119,6 +124,8 @@ QWidget* AtlasPage::make_side() {
   connect(find_, &QPushButton::clicked, this, [this] { ask(false); });
   connect(again_, &QPushButton::clicked, this, [this] { ask(true); });
   connect(stop_, &QPushButton::clicked, this, &AtlasPage::stop_asking);
+  connect(touch_, &QPushButton::toggled, this, &AtlasPage::touch_with_device);
+  connect(view_, &AtlasView::touched, this, [this](const patient::AtlasPoint* point) { choose(point, false); });
   return side;
 }
 
@@ -127,7 +134,48 @@ void AtlasPage::enter() {
   view_->setFocus();
 }
 
-void AtlasPage::leave() {}
+void AtlasPage::leave() {
+  touch_->setChecked(false);
+}
+
+void AtlasPage::set_device(const std::optional<station::DeviceChoice>& device) {
+  touch_->setChecked(false);
+  device_ = device;
+}
+
+void AtlasPage::touch_with_device(bool on) {
+  if (!on) {
+    hand_.cancel();
+    view_->show_needle(std::nullopt, usual_reach);
+    touches_ = false;
+    return;
+  }
+  if (!device_) {
+    view_->say(tr("The mouse points by itself. Choose a device under Devices to touch with its needle."));
+    touch_->setChecked(false);
+    return;
+  }
+  if (quiz_.point() != nullptr) stop_asking();
+  hand_.check(*device_, longest_touch);
+  touches_ = true;
+  view_->say(tr("Touch a point with the needle. Wheel to come nearer, drag to turn."));
+}
+
+// The needle where the device is read to be; it goes when the device does.
+void AtlasPage::follow_device() {
+  const DeviceWork::News news = hand_.news();
+  if (!news.is_busy) {
+    const QString why = text(news.trouble);
+    touch_->setChecked(false);
+    view_->say(why);
+    return;
+  }
+  if (!news.is_open) return;
+  const Vec3 &low = news.abilities.workspace_low, &high = news.abilities.workspace_high;
+  Pose hand = news.hand;
+  hand.translation() -= 0.5 * (low + high);
+  view_->show_needle(hand, high.z() > low.z() ? high.z() - low.z() : usual_reach);
+}
 
 void AtlasPage::advance(double /*clock*/) {
   const AtlasModel::Status status = model_.status();
@@ -145,6 +193,7 @@ void AtlasPage::advance(double /*clock*/) {
                                       : text(status.error));
     }
   }
+  if (touches_) follow_device();
   if (!making_.isEmpty()) {
     view_->say(tr("Preparing %1: %2 %").arg(making_).arg(qRound(100.0 * status.fraction)));
     if (!status.working) {
@@ -248,6 +297,7 @@ bool AtlasPage::needles_found(const Vec3& place) {
 }
 
 void AtlasPage::ask(bool same) {
+  touch_->setChecked(false);
   if (!atlas_ || !view_->is_ready() || !making_.isEmpty()) return;
   if (same) {
     quiz_.ask_again();
@@ -294,6 +344,8 @@ bool AtlasPage::press(const QKeySequence& keys) {
     ask(false);
   } else if (keys == QKeySequence(Qt::Key_A) && quiz_.answered()) {
     ask(true);
+  } else if (keys == QKeySequence(Qt::Key_T)) {
+    touch_->toggle();
   } else if (keys == QKeySequence(Qt::Key_0)) {
     view_->look_at_all();
   } else {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/models/atlas_model.h"
+#include "app/models/device_work.h"
 #include "app/page.h"
 #include "patient/acupuncture/collaterals.h"
 
@@ -32,6 +33,8 @@ class AtlasPage : public Page {
   void leave() override;
   void advance(double clock) override;
   bool press(const QKeySequence& keys) override;
+  // The device that holds the needle, to touch points with; nothing: the mouse, whose pointer does.
+  void set_device(const std::optional<station::DeviceChoice>& device);
 
  signals:
   // Needle a point that was found on the body: the case about it, and where the student pointed, LPS mm.
@@ -46,6 +49,8 @@ class AtlasPage : public Page {
   void take(const Vec3& place, const patient::AtlasPoint* point);
   void ask(bool same);
   void stop_asking();
+  void touch_with_device(bool on);
+  void follow_device();
   void show_score();
 
   AtlasModel model_;
@@ -55,9 +60,13 @@ class AtlasPage : public Page {
   QListWidget* list_ = nullptr;
   QLabel* card_ = nullptr;
   QLabel* score_ = nullptr;
-  QPushButton *needle_ = nullptr, *find_ = nullptr, *again_ = nullptr, *stop_ = nullptr, *both_ = nullptr;
+  QPushButton *needle_ = nullptr, *find_ = nullptr, *again_ = nullptr, *stop_ = nullptr, *both_ = nullptr,
+              *touch_ = nullptr;
   const patient::AtlasPoint* chosen_ = nullptr;
   std::shared_ptr<const patient::Atlas> atlas_;
+  std::optional<station::DeviceChoice> device_;
+  DeviceWork hand_;  // reads the device while it touches
+  bool touches_ = false;
   std::optional<Vec3> found_at_;  // is to be needled as soon as its case is there
   QString making_;                // code of the point whose case is made; empty: none
   bool listed_ = false;

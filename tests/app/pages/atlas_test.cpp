@@ -12,6 +12,8 @@
 #include "views/atlas_view.h"
 #include <gtest/gtest.h>
 
+#include "haptics/drivers/drivers.h"
+
 namespace bodkin::app {
 namespace {
 
@@ -126,6 +128,65 @@ TEST(AtlasPage, finds_a_point_by_search_shows_its_card_and_plays_the_game) {
       120000));
   EXPECT_TRUE(made.endsWith(QString::fromStdString(asked)));
   EXPECT_LT((at_place - wanted).norm(), 12.0);
+}
+
+// A needle of a device stands for the pointer: what it touches is lit, named and its card shown.
+TEST(AtlasPage, the_needle_of_a_device_touches_points) {
+  const QTemporaryDir folder;
+  AtlasPage page(folder.path().toStdString());
+  page.resize(900, 600);
+  page.show();
+  page.enter();
+  auto* view = page.findChild<AtlasView*>(QStringLiteral("atlas.view"));
+  auto* touch = page.findChild<QPushButton*>(QStringLiteral("atlas.touch"));
+  auto* card = page.findChild<QLabel*>(QStringLiteral("atlas.card"));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        page.advance(0.0);
+        return view->is_ready();
+      },
+      120000));
+  QTest::mouseClick(touch, Qt::LeftButton);
+  EXPECT_FALSE(touch->isChecked()) << "there is only the mouse";
+  EXPECT_TRUE(view->said().contains(QStringLiteral("Choose a device")));
+
+  // With the hand in the middle of the workspace the tip is where the view looks; up is up, right is the viewer's.
+  const patient::AtlasPoint& point = *atlas_of_tests().find("ST36");
+  view->look_at(point.place, point.normal);
+  Pose hand = Pose::Identity();
+  view->show_needle(hand, 120.0);
+  EXPECT_LT((*view->tip() - point.place).norm(), 1e-6);
+  EXPECT_TRUE(card->text().contains(QStringLiteral("Zusanli")));
+  EXPECT_TRUE(card->text().contains(QStringLiteral("Stomach meridian"))) << card->text().toStdString();
+  hand.translation() = Vec3(0.0, 0.0, 30.0);  // a quarter of the workspace
+  view->show_needle(hand, 120.0);
+  EXPECT_NEAR((*view->tip() - point.place).z(), 105.0, 8.0) << "a quarter of the 420 mm that are seen";
+  EXPECT_GT((*view->tip() - point.place).norm(), 100.0);
+
+  // The device itself, read on a thread of its own until the page is left.
+  page.set_device(station::DeviceChoice{haptics::find_driver("simulated"), "", ""});
+  QTest::mouseClick(touch, Qt::LeftButton);
+  view->show_needle(std::nullopt, 120.0);
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        page.advance(0.0);
+        return view->tip().has_value();
+      },
+      20000))
+      << view->said().toStdString();
+  page.leave();
+  EXPECT_FALSE(touch->isChecked());
+  EXPECT_FALSE(view->tip().has_value());
+  // One that does not open: its sentence, and nothing else.
+  page.set_device(station::DeviceChoice{haptics::find_driver("force_dimension"), "", "library=/nowhere/libdrd.so"});
+  QTest::mouseClick(touch, Qt::LeftButton);
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        page.advance(0.0);
+        return !touch->isChecked();
+      },
+      20000));
+  EXPECT_TRUE(view->said().contains(QStringLiteral("/nowhere/libdrd.so"))) << view->said().toStdString();
 }
 
 }  // namespace
