@@ -75,7 +75,8 @@ Json json_of(const haptics::DeviceCalibration& calibration, const std::filesyste
   if (calibration.tool_axis) json["tool_axis"] = list_of(*calibration.tool_axis);
   if (calibration.weight) {
     json["weight_N"] = *calibration.weight;
-    json["friction_N"] = calibration.friction;
+    json["friction_N"] = calibration.friction.z();
+    json["level_friction_N"] = {calibration.friction.x(), calibration.friction.y()};
   }
   if (calibration.delay) json["delay_s"] = *calibration.delay;
   return json;
@@ -104,7 +105,9 @@ void print(const Console& console, const haptics::DeviceCalibration& calibration
     console.line(fmt::format("  axis        {:.3f} {:.3f} {:.3f}", axis.x(), axis.y(), axis.z()));
   }
   if (calibration.weight) {
-    console.line(fmt::format("  weight      {:.2f} N, friction {:.2f} N", *calibration.weight, calibration.friction));
+    const Vec3& friction = calibration.friction;
+    console.line(fmt::format("  weight      {:.2f} N, friction {:.2f} N to the right, {:.2f} away, {:.2f} up",
+                             *calibration.weight, friction.x(), friction.y(), friction.z()));
   }
   if (calibration.delay) console.line(fmt::format("  delay       {:.1f} ms", 1e3 * *calibration.delay));
 }

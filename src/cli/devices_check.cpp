@@ -3,6 +3,7 @@
 #include <string>
 
 #include "station/device_check.h"
+#include "station/station_checks.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -61,18 +62,17 @@ std::string source_of_delay(const haptics::DeviceAbilities& device) {
   return device.delay_source.empty() ? "nobody states one; 'devices calibrate' measures it" : device.delay_source;
 }
 
-void say_abilities(const Console& console, const haptics::DeviceAbilities& device) {
+void say_abilities(const Console& console, const haptics::DeviceAbilities& device,
+                   const haptics::StableStiffness& stiffness) {
   console.line(fmt::format("{}{}", device.name, device.serial.empty() ? "" : ", serial number " + device.serial));
   console.line(device.peak_force > 0.0
                    ? fmt::format("  force       {} peak, {} continuous, torque {}", known(device.peak_force, "N"),
                                  known(device.continuous_force, "N"),
                                  device.peak_torque > 0.0 ? known(device.peak_torque, "N mm") : "none")
                    : "  force       none: it only measures where the hand is");
-  const haptics::StableStiffness stiffness = haptics::stable_stiffness(device, rate_of(device));
-  console.line(fmt::format(
-      "  stiffness   {}{}, resolution {}", known(device.stiffness, "N/mm"),
-      stiffness.is_cut() ? fmt::format(", of which the delay leaves {:.2g}", stiffness.stiffness) : std::string(),
-      known(device.resolution, "mm")));
+  console.line(fmt::format("  stiffness   {}{}, resolution {}", known(device.stiffness, "N/mm"),
+                           stiffness.is_cut() ? fmt::format(", of which {}", station::what_is_left(stiffness)) : "",
+                           known(device.resolution, "mm")));
   if (device.peak_force > 0.0) {
     console.line(fmt::format("  delay       {:.1f} ms from a tick to the force: {:.2g} ms of the device ({}){}",
                              1e3 * stiffness.delay, 1e3 * device.measured_delay.value_or(device.delay),
@@ -97,7 +97,7 @@ Json times_json(const haptics::LatencyHistogram& times) {
 }
 
 Json json_of(const station::DeviceObservation& seen, const haptics::DeviceAbilities& device,
-             const std::string& why_not) {
+             const haptics::StableStiffness& offered, const std::string& why_not) {
   Json json = {{"ready", why_not.empty()},
                {"name", device.name},
                {"serial", device.serial},
@@ -105,7 +105,8 @@ Json json_of(const station::DeviceObservation& seen, const haptics::DeviceAbilit
                {"continuous_force_N", device.continuous_force},
                {"peak_torque_N_mm", device.peak_torque},
                {"stiffness_N_per_mm", device.stiffness},
-               {"offered_stiffness_N_per_mm", haptics::stable_stiffness(device, rate_of(device)).stiffness},
+               {"offered_stiffness_N_per_mm", offered.weakest()},
+               {"offered_by_axis_N_per_mm", {offered.axis.x(), offered.axis.y(), offered.axis.z()}},
                {"delay_s", device.measured_delay.value_or(device.delay)},
                {"delay_source", source_of_delay(device)},
                {"seconds", seen.seconds},
@@ -137,13 +138,14 @@ int run_devices_check(const DevicesCheckArguments& arguments, const CommandConte
   haptics::DevicePort port(*chosen.driver, chosen.identity, arguments.device.settings);
   haptics::DeviceAbilities abilities = port.abilities();
   station::complete_from_table(abilities);
-  if (const haptics::DeviceCalibration known = station::calibration_of(chosen, abilities); known.delay)
-    abilities.measured_delay = known.delay;
+  const haptics::DeviceCalibration known = station::calibration_of(chosen, abilities);
+  if (known.delay) abilities.measured_delay = known.delay;
+  const haptics::StableStiffness stiffness = haptics::stable_stiffness(abilities, rate_of(abilities), known.friction);
   haptics::ServoSettings settings;
   settings.rate = rate_of(abilities);
   haptics::DeviceServo servo(std::move(port), abilities, settings,
                              [](const haptics::ControlInput&) { return haptics::Control{}; });
-  say_abilities(console, abilities);
+  say_abilities(console, abilities, stiffness);
   const Progress progress = console.progress();
   const auto watch = [&](double elapsed) {
     if (progress)
@@ -166,7 +168,7 @@ int run_devices_check(const DevicesCheckArguments& arguments, const CommandConte
   console.line(fmt::format("  buttons    {}", buttons.empty() ? " none was pressed" : buttons));
   if (abilities.has_dead_man) console.line(fmt::format("  dead-man    released for {:.1f} s", seen.released));
   console.line(why_not.empty() ? "ready" : "not ready: " + why_not);
-  console.json(json_of(seen, abilities, why_not).dump(2));
+  console.json(json_of(seen, abilities, stiffness, why_not).dump(2));
   return why_not.empty() ? 0 : exit_not_ready;
 }
 

@@ -48,7 +48,7 @@ Json json_of_device(const haptics::DeviceAbilities& device, double rate) {
           {"continuous_force_N", device.continuous_force},
           {"peak_torque_N_mm", device.peak_torque},
           {"stiffness_N_per_mm", device.stiffness},
-          {"offered_stiffness_N_per_mm", haptics::stable_stiffness(device, rate).stiffness},
+          {"offered_stiffness_N_per_mm", haptics::stable_stiffness(device, rate).weakest()},
           {"damping_N_s_per_mm", device.damping},
           {"resolution_mm", device.resolution},
           {"rate_Hz", device.rate},
@@ -139,7 +139,8 @@ Json measure_force(haptics::DeviceServo& servo, haptics::Weighing& weighing, Con
   }
   if (measured.weight) {
     json["weight_N"] = *measured.weight;
-    json["friction_N"] = measured.friction;
+    json["friction_N"] = measured.friction.z();
+    json["level_friction_N"] = {measured.friction.x(), measured.friction.y()};
   }
   if (measured.delay) json["delay_s"] = *measured.delay;
   return json;

@@ -56,7 +56,7 @@ Vec3 Beam::step(const Vec3& tip, const Vec3& axis) noexcept {
 
 Beam::Beam(const anatomy::Case& patient, const anatomy::BeamSettings& settings, double dt)
     : Beam(settings, patient.description.needle, dt) {
-  require_stable("beam", "largest stiffness", settings.largest_stiffness, patient.description.device);
+  require_stable_across("beam", "largest stiffness", settings.largest_stiffness, patient.description.device);
 }
 
 }  // namespace bodkin::forces

@@ -7,14 +7,30 @@
 
 namespace bodkin::forces {
 
-void require_stable(const std::string& model, const std::string& what, double stiffness,
-                    const anatomy::DeviceLimits& device) {
-  if (stiffness <= device.stiffness) return;
+namespace {
+
+void require_rendered(const std::string& model, const std::string& what, double stiffness,
+                      const anatomy::DeviceLimits& device, double rendered, const char* how, const char* setting) {
+  if (stiffness <= rendered) return;
   std::ostringstream text;
   text << model << ": " << what << " is " << stiffness << " N/mm, but the device (" << device.profile
-       << ") renders at most " << device.stiffness
-       << " N/mm stably; lower it, or give the device its true stiffness_N_per_mm";
+       << ") renders at most " << rendered << " N/mm stably" << how << "; lower it, or give the device its true "
+       << setting;
   throw InputError(text.str());
+}
+
+}  // namespace
+
+void require_stable(const std::string& model, const std::string& what, double stiffness,
+                    const anatomy::DeviceLimits& device) {
+  require_rendered(model, what, stiffness, device, device.stiffness, "", "stiffness_N_per_mm");
+}
+
+void require_stable_across(const std::string& model, const std::string& what, double stiffness,
+                           const anatomy::DeviceLimits& device) {
+  if (device.across() >= device.stiffness) return require_stable(model, what, stiffness, device);
+  require_rendered(model, what, stiffness, device, device.across(), " on its weakest axis",
+                   "lateral_stiffness_N_per_mm");
 }
 
 void require_stable_damping(const std::string& model, double stiffness, double damping,

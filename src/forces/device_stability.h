@@ -11,6 +11,10 @@ namespace bodkin::forces {
 void require_stable(const std::string& model, const std::string& what, double stiffness,
                     const anatomy::DeviceLimits& device);
 
+// The same of a spring that acts across the needle, or to every side.
+void require_stable_across(const std::string& model, const std::string& what, double stiffness,
+                           const anatomy::DeviceLimits& device);
+
 // The same for a damping (N s/mm) beside a spring, by the bound of Colgate and Schenkel (1994): a device that renders
 // a stiffness K stably has at least K T/2 of damping of its own.
 void require_stable_damping(const std::string& model, double stiffness, double damping,

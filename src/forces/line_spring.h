@@ -23,7 +23,7 @@ class LineSpring {
   // Throws InputError for values outside the ranges of LineSpringSettings. `device_stiffness`: N/mm, > 0.
   LineSpring(const anatomy::LineSpringSettings& settings, double device_stiffness, double dt);
   LineSpring(const anatomy::Case& patient, const anatomy::LineSpringSettings& settings, double dt)
-      : LineSpring(settings, patient.description.device.stiffness, dt) {}
+      : LineSpring(settings, patient.description.device.across(), dt) {}
 
   // Freezes the line through `entry` along the unit vector `direction`.
   void begin(const Vec3& entry, const Vec3& direction) noexcept;

@@ -47,7 +47,7 @@ Wrench Rail::step(const Vec3& tip, const Vec3& axis) const noexcept {
 }
 
 Rail::Rail(const anatomy::Case& patient, const anatomy::RailSettings& settings, double) : Rail(settings) {
-  require_stable("rail", "stiffness", settings.stiffness, patient.description.device);
+  require_stable_across("rail", "stiffness", settings.stiffness, patient.description.device);
 }
 
 Wrench Rail::step(const HeldNeedle& needle) const noexcept {

@@ -135,7 +135,7 @@ SurfaceProxyResistance::SurfaceProxyResistance(const anatomy::Case& patient,
                                                const anatomy::SurfaceProxySettings& settings, double dt)
     : model_(settings, anatomy::tissue_surface(patient.tissues, anatomy::body_tissues(), {}), dt),
       stiffness_(settings.stiffness) {
-  require_stable("surface_proxy", "stiffness", settings.stiffness, patient.description.device);
+  require_stable_across("surface_proxy", "stiffness", settings.stiffness, patient.description.device);
 }
 
 void SurfaceProxyResistance::begin(const Vec3& entry, const Vec3& direction) noexcept {

@@ -118,7 +118,7 @@ VolumeProxy::VolumeProxy(const anatomy::Case& patient, const anatomy::VolumeProx
 VolumeProxy::VolumeProxy(const anatomy::Case& patient, const anatomy::VolumeProxySettings& settings, double dt)
     : VolumeProxy(patient, settings,
                   std::make_unique<HapticField>(patient.ct, patient.tissues, patient.library, settings.field), dt) {
-  require_stable("volume_proxy", "stiffness", settings.stiffness, patient.description.device);
+  require_stable_across("volume_proxy", "stiffness", settings.stiffness, patient.description.device);
 }
 
 void VolumeProxy::begin(const Vec3& entry, const Vec3& direction) noexcept {

@@ -16,15 +16,16 @@ namespace bodkin::haptics {
 
 namespace {
 
-constexpr std::size_t fewest = 20;        // readings
-constexpr double smallest_side = 20.0;    // mm
-constexpr double smallest_swivel = 20.0;  // deg
-constexpr double largest_residual = 2.0;  // mm
-constexpr double largest_unrest = 5.0;    // deg
-constexpr double shortest_stroke = 40.0;  // mm
-constexpr double straightness = 4.0;      // times as long as wide
-constexpr double largest_weight = 5.0;    // N
-constexpr double smallest_weight = 0.02;  // N, below which it is none
+constexpr std::size_t fewest = 20;          // readings
+constexpr double smallest_side = 20.0;      // mm
+constexpr double smallest_swivel = 20.0;    // deg
+constexpr double largest_residual = 2.0;    // mm
+constexpr double largest_unrest = 5.0;      // deg
+constexpr double shortest_stroke = 40.0;    // mm
+constexpr double straightness = 4.0;        // times as long as wide
+constexpr double largest_weight = 5.0;      // N
+constexpr double smallest_weight = 0.02;    // N, below which it is none
+constexpr double least_follow_share = 0.2;  // of the way asked for
 
 [[noreturn]] void refuse(const char* what, double found, const char* rest) {
   std::ostringstream text;
@@ -172,6 +173,10 @@ WeightFit weight_of(double from_below, double from_above) {
   }
   fit.weight = fit.weight < smallest_weight ? 0.0 : fit.weight;
   return fit;
+}
+
+double level_friction(double from_one_side, double from_the_other, double way, double asked) noexcept {
+  return std::abs(way) < least_follow_share * std::abs(asked) ? 0.0 : 0.5 * std::abs(from_one_side - from_the_other);
 }
 
 void apply(const DeviceCalibration& calibration, DeviceAbilities& abilities) {

@@ -40,6 +40,10 @@ struct WeightFit {
 };
 WeightFit weight_of(double from_below, double from_above);
 
+// The same spring drew the handle along a level axis and came to rest, first from one side, then from the other; it
+// went `way` mm. N of friction; 0 where the handle did not follow by a fifth of what was asked.
+double level_friction(double from_one_side, double from_the_other, double way, double asked) noexcept;
+
 // The box of the device becomes what was reached, its delay what was measured.
 void apply(const DeviceCalibration& calibration, DeviceAbilities& abilities);
 // The middle of the workspace, the direction in which the device stands, tip, needle and weight. `settings.workspace`

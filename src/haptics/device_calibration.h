@@ -29,9 +29,10 @@ struct DeviceCalibration {
   double tip_residual = 0.0;  // mm
   // Unit, hub to tip, in the tool's axes.
   std::optional<Vec3> tool_axis;
-  // N of the handle that the device's own controller does not carry, and N of dry friction found on the way.
+  // N of the handle that the device's own controller does not carry, and N of dry friction along each axis of the
+  // operator's frame found on the way; 0 = not found.
   std::optional<double> weight;
-  double friction = 0.0;
+  Vec3 friction = Vec3::Zero();
   // s from sending a force until the handle moved by it, of the device alone.
   std::optional<double> delay;
 

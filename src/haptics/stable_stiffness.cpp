@@ -1,24 +1,58 @@
 #include "haptics/stable_stiffness.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace bodkin::haptics {
+
+namespace {
+
+constexpr int rim_lines = 72;
+
+// mm/N that a spring of 1 N/mm along `line` (unit) takes of the axes.
+double share_of_axes(const Vec3& axis, const Vec3& line) noexcept {
+  return line.cwiseAbs2().cwiseQuotient(axis).sum();
+}
+
+}  // namespace
 
 double force_delay(const DeviceAbilities& device, double rate) noexcept {
   const double own = device.measured_delay.value_or(device.delay);
   return own + (device.owns_loop ? 0.0 : 1.0 / rate);
 }
 
-StableStiffness stable_stiffness(const DeviceAbilities& device, double rate, double friction) noexcept {
+double StableStiffness::along(const Vec3& direction, double spread) const noexcept {
+  if (!(weakest() > 0.0)) return 0.0;
+  Eigen::Index least = 0;
+  axis.minCoeff(&least);
+  // The share is largest along the weakest axis; where that lies outside, on the rim of the cone.
+  if (std::abs(direction[least]) >= std::cos(spread)) return weakest();
+  double largest = share_of_axes(axis, direction);
+  if (spread > 0.0) {
+    const Vec3 aside = direction.unitOrthogonal(), other = direction.cross(aside);
+    for (int i = 0; i < rim_lines; ++i) {
+      const double turn = 2.0 * std::numbers::pi * i / rim_lines;
+      const Vec3 line =
+          std::cos(spread) * direction + std::sin(spread) * (std::cos(turn) * aside + std::sin(turn) * other);
+      largest = std::max(largest, share_of_axes(axis, line));
+    }
+  }
+  return 1.0 / largest;
+}
+
+StableStiffness stable_stiffness(const DeviceAbilities& device, double rate, const Vec3& friction) noexcept {
   StableStiffness found;
   found.published = device.stiffness;
   found.delay = force_delay(device, rate);
   const double then = 1.0 + 2.0 * device.delay * rate, now = 1.0 + 2.0 * found.delay * rate;
   found.by_delay = device.stiffness * std::min(1.0, then / now);
-  found.by_encoder = friction > 0.0 && device.resolution > 0.0 ? 2.0 * friction / device.resolution
-                                                               : std::numeric_limits<double>::infinity();
-  found.stiffness = std::min(found.by_delay, found.by_encoder);
+  for (int i = 0; i < 3; ++i) {
+    found.by_encoder[i] = friction[i] > 0.0 && device.resolution > 0.0 ? 2.0 * friction[i] / device.resolution
+                                                                       : std::numeric_limits<double>::infinity();
+    found.axis[i] = std::min(found.by_delay, found.by_encoder[i]);
+  }
   return found;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry.h"
 #include "haptics/device.h"
 
 namespace bodkin::haptics {
@@ -8,14 +9,20 @@ namespace bodkin::haptics {
 // the period that passes before the next exchange sends it. `rate`: Hz.
 double force_delay(const DeviceAbilities& device, double rate) noexcept;
 
-// The greatest stiffness that a device may be asked to render at `rate`.
+// The greatest stiffness that a device may be asked to render at `rate`, for each axis of the operator's frame.
 struct StableStiffness {
-  double published = 0.0;   // N/mm, of the device or of its profile; 0 = unknown
-  double delay = 0.0;       // s, force_delay()
-  double by_delay = 0.0;    // N/mm, what the delay leaves of it
-  double by_encoder = 0.0;  // N/mm, what the encoder and the friction allow; infinity where either is unknown
-  double stiffness = 0.0;   // N/mm, the least of these; 0 = unknown
-  bool is_cut() const noexcept { return stiffness < published; }
+  double published = 0.0;          // N/mm, of the device or of its profile; 0 = unknown
+  double delay = 0.0;              // s, force_delay()
+  double by_delay = 0.0;           // N/mm, what the delay leaves of it
+  Vec3 by_encoder = Vec3::Zero();  // N/mm, what encoder and friction allow; infinity where either is unknown
+  Vec3 axis = Vec3::Zero();        // N/mm, the least of these; 0 = unknown
+
+  // N/mm that springs to every side may have.
+  double weakest() const noexcept { return axis.minCoeff(); }
+  // N/mm that a spring may have that acts along a line within `spread` rad of `direction` (unit): K n n^T takes no
+  // more than each axis bears where K times the sum of n_i^2 / axis_i is at most 1. The least of these lines counts.
+  double along(const Vec3& direction, double spread = 0.0) const noexcept;
+  bool is_cut() const noexcept { return weakest() < published; }
 };
 
 // A sampled wall of stiffness K, computed every T and felt d periods late, is passive with the damping b (device and
@@ -29,8 +36,11 @@ struct StableStiffness {
 // least: the published one was rendered by a loop that answers within its own tick, d = the device's own delay as its
 // driver states it. What that proves is kept, so K falls as (1 + 2 d_published) / (1 + 2 d).
 //
+// A published stiffness holds for every direction, so what it proves, it proves for each axis.
+//
 // Counts of an encoder of resolution q are stable for K < 2 c / q with dry friction c (Abbott and Okamura, IEEE
-// Trans. Robotics 21 (2005) 952-964). `friction`: N; 0 = unknown.
-StableStiffness stable_stiffness(const DeviceAbilities& device, double rate, double friction = 0.0) noexcept;
+// Trans. Robotics 21 (2005) 952-964). `friction`: N along each axis; 0 = unknown.
+StableStiffness stable_stiffness(const DeviceAbilities& device, double rate,
+                                 const Vec3& friction = Vec3::Zero()) noexcept;
 
 }  // namespace bodkin::haptics

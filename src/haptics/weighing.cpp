@@ -15,14 +15,15 @@ Control Weighing::step(const ControlInput& input) noexcept {
   last_ = position;
   seen_ = true;
 
-  const Target& target = above_.read();
+  const Target& target = target_.read();
   const Vec3 pulse = delay_probe_.step(position, input.dt);
   if (!target.carry) return {{pulse, Vec3::Zero()}, 0.0};
   if (!carrying_) first_ = position;
   carrying_ = true;
-  const double step = speed * input.dt;
-  gliding_ += std::clamp(target.above - gliding_, -step, step);
-  Vec3 force = stiffness * (first_ + gliding_ * Vec3::UnitZ() - position) - damping * velocity_;
+  const Vec3 way = target.away - gliding_;
+  const double step = speed * input.dt, far = way.norm();
+  gliding_ += far > step ? Vec3(way * (step / far)) : way;
+  Vec3 force = stiffness * (first_ + gliding_ - position) - damping * velocity_;
   if (force.norm() > force_limit) force *= force_limit / force.norm();
   return {{force, Vec3::Zero()}, 0.0};
 }

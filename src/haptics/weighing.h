@@ -10,10 +10,9 @@
 namespace bodkin::haptics {
 
 // The controller of a calibration. It carries the handle of a device that no hand holds, so that the handle's weight
-// can be identified: a weak, damped spring to a target that moves at constant speed. Or it gives the pulses of a
-// DelayProbe. One observer sets the target; step() belongs to the
-// servo's thread, is noexcept and allocates nothing. Poses are in the device's frame: use it with an identity
-// workspace.
+// and friction can be identified: a weak, damped spring to a target that moves at constant speed. Or it gives the
+// pulses of a DelayProbe. One observer sets the target; step() belongs to the servo's thread, is noexcept and
+// allocates nothing. Poses are in the device's frame: use it with an identity workspace.
 class Weighing {
  public:
   static constexpr double stiffness = 0.05;   // N/mm
@@ -21,8 +20,8 @@ class Weighing {
   static constexpr double speed = 20.0;       // mm/s of the target
   static constexpr double force_limit = 4.0;  // N
 
-  // From the next tick on, carry the handle, first where it is; then `above` mm over that.
-  void carry(double above) noexcept { above_.write({above, true}); }
+  // From the next tick on, carry the handle, first where it is; then to `away` from there, mm.
+  void carry(const Vec3& away) noexcept { target_.write({away, true}); }
 
   Control step(const ControlInput& input) noexcept;
 
@@ -31,14 +30,14 @@ class Weighing {
 
  private:
   struct Target {
-    double above = 0.0;  // mm
+    Vec3 away = Vec3::Zero();  // mm
     bool carry = false;
   };
 
-  LatestValue<Target> above_;
+  LatestValue<Target> target_;
   DelayProbe delay_probe_;
   bool carrying_ = false;
-  double gliding_ = 0.0;  // mm above the first place
+  Vec3 gliding_ = Vec3::Zero();  // mm from the first place
   Vec3 first_ = Vec3::Zero();
   Vec3 last_ = Vec3::Zero();
   Vec3 velocity_ = Vec3::Zero();  // mm/s

@@ -23,6 +23,7 @@ constexpr const char* low_names[3] = {"low_x_mm", "low_y_mm", "low_z_mm"};
 constexpr const char* high_names[3] = {"high_x_mm", "high_y_mm", "high_z_mm"};
 constexpr const char* offset_names[3] = {"x_mm", "y_mm", "z_mm"};
 constexpr const char* axis_names[3] = {"x", "y", "z"};
+constexpr const char* friction_names[3] = {"friction_x_N", "friction_y_N", "friction_N"};
 constexpr double unit_slack = 1e-6;
 
 Vec3 vector_of(const XmlElement& element, const char* const (&names)[3]) {
@@ -64,7 +65,7 @@ haptics::DeviceCalibration calibration_from(const XmlElement& element, const std
   }
   if (const XmlElement* weight = element.child("weight")) {
     found.weight = weight->number("N", 0.0);
-    found.friction = weight->number("friction_N", 0.0);
+    found.friction = vector_of(*weight, friction_names);
   }
   if (const XmlElement* delay = element.child("delay")) found.delay = delay->number("s", 0.0);
   return found;
@@ -101,7 +102,7 @@ void write(XmlWriter& xml, const haptics::DeviceCalibration& calibration) {
   if (calibration.weight) {
     xml.open("weight");
     xml.attribute("N", *calibration.weight);
-    xml.attribute("friction_N", calibration.friction);
+    xml.coordinates(friction_names, calibration.friction);
     xml.close();
   }
   if (calibration.delay) {

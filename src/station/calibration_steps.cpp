@@ -19,6 +19,8 @@ namespace {
 constexpr std::chrono::milliseconds step_interval{10};
 constexpr double lift = 25.0;            // mm by which the handle is lifted while it is weighed
 constexpr double glide_of_handle = 2.5;  // s for that and for the swinging to end
+constexpr double draw = 15.0;            // mm by which it is drawn to the right and away
+constexpr double glide_of_draw = 2.0;    // s
 constexpr double rest_time = 1.0;        // s over which the force is taken
 constexpr double arming_time = 4.0;      // s within which the force must have come
 constexpr double least_follow = 5.0;     // mm that the handle must have been lifted
@@ -126,17 +128,21 @@ std::vector<Pose> CalibrationSteps::watch(double seconds, std::string_view stage
   return readings;
 }
 
-// N upwards that carries the handle at rest.
-double CalibrationSteps::carried_force(double above, std::string_view stage) {
-  weighing_.carry(above);
-  watch(glide_of_handle, stage, false);
-  double sum = 0.0;
+Vec3 CalibrationSteps::place() const {
+  return servo_.tick().snapshot().device.hand.translation();
+}
+
+// N that carry the handle at rest, `away` from its first place, after `glide` s.
+Vec3 CalibrationSteps::carried_force(const Vec3& away, double glide, std::string_view stage) {
+  weighing_.carry(away);
+  watch(glide, stage, false);
+  Vec3 sum = Vec3::Zero();
   int count = 0;
   const auto begin = std::chrono::steady_clock::now();
   while (time_since(begin) < rest_time) {
     std::this_thread::sleep_for(step_interval);
     require_sound();
-    sum += servo_.tick().snapshot().applied.force.z();
+    sum += servo_.tick().snapshot().applied.force;
     ++count;
   }
   return sum / count;
@@ -183,11 +189,21 @@ void CalibrationSteps::measure_delay(haptics::DeviceCalibration& measured) {
 
 void CalibrationSteps::weigh(haptics::DeviceCalibration& measured) {
   bring_force_in();
-  carried_force(0.0, "weighing: let go of the handle");
-  const double low = servo_.tick().snapshot().device.hand.translation().z();
-  const double from_below = carried_force(lift, "weighing: the handle goes up");
-  const double followed = servo_.tick().snapshot().device.hand.translation().z() - low;
-  const double from_above = carried_force(0.0, "weighing: the handle goes down");
+  const Vec3 up = Vec3::UnitZ();
+  carried_force(Vec3::Zero(), glide_of_handle, "weighing: let go of the handle");
+  const double low = place().z();
+  const double from_below = carried_force(lift * up, glide_of_handle, "weighing: the handle goes up").z();
+  const double followed = place().z() - low;
+  const double from_above = carried_force(Vec3::Zero(), glide_of_handle, "weighing: the handle goes down").z();
+  Vec3 friction = Vec3::Zero();
+  for (const auto& [axis, stage] : {std::pair(0, "friction: the handle goes right and back"),
+                                    std::pair(1, "friction: the handle goes away and back")}) {
+    const double here = place()[axis];
+    const double from_one_side = carried_force(draw * Vec3::Unit(axis), glide_of_draw, stage)[axis];
+    const double way = place()[axis] - here;
+    const double from_the_other = carried_force(Vec3::Zero(), glide_of_draw, stage)[axis];
+    friction[axis] = haptics::level_friction(from_one_side, from_the_other, way, draw);
+  }
   servo_.tick().disarm();
   if (followed < least_follow) {
     throw InputError(
@@ -196,8 +212,12 @@ void CalibrationSteps::weigh(haptics::DeviceCalibration& measured) {
   }
   const haptics::WeightFit fit = haptics::weight_of(from_below, from_above);
   measured.weight = fit.weight;
-  measured.friction = fit.friction;
-  person_.say(fmt::format("  the handle weighs {:.2f} N, its friction is {:.2f} N", fit.weight, fit.friction));
+  friction.z() = fit.friction;
+  measured.friction = friction;
+  person_.say(
+      fmt::format("  the handle weighs {:.2f} N, its friction is {:.2f} N to the right, {:.2f} N away from you "
+                  "and {:.2f} N upwards",
+                  fit.weight, friction.x(), friction.y(), friction.z()));
 }
 
 void CalibrationSteps::perform(CalibrationStep step, haptics::DeviceCalibration& measured) {

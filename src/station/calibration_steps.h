@@ -61,7 +61,8 @@ class CalibrationSteps {
  private:
   void wait_for_a_person();
   std::vector<Pose> watch(double seconds, std::string_view stage, bool may_end_early);
-  double carried_force(double above, std::string_view stage);
+  Vec3 carried_force(const Vec3& away, double glide, std::string_view stage);
+  Vec3 place() const;
   void weigh(haptics::DeviceCalibration& measured);
   void measure_delay(haptics::DeviceCalibration& measured);
   void bring_force_in();

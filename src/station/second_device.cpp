@@ -32,7 +32,7 @@ SecondDevice::SecondDevice(const SecondChoice& choice, const DeviceChoice& first
       device_.owns_loop || choice.device.is_simulated() || choice.device.is_recorded() || choice.device.is_tracked();
   settings_.rate = keeps_its_rate ? device_.rate : rate;
   stiffness_ = haptics::stable_stiffness(device_, settings_.rate, calibration_.friction);
-  device_.stiffness = stiffness_.stiffness;
+  device_.stiffness = stiffness_.weakest();
   settings_.workspace = second_workspace(choice.role, path);
   haptics::apply(calibration_, settings_);
 }

@@ -126,18 +126,20 @@ haptics::DevicePort Station::Parts::open_device() {
   const double rate = patient->description.haptics.rate;
   require_same_rate(choice, device, rate);
   stiffness = haptics::stable_stiffness(device, rate, calibration.friction);
-  device.stiffness = stiffness.stiffness;
-  anatomy::DeviceLimits& limits = patient->description.device;  // of what the needle's side may ask for
-  limits = limits_with(choice, device, limits);
-  limits.stiffness /= options.scale * options.force_scale;
-  limits.peak_force /= options.force_scale;
-  limits.continuous_force /= options.force_scale;
-  limits.peak_torque /= options.force_scale;
+  device.stiffness = stiffness.weakest();
   servo.rate = rate;
   servo.workspace = workspace_about(path);
   servo.workspace.scale = options.scale;
   servo.workspace.force_scale = options.force_scale;
   haptics::apply(calibration, servo);
+  anatomy::DeviceLimits& limits = patient->description.device;  // of what the needle's side may ask for
+  limits = limits_with(choice, device, limits);
+  if (!choice.is_recorded()) limits = with_stiffness(stiffness, servo.workspace, path, limits);
+  limits.stiffness /= options.scale * options.force_scale;
+  limits.lateral_stiffness /= options.scale * options.force_scale;
+  limits.peak_force /= options.force_scale;
+  limits.continuous_force /= options.force_scale;
+  limits.peak_torque /= options.force_scale;
   if (stiffness.is_cut() && !choice.is_recorded()) observer.note(stiffness_sentence(stiffness));
   if (is_kept_low(choice, device, options.allow_late, "", observer)) servo.guard.user_force = late_force;
   return port;
@@ -162,18 +164,20 @@ session::SessionHeader Station::Parts::header() const {
   session::SessionHeader header = session::session_header(*patient, options.case_folder, path);
   header.operator_name = "hand";
   header.operator_settings =
-      nlohmann::ordered_json{{"device", device.name},
-                             {"driver", options.device.driver->name},
-                             {"identity", options.device.identity},
-                             {"settings", options.device.settings},
-                             {"scale", options.scale},
-                             {"force_scale", options.force_scale},
-                             {"delay_s", device.measured_delay.value_or(device.delay)},
-                             {"delay_source", device.measured_delay ? "measured" : device.delay_source},
-                             {"force_delay_s", stiffness.delay},
-                             {"stiffness_N_per_mm", stiffness.stiffness},
-                             {"published_stiffness_N_per_mm", stiffness.published},
-                             {"calibration", calibration.empty() ? "" : io::calibrations_xml({&calibration, 1})}}
+      nlohmann::ordered_json{
+          {"device", device.name},
+          {"driver", options.device.driver->name},
+          {"identity", options.device.identity},
+          {"settings", options.device.settings},
+          {"scale", options.scale},
+          {"force_scale", options.force_scale},
+          {"delay_s", device.measured_delay.value_or(device.delay)},
+          {"delay_source", device.measured_delay ? "measured" : device.delay_source},
+          {"force_delay_s", stiffness.delay},
+          {"stiffness_N_per_mm", stiffness.weakest()},
+          {"stiffness_by_axis_N_per_mm", {stiffness.axis.x(), stiffness.axis.y(), stiffness.axis.z()}},
+          {"published_stiffness_N_per_mm", stiffness.published},
+          {"calibration", calibration.empty() ? "" : io::calibrations_xml({&calibration, 1})}}
           .dump();
   header.device = patient->description.device;
   if (second_device) header.second = second_device->header();

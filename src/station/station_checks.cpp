@@ -12,6 +12,10 @@
 
 namespace bodkin::station {
 
+namespace {
+constexpr double widest_redirection = 30.0 * degree;  // rad by which a needle may leave the planned direction
+}  // namespace
+
 anatomy::NeedlePath path_of(const StationOptions& options) {
   if (options.path) return *options.path;
   if (const std::optional<anatomy::NeedlePath>& planned = options.patient.description.procedure.path) return *planned;
@@ -56,13 +60,31 @@ std::string moving_body_record(const fem::ProbeFace& face, std::size_t nodes) {
       .dump();
 }
 
+std::string what_is_left(const haptics::StableStiffness& stiffness) {
+  const bool encoder = stiffness.by_encoder.minCoeff() < stiffness.by_delay;
+  const Vec3& axis = stiffness.axis;
+  const bool alike = axis.maxCoeff() - axis.minCoeff() < 0.01 * axis.maxCoeff();
+  return fmt::format("{} leave{} {}", encoder ? "delay and encoder" : "the delay", encoder ? "" : "s",
+                     alike ? fmt::format("{:.2g} N/mm along each axis", axis.x())
+                           : fmt::format("{:.2g} N/mm to the right, {:.2g} away from you and {:.2g} upwards",
+                                         axis.x(), axis.y(), axis.z()));
+}
+
 std::string stiffness_sentence(const haptics::StableStiffness& stiffness) {
-  const bool encoder = stiffness.by_encoder < stiffness.by_delay;
-  return fmt::format(
-      "the hand is offered {:.2g} N/mm at most along each axis instead of the published {:.2g}, because {}",
-      stiffness.stiffness, stiffness.published,
-      encoder ? "the encoder's counts allow no more with the friction that was measured"
-              : fmt::format("a force reaches it {:.1f} ms after its tick", 1e3 * stiffness.delay));
+  const bool encoder = stiffness.by_encoder.minCoeff() < stiffness.by_delay;
+  return fmt::format("of the published {:.2g} N/mm {}: {}", stiffness.published, what_is_left(stiffness),
+                     encoder
+                         ? "the encoder's counts allow no more with the friction that was measured"
+                         : fmt::format("a force reaches the hand {:.1f} ms after its tick", 1e3 * stiffness.delay));
+}
+
+anatomy::DeviceLimits with_stiffness(const haptics::StableStiffness& stiffness,
+                                     const haptics::WorkspaceSettings& workspace, const anatomy::NeedlePath& path,
+                                     anatomy::DeviceLimits limits) {
+  if (!(stiffness.weakest() > 0.0)) return limits;
+  limits.stiffness = stiffness.along(workspace.rotation.transpose() * path.direction(), widest_redirection);
+  limits.lateral_stiffness = stiffness.weakest() < limits.stiffness ? stiffness.weakest() : 0.0;
+  return limits;
 }
 
 }  // namespace bodkin::station

@@ -7,6 +7,7 @@
 
 #include "fem/moving/probe_press.h"
 #include "haptics/stable_stiffness.h"
+#include "haptics/workspace_map.h"
 
 namespace bodkin::station {
 
@@ -26,7 +27,16 @@ anatomy::DeviceLimits limits_with(const DeviceChoice& choice, const haptics::Dev
 // Where the probe is at first. Throws InputError where the choice does not go with the patient.
 Pose first_probe(const UltrasoundChoice& choice, const anatomy::Case& patient);
 
+// "the delay leaves 2.1 N/mm", and where the axes differ each with its own.
+std::string what_is_left(const haptics::StableStiffness& stiffness);
+
 // Why springs are softer than the device's published stiffness, one sentence.
 std::string stiffness_sentence(const haptics::StableStiffness& stiffness);
+
+// Along the needle what the device bears within 30 degrees of the path, across it what its weakest axis does.
+// `workspace` takes the device's frame to the patient's.
+anatomy::DeviceLimits with_stiffness(const haptics::StableStiffness& stiffness,
+                                     const haptics::WorkspaceSettings& workspace, const anatomy::NeedlePath& path,
+                                     anatomy::DeviceLimits limits);
 
 }  // namespace bodkin::station

@@ -25,7 +25,7 @@ DeviceAbilities device_like(double peak, double stiffness, double damping, doubl
 // As the drivers state them, with another delay measured: the chain that a calibrated device has.
 DeviceAbilities measured_device(DeviceAbilities device, double delay) {
   device.measured_delay = delay;
-  device.stiffness = stable_stiffness(device, 1000.0).stiffness;
+  device.stiffness = stable_stiffness(device, 1000.0).weakest();
   return device;
 }
 

@@ -33,7 +33,7 @@ DeviceCalibration whole() {
   calibration.tool_axis = Vec3(1.0, 2.0, -2.0) / 3.0;
   calibration.weight = 0.8;
   calibration.delay = 0.0012;
-  calibration.friction = 0.05;
+  calibration.friction = Vec3(0.02, 0.03, 0.05);
   return calibration;
 }
 
@@ -68,7 +68,7 @@ TEST(CalibrationsFile, what_is_written_reads_back) {
   EXPECT_EQ(*found[0].tool_axis, *wanted.tool_axis);
   EXPECT_EQ(*found[0].weight, 0.8);
   EXPECT_EQ(*found[0].delay, 0.0012);
-  EXPECT_EQ(found[0].friction, 0.05);
+  EXPECT_EQ(found[0].friction, wanted.friction);
   EXPECT_TRUE(found[1].empty());
   EXPECT_FALSE(fs::exists(file.string() + ".new"));
 }
@@ -89,7 +89,7 @@ TEST(CalibrationsFile, a_new_measurement_keeps_what_it_did_not_measure) {
   merge_calibration(all, again);
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(*all[0].weight, 0.5);
-  EXPECT_EQ(all[0].friction, 0.0);
+  EXPECT_EQ(all[0].friction, Vec3(Vec3::Zero()));
   EXPECT_EQ(*all[0].tip_offset, *whole().tip_offset);
   EXPECT_EQ(all[0].measured_at, "2026-12-01T00:00:00Z");
   again.serial = "another";

@@ -109,7 +109,7 @@ class DelayedRig {
     device.delay = published.delay;
     device.owns_loop = published.vendors_loop;
     if (known) device.measured_delay = delay;
-    device.stiffness = stable_stiffness(device, 1000.0).stiffness;
+    device.stiffness = stable_stiffness(device, 1000.0).weakest();
     return device;
   }
 

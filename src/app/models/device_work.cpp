@@ -206,7 +206,8 @@ std::vector<std::string> kept_calibration(const std::string& driver) {
       lines.push_back(fmt::format("needle's axis {:.3f} {:.3f} {:.3f} of the tool's", each.tool_axis->x(),
                                   each.tool_axis->y(), each.tool_axis->z()));
     }
-    if (each.weight) lines.push_back(fmt::format("weight {:.2f} N, friction {:.2f} N", *each.weight, each.friction));
+    if (each.weight)
+      lines.push_back(fmt::format("weight {:.2f} N, friction {:.2f} N", *each.weight, each.friction.z()));
   }
   return lines;
 }
