@@ -27,7 +27,7 @@ anatomy::DeviceLimits limits_with(const DeviceChoice& choice, const haptics::Dev
 // Where the probe is at first. Throws InputError where the choice does not go with the patient.
 Pose first_probe(const UltrasoundChoice& choice, const anatomy::Case& patient);
 
-// "the delay leaves 2.1 N/mm", and where the axes differ each with its own.
+// "the delay leaves 2.1 N/mm along each axis", or where the axes differ each with its own.
 std::string what_is_left(const haptics::StableStiffness& stiffness);
 
 // Why springs are softer than the device's published stiffness, one sentence.

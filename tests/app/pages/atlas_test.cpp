@@ -22,6 +22,19 @@ const patient::Atlas& atlas_of_tests() {
   return atlas;
 }
 
+// Shows the page and waits for its body; null where that does not come.
+AtlasView* opened(AtlasPage& page) {
+  page.resize(900, 600);
+  page.show();
+  page.enter();
+  auto* const view = page.findChild<AtlasView*>(QStringLiteral("atlas.view"));
+  const auto ready = [&] {
+    page.advance(0.0);
+    return view->is_ready();
+  };
+  return view != nullptr && QTest::qWaitFor(ready, 120000) ? view : nullptr;
+}
+
 TEST(PointQuiz, measures_the_miss_to_the_nearer_of_left_and_right) {
   PointQuiz quiz(3);
   quiz.ask(atlas_of_tests());
@@ -54,16 +67,8 @@ TEST(PointQuiz, takes_one_answer_to_a_question_and_asks_another_point_next) {
 TEST(AtlasPage, finds_a_point_by_search_shows_its_card_and_plays_the_game) {
   const QTemporaryDir folder;
   AtlasPage page(folder.path().toStdString());
-  page.resize(900, 600);
-  page.show();
-  page.enter();
-  auto* view = page.findChild<AtlasView*>(QStringLiteral("atlas.view"));
+  AtlasView* const view = opened(page);
   ASSERT_NE(view, nullptr);
-  const auto ready = [&] {
-    page.advance(0.0);
-    return view->is_ready();
-  };
-  ASSERT_TRUE(QTest::qWaitFor(ready, 120000));
 
   auto* search = page.findChild<QLineEdit*>(QStringLiteral("atlas.search"));
   auto* list = page.findChild<QListWidget*>(QStringLiteral("atlas.list"));
@@ -134,18 +139,10 @@ TEST(AtlasPage, finds_a_point_by_search_shows_its_card_and_plays_the_game) {
 TEST(AtlasPage, the_needle_of_a_device_touches_points) {
   const QTemporaryDir folder;
   AtlasPage page(folder.path().toStdString());
-  page.resize(900, 600);
-  page.show();
-  page.enter();
-  auto* view = page.findChild<AtlasView*>(QStringLiteral("atlas.view"));
+  AtlasView* const view = opened(page);
+  ASSERT_NE(view, nullptr);
   auto* touch = page.findChild<QPushButton*>(QStringLiteral("atlas.touch"));
   auto* card = page.findChild<QLabel*>(QStringLiteral("atlas.card"));
-  ASSERT_TRUE(QTest::qWaitFor(
-      [&] {
-        page.advance(0.0);
-        return view->is_ready();
-      },
-      120000));
   QTest::mouseClick(touch, Qt::LeftButton);
   EXPECT_FALSE(touch->isChecked()) << "there is only the mouse";
   EXPECT_TRUE(view->said().contains(QStringLiteral("Choose a device")));
