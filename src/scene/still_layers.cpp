@@ -47,6 +47,18 @@ PixelBox sample_box(Number right, Number down) {
   return {x, y, x + 1, y + 1};
 }
 
+// Of samples that the points of a patch come to.
+PixelBox box_of(const InnerPatch& inner, const Projection& projection) {
+  PixelBox box;
+  for (const InnerPatch::Part& part : inner.parts()) {
+    for (const Eigen::Vector3f& point : part.mesh.points) {
+      if (const std::optional<Place> place = projection.place(point.cast<double>()))
+        box = box.join(sample_box(place->x, place->y));
+    }
+  }
+  return box;
+}
+
 // `box` lies within both.
 void copy(const Layer& from, const PixelBox& box, Layer& to) {
   for (int y = box.top; y < box.bottom; ++y) {
@@ -85,33 +97,41 @@ StillLayers::StillLayers(int width, int height, int detail)
       skin_(box().times(detail)),
       sky_rows_(static_cast<std::size_t>(height), 0U) {}
 
-// Where opaque things are drawn (`opaque`), or the others. `moving`: what of it is drawn elsewhere; null: nothing.
-void StillLayers::draw_inside(const PatientSurface& part, const InnerPatch::Part* moving, const Look& look,
-                              const Projection& projection, bool opaque) {
-  const SurfaceSection whole{part.name, 0, part.mesh.triangles.size()};
-  const bool less = moving != nullptr && opaque;
-  const std::span<const SurfaceSection> sections = less ? std::span(moving->around)
-                                                   : part.sections.empty()
-                                                       ? std::span<const SurfaceSection>(&whole, 1)
-                                                       : std::span(part.sections);
-  const std::span<const std::array<std::int32_t, 3>> all =
-      less ? std::span(moving->still_triangles) : std::span(part.mesh.triangles);
+// The sections of a surface that are opaque, or those that are not. `mesh`: the surface or a piece of it; `sections`
+// divide `triangles`.
+void StillLayers::draw_sections(const PatientSurface& part, const SceneMesh& mesh,
+                                std::span<const SurfaceSection> sections,
+                                std::span<const std::array<std::int32_t, 3>> triangles, const Look& look,
+                                const Projection& projection, bool opaque) {
   std::optional<std::uint32_t> shaded;
   for (const SurfaceSection& section : sections) {
     const Appearance now = appearance(look, part, section.name);
     if (!now.drawn() || (now.opacity >= 1.0F) != opaque) continue;
-    if (shaded != now.colour) shade(part.mesh, material_of(part, now.colour), projection, points_);
+    if (shaded != now.colour) shade(mesh, material_of(part, now.colour), projection, points_);
     shaded = now.colour;
-    const auto triangles = all.subspan(section.first, section.count);
+    const auto shown = triangles.subspan(section.first, section.count);
     if (opaque) {
-      draw_triangles(points_, triangles, true, opaque_);
+      draw_triangles(points_, shown, true, opaque_);
     } else {
       scratch_.resize(opaque_.box());
       scratch_.clear();
-      draw_triangles(points_, triangles, true, scratch_);
+      draw_triangles(points_, shown, true, scratch_);
       add_to_veil(now.opacity);
     }
   }
+}
+
+// `moving`: what of it draw_inner() draws where it is opaque; null: nothing.
+void StillLayers::draw_inside(const PatientSurface& part, const InnerPatch::Part* moving, const Look& look,
+                              const Projection& projection, bool opaque) {
+  if (moving != nullptr && opaque) {
+    draw_sections(part, part.mesh, moving->around, moving->still_triangles, look, projection, opaque);
+    return;
+  }
+  const SurfaceSection whole{part.name, 0, part.mesh.triangles.size()};
+  const std::span<const SurfaceSection> sections =
+      part.sections.empty() ? std::span<const SurfaceSection>(&whole, 1) : std::span(part.sections);
+  draw_sections(part, part.mesh, sections, part.mesh.triangles, look, projection, opaque);
 }
 
 // The surface in `scratch_`, where nothing opaque covers it. Of two translucent surfaces the nearer one lies over the
@@ -172,32 +192,16 @@ PixelBox StillLayers::draw_inner(const PatientSurfaces& surfaces, const InnerPat
   PixelBox changed = under_inner_.box();
   copy(under_inner_, under_inner_.box(), opaque_);
   under_inner_.resize({});
-  if (!skin_is_closed(look, surfaces)) {
-    const Projection projection = samples(camera);
-    PixelBox covered;
+  const Projection projection = samples(camera);
+  const PixelBox covered =
+      skin_is_closed(look, surfaces) ? PixelBox{} : box_of(inner, projection).meet(opaque_.box());
+  if (!covered.empty()) {
+    under_inner_.resize(covered);
+    copy(opaque_, covered, under_inner_);
+    changed = changed.join(covered);
     for (const InnerPatch::Part& part : inner.parts()) {
-      for (const Eigen::Vector3f& point : part.mesh.points) {
-        if (const std::optional<Place> place = projection.place(point.cast<double>()))
-          covered = covered.join(sample_box(place->x, place->y));
-      }
-    }
-    covered = covered.meet(opaque_.box());
-    if (!covered.empty()) {
-      under_inner_.resize(covered);
-      copy(opaque_, covered, under_inner_);
-      changed = changed.join(covered);
-      for (const InnerPatch::Part& part : inner.parts()) {
-        const PatientSurface& surface = surfaces.parts[part.surface];
-        std::optional<std::uint32_t> shaded;
-        for (const SurfaceSection& section : part.sections) {
-          const Appearance now = appearance(look, surface, section.name);
-          if (!now.drawn() || now.opacity < 1.0F) continue;
-          if (shaded != now.colour) shade(part.mesh, material_of(surface, now.colour), projection, points_);
-          shaded = now.colour;
-          draw_triangles(points_, std::span(part.mesh.triangles).subspan(section.first, section.count), true,
-                         opaque_);
-        }
-      }
+      draw_sections(surfaces.parts[part.surface], part.mesh, part.sections, part.mesh.triangles, look, projection,
+                    true);
     }
   }
   return changed.over(detail_).meet(box());

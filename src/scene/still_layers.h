@@ -70,6 +70,9 @@ class StillLayers {
   float nearness_at(int x, int y) const;
 
  private:
+  void draw_sections(const PatientSurface& part, const SceneMesh& mesh, std::span<const SurfaceSection> sections,
+                     std::span<const std::array<std::int32_t, 3>> triangles, const Look& look,
+                     const Projection& projection, bool opaque);
   void draw_inside(const PatientSurface& part, const InnerPatch::Part* moving, const Look& look,
                    const Projection& projection, bool opaque);
   void add_to_veil(float opacity);
