@@ -147,7 +147,7 @@ void AtlasPage::touch_with_device(bool on) {
   if (!on) {
     hand_.cancel();
     view_->show_needle(std::nullopt, usual_reach);
-    touches_ = false;
+    touches_ = opens_ = false;
     return;
   }
   if (!device_) {
@@ -156,14 +156,19 @@ void AtlasPage::touch_with_device(bool on) {
     return;
   }
   if (quiz_.point() != nullptr) stop_asking();
-  hand_.check(*device_, longest_touch);
-  touches_ = true;
+  touches_ = opens_ = true;
   view_->say(tr("Touch a point with the needle. Wheel to come nearer, drag to turn."));
 }
 
 // The needle where the device is read to be; it goes when the device does.
 void AtlasPage::follow_device() {
   const DeviceWork::News news = hand_.news();
+  if (opens_) {
+    if (news.is_busy) return;
+    hand_.check(*device_, longest_touch);
+    opens_ = false;
+    return;
+  }
   if (!news.is_busy) {
     const QString why = text(news.trouble);
     touch_->setChecked(false);

@@ -67,6 +67,7 @@ class AtlasPage : public Page {
   std::optional<station::DeviceChoice> device_;
   DeviceWork hand_;  // reads the device while it touches
   bool touches_ = false;
+  bool opens_ = false;            // the device is to be opened, as soon as the last one was let go
   std::optional<Vec3> found_at_;  // is to be needled as soon as its case is there
   QString making_;                // code of the point whose case is made; empty: none
   bool listed_ = false;
