@@ -39,7 +39,7 @@ double StableStiffness::along(const Vec3& direction, double spread) const noexce
       largest = std::max(largest, share_of_axes(axis, line));
     }
   }
-  return 1.0 / largest;
+  return std::clamp(1.0 / largest, weakest(), axis.maxCoeff());  // exactly their own where all axes bear alike
 }
 
 StableStiffness stable_stiffness(const DeviceAbilities& device, double rate, const Vec3& friction) noexcept {
