@@ -185,6 +185,12 @@ constexpr std::array table = {
     KeyBinding{KeyScope::ultrasound, "PgUp", Command::of_the_view, BODKIN_TEXT_OF("needle shallower"), false},
     KeyBinding{KeyScope::ultrasound, "S", Command::of_the_view, BODKIN_TEXT_OF("save the picture"), false},
     KeyBinding{KeyScope::ultrasound, "H", Command::of_the_view, BODKIN_TEXT_OF("all of this in the picture"), false},
+    KeyBinding{KeyScope::camera, "Space", Command::of_the_page, BODKIN_TEXT_OF("start, pause, go on"), false},
+    KeyBinding{KeyScope::camera, "P", Command::of_the_page, BODKIN_TEXT_OF("bone, soft tissue, skin, vessels"),
+               false},
+    KeyBinding{KeyScope::camera, "+", Command::of_the_page, BODKIN_TEXT_OF("a larger view into the mannequin"),
+               false},
+    KeyBinding{KeyScope::camera, "-", Command::of_the_page, BODKIN_TEXT_OF("a smaller one"), false},
 };
 
 constexpr std::array window_chain = {KeyScope::window};
@@ -202,6 +208,7 @@ constexpr std::array atlas_chain = {KeyScope::atlas, KeyScope::window};
 constexpr std::array volume_chain = {KeyScope::volume, KeyScope::window};
 constexpr std::array segment_chain = {KeyScope::segment, KeyScope::window};
 constexpr std::array training_chain = {KeyScope::training, KeyScope::window};
+constexpr std::array camera_chain = {KeyScope::camera, KeyScope::window};
 constexpr std::array ultrasound_chain = {KeyScope::ultrasound, KeyScope::window};
 
 const KeyBinding* find(KeyScope scope, const QKeySequence& keys) {
@@ -250,6 +257,8 @@ std::span<const KeyScope> chain_of(KeyScope scope) noexcept {
       return segment_chain;
     case KeyScope::training:
       return training_chain;
+    case KeyScope::camera:
+      return camera_chain;
     case KeyScope::window:
       break;
   }
@@ -308,6 +317,8 @@ QString name_of(KeyScope scope) {
       return QCoreApplication::translate("Keys", "Structures");
     case KeyScope::training:
       return QCoreApplication::translate("Keys", "Training plan");
+    case KeyScope::camera:
+      return QCoreApplication::translate("Keys", "Augmented reality");
   }
   return {};
 }

@@ -67,7 +67,8 @@ enum class KeyScope : std::uint8_t {
   volume,
   ultrasound,
   segment,
-  training
+  training,
+  camera
 };
 
 struct KeyBinding {

@@ -12,6 +12,7 @@
 #include "app/models/data_folder.h"
 #include "app/models/kept_sessions.h"
 #include "app/pages/atlas.h"
+#include "app/pages/camera.h"
 #include "app/pages/cards.h"
 #include "app/pages/devices.h"
 #include "app/pages/models.h"
@@ -139,6 +140,7 @@ void MainWindow::connect_views() {
   });
   connect(&practise_->view3d(), &View3d::ready, this,
           [this] { practice_.follow_points(practise_->view3d().deformable_points()); });
+  connect_other_hand();
   connect(practise_, &PractisePage::again_requested, this, [this] { run(Command::again); });
   connect(practise_, &PractisePage::end_requested, this, [this] { run(Command::end); });
   connect(practise_, &PractisePage::warning_acknowledged, this, [this] { practice_.acknowledge(); });
@@ -238,6 +240,8 @@ void MainWindow::add_pages() {
   connect(models, &ModelsPage::settings_chosen, this, [this](const auto& chosen) { practice_.set_models(chosen); });
   add_page(models, tr("Model settings"), tr("The numbers of the force model, one a step, and what they do"));
   add_page(ultrasound_, tr("Ultrasound"), tr("The probe in your hand, with the CT of the same plane"));
+  add_page(new CameraPage(data_folder()), tr("Augmented reality"),
+           tr("A camera sees a mannequin: the patient in it, the ultrasound where the probe points"));
   const QSettings settings;
   use_device(settings.value(QStringLiteral("device/driver")).toString(),
              settings.value(QStringLiteral("device/identity")).toString());

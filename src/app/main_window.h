@@ -86,6 +86,7 @@ class MainWindow : public QMainWindow {
 
  private:
   void connect_views();
+  void connect_other_hand();
   void connect_cards();
   void add_pages();
   void add_page(Page* page, const QString& entry, const QString& tip);

@@ -128,6 +128,17 @@ void MainWindow::run(Command command) {
   }
 }
 
+void MainWindow::connect_other_hand() {
+  OtherHandBar* const other_hand = &practise_->other_hand();
+  connect(other_hand, &OtherHandBar::finger_turned, this, [this] { run(Command::turn_finger); });
+  connect(other_hand, &OtherHandBar::stylet_turned, this, [this] { run(Command::turn_stylet); });
+  connect(other_hand, &OtherHandBar::manometer_turned, this, [this] { run(Command::turn_manometer); });
+  connect(other_hand, &OtherHandBar::plunger_pressed, this, [this](bool on) { practice_.press_plunger(on); });
+  connect(other_hand, &OtherHandBar::filling_chosen, this, [this](bool air) {
+    practice_.fill_syringe(air ? anatomy::SyringeFilling::air : anatomy::SyringeFilling::saline);
+  });
+}
+
 void MainWindow::show_about() {
   about_->setGeometry(rect());
   about_->show();

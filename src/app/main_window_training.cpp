@@ -22,8 +22,8 @@ using namespace views;
 namespace {
 
 // Pages that show or change what a stage is about.
-constexpr std::array closed_pages = {PageId::plan,    PageId::scan,   PageId::volume,
-                                     PageId::segment, PageId::models, PageId::ultrasound};
+constexpr std::array closed_pages = {PageId::plan,   PageId::scan,       PageId::volume, PageId::segment,
+                                     PageId::models, PageId::ultrasound, PageId::camera};
 
 constexpr double found_reach = 30.0;  // mm about a found place in which its skin is looked for
 

@@ -28,6 +28,8 @@ const char* name_of(PageId id) noexcept {
       return "segment";
     case PageId::training:
       return "training";
+    case PageId::camera:
+      return "camera";
   }
   return "";
 }

@@ -25,9 +25,10 @@ enum class PageId : std::uint8_t {
   volume,
   ultrasound,
   segment,
-  training
+  training,
+  camera
 };
-inline constexpr int page_count = 12;
+inline constexpr int page_count = 13;
 
 const char* name_of(PageId id) noexcept;  // "plan", as scripts and objectName have it
 

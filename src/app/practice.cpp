@@ -275,6 +275,7 @@ void Practice::begin_attempt() {
 
 void Practice::begin_following() {
   feed_.reset();
+  haptics_ = patient_->patient.description.haptics;
   completing_.reset();  // the station ends its session itself
   const bool is_first = attempts_++ == 0;
   link_.follow(std::make_unique<RemoteStation>(*server_, patient_, !is_first));
@@ -293,7 +294,7 @@ void Practice::take_news(const StationNews& news) {
   for (const std::string& note : news.notes) log_.push_back(note);
   if (log_.size() > longest_log) log_.erase(log_.begin(), log_.end() - longest_log);
   take_result(news);
-  finger_ = news.phase == Phase::running && news.needle.other.finger;
+  frame_.other_hand = other_hand(news);
   const bool over = news.phase == Phase::finished || news.phase == Phase::failed || news.phase == Phase::idle;
   if (again_wanted_ && over && state() == State::preparing) return begin_attempt();
   if (again_wanted_) return;
@@ -359,8 +360,9 @@ void Practice::follow_completion() {
 std::string Practice::hint() const {
   if (!connection_.empty()) return connection_;
   if (clock_ - refused_at_ < refusal_shown && !refusal_.empty()) return refusal_;
-  if (finger_ && (state() == State::ready || state() == State::aiming))
-    return "A finger feels the skin. Push gently; H takes the needle again.";
+  const bool is_above = state() == State::ready || state() == State::aiming;
+  if (frame_.other_hand.finger && (is_above || state() == State::touching))
+    return "Press with the finger. W, then H: the needle.";
   switch (state()) {
     case State::preparing:
       return "The patient is being prepared.";
@@ -375,11 +377,13 @@ std::string Practice::hint() const {
       if (feed_ == nullptr) return "Pressing on skin. Push until it gives.";
       return "Pressing on skin. Scroll to push until it gives.";
     case State::in_tissue:
-      if (has_syringe()) return "Hold B to press the plunger of the syringe. E ends. F1 keys";
-      if (has_fluid()) return "S takes the stylet out, R connects the manometer. E ends. F1 keys";
+      if (has_syringe()) return "Hold B: press the plunger. E ends. F1 keys";
+      if (has_fluid()) return "S: stylet out. R: manometer. E ends. F1 keys";
       if (feed_ == nullptr) return "Push or draw back. E ends. F1 keys";
       return "Scroll to push or draw back. Space holds. F1 keys";
     case State::reached:
+      if (has_fluid() && frame_.other_hand.stylet_in)
+        return fmt::format("Target reached at {:.1f} mm. S: stylet out.", frame_.depth);
       return fmt::format("Target reached at {:.1f} mm. E ends.", frame_.depth);
     case State::held:
       return "Held. Space takes the needle up again.";

@@ -80,6 +80,8 @@ class Practice {
   void press_plunger(bool on);  // of the syringe, if the patient's needle has one
   // Finger, stylet or manometer, if the patient has the part for it; else it says so.
   void turn(station::StationCommand what);
+  // The syringe in the attempts that follow. One that runs is saved, and another begins; not with the needle in.
+  void fill_syringe(anatomy::SyringeFilling filling);
   void set_crosshair(const Vec3& point);
   void toggle_follow();
 
@@ -148,6 +150,8 @@ class Practice {
   void follow_completion();
   std::string hint() const;
   bool may_steer() const;
+  bool may_use_other_hand() const;
+  OtherHandState other_hand(const StationNews& news) const;
   bool has_syringe() const;
   bool has_fluid() const;
   bool must_aim_first();
@@ -190,7 +194,7 @@ class Practice {
   std::vector<LeftNeedle> left_needles_;
   double refused_at_ = 0.0, safe_since_ = 0.0, clock_ = 0.0;
   bool again_wanted_ = false, acknowledged_ = false, was_forbidden_ = false, plunger_pressed_ = false,
-       left_needles_changed_ = false, aimed_ = false, finger_ = false;
+       left_needles_changed_ = false, aimed_ = false;
 };
 
 }  // namespace bodkin::app

@@ -69,27 +69,61 @@ void Practice::take_out_left_needle() {
 }
 
 void Practice::press_plunger(bool on) {
-  if (on == plunger_pressed_ || !has_syringe() || (on && !may_steer())) return;
+  if (on == plunger_pressed_ || !has_syringe() || (on && !may_use_other_hand())) return;
   plunger_pressed_ = on;
   link_.command(on ? station::StationCommand::press_plunger : station::StationCommand::release_plunger);
 }
 
+// With every device, for it is done by keys and buttons.
+bool Practice::may_use_other_hand() const {
+  const State now = state();
+  return now == State::ready || now == State::aiming || needle_is_down(now);
+}
+
 void Practice::turn(station::StationCommand what) {
-  if (!may_steer()) return;
+  if (!may_use_other_hand()) return;
   const bool is_finger = what == station::StationCommand::turn_finger;
-  if (is_finger && !patient_->patient.description.haptics.parts.fingertip)
-    return say("This patient has no skin to feel with a finger.");
+  if (is_finger && !haptics_.parts.fingertip) return say("This patient has no skin to feel with a finger.");
   if (!is_finger && !has_fluid()) return say("This patient has no fluid to measure.");
+  if (is_finger && frame_.other_hand.finger_presses) return say("Lift the finger first (W), then take the needle.");
   if (is_finger && maker_.is_touching()) return say("Withdraw the needle before you feel the skin.");
   link_.command(what);
 }
 
+void Practice::fill_syringe(anatomy::SyringeFilling filling) {
+  if (is_decided_elsewhere() || !has_syringe() || !is_attempt(state())) return;
+  if (maker_.is_touching()) return say("Withdraw the needle before you fill the syringe anew.");
+  ModelSettings models = models_ ? *models_ : ModelSettings{haptics_, patient_->patient.library.tissues()};
+  models.haptics.parts.syringe = haptics_.parts.syringe;
+  models.haptics.parts.syringe->filling = filling;
+  set_models(models);
+}
+
+OtherHandState Practice::other_hand(const StationNews& news) const {
+  const bool runs = news.phase == StationNews::Phase::running;
+  const simulation::OtherHand now = runs ? news.needle.other : simulation::OtherHand();
+  const anatomy::ForceParts& parts = haptics_.parts;
+  OtherHandState state;
+  state.has_finger = parts.fingertip.has_value();
+  state.finger = now.finger;
+  state.finger_presses = now.finger && news.needle.output.tissue != anatomy::tissue::air;
+  if ((state.has_fluid = parts.csf_flow.has_value())) {
+    state.stylet_in = parts.csf_flow->stylet != now.stylet_moved;
+    state.manometer_on = parts.csf_flow->manometer != now.manometer_moved;
+  }
+  if ((state.has_syringe = parts.syringe.has_value())) {
+    state.plunger = plunger_pressed_;
+    state.air = parts.syringe->filling == anatomy::SyringeFilling::air;
+  }
+  return state;
+}
+
 bool Practice::has_fluid() const {
-  return patient_ != nullptr && patient_->patient.description.haptics.parts.csf_flow.has_value();
+  return haptics_.parts.csf_flow.has_value();
 }
 
 bool Practice::has_syringe() const {
-  return patient_ != nullptr && patient_->patient.description.haptics.parts.syringe.has_value();
+  return haptics_.parts.syringe.has_value();
 }
 
 }  // namespace bodkin::app

@@ -67,7 +67,7 @@ void run_camera_calibrate(const CameraCalibrateArguments& arguments, const Comma
     return !source->live() || calibration.kept() < arguments.pictures;
   });
   if (!saw_corners && last.width > 0 && tracking::is_mirrored(last))
-    throw InputError(why_nothing_was_found(arguments.footage.source, last));
+    throw InputError(tracking::why_nothing_was_found(arguments.footage.source, last));
   if (!saw_corners) {
     throw InputError(fmt::format("{}: no picture shows the board of 'bodkin camera board' with 12 corners or more",
                                  arguments.footage.source));

@@ -1,18 +1,11 @@
 #include "cli/footage_options.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 
-#include "tracking/marker_search.h"
-#include <fmt/format.h>
-
 #include "cli/end_on_signal.h"
-#include "core/error.h"
 
 namespace bodkin::cli {
-
-namespace fs = std::filesystem;
 
 void add_source_options(CLI::App& command, FootageArguments& arguments) {
   add_text(command, "FOOTAGE", arguments.source,
@@ -31,36 +24,8 @@ void add_footage_options(CLI::App& command, FootageArguments& arguments) {
            "Marker bodies (default: bodies.json in the folder; else those of 'bodkin markers')");
 }
 
-OpenedFootage open_footage_of(const FootageArguments& arguments) {
-  OpenedFootage opened;
-  std::error_code code;
-  const fs::path source = arguments.source;
-  const bool folder = fs::is_directory(source, code);
-  tracking::SourceOptions options;
-  options.rate = arguments.rate;
-  if (!arguments.camera.empty()) {
-    opened.camera = tracking::read_camera(arguments.camera);
-    options.width = opened.camera.width;
-    options.height = opened.camera.height;
-    options.locks = opened.camera.controls;
-  }
-  if (!fs::exists(source, code) || folder || !arguments.camera.empty()) {
-    opened.source = tracking::open_source(arguments.source, options);
-  }
-  if (arguments.camera.empty()) {
-    if (!folder || !fs::exists(source / "camera.json", code)) {
-      throw InputError(
-          fmt::format("{}: its camera is not calibrated; calibrate it with 'bodkin camera calibrate' and "
-                      "name the file with --camera",
-                      arguments.source));
-    }
-    opened.camera = tracking::read_camera(source / "camera.json");
-  }
-  const fs::path in_folder = source / "bodies.json";
-  opened.bodies = !arguments.bodies.empty()               ? tracking::read_bodies(arguments.bodies)
-                  : folder && fs::exists(in_folder, code) ? tracking::read_bodies(in_folder)
-                                                          : tracking::station_bodies();
-  return opened;
+tracking::OpenedFootage open_footage_of(const FootageArguments& arguments) {
+  return tracking::open_footage_files({arguments.source, arguments.camera, arguments.bodies, arguments.rate});
 }
 
 void for_each_picture(tracking::PictureSource& source, const FootageArguments& arguments, Console& console,
@@ -83,15 +48,6 @@ void for_each_picture(tracking::PictureSource& source, const FootageArguments& a
   }
   console.clear_bar();
   for (const std::string& note : source.notes()) console.note(note);
-}
-
-std::string why_nothing_was_found(const std::string& source, const tracking::GreyPicture& picture) {
-  return tracking::is_mirrored(picture)
-             ? fmt::format("{}: the pictures are mirrored left to right; switch mirroring off in the camera", source)
-             : fmt::format(
-                   "{}: no marker of the dictionary 4x4_50 is in these pictures; print the markers with "
-                   "'bodkin markers --pdf' and keep them in view",
-                   source);
 }
 
 }  // namespace bodkin::cli

@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tracking/camera_model.h"
-#include "tracking/marker_body.h"
-#include "tracking/picture_source.h"
+#include "tracking/station_footage.h"
 
 #include "cli/arguments.h"
 #include "cli/console.h"
@@ -24,22 +22,12 @@ void add_footage_options(CLI::App& command, FootageArguments& arguments);
 // Those of the pictures alone: FOOTAGE, --rate and --seconds.
 void add_source_options(CLI::App& command, FootageArguments& arguments);
 
-struct OpenedFootage {
-  std::unique_ptr<tracking::PictureSource> source;
-  tracking::CameraModel camera;
-  std::vector<tracking::MarkerBody> bodies;
-};
-
-// camera.json and bodies.json of a folder stand in for files that are not named. Throws InputError.
-OpenedFootage open_footage_of(const FootageArguments& arguments);
+// Throws InputError.
+tracking::OpenedFootage open_footage_of(const FootageArguments& arguments);
 
 // Gives every picture to `take`, with a bar; of a live camera until Ctrl-C. `take` returns false to end. Notes of the
 // source are printed.
 void for_each_picture(tracking::PictureSource& source, const FootageArguments& arguments, Console& console,
                       const std::string& what, const std::function<bool(const tracking::SourcePicture&)>& take);
-
-// One sentence when a whole footage showed no marker at all: the wrong dictionary, or a picture that is mirrored.
-// `picture`: one of them.
-std::string why_nothing_was_found(const std::string& source, const tracking::GreyPicture& picture);
 
 }  // namespace bodkin::cli

@@ -32,7 +32,7 @@ void run_markers_calibrate(const MarkersCalibrateArguments& arguments, const Com
   if (arguments.output.empty()) throw InputError("--output is missing; expected a file for the calibrated bodies");
   require_writable(arguments.output, "--output", arguments.footage.bodies);
   Console console(context);
-  OpenedFootage opened = open_footage_of(arguments.footage);
+  tracking::OpenedFootage opened = open_footage_of(arguments.footage);
   const auto body = std::find_if(opened.bodies.begin(), opened.bodies.end(),
                                  [&](const tracking::MarkerBody& one) { return one.name == arguments.body; });
   if (body == opened.bodies.end()) {

@@ -36,7 +36,7 @@ axis, as a needle in a tube: its axis is found. Camera and dimple must rest. doc
 void run_markers_pivot(const MarkersPivotArguments& arguments, const CommandContext& context) {
   require_writable(arguments.output, "--output", arguments.footage.bodies);
   Console console(context);
-  OpenedFootage opened = open_footage_of(arguments.footage);
+  tracking::OpenedFootage opened = open_footage_of(arguments.footage);
   const auto body = std::find_if(opened.bodies.begin(), opened.bodies.end(),
                                  [&](const tracking::MarkerBody& one) { return one.name == arguments.body; });
   if (body == opened.bodies.end()) {

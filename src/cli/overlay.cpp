@@ -79,7 +79,7 @@ void run_overlay(const OverlayArguments& arguments, const CommandContext& contex
         fmt::format("--output is '{}'; expected a file that ends in .avi, or a new folder", arguments.output));
   }
   Console console(context);
-  OpenedFootage opened = open_footage_of(arguments.footage);
+  tracking::OpenedFootage opened = open_footage_of(arguments.footage);
   const anatomy::Case patient = io::load_case(arguments.patient, console.progress());
   const tracking::Similarity place = arguments.registration.empty()
                                          ? tracking::placed_at(patient, tracking::scene_skin())
@@ -124,7 +124,7 @@ void run_overlay(const OverlayArguments& arguments, const CommandContext& contex
     return true;
   });
   if (writer) writer->finish();
-  if (drawn == 0 && last.width > 0) console.note(why_nothing_was_found(arguments.footage.source, last));
+  if (drawn == 0 && last.width > 0) console.note(tracking::why_nothing_was_found(arguments.footage.source, last));
   if (!warning.empty()) console.note(warning);
   console.line(fmt::format("{}: {} pictures, the patient in {} of them", arguments.output, pictures, drawn));
   console.json(

@@ -88,7 +88,7 @@ std::string live_line(const std::vector<tracking::MarkerBody>& bodies,
 void run_track(const TrackArguments& arguments, const CommandContext& context) {
   if (!arguments.csv.empty()) require_writable(arguments.csv, "--csv");
   Console console(context);
-  OpenedFootage opened = open_footage_of(arguments.footage);
+  tracking::OpenedFootage opened = open_footage_of(arguments.footage);
   tracking::Tracker tracker(opened.camera, opened.bodies);
   tracking::LensWatch lens;
   std::vector<BodySummary> summaries(opened.bodies.size());
@@ -120,7 +120,7 @@ void run_track(const TrackArguments& arguments, const CommandContext& context) {
     if (markers == 0) last = frame.grey;
     return true;
   });
-  if (markers == 0) throw InputError(why_nothing_was_found(arguments.footage.source, last));
+  if (markers == 0) throw InputError(tracking::why_nothing_was_found(arguments.footage.source, last));
   if (!warning.empty()) console.note(warning);
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   console.line(fmt::format("{} pictures of {} x {}", pictures, opened.camera.width, opened.camera.height));

@@ -1,5 +1,6 @@
 #include "haptics/simulated_hand.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -12,6 +13,8 @@ namespace {
 
 // 1 N = 1000 kg mm/s^2.
 constexpr double per_newton = 1000.0;
+constexpr double least_stiffness = 0.05, most_stiffness = 20.0;  // N/mm
+constexpr double most_damping = 1.0;                             // N s/mm
 
 void check_range(const char* name, const char* unit, double value, double low, double high) {
   if (value >= low && value <= high) return;
@@ -31,8 +34,8 @@ Pose turned(const Vec3& turn, const Pose& pose) noexcept {
 
 void check(const HandParameters& parameters) {
   check_range("mass", "kg", parameters.mass, 0.02, 5.0);
-  check_range("stiffness", "N/mm", parameters.stiffness, 0.05, 20.0);
-  check_range("damping", "N s/mm", parameters.damping, 0.0, 1.0);
+  check_range("stiffness", "N/mm", parameters.stiffness, least_stiffness, most_stiffness);
+  check_range("damping", "N s/mm", parameters.damping, 0.0, most_damping);
   check_range("inertia", "kg mm^2", parameters.inertia, 10.0, 1e5);
   check_range("rotation stiffness", "N mm/rad", parameters.rotation_stiffness, 10.0, 1e6);
   check_range("rotation damping", "N mm s/rad", parameters.rotation_damping, 0.0, 1e5);
@@ -63,6 +66,14 @@ SimulatedHand::Transition SimulatedHand::transition(double mass, double stiffnes
   }
   const double fade = std::exp(-decay * dt);
   return {fade * (even + decay * odd), fade * odd, -fade * square * odd, fade * (even - decay * odd)};
+}
+
+void SimulatedHand::set_grip(double stiffness, double damping, const Vec3& intended) noexcept {
+  parameters_.stiffness = std::clamp(stiffness, least_stiffness, most_stiffness);
+  parameters_.damping = std::clamp(damping, 0.0, most_damping);
+  translation_ =
+      transition(parameters_.mass, parameters_.stiffness * per_newton, parameters_.damping * per_newton, dt_);
+  intended_ = intended;
 }
 
 void SimulatedHand::start(const Pose& pose) noexcept {

@@ -46,6 +46,10 @@ class SimulatedHand {
   // pose.
   const Pose& step(const Pose& intended, const Wrench& on_hand) noexcept;
 
+  // The hand is held otherwise from now on: k and c, within the ranges of HandParameters (clamped), and the person
+  // means the tip to be at `intended`, which is no movement.
+  void set_grip(double stiffness, double damping, const Vec3& intended) noexcept;
+
   const Pose& needle() const noexcept { return needle_; }
   // mm/s, of the tip.
   const Vec3& velocity() const noexcept { return velocity_; }

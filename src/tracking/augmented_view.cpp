@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -14,15 +15,11 @@ namespace {
 
 constexpr std::uint32_t steel = 0xDDE6EE, alarm = 0xFF4B3E, good = 0x7BE38B, warning = 0xFFC84A, planned = 0x59B8FF;
 
-imaging::VolumeLook volume_look(const anatomy::TissueLibrary& /*library*/, imaging::TransferPreset preset) {
-  imaging::VolumeLook look;
-  look.transfer = imaging::preset_function(preset);
-  return look;
-}
-
-std::shared_ptr<const imaging::PreparedVolume> prepared_patient(const anatomy::Case& patient) {
-  return std::make_shared<const imaging::PreparedVolume>(
-      imaging::prepare_volume(patient.ct, patient.tissues, patient.library));
+imaging::RayCaster caster_of(std::shared_ptr<const imaging::PreparedVolume> volume, const AugmentedLook& look) {
+  imaging::VolumeLook colours;
+  colours.transfer = imaging::preset_function(look.preset);
+  const double step = imaging::step_of(*volume, look.step);
+  return {std::move(volume), colours, step};
 }
 
 std::uint32_t colour_of(TrackingStatus status) {
@@ -96,11 +93,18 @@ Similarity placed_at(const anatomy::Case& patient, const Vec3& at) {
 
 AugmentedView::AugmentedView(const anatomy::Case& patient, const CameraModel& camera,
                              const Similarity& mannequin_from_patient, const AugmentedLook& look)
-    : patient_(patient), camera_(camera), mannequin_from_patient_(mannequin_from_patient), look_(look), caster_([&] {
-        auto volume = prepared_patient(patient);
-        const double step = imaging::step_of(*volume, look.step);
-        return imaging::RayCaster(std::move(volume), volume_look(patient.library, look.preset), step);
-      }()) {}
+    : patient_(patient),
+      camera_(camera),
+      mannequin_from_patient_(mannequin_from_patient),
+      look_(look),
+      volume_(std::make_shared<const imaging::PreparedVolume>(
+          imaging::prepare_volume(patient.ct, patient.tissues, patient.library))),
+      caster_(caster_of(volume_, look)) {}
+
+void AugmentedView::set_look(const AugmentedLook& look) {
+  if (look.preset != look_.preset || look.step != look_.step) caster_ = caster_of(volume_, look);
+  look_ = look;
+}
 
 std::optional<Eigen::Vector2d> AugmentedView::pixel_of(const Vec3& in_camera) const {
   if (in_camera.z() < 10.0) return std::nullopt;

@@ -51,6 +51,8 @@ class AugmentedView {
   void draw(imaging::ImageRgb& picture, const TrackedPose* mannequin, const std::vector<ShownBody>& tools,
             bool moving = false);
 
+  void set_look(const AugmentedLook& look);
+
   // Of the last picture.
   const std::optional<NeedleInPatient>& needle() const { return needle_; }
   const imaging::CutawayReport& cutaway() const { return cutaway_; }
@@ -65,6 +67,7 @@ class AugmentedView {
   CameraModel camera_;
   Similarity mannequin_from_patient_;
   AugmentedLook look_;
+  std::shared_ptr<const imaging::PreparedVolume> volume_;
   imaging::RayCaster caster_;
   ThreadPool pool_;
   std::optional<NeedleInPatient> needle_;

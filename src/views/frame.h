@@ -42,6 +42,16 @@ struct LeftNeedle {
   double depth = 0.0;            // mm below the skin along its line
 };
 
+// What the hand that does not hold the needle does, and what this patient lets it do.
+struct OtherHandState {
+  bool has_finger = false, has_fluid = false, has_syringe = false;  // the patient has the part for it
+  bool finger = false;                                              // feels the skin in the needle's place
+  bool finger_presses = false;                                      // it is on the skin
+  bool stylet_in = false, manometer_on = false;
+  bool plunger = false;  // is pressed
+  bool air = false;      // fills the syringe, not saline
+};
+
 // All that a view may draw of one moment, plain data: a view computes no force and asks nobody. The spans are valid
 // during View::show_frame() only.
 struct Frame {
@@ -65,6 +75,8 @@ struct Frame {
   std::span<const float> displacements;  // mm, x y z of every point that the scene asked for; empty: a rigid body
 
   std::span<const LeftNeedle> left_needles;  // the one that was left first stands first
+
+  OtherHandState other_hand;
 
   // Force, N.
   double force = 0.0;           // that the needle meets, its size

@@ -13,7 +13,7 @@ TEST(KeyTable, no_key_means_two_things_in_one_chain) {
   for (const KeyScope scope :
        {KeyScope::window, KeyScope::start, KeyScope::practise, KeyScope::view3d, KeyScope::slice, KeyScope::chart,
         KeyScope::plan, KeyScope::scan, KeyScope::review, KeyScope::models, KeyScope::devices, KeyScope::atlas,
-        KeyScope::volume, KeyScope::ultrasound, KeyScope::segment, KeyScope::training}) {
+        KeyScope::volume, KeyScope::ultrasound, KeyScope::segment, KeyScope::training, KeyScope::camera}) {
     std::map<std::string, int> count;
     for (const KeyScope each : chain_of(scope)) {
       for (const KeyBinding& binding : key_table()) {

@@ -52,6 +52,32 @@ TEST(MouseHand, goes_to_the_wished_depth_without_overshoot) {
   EXPECT_LE(fastest, wish.speed + 1e-9);
 }
 
+// Braced against the patient: the needle stays where it is, and where 4 N are gone it goes on by 0.8 mm, slowly.
+TEST(MouseHand, a_braced_hand_gives_way_by_a_fifth_and_slowly) {
+  HandWish wish = wish_at(Vec3(3.0, 20.0, -5.0), 20.0);
+  MouseHand hand = hand_at_rest(wish);
+  const Vec3 push = -4.0 * wish.axis;
+  for (int i = 0; i < 3000; ++i) hand.step(wish, push);
+  EXPECT_NEAR(hand.report().depth, 16.0, unease);
+  wish.is_braced = true;
+  wish.depth = 16.8;
+  double least = 16.0, most = 16.0;
+  for (int i = 0; i < 3000; ++i) {
+    hand.step(wish, push);
+    least = std::min(least, hand.report().depth);
+    most = std::max(most, hand.report().depth);
+  }
+  EXPECT_NEAR(least, 16.0, 0.05);
+  EXPECT_NEAR(most, 16.0, 0.05);
+  double fastest = 0.0;
+  for (int i = 0; i < 3000; ++i) {
+    hand.step(wish, Vec3::Zero());
+    fastest = std::max(fastest, hand.velocity().dot(wish.axis));
+  }
+  EXPECT_NEAR(hand.report().depth, 16.8, 0.05);
+  EXPECT_LT(fastest, 10.0);
+}
+
 TEST(MouseHand, a_resistance_holds_the_needle_back_by_a_millimetre_per_newton) {
   const HandWish wish = wish_at(Vec3::Zero(), 20.0);
   MouseHand hand = hand_at_rest(wish);

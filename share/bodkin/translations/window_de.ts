@@ -303,6 +303,237 @@
     </message>
 </context>
 <context>
+    <name>CameraPage</name>
+    <message>
+        <source>The camera's picture</source>
+        <translation>Das Bild der Kamera</translation>
+    </message>
+    <message>
+        <source>The patient drawn into the mannequin, the needle, the planned path</source>
+        <translation>Der Patient in der Puppe, die Nadel, der geplante Weg</translation>
+    </message>
+    <message>
+        <source>Ultrasound</source>
+        <translation>Ultraschall</translation>
+    </message>
+    <message>
+        <source>The ultrasound of where the tracked probe points</source>
+        <translation>Der Ultraschall dort, wohin der verfolgte Schallkopf zeigt</translation>
+    </message>
+    <message>
+        <source>CT at the tip</source>
+        <translation>CT an der Spitze</translation>
+    </message>
+    <message>
+        <source>The patient's CT with a crosshair at the tip of the tracked needle</source>
+        <translation>Das CT des Patienten mit einem Fadenkreuz an der Spitze der verfolgten Nadel</translation>
+    </message>
+    <message>
+        <source>as in the folder</source>
+        <translation>wie im Ordner</translation>
+    </message>
+    <message>
+        <source>as in rendered footage</source>
+        <translation>wie in gerechneten Bildern</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>A camera (/dev/video0), a video, or a folder</source>
+        <translation>Eine Kamera (/dev/video0), ein Video oder ein Ordner</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>camera.json of 'bodkin camera calibrate'</source>
+        <translation>camera.json von 'bodkin camera calibrate'</translation>
+    </message>
+    <message>
+        <source>Bodies</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>bodies.json of 'bodkin markers'</source>
+        <translation>bodies.json von 'bodkin markers'</translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation>Registrierung</translation>
+    </message>
+    <message>
+        <source>registration.json of 'bodkin register'; empty: the entry of the path lies on the back</source>
+        <translation>registration.json von 'bodkin register'; leer: der Einstich liegt auf dem Rücken</translation>
+    </message>
+    <message>
+        <source>...</source>
+        <translation>...</translation>
+    </message>
+    <message>
+        <source>A folder of pictures, or a video</source>
+        <translation>Ein Ordner mit Bildern oder ein Video</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Halt</translation>
+    </message>
+    <message>
+        <source>Show the pictures (Space)</source>
+        <translation>Die Bilder zeigen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Keep this picture, go on (Space)</source>
+        <translation>Dieses Bild behalten, weiter (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Demonstration</source>
+        <translation>Vorführung</translation>
+    </message>
+    <message>
+        <source>Without a camera: pictures that are rendered once</source>
+        <translation>Ohne Kamera: Bilder, die einmal gerechnet werden</translation>
+    </message>
+    <message>
+        <source>How well each body is seen</source>
+        <translation>Wie gut jeder Körper zu sehen ist</translation>
+    </message>
+    <message>
+        <source>mm: standard deviation of its tip. Misfit: what is left of the markers' contrast; edges: that at their edges over that on flat parts, large when motion, lens or folding do not fit</source>
+        <translation>mm: Standardabweichung der Spitze. Rest: was vom Kontrast der Marken bleibt; Kanten: dieser an den Kanten gegen den auf Flächen, groß, wenn Bewegung, Linse oder Faltung nicht passen</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>Gesehen</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Misfit</source>
+        <translation>Rest</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marken</translation>
+    </message>
+    <message>
+        <source>What is seen</source>
+        <translation>Was zu sehen ist</translation>
+    </message>
+    <message>
+        <source>What is seen within the mannequin (P: next)</source>
+        <translation>Was in der Puppe zu sehen ist (P: nächstes)</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Soft tissue</source>
+        <translation>Weichteile</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>Gefäße</translation>
+    </message>
+    <message>
+        <source>Oval</source>
+        <translation>Oval</translation>
+    </message>
+    <message>
+        <source>Size of the view into the mannequin (+, -)</source>
+        <translation>Größe des Blicks in die Puppe (+, -)</translation>
+    </message>
+    <message>
+        <source>Rim</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>How much of the oval is opaque, up to its soft rim</source>
+        <translation>Wie viel des Ovals deckt, bis zum weichen Rand</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Draw the planned path and its target</source>
+        <translation>Den geplanten Weg und sein Ziel zeichnen</translation>
+    </message>
+    <message>
+        <source>Needle</source>
+        <translation>Nadel</translation>
+    </message>
+    <message>
+        <source>Draw the needle in the patient, in the colours of the tissues that it lies in</source>
+        <translation>Die Nadel im Patienten zeichnen, in den Farben der Gewebe, in denen sie liegt</translation>
+    </message>
+    <message>
+        <source>A folder of pictures</source>
+        <translation>Ein Ordner mit Bildern</translation>
+    </message>
+    <message>
+        <source>A video</source>
+        <translation>Ein Video</translation>
+    </message>
+    <message>
+        <source>Videos (*.avi *.mp4 *.mkv *.mov *.webm);;All files (*)</source>
+        <translation>Videos (*.avi *.mp4 *.mkv *.mov *.webm);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Files of Bodkin (*.json);;All files (*)</source>
+        <translation>Dateien von Bodkin (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Rendering a mannequin, a needle and a probe before a camera: %1 %</source>
+        <translation>Eine Puppe, eine Nadel und ein Schallkopf vor einer Kamera werden gerechnet: %1 %</translation>
+    </message>
+    <message>
+        <source>Choose a camera (/dev/video0), a video or a folder of pictures; or let a demonstration be rendered.</source>
+        <translation>Wählen Sie eine Kamera (/dev/video0), ein Video oder einen Ordner mit Bildern; oder lassen Sie eine Vorführung rechnen.</translation>
+    </message>
+    <message>
+        <source>Opening the pictures and preparing the patient.</source>
+        <translation>Die Bilder werden geöffnet, der Patient wird vorbereitet.</translation>
+    </message>
+    <message>
+        <source>%1 pictures/s, each shown %2 ms after it came.</source>
+        <translation>%1 Bilder/s, jedes %2 ms nach seiner Ankunft.</translation>
+    </message>
+    <message>
+        <source>Tip on bone: %1.</source>
+        <translation>Spitze auf Knochen: %1.</translation>
+    </message>
+    <message>
+        <source>Tip in: %1.</source>
+        <translation>Spitze in: %1.</translation>
+    </message>
+</context>
+<context>
     <name>DevicesPage</name>
     <message>
         <source>Devices</source>
@@ -566,6 +797,22 @@
 <context>
     <name>Keys</name>
     <message>
+        <source>start, pause, go on</source>
+        <translation>beginnen, anhalten, weiter</translation>
+    </message>
+    <message>
+        <source>a larger view into the mannequin</source>
+        <translation>ein größerer Blick in die Puppe</translation>
+    </message>
+    <message>
+        <source>a smaller one</source>
+        <translation>ein kleinerer</translation>
+    </message>
+    <message>
+        <source>Augmented reality</source>
+        <translation>Erweiterte Wirklichkeit</translation>
+    </message>
+    <message>
         <source>Everywhere</source>
         <translation>Überall</translation>
     </message>
@@ -733,6 +980,14 @@
 </context>
 <context>
     <name>MainWindow</name>
+    <message>
+        <source>Augmented reality</source>
+        <translation>Erweiterte Wirklichkeit</translation>
+    </message>
+    <message>
+        <source>A camera sees a mannequin: the patient in it, the ultrasound where the probe points</source>
+        <translation>Eine Kamera sieht eine Puppe: der Patient in ihr, der Ultraschall, wohin der Schallkopf zeigt</translation>
+    </message>
     <message>
         <source>The ring is where it was planned. Esc brings the results back.</source>
         <translation>Der Ring zeigt, wo es geplant war. Esc bringt die Ergebnisse zurück.</translation>
@@ -1400,6 +1655,65 @@
     <message>
         <source>being computed</source>
         <translation>wird berechnet</translation>
+    </message>
+</context>
+<context>
+    <name>OtherHandBar</name>
+    <message>
+        <source>Feel the skin with a finger, or take the needle again (H)</source>
+        <translation>Die Haut mit einem Finger tasten, oder wieder die Nadel nehmen (H)</translation>
+    </message>
+    <message>
+        <source>Take the stylet out of the needle, or put it back (S)</source>
+        <translation>Den Mandrin aus der Nadel ziehen, oder zurückstecken (S)</translation>
+    </message>
+    <message>
+        <source>Connect the manometer, or take it off (R)</source>
+        <translation>Das Manometer anschließen, oder abnehmen (R)</translation>
+    </message>
+    <message>
+        <source>Press the plunger of the syringe as long as the button or B is held</source>
+        <translation>Den Stempel der Spritze drücken, solange der Knopf oder B gehalten wird</translation>
+    </message>
+    <message>
+        <source>Fill the syringe with air, or with saline again; another attempt begins</source>
+        <translation>Die Spritze mit Luft füllen, oder wieder mit Kochsalzlösung; ein neuer Versuch beginnt</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <translation>Luft</translation>
+    </message>
+    <message>
+        <source>Finger</source>
+        <translation>Finger</translation>
+    </message>
+    <message>
+        <source>Stylet</source>
+        <translation>Mandrin</translation>
+    </message>
+    <message>
+        <source>Stylet out</source>
+        <translation>Mandrin gezogen</translation>
+    </message>
+    <message>
+        <source>Stylet out, %1 mL</source>
+        <translation>Mandrin gezogen, %1 mL</translation>
+    </message>
+    <message>
+        <source>Manometer</source>
+        <translation>Manometer</translation>
+    </message>
+    <message>
+        <source>Manometer %1 mm</source>
+        <translation>Manometer %1 mm</translation>
+    </message>
+    <message>
+        <source>Plunger</source>
+        <translation>Stempel</translation>
+    </message>
+    <message>
+        <source>Plunger %1 kPa</source>
+        <translation>Stempel %1 kPa</translation>
     </message>
 </context>
 <context>

@@ -1836,20 +1836,60 @@
         <translation>Bei diesem Patienten ist mit einem Finger nichts zu tasten.</translation>
     </message>
     <message>
-        <source>A finger feels the skin. Push gently; H takes the needle again.</source>
-        <translation>Ein Finger tastet die Haut. Drücken Sie sanft; H nimmt wieder die Nadel.</translation>
+        <source>Press with the finger. W, then H: the needle.</source>
+        <translation>Drücken Sie mit dem Finger. W, dann H: die Nadel.</translation>
     </message>
     <message>
         <source>This patient has no fluid to measure.</source>
         <translation>Bei diesem Patienten ist kein Liquor zu messen.</translation>
     </message>
     <message>
+        <source>Lift the finger first (W), then take the needle.</source>
+        <translation>Heben Sie erst den Finger (W), nehmen Sie dann die Nadel.</translation>
+    </message>
+    <message>
+        <source>Withdraw the needle before you fill the syringe anew.</source>
+        <translation>Ziehen Sie die Nadel heraus, bevor Sie die Spritze neu füllen.</translation>
+    </message>
+    <message>
+        <source>Target reached at %1 mm. S: stylet out.</source>
+        <translation>Ziel erreicht in %1 mm. S: Mandrin ziehen.</translation>
+    </message>
+    <message>
+        <source>mannequin</source>
+        <translation>Puppe</translation>
+    </message>
+    <message>
+        <source>needle</source>
+        <translation>Nadel</translation>
+    </message>
+    <message>
+        <source>probe</source>
+        <translation>Schallkopf</translation>
+    </message>
+    <message>
+        <source>ok</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>uncertain</source>
+        <translation>unsicher</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>verloren</translation>
+    </message>
+    <message>
+        <source>This camera is not calibrated: its picture is shown alone. Calibrate it with 'bodkin camera calibrate'.</source>
+        <translation>Diese Kamera ist nicht kalibriert: ihr Bild wird allein gezeigt. Kalibrieren Sie sie mit 'bodkin camera calibrate'.</translation>
+    </message>
+    <message>
         <source>Withdraw the needle before you feel the skin.</source>
         <translation>Ziehen Sie die Nadel heraus, bevor Sie die Haut tasten.</translation>
     </message>
     <message>
-        <source>S takes the stylet out, R connects the manometer. E ends. F1 keys</source>
-        <translation>S zieht den Mandrin, R schließt das Manometer an. E beendet. F1 Tasten</translation>
+        <source>S: stylet out. R: manometer. E ends. F1 keys</source>
+        <translation>S: Mandrin. R: Manometer. E beendet. F1 Tasten</translation>
     </message>
     <message>
         <source>Push the needle through the skin before you leave it there.</source>
@@ -1900,8 +1940,8 @@
         <translation>Drückt auf die Haut. Schieben Sie mit dem Mausrad, bis sie nachgibt.</translation>
     </message>
     <message>
-        <source>Hold B to press the plunger of the syringe. E ends. F1 keys</source>
-        <translation>B halten drückt den Stempel der Spritze. E beendet. F1 Tasten</translation>
+        <source>Hold B: press the plunger. E ends. F1 keys</source>
+        <translation>B halten: Stempel drücken. E beendet. F1 Tasten</translation>
     </message>
     <message>
         <source>Push or draw back. E ends. F1 keys</source>

@@ -14,11 +14,14 @@ constexpr double near_skin = 3.0;                           // mm above it, wher
 // broken by the guard.
 constexpr double unease = 0.002;  // mm
 
+constexpr double usual_damping = 0.02;  // N s/mm, critical
+constexpr double braced_damping = 0.6;  // a force of 4 N that is gone moves it at 7 mm/s
+
 haptics::HandParameters hand_parameters() {
   haptics::HandParameters hand;
   hand.mass = 0.1;
   hand.stiffness = MouseHand::stiffness;
-  hand.damping = 0.02;  // critical
+  hand.damping = usual_damping;
   hand.tremor = unease;
   return hand;
 }
@@ -36,9 +39,20 @@ void MouseHand::start(const HandWish& wish) noexcept {
   axis_ = wish.axis;
   place_ = -waiting;
   speed_ = 0.0;
+  braced_ = false;
+  hand_.set_grip(stiffness, usual_damping, at_ + place_ * axis_);
   const Pose pose = needle_pose(at_ + place_ * axis_, axis_);
   hand_.start(pose);
   report_ = {pose, pose, place_, true};
+}
+
+// The needle stays where it is: what the hand means comes nearer to it, or goes farther ahead.
+void MouseHand::brace(bool on) noexcept {
+  if (on == braced_) return;
+  braced_ = on;
+  const double ratio = on ? stiffness / braced_stiffness : braced_stiffness / stiffness;
+  place_ = report_.depth + (place_ - report_.depth) * ratio;
+  hand_.set_grip(on ? braced_stiffness : stiffness, on ? braced_damping : usual_damping, at_ + place_ * axis_);
 }
 
 void MouseHand::turn_towards(const Vec3& axis) noexcept {
@@ -68,6 +82,7 @@ void MouseHand::follow_line(const HandWish& wish) noexcept {
 
 const Pose& MouseHand::step(const HandWish& wish, const Vec3& force) noexcept {
   follow_line(wish);
+  brace(wish.is_braced);
   report_.is_on_line = (wish.at - at_).norm() <= same_place && angle_between(axis_, wish.axis) <= same_direction;
   const bool may_go_down =
       wish.is_down && (report_.is_on_line || place_ > -0.5 * waiting) && (wish.at - at_).norm() <= same_place;

@@ -52,7 +52,18 @@ void NeedleControl::move(double millimetres) {
   wish_.depth = std::min(wish_.depth + millimetres, std::max(hand_.depth, 0.0) + lead);
 }
 
+// The hand means another place then, so that the needle stays (see MouseHand::brace).
+void NeedleControl::brace(bool on) {
+  const bool is_braced = on && wish_.is_down && hand_.depth > 0.0;
+  if (is_braced == wish_.is_braced || held_) return;
+  wish_.is_braced = is_braced;
+  const double ratio = is_braced ? MouseHand::stiffness / MouseHand::braced_stiffness
+                                 : MouseHand::braced_stiffness / MouseHand::stiffness;
+  wish_.depth = std::min(hand_.depth + (wish_.depth - hand_.depth) * ratio, std::max(hand_.depth, 0.0) + lead);
+}
+
 void NeedleControl::push(double notches, bool fine) {
+  brace(fine);
   move(notches * (fine ? fine_notch : notch));
 }
 
@@ -82,6 +93,7 @@ bool NeedleControl::tilt(double right, double cranial) {
 void NeedleControl::withdraw() {
   if (held_ || !wish_.is_down) return;
   withdrawing_ = true;
+  wish_.is_braced = false;
   wish_.depth = -lifted_height;
   wish_.speed = withdrawing;
 }
@@ -96,6 +108,7 @@ void NeedleControl::hold(bool on) {
 
 void NeedleControl::update(double dt, const HandReport& hand) {
   hand_ = hand;
+  if (key_ != 0) brace(fine_);
   if (key_ != 0 && !held_) move(key_ * dt * (fine_ ? fine_key_speed : key_speed));
   if (!wish_.is_down) return;
   // Drawn back out of the skin: the needle is free again.

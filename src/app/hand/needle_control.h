@@ -27,7 +27,8 @@ class NeedleControl {
   void aim(const SkinPoint& skin);
   // The tip goes to the skin.
   void put_down();
-  // By the wheel. From above the skin the first notch inwards brings the tip to the skin.
+  // By the wheel. From above the skin the first notch inwards brings the tip to the skin. `fine`: by small steps,
+  // with the hand braced against the patient, until it goes on by large ones.
   void push(double notches, bool fine);
   // mm, by a drag of the hub.
   void drag(double millimetres);
@@ -51,6 +52,7 @@ class NeedleControl {
 
  private:
   void move(double millimetres);
+  void brace(bool on);
 
   std::optional<anatomy::NeedlePath> plan_;
   HandWish wish_;

@@ -24,10 +24,15 @@ constexpr double block_width = 160.0;                 // mm, about an acupunctur
 constexpr std::string_view practised_point = "ST36";  // on the leg, away from organs
 constexpr std::string_view practised_layers = "alamilla_2018_fig_9";
 
+// The needle comes with its stylet, and nobody waits for minutes until a column of fluid stands still.
+constexpr std::string_view fluid_of_practice =
+    "csf_flow stylet=true manometer=false pressure_volume_index_mL=25 times_faster=20";
+
 constexpr std::array<PracticePatient, 9> all_patients = {{
-    {"lumbar_puncture", "synthetic-lumbar", "Lumbar torso. Fluid from the sac below the cord.", false},
-    {"epidural", "synthetic-epidural", "Lumbar torso. Stop behind the flavum, before the dura.", false},
-    {"spinal_anaesthesia", "synthetic-spinal", "Lumbar torso. A thin needle, 25G, into the fluid.", false},
+    {"lumbar_puncture", "synthetic-lumbar-puncture", "Lumbar torso. Fluid from the sac below the cord.", false},
+    {"epidural", "synthetic-epidural-syringe", "Lumbar torso. Stop behind the flavum, before the dura.", false},
+    {"spinal_anaesthesia", "synthetic-spinal-anaesthesia", "Lumbar torso. A thin needle, 25G, into the fluid.",
+     false},
     {"ct_guided_biopsy", "synthetic-biopsy", "Lumbar torso. A lesion of 20 mm beside the psoas.", false},
     {"joint_injection", "synthetic-shoulder", "Shoulder. From behind, into the space of the joint.", false},
     {"ultrasound_guided_injection", "synthetic-shoulder-ultrasound", "Shoulder. The tip in the picture all the way.",
@@ -55,7 +60,12 @@ std::vector<std::string> make_torso(const PracticePatient& patient, const fs::pa
   if (name != built_in_patient().procedure) request["procedure"] = name;
   for (const training::Goal& goal : procedure.goals)
     if (!goal.tissue.empty()) request["target_tissue"] = goal.tissue;
-  if (name == "epidural") request["needle"] = "18,90,tuohy";
+  if (name != "ct_guided_biopsy") request["parts"] = {"fingertip"};
+  if (name == "lumbar_puncture" || name == "spinal_anaesthesia") request["parts"].push_back(fluid_of_practice);
+  if (name == "epidural") {
+    request["needle"] = "18,90,tuohy";
+    request["parts"].push_back("syringe");
+  }
   if (name == "spinal_anaesthesia") request["needle"] = "25,90,whitacre";
   if (name == "ct_guided_biopsy") {
     request["needle"] = "18,150,chiba";

@@ -40,7 +40,8 @@ PractisePage::PractisePage(QWidget* parent)
       chart_(new ForceChart(this)),
       numbers_(new Numbers(this)),
       dock_(new DiagnosticsDock(this)),
-      ultrasound_(new UltrasoundView(this)) {
+      ultrasound_(new UltrasoundView(this)),
+      other_hand_(new OtherHandBar(view3d_)) {
   setObjectName(QStringLiteral("practise"));
   view3d_->installEventFilter(this);
   auto measures = std::make_shared<Measures>();
@@ -319,6 +320,7 @@ void PractisePage::set_case(const std::shared_ptr<const OpenCase>& patient) {
 
 void PractisePage::show_frame(const Frame& frame, const Changes& changes) {
   hold_->setChecked(frame.state == State::held);
+  other_hand_->show_frame(frame);
   for (View* view : views_) {
     // Chart and dock collect, and the banner appears, while nobody sees them.
     if (view->isVisible() || view == chart_ || view == banner_ || view == dock_) view->show_frame(frame, changes);
@@ -337,6 +339,7 @@ void PractisePage::arrange_overlays() {
     each->move(left_of_next, 2 * margin + tip_->height());
     left_of_next += each->width() + gap;
   }
+  other_hand_->move(margin, 2 * margin + tip_->height() + (move_ != nullptr ? move_->height() + gap : 0));
   const int ladder_height = std::clamp(all.height() - 132, 120, 400);
   ladder_->setGeometry(all.width() - 118 - gap, 60, 118, ladder_height);
   const int left = margin + cube;

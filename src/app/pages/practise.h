@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/pages/other_hand.h"
 #include "views/banner.h"
 #include "views/bullseye.h"
 #include "views/depth_ladder.h"
@@ -49,6 +50,7 @@ class PractisePage : public QWidget {
   // where the choice says; then nothing has changed.
   void show_ultrasound(const std::optional<station::UltrasoundChoice>& choice);
   UltrasoundView& ultrasound() { return *ultrasound_; }
+  OtherHandBar& other_hand() { return *other_hand_; }
   // What a stage of a training plan lets be seen.
   void set_aids(const training::PlanAids& aids);
   // The strip on top: the plan and how far it is, and the step of the procedure that comes next; both empty: no
@@ -95,6 +97,7 @@ class PractisePage : public QWidget {
   Numbers* numbers_;
   DiagnosticsDock* dock_;
   UltrasoundView* ultrasound_;
+  OtherHandBar* other_hand_;
   training::PlanAids aids_{.ultrasound = true};  // without a plan everything may be seen
   bool has_ultrasound_ = false;
   std::vector<SliceView*> slices_;  // the first one is big

@@ -1,0 +1,181 @@
+#include "app/models/camera_watch.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <deque>
+#include <exception>
+#include <utility>
+
+#include "tracking/footage_scene.h"
+#include "tracking/lens_watch.h"
+#include "tracking/registration_file.h"
+#include <fmt/format.h>
+
+#include "core/error.h"
+
+namespace bodkin::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using tracking::TrackingStatus;
+
+constexpr std::chrono::milliseconds short_nap{5};
+constexpr int pictures_before_doubt = 30;  // without a marker, until it is said why
+
+double since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+}  // namespace
+
+// Tracker and overlay of one camera.
+class CameraWatch::Show {
+ public:
+  Show(const OpenCase& patient, const tracking::OpenedFootage& opened, const std::filesystem::path& registration,
+       const tracking::AugmentedLook& look)
+      : place_(registration.empty() ? tracking::placed_at(patient.patient, tracking::scene_skin())
+                                    : tracking::read_registration(registration).fixed_from_moving),
+        tracker_(opened.camera, opened.bodies),
+        view_(patient.patient, opened.camera, place_, look) {
+    const auto& bodies = tracker_.bodies();
+    const auto found =
+        std::find_if(bodies.begin(), bodies.end(), [](const auto& body) { return body.name == "mannequin"; });
+    if (found == bodies.end())
+      throw InputError("no body is called \"mannequin\", which the patient is laid into; name one so in the bodies");
+    mannequin_ = static_cast<std::size_t>(found - bodies.begin());
+  }
+
+  void set_look(const tracking::AugmentedLook& look) { view_.set_look(look); }
+
+  // Draws upon the picture, and says what was seen.
+  void draw(tracking::SourcePicture& picture, const std::string& source, CameraNews& news) {
+    const auto& poses = tracker_.track(picture.grey, picture.time);
+    lens_.add(poses);
+    const tracking::TrackedPose& mannequin = poses[mannequin_];
+    std::vector<tracking::ShownBody> tools;
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      const tracking::MarkerBody& body = tracker_.bodies()[i];
+      const tracking::TrackedPose& pose = poses[i];
+      news.bodies.push_back({body.name, pose.status, std::sqrt(tracking::point_covariance(pose, body.tip).trace()),
+                             pose.residual, pose.edge_ratio, pose.markers});
+      if (i == mannequin_) continue;
+      tools.push_back({&body, &pose});
+      if (pose.status != TrackingStatus::ok || mannequin.status != TrackingStatus::ok) continue;
+      const Pose tool = tracking::tool_in_patient(body, pose.camera_from_body, mannequin.camera_from_body, place_);
+      if (body.name == "needle") news.needle = tool;
+      if (body.name == "probe") news.probe = tool;
+    }
+    view_.draw(picture.colour, &mannequin, tools);
+    if (view_.needle()) {
+      news.tip = view_.needle()->tissue;
+      news.tip_on_bone = view_.needle()->bone;
+    }
+    without_markers_ = tracker_.markers().empty() ? without_markers_ + 1 : 0;
+    news.note = lens_.warning();
+    if (without_markers_ >= pictures_before_doubt) news.note = tracking::why_nothing_was_found(source, picture.grey);
+  }
+
+ private:
+  tracking::Similarity place_;
+  tracking::Tracker tracker_;
+  tracking::AugmentedView view_;
+  tracking::LensWatch lens_;
+  std::size_t mannequin_ = 0;
+  int without_markers_ = 0;
+};
+
+CameraWatch::CameraWatch(std::shared_ptr<const OpenCase> patient, const tracking::FootageFiles& files,
+                         const std::filesystem::path& registration, const tracking::AugmentedLook& look)
+    : patient_(std::move(patient)), files_(files), registration_(registration), look_(look) {
+  news_.stage = "opening the camera";
+  thread_ = std::jthread([this](const std::stop_token& stop) {
+    std::string error;
+    try {
+      run(stop);
+    } catch (const std::exception& failure) {
+      error = failure.what();
+    }
+    const std::lock_guard guard(lock_);
+    news_.error = error;
+    news_.stage.clear();
+  });
+}
+
+CameraWatch::~CameraWatch() {
+  thread_.request_stop();
+  thread_.join();  // before what it uses goes
+}
+
+void CameraWatch::set_look(const tracking::AugmentedLook& look) {
+  const std::lock_guard guard(lock_);
+  look_ = look;
+}
+
+CameraNews CameraWatch::news() const {
+  const std::lock_guard guard(lock_);
+  return news_;
+}
+
+void CameraWatch::run(const std::stop_token& stop) {
+  std::optional<Show> show;
+  if (tracking::has_calibration(files_)) {
+    tracking::AugmentedLook look;
+    {
+      const std::lock_guard guard(lock_);
+      look = *std::exchange(look_, std::nullopt);
+    }
+    show.emplace(*patient_, tracking::open_footage_files(files_), registration_, look);
+  }
+  while (play(stop, show ? &*show : nullptr)) {
+  }
+}
+
+bool CameraWatch::play(const std::stop_token& stop, Show* show) {
+  // A camera can be held open once: what found its calibration has let it go.
+  const std::unique_ptr<tracking::PictureSource> source =
+      show != nullptr ? tracking::open_footage_files(files_).source
+                      : tracking::open_source(files_.source, {.rate = files_.rate, .locks = std::nullopt});
+  std::optional<Clock::time_point> last;  // when the picture before was due
+  double last_time = 0.0;
+  std::deque<Clock::time_point> shown;
+  while (!stop.stop_requested()) {
+    if (paused_.load()) {
+      std::this_thread::sleep_for(short_nap);
+      continue;
+    }
+    std::optional<tracking::SourcePicture> picture = source->next();
+    if (!picture) return !source->live() && last.has_value();
+    const double wait = last && !source->live() ? std::max(0.0, picture->time - last_time) : 0.0;
+    while (last && !stop.stop_requested() && since(*last) < wait) std::this_thread::sleep_for(short_nap);
+    last = Clock::now();
+    last_time = picture->time;
+    const Clock::time_point arrived = Clock::now();
+    CameraNews news;
+    if (show != nullptr) {
+      std::optional<tracking::AugmentedLook> look;
+      {
+        const std::lock_guard guard(lock_);
+        look = std::exchange(look_, std::nullopt);
+      }
+      if (look) show->set_look(*look);
+      show->draw(*picture, files_.source, news);
+    } else {
+      news.note =
+          "This camera is not calibrated: its picture is shown alone. Calibrate it with 'bodkin camera calibrate'.";
+    }
+    shown.push_back(Clock::now());
+    while (shown.front() + std::chrono::seconds(1) < shown.back()) shown.pop_front();
+    news.time = picture->time;
+    news.rate = static_cast<double>(shown.size());
+    news.milliseconds = 1000.0 * since(arrived);
+    news.picture = std::make_shared<const imaging::ImageRgb>(std::move(picture->colour));
+    const std::lock_guard guard(lock_);
+    news.number = news_.number + 1;
+    news_ = std::move(news);
+  }
+  return false;
+}
+
+}  // namespace bodkin::app

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tracking/augmented_view.h"
+#include "tracking/station_footage.h"
+#include "views/open_case.h"
+
+namespace bodkin::app {
+
+using namespace views;
+
+// How well a body was seen in the newest picture.
+struct BodyNews {
+  std::string name;
+  tracking::TrackingStatus status = tracking::TrackingStatus::lost;
+  double deviation = 0.0;   // mm, standard deviation of its tip in the camera's frame; meaningless when lost
+  double residual = 0.0;    // share of the pattern's contrast
+  double edge_ratio = 1.0;  // residual at the edges over that of flat parts
+  int markers = 0;
+};
+
+// What the window shows of a camera.
+struct CameraNews {
+  std::string stage, error;                          // what is being opened; why nothing more comes, a sentence
+  std::string note;                                  // what a person should know, a sentence
+  std::uint64_t number = 0;                          // of the picture; 0: none yet
+  std::shared_ptr<const imaging::ImageRgb> picture;  // with what is drawn over it
+  double time = 0.0;                                 // s, of the picture
+  double rate = 0.0;                                 // pictures/s, of the last second
+  double milliseconds = 0.0;                         // from the picture's arrival until it could be shown
+  std::vector<BodyNews> bodies;
+  std::optional<Pose> needle, probe;  // LPS mm, third axis into the patient; none: not seen well in this picture
+  std::string tip;                    // what the needle's tip is in; empty: outside, or no needle
+  bool tip_on_bone = false;
+};
+
+// Pictures of a camera, a video or a folder, with the patient drawn into the mannequin, on a thread of its own: each
+// picture is drawn with its own poses. A video or a folder plays in its own time, again and again. A camera that is
+// not calibrated gives its pictures alone. All calls from one thread; none waits for a picture.
+class CameraWatch {
+ public:
+  // `registration`: of patient and mannequin (bodkin register); empty: as in rendered footage.
+  CameraWatch(std::shared_ptr<const OpenCase> patient, const tracking::FootageFiles& files,
+              const std::filesystem::path& registration, const tracking::AugmentedLook& look);
+  ~CameraWatch();
+  CameraWatch(const CameraWatch&) = delete;
+  CameraWatch& operator=(const CameraWatch&) = delete;
+
+  // From the next picture on.
+  void set_look(const tracking::AugmentedLook& look);
+  void pause(bool on) { paused_.store(on); }
+  bool is_paused() const { return paused_.load(); }
+  CameraNews news() const;
+
+ private:
+  class Show;
+
+  void run(const std::stop_token& stop);
+  // One passage through the source; false: it has no end that could be begun anew, or it was told to stop.
+  bool play(const std::stop_token& stop, Show* show);
+
+  std::shared_ptr<const OpenCase> patient_;
+  tracking::FootageFiles files_;
+  std::filesystem::path registration_;
+  std::atomic<bool> paused_{false};
+  mutable std::mutex lock_;  // guards the two below
+  CameraNews news_;
+  std::optional<tracking::AugmentedLook> look_;  // not used yet
+  std::jthread thread_;
+};
+
+}  // namespace bodkin::app

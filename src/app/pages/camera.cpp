@@ -1,0 +1,309 @@
+#include "app/pages/camera.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QSettings>
+#include <QSlider>
+#include <QTableWidget>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+#include "station/probe_contact.h"
+#include "station/ultrasound_request.h"
+#include "views/language.h"
+#include "views/theme.h"
+
+#include "io/probe_library_file.h"
+
+namespace bodkin::app {
+
+using namespace views;
+
+namespace {
+
+constexpr const char* probe_of_page = "C5-2";
+constexpr double depth_of_page = 90.0;  // mm
+constexpr double percent = 0.01;
+constexpr double usual_radius_x = 150.0, usual_radius_y = 185.0;  // pixels of the picture
+
+QColor status_colour(tracking::TrackingStatus status) {
+  switch (status) {
+    case tracking::TrackingStatus::ok:
+      return Theme::now().good;
+    case tracking::TrackingStatus::uncertain:
+      return Theme::now().caution;
+    case tracking::TrackingStatus::lost:
+      return Theme::now().danger;
+  }
+  return {};
+}
+
+}  // namespace
+
+CameraPage::~CameraPage() = default;
+
+void CameraPage::set_case(std::shared_ptr<const OpenCase> patient) {
+  if (patient == patient_) return;
+  stop();
+  patient_ = std::move(patient);
+  for (SliceView* slice : slices_) slice->set_case(patient_);
+  ultrasound_->set_case(patient_);
+}
+
+void CameraPage::enter() {
+  QSettings settings;
+  source_->setEditText(settings.value(QStringLiteral("camera/source")).toString());
+  const char* const keys[files] = {"camera/calibration", "camera/bodies", "camera/registration"};
+  for (int i = 0; i < files; ++i) paths_[i]->setText(settings.value(QLatin1String(keys[i])).toString());
+  shown_ = {};
+  shown_.plan = patient_->description().procedure.path;
+  if (shown_.plan) shown_.crosshair = shown_.plan->target;
+  Changes all;
+  all.attempt = all.plan = all.crosshair = all.needle = all.theme = true;
+  for (SliceView* slice : slices_) slice->show_frame(shown_, all);
+  show_buttons();
+  show_line();
+  source_->setFocus(Qt::OtherFocusReason);
+}
+
+void CameraPage::leave() {
+  stop();
+  demo_.reset();
+}
+
+void CameraPage::start() {
+  stop();
+  const QString source = source_->currentText().trimmed();
+  if (source.isEmpty()) return choose_source();
+  QSettings settings;
+  settings.setValue(QStringLiteral("camera/source"), source);
+  const char* const keys[files] = {"camera/calibration", "camera/bodies", "camera/registration"};
+  for (int i = 0; i < files; ++i) settings.setValue(QLatin1String(keys[i]), paths_[i]->text().trimmed());
+  failure_.clear();
+  const auto path = [this](File which) {
+    return std::filesystem::path(paths_[which]->text().trimmed().toStdString());
+  };
+  tracking::FootageFiles wanted;
+  wanted.source = source.toStdString();
+  wanted.camera = path(camera);
+  wanted.bodies = path(bodies);
+  watch_ = std::make_unique<CameraWatch>(patient_, wanted, path(registration), look());
+  try {
+    station::UltrasoundChoice choice;
+    choice.probe = io::find_probe(probe_of_page);
+    choice.settings.depth = depth_of_page;
+    choice.request.view =
+        patient_->description().procedure.path ? imaging::ScanView::needle : imaging::ScanView::paramedian;
+    ultrasound_->set_scan(choice);
+    const station::LiveScan& scan = *ultrasound_->scan();
+    machine_ =
+        std::make_unique<ProbeMachine>(patient_, choice, ProbeMachine::Wish{{scan.pose(), scan.settings()}, {}});
+  } catch (const std::exception&) {  // no skin there: without ultrasound
+    machine_.reset();
+  }
+  picture_->show_picture(nullptr);
+  show_buttons();
+}
+
+void CameraPage::stop() {
+  watch_.reset();
+  machine_.reset();
+  scan_.reset();
+  if (ultrasound_->scan() != nullptr) ultrasound_->set_scan(std::nullopt);
+  news_ = {};
+  table_->setRowCount(0);
+  show_buttons();
+}
+
+void CameraPage::start_demo() {
+  stop();
+  failure_.clear();
+  demo_ = std::make_unique<DemoFootage>(folder_ / "footage");
+  show_buttons();
+}
+
+void CameraPage::use_source(const QString& source) {
+  source_->setEditText(source);
+  start();
+}
+
+void CameraPage::choose_source() {
+  QMenu kinds(this);
+  kinds.setObjectName(QStringLiteral("camera.menu"));
+  QAction* const folder = kinds.addAction(tr("A folder of pictures"));
+  QAction* const video = kinds.addAction(tr("A video"));
+  QAction* const chosen = kinds.exec(source_->mapToGlobal(QPoint(0, source_->height())));
+  QString found;
+  if (chosen == folder) found = QFileDialog::getExistingDirectory(this, folder->text());
+  if (chosen == video)
+    found = QFileDialog::getOpenFileName(this, video->text(), {},
+                                         tr("Videos (*.avi *.mp4 *.mkv *.mov *.webm);;All files (*)"));
+  if (!found.isEmpty()) use_source(found);
+}
+
+void CameraPage::choose_file(File which) {
+  const QString found = QFileDialog::getOpenFileName(this, paths_[which]->accessibleName(), {},
+                                                     tr("Files of Bodkin (*.json);;All files (*)"));
+  if (!found.isEmpty()) paths_[which]->setText(found);
+}
+
+tracking::AugmentedLook CameraPage::look() const {
+  tracking::AugmentedLook look;
+  look.radii = percent * oval_->value() * Eigen::Vector2d(usual_radius_x, usual_radius_y);
+  look.threshold = percent * threshold_->value();
+  look.preset = imaging::transfer_presets[static_cast<std::size_t>(preset_->currentIndex())];
+  look.plan = plan_->isChecked();
+  look.needle = needle_->isChecked();
+  look.front_view = false;  // it is beside the picture
+  look.status = false;      // so is the table
+  return look;
+}
+
+void CameraPage::send_look() {
+  if (watch_ != nullptr) watch_->set_look(look());
+}
+
+void CameraPage::advance(double clock) {
+  if (demo_ != nullptr) {
+    const DemoFootage::Status status = demo_->status();
+    if (status.is_ready) {
+      const QString folder = QString::fromStdString(demo_->folder().string());
+      demo_.reset();
+      for (QLineEdit* path : paths_) path->clear();  // it has files of its own
+      use_source(folder);
+    } else if (!status.error.empty()) {
+      failure_ = status.error;
+      demo_.reset();
+      show_buttons();
+    }
+  }
+  if (watch_ != nullptr) {
+    CameraNews news = watch_->news();
+    const bool is_new = news.number != news_.number;
+    news_ = std::move(news);
+    if (is_new) show_news(clock);
+    if (!news_.error.empty()) {
+      failure_ = news_.error;
+      stop();
+    }
+  }
+  show_line();
+}
+
+void CameraPage::show_news(double clock) {
+  picture_->show_picture(news_.picture);
+  show_bodies();
+  Changes changes;
+  changes.needle = changes.tissue = true;
+  shown_.clock = clock;
+  shown_.has_needle = news_.needle.has_value();
+  if (news_.needle) {
+    shown_.needle = shown_.hand = *news_.needle;
+    shown_.crosshair = news_.needle->translation();
+    shown_.tissue = anatomy::nearest(patient_->patient.tissues, shown_.crosshair, anatomy::tissue::air);
+    shown_.place = place_name(patient_->patient, shown_.crosshair);
+    changes.crosshair = true;
+  }
+  for (SliceView* slice : slices_) slice->show_frame(shown_, changes);
+  if (machine_ == nullptr) return;
+  const station::LiveScan& scan = *ultrasound_->scan();
+  std::optional<imaging::NeedleInSound> needle;
+  if (news_.needle) needle = imaging::NeedleInSound{*news_.needle, patient_->description().needle};
+  // A probe that is not seen well orders no picture.
+  if (news_.probe) machine_->set({{station::probe_in_hand(*news_.probe), scan.settings()}, needle});
+  scan_ = news_.probe ? machine_->picture() : nullptr;
+  shown_.ultrasound = scan_.get();
+  ultrasound_->show_frame(shown_, changes);
+  shown_.ultrasound = nullptr;
+}
+
+void CameraPage::show_bodies() {
+  table_->setRowCount(static_cast<int>(news_.bodies.size()));
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    const BodyNews& body = news_.bodies[static_cast<std::size_t>(row)];
+    const bool lost = body.status == tracking::TrackingStatus::lost;
+    const QString dash = QStringLiteral("–");
+    const std::string status(tracking::name_of(body.status));
+    const QString cells[] = {in_words(body.name),
+                             in_words(status),
+                             lost ? dash : QStringLiteral("±%1").arg(body.deviation, 0, 'f', 2),
+                             lost ? dash : QString::number(body.residual, 'f', 3),
+                             lost ? dash : QString::number(body.edge_ratio, 'f', 2),
+                             QString::number(body.markers)};
+    for (int column = 0; column < table_->columnCount(); ++column) {
+      QTableWidgetItem* item = table_->item(row, column);
+      if (item == nullptr) {
+        auto made = std::make_unique<QTableWidgetItem>();
+        item = made.get();
+        table_->setItem(row, column, made.release());
+      }
+      if (item->text() != cells[column]) item->setText(cells[column]);
+      if (column == 1) item->setForeground(status_colour(body.status));
+    }
+  }
+}
+
+void CameraPage::show_line() {
+  QString words;
+  bool trouble = false;
+  if (demo_ != nullptr) {
+    words = tr("Rendering a mannequin, a needle and a probe before a camera: %1 %")
+                .arg(100.0 * demo_->status().fraction, 0, 'f', 0);
+  } else if (!failure_.empty()) {
+    words = in_words(failure_);
+    trouble = true;
+  } else if (watch_ == nullptr) {
+    words = tr("Choose a camera (/dev/video0), a video or a folder of pictures; or let a demonstration be rendered.");
+  } else if (!news_.note.empty()) {
+    words = in_words(news_.note);
+    trouble = true;
+  } else if (news_.number == 0) {
+    words = tr("Opening the pictures and preparing the patient.");
+  } else {
+    words = tr("%1 pictures/s, each shown %2 ms after it came.")
+                .arg(news_.rate, 0, 'f', 0)
+                .arg(news_.milliseconds, 0, 'f', 0);
+    if (!news_.tip.empty()) {
+      words = (news_.tip_on_bone ? tr("Tip on bone: %1.") : tr("Tip in: %1.")).arg(in_words(news_.tip)) +
+              QStringLiteral(" ") + words;
+    }
+    trouble = news_.tip_on_bone;
+  }
+  if (line_->text() != words) line_->setText(words);
+  line_->setStyleSheet(trouble ? QStringLiteral("color: %1;").arg(Theme::now().danger.name()) : QString());
+  picture_->show_words(words);
+}
+
+void CameraPage::show_buttons() {
+  start_->setText(watch_ == nullptr ? tr("Start") : tr("Stop"));
+  start_->setEnabled(demo_ == nullptr);
+  pause_->setEnabled(watch_ != nullptr);
+  pause_->setChecked(watch_ != nullptr && watch_->is_paused());
+  render_->setEnabled(demo_ == nullptr && watch_ == nullptr);
+}
+
+bool CameraPage::press(const QKeySequence& keys) {
+  if (keys == QKeySequence(Qt::Key_Space)) {
+    if (watch_ == nullptr) {
+      if (demo_ == nullptr) start();
+    } else {
+      watch_->pause(!watch_->is_paused());
+      show_buttons();
+    }
+    return true;
+  }
+  const int step = 10;
+  if (keys == QKeySequence(Qt::Key_Plus)) return oval_->setValue(oval_->value() + step), true;
+  if (keys == QKeySequence(Qt::Key_Minus)) return oval_->setValue(oval_->value() - step), true;
+  if (keys == QKeySequence(Qt::Key_P))
+    return preset_->setCurrentIndex((preset_->currentIndex() + 1) % preset_->count()), true;
+  return false;
+}
+
+}  // namespace bodkin::app

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+
+#include "app/models/camera_watch.h"
+#include "app/models/demo_footage.h"
+#include "app/models/probe_machine.h"
+#include "app/page.h"
+#include "views/camera_picture.h"
+#include "views/slice_view.h"
+#include "views/ultrasound_view.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSlider;
+class QTableWidget;
+
+namespace bodkin::app {
+
+using namespace views;
+
+// Augmented reality: a camera's picture with the patient drawn into the mannequin, how well each body is seen, and
+// what the tracked needle and probe make of it: slices at the tip and the ultrasound of where the dummy probe points.
+class CameraPage : public Page {
+  Q_OBJECT
+ public:
+  // `folder`: where rendered footage is kept for those who have no camera.
+  explicit CameraPage(const std::filesystem::path& folder, QWidget* parent = nullptr);
+  ~CameraPage() override;
+
+  void set_case(std::shared_ptr<const OpenCase> patient) override;
+  void enter() override;
+  void leave() override;
+  void advance(double clock) override;
+  bool press(const QKeySequence& keys) override;
+
+  // The pictures of this source from now on.
+  void start();
+  void stop();
+  // Of the newest picture.
+  const CameraNews& news() const { return news_; }
+  const Frame& frame() const { return shown_; }
+
+ private:
+  enum File { camera, bodies, registration, files };
+
+  QWidget* make_panel();
+  QWidget* make_side();
+  QLineEdit* make_file(const char* name, const QString& text, const QString& tip);
+  void choose_source();
+  void choose_file(File which);
+  void start_demo();
+  void use_source(const QString& source);
+  tracking::AugmentedLook look() const;
+  void send_look();
+  void show_news(double clock);
+  void show_bodies();
+  void show_line();
+  void show_buttons();
+
+  std::filesystem::path folder_;
+  std::shared_ptr<const OpenCase> patient_;
+  std::unique_ptr<CameraWatch> watch_;
+  std::unique_ptr<DemoFootage> demo_;  // being rendered
+  std::unique_ptr<ProbeMachine> machine_;
+  std::shared_ptr<const station::LivePicture> scan_;
+  CameraNews news_;
+  Frame shown_;
+  std::string failure_;  // why the last source came to nothing
+  CameraPicture* picture_;
+  UltrasoundView* ultrasound_;
+  std::array<SliceView*, 2> slices_{};
+  QComboBox* source_ = nullptr;
+  std::array<QLineEdit*, files> paths_{};
+  QComboBox* preset_ = nullptr;
+  QSlider *oval_ = nullptr, *threshold_ = nullptr;
+  QCheckBox *plan_ = nullptr, *needle_ = nullptr;
+  QPushButton *start_ = nullptr, *pause_ = nullptr, *render_ = nullptr;
+  QTableWidget* table_ = nullptr;
+  QLabel* line_ = nullptr;
+};
+
+}  // namespace bodkin::app

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tracking/camera_model.h"
+#include "tracking/grey_picture.h"
+#include "tracking/marker_body.h"
+#include "tracking/picture_source.h"
+#include "tracking/registration.h"
+
+#include "core/geometry.h"
+
+namespace bodkin::tracking {
+
+// The pictures of a teaching station and what explains them, by the files that hold it.
+struct FootageFiles {
+  std::string source;            // folder of pictures, video file or camera (/dev/video0)
+  std::filesystem::path camera;  // its calibration; empty: camera.json in the folder
+  std::filesystem::path bodies;  // empty: bodies.json in the folder, else station_bodies()
+  double rate = 30.0;            // pictures/s of a folder that does not say, and asked of a camera
+};
+
+struct OpenedFootage {
+  std::unique_ptr<PictureSource> source;
+  CameraModel camera;
+  std::vector<MarkerBody> bodies;
+};
+
+// Whether a calibration is named or lies in the folder.
+bool has_calibration(const FootageFiles& files);
+// Throws InputError for what is missing, damaged or not calibrated, SystemError as open_source() does.
+OpenedFootage open_footage_files(const FootageFiles& files);
+
+// One sentence when a whole footage showed no marker at all: the wrong dictionary, or a picture that is mirrored.
+// `picture`: one of them.
+std::string why_nothing_was_found(const std::string& source, const GreyPicture& picture);
+
+// A tool as it lies in the patient, LPS mm: origin at the body's tip, third axis along the body's axis, first axis
+// that of the body as far as the axis lets it. All poses of one picture.
+Pose tool_in_patient(const MarkerBody& body, const Pose& camera_from_body, const Pose& camera_from_mannequin,
+                     const Similarity& mannequin_from_patient);
+
+}  // namespace bodkin::tracking

@@ -1,0 +1,173 @@
+// The page of augmented reality, with rendered footage whose truth is known.
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSettings>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+
+#include "app/pages/camera.h"
+#include "tests/views/made_up.h"
+#include "tracking/footage_scene.h"
+#include <gtest/gtest.h>
+
+namespace bodkin::app {
+namespace {
+
+using bodkin_test::layered_patient;
+
+class CameraPageTest : public testing::Test {
+ protected:
+  CameraPageTest() : page_(made_.path().toStdString()) {
+    QSettings().remove(QStringLiteral("camera"));
+    page_.resize(1100, 640);
+    page_.show();
+    page_.set_case(layered_patient());
+    page_.enter();
+  }
+  ~CameraPageTest() override { QSettings().remove(QStringLiteral("camera")); }
+  template <typename Widget>
+  Widget* find(const char* name) {
+    auto* const found = page_.findChild<Widget*>(QLatin1String(name));
+    EXPECT_NE(found, nullptr) << name;
+    return found;
+  }
+  std::filesystem::path folder(const char* name) const {
+    return std::filesystem::path(made_.path().toStdString()) / name;
+  }
+  // A still scene, so that every picture has the same truth.
+  tracking::Footage render(const char* name) {
+    tracking::SceneOptions options;
+    options.frames = 2;
+    options.width = 640;
+    options.height = 480;
+    options.still = true;
+    options.look.samples = 3;
+    options.look.shot_noise = options.look.read_noise = 0.0;
+    return tracking::render_scene(folder(name), options);
+  }
+  bool wait(const std::function<bool()>& until) {
+    return QTest::qWaitFor(
+        [&] {
+          page_.advance(clock_ += 0.02);
+          return until();
+        },
+        60000);
+  }
+  void start(const std::filesystem::path& source) {
+    find<QComboBox>("camera.source")->setEditText(QString::fromStdString(source.string()));
+    QTest::mouseClick(find<QPushButton>("camera.start"), Qt::LeftButton);
+  }
+  std::string line() { return find<QLabel>("camera.line")->text().toStdString(); }
+
+  QTemporaryDir made_;
+  CameraPage page_;
+  double clock_ = 0.0;
+};
+
+TEST_F(CameraPageTest, shows_the_needle_and_the_probe_where_they_are_in_the_patient) {
+  const tracking::Footage footage = render("footage");
+  start(footage.folder);
+  ASSERT_TRUE(wait([&] { return page_.news().number > 1; })) << line();
+  // The truth that the footage carries, through the same place of the patient.
+  const auto patient = layered_patient();
+  const tracking::Similarity place = tracking::placed_at(patient->patient, tracking::scene_skin());
+  const std::vector<tracking::MarkerBody> bodies = tracking::station_bodies();
+  const auto index = [&](const char* name) {
+    return static_cast<std::size_t>(std::find(footage.bodies.begin(), footage.bodies.end(), name) -
+                                    footage.bodies.begin());
+  };
+  const std::vector<Pose>& truth = footage.frames.front().camera_from_body;
+  const Pose needle =
+      tracking::tool_in_patient(bodies[index("needle")], truth[index("needle")], truth[index("mannequin")], place);
+  ASSERT_TRUE(page_.news().needle.has_value());
+  EXPECT_LT((page_.news().needle->translation() - needle.translation()).norm(), 2.0);
+  EXPECT_GT(page_.news().needle->linear().col(2).dot(needle.linear().col(2)), 0.9995);
+  // What the slices show is that needle, and their crosshair its tip.
+  EXPECT_EQ(page_.frame().needle.matrix(), page_.news().needle->matrix());
+  EXPECT_EQ(page_.frame().crosshair, page_.news().needle->translation());
+  // A row for each body, in the words of the tracker.
+  auto* const table = find<QTableWidget>("camera.bodies.table");
+  ASSERT_EQ(table->rowCount(), static_cast<int>(footage.bodies.size()));
+  for (int row = 0; row < table->rowCount(); ++row) {
+    EXPECT_EQ(table->item(row, 1)->text().toStdString(),
+              tracking::name_of(page_.news().bodies[static_cast<std::size_t>(row)].status));
+  }
+  // The tracked probe holds the ultrasound.
+  if (page_.news().probe) {
+    EXPECT_TRUE(wait([&] { return find<UltrasoundView>("camera.ultrasound")->scan() != nullptr; }));
+  }
+  EXPECT_NE(line().find("pictures/s"), std::string::npos) << line();
+  // The patient is drawn over the camera's picture, and nothing outside of the oval but needle and path.
+  const imaging::ImageRgb raw = tracking::read_picture(footage.folder / footage.frames.front().file);
+  const imaging::ImageRgb& shown = *page_.news().picture;
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < raw.pixels.size(); ++i) changed += raw.pixels[i] == shown.pixels[i] ? 0 : 1;
+  EXPECT_GT(changed, 2000U);
+  EXPECT_NEAR(raw.at(2, raw.height - 3).green, shown.at(2, shown.height - 3).green, 3);
+  QTest::mouseClick(find<QPushButton>("camera.start"), Qt::LeftButton);
+  EXPECT_EQ(page_.news().number, 0U);
+  EXPECT_EQ(table->rowCount(), 0) << "what is not seen now is not shown as if it were";
+}
+
+TEST_F(CameraPageTest, oval_and_path_follow_their_controls) {
+  start(render("footage").folder);
+  ASSERT_TRUE(wait([&] { return page_.news().number > 0; })) << line();
+  const auto drawn = [&] {
+    const std::uint64_t before = page_.news().number;
+    EXPECT_TRUE(wait([&] { return page_.news().number > before + 1; }));
+    return page_.news().picture;
+  };
+  const auto first = drawn();
+  for (int i = 0; i < 6; ++i) page_.press(QKeySequence(Qt::Key_Minus));  // less than the patient is wide
+  EXPECT_NE(drawn()->pixels, first->pixels);
+  const auto small = drawn();
+  find<QCheckBox>("camera.plan")->setChecked(false);
+  EXPECT_NE(drawn()->pixels, small->pixels);
+  page_.press(QKeySequence(Qt::Key_Space));
+  EXPECT_TRUE(find<QPushButton>("camera.pause")->isChecked());
+  QTest::qWait(200);
+  page_.advance(clock_ += 0.02);
+  const std::uint64_t held = page_.news().number;
+  QTest::qWait(300);
+  page_.advance(clock_ += 0.02);
+  EXPECT_LE(page_.news().number, held + 1);
+  page_.press(QKeySequence(Qt::Key_Space));
+  EXPECT_TRUE(wait([&] { return page_.news().number > held + 2; }));
+}
+
+TEST_F(CameraPageTest, pictures_without_a_calibration_are_shown_alone_and_that_is_said) {
+  const tracking::Footage footage = render("footage");
+  std::filesystem::remove(footage.folder / "camera.json");
+  start(footage.folder);
+  ASSERT_TRUE(wait([&] { return page_.news().number > 0; })) << line();
+  EXPECT_EQ(page_.news().picture->pixels,
+            tracking::read_picture(footage.folder / footage.frames.front().file).pixels);
+  EXPECT_NE(line().find("not calibrated"), std::string::npos) << line();
+  EXPECT_FALSE(page_.news().needle.has_value());
+}
+
+TEST_F(CameraPageTest, what_cannot_be_opened_is_one_sentence_and_the_page_goes_on) {
+  start("/dev/video97");
+  ASSERT_TRUE(wait([&] { return find<QPushButton>("camera.start")->text() == QStringLiteral("Start"); }));
+  EXPECT_NE(line().find("/dev/video97"), std::string::npos) << line();
+  const tracking::Footage footage = render("footage");
+  find<QLineEdit>("camera.registration")->setText(QStringLiteral("/no/registration.json"));
+  start(footage.folder);
+  ASSERT_TRUE(wait([&] { return find<QPushButton>("camera.start")->text() == QStringLiteral("Start"); }));
+  EXPECT_NE(line().find("/no/registration.json"), std::string::npos) << line();
+  find<QLineEdit>("camera.registration")->clear();
+  start(footage.folder);
+  EXPECT_TRUE(wait([&] { return page_.news().number > 0; })) << line();
+  page_.leave();
+  EXPECT_EQ(page_.news().number, 0U);
+}
+
+}  // namespace
+}  // namespace bodkin::app
