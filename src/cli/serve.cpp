@@ -7,6 +7,7 @@
 
 #include "link/command.h"
 #include "link/contents.h"
+#include "link/fitting_json.h"
 #include "link/session_feed.h"
 #include "station/station.h"
 #include <fmt/format.h>
@@ -179,7 +180,7 @@ Served serve_session(const PerformOptions& perform, const std::optional<forces::
   print(console, outcome, station.patient());
   nlohmann::ordered_json json = json_of(outcome, station.patient());
   constexpr std::chrono::milliseconds patience{1000};  // with clients that read slowly
-  server.publish({"STRING", "Score", link::time_now(), link::string_content(json.dump())}, false);
+  server.publish({"STRING", "Score", link::time_now(), link::string_content(link::fitting_json(json.dump()))}, false);
   server.flush(patience);
   return {std::move(outcome), std::move(json), feed.commands().wants_again(), feed.commands().models()};
 }

@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <string_view>
+#include <utility>
 
 namespace bodkin::app {
 
@@ -21,7 +22,6 @@ double diagnostic(const views::Frame& frame, std::string_view name) {
 void label_button(QPushButton* button, const QString& words, const char* key, bool on) {
   const QString text = QStringLiteral("%1   %2").arg(words, QLatin1String(key));
   if (button->text() != text) button->setText(text);
-  button->setAccessibleName(words);
   button->setChecked(on);
 }
 
@@ -38,6 +38,9 @@ OtherHandBar::OtherHandBar(QWidget* parent) : QWidget(parent) {
   air_ = add("practise.air", tr("Fill the syringe with air, or with saline again; another attempt begins"));
   air_->setText(tr("Air"));
   air_->setAccessibleName(air_->text());
+  for (const auto& [button, words] : {std::pair{finger_, tr("Finger")}, std::pair{stylet_, tr("Stylet")},
+                                      std::pair{manometer_, tr("Manometer")}, std::pair{plunger_, tr("Plunger")}})
+    button->setAccessibleName(words);
   connect(finger_, &QPushButton::clicked, this, &OtherHandBar::finger_turned);
   connect(stylet_, &QPushButton::clicked, this, &OtherHandBar::stylet_turned);
   connect(manometer_, &QPushButton::clicked, this, &OtherHandBar::manometer_turned);
