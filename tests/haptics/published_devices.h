@@ -15,10 +15,10 @@ struct PublishedDevice {
 };
 
 // Data sheets (peak force, resolution) and CHAI3D's device table (stiffness, damping; of an Inverse3 that of its
-// port), as share/bodkin/devices.csv has them where it has the device; a lambda.7 is the XTH-2 of that table; of a
-// Touch the 0.5 N/mm and 0.004 N s/mm that its library reports. No source has numbers of each Virtuose, so the driver
-// gives all of them those of the smallest; their stiffness and encoder and the encoder of an Inverse3 are assumed.
-// published_devices_test.cpp holds them against the drivers.
+// port, jashenlow/chai3d_haply on GitHub), as share/bodkin/devices.csv has them where it has the device; a lambda.7
+// is the XTH-2 of that table; of a Touch the 0.5 N/mm and 0.004 N s/mm that its library reports. No source has
+// numbers of each Virtuose, so the driver gives all of them those of the smallest; their stiffness and encoder and
+// the encoder of an Inverse3 are assumed. published_devices_test.cpp holds them against the drivers.
 inline const std::vector<PublishedDevice>& published_devices() {
   static const std::vector<PublishedDevice> devices = {
       {"Falcon", 8.0, 3.0, 0.02, 0.0635, 0.001, false},
