@@ -69,14 +69,14 @@ DriverSubject openhaptics() {
   subject.torque_vendor = {10, 30, -20};
   subject.at_open = {{Trouble::no_device, DeviceFault::not_connected},
                      {Trouble::busy, DeviceFault::busy},
-                     {Trouble::wrong_version, DeviceFault::wrong_version},
-                     {Trouble::uncalibrated, DeviceFault::not_calibrated}};
+                     {Trouble::wrong_version, DeviceFault::wrong_version}};
   subject.in_loop = {{Trouble::unplug, DeviceFault::communication_lost},
                      {Trouble::not_a_number, DeviceFault::bad_data},
                      {Trouble::hot, DeviceFault::overheated},
                      {Trouble::too_fast, DeviceFault::velocity_limit},
                      {Trouble::too_much_force, DeviceFault::force_limit},
                      {Trouble::uncalibrated, DeviceFault::not_calibrated},
+                     {Trouble::device_fault, DeviceFault::vendor_error},
                      {Trouble::unknown_code, DeviceFault::vendor_error}};
   return subject;
 }
@@ -100,6 +100,7 @@ DriverSubject haption() {
                      {Trouble::not_a_number, DeviceFault::bad_data},
                      {Trouble::hot, DeviceFault::overheated},
                      {Trouble::emergency_stop, DeviceFault::emergency_stop},
+                     {Trouble::no_power, DeviceFault::emergency_stop},
                      {Trouble::unknown_code, DeviceFault::vendor_error}};
   return subject;
 }
@@ -153,6 +154,13 @@ const std::vector<DriverSubject>& driver_subjects() {
     return subjects;
   }();
   return all;
+}
+
+const DriverSubject& driver_subject(const std::string& name) {
+  for (const DriverSubject& one : driver_subjects()) {
+    if (one.name == name) return one;
+  }
+  throw std::out_of_range(name);
 }
 
 stand_in::Board& DriverSubject::board() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <iosfwd>
 #include <map>
 #include <string>
@@ -42,6 +43,19 @@ struct DriverSubject {
 void PrintTo(const DriverSubject& subject, std::ostream* to);
 
 const std::vector<DriverSubject>& driver_subjects();
+// Throws std::out_of_range.
+const DriverSubject& driver_subject(const std::string& name);
+
+// A tick that pushes with 1 N along the first axis.
+struct Push : DeviceTick {
+  Wrench tick(const DeviceState& state, double) noexcept override {
+    fault = state.fault;
+    ++ticks;
+    return {Vec3(1, 0, 0), Vec3::Zero()};
+  }
+  std::atomic<DeviceFault> fault{DeviceFault::none};
+  std::atomic<int> ticks{0};
+};
 
 // One of them with its loop, told what its stand-in sees.
 class DriverRig : public DeviceLoop {

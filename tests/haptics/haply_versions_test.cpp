@@ -148,6 +148,7 @@ TEST_F(HaplyVersions, the_event_channel_tells_of_the_brake_and_of_a_device_that_
   rounds_until(port, with(DeviceFault::none));
   const std::string of_safety = R"({"name":"device-safety-triggered","category":"device","level":"error",)";
   service_->say("no JSON");
+  service_->say(R"({"name":"device-disconnected","data":{},"message":"whichever"})");  // nobody's
   service_->say(of_safety + R"("data":{"device_id":"FFFF","safety_type":"ebrake_triggered"},"message":"another"})");
   service_->say(of_safety +
                 R"("data":{"device_id":"04BA","safety_type":"ebrake_triggered"},"message":"E-brake on"})");

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <memory>
+#include <sstream>
 #include <string>
+#include <thread>
 
 #include "haptics/drivers/driver_adapter.h"
 #include "haptics/drivers/driver_settings.h"
 #include "haptics/drivers/force_dimension_library.h"
 #include "haptics/drivers/vendor_frame.h"
+#include "haptics/tick_clock.h"
 
 namespace bodkin::haptics {
 
@@ -21,8 +25,8 @@ constexpr unsigned char watchdog_steps = 160;  // 20 ms without a command, then 
 constexpr int status_every = 4;                // rounds between two looks at the status vector
 constexpr int stop_attempts = 10;
 
-// Of the models that the SDK numbers; what the device itself reports takes precedence. N, N mm, N/mm, N s/mm, mm, s.
-// The numbers are those of share/bodkin/devices.csv.
+// Of the models that the SDK numbers. N, N mm, N/mm, N s/mm, mm, s. The numbers are those of
+// share/bodkin/devices.csv; relatives for which the makers print none have those of the device beside them.
 struct Model {
   int first, last;  // system types
   double force, torque, stiffness, damping, radius, resolution, delay;
@@ -30,10 +34,13 @@ struct Model {
 constexpr Model models[] = {
     {33, 37, 12.0, 0.0, 5.0, 0.03, 75.0, 0.01, 0.00025},       // omega.3, .6, .7
     {60, 60, 8.0, 0.0, 3.0, 0.02, 50.0, 0.0635, 0.001},        // Falcon
-    {63, 63, 20.0, 0.0, 5.0, 0.03, 150.0, 0.02, 0.00025},      // delta.3
-    {104, 105, 12.0, 200.0, 4.0, 0.03, 75.0, 0.01, 0.00025},   // sigma.7
+    {63, 64, 20.0, 0.0, 5.0, 0.03, 150.0, 0.02, 0.00025},      // delta.3, .6
+    {104, 107, 12.0, 200.0, 4.0, 0.03, 75.0, 0.01, 0.00025},   // sigma.7, .6+
+    {206, 206, 12.0, 0.0, 4.0, 0.03, 75.0, 0.01, 0.00025},     // sigma.3
     {108, 109, 12.0, 200.0, 8.0, 0.03, 112.0, 0.01, 0.00025},  // lambda.7
+    {203, 203, 12.0, 0.0, 8.0, 0.03, 112.0, 0.01, 0.00025},    // lambda.3
 };
+constexpr int falcon = 60;
 constexpr Model unknown_model{0, 0, 5.0, 0.0, 1.0, 0.01, 0.0, 0.0, 0.001};
 
 const Model& model_of(int type) {
@@ -96,7 +103,7 @@ ForceDimensionHandle load_force_dimension(const DriverSettings& settings) {
 }
 
 DriverSettings force_dimension_settings(const char* settings) {
-  return {settings, {"library", "initialise", "gravity", "peak_force"}};
+  return {settings, {"library", "initialise", "move_s", "gravity", "peak_force"}};
 }
 
 // A device that is open in the SDK, closed at the end of its life. DRD, where there is one, answers only for devices
@@ -289,21 +296,21 @@ struct ForceDimension {
   static std::unique_ptr<OpenDevice> open(const std::string& serial, const char* text, bodkin_abilities& abilities) {
     const DriverSettings settings = force_dimension_settings(text);
     const bool initialise = settings.flag("initialise", false);
+    const double move = settings.number("move_s", 15.0, 0.1, 18.0);
     const int gravity = settings.flag("gravity", true) ? 1 : 0;
     const double least = settings.number("peak_force", 100.0, 0.1, 100.0);
     const ForceDimensionHandle library = load_force_dimension(settings);
     auto handle = open_handle(library, serial);
     const ForceDimensionLibrary& sdk = *library;
     const char id = handle->id();
-    calibrate(sdk, id, initialise);
+    calibrate(sdk, id, initialise, move);
     if (sdk.dhdSetGravityCompensation != nullptr) sdk.dhdSetGravityCompensation(gravity, id);
 
     const Model& model = model_of(sdk.dhdGetSystemType(id));
-    const double reported = sdk.dhdGetMaxForce == nullptr ? 0.0 : sdk.dhdGetMaxForce(id);
     const bool wrist = sdk.dhdHasWrist(id), torques = sdk.dhdHasActiveWrist(id);
     copy_text(handle->name(), abilities.name, BODKIN_TEXT);
     copy_text(handle->serial(), abilities.serial, BODKIN_TEXT);
-    abilities.peak_force = std::min(least, reported > 0.0 ? reported : model.force);
+    abilities.peak_force = std::min(least, model.force);
     abilities.peak_torque = torques ? model.torque : 0.0;
     abilities.stiffness = model.stiffness;
     abilities.damping = model.damping;
@@ -320,23 +327,45 @@ struct ForceDimension {
   }
 
  private:
-  // Moves the device only where the user has said that it may.
-  static void calibrate(const ForceDimensionLibrary& sdk, char id, bool may_move) {
-    const auto calibrated = [&] {
-      if (sdk.has_drd() && sdk.drdIsInitialized != nullptr) return sdk.drdIsInitialized(id);
-      int status[17] = {};
-      return sdk.dhdGetStatus(status, id) >= 0 && status[needs_reset] == 0;
-    };
-    if (calibrated()) return;
+  static bool is_calibrated(const ForceDimensionLibrary& sdk, char id) {
+    if (sdk.has_drd() && sdk.drdIsInitialized != nullptr) return sdk.drdIsInitialized(id);
+    int status[17] = {};
+    return sdk.dhdGetStatus(status, id) >= 0 && status[needs_reset] == 0;
+  }
+
+  // Moves the device only where the user has said that it may. `move`: s.
+  static void calibrate(const ForceDimensionLibrary& sdk, char id, bool may_move, double move) {
+    if (is_calibrated(sdk, id)) return;
+    if (sdk.dhdGetSystemType(id) == falcon) return wait_for_falcon(sdk, id, may_move, move);
     if (may_move && sdk.has_drd() && sdk.drdAutoInit != nullptr) {
       if (sdk.drdAutoInit(id) < 0) fail(sdk, "the device cannot calibrate itself");
       if (sdk.drdStop != nullptr) sdk.drdStop(false, id);
-      if (calibrated()) return;
+      if (is_calibrated(sdk, id)) return;
     }
     throw DriverFailure(
         BODKIN_NOT_CALIBRATED,
         "the device is not calibrated: run the vendor's HapticInit, or keep your hands off the device "
         "and say initialise=yes (it then moves by itself)");
+  }
+
+  // A Falcon finds its position when its knob is moved through its reach; as in the SDK's samples, forces of zero are
+  // sent meanwhile, without which it does not look.
+  static void wait_for_falcon(const ForceDimensionLibrary& sdk, char id, bool asked, double move) {
+    if (!asked) {
+      throw DriverFailure(BODKIN_NOT_CALIBRATED,
+                          "the Falcon is not calibrated: say initialise=yes, and pull its knob out and push it in "
+                          "while it is opened");
+    }
+    const double end = monotonic_seconds() + move;
+    while (monotonic_seconds() < end) {
+      if (sdk.dhdSetForce(0.0, 0.0, 0.0, id) < 0) fail(sdk, "the Falcon does not take a force of zero");
+      if (is_calibrated(sdk, id)) return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    std::ostringstream text;
+    text << "the Falcon was not calibrated within " << move
+         << " s: pull its knob out as far as it goes and push it in, and try again";
+    throw DriverFailure(BODKIN_NOT_CALIBRATED, text.str());
   }
 };
 

@@ -47,7 +47,6 @@ ForceDimensionLibrary::ForceDimensionLibrary(const std::string& chosen) : librar
   library.need(dhdErrorGetLast, "dhdErrorGetLast");
   library.need(dhdErrorGetLastStr, "dhdErrorGetLastStr");
   library.take(dhdSetMaxForce, "dhdSetMaxForce");
-  library.take(dhdGetMaxForce, "dhdGetMaxForce");
   library.take(dhdSetGravityCompensation, "dhdSetGravityCompensation");
   library.take(dhdEnableExpertMode, "dhdEnableExpertMode");
   library.take(dhdDisableExpertMode, "dhdDisableExpertMode");

@@ -40,7 +40,6 @@ struct ForceDimensionLibrary {
 
   // Null in SDKs that lack them.
   int (*dhdSetMaxForce)(double limit, char);
-  double (*dhdGetMaxForce)(char);
   int (*dhdSetGravityCompensation)(int on, char);
   int (*dhdEnableExpertMode)();
   int (*dhdDisableExpertMode)();

@@ -69,7 +69,7 @@ std::string HaplyEventListener::last() const {
 }
 
 void HaplyEventListener::take(const HaplyEvent& event) {
-  if (event.incident == HaplyIncident::other || (!event.device.empty() && event.device != device_)) return;
+  if (event.incident == HaplyIncident::other || event.device != device_) return;
   if (event.incident == HaplyIncident::braked) braked_.store(true);
   if (event.incident == HaplyIncident::released) braked_.store(false);
   if (event.incident == HaplyIncident::disconnected) disconnected_.store(true);

@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <chrono>
 #include <cmath>
-#include <ctime>
 #include <memory>
 #include <string>
-#include <thread>
 
 #include "haptics/drivers/driver_adapter.h"
 #include "haptics/drivers/driver_settings.h"
@@ -25,6 +22,7 @@ using namespace haption;
 constexpr float period = 0.001F;  // s
 constexpr int oldest_api = 4;
 constexpr int handle_buttons = 2;
+constexpr double longest_without_power = 0.5;             // s after the hand has taken the handle
 constexpr const char* usual_address = "127.0.0.1#53210";  // the vendor's daemon on this machine
 
 // Of a Virtuose 6D Desktop, the smallest of the family, whatever the type: no source has the numbers of each.
@@ -189,25 +187,28 @@ class HaptionDevice : public OpenDevice {
 
   ~HaptionDevice() override { halt(); }
 
-  // Power comes before the loop, as in the vendor's samples. The relays of the motors take their time; the loop sends
-  // zero forces meanwhile, for the vendor drops a silent connection, and the tick begins when they have closed, so
-  // that no force waits behind them to jump out.
+  // Power is asked for before the loop, as in the vendor's samples. The device gives it while the hand is on the
+  // handle and the user's switch is on.
   void start(bodkin_tick tick, void* user) override {
     ticking_.store(false);
     tick_ = tick;
     user_ = user;
     error_.store(0);
     ticks_ = 0;
+    has_power_ = false;
+    power_changed_ = monotonic_seconds();
     trouble_.store(nullptr);
     state_ = blank_state();
     try {
       const Connection& c = *connection_;
+      if (api_.virtEnableForceFeedback != nullptr) {
+        c.must(api_.virtEnableForceFeedback(device_, 1), "to enable the feedback of force");
+      }
       powered_ = true;  // also where it is refused: switching off what is off does no harm
       c.must(api_.virtSetPowerOn(device_, 1), "to switch the motors on");
       c.must(api_.virtSetPeriodicFunction(device_, &HaptionDevice::run, &period_, this), "a periodic function");
       c.must(api_.virtStartLoop(device_), "to start its loop");
       looping_ = true;
-      std::this_thread::sleep_for(std::chrono::duration<double>(relays_));
     } catch (...) {
       halt();
       throw;
@@ -254,10 +255,10 @@ class HaptionDevice : public OpenDevice {
     const double dt = ticks_ == 0 ? static_cast<double>(period) : time - last_time_;
     last_time_ = time;
     ++ticks_;
-    state_.fault = static_cast<std::uint32_t>(read_state());
+    state_.fault = static_cast<std::uint32_t>(read_state(time));
     bodkin_command command{};
     tick_(user_, &state_, dt, &command);
-    if (state_.fault == BODKIN_OK) {
+    if (state_.fault == BODKIN_OK && state_.held != 0) {
       const Vec3 f = frame_.force_of(command), t = frame_.torque_of(command);
       for (int i = 0; i < 3; ++i) {
         force[i] = static_cast<float>(f[i]);
@@ -278,7 +279,20 @@ class HaptionDevice : public OpenDevice {
     return result;
   }
 
-  int read_state() noexcept {
+  // The hand on the handle switches the motors' power; their relays then take their time, in which nobody holds the
+  // device as far as forces are concerned, so that none waits behind them to jump out.
+  int result_of_power(bool held, bool power, double time) noexcept {
+    if (power != has_power_ || held != was_held_) power_changed_ = time;
+    has_power_ = power;
+    was_held_ = held;
+    const double lasts = time - power_changed_;
+    state_.held = held && power && lasts >= relays_ ? 1 : 0;
+    if (!held || power || lasts < longest_without_power) return BODKIN_OK;
+    return report(BODKIN_EMERGENCY_STOP,
+                  "the motors have no power although the handle is held: press the button of the motors' power");
+  }
+
+  int read_state(double time) noexcept {
     std::array<float, 7> pose{};
     std::array<float, 6> speed{};
     int held = 0, chain = 0, power = 0;
@@ -293,24 +307,24 @@ class HaptionDevice : public OpenDevice {
       int pressed = 0;
       if (api_.virtGetButton(device_, button, &pressed) == 0 && pressed != 0) state_.buttons |= 1U << (button - 1);
     }
-    state_.held = held != 0 ? 1 : 0;
     state_.temperature = (alarm & alarm_overheated) != 0 ? 1.0 : 0.0;
     frame_.put_position(Vec3(pose[0], pose[1], pose[2]), state_);
     frame_.put_velocity(Vec3(speed[0], speed[1], speed[2]), state_);
     const Eigen::Quaterniond turn(pose[6], pose[3], pose[4], pose[5]);
     frame_.put_rotation(turn.normalized().toRotationMatrix(), state_);
     if (chain == 0) return report(BODKIN_EMERGENCY_STOP, "the emergency stop is open: close it and start again");
-    if (power == 0) return report(BODKIN_EMERGENCY_STOP, "the motors' power is off: switch it on and start again");
     if ((alarm & alarm_overheated) != 0) return report(BODKIN_OVERHEATED, "the motors are hot: let the device cool");
     if ((alarm & alarm_position) != 0) return report(BODKIN_BAD_DATA, "the device reports an error of its position");
-    return BODKIN_OK;
+    return result_of_power(held != 0, power != 0, time);
   }
 
   std::unique_ptr<Connection> connection_;
   const HaptionLibrary& api_;
   HaptionLibrary::Context device_;
-  double relays_;          // s
-  float period_ = period;  // the vendor keeps its address
+  double relays_;  // s
+  bool has_power_ = false, was_held_ = false;
+  double power_changed_ = 0.0;  // s: when one of these changed
+  float period_ = period;       // the vendor keeps its address
   VendorFrame frame_ = metres(x_near_frame());
 
   // Of the loop.

@@ -23,6 +23,7 @@ HaptionLibrary::HaptionLibrary(const std::string& chosen)
   library.need(virtSetObservationFrame, "virtSetObservationFrame");
   library.need(virtSetCommandType, "virtSetCommandType");
   library.need(virtSaturateTorque, "virtSaturateTorque");
+  library.take(virtEnableForceFeedback, "virtEnableForceFeedback");
   library.need(virtSetPowerOn, "virtSetPowerOn");
   library.need(virtGetPowerOn, "virtGetPowerOn");
   library.need(virtGetPosition, "virtGetPosition");

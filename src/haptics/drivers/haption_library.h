@@ -30,6 +30,7 @@ struct HaptionLibrary {
   int (*virtSetObservationFrame)(Context, float pose[7]);
   int (*virtSetCommandType)(Context, int type);
   int (*virtSaturateTorque)(Context, float force, float torque);
+  int (*virtEnableForceFeedback)(Context, int on);  // may be null
   int (*virtSetPowerOn)(Context, int on);
   int (*virtGetPowerOn)(Context, int* on);
   int (*virtGetPosition)(Context, float pose[7]);

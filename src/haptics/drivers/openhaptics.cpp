@@ -17,8 +17,9 @@ namespace {
 
 using namespace openhaptics;
 
-constexpr long temperature_every = 100;  // ticks between readings of the temperature
-constexpr long fault_shown = 20;         // ticks for which a passing fault is reported
+constexpr long temperature_every = 100;    // ticks between readings of the temperature
+constexpr long fault_shown = 20;           // ticks for which a passing fault is reported
+constexpr int longest_device_fault = 100;  // frames in a row
 constexpr int oldest_version = 3;
 constexpr double fastest_hand = 1000.0;  // mm/s
 constexpr double least_shift = 1.0;      // mm beyond the hand's own motion that a calibration moves the pose
@@ -47,8 +48,10 @@ int result_of_openhaptics(unsigned code) noexcept {
   }
 }
 
-// The vendor lets these pass; every other error ends the session.
-bool passes(unsigned code) noexcept {
+// The vendor's samples go on after these: its own limits, and a frame that did not reach the device, as long as the
+// next ones do. Every other error ends the session.
+bool passes(unsigned code, int device_faults) noexcept {
+  if (code == device_fault) return device_faults <= longest_device_fault;
   return code >= exceeded_force && code <= force_error;
 }
 
@@ -141,22 +144,15 @@ unsigned style_of(const OpenHapticsLibrary& hd) {
 }
 
 // While the scheduler stands encoders alone can be reset, and only when the user says that the arm is where the
-// vendor wants it: wherever it is becomes the origin. The other styles are for the servo, where a needed update is an
-// everyday thing.
+// vendor wants it: wherever it is becomes the origin. The other styles are for the servo, as in the vendor's
+// Calibration.c: a stylus that is put into its inkwell while it runs asks for an update there.
 void check_calibration(const OpenHapticsLibrary& hd, unsigned style, bool may_reset_encoders) {
-  if (style == encoder_reset) {
-    if (may_reset_encoders) {
-      hd.hdUpdateCalibration(style);
-    } else if (hd.hdCheckCalibration() == calibration_needs_update) {
-      throw DriverFailure(BODKIN_NOT_CALIBRATED,
-                          "the encoders of the device are not reset: hold its arm in the reset position that the "
-                          "vendor's manual shows, and give --settings reset_encoders=yes");
-    }
-  }
-  if (hd.hdCheckCalibration() != calibration_needs_hand) return;
+  if (style != encoder_reset) return;
+  if (may_reset_encoders) hd.hdUpdateCalibration(style);
+  if (hd.hdCheckCalibration() == calibration_ok) return;
   throw DriverFailure(BODKIN_NOT_CALIBRATED,
-                      "the device is not calibrated: put the stylus into its inkwell, or run the vendor's "
-                      "Touch_Diagnostic, and try again");
+                      "the encoders of the device are not reset: hold its arm in the reset position that the "
+                      "vendor's manual shows, and give --settings reset_encoders=yes");
 }
 
 class OpenHapticsDevice : public OpenDevice {
@@ -187,8 +183,12 @@ class OpenHapticsDevice : public OpenDevice {
   }
 
   ~OpenHapticsDevice() override {
-    if (scheduled_) OpenHapticsDevice::stop();
-    session_->paused([&] { device_.reset(); });
+    stop_quietly();
+    try {
+      session_->paused([&] { device_.reset(); });
+    } catch (const DriverFailure&) {
+      // Of the scheduler of other devices, whose ticks then no longer come.
+    }
   }
 
   void describe(bodkin_abilities& abilities) {
@@ -222,17 +222,24 @@ class OpenHapticsDevice : public OpenDevice {
     frames_since_update_ = shift_frames;
     frame_time_ = paused_until_ = 0.0;
     lasting_ = passing_ = success;
+    device_faults_ = 0;
     last_error_.store(success);
     state_ = blank_state();
     unsigned error = success;
-    session_->paused([&] {
-      hd_.hdMakeCurrentDevice(device_->id());
-      session_->newest_error(device_->id());
-      hd_.hdEnable(force_output);
-      error = session_->newest_error(device_->id());
-      if (error == success) callback_ = session_->schedule(&OpenHapticsDevice::run, this);
-      scheduled_ = error == success;
-    });
+    try {
+      session_->paused([&] {
+        hd_.hdMakeCurrentDevice(device_->id());
+        session_->newest_error(device_->id());
+        enabled_ = hd_.hdCheckCalibration() != calibration_needs_hand;  // otherwise by calibrate(), once it is
+        if (enabled_) hd_.hdEnable(force_output);
+        error = session_->newest_error(device_->id());
+        if (error == success) callback_ = session_->schedule(&OpenHapticsDevice::run, this);
+        scheduled_ = error == success;
+      });
+    } catch (const DriverFailure&) {
+      stop_quietly();
+      throw;
+    }
     if (error != success) {
       throw DriverFailure(BODKIN_VENDOR_ERROR, "forces cannot be enabled (" + session_->words(error) +
                                                    "): " + openhaptics_advice(BODKIN_VENDOR_ERROR));
@@ -252,12 +259,20 @@ class OpenHapticsDevice : public OpenDevice {
 
   std::string explain() override {
     const unsigned code = last_error_.load();
-    if (code == uncalibrated) return "the device has lost its calibration: put the stylus into its inkwell";
+    if (code == uncalibrated) return "the device is not calibrated: put the stylus into its inkwell, then arm";
     return code == success ? "" : "OpenHaptics says " + session_->words(code);
   }
 
  private:
   static constexpr unsigned uncalibrated = 0xFFFF0000;  // in addition to the vendor's errors
+
+  void stop_quietly() noexcept {
+    try {
+      if (scheduled_) OpenHapticsDevice::stop();
+    } catch (const DriverFailure&) {
+      // What stop() asks of this device is done before it can fail.
+    }
+  }
 
   static unsigned run(void* self) noexcept { return static_cast<OpenHapticsDevice*>(self)->round(); }
 
@@ -269,7 +284,9 @@ class OpenHapticsDevice : public OpenDevice {
     hd_.hdBeginFrame(device_->id());
     const Vec3 before = Vec3(state_.position);
     read_state();
-    note(session_->newest_error(device_->id()));
+    const unsigned error = session_->newest_error(device_->id());
+    if (error != device_fault) device_faults_ = 0;
+    note(error);
     watch_for_shift(before, time);
     if (time < paused_until_) {
       hd_.hdEndFrame(device_->id());
@@ -293,6 +310,10 @@ class OpenHapticsDevice : public OpenDevice {
   void calibrate() noexcept {
     const unsigned state = hd_.hdCheckCalibration();
     calibrated_ = state != calibration_needs_hand;
+    if (state == calibration_ok && !enabled_ && lasting_ == success) {
+      hd_.hdEnable(force_output);
+      enabled_ = true;
+    }
     if (frames_since_update_ < shift_frames) ++frames_since_update_;
     if (state != calibration_needs_update || style_ == encoder_reset) return;
     hd_.hdUpdateCalibration(style_);
@@ -344,7 +365,8 @@ class OpenHapticsDevice : public OpenDevice {
   void note(unsigned code) noexcept {
     if (code == success) return;
     last_error_.store(code);
-    if (passes(code)) {
+    if (code == device_fault) ++device_faults_;
+    if (passes(code, device_faults_)) {
       passing_ = code;
       passing_until_ = ticks_ + fault_shown;
       return;
@@ -384,6 +406,8 @@ class OpenHapticsDevice : public OpenDevice {
   bool calibrated_ = true;
   int frames_since_update_ = shift_frames;        // of the calibration, up to shift_frames
   double frame_time_ = 0.0, paused_until_ = 0.0;  // s
+  bool enabled_ = false;                          // the motors
+  int device_faults_ = 0;                         // frames in a row
   unsigned lasting_ = success, passing_ = success;
   long passing_until_ = 0;
   std::atomic<unsigned> last_error_{success};

@@ -65,7 +65,8 @@ constexpr unsigned encoder_reset = 1, automatic = 2, inkwell = 4;
 // Errors.
 constexpr unsigned success = 0x0000, warm_motors = 0x0200, exceeded_force = 0x0201, exceeded_impulse = 0x0202,
                    exceeded_velocity = 0x0203, force_error = 0x0204, device_fault = 0x0300,
-                   already_initiated = 0x0301, comm_error = 0x0302, comm_config_error = 0x0303;
+                   already_initiated = 0x0301, comm_error = 0x0302, comm_config_error = 0x0303,
+                   first_scheduler_error = 0x0500, last_scheduler_error = 0x05FF;
 
 constexpr unsigned invalid_handle = 0xFFFFFFFF;
 constexpr unsigned short default_priority = 32767;

@@ -10,6 +10,10 @@ namespace {
 
 constexpr int deepest_stack = 64;  // a stack that is never empty must not hold up the tick
 
+bool is_of_scheduler(unsigned code) {
+  return code >= openhaptics::first_scheduler_error && code <= openhaptics::last_scheduler_error;
+}
+
 }  // namespace
 
 std::shared_ptr<OpenHapticsSession> OpenHapticsSession::join(const std::string& library) {
@@ -32,11 +36,6 @@ void OpenHapticsSession::paused(const std::function<void()>& call) {
   const std::lock_guard lock(mutex_);
   if (running_) hd.hdStopScheduler();
   running_ = false;
-  const auto resume = [this] {
-    if (scheduled_ == 0) return;
-    hd.hdStartScheduler();
-    running_ = true;
-  };
   try {
     call();
   } catch (...) {
@@ -44,6 +43,25 @@ void OpenHapticsSession::paused(const std::function<void()>& call) {
     throw;
   }
   resume();
+}
+
+// The error of a start is asked for at once, as in the vendor's samples. One of a device, which may tick already, is
+// kept for it.
+void OpenHapticsSession::resume() {
+  if (scheduled_ == 0) return;
+  hd.hdStartScheduler();
+  const OpenHapticsLibrary::ErrorRecord record = hd.hdGetError();
+  if (is_of_scheduler(record.code)) {
+    throw DriverFailure(BODKIN_VENDOR_ERROR, "the scheduler of OpenHaptics does not start (" + words(record.code) +
+                                                 "): see whether the vendor's Touch_Diagnostic works");
+  }
+  running_ = true;
+  if (record.code == openhaptics::success) return;
+  if (record.device != openhaptics::invalid_handle) {
+    pending_[record.device % most_devices].store(record.code);
+  } else {
+    for (std::atomic<unsigned>& pending : pending_) pending.store(record.code);
+  }
 }
 
 unsigned long OpenHapticsSession::schedule(OpenHapticsLibrary::Callback callback, void* user) {

@@ -26,7 +26,8 @@ class OpenHapticsSession {
 
   OpenHapticsLibrary hd;
 
-  // Runs `call` while the scheduler stands. It runs afterwards where a callback is scheduled.
+  // Runs `call` while the scheduler stands. It runs afterwards where a callback is scheduled; throws DriverFailure
+  // when it does not start again.
   void paused(const std::function<void()>& call);
 
   // Within paused() alone. The callback runs at every tick of the scheduler from its next start.
@@ -42,6 +43,8 @@ class OpenHapticsSession {
 
  private:
   static constexpr std::size_t most_devices = 16;
+
+  void resume();
 
   std::string chosen_;
   std::mutex mutex_;

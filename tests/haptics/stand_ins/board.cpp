@@ -12,11 +12,11 @@ namespace stand_in {
 namespace {
 
 constexpr const char* names[] = {
-    "none",           "no_device",    "busy",        "wrong_version",  "uncalibrated",
-    "unplug",         "freeze",       "nan",         "late",           "hot",
-    "emergency_stop", "hand_off",     "too_fast",    "too_much_force", "unknown_code",
-    "open_blocks",    "start_blocks", "stop_blocks", "needs_update",   "other_controller",
-    "stuck"};
+    "none",           "no_device",    "busy",         "wrong_version",  "uncalibrated",
+    "unplug",         "freeze",       "nan",          "late",           "hot",
+    "emergency_stop", "hand_off",     "too_fast",     "too_much_force", "unknown_code",
+    "open_blocks",    "start_blocks", "stop_blocks",  "needs_update",   "other_controller",
+    "stuck",          "device_fault", "no_scheduler", "no_power"};
 
 constexpr const char* habits[] = {"still", "wander", "swivel", "sweep", "loose", "gone"};
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <limits>
 
 namespace stand_in {
 
@@ -28,7 +29,10 @@ enum class Trouble : int {
   stop_blocks,
   needs_update,      // of its calibration, every now and then, which the servo does in one style
   other_controller,  // of a version that the library does not speak
-  stuck              // the library goes on, but its readings stand still
+  stuck,             // the library goes on, but its readings stand still
+  device_fault,      // a frame does not reach the device
+  no_scheduler,      // the vendor's loop does not start
+  no_power           // the user's switch for the motors is off
 };
 
 // What the hand does by itself. Environment: BODKIN_STAND_IN_HAND="swivel".
@@ -45,7 +49,7 @@ enum class Hand : int {
 // are in the vendor's own axes and units, exactly as they pass through the vendor's functions.
 struct Board {
   std::atomic<Trouble> trouble{Trouble::none};
-  std::atomic<std::int64_t> from_tick{0};
+  std::atomic<std::int64_t> from_tick{0}, until_tick{std::numeric_limits<std::int64_t>::max()};
   std::atomic<bool> only_first{false};  // where a library has two devices, the second is well
 
   // The hand: where it means to be, and the tool's rotation (row by row, vendor's axes). A firm hand does not yield.
@@ -60,6 +64,7 @@ struct Board {
   // much the next update moves the pose along the vendor's first axis.
   std::atomic<int> calibration_styles{0};
   std::atomic<double> calibration_shift{0.0};
+  std::atomic<bool> in_inkwell{false};  // the stylus
 
   // The device: what its motors apply now, and where it is.
   std::array<std::atomic<double>, 3> force{}, torque{}, position{};
@@ -83,7 +88,7 @@ struct Board {
   std::atomic<std::int64_t> watched_from{-1}, watched_at{0}, zero_at{0}, longest_gap{0};
 
   bool troubled_by(Trouble which) const noexcept {
-    return trouble.load() == which && ticks.load() >= from_tick.load();
+    return trouble.load() == which && ticks.load() >= from_tick.load() && ticks.load() < until_tick.load();
   }
   // As before a library is first used. Only while nobody uses it.
   void clear() noexcept;
@@ -100,6 +105,7 @@ struct Board {
 inline void Board::clear() noexcept {
   trouble = Trouble::none;
   from_tick = 0;
+  until_tick = std::numeric_limits<std::int64_t>::max();
   only_first = false;
   for (auto* triple : {&hand, &force, &torque, &position}) {
     for (auto& component : *triple) component = 0.0;
@@ -109,6 +115,7 @@ inline void Board::clear() noexcept {
   habit = Hand::still;
   calibration_styles = 0;
   calibration_shift = 0.0;
+  in_inkwell = false;
   buttons = 0;
   type = 0;
   ticks = pushes = pushes_in_trouble = 0;

@@ -15,11 +15,13 @@ using stand_in::board;
 using stand_in::Trouble;
 
 constexpr char the_id = 3;  // not the index, so that a driver that mixes them up is found
+constexpr int falcon = 60;
 constexpr double peak = 12.0;
 
 stand_in::Mechanism mechanism(1.0, peak);
 bool open_now = false, opened_by_drd = false, brakes = true, expert = false, calibrated_by_itself = false;
 int off_cause = 0;
+int moved = 0;  // forces that were sent while the hand moved it
 int watchdog_steps = 0;
 thread_local int last_error = 0;
 
@@ -54,6 +56,8 @@ int send(double x, double y, double z, double a, double b, double c, char id) {
   board().wait_while(Trouble::freeze);
   if (board().troubled_by(Trouble::late)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   if (!is_ours(id) || gone()) return -1;
+  // A Falcon finds its position while it is moved and is sent forces.
+  if (board().type == falcon && board().habit == stand_in::Hand::wander && ++moved > 50) calibrated_by_itself = true;
   if (board().troubled_by(Trouble::unknown_code)) return failed(4711);
   if (board().troubled_by(Trouble::emergency_stop)) trip(1);
   if (board().troubled_by(Trouble::too_fast)) trip(2);
@@ -81,6 +85,7 @@ int close_device(char id, bool by_drd) {
   if (board().motors_on) board().violation("closed while forces were enabled");
   board().motors_on = false;
   open_now = calibrated_by_itself = false;
+  moved = 0;
   --board().open_devices;
   return 0;
 }
@@ -217,10 +222,6 @@ EXPORT const char* dhdErrorGetLastStr() {
 EXPORT int dhdSetMaxForce(double limit, char id) {
   return is_ours(id) && limit > 0.0 ? 0 : -1;
 }
-EXPORT double dhdGetMaxForce(char id) {
-  if (!is_ours(id)) return -1.0;
-  return board().type == 60 ? 8.0 : board().type == 63 ? 20.0 : peak;
-}
 #endif
 EXPORT int dhdSetGravityCompensation(int, char id) {
   return is_ours(id) ? 0 : -1;
@@ -251,6 +252,7 @@ EXPORT bool drdIsInitialized(char id) {
   return is_drds(id) && (calibrated_by_itself || !board().troubled_by(Trouble::uncalibrated));
 }
 EXPORT int drdAutoInit(char id) {
+  if (board().type == falcon) board().violation("a Falcon was told to calibrate itself");
   calibrated_by_itself = is_drds(id);
   return calibrated_by_itself ? 0 : -1;
 }

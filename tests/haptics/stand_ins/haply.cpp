@@ -403,7 +403,7 @@ HaplyService::Ways HaplyService::of(const std::string& version) {
   Ways ways;
   ways.version = version + ".1";
   ways.vector = version == "3.5" ? "vector" : "values";
-  ways.events = version == "3.5";
+  ways.events = version == "3.4" || version == "3.5";
   if (version == "3.5") return ways;
   ways.preset.clear();
   ways.mount_height = std::numeric_limits<double>::quiet_NaN();

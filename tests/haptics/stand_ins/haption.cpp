@@ -1,7 +1,8 @@
 // A stand-in for libVirtuoseAPI.so with one 6D Desktop. Its loop is a thread that calls the periodic function as fast
 // as it likes, one simulated millisecond each. It enforces the order of the settings, impedance mode before forces,
-// power before the loop and a closed emergency stop, and it drops a connection that gets no force for two seconds of
-// its own time.
+// power and force feedback before the loop and a closed emergency stop. The motors have power while the hand is on
+// the handle and the user's switch is on, and it drops a connection that gets no force for two seconds of its own
+// time.
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -26,7 +27,9 @@ struct Device {
   bool factor = false, step = false, base = false;
   int command = 0;
   bool limits = false;
-  std::atomic<bool> power{false}, looping{false};
+  bool feedback = false;
+  std::atomic<bool> power{false};  // asked for
+  std::atomic<bool> looping{false};
   std::thread loop;
   void (*periodic)(Context, void*) = nullptr;
   float* period = nullptr;
@@ -68,6 +71,12 @@ int rule(Context context, bool kept, int error, const char* what) {
   return failed(error);
 }
 
+bool motors_have_power() {
+  const stand_in::Board& b = board();
+  return the_device.power && !b.troubled_by(Trouble::emergency_stop) && !b.troubled_by(Trouble::no_power) &&
+         !b.troubled_by(Trouble::hand_off);
+}
+
 void tick() {
   Device& d = the_device;
   if (board().troubled_by(Trouble::late)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -76,7 +85,7 @@ void tick() {
   d.periodic(&d, d.user);
   if (auto after = board().after_callback.load()) after();
   if (d.silent > 2000) board().violation("no force for two seconds");
-  const bool on = d.power && !board().troubled_by(Trouble::emergency_stop) && !board().troubled_by(Trouble::unplug);
+  const bool on = motors_have_power() && !board().troubled_by(Trouble::unplug);
   if (!on) std::memset(d.force, 0, sizeof d.force);
   if (!on) std::memset(d.torque, 0, sizeof d.torque);
   d.mechanism.step(board(), d.force, d.torque);
@@ -92,10 +101,12 @@ EXPORT int virtAPIVersion(int* major, int* minor) {
 EXPORT Context virtOpen(const char* address) {
   board().wait_while(Trouble::open_blocks);
   opening_error = 0;
-  if (std::strchr(address, '#') == nullptr || board().troubled_by(Trouble::no_device)) opening_error = 2;
+  if (*address == '\0' || board().troubled_by(Trouble::no_device)) opening_error = 2;
   if (open_now || board().troubled_by(Trouble::busy)) opening_error = 22;
   if (board().troubled_by(Trouble::other_controller)) opening_error = 20;
   if (opening_error != 0) return nullptr;
+  the_device.mechanism = stand_in::Mechanism{1.0, peak};
+  the_device.feedback = false;
   the_device.factor = the_device.step = the_device.base = the_device.limits = false;
   the_device.command = 0;
   the_device.periodic = nullptr;
@@ -151,9 +162,14 @@ EXPORT int virtSaturateTorque(Context context, float force, float torque) {
   the_device.limits = true;
   return rule(context, force > 0.0F && force <= 15.0F && torque > 0.0F && torque <= 1.0F, 9, "limits in other units");
 }
+EXPORT int virtEnableForceFeedback(Context context, int on) {
+  the_device.feedback = on != 0;
+  return rule(context, !the_device.looping, 14, "force feedback enabled while the loop ran");
+}
 EXPORT int virtSetPowerOn(Context context, int on) {
   if (on != 0) board().wait_while(Trouble::start_blocks);
   if (on != 0 && the_device.looping) board().violation("power after the loop has begun");
+  if (on != 0 && !the_device.feedback) board().violation("power without force feedback");
   if (on != 0 && !the_device.limits) board().violation("power without limits");
   if (on == 0 || about(context) == 0) {
     the_device.power = on != 0;
@@ -163,7 +179,7 @@ EXPORT int virtSetPowerOn(Context context, int on) {
   return about(context);
 }
 EXPORT int virtGetPowerOn(Context context, int* on) {
-  *on = the_device.power ? 1 : 0;
+  *on = motors_have_power() ? 1 : 0;
   return about(context);
 }
 EXPORT int virtGetPosition(Context context, float* pose) {

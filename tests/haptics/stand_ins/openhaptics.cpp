@@ -59,8 +59,9 @@ ErrorRecord stack[64];
 std::size_t depth = 0;
 
 std::atomic<bool> updated{false};
-std::atomic<std::int64_t> updated_at{0};  // tick
-std::atomic<double> shifted{0.0};         // mm, along the first axis
+std::atomic<bool> calibrated_by_hand{false};  // since the stylus was in its inkwell
+std::atomic<std::int64_t> updated_at{0};      // tick
+std::atomic<double> shifted{0.0};             // mm, along the first axis
 
 unsigned styles() {
   const int set = board().calibration_styles;
@@ -100,6 +101,15 @@ Device* about(bool frame_needed) {
 
 bool first(const Device* which) {
   return which == devices;
+}
+
+// As hdCheckCalibration has it. An update of its own is asked for every now and then; a device that does not know
+// where it is waits for its stylus in the inkwell, and for the update there.
+unsigned calibration() {
+  const Board& b = board();
+  if (b.troubled_by(Trouble::needs_update) && (!updated || b.ticks - updated_at > 50)) return 0x5001;
+  if (!b.troubled_by(Trouble::uncalibrated) || calibrated_by_hand) return 0x5000;
+  return b.in_inkwell ? 0x5001 : 0x5002;
 }
 
 void tick() {
@@ -145,7 +155,7 @@ EXPORT unsigned hdInitDevice(const char* name) {
     return no_device;
   }
   devices[id] = Device{};
-  updated = false;
+  updated = calibrated_by_hand = false;
   shifted = 0.0;
   devices[id].open = true;
   board().opened();
@@ -182,6 +192,7 @@ EXPORT void hdBeginFrame(unsigned id) {
   if (b.troubled_by(Trouble::too_fast)) push(0x0203, whose);
   if (b.troubled_by(Trouble::too_much_force)) push(0x0201, whose);
   if (b.troubled_by(Trouble::unknown_code)) push(0x0999, whose);
+  if (b.troubled_by(Trouble::device_fault)) push(0x0300, whose);
 }
 EXPORT void hdEndFrame(unsigned id) {
   Device* which = device(id);
@@ -205,7 +216,7 @@ EXPORT void hdEnable(unsigned capability) {
   Device* which = about(false);
   if (which == nullptr) return;
   if (capability != 0x4000) return refuse(0x0100, "an unknown capability");
-  if (board().troubled_by(Trouble::uncalibrated)) board().violation("forces enabled without calibration");
+  if (calibration() == 0x5002) board().violation("forces enabled without calibration");
   which->forces = true;
   if (first(which)) board().motors_on = true;
 }
@@ -307,9 +318,7 @@ EXPORT void hdSetDoublev(unsigned parameter, const double* values) {
   std::copy_n(values, 3, parameter == 0x2700 ? which->force : which->torque);
 }
 EXPORT unsigned hdCheckCalibration() {
-  if (about(false) == nullptr) return 0x5001;
-  if (board().troubled_by(Trouble::needs_update) && (!updated || board().ticks - updated_at > 50)) return 0x5001;
-  return board().troubled_by(Trouble::uncalibrated) ? 0x5002 : 0x5000;
+  return about(false) == nullptr ? 0x5001 : calibration();
 }
 EXPORT void hdUpdateCalibration(unsigned style) {
   // Calibration.c of the vendor's samples: one of the supported styles, encoders while the arm is in its reset
@@ -319,12 +328,15 @@ EXPORT void hdUpdateCalibration(unsigned style) {
   if (!is_one || (style & styles()) == 0) return refuse(0x0101, "not one style of calibration that this device has");
   if (style == 1 && running) return refuse(0x0102, "encoders reset while the scheduler ran");
   if (style != 1 && !running) return refuse(0x0102, "calibrated before the scheduler ran");
+  if (calibration() == 0x5002) return board().violation("an update before the stylus was in its inkwell");
+  if (board().in_inkwell) calibrated_by_hand = true;
   shifted = shifted + board().calibration_shift.exchange(0.0);
   updated = true;
   updated_at = board().ticks.load();
   ++board().calibrations;
 }
 EXPORT void hdStartScheduler() {
+  if (board().troubled_by(Trouble::no_scheduler)) return push(0x0500, no_device);
   if (running.exchange(true)) return refuse(0x0102, "the scheduler was started twice");
   scheduler = std::thread([] {
     is_scheduler = true;
