@@ -35,13 +35,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } catch (const bodkin::InputError& error) {
     reply_to(message, false, error.what(), 0.0);
   }
-  for (int kind = 0; kind < 7; ++kind) {
+  for (int kind = 0; kind < 8; ++kind) {
     try {
       if (kind == 0) read_transform(message.content);
       if (kind == 1) read_array(message.content);
       if (kind == 2) read_string(message.content);
       if (kind == 4) read_image(message.content);
       if (kind == 5) read_needle_state(message.content);
+      if (kind == 7) read_status(message.content);
       if (kind == 6) read_surface_points(message.content);
       if (kind == 3) pose_of_tool(message, message.device);
     } catch (const bodkin::InputError&) {

@@ -1,6 +1,8 @@
 #include "cli/deliver.h"
 
+#include <chrono>
 #include <filesystem>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -25,6 +27,17 @@ void deliver_result(const std::string& session, const std::string& trainee, cons
   }
   console.note(fmt::format("the result of {} is in the store: {}, {:.0f}", trainee, training::name_of(record.verdict),
                            record.score));
+}
+
+void deliver_waiting(const std::string& store, Console& console) {
+  constexpr std::chrono::milliseconds patience{2000};
+  try {
+    training::Outbox outbox(training::store_place(store), training::outbox_file(), patience);
+    if (outbox.waiting() == 0) return;
+    console.note(fmt::format("{} results that had waited on this station are in the store", outbox.deliver()));
+  } catch (const std::runtime_error& error) {
+    console.note(fmt::format("results go on waiting on this station: {}", error.what()));
+  }
 }
 
 }  // namespace bodkin::cli

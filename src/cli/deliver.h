@@ -11,4 +11,8 @@ namespace bodkin::cli {
 void deliver_result(const std::string& session, const std::string& trainee, const std::string& store,
                     Console& console);
 
+// What the store could not take before, if anything waits on this station. Says what came of it, and why the store
+// does not take it; gives up after two seconds.
+void deliver_waiting(const std::string& store, Console& console);
+
 }  // namespace bodkin::cli

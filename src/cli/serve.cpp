@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -22,11 +21,10 @@
 #include "cli/pane_options.h"
 #include "cli/perform_options.h"
 #include "cli/perform_screen.h"
+#include "cli/station_order.h"
 #include "cli/terminal_keys.h"
 #include "cli/wait_for_order.h"
 #include "core/error.h"
-#include "io/resources.h"
-#include "io/xml_document.h"
 #include "training/procedure_file.h"
 #include "training/store/attempt_record.h"
 
@@ -58,65 +56,27 @@ struct ServeOptions {
   std::string trainee, store;
 };
 
-// What a client asked for with StartProcedure.
-struct StartOrder {
-  std::string folder;  // of the case
-  std::string trainee;
-  bool begins = true;  // else the case is chosen only
-};
-
-// The case that `wanted` names inside `folder`; empty: `folder` itself. Never one elsewhere.
-std::string case_for(const std::string& folder, const std::string& wanted) {
-  const fs::path inside = wanted.empty() ? fs::path(folder) : fs::path(folder) / wanted;
-  std::error_code unreadable;
-  if ((wanted.empty() || io::is_inside_name(wanted)) && fs::is_regular_file(inside / "case.xml", unreadable)) {
-    const fs::path found = fs::canonical(inside, unreadable), root = fs::canonical(folder, unreadable);
-    const auto [in_root, in_found] = std::mismatch(root.begin(), root.end(), found.begin(), found.end());
-    if (in_root == root.end()) return inside.string();
-  }
-  throw InputError(fmt::format("this station has no case {}", io::in_quotes(wanted)));
-}
-
-// Nothing: the message asks for no session. `chosen`: the case of LoadCase, which this may change; empty: none.
-std::optional<StartOrder> order_in(const link::Message& message, const ServeOptions& arguments, std::string& chosen) {
-  const std::optional<link::Command> command = link::command_of(message);
-  if (!command) return std::nullopt;
-  const bool loads = command->name == "LoadCase";
-  if (!loads && command->name != "StartProcedure" && command->name != "StartRecording") {
-    throw InputError(
-        "no session runs here; StartProcedure or StartRecording with Case=\"name\" starts one, LoadCase chooses it");
-  }
-  const auto value = [&](const char* name) {
-    const auto found = command->values.find(name);
-    return found == command->values.end() ? std::string() : found->second;
-  };
-  const std::string wanted = value("Case").empty() ? chosen : value("Case");
-  StartOrder order{case_for(arguments.perform.folder, wanted), value("Trainee")};
-  if (!order.trainee.empty()) training::check_label(order.trainee, "Trainee");
-  if (loads) chosen = wanted;
-  order.begins = !loads;
-  return order;
-}
-
-// Until a client asks for a session; nothing when a person ended the program first.
-std::optional<StartOrder> wait_for_order(link::Server& server, const ServeOptions& arguments, Console& console) {
+// Until a client asks for a session; nothing when a person ended the program first. `trouble`: why the last one that
+// was asked for did not run; empty: it did.
+std::optional<StartOrder> wait_for_order(link::Server& server, StationOrders& orders, const std::string& trouble,
+                                         Console& console) {
   std::uint64_t greeted = 0;
-  std::string chosen;  // by LoadCase
-  const nlohmann::json state = {{"guard", "waiting"}, {"message", "waits for StartProcedure"}};
+  const nlohmann::json state = {{"guard", "waiting"}, {"message", "waits for StartProcedure"}, {"trouble", trouble}};
+  const std::string text = state.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
   for (auto told = std::chrono::steady_clock::time_point{}; !WaitForOrder::is_ended();) {
     const auto now = std::chrono::steady_clock::now();
     if (const link::ServerCounts counts = server.counts();
         counts.accepted != greeted || now - told > std::chrono::seconds(1)) {
       greeted = counts.accepted;
       told = now;
-      server.publish({"STRING", "State", link::time_now(), link::string_content(state.dump())}, true);
+      server.publish({"STRING", "State", link::time_now(), link::string_content(text)}, true);
     }
     std::optional<StartOrder> order;
     for (const link::Received& received : server.take()) {
       bool success = false;
       std::string sentence = "the procedure begins";
       try {
-        std::optional<StartOrder> wanted = order_in(received.message, arguments, chosen);
+        std::optional<StartOrder> wanted = orders.order_in(received.message);
         if (!wanted) continue;
         if (order) throw InputError("another client was first");
         if (wanted->begins)
@@ -213,12 +173,17 @@ Served serve_until_done(PerformOptions perform, double rate, link::Server& serve
 void serve_orders(const ServeOptions& arguments, link::Server& server, Console& console, CommandContext& context) {
   const WaitForOrder until_a_person_ends_it;
   nlohmann::ordered_json sessions = nlohmann::ordered_json::array();
+  StationOrders orders(arguments.perform.folder);
+  std::string trouble;
   while (context.exit_code == 0) {
-    const std::optional<StartOrder> order = wait_for_order(server, arguments, console);
+    deliver_waiting(arguments.store, console);
+    const std::optional<StartOrder> order = wait_for_order(server, orders, trouble, console);
     if (!order) break;
     PerformOptions perform = arguments.perform;
     perform.folder = order->folder;
-    perform.output = free_session(arguments.perform.output);
+    const fs::path output = arguments.perform.output;
+    perform.output = free_session(order->file.empty() ? output : output.parent_path() / order->file);
+    trouble.clear();
     try {
       const std::string& trainee = order->trainee.empty() ? arguments.trainee : order->trainee;
       serve_until_done(
@@ -228,7 +193,8 @@ void serve_orders(const ServeOptions& arguments, link::Server& server, Console& 
             if (!trainee.empty()) deliver_result(file, trainee, arguments.store, console);
           });
     } catch (const std::runtime_error& error) {
-      console.note(error.what());  // of this order alone: the station waits for the next one
+      trouble = error.what();  // of this order alone: the station waits for the next one
+      console.note(trouble);
     }
   }
   console.json(nlohmann::ordered_json{{"sessions", sessions}}.dump(2));
@@ -247,6 +213,7 @@ void run_serve(const ServeOptions& arguments, CommandContext& context) {
     console.note(
         "every machine that reaches this one can look and give commands; without --listen only this one can");
   if (arguments.wait) return serve_orders(arguments, server, console, context);
+  if (!arguments.trainee.empty()) deliver_waiting(arguments.store, console);
   const auto deliver = [&](const Served&, const std::string& file) {
     if (!arguments.trainee.empty()) deliver_result(file, arguments.trainee, arguments.store, console);
   };

@@ -47,6 +47,8 @@ report::StationCard card_of(const link::StationView& view) {
   card.event = view.event;
   card.guard = view.guard;
   for (const link::StationMoment& moment : view.moments) card.forces.emplace_back(moment.time, moment.force);
+  for (const link::StationLayer& layer : view.layers) card.layers.push_back({layer.tissue, layer.colour, layer.from});
+  card.path = view.path;
   if (!view.moments.empty()) {
     card.depth = view.moments.back().depth;
     card.force = view.moments.back().force;

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <thread>
 
+#include "link/contents.h"
 #include <boost/asio/connect.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -76,6 +77,7 @@ struct Client::Shared {
   std::shared_ptr<tcp::socket> socket;
   std::uint64_t attempt = 0;
   bool is_up = false;
+  std::string refusal;  // why the server is about to end the connection, as its STATUS said
   Clock::time_point heard;
   std::array<std::uint8_t, header_size> head{};
   MessageHeader header;
@@ -93,6 +95,11 @@ struct Client::Shared {
   void read(std::uint64_t number);
   void read_body(std::uint64_t number);
   void write(std::uint64_t number);
+  std::string reason_of_end() const {
+    return refusal.empty() ? fmt::format("{} has ended the connection", place)
+                           : fmt::format("{}: {}", place, refusal);
+  }
+  void hear_status(const Message& message);
   void set(ClientState state, const std::string& sentence) {
     const std::lock_guard lock(mutex);
     status.state = state;
@@ -135,6 +142,7 @@ void Client::Shared::begin(std::uint64_t number) {
   socket->set_option(tcp::no_delay(true), ignored);
   socket->set_option(asio::socket_base::keep_alive(true), ignored);
   is_up = true;
+  refusal.clear();
   heard = Clock::now();
   timer.cancel();
   {
@@ -177,7 +185,7 @@ void Client::Shared::read(std::uint64_t number) {
   asio::async_read(*socket, asio::buffer(head),
                    [this, number, kept = socket](const error_code& error, std::size_t /*size*/) {
                      if (number != attempt) return;
-                     if (error) return end(number, fmt::format("{} has ended the connection", place));
+                     if (error) return end(number, reason_of_end());
                      try {
                        header = read_header(head);
                      } catch (const InputError& refused) {
@@ -196,7 +204,7 @@ void Client::Shared::read_body(std::uint64_t number) {
   asio::async_read(*socket, asio::buffer(body),
                    [this, number, kept = socket](const error_code& error, std::size_t /*size*/) {
                      if (number != attempt) return;
-                     if (error) return end(number, fmt::format("{} has ended the connection", place));
+                     if (error) return end(number, reason_of_end());
                      heard = Clock::now();
                      Message message;
                      try {
@@ -208,16 +216,27 @@ void Client::Shared::read_body(std::uint64_t number) {
                        const std::lock_guard lock(mutex);
                        ++status.received;
                      }
+                     hear_status(message);
                      if (events.message) events.message(std::move(message));
                      read(number);
                    });
+}
+
+void Client::Shared::hear_status(const Message& message) {
+  if (message.type != "STATUS") return;
+  try {
+    const StatusText told = read_status(message.content);
+    refusal = told.code == status_ok ? std::string() : told.message;
+  } catch (const InputError&) {
+    return;  // a STATUS that is cut off says nothing
+  }
 }
 
 void Client::Shared::write(std::uint64_t number) {
   asio::async_write(*socket, asio::buffer(queue.front()),
                     [this, number, kept = socket](const error_code& error, std::size_t size) {
                       if (number != attempt) return;
-                      if (error) return end(number, fmt::format("{} has ended the connection", place));
+                      if (error) return end(number, reason_of_end());
                       queued -= size;
                       queue.pop_front();
                       if (!queue.empty()) write(number);

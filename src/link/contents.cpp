@@ -99,6 +99,30 @@ Bytes status_content(std::uint16_t code, const std::string& name, const std::str
   return writer.take();
 }
 
+StatusText read_status(std::span<const std::uint8_t> content) {
+  constexpr std::size_t sub_code = 8, name_size = 20;
+  ByteReader reader(content);
+  StatusText status{.code = reader.u16(), .message = {}};
+  reader.raw(sub_code);
+  reader.raw(name_size);
+  status.message = reader.field(reader.left());
+  return status;
+}
+
+Bytes sensor_content(std::span<const double> values, SensorUnit unit) {
+  constexpr std::size_t most = std::numeric_limits<std::uint8_t>::max();
+  if (values.size() > most) throw InputError(fmt::format("{} numbers, a SENSOR holds {}", values.size(), most));
+  // Four bits of a prefix, then six units of six bits, each with an exponent of four.
+  constexpr std::uint64_t milli = 0xB, newton = 0x0B, joule = 0x0D, once = 1;
+  const auto packed = [](std::uint64_t prefix, std::uint64_t of) { return prefix << 60U | of << 54U | once << 50U; };
+  ByteWriter writer;
+  writer.u8(static_cast<std::uint8_t>(values.size()));
+  writer.u8(0);  // reserved
+  writer.u64(unit == SensorUnit::newton ? packed(0, newton) : packed(milli, joule));
+  for (const double value : values) writer.f64(value);
+  return writer.take();
+}
+
 Bytes array_content(std::span<const double> values, std::size_t columns) {
   constexpr std::size_t most = std::numeric_limits<std::uint16_t>::max();
   if (columns == 0 || columns > most || values.size() % columns != 0 || values.size() / columns > most) {

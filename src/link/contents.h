@@ -27,8 +27,15 @@ Pose read_transform(std::span<const std::uint8_t> content);
 Bytes string_content(const std::string& text);
 std::string read_string(std::span<const std::uint8_t> content);
 
-// STATUS. Code 1: all is well.
+// STATUS, with the protocol's codes.
+inline constexpr std::uint16_t status_ok = 1, status_error = 2, status_busy = 6;
 Bytes status_content(std::uint16_t code, const std::string& name, const std::string& message);
+struct StatusText {
+  std::uint16_t code = 0;
+  std::string message;
+};
+// Throws InputError for fewer bytes than a STATUS has.
+StatusText read_status(std::span<const std::uint8_t> content);
 
 // NDARRAY of doubles: `values` row by row, `columns` of them in a row; throws InputError where they do not fill rows,
 // or for more than 65,535 rows.
@@ -38,6 +45,10 @@ struct NumberArray {
   std::vector<double> values;
 };
 NumberArray read_array(std::span<const std::uint8_t> content);
+
+// SENSOR: at most 255 numbers of one unit. Throws InputError for more.
+enum class SensorUnit : std::uint8_t { newton, millijoule };
+Bytes sensor_content(std::span<const double> values, SensorUnit unit);
 
 // POINT: one named place after another.
 struct NamedPoint {

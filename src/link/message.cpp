@@ -42,6 +42,11 @@ std::uint64_t time_stamp(double seconds) {
   return static_cast<std::uint64_t>(std::min(seconds, last) * fraction);
 }
 
+// As all messages of the protocol are called; a line of text is not.
+bool is_type(const std::string& text) {
+  return text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") == std::string::npos;
+}
+
 bool is_printable(const std::string& text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
 }
@@ -85,9 +90,15 @@ MessageHeader read_header(std::span<const std::uint8_t> bytes) {
   header.time = static_cast<double>(seconds) + static_cast<double>(parts) / fraction;
   header.body_size = reader.u64();
   header.crc = reader.u64();
-  if (header.version == 0 || header.version > newest_version || header.type.empty() || !is_printable(header.type) ||
-      !is_printable(header.device))
+  const bool is_known_version = header.version != 0 && header.version <= newest_version;
+  if (header.type.empty() || !is_printable(header.type) || !is_printable(header.device) ||
+      (!is_known_version && !is_type(header.type)))
     throw InputError("this is no header of OpenIGTLink; the other side speaks another protocol");
+  if (!is_known_version) {
+    throw InputError(fmt::format(
+        "the header of a message has version {}, expected 1 or 2; let the other side speak OpenIGTLink 1 to 3",
+        header.version));
+  }
   return header;
 }
 

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "link/contents.h"
+#include "link/farewell.h"
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
@@ -61,7 +62,8 @@ struct Connection {
 }  // namespace
 
 struct Server::Shared {
-  explicit Shared(const ServerSettings& from) : settings(from), acceptor(context), watch(context) {}
+  explicit Shared(const ServerSettings& from)
+      : settings(from), acceptor(context), watch(context), farewells(context) {}
 
   ServerSettings settings;
   asio::io_context context;
@@ -70,6 +72,7 @@ struct Server::Shared {
   Clock::time_point last_status = Clock::now();
   std::map<std::uint64_t, std::shared_ptr<Connection>> connections;
   std::uint64_t last_number = 0;
+  Farewells farewells;
   mutable std::mutex mutex;  // of what follows
   std::deque<Received> received;
   std::vector<std::string> notes;
@@ -78,6 +81,7 @@ struct Server::Shared {
 
   void listen();
   void accept();
+  void refuse(tcp::socket socket);
   void keep_watch();
   void read_head(const std::shared_ptr<Connection>& connection);
   void read_body(const std::shared_ptr<Connection>& connection);
@@ -113,7 +117,9 @@ void Server::Shared::listen() {
 void Server::Shared::accept() {
   acceptor.async_accept([this](const error_code& error, tcp::socket socket) {
     if (error == asio::error::operation_aborted) return;
-    if (!error && connections.size() < settings.most_clients) {
+    if (!error && connections.size() >= settings.most_clients) {
+      refuse(std::move(socket));
+    } else if (!error) {
       auto connection = std::make_shared<Connection>(std::move(socket));
       error_code ignored;
       connection->socket.set_option(tcp::no_delay(true), ignored);
@@ -130,6 +136,18 @@ void Server::Shared::accept() {
     }
     accept();
   });
+}
+
+void Server::Shared::refuse(tcp::socket socket) {
+  const std::string why = fmt::format(
+      "all {} places of this server are taken; end another client, or start the server with more --clients",
+      settings.most_clients);
+  error_code ignored;
+  farewells.say(socket.release(ignored), status_busy, why);
+  const std::lock_guard lock(mutex);
+  ++counts.refused;
+  if (notes.size() < most_notes)
+    notes.push_back(fmt::format("a client found no place: {} are let in", settings.most_clients));
 }
 
 // Ends what has stalled, and shows everybody that the server lives.
@@ -155,9 +173,16 @@ void Server::Shared::keep_watch() {
 }
 
 void Server::Shared::close(Connection& connection, const std::string& why) {
-  if (connections.erase(connection.number) == 0) return;  // it was closed before
+  const auto self = connections.find(connection.number);
+  if (self == connections.end()) return;  // it was closed before
+  const std::shared_ptr<Connection> kept = self->second;
+  connections.erase(self);
   error_code ignored;
-  connection.socket.close(ignored);
+  if (why.empty() || connection.writes) {  // in the middle of a message there is no other one
+    connection.socket.close(ignored);
+  } else {
+    farewells.say(connection.socket.release(ignored), status_error, "the connection is ended: " + why);
+  }
   const std::lock_guard lock(mutex);
   counts.clients = connections.size();
   if (why.empty()) return;

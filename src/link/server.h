@@ -32,12 +32,14 @@ struct ServerCounts {
   std::uint64_t clients = 0;             // connected now
   std::uint64_t accepted = 0;            // since the start, and so the others
   std::uint64_t dropped = 0;             // by the server: damaged, slow or flooding
+  std::uint64_t refused = 0;             // for whom there was no place
   std::uint64_t sent = 0, received = 0;  // messages
 };
 
 // An OpenIGTLink server on a thread of its own. Nobody ever waits for the network: publish() hands a message over and
 // returns; a client that does not keep up loses what is no longer new, and in the end its connection. Whatever a
-// client sends, the others and the caller do not notice.
+// client sends, the others and the caller do not notice. A client that is refused or dropped is told why in a STATUS,
+// unless half a message is on its way to it.
 class Server {
  public:
   // Listens from here on. Throws InputError, one sentence, when the address is none of this machine or the port is
@@ -67,7 +69,7 @@ class Server {
   // by the server itself.
   std::vector<Received> take();
   ServerCounts counts() const;
-  // Why clients were dropped since the last call, one sentence each, at most 64.
+  // Why clients were dropped or refused since the last call, one sentence each, at most 64.
   std::vector<std::string> take_notes();
 
  private:

@@ -23,6 +23,29 @@ namespace {
 constexpr std::size_t force_columns = 6;
 constexpr double visible_motion = 0.05;  // mm
 
+// LPS to RAS.
+Vec3 in_ras(const Vec3& vector) {
+  return {-vector.x(), -vector.y(), vector.z()};
+}
+
+// The tissues that the planned path meets, for a side view: JSON of [title, colour, depth in mm where it begins], up
+// to a little behind the target.
+nlohmann::ordered_json layers_of(const anatomy::Case& patient, const anatomy::NeedlePath& path) {
+  constexpr double step = 0.25, beyond = 15.0;  // mm
+  nlohmann::ordered_json layers = nlohmann::ordered_json::array();
+  std::optional<anatomy::TissueId> before;
+  for (double depth = 0.0; depth <= path.length() + beyond; depth += step) {
+    const auto here = anatomy::nearest<anatomy::TissueId>(patient.tissues, path.entry + depth * path.direction(),
+                                                          anatomy::tissue::air);
+    if (here == before) continue;
+    before = here;
+    const anatomy::TissueProperties* tissue = patient.library.find(here);
+    layers.push_back(
+        {patient.library.title(here), fmt::format("#{:06x}", tissue == nullptr ? 0U : tissue->colour), depth});
+  }
+  return layers;
+}
+
 // As it lies in tissue that has been pushed ahead.
 Pose needle_in_body(const station::HandSnapshot& needle) {
   Pose pose = needle.needle;
@@ -105,6 +128,10 @@ void SessionFeed::greet(const anatomy::Case& patient, std::span<const forces::Di
   json["deformable_body"] = deforms_;
   json["needle_state_columns"] = needle_state_columns(diagnostics);
   json["force_columns"] = {"time_s", "depth_mm", "force_N", "resistance_N", "constraint_N", "tissue"};
+  if (about.procedure.path) {
+    json["path_mm"] = about.procedure.path->length();
+    json["layers"] = layers_of(patient, *about.procedure.path);
+  }
   server_.publish({"STRING", "Case", now, string_content(json.dump())}, false);
   if (!skin_.empty())
     server_.publish({"POLYDATA", "Skin", now, surface_content(skin_.rest(), skin_.triangles(), {})}, true);
@@ -140,6 +167,11 @@ void SessionFeed::send_forces(const station::StationStatus& status, double now) 
                              static_cast<double>(sample.tissue)});
   }
   server_.publish({"NDARRAY", "Force", now, array_content(rows, force_columns)}, false);
+  const Vec3 force = in_ras(status.needle.output.applied.force);
+  server_.publish({"SENSOR", "ForceOnHand", now, sensor_content({force.data(), 3}, SensorUnit::newton)}, true);
+  server_.publish(
+      {"SENSOR", "EnergyOfHand", now, sensor_content({&status.needle.output.energy, 1}, SensorUnit::millijoule)},
+      true);
 }
 
 // While the needle moves it.
@@ -182,6 +214,7 @@ void SessionFeed::send_state(const station::StationStatus& status, const anatomy
   json["step_number"] = steps_.number();
   json["steps"] = steps_.count();
   json["message"] = status.message;
+  json["other_hand"] = status.needle.other.byte();
   std::string text = json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
   if (text == state_) return;
   state_ = std::move(text);

@@ -26,6 +26,26 @@ std::size_t count_in(const nlohmann::json& json, const char* key) {
   return found != json.end() && found->is_number_unsigned() ? found->get<std::size_t>() : 0;
 }
 
+constexpr std::size_t most_layers = 200;
+
+bool is_colour(const std::string& text) {
+  return text.size() == 7 && text.front() == '#' &&
+         text.find_first_not_of("0123456789abcdef", 1) == std::string::npos;
+}
+
+std::vector<StationLayer> layers_in(const nlohmann::json& json) {
+  std::vector<StationLayer> layers;
+  const auto found = json.find("layers");
+  if (found == json.end() || !found->is_array()) return layers;
+  for (const nlohmann::json& layer : *found) {
+    if (layers.size() == most_layers || !layer.is_array() || layer.size() != 3 || !layer[0].is_string() ||
+        !layer[1].is_string() || !layer[2].is_number() || !is_colour(layer[1].get<std::string>()))
+      return {};
+    layers.push_back({layer[0].get<std::string>(), layer[1].get<std::string>(), layer[2].get<double>()});
+  }
+  return layers;
+}
+
 // The attribute of an element that this program wrote elsewhere: enough for <CommandReply Status="..." />.
 std::string attribute_in(const std::string& text, const std::string& name) {
   const std::size_t at = text.find(name + "=\"");
@@ -59,6 +79,9 @@ void take_text(StationView& view, const std::string& device, const std::string& 
   if (device == "Case") {
     view.patient = text_in(json, "case");
     view.procedure = text_in(json, "procedure");
+    view.layers = layers_in(json);
+    const auto path = json.find("path_mm");
+    view.path = path != json.end() && path->is_number() ? path->get<double>() : 0.0;
   } else if (device == "State") {
     view.runs = text_in(json, "guard") != "waiting";
     view.guard = text_in(json, "guard");

@@ -16,14 +16,22 @@ struct StationMoment {
   double force = 0.0;  // N
 };
 
+// A tissue that the planned path meets.
+struct StationLayer {
+  std::string tissue, colour;  // "Skin", "#e8b89a"
+  double from = 0.0;           // mm below the entry
+};
+
 // The newest that a station has told.
 struct StationView {
   std::string place;    // "room3:18944"
   ClientStatus status;  // of the connection
   bool runs = false;    // a session; else the station waits for one
   std::string patient, procedure;
-  std::string guard, tissue;  // "active", "fat"
-  std::string step;           // the newest stage that was reached; empty: none
+  std::vector<StationLayer> layers;  // in order; empty: the case has no planned path
+  double path = 0.0;                 // mm from the entry to the target
+  std::string guard, tissue;         // "active", "fat"
+  std::string step;                  // the newest stage that was reached; empty: none
   std::size_t step_number = 0, steps = 0;
   std::string event;                   // the newest
   std::vector<StationMoment> moments;  // of the last 20 s, ten a second

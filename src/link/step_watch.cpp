@@ -1,34 +1,41 @@
 #include "link/step_watch.h"
 
+#include <algorithm>
+
 #include "session/tick_codec.h"
 
 namespace bodkin::link {
 
-std::size_t StepWatch::next() const noexcept {
-  std::size_t at = reached_;
-  while (at < steps_.size() && steps_[at].tissue.empty() && steps_[at].event.empty()) ++at;
-  return at;
+// Nobody waits for it: nothing shows it, or only where a patient has a place to feel and fluid to measure.
+bool StepWatch::may_be_left_out(std::size_t step) const {
+  const WatchedStep& one = steps_[step];
+  return one.tissue.empty() && (one.event.empty() || session::is_of_other_hand(one.event));
 }
 
 void StepWatch::update(std::span<const station::HandSample> samples, std::span<const session::SessionEvent> events,
                        const anatomy::TissueLibrary& library) {
-  const auto shown_by_tissue = [&](const WatchedStep& step) {
-    if (step.tissue.empty()) return false;
-    for (const station::HandSample& sample : samples) {
-      const anatomy::TissueProperties* const tissue = library.find(sample.tissue);
-      if (tissue != nullptr && tissue->name == step.tissue) return true;
+  std::size_t used = 0;  // events that have shown a step
+  // A step and what shows it; of events those that have shown none so far.
+  const auto shows = [&](const WatchedStep& step) {
+    if (!step.tissue.empty()) {
+      return std::any_of(samples.begin(), samples.end(), [&](const station::HandSample& sample) {
+        const anatomy::TissueProperties* const tissue = library.find(sample.tissue);
+        return tissue != nullptr && tissue->name == step.tissue;
+      });
+    }
+    if (step.event.empty()) return false;
+    for (std::size_t i = used; i < events.size(); ++i) {
+      if (step.event != session::event_kind_name(events[i].event.kind)) continue;
+      used = i + 1;
+      return true;
     }
     return false;
   };
-  const auto shown_by_event = [&](const WatchedStep& step) {
-    for (const session::SessionEvent& event : events) {
-      if (!step.event.empty() && step.event == session::event_kind_name(event.event.kind)) return true;
-    }
-    return false;
-  };
-  for (std::size_t at = next(); at < steps_.size(); at = next()) {
-    if (!shown_by_tissue(steps_[at]) && !shown_by_event(steps_[at])) return;
-    reached_ = at + 1;
+  for (std::size_t step = reached_; step < steps_.size(); ++step) {
+    if (shows(steps_[step]))
+      reached_ = step + 1;
+    else if (!may_be_left_out(step))
+      return;
   }
 }
 

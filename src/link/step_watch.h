@@ -18,8 +18,9 @@ struct WatchedStep {
   std::string event;   // "contact"
 };
 
-// Which stages a session that runs has reached, each after the one before it; what nothing shows is passed over. The
-// score of the recording (training/score.h) can do more: it also finds stages after one that was left out.
+// Which stages a session that runs has reached, each after the one before it; what nothing shows is passed over, and
+// so is what only a second hand does, where it does not. The score of the recording (training/score.h) can do more:
+// it also finds stages after one that was left out.
 class StepWatch {
  public:
   explicit StepWatch(std::vector<WatchedStep> steps) : steps_(std::move(steps)) {}
@@ -34,8 +35,7 @@ class StepWatch {
   std::string title() const { return reached_ == 0 ? std::string() : steps_[reached_ - 1].title; }
 
  private:
-  // The next one that something shows; the count of steps when there is none.
-  std::size_t next() const noexcept;
+  bool may_be_left_out(std::size_t step) const;
 
   std::vector<WatchedStep> steps_;
   std::size_t reached_ = 0;

@@ -186,4 +186,10 @@ std::optional<forces::EventKind> event_kind_of(std::string_view name) {
   return static_cast<forces::EventKind>(found - kind_names.begin());
 }
 
+bool is_of_other_hand(std::string_view event) noexcept {
+  constexpr std::array<std::string_view, 6> names = {"palpated",  "fluid_returned", "stylet_out",
+                                                     "stylet_in", "pressure_read",  "fluid_collected"};
+  return std::find(names.begin(), names.end(), event) != names.end();
+}
+
 }  // namespace bodkin::session

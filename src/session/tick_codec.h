@@ -43,5 +43,8 @@ bool decode_event(std::span<const std::uint8_t> bytes, std::uint32_t& tick_of_ch
 std::string_view event_kind_name(forces::EventKind kind);
 // The kind of that name; nothing where no kind has it.
 std::optional<forces::EventKind> event_kind_of(std::string_view name);
+// Whether an event of this name comes only from a second hand: a finger that feels, stylet, manometer and fluid. Not
+// every patient has places for it.
+bool is_of_other_hand(std::string_view event) noexcept;
 
 }  // namespace bodkin::session

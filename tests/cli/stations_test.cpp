@@ -24,6 +24,7 @@ using StationsCommand = PatientCommand;
 class WaitingStation {
  public:
   WaitingStation(const std::filesystem::path& folder, const std::string& arguments) : notes_(folder / "station.txt") {
+    std::filesystem::remove(notes_);  // those of a station before
     const std::string command = "cd '" + folder.string() + "' && echo $$ && exec '" BODKIN_BUILD "/bin/bodkin' " +
                                 arguments + " 2> station.txt";
     pipe_ = popen(command.c_str(), "r");
@@ -86,6 +87,40 @@ TEST_F(StationsCommand, a_teacher_starts_a_procedure_and_the_result_comes_to_the
   EXPECT_THAT(list, HasSubstr("t-01")) << station.notes();
   EXPECT_EQ(station.end(), 0) << station.notes();
   EXPECT_TRUE(::bodkin::session::read_session(folder_ / "session-by-hand.bodkin").finished);
+}
+
+// A client names the session's file, and the case that it once chose stays chosen; no name leads out of the folder.
+TEST_F(StationsCommand, a_client_names_the_session_and_chooses_the_case_for_all_starts) {
+  using ::bodkin::link::StationWatch;
+  WaitingStation station(folder_, "serve . simulated --settings depth_mm=10 --max-time 1 --port 0 --wait");
+  const std::string place = station.place();
+  ASSERT_FALSE(place.empty()) << station.notes();
+  StationWatch watch(::bodkin::link::parse_server(place, "STATION"));
+  const auto within_a_minute = [](const std::function<bool()>& is_so) {
+    for (int i = 0; i < 3000 && !is_so(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return is_so();
+  };
+  const auto reply = [&](const std::string& name, const std::vector<std::pair<std::string, std::string>>& values) {
+    EXPECT_TRUE(within_a_minute([&] { return watch.view().guard == "waiting"; })) << station.notes();
+    watch.command(name, values);
+    EXPECT_TRUE(within_a_minute([&] { return !watch.view().reply.empty(); }));
+    return watch.view().reply;
+  };
+  EXPECT_EQ(reply("LoadCase", {{"Case", "patient"}}), "SUCCESS");
+  for (const char* outside : {"../out", "/tmp/out", ".hidden", "-o"})
+    EXPECT_THAT(reply("StartRecording", {{"OutputFilename", outside}}), HasSubstr("OutputFilename is")) << outside;
+  for (const char* name : {"first", "second"}) {
+    EXPECT_EQ(reply("StartRecording", {{"OutputFilename", name}}), "SUCCESS") << name;
+    const std::filesystem::path file = folder_ / (std::string(name) + ".bodkin");
+    EXPECT_TRUE(within_a_minute([&] {
+      try {
+        return ::bodkin::session::read_session(file).finished;
+      } catch (const std::exception&) {
+        return false;  // it is not there yet
+      }
+    })) << station.notes();
+  }
+  EXPECT_EQ(station.end(), 0) << station.notes();
 }
 
 TEST_F(StationsCommand, a_client_changes_a_number_of_the_model_and_begins_again) {

@@ -117,6 +117,22 @@ TEST(LinkClient, leaves_a_server_that_speaks_another_protocol_or_says_nothing) {
   for (const int each : {first, second, listener}) ::close(each);
 }
 
+TEST(LinkClient, says_that_the_server_has_no_place_for_it) {
+  ServerSettings settings = any_port();
+  settings.most_clients = 1;
+  Server server(settings);
+  const Client first(soon(server.port()), {});
+  ASSERT_TRUE(within(10s, [&] { return server.counts().clients == 1; }));
+  ClientSettings patient = soon(server.port());
+  patient.retry = 60s;
+  const Client second(patient, {});
+  EXPECT_TRUE(within(10s, [&] { return second.status().state == ClientState::waiting; }));
+  EXPECT_THAT(second.status().sentence, HasSubstr("all 1 places of this server are taken"));
+  EXPECT_GE(server.counts().refused, 1U);
+  EXPECT_EQ(server.counts().dropped, 0U);
+  EXPECT_EQ(first.status().state, ClientState::connected);
+}
+
 TEST(LinkClient, reads_names_of_servers_and_refuses_what_is_none) {
   EXPECT_EQ(parse_server("tracker", "x").host, "tracker");
   EXPECT_EQ(parse_server("tracker", "x").port, 18944);

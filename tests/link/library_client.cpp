@@ -24,6 +24,10 @@ LibraryClient::~LibraryClient() {
   socket_->igtl->CloseSocket();
 }
 
+void LibraryClient::send_bytes(std::span<const std::uint8_t> bytes) {
+  EXPECT_NE(socket_->igtl->Send(bytes.data(), bytes.size()), 0);
+}
+
 void LibraryClient::send_string(const std::string& device, const std::string& text) {
   igtl::StringMessage::Pointer message = igtl::StringMessage::New();
   message->SetDeviceName(device.c_str());

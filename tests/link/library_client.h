@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "link/message.h"
@@ -19,6 +20,8 @@ class LibraryClient {
   LibraryClient(const LibraryClient&) = delete;
   LibraryClient& operator=(const LibraryClient&) = delete;
 
+  // As they are.
+  void send_bytes(std::span<const std::uint8_t> bytes);
   void send_string(const std::string& device, const std::string& text);
   void start_tracking(int interval);  // ms
   void ask_for_image(const std::string& device);

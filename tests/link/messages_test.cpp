@@ -11,6 +11,7 @@
 #include "igtlNDArrayMessage.h"
 #include "igtlPointMessage.h"
 #include "igtlPolyDataMessage.h"
+#include "igtlSensorMessage.h"
 #include "igtlStatusMessage.h"
 #include "igtlStringMessage.h"
 #include "igtlTrackingDataMessage.h"
@@ -92,6 +93,35 @@ TEST(LinkMessage, a_string_and_a_status_are_the_librarys) {
   status->SetErrorName("none");
   status->SetStatusString("ready");
   EXPECT_EQ(ours("STATUS", "Bodkin", status_content(1, "none", "ready")), packed_by_library(status, "Bodkin"));
+}
+
+TEST(LinkMessage, a_status_is_read_and_one_that_is_cut_off_is_refused) {
+  const StatusText status = read_status(status_content(status_busy, "Full", "all 8 places are taken"));
+  EXPECT_EQ(status.code, status_busy);
+  EXPECT_EQ(status.message, "all 8 places are taken");
+  EXPECT_EQ(read_status(status_content(1, "", "")).message, "");
+  Bytes short_one = status_content(1, "", "");
+  short_one.resize(29);
+  EXPECT_THROW(read_status(short_one), InputError);
+}
+
+TEST(LinkMessage, a_sensor_is_the_librarys_with_its_unit) {
+  std::array<double, 3> force = {0.5, -1.25, 3.0};
+  const auto theirs = [&](std::span<double> values, int prefix, int unit) {
+    igtl::Unit::Pointer of = igtl::Unit::New();
+    of->SetPrefix(static_cast<igtlUint8>(prefix));
+    of->Append(static_cast<igtlUint8>(unit), 1);
+    igtl::SensorMessage::Pointer message = igtl::SensorMessage::New();
+    message->SetLength(static_cast<unsigned>(values.size()));
+    message->SetUnit(of);
+    message->SetValue(values.data());
+    return packed_by_library(message, "ForceOnHand");
+  };
+  EXPECT_EQ(ours("SENSOR", "ForceOnHand", sensor_content(force, SensorUnit::newton)),
+            theirs(force, igtl::Unit::SI_PREFIX_NONE, igtl::Unit::SI_DERIVED_NEWTON));
+  EXPECT_EQ(ours("SENSOR", "ForceOnHand", sensor_content(std::span(force).first(1), SensorUnit::millijoule)),
+            theirs(std::span(force).first(1), igtl::Unit::SI_PREFIX_MILLI, igtl::Unit::SI_DERIVED_JOULE));
+  EXPECT_THROW(sensor_content(std::vector<double>(256), SensorUnit::newton), InputError);
 }
 
 TEST(LinkMessage, an_array_is_the_librarys) {

@@ -129,6 +129,20 @@ TEST(LinkServer, a_client_that_takes_nothing_costs_bounded_memory_and_then_its_c
   EXPECT_EQ(server.counts().dropped, 1U);
 }
 
+TEST(LinkServer, a_client_that_is_dropped_is_told_why) {
+  Server server(any_port());
+  LibraryClient client(server.port());
+  ASSERT_TRUE(within(2s, [&] { return server.counts().clients == 1; }));
+  Bytes future = pack({"STRING", "Text", 0.0, string_content("hello")});
+  future[0] = 9;  // the version, which is then above 255
+  client.send_bytes(future);
+  EXPECT_TRUE(client.wait_for("STATUS", 5s, [](const Message& message) {
+    const StatusText told = read_status(message.content);
+    return told.code == status_error && told.message.find("version") != std::string::npos;
+  }));
+  EXPECT_TRUE(within(2s, [&] { return server.counts().clients == 0; }));
+}
+
 TEST(LinkServer, clients_come_and_go_two_hundred_times) {
   Server server(any_port());
   for (int i = 0; i < 200; ++i) {

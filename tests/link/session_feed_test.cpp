@@ -29,7 +29,7 @@ TEST(SessionFeed, a_client_follows_a_whole_insertion_by_pose_force_and_event) {
   std::vector<std::string> events;
   std::string about;
   double deepest = 0.0, force = 0.0, last_time = -1.0, lowest = 1e9;
-  int poses = 0, points = 0, lines = 0;
+  int poses = 0, points = 0, lines = 0, sensors = 0;
   client.wait_for("", 20s, [&](const Message& message) {
     if (message.type == "TRANSFORM" && message.device == "NeedleTipToReference") {
       ++poses;
@@ -48,6 +48,7 @@ TEST(SessionFeed, a_client_follows_a_whole_insertion_by_pose_force_and_event) {
     if (message.type == "STRING" && message.device == "Event") events.push_back(read_string(message.content));
     if (message.type == "STRING" && message.device == "Case") about = read_string(message.content);
     points += static_cast<int>(message.type == "POINT" && message.content.size() == 2 * 136);
+    sensors += static_cast<int>(message.type == "SENSOR");
     lines += static_cast<int>(message.type == "POLYDATA" && message.device == "PlannedPath");
     return session.finished();
   });
@@ -59,6 +60,8 @@ TEST(SessionFeed, a_client_follows_a_whole_insertion_by_pose_force_and_event) {
   EXPECT_GT(force, 0.2);
   EXPECT_GE(points, 1);
   EXPECT_GE(lines, 1);
+  EXPECT_GT(sensors, 20) << "force and energy with each batch";
+  EXPECT_THAT(about, HasSubstr("\"layers\":[["));
   EXPECT_THAT(about, HasSubstr("\"length_mm\""));
   const session::Session recorded = session::read_session(session.file());
   EXPECT_TRUE(recorded.finished);

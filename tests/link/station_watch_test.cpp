@@ -22,7 +22,10 @@ TEST(StationWatch, shows_step_force_and_picture_and_brings_commands_there) {
   settings.port = server.port();
   StationWatch watch(settings);
   ASSERT_TRUE(within(10s, [&] { return server.counts().clients == 1; }));
-  server.publish({"STRING", "Case", 0.0, string_content(R"({"case":"Back","procedure":"epidural"})")}, false);
+  server.publish({"STRING", "Case", 0.0,
+                  string_content(R"({"case":"Back","procedure":"epidural","path_mm":42.5,)"
+                                 R"("layers":[["Skin","#e8b89a",0],["Fat","#ffe08a",2.5]]})")},
+                 false);
   server.publish({"STRING", "State", 0.0,
                   string_content(R"({"guard":"active","tissue":"fat","step":"Skin","step_number":1,"steps":4})")},
                  true);
@@ -42,6 +45,11 @@ TEST(StationWatch, shows_step_force_and_picture_and_brings_commands_there) {
   EXPECT_TRUE(view.runs);
   EXPECT_EQ(view.patient, "Back");
   EXPECT_EQ(view.procedure, "epidural");
+  ASSERT_EQ(view.layers.size(), 2U);
+  EXPECT_EQ(view.layers[1].tissue, "Fat");
+  EXPECT_EQ(view.layers[1].colour, "#ffe08a");
+  EXPECT_EQ(view.layers[1].from, 2.5);
+  EXPECT_EQ(view.path, 42.5);
   EXPECT_EQ(view.step, "Skin");
   EXPECT_EQ(view.step_number, 1U);
   EXPECT_EQ(view.steps, 4U);
@@ -64,6 +72,22 @@ TEST(StationWatch, shows_step_force_and_picture_and_brings_commands_there) {
   EXPECT_EQ(command.values.at("Case"), "a \"b\" <c>");
   server.send(received[0].client, reply_to(received[0].message, false, "this station has no case", 0.0));
   EXPECT_TRUE(within(10s, [&] { return watch.view().reply == "this station has no case"; }));
+}
+
+TEST(StationWatch, takes_no_layers_that_are_none) {
+  Server server(any_port());
+  ClientSettings settings;
+  settings.host = "127.0.0.1";
+  settings.port = server.port();
+  const StationWatch watch(settings);
+  ASSERT_TRUE(within(10s, [&] { return server.counts().clients == 1; }));
+  int sent = 0;
+  for (const char* layers : {"7", "[7]", R"([["a","#e8b89a"]])", R"([["a","red\"/>",0]])", R"([[1,"#e8b89a",0]])"}) {
+    server.publish({"STRING", "Case", 0.0, string_content(std::string(R"({"layers":)") + layers + "}")}, false);
+    ++sent;
+    ASSERT_TRUE(within(10s, [&] { return watch.view().status.received >= static_cast<std::uint64_t>(sent); }));
+    EXPECT_TRUE(watch.view().layers.empty()) << layers;
+  }
 }
 
 TEST(StepWatch, follows_the_stages_in_their_order) {
@@ -90,6 +114,34 @@ TEST(StepWatch, follows_the_stages_in_their_order) {
   EXPECT_EQ(watch.title(), "Touch") << "a needle that only touched was not withdrawn";
   watch.update(sample(anatomy::tissue::fat), event(forces::EventKind::withdrawn), library);
   EXPECT_EQ(watch.title(), "Out");
+}
+
+TEST(StepWatch, does_not_wait_for_a_second_hand_and_counts_an_event_once) {
+  const anatomy::TissueLibrary library = io::default_tissue_library();
+  const std::vector<WatchedStep> steps = {{"Feel", "", "palpated"},       {"Touch", "", "contact"},
+                                          {"Open", "", "pressure_read"},  {"Collect", "", "fluid_collected"},
+                                          {"Close", "", "pressure_read"}, {"Out", "", "withdrawn"}};
+  const auto titles = [&](const std::vector<forces::EventKind>& kinds, bool at_once) {
+    StepWatch watch(steps);
+    std::vector<session::SessionEvent> all;
+    std::string seen;
+    for (const forces::EventKind kind : kinds) {
+      session::SessionEvent one;
+      one.event.kind = kind;
+      all.push_back(one);
+      if (at_once) continue;
+      watch.update({}, std::vector{one}, library);
+      seen += watch.title() + " ";
+    }
+    if (at_once) watch.update({}, all, library);
+    return at_once ? watch.title() : seen;
+  };
+  using enum forces::EventKind;
+  EXPECT_EQ(titles({contact, withdrawn}, false), "Touch Out ");
+  EXPECT_EQ(titles({palpated, contact, pressure_read, fluid_collected, pressure_read}, false),
+            "Feel Touch Open Collect Close ");
+  EXPECT_EQ(titles({contact, pressure_read}, true), "Open") << "not the second reading too";
+  EXPECT_EQ(titles({palpated, contact, pressure_read, fluid_collected, pressure_read, withdrawn}, true), "Out");
 }
 
 }  // namespace

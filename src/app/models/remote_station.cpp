@@ -190,6 +190,10 @@ struct RemoteStation::Shared {
     fresh.servo.frozen = flag_in(object, "held");
     fresh.servo.clutched = flag_in(object, "clutched");
     fresh.message = text_in(object, "message");
+    trouble = text_in(object, "trouble");
+    const double hand = number_in(object, "other_hand");
+    if (hand >= 0.0 && hand <= 255.0)
+      fresh.needle.other = simulation::OtherHand::from_byte(static_cast<unsigned>(hand)).value_or(fresh.needle.other);
     if (waits) has_state = has_pose = false;
     if (waits && starts_left == 2) start();
   }
@@ -251,6 +255,7 @@ struct RemoteStation::Shared {
   std::string wrong_patient;  // why they are not the station's
   bool is_known = false;      // the station has told its patient, who is this one
   bool waits = false;         // no session runs there
+  std::string trouble;        // why the last one that was asked for did not run there
   bool has_state = false, has_pose = false;
   StationNews fresh;
   std::vector<station::HandSample> samples;
@@ -353,6 +358,8 @@ void RemoteStation::poll(StationNews& news) {
   } else if (before != Phase::running) {
     news.phase = Phase::preparing;
     news.stage = !is_connected  ? news.connection
+                 : shared.waits && !shared.trouble.empty()
+                     ? fmt::format("{} waits: the last session was not started: {}", news.device, shared.trouble)
                  : shared.waits ? fmt::format("{} waits: a session has to be started there", news.device)
                                 : fmt::format("{} prepares", news.device);
   } else if (shared.waits) {

@@ -7,18 +7,6 @@
 
 namespace bodkin::app {
 
-namespace {
-
-// What happens only where a patient has a finger's place to feel and fluid to measure: nobody waits for it.
-bool is_of_the_other_hand(const std::string& event) {
-  for (const char* const each :
-       {"palpated", "fluid_returned", "stylet_out", "stylet_in", "pressure_read", "fluid_collected"})
-    if (event == each) return true;
-  return false;
-}
-
-}  // namespace
-
 StepFollower::StepFollower(training::Procedure procedure, const anatomy::TissueLibrary& tissues)
     : procedure_(std::move(procedure)) {
   for (const training::Step& step : procedure_.steps) {
@@ -43,7 +31,7 @@ bool StepFollower::is_in_turn(std::size_t step) const {
   for (std::size_t between = next_; between < step; ++between) {
     const std::string& event = procedure_.steps[between].event;
     if (!wanted.empty() && event == wanted) return false;
-    const bool waits = !event.empty() && !is_of_the_other_hand(event);
+    const bool waits = !event.empty() && !session::is_of_other_hand(event);
     if (wanted == "withdrawn" && (tissues_[between] != anatomy::tissue::air || waits)) return false;
   }
   return true;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <string_view>
 
 #include "report/report_style.h"
@@ -20,7 +21,10 @@ constexpr const char* stations_style =
     "main{max-width:1500px}.stations{display:flex;flex-wrap:wrap;gap:16px}.station{border:1px solid "
     "#8886;border-radius:8px;padding:12px;"
     "width:340px}.station h2{margin:0 0 4px}.station img{width:100%;background:#000;border-radius:6px}.station svg{"
-    "width:100%;height:90px;background:#fff;border-radius:6px}.lost{color:#b3261e}";
+    "width:100%;height:90px;background:#fff;border-radius:6px}.station "
+    "svg.side{height:auto;background:none;font-size:9px}"
+    ".side text{fill:currentColor}.side .target{stroke:#0b7a75;stroke-width:2;stroke-dasharray:4 3}"
+    ".side .needle{stroke:#222;stroke-width:3}.lost{color:#b3261e}";
 
 std::string base64(std::string_view bytes) {
   constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -46,6 +50,63 @@ std::string picture_of(const StationCard& card) {
   for (const std::uint8_t grey : card.picture) image.pixels.push_back({grey, grey, grey});
   return fmt::format("<img alt=\"ultrasound\" src=\"data:image/png;base64,{}\">\n",
                      base64(imaging::encode_png(image)));
+}
+
+struct Label {
+  double left = 0.0, right = 0.0;  // px
+  std::string text;
+};
+
+// Names over bands that end where the next begins; the wider a band, the sooner it has its name. One that finds no
+// room stays without.
+std::vector<Label> labels_of(const std::vector<StationCardLayer>& layers, const std::vector<double>& borders) {
+  constexpr double letter = 4.8;  // px
+  std::vector<std::size_t> order(layers.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return borders[a + 1] - borders[a] > borders[b + 1] - borders[b];
+  });
+  std::vector<Label> labels;
+  for (const std::size_t i : order) {
+    const double length = letter * static_cast<double>(layers[i].tissue.size());
+    const double left = std::max(0.0, std::min(borders[i], borders.back() - length));
+    const bool is_free = std::none_of(labels.begin(), labels.end(), [&](const Label& other) {
+      return left < other.right && other.left < left + length;
+    });
+    if (is_free) labels.push_back({left, left + length, layers[i].tissue});
+  }
+  return labels;
+}
+
+// The needle among the tissues of the planned path, from the side: the skin on the left, the target a line.
+std::string side_view_of(const StationCard& card) {
+  if (card.layers.empty()) return {};
+  constexpr double width = 320.0, height = 64.0, air = 24.0, beyond = 15.0;  // px; mm behind the target
+  constexpr double middle = 40.0;                                            // px
+  const double reach = std::max({card.path + beyond, card.layers.back().from + 1.0, card.depth});
+  const auto at = [&](double depth) { return air + (width - air) * std::clamp(depth / reach, 0.0, 1.0); };
+  std::vector<double> borders;
+  for (const StationCardLayer& layer : card.layers) borders.push_back(at(layer.from));
+  borders.push_back(width);
+  std::string drawn;
+  for (std::size_t i = 0; i < card.layers.size(); ++i) {
+    const StationCardLayer& layer = card.layers[i];
+    fmt::format_to(std::back_inserter(drawn),
+                   "<rect x=\"{:.1f}\" y=\"16\" width=\"{:.1f}\" height=\"48\" fill=\"{}\"><title>{}</title></rect>",
+                   borders[i], borders[i + 1] - borders[i], escape_markup(layer.colour), escape_markup(layer.tissue));
+  }
+  for (const Label& label : labels_of(card.layers, borders))
+    fmt::format_to(std::back_inserter(drawn), "<text x=\"{:.1f}\" y=\"11\">{}</text>", label.left,
+                   escape_markup(label.text));
+  if (card.path > 0.0)
+    fmt::format_to(std::back_inserter(drawn), "<path class=\"target\" d=\"M{0:.1f} 16V64\"/>", at(card.path));
+  const double tip = card.depth > 0.0 ? at(card.depth) : air;
+  fmt::format_to(std::back_inserter(drawn), "<path class=\"needle\" d=\"M0 {0:g}H{1:.1f}\"/>", middle, tip);
+  return fmt::format(
+      "<svg class=\"side\" viewBox=\"0 0 {:g} {:g}\" role=\"img\" aria-label=\"the needle {:.1f} mm deep, the target "
+      "at "
+      "{:.0f} mm\">{}</svg>\n",
+      width, height, std::max(card.depth, 0.0), card.path, drawn);
 }
 
 // The force over the last seconds.
@@ -79,7 +140,7 @@ std::string card_of(const StationCard& card) {
                   card.step.empty() ? "none yet" : escape_markup(card.step), std::max(card.depth, 0.0),
                   escape_markup(card.tissue), card.force, card.event.empty() ? "-" : escape_markup(card.event),
                   escape_markup(card.guard));
-  return html + picture_of(card) + curve_of(card) + "</div>\n";
+  return html + side_view_of(card) + picture_of(card) + curve_of(card) + "</div>\n";
 }
 
 }  // namespace

@@ -7,6 +7,12 @@
 
 namespace bodkin::report {
 
+// A tissue on the way of the needle.
+struct StationCardLayer {
+  std::string tissue, colour;  // "Skin", "#e8b89a"
+  double from = 0.0;           // mm below the entry
+};
+
 // What a teacher sees of a station that runs elsewhere.
 struct StationCard {
   std::string place;    // "room3:18944"
@@ -15,6 +21,8 @@ struct StationCard {
   std::string patient, procedure;
   std::string step;  // "2 of 7, Through the ligament"; empty: none yet
   std::string tissue, event, guard;
+  std::vector<StationCardLayer> layers;           // of the planned path, in order; empty: unknown
+  double path = 0.0;                              // mm from the entry to the target; 0: unknown
   double depth = 0.0, force = 0.0;                // mm, N: now
   std::vector<std::pair<double, double>> forces;  // s, N: of the last seconds, in order
   int picture_width = 0, picture_height = 0;      // pixels

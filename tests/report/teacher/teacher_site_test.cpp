@@ -63,6 +63,9 @@ TEST_F(TeacherSiteTest, shows_stations_live_with_step_force_and_picture_and_says
   runs.tissue = "fat";
   runs.force = 1.234;
   runs.forces = {{0.0, 0.0}, {0.5, 1.0}, {1.0, 1.234}};
+  runs.layers = {{"Skin", "#e8b89a", 0.0}, {"<i>Fat", "#ffe08a", 2.5}};
+  runs.path = 40.0;
+  runs.depth = 12.0;
   runs.picture_width = 3;
   runs.picture_height = 2;
   runs.picture = {0, 50, 100, 150, 200, 250};
@@ -74,6 +77,8 @@ TEST_F(TeacherSiteTest, shows_stations_live_with_step_force_and_picture_and_says
   EXPECT_THAT(page, HasSubstr("<b>1.23 N</b>"));
   EXPECT_THAT(page, HasSubstr("data:image/png;base64,iVBORw0KGgo"));
   EXPECT_THAT(page, HasSubstr("<polyline"));
+  EXPECT_THAT(page, HasSubstr("the needle 12.0 mm deep, the target at 40 mm"));
+  EXPECT_THAT(page, HasSubstr("fill=\"#ffe08a\"><title>&lt;i&gt;Fat</title>"));
   EXPECT_THAT(page, HasSubstr("not connected: nobody answers at room2:18944"));
   EXPECT_THAT(page, HasSubstr("waits for a procedure"));
   EXPECT_THAT(page, Not(HasSubstr("<b>x</b>")));
