@@ -29,6 +29,7 @@ void add_case_mesh_command(CLI::App& case_group, CommandContext& context);
 void add_devices_list_command(CLI::App& devices_group, CommandContext& context);
 void add_devices_check_command(CLI::App& devices_group, CommandContext& context);
 void add_devices_calibrate_command(CLI::App& devices_group, CommandContext& context);
+void add_devices_touch_command(CLI::App& devices_group, CommandContext& context);
 void add_app_command(CLI::App& app, CommandContext& context);
 void add_points_command(CLI::App& app, CommandContext& context);
 void add_profile_command(CLI::App& app, CommandContext& context);

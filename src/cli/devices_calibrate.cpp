@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.h"
+#include "cli/calibration_person.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/device_options.h"
@@ -155,20 +156,7 @@ haptics::DeviceCalibration measure(haptics::DevicePort port, const station::Devi
                              [weighing](const haptics::ControlInput& input) { return weighing->step(input); });
   servo.start();
   TerminalKeys keys;
-  station::CalibrationPerson person;
-  person.say = [&](const std::string& sentence) { console.line(sentence); };
-  person.progress = console.progress();
-  person.waited = [&] { console.clear_bar(); };
-  person.gives_up = [] { return EndOnSignal::signal() != 0; };
-  if (keys.are_there()) {
-    person.goes_on = [&keys] {
-      bool pressed = false;
-      while (const std::optional<char> key = keys.next()) pressed = pressed || *key == '\n' || *key == '\r';
-      return pressed;
-    };
-    console.line("  press Enter to begin each step, and to end it early");
-  }
-  station::CalibrationSteps guide(servo, *weighing, arguments.settings, std::move(person));
+  station::CalibrationSteps guide(servo, *weighing, arguments.settings, calibration_person(console, keys));
   for (const CalibrationStep step : steps) guide.perform(step, measured);
   if (!servo.stop()) console.note("the device did not let itself be stopped; switch it off and on again");
   return measured;

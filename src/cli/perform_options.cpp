@@ -1,9 +1,11 @@
 #include "cli/perform_options.h"
 
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.h"
@@ -11,6 +13,7 @@
 #include "cli/pane_options.h"
 #include "core/error.h"
 #include "io/case_folder.h"
+#include "io/placement_file.h"
 
 namespace bodkin::cli {
 
@@ -21,6 +24,7 @@ const char* const perform_footer = R"(Examples:
   bodkin perform patient simulated                        no hand at all: a simulated one
   bodkin perform patient recorded:mine.bodkin             the hand of a session
   bodkin perform patient force_dimension --force-scale 0.5
+  bodkin perform patient openhaptics --mannequin placed.json --hub                 a real hub over a mannequin
   bodkin perform patient ./my_driver.so -o mine.bodkin
   bodkin perform patient mouse --ultrasound C5-2 --resistance embedded_needle      what a probe sees of it, live
   bodkin perform patient force_dimension:104 --second openhaptics                  the other hand on the plunger
@@ -42,6 +46,10 @@ void add_perform_options(CLI::App& command, PerformOptions& options) {
   add_number(command, "--scale", options.scale, 0.1, 10.0, "mm of the needle per mm of the hand, 0.1 to 10");
   add_number(command, "--force-scale", options.force_scale, 0.01, 1.0,
              "N at the hand per N of the needle, for weak devices; recorded, never scored; 0.01 to 1");
+  add_text(command, "--mannequin", options.mannequin,
+           "Registration of the device to a mannequin ('devices touch', 'register'): the patient lies there");
+  add_switch(command, "--hub", options.at_hub,
+             "With --mannequin: the device holds a needle's hub; the tip is the needle's length in front of it");
   add_switch(command, "--no-calibration", options.no_calibration,
              "Leave out what 'devices calibrate' found of this device");
   add_switch(command, "--allow-late", options.allow_late,
@@ -56,10 +64,40 @@ void add_perform_options(CLI::App& command, PerformOptions& options) {
            "view, at, from, press_mm, depth_mm, gain_dB, dynamic_range_dB, focus_mm, frequency_MHz");
 }
 
+namespace {
+
+// Nothing without --mannequin. Throws InputError where it cannot be had with the other options.
+std::optional<station::MannequinPlace> mannequin_place(const PerformOptions& options,
+                                                       const station::DeviceChoice& device,
+                                                       const std::optional<station::SecondChoice>& second) {
+  if (options.mannequin.empty()) {
+    if (options.at_hub) throw InputError("--hub needs --mannequin, the registration of the device");
+    return std::nullopt;
+  }
+  if (is_mouse(options.device) || device.is_recorded() || device.is_tracked()) {
+    throw InputError(
+        fmt::format("--mannequin is for a device that touches it, found '{}'; leave it out", options.device.device));
+  }
+  if (options.scale != 1.0) throw InputError("--mannequin lies where it is: leave out --scale");
+  if (second && second->role == session::SecondRole::probe)
+    throw InputError("--mannequin places the needle's device alone; leave out --second-as probe");
+  const io::Placement placement = io::read_placement(options.mannequin);
+  constexpr double tolerance = 0.02;
+  if (std::abs(placement.scale - 1.0) > tolerance) {
+    throw InputError(
+        fmt::format("{}: its scale is {:.4f}, expected 1: a hand is not scaled; register without --scale",
+                    options.mannequin, placement.scale));
+  }
+  return station::MannequinPlace{placement.pose, options.at_hub};
+}
+
+}  // namespace
+
 station::StationOptions station_options(const PerformOptions& options, Console& console) {
   require_writable(options.output, "--output");
   station::DeviceChoice device = choose_device(options.device);
   std::optional<station::SecondChoice> second = choose_second(options.second, device);
+  const std::optional<station::MannequinPlace> mannequin = mannequin_place(options, device, second);
   std::optional<fem::ProbeFace> moving_body = parse_body(options.body);
   anatomy::Case patient = io::load_case(options.folder, console.progress());
   apply(options.forces, patient.description.haptics);
@@ -69,6 +107,7 @@ station::StationOptions station_options(const PerformOptions& options, Console& 
           .device = std::move(device),
           .scale = options.scale,
           .force_scale = options.force_scale,
+          .mannequin = mannequin,
           .allow_late = options.allow_late,
           .use_calibration = !options.no_calibration,
           .second = std::move(second),
@@ -110,7 +149,12 @@ std::string window_order(const PerformOptions& options) {
     device = choose_device(options.device);
     order["device"] = words_of(options.device);
   }
-  if (const std::optional<station::SecondChoice> second = choose_second(options.second, device)) {
+  const std::optional<station::SecondChoice> second = choose_second(options.second, device);
+  if (mannequin_place(options, device, second)) {
+    order["mannequin"] = std::filesystem::absolute(options.mannequin).string();
+    order["at_hub"] = options.at_hub;
+  }
+  if (second) {
     order["second"] = words_of(options.second.device);
     order["second_as"] = session::name_of(second->role);
   }

@@ -20,6 +20,8 @@ struct PerformOptions {
   double longest = 600.0;    // s
   double scale = 1.0;        // mm of the needle per mm of the hand
   double force_scale = 1.0;  // N at the hand per N of the needle
+  std::string mannequin;     // registration of the device to a mannequin; "": none
+  bool at_hub = false;
   bool no_calibration = false;
   bool allow_late = false;
   SecondOptions second;

@@ -78,6 +78,7 @@ int run_program(int argc, char** argv) {
   add_devices_list_command(*devices_group, context);
   add_devices_check_command(*devices_group, context);
   add_devices_calibrate_command(*devices_group, context);
+  add_devices_touch_command(*devices_group, context);
   add_app_command(app, context);
   add_points_command(app, context);
   add_profile_command(app, context);

@@ -119,6 +119,23 @@ TipFit tip_of(std::span<const Pose> readings) {
   return fit;
 }
 
+TouchFit touch_of(std::span<const Pose> readings, const Vec3& tip_offset) {
+  constexpr double most_spread = 1.0;  // mm
+  if (readings.empty()) throw InputError("the device reported no pose; touch the point again");
+  const auto count = static_cast<double>(readings.size());
+  TouchFit fit;
+  for (const Pose& hand : readings) fit.place += (hand * tip_offset) / count;
+  double sum = 0.0;
+  for (const Pose& hand : readings) sum += (hand * tip_offset - fit.place).squaredNorm();
+  fit.spread = std::sqrt(sum / count);
+  if (!(fit.spread <= most_spread)) {
+    refuse("the tip moved by ", fit.spread,
+           " mm, expected 1 or less; keep it on the point, and calibrate the tip if it does not stay while the tool "
+           "turns");
+  }
+  return fit;
+}
+
 Vec3 tool_axis_of(std::span<const Pose> readings) {
   require_readings(readings);
   Vec3 sum = Vec3::Zero();

@@ -24,6 +24,14 @@ struct TipFit {
 };
 TipFit tip_of(std::span<const Pose> readings);
 
+// The tip stood on one point: the mean of p + H o over the readings, however the tool was turned meanwhile. Throws
+// InputError when it moved by more than 1 mm root mean square.
+struct TouchFit {
+  Vec3 place = Vec3::Zero();  // mm, in the device's frame
+  double spread = 0.0;        // mm, root mean square distance of the readings from it
+};
+TouchFit touch_of(std::span<const Pose> readings, const Vec3& tip_offset);
+
 // The tool was held so that it points straight down: the mean of the downward direction in the tool's axes. It must
 // have been held still within 5 degrees.
 Vec3 tool_axis_of(std::span<const Pose> readings);

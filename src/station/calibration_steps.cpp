@@ -255,4 +255,22 @@ void CalibrationSteps::perform(CalibrationStep step, haptics::DeviceCalibration&
   }
 }
 
+haptics::TouchFit CalibrationSteps::touch(const std::string& name, const Vec3& tip_offset) {
+  constexpr double touch_time = 1.0;  // s
+  constexpr int attempts = 3;
+  for (int attempt = 1;; ++attempt) {
+    person_.say(fmt::format("{}: put the tip there and keep it there.", name));
+    wait_for_a_person();
+    try {
+      const haptics::TouchFit fit = haptics::touch_of(watch(touch_time, name, false), tip_offset);
+      person_.say(fmt::format("  at {:.2f} {:.2f} {:.2f} mm, within {:.2f} mm", fit.place.x(), fit.place.y(),
+                              fit.place.z(), fit.spread));
+      return fit;
+    } catch (const InputError& error) {
+      if (attempt == attempts) throw;
+      person_.say(fmt::format("  {}", error.what()));
+    }
+  }
+}
+
 }  // namespace bodkin::station

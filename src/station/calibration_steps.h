@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "haptics/calibration.h"
 #include "haptics/device_calibration.h"
 #include "haptics/device_servo.h"
 #include "haptics/weighing.h"
@@ -57,6 +58,9 @@ class CalibrationSteps {
   // do, SystemError when the device fails, and
   // CalibrationGivenUp.
   void perform(CalibrationStep step, haptics::DeviceCalibration& measured);
+  // Asks for the tip on a point of that name, waits for the person or the countdown, and says where it is. A tip that
+  // does not stay there is asked for again, twice. `tip_offset`: as in haptics::DeviceCalibration. Throws the same.
+  haptics::TouchFit touch(const std::string& name, const Vec3& tip_offset);
 
  private:
   void wait_for_a_person();

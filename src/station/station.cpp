@@ -132,6 +132,7 @@ haptics::DevicePort Station::Parts::open_device() {
   servo.workspace.scale = options.scale;
   servo.workspace.force_scale = options.force_scale;
   haptics::apply(calibration, servo);
+  if (options.mannequin) place_on(*options.mannequin, patient->description.needle.length, servo.workspace);
   anatomy::DeviceLimits& limits = patient->description.device;  // of what the needle's side may ask for
   limits = limits_with(choice, device, limits);
   if (!choice.is_recorded()) limits = with_stiffness(stiffness, servo.workspace, path, limits);
@@ -177,6 +178,7 @@ session::SessionHeader Station::Parts::header() const {
           {"stiffness_N_per_mm", stiffness.weakest()},
           {"stiffness_by_axis_N_per_mm", {stiffness.axis.x(), stiffness.axis.y(), stiffness.axis.z()}},
           {"published_stiffness_N_per_mm", stiffness.published},
+          {"mannequin", mannequin_json(options.mannequin)},
           {"calibration", calibration.empty() ? "" : io::calibrations_xml({&calibration, 1})}}
           .dump();
   header.device = patient->description.device;
@@ -413,7 +415,8 @@ void Station::command(StationCommand command) {
 
 bool Station::move_body(const Vec3& middle, const Mat3& rotation) {
   Parts& parts = *parts_;
-  if (parts.second != nullptr || BodyGlide::touches(parts.session->snapshot())) return false;
+  if (parts.options.mannequin || parts.second != nullptr || BodyGlide::touches(parts.session->snapshot()))
+    return false;
   parts.glide.order(middle, rotation, parts.elapsed(), parts.session->servo().tick(), parts.servo.workspace);
   return true;
 }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "station/mannequin_place.h"
 #include "station/second_device.h"
 #include "station/ultrasound_choice.h"
 
@@ -20,6 +21,8 @@ struct StationOptions {
   DeviceChoice device;                      // holds the needle
   double scale = 1.0;                       // mm of the needle per mm of the hand, 0.1 to 10
   double force_scale = 1.0;                 // N at the hand per N of the needle, 0.01 to 1
+  // The patient lies where a mannequin does, and stays there; empty: below the middle of the workspace.
+  std::optional<MannequinPlace> mannequin;
   // Without real-time priority and locked memory the force is held below a cap, unless the user says that he knows.
   bool allow_late = false;
   bool use_calibration = true;  // what 'bodkin devices calibrate' measured of the devices

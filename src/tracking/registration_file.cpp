@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "io/placement_file.h"
 #include "io/resources.h"
 
 namespace bodkin::tracking {
@@ -73,12 +74,10 @@ Registration read_registration(const std::filesystem::path& file) {
   const nlohmann::json json = read_json_object(file, "registration");
   const JsonFields fields{json, file.string()};
   fields.know({"fixed_from_moving", "scale", "fre_rms_mm", "fre_mean_mm", "residuals_mm", "leave_one_out_mm"});
+  const io::Placement placement = io::read_placement(file);
   Registration read;
-  const Pose pose = fields.pose("fixed_from_moving");
-  read.fixed_from_moving.turn = pose.linear();
-  read.fixed_from_moving.shift = pose.translation();
-  read.fixed_from_moving.scale = fields.number("scale", 0.1, 10.0, 1.0);
-  read.fre_rms = fields.number("fre_rms_mm", 0.0, 1e6, 0.0);
+  read.fixed_from_moving = {placement.pose.linear(), placement.pose.translation(), placement.scale};
+  read.fre_rms = placement.fre_rms;
   read.fre_mean = fields.number("fre_mean_mm", 0.0, 1e6, 0.0);
   return read;
 }

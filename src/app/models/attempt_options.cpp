@@ -12,6 +12,7 @@
 #include "haptics/drivers/drivers.h"
 #include "haptics/plugin.h"
 #include "io/force_choice.h"
+#include "io/placement_file.h"
 
 namespace bodkin::app {
 
@@ -44,6 +45,7 @@ void AttemptOptions::apply(station::StationOptions& station) const {
   if (device.driver != nullptr) station.device = device;
   station.second = second;
   station.moving_body = moving_body;
+  station.mannequin = mannequin;
   station.scale = scale;
   station.force_scale = force_scale;
   station.allow_late = allow_late;
@@ -91,6 +93,10 @@ AttemptOptions read_attempt_options(const std::string& text) {
       face.thickness = json.at("moving_body_mm").at(1).get<double>();
       face.radius = json.at("moving_body_mm").at(2).get<double>();
       options.moving_body = face;
+    }
+    if (json.contains("mannequin")) {
+      const bool at_hub = json.value("at_hub", false);
+      options.mannequin = {io::read_placement(json.at("mannequin").get<std::string>()).pose, at_hub};
     }
     if (json.contains("ultrasound")) {
       options.ultrasound =

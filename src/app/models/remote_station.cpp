@@ -357,7 +357,7 @@ void RemoteStation::poll(StationNews& news) {
     news.phase = Phase::running;
   } else if (before != Phase::running) {
     news.phase = Phase::preparing;
-    news.stage = !is_connected  ? news.connection
+    news.stage = !is_connected ? news.connection
                  : shared.waits && !shared.trouble.empty()
                      ? fmt::format("{} waits: the last session was not started: {}", news.device, shared.trouble)
                  : shared.waits ? fmt::format("{} waits: a session has to be started there", news.device)

@@ -1,0 +1,26 @@
+#include "cli/calibration_person.h"
+
+#include <optional>
+#include <string>
+
+#include "cli/end_on_signal.h"
+
+namespace bodkin::cli {
+
+station::CalibrationPerson calibration_person(Console& console, TerminalKeys& keys) {
+  station::CalibrationPerson person;
+  person.say = [&console](const std::string& sentence) { console.line(sentence); };
+  person.progress = console.progress();
+  person.waited = [&console] { console.clear_bar(); };
+  person.gives_up = [] { return EndOnSignal::signal() != 0; };
+  if (!keys.are_there()) return person;
+  person.goes_on = [&keys] {
+    bool pressed = false;
+    while (const std::optional<char> key = keys.next()) pressed = pressed || *key == '\n' || *key == '\r';
+    return pressed;
+  };
+  console.line("  press Enter to begin each step, and to end it early");
+  return person;
+}
+
+}  // namespace bodkin::cli

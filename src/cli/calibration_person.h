@@ -1,0 +1,14 @@
+#pragma once
+
+#include "station/calibration_steps.h"
+
+#include "cli/console.h"
+#include "cli/terminal_keys.h"
+
+namespace bodkin::cli {
+
+// The person at the terminal, who begins each step with the Enter key and gives up with a signal; without a terminal
+// the steps begin after their countdown. Both must outlive what this returns.
+station::CalibrationPerson calibration_person(Console& console, TerminalKeys& keys);
+
+}  // namespace bodkin::cli
