@@ -73,6 +73,9 @@ int run_program(int argc, char** argv) {
   add_case_show_command(*case_group, context);
   add_case_plan_command(*case_group, context);
   add_case_mesh_command(*case_group, context);
+#ifdef BODKIN_HAS_WARP
+  add_case_warp_command(*case_group, context);
+#endif
   CLI::App* devices_group = app.add_subcommand("devices", "Find haptic devices and see how well they answer");
   devices_group->require_subcommand(1);
   add_devices_list_command(*devices_group, context);

@@ -134,6 +134,16 @@ const std::vector<CommandRow>& command_table() {
           {"--show", Kind::toggle},
           {"--forget", Kind::toggle},
           {"--allow-late", Kind::toggle}}},
+#ifdef BODKIN_HAS_WARP
+        {"case warp",
+         "somewhere elsewhere nowhere",
+         "PATIENT",
+         {{"--registration", Kind::text},
+          {"--reach", Kind::number, {"29", "501", "-1"}},
+          {"--spacing", Kind::number, {"4", "61", "-1"}},
+          {"--name", Kind::text},
+          {"--overwrite", Kind::toggle}}},
+#endif
         {"devices touch",
          "force_dimension --points a,b,c",
          "DEVICE",
