@@ -23,5 +23,6 @@ packages_to_test=(
   xvfb xauth xdotool imagemagick
   libsuitesparse-dev calculix-ccx libopenigtlink-dev openmpi-bin
   postgresql curl chromium-headless-shell
+  pybind11-dev python3-dev python3-numpy
   g++-aarch64-linux-gnu qemu-user
 )

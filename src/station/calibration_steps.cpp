@@ -262,7 +262,7 @@ haptics::TouchFit CalibrationSteps::touch(const std::string& name, const Vec3& t
     person_.say(fmt::format("{}: put the tip there and keep it there.", name));
     wait_for_a_person();
     try {
-      const haptics::TouchFit fit = haptics::touch_of(watch(touch_time, name, false), tip_offset);
+      haptics::TouchFit fit = haptics::touch_of(watch(touch_time, name, false), tip_offset);
       person_.say(fmt::format("  at {:.2f} {:.2f} {:.2f} mm, within {:.2f} mm", fit.place.x(), fit.place.y(),
                               fit.place.z(), fit.spread));
       return fit;
