@@ -120,6 +120,8 @@ TEST_F(StationsCommand, a_client_names_the_session_and_chooses_the_case_for_all_
       }
     })) << station.notes();
   }
+  // It has said all that it says of a session when it waits again.
+  EXPECT_TRUE(within_a_minute([&] { return watch.view().guard == "waiting"; })) << station.notes();
   EXPECT_EQ(station.end(), 0) << station.notes();
 }
 

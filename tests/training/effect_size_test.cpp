@@ -1,9 +1,12 @@
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "session/operator_file.h"
 #include "tests/training/lumbar_patient.h"
+#include "tests/training/page_table.h"
 #include <gtest/gtest.h>
 
 #include "training/procedure_file.h"
@@ -60,19 +63,25 @@ double effect_size(const Spread& one, const Spread& other) {
 
 TEST(EffectSize, metrics_separate_novices_from_experts) {
   const std::vector<Score> experts = scores_of("expert"), novices = scores_of("novice");
+  std::string table = "| metric | experts, mean | novices, mean | Hedges' g |\n|---|---|---|---|\n";
   // Above 0.8 an effect is called large (Cohen 1988).
   for (const char* metric : {"final_lateral_mm", "entry_distance_mm", "deviation_rms_mm", "angle_at_contact_deg",
                              "loss_overshoot_mm", "loss_speed_mm_per_s", "loss_approach_mm_per_s",
                              "path_inefficiency_percent", "swept_area_mm2", "tremor_mm", "mean_speed_mm_per_s"}) {
-    const double effect = effect_size(spread_of(experts, metric), spread_of(novices, metric));
+    const Spread of_experts = spread_of(experts, metric), of_novices = spread_of(novices, metric);
+    const double effect = effect_size(of_experts, of_novices);
     EXPECT_GT(effect, 0.8) << metric;
-    RecordProperty(metric, std::to_string(effect));
+    std::ostringstream row;
+    row << std::fixed << std::setprecision(2) << "| `" << metric << "` | " << of_experts.mean << " | "
+        << of_novices.mean << " | " << std::setprecision(1) << effect << " |\n";
+    table += row.str();
   }
   int passed_experts = 0, passed_novices = 0;
   for (const Score& each : experts) passed_experts += each.verdict == Grade::pass ? 1 : 0;
   for (const Score& each : novices) passed_novices += each.verdict == Grade::pass ? 1 : 0;
   EXPECT_GE(passed_experts, attempts_of_each - 1);
   EXPECT_LT(passed_novices, attempts_of_each / 2);
+  expect_table_on_page("cohorts.md", "| metric | experts, mean |", table);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "tests/training/lumbar_patient.h"
+#include "tests/training/page_table.h"
 #include <gtest/gtest.h>
 
 #include "core/geometry.h"
@@ -117,6 +118,11 @@ TEST(FalseGreen, of_a_thousand_harmful_attempts_none_passes) {
   }
   EXPECT_GT(reached, 900) << "they reached the aim all the same";
   EXPECT_GE(count["nerve"], 250);
+  std::string table = "| through | attempts | called dangerous | reached the aim |\n|---|---|---|---|\n";
+  for (const auto& [what, attempts] : count)
+    table += "| " + what + " | " + std::to_string(attempts) + " | " + std::to_string(attempts) + " | |\n";
+  table += "| together | 1000 | 1000 | " + std::to_string(reached) + " |\n";
+  expect_table_on_page("cohorts.md", "| through |", table);
   for (const char* what : {"vessel", "organ", "bowel"}) EXPECT_GT(count[what], 20) << what;
 }
 

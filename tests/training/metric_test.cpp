@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "tests/training/page_table.h"
 #include "tests/training/written_session.h"
 #include <gtest/gtest.h>
 
@@ -286,17 +287,7 @@ TEST(Metric, hands_that_move_and_rest_together_correlate) {
 
 // docs/metrics.md holds the table of all metrics; BODKIN_WRITE_PAGES=1 writes it.
 TEST(Metric, the_page_defines_every_one) {
-  const std::string file = BODKIN_REPOSITORY "/docs/metrics.md";
-  std::ifstream stream(file);
-  std::string page{std::istreambuf_iterator<char>(stream), {}};
-  const std::string table = metrics_table();
-  const std::size_t begin = page.find("| name |"), end = page.find("\n\n", begin);
-  ASSERT_NE(begin, std::string::npos);
-  if (std::getenv("BODKIN_WRITE_PAGES") != nullptr) {
-    page.replace(begin, end == std::string::npos ? std::string::npos : end + 1 - begin, table);
-    std::ofstream(file) << page;
-  }
-  EXPECT_NE(page.find(table), std::string::npos) << "BODKIN_WRITE_PAGES=1 training_tests writes the table";
+  expect_table_on_page("metrics.md", "| name |", metrics_table());
 }
 
 }  // namespace
