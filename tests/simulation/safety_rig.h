@@ -184,4 +184,15 @@ class SafetyRig {
   HapticTick tissue_;
 };
 
+// Nothing where the case is refused for this device: some springs follow from other numbers than stiffnesses, and
+// stay too stiff for a weak one.
+inline std::unique_ptr<SafetyRig> rig_for(const NamedResistance& resistance, const NamedConstraint& constraint,
+                                          const DeviceProfile& profile, std::uint64_t seed) {
+  try {
+    return std::make_unique<SafetyRig>(resistance, constraint, profile, seed);
+  } catch (const InputError&) {
+    return nullptr;
+  }
+}
+
 }  // namespace bodkin
