@@ -525,6 +525,10 @@
         <translation>%1 Bilder/s, jedes %2 ms nach seiner Ankunft.</translation>
     </message>
     <message>
+        <source>Without ultrasound: %1</source>
+        <translation>Ohne Ultraschall: %1</translation>
+    </message>
+    <message>
         <source>Tip on bone: %1.</source>
         <translation>Spitze auf Knochen: %1.</translation>
     </message>

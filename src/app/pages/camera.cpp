@@ -86,6 +86,7 @@ void CameraPage::start() {
   const char* const keys[files] = {"camera/calibration", "camera/bodies", "camera/registration"};
   for (int i = 0; i < files; ++i) settings.setValue(QLatin1String(keys[i]), paths_[i]->text().trimmed());
   failure_.clear();
+  scan_failure_.clear();
   const auto path = [this](File which) {
     return std::filesystem::path(paths_[which]->text().trimmed().toStdString());
   };
@@ -104,8 +105,9 @@ void CameraPage::start() {
     const station::LiveScan& scan = *ultrasound_->scan();
     machine_ =
         std::make_unique<ProbeMachine>(patient_, choice, ProbeMachine::Wish{{scan.pose(), scan.settings()}, {}});
-  } catch (const std::exception&) {  // no skin there: without ultrasound
+  } catch (const std::exception& failure) {  // no skin there: without ultrasound
     machine_.reset();
+    scan_failure_ = failure.what();
   }
   picture_->show_picture(nullptr);
   show_buttons();
@@ -220,6 +222,7 @@ void CameraPage::show_news(double clock) {
   scan_ = news_.probe ? machine_->picture() : nullptr;
   shown_.ultrasound = scan_.get();
   ultrasound_->show_frame(shown_, changes);
+  if (const std::string trouble = machine_->take_trouble(); !trouble.empty()) ultrasound_->say(trouble);
   shown_.ultrasound = nullptr;
 }
 
@@ -273,6 +276,8 @@ void CameraPage::show_line() {
       words = (news_.tip_on_bone ? tr("Tip on bone: %1.") : tr("Tip in: %1.")).arg(in_words(news_.tip)) +
               QStringLiteral(" ") + words;
     }
+    if (!scan_failure_.empty())
+      words += QStringLiteral(" ") + tr("Without ultrasound: %1").arg(in_words(scan_failure_));
     trouble = news_.tip_on_bone;
   }
   if (line_->text() != words) line_->setText(words);

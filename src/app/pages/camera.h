@@ -71,7 +71,8 @@ class CameraPage : public Page {
   std::shared_ptr<const station::LivePicture> scan_;
   CameraNews news_;
   Frame shown_;
-  std::string failure_;  // why the last source came to nothing
+  std::string failure_;       // why the last source came to nothing
+  std::string scan_failure_;  // why there is no ultrasound
   CameraPicture* picture_;
   UltrasoundView* ultrasound_;
   std::array<SliceView*, 2> slices_{};
