@@ -96,6 +96,8 @@ simulation::OperatorPhase phase_from(const io::XmlElement& element, const PhaseN
   phase.pause = element.number("pause_s", 0.0);
   phase.tilt = element.number("tilt_cephalad_deg", 0.0) * degree;
   phase.shift = element.number("shift_cephalad_mm", 0.0);
+  phase.twirl = element.number("twirl_deg", 0.0) * degree;
+  phase.twirl_rate = element.number("twirl_Hz", phase.twirl_rate);
   phase.finger = element.boolean("finger", false);
   phase.move_stylet = element.boolean("move_stylet", false);
   phase.move_manometer = element.boolean("move_manometer", false);
@@ -131,6 +133,10 @@ nlohmann::ordered_json phase_json(const simulation::OperatorPhase& phase, const 
       {"step_mm", phase.step},        {"pause_s", phase.pause},        {"tilt_cephalad_deg", phase.tilt / degree},
       {"aim_again", phase.aim_again}, {"at_most", phase.at_most}};
   if (phase.shift != 0.0) json["shift_cephalad_mm"] = phase.shift;
+  if (phase.twirl != 0.0) {
+    json["twirl_deg"] = phase.twirl / degree;
+    json["twirl_Hz"] = phase.twirl_rate;
+  }
   if (phase.finger) json["finger"] = true;
   if (phase.move_stylet) json["move_stylet"] = true;
   if (phase.move_manometer) json["move_manometer"] = true;

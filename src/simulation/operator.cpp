@@ -17,6 +17,7 @@ constexpr double feeling_cutoff = 15.0;    // Hz of the sense of a slowly varyin
 constexpr double least_yield = 0.05;       // mm; hardness is never divided by less
 constexpr double aiming_pace = 40.0;       // mm/s at which the hand is carried over to a new line of aim
 constexpr double turning_pace = 0.5;       // rad/s at which the needle is turned
+constexpr double twirling_pace = 40.0;     // rad/s at which fingers turn a needle at most
 constexpr double speed_interval = 0.35;    // s between independent values of the speed's noise
 constexpr double wander_interval = 0.9;    // s, the same of the wander
 
@@ -194,6 +195,8 @@ void Operator::move() noexcept {
   entry_ =
       nearer(entry_, now.shift == 0.0 ? aim_entry_ : Vec3(aim_entry_ + now.shift * cephalad_), aiming_pace * dt_);
   direction_ = nearer(direction_, aim_direction_, turning_pace * dt_).normalized();
+  const double turn = 0.5 * now.twirl * std::sin(2.0 * std::numbers::pi * now.twirl_rate * phase_time_);
+  twirled_ += std::clamp(turn - twirled_, -twirling_pace * dt_, twirling_pace * dt_);
 }
 
 Pose Operator::step(const OperatorSense& sense) noexcept {
@@ -204,7 +207,9 @@ Pose Operator::step(const OperatorSense& sense) noexcept {
   const Vec3 drift = script_.wander * (wander_[0].next() * across_ + wander_[1].next() * along_);
   const Vec3 lean = script_.wander_angle * (wander_[2].next() * across_ + wander_[3].next() * along_);
   const Vec3 direction = (direction_ + lean).normalized();
-  return needle_pose(entry_ + drift + intended_ * direction, direction);
+  Pose wanted = needle_pose(entry_ + drift + intended_ * direction, direction);
+  if (twirled_ != 0.0) wanted.rotate(Eigen::AngleAxisd(twirled_, Vec3::UnitZ()));
+  return wanted;
 }
 
 }  // namespace bodkin::simulation

@@ -80,6 +80,7 @@ class Operator {
   Vec3 entry_, direction_;          // where it is now, following at a human pace
   double intended_ = 0.0;           // mm along the line beyond the entry
   double speed_ = 0.0;              // mm/s
+  double twirled_ = 0.0;            // rad about the needle's axis
 
   // the phase
   int phase_ = 0;

@@ -63,6 +63,8 @@ void check_phase(const OperatorPhase& phase, int phases, const Checker& checker)
   checker.range("the pause (s)" + of, phase.pause, 0.0, 60.0);
   checker.range("the tilt (rad)" + of, phase.tilt, -0.8, 0.8);
   checker.range("the shift (mm)" + of, phase.shift, -100.0, 100.0);
+  checker.range("the twirl (rad)" + of, phase.twirl, 0.0, 12.6);
+  checker.range("the rate of the twirl (Hz)" + of, phase.twirl_rate, 0.1, 5.0);
   checker.range("the number of times" + of, phase.at_most, 0, 1000);
   if (phase.until.empty()) checker.fail(sentence("phase '", phase.name, "' never ends, it has no condition"));
   for (const OperatorCondition& condition : phase.until) check_condition(condition, phase.name, phases, checker);

@@ -37,6 +37,8 @@ struct OperatorPhase {
   double pause = 0.0;           // s of each pause
   double tilt = 0.0;            // rad by which the needle is turned towards the head (about the entry) at the start
   double shift = 0.0;           // mm towards the head along the skin, beside the line of aim, while the phase lasts
+  double twirl = 0.0;           // rad from one turning point about the needle's axis to the other, while it lasts
+  double twirl_rate = 1.0;      // Hz of it
   bool finger = false;          // feels with a finger in place of the needle, while the phase lasts
   bool move_stylet = false;     // takes the stylet out, or puts it back, at the start
   bool move_manometer = false;  // connects the manometer, or takes it off, at the start

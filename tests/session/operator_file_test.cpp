@@ -35,7 +35,8 @@ TEST(OperatorFile, is_read_with_its_units_turned_into_bodkins_own) {
   const OperatorScript script = parse_operator(
       file_with("<phase name=\"in\" speed_mm_per_s=\"5\" tilt_cephalad_deg=\"90e-1\"><until force_drop_N=\"1.5\" "
                 "depth_above_mm=\"10\" then=\"out\"/></phase>"
-                "<phase name=\"out\" speed_mm_per_s=\"-5\" at_most=\"2\" otherwise=\"in\"><until time_s=\"1\" "
+                "<phase name=\"out\" speed_mm_per_s=\"-5\" twirl_deg=\"180\" twirl_Hz=\"2\" at_most=\"2\" "
+                "otherwise=\"in\"><until time_s=\"1\" "
                 "then=\"end\"/></phase>"),
       "mine.xml");
   EXPECT_EQ(script.name, "tester");
@@ -46,6 +47,9 @@ TEST(OperatorFile, is_read_with_its_units_turned_into_bodkins_own) {
   EXPECT_EQ(script.phases[0].until[0].force_drop, 1.5);
   EXPECT_EQ(script.phases[0].until[0].depth_above, 10.0);
   EXPECT_FALSE(script.phases[0].until[0].time.has_value());
+  EXPECT_EQ(script.phases[0].twirl, 0.0);
+  EXPECT_NEAR(script.phases[1].twirl, 3.14159265, 1e-8);
+  EXPECT_EQ(script.phases[1].twirl_rate, 2.0);
   EXPECT_EQ(script.phases[1].otherwise, 0);
   EXPECT_EQ(script.phases[1].until[0].next, OperatorCondition::end);
   const auto json = nlohmann::json::parse(operator_json(script));

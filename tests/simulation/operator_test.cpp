@@ -129,6 +129,35 @@ TEST(Operator, tilts_towards_the_head_and_gives_up_after_so_many_times) {
   EXPECT_NEAR(std::asin(needle_axis(rehearsal.needle()).z()), 0.2, 1e-6) << "superior is +z";
 }
 
+TEST(Operator, twirls_to_and_fro_about_the_needle_and_comes_back) {
+  OperatorPhase twirl = phase("twirl", 0.0, {after(3.0, 1)});
+  twirl.twirl = 2.0;
+  twirl.twirl_rate = 2.0;
+  Rehearsal rehearsal(machine({twirl, phase("rest", 0.0, {after(1.0, OperatorCondition::end)})}), 1);
+  const Pose start = rehearsal.needle();
+  const auto turned = [&] {
+    const Mat3 turn = start.linear().transpose() * rehearsal.needle().linear();
+    EXPECT_NEAR(turn(2, 2), 1.0, 1e-9) << "about its own axis";
+    return std::atan2(turn(1, 0), turn(0, 0));
+  };
+  double least = 0.0, most = 0.0;
+  int crossings = 0;
+  double before = 0.0;
+  for (int tick = 0; tick < 2990; ++tick) {
+    rehearsal.step(0.0);
+    const double angle = turned();
+    least = std::min(least, angle);
+    most = std::max(most, angle);
+    crossings += before <= 0.0 && angle > 0.0 ? 1 : 0;
+    before = angle;
+  }
+  EXPECT_NEAR(most, 1.0, 0.01);
+  EXPECT_NEAR(least, -1.0, 0.01);
+  EXPECT_EQ(crossings, 6);
+  for (int tick = 0; tick < 500; ++tick) rehearsal.step(0.0);
+  EXPECT_NEAR(turned(), 0.0, 1e-9);
+}
+
 TEST(Operator, phases_that_only_give_way_to_each_other_end_the_script) {
   OperatorPhase one = phase("one", 0.0, {after(0.0, 0)});
   one.at_most = 1;
