@@ -61,6 +61,7 @@ class Scorer {
       tell_loss();
       find_level();
       check_needle();
+      check_parts();
       rules();
     }
     check_recording();
@@ -207,6 +208,28 @@ class Scorer {
     add(Grade::pass, "needle",
         fmt::format("A needle of {}G is unusual here: {}G to {}G is.", gauge, procedure_.thickest_gauge,
                     procedure_.thinnest_gauge));
+  }
+
+  // What the procedure asks about and this patient has no place for: said, lest it pass for judged.
+  void check_parts() {
+    const anatomy::ForceParts& parts = attempt_.session().header.haptics.parts;
+    const auto asks = [&](std::initializer_list<std::string_view> metrics) {
+      return std::any_of(procedure_.rules.begin(), procedure_.rules.end(), [&](const Rule& rule) {
+        return std::find(metrics.begin(), metrics.end(), rule.metric) != metrics.end();
+      });
+    };
+    const bool finger = !parts.fingertip && asks({"felt_places", "palpation_s", "felt_to_entry_mm"});
+    const bool fluid =
+        !parts.csf_flow && asks({"pressure_readings", "opening_pressure_cmH2O", "collected_mL", "withdrawn_open"});
+    if (finger && fluid) {
+      add(Grade::pass, "parts",
+          "Feeling for the interspace, pressure, fluid and stylet were not judged: this patient has neither the part "
+          "fingertip nor csf_flow.");
+    } else if (finger) {
+      add(Grade::pass, "parts", "Feeling for the interspace was not judged: this patient lacks the part fingertip.");
+    } else if (fluid) {
+      add(Grade::pass, "parts", "Pressure, fluid and stylet were not judged: this patient lacks the part csf_flow.");
+    }
   }
 
   void rules() {

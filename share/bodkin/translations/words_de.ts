@@ -1720,6 +1720,18 @@
         <translation>Eine Nadel von %1G ist hier unüblich; üblich sind %2G bis %3G.</translation>
     </message>
     <message>
+        <source>Feeling for the interspace, pressure, fluid and stylet were not judged: this patient has neither the part fingertip nor csf_flow.</source>
+        <translation>Tasten nach dem Zwischenwirbelraum, Druck, Liquor und Mandrin wurden nicht bewertet: dieser Patient hat weder den Teil fingertip noch csf_flow.</translation>
+    </message>
+    <message>
+        <source>Feeling for the interspace was not judged: this patient lacks the part fingertip.</source>
+        <translation>Tasten nach dem Zwischenwirbelraum wurde nicht bewertet: dieser Patient hat nicht den Teil fingertip.</translation>
+    </message>
+    <message>
+        <source>Pressure, fluid and stylet were not judged: this patient lacks the part csf_flow.</source>
+        <translation>Druck, Liquor und Mandrin wurden nicht bewertet: dieser Patient hat nicht den Teil csf_flow.</translation>
+    </message>
+    <message>
         <source>The recording broke off before its end; this is what was saved.</source>
         <translation>Die Aufzeichnung brach vor dem Ende ab; dies wurde gesichert.</translation>
     </message>
