@@ -50,7 +50,14 @@ inline void soften(Case& patient) {
   if (auto* depth_profile = std::get_if<DepthProfileSettings>(&haptics.resistance))
     bound(depth_profile->bone_stiffness);
   if (auto* parts = std::get_if<ThreeComponentSettings>(&haptics.resistance)) bound(parts->cutting_stiffness);
-  if (auto* fracture = std::get_if<FractureSettings>(&haptics.resistance)) bound(fracture->cutting_stiffness);
+  // Its damper takes of what the device renders, too: half of what the spring leaves, in a period.
+  if (auto* wall = std::get_if<SpringDamperWallSettings>(&haptics.resistance))
+    wall->stiffness = std::min(wall->stiffness, most - 2.0 * wall->damping * haptics.rate);
+  if (auto* fracture = std::get_if<FractureSettings>(&haptics.resistance)) {
+    bound(fracture->cutting_stiffness);
+    // The stiffness at which the membrane tears follows from k, and is about ten times as large.
+    fracture->stiffness = std::min(fracture->stiffness, 0.08 * most);
+  }
   if (auto* beam = std::get_if<BeamSettings>(&haptics.constraint)) bound(beam->largest_stiffness);
 }
 
@@ -183,16 +190,5 @@ class SafetyRig {
   Case patient_;
   HapticTick tissue_;
 };
-
-// Nothing where the case is refused for this device: some springs follow from other numbers than stiffnesses, and
-// stay too stiff for a weak one.
-inline std::unique_ptr<SafetyRig> rig_for(const NamedResistance& resistance, const NamedConstraint& constraint,
-                                          const DeviceProfile& profile, std::uint64_t seed) {
-  try {
-    return std::make_unique<SafetyRig>(resistance, constraint, profile, seed);
-  } catch (const InputError&) {
-    return nullptr;
-  }
-}
 
 }  // namespace bodkin
