@@ -44,14 +44,7 @@ Vec3 middle_of(const patient::Skin& skin) {
 Pose start_of(const CaseWarpOptions& options, const anatomy::Case& of_patient, const patient::Skin& skin,
               const anatomy::CaseDescription& mannequin, const patient::Skin& body) {
   if (!options.registration.empty()) {
-    const io::Placement placement = io::read_placement(options.registration);
-    constexpr double tolerance = 0.02;
-    if (std::abs(placement.scale - 1.0) > tolerance) {
-      throw InputError(
-          fmt::format("{}: its scale is {:.4f}, expected 1; register without --scale, the bend does the rest",
-                      options.registration, placement.scale));
-    }
-    return placement.pose;
+    return io::read_rigid_placement(options.registration, "register without --scale, the bend does the rest");
   }
   Pose start = Pose::Identity();
   const auto& own = of_patient.description.procedure.path;

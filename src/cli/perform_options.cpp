@@ -1,6 +1,5 @@
 #include "cli/perform_options.h"
 
-#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -81,14 +80,8 @@ std::optional<station::MannequinPlace> mannequin_place(const PerformOptions& opt
   if (options.scale != 1.0) throw InputError("--mannequin lies where it is: leave out --scale");
   if (second && second->role == session::SecondRole::probe)
     throw InputError("--mannequin places the needle's device alone; leave out --second-as probe");
-  const io::Placement placement = io::read_placement(options.mannequin);
-  constexpr double tolerance = 0.02;
-  if (std::abs(placement.scale - 1.0) > tolerance) {
-    throw InputError(
-        fmt::format("{}: its scale is {:.4f}, expected 1: a hand is not scaled; register without --scale",
-                    options.mannequin, placement.scale));
-  }
-  return station::MannequinPlace{placement.pose, options.at_hub};
+  return station::MannequinPlace{
+      io::read_rigid_placement(options.mannequin, "a hand is not scaled: register without --scale"), options.at_hub};
 }
 
 }  // namespace

@@ -57,4 +57,11 @@ Placement read_placement(const std::filesystem::path& file) {
   return placement;
 }
 
+Pose read_rigid_placement(const std::filesystem::path& file, std::string_view advice) {
+  constexpr double tolerance = 0.02;
+  const Placement placement = read_placement(file);
+  if (std::abs(placement.scale - 1.0) <= tolerance) return placement.pose;
+  throw InputError(fmt::format("{}: its scale is {:.4f}, expected 1; {}", file.string(), placement.scale, advice));
+}
+
 }  // namespace bodkin::io

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 #include "core/geometry.h"
 
@@ -15,5 +16,8 @@ struct Placement {
 
 // Of the JSON file that `bodkin register` writes. Throws InputError that names file and field.
 Placement read_placement(const std::filesystem::path& file);
+
+// The same for what is not scaled: throws InputError, which ends in `advice`, where the scale is not 1 within 2 %.
+Pose read_rigid_placement(const std::filesystem::path& file, std::string_view advice);
 
 }  // namespace bodkin::io

@@ -9,6 +9,7 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/write.hpp>
+#include <unistd.h>
 
 namespace bodkin::link {
 
@@ -67,10 +68,11 @@ void Farewells::say(int socket, std::uint16_t code, const std::string& why) {
   tcp::socket taken(context_);
   error_code refused;
   taken.assign(tcp::v4(), socket, refused);  // what is asked of it is the same for either protocol
-  if (refused || *under_way_ >= most_under_way) {
-    taken.close(refused);
+  if (refused) {
+    ::close(socket);
     return;
   }
+  if (*under_way_ >= most_under_way) return;  // closed with `taken`
   Bytes status = pack({"STATUS", "Bodkin", time_now(), status_content(code, "", why)});
   std::make_shared<Farewell>(std::move(taken), context_, std::move(status), under_way_)->begin();
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "link/contents.h"
 #include "link/farewell.h"
@@ -73,7 +74,8 @@ struct Server::Shared {
   std::map<std::uint64_t, std::shared_ptr<Connection>> connections;
   std::uint64_t last_number = 0;
   Farewells farewells;
-  mutable std::mutex mutex;  // of what follows
+  bool told_of_full = false;  // since a client was let in
+  mutable std::mutex mutex;   // of what follows
   std::deque<Received> received;
   std::vector<std::string> notes;
   ServerCounts counts;
@@ -127,6 +129,7 @@ void Server::Shared::accept() {
       connection->peer = fmt::format("{}:{}", peer.address().to_string(), peer.port());
       connection->number = ++last_number;
       connections.emplace(connection->number, connection);
+      told_of_full = false;
       {
         const std::lock_guard lock(mutex);
         ++counts.accepted;
@@ -146,8 +149,8 @@ void Server::Shared::refuse(tcp::socket socket) {
   farewells.say(socket.release(ignored), status_busy, why);
   const std::lock_guard lock(mutex);
   ++counts.refused;
-  if (notes.size() < most_notes)
-    notes.push_back(fmt::format("a client found no place: {} are let in", settings.most_clients));
+  if (std::exchange(told_of_full, true) || notes.size() == most_notes) return;  // a client may try every second
+  notes.push_back(fmt::format("a client found no place: {} are let in", settings.most_clients));
 }
 
 // Ends what has stalled, and shows everybody that the server lives.

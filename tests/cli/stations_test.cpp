@@ -20,6 +20,11 @@ namespace {
 using ::testing::HasSubstr;
 using StationsCommand = PatientCommand;
 
+bool within_a_minute(const std::function<bool()>& is_so) {
+  for (int i = 0; i < 3000 && !is_so(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  return is_so();
+}
+
 // `bodkin serve --wait` as a process of its own, until this ends.
 class WaitingStation {
  public:
@@ -96,10 +101,6 @@ TEST_F(StationsCommand, a_client_names_the_session_and_chooses_the_case_for_all_
   const std::string place = station.place();
   ASSERT_FALSE(place.empty()) << station.notes();
   StationWatch watch(::bodkin::link::parse_server(place, "STATION"));
-  const auto within_a_minute = [](const std::function<bool()>& is_so) {
-    for (int i = 0; i < 3000 && !is_so(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    return is_so();
-  };
   const auto reply = [&](const std::string& name, const std::vector<std::pair<std::string, std::string>>& values) {
     EXPECT_TRUE(within_a_minute([&] { return watch.view().guard == "waiting"; })) << station.notes();
     watch.command(name, values);
@@ -131,10 +132,6 @@ TEST_F(StationsCommand, a_client_changes_a_number_of_the_model_and_begins_again)
   const std::string place = station.place();
   ASSERT_FALSE(place.empty()) << station.notes();
   StationWatch watch(::bodkin::link::parse_server(place, "STATION"));
-  const auto within_a_minute = [](const std::function<bool()>& is_so) {
-    for (int i = 0; i < 3000 && !is_so(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    return is_so();
-  };
   const auto does = [&](const std::string& name, const std::vector<std::pair<std::string, std::string>>& values) {
     watch.command(name, values);
     return within_a_minute([&] { return watch.view().reply == "SUCCESS"; });

@@ -96,7 +96,8 @@ AttemptOptions read_attempt_options(const std::string& text) {
     }
     if (json.contains("mannequin")) {
       const bool at_hub = json.value("at_hub", false);
-      options.mannequin = {io::read_placement(json.at("mannequin").get<std::string>()).pose, at_hub};
+      options.mannequin = {
+          io::read_rigid_placement(json.at("mannequin").get<std::string>(), "register without --scale"), at_hub};
     }
     if (json.contains("ultrasound")) {
       options.ultrasound =
