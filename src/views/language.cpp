@@ -80,7 +80,7 @@ void Language::read(const std::filesystem::path& file) {
       texts_.insert(key_of(context, source), forms);
       if (context != words_context) {
         anywhere_.insert(source, forms.front());
-      } else if (source.contains(QLatin1String("%1"))) {
+      } else if (source.contains(QLatin1String("%1")) || source.contains(QLatin1String("#1"))) {
         add_pattern(source, forms.front());
       }
     }
@@ -95,9 +95,10 @@ void Language::add_pattern(const QString& text, const QString& translation) {
   Pattern pattern;
   QString expression = QStringLiteral("^");
   for (int i = 0; i < text.size(); ++i) {
-    if (text[i] == QLatin1Char('%') && i + 1 < text.size() && text[i + 1].isDigit()) {
+    const bool is_number = text[i] == QLatin1Char('#');
+    if ((is_number || text[i] == QLatin1Char('%')) && i + 1 < text.size() && text[i + 1].isDigit()) {
       pattern.numbers.push_back(text[++i].digitValue());
-      expression += QStringLiteral("(.+?)");
+      expression += is_number ? QStringLiteral("([-+]?[0-9.]+(?:e[-+]?[0-9]+)?|-?INF)") : QStringLiteral("(.+?)");
     } else {
       expression += QRegularExpression::escape(QString(text[i]));
     }
@@ -116,6 +117,12 @@ QString Language::translate(const char* context, const char* text, const char* /
   if (found == texts_.constEnd()) found = texts_.constFind(key_of(where.section(QStringLiteral("::"), -1), source));
   if (found == texts_.constEnd()) return anywhere_.value(source);
   return count == 1 ? found->front() : found->back();
+}
+
+bool Language::has_entry(const QString& text) const {
+  QString lower = text;
+  if (!lower.isEmpty()) lower[0] = lower[0].toLower();
+  return texts_.contains(key_of(words_context, text)) || texts_.contains(key_of(words_context, lower));
 }
 
 // Exactly, then with another first letter, then by a pattern, then sentence by sentence.
@@ -152,8 +159,8 @@ QString Language::by_pattern(const QString& text) const {
     QString made;
     for (int i = 0; i < pattern.translation.size(); ++i) {
       const QChar letter = pattern.translation[i];
-      const bool place =
-          letter == QLatin1Char('%') && i + 1 < pattern.translation.size() && pattern.translation[i + 1].isDigit();
+      const bool place = (letter == QLatin1Char('%') || letter == QLatin1Char('#')) &&
+                         i + 1 < pattern.translation.size() && pattern.translation[i + 1].isDigit();
       if (!place) {
         made += letter;
         continue;

@@ -13,7 +13,7 @@ namespace bodkin::views {
 // A language of the window besides English. It is read from two files of Qt Linguist as they are, without a step of
 // the build: window_CODE.ts holds the window's own texts, words_CODE.ts those of other modules (tissues, procedures,
 // verdicts, devices). The latter arrive as whole sentences with numbers in them; %1 to %9 of the context "Words"
-// stand for what varies, and are translated in turn.
+// stand for what varies, and are translated in turn; #1 to #9 stand for a number.
 class Language : public QTranslator {
  public:
   // `code`: "de". Throws InputError, with file and line, when a file is missing or is no .ts.
@@ -23,6 +23,9 @@ class Language : public QTranslator {
   // number.
   QString translate(const char* context, const char* text, const char* comment, int count) const override;
   bool isEmpty() const override { return false; }
+  // True when the dictionary of other modules has an entry of its own for this, which is a text, or a sentence with
+  // %1 to %9 for what varies in it. What is put together from several entries has none.
+  bool has_entry(const QString& text) const;
 
  private:
   struct Pattern {

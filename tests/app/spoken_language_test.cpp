@@ -3,11 +3,13 @@
 #include <QApplication>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSettings>
 #include <filesystem>
 #include <set>
 #include <string>
 
+#include "app/models/parameter_model.h"
 #include "app/models/practice_patients.h"
 #include "app/pages/start.h"
 #include "views/language.h"
@@ -16,6 +18,7 @@
 
 #include "core/error.h"
 #include "haptics/guard_event.h"
+#include "io/resources.h"
 #include "io/tissue_library_file.h"
 #include "training/metric.h"
 #include "training/procedure_file.h"
@@ -53,6 +56,60 @@ TEST_F(SpokenLanguage, german_has_what_procedures_tissues_metrics_and_the_guard_
   speak(QStringLiteral("de"));
   for (const std::string& text : texts) {
     EXPECT_TRUE(views::in_words(text) != QString::fromStdString(text) || text == "Plan" || text.size() < 8)
+        << "add \"" << text << "\" to share/bodkin/translations/words_de.ts";
+  }
+}
+
+// What the page of model settings can show: of every model, every constraint and every tissue.
+std::set<std::string> texts_of_parameters() {
+  std::set<std::string> texts;
+  const auto add = [&texts](const auto& owner) {
+    for_each_parameter(
+        [&texts](const auto& parameter, const auto& value) {
+          if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(value)>, double>) return;
+          texts.insert(std::string(parameter.description));
+          texts.insert(parameter_words(parameter.name, parameter.unit));
+        },
+        owner);
+  };
+  const auto add_tissues_of = [&add](ModelSettings settings) {
+    settings.tissues.resize(1);
+    forces::visit_part(settings, forces::ModelPart::tissue, settings.tissues.front().id, add);
+  };
+  ModelSettings settings;
+  settings.tissues = io::default_tissue_library().tissues();
+  for (const anatomy::TissueProperties& tissue : settings.tissues) texts.insert(tissue.source);
+  forces::visit_part(settings, forces::ModelPart::weight, 0, add);
+  const auto each_of = [&](auto& choice, forces::ModelPart part, auto&& then) {
+    using Choice = std::remove_cvref_t<decltype(choice)>;
+    const auto one = [&]<std::size_t index>() {
+      choice.template emplace<index>();
+      forces::visit_part(settings, part, 0, add);
+      then();
+    };
+    [&]<std::size_t... index>(std::index_sequence<index...>) {
+      (one.template operator()<index>(), ...);
+    }
+    (std::make_index_sequence<std::variant_size_v<Choice>>{});
+  };
+  each_of(settings.haptics.constraint, forces::ModelPart::constraint, [] {});
+  each_of(settings.haptics.resistance, forces::ModelPart::resistance, [&] { add_tissues_of(settings); });
+  texts.erase("");
+  return texts;
+}
+
+// "K_f", "l_2 / L": the name that a paper gives it is the same in every language.
+bool is_formula(const std::string& text) {
+  static const QRegularExpression word(QStringLiteral("[A-Za-z]{3}"));
+  return !QString::fromStdString(text).contains(word);
+}
+
+TEST_F(SpokenLanguage, german_has_every_number_of_the_models) {
+  const std::set<std::string> texts = texts_of_parameters();
+  EXPECT_GT(texts.size(), 200U);
+  const views::Language german(QStringLiteral("de"), io::shared_file("translations/window_de.ts").parent_path());
+  for (const std::string& text : texts) {
+    EXPECT_TRUE(german.has_entry(QString::fromStdString(text)) || is_formula(text))
         << "add \"" << text << "\" to share/bodkin/translations/words_de.ts";
   }
 }

@@ -77,6 +77,15 @@ TEST(Language, sentences_keep_their_numbers_and_translate_what_stands_between) {
   EXPECT_EQ(german(language, "Words", "Bone: vertebra L3"), "Knochen: Wirbel L3");
 }
 
+TEST(Language, a_number_sign_stands_for_numbers_alone) {
+  const Language language(QStringLiteral("de"), translations);
+  EXPECT_EQ(german(language, "Words", "0.1 to 1e+06 N/mm"), "0.1 bis 1e+06 N/mm");
+  EXPECT_EQ(german(language, "Words", "more than 0 and at most 5 mm"), "mehr als 0 und höchstens 5 mm");
+  EXPECT_EQ(german(language, "Words", "Skin: break force_N is 9 N, expected 0 to 5 N"),
+            "Haut: break force_N ist 9 N, erwartet: 0 bis 5 N");
+  EXPECT_TRUE(language.translate("Words", "from here to there", nullptr, -1).isNull());
+}
+
 TEST(Language, one_thing_and_many_have_forms_of_their_own) {
   const Language language(QStringLiteral("de"), translations);
   EXPECT_EQ(language.translate("View3d", "%n surface(s) saved in %1", nullptr, 1),
@@ -93,10 +102,12 @@ TEST(Language, every_place_of_a_text_is_in_its_translation) {
     const std::regex message(R"(<source>([^<]*)</source>\s*<translation>([^<]*)</translation>)");
     int messages = 0;
     for (std::sregex_iterator at(text.begin(), text.end(), message), end; at != end; ++at, ++messages) {
-      for (int place = 1; place <= 9; ++place) {
-        const std::string mark = "%" + std::to_string(place);
-        EXPECT_EQ((*at)[1].str().find(mark) != std::string::npos, (*at)[2].str().find(mark) != std::string::npos)
-            << name << ": " << at->str();
+      for (const char sign : {'%', '#'}) {
+        for (int place = 1; place <= 9; ++place) {
+          const std::string mark = sign + std::to_string(place);
+          EXPECT_EQ((*at)[1].str().find(mark) != std::string::npos, (*at)[2].str().find(mark) != std::string::npos)
+              << name << ": " << at->str();
+        }
       }
     }
     EXPECT_GT(messages, 300);

@@ -2835,6 +2835,954 @@
         <source>disarmed</source>
         <translation>die Kraft ist nicht freigegeben</translation>
     </message>
+    <message>
+        <source>D, while it slides</source>
+        <translation>D, während sie gleitet</translation>
+    </message>
+    <message>
+        <source>D_v: slower than half of it is at rest</source>
+        <translation>D_v: langsamer als die Hälfte davon gilt als Ruhe</translation>
+    </message>
+    <message>
+        <source>E, of stainless steel AISI 304</source>
+        <translation>E, von Edelstahl AISI 304</translation>
+    </message>
+    <message>
+        <source>F_c, while the shaft slides</source>
+        <translation>F_c, während der Schaft gleitet</translation>
+    </message>
+    <message>
+        <source>F_s, at rest; equal to F_c: Dahl, more: LuGre</source>
+        <translation>F_s, in Ruhe; gleich F_c: Dahl, größer: LuGre</translation>
+    </message>
+    <message>
+        <source>H, at which the tissue gives way</source>
+        <translation>H, bei der das Gewebe nachgibt</translation>
+    </message>
+    <message>
+        <source>J, of the membrane</source>
+        <translation>J, der Membran</translation>
+    </message>
+    <message>
+        <source>J, of the tissue behind the membrane</source>
+        <translation>J, des Gewebes hinter der Membran</translation>
+    </message>
+    <message>
+        <source>K; the paper's tuned K_t</source>
+        <translation>K; das abgestimmte K_t der Arbeit</translation>
+    </message>
+    <message>
+        <source>K_b; the device's limit bounds it</source>
+        <translation>K_b; begrenzt durch die Grenze des Geräts</translation>
+    </message>
+    <message>
+        <source>K_t, spring of the wall</source>
+        <translation>K_t, Feder der Wand</translation>
+    </message>
+    <message>
+        <source>L, by which a fast needle lowers it; 0: speed has no effect</source>
+        <translation>L, um das eine schnelle Nadel sie senkt; 0: Geschwindigkeit wirkt nicht</translation>
+    </message>
+    <message>
+        <source>R_d, of the variant drag</source>
+        <translation>R_d, der Variante drag</translation>
+    </message>
+    <message>
+        <source>R_v, of the variant viscous</source>
+        <translation>R_v, der Variante viscous</translation>
+    </message>
+    <message>
+        <source>S, at which the shaft slides</source>
+        <translation>S, bei der der Schaft gleitet</translation>
+    </message>
+    <message>
+        <source>T_N, to go up the gradient</source>
+        <translation>T_N, um den Gradienten hinaufzugehen</translation>
+    </message>
+    <message>
+        <source>T_T, to slide across the gradient</source>
+        <translation>T_T, um quer zum Gradienten zu gleiten</translation>
+    </message>
+    <message>
+        <source>V_label: the harder a tissue feels, the higher</source>
+        <translation>V_label: je härter sich ein Gewebe anfühlt, desto höher</translation>
+    </message>
+    <message>
+        <source>X_d, at which the skin gives way</source>
+        <translation>X_d, bei der die Haut nachgibt</translation>
+    </message>
+    <message>
+        <source>X_d2, length of the trailing spring; at most puncture_depth_mm</source>
+        <translation>X_d2, Länge der nachgezogenen Feder; höchstens puncture_depth_mm</translation>
+    </message>
+    <message>
+        <source>a1, of the capsule</source>
+        <translation>a1, der Kapsel</translation>
+    </message>
+    <message>
+        <source>a2, of the capsule; not both zero</source>
+        <translation>a2, der Kapsel; nicht beide null</translation>
+    </message>
+    <message>
+        <source>about the planned path</source>
+        <translation>um den geplanten Weg</translation>
+    </message>
+    <message>
+        <source>above it no more is added; at least 1 HU above the lowest</source>
+        <translation>darüber kommt nichts mehr hinzu; mindestens 1 HU über dem untersten</translation>
+    </message>
+    <message>
+        <source>along the planned path behind the entry: deeper nodes do not move</source>
+        <translation>entlang des geplanten Wegs hinter dem Eintritt: tiefere Knoten bewegen sich nicht</translation>
+    </message>
+    <message>
+        <source>at most, those nearest to the path</source>
+        <translation>höchstens, die dem Weg nächsten</translation>
+    </message>
+    <message>
+        <source>at rest after which mu_s holds again</source>
+        <translation>in Ruhe, nach der wieder mu_s gilt</translation>
+    </message>
+    <message>
+        <source>at which the capsule gives way</source>
+        <translation>bei der die Kapsel nachgibt</translation>
+    </message>
+    <message>
+        <source>b, against sliding</source>
+        <translation>b, gegen das Gleiten</translation>
+    </message>
+    <message>
+        <source>below it the CT adds nothing</source>
+        <translation>darunter trägt das CT nichts bei</translation>
+    </message>
+    <message>
+        <source>between points of one tissue</source>
+        <translation>zwischen Punkten eines Gewebes</translation>
+    </message>
+    <message>
+        <source>between the places where the tissue beside the shaft is looked up</source>
+        <translation>zwischen den Stellen, an denen das Gewebe neben dem Schaft nachgesehen wird</translation>
+    </message>
+    <message>
+        <source>between tissue samples along the path</source>
+        <translation>zwischen Gewebeproben entlang des Wegs</translation>
+    </message>
+    <message>
+        <source>bone stiffness</source>
+        <translation>Steifigkeit des Knochens</translation>
+    </message>
+    <message>
+        <source>break force rate</source>
+        <translation>Abnahme der Durchstichkraft</translation>
+    </message>
+    <message>
+        <source>by which friction grows before the shaft slides</source>
+        <translation>um den die Reibung wächst, bevor der Schaft gleitet</translation>
+    </message>
+    <message>
+        <source>capture radius</source>
+        <translation>Fangradius</translation>
+    </message>
+    <message>
+        <source>catch up</source>
+        <translation>Aufholen</translation>
+    </message>
+    <message>
+        <source>centre x</source>
+        <translation>Mitte x</translation>
+    </message>
+    <message>
+        <source>centre y</source>
+        <translation>Mitte y</translation>
+    </message>
+    <message>
+        <source>centre z</source>
+        <translation>Mitte z</translation>
+    </message>
+    <message>
+        <source>change of the weight with position; 0: a constant force</source>
+        <translation>Änderung des Gewichts mit der Lage; 0: eine gleichbleibende Kraft</translation>
+    </message>
+    <message>
+        <source>channel radius</source>
+        <translation>Radius des Kanals</translation>
+    </message>
+    <message>
+        <source>channel tilt</source>
+        <translation>Neigung des Kanals</translation>
+    </message>
+    <message>
+        <source>constant after the puncture; at most puncture_force_N</source>
+        <translation>gleichbleibend nach dem Durchstich; höchstens puncture_force_N</translation>
+    </message>
+    <message>
+        <source>corridor beyond</source>
+        <translation>Korridor hinter dem Ziel</translation>
+    </message>
+    <message>
+        <source>corridor nodes</source>
+        <translation>Knoten des Korridors</translation>
+    </message>
+    <message>
+        <source>corridor radius</source>
+        <translation>Radius des Korridors</translation>
+    </message>
+    <message>
+        <source>coulomb</source>
+        <translation>Coulomb-Reibung</translation>
+    </message>
+    <message>
+        <source>cut offset</source>
+        <translation>Versatz des Schnitts</translation>
+    </message>
+    <message>
+        <source>cutting force</source>
+        <translation>Schneidkraft</translation>
+    </message>
+    <message>
+        <source>cutting stiffness</source>
+        <translation>Schneidsteifigkeit</translation>
+    </message>
+    <message>
+        <source>cutting toughness</source>
+        <translation>Schneidzähigkeit</translation>
+    </message>
+    <message>
+        <source>damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>dead band</source>
+        <translation>Totbereich</translation>
+    </message>
+    <message>
+        <source>delta, variation of the friction</source>
+        <translation>delta, Schwankung der Reibung</translation>
+    </message>
+    <message>
+        <source>depth_ref, where the torque is fully grown</source>
+        <translation>depth_ref, wo das Drehmoment voll ausgebildet ist</translation>
+    </message>
+    <message>
+        <source>direction against gravity, of any length</source>
+        <translation>Richtung gegen die Schwerkraft, beliebig lang</translation>
+    </message>
+    <message>
+        <source>directions closer than this share a channel</source>
+        <translation>Richtungen, die näher beisammen liegen, teilen einen Kanal</translation>
+    </message>
+    <message>
+        <source>directions closer than this share a puncture</source>
+        <translation>Richtungen, die näher beisammen liegen, teilen einen Durchstich</translation>
+    </message>
+    <message>
+        <source>distance from its axis at which a bevel cuts, towards its point; 0: it cuts straight</source>
+        <translation>Abstand von der Achse, in dem ein Schliff schneidet, zu seiner Spitze hin; 0: er schneidet gerade</translation>
+    </message>
+    <message>
+        <source>dk/dd, change of k with depth; k stays within 0 and 10 N/mm</source>
+        <translation>dk/dd, Änderung von k mit der Tiefe; k bleibt zwischen 0 und 10 N/mm</translation>
+    </message>
+    <message>
+        <source>dx, between elements</source>
+        <translation>dx, zwischen Elementen</translation>
+    </message>
+    <message>
+        <source>dx, of the cubic law</source>
+        <translation>dx, des kubischen Gesetzes</translation>
+    </message>
+    <message>
+        <source>dx_s, between places of grip</source>
+        <translation>dx_s, zwischen Haftstellen</translation>
+    </message>
+    <message>
+        <source>element spacing</source>
+        <translation>Abstand der Elemente</translation>
+    </message>
+    <message>
+        <source>entries closer than this share a channel</source>
+        <translation>Einstiche, die näher beisammen liegen, teilen einen Kanal</translation>
+    </message>
+    <message>
+        <source>entries closer than this share a puncture</source>
+        <translation>Einstiche, die näher beisammen liegen, teilen einen Durchstich</translation>
+    </message>
+    <message>
+        <source>f_R, at which the wall begins to follow</source>
+        <translation>f_R, bei der die Wand zu folgen beginnt</translation>
+    </message>
+    <message>
+        <source>factor on Young's modulus of every tissue</source>
+        <translation>Faktor auf den Elastizitätsmodul jedes Gewebes</translation>
+    </message>
+    <message>
+        <source>fastest rise of k</source>
+        <translation>schnellster Anstieg von k</translation>
+    </message>
+    <message>
+        <source>field ct range</source>
+        <translation>Feld: Anteil des CT</translation>
+    </message>
+    <message>
+        <source>field highest</source>
+        <translation>Feld: oberster HU-Wert</translation>
+    </message>
+    <message>
+        <source>field lowest</source>
+        <translation>Feld: unterster HU-Wert</translation>
+    </message>
+    <message>
+        <source>field smoothing</source>
+        <translation>Feld: Glättung</translation>
+    </message>
+    <message>
+        <source>field value</source>
+        <translation>Feldwert</translation>
+    </message>
+    <message>
+        <source>filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>fix beyond</source>
+        <translation>fest jenseits von</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>from a stop to no force; INF: the wall holds where it is</source>
+        <translation>vom Halt bis zu keiner Kraft; INF: die Wand bleibt, wo sie ist</translation>
+    </message>
+    <message>
+        <source>full depth</source>
+        <translation>volle Tiefe</translation>
+    </message>
+    <message>
+        <source>g_min: flatter is homogeneous; at most gradient_reference_per_mm</source>
+        <translation>g_min: flacher gilt als homogen; höchstens gradient_reference_per_mm</translation>
+    </message>
+    <message>
+        <source>g_ref, from which on T_N is complete</source>
+        <translation>g_ref, von dem an T_N vollständig ist</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>gradient least per mm</source>
+        <translation>kleinster Gradient je mm</translation>
+    </message>
+    <message>
+        <source>gradient reference per mm</source>
+        <translation>Bezugsgradient je mm</translation>
+    </message>
+    <message>
+        <source>hold</source>
+        <translation>Halten</translation>
+    </message>
+    <message>
+        <source>hysteresis</source>
+        <translation>Hysterese</translation>
+    </message>
+    <message>
+        <source>in which a punctured node goes back to its place</source>
+        <translation>in der ein durchstochener Knoten an seinen Platz zurückgeht</translation>
+    </message>
+    <message>
+        <source>in which the force of a puncture goes</source>
+        <translation>in der die Kraft eines Durchstichs schwindet</translation>
+    </message>
+    <message>
+        <source>k at the skin</source>
+        <translation>k an der Haut</translation>
+    </message>
+    <message>
+        <source>k, across the line</source>
+        <translation>k, quer zur Linie</translation>
+    </message>
+    <message>
+        <source>k, from the tip to the proxy</source>
+        <translation>k, von der Spitze zum Proxy</translation>
+    </message>
+    <message>
+        <source>k, of one element</source>
+        <translation>k, eines Elements</translation>
+    </message>
+    <message>
+        <source>k, of the cubic law before rupture</source>
+        <translation>k, des kubischen Gesetzes vor dem Riss</translation>
+    </message>
+    <message>
+        <source>k, of the skin</source>
+        <translation>k, der Haut</translation>
+    </message>
+    <message>
+        <source>k_bone; the device's limit at most</source>
+        <translation>k_bone; höchstens die Grenze des Geräts</translation>
+    </message>
+    <message>
+        <source>k_s, of the grip on 1 mm of shaft</source>
+        <translation>k_s, der Haftung auf 1 mm Schaft</translation>
+    </message>
+    <message>
+        <source>k_skin</source>
+        <translation>k_Haut</translation>
+    </message>
+    <message>
+        <source>kappa_0, at full depth</source>
+        <translation>kappa_0, in voller Tiefe</translation>
+    </message>
+    <message>
+        <source>l_2 is never taken smaller</source>
+        <translation>l_2 wird nie kleiner angenommen</translation>
+    </message>
+    <message>
+        <source>largest angle</source>
+        <translation>größter Winkel</translation>
+    </message>
+    <message>
+        <source>largest force</source>
+        <translation>größte Kraft</translation>
+    </message>
+    <message>
+        <source>largest force across the line</source>
+        <translation>größte Kraft quer zur Linie</translation>
+    </message>
+    <message>
+        <source>largest force; as Kwon et al. 2001 use for the same role</source>
+        <translation>größte Kraft; wie bei Kwon et al. 2001 in derselben Rolle</translation>
+    </message>
+    <message>
+        <source>largest force; the peak of a Phantom Premium 1.5</source>
+        <translation>größte Kraft; die Spitzenkraft eines Phantom Premium 1.5</translation>
+    </message>
+    <message>
+        <source>largest force; the peak of the Phantom Premium 1.5</source>
+        <translation>größte Kraft; die Spitzenkraft des Phantom Premium 1.5</translation>
+    </message>
+    <message>
+        <source>largest stiffness</source>
+        <translation>größte Steifigkeit</translation>
+    </message>
+    <message>
+        <source>largest torque; continuous yaw and pitch torque of the Phantom Premium 1.5</source>
+        <translation>größtes Drehmoment; Dauerdrehmoment um Hoch- und Querachse des Phantom Premium 1.5</translation>
+    </message>
+    <message>
+        <source>layer</source>
+        <translation>Schicht</translation>
+    </message>
+    <message>
+        <source>length of the corridor behind the target</source>
+        <translation>Länge des Korridors hinter dem Ziel</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linearer Anteil</translation>
+    </message>
+    <message>
+        <source>longest</source>
+        <translation>Höchstdauer</translation>
+    </message>
+    <message>
+        <source>low pass on k</source>
+        <translation>Tiefpass auf k</translation>
+    </message>
+    <message>
+        <source>low pass on the length outside</source>
+        <translation>Tiefpass auf die Länge außerhalb</translation>
+    </message>
+    <message>
+        <source>m_eff g, at the centre</source>
+        <translation>m_eff g, in der Mitte</translation>
+    </message>
+    <message>
+        <source>modulus</source>
+        <translation>Elastizitätsmodul</translation>
+    </message>
+    <message>
+        <source>mu_s; at least mu_d</source>
+        <translation>mu_s; mindestens mu_d</translation>
+    </message>
+    <message>
+        <source>of mesh nodes, of earlier versions; changes nothing</source>
+        <translation>von Netzknoten, aus früheren Versionen; ändert nichts</translation>
+    </message>
+    <message>
+        <source>of shaft in tissue</source>
+        <translation>des Schafts im Gewebe</translation>
+    </message>
+    <message>
+        <source>of the device</source>
+        <translation>des Geräts</translation>
+    </message>
+    <message>
+        <source>of the disk over which the tip pushes</source>
+        <translation>der Scheibe, über die die Spitze drückt</translation>
+    </message>
+    <message>
+        <source>of the line past a point, at most, within which it takes full hold of the shaft</source>
+        <translation>der Linie an einem Punkt vorbei, höchstens, in dem er den Schaft ganz ergreift</translation>
+    </message>
+    <message>
+        <source>of the onset of cutting</source>
+        <translation>des Schneidbeginns</translation>
+    </message>
+    <message>
+        <source>of the workspace</source>
+        <translation>des Arbeitsraums</translation>
+    </message>
+    <message>
+        <source>penetrability</source>
+        <translation>Durchdringbarkeit</translation>
+    </message>
+    <message>
+        <source>point spacing</source>
+        <translation>Abstand der Punkte</translation>
+    </message>
+    <message>
+        <source>presliding</source>
+        <translation>Vorgleitweg</translation>
+    </message>
+    <message>
+        <source>puncture depth</source>
+        <translation>Tiefe des Durchstichs</translation>
+    </message>
+    <message>
+        <source>puncture time</source>
+        <translation>Dauer des Durchstichs</translation>
+    </message>
+    <message>
+        <source>quadratic</source>
+        <translation>quadratischer Anteil</translation>
+    </message>
+    <message>
+        <source>r_cap; half the edge of an element</source>
+        <translation>r_cap; halbe Kante eines Elements</translation>
+    </message>
+    <message>
+        <source>relaxation</source>
+        <translation>Relaxation</translation>
+    </message>
+    <message>
+        <source>release</source>
+        <translation>Lösen</translation>
+    </message>
+    <message>
+        <source>rho, of one element</source>
+        <translation>rho, eines Elements</translation>
+    </message>
+    <message>
+        <source>rho_f, on 1 mm of shaft</source>
+        <translation>rho_f, auf 1 mm Schaft</translation>
+    </message>
+    <message>
+        <source>rho_s, of the grip on 1 mm of shaft</source>
+        <translation>rho_s, der Haftung auf 1 mm Schaft</translation>
+    </message>
+    <message>
+        <source>shaft spacing</source>
+        <translation>Abstand am Schaft</translation>
+    </message>
+    <message>
+        <source>shaft stiffness</source>
+        <translation>Steifigkeit am Schaft</translation>
+    </message>
+    <message>
+        <source>shaft viscosity</source>
+        <translation>Zähigkeit am Schaft</translation>
+    </message>
+    <message>
+        <source>shortest outside</source>
+        <translation>kürzeste Länge außerhalb</translation>
+    </message>
+    <message>
+        <source>sigma, spring of the friction at rest, per mm of shaft</source>
+        <translation>sigma, Feder der Reibung in Ruhe, je mm Schaft</translation>
+    </message>
+    <message>
+        <source>sigma_0, of the bristles</source>
+        <translation>sigma_0, der Borsten</translation>
+    </message>
+    <message>
+        <source>skin stiffness</source>
+        <translation>Steifigkeit der Haut</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>Anstieg</translation>
+    </message>
+    <message>
+        <source>slope x</source>
+        <translation>Anstieg x</translation>
+    </message>
+    <message>
+        <source>slope y</source>
+        <translation>Anstieg y</translation>
+    </message>
+    <message>
+        <source>slope z</source>
+        <translation>Anstieg z</translation>
+    </message>
+    <message>
+        <source>smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>standard deviation of the Gaussian on V_label</source>
+        <translation>Standardabweichung der Gaußglocke auf V_label</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>Haften</translation>
+    </message>
+    <message>
+        <source>stick after</source>
+        <translation>Haften nach</translation>
+    </message>
+    <message>
+        <source>stiffening</source>
+        <translation>Versteifung</translation>
+    </message>
+    <message>
+        <source>stiffness scale</source>
+        <translation>Faktor der Steifigkeit</translation>
+    </message>
+    <message>
+        <source>stribeck velocity</source>
+        <translation>Stribeck-Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>t_m, of the membrane</source>
+        <translation>t_m, der Membran</translation>
+    </message>
+    <message>
+        <source>the deflection grows no further; the paper wants much less than 1 rad</source>
+        <translation>die Auslenkung wächst nicht weiter; die Arbeit verlangt weit weniger als 1 rad</translation>
+    </message>
+    <message>
+        <source>thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>tip radius</source>
+        <translation>Radius der Spitze</translation>
+    </message>
+    <message>
+        <source>torque limit</source>
+        <translation>Grenze des Drehmoments</translation>
+    </message>
+    <message>
+        <source>torsion</source>
+        <translation>Torsion</translation>
+    </message>
+    <message>
+        <source>toughness</source>
+        <translation>Bruchzähigkeit</translation>
+    </message>
+    <message>
+        <source>trailing</source>
+        <translation>Nachziehen</translation>
+    </message>
+    <message>
+        <source>until the force is zero on withdrawal</source>
+        <translation>bis die Kraft beim Zurückziehen null ist</translation>
+    </message>
+    <message>
+        <source>up x</source>
+        <translation>oben x</translation>
+    </message>
+    <message>
+        <source>up y</source>
+        <translation>oben y</translation>
+    </message>
+    <message>
+        <source>up z</source>
+        <translation>oben z</translation>
+    </message>
+    <message>
+        <source>v_s, at which static has become Coulomb friction</source>
+        <translation>v_s, bei der Haftreibung zur Coulomb-Reibung geworden ist</translation>
+    </message>
+    <message>
+        <source>viscosity</source>
+        <translation>Zähigkeit</translation>
+    </message>
+    <message>
+        <source>viscous</source>
+        <translation>viskoser Anteil</translation>
+    </message>
+    <message>
+        <source>w, of the crack: about the needle's diameter</source>
+        <translation>w, des Risses: etwa der Durchmesser der Nadel</translation>
+    </message>
+    <message>
+        <source>w0, the surface of the patient</source>
+        <translation>w0, die Oberfläche des Patienten</translation>
+    </message>
+    <message>
+        <source>wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>way before a change of tissue is taken back; a voxel</source>
+        <translation>Weg, bevor ein Wechsel des Gewebes zurückgenommen wird; ein Voxel</translation>
+    </message>
+    <message>
+        <source>what the CT adds from lowest to highest HU, on the scale of the labels</source>
+        <translation>was das CT vom untersten bis zum obersten HU-Wert hinzufügt, auf der Skala der Strukturen</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>x_w, where the wall stands</source>
+        <translation>x_w, wo die Wand steht</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Bodkin default, no published value</source>
+        <translation>Vorgabe von Bodkin, kein veröffentlichter Wert</translation>
+    </message>
+    <message>
+        <source>Bodkin default, no published value.</source>
+        <translation>Vorgabe von Bodkin, kein veröffentlichter Wert.</translation>
+    </message>
+    <message>
+        <source>%1; all else Bodkin default.</source>
+        <translation>%1; alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>all else Bodkin default</source>
+        <translation>alles andere Vorgabe von Bodkin</translation>
+    </message>
+    <message>
+        <source>All else: Bodkin default, no published value.</source>
+        <translation>Alles andere: Vorgabe von Bodkin, kein veröffentlichter Wert.</translation>
+    </message>
+    <message>
+        <source>All else, HU included: Bodkin default, no published value.</source>
+        <translation>Alles andere, auch HU: Vorgabe von Bodkin, kein veröffentlichter Wert.</translation>
+    </message>
+    <message>
+        <source>HU and all else: Bodkin default, no published value.</source>
+        <translation>HU und alles andere: Vorgabe von Bodkin, kein veröffentlichter Wert.</translation>
+    </message>
+    <message>
+        <source>As cortical bone. HU: Bodkin default, no published value; beyond the scale of most scanners. Sound: impedance and attenuation of titanium alloy, Sensors 2023, PMC10346919; steel has 46; all else Bodkin default.</source>
+        <translation>Wie kompakter Knochen. HU: Vorgabe von Bodkin, kein veröffentlichter Wert; jenseits der Skala der meisten Scanner. Schall: Impedanz und Dämpfung einer Titanlegierung, Sensors 2023, PMC10346919; Stahl hat 46; alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>As fat; the fall of force on entering it is the loss of resistance. Pressure: 4.5 mmHg, within the -0.3 to 10 mmHg measured in the epidural space. HU and all else: Bodkin default, no published value. Sound: impedance and attenuation as fat; brighter than the fat under the skin, as sonographers see it; all else Bodkin default.</source>
+        <translation>Wie Fett; der Abfall der Kraft beim Eintritt ist der Widerstandsverlust. Druck: 4.5 mmHg, innerhalb der im Epiduralraum gemessenen -0.3 bis 10 mmHg. HU und alles andere: Vorgabe von Bodkin, kein veröffentlichter Wert. Schall: Impedanz und Dämpfung wie Fett; heller als das Fett unter der Haut, wie man es im Ultraschall sieht; alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>As muscle. HU: Bodkin default, no published value. Sound: impedance and attenuation of soft tissue in LOTUS and ct2us; all else Bodkin default.</source>
+        <translation>Wie Muskel. HU: Vorgabe von Bodkin, kein veröffentlichter Wert. Schall: Impedanz und Dämpfung von Weichgewebe in LOTUS und ct2us; alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>Bodkin default, no published value. Sound: between muscle and ligament, no published value was found; all else Bodkin default.</source>
+        <translation>Vorgabe von Bodkin, kein veröffentlichter Wert. Schall: zwischen Muskel und Band, kein veröffentlichter Wert gefunden; alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>Bodkin default, no published value. Sound: impedance of air, standard data, recalled; attenuation 7.5 dB/cm at 1 MHz (Diagnostics 2023, PMC10001275); all else Bodkin default.</source>
+        <translation>Vorgabe von Bodkin, kein veröffentlichter Wert. Schall: Impedanz von Luft, Standardwert, aus dem Gedächtnis; Dämpfung 7.5 dB/cm bei 1 MHz (Diagnostics 2023, PMC10001275); alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>Bodkin default, no published value. Sound: no published value was found; all else Bodkin default.</source>
+        <translation>Vorgabe von Bodkin, kein veröffentlichter Wert. Schall: kein veröffentlichter Wert gefunden; alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>Bodkin default, no published value; chosen so that it is felt between skin and interspinous ligament. Sound: impedance of ligament measured (Bioengineering 2025, 12(9) 946); attenuation of connective tissue, Diagnostics 2023, PMC10001275; all else Bodkin default.</source>
+        <translation>Vorgabe von Bodkin, kein veröffentlichter Wert; so gewählt, dass man es zwischen Haut und Lig. interspinale spürt. Schall: gemessene Impedanz von Bändern (Bioengineering 2025, 12(9) 946); Dämpfung von Bindegewebe, Diagnostics 2023, PMC10001275; alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>Bodkin default, no published value; firmer than muscle. Sound: darker than what is around it, no published value was found; all else Bodkin default.</source>
+        <translation>Vorgabe von Bodkin, kein veröffentlichter Wert; fester als Muskel. Schall: dunkler als die Umgebung, kein veröffentlichter Wert gefunden; alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>Bodkin default, no published value; stiffer than disc. Sound: nearly black, as hyaline cartilage is seen; attenuation of connective tissue, Diagnostics 2023, PMC10001275; impedance without a published value; all else Bodkin default.</source>
+        <translation>Vorgabe von Bodkin, kein veröffentlichter Wert; steifer als die Bandscheibe. Schall: fast schwarz, wie hyaliner Knorpel erscheint; Dämpfung von Bindegewebe, Diagnostics 2023, PMC10001275; Impedanz ohne veröffentlichten Wert; alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>Bodkin default, no published value; the grip is chosen so that the 25 to 30 mm along the needle (Lawrence et al.) add about 1.3 N. Sound: impedance and attenuation between those of ligament (1.83, and 1.57 of connective tissue) and of the fat in it (1.38 and 0.63); all else Bodkin default.</source>
+        <translation>Vorgabe von Bodkin, kein veröffentlichter Wert; die Haftung ist so gewählt, dass die 25 bis 30 mm entlang der Nadel (Lawrence et al.) etwa 1.3 N beitragen. Schall: Impedanz und Dämpfung zwischen denen von Bändern (1.83, und 1.57 von Bindegewebe) und des Fetts darin (1.38 und 0.63); alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>Break force at the lower end of the axial force in soft tissue, 0.5 to 1.5 N (Sutherland et al. 2013, III.A). HU: 10 to 80 in Hounsfield tables (ecgcourse.com; Grainger and Allison). tracking_wall: 1 N and 0.5 N/mm, printed for a soft layer that no tissue is named for (Alamilla, Moreau and Redarce 2018). All else: Bodkin default, no published value. Sound: impedance Sensors 2023, PMC10346919 (measured 1.65 across and 1.69 along its fibres: Bioengineering 2025, 12(9) 946); attenuation across fibres, Diagnostics 2023, PMC10001275; all else Bodkin default.</source>
+        <translation>Durchstichkraft am unteren Ende der axialen Kraft in Weichgewebe, 0.5 bis 1.5 N (Sutherland et al. 2013, III.A). HU: 10 bis 80 in Hounsfield-Tabellen (ecgcourse.com; Grainger und Allison). tracking_wall: 1 N und 0.5 N/mm, gedruckt für eine weiche Schicht, für die kein Gewebe genannt ist (Alamilla, Moreau und Redarce 2018). Alles andere: Vorgabe von Bodkin, kein veröffentlichter Wert. Schall: Impedanz Sensors 2023, PMC10346919 (gemessen 1.65 quer und 1.69 längs der Fasern: Bioengineering 2025, 12(9) 946); Dämpfung quer zu den Fasern, Diagnostics 2023, PMC10001275; alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>Break force between the median of 24 studies, 1.22 N (van Gerwen, Dankelman and van den Dobbelsteen 2012), and 1.5 N of a 24G virtual needle (Sutherland et al. 2013, III.A). All else, HU included: Bodkin default, no published value. Sound: impedance 1.131 g/cm3 x 1655 m/s measured (Bioengineering 2025, 12(9) 946); attenuation Diagnostics 2023, PMC10001275; all else Bodkin default.</source>
+        <translation>Durchstichkraft zwischen dem Median von 24 Studien, 1.22 N (van Gerwen, Dankelman und van den Dobbelsteen 2012), und 1.5 N einer virtuellen Nadel von 24G (Sutherland et al. 2013, III.A). Alles andere, auch HU: Vorgabe von Bodkin, kein veröffentlichter Wert. Schall: gemessene Impedanz 1.131 g/cm3 x 1655 m/s (Bioengineering 2025, 12(9) 946); Dämpfung Diagnostics 2023, PMC10001275; alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>Breaks after 2 mm of tenting, the lower end of 2 to 6 mm seen in living people (Zarzur and Goncalves 1992). All else: Bodkin default, no published value. Sound: as ligament, no published value was found; all else Bodkin default.</source>
+        <translation>Reißt nach 2 mm Vorwölbung, am unteren Ende der 2 bis 6 mm, die man an Lebenden sah (Zarzur und Goncalves 1992). Alles andere: Vorgabe von Bodkin, kein veröffentlichter Wert. Schall: wie Bänder, kein veröffentlichter Wert gefunden; alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>Contact stiffness and HU: Bodkin default, no published value; tables give 300 to 400 HU (radiologystar.com), vertebral bodies of living adults measure lower. Sound: impedance near the upper end of 0.6 to 3.8, the density times the speed of Mech. Mater. 2012, PMC3233242 (cleaned bone measures 1.33); attenuation of bone, Diagnostics 2023, PMC10001275; echo none; all else Bodkin default.</source>
+        <translation>Kontaktsteifigkeit und HU: Vorgabe von Bodkin, kein veröffentlichter Wert; Tabellen geben 300 bis 400 HU an (radiologystar.com), an Wirbelkörpern lebender Erwachsener misst man weniger. Schall: Impedanz nahe dem oberen Ende von 0.6 bis 3.8, Dichte mal Schallgeschwindigkeit aus Mech. Mater. 2012, PMC3233242 (gereinigter Knochen: 1.33); Dämpfung von Knochen, Diagnostics 2023, PMC10001275; kein Echo; alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>Friction of layered and shaft_friction: bovine liver, 1.27 mm needle, 0.0106 to 0.0120 N/mm and 0.00021 N s/mm^2 (Okamura, Simone and O'Leary 2004, recalled). HU: kidney, spleen and liver 20 to 65 (radclass.mudr.org Hounsfield table). All else: Bodkin default, no published value. Sound: impedance of liver and kidney (measured 1.67 and 1.64: Bioengineering 2025, 12(9) 946); attenuation between liver and kidney, 0.5 and 1.0 (Diagnostics 2023, PMC10001275); all else Bodkin default.</source>
+        <translation>Reibung von layered und shaft_friction: Rinderleber, Nadel von 1.27 mm, 0.0106 bis 0.0120 N/mm und 0.00021 N s/mm^2 (Okamura, Simone und O'Leary 2004, aus dem Gedächtnis). HU: Niere, Milz und Leber 20 bis 65 (Hounsfield-Tabelle von radclass.mudr.org). Alles andere: Vorgabe von Bodkin, kein veröffentlichter Wert. Schall: Impedanz von Leber und Niere (gemessen 1.67 und 1.64: Bioengineering 2025, 12(9) 946); Dämpfung zwischen Leber und Niere, 0.5 und 1.0 (Diagnostics 2023, PMC10001275); alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>HU by definition. Sound: impedance of air, standard data, recalled; attenuation 7.5 dB/cm at 1 MHz (Diagnostics 2023, PMC10001275); all else Bodkin default.</source>
+        <translation>HU nach Definition. Schall: Impedanz von Luft, Standardwert, aus dem Gedächtnis; Dämpfung 7.5 dB/cm bei 1 MHz (Diagnostics 2023, PMC10001275); alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>HU of blood: 45 to 65 (radclass.mudr.org Hounsfield table). All else: Bodkin default, no published value. Sound: impedance of blood in raysim and burgercpp; attenuation of blood, Diagnostics 2023, PMC10001275; its power recalled; all else Bodkin default.</source>
+        <translation>HU von Blut: 45 bis 65 (Hounsfield-Tabelle von radclass.mudr.org). Alles andere: Vorgabe von Bodkin, kein veröffentlichter Wert. Schall: Impedanz von Blut in raysim und burgercpp; Dämpfung von Blut, Diagnostics 2023, PMC10001275; ihr Exponent aus dem Gedächtnis; alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>HU: -910 to -850 (radclass.mudr.org Hounsfield table). All else: Bodkin default, no published value. Sound: impedance of air as in LOTUS, so that all comes back from the pleura; attenuation Diagnostics 2023, PMC10001275; all else Bodkin default.</source>
+        <translation>HU: -910 bis -850 (Hounsfield-Tabelle von radclass.mudr.org). Alles andere: Vorgabe von Bodkin, kein veröffentlichter Wert. Schall: Impedanz von Luft wie in LOTUS, sodass alles von der Pleura zurückkommt; Dämpfung Diagnostics 2023, PMC10001275; alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>HU: 0 to 15, commonly quoted. Pressure: 14.5 cm of saline lying (Gilland et al. 1974). No force, and all else: Bodkin default, no published value. Sound: impedance 1.007 g/cm3 x 1505 m/s, near saline, recalled; attenuation of water, Diagnostics 2023, PMC10001275; it grows with the square of frequency; all else Bodkin default.</source>
+        <translation>HU: 0 bis 15, häufig genannt. Druck: 14.5 cm Kochsalzlösung im Liegen (Gilland et al. 1974). Keine Kraft, und alles andere: Vorgabe von Bodkin, kein veröffentlichter Wert. Schall: Impedanz 1.007 g/cm3 x 1505 m/s, nahe Kochsalzlösung, aus dem Gedächtnis; Dämpfung von Wasser, Diagnostics 2023, PMC10001275; sie wächst mit dem Quadrat der Frequenz; alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>Bodkin default, no published value: gives way at 2 N, less than half of the ligamentum flavum. All else as the interspinous ligament.</source>
+        <translation>Vorgabe von Bodkin, kein veröffentlichter Wert: gibt bei 2 N nach, weniger als der Hälfte des Lig. flavum. Alles andere wie das Lig. interspinale.</translation>
+    </message>
+    <message>
+        <source>Bodkin default, no published value: as the supraspinous ligament.</source>
+        <translation>Vorgabe von Bodkin, kein veröffentlichter Wert: wie das Lig. supraspinale.</translation>
+    </message>
+    <message>
+        <source>Bodkin default, no published value: fluid that a needle does not feel, as cerebrospinal fluid.</source>
+        <translation>Vorgabe von Bodkin, kein veröffentlichter Wert: Flüssigkeit, die eine Nadel nicht spürt, wie Liquor.</translation>
+    </message>
+    <message>
+        <source>Bodkin default, no published value: twice the puncture force of the ligamentum flavum (4.7 N, Sutherland et al. 2013, III.A), ten times the modulus of the ligament; HU as cancellous bone. All else as the interspinous ligament.</source>
+        <translation>Vorgabe von Bodkin, kein veröffentlichter Wert: das Doppelte der Durchstichkraft des Lig. flavum (4.7 N, Sutherland et al. 2013, III.A), das Zehnfache des Moduls des Bandes; HU wie Spongiosa. Alles andere wie das Lig. interspinale.</translation>
+    </message>
+    <message>
+        <source>calcified ligament</source>
+        <translation>verkalktes Band</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>#1 to #2</source>
+        <translation>#1 bis #2</translation>
+    </message>
+    <message>
+        <source>#1 to #2 %3</source>
+        <translation>#1 bis #2 %3</translation>
+    </message>
+    <message>
+        <source>#1 to infinity</source>
+        <translation>#1 bis unendlich</translation>
+    </message>
+    <message>
+        <source>#1 %2 to infinity</source>
+        <translation>#1 %2 bis unendlich</translation>
+    </message>
+    <message>
+        <source>#1 or more</source>
+        <translation>#1 oder mehr</translation>
+    </message>
+    <message>
+        <source>#1 %2 or more</source>
+        <translation>#1 %2 oder mehr</translation>
+    </message>
+    <message>
+        <source>more than #1</source>
+        <translation>mehr als #1</translation>
+    </message>
+    <message>
+        <source>more than #1 %2</source>
+        <translation>mehr als #1 %2</translation>
+    </message>
+    <message>
+        <source>at least #1 and less than #2</source>
+        <translation>mindestens #1 und weniger als #2</translation>
+    </message>
+    <message>
+        <source>at least #1 and less than #2 %3</source>
+        <translation>mindestens #1 und weniger als #2 %3</translation>
+    </message>
+    <message>
+        <source>more than #1 and at most #2</source>
+        <translation>mehr als #1 und höchstens #2</translation>
+    </message>
+    <message>
+        <source>more than #1 and at most #2 %3</source>
+        <translation>mehr als #1 und höchstens #2 %3</translation>
+    </message>
+    <message>
+        <source>more than #1 and less than #2</source>
+        <translation>mehr als #1 und weniger als #2</translation>
+    </message>
+    <message>
+        <source>more than #1 and less than #2 %3</source>
+        <translation>mehr als #1 und weniger als #2 %3</translation>
+    </message>
+    <message>
+        <source>sigma_2</source>
+        <translation>sigma_2</translation>
+    </message>
+    <message>
+        <source>HU: -120 to -50 in Hounsfield tables (radclass.mudr.org; radiologystar.com). Drag: Bodkin default, no published value. Sound: impedance of simulators (1.38; measured 1.36 in Bioengineering 2025, 12(9) 946, and 1.39 in Sensors 2023, PMC10346919); attenuation Diagnostics 2023, PMC10001275; all else Bodkin default.</source>
+        <translation>HU: -120 bis -50 in Hounsfield-Tabellen (radclass.mudr.org; radiologystar.com). Zähigkeit: Vorgabe von Bodkin, kein veröffentlichter Wert. Schall: Impedanz aus Simulatoren (1.38; gemessen 1.36 in Bioengineering 2025, 12(9) 946, und 1.39 in Sensors 2023, PMC10346919); Dämpfung Diagnostics 2023, PMC10001275; alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>Contact stiffness: what a Phantom Desktop renders (Heng et al. 2004, section 5.4); the device's limit bounds it. HU: 400 to 1000 (Grainger and Allison, by stethoprep.com). Sound: impedance of every simulator that was read (measured: 5.9 in Bioengineering 2025, 12(9) 946, 6.5 in Sensors 2023, PMC10346919); attenuation Diagnostics 2023, PMC10001275; echo none, so that it throws a clean shadow; all else Bodkin default.</source>
+        <translation>Kontaktsteifigkeit: was ein Phantom Desktop darstellt (Heng et al. 2004, Abschnitt 5.4); begrenzt durch die Grenze des Geräts. HU: 400 bis 1000 (Grainger und Allison, nach stethoprep.com). Schall: Impedanz aus allen gelesenen Simulatoren (gemessen: 5.9 in Bioengineering 2025, 12(9) 946, 6.5 in Sensors 2023, PMC10346919); Dämpfung Diagnostics 2023, PMC10001275; kein Echo, sodass er einen klaren Schatten wirft; alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>Break force chosen so that, with the grip of the tissues behind it, the force peaks at about 4.7 N as in Sutherland et al. 2013, III.A (Naemura et al., 18G, porcine: 5.0, SD 1.0 N). Stiffness: Bodkin default, as stiff as a device of 1 N/mm renders, so that it breaks within about 4 mm. Forces of tracking_wall and volume_proxy: that mean of 4.7 N itself. All else: Bodkin default, no published value. Sound: impedance of ligament measured (Bioengineering 2025, 12(9) 946); attenuation of connective tissue, Diagnostics 2023, PMC10001275; all else Bodkin default.</source>
+        <translation>Durchstichkraft so gewählt, dass die Kraft mit der Haftung der Gewebe dahinter bei etwa 4.7 N gipfelt wie bei Sutherland et al. 2013, III.A (Naemura et al., 18G, Schwein: 5.0, SD 1.0 N). Steifigkeit: Vorgabe von Bodkin, so steif, wie ein Gerät von 1 N/mm darstellt, sodass es innerhalb von etwa 4 mm reißt. Kräfte von tracking_wall und volume_proxy: dieses Mittel von 4.7 N selbst. Alles andere: Vorgabe von Bodkin, kein veröffentlichter Wert. Schall: gemessene Impedanz von Bändern (Bioengineering 2025, 12(9) 946); Dämpfung von Bindegewebe, Diagnostics 2023, PMC10001275; alles andere Vorgabe von Bodkin.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, expected %3</source>
+        <translation>%1 ist %2, erwartet: %3</translation>
+    </message>
+    <message>
+        <source>%1 is '%2', expected %3</source>
+        <translation>%1 ist „%2“, erwartet: %3</translation>
+    </message>
+    <message>
+        <source>%1 is %2, expected at most the %3 of %4</source>
+        <translation>%1 ist %2, erwartet: höchstens %3, also %4</translation>
+    </message>
+    <message>
+        <source>%1 is '%2'; expected %3</source>
+        <translation>%1 ist „%2“; erwartet: %3</translation>
+    </message>
+    <message>
+        <source>%1 is %2; expected %3</source>
+        <translation>%1 ist %2; erwartet: %3</translation>
+    </message>
 </context>
 <context>
     <name>QShortcut</name>

@@ -65,23 +65,6 @@ auto* number_at(Settings& settings, const SettingStep& step) {
   return found;
 }
 
-// "break_force_N" of unit "N" for people: "break force".
-std::string words_of(std::string_view name, std::string_view unit) {
-  std::string suffix = "_";
-  for (const char c : unit) {
-    if (c == '/')
-      suffix += "_per_";
-    else if (c == ' ')
-      suffix += '_';
-    else if (c != '^')
-      suffix += c;
-  }
-  std::string words(name);
-  if (unit.size() > 0 && words.ends_with(suffix)) words.resize(words.size() - suffix.size());
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return words;
-}
-
 std::string capitalised(std::string words) {
   if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') words[0] = static_cast<char>(words[0] - 'a' + 'A');
   return words;
@@ -107,6 +90,22 @@ bool same_library(const std::vector<anatomy::TissueProperties>& a, const std::ve
 }
 
 }  // namespace
+
+std::string parameter_words(std::string_view name, std::string_view unit) {
+  std::string suffix = "_";
+  for (const char c : unit) {
+    if (c == '/')
+      suffix += "_per_";
+    else if (c == ' ')
+      suffix += '_';
+    else if (c != '^' && c != '(' && c != ')')
+      suffix += c;
+  }
+  std::string words(name);
+  if (unit.size() > 0 && words.ends_with(suffix)) words.resize(words.size() - suffix.size());
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
 
 ParameterModel::ParameterModel(std::shared_ptr<const OpenCase> patient) : patient_(std::move(patient)) {
   const anatomy::Case& opened = patient_->patient;
@@ -167,7 +166,7 @@ void ParameterModel::find_steps() {
               step.place = place;
               step.tissue = id;
               step.name = parameter.name;
-              const std::string words = words_of(parameter.name, parameter.unit);
+              const std::string words = parameter_words(parameter.name, parameter.unit);
               step.title = fmt::format("{}: {}", group, words);
               step.question = question.empty() ? fmt::format("{}: {}", group, words) : std::string(question);
               step.description = parameter.description;

@@ -36,6 +36,9 @@ struct SettingStep {
   std::string source;                               // what the tissue library says of its numbers; may be empty
 };
 
+// A parameter's name for people: "break_force_N" of unit "N" is "break force".
+std::string parameter_words(std::string_view name, std::string_view unit);
+
 // The settings of a patient's force model, step by step, with undo. The steps of `layered` are the eleven of the
 // acupuncture simulator (Heng et al. 2004), or all of its numbers; every other model has a step for each number that
 // it declares and for those of the tissues on the planned path.

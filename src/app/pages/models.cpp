@@ -100,7 +100,7 @@ void ModelsPage::show_step() {
   slider_->setValue(static_cast<int>(std::lround(slider_steps * std::clamp(share, 0.0, 1.0))));
   range_->setText(tr("Slider %1 to %2; allowed is %3")
                       .arg(step_words(step, step.low), step_words(step, step.high),
-                           QString::fromStdString(range_words(step.range, step.unit))));
+                           in_words(range_words(step.range, step.unit))));
   const double grain = 0.5 * step.grain;
   const Theme& theme = Theme::now();
   const bool less = now<was - grain, more = now> was + grain;
