@@ -62,6 +62,21 @@ std::vector<anatomy::UltrasoundProbe> default_probes() {
   return read_probes(shared_file("probes.xml"));
 }
 
+std::string probes_xml(std::span<const anatomy::UltrasoundProbe> probes) {
+  XmlWriter xml;
+  xml.open("probe_library");
+  xml.attribute("version", 1);
+  for (const anatomy::UltrasoundProbe& probe : probes) {
+    xml.open("probe");
+    for (const auto& [name, value] : settings_tree("probe", probe).values)
+      if (name != "source") xml.attribute(name, value);
+    xml.text_element("source", probe.source);
+    xml.close();
+  }
+  xml.close();
+  return xml.finish();
+}
+
 const anatomy::UltrasoundProbe& find_probe(std::span<const anatomy::UltrasoundProbe> probes, std::string_view name) {
   const std::string wanted = small_letters(name);
   const auto found = std::find_if(probes.begin(), probes.end(), [&wanted](const anatomy::UltrasoundProbe& probe) {

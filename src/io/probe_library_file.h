@@ -18,6 +18,9 @@ std::vector<anatomy::UltrasoundProbe> read_probes(const std::filesystem::path& f
 // The same from a document already in memory; `origin` names it in messages.
 std::vector<anatomy::UltrasoundProbe> parse_probes(std::string_view document, const std::string& origin);
 
+// A document with these probes, which parse_probes() reads back to the same bits.
+std::string probes_xml(std::span<const anatomy::UltrasoundProbe> probes);
+
 // The probes that come with Bodkin. Throws SystemError when the installation lacks them.
 std::vector<anatomy::UltrasoundProbe> default_probes();
 

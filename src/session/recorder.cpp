@@ -35,16 +35,28 @@ void Recorder::take_samples() {
 
 void Recorder::note(NumberChange change) {
   const std::lock_guard guard(lock_);
-  changes_.push_back(std::move(change));
+  notes_.changes.push_back(std::move(change));
 }
 
-void Recorder::take_changes() {
-  std::vector<NumberChange> changes;
+void Recorder::note(const ScanSample& sample) {
+  const std::lock_guard guard(lock_);
+  notes_.scans.push_back(sample);
+}
+
+void Recorder::note(ScannedPart part) {
+  const std::lock_guard guard(lock_);
+  notes_.scanned.push_back(std::move(part));
+}
+
+void Recorder::take_notes() {
+  Notes notes;
   {
     const std::lock_guard guard(lock_);
-    changes.swap(changes_);
+    std::swap(notes, notes_);
   }
-  for (const NumberChange& change : changes) writer_.append(change);
+  for (const NumberChange& change : notes.changes) writer_.append(change);
+  for (const ScanSample& sample : notes.scans) writer_.append(sample);
+  for (const ScannedPart& part : notes.scanned) writer_.append(part);
 }
 
 void Recorder::work() {
@@ -59,7 +71,7 @@ void Recorder::work() {
         if (observer_) observer_(record);
       }
       take_samples();
-      take_changes();
+      take_notes();
       const auto now = std::chrono::steady_clock::now();
       if (now - saved >= save_interval) {
         writer_.commit();

@@ -38,6 +38,8 @@ class Recorder {
   void push(const simulation::TickRecord& record) noexcept;
   // Any thread; waits for a copy at most. Saved with the ticks.
   void note(NumberChange change);
+  void note(const ScanSample& sample);
+  void note(ScannedPart part);
   // Saves what is left and closes the session. Throws what went wrong on the recorder's thread.
   void finish(const std::optional<SessionTimings>& timings = {});
 
@@ -49,15 +51,22 @@ class Recorder {
  private:
   void work();
   void take_samples();
-  void take_changes();
+  void take_notes();
   void stop();
+
+  // What comes seldom, from threads that may wait for a copy.
+  struct Notes {
+    std::vector<NumberChange> changes;
+    std::vector<ScanSample> scans;
+    std::vector<ScannedPart> scanned;
+  };
 
   SessionWriter writer_;
   Observer observer_;
   SingleProducerRing<simulation::TickRecord> ring_;
   std::shared_ptr<SecondLink> second_;
-  std::mutex lock_;  // guards `changes_`
-  std::vector<NumberChange> changes_;
+  std::mutex lock_;  // guards `notes_`
+  Notes notes_;
   std::uint64_t lost_ = 0;
   std::atomic<bool> stopping_{false};
   std::atomic<bool> failed_{false};

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "session/change_table.h"
+#include "session/scan_table.h"
 #include "session/session_schema.h"
 #include "session/tick_codec.h"
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -13,6 +14,7 @@
 #include "core/error.h"
 #include "io/case_xml.h"
 #include "io/haptics_xml.h"
+#include "io/probe_library_file.h"
 
 namespace bodkin::session {
 
@@ -53,6 +55,7 @@ std::vector<std::pair<std::string, std::string>> header_rows(const SessionHeader
     rows.emplace_back("second_device", header.second->device);
     rows.emplace_back("second_role", name_of(header.second->role));
   }
+  if (header.ultrasound) rows.emplace_back("ultrasound_xml", io::probes_xml({&*header.ultrasound, 1}));
   if (!header.moving_body.empty()) rows.emplace_back("moving_body", header.moving_body);
   if (!header.body_digest.empty()) rows.emplace_back("body_digest", header.body_digest);
   if (!header.diagnostics.empty()) rows.emplace_back("diagnostics", lines_of(header.diagnostics));
@@ -132,10 +135,11 @@ struct SessionWriter::Impl {
   std::unique_ptr<SQLite::Statement> insert_diagnostics;
   std::unique_ptr<SQLite::Statement> insert_event;
   std::unique_ptr<SQLite::Statement> insert_sample;
-  std::uint32_t chunk_ticks;      // ticks of a full chunk
-  std::uint64_t first_tick = 0;   // of the chunk being filled
-  std::uint64_t total_ticks = 0;  // written or waiting
-  std::uint32_t ticks = 0;        // in the chunk being filled
+  std::unique_ptr<ScanTables> scans;  // null: there is no ultrasound machine
+  std::uint32_t chunk_ticks;          // ticks of a full chunk
+  std::uint64_t first_tick = 0;       // of the chunk being filled
+  std::uint64_t total_ticks = 0;      // written or waiting
+  std::uint32_t ticks = 0;            // in the chunk being filled
   std::vector<std::uint8_t> data;
   std::size_t diagnostic_count;  // of a tick
   std::vector<std::uint8_t> diagnostics;
@@ -187,6 +191,7 @@ SessionWriter::Impl::Impl(const fs::path& path, const SessionHeader& header)
   insert_event = std::make_unique<SQLite::Statement>(database, "INSERT INTO events VALUES(?, ?, ?, ?, ?)");
   insert_sample = std::make_unique<SQLite::Statement>(
       database, "INSERT INTO second_hand VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  if (header.ultrasound) scans = std::make_unique<ScanTables>(database);
   pressure_is_kept = header.second && header.second->role == SecondRole::plunger;
   data.reserve(chunk_ticks * encoded_tick_size() + 1024);
 }
@@ -215,10 +220,12 @@ void SessionWriter::Impl::put_timings(const SessionTimings& timings) {
 }
 
 void SessionWriter::Impl::flush() {
-  if (ticks == 0 && samples.empty()) return;
+  const bool has_scans = scans != nullptr && !scans->empty();
+  if (ticks == 0 && samples.empty() && !has_scans) return;
   SQLite::Transaction transaction(database);
   if (ticks > 0) put_chunk();
   put_samples();
+  if (has_scans) scans->put();
   transaction.commit();
   total_samples += samples.size();
   samples.clear();
@@ -333,6 +340,14 @@ void SessionWriter::append(const SecondSample& sample) {
   }
 }
 
+void SessionWriter::append(const ScanSample& sample) {
+  if (impl_->scans != nullptr) impl_->scans->add(sample);
+}
+
+void SessionWriter::append(const ScannedPart& part) {
+  if (impl_->scans != nullptr) impl_->scans->add(part);
+}
+
 void SessionWriter::append(const NumberChange& change) {
   commit();
   try {
@@ -356,6 +371,10 @@ void SessionWriter::finish(const std::optional<SessionTimings>& timings) {
     if (timings) impl_->put_timings(*timings);
     impl_->put_header("finished_after_ticks", fmt::format("{}", impl_->total_ticks));
     if (impl_->has_second) impl_->put_header("second_samples", fmt::format("{}", impl_->total_samples));
+    if (impl_->scans != nullptr) {
+      impl_->put_header("scan_samples", fmt::format("{}", impl_->scans->samples()));
+      impl_->scans->close();
+    }
     impl_->insert_chunk.reset();
     impl_->insert_diagnostics.reset();
     impl_->insert_event.reset();

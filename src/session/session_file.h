@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "session/number_change.h"
+#include "session/scan_sample.h"
 #include "session/second_sample.h"
 #include "session/session_timings.h"
 
 #include "anatomy/case.h"
+#include "anatomy/ultrasound_probe.h"
 #include "simulation/tick_record.h"
 
 namespace bodkin::session {
@@ -38,12 +40,13 @@ struct SessionHeader {
   std::string operator_name;      // "expert", "novice", or the script's name
   std::string operator_settings;  // JSON: every parameter of the operator
   std::uint64_t seed = 0;
-  double dt = 0.001;                            // s
-  std::string started_at;                       // ISO 8601, UTC
-  anatomy::NeedlePath path;                     // that the operator was given
-  anatomy::HapticSettings haptics;              // that were used: those of the case, or others in their place
-  std::optional<anatomy::DeviceLimits> device;  // that was held, in place of the case's
-  std::optional<SecondHeader> second;           // a second hand, where there was one
+  double dt = 0.001;                                   // s
+  std::string started_at;                              // ISO 8601, UTC
+  anatomy::NeedlePath path;                            // that the operator was given
+  anatomy::HapticSettings haptics;                     // that were used: those of the case, or others in their place
+  std::optional<anatomy::DeviceLimits> device;         // that was held, in place of the case's
+  std::optional<SecondHeader> second;                  // a second hand, where there was one
+  std::optional<anatomy::UltrasoundProbe> ultrasound;  // of the machine, where there was one
   std::string moving_body;          // JSON: of a body that moved on its own time (--body moving); "": it was static
   std::string body_digest;          // of the deformable body as it was prepared; "": there was none
   std::vector<TissueName> tissues;  // of the case's library, in the order of their ids
@@ -57,7 +60,7 @@ struct SessionEvent {
 };
 
 // Records a session to one SQLite file (write-ahead log) while it runs. append() is called by one thread only and may
-// block on the disk: a servo thread hands its records over through a ring, see training/recorder.h.
+// block on the disk: a servo thread hands its records over through a ring, see session/recorder.h.
 class SessionWriter {
  public:
   // Creates the file; throws InputError when it exists and `overwrite` is false, SystemError when it cannot be made.
@@ -70,6 +73,9 @@ class SessionWriter {
   void append(const simulation::TickRecord& record);
   // Of the second hand, which the header names; times rise strictly.
   void append(const SecondSample& sample);
+  // Of the ultrasound machine, which the header names; times rise strictly.
+  void append(const ScanSample& sample);
+  void append(const ScannedPart& part);
   // Ticks of changes rise strictly. Writes at once what was appended.
   void append(const NumberChange& change);
   // Makes everything appended so far safe on disk.
@@ -85,11 +91,14 @@ class SessionWriter {
 // A whole session in memory.
 struct Session {
   SessionHeader header;
-  // Of the file's format. Version 2 has no diagnostics, and its loss_of_resistance is what the force model told.
-  int version = 3;
+  // Of the file's format. Version 2 has no diagnostics, and its loss_of_resistance is what the force model told;
+  // version 3 does not know what an ultrasound machine did.
+  int version = 4;
   std::vector<simulation::TickRecord> ticks;  // events stand in `events`, not in the records
   std::vector<SessionEvent> events;
   std::vector<SecondSample> second;       // of the second hand
+  std::vector<ScanSample> scans;          // of the ultrasound machine: each holds until the next one
+  std::vector<ScannedPart> scanned;       // what its picture showed, in the order of their times
   std::vector<NumberChange> changes;      // of the force models' numbers while it ran
   std::optional<SessionTimings> timings;  // of a finished session that ran on the clock
   bool finished = false;                  // false: the recording process died; what is here is what was saved

@@ -95,12 +95,17 @@ io::PoseLog poses_of(const Session& session, double rate) {
   const double dt = session.header.dt;
   io::PoseLog log;
   io::PoseTrack needle{"NeedleTipToReference", {}};
+  io::PoseTrack scanned{"ProbeToReference", {}};  // of an ultrasound machine
+  auto scan = session.scans.begin();
   double next = 0.0;
   for (const simulation::TickRecord& record : session.ticks) {
     const double time = static_cast<double>(record.tick) * dt;
     const bool is_last = &record == &session.ticks.back();
     if (time < next - 0.5 * dt && !is_last) continue;
     needle.poses.push_back({time, with_other_axes(record.input.needle)});
+    while (scan != session.scans.end() && scan + 1 != session.scans.end() && (scan + 1)->time <= time) ++scan;
+    if (scan != session.scans.end() && scan->time <= time)
+      scanned.poses.push_back({time, with_other_axes(scan->probe)});
     next = (std::floor((time + 0.5 * dt) * rate) + 1.0) / rate;
   }
   log.tracks.push_back(std::move(needle));
@@ -113,6 +118,8 @@ io::PoseLog poses_of(const Session& session, double rate) {
       probe.poses.push_back({sample.time, with_other_axes(probe_of_tool(tool))});
     }
     log.tracks.push_back(std::move(probe));
+  } else if (!scanned.poses.empty()) {
+    log.tracks.push_back(std::move(scanned));
   }
   for (const SessionEvent& event : session.events) {
     log.messages.push_back(

@@ -12,9 +12,9 @@
 namespace bodkin::session {
 
 // The poses of a session as trackers record them, `rate` of them a second (at most one a tick): NeedleTipToReference,
-// third axis hub to tip, and ProbeToReference of a second hand with a probe, first axis to its marked side, second
-// into the depth. Reference is the patient in RAS mm. The events stand as messages, "contact (skin)". Throws
-// InputError for a rate that is not 1 to 4000, and for a session without a tick.
+// third axis hub to tip, and ProbeToReference of a second hand with a probe or else of an ultrasound machine, first
+// axis to its marked side, second into the depth. Reference is the patient in RAS mm. The events stand as messages,
+// "contact (skin)". Throws InputError for a rate that is not 1 to 4000, and for a session without a tick.
 io::PoseLog poses_of(const Session& session, double rate);
 
 struct PoseImport {

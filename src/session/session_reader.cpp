@@ -8,6 +8,8 @@
 #include <system_error>
 
 #include "session/change_table.h"
+#include "session/scan_table.h"
+#include "session/second_table.h"
 #include "session/session_end.h"
 #include "session/session_file.h"
 #include "session/session_schema.h"
@@ -19,6 +21,7 @@
 #include "core/error.h"
 #include "io/case_xml.h"
 #include "io/haptics_xml.h"
+#include "io/probe_library_file.h"
 #include "io/xml_document.h"
 
 namespace bodkin::session {
@@ -32,18 +35,10 @@ constexpr int patience = 2'000'000;      // thousands of steps of the database e
 constexpr int busy_timeout = 3000;       // ms, for a session that is still being written
 constexpr std::uint64_t last_tick = std::uint64_t{1} << 53;
 constexpr std::size_t most_header_rows = 64;
-// What no second hand exceeds.
-constexpr double last_time = 1e6;          // s
-constexpr double furthest = 1e5;           // mm
-constexpr double strongest = 1e4;          // N
-constexpr double lowest_pressure = -0.2;   // MPa gauge
-constexpr double highest_pressure = 10.0;  // MPa
-constexpr double largest_volume = 1e6;     // mm^3
-constexpr double unit_tolerance = 1e-6;    // of a rotation's length
 
 // Keys that are written when a session ends, which the header's checksum cannot know.
 bool is_written_last(const std::string& key) {
-  return key == "checksum" || key == "finished_after_ticks" || key == "second_samples";
+  return key == "checksum" || key == "finished_after_ticks" || key == "second_samples" || key == "scan_samples";
 }
 
 class Reader {
@@ -54,9 +49,7 @@ class Reader {
   bool read_finished();
 
  private:
-  [[noreturn]] void fail(const std::string& fault) const {
-    throw InputError(fmt::format("{}: {}; give a session file that 'bodkin run' wrote", file_.string(), fault));
-  }
+  [[noreturn]] void fail(const std::string& fault) const { refuse_session(file_.string(), fault); }
   void check_first_bytes();
   static void restrict_database(SQLite::Database& database);
   void check_schema(SQLite::Database& database) const;
@@ -66,7 +59,7 @@ class Reader {
                   std::span<const std::uint8_t> data, Session& session) const;
   std::vector<RecordedDiagnostic> diagnostics_of_header() const;
   void read_diagnostics(SQLite::Database& database, Session& session) const;
-  void read_second_hand(SQLite::Database& database, Session& session) const;
+  void read_hands(SQLite::Database& database, Session& session) const;
   void read_timings(SQLite::Database& database, Session& session) const;
   // A text of the header, which must be there.
   const std::string& text(const std::string& key) const;
@@ -109,7 +102,7 @@ void Reader::check_first_bytes() {
   const std::uint32_t version = big_endian(&raw[60]);
   if (version < static_cast<std::uint32_t>(session_schema::oldest_version) ||
       version > static_cast<std::uint32_t>(session_schema::version)) {
-    fail(fmt::format("the session has format version {}, this Bodkin reads versions {} and {}", version,
+    fail(fmt::format("the session has format version {}, this Bodkin reads versions {} to {}", version,
                      session_schema::oldest_version, session_schema::version));
   }
   version_ = static_cast<int>(version);
@@ -143,7 +136,11 @@ void Reader::restrict_database(SQLite::Database& database) {
 void Reader::check_schema(SQLite::Database& database) const {
   std::map<std::string, std::string> expected;
   for (const auto& table : session_schema::tables) expected[table.name] = table.sql;
-  if (version_ < 3) expected.erase("diagnostics");
+  if (version_ < session_schema::with_diagnostics) expected.erase("diagnostics");
+  if (version_ < session_schema::with_scans) {
+    expected.erase("scans");
+    expected.erase("scanned");
+  }
   const std::string changes = session_schema::changes.name;
   expected[changes] = session_schema::changes.sql;
   SQLite::Statement query(database, "SELECT type, name, sql FROM sqlite_schema");
@@ -235,9 +232,15 @@ void Reader::read_header(SQLite::Database& database, Session& session) {
     if (!role) fail(fmt::format("the second hand is a '{}', expected plunger or probe", text("second_role")));
     header.second = SecondHeader{*role, text("second_device")};
   }
+  if (version_ >= session_schema::with_scans && header_.contains("ultrasound_xml")) {
+    const std::vector<anatomy::UltrasoundProbe> probes =
+        io::parse_probes(text("ultrasound_xml"), fmt::format("{}: ultrasound_xml of the header", file_.string()));
+    header.ultrasound = probes.front();
+  }
   if (header_.contains("moving_body")) header.moving_body = text("moving_body");
   if (header_.contains("body_digest")) header.body_digest = text("body_digest");
-  if (version_ >= 3 && header_.contains("diagnostics")) header.diagnostics = diagnostics_of_header();
+  if (version_ >= session_schema::with_diagnostics && header_.contains("diagnostics"))
+    header.diagnostics = diagnostics_of_header();
   session.version = version_;
   session.finished = header_.contains("finished_after_ticks");
 }
@@ -337,44 +340,17 @@ void Reader::read_chunk(std::uint64_t first_tick, std::uint32_t ticks, std::uint
   }
 }
 
-void Reader::read_second_hand(SQLite::Database& database, Session& session) const {
-  SQLite::Statement query(database,
-                          "SELECT sample, time_s, x_mm, y_mm, z_mm, qw, qx, qy, qz, force_N, pressure_MPa, "
-                          "volume_mm3 FROM second_hand ORDER BY sample");
-  const std::optional<SecondHeader>& second = session.header.second;
-  const bool is_plunger = second && second->role == SecondRole::plunger;
-  const auto within = [](double value, double low, double high) { return value >= low && value <= high; };  // no NaN
-  while (query.executeStep()) {
-    const std::size_t row = session.second.size();
-    if (!second) fail("there are samples of a second hand, but the header names none");
-    if (row >= session_schema::most_second_samples) fail("the second hand has too many samples");
-    std::array<double, 11> values{};  // in the order of the columns
-    bool valid = query.getColumn(0).getInt64() == static_cast<std::int64_t>(row);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const SQLite::Column column = query.getColumn(static_cast<int>(i) + 1);
-      const bool is_number = i < 9 || is_plunger;
-      valid = valid && (is_number ? column.isFloat() : column.isNull());
-      if (is_number) values[i] = column.getDouble();
-    }
-    SecondSample sample;
-    sample.time = values[0];
-    sample.position = Vec3(values[1], values[2], values[3]);
-    sample.rotation = Eigen::Quaterniond(values[4], values[5], values[6], values[7]);
-    sample.force = values[8];
-    sample.pressure = values[9];
-    sample.volume = values[10];
-    for (int axis = 0; axis < 3; ++axis) valid = valid && within(sample.position[axis], -furthest, furthest);
-    valid = valid && within(sample.time, 0.0, last_time) &&
-            within(sample.rotation.norm(), 1.0 - unit_tolerance, 1.0 + unit_tolerance) &&
-            within(sample.force, -strongest, strongest) &&
-            within(sample.pressure, lowest_pressure, highest_pressure) &&
-            within(sample.volume, 0.0, largest_volume) && (row == 0 || sample.time > session.second.back().time);
-    if (!valid) fail(fmt::format("sample {} of the second hand is damaged", row));
-    session.second.push_back(sample);
-  }
-  if (second && session.finished && number<std::uint64_t>("second_samples") != session.second.size()) {
+void Reader::read_hands(SQLite::Database& database, Session& session) const {
+  const std::string file = file_.string();
+  session.second = read_second_hand(database, file, session.header.second);
+  if (session.header.second && session.finished && number<std::uint64_t>("second_samples") != session.second.size())
     fail("samples of the second hand are missing from a session that was finished");
-  }
+  if (version_ < session_schema::with_scans) return;
+  const anatomy::UltrasoundProbe* const probe = session.header.ultrasound ? &*session.header.ultrasound : nullptr;
+  session.scans = read_scans(database, file, probe);
+  session.scanned = read_scanned(database, file, probe);
+  if (probe != nullptr && session.finished && number<std::uint64_t>("scan_samples") != session.scans.size())
+    fail("samples of the ultrasound probe are missing from a session that was finished");
 }
 
 void Reader::read_timings(SQLite::Database& database, Session& session) const {
@@ -410,8 +386,8 @@ Session Reader::read() {
     check_schema(database);
     read_header(database, session);
     read_chunks(database, session);
-    if (version_ >= 3) read_diagnostics(database, session);
-    read_second_hand(database, session);
+    if (version_ >= session_schema::with_diagnostics) read_diagnostics(database, session);
+    read_hands(database, session);
     session.changes = read_changes(database, file_.string());
     read_timings(database, session);
   } catch (const SQLite::Exception& error) {

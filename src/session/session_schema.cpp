@@ -7,7 +7,13 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include "core/error.h"
+
 namespace bodkin::session {
+
+void refuse_session(const std::string& file, const std::string& fault) {
+  throw InputError(fmt::format("{}: {}; give a session file that 'bodkin run' wrote", file, fault));
+}
 
 std::int64_t chunk_checksum(std::uint64_t first_tick, std::uint32_t ticks, std::uint32_t events,
                             std::span<const std::uint8_t> data) {

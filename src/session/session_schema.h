@@ -7,21 +7,22 @@
 
 namespace bodkin::session {
 
-// The shape of a session file, version 3; docs/session-format.md explains it to people.
+// The shape of a session file, version 4; docs/session-format.md explains it to people.
 namespace session_schema {
 
 inline constexpr std::int32_t application_id = 0x42444B4E;  // "BDKN"
-inline constexpr std::int32_t version = 3;
-inline constexpr std::int32_t oldest_version = 2;  // without the table `diagnostics`
+inline constexpr std::int32_t version = 4;
+inline constexpr std::int32_t oldest_version = 2;
+inline constexpr std::int32_t with_diagnostics = 3;  // the first one that has the table `diagnostics`
+inline constexpr std::int32_t with_scans = 4;        // the first one that has `scans` and `scanned`
 
 struct Table {
   const char* name;
   const char* sql;
 };
 
-// The authority is `header`, `tissues`, `chunks`, `diagnostics`, `second_hand`, `changes` and `timings`; `events`
-// repeats the events of the chunks for those who ask in SQL.
-inline constexpr std::array<Table, 7> tables = {{
+// The authority is all of them but `events`, which repeats the events of the chunks for those who ask in SQL.
+inline constexpr std::array<Table, 9> tables = {{
     {"header", "CREATE TABLE header(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID"},
     {"tissues", "CREATE TABLE tissues(id INTEGER PRIMARY KEY, name TEXT NOT NULL, title TEXT NOT NULL)"},
     {"chunks",
@@ -34,6 +35,18 @@ inline constexpr std::array<Table, 7> tables = {{
      "CREATE TABLE second_hand(sample INTEGER PRIMARY KEY, time_s REAL NOT NULL, x_mm REAL NOT NULL, y_mm REAL NOT "
      "NULL, z_mm REAL NOT NULL, qw REAL NOT NULL, qx REAL NOT NULL, qy REAL NOT NULL, qz REAL NOT NULL, force_N REAL "
      "NOT NULL, pressure_MPa REAL, volume_mm3 REAL)"},
+    {"scans",
+     "CREATE TABLE scans(sample INTEGER PRIMARY KEY, time_s REAL NOT NULL, x_mm REAL NOT NULL, y_mm REAL NOT NULL, "
+     "z_mm "
+     "REAL NOT NULL, qw REAL NOT NULL, qx REAL NOT NULL, qy REAL NOT NULL, qz REAL NOT NULL, depth_mm REAL NOT NULL, "
+     "gain_dB REAL NOT NULL, dynamic_range_dB REAL NOT NULL, focus_mm REAL NOT NULL, frequency_MHz REAL NOT NULL, "
+     "slider_1_dB REAL NOT NULL, slider_2_dB REAL NOT NULL, slider_3_dB REAL NOT NULL, slider_4_dB REAL NOT NULL, "
+     "slider_5_dB REAL NOT NULL, slider_6_dB REAL NOT NULL, slider_7_dB REAL NOT NULL, slider_8_dB REAL NOT NULL, "
+     "gel "
+     "INTEGER NOT NULL)"},
+    {"scanned",
+     "CREATE TABLE scanned(is_structure INTEGER NOT NULL, name TEXT NOT NULL, first_s REAL NOT NULL, PRIMARY "
+     "KEY(is_structure, name)) WITHOUT ROWID"},
     {"diagnostics",
      "CREATE TABLE diagnostics(first_tick INTEGER PRIMARY KEY, ticks INTEGER NOT NULL, checksum INTEGER NOT NULL, "
      "data BLOB NOT NULL)"},
@@ -48,9 +61,17 @@ inline constexpr Table changes = {
 
 inline constexpr std::uint32_t most_changes = 10'000;
 inline constexpr std::uint32_t most_ticks_of_a_chunk = 4096;
-inline constexpr std::uint64_t most_second_samples = 1'000'000;  // almost three hours
+inline constexpr std::uint64_t most_second_samples = 1'000'000;  // almost three hours; of a second hand or a probe
 
 }  // namespace session_schema
+
+// What no tool in a hand exceeds.
+inline constexpr double last_time = 1e6;        // s
+inline constexpr double furthest = 1e5;         // mm
+inline constexpr double unit_tolerance = 1e-6;  // of a rotation's length
+
+// Throws the InputError about a file that is no session, or a damaged one: `fault` says why.
+[[noreturn]] void refuse_session(const std::string& file, const std::string& fault);
 
 // XXH3 (64 bits) over the place and the content of a chunk, as SQLite stores integers.
 std::int64_t chunk_checksum(std::uint64_t first_tick, std::uint32_t ticks, std::uint32_t events,

@@ -212,6 +212,14 @@ void HandSession::change_numbers(const anatomy::HapticSettings& haptics,
   });
 }
 
+void HandSession::note(const session::ScanSample& sample) {
+  shared_->recorder.note(sample);
+}
+
+void HandSession::note(session::ScannedPart part) {
+  shared_->recorder.note(std::move(part));
+}
+
 std::string HandSession::take_refusal() {
   return shared_->numbers.take_refusal();
 }

@@ -89,6 +89,10 @@ class HandSession {
   // One thread: what the other hand does from the next tick on, the other way than now.
   void turn(bool simulation::OtherHand::*what) noexcept;
 
+  // Any thread: of the ultrasound machine that the header names, into the recording; times of samples rise strictly.
+  void note(const session::ScanSample& sample);
+  void note(session::ScannedPart part);
+
   // The observer's thread: other numbers for the force models, felt within a moment and recorded; what was ordered
   // before and has not begun to act is dropped. Throws InputError for numbers with which the session cannot go on:
   // another rate, a model that publishes others, a deformable body.

@@ -20,6 +20,7 @@
 #include "station/probe_contact.h"
 #include "station/real_time_check.h"
 #include "station/recorded_hand.h"
+#include "station/scan_log.h"
 #include "station/station_checks.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -76,7 +77,8 @@ struct Station::Parts {
   std::optional<SecondDevice> second_device;
   std::shared_ptr<ScanThread> scan;  // null: no ultrasound
   ScanOrder order;
-  std::uint64_t shown_steps = 0;  // of a moving body
+  std::optional<ScanLog> scan_log;  // with `scan`
+  std::uint64_t shown_steps = 0;    // of a moving body
   std::unique_ptr<SecondHand> second;
   std::optional<BodySupervisor> supervisor;
   std::unique_ptr<HandSession> session;
@@ -183,6 +185,7 @@ session::SessionHeader Station::Parts::header() const {
           .dump();
   header.device = patient->description.device;
   if (second_device) header.second = second_device->header();
+  if (options.ultrasound) header.ultrasound = options.ultrasound->probe;
   if (moving != nullptr) header.moving_body = moving_body_record(*options.moving_body, body->mesh.nodes.size());
   return header;
 }
@@ -195,6 +198,7 @@ void Station::Parts::prepare_ultrasound(const Pose& probe) {
   order = {probe, choice.settings};
   scan = std::make_shared<ScanThread>(volume, std::move(machine), patient->description.needle,
                                       ScanBody{body, std::move(field), moving != nullptr}, order);
+  scan_log.emplace(patient, choice.probe);
 }
 
 void Station::Parts::say(const std::string& sentence) {
@@ -234,6 +238,7 @@ void Station::Parts::update_scan() {
   status.probe_is_held = second_runs && second->role() == session::SecondRole::probe;
   scan->set_order({status.probe_is_held ? probe_in_hand(second->tool()) : order.probe, order.settings});
   status.ultrasound = &scan->picture();
+  scan_log->follow(*status.ultrasound, status.needle.ticks, *session);
 }
 
 void Station::Parts::update_displacements() {

@@ -105,12 +105,14 @@ TargetError target_error(const Vec3& tip, const anatomy::NeedlePath& path) {
   return error;
 }
 
-Measured::Measured(const Attempt& its_attempt)
+Measured::Measured(const Attempt& its_attempt, const std::vector<std::string>& named)
     : attempt(its_attempt),
       motion(filtered_motion(attempt)),
       path_length(training::path_length(motion)),
       tremor(training::tremor(attempt)),
       punctures(find_punctures(attempt)) {
+  for (const session::ScannedPart& part : attempt.session().scanned)
+    if (std::find(named.begin(), named.end(), part.name) != named.end()) scanned.push_back(part);
   std::map<anatomy::TissueId, TissueTotal> totals;
   std::size_t peak_index = 0;
   for (std::size_t i = 0; i < attempt.size(); ++i) {

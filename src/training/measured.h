@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "training/attempt.h"
@@ -41,7 +42,8 @@ TargetError target_error(const Vec3& tip, const anatomy::NeedlePath& path);
 
 // What several metrics are made from, found once.
 struct Measured {
-  explicit Measured(const Attempt& its_attempt);
+  // `named`: the tissues and structures that matter to the procedure, by name.
+  explicit Measured(const Attempt& its_attempt, const std::vector<std::string>& named = {});
 
   const Attempt& attempt;
   Motion motion;
@@ -49,10 +51,12 @@ struct Measured {
   std::optional<Tremor> tremor;
   std::vector<Puncture> punctures;   // punctures and losses of resistance or pressure, in order
   std::vector<TissueTotal> tissues;  // in the order of their first depth
-  int redirections = 0;              // retreats of over 5 mm, then an advance with the axis turned by over 3 deg
-  double work = 0.0;                 // N mm that the hand did against the applied force
-  double peak_force = 0.0;           // N, largest resistance in the body
-  double peak_depth = 0.0;           // mm, where that was
+  // Those of `named` that came into the ultrasound's picture, in the order in which they did.
+  std::vector<session::ScannedPart> scanned;
+  int redirections = 0;     // retreats of over 5 mm, then an advance with the axis turned by over 3 deg
+  double work = 0.0;        // N mm that the hand did against the applied force
+  double peak_force = 0.0;  // N, largest resistance in the body
+  double peak_depth = 0.0;  // mm, where that was
   anatomy::TissueId peak_tissue = anatomy::tissue::air;
 
   // The first loss of resistance, or else of pressure; nullptr when there was none.

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "training/metric_groups.h"
+#include "training/probe_track.h"
 
 namespace bodkin::training {
 
@@ -33,22 +34,19 @@ struct Seen {
   Mean tip_seen, target_seen;          // 1: it was
 };
 
-// Of the samples of the probe while the needle was in the body. The slice lies in the first and third axis of the
-// probe; its second axis is the normal.
+// Of the moments of the probe while the needle was in the body.
 std::optional<Seen> look(const Measured& measured) {
   const Attempt& attempt = measured.attempt;
-  const session::Session& session = attempt.session();
-  if (!session.header.second || session.header.second->role != session::SecondRole::probe) return std::nullopt;
-  const double start = static_cast<double>(session.ticks.front().tick) * attempt.dt();
+  const double start = static_cast<double>(attempt.session().ticks.front().tick) * attempt.dt();
   const std::vector<char> moving = in_action(speeds(measured.motion), measured.motion.interval, in_motion);
   Seen found;
-  for (const session::SecondSample& sample : session.second) {
-    const auto place = std::lower_bound(attempt.time.begin(), attempt.time.end(), sample.time - start);
+  for (const ProbeMoment& probe : probe_track(attempt.session())) {
+    const auto place = std::lower_bound(attempt.time.begin(), attempt.time.end(), probe.time - start);
     if (place == attempt.time.end()) continue;
     const auto i = static_cast<std::size_t>(place - attempt.time.begin());
     if (attempt.inside[i] == 0) continue;
-    const Vec3 normal = sample.rotation * Vec3::UnitY();
-    const double distance = std::abs((attempt.tip[i] - sample.position).dot(normal));
+    const Vec3& normal = probe.normal;
+    const double distance = std::abs((attempt.tip[i] - probe.face).dot(normal));
     const double angle = std::asin(std::clamp(std::abs(attempt.axis[i].dot(normal)), 0.0, 1.0)) / degree;
     found.distance.add(distance);
     found.angle.add(angle);
@@ -58,8 +56,8 @@ std::optional<Seen> look(const Measured& measured) {
       found.moving_distance.add(distance);
       found.moving_angle.add(angle);
     }
-    const Vec3 target = attempt.path().target - sample.position;
-    const bool in_front = target.dot(sample.rotation * Vec3::UnitZ()) > 0.0;
+    const Vec3 target = attempt.path().target - probe.face;
+    const bool in_front = target.dot(probe.into) > 0.0;
     found.target_seen.add(in_front && std::abs(target.dot(normal)) <= target_in_plane ? 1.0 : 0.0);
     const auto in_slice = [&](const Vec3& v) { return Vec3(v - v.dot(normal) * normal); };
     const Vec3 way = in_slice(attempt.path().target - attempt.tip[i]), shaft = in_slice(attempt.axis[i]);
@@ -82,6 +80,13 @@ std::optional<double> greatest_of(const Measured& measured, Mean Seen::*member) 
 std::optional<double> percent_of(const Measured& measured, Mean Seen::*member) {
   const auto seen = look(measured);
   return seen ? std::optional(100.0 * (*seen.*member).sum / (*seen.*member).count) : std::nullopt;
+}
+
+// PerkTutor asks of one structure whether any scanline ever met it; here the procedure says of which, and a line ends
+// at bone and gas, behind which a picture shows nothing.
+std::optional<double> structures_scanned(const Measured& measured) {
+  if (!measured.attempt.session().header.ultrasound) return std::nullopt;
+  return static_cast<double>(measured.scanned.size());
 }
 
 }  // namespace
@@ -113,7 +118,11 @@ std::vector<Metric> metrics_of_ultrasound() {
            [](const Measured& m) { return mean_of(m, &Seen::moving_angle); }},
           {"needle_to_target_deg", "deg", "angle between needle and the way to the target in the ultrasound picture",
            "both cast on the slice, mean over the samples with the tip over 1 mm from the target", "TrainUS",
-           [](const Measured& m) { return mean_of(m, &Seen::to_target); }}};
+           [](const Measured& m) { return mean_of(m, &Seen::to_target); }},
+          {"structures_scanned", "", "structures of the procedure that the ultrasound showed",
+           "of the tissues and structures that the procedure names, those that a scanline met, before bone or gas "
+           "ended it, at any time",
+           "PerkTutor, Structure Scanned", structures_scanned}};
 }
 
 }  // namespace bodkin::training

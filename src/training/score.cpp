@@ -30,10 +30,24 @@ bool is_among(std::string_view names, std::string_view name) {
   return false;
 }
 
+// Every tissue and structure that a procedure names.
+std::vector<std::string> named_parts(const Procedure& procedure) {
+  std::vector<std::string> names;
+  for (const Step& step : procedure.steps) names.push_back(step.tissue);
+  for (const Goal& goal : procedure.goals) names.push_back(goal.tissue);
+  for (const Forbidden& each : procedure.forbidden)
+    names.push_back(each.tissue.empty() ? each.structure : each.tissue);
+  return names;
+}
+
 class Scorer {
  public:
   Scorer(const Attempt& attempt, const Procedure& procedure, const PatientVolumes& volumes, const ExpertSet* experts)
-      : attempt_(attempt), procedure_(procedure), volumes_(volumes), experts_(experts), measured_(attempt) {}
+      : attempt_(attempt),
+        procedure_(procedure),
+        volumes_(volumes),
+        experts_(experts),
+        measured_(attempt, named_parts(procedure)) {}
 
   Score judge() {
     score_.procedure = procedure_.name;
@@ -59,6 +73,8 @@ class Scorer {
       find_goal();
       add(Grade::pass, "goal", ending_sentence(*attempt_.final_tip, attempt_));
       tell_loss();
+      if (attempt_.session().header.ultrasound)
+        add(Grade::pass, "structures_scanned", scanned_sentence(measured_.scanned));
       find_level();
       check_needle();
       check_parts();

@@ -129,4 +129,15 @@ std::string ending_sentence(const FinalPosition& final_tip, const Attempt& attem
                      error.lateral);
 }
 
+std::string scanned_sentence(const std::vector<session::ScannedPart>& parts) {
+  if (parts.empty()) return "The ultrasound showed nothing that the procedure names.";
+  std::string names;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    std::string name = parts[i].name;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    names += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + name;
+  }
+  return fmt::format("The ultrasound showed {}.", names);
+}
+
 }  // namespace bodkin::training

@@ -24,4 +24,7 @@ std::string loss_sentence(const Puncture& loss, bool too_far);
 // "It came to rest 2.3 mm from the planned target: 1.8 mm too deep and 1.4 mm to the side."
 std::string ending_sentence(const FinalPosition& final_tip, const Attempt& attempt);
 
+// "The ultrasound showed nerve and cartilage."
+std::string scanned_sentence(const std::vector<session::ScannedPart>& parts);
+
 }  // namespace bodkin::training

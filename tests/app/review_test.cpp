@@ -13,8 +13,11 @@
 #include "app/models/data_folder.h"
 #include "app/models/kept_sessions.h"
 #include "session/session_file.h"
+#include "tests/session/slab_case.h"
 #include <gtest/gtest.h>
 
+#include "imaging/ultrasound/probe.h"
+#include "io/probe_library_file.h"
 #include "io/tissue_library_file.h"
 
 namespace bodkin::app {
@@ -118,6 +121,61 @@ TEST_F(Review, seeking_shows_the_needle_and_the_time_that_the_file_holds) {
     EXPECT_EQ(page_->frame().resistance, saved.ticks[tick].output.resistance);
   }
   EXPECT_EQ(page_->frame().place, "muscle");
+}
+
+// What the probe on the screen did comes back: its picture, made again, and the border of what it saw.
+TEST_F(Review, shows_the_recorded_probe_and_its_picture) {
+  auto patient = std::make_shared<OpenCase>();
+  patient->patient = slab_case({{anatomy::tissue::skin, 2.0}, {anatomy::tissue::muscle, 60.0}});
+  patient->folder = sessions_ / "slabs";
+  const fs::path file = sessions_ / "scanned.bodkin";
+  session::SessionHeader header = header_of(patient->folder);
+  header.ultrasound = io::find_probe("L14-5");
+  {
+    session::SessionWriter writer(file, header, true);
+    for (int i = 0; i < 2000; ++i) {
+      simulation::TickRecord record;
+      record.tick = static_cast<std::uint64_t>(i);
+      record.input.needle = needle_pose(Vec3(0.0, 10.0, 0.0), -Vec3::UnitY());
+      writer.append(record);
+    }
+    session::ScanSample sample;
+    sample.settings.depth = 40.0;
+    sample.probe = imaging::probe_pose(Vec3::Zero(), -Vec3::UnitY(), Vec3::UnitX());
+    writer.append(sample);
+    sample.time = 1.0;
+    sample.probe.translation().y() = 30.0;  // lifted off
+    writer.append(sample);
+    writer.finish();
+  }
+  show();
+  page_->set_case(patient);
+  page_->open(file);
+  ASSERT_TRUE(wait_until_read());
+  ASSERT_NE(page_->recording(), nullptr);
+  ASSERT_NE(page_->recording()->scan(), nullptr) << page_->recording()->note();
+  auto* const view = window_->findChild<UltrasoundView*>(QStringLiteral("review.ultrasound"));
+  ASSERT_NE(view, nullptr);
+  page_->seek(0.5);
+  settle();
+  EXPECT_TRUE(view->isVisible());
+  ASSERT_NE(view->scan(), nullptr);
+  const imaging::ScanMoment& shown = view->scan()->screen().moment();
+  EXPECT_EQ(shown.frame.why, imaging::NoImage::none);
+  EXPECT_EQ(shown.settings.depth, 40.0);
+  EXPECT_EQ(shown.pose.translation(), Vec3::Zero());
+  page_->seek(1.5);
+  settle();
+  EXPECT_EQ(shown.frame.why, imaging::NoImage::no_contact);
+  EXPECT_EQ(shown.pose.translation(), Vec3(0.0, 30.0, 0.0));
+  const std::vector<Vec3> border = scan_border(page_->recording()->session(), 1);
+  ASSERT_EQ(border.size(), 5U) << "a linear probe sees a rectangle";
+  EXPECT_NEAR(border[2].y(), 30.0 - 40.0, 1e-9);
+  // A session without ultrasound shows none.
+  page_->open(write_session(sessions_ / "one.bodkin", 20.0, 3000, true));
+  ASSERT_TRUE(wait_until_read());
+  settle();
+  EXPECT_FALSE(view->isVisible());
 }
 
 TEST_F(Review, keys_step_by_pictures_and_events_and_a_click_on_a_flag_goes_to_its_moment) {

@@ -222,6 +222,18 @@ TEST(SessionFile, one_of_version_2_opens_without_diagnostics) {
   EXPECT_EQ(bytes_of(session.ticks[320]), bytes_of(sample_record(320)));
 }
 
+TEST(SessionFile, one_of_version_3_opens_without_ultrasound) {
+  const ScratchSession scratch;
+  write_sample(scratch.path(), 321);
+  make_version_3(scratch.path());
+  const Session session = read_session(scratch.path());
+  EXPECT_EQ(session.version, 3);
+  EXPECT_TRUE(session.finished);
+  EXPECT_FALSE(session.header.ultrasound.has_value());
+  EXPECT_TRUE(session.scans.empty());
+  ASSERT_EQ(session.ticks.size(), 321U);
+}
+
 TEST(SessionFile, foreign_files_are_refused_in_a_sentence) {
   const ScratchSession scratch;
   EXPECT_THAT(refusal_of("/no/such.bodkin"), HasSubstr("there is no such file"));

@@ -53,8 +53,17 @@ class ScratchSession {
   std::filesystem::path path_;
 };
 
-// Makes of a finished session one as Bodkin wrote it until 0.1: format version 2, without diagnostics.
+// Makes of a finished session without ultrasound one of format version 3, which did not know of it.
+inline void make_version_3(const std::filesystem::path& file) {
+  SQLite::Database database(file.string(), SQLite::OPEN_READWRITE);
+  database.exec("DROP TABLE scans");
+  database.exec("DROP TABLE scanned");
+  database.exec("PRAGMA user_version=3");
+}
+
+// Makes of it one as Bodkin wrote it until 0.1: format version 2, without diagnostics.
 inline void make_version_2(const std::filesystem::path& file) {
+  make_version_3(file);
   SQLite::Database database(file.string(), SQLite::OPEN_READWRITE);
   database.exec("DROP TABLE diagnostics");
   database.exec("DELETE FROM header WHERE key='diagnostics'");

@@ -251,6 +251,45 @@ TEST_F(StationTest, performs_on_a_deformable_patient_whose_points_move_and_the_r
   EXPECT_EQ(replayed.ticks, result.run.ticks);
 }
 
+// Slides the probe on the screen, as a mouse does in the window, and turns the depth up.
+struct ProbeMover : Watcher {
+  void update(Station& station, const StationStatus& status) override {
+    Watcher::update(station, status);
+    if (status.ultrasound == nullptr || status.ultrasound->number == 0) return;
+    if (!first) first = status.ultrasound->order;
+    if (updates < 8) return;
+    moved = *first;
+    moved.probe.translation().x() += 4.0;
+    moved.settings.depth = 55.0;
+    station.set_scan_order(moved);
+  }
+  std::optional<ScanOrder> first;
+  ScanOrder moved;
+};
+
+TEST_F(StationTest, a_probe_that_is_moved_on_the_screen_is_in_the_session) {
+  StationOptions wanted = options();
+  wanted.ultrasound = ultrasound();
+  ProbeMover mover;
+  Station station(std::move(wanted), mover);
+  const StationResult result = station.run();
+  ASSERT_TRUE(mover.first.has_value());
+  const Session session = read_session(folder_.path() / "session.bodkin");
+  ASSERT_TRUE(session.header.ultrasound.has_value());
+  EXPECT_EQ(session.header.ultrasound->name, "L14-5");
+  EXPECT_FALSE(session.header.second.has_value());
+  ASSERT_EQ(session.scans.size(), 2U) << "only what has changed is kept";
+  EXPECT_EQ(session.scans[0].probe.translation(), mover.first->probe.translation());
+  EXPECT_EQ(session.scans[0].settings.depth, 40.0);
+  EXPECT_EQ(session.scans[1].probe.translation(), mover.moved.probe.translation());
+  EXPECT_LT((session.scans[1].probe.linear() - mover.moved.probe.linear()).norm(), 1e-12);
+  EXPECT_EQ(session.scans[1].settings.depth, 55.0);
+  EXPECT_GT(session.scans[1].time, session.scans[0].time);
+  EXPECT_LT(session.scans[1].time, static_cast<double>(result.run.ticks) * session.header.dt);
+  EXPECT_THAT(session.scanned, ::testing::Contains(::testing::Field(&ScannedPart::name, "skin")));
+  EXPECT_FALSE(replay(station.patient()).difference.has_value());
+}
+
 TEST_F(StationTest, a_probe_in_the_second_hand_presses_a_moving_body) {
   make_deformable();
   StationOptions wanted = options();

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "core/random.h"
+#include "io/probe_library_file.h"
 
 namespace bodkin {
 
@@ -189,6 +190,46 @@ TEST(Metric, the_needle_in_an_ultrasound_slice_is_measured_from_the_probes_pose)
   EXPECT_NEAR(*value_of(written, "needle_to_target_deg"), 0.0, 1e-6);
   for (session::SecondSample& each : written.session().second) each.position.z() = 6.0;
   EXPECT_NEAR(*value_of(written, "target_in_slice_percent"), 0.0, 1e-9);
+}
+
+// A mouse moves the probe on the screen: the machine's own samples say where it was.
+TEST(Metric, a_probe_on_the_screen_is_measured_as_one_in_a_second_hand) {
+  WrittenSession written;
+  written.to(0, 100, WrittenSession::air).to(40, 4000, {});
+  session::Session& session = written.session();
+  session.header.ultrasound = io::find_probe("L12-3");
+  session::ScanSample sample;
+  sample.time = 0.05;
+  sample.probe.translation() = Vec3(20, 0, 3);
+  sample.probe.linear().col(0) = Vec3::UnitX();
+  sample.probe.linear().col(1) = -Vec3::UnitY();  // into the patient
+  sample.probe.linear().col(2) = -Vec3::UnitZ();
+  session.scans.push_back(sample);
+  EXPECT_NEAR(*value_of(written, "tip_to_slice_mean_mm"), 3.0, 1e-9);
+  EXPECT_NEAR(*value_of(written, "needle_to_slice_deg"), 0.0, 1e-9);
+  EXPECT_NEAR(*value_of(written, "target_in_slice_percent"), 100.0, 1e-9);
+  // From 2.1 s on, half of the time in the body, it lies with the tip in its slice: samples hold until the next one.
+  sample.time = 2.1;
+  sample.probe.translation().z() = 0.0;
+  session.scans.push_back(sample);
+  EXPECT_NEAR(*value_of(written, "tip_in_slice_percent"), 50.0, 0.5);
+  EXPECT_NEAR(*value_of(written, "tip_to_slice_mean_mm"), 1.5, 0.02);
+  EXPECT_NEAR(*value_of(written, "tip_to_slice_max_mm"), 3.0, 1e-9);
+}
+
+TEST(Metric, structures_scanned_counts_what_the_procedure_names) {
+  WrittenSession written;
+  written.to(0, 100, WrittenSession::air).to(40, 4000, {});
+  session::Session& session = written.session();
+  session.scanned = {{false, "skin", 0.1}, {false, "nerve", 0.2}, {true, "humerus", 0.3}};
+  const auto count = [&](const std::vector<std::string>& named) {
+    const Attempt attempt(session, written_description());
+    return find_metric("structures_scanned")->compute(Measured(attempt, named));
+  };
+  EXPECT_FALSE(count({"nerve"}).has_value()) << "there was no machine";
+  session.header.ultrasound = io::find_probe("L12-3");
+  EXPECT_EQ(count({"nerve", "humerus", "lung"}), 2.0);
+  EXPECT_EQ(count({"lung"}), 0.0);
 }
 
 TEST(Metric, lifting_thrusting_and_twirling_have_the_amplitude_and_frequency_that_they_were_made_with) {

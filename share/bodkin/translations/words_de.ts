@@ -1716,6 +1716,14 @@
         <translation>Sie stachen bei %1 ein, erwartet: %2.</translation>
     </message>
     <message>
+        <source>The ultrasound showed nothing that the procedure names.</source>
+        <translation>Der Ultraschall zeigte nichts von dem, was der Eingriff nennt.</translation>
+    </message>
+    <message>
+        <source>The ultrasound showed %1.</source>
+        <translation>Der Ultraschall zeigte: %1.</translation>
+    </message>
+    <message>
         <source>A needle of %1G is unusual here: %2G to %3G is.</source>
         <translation>Eine Nadel von %1G ist hier unüblich; üblich sind %2G bis %3G.</translation>
     </message>
@@ -2038,6 +2046,14 @@
     <message>
         <source>judging the session</source>
         <translation>die Sitzung wird beurteilt</translation>
+    </message>
+    <message>
+        <source>preparing the ultrasound</source>
+        <translation>der Ultraschall wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>The ultrasound of this session cannot be shown (%1).</source>
+        <translation>Der Ultraschall dieser Sitzung kann nicht gezeigt werden (%1).</translation>
     </message>
     <message>
         <source>The patient in %1 has changed since this session: slices and 3-D show how it is now.</source>
@@ -2682,6 +2698,10 @@
     <message>
         <source>distance of the moving tip from the ultrasound slice, greatest</source>
         <translation>Abstand der bewegten Spitze von der Ultraschallebene, größter</translation>
+    </message>
+    <message>
+        <source>structures of the procedure that the ultrasound showed</source>
+        <translation>Strukturen des Eingriffs, die der Ultraschall zeigte</translation>
     </message>
     <message>
         <source>time with the target in the ultrasound slice</source>

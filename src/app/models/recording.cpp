@@ -53,8 +53,12 @@ std::string words_of(const forces::Event& event, const std::string& tissue) {
 }  // namespace
 
 Recording::Recording(std::filesystem::path file, session::Session session, std::shared_ptr<const OpenCase> patient,
-                     bool is_same, std::string note)
-    : file_(std::move(file)), session_(std::move(session)), patient_(std::move(patient)), note_(std::move(note)) {
+                     bool is_same, std::string note, std::shared_ptr<ScanReplay> scan)
+    : file_(std::move(file)),
+      session_(std::move(session)),
+      patient_(std::move(patient)),
+      note_(std::move(note)),
+      scan_(std::move(scan)) {
   if (session_.ticks.empty()) {
     throw InputError(fmt::format("{} holds no tick: the session ended before the device had answered; choose another",
                                  file_.string()));

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/models/scan_replay.h"
 #include "session/session_file.h"
 #include "views/frame.h"
 #include "views/open_case.h"
@@ -44,8 +45,9 @@ class Recording {
   // `patient`: null where he is not at hand; `note` then says why, and may also say that he has changed. `is_same`:
   // he is the one that the session was recorded on, so that the session can be judged by his voxels. Throws
   // InputError for a session without ticks.
+  // `scan`: the pictures of its ultrasound; may be null.
   Recording(std::filesystem::path file, session::Session session, std::shared_ptr<const OpenCase> patient,
-            bool is_same, std::string note);
+            bool is_same, std::string note, std::shared_ptr<ScanReplay> scan = nullptr);
   Recording(const Recording&) = delete;
   Recording& operator=(const Recording&) = delete;
 
@@ -53,6 +55,8 @@ class Recording {
   const session::Session& session() const noexcept { return session_; }
   const std::shared_ptr<const OpenCase>& patient() const noexcept { return patient_; }
   const std::string& note() const noexcept { return note_; }
+  // Null: there was no ultrasound, or the patient is not at hand. Makes its pictures on the thread that asks.
+  ScanReplay* scan() const noexcept { return scan_.get(); }
   // By the rules of its procedure; nothing where there is nothing to judge by, as not_judged() says.
   const std::optional<training::Score>& score() const noexcept { return score_; }
   const std::string& not_judged() const noexcept { return not_judged_; }
@@ -90,6 +94,7 @@ class Recording {
   session::Session session_;
   std::shared_ptr<const OpenCase> patient_;
   std::string note_, not_judged_;
+  std::shared_ptr<ScanReplay> scan_;
   std::optional<training::Score> score_;
   std::optional<anatomy::NeedlePath> plan_;
   double first_contact_ = 0.0;

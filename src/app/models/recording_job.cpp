@@ -92,8 +92,18 @@ void RecordingJob::work(const fs::path& file, const std::shared_ptr<const OpenCa
       note = fmt::format("The patient of this session is not there, so its path is shown without anatomy ({}).",
                          missing.what());
     }
+    std::shared_ptr<ScanReplay> scan;
+    if (patient != nullptr && !session.scans.empty()) {
+      progress("preparing the ultrasound", 0.0);
+      try {
+        scan = std::make_shared<ScanReplay>(session, patient->patient, progress);
+      } catch (const InputError& no_picture) {
+        note = fmt::format("The ultrasound of this session cannot be shown ({}).", no_picture.what());
+      }
+    }
     progress("judging the session", 0.0);
-    made = std::make_shared<const Recording>(file, std::move(session), std::move(patient), is_same, std::move(note));
+    made = std::make_shared<const Recording>(file, std::move(session), std::move(patient), is_same, std::move(note),
+                                             std::move(scan));
   } catch (const std::exception& failure) {
     error = failure.what();
   }

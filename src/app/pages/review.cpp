@@ -145,6 +145,11 @@ void ReviewPage::show_recording() {
   view3d_->set_case(patient);
   for (SliceView* slice : slices_) slice->set_case(patient);
   slice_column_->setVisible(patient != nullptr);
+  ScanReplay* const scan = recording_->scan();
+  scan_.reset();
+  arrange_slices(scan != nullptr);
+  ultrasound_->set_case(patient);
+  if (scan != nullptr) ultrasound_->set_scan(scan->choice(0));
   body_->setCurrentWidget(patient != nullptr ? static_cast<QWidget*>(view3d_) : path_);
   chart_->set_case(patient);
   chart_->compare_with({});
@@ -175,9 +180,20 @@ void ReviewPage::show_trails() {
   const anatomy::TissueLibrary& library = library_of(*recording_);
   for (const Recording::PathPiece& piece : recording_->path())
     trails->push_back({piece.points, rgb_of(tissue_colour(piece.tissue, library)), own_width});
+  if (scan_) trails->push_back({scan_border(recording_->session(), *scan_), rgb_of(along_colour), other_width});
   view3d_->set_trails(trails);
   path_->set_trails(trails);
   for (SliceView* slice : slices_) slice->set_trails(trails);
+}
+
+// The probe of the moment: the border of its picture among the ways, and the picture.
+void ReviewPage::show_scan(Frame& frame) {
+  const std::optional<std::size_t> now = scan_at(recording_->session(), time_);
+  if (now != scan_) {
+    scan_ = now;
+    show_trails();
+  }
+  if (now && recording_->scan() != nullptr) frame.ultrasound = &recording_->scan()->picture(*now, frame.needle);
 }
 
 void ReviewPage::show_lanes() {
@@ -267,6 +283,7 @@ void ReviewPage::show_moment(double clock) {
   frame_.clock = clock;
   frame_.follows_tip = !crosshair_;
   if (crosshair_) frame_.crosshair = *crosshair_;
+  show_scan(frame_);
   Changes changes = differences_.changes(frame_);
   changes.force = false;
   if (std::exchange(curves_stale_, false)) {
@@ -281,6 +298,7 @@ void ReviewPage::show_moment(double clock) {
   if (recording_->patient() != nullptr) {
     view3d_->show_frame(frame_, changes);
     for (SliceView* slice : slices_) slice->show_frame(frame_, changes);
+    if (frame_.ultrasound != nullptr) ultrasound_->show_frame(frame_, changes);
   } else if (changes.needle || changes.attempt) {
     path_->show_frame(frame_);
   }

@@ -14,11 +14,14 @@
 #include "views/path_picture.h"
 #include "views/slice_view.h"
 #include "views/timeline.h"
+#include "views/ultrasound_view.h"
 #include "views/view3d.h"
 
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QStackedWidget;
+class QVBoxLayout;
 
 namespace bodkin::app {
 
@@ -83,6 +86,8 @@ class ReviewPage : public Page {
   void take_jobs();
   void show_recording();
   void show_trails();
+  void show_scan(Frame& frame);
+  void arrange_slices(bool has_ultrasound);
   void show_lanes();
   void show_moment(double clock);
   void show_busy();
@@ -100,7 +105,10 @@ class ReviewPage : public Page {
   View3d* view3d_ = nullptr;
   PathPicture* path_ = nullptr;
   QWidget* slice_column_ = nullptr;
+  QVBoxLayout* slice_rows_ = nullptr;
+  QHBoxLayout* small_slices_ = nullptr;
   std::vector<SliceView*> slices_;
+  UltrasoundView* ultrasound_ = nullptr;
   ForceChart* chart_ = nullptr;
   Timeline* timeline_ = nullptr;
   QLabel* title_ = nullptr;
@@ -121,7 +129,8 @@ class ReviewPage : public Page {
   ForceChart::Cursor shown_cursor_;
   double time_ = 0.0, speed_ = 1.0, clock_ = 0.0;
   bool playing_ = false, curves_stale_ = false;
-  std::optional<Vec3> crosshair_;  // nothing: it follows the tip
+  std::optional<Vec3> crosshair_;    // nothing: it follows the tip
+  std::optional<std::size_t> scan_;  // the sample of the ultrasound machine that is shown
 };
 
 }  // namespace bodkin::app

@@ -96,11 +96,11 @@ QWidget* ReviewPage::make_pictures() {
   body_->addWidget(path_);
   views->addWidget(body_, 8);
   slice_column_ = new QWidget;
-  auto* column = new QVBoxLayout(slice_column_);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(review_gap);
-  auto* below = new QHBoxLayout;
-  below->setSpacing(review_gap);
+  slice_rows_ = new QVBoxLayout(slice_column_);
+  slice_rows_->setContentsMargins(0, 0, 0, 0);
+  slice_rows_->setSpacing(review_gap);
+  small_slices_ = new QHBoxLayout;
+  small_slices_->setSpacing(review_gap);
   auto measures = std::make_shared<Measures>();
   for (const auto& [kind, name] :
        {std::pair{SliceKind::sagittal, "review.slice.sagittal"}, std::pair{SliceKind::axial, "review.slice.axial"},
@@ -115,9 +115,14 @@ QWidget* ReviewPage::make_pictures() {
       for (SliceView* each : slices_) each->update();
     });
     slices_.push_back(slice);
-    kind == SliceKind::sagittal ? column->addWidget(slice, 4) : below->addWidget(slice, 1);
   }
-  column->addLayout(below, 3);
+  ultrasound_ = new UltrasoundView;
+  ultrasound_->setObjectName(QStringLiteral("review.ultrasound"));
+  // Nobody holds its probe any more.
+  ultrasound_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  ultrasound_->setFocusPolicy(Qt::NoFocus);
+  slice_rows_->addLayout(small_slices_, 3);
+  arrange_slices(false);
   views->addWidget(slice_column_, 6);
   rows->addLayout(views, 1);
   // There is no needle to push here: the wheel brings the patient nearer.
@@ -147,6 +152,18 @@ QWidget* ReviewPage::make_pictures() {
   });
   rows->addWidget(timeline_);
   return pictures_;
+}
+
+// The large place has the ultrasound where there was one, and else the sagittal slice.
+void ReviewPage::arrange_slices(bool has_ultrasound) {
+  for (SliceView* slice : slices_) {
+    slice_rows_->removeWidget(slice);
+    small_slices_->removeWidget(slice);
+  }
+  slice_rows_->removeWidget(ultrasound_);
+  slice_rows_->insertWidget(0, has_ultrasound ? static_cast<QWidget*>(ultrasound_) : slices_.front(), 4);
+  for (std::size_t i = has_ultrasound ? 0 : 1; i < slices_.size(); ++i) small_slices_->addWidget(slices_[i], 1);
+  ultrasound_->setVisible(has_ultrasound);
 }
 
 QWidget* ReviewPage::make_transport() {

@@ -9,7 +9,6 @@ namespace {
 
 constexpr double face_step = 0.25;  // mm
 constexpr double rigid = 1e-3;      // error of a rotation's products
-constexpr double touching = 0.5;    // mm of air that count as contact without gel: the CT knows the skin no better
 
 // A point that moves along a line, in voxels.
 struct Feeler {

@@ -7,7 +7,9 @@
 
 namespace bodkin::imaging {
 
-inline constexpr double thickest_gel = 5.0;    // mm
+inline constexpr double thickest_gel = 5.0;  // mm
+// mm of air that count as contact without gel: the CT knows the skin no better.
+inline constexpr double touching = 0.5;
 inline constexpr double deepest_press = 40.0;  // mm; a face further below the skin is inside the body
 
 // How the face of a probe lies on a patient.
