@@ -55,7 +55,9 @@ struct Connection {
   Bytes body;
   std::optional<Clock::time_point> began;  // a message that is not complete
   Clock::time_point second = Clock::now();
-  std::size_t in_second = 0;                          // messages since then
+  std::size_t in_second = 0;  // messages since then
+  std::size_t untaken = 0;    // bytes that it sent since Shared::takes was `untaken_since`
+  std::uint64_t untaken_since = 0;
   std::optional<std::chrono::milliseconds> tracking;  // the interval it asked for
   Clock::time_point tracked;
 };
@@ -77,6 +79,7 @@ struct Server::Shared {
   bool told_of_full = false;  // since a client was let in
   mutable std::mutex mutex;   // of what follows
   std::deque<Received> received;
+  std::uint64_t takes = 0;  // how often it was emptied
   std::vector<std::string> notes;
   ServerCounts counts;
   std::jthread thread;
@@ -259,8 +262,16 @@ void Server::Shared::take_message(Connection& connection, Message message) {
     return answer({"RTS_TDATA", message.device, time_now(), Bytes{0}});  // 0: it will come
   }
   if (message.type == "STP_TDATA") return connection.tracking.reset();
-  const std::lock_guard lock(mutex);
-  if (received.size() < most_received) received.push_back({connection.number, std::move(message)});
+  {
+    const std::lock_guard lock(mutex);
+    if (std::exchange(connection.untaken_since, takes) != takes) connection.untaken = 0;
+    connection.untaken += message.content.size();
+    if (connection.untaken <= settings.largest_queue) {
+      if (received.size() < most_received) received.push_back({connection.number, std::move(message)});
+      return;
+    }
+  }
+  close(connection, "it sends more than is taken");
 }
 
 void Server::Shared::queue(const std::shared_ptr<Connection>& connection, const std::string& replaceable,
@@ -394,6 +405,7 @@ std::vector<Received> Server::take() {
   std::vector<Received> all(std::make_move_iterator(shared_->received.begin()),
                             std::make_move_iterator(shared_->received.end()));
   shared_->received.clear();
+  ++shared_->takes;
   return all;
 }
 

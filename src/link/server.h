@@ -17,7 +17,7 @@ struct ServerSettings {
   std::size_t most_clients = 8;
   std::size_t largest_message = 1 << 20;       // bytes of a body that a client may send
   std::size_t most_messages = 1000;            // that a client may send in a second
-  std::size_t largest_queue = 8 << 20;         // bytes that wait for a slow client before it is dropped
+  std::size_t largest_queue = 8 << 20;         // bytes that wait for a client, or from it, before it is dropped
   std::chrono::milliseconds patience{5000};    // for the rest of a message that has begun
   std::chrono::milliseconds keep_alive{1000};  // between two STATUS messages to everybody
 };

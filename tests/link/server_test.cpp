@@ -129,6 +129,29 @@ TEST(LinkServer, a_client_that_takes_nothing_costs_bounded_memory_and_then_its_c
   EXPECT_EQ(server.counts().dropped, 1U);
 }
 
+TEST(LinkServer, what_a_client_sends_and_nobody_takes_costs_bounded_memory_and_then_its_connection) {
+  ServerSettings settings = any_port();
+  settings.largest_queue = 1 << 20;
+  Server server(settings);
+  LibraryClient good(server.port());
+  const RawClient greedy(server.port());
+  ASSERT_TRUE(within(2s, [&] { return server.counts().clients == 2; }));
+  greedy.flood(pack({"POLYDATA", "Organ", 0.0, Bytes(200000, 1)}), 20);
+  EXPECT_TRUE(within(5s, [&] { return server.counts().dropped == 1; }));
+  good.send_string("CMD_3", "<Command Name='Freeze'/>");
+  std::size_t bytes = 0;
+  EXPECT_TRUE(within(5s, [&] {
+    bool has_command = false;
+    for (const Received& each : server.take()) {
+      bytes += each.message.content.size();
+      has_command = has_command || each.message.device == "CMD_3";
+    }
+    return has_command;
+  })) << "the others are heard";
+  EXPECT_LE(bytes, std::size_t{1 << 20} + 100);
+  EXPECT_THAT(server.take_notes(), ::testing::ElementsAre(HasSubstr("sends more than is taken")));
+}
+
 TEST(LinkServer, a_client_that_is_dropped_is_told_why) {
   Server server(any_port());
   LibraryClient client(server.port());
