@@ -27,6 +27,13 @@ using asio::ip::tcp;
 using boost::system::error_code;
 using Clock = std::chrono::steady_clock;
 
+// A client that tries a port of this machine again and again, where nobody listens, is in the end given that very
+// port by the system, and connects to itself.
+bool is_own_end(const tcp::socket& socket) {
+  error_code ignored;
+  return socket.local_endpoint(ignored) == socket.remote_endpoint(ignored);
+}
+
 }  // namespace
 
 ClientSettings parse_server(const std::string& text, const std::string& what) {
@@ -99,6 +106,9 @@ struct Client::Shared {
     return refusal.empty() ? fmt::format("{} has ended the connection", place)
                            : fmt::format("{}: {}", place, refusal);
   }
+  std::string nobody_answers(const std::string& why) const {
+    return fmt::format("nobody answers at {} ({}); is the server started?", place, why);
+  }
   void hear_status(const Message& message);
   void set(ClientState state, const std::string& sentence) {
     const std::lock_guard lock(mutex);
@@ -128,10 +138,8 @@ void Client::Shared::connect() {
         asio::async_connect(*socket, found,
                             [this, number, kept = socket](const error_code& refused, const tcp::endpoint&) {
                               if (number != attempt) return;
-                              if (refused) {
-                                return end(number, fmt::format("nobody answers at {} ({}); is the server started?",
-                                                               place, refused.message()));
-                              }
+                              if (refused) return end(number, nobody_answers(refused.message()));
+                              if (is_own_end(*socket)) return end(number, nobody_answers("no server has it"));
                               begin(number);
                             });
       });
