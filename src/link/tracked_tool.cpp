@@ -67,9 +67,9 @@ std::optional<Mat3> tool_along(const std::string& axis) {
   const int along = letter[0] - 'x';
   const double sign = negative ? -1.0 : 1.0;
   Mat3 tool = Mat3::Zero();
-  tool((along + 1) % 3, 0) = 1.0;
-  tool((along + 2) % 3, 1) = sign;
+  tool(along == 0 ? 1 : 0, 0) = 1.0;
   tool(along, 2) = sign;
+  tool.col(1) = tool.col(2).cross(tool.col(0));
   return tool;
 }
 

@@ -31,7 +31,8 @@ struct TrackedPlacement {
   Pose to_operator(const Pose& lps) const noexcept;
 };
 
-// "z", "-x": which axis of the tracked tool points from hub to tip. Empty: not one of the six.
+// "z", "-x": which axis of the tracked tool points from hub to tip, or out of a probe; the third of the result. Its
+// first, a probe's marked side, is the tool's x, or the y of a tool that points along x. Empty: not one of the six.
 std::optional<Mat3> tool_along(const std::string& axis);
 
 // Between two poses that came from a tracker: what a hand did meanwhile, at a constant speed. Each pose is reached

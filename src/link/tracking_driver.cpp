@@ -170,7 +170,10 @@ class TrackingDevice : public haptics::OpenDevice {
     return lost ? BODKIN_COMMUNICATION_LOST : BODKIN_OK;
   }
 
-  std::string explain() override { return trouble(); }
+  std::string explain() override {
+    return client_.status().state == ClientState::connected ? trouble()
+                                                            : trouble() + " (it is tried again every second)";
+  }
 
  private:
   struct Reading {
@@ -206,10 +209,8 @@ class TrackingDevice : public haptics::OpenDevice {
 
   std::string trouble() const {
     const ClientStatus status = client_.status();
-    if (status.state != ClientState::connected) {
-      return fmt::format("{}; it is tried again every second",
-                         status.sentence.empty() ? client_.place() + " does not answer" : status.sentence);
-    }
+    if (status.state != ClientState::connected)
+      return status.sentence.empty() ? client_.place() + " does not answer" : status.sentence;
     const std::lock_guard lock(mutex_);
     if (!refused_.empty()) return refused_;
     return fmt::format("{} is connected and sends no {}{}: is the tool in sight, and is that its name?",

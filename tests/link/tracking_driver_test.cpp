@@ -167,6 +167,8 @@ TEST(TrackedTool, a_matrix_with_scale_or_mirror_is_refused_and_single_precision_
     EXPECT_EQ(tool.cwiseAbs().colwise().sum().maxCoeff(), 1.0) << axis;
   }
   EXPECT_EQ(tool_along("-y").value().col(2), Vec3(0.0, -1.0, 0.0));
+  for (const char* axis : {"y", "z", "-y", "-z"})
+    EXPECT_EQ(tool_along(axis).value().col(0), Vec3::UnitX()) << "the marked side of a probe stays where it is";
   EXPECT_FALSE(tool_along("--y") || tool_along("") || tool_along("w"));
 }
 
