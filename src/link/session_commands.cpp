@@ -1,5 +1,7 @@
 #include "link/session_commands.h"
 
+#include <tuple>
+
 #include "link/contents.h"
 #include "link/model_parameters.h"
 #include <fmt/format.h>
@@ -18,6 +20,27 @@ bool wanted(const Command& command, bool now) {
   if (found->second == "false" || found->second == "0") return false;
   throw InputError(
       fmt::format("On of the command {} is '{}', expected true or false", command.name, found->second.substr(0, 40)));
+}
+
+// PLUS sets the gain in percent of what a machine can.
+Range gain_range() {
+  using imaging::UltrasoundSettings;
+  Range range;
+  const auto look_at = [&range](const auto& parameter) {
+    if (parameter.member == &UltrasoundSettings::gain) range = parameter.range;
+  };
+  std::apply([&look_at](const auto&... each) { (look_at(each), ...); }, UltrasoundSettings::parameters());
+  return range;
+}
+
+double gain_of_percent(double percent) {
+  const Range range = gain_range();
+  return range.low + 0.01 * percent * (range.high - range.low);
+}
+
+double percent_of_gain(double gain) {
+  const Range range = gain_range();
+  return 100.0 * (gain - range.low) / (range.high - range.low);
 }
 
 }  // namespace
@@ -42,6 +65,7 @@ SessionCommands::Answer SessionCommands::apply(const Command& command, station::
     station.command(station::StationCommand::end);
     return {"the session ends, is saved, and begins again", {}};
   }
+  if (name == "RequestChannelIds") return {"Bodkin", {}};
   if (name == "RequestDeviceIds")
     return {ultrasound_ ? "NeedleTipToReference,ProbeToReference,Image_Reference,CT" : "NeedleTipToReference,CT", {}};
   if (name == "StartProcedure" || name == "StartRecording" || name == "LoadCase")
@@ -86,11 +110,11 @@ std::string SessionCommands::apply_to_needle(const Command& command, station::St
     return station.command(StationCommand::turn_stylet), "the stylet comes out of the needle, or goes back";
   if (command.name == "Manometer")
     return station.command(StationCommand::turn_manometer), "the manometer is connected, or taken off";
-  throw InputError(
-      fmt::format("the command {} is not known; expected Freeze, Clutch, Plunger, Finger, Stylet, Manometer, Arm, "
-                  "Disarm, StopRecording, Reset, RequestDeviceIds, GetModelParameters, SetModelParameter, "
-                  "SetUsParameter or GetUsParameter",
-                  command.name));
+  throw InputError(fmt::format(
+      "the command {} is not known; expected Freeze, Clutch, Plunger, Finger, Stylet, Manometer, Arm, "
+      "Disarm, StopRecording, Reset, RequestChannelIds, RequestDeviceIds, GetModelParameters, SetModelParameter, "
+      "SetUsParameter or GetUsParameter",
+      command.name));
 }
 
 std::string SessionCommands::apply_to_ultrasound(const Command& command, station::Station& station,
@@ -100,21 +124,25 @@ std::string SessionCommands::apply_to_ultrasound(const Command& command, station
   station::ScanOrder order = order_.value_or(status.ultrasound->order);
   order.probe = status.ultrasound->order.probe;
   if (command.name == "GetUsParameter") {
-    return fmt::format("DepthMm={:g},GainDb={:g},FrequencyMhz={:g},FocusMm={:g}", order.settings.depth,
-                       order.settings.gain, order.settings.frequency, order.settings.focus);
+    return fmt::format("DepthMm={:g},GainDb={:g},GainPercent={:g},FrequencyMhz={:g},FocusMm={:g}",
+                       order.settings.depth, order.settings.gain, percent_of_gain(order.settings.gain),
+                       order.settings.frequency, order.settings.focus);
   }
   for (const auto& [name, value] : command.values) {
     if (name == "DepthMm")
       order.settings.depth = command.number(name);
     else if (name == "GainDb")
       order.settings.gain = command.number(name);
+    else if (name == "GainPercent")
+      order.settings.gain = gain_of_percent(command.number(name));
     else if (name == "FrequencyMhz")
       order.settings.frequency = command.number(name);
     else if (name == "FocusMm")
       order.settings.focus = command.number(name);
     else if (name != "UsDeviceId")
       throw InputError(
-          fmt::format("{} is no setting of the ultrasound; expected DepthMm, GainDb, FrequencyMhz or FocusMm",
+          fmt::format("{} is no setting of the ultrasound; expected DepthMm, GainDb, GainPercent, FrequencyMhz or "
+                      "FocusMm",
                       name.substr(0, 40)));
   }
   imaging::check(order.settings, ultrasound_->probe);
