@@ -1,4 +1,5 @@
 // bodkin serve: a whole session with nobody looking, and what is refused before a device opens.
+#include "link/server.h"
 #include "session/session_file.h"
 #include "tests/cli/bodkin_command.h"
 #include <gmock/gmock.h>
@@ -25,6 +26,18 @@ TEST_F(ServeCommand, refuses_an_address_that_is_none_before_it_records_anything)
   const Outcome served = bodkin("serve patient simulated --listen nowhere -o never.bodkin");
   EXPECT_EQ(served.exit_code, 2);
   EXPECT_THAT(served.errors, HasSubstr("'nowhere' is no address"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "never.bodkin"));
+}
+
+TEST_F(ServeCommand, refuses_a_port_that_another_program_has_before_it_records_anything) {
+  ::bodkin::link::ServerSettings any;
+  any.port = 0;
+  const ::bodkin::link::Server first(any);
+  const Outcome served =
+      bodkin("serve patient simulated --port " + std::to_string(first.port()) + " -o never.bodkin");
+  EXPECT_EQ(served.exit_code, 2);
+  EXPECT_THAT(served.errors, HasSubstr("port " + std::to_string(first.port()) + " of 127.0.0.1 is in use"));
+  EXPECT_EQ(lines_of(served.errors), 1) << served.errors;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "never.bodkin"));
 }
 

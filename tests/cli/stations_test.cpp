@@ -1,8 +1,5 @@
 // bodkin stations: a teacher starts a procedure on a station that waits, and its result comes to the store.
-#include <array>
 #include <chrono>
-#include <csignal>
-#include <cstdio>
 #include <functional>
 #include <string>
 #include <thread>
@@ -12,11 +9,13 @@
 #include "link/station_watch.h"
 #include "session/session_file.h"
 #include "tests/cli/bodkin_command.h"
+#include "tests/cli/serve_process.h"
 #include <gmock/gmock.h>
 
 namespace bodkin_test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using StationsCommand = PatientCommand;
 
@@ -25,49 +24,8 @@ bool within_a_minute(const std::function<bool()>& is_so) {
   return is_so();
 }
 
-// `bodkin serve --wait` as a process of its own, until this ends.
-class WaitingStation {
- public:
-  WaitingStation(const std::filesystem::path& folder, const std::string& arguments) : notes_(folder / "station.txt") {
-    std::filesystem::remove(notes_);  // those of a station before
-    const std::string command = "cd '" + folder.string() + "' && echo $$ && exec '" BODKIN_BUILD "/bin/bodkin' " +
-                                arguments + " 2> station.txt";
-    pipe_ = popen(command.c_str(), "r");
-    std::array<char, 64> line{};
-    if (fgets(line.data(), line.size(), pipe_) != nullptr) process_ = std::stoi(line.data());
-  }
-  ~WaitingStation() {
-    if (pipe_ != nullptr) end();
-  }
-  WaitingStation(const WaitingStation&) = delete;
-  WaitingStation& operator=(const WaitingStation&) = delete;
-
-  // "127.0.0.1:40123"; empty when it says none within half a minute.
-  std::string place() const {
-    const std::string before = "port ";
-    for (int i = 0; i < 1500; ++i) {
-      const std::string text = content_of(notes_);
-      const std::size_t at = text.find(before), end = text.find('\n', at);
-      if (at != std::string::npos && end != std::string::npos)
-        return "127.0.0.1:" + text.substr(at + before.size(), end - at - before.size());
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-    return {};
-  }
-  std::string notes() const { return content_of(notes_); }
-  int end() {
-    kill(process_, SIGTERM);
-    return WEXITSTATUS(pclose(std::exchange(pipe_, nullptr)));
-  }
-
- private:
-  std::filesystem::path notes_;
-  FILE* pipe_ = nullptr;
-  int process_ = 0;
-};
-
 TEST_F(StationsCommand, a_teacher_starts_a_procedure_and_the_result_comes_to_the_store) {
-  WaitingStation station(
+  ServeProcess station(
       folder_,
       "serve . simulated --settings depth_mm=10 --max-time 3 --port 0 --wait --trainee t-01 --store r.sqlite");
   const std::string place = station.place();
@@ -81,15 +39,25 @@ TEST_F(StationsCommand, a_teacher_starts_a_procedure_and_the_result_comes_to_the
     EXPECT_THAT(refused.output, HasSubstr("this station has no case")) << name;
   }
   EXPECT_EQ(bodkin("stations start --patience 20 " + place).exit_code, 3) << "the folder itself is no case";
-  const Outcome started = bodkin("stations start --patience 20 --case patient " + place);
+  ServeProcess other(folder_,
+                     "serve . simulated --settings depth_mm=10 --max-time 3 --port 0 --wait --trainee t-02 --store "
+                     "r.sqlite -o other.bodkin",
+                     "other.txt");
+  const Outcome started = bodkin("stations start --patience 20 --case patient " + place + " " + other.place());
   EXPECT_EQ(started.exit_code, 0) << started.text();
-  EXPECT_THAT(started.output, HasSubstr("does it"));
+  EXPECT_THAT(started.output, AllOf(HasSubstr(place), HasSubstr(other.place())));
+  EXPECT_EQ(lines_of(started.output), 2);
   std::string list;
-  for (int i = 0; i < 60 && list.find("t-01") == std::string::npos; ++i) {
+  const auto has_both = [&list] {
+    return list.find("t-01") != std::string::npos && list.find("t-02") != std::string::npos;
+  };
+  for (int i = 0; i < 60 && !has_both(); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
     list = bodkin("-q results list --store r.sqlite").output;
   }
-  EXPECT_THAT(list, HasSubstr("t-01")) << station.notes();
+  EXPECT_TRUE(has_both()) << list << station.notes() << other.notes();
+  EXPECT_EQ(other.end(), 0) << other.notes();
+  EXPECT_TRUE(::bodkin::session::read_session(folder_ / "other.bodkin").finished);
   EXPECT_EQ(station.end(), 0) << station.notes();
   EXPECT_TRUE(::bodkin::session::read_session(folder_ / "session-by-hand.bodkin").finished);
 }
@@ -97,7 +65,7 @@ TEST_F(StationsCommand, a_teacher_starts_a_procedure_and_the_result_comes_to_the
 // A client names the session's file, and the case that it once chose stays chosen; no name leads out of the folder.
 TEST_F(StationsCommand, a_client_names_the_session_and_chooses_the_case_for_all_starts) {
   using ::bodkin::link::StationWatch;
-  WaitingStation station(folder_, "serve . simulated --settings depth_mm=10 --max-time 1 --port 0 --wait");
+  ServeProcess station(folder_, "serve . simulated --settings depth_mm=10 --max-time 1 --port 0 --wait");
   const std::string place = station.place();
   ASSERT_FALSE(place.empty()) << station.notes();
   StationWatch watch(::bodkin::link::parse_server(place, "STATION"));
@@ -128,7 +96,7 @@ TEST_F(StationsCommand, a_client_names_the_session_and_chooses_the_case_for_all_
 
 TEST_F(StationsCommand, a_client_changes_a_number_of_the_model_and_begins_again) {
   using ::bodkin::link::StationWatch;
-  WaitingStation station(folder_, "serve patient simulated --settings 'depth_mm=10 wait_s=60' --port 0 -o s.bodkin");
+  ServeProcess station(folder_, "serve patient simulated --settings 'depth_mm=10 wait_s=60' --port 0 -o s.bodkin");
   const std::string place = station.place();
   ASSERT_FALSE(place.empty()) << station.notes();
   StationWatch watch(::bodkin::link::parse_server(place, "STATION"));
