@@ -15,6 +15,7 @@ namespace bodkin::views {
 namespace {
 
 constexpr int most_kept = 4096;  // texts
+constexpr QChar opening_quote(0x201e);
 const QString words_context = QStringLiteral("Words");
 
 QString key_of(const QString& context, const QString& text) {
@@ -94,15 +95,20 @@ void Language::read(const std::filesystem::path& file) {
 void Language::add_pattern(const QString& text, const QString& translation) {
   Pattern pattern;
   QString expression = QStringLiteral("^");
+  QString piece;  // what stands since the last place
   for (int i = 0; i < text.size(); ++i) {
     const bool is_number = text[i] == QLatin1Char('#');
     if ((is_number || text[i] == QLatin1Char('%')) && i + 1 < text.size() && text[i + 1].isDigit()) {
+      if (pattern.numbers.empty()) pattern.begins = piece;
+      piece.clear();
       pattern.numbers.push_back(text[++i].digitValue());
       expression += is_number ? QStringLiteral("([-+]?[0-9.]+(?:e[-+]?[0-9]+)?|-?INF)") : QStringLiteral("(.+?)");
     } else {
       expression += QRegularExpression::escape(QString(text[i]));
+      piece += text[i];
     }
   }
+  pattern.ends = piece;
   pattern.text = QRegularExpression(expression + QLatin1Char('$'));
   pattern.translation = translation;
   patterns_.push_back(std::move(pattern));
@@ -154,6 +160,7 @@ QString Language::words(const QString& text) const {
 
 QString Language::by_pattern(const QString& text) const {
   for (const Pattern& pattern : patterns_) {
+    if (!text.startsWith(pattern.begins) || !text.endsWith(pattern.ends)) continue;
     const QRegularExpressionMatch match = pattern.text.match(text);
     if (!match.hasMatch()) continue;
     QString made;
@@ -169,7 +176,9 @@ QString Language::by_pattern(const QString& text) const {
           std::find(pattern.numbers.begin(), pattern.numbers.end(), pattern.translation[++i].digitValue());
       if (at == pattern.numbers.end()) continue;
       const QString part = match.captured(static_cast<int>(at - pattern.numbers.begin()) + 1);
-      const QString translated = words(part);
+      // What stands in quotation marks or is the name of an element is written so in a file.
+      const bool is_name = made.endsWith(QLatin1Char('<')) || made.endsWith(opening_quote);
+      const QString translated = is_name ? QString() : words(part);
       made += translated.isNull() ? part : translated;
     }
     return made;

@@ -30,6 +30,7 @@ class Language : public QTranslator {
  private:
   struct Pattern {
     QRegularExpression text;
+    QString begins, ends;      // what stands before the first place and after the last one: quickly looked at
     std::vector<int> numbers;  // of the places, in the order in which they stand in the text
     QString translation;
   };

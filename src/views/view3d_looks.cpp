@@ -2,6 +2,7 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "views/language.h"
 #include "views/look_panel.h"
 #include "views/view3d.h"
 
@@ -79,7 +80,7 @@ void View3d::open_looks_of_case() {
   try {
     if (!patient_->folder.empty()) saved_looks_ = scene::read_looks(patient_->folder);
   } catch (const std::exception& error) {
-    say(QString::fromStdString(error.what()));
+    say(in_words(error.what()));
   }
   panel_->set_saved(saved_looks_);
   panel_->set_look(look_);
@@ -138,7 +139,7 @@ bool View3d::write_saved_looks(scene::CaseLooks looks) {
   try {
     scene::write_looks(looks, patient_->folder);
   } catch (const SystemError& error) {
-    say(QString::fromStdString(error.what()));
+    say(in_words(error.what()));
     return false;
   }
   saved_looks_ = std::move(looks);

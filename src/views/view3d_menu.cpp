@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "views/language.h"
 #include "views/view3d.h"
 
 #include "core/error.h"
@@ -69,7 +70,7 @@ bool View3d::save_surfaces(const QString& folder, scene::SurfaceFormat format) {
     say(tr("%n surface(s) saved in %1", nullptr, static_cast<int>(files.size())).arg(folder));
     return true;
   } catch (const SystemError& error) {
-    say(QString::fromStdString(error.what()));
+    say(in_words(error.what()));
     return false;
   }
 }

@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSettings>
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -12,6 +13,7 @@
 #include "app/models/parameter_model.h"
 #include "app/models/practice_patients.h"
 #include "app/pages/start.h"
+#include "patient/acupuncture/point_table.h"
 #include "views/language.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -110,6 +112,24 @@ TEST_F(SpokenLanguage, german_has_every_number_of_the_models) {
   const views::Language german(QStringLiteral("de"), io::shared_file("translations/window_de.ts").parent_path());
   for (const std::string& text : texts) {
     EXPECT_TRUE(german.has_entry(QString::fromStdString(text)) || is_formula(text))
+        << "add \"" << text << "\" to share/bodkin/translations/words_de.ts";
+  }
+}
+
+TEST_F(SpokenLanguage, german_has_what_the_card_of_an_acupuncture_point_says) {
+  const patient::PointTable table = patient::read_point_table();
+  std::set<std::string> texts;
+  for (const patient::PointRow& point : table.points) {
+    std::string region = point.region;
+    std::replace(region.begin(), region.end(), '_', ' ');
+    texts.insert({point.meridian, region});
+  }
+  for (const auto& [code, how] : table.needling) texts.insert({how.direction, how.caution});
+  texts.erase("");
+  EXPECT_GT(texts.size(), 60U);
+  const views::Language german(QStringLiteral("de"), io::shared_file("translations/window_de.ts").parent_path());
+  for (const std::string& text : texts) {
+    EXPECT_TRUE(german.has_entry(QString::fromStdString(text)))
         << "add \"" << text << "\" to share/bodkin/translations/words_de.ts";
   }
 }

@@ -7,6 +7,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <random>
 #include <utility>
 
@@ -170,7 +171,7 @@ void AtlasPage::follow_device() {
     return;
   }
   if (!news.is_busy) {
-    const QString why = text(news.trouble);
+    const QString why = in_words(news.trouble);
     touch_->setChecked(false);
     view_->say(why);
     return;
@@ -195,7 +196,7 @@ void AtlasPage::advance(double /*clock*/) {
       view_->set_body(atlas_, surfaces);
     } else {
       view_->say(status.error.empty() ? tr("Preparing the body: %1 %").arg(qRound(100.0 * status.fraction))
-                                      : text(status.error));
+                                      : in_words(status.error));
     }
   }
   if (touches_) follow_device();
@@ -203,7 +204,7 @@ void AtlasPage::advance(double /*clock*/) {
     view_->say(tr("Preparing %1: %2 %").arg(making_).arg(qRound(100.0 * status.fraction)));
     if (!status.working) {
       making_.clear();
-      view_->say(text(status.error));
+      view_->say(in_words(status.error));
       const std::optional<Vec3> found = std::exchange(found_at_, std::nullopt);
       if (status.error.empty() && found) {
         emit needling_requested(text(status.made.string()), *found);
@@ -222,7 +223,7 @@ void AtlasPage::list_points() {
     auto* item = new QListWidgetItem(
         QStringLiteral("%1   %2   %3").arg(text(point->code), -5).arg(text(point->pinyin), characters(*point)));
     item->setData(Qt::UserRole, text(point->code));
-    item->setToolTip(text(point->meridian));
+    item->setToolTip(in_words(point->meridian));
     list_->addItem(item);
   }
   if (found.empty()) list_->addItem(tr("No point of that name."));
@@ -237,7 +238,7 @@ QString AtlasPage::collateral_words(const patient::Collateral& collateral) const
   return tr("<p><b>Luo-connecting point</b> Its collateral goes to the %1 meridian; the dashed line to the source "
             "point "
             "%2 is a scheme, no course is published.</p>")
-      .arg(text(source->meridian), text(source->code));
+      .arg(in_words(source->meridian), text(source->code));
 }
 
 void AtlasPage::choose(const patient::AtlasPoint* point, bool look) {
@@ -250,19 +251,22 @@ void AtlasPage::choose(const patient::AtlasPoint* point, bool look) {
   }
   if (look) view_->look_at(point->place, point->normal);
   const patient::Needling how = atlas_->needling(*point);
+  std::string region = point->region;
+  std::replace(region.begin(), region.end(), '_', ' ');
   QString words = tr("<p style='font-size:18px'><b>%1</b> %2 %3</p><p>%4 meridian, %5</p>")
-                      .arg(text(point->code), text(point->pinyin), characters(*point), text(point->meridian),
-                           text(point->region).replace(QLatin1Char('_'), QLatin1Char(' ')));
-  words += tr("<p><b>Depth</b> %1 to %2 mm<br><b>Angle</b> %3 degrees to the skin%4</p>")
-               .arg(qRound(how.shallowest))
-               .arg(qRound(how.deepest))
-               .arg(qRound(how.angle))
-               .arg(how.direction.empty() ? QString() : QStringLiteral(", ") + text(how.direction).toHtmlEscaped());
+                      .arg(text(point->code), text(point->pinyin), characters(*point), in_words(point->meridian),
+                           in_words(region));
+  words +=
+      tr("<p><b>Depth</b> %1 to %2 mm<br><b>Angle</b> %3 degrees to the skin%4</p>")
+          .arg(qRound(how.shallowest))
+          .arg(qRound(how.deepest))
+          .arg(qRound(how.angle))
+          .arg(how.direction.empty() ? QString() : QStringLiteral(", ") + in_words(how.direction).toHtmlEscaped());
   if (!how.caution.empty())
-    words += tr("<p style='color:#F2A33C'><b>Caution</b> %1</p>").arg(text(how.caution).toHtmlEscaped());
+    words += tr("<p style='color:#F2A33C'><b>Caution</b> %1</p>").arg(in_words(how.caution).toHtmlEscaped());
   QStringList under;
   if (point->bone_depth) under << tr("bone at %1 mm").arg(qRound(*point->bone_depth));
-  if (point->danger_depth) under << tr("%1 at %2 mm").arg(text(point->danger)).arg(qRound(*point->danger_depth));
+  if (point->danger_depth) under << tr("%1 at %2 mm").arg(in_words(point->danger)).arg(qRound(*point->danger_depth));
   if (!under.isEmpty()) words += tr("<p><b>Straight under it</b> %1</p>").arg(under.join(QStringLiteral(", ")));
   if (const patient::Collateral* const collateral = patient::collateral_at(point->code))
     words += collateral_words(*collateral);

@@ -189,7 +189,7 @@ void TrainingPage::list_plans() {
     for (const std::string& name : training::shipped_plans())
       add(QString::fromStdString(name), in_words(training::read_plan(training::find_plan(name)).title));
   } catch (const std::exception& error) {
-    line_->setText(QString::fromStdString(error.what()));
+    line_->setText(in_words(error.what()));
   }
   for (const QString& file : QSettings().value(QStringLiteral("training/files")).toStringList())
     if (QFileInfo::exists(file)) add(file, QFileInfo(file).completeBaseName());
