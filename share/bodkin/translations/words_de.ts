@@ -6080,16 +6080,16 @@
         <translation>eine Sitzung läuft schon und wird aufgezeichnet; StopRecording beendet sie, Reset beginnt sie neu</translation>
     </message>
     <message>
-        <source>the command %1 is not known; expected Freeze, Clutch, Plunger, Finger, Stylet, Manometer, Arm, Disarm, StopRecording, Reset, RequestDeviceIds, GetModelParameters, SetModelParameter, SetUsParameter or GetUsParameter</source>
-        <translation>der Befehl %1 ist unbekannt; erwartet: Freeze, Clutch, Plunger, Finger, Stylet, Manometer, Arm, Disarm, StopRecording, Reset, RequestDeviceIds, GetModelParameters, SetModelParameter, SetUsParameter oder GetUsParameter</translation>
+        <source>the command %1 is not known; expected Freeze, Clutch, Plunger, Finger, Stylet, Manometer, Arm, Disarm, StopRecording, Reset, RequestChannelIds, RequestDeviceIds, GetModelParameters, SetModelParameter, SetUsParameter or GetUsParameter</source>
+        <translation>der Befehl %1 ist unbekannt; erwartet: Freeze, Clutch, Plunger, Finger, Stylet, Manometer, Arm, Disarm, StopRecording, Reset, RequestChannelIds, RequestDeviceIds, GetModelParameters, SetModelParameter, SetUsParameter oder GetUsParameter</translation>
     </message>
     <message>
         <source>this session has no ultrasound; start bodkin serve with --ultrasound PROBE</source>
         <translation>diese Sitzung hat keinen Ultraschall; starten Sie bodkin serve mit --ultrasound SCHALLKOPF</translation>
     </message>
     <message>
-        <source>%1 is no setting of the ultrasound; expected DepthMm, GainDb, FrequencyMhz or FocusMm</source>
-        <translation>%1 ist keine Einstellung des Ultraschalls; erwartet: DepthMm, GainDb, FrequencyMhz oder FocusMm</translation>
+        <source>%1 is no setting of the ultrasound; expected DepthMm, GainDb, GainPercent, FrequencyMhz or FocusMm</source>
+        <translation>%1 ist keine Einstellung des Ultraschalls; erwartet: DepthMm, GainDb, GainPercent, FrequencyMhz oder FocusMm</translation>
     </message>
     <message>
         <source>the rate is %1 a second, expected 1 to %2</source>
@@ -6112,8 +6112,40 @@
         <translation>%1 sandte eine Nachricht von %2 Byte, angenommen werden höchstens %3</translation>
     </message>
     <message>
-        <source>%1; it is tried again every second</source>
-        <translation>%1; jede Sekunde wird es wieder versucht</translation>
+        <source>%1 (it is tried again every second)</source>
+        <translation>%1 (jede Sekunde wird es wieder versucht)</translation>
+    </message>
+    <message>
+        <source>the connection is ended: %1</source>
+        <translation>die Verbindung wird beendet: %1</translation>
+    </message>
+    <message>
+        <source>the rest of a message did not come</source>
+        <translation>der Rest einer Nachricht kam nicht</translation>
+    </message>
+    <message>
+        <source>a message of %1 bytes, at most %2 are taken</source>
+        <translation>eine Nachricht von %1 Byte, angenommen werden höchstens %2</translation>
+    </message>
+    <message>
+        <source>more than %1 messages in a second</source>
+        <translation>mehr als %1 Nachrichten in einer Sekunde</translation>
+    </message>
+    <message>
+        <source>it does not take what it asked for</source>
+        <translation>der Client nimmt nicht ab, was er verlangt hat</translation>
+    </message>
+    <message>
+        <source>it sends more than is taken</source>
+        <translation>der Client sendet mehr, als abgenommen wird</translation>
+    </message>
+    <message>
+        <source>all %1 places of this server are taken; end another client, or start the server with more --clients</source>
+        <translation>alle %1 Plätze dieses Servers sind vergeben; beenden Sie einen anderen Client, oder starten Sie den Server mit mehr --clients</translation>
+    </message>
+    <message>
+        <source>no server has it</source>
+        <translation>kein Server hat ihn</translation>
     </message>
     <message>
         <source>a tool of PLUS, 3D Slicer or another tracking server; no force</source>
