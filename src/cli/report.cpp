@@ -25,6 +25,7 @@
 #include "io/run_program.h"
 #include "training/expert_table.h"
 #include "training/procedure_file.h"
+#include "training/recorded_score.h"
 #include "training/score_json.h"
 
 namespace bodkin::cli {
@@ -72,7 +73,7 @@ void run_report(const ReportArguments& arguments, const CommandContext& context)
                                  file.extension().string()));
   }
   const report::PlottedDepth depth = report::parse_plotted_depth(arguments.depth, "--depth");
-  const session::Session session = session::read_session(arguments.session);
+  const session::Session session = training::read_attempt(arguments.session);
   const fs::path folder =
       arguments.folder.empty() ? fs::path(session.header.case_folder) : fs::path(arguments.folder);
   if (!fs::exists(folder / "case.xml")) {

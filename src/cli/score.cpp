@@ -17,6 +17,7 @@
 #include "training/expert_table.h"
 #include "training/procedure_file.h"
 #include "training/recorded_patient.h"
+#include "training/recorded_score.h"
 #include "training/score_json.h"
 
 namespace bodkin::cli {
@@ -76,7 +77,7 @@ void run_score(const ScoreArguments& arguments, CommandContext& context) {
   std::string table = "session," + training::score_csv_columns() + "\n";
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const std::string& file : arguments.sessions) {
-    const session::Session session = session::read_session(file);
+    const session::Session session = training::read_attempt(file);
     const anatomy::CaseDescription description = training::description_of(session);
     const training::Procedure procedure = chosen ? *chosen : training::procedure_of_case(description.procedure.name);
     if (!chosen && procedure.name != description.procedure.name) {
