@@ -75,6 +75,11 @@ TEST(Language, sentences_keep_their_numbers_and_translate_what_stands_between) {
   EXPECT_EQ(german(language, "Words", "Passed: the tip came to rest in the epidural space"),
             "Bestanden: die Spitze: zur Ruhe gekommen in: Epiduralraum");
   EXPECT_EQ(german(language, "Words", "Bone: vertebra L3"), "Knochen: Wirbel L3");
+  EXPECT_EQ(german(language, "Words",
+                   "Not connected: room2:18944: the connection is ended: more than 1000 messages in a second. Trying "
+                   "again"),
+            "Nicht verbunden: room2:18944: die Verbindung wird beendet: mehr als 1000 Nachrichten in einer Sekunde. "
+            "Neuer Versuch");
 }
 
 TEST(Language, a_number_sign_stands_for_numbers_alone) {

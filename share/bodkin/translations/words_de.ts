@@ -652,8 +652,12 @@
         <translation>Verbindung zu %1 wird aufgebaut</translation>
     </message>
     <message>
-        <source>Not connected: %1. Trying again</source>
-        <translation>Nicht verbunden: %1. Neuer Versuch</translation>
+        <source>Not connected: %1.</source>
+        <translation>Nicht verbunden: %1.</translation>
+    </message>
+    <message>
+        <source>Trying again</source>
+        <translation>Neuer Versuch</translation>
     </message>
     <message>
         <source>%1 waits: a session has to be started there</source>
@@ -6128,8 +6132,8 @@
         <translation>eine Nachricht von %1 Byte, angenommen werden höchstens %2</translation>
     </message>
     <message>
-        <source>more than %1 messages in a second</source>
-        <translation>mehr als %1 Nachrichten in einer Sekunde</translation>
+        <source>more than #1 messages in a second</source>
+        <translation>mehr als #1 Nachrichten in einer Sekunde</translation>
     </message>
     <message>
         <source>it does not take what it asked for</source>
