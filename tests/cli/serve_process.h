@@ -57,14 +57,6 @@ class ServeProcess {
   std::string notes() const { return text_of(notes_); }
   std::string output() const { return text_of(notes_.string() + ".out"); }
 
-  // MiB that it holds.
-  double memory() const {
-    std::ifstream file("/proc/" + std::to_string(process_) + "/statm");
-    double total = 0.0, resident = 0.0;
-    file >> total >> resident;
-    return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1048576.0;
-  }
-
   // Waits until it ends by itself; the exit code, -1 when a signal ended it.
   int wait() {
     if (process_ <= 0) return -1;
