@@ -112,6 +112,26 @@ TEST_F(PoseImportTest, a_probe_beside_the_needle_is_kept_and_exported_in_its_own
   EXPECT_NEAR(static_cast<double>(back.tracks.at(0).poses.size()), 151.0, 1.0) << "60 a second of 2.5 s";
 }
 
+// Mouse and keys hold it, so that there is no second hand: each pose holds until the next one.
+TEST_F(PoseImportTest, the_probe_of_an_ultrasound_machine_is_exported_with_every_pose_of_the_needle) {
+  import_poses(patient_, header(), insertion("NeedleTipToReference"), how_, {});
+  Session session = read_session(how_.output);
+  ScanSample sample;
+  sample.time = 0.5;
+  sample.probe.translation() = Vec3(1.0, 2.0, 3.0);
+  session.scans.push_back(sample);
+  sample.time = 1.0;
+  sample.probe.translation().z() = 8.0;
+  session.scans.push_back(sample);
+  const io::PoseLog log = poses_of(session, 100.0);
+  const io::PoseTrack* const probe = log.find("ProbeToReference");
+  ASSERT_NE(probe, nullptr);
+  ASSERT_EQ(probe->poses.size(), 201U) << "from 0.5 s to 2.5 s";
+  EXPECT_NEAR(probe->poses[0].time, 0.5, 1e-9);
+  EXPECT_EQ(probe->poses[49].pose.translation(), Vec3(-1.0, -2.0, 3.0)) << "RAS";
+  EXPECT_EQ(probe->poses[50].pose.translation(), Vec3(-1.0, -2.0, 8.0));
+}
+
 TEST_F(PoseImportTest, a_recording_that_cannot_be_one_of_this_patient_is_refused) {
   EXPECT_THAT(refusal(insertion("StylusToTracker")),
               HasSubstr("has no NeedleTipToReference; it has StylusToTracker"));
