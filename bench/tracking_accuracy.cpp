@@ -25,7 +25,7 @@ struct Choice {
   int pictures = 200, width = 1280, height = 720;
   std::uint64_t seed = 1;
   double distance = 600.0, motion = 0.0, sharpening = 0.0, blur = 0.7, exponent = 0.0, contrast = 0.0;
-  double assumed_blur = 0.7, assumed_exponent = -1.0, gate = 0.055, exposure = 1.0, occlusion = 0.0;
+  double assumed_blur = 0.7, assumed_exponent = -1.0, gate = 0.0, noise = 1.0, exposure = 1.0, occlusion = 0.0;
   bool still = false;
 };
 
@@ -91,6 +91,8 @@ bool read_choice(int argc, char** argv, Choice& choice) {
       choice.assumed_exponent = value;
     else if (name == "--gate")
       choice.gate = value;
+    else if (name == "--noise")
+      choice.noise = value;
     else if (name == "--exposure")
       choice.exposure = value;
     else if (name == "--occlusion")
@@ -109,7 +111,7 @@ int main(int argc, char** argv) {
     std::puts(
         "tracking_accuracy [--pictures N] [--width PX --height PX] [--seed N] [--distance MM] [--still]\n"
         "  [--motion PX] [--sharpening S] [--blur PX] [--exponent E] [--contrast C] [--assumed-blur PX]\n"
-        "  [--assumed-exponent E] [--gate RESIDUAL] [--exposure E] [--occlusion SHARE]");
+        "  [--assumed-exponent E] [--gate RESIDUAL] [--noise N] [--exposure E] [--occlusion SHARE]");
     return 2;
   }
   CameraModel camera = footage_camera(choice.width, choice.height);
@@ -121,13 +123,15 @@ int main(int argc, char** argv) {
   FootageLook look;
   look.sharpening = choice.sharpening;
   look.exposure = choice.exposure;
+  look.shot_noise *= choice.noise;
+  look.read_noise *= choice.noise;
   look.occlusion = choice.occlusion;
   look.instants = choice.motion > 0.0 ? 8 : 1;
   if (choice.motion > 0.0) look.samples = 3;
   std::vector<MarkerBody> bodies = station_bodies();
   bodies.pop_back();
   TrackerSettings settings;
-  settings.most_residual = choice.gate;
+  if (choice.gate > 0.0) settings.most_residual = choice.gate;
   settings.search_every = 0.0;
   Tracker tracker(assumed, bodies, settings);
 

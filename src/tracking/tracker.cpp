@@ -124,8 +124,12 @@ TrackedPose Tracker::follow(const GreyPicture& picture, const MarkerBody& body) 
   tracked.residual = best.residual;
   tracked.edge_ratio = best.edge_ratio;
   const bool ambiguous = second.sound && second.residual < settings_.least_contrast * best.residual;
-  const bool unlike = (best.residual > settings_.most_residual && best.edge_ratio > settings_.most_edge_ratio) ||
-                      best.residual > 3.0 * settings_.most_residual;
+  const auto beyond = [&](double residual, double ratio) {
+    return best.residual > residual && best.edge_ratio > ratio;
+  };
+  const bool unlike = beyond(settings_.most_residual, settings_.most_edge_ratio) ||
+                      beyond(settings_.high_residual, settings_.high_edge_ratio) ||
+                      best.residual > settings_.any_residual;
   tracked.status = unlike || ambiguous ? TrackingStatus::uncertain : TrackingStatus::ok;
   return tracked;
 }

@@ -40,9 +40,11 @@ Mat3 point_covariance(const TrackedPose& pose, const Vec3& point);
 
 // What may be changed in tracking.
 struct TrackerSettings {
-  // A pose is uncertain when both are exceeded: what is left at the edges is then no noise but a wrong tone curve,
-  // motion or a fault of the body (see RefinedPose); or when the residual is three times as large in any case.
-  double most_residual = 0.055, most_edge_ratio = 1.9;
+  // What is left at the edges is no noise but a wrong tone curve, motion or a fault of the body (see RefinedPose): a
+  // pose is uncertain when both numbers of a pair are exceeded, or when the residual is very large in any case.
+  double most_residual = 0.046, most_edge_ratio = 1.9;
+  double high_residual = 0.055, high_edge_ratio = 1.5;
+  double any_residual = 0.165;
   double least_contrast = 1.03;  // residual of the second-best pose over that of the best; below, it is uncertain
   int steps = 4;                 // of the refinement
   double search_every = 1.0;     // s; the whole picture is searched this often, else boxes around the last poses
