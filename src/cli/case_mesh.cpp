@@ -36,7 +36,7 @@ constexpr const char* case_mesh_footer = R"(Examples:
   bodkin case mesh patient                         20,000 nodes, fine along the planned path
   bodkin case mesh patient --nodes 100000
   bodkin case mesh patient --fine 1.5 --coarse 15 --corridor 20
-  bodkin case mesh patient --hold-layers           the mesh has every layer that the planned path crosses
+  bodkin case mesh patient --nodes 3000 --merge-layers    coarse, without the thin layers of the planned path
   bodkin case mesh patient --import body.msh --regions regions.csv
 
 The mesh is kept in the case folder as mesh.vtu and made again only when the tissues, the path or these options have
@@ -47,7 +47,7 @@ contains CGAL's Mesh_3; --import works without it.)";
 struct CaseMeshOptions {
   std::string folder, import, regions, output;
   patient::MeshSettings settings;
-  bool force = false;
+  bool force = false, merge_layers = false;
 };
 
 // A mesh with what is to be said of it.
@@ -275,16 +275,19 @@ void add_case_mesh_command(CLI::App& case_group, CommandContext& context) {
   add_number(*command, "--coarse", settings.coarse, 0.2, 100.0, "mm, edges far away, before scaling");
   add_number(*command, "--corridor", settings.corridor_radius, 1.0, 200.0,
              "mm, radius of the corridor around the planned path");
-  add_switch(
-      *command, "--hold-layers", settings.hold_layers,
-      "Finer where the planned path crosses a thin layer (skin, ligamentum flavum, dura), so that the mesh has it; "
-      "too few --nodes for that are refused with the number needed");
+  add_switch(*command, "--merge-layers", options->merge_layers,
+             "Merge thin layers (skin, ligamentum flavum, dura) with their neighbours where the planned path crosses "
+             "them, too; "
+             "without it the mesh is finer there, and too few --nodes for that are refused with the number needed");
   add_text(*command, "--import", options->import, "Take this mesh instead: Gmsh .msh (ASCII 2.2 or 4.1) or VTK .vtu");
   add_text(*command, "--regions", options->regions,
            "CSV with label,name,tissue,critical: tissues of the imported regions (without it they are tissue ids)");
   add_text(*command, "-o,--output", options->output, "The picture, .png or .svg (default: mesh.png in the case)");
   add_switch(*command, "--force", options->force, "Make the mesh again, and replace one that is not ours");
-  on_run(*command, [options, &context] { run_case_mesh(*options, context); });
+  on_run(*command, [options, &context] {
+    options->settings.hold_layers = !options->merge_layers;
+    run_case_mesh(*options, context);
+  });
 }
 
 }  // namespace bodkin::cli

@@ -35,7 +35,7 @@ std::string block_in_patient(const json& shown, double scale) {
 
 TEST_F(CaseMesh, meshes_a_patient_once_and_tells_table_picture_and_json) {
   BODKIN_NEEDS_MESHER();
-  const Outcome made = bodkin("--json case mesh patient --nodes 4000");
+  const Outcome made = bodkin("--json case mesh patient --nodes 4000 --merge-layers");
   ASSERT_EQ(made.exit_code, 0) << made.errors;
   const json result = json::parse(made.output);
   EXPECT_FALSE(result.at("up_to_date").get<bool>());
@@ -55,7 +55,7 @@ TEST_F(CaseMesh, meshes_a_patient_once_and_tells_table_picture_and_json) {
   EXPECT_GT(picture.width, 1000);
 
   const auto written = fs::last_write_time(file);
-  const Outcome again = bodkin("-q case mesh patient --nodes 4000 -o mesh.svg");
+  const Outcome again = bodkin("-q case mesh patient --nodes 4000 --merge-layers -o mesh.svg");
   ASSERT_EQ(again.exit_code, 0) << again.errors;
   EXPECT_EQ(fs::last_write_time(file), written);
   for (const char* text :
@@ -66,12 +66,33 @@ TEST_F(CaseMesh, meshes_a_patient_once_and_tells_table_picture_and_json) {
   EXPECT_EQ(bodkin("-q case check patient").exit_code, 0);
 
   const std::string before = content_of(file);
-  const Outcome other = bodkin("--json case mesh patient --nodes 2500");
+  const Outcome other = bodkin("--json case mesh patient --nodes 2500 --merge-layers");
   ASSERT_EQ(other.exit_code, 0) << other.errors;
   EXPECT_NEAR(json::parse(other.output).at("nodes").get<double>(), 2500.0, 375.0);
-  const Outcome back = bodkin("-q case mesh patient --nodes 4000 --force");
+  const Outcome back = bodkin("-q case mesh patient --nodes 4000 --merge-layers --force");
   EXPECT_EQ(back.exit_code, 0);
   EXPECT_EQ(content_of(file), before);  // the same bytes as the first time
+}
+
+TEST_F(CaseMesh, holds_the_layers_of_the_planned_path_or_says_how_many_nodes_that_takes) {
+  BODKIN_NEEDS_MESHER();
+  ASSERT_EQ(bodkin("-q case synthesize lumbar layers --spacing 3").exit_code, 0);
+  const Outcome few = bodkin("-q case mesh layers --nodes 600");
+  EXPECT_EQ(few.exit_code, 2);
+  EXPECT_THAT(few.errors, HasSubstr("600 nodes are too few to hold the layers of the planned path"));
+  EXPECT_EQ(lines_of(few.errors), 1);
+  EXPECT_FALSE(fs::exists(folder_ / "layers/mesh.vtu"));
+  const std::string give = "give --nodes ";
+  const std::size_t at = few.errors.find(give);
+  ASSERT_NE(at, std::string::npos);
+  const int least = std::stoi(few.errors.substr(at + give.size()));
+  EXPECT_GT(least, 600);
+  const Outcome merged = bodkin("case mesh layers --nodes 600 --merge-layers");
+  EXPECT_EQ(merged.exit_code, 0);
+  EXPECT_THAT(merged.errors, HasSubstr("does not hold these layers"));
+  const Outcome enough = bodkin("case mesh layers --nodes 8000");
+  EXPECT_EQ(enough.exit_code, 0) << enough.errors;
+  EXPECT_THAT(enough.errors, Not(HasSubstr("does not hold")));
 }
 
 TEST_F(CaseMesh, imports_a_mesh_with_regions_and_keeps_it) {
@@ -174,7 +195,7 @@ TEST_F(CaseMesh, meshes_a_real_abdomen) {
   const Outcome imported = bodkin("-q case new abdomen --ct '" + (data / "abdomen/abdomen_ct.nii.gz").string() +
                                   "' --labels '" + (data / "abdomen/abdomen_labels.nii.gz").string() + "'");
   ASSERT_EQ(imported.exit_code, 0) << imported.errors;
-  const Outcome made = bodkin("--json case mesh abdomen --nodes 5000");
+  const Outcome made = bodkin("--json case mesh abdomen --nodes 5000 --merge-layers");
   ASSERT_EQ(made.exit_code, 0) << made.errors;
   const json result = json::parse(made.output);
   EXPECT_NEAR(result.at("nodes").get<double>(), 5000.0, 750.0);

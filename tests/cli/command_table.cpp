@@ -111,7 +111,7 @@ const std::vector<CommandRow>& command_table() {
           {"--corridor", Kind::number, {"0.9", "201", "-1"}},
           {"--import", Kind::text},
           {"--regions", Kind::text},
-          {"--hold-layers", Kind::toggle},
+          {"--merge-layers", Kind::toggle},
           {"--output", Kind::text},
           {"--force", Kind::toggle}}},
         {"devices list", "", "", {{"--driver", Kind::text}, {"--settings", Kind::text}}},

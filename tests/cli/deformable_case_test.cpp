@@ -42,7 +42,7 @@ TEST_F(DeformableCase, a_patient_is_felt_through_its_mesh) {
   const Outcome without = bodkin("-q profile patient --resistance embedded_needle");
   EXPECT_EQ(without.exit_code, 2);
   EXPECT_THAT(without.errors, HasSubstr("make one with: bodkin case mesh patient"));
-  ASSERT_EQ(bodkin("-q case mesh patient --nodes 5000").exit_code, 0);
+  ASSERT_EQ(bodkin("-q case mesh patient --nodes 5000 --merge-layers").exit_code, 0);
   expect_same_as_calculix(folder_ / "patient");
 
   // Sutherland et al. 2013, III.A: 1.5 N at the skin, 0.5 to 1.5 N in soft tissue, 4.7 N at the ligamentum flavum.
@@ -66,7 +66,7 @@ TEST_F(DeformableCase, a_patient_is_felt_through_its_mesh) {
   ASSERT_EQ(bodkin("-q run patient --max-time 2" + embedded + "-o felt.bodkin").exit_code, 0);
   ASSERT_EQ(bodkin("-q replay felt.bodkin").exit_code, 0);
   fs::copy(folder_ / "patient", folder_ / "remeshed", fs::copy_options::recursive);
-  ASSERT_EQ(bodkin("-q case mesh remeshed --nodes 3000 --force").exit_code, 0);
+  ASSERT_EQ(bodkin("-q case mesh remeshed --nodes 3000 --merge-layers --force").exit_code, 0);
   const Outcome other_mesh = bodkin("-q replay felt.bodkin --case remeshed");
   EXPECT_EQ(other_mesh.exit_code, 2) << other_mesh.output;
   EXPECT_THAT(other_mesh.errors, HasSubstr("its voxels, tissues or mesh are not those of the session"));
@@ -113,7 +113,7 @@ TEST_F(DeformableCase, a_patient_is_felt_through_its_mesh) {
 
 TEST_F(DeformableCase, a_damaged_body_file_is_made_anew_and_a_damaged_mesh_is_refused) {
   BODKIN_NEEDS_MESHER();
-  ASSERT_EQ(bodkin("-q case mesh patient --nodes 1500").exit_code, 0);
+  ASSERT_EQ(bodkin("-q case mesh patient --nodes 1500 --merge-layers").exit_code, 0);
   const std::string command = "profile patient --resistance 'closest_node corridor_nodes=100' -o damaged";
   ASSERT_EQ(bodkin(command).exit_code, 0);
   fs::resize_file(folder_ / "patient" / ::bodkin::patient::body_file_name, 1000);

@@ -39,7 +39,7 @@ TEST_F(MovingBodyCommand, words_that_say_no_moving_body_are_one_sentence) {
 // The probe is down at 3 s, 25 mm beside the needle, which comes to the skin at 6.5 s.
 TEST_F(MovingBodyCommand, a_probe_presses_the_body_and_moves_the_tissue_at_the_needle) {
   BODKIN_NEEDS_MESHER();
-  ASSERT_EQ(bodkin("-q case mesh patient --nodes 1500").exit_code, 0);
+  ASSERT_EQ(bodkin("-q case mesh patient --nodes 1500 --merge-layers").exit_code, 0);
   const std::string two =
       "--resistance 'embedded_needle corridor_nodes=100 stiffness_scale=1' --constraint none "
       "--second simulated --second-as probe --second-settings 'speed_mm_s=40 depth_mm=15 lateral_mm=35 wait_s=30' ";

@@ -137,10 +137,46 @@ double distance_to_layer(const Vec3& point, const PathLayer& layer) {
   return (point - layer.from - share * along).norm();
 }
 
+// mm from `place` to the nearest voxel of another tissue than the layer's; at most `farthest`.
+double distance_to_others(const Vec3& place, anatomy::TissueId tissue, double farthest,
+                          const anatomy::TissueVolume& tissues) {
+  const anatomy::Grid& grid = tissues.grid;
+  const Vec3 centre = grid.to_index(place), reach = grid.spacing.cwiseInverse() * farthest;
+  std::array<int, 3> low{}, high{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    low[axis] = std::max(0, static_cast<int>(std::floor(centre[i] - reach[i])));
+    high[axis] = std::min(grid.size[axis] - 1, static_cast<int>(std::ceil(centre[i] + reach[i])));
+  }
+  double nearest = farthest;
+  for (int k = low[2]; k <= high[2]; ++k)
+    for (int j = low[1]; j <= high[1]; ++j)
+      for (int i = low[0]; i <= high[0]; ++i)
+        if (tissues.at(i, j, k) != tissue)
+          nearest = std::min(nearest, (grid.to_patient(Vec3(i, j, k)) - place).norm());
+  return nearest;
+}
+
+// The place on the path at which a layer is widest, and how wide it is there: a ligament that the path follows
+// lengthwise is thinner than the path in it is long.
+void find_widest(PathLayer& layer, const anatomy::TissueVolume& tissues) {
+  const double voxel = tissues.grid.spacing.minCoeff(), farthest = 0.5 * (layer.thickness() + voxel);
+  const int pieces = 2 * std::max(1, static_cast<int>(std::ceil(layer.thickness() / voxel)));
+  for (int piece = 0; piece <= pieces; ++piece) {
+    // From the middle outwards, so that of equals the one in the middle is taken.
+    const int aside = (piece + 1) / 2 * (piece % 2 == 0 ? 1 : -1);
+    const Vec3 place = layer.middle() + static_cast<double>(aside) / pieces * (layer.to - layer.from);
+    const double width = 2.0 * distance_to_others(place, layer.tissue, farthest, tissues) - voxel;
+    if (piece > 0 && width <= layer.width) continue;
+    layer.widest = place;
+    layer.width = width;
+  }
+}
+
 // mm; a layer of two voxels has no ball of more than one in it.
 double edge_that_holds(const PathLayer& layer, const anatomy::Grid& grid) {
-  const double voxel = grid.spacing.minCoeff(), thickness = layer.thickness();
-  return std::max(thickness - voxel, std::min(thickness, voxel));
+  const double voxel = grid.spacing.minCoeff();
+  return std::max(layer.width - voxel, std::min(layer.thickness(), voxel));
 }
 
 // Edges that hold a layer, around the place where the path crosses it.
@@ -180,6 +216,7 @@ std::vector<PathLayer> layers_on(const anatomy::NeedlePath& path, double beyond,
   if (before != anatomy::tissue::air) layers.pop_back();  // it goes on
   const double thinnest = corner_of_voxel * tissues.grid.spacing.minCoeff();
   std::erase_if(layers, [thinnest](const PathLayer& layer) { return layer.thickness() < thinnest; });
+  for (PathLayer& layer : layers) find_widest(layer, tissues);
   return layers;
 }
 

@@ -16,7 +16,7 @@ struct MeshSettings {
   double coarse = 10.0;           // mm, far from both; fine to 100
   double corridor_radius = 25.0;  // mm around the planned path; 1 to 200
 
-  bool hold_layers = false;  // finer where the planned path crosses a layer that is thin, whatever `nodes` scales
+  bool hold_layers = true;  // finer where the planned path crosses a layer that is thin, whatever `nodes` scales
 
   // [D] our choices, not offered on the command line.
   double corridor_beyond = 15.0;  // mm by which the corridor extends beyond the target
@@ -28,6 +28,8 @@ struct PathLayer {
   anatomy::TissueId tissue = anatomy::tissue::air;
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();  // mm, on the path
   double depth = 0.0;                           // mm, of `from` below the entry
+  Vec3 widest = Vec3::Zero();                   // on the path, where the tissue around it is widest
+  double width = 0.0;                           // mm, of that tissue there; at most the thickness
 
   double thickness() const { return (to - from).norm(); }  // mm, along the path
   Vec3 middle() const { return 0.5 * (from + to); }

@@ -179,7 +179,7 @@ MeshableTissues meshable_tissues(const MeshPlan& plan, double scale) {
 std::vector<PathLayer> lost_layers(const MeshPlan& plan, const MeshableTissues& meshable) {
   std::vector<PathLayer> lost;
   for (const PathLayer& layer : plan.layers) {
-    if (anatomy::nearest<anatomy::TissueId>(meshable.tissues, layer.middle(), anatomy::tissue::air) != layer.tissue)
+    if (anatomy::nearest<anatomy::TissueId>(meshable.tissues, layer.widest, anatomy::tissue::air) != layer.tissue)
       lost.push_back(layer);
   }
   return lost;

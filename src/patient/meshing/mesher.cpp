@@ -24,9 +24,10 @@ const io::WorkerProgram mesh_program{"bodkin-mesher", "BODKIN_MESHER_WORKER", "B
 
 constexpr int guesses = 1;  // of the scale, before anything is meshed
 constexpr int most_rounds = 5;
-constexpr double close_enough = 0.10;       // of the wanted number of nodes
-constexpr double nodes_power = 2.6;         // nodes go with the edge to minus this, between a surface and a volume
-constexpr double widest_scale = 50.0;       // beyond this there is no sense in a scale
+constexpr double close_enough = 0.10;  // of the wanted number of nodes
+constexpr double nodes_power = 2.6;    // nodes go with the edge to minus this, between a surface and a volume
+constexpr double least_power = 0.5, most_power = 4.0;  // [D] the same as found from two attempts
+constexpr double widest_scale = 50.0;                  // beyond this there is no sense in a scale
 constexpr double coarsest_when_held = 4.0;  // [D] scale with which the nodes that held layers need are counted
 constexpr double mostly_gone = 0.5;         // share of a tissue that is said to have been merged
 constexpr std::size_t bytes_per_node = 3 * sizeof(double), bytes_per_element = 4 * sizeof(std::uint32_t) + 1;
@@ -136,21 +137,43 @@ long long rounded_nodes(double nodes) {
   return static_cast<long long>(unit * std::ceil(nodes / unit));
 }
 
+// The nodes that a scale gave.
+struct ScaledNodes {
+  double scale = 0.0, nodes = 0.0;
+};
+
+// How nodes go with the edge between two attempts: layers that are held take theirs whatever the scale is.
+double power_between(const ScaledNodes& a, const ScaledNodes& b, double otherwise) {
+  const double power = std::log(a.nodes / b.nodes) / std::log(b.scale / a.scale);
+  return std::isfinite(power) ? std::clamp(power, least_power, most_power) : otherwise;
+}
+
+[[noreturn]] void refuse_nodes(double least, const MeshPlan& plan, const MeshSettings& settings,
+                               const anatomy::TissueLibrary& library) {
+  std::vector<PathLayer> thin = plan.layers;
+  const auto thinner = [](const PathLayer& a, const PathLayer& b) { return a.width < b.width; };
+  std::sort(thin.begin(), thin.end(), thinner);
+  thin.resize(std::min<std::size_t>(thin.size(), 3));
+  throw InputError(
+      fmt::format("{} nodes are too few to hold the layers of the planned path, of which the thinnest are {}; "
+                  "expected at least {}: give --nodes {}, or --merge-layers for a mesh without them",
+                  settings.nodes, named(thin, library), rounded_nodes(least), rounded_nodes(least)));
+}
+
 // Refuses fewer nodes than the layers of the planned path need where they are held, with the rest as coarse as it may
 // be.
 void check_held(const MeshPlan& plan, const MeshSettings& settings, const anatomy::TissueLibrary& library) {
   if (!settings.hold_layers) return;
   constexpr double room = 1.3;  // [D] for the body around
   const double least = room * expected_nodes(meshable_tissues(plan, coarsest_when_held));
-  if (least <= static_cast<double>(settings.nodes)) return;
-  std::vector<PathLayer> thin = plan.layers;
-  const auto thinner = [](const PathLayer& a, const PathLayer& b) { return a.thickness() < b.thickness(); };
-  std::sort(thin.begin(), thin.end(), thinner);
-  thin.resize(std::min<std::size_t>(thin.size(), 3));
-  throw InputError(
-      fmt::format("{} nodes are too few to hold the layers of the planned path, of which the thinnest are {}; "
-                  "expected at least {}: give --nodes {}",
-                  settings.nodes, named(thin, library), rounded_nodes(least), rounded_nodes(least)));
+  if (least > static_cast<double>(settings.nodes)) refuse_nodes(least, plan, settings, library);
+}
+
+// Refuses a mesh that became larger than was asked for, because the layers that it holds take so many nodes.
+void check_number(std::size_t nodes, const MeshPlan& plan, const MeshSettings& settings,
+                  const anatomy::TissueLibrary& library) {
+  const auto made = static_cast<double>(nodes), wanted = static_cast<double>(settings.nodes);
+  if (settings.hold_layers && made > (1.0 + close_enough) * wanted) refuse_nodes(made, plan, settings, library);
 }
 
 // What is to be said of layers that the mesh does not hold; refuses them where they were to be held.
@@ -161,12 +184,12 @@ std::vector<std::string> layer_notes(const MeshPlan& plan, const MeshableTissues
   if (settings.hold_layers) {
     throw InputError(
         fmt::format("the mesh of {} nodes does not hold {} on the planned path; expected a path that crosses these "
-                    "layers less obliquely, or at least {} nodes",
+                    "layers less obliquely, at least {} nodes, or --merge-layers for a mesh without them",
                     settings.nodes, named(lost, library), 2 * settings.nodes));
   }
   return {fmt::format(
       "The mesh does not hold these layers of the planned path: {}. Models that deform read them from the voxels; "
-      "--hold-layers refines the mesh there.",
+      "without --merge-layers the mesh is refined there.",
       named(lost, library))};
 }
 
@@ -200,6 +223,8 @@ MeshedBody mesh_tissues(const anatomy::TissueVolume& tissues, const std::optiona
     if (nonsense(scale)) break;
     meshable = meshable_tissues(plan, scale);
   }
+  double power = nodes_power;
+  ScaledNodes before;
   for (int round = 1;; ++round) {
     if (nonsense(scale)) {
       throw InputError(
@@ -218,10 +243,14 @@ MeshedBody mesh_tissues(const anatomy::TissueVolume& tissues, const std::optiona
       throw InputError("no tissue is thick enough for elements of this size; ask for more nodes");
     }
     if (made.mesh.elements.empty()) {
-      scale *= std::pow(static_cast<double>(made.refined_nodes) / wanted, 1.0 / nodes_power);
+      const auto nodes = static_cast<double>(made.refined_nodes);
+      if (settings.hold_layers && before.nodes > 0.0) power = power_between(before, {scale, nodes}, power);
+      before = {scale, nodes};
+      scale *= std::pow(nodes / wanted, 1.0 / power);
       if (!nonsense(scale)) meshable = meshable_tissues(plan, scale);
       continue;
     }
+    check_number(made.mesh.nodes.size(), plan, settings, library);
     MeshedBody body{std::move(made.mesh), scale, merge_notes(plan, meshable, library)};
     for (std::string& note : layer_notes(plan, meshable, settings, library)) body.notes.push_back(std::move(note));
     anatomy::orient_elements(body.mesh);

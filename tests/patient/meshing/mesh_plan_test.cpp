@@ -42,6 +42,7 @@ TEST(MeshPlan, edges_are_fine_in_the_corridor_and_grow_steadily_away_from_it) {
   const TissueVolume tissues = layered_block();
   MeshSettings settings;
   settings.corridor_radius = 15.0;
+  settings.hold_layers = false;
   const MeshPlan plan = plan_mesh(tissues, straight_in, settings);
   const Grid& grid = plan.tissues.grid;
   const std::vector<float> edges = meshable_tissues(plan, 1.0).edges;
@@ -99,6 +100,7 @@ TEST(MeshPlan, the_box_ends_where_it_is_far_from_the_path) {
 
 TEST(MeshPlan, thin_skin_becomes_what_is_below_it_and_thick_bone_stays) {
   MeshSettings settings;
+  settings.hold_layers = false;
   settings.corridor_radius = 15.0;
   const MeshPlan plan = plan_mesh(layered_block(), straight_in, settings);
   const MeshableTissues merged = meshable_tissues(plan, 1.5);
@@ -140,6 +142,7 @@ TEST(MeshPlan, layers_of_the_path_are_those_of_the_voxels) {
 TEST(MeshPlan, held_layers_stay_where_the_path_crosses_them_however_coarse_the_rest) {
   MeshSettings settings;
   settings.corridor_radius = 15.0;
+  settings.hold_layers = false;
   const TissueVolume tissues = block_with_dura();
   const MeshPlan lax = plan_mesh(tissues, straight_in, settings);
   const MeshableTissues coarse = meshable_tissues(lax, 1.5);
@@ -161,6 +164,29 @@ TEST(MeshPlan, held_layers_stay_where_the_path_crosses_them_however_coarse_the_r
   EXPECT_GT(expected_nodes(meshable_tissues(plan, 4.0)), 2.0 * expected_nodes(meshable_tissues(lax, 4.0)));
 }
 
+TEST(MeshPlan, a_ligament_that_the_path_follows_lengthwise_is_held_by_its_width) {
+  TissueVolume tissues = layered_block();
+  for (int k = 0; k < 100; ++k) {
+    for (int j = 0; j < 60; ++j) {
+      for (int i = 0; i < 100; ++i) {  // 4 mm wide, from 3 to 18 mm deep
+        const Vec3 place = tissues.grid.to_patient(Vec3(i, j, k));
+        if (std::abs(place.x()) < 2.0 && place.y() < -3.0 && place.y() > -18.0)
+          tissues.at(i, j, k) = tissue::interspinous_ligament;
+      }
+    }
+  }
+  MeshSettings settings;
+  settings.corridor_radius = 15.0;
+  const MeshPlan plan = plan_mesh(tissues, straight_in, settings);
+  const auto ligament = std::find_if(plan.layers.begin(), plan.layers.end(), [](const PathLayer& layer) {
+    return layer.tissue == tissue::interspinous_ligament;
+  });
+  ASSERT_NE(ligament, plan.layers.end());
+  EXPECT_NEAR(ligament->thickness(), 15.0, 0.2);
+  EXPECT_NEAR(ligament->width, 4.0, 1.1);
+  EXPECT_TRUE(lost_layers(plan, meshable_tissues(plan, 4.0)).empty());
+}
+
 TEST(MeshPlan, a_thin_shell_of_bone_joins_the_bone_in_it_and_not_the_muscle_around) {
   TissueVolume tissues = layered_block();
   // Bone 4 mm deep becomes 1 mm of cortical, 2 mm of cancellous, 1 mm of cortical bone: one family, thick as a whole.
@@ -173,6 +199,7 @@ TEST(MeshPlan, a_thin_shell_of_bone_joins_the_bone_in_it_and_not_the_muscle_arou
     }
   }
   MeshSettings settings;
+  settings.hold_layers = false;
   settings.corridor_radius = 15.0;
   const MeshableTissues merged = meshable_tissues(plan_mesh(tissues, straight_in, settings), 1.5);
   for (const double y : {-20.5, -21.5, -22.5, -23.5}) {

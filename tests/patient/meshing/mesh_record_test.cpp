@@ -118,7 +118,7 @@ TEST(MeshRecord, the_fingerprint_follows_from_everything_that_the_mesh_does) {
     if (change == 1) settings.fine += 0.1;
     if (change == 2) settings.coarse += 0.1;
     if (change == 3) settings.corridor_radius += 0.1;
-    if (change == 4) settings.hold_layers = true;
+    if (change == 4) settings.hold_layers = false;
     others.push_back(mesh_made_from(tissues, path, settings));
   }
   tissues.at(1, 2, 3) = tissue::muscle;
