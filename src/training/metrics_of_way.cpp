@@ -104,16 +104,28 @@ std::optional<double> spread(const Measured& measured) {
   });
 }
 
+// Sides of the box along the patient's axes that holds the tip in the body, mm.
+std::optional<Vec3> box(const Measured& measured) {
+  const Attempt& attempt = measured.attempt;
+  if (attempt.insertions.empty()) return std::nullopt;
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (std::size_t i = 0; i < attempt.size(); ++i) {
+    if (attempt.inside[i] == 0) continue;
+    low = low.cwiseMin(attempt.tip[i]);
+    high = high.cwiseMax(attempt.tip[i]);
+  }
+  return high - low;
+}
+
+template <int axis>
+std::optional<double> box_side(const Measured& measured) {
+  const std::optional<Vec3> sides = box(measured);
+  return sides ? std::optional((*sides)[axis]) : std::nullopt;
+}
+
 std::optional<double> box_volume(const Measured& measured) {
-  return with_insertion(measured, [](const Attempt& attempt) {
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    for (std::size_t i = 0; i < attempt.size(); ++i) {
-      if (attempt.inside[i] == 0) continue;
-      low = low.cwiseMin(attempt.tip[i]);
-      high = high.cwiseMax(attempt.tip[i]);
-    }
-    return (high - low).prod();
-  });
+  const std::optional<Vec3> sides = box(measured);
+  return sides ? std::optional(sides->prod()) : std::nullopt;
 }
 
 }  // namespace
@@ -134,6 +146,12 @@ std::vector<Metric> metrics_of_way() {
        time_of_closest},
       {"spread_mm", "mm", "spread of the tip in the body", "root mean square of its distance from its own mean",
        "PerkTutor, RMS", spread},
+      {"box_across_mm", "mm", "extent of the tip's motion from side to side",
+       "in the body, between the patient's left and right", "PerkTutor, Bounding Box", box_side<0>},
+      {"box_through_mm", "mm", "extent of the tip's motion from front to back", "the same, between front and back",
+       "PerkTutor, Bounding Box", box_side<1>},
+      {"box_along_mm", "mm", "extent of the tip's motion along the body", "the same, between head and feet",
+       "PerkTutor, Bounding Box", box_side<2>},
       {"box_mm3", "mm3", "volume that the tip moved in",
        "of the box along the patient's axes that holds the tip in the body", "PerkTutor, Bounding Box", box_volume}};
 }

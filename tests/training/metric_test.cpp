@@ -184,6 +184,7 @@ TEST(Metric, the_needle_in_an_ultrasound_slice_is_measured_from_the_probes_pose)
   EXPECT_NEAR(*value_of(written, "tip_in_slice_percent"), 0.0, 1e-9);
   EXPECT_NEAR(*value_of(written, "needle_to_slice_deg"), 0.0, 1e-9);
   EXPECT_NEAR(*value_of(written, "needle_to_slice_max_deg"), 0.0, 1e-9);
+  EXPECT_NEAR(*value_of(written, "needle_to_slice_moving_max_deg"), 0.0, 1e-9);
   EXPECT_NEAR(*value_of(written, "tip_to_slice_moving_mean_mm"), 3.0, 1e-9);  // at 10 mm/s
   EXPECT_NEAR(*value_of(written, "tip_to_slice_moving_max_mm"), 3.0, 1e-9);
   EXPECT_NEAR(*value_of(written, "target_in_slice_percent"), 100.0, 1e-9);  // 3 mm beside it, in front of the probe
@@ -277,6 +278,9 @@ TEST(Metric, a_straight_insertion_has_the_spread_the_box_and_the_times_that_foll
   written.to(0, 100, WrittenSession::air).to(50, 5000, {});
   EXPECT_NEAR(*value_of(written, "spread_mm"), 50.0 / std::sqrt(12.0), 0.02);  // of an even distribution
   EXPECT_NEAR(*value_of(written, "box_mm3"), 0.0, 1e-9);
+  EXPECT_NEAR(*value_of(written, "box_across_mm"), 0.0, 1e-9);
+  EXPECT_NEAR(*value_of(written, "box_through_mm"), 50.0, 0.02);
+  EXPECT_NEAR(*value_of(written, "box_along_mm"), 0.0, 1e-9);
   EXPECT_NEAR(*value_of(written, "time_to_target_s"), 4.7, 0.002);  // 3 mm before the end, at 10 mm/s
   EXPECT_NEAR(*value_of(written, "closest_time_s"), 5.0, 0.002);
   EXPECT_NEAR(*value_of(written, "sawing"), 1.0, 0.01);

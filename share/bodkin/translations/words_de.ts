@@ -2668,6 +2668,18 @@
         <translation>Raum, in dem sich die Spitze bewegte</translation>
     </message>
     <message>
+        <source>extent of the tip's motion from side to side</source>
+        <translation>Ausdehnung der Bewegung der Spitze von Seite zu Seite</translation>
+    </message>
+    <message>
+        <source>extent of the tip's motion from front to back</source>
+        <translation>Ausdehnung der Bewegung der Spitze von vorn nach hinten</translation>
+    </message>
+    <message>
+        <source>extent of the tip's motion along the body</source>
+        <translation>Ausdehnung der Bewegung der Spitze längs des Körpers</translation>
+    </message>
+    <message>
         <source>quick movements of the tip</source>
         <translation>schnelle Bewegungen der Spitze</translation>
     </message>
@@ -2718,6 +2730,10 @@
     <message>
         <source>angle between moving needle and ultrasound slice</source>
         <translation>Winkel zwischen bewegter Nadel und Ultraschallebene</translation>
+    </message>
+    <message>
+        <source>greatest angle between moving needle and ultrasound slice</source>
+        <translation>größter Winkel zwischen bewegter Nadel und Ultraschallebene</translation>
     </message>
     <message>
         <source>angle between needle and the way to the target in the ultrasound picture</source>
