@@ -171,11 +171,11 @@ void HandGuard::calm(Calming::Step step) noexcept {
     case Calming::Step::none:
       return;
     case Calming::Step::softer:
-      return limit_by(GuardReason::calming, calming_.frequency(), 0.0);
+      return limit_by(GuardReason::calming, calming_.shaking().frequency, 0.0);
     case Calming::Step::damped:
-      return limit_by(GuardReason::damping, calming_.frequency(), 0.0);
+      return limit_by(GuardReason::damping, calming_.shaking().frequency, 0.0);
     case Calming::Step::none_left:
-      return fail(GuardReason::oscillation, calming_.frequency());
+      return fail(GuardReason::oscillation, calming_.shaking().frequency);
   }
 }
 
@@ -193,35 +193,44 @@ void HandGuard::watch_range(double dt) noexcept {
   window_for_ = 0.0;
 }
 
-// Whether the force shakes the hand. Called while armed.
-void HandGuard::watch_shaking(double dt) noexcept {
+// What shakes, by whichever watch finds it; none: a frequency of 0.
+Shaking HandGuard::find_shaking(double dt) noexcept {
+  const auto of = [](const auto& watch, bool turns) { return Shaking{watch.frequency(), watch.width(), turns}; };
   const bool fast = fast_.step(motion_.moved(), held_force_, dt);
   // What the tissue does counts, not what damping makes of it: damping that has to work in every cycle hides a
   // shaking hand without ending it.
   const Vec3 of_tissue = held_force_ - held_damping_;
   const bool driven = driven_.step(motion_.moved(), of_tissue, dt);
   const bool slow = slow_.step(motion_.moved(), of_tissue, dt);
-  calm(calming_.step(motion_.moved(), dt));
-  if (!is_armed()) return;
-  if (fast || driven || slow) return calm(calming_.begin(0.0, 0.0));
 
   watch_range(dt);
   const bool fast_or_wide = swings_.step(motion_.moved(), dt);
   const bool turns_fast_or_wide = turns_.step(lever * motion_.turned(), dt);
   const bool pushed = held_force_.norm() > least_push || applied_.torque.norm() > lever * least_push;
-  // A small swing that lasts under a force that stays the same is the hand's own.
-  const bool swings = fast_or_wide || (swings_.lasts() && force_range_.last > steady_force);
-  const bool turns = turns_fast_or_wide || (turns_.lasts() && torque_range_.last > lever * steady_force);
   unpushed_for_ = pushed ? 0.0 : unpushed_for_ + dt;
   if (unpushed_for_ > unpushed_time) {
     swings_.reset();
     turns_.reset();
-  } else if ((swings || turns) && !calming_.is_watching()) {
-    const SwingWatch& seen = swings ? swings_ : turns_;
-    calm(calming_.begin(seen.frequency(), seen.width()));
-    swings_.reset();
-    turns_.reset();
   }
+  if (fast) return of(fast_, false);
+  if (driven) return of(driven_, false);
+  if (slow) return of(slow_, false);
+  if (unpushed_for_ > unpushed_time) return {};
+  // A small swing that lasts under a force that stays the same is the hand's own.
+  if (fast_or_wide || (swings_.lasts() && force_range_.last > steady_force)) return of(swings_, false);
+  if (turns_fast_or_wide || (turns_.lasts() && torque_range_.last > lever * steady_force)) return of(turns_, true);
+  return {};
+}
+
+// Whether the force shakes the hand. Called while armed.
+void HandGuard::watch_shaking(double dt) noexcept {
+  calm(calming_.step(motion_.moved(), lever * motion_.turned(), dt));
+  if (!is_armed()) return;
+  const Shaking seen = find_shaking(dt);
+  if (seen.frequency == 0.0 || calming_.is_watching()) return;
+  calm(calming_.begin(seen));
+  swings_.reset();
+  turns_.reset();
 }
 
 // N s/mm with which a hand that goes on shaking is damped: none where it would come so late that it drives the hand.
@@ -229,7 +238,7 @@ double HandGuard::calming_damping() const noexcept {
   if (!calming_.damps()) return 0.0;
   const double period = settings_.dt * (settings_.sent_with_next_tick ? 1.0 : 0.0);
   const double late = settings_.delay + period + 2.0 * settings_.dt;  // half a hold, half of 3 ms of velocity
-  return 2.0 * std::numbers::pi * calming_.frequency() * late < useful_phase ? settings_.damping : 0.0;
+  return 2.0 * std::numbers::pi * calming_.shaking().frequency * late < useful_phase ? settings_.damping : 0.0;
 }
 
 // Everything that ends the force.
@@ -344,8 +353,12 @@ void HandGuard::apply(const DeviceState& device, const GuardInput& input, double
   const Vec3 wished = inside * wanted.force;
   // A force that is on its way to zero is not held up by damping.
   const double alive = state_ == GuardState::holding ? 0.0 : ramp_ * calming_.share() * inside;
-  wanted = {passivity_.damped(wished, motion_.recent_velocity(), dt, alive, calming_damping()),
-            inside * wanted.torque};
+  // What shakes is damped: the hand, or the tool's turning as the motion of the end of its lever.
+  const double calmed = calming_damping();
+  const bool turns = calming_.shaking().turns && settings_.peak_torque > 0.0;
+  const Vec3 turn_damping = (turns ? alive * calmed * lever * lever : 0.0) * motion_.recent_turning();
+  wanted = {passivity_.damped(wished, motion_.recent_velocity(), dt, alive, turns ? 0.0 : calmed),
+            inside * wanted.torque - turn_damping};
   damped_ = wanted.force - wished;
   if (!passivity_.damping().isZero(0.0) && !calming_.damps())
     limit_by(GuardReason::passivity, passivity_.energy().minCoeff(), 0.0);

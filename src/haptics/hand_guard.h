@@ -83,6 +83,7 @@ class HandGuard {
 
   void watch(const DeviceState& device, const GuardInput& input, double dt) noexcept;
   void watch_hand(double dt) noexcept;
+  Shaking find_shaking(double dt) noexcept;
   void watch_shaking(double dt) noexcept;
   void watch_range(double dt) noexcept;
   void calm(Calming::Step step) noexcept;

@@ -21,12 +21,12 @@ std::size_t readings_in(double time, double dt) noexcept {
 MotionWatch::MotionWatch(double dt) noexcept
     : dt_(dt), window_(readings_in(window_time, dt)), recent_(readings_in(recent_time, dt)) {}
 
-Vec3 MotionWatch::velocity_since(std::size_t wanted) const noexcept {
+Vec3 MotionWatch::rate_since(std::size_t wanted, Vec3 Reading::*of) const noexcept {
   const std::size_t back = std::min(wanted, seen_);
   const Reading& now = readings_[seen_ & (capacity - 1)];
   const Reading& earlier = readings_[(seen_ - back) & (capacity - 1)];
   const double elapsed = std::max(time_ - earlier.time, shortest_share * dt_ * static_cast<double>(wanted));
-  return (now.position - earlier.position) / elapsed;
+  return (now.*of - earlier.*of) / elapsed;
 }
 
 void MotionWatch::reset() noexcept {
@@ -39,6 +39,7 @@ void MotionWatch::step(const Pose& hand, const Vec3& velocity, double dt) noexce
   moved_ = position - last_.translation();
   const Mat3 turn = hand.linear() * last_.linear().transpose();
   turned_ = 0.5 * Vec3(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
+  all_turned_ += turned_;
   still_ = seen_ > 0 && moved_.isZero(0.0) && hand.linear() == last_.linear();
   last_ = hand;
   time_ += dt;
@@ -48,9 +49,10 @@ void MotionWatch::step(const Pose& hand, const Vec3& velocity, double dt) noexce
   speed_ = velocity.allFinite() ? velocity.norm() : distance / period;
   jumped_ = distance > jump_distance && distance > jump_speed * period;
 
-  readings_[seen_ & (capacity - 1)] = {position, time_};
-  mean_speed_ = velocity_since(window_).norm();
-  recent_velocity_ = velocity_since(recent_);
+  readings_[seen_ & (capacity - 1)] = {position, all_turned_, time_};
+  mean_speed_ = rate_since(window_, &Reading::position).norm();
+  recent_velocity_ = rate_since(recent_, &Reading::position);
+  recent_turning_ = rate_since(recent_, &Reading::turned);
   ++seen_;
 }
 

@@ -26,8 +26,9 @@ class MotionWatch {
   double speed() const noexcept { return speed_; }
   // mm/s over the last 10 ms, from positions alone, so that a coarse encoder at rest is not taken for motion.
   double mean_speed() const noexcept { return mean_speed_; }
-  // mm/s, mean over the last 3 ms: early enough to damp with.
+  // mm/s and rad/s, means over the last 3 ms: early enough to damp with.
   const Vec3& recent_velocity() const noexcept { return recent_velocity_; }
+  const Vec3& recent_turning() const noexcept { return recent_turning_; }
   // No part of the pose has changed by a single bit since the last reading.
   bool is_still() const noexcept { return still_; }
   // More than 5 mm in one tick, and faster than 3 m/s: no hand does that.
@@ -38,11 +39,12 @@ class MotionWatch {
 
   struct Reading {
     Vec3 position = Vec3::Zero();
-    double time = 0.0;  // s
+    Vec3 turned = Vec3::Zero();  // rad, the sum of all turns until then
+    double time = 0.0;           // s
   };
 
-  // mm/s since so many readings ago, or since the first one.
-  Vec3 velocity_since(std::size_t back) const noexcept;
+  // By how much `of` has changed a second since so many readings ago, or since the first one.
+  Vec3 rate_since(std::size_t back, Vec3 Reading::*of) const noexcept;
 
   double dt_;
   std::size_t window_;  // readings in 10 ms
@@ -53,9 +55,11 @@ class MotionWatch {
   Pose last_ = Pose::Identity();
   Vec3 moved_ = Vec3::Zero();
   Vec3 turned_ = Vec3::Zero();
+  Vec3 all_turned_ = Vec3::Zero();  // rad
   double speed_ = 0.0;
   double mean_speed_ = 0.0;
   Vec3 recent_velocity_ = Vec3::Zero();
+  Vec3 recent_turning_ = Vec3::Zero();
   bool still_ = false;
   bool jumped_ = false;
 };

@@ -58,6 +58,9 @@ bool OscillationWatch::step(const Vec3& moved, const Vec3& force, double dt) noe
   } else if (since_turn_ <= pattern_.half_period) {
     shaking_ += since_turn_;
   }
+  frequency_ = 1.0 / (since_turn_ + turn_took_);
+  width_ = std::abs(extreme_ - turn_) * axis_.cwiseAbs().maxCoeff();
+  turn_took_ = since_turn_;
   turn_before_ = turn_;
   turn_ = extreme_;
   given_before_ = given_;

@@ -37,6 +37,11 @@ class OscillationWatch {
   bool step(const Vec3& moved, const Vec3& force, double dt) noexcept;
   void reset() noexcept { *this = OscillationWatch(pattern_); }
 
+  // Of the cycle that ended last: Hz, 0 before the first; mm from side to side along the axis of the operator's frame
+  // on which it was widest.
+  double frequency() const noexcept { return frequency_; }
+  double width() const noexcept { return width_; }
+
  private:
   bool is_driven(double turned_at) const noexcept;
 
@@ -47,6 +52,8 @@ class OscillationWatch {
   double extreme_ = 0.0;      // mm, the furthest since the last turning point
   bool forwards_ = true;
   double since_turn_ = 0.0;                  // s
+  double turn_took_ = 0.0;                   // s between the last two turning points
+  double frequency_ = 0.0, width_ = 0.0;     // Hz, mm
   double shaking_ = 0.0;                     // s
   double turn_ = 0.0, turn_before_ = 0.0;    // mm, the last two turning points
   double given_ = 0.0, given_before_ = 0.0;  // N mm since the last turning point, and between the last two

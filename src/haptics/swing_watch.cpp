@@ -15,6 +15,8 @@ constexpr double hand_acceleration = 2.0e4;  // mm/s^2
 constexpr double persists = 0.85;            // of a cycle's width that the next one has at least
 constexpr double unsteady = 0.25;            // of a period by which another one may differ
 constexpr double fast_swings = 2.0;          // times the least swing
+constexpr double lasting_swings = 1.5;       // the same of a swing that lasts
+constexpr double at_turn = 0.2;              // of the least swing, within which the hand is at its turning point
 
 // How equal the cycles of a swing are that no hand makes, and how many of them, for how long.
 struct Evenness {
@@ -39,13 +41,21 @@ bool SwingWatch::is_shaken(const Axis& axis) noexcept {
   if (axis.count <= static_cast<int>(axis.last.size())) return false;  // the first one began in the middle
   const auto& swing = axis.last;
   const double width = std::min(swing[0].width, swing[1].width);
-  const double period = swing[0].time + swing[1].time;
-  for (std::size_t i = 2; i < swing.size(); i += 2) {
-    if (swing[i - 2].width + swing[i - 1].width < persists * (swing[i].width + swing[i + 1].width)) return false;
+  double time = 0.0, longest = 0.0;
+  for (std::size_t i = 0; i < swing.size(); i += 2) {
+    time += swing[i].time + swing[i + 1].time;
+    longest = std::max(longest, swing[i].time + swing[i + 1].time);
+  }
+  const double period = time * 2.0 / static_cast<double>(swing.size());
+  for (std::size_t i = 0; i < swing.size(); i += 2) {
+    if (i > 0 && swing[i - 2].width + swing[i - 1].width < persists * (swing[i].width + swing[i + 1].width))
+      return false;
     if (std::abs(swing[i].time + swing[i + 1].time - period) > unsteady * period) return false;
   }
+  // Each cycle has to be one that no hand makes: counts of an encoder, and a hand that changes its pace, make single
+  // ones shorter than they are.
+  if (width <= allowed(1.0 / longest)) return false;
   const double frequency = 1.0 / period;
-  if (width <= allowed(frequency)) return false;
   frequency_ = frequency;
   width_ = width;
   return true;
@@ -55,7 +65,7 @@ bool SwingWatch::is_shaken(const Axis& axis) noexcept {
 void SwingWatch::watch_lasting(Axis& axis, double dt) noexcept {
   const auto& swing = axis.last;
   const double period = swing[0].time + swing[1].time, width = 0.5 * (swing[0].width + swing[1].width);
-  if (axis.count < 3 || width <= fast_swings * least_) {
+  if (axis.count < 3 || width <= lasting_swings * least_) {
     axis.widest = axis.longest = axis.lasting = axis.half_cycles = 0.0;
     axis.narrowest = axis.shortest = std::numeric_limits<double>::infinity();
     return;
@@ -81,7 +91,8 @@ void SwingWatch::watch_lasting(Axis& axis, double dt) noexcept {
   width_ = width;
 }
 
-// One axis. A turning point is known once the hand has come back by `least_`.
+// One axis. A turning point is known once the hand has come back by `least_`. Its time is the middle of the time that
+// the hand spent there: what a coarse encoder shows of it begins early by half of that.
 bool SwingWatch::step(Axis& axis, double moved, double dt) noexcept {
   axis.place += moved;
   axis.since_extreme += dt;
@@ -89,16 +100,20 @@ bool SwingWatch::step(Axis& axis, double moved, double dt) noexcept {
     axis.since_turn += axis.since_extreme;
     axis.since_extreme = 0.0;
     axis.extreme = axis.place;
+    axis.dwelt = 0.0;
+  } else if (std::abs(axis.extreme - axis.place) < at_turn * least_) {
+    axis.dwelt = axis.since_extreme;
   }
   const double longest = 0.5 / slowest_shaking;
   if (std::max(axis.since_turn, axis.since_extreme) > longest) axis.count = 0;
   if (std::abs(axis.extreme - axis.place) < least_) return false;
 
   std::rotate(axis.last.begin(), axis.last.end() - 1, axis.last.end());
-  axis.last.front() = {std::abs(axis.extreme - axis.turn), std::max(axis.since_turn, dt)};
+  axis.last.front() = {std::abs(axis.extreme - axis.turn), std::max(axis.since_turn + 0.5 * axis.dwelt, dt)};
   axis.count = axis.since_turn > longest ? 0 : axis.count + 1;
   axis.turn = axis.extreme;
-  axis.since_turn = axis.since_extreme;
+  axis.since_turn = axis.since_extreme - 0.5 * axis.dwelt;
+  axis.dwelt = 0.0;
   axis.since_extreme = 0.0;
   axis.extreme = axis.place;
   axis.forwards = !axis.forwards;

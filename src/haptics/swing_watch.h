@@ -10,9 +10,10 @@ namespace bodkin::haptics {
 // account say. It looks for three whole cycles in a row, as long and as wide as each other, that do not die away and
 // are wider than a hand of its own makes them:
 //
-//   from 19 Hz on: twice the smallest swing that the encoder can tell from noise (no hand trembles that fast);
-//   below: A = 2 a / (2 pi f)^2 from side to side, a = 20 m/s^2 (a choice: about four times what a hand that trembles
-//   by 3 mm at 6 Hz or by 1 mm at 11 Hz needs), which is 2.8 mm at 19 Hz, 10 mm at 10 Hz and 113 mm at 3 Hz.
+//   from 19 Hz on in each of the three: twice the smallest swing that the encoder can tell from noise (no hand
+//   trembles that fast); below: A = 2 a / (2 pi f)^2 from side to side, a = 20 m/s^2 (a choice: about four times what
+//   a hand that trembles by 3 mm at 6 Hz or by 1 mm at 11 Hz needs), which is 2.8 mm at 19 Hz, 10 mm at 10 Hz and 113
+//   mm at 3 Hz.
 //
 // What swings less below 19 Hz is for OscillationWatch, which asks who does the work, and for lasts(): a swing,
 // however small, all of whose cycles are equally long and equally wide without a break.
@@ -51,6 +52,7 @@ class SwingWatch {
   struct Axis {
     double place = 0.0, extreme = 0.0, turn = 0.0;  // mm
     double since_extreme = 0.0, since_turn = 0.0;   // s; the latter to the extreme
+    double dwelt = 0.0;                             // s that it stayed near the extreme
     bool forwards = true;
     int count = 0;                                                        // swings in a row that were fast enough
     std::array<Swing, 6> last{};                                          // the newest first

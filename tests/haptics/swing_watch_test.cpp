@@ -100,7 +100,8 @@ TEST(SwingWatch, finds_a_slow_small_swing_that_lasts_for_twelve_cycles) {
       EXPECT_LT(found, 13.75 / hertz) << hertz << " Hz, " << wide << " mm";
     }
   }
-  EXPECT_EQ(found_to_last(4.0, 0.04), 0.0) << "what an encoder makes of rest";
+  EXPECT_GT(found_to_last(4.0, 0.04), 0.0) << "more than one and a half of the least swing";
+  EXPECT_EQ(found_to_last(4.0, 0.035), 0.0) << "what an encoder makes of rest";
   EXPECT_EQ(found_to_last(2.0, 2.0), 0.0) << "slower than 3 Hz";
 }
 
@@ -149,12 +150,12 @@ TEST(SwingWatch, a_tremor_does_not_last) {
 
 TEST(Calming, takes_a_step_every_25_ms_while_the_hand_goes_on) {
   Calming calming;
-  EXPECT_EQ(calming.begin(22.0, 2.0), Calming::Step::softer);
+  EXPECT_EQ(calming.begin({22.0, 2.0}), Calming::Step::softer);
   EXPECT_DOUBLE_EQ(calming.share(), 0.5);
   std::vector<int> steps;
   for (int i = 1; i <= 100; ++i) {
     const double place = std::sin(6.2832 * 22.0 * 0.001 * i), before = std::sin(6.2832 * 22.0 * 0.001 * (i - 1));
-    const Calming::Step step = calming.step(Vec3(0.0, place - before, 0.0), one_tick);
+    const Calming::Step step = calming.step(Vec3(0.0, place - before, 0.0), Vec3::Zero(), one_tick);
     EXPECT_EQ(calming.damps(), step == Calming::Step::damped || !steps.empty());
     if (step != Calming::Step::none) steps.push_back(i);
     if (step == Calming::Step::none_left) break;
@@ -164,19 +165,19 @@ TEST(Calming, takes_a_step_every_25_ms_while_the_hand_goes_on) {
 
 TEST(Calming, gives_the_force_back_to_a_hand_that_was_calm_for_ten_seconds) {
   Calming calming;
-  calming.begin(22.0, 2.0);
-  for (int i = 0; i < 9900; ++i) EXPECT_EQ(calming.step(Vec3::Zero(), one_tick), Calming::Step::none);
+  calming.begin({22.0, 2.0});
+  for (int i = 0; i < 9900; ++i) EXPECT_EQ(calming.step(Vec3::Zero(), Vec3::Zero(), one_tick), Calming::Step::none);
   EXPECT_DOUBLE_EQ(calming.share(), 0.5);
-  for (int i = 0; i < 1200; ++i) calming.step(Vec3::Zero(), one_tick);
+  for (int i = 0; i < 1200; ++i) calming.step(Vec3::Zero(), Vec3::Zero(), one_tick);
   EXPECT_DOUBLE_EQ(calming.share(), 1.0);
   EXPECT_FALSE(calming.is_on());
 }
 
 TEST(Calming, a_hand_that_shakes_again_before_loses_the_force) {
   Calming calming;
-  calming.begin(22.0, 2.0);
-  for (int i = 0; i < 3000; ++i) calming.step(Vec3::Zero(), one_tick);
-  EXPECT_EQ(calming.begin(22.0, 2.0), Calming::Step::none_left);
+  calming.begin({22.0, 2.0});
+  for (int i = 0; i < 3000; ++i) calming.step(Vec3::Zero(), Vec3::Zero(), one_tick);
+  EXPECT_EQ(calming.begin({22.0, 2.0}), Calming::Step::none_left);
 }
 
 }  // namespace

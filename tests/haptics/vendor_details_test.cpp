@@ -113,7 +113,7 @@ TEST(ForceDimension, knows_its_models_by_number) {
   const DriverSubject& fd = driver_subject("force_dimension");
   fd.board().clear();
   for (const auto& [type, force, torque] : {std::tuple{33, 12.0, 0.0},
-                                            {64, 20.0, 0.0},
+                                            {64, 20.0, 200.0},
                                             {104, 12.0, 200.0},
                                             {107, 12.0, 200.0},
                                             {203, 12.0, 0.0},

@@ -25,23 +25,25 @@ constexpr unsigned char watchdog_steps = 160;  // 20 ms without a command, then 
 constexpr int status_every = 4;                // rounds between two looks at the status vector
 constexpr int stop_attempts = 10;
 
-// Of the models that the SDK numbers. N, N mm, N/mm, N s/mm, mm, s. The numbers are those of
-// share/bodkin/devices.csv; relatives for which the makers print none have those of the device beside them.
+// Of the models that the SDK numbers. N, N mm, N/mm, N s/mm, half the workspace's width (and height) and depth in mm,
+// mm, s. The numbers are those of share/bodkin/devices.csv; relatives for which the makers print none have those of
+// the device beside them.
 struct Model {
   int first, last;  // system types
-  double force, torque, stiffness, damping, radius, resolution, delay;
+  double force, torque, stiffness, damping, half_width, half_depth, resolution, delay;
 };
 constexpr Model models[] = {
-    {33, 37, 12.0, 0.0, 5.0, 0.03, 75.0, 0.01, 0.00025},       // omega.3, .6, .7
-    {60, 60, 8.0, 0.0, 3.0, 0.02, 50.0, 0.0635, 0.001},        // Falcon
-    {63, 64, 20.0, 0.0, 5.0, 0.03, 150.0, 0.02, 0.00025},      // delta.3, .6
-    {104, 107, 12.0, 200.0, 4.0, 0.03, 75.0, 0.01, 0.00025},   // sigma.7, .6+
-    {206, 206, 12.0, 0.0, 4.0, 0.03, 75.0, 0.01, 0.00025},     // sigma.3
-    {108, 109, 12.0, 200.0, 8.0, 0.03, 112.0, 0.01, 0.00025},  // lambda.7
-    {203, 203, 12.0, 0.0, 8.0, 0.03, 112.0, 0.01, 0.00025},    // lambda.3
+    {33, 37, 12.0, 0.0, 5.0, 0.03, 80.0, 55.0, 0.01, 0.00025},        // omega.3, .6, .7
+    {60, 60, 8.0, 0.0, 3.0, 0.02, 51.0, 51.0, 0.0635, 0.001},         // Falcon
+    {63, 63, 20.0, 0.0, 5.0, 0.03, 200.0, 130.0, 0.02, 0.00025},      // delta.3
+    {64, 64, 20.0, 200.0, 5.0, 0.03, 200.0, 130.0, 0.02, 0.00025},    // delta.6
+    {104, 107, 12.0, 200.0, 4.0, 0.03, 75.0, 75.0, 0.01, 0.00025},    // sigma.7, .6+
+    {206, 206, 12.0, 0.0, 4.0, 0.03, 75.0, 75.0, 0.01, 0.00025},      // sigma.3
+    {108, 109, 12.0, 200.0, 8.0, 0.03, 112.0, 112.0, 0.01, 0.00025},  // lambda.7
+    {203, 203, 12.0, 0.0, 8.0, 0.03, 112.0, 112.0, 0.01, 0.00025},    // lambda.3
 };
 constexpr int falcon = 60;
-constexpr Model unknown_model{0, 0, 5.0, 0.0, 1.0, 0.01, 0.0, 0.0, 0.001};
+constexpr Model unknown_model{0, 0, 5.0, 0.0, 1.0, 0.01, 0.0, 0.0, 0.0, 0.001};
 
 const Model& model_of(int type) {
   for (const Model& model : models) {
@@ -320,8 +322,9 @@ struct ForceDimension {
     copy_text(model.delay < 0.001 ? "Force Dimension data sheets: up to 4000 exchanges a second; one exchange"
                                   : "no maker states it; one 1 ms frame of the bus (USB 2.0, 5.11)",
               abilities.delay_source, BODKIN_TEXT);
-    std::fill_n(abilities.workspace_low, 3, -model.radius);
-    std::fill_n(abilities.workspace_high, 3, model.radius);
+    const Vec3 half(model.half_width, model.half_depth, model.half_width);
+    Eigen::Map<Vec3>(abilities.workspace_low) = -half;
+    Eigen::Map<Vec3>(abilities.workspace_high) = half;
     abilities.measures_rotation = wrist ? 1 : 0;
     return std::make_unique<ForceDimensionDevice>(std::move(handle), torques, abilities.peak_force);
   }

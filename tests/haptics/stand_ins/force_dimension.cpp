@@ -129,8 +129,12 @@ EXPORT const char* dhdGetSystemName(char id) {
       return "Falcon";
     case 63:
       return "delta.3";
+    case 64:
+      return "delta.6";
     case 104:
       return "sigma.7";
+    case 106:
+      return "sigma.6+";
     case 108:
       return "lambda.7";
     default:

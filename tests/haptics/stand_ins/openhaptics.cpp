@@ -27,7 +27,24 @@ struct ErrorRecord {
 };
 
 constexpr unsigned no_device = 0xFFFFFFFF;
-constexpr double peak = 3.3;  // N
+// What the library reports of a model, the vendor's units and axes: the numbers that its maker prints.
+struct Model {
+  const char* name;
+  double stiffness, peak, continuous, damping, torque;
+  double box[6];
+};
+constexpr Model models[] = {
+    // not symmetric about the origin
+    {"Touch", 0.5, 3.3, 0.88, 0.004, 188.0, {-80, -40, -35, 80, 80, 35}},
+    {"Touch X", 1.0, 7.9, 1.75, 0.005, 188.0, {-80, -50, -60, 80, 70, 60}},
+    {"PHANTOM Premium 1.5 6DOF", 0.8, 8.5, 1.4, 0.005, 170.0, {-190.5, -133.5, -95.5, 190.5, 133.5, 95.5}},
+};
+constexpr double peak = models[0].peak;  // N
+
+// Board::type is an index.
+const Model& model() {
+  return models[std::min(static_cast<std::size_t>(board().type), std::size(models) - 1)];
+}
 
 struct Device {
   bool open = false;
@@ -270,28 +287,26 @@ EXPORT void hdGetDoublev(unsigned parameter, double* values) {
       if (first(which)) values[12] += shifted;
       values[15] = 1.0;
       return;
-    case 0x2551: {
-      const double box[6] = {-80, -40, -35, 80, 80, 35};  // not symmetric about the origin
-      std::copy_n(box, 6, values);
+    case 0x2551:
+      std::copy_n(model().box, 6, values);
       return;
-    }
     case 0x2602:
-      *values = 0.5;
+      *values = model().stiffness;
       return;
     case 0x2603:
-      *values = peak;
+      *values = model().peak;
       return;
     case 0x2604:
-      *values = 0.88;
+      *values = model().continuous;
       return;
     case 0x2605:
       std::fill_n(values, 6, board().troubled_by(Trouble::hot) ? 1.0 : 0.2);
       return;
     case 0x2609:
-      *values = 0.004;
+      *values = model().damping;
       return;
     case 0x2622:
-      *values = 188.0;
+      *values = model().torque;
       return;
     default:
       refuse(0x0103, "not a parameter of doubles");
@@ -303,7 +318,7 @@ EXPORT const char* hdGetString(unsigned parameter) {
     case 0x2500:
       return board().troubled_by(Trouble::wrong_version) ? "2.1" : "3.40";
     case 0x2501:
-      return "Touch";
+      return model().name;
     case 0x2504:
       return "51025300001";
     default:
