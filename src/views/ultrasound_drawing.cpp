@@ -196,6 +196,8 @@ void UltrasoundView::draw_words(QPainter& painter) const {
   draw_text(painter, {10.0, 22.0}, tr("Ultrasound"), along_colour);
   if (!scan_) return;
   if (shows_ct()) draw_text(painter, {ct_box().left() + 10.0, 22.0}, tr("CT, the same plane"), theme.text);
+  // A picture that only shows what was recorded has neither keys nor a rate.
+  if (testAttribute(Qt::WA_TransparentForMouseEvents)) return;
   set_font(painter, text_size);
   if (!scan_->screen().frozen()) {
     draw_text(painter, {machine_box().right() - 10.0, 22.0}, tr("%1 pictures/s").arg(rate_, 0, 'f', 0), theme.second,
