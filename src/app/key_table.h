@@ -45,6 +45,7 @@ enum class Command : std::uint8_t {
   show_ladder,
   show_dock,
   toggle_ultrasound,
+  toggle_volume,
   fill,
   of_the_view,  // the view with the focus does it
   of_the_page   // the page that is shown does it

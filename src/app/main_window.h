@@ -110,6 +110,8 @@ class MainWindow : public QMainWindow {
   void show_palette();
   void begin_tour();
   void show_ultrasound(bool on);
+  void show_volume();
+  std::vector<KeyScope> scopes_of_keys() const;  // of what is shown now
   static station::UltrasoundChoice usual_ultrasound(bool has_path);
   void show_moving(bool on);
   void save_picture();

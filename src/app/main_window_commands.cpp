@@ -1,6 +1,7 @@
 // What the window does when it is asked for something: by a key, a button, the palette or a script.
 #include <QApplication>
 #include <QDateTime>
+#include <QDir>
 #include <QFileDialog>
 #include <QMenu>
 #include <QSettings>
@@ -32,9 +33,7 @@ void MainWindow::follow(const std::string& server, const std::filesystem::path& 
 void MainWindow::run(Command command) {
   switch (command) {
     case Command::show_keys:
-      keys_->show_keys(page_scope() == KeyScope::practise
-                           ? std::vector{KeyScope::practise, KeyScope::view3d, KeyScope::slice, KeyScope::window}
-                           : std::vector{page_scope(), KeyScope::window});
+      keys_->show_keys(scopes_of_keys());
       keys_->setGeometry(rect());
       keys_->setVisible(!keys_->isVisible());
       return keys_->raise();
@@ -120,6 +119,8 @@ void MainWindow::run(Command command) {
       return practise_->toggle_dock();
     case Command::toggle_ultrasound:
       return show_ultrasound(!has_ultrasound_);
+    case Command::toggle_volume:
+      return show_volume();
     case Command::fill:
       return practise_->toggle_fill();
     case Command::of_the_view:
@@ -175,6 +176,12 @@ station::UltrasoundChoice MainWindow::usual_ultrasound(bool has_path) {
   choice.settings.depth = 90.0;
   choice.request.view = has_path ? imaging::ScanView::needle : imaging::ScanView::paramedian;
   return choice;
+}
+
+void MainWindow::show_volume() {
+  if (!practise_->may_show_volume())
+    return practice_.say(tr("This stage of the plan is done without the volume.").toStdString());
+  practise_->toggle_volume();
 }
 
 void MainWindow::show_ultrasound(bool on) {
@@ -245,7 +252,11 @@ void MainWindow::begin_tour() {
 void MainWindow::save_picture() {
   const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
   const QString name = QDateTime::currentDateTime().toString(QStringLiteral("'bodkin' yyyy-MM-dd hh.mm.ss'.png'"));
-  grab().save(folder + QLatin1Char('/') + name);
+  const QString file = folder + QLatin1Char('/') + name;
+  const bool saved = QDir().mkpath(folder) && grab().save(file);
+  const QString words =
+      saved ? tr("Saved as %1") : tr("%1 cannot be written; is there room, and may you write there?");
+  practice_.say(words.arg(file).toStdString());
 }
 
 void MainWindow::apply_theme(bool dark) {

@@ -30,6 +30,16 @@ KeyScope MainWindow::page_scope() const {
   return pages_->currentWidget() == practise_ ? KeyScope::practise : KeyScope::start;
 }
 
+std::vector<KeyScope> MainWindow::scopes_of_keys() const {
+  const KeyScope page = page_scope();
+  if (page != KeyScope::practise) return {page, KeyScope::window};
+  std::vector<KeyScope> scopes = {page, KeyScope::view3d, KeyScope::slice};
+  if (has_ultrasound_) scopes.push_back(KeyScope::ultrasound);
+  if (practise_->has_volume()) scopes.push_back(KeyScope::volume);
+  scopes.push_back(KeyScope::window);
+  return scopes;
+}
+
 bool MainWindow::press(const QKeySequence& keys, bool before_views) {
   const KeyScope page = page_scope();
   if (before_views) {

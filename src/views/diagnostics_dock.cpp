@@ -17,13 +17,20 @@ namespace {
 constexpr double dock_interval = 0.1;  // s between two drawings: numbers that change faster are not read
 constexpr double dock_gap = 12.0;      // pixels
 
-// "wall_mm" -> "mm", "stored_N_mm" -> "N mm", "syringe_pressure_MPa" -> "MPa".
+// "wall_mm" -> "mm", "stored_N_mm" -> "N mm", "csf_flow_mm3_s" -> "mm³/s".
 QString unit_of(std::string_view name) {
-  for (const char* unit : {"N_mm", "mm3", "mm", "MPa", "N"}) {
-    const std::string_view tail(unit);
-    if (name.size() > tail.size() && name.ends_with(tail)) return QString::fromLatin1(unit).replace('_', ' ');
+  constexpr std::array<std::pair<std::string_view, const char*>, 6> units = {
+      {{"mm3_s", "mm³/s"}, {"N_mm", "N mm"}, {"mm3", "mm³"}, {"mm", "mm"}, {"MPa", "MPa"}, {"N", "N"}}};
+  for (const auto& [tail, unit] : units) {
+    if (name.size() > tail.size() && name.ends_with(tail)) return QString::fromUtf8(unit);
   }
   return {};
+}
+
+// Three digits, and no minus before a nought.
+QString three_digits(double value) {
+  constexpr double least = 0.0005;
+  return QString::number(std::abs(value) < least ? 0.0 : value, 'f', 3);
 }
 
 QString microseconds(double seconds) {
@@ -119,7 +126,7 @@ void DiagnosticsDock::draw_loop(QPainter& painter, const QRectF& box) const {
     return draw_text(painter, {inner.left(), inner.top() + 12.0}, tr("It does not run"), theme.second);
   }
   constexpr double from = 1e-6, to = 1e-2;  // s
-  const QRectF plot = inner.adjusted(0.0, 0.0, 0.0, -52.0);
+  const QRectF plot = inner.adjusted(0.0, 0.0, 0.0, -68.0);
   const auto count = static_cast<std::size_t>(std::max(8.0, plot.width() / 4.0));
   const std::vector<double> compute = histogram_columns(timings_->compute, from, to, count);
   const std::vector<double> late = histogram_columns(timings_->lateness, from, to, count);
@@ -162,10 +169,10 @@ void DiagnosticsDock::draw_loop(QPainter& painter, const QRectF& box) const {
           .arg(microseconds(work.percentile(0.5)), microseconds(work.percentile(0.99)),
                microseconds(work.maximum())));
   row(plot.bottom() + 48.0, theme.caution,
-      tr("begins late by %1, 99 %: %2; %3 of %4 overran")
-          .arg(microseconds(timings_->lateness.percentile(0.5)), microseconds(timings_->lateness.percentile(0.99)))
-          .arg(timings_->overruns)
-          .arg(timings_->ticks));
+      tr("begins late by %1, 99 %: %2")
+          .arg(microseconds(timings_->lateness.percentile(0.5)), microseconds(timings_->lateness.percentile(0.99))));
+  draw_text(painter, {plot.left() + 14.0, plot.bottom() + 64.0},
+            tr("%1 of %2 overran").arg(timings_->overruns).arg(timings_->ticks), theme.second);
 }
 
 void DiagnosticsDock::draw_model(QPainter& painter, const QRectF& box) const {
@@ -175,7 +182,7 @@ void DiagnosticsDock::draw_model(QPainter& painter, const QRectF& box) const {
   double y = inner.top() + 12.0;
   if (numbers_.empty()) draw_text(painter, {inner.left(), y}, tr("It has no numbers of its own"), theme.second);
   for (const Number& number : numbers_) {
-    const QString value = tr("%1 %2").arg(number.value, 0, 'f', 3).arg(number.unit);
+    const QString value = tr("%1 %2").arg(three_digits(number.value), number.unit);
     const int room = static_cast<int>(inner.width()) - painter.fontMetrics().horizontalAdvance(value) - 10;
     draw_text(painter, {inner.left(), y}, painter.fontMetrics().elidedText(number.title, Qt::ElideRight, room),
               theme.second);

@@ -121,6 +121,11 @@ void ForceChart::show_tissues(bool shown) {
   update();
 }
 
+void ForceChart::set_end_of_time(std::optional<double> end) {
+  end_of_time_ = end;
+  update();
+}
+
 void ForceChart::show_components(bool shown) {
   components_ = shown;
   update();
@@ -227,6 +232,7 @@ double ForceChart::from() const {
 
 double ForceChart::to() const {
   if (zoom_) return zoom_->to;
+  if (axis_ == Axis::time && end_of_time_) return std::max(*end_of_time_, 1.0);
   if (axis_ == Axis::time) return axis_end(force_.in_time.reach(), least_time);
   constexpr double beyond = 1.1, decade = 10.0;
   const double reach = std::max({least_depth, beyond * planned_, force_.inwards.reach()});

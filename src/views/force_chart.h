@@ -62,6 +62,8 @@ class ForceChart : public View {
     bool operator==(const Cursor&) const = default;
   };
   void set_cursor(const std::optional<Cursor>& cursor);
+  // Where the axis of time ends, s; nothing: a little beyond the newest sample.
+  void set_end_of_time(std::optional<double> end);
   // The curve of another session, in a second colour; empty: none.
   void compare_with(std::span<const station::HandSample> samples);
 
@@ -128,6 +130,7 @@ class ForceChart : public View {
 
   Trace force_, along_, across_, number_, other_;
   std::optional<Cursor> cursor_;
+  std::optional<double> end_of_time_;  // s
   MetTissues met_;
   std::vector<Flag> flags_;
   double depth_ = 0.0, time_ = 0.0, now_ = 0.0;  // mm, s, N of the last sample

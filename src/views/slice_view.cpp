@@ -249,10 +249,6 @@ bool SliceView::press(int key) {
     case Qt::Key_Home:
       show_whole_procedure();
       return true;
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-      emit fill_requested();
-      return true;
     default:
       return false;
   }

@@ -90,6 +90,7 @@ QTreeWidget { selection-background-color: %9; }
 QListWidget::item { padding: 5px 8px; border-radius: 6px; }
 QListWidget::item:selected, QTreeWidget::item:selected { background: %9; color: %2; }
 QComboBox, QDoubleSpinBox, QSpinBox { background: %7; border: 1px solid %5; border-radius: 6px; padding: 5px 8px; }
+QDoubleSpinBox::up-button, QDoubleSpinBox::down-button, QSpinBox::up-button, QSpinBox::down-button { width: 0px; }
 QComboBox QAbstractItemView { background: %7; selection-background-color: %9; }
 QCheckBox::indicator:unchecked { width: 12px; height: 12px; border: 1px solid %6; border-radius: 3px; }
 QSlider::groove:horizontal { background: %5; height: 6px; border-radius: 3px; }

@@ -33,7 +33,7 @@ class View : public QWidget {
   void tilted(double right, double cranial);        // rad, the hub was dragged about the tip
   void crosshair_moved(const bodkin::Vec3& point);  // LPS mm
   void follow_tip_toggled();
-  void fill_requested();  // double click or Enter: this view into the big slot
+  void fill_requested();  // double click: this view into the big slot
 };
 
 }  // namespace bodkin::views

@@ -182,6 +182,14 @@ void VolumeView::set_mode(imaging::VolumeMode mode) {
   set_look(look);
 }
 
+void VolumeView::choose_preset(imaging::TransferPreset preset) {
+  preset_ = preset;
+  imaging::VolumeLook look = look_;
+  look.transfer = imaging::preset_function(preset);
+  set_look(look);
+  emit preset_chosen(preset);
+}
+
 void VolumeView::set_camera(const scene::Camera& camera) {
   flight_.reset();
   camera_ = camera;
@@ -201,6 +209,12 @@ void VolumeView::resizeEvent(QResizeEvent* event) {
   picture_.set_size(std::max(1, static_cast<int>(std::lround(scale_ * width()))),
                     std::max(1, static_cast<int>(std::lround(scale_ * height()))));
   picture_.draw(needles_, marks_);
+  moved_ = true;
+}
+
+// The needle has moved while nobody saw it.
+void VolumeView::showEvent(QShowEvent* event) {
+  View::showEvent(event);
   moved_ = true;
 }
 
@@ -275,6 +289,10 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
   if (const auto face = orientation_cube_face(cube, camera_.axes(), event->localPos())) choose_view(*face);
 }
 
+void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) emit fill_requested();
+}
+
 void VolumeView::wheelEvent(QWheelEvent* event) {
   const double notches = event->angleDelta().y() / volume_wheel_notch;
   if (notches != 0.0 && has_volume_) {
@@ -290,6 +308,10 @@ bool VolumeView::press(int key) {
   switch (key) {
     case Qt::Key_M:
       set_mode(static_cast<imaging::VolumeMode>((static_cast<int>(look_.mode) + 1) % 4));
+      return true;
+    case Qt::Key_P:
+      choose_preset(
+          imaging::transfer_presets[(static_cast<std::size_t>(preset_) + 1) % imaging::transfer_presets.size()]);
       return true;
     case Qt::Key_Left:
     case Qt::Key_Right:

@@ -16,7 +16,8 @@ namespace bodkin::views {
 // changes, in full a moment after.
 //
 // Mouse: a drag turns the patient, with the middle button it moves him, with the right one it sets the window
-// (brightness in a sum); the wheel zooms. Keys: 0 to 6 views, M next mode, P next preset, arrows turn, + - zoom.
+// (brightness in a sum); the wheel zooms; a double click asks for the whole page. Keys: 0 to 6 views, M next mode, P
+// next preset, arrows turn, + - zoom.
 class VolumeView : public View {
   Q_OBJECT
  public:
@@ -30,6 +31,7 @@ class VolumeView : public View {
   const imaging::VolumeLook& look() const { return look_; }
   void set_look(const imaging::VolumeLook& look);
   void set_mode(imaging::VolumeMode mode);
+  void choose_preset(imaging::TransferPreset preset);
   const scene::Camera& camera() const { return camera_; }
   void set_camera(const scene::Camera& camera);
   void choose_view(scene::StandardView view);
@@ -45,13 +47,16 @@ class VolumeView : public View {
  signals:
   void ready();  // volume() is there
   void look_changed();
+  void preset_chosen(bodkin::imaging::TransferPreset preset);  // by choose_preset() or by its key; look() has it
 
  protected:
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
@@ -66,6 +71,7 @@ class VolumeView : public View {
   scene::VolumePicture picture_;
   MovingDetail moving_detail_;
   imaging::VolumeLook look_;
+  imaging::TransferPreset preset_ = imaging::TransferPreset::bone;
   scene::Camera camera_;
   scene::ViewSubject subject_;
   std::optional<scene::CameraFlight> flight_;

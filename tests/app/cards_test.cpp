@@ -69,10 +69,7 @@ TEST(AllowedFrame, shows_where_it_should_have_gone_when_the_attempt_is_over) {
   EXPECT_TRUE(allowed_frame(frame, aids).plan.has_value());
 }
 
-class FoundPoint : public WindowFixture {
- protected:
-  bool wait(const std::function<bool()>& until, int seconds) { return QTest::qWaitFor(until, 1000 * seconds); }
-};
+class FoundPoint : public WindowFixture {};
 
 TEST_F(FoundPoint, is_needled_where_it_was_found_and_the_true_one_is_shown_at_the_end) {
   // A coarse block about a point of the leg.

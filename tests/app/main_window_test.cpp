@@ -24,10 +24,6 @@ namespace {
 
 class Window : public WindowFixture {
  protected:
-  void key(int code, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-    QWidget* const focus = window_->focusWidget();
-    QTest::keyClick(focus != nullptr ? focus : window_.get(), static_cast<Qt::Key>(code), modifiers);
-  }
   // Notches inwards, over a slice.
   void push(int notches) {
     QWidget* const slice = find("practise.slice.sagittal");
@@ -38,18 +34,6 @@ class Window : public WindowFixture {
       QApplication::sendEvent(slice, &event);
       QTest::qWait(5);
     }
-  }
-  bool wait(const std::function<bool()>& until, int seconds) { return QTest::qWaitFor(until, 1000 * seconds); }
-  bool wait(State state, int seconds) {
-    return wait([&] { return window_->practice().state() == state; }, seconds);
-  }
-  const Frame& frame() { return window_->practice().frame(); }
-  bool start() {
-    click("start.begin");
-    const auto decided = [&] {
-      return window_->practice().state() == State::ready || !window_->practice().failure().empty();
-    };
-    return wait(decided, 120) && window_->practice().failure().empty();
   }
   // Pushes until the tip is so deep, however long the machine takes for it.
   void push_to(double depth) {

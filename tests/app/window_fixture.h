@@ -2,6 +2,7 @@
 
 #include <QTest>
 #include <QWidget>
+#include <functional>
 #include <memory>
 
 #include "app/main_window.h"
@@ -26,6 +27,23 @@ class WindowFixture : public testing::Test {
     return found;
   }
   void click(const char* name) { QTest::mouseClick(find(name), Qt::LeftButton); }
+  void key(int code, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QWidget* const focus = window_->focusWidget();
+    QTest::keyClick(focus != nullptr ? focus : window_.get(), static_cast<Qt::Key>(code), modifiers);
+  }
+  static bool wait(const std::function<bool()>& until, int seconds) { return QTest::qWaitFor(until, 1000 * seconds); }
+  bool wait(State state, int seconds) {
+    return wait([&] { return window_->practice().state() == state; }, seconds);
+  }
+  const Frame& frame() { return window_->practice().frame(); }
+  // An attempt on the patient that comes with Bodkin.
+  bool start() {
+    click("start.begin");
+    const auto decided = [&] {
+      return window_->practice().state() == State::ready || !window_->practice().failure().empty();
+    };
+    return wait(decided, 120) && window_->practice().failure().empty();
+  }
 
   std::unique_ptr<MainWindow> window_;
 };

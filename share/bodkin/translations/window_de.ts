@@ -656,11 +656,15 @@
     </message>
     <message>
         <source>a tick takes %1, 99 %: %2, most %3</source>
-        <translation>ein Takt dauert %1, 99 %: %2, höchstens %3</translation>
+        <translation>Takt: %1, 99 %: %2, max. %3</translation>
     </message>
     <message>
-        <source>begins late by %1, 99 %: %2; %3 of %4 overran</source>
-        <translation>beginnt um %1 zu spät, 99 %: %2; %3 von %4 überzogen</translation>
+        <source>begins late by %1, 99 %: %2</source>
+        <translation>beginnt um %1 zu spät, 99 %: %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 overran</source>
+        <translation>%1 von %2 überzogen</translation>
     </message>
     <message>
         <source>Force model</source>
@@ -684,7 +688,7 @@
     </message>
     <message>
         <source>Energy given to the tissue</source>
-        <translation>An das Gewebe abgegebene Energie</translation>
+        <translation>Energie ins Gewebe</translation>
     </message>
     <message>
         <source>%1 N mm</source>
@@ -1147,6 +1151,18 @@
     <message>
         <source>A drag turns the body, with the right button it moves it. G ends.</source>
         <translation>Ziehen dreht den Körper, mit der rechten Taste verschiebt es ihn. G beendet es.</translation>
+    </message>
+    <message>
+        <source>This stage of the plan is done without the volume.</source>
+        <translation>Diese Stufe des Plans wird ohne das Volumen geübt.</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Gespeichert als %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written; is there room, and may you write there?</source>
+        <translation>%1 kann nicht geschrieben werden; ist Platz da, und dürfen Sie dort schreiben?</translation>
     </message>
 </context>
 <context>
@@ -1770,6 +1786,10 @@
         <source>The body as it lay at first (Ctrl+Home)</source>
         <translation>Der Körper, wie er anfangs lag (Strg+Pos1)</translation>
     </message>
+    <message>
+        <source>The inside of the patient from his CT, beside the slices (I); M for the mode, P for the preset</source>
+        <translation>Das Innere des Patienten aus seinem CT, neben den Schichten (I); M für die Darstellung, P für die Voreinstellung</translation>
+    </message>
 </context>
 <context>
     <name>PreparingCard</name>
@@ -2322,7 +2342,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
     </message>
     <message>
         <source>Look</source>
-        <translation>Ansehen</translation>
+        <translation>Sehen</translation>
     </message>
     <message>
         <source>Moves the crosshair (L)</source>
@@ -2338,7 +2358,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
     </message>
     <message>
         <source>Erase</source>
-        <translation>Radieren</translation>
+        <translation>Tilgen</translation>
     </message>
     <message>
         <source>Takes from the structure (E)</source>
@@ -2346,7 +2366,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
     </message>
     <message>
         <source>Grow</source>
-        <translation>Wachsen</translation>
+        <translation>Region</translation>
     </message>
     <message>
         <source>A click takes what hangs together with it in the range of HU (G)</source>
@@ -2406,7 +2426,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
     </message>
     <message>
         <source>Fill between slices</source>
-        <translation>Zwischen Schichten füllen</translation>
+        <translation>Schichten füllen</translation>
     </message>
     <message>
         <source>Axial slices between painted ones take the shape between</source>
@@ -2442,7 +2462,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation>Rückgängig</translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>Take the last step back (Ctrl+Z)</source>
@@ -2450,7 +2470,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation>Wiederholen</translation>
+        <translation>Vor</translation>
     </message>
     <message>
         <source>Do it again (Ctrl+Shift+Z)</source>

@@ -472,6 +472,14 @@
         <source>begin, or go on</source>
         <translation>beginnen, oder weitermachen</translation>
     </message>
+    <message>
+        <source>volume on, off: the inside of the patient</source>
+        <translation>Volumen an, aus: das Innere des Patienten</translation>
+    </message>
+    <message>
+        <source>the whole procedure in the slice</source>
+        <translation>den ganzen Eingriff in die Schicht</translation>
+    </message>
 </context>
 <context>
     <name>Words</name>
@@ -8098,6 +8106,42 @@
     <message>
         <source>%1 at %2 mm</source>
         <translation>%1 in %2 mm</translation>
+    </message>
+    <message>
+        <source>active</source>
+        <translation>aktiv</translation>
+    </message>
+    <message>
+        <source>ramping</source>
+        <translation>Kraft kommt</translation>
+    </message>
+    <message>
+        <source>holding</source>
+        <translation>hält</translation>
+    </message>
+    <message>
+        <source>faulted</source>
+        <translation>gestört</translation>
+    </message>
+    <message>
+        <source>armed</source>
+        <translation>freigegeben</translation>
+    </message>
+    <message>
+        <source>%1 nodes are too few to hold the layers of the planned path, of which the thinnest are %2; expected at least %3: give --nodes %4, or --merge-layers for a mesh without them</source>
+        <translation>%1 Knoten sind zu wenige für die Schichten des geplanten Wegs, deren dünnste sind: %2; erwartet: mindestens %3, also --nodes %4, oder --merge-layers für ein Netz ohne sie</translation>
+    </message>
+    <message>
+        <source>the mesh of %1 nodes does not hold %2 on the planned path; expected a path that crosses these layers less obliquely, at least %3 nodes, or --merge-layers for a mesh without them</source>
+        <translation>das Netz von %1 Knoten hält auf dem geplanten Weg nicht: %2; erwartet: ein Weg, der diese Schichten weniger schräg kreuzt, mindestens %3 Knoten, oder --merge-layers für ein Netz ohne sie</translation>
+    </message>
+    <message>
+        <source>the session has format version %1, this Bodkin reads versions %2 to %3; open it with the version of Bodkin that wrote it</source>
+        <translation>die Sitzung hat die Formatversion %1, dieses Bodkin liest die Versionen %2 bis %3; öffnen Sie sie mit der Version von Bodkin, die sie geschrieben hat</translation>
+    </message>
+    <message>
+        <source>--case: %1</source>
+        <translation>--case: %1</translation>
     </message>
 </context>
 <context>

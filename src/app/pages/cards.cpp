@@ -207,7 +207,10 @@ void ResultsCard::show_result(const AttemptResult* result, const QStringList& da
   QStringList remarks;
   for (const std::string& remark : result->remarks) remarks << in_words(remark);
   if (!failure.isEmpty()) remarks.prepend(failure);
-  write(remarks_, remarks.join(QLatin1Char('\n')));
+  QString paragraphs;
+  for (const QString& remark : remarks)
+    paragraphs += QStringLiteral("<p style='margin: 0 0 6px 0'>%1</p>").arg(remark.toHtmlEscaped());
+  write(remarks_, paragraphs);
   write(numbers_, !has_verdict ? QString()
                                : tr("%1 mm from the target, %2 mm deep, at most %3 N, %4 s in the body")
                                      .arg(result->target_distance, 0, 'f', 1)
@@ -258,7 +261,8 @@ void KeysCard::show_keys(const std::vector<KeyScope>& scopes) {
       const QString words = text_of(binding);
       if (words != last) flush();
       last = words;
-      keys << QKeySequence(QLatin1String(binding.keys)).toString(QKeySequence::NativeText);
+      const QString key = QKeySequence(QLatin1String(binding.keys)).toString(QKeySequence::NativeText);
+      if (!keys.contains(key)) keys << key;  // "Eingabe" is both Return and Enter
     }
     flush();
     block += QStringLiteral("</table>");

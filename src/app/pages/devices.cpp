@@ -100,6 +100,7 @@ QWidget* DevicesPage::make_side() {
   list_->setAccessibleName(tr("Devices"));
   list_->setToolTip(tr("What can hold the needle; a filled lamp: it is there"));
   list_->setWordWrap(true);
+  list_->setTextElideMode(Qt::ElideNone);  // else the second line of a long name takes the place of its state
   list_->setTextElideMode(Qt::ElideNone);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setStyleSheet(

@@ -200,7 +200,7 @@ QWidget* ModelsPage::make_value() {
   });
   rows->addWidget(slider_);
   auto* below = new QHBoxLayout;
-  below->addWidget(range_ = step_label("models.range", "second"), 1);
+  below->addWidget(range_ = step_label("models.range", "second"), 3);
   cue_ = step_label("models.cue", "second");
   cue_->setAlignment(Qt::AlignRight);
   below->addWidget(cue_, 1);

@@ -41,6 +41,7 @@ PractisePage::PractisePage(QWidget* parent)
       numbers_(new Numbers(this)),
       dock_(new DiagnosticsDock(this)),
       ultrasound_(new UltrasoundView(this)),
+      volume_(new VolumeView(QStringLiteral("practise.volume"), this)),
       other_hand_(new OtherHandBar(view3d_)) {
   setObjectName(QStringLiteral("practise"));
   view3d_->installEventFilter(this);
@@ -62,6 +63,11 @@ PractisePage::PractisePage(QWidget* parent)
   views_ = {view3d_, tip_, bullseye_, ladder_, banner_, chart_, numbers_, dock_};
   views_.insert(views_.end(), slices_.begin(), slices_.end());
   views_.push_back(ultrasound_);
+  views_.push_back(volume_);
+  connect(volume_, &View::fill_requested, this, [this] {
+    volume_->setFocus(Qt::MouseFocusReason);
+    toggle_fill();
+  });
   ultrasound_->setObjectName(QStringLiteral("practise.ultrasound"));
   connect(banner_, &Banner::acknowledged, this, &PractisePage::warning_acknowledged);
 
@@ -108,6 +114,11 @@ void PractisePage::make_moving() {
   move_->setCheckable(true);
   undo_ = button(tr("Undo"), "practise.move.undo", tr("The last move of the body back (Ctrl+Z)"));
   reset_ = button(tr("As at first"), "practise.move.reset", tr("The body as it lay at first (Ctrl+Home)"));
+  inside_ =
+      button(tr("Volume"), "practise.volume",
+             tr("The inside of the patient from his CT, beside the slices (I); M for the mode, P for the preset"));
+  inside_->setCheckable(true);
+  connect(inside_, &QPushButton::clicked, this, &PractisePage::toggle_volume);
   connect(move_, &QPushButton::clicked, this, &PractisePage::moving_toggled);
   connect(undo_, &QPushButton::clicked, this, &PractisePage::moving_undone);
   connect(reset_, &QPushButton::clicked, this, &PractisePage::moving_reset);
@@ -172,6 +183,9 @@ void PractisePage::set_aids(const training::PlanAids& aids) {
   bullseye_->set_path_hidden(!aids_.overlay);
   view3d_->set_outside_only(!aids_.inside);
   ultrasound_->allow_ct(aids_.slices);
+  has_volume_ = has_volume_ && may_show_volume();
+  inside_->setChecked(has_volume_);
+  inside_->setVisible(may_show_volume());
   dock_->hide();
   arrange_slices();
   arrange_columns();
@@ -180,7 +194,7 @@ void PractisePage::set_aids(const training::PlanAids& aids) {
 // Slices or ultrasound beside the patient, the researchers' dock, or neither.
 void PractisePage::arrange_columns() {
   if (filled_ != nullptr) return;
-  right_->setVisible(dock_->isHidden() && (aids_.slices || has_ultrasound_));
+  right_->setVisible(dock_->isHidden() && (aids_.slices || has_ultrasound_ || has_volume_));
 }
 
 QWidget* PractisePage::make_instruments() {
@@ -234,11 +248,14 @@ void PractisePage::arrange_slices() {
   while (QLayoutItem* item = rows->takeAt(0)) delete item;  // a layout or what holds a widget, not the widget
   auto* small = new QHBoxLayout;
   small->setSpacing(gap);
-  const std::size_t most_below = 2;
+  const bool is_taken = has_ultrasound_ || has_volume_;  // the big slot
+  const std::size_t most_below = has_ultrasound_ && has_volume_ ? 0 : is_taken ? 2 : slices_.size();
   ultrasound_->setVisible(has_ultrasound_);
+  volume_->setVisible(has_volume_);
   if (has_ultrasound_) rows->addWidget(ultrasound_, 4);
+  if (has_volume_) rows->addWidget(volume_, 4);
   for (std::size_t i = 0; i < slices_.size(); ++i) {
-    const bool big = i == 0 && !has_ultrasound_, shown = aids_.slices && (!has_ultrasound_ || i < most_below);
+    const bool big = i == 0 && !is_taken, shown = aids_.slices && i < most_below;
     slices_[i]->setVisible(shown);
     if (big && shown) {
       rows->addWidget(slices_[i], 4);
@@ -268,11 +285,22 @@ void PractisePage::show_ultrasound(const std::optional<station::UltrasoundChoice
   if (has_ultrasound_) ultrasound_->setFocus(Qt::OtherFocusReason);
 }
 
+void PractisePage::toggle_volume() {
+  if (!may_show_volume()) return;
+  if (filled_ != nullptr) toggle_fill();
+  has_volume_ = !has_volume_;
+  inside_->setChecked(has_volume_);
+  if (has_volume_) dock_->hide();
+  arrange_slices();
+  arrange_columns();
+  if (has_volume_) volume_->setFocus(Qt::OtherFocusReason);
+}
+
 void PractisePage::toggle_fill() {
   View* const wanted = qobject_cast<View*>(focusWidget());
   View* const view = filled_ != nullptr ? nullptr : wanted != nullptr ? wanted : view3d_;
   const bool is_slice = std::find(slices_.begin(), slices_.end(), view) != slices_.end();
-  if (view != nullptr && view != view3d_ && view != ultrasound_ && !is_slice) return;
+  if (view != nullptr && view != view3d_ && view != ultrasound_ && view != volume_ && !is_slice) return;
   filled_ = view;
   const bool whole = filled_ == nullptr;
   instruments_->setVisible(whole);
@@ -285,12 +313,16 @@ void PractisePage::toggle_fill() {
   }
   for (SliceView* slice : slices_) slice->setVisible(slice == filled_);
   ultrasound_->setVisible(ultrasound_ == filled_);
+  volume_->setVisible(volume_ == filled_);
 }
 
 void PractisePage::focus_next(bool backwards) {
-  std::vector<View*> order = {view3d_};
+  std::vector<View*> order = {view3d_, ultrasound_, volume_};
   order.insert(order.end(), slices_.begin(), slices_.end());
   order.push_back(chart_);
+  order.erase(std::remove_if(order.begin(), order.end(), [](const View* view) { return !view->isVisible(); }),
+              order.end());
+  if (order.empty()) return;
   const auto now = std::find(order.begin(), order.end(), focusWidget());
   const auto size = static_cast<std::ptrdiff_t>(order.size());
   const std::ptrdiff_t at = now == order.end() ? (backwards ? 0 : -1) : now - order.begin();
@@ -333,8 +365,9 @@ void PractisePage::arrange_overlays() {
   tip_->resize(tip_->sizeHint());
   tip_->move(margin, margin);
   int left_of_next = margin;
-  for (QPushButton* each : {move_, undo_, reset_}) {
+  for (QPushButton* each : {inside_, move_, undo_, reset_}) {
     if (each == nullptr) break;  // while the page is made
+    if (each->isHidden()) continue;
     each->adjustSize();
     each->move(left_of_next, 2 * margin + tip_->height());
     left_of_next += each->width() + gap;

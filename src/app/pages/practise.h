@@ -15,6 +15,7 @@
 #include "views/tip_label.h"
 #include "views/ultrasound_view.h"
 #include "views/view3d.h"
+#include "views/volume_view.h"
 
 #include "training/plan.h"
 
@@ -51,6 +52,12 @@ class PractisePage : public QWidget {
   void show_ultrasound(const std::optional<station::UltrasoundChoice>& choice);
   UltrasoundView& ultrasound() { return *ultrasound_; }
   OtherHandBar& other_hand() { return *other_hand_; }
+  // The inside of the patient, beside slices and ultrasound in a big slot of its own, or not; nothing where a stage
+  // hides what is inside.
+  void toggle_volume();
+  VolumeView& volume() { return *volume_; }
+  bool has_volume() const { return has_volume_; }
+  bool may_show_volume() const { return aids_.inside && aids_.slices && aids_.ladder; }
   // What a stage of a training plan lets be seen.
   void set_aids(const training::PlanAids& aids);
   // The strip on top: the plan and how far it is, and the step of the procedure that comes next; both empty: no
@@ -97,9 +104,10 @@ class PractisePage : public QWidget {
   Numbers* numbers_;
   DiagnosticsDock* dock_;
   UltrasoundView* ultrasound_;
+  VolumeView* volume_;
   OtherHandBar* other_hand_;
   training::PlanAids aids_{.ultrasound = true};  // without a plan everything may be seen
-  bool has_ultrasound_ = false;
+  bool has_ultrasound_ = false, has_volume_ = false;
   std::vector<SliceView*> slices_;  // the first one is big
   std::vector<View*> views_;        // all of them
   QSplitter* columns_ = nullptr;
@@ -111,6 +119,7 @@ class PractisePage : public QWidget {
   QWidget* instruments_ = nullptr;
   QPushButton* hold_ = nullptr;
   QPushButton *move_ = nullptr, *undo_ = nullptr, *reset_ = nullptr;  // the body
+  QPushButton* inside_ = nullptr;                                     // the volume
   View* filled_ = nullptr;
 };
 

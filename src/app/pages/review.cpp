@@ -154,9 +154,9 @@ void ReviewPage::show_recording() {
   chart_->set_case(patient);
   chart_->compare_with({});
   const session::SessionHeader& header = recording_->session().header;
-  title_->setText(tr("%1, by %2")
-                      .arg(QString::fromStdString(recording_->file().stem().string()),
-                           QString::fromStdString(header.operator_name)));
+  title_->setText(
+      tr("%1, by %2")
+          .arg(QString::fromStdString(recording_->file().stem().string()), in_words(header.operator_name)));
   title_->setToolTip(QString::fromStdString(recording_->file().string()));
   verdict_->show_recording(*recording_);
   differences_.begin(patient, recording_->plan());
@@ -218,6 +218,7 @@ void ReviewPage::show_lanes() {
     end = std::max(end, other_->end() + shift());
   }
   timeline_->set_lanes(std::move(lanes), begin, end);
+  chart_->set_end_of_time(end);
 }
 
 void ReviewPage::play(bool on) {

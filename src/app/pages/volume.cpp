@@ -42,7 +42,8 @@ VolumePage::VolumePage(std::function<const Frame&()> frame, QWidget* parent)
   columns->addWidget(make_panel());
   connect(view_, &VolumeView::look_changed, this, &VolumePage::show_look);
   connect(view_, &VolumeView::ready, this, [this] { curve_->set_histogram(view_->volume()->histogram); });
-  set_preset(preset_);
+  connect(view_, &VolumeView::preset_chosen, this, &VolumePage::show_preset);
+  set_preset(imaging::TransferPreset::bone);
   show_look();
 }
 
@@ -143,13 +144,17 @@ QSlider* VolumePage::make_slider(QWidget* parent, const char* name, const QStrin
 }
 
 void VolumePage::set_preset(imaging::TransferPreset preset) {
-  preset_ = preset;
+  view_->choose_preset(preset);
+}
+
+void VolumePage::show_preset(imaging::TransferPreset preset) {
   base_ = imaging::preset_function(preset);
   for (QSlider* slider : {shift_, density_}) {
     const QSignalBlocker quiet(slider);
     slider->setValue(0);
   }
-  use_sliders();
+  curve_->set_function(base_);
+  for (std::size_t i = 0; i < presets_.size(); ++i) presets_[i]->setChecked(imaging::transfer_presets[i] == preset);
 }
 
 void VolumePage::use_sliders() {
@@ -157,7 +162,6 @@ void VolumePage::use_sliders() {
   look.transfer = imaging::adjusted(base_, shift_->value(), std::exp2(density_->value() / octave));
   curve_->set_function(look.transfer);
   view_->set_look(look);
-  for (std::size_t i = 0; i < presets_.size(); ++i) presets_[i]->setChecked(imaging::transfer_presets[i] == preset_);
 }
 
 // What was drawn by hand is what the sliders adjust from now on.
@@ -206,10 +210,7 @@ void VolumePage::advance(double clock) {
 }
 
 bool VolumePage::press(const QKeySequence& keys) {
-  const int key = keys[0];
-  if (key != Qt::Key_P) return view_->press(key);
-  set_preset(imaging::transfer_presets[(static_cast<std::size_t>(preset_) + 1) % imaging::transfer_presets.size()]);
-  return true;
+  return view_->press(keys[0]);
 }
 
 }  // namespace bodkin::app

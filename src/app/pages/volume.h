@@ -34,6 +34,7 @@ class VolumePage : public Page {
  private:
   QWidget* make_panel();
   QSlider* make_slider(QWidget* parent, const char* name, const QString& text, const QString& tip, int low, int high);
+  void show_preset(imaging::TransferPreset preset);
   void use_sliders();
   void use_curve(const imaging::TransferFunction& function);
   void show_look();
@@ -45,7 +46,6 @@ class VolumePage : public Page {
   QSlider *shift_ = nullptr, *density_ = nullptr;
   QCheckBox *shaded_ = nullptr, *tissues_ = nullptr;
   imaging::TransferFunction base_;  // what the sliders adjust
-  imaging::TransferPreset preset_ = imaging::TransferPreset::bone;
   bool entered_ = false;
 };
 
