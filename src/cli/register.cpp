@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,7 +32,8 @@ constexpr const char* register_footer = R"(Examples:
   bodkin register mannequin.csv patient.csv --scale --target 0,60,20
   bodkin register camera.csv mannequin_ct --match       beads of a case's CT, paired by their distances
 
-A file of points has a line "name,x,y,z" or "x,y,z" for each, mm. A folder is a case: its points are the beads (balls of 1 to
+A file of points has a line "name,x,y,z" or "x,y,z" for each, mm; three more numbers are the standard deviations of its x, y
+and z, which the error at the target is then predicted from. A folder is a case: its points are the beads (balls of 1 to
 4 mm radius above 300 HU) in its CT. FIXED says where things are, MOVING is laid upon it. docs/augmented-reality.md
 explains the numbers.)";
 
@@ -54,19 +56,22 @@ void run_register(const RegisterArguments& arguments, const CommandContext& cont
   const tracking::NamedPoints fixed = points_of(arguments.fixed, progress),
                               moving = points_of(arguments.moving, progress);
   console.clear_bar();
-  std::vector<Vec3> to, from;
+  std::vector<Vec3> to, from, to_deviations, from_deviations;
   std::vector<std::string> names;
-  bool ambiguous = false;
+  const auto pair = [&](std::size_t in_fixed, std::size_t in_moving, std::string name) {
+    to.push_back(fixed.points[in_fixed]);
+    from.push_back(moving.points[in_moving]);
+    to_deviations.push_back(fixed.deviations.empty() ? Vec3(Vec3::Zero()) : fixed.deviations[in_fixed]);
+    from_deviations.push_back(moving.deviations.empty() ? Vec3(Vec3::Zero()) : moving.deviations[in_moving]);
+    names.push_back(std::move(name));
+  };
   if (arguments.match) {
     const tracking::PointMatch match = tracking::match_points(fixed.points, moving.points);
-    ambiguous = match.ambiguous;
     for (std::size_t i = 0; i < fixed.points.size(); ++i) {
-      if (!match.moving_of_fixed[i]) continue;
-      to.push_back(fixed.points[i]);
-      from.push_back(moving.points[*match.moving_of_fixed[i]]);
-      names.push_back(fmt::format("{} - {}", i + 1, *match.moving_of_fixed[i] + 1));
+      const std::optional<std::size_t>& partner = match.moving_of_fixed[i];
+      if (partner) pair(i, *partner, fmt::format("{} - {}", i + 1, *partner + 1));
     }
-    if (ambiguous) {
+    if (match.ambiguous) {
       throw InputError(
           "the points can be paired in more than one way that fits; move one of them so that their "
           "distances differ, or give them names");
@@ -75,14 +80,12 @@ void run_register(const RegisterArguments& arguments, const CommandContext& cont
     for (std::size_t i = 0; i < fixed.names.size(); ++i) {
       const auto partner = std::find(moving.names.begin(), moving.names.end(), fixed.names[i]);
       if (partner == moving.names.end()) continue;
-      to.push_back(fixed.points[i]);
-      from.push_back(moving.points[static_cast<std::size_t>(partner - moving.names.begin())]);
-      names.push_back(fixed.names[i]);
+      pair(i, static_cast<std::size_t>(partner - moving.names.begin()), fixed.names[i]);
     }
+  } else if (fixed.points.size() != moving.points.size()) {
+    tracking::register_points(fixed.points, moving.points, arguments.scale);  // refuses them
   } else {
-    to = fixed.points;
-    from = moving.points;
-    for (std::size_t i = 0; i < to.size(); ++i) names.push_back(std::to_string(i + 1));
+    for (std::size_t i = 0; i < fixed.points.size(); ++i) pair(i, i, std::to_string(i + 1));
   }
   const tracking::Registration registration = tracking::register_points(to, from, arguments.scale);
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -99,7 +102,15 @@ void run_register(const RegisterArguments& arguments, const CommandContext& cont
   }
   nlohmann::ordered_json json = nlohmann::ordered_json::parse(tracking::registration_json(registration));
   if (!arguments.target.empty()) {
-    const tracking::ErrorInterval tre = tracking::tre_interval(registration, from, target);
+    const bool unequal = !fixed.deviations.empty() || !moving.deviations.empty();
+    std::vector<Mat3> covariances;
+    const tracking::Similarity& place = registration.fixed_from_moving;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const Mat3 of_moving = from_deviations[i].cwiseAbs2().asDiagonal(), turn = place.scale * place.turn;
+      covariances.push_back(Mat3(to_deviations[i].cwiseAbs2().asDiagonal()) + turn * of_moving * turn.transpose());
+    }
+    const tracking::ErrorInterval tre = unequal ? tracking::tre_interval(registration, from, covariances, target)
+                                                : tracking::tre_interval(registration, from, target);
     console.line(fmt::format("TRE at the target: {:.2f} mm, between {:.2f} and {:.2f} mm in 9 of 10 registrations",
                              tre.estimate, tre.low, tre.high));
     json["tre_mm"] = {{"low", tre.low}, {"estimate", tre.estimate}, {"high", tre.high}};

@@ -175,6 +175,30 @@ Mat3 target_covariance(const Registration& registration, const std::vector<Vec3>
   return at_target * parameters * at_target.transpose();
 }
 
+ErrorInterval tre_interval(const Registration& registration, const std::vector<Vec3>& moving,
+                           const std::vector<Mat3>& covariances, const Vec3& target) {
+  const auto count = static_cast<Eigen::Index>(moving.size());
+  const int unknowns = registration.scaled ? 7 : 6;
+  const Vec3 middle = registration.fixed_from_moving * mean_of(moving);
+  Eigen::MatrixXd slopes(3 * count, unknowns), spread = Eigen::MatrixXd::Zero(3 * count, 3 * count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto point = static_cast<std::size_t>(i);
+    slopes.middleRows(3 * i, 3) =
+        displacement(registration.fixed_from_moving * moving[point] - middle).leftCols(unknowns);
+    spread.block(3 * i, 3 * i, 3, 3) = covariances[point];
+  }
+  // What the fit leaves of the errors.
+  const Eigen::MatrixXd left = Eigen::MatrixXd::Identity(3 * count, 3 * count) -
+                               slopes * (slopes.transpose() * slopes).inverse() * slopes.transpose();
+  const Eigen::MatrixXd rest = left * spread;
+  const double expected = rest.trace(), freedom = 2.0 * expected * expected / (2.0 * (rest * rest).trace());
+  const double squares = static_cast<double>(count) * registration.fre_rms * registration.fre_rms;
+  const double variance = target_covariance(registration, moving, covariances, target).trace();
+  const auto tre_of = [&](double quantile) { return std::sqrt(variance * squares / expected * freedom / quantile); };
+  return {tre_of(chi_squared_quantile(freedom, 1.6449)), tre_of(freedom),
+          tre_of(chi_squared_quantile(freedom, -1.6449))};
+}
+
 std::optional<std::pair<std::size_t, std::size_t>> swapped_pair(const std::vector<Vec3>& fixed,
                                                                 const std::vector<Vec3>& moving, bool with_scale) {
   const double before = fre_of(closed_form(fixed, moving, with_scale), fixed, moving);

@@ -37,20 +37,31 @@ NamedPoints read_points(const std::filesystem::path& file) {
     std::vector<std::string> cells;
     std::istringstream parts(line);
     for (std::string cell; std::getline(parts, cell, ',');) cells.push_back(cell);
-    Vec3 point = Vec3::Zero();
-    const std::size_t first = cells.size() == 4 ? 1 : 0;
-    bool good = cells.size() == 3 || cells.size() == 4;
+    Vec3 point = Vec3::Zero(), deviation = Vec3::Zero();
+    const bool named = cells.size() == 4 || cells.size() == 7, deviates = cells.size() >= 6;
+    const std::size_t first = named ? 1 : 0;
+    bool good = cells.size() == 3 || cells.size() == 4 || cells.size() == 6 || cells.size() == 7;
     for (std::size_t i = 0; good && i < 3; ++i) good = number_in(cells[first + i], point[static_cast<int>(i)]);
+    for (std::size_t i = 0; good && deviates && i < 3; ++i) {
+      double& value = deviation[static_cast<int>(i)];
+      good = number_in(cells[first + 3 + i], value) && value > 0.0;
+    }
     if (!good) {
       if (read.points.empty() && number == 1) continue;  // names of columns
       throw InputError(
-          fmt::format("{}, line {}: expected name,x,y,z or x,y,z in mm, found '{}'", file.string(), number, line));
+          fmt::format("{}, line {}: expected name,x,y,z or x,y,z in mm, with or without three standard deviations "
+                      "above 0, found '{}'",
+                      file.string(), number, line));
     }
-    if (cells.size() == 4) read.names.push_back(cells[0]);
+    if (named) read.names.push_back(cells[0]);
+    if (deviates) read.deviations.push_back(deviation);
     read.points.push_back(point);
   }
   if (!read.names.empty() && read.names.size() != read.points.size()) {
     throw InputError(fmt::format("{}: some points have a name and some have none", file.string()));
+  }
+  if (!read.deviations.empty() && read.deviations.size() != read.points.size()) {
+    throw InputError(fmt::format("{}: some points have standard deviations and some have none", file.string()));
   }
   return read;
 }

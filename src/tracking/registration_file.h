@@ -12,10 +12,11 @@ namespace bodkin::tracking {
 struct NamedPoints {
   std::vector<std::string> names;  // empty where the file has none
   std::vector<Vec3> points;        // mm
+  std::vector<Vec3> deviations;    // mm, standard deviation of each along x, y, z; empty where the file has none
 };
 
-// A CSV file with a point on each line: "name,x,y,z" or "x,y,z". A first line of column names is allowed. Throws
-// InputError that names file and line.
+// A CSV file with a point on each line: "name,x,y,z" or "x,y,z", or either followed by three standard deviations. A
+// first line of column names is allowed. Throws InputError that names file and line.
 NamedPoints read_points(const std::filesystem::path& file);
 
 // A registration as a JSON file, with what it is worth.

@@ -78,8 +78,10 @@ TEST(Registration, unequal_errors_are_propagated) {
   const Vec3 target(60.0, 40.0, 120.0);
   const Mat3 covariance = Vec3(0.01, 0.01, 0.36).asDiagonal();
   const Similarity truth = some_place(1.0);
+  const std::vector<Mat3> told(fiducials.size(), 4.0 * covariance);  // right but for a factor
   double sum = 0.0;
   constexpr int trials = 4000;
+  std::vector<ErrorInterval> intervals;
   Registration last;
   for (int n = 0; n < trials; ++n) {
     std::vector<Vec3> fixed;
@@ -87,9 +89,31 @@ TEST(Registration, unequal_errors_are_propagated) {
       fixed.push_back(truth * point + Vec3(0.1, 0.1, 0.6).cwiseProduct(normal_point(random, 1.0)));
     last = register_points(fixed, fiducials, false);
     sum += (last.fixed_from_moving * target - truth * target).squaredNorm();
+    intervals.push_back(tre_interval(last, fiducials, told, target));
   }
+  const double found = std::sqrt(sum / trials);
+  const auto within = std::count_if(intervals.begin(), intervals.end(), [&](const ErrorInterval& interval) {
+    return interval.low <= found && found <= interval.high;
+  });
+  EXPECT_NEAR(static_cast<double>(within) / trials, 0.90, 0.03);
   const Mat3 predicted = target_covariance(last, fiducials, std::vector<Mat3>(fiducials.size(), covariance), target);
   EXPECT_NEAR(std::sqrt(sum / trials / predicted.trace()), 1.0, 0.05);
+}
+
+TEST(Registration, equal_covariances_give_the_interval_of_equal_errors) {
+  Random random(14);
+  std::vector<Vec3> fixed;
+  for (const Vec3& point : fiducials) fixed.push_back(some_place(1.0) * point + normal_point(random, 0.3));
+  const Vec3 target(60.0, 40.0, 120.0);
+  for (const bool scaled : {false, true}) {
+    const Registration found = register_points(fixed, fiducials, scaled);
+    const ErrorInterval equal = tre_interval(found, fiducials, target);
+    const ErrorInterval same =
+        tre_interval(found, fiducials, std::vector<Mat3>(fiducials.size(), 0.5 * Mat3::Identity()), target);
+    EXPECT_NEAR(same.low / equal.low, 1.0, 0.02);
+    EXPECT_NEAR(same.estimate / equal.estimate, 1.0, 0.02);
+    EXPECT_NEAR(same.high / equal.high, 1.0, 0.02);
+  }
 }
 
 TEST(Registration, too_few_points_and_points_on_a_line_are_refused) {
