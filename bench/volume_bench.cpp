@@ -5,6 +5,7 @@
 #include "patient/synthetic/lumbar.h"
 #include <benchmark/benchmark.h>
 
+#include "imaging/volume_rendering/cutaway.h"
 #include "imaging/volume_rendering/ray_caster.h"
 #include "io/tissue_library_file.h"
 
@@ -90,6 +91,41 @@ void needle_pixels(benchmark::State& state) {
   }
 }
 BENCHMARK(needle_pixels)->Unit(benchmark::kMillisecond);
+
+// The view into a mannequin that stands 600 mm before a camera of 1280 x 720: an oval of 250 x 350 pixels with
+// see-through soft tissue, at a step of one voxel. Arguments: threads, whether the picture moves.
+void an_oval(benchmark::State& state) {
+  const auto patient = volume();
+  VolumeLook look;
+  look.transfer = preset_function(TransferPreset::soft_tissue);
+  const RayCaster caster(patient, look, step_of(*patient, 1.0));
+  const Vec3 middle = patient->grid.to_patient(Vec3::Constant(127.5));
+  ThreadPool pool(static_cast<int>(state.range(0)));
+  ImageRgb picture(1280, 720);
+  double angle = 0.0;
+  for (auto _ : state) {
+    angle += 0.01;
+    const Vec3 ahead = Vec3(0.3 * std::sin(angle), -1.0, 0.2).normalized();  // onto the back
+    const Vec3 right = ahead.cross(Vec3::UnitZ()).normalized();
+    PictureCamera camera;
+    camera.patient_from_camera.linear() << right, ahead.cross(right), ahead;
+    camera.patient_from_camera.translation() = middle - 600.0 * ahead;
+    camera.ray = [](const Eigen::Vector2d& pixel) {
+      return Vec3((pixel.x() - 639.5) / 1005.0, (pixel.y() - 359.5) / 1005.0, 1.0);
+    };
+    const Cutaway cast = cast_cutaway(caster, camera, {{640.0, 360.0}, {125.0, 175.0}, 0.7}, picture.width,
+                                      picture.height, pool, state.range(1) != 0);
+    blend_cutaway(cast, pool, picture);
+    benchmark::DoNotOptimize(picture.pixels.data());
+    state.counters["rays"] = cast.rays;
+  }
+}
+BENCHMARK(an_oval)
+    ->ArgNames({"threads", "moving"})
+    ->ArgsProduct({{1, 2}, {0, 1}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 void another_look(benchmark::State& state) {
   const auto patient = volume();

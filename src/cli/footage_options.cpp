@@ -29,7 +29,7 @@ tracking::OpenedFootage open_footage_of(const FootageArguments& arguments) {
 }
 
 void for_each_picture(tracking::PictureSource& source, const FootageArguments& arguments, Console& console,
-                      const std::string& what, const std::function<bool(const tracking::SourcePicture&)>& take) {
+                      const std::string& what, const std::function<bool(tracking::SourcePicture&)>& take) {
   const EndOnSignal ends;
   const Progress progress = console.progress();
   std::optional<double> first;
@@ -39,7 +39,7 @@ void for_each_picture(tracking::PictureSource& source, const FootageArguments& a
                          : arguments.seconds > 0.0 ? std::min(1.0, span / arguments.seconds)
                                                    : 0.0;
     if (progress) progress(what.c_str(), share);
-    const std::optional<tracking::SourcePicture> picture = source.next();
+    std::optional<tracking::SourcePicture> picture = source.next();
     if (!picture) break;
     if (!first) first = picture->time;
     span = picture->time - *first;

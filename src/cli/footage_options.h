@@ -25,9 +25,9 @@ void add_source_options(CLI::App& command, FootageArguments& arguments);
 // Throws InputError.
 tracking::OpenedFootage open_footage_of(const FootageArguments& arguments);
 
-// Gives every picture to `take`, with a bar; of a live camera until Ctrl-C. `take` returns false to end. Notes of the
-// source are printed.
+// Gives every picture to `take`, which may keep it, with a bar; of a live camera until Ctrl-C. `take` returns false
+// to end. Notes of the source are printed.
 void for_each_picture(tracking::PictureSource& source, const FootageArguments& arguments, Console& console,
-                      const std::string& what, const std::function<bool(const tracking::SourcePicture&)>& take);
+                      const std::string& what, const std::function<bool(tracking::SourcePicture&)>& take);
 
 }  // namespace bodkin::cli

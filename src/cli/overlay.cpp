@@ -1,15 +1,24 @@
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <exception>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <thread>
+#include <utility>
 #include <vector>
 
+#include "station/probe_contact.h"
 #include "tracking/augmented_view.h"
 #include "tracking/footage_scene.h"
 #include "tracking/lens_watch.h"
 #include "tracking/registration_file.h"
+#include "tracking/stage_times.h"
 #include "tracking/tracker.h"
 #include "tracking/video_file.h"
 #include <fmt/format.h>
@@ -21,8 +30,11 @@
 #include "cli/tracking_commands.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "imaging/canvas.h"
 #include "imaging/png_file.h"
+#include "imaging/ultrasound/ultrasound.h"
 #include "io/case_folder.h"
+#include "io/probe_library_file.h"
 
 namespace bodkin::cli {
 
@@ -35,6 +47,7 @@ struct OverlayArguments {
   FootageArguments footage;
   double oval_width = 300.0, oval_height = 370.0, threshold = 0.7, step = 1.0;
   bool no_needle = false, no_plan = false, no_front_view = false, no_status = false;
+  bool ultrasound = false, full_resolution = false, times = false;
 };
 
 constexpr const char* overlay_footer = R"(Examples:
@@ -43,6 +56,7 @@ constexpr const char* overlay_footer = R"(Examples:
   bodkin overlay patient footage                           overlay.avi: the patient within the mannequin
   bodkin overlay patient footage -o pictures               the same as a folder of pictures
   bodkin overlay patient footage --registration registration.json --preset bone
+  bodkin overlay patient footage --ultrasound --times      with what the probe sees, and how long everything takes
   bodkin overlay patient /dev/video0 --camera camera.json --seconds 60    a minute of a live camera
 
 Every picture is drawn with its own poses. Without --registration the entry of the planned path lies where the mannequin's
@@ -57,6 +71,7 @@ tracking::AugmentedLook look_of(const OverlayArguments& arguments) {
   look.plan = !arguments.no_plan;
   look.front_view = !arguments.no_front_view;
   look.status = !arguments.no_status;
+  look.coarse_while_moving = !arguments.full_resolution;
   if (!arguments.region.empty()) look.region = parse_point(arguments.region, "--region");
   const auto preset = std::find_if(imaging::transfer_presets.begin(), imaging::transfer_presets.end(),
                                    [&](imaging::TransferPreset one) { return name_of(one) == arguments.preset; });
@@ -67,12 +82,194 @@ tracking::AugmentedLook look_of(const OverlayArguments& arguments) {
   return look;
 }
 
+using Clock = std::chrono::steady_clock;
+
+double seconds_between(Clock::time_point from, Clock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+// A picture whose bodies have been found.
+struct TrackedPicture {
+  imaging::ImageRgb colour;
+  std::vector<tracking::TrackedPose> poses;
+  Clock::time_point arrived;
+};
+
+// What the probe sees, in the corner of the picture.
+class UltrasoundInset {
+ public:
+  explicit UltrasoundInset(const anatomy::Case& patient)
+      : patient_(patient),
+        machine_(imaging::acoustic_volume(patient, {}), io::find_probe("C5-2"), {.depth = depth_of_inset}) {}
+
+  // `probe`, `needle`: as tools in the patient; without a probe there is no picture.
+  void draw(imaging::ImageRgb& picture, const std::optional<Pose>& probe, const std::optional<Pose>& needle) {
+    if (!probe) return;
+    std::optional<imaging::NeedleInSound> in_sound;
+    if (needle) in_sound = imaging::NeedleInSound{*needle, patient_.description.needle};
+    const imaging::UltrasoundFrame& frame = machine_.image(station::probe_in_hand(*probe), in_sound);
+    imaging::ImageRgb grey(frame.width, frame.height);
+    for (std::size_t i = 0; i < grey.pixels.size(); ++i)
+      grey.pixels[i] = {frame.pixels[i], frame.pixels[i], frame.pixels[i]};
+    const double height = 0.4 * picture.height, width = height * frame.width / frame.height;
+    const double x = picture.width - width - 12.0, y = 12.0;
+    imaging::Canvas canvas(picture.width, picture.height);
+    canvas.image(std::move(grey), x, y, width, height);
+    canvas.stroke(imaging::Path::rectangle(x, y, width, height), {imaging::Ink(0xFFFFFF, 0.8), 1.0});
+    const std::string words = frame.why != imaging::NoImage::none ? std::string(reason(frame.why))
+                              : frame.press > 0.5 ? fmt::format("ultrasound, pressed {:.0f} mm", frame.press)
+                                                  : "ultrasound";
+    canvas.text({x + 8.0, y + 18.0}, words, {.size = 13.0, .ink = 0xFFFFFF, .halo = true});
+    canvas.draw_over(picture);
+  }
+
+ private:
+  static constexpr double depth_of_inset = 90.0;  // mm
+
+  const anatomy::Case& patient_;
+  imaging::Ultrasound machine_;
+};
+
+// Draws and writes tracked pictures on a thread of its own, while the next ones are being read and tracked.
+class OverlayWriter {
+ public:
+  OverlayWriter(const OverlayArguments& arguments, const anatomy::Case& patient,
+                const tracking::OpenedFootage& opened, std::size_t mannequin)
+      : bodies_(opened.bodies),
+        mannequin_(mannequin),
+        place_(arguments.registration.empty()
+                   ? tracking::placed_at(patient, tracking::scene_skin())
+                   : tracking::read_registration(arguments.registration).fixed_from_moving),
+        view_(patient, opened.camera, place_, look_of(arguments)),
+        output_(arguments.output) {
+    if (arguments.ultrasound) ultrasound_.emplace(patient);
+    if (output_.extension() == ".avi")
+      video_.emplace(output_, opened.camera.width, opened.camera.height, opened.source->rate());
+    thread_ = std::jthread([this] { run(); });
+  }
+  ~OverlayWriter() { end(); }
+  OverlayWriter(const OverlayWriter&) = delete;
+  OverlayWriter& operator=(const OverlayWriter&) = delete;
+
+  // Waits while two are not drawn yet; throws what drawing threw.
+  void add(TrackedPicture picture) {
+    std::unique_lock guard(lock_);
+    changed_.wait(guard, [this] { return waiting_.size() < most_waiting || failure_; });
+    if (failure_) std::rethrow_exception(failure_);
+    waiting_.push_back(std::move(picture));
+    changed_.notify_all();
+  }
+
+  // When all are written.
+  void finish() {
+    end();
+    if (failure_) std::rethrow_exception(failure_);
+    if (video_) video_->finish();
+  }
+
+  // After finish().
+  const tracking::StageTimes& times() const { return times_; }
+  int pictures() const { return pictures_; }
+
+ private:
+  static constexpr std::size_t most_waiting = 2;
+
+  void end() {
+    {
+      const std::lock_guard guard(lock_);
+      ended_ = true;
+    }
+    changed_.notify_all();
+    if (thread_.joinable()) thread_.join();
+  }
+
+  void run() {
+    try {
+      while (std::optional<TrackedPicture> picture = take()) write(*picture);
+    } catch (...) {
+      const std::lock_guard guard(lock_);
+      failure_ = std::current_exception();
+      changed_.notify_all();
+    }
+  }
+
+  std::optional<TrackedPicture> take() {
+    std::unique_lock guard(lock_);
+    changed_.wait(guard, [this] { return !waiting_.empty() || ended_; });
+    if (waiting_.empty()) return std::nullopt;
+    TrackedPicture picture = std::move(waiting_.front());
+    waiting_.pop_front();
+    changed_.notify_all();
+    return picture;
+  }
+
+  void write(TrackedPicture& picture) {
+    const Clock::time_point begin = Clock::now();
+    const tracking::TrackedPose& mannequin = picture.poses[mannequin_];
+    std::vector<tracking::ShownBody> tools;
+    std::optional<Pose> probe, needle;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      if (b == mannequin_) continue;
+      const tracking::TrackedPose& pose = picture.poses[b];
+      tools.push_back({&bodies_[b], &pose});
+      if (pose.status != tracking::TrackingStatus::ok || mannequin.status != tracking::TrackingStatus::ok) continue;
+      const Pose tool =
+          tracking::tool_in_patient(bodies_[b], pose.camera_from_body, mannequin.camera_from_body, place_);
+      if (bodies_[b].name == "probe") probe = tool;
+      if (bodies_[b].name == "needle") needle = tool;
+    }
+    view_.draw(picture.colour, &mannequin, tools);
+    const Clock::time_point drawn = Clock::now();
+    times_.add("ray cast", view_.cast_seconds());
+    times_.add("blend and draw", seconds_between(begin, drawn) - view_.cast_seconds());
+    Clock::time_point shown = drawn;
+    if (ultrasound_) {
+      ultrasound_->draw(picture.colour, probe, needle);
+      shown = Clock::now();
+      times_.add("ultrasound", seconds_between(drawn, shown));
+    }
+    times_.add("arrival to drawn", seconds_between(picture.arrived, shown));
+    if (video_) {
+      video_->add(picture.colour);
+    } else {
+      write_file(output_ / fmt::format("overlay_{:05}.png", pictures_), imaging::encode_png(picture.colour));
+    }
+    times_.add("write", seconds_between(shown, Clock::now()));
+    ++pictures_;
+  }
+
+  const std::vector<tracking::MarkerBody>& bodies_;
+  std::size_t mannequin_;
+  tracking::Similarity place_;
+  tracking::AugmentedView view_;
+  std::optional<UltrasoundInset> ultrasound_;
+  fs::path output_;
+  std::optional<tracking::VideoWriter> video_;
+  tracking::StageTimes times_;
+  int pictures_ = 0;
+  std::mutex lock_;  // guards the four below
+  std::condition_variable changed_;
+  std::deque<TrackedPicture> waiting_;
+  bool ended_ = false;
+  std::exception_ptr failure_;
+  std::jthread thread_;  // the last member: it uses the others
+};
+
+void print_times(Console& console, const tracking::StageTimes& tracked, const tracking::StageTimes& drawn,
+                 double rate) {
+  for (const tracking::StageTimes* times : {&tracked, &drawn}) {
+    for (const tracking::StageTimes::Row& row : times->rows()) {
+      console.line(fmt::format("{:<17}{:6.1f} ms median, {:6.1f} ms at 95 %", row.stage, row.median, row.late));
+    }
+  }
+  console.line(fmt::format("{:.1f} pictures/s", rate));
+}
+
 void run_overlay(const OverlayArguments& arguments, const CommandContext& context) {
-  const tracking::AugmentedLook look = look_of(arguments);
+  look_of(arguments);  // refuses what cannot be before anything is read
   const fs::path output = arguments.output;
-  const bool video = output.extension() == ".avi";
   std::error_code code;
-  if (video) {
+  if (output.extension() == ".avi") {
     require_writable(output, "--output");
   } else if (fs::exists(output, code) && (!fs::is_directory(output, code) || !fs::is_empty(output, code))) {
     throw InputError(
@@ -81,54 +278,51 @@ void run_overlay(const OverlayArguments& arguments, const CommandContext& contex
   Console console(context);
   tracking::OpenedFootage opened = open_footage_of(arguments.footage);
   const anatomy::Case patient = io::load_case(arguments.patient, console.progress());
-  const tracking::Similarity place = arguments.registration.empty()
-                                         ? tracking::placed_at(patient, tracking::scene_skin())
-                                         : tracking::read_registration(arguments.registration).fixed_from_moving;
-  const auto index_of = [&](std::string_view name) -> std::optional<std::size_t> {
-    for (std::size_t i = 0; i < opened.bodies.size(); ++i) {
-      if (opened.bodies[i].name == name) return i;
-    }
-    return std::nullopt;
-  };
-  const std::optional<std::size_t> mannequin = index_of("mannequin");
-  if (!mannequin) {
+  const auto found = std::find_if(opened.bodies.begin(), opened.bodies.end(),
+                                  [](const tracking::MarkerBody& body) { return body.name == "mannequin"; });
+  if (found == opened.bodies.end()) {
     throw InputError(
         fmt::format("{}: no body is called \"mannequin\", which the patient is laid into", arguments.footage.source));
   }
+  const auto mannequin = static_cast<std::size_t>(found - opened.bodies.begin());
   tracking::Tracker tracker(opened.camera, opened.bodies);
-  tracking::AugmentedView view(patient, opened.camera, place, look);
+  OverlayWriter writer(arguments, patient, opened, mannequin);
   tracking::LensWatch lens;
-  std::optional<tracking::VideoWriter> writer;
-  if (video) writer.emplace(output, opened.camera.width, opened.camera.height, opened.source->rate());
-  int drawn = 0, pictures = 0;
+  tracking::StageTimes tracked;
+  int drawn = 0;
   tracking::GreyPicture last;
   std::string warning;
-  for_each_picture(*opened.source, arguments.footage, console, "overlay", [&](const tracking::SourcePicture& frame) {
+  const Clock::time_point start = Clock::now();
+  Clock::time_point before = start;
+  for_each_picture(*opened.source, arguments.footage, console, "overlay", [&](tracking::SourcePicture& frame) {
+    const Clock::time_point arrived = Clock::now();
+    tracked.add("read and decode", seconds_between(before, arrived));
     const auto& poses = tracker.track(frame.grey, frame.time);
+    tracked.add("track", seconds_between(arrived, Clock::now()));
     lens.add(poses);
     if (warning.empty()) warning = lens.warning();
-    std::vector<tracking::ShownBody> tools;
-    for (std::size_t b = 0; b < poses.size(); ++b) {
-      if (b != *mannequin) tools.push_back({&opened.bodies[b], &poses[b]});
-    }
-    imaging::ImageRgb picture = frame.colour;
-    view.draw(picture, &poses[*mannequin], tools);
-    if (poses[*mannequin].status == tracking::TrackingStatus::ok) ++drawn;
+    if (poses[mannequin].status == tracking::TrackingStatus::ok) ++drawn;
     if (drawn == 0 && tracker.markers().empty()) last = frame.grey;
-    if (writer) {
-      writer->add(picture);
-    } else {
-      write_file(output / fmt::format("overlay_{:05}.png", pictures), imaging::encode_png(picture));
-    }
-    ++pictures;
+    writer.add({std::move(frame.colour), poses, arrived});
+    before = Clock::now();
     return true;
   });
-  if (writer) writer->finish();
+  writer.finish();
+  const double seconds = seconds_between(start, Clock::now());
+  const int pictures = writer.pictures();
   if (drawn == 0 && last.width > 0) console.note(tracking::why_nothing_was_found(arguments.footage.source, last));
   if (!warning.empty()) console.note(warning);
   console.line(fmt::format("{}: {} pictures, the patient in {} of them", arguments.output, pictures, drawn));
-  console.json(
-      nlohmann::ordered_json{{"output", arguments.output}, {"pictures", pictures}, {"drawn", drawn}}.dump(2));
+  nlohmann::ordered_json json{{"output", arguments.output}, {"pictures", pictures}, {"drawn", drawn}};
+  if (arguments.times) {
+    print_times(console, tracked, writer.times(), pictures / seconds);
+    json["pictures_per_second"] = pictures / seconds;
+    for (const tracking::StageTimes* times : {&std::as_const(tracked), &writer.times()}) {
+      for (const tracking::StageTimes::Row& row : times->rows())
+        json["times"][row.stage] = {{"median_ms", row.median}, {"p95_ms", row.late}};
+    }
+  }
+  console.json(json.dump(2));
 }
 
 }  // namespace
@@ -152,6 +346,10 @@ void add_overlay_command(CLI::App& app, CommandContext& context) {
   add_switch(*command, "--no-plan", arguments->no_plan, "Leave out the planned path");
   add_switch(*command, "--no-front-view", arguments->no_front_view, "Leave out the CT from the front");
   add_switch(*command, "--no-status", arguments->no_status, "Leave out the text");
+  add_switch(*command, "--ultrasound", arguments->ultrasound, "Add the ultrasound of where the probe points");
+  add_switch(*command, "--full-resolution", arguments->full_resolution,
+             "Cast every ray also while the mannequin or the camera moves");
+  add_switch(*command, "--times", arguments->times, "Print how long each stage of a picture takes");
   on_run(*command, [arguments, &context] { run_overlay(*arguments, context); });
 }
 

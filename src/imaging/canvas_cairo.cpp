@@ -1,4 +1,5 @@
 // A canvas as pixels, and as a page of a PDF file, by cairo.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <memory>
@@ -229,8 +230,27 @@ ImageRgb Canvas::pixels(double zoom) const {
   return image;
 }
 
+// Only the part of the image that the shapes touch goes through cairo: a few words on a large picture are cheap.
 void Canvas::draw_over(ImageRgb& image) const {
-  paint_pixels(*this, surface_of(image), 1.0, image);
+  if (shapes_.empty()) return;
+  const cairo_rectangle_t all{0.0, 0.0, static_cast<double>(image.width), static_cast<double>(image.height)};
+  const Surface shapes(cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, &all), cairo_surface_destroy);
+  require_success(CairoPainter(shapes.get(), 1.0).paint(*this), image.width, image.height);
+  double x = 0.0, y = 0.0, width = 0.0, height = 0.0;
+  cairo_recording_surface_ink_extents(shapes.get(), &x, &y, &width, &height);
+  const int left = std::max(0, static_cast<int>(std::floor(x))), top = std::max(0, static_cast<int>(std::floor(y)));
+  const int right = std::min(image.width, static_cast<int>(std::ceil(x + width))),
+            bottom = std::min(image.height, static_cast<int>(std::ceil(y + height)));
+  if (left >= right || top >= bottom) return;
+  ImageRgb part(right - left, bottom - top);
+  for (int row = 0; row < part.height; ++row) std::copy_n(&image.at(left, top + row), part.width, &part.at(0, row));
+  const Surface surface = surface_of(part);
+  const Context context(cairo_create(surface.get()), cairo_destroy);
+  cairo_set_source_surface(context.get(), shapes.get(), -left, -top);
+  cairo_paint(context.get());
+  require_success(cairo_status(context.get()), part.width, part.height);
+  copy_pixels(surface.get(), part);
+  for (int row = 0; row < part.height; ++row) std::copy_n(&part.at(0, row), part.width, &image.at(left, top + row));
 }
 
 std::string pdf(std::span<const Canvas> pages, const std::string& title) {

@@ -1,6 +1,7 @@
 #include "tracking/augmented_view.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -12,6 +13,9 @@
 namespace bodkin::tracking {
 
 namespace {
+
+constexpr double unseen_motion = 0.1;  // pixels
+constexpr int pictures_to_rest = 3;    // without motion, until the rays are dense again
 
 constexpr std::uint32_t steel = 0xDDE6EE, alarm = 0xFF4B3E, good = 0x7BE38B, warning = 0xFFC84A, planned = 0x59B8FF;
 
@@ -99,11 +103,67 @@ AugmentedView::AugmentedView(const anatomy::Case& patient, const CameraModel& ca
       look_(look),
       volume_(std::make_shared<const imaging::PreparedVolume>(
           imaging::prepare_volume(patient.ct, patient.tissues, patient.library))),
-      caster_(caster_of(volume_, look)) {}
+      caster_(caster_of(volume_, look)),
+      rays_(ray_table(camera)) {}
 
 void AugmentedView::set_look(const AugmentedLook& look) {
   if (look.preset != look_.preset || look.step != look_.step) caster_ = caster_of(volume_, look);
   look_ = look;
+  cast_at_.reset();
+}
+
+Vec3 AugmentedView::region() const {
+  if (look_.region) return *look_.region;
+  if (patient_.description.procedure.path) return patient_.description.procedure.path->target;
+  if (patient_.ct.empty()) return Vec3::Zero();
+  const auto& size = patient_.ct.grid.size;
+  return patient_.ct.grid.to_patient(0.5 * Vec3(size[0] - 1, size[1] - 1, size[2] - 1));
+}
+
+// Pixels by which the patient around the region moves from one place to another, at most.
+double AugmentedView::moved(const Similarity& from, const Similarity& to) const {
+  constexpr double around = 80.0;  // mm
+  double most = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 offset(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
+    const Vec3 point = region() + around * (2.0 * offset - Vec3::Ones());
+    const std::optional<Eigen::Vector2d> before = pixel_of(from * point), after = pixel_of(to * point);
+    if (before && after) most = std::max(most, (*after - *before).norm());
+  }
+  return most;
+}
+
+// The rays of a picture before are used again where the patient has not moved; while he moves they are half as dense
+// in both directions.
+void AugmentedView::draw_patient(imaging::ImageRgb& picture, const Similarity& camera_from_patient) {
+  const bool still = !last_ || moved(*last_, camera_from_patient) <= unseen_motion;
+  at_rest_ = !last_ ? pictures_to_rest : still ? std::min(at_rest_ + 1, pictures_to_rest) : 0;
+  last_ = camera_from_patient;
+  const bool moves = look_.coarse_while_moving && at_rest_ < pictures_to_rest;
+  const std::optional<Eigen::Vector2d> centre = pixel_of(camera_from_patient * region());
+  if (!centre) return;
+  if (!cast_at_ || moved(*cast_at_, camera_from_patient) > unseen_motion || (coarse_by_motion_ && !moves)) {
+    const auto begin = std::chrono::steady_clock::now();
+    const Similarity patient_from_camera = camera_from_patient.inverse();
+    imaging::PictureCamera eye;
+    eye.patient_from_camera.linear() = patient_from_camera.turn;
+    eye.patient_from_camera.translation() = patient_from_camera.shift;
+    eye.scale = patient_from_camera.scale;
+    eye.ray = [this](const Eigen::Vector2d& pixel) -> Vec3 {
+      const int x = static_cast<int>(pixel.x()), y = static_cast<int>(pixel.y());
+      if (x < 0 || y < 0 || x >= camera_.width || y >= camera_.height) return camera_.ray(pixel);
+      const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * camera_.width + x;
+      const Eigen::Vector2f& ray = rays_[static_cast<std::size_t>(at)];
+      return {static_cast<double>(ray.x()), static_cast<double>(ray.y()), 1.0};
+    };
+    cutaway_ = imaging::cast_cutaway(caster_, eye, {*centre, look_.radii, look_.threshold}, picture.width,
+                                     picture.height, pool_, moves);
+    cast_at_ = camera_from_patient;
+    coarse_by_motion_ = moves;
+    cast_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+  imaging::blend_cutaway(cutaway_, pool_, picture);
+  is_shown_ = cutaway_.rays > 0;
 }
 
 std::optional<Eigen::Vector2d> AugmentedView::pixel_of(const Vec3& in_camera) const {
@@ -116,9 +176,10 @@ std::optional<Eigen::Vector2d> AugmentedView::pixel_of(const Vec3& in_camera) co
 }
 
 void AugmentedView::draw(imaging::ImageRgb& picture, const TrackedPose* mannequin,
-                         const std::vector<ShownBody>& tools, bool moving) {
+                         const std::vector<ShownBody>& tools) {
   needle_.reset();
-  cutaway_ = {};
+  is_shown_ = false;
+  cast_seconds_ = 0.0;
   const TrackedPose* needle = nullptr;
   const MarkerBody* needle_body = nullptr;
   for (const ShownBody& tool : tools) {
@@ -128,30 +189,11 @@ void AugmentedView::draw(imaging::ImageRgb& picture, const TrackedPose* mannequi
   }
   if (mannequin != nullptr && mannequin->status == TrackingStatus::ok) {
     const Similarity camera_from_patient = composed(mannequin->camera_from_body, mannequin_from_patient_);
-    const Similarity patient_from_camera = camera_from_patient.inverse();
-    const imaging::ImageRgb before = picture;
-    Vec3 region = Vec3::Zero();
-    if (look_.region) {
-      region = *look_.region;
-    } else if (patient_.description.procedure.path) {
-      region = patient_.description.procedure.path->target;
-    } else if (!patient_.ct.empty()) {
-      const auto& size = patient_.ct.grid.size;
-      region = patient_.ct.grid.to_patient(0.5 * Vec3(size[0] - 1, size[1] - 1, size[2] - 1));
-    }
-    const std::optional<Eigen::Vector2d> centre = pixel_of(camera_from_patient * region);
-    if (centre) {
-      imaging::PictureCamera eye;
-      eye.patient_from_camera.linear() = patient_from_camera.turn;
-      eye.patient_from_camera.translation() = patient_from_camera.shift;
-      eye.scale = patient_from_camera.scale;
-      eye.ray = [this](const Eigen::Vector2d& pixel) { return camera_.ray(pixel); };
-      const imaging::CutawayOval oval{*centre, look_.radii, look_.threshold};
-      cutaway_ = imaging::draw_cutaway(caster_, eye, oval, pool_, picture, moving);
-    }
+    before_ = picture;
+    draw_patient(picture, camera_from_patient);
     const auto keep_tools = [&] {
       for (const ShownBody& tool : tools) {
-        if (tool.pose->status == TrackingStatus::ok) keep_in_front(tool, camera_, before, picture);
+        if (tool.pose->status == TrackingStatus::ok) keep_in_front(tool, camera_, before_, picture);
       }
     };
     // A needle that points away from the camera begins behind its cube.
@@ -160,6 +202,8 @@ void AugmentedView::draw(imaging::ImageRgb& picture, const TrackedPose* mannequi
     draw_tools(picture, camera_from_patient, needle, needle_body);
     if (away) keep_tools();
     if (look_.front_view && needle_) draw_front_view(picture);
+  } else {
+    last_.reset();
   }
   if (!look_.status) return;
   imaging::Canvas canvas(picture.width, picture.height);
@@ -183,7 +227,8 @@ void AugmentedView::draw(imaging::ImageRgb& picture, const TrackedPose* mannequi
                                   : fmt::format("tip in {}, {:.0f} mm deep", needle_->tissue, needle_->depth),
           needle_->bone ? alarm : steel);
   }
-  if (cutaway_.coarser && !moving) write("large cutaway: drawn at half the resolution", warning);
+  if (is_shown_ && cutaway_.coarser() && !coarse_by_motion_)
+    write("large cutaway: drawn at half the resolution", warning);
   canvas.draw_over(picture);
 }
 

@@ -22,6 +22,7 @@ struct AugmentedLook {
   double step = 1.0;           // of the rays, voxels
   std::optional<Vec3> region;  // centre of the oval, LPS mm; absent: target, or the needle's tip
   bool needle = true, plan = true, front_view = true, status = true;
+  bool coarse_while_moving = true;  // half the resolution while the mannequin or the camera moves
 };
 
 // Where the needle's tip is in the patient.
@@ -45,23 +46,29 @@ class AugmentedView {
   AugmentedView(const anatomy::Case& patient, const CameraModel& camera, const Similarity& mannequin_from_patient,
                 const AugmentedLook& look = {});
 
-  // Draws upon `picture` what the poses of that same picture say. `tools`: what is held before the mannequin and
-  // hides the cutaway; the one named "needle" is drawn to its tip. A body that is lost is not drawn; its status is
-  // written instead, and the pose it had before is never used.
-  void draw(imaging::ImageRgb& picture, const TrackedPose* mannequin, const std::vector<ShownBody>& tools,
-            bool moving = false);
+  // Draws upon `picture`, which has the camera's size, what the poses of that same picture say. `tools`: what is held
+  // before the mannequin and hides the cutaway; the one named "needle" is drawn to its tip. A body that is lost is
+  // not drawn; its status is written instead, and the pose it had before is never used. The rays are cast anew unless
+  // the patient lies within a tenth of a pixel of where he lay when they were cast.
+  void draw(imaging::ImageRgb& picture, const TrackedPose* mannequin, const std::vector<ShownBody>& tools);
 
   void set_look(const AugmentedLook& look);
 
   // Of the last picture.
   const std::optional<NeedleInPatient>& needle() const { return needle_; }
-  const imaging::CutawayReport& cutaway() const { return cutaway_; }
+  // Null: there is none in it.
+  const imaging::Cutaway* cutaway() const { return is_shown_ ? &cutaway_ : nullptr; }
+  // s that the rays took; 0: those of a picture before were used again.
+  double cast_seconds() const { return cast_seconds_; }
 
  private:
   void draw_tools(imaging::ImageRgb& picture, const Similarity& camera_from_patient, const TrackedPose* needle,
                   const MarkerBody* needle_body);
   void draw_front_view(imaging::ImageRgb& picture) const;
   std::optional<Eigen::Vector2d> pixel_of(const Vec3& in_camera) const;
+  Vec3 region() const;
+  double moved(const Similarity& from, const Similarity& to) const;
+  void draw_patient(imaging::ImageRgb& picture, const Similarity& camera_from_patient);
 
   const anatomy::Case& patient_;
   CameraModel camera_;
@@ -70,8 +77,14 @@ class AugmentedView {
   std::shared_ptr<const imaging::PreparedVolume> volume_;
   imaging::RayCaster caster_;
   ThreadPool pool_;
+  std::vector<Eigen::Vector2f> rays_;  // of the lens, for every pixel
   std::optional<NeedleInPatient> needle_;
-  imaging::CutawayReport cutaway_;
+  imaging::ImageRgb before_;  // the camera's picture without what is drawn upon it
+  imaging::Cutaway cutaway_;
+  bool is_shown_ = false, coarse_by_motion_ = false;
+  double cast_seconds_ = 0.0;
+  std::optional<Similarity> cast_at_, last_;  // camera from patient: of the cutaway, and of the picture before
+  int at_rest_ = 0;                           // pictures in a row
 };
 
 // The place of a patient before there is a registration: the entry of its path lies at `at` (mannequin frame, mm),

@@ -28,6 +28,20 @@ TEST_F(Overlay, draws_the_patient_into_every_picture_as_a_video_and_as_a_folder)
   EXPECT_NE(text_of("pictures/overlay_00000.png"), text_of("footage/frame_00000.png"));
 }
 
+TEST_F(Overlay, says_how_long_each_stage_takes_and_adds_the_ultrasound) {
+  ASSERT_EQ(bodkin("--quiet scene render timed --frames 2 --width 800 --height 450").exit_code, 0);
+  const Outcome made = bodkin("--json overlay patient timed -o times.avi --ultrasound --times --full-resolution");
+  ASSERT_EQ(made.exit_code, 0) << made.text();
+  const nlohmann::json json = nlohmann::json::parse(made.output);
+  EXPECT_GT(json["pictures_per_second"].get<double>(), 0.0);
+  for (const char* stage : {"read and decode", "track", "ray cast", "blend and draw", "ultrasound", "write"}) {
+    ASSERT_TRUE(json["times"].contains(stage)) << stage;
+    EXPECT_LE(json["times"][stage]["median_ms"].get<double>(), json["times"][stage]["p95_ms"].get<double>()) << stage;
+  }
+  ASSERT_EQ(bodkin("--quiet overlay patient timed -o plain.avi --full-resolution").exit_code, 0);
+  EXPECT_NE(text_of("times.avi"), text_of("plain.avi"));
+}
+
 TEST_F(Overlay, refuses_an_unknown_preset_and_a_folder_in_use) {
   const Outcome preset = bodkin("overlay patient footage --preset x-ray");
   EXPECT_EQ(preset.exit_code, 2);

@@ -44,9 +44,9 @@ TEST(Cutaway, a_ball_is_drawn_where_the_camera_sees_it) {
   ThreadPool pool(2);
   for (const bool moving : {false, true}) {
     ImageRgb picture(200, 160);
-    const CutawayReport report =
-        draw_cutaway(caster, camera, {{110.0, 70.0}, {60.0, 60.0}, 0.9}, pool, picture, moving);
-    EXPECT_EQ(report.coarser, moving);
+    const Cutaway cast = cast_cutaway(caster, camera, {{110.0, 70.0}, {60.0, 60.0}, 0.9}, 200, 160, pool, moving);
+    EXPECT_EQ(cast.coarser(), moving);
+    EXPECT_NEAR(blend_cutaway(cast, pool, picture), 3.14159 * 60.0 * 60.0, 60.0);
     // Of its outline, for light from one side moves the middle of what is bright.
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     int seen = 0;
@@ -72,12 +72,15 @@ TEST(Cutaway, a_large_oval_is_cast_at_half_the_resolution_and_an_oval_beside_the
   PictureCamera camera;
   camera.ray = [](const Eigen::Vector2d& pixel) { return Vec3(0.001 * pixel.x(), 0.001 * pixel.y(), 1.0); };
   ThreadPool pool(1);
+  const auto cast = [&](const CutawayOval& oval) {
+    return cast_cutaway(caster, camera, oval, 400, 300, pool, false, 20000);
+  };
+  EXPECT_TRUE(cast({{200.0, 150.0}, {150.0, 120.0}, 0.7}).coarser());
+  EXPECT_FALSE(cast({{200.0, 150.0}, {50.0, 50.0}, 0.7}).coarser());
+  const Cutaway beside = cast({{900.0, 150.0}, {50.0, 50.0}, 0.7});
+  EXPECT_EQ(beside.rays, 0);
   ImageRgb picture(400, 300);
-  EXPECT_TRUE(
-      draw_cutaway(caster, camera, {{200.0, 150.0}, {150.0, 120.0}, 0.7}, pool, picture, false, 20000).coarser);
-  EXPECT_FALSE(
-      draw_cutaway(caster, camera, {{200.0, 150.0}, {50.0, 50.0}, 0.7}, pool, picture, false, 20000).coarser);
-  EXPECT_EQ(draw_cutaway(caster, camera, {{900.0, 150.0}, {50.0, 50.0}, 0.7}, pool, picture).rays, 0);
+  EXPECT_EQ(blend_cutaway(beside, pool, picture), 0);
 }
 
 }  // namespace

@@ -156,6 +156,33 @@ TEST(RayCaster, neither_threads_nor_skipped_blocks_change_a_bit) {
   }
 }
 
+// Where little of a ray's light is left steps are longer; a step of a quarter of a voxel has four times as many of
+// them.
+TEST(RayCaster, long_steps_far_behind_are_not_seen) {
+  const auto volume = prepared(balls());
+  const VolumeCamera camera = camera_from(Vec3(90.0, -260.0, 70.0), 96);
+  ThreadPool pool(2);
+  VolumeLook look = look_of(VolumeMode::colour);
+  look.transfer = preset_function(TransferPreset::soft_tissue);
+  for (OpacityPoint& point : look.transfer.opacity) point.opacity *= 2.0;  // all light is gone within the ball
+  std::vector<std::uint32_t> usual, fine;
+  ASSERT_TRUE(RayCaster(volume, look, 1.5).draw(camera, pool, usual));
+  ASSERT_TRUE(RayCaster(volume, look, 0.375).draw(camera, pool, fine));
+  double sum = 0.0;
+  int most = 0;
+  for (std::size_t i = 0; i < usual.size(); ++i) {
+    for (const unsigned shift : {0U, 8U, 16U}) {
+      const int off =
+          std::abs(static_cast<int>(usual[i] >> shift & 0xFFU) - static_cast<int>(fine[i] >> shift & 0xFFU));
+      sum += off;
+      most = std::max(most, off);
+    }
+  }
+  std::printf("of 255: %.2f in the mean, %d at most\n", sum / (3.0 * static_cast<double>(usual.size())), most);
+  EXPECT_LT(sum / (3.0 * static_cast<double>(usual.size())), 1.5);
+  EXPECT_LT(most, 64);  // at outlines, where rays of both meet the edge between different samples
+}
+
 TEST(RayCaster, a_drawing_that_is_cancelled_says_so) {
   const RayCaster caster(prepared(balls()), look_of(VolumeMode::colour), 0.8);
   ThreadPool pool(2);

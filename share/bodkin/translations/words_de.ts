@@ -7560,12 +7560,16 @@
         <translation>Registrierung: die Punkte liegen auf einer Linie, was die Drehung darum offen lässt; fügen Sie einen Punkt daneben hinzu</translation>
     </message>
     <message>
-        <source>%1, line %2: expected name,x,y,z or x,y,z in mm, found '%3'</source>
-        <translation>%1, Zeile %2: erwartet name,x,y,z oder x,y,z in mm, gefunden „%3“</translation>
+        <source>%1, line %2: expected name,x,y,z or x,y,z in mm, with or without three standard deviations above 0, found '%3'</source>
+        <translation>%1, Zeile %2: erwartet name,x,y,z oder x,y,z in mm, mit oder ohne drei Standardabweichungen über 0, gefunden „%3“</translation>
     </message>
     <message>
         <source>some points have a name and some have none</source>
         <translation>manche Punkte haben einen Namen und manche keinen</translation>
+    </message>
+    <message>
+        <source>some points have standard deviations and some have none</source>
+        <translation>manche Punkte haben Standardabweichungen und manche keine</translation>
     </message>
     <message>
         <source>its camera is not calibrated; calibrate it with 'bodkin camera calibrate' and name the file with --camera</source>

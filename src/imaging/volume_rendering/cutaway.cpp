@@ -8,9 +8,7 @@ namespace bodkin::imaging {
 
 namespace {
 
-struct Light {
-  float red = 0.0F, green = 0.0F, blue = 0.0F, opacity = 0.0F;
-};
+constexpr int oval_tile = 16;  // rays along each side: neighbours share voxels
 
 std::uint8_t blended(std::uint8_t below, float light, float opacity, float share) {
   const float value = (1.0F - share * opacity) * static_cast<float>(below) + share * 255.0F * light;
@@ -25,54 +23,66 @@ double CutawayOval::opacity_at(const Eigen::Vector2d& pixel) const {
   return r <= threshold ? 1.0 : (1.0 - r) / (1.0 - threshold);
 }
 
-CutawayReport draw_cutaway(const RayCaster& caster, const PictureCamera& camera, const CutawayOval& oval,
-                           ThreadPool& pool, ImageRgb& picture, bool moving, int most_rays) {
-  const int left = std::max(0, static_cast<int>(std::floor(oval.centre.x() - oval.radii.x())));
-  const int top = std::max(0, static_cast<int>(std::floor(oval.centre.y() - oval.radii.y())));
-  const int right = std::min(picture.width - 1, static_cast<int>(std::ceil(oval.centre.x() + oval.radii.x())));
-  const int bottom = std::min(picture.height - 1, static_cast<int>(std::ceil(oval.centre.y() + oval.radii.y())));
-  CutawayReport report;
-  if (left > right || top > bottom) return report;
+Cutaway cast_cutaway(const RayCaster& caster, const PictureCamera& camera, const CutawayOval& oval, int width,
+                     int height, ThreadPool& pool, bool moves, int most_rays) {
+  Cutaway made;
+  made.oval = oval;
+  made.left = std::max(0, static_cast<int>(std::floor(oval.centre.x() - oval.radii.x())));
+  made.top = std::max(0, static_cast<int>(std::floor(oval.centre.y() - oval.radii.y())));
+  made.right = std::min(width - 1, static_cast<int>(std::ceil(oval.centre.x() + oval.radii.x())));
+  made.bottom = std::min(height - 1, static_cast<int>(std::ceil(oval.centre.y() + oval.radii.y())));
+  if (made.left > made.right || made.top > made.bottom) return made;
   constexpr double share_of_ellipse = 0.7853981633974483;
-  const double area = share_of_ellipse * (right - left + 1.0) * (bottom - top + 1.0);
-  report.coarser = moving || area > most_rays;
-  const int step = report.coarser ? 2 : 1;
-  const int columns = (right - left) / step + 2, rows = (bottom - top) / step + 2;
-  std::vector<Light> lights(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  const double area = share_of_ellipse * (made.right - made.left + 1.0) * (made.bottom - made.top + 1.0);
+  made.step = moves || area > most_rays ? 2 : 1;
+  made.columns = (made.right - made.left) / made.step + 2;
+  made.rows = (made.bottom - made.top) / made.step + 2;
+  made.lights.resize(static_cast<std::size_t>(made.columns) * static_cast<std::size_t>(made.rows));
   std::atomic<int> cast = 0;
   const Vec3 eye = camera.patient_from_camera.translation();
-  pool.run(rows, [&](int row) {
+  const int tiles_across = (made.columns + oval_tile - 1) / oval_tile,
+            tiles_down = (made.rows + oval_tile - 1) / oval_tile;
+  pool.run(tiles_across * tiles_down, [&](int index) {
     int here = 0;
-    for (int column = 0; column < columns; ++column) {
-      const Eigen::Vector2d pixel(left + step * column, top + step * row);
-      // A pixel within may lie between rays that are just outside.
-      if ((pixel - oval.centre).cwiseQuotient(oval.radii + Eigen::Vector2d::Constant(step)).norm() >= 1.0) continue;
-      const Vec3 direction = (camera.patient_from_camera.linear() * camera.ray(pixel)).normalized();
-      const CastRay met = caster.cast(eye, direction, 1e9);
-      lights[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)] = {
-          met.red, met.green, met.blue, met.opacity};
-      ++here;
+    const int first_column = index % tiles_across * oval_tile, first_row = index / tiles_across * oval_tile;
+    for (int row = first_row; row < std::min(first_row + oval_tile, made.rows); ++row) {
+      for (int column = first_column; column < std::min(first_column + oval_tile, made.columns); ++column) {
+        const Eigen::Vector2d pixel(made.left + made.step * column, made.top + made.step * row);
+        // A pixel within may lie between rays that are just outside.
+        if ((pixel - oval.centre).cwiseQuotient(oval.radii + Eigen::Vector2d::Constant(made.step)).norm() >= 1.0)
+          continue;
+        const Vec3 direction = (camera.patient_from_camera.linear() * camera.ray(pixel)).normalized();
+        const CastRay met = caster.cast(eye, direction, 1e9);
+        made.lights[static_cast<std::size_t>(row) * static_cast<std::size_t>(made.columns) +
+                    static_cast<std::size_t>(column)] = {met.red, met.green, met.blue, met.opacity};
+        ++here;
+      }
     }
     cast.fetch_add(here, std::memory_order_relaxed);
   });
-  report.rays = cast.load();
+  made.rays = cast.load();
+  return made;
+}
+
+int blend_cutaway(const Cutaway& cutaway, ThreadPool& pool, ImageRgb& picture) {
+  using Light = Cutaway::Light;
   std::atomic<int> counted = 0;
-  pool.run(bottom - top + 1, [&](int line) {
-    const int y = top + line;
+  pool.run(cutaway.bottom - cutaway.top + 1, [&](int line) {
+    const int y = cutaway.top + line, step = cutaway.step;
     int here = 0;
-    for (int x = left; x <= right; ++x) {
-      const auto share = static_cast<float>(oval.opacity_at({x, y}));
+    for (int x = cutaway.left; x <= cutaway.right; ++x) {
+      const auto share = static_cast<float>(cutaway.oval.opacity_at({x, y}));
       if (share <= 0.0F) continue;
       ++here;
       const auto at = [&](int column, int row) {
-        return lights[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-                      static_cast<std::size_t>(column)];
+        return cutaway.lights[static_cast<std::size_t>(row) * static_cast<std::size_t>(cutaway.columns) +
+                              static_cast<std::size_t>(column)];
       };
-      const int column = (x - left) / step, row = (y - top) / step;
+      const int column = (x - cutaway.left) / step, row = (y - cutaway.top) / step;
       Light light = at(column, row);
       if (step == 2) {
-        const float across = 0.5F * static_cast<float>((x - left) % 2),
-                    down = 0.5F * static_cast<float>((y - top) % 2);
+        const float across = 0.5F * static_cast<float>((x - cutaway.left) % 2),
+                    down = 0.5F * static_cast<float>((y - cutaway.top) % 2);
         const Light b = at(column + 1, row), c = at(column, row + 1), d = at(column + 1, row + 1);
         const auto mix = [&](float p, float q, float r, float s) {
           return (1.0F - down) * ((1.0F - across) * p + across * q) + down * ((1.0F - across) * r + across * s);
@@ -87,8 +97,7 @@ CutawayReport draw_cutaway(const RayCaster& caster, const PictureCamera& camera,
     }
     counted.fetch_add(here, std::memory_order_relaxed);
   });
-  report.pixels = counted.load();
-  return report;
+  return counted.load();
 }
 
 }  // namespace bodkin::imaging

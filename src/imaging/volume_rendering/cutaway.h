@@ -31,17 +31,32 @@ struct PictureCamera {
   std::function<Vec3(const Eigen::Vector2d&)> ray;
 };
 
-// How a cutaway was drawn.
-struct CutawayReport {
-  int pixels = 0;        // within the oval and the picture
-  int rays = 0;          // that were cast
-  bool coarser = false;  // every second pixel of every second row was cast, and the rest interpolated
+// What rays through an oval of a picture met: a view into the patient that is ready to be blended, over more than one
+// picture if nothing has moved.
+struct Cutaway {
+  // Of one ray, 0 to 1.
+  struct Light {
+    float red = 0.0F, green = 0.0F, blue = 0.0F, opacity = 0.0F;
+  };
+
+  CutawayOval oval;
+  int left = 0, top = 0, right = -1, bottom = -1;  // pixels of the picture, both ends within; right < left: none
+  int step = 1;                                    // pixels between rays; 2: the rest is interpolated
+  int columns = 0, rows = 0;                       // of rays
+  int rays = 0;                                    // that were cast
+  std::vector<Light> lights;                       // row by row
+
+  // Every second pixel of every second row was cast.
+  bool coarser() const { return step > 1; }
 };
 
-// Blends the view into the patient over `picture`, within the oval. Where a ray meets nothing opaque, the picture
-// stays. An oval of more than `most_rays` pixels is cast at half the resolution. `moving`: at half the resolution in
-// any case.
-CutawayReport draw_cutaway(const RayCaster& caster, const PictureCamera& camera, const CutawayOval& oval,
-                           ThreadPool& pool, ImageRgb& picture, bool moving = false, int most_rays = 160000);
+// Casts the rays of the oval within a picture of `width` x `height` pixels. An oval of more than `most_rays` pixels
+// is cast at half the resolution; one that `moves` is in any case.
+Cutaway cast_cutaway(const RayCaster& caster, const PictureCamera& camera, const CutawayOval& oval, int width,
+                     int height, ThreadPool& pool, bool moves = false, int most_rays = 160000);
+
+// Blends the view into the patient over a picture of the size that it was cast for. Where a ray met nothing opaque,
+// the picture stays. Returns the pixels within the oval.
+int blend_cutaway(const Cutaway& cutaway, ThreadPool& pool, ImageRgb& picture);
 
 }  // namespace bodkin::imaging

@@ -52,7 +52,8 @@ struct CastRay {
 // bit of the picture, nor does the number of threads.
 class RayCaster {
  public:
-  // `step`: mm between samples, above 0; a voxel or less is full quality.
+  // `step`: mm between samples, above 0; a voxel or less is full quality. Colour and grey take longer steps where
+  // less than a quarter of a ray's light is left.
   RayCaster(std::shared_ptr<const PreparedVolume> volume, const VolumeLook& look, double step);
 
   // Pixels 0xffRRGGBB, row by row. `cancelled` is asked often, from several threads; once it is true, the pixels that
