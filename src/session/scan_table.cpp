@@ -64,8 +64,7 @@ bool is_possible(const ScanNumbers& numbers, const ScanSample& sample, const ana
 }  // namespace
 
 ScanTables::ScanTables(SQLite::Database& database)
-    : database_(database),
-      insert_sample_(std::make_unique<SQLite::Statement>(
+    : insert_sample_(std::make_unique<SQLite::Statement>(
           database, "INSERT INTO scans VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")),
       insert_part_(std::make_unique<SQLite::Statement>(database, "INSERT OR IGNORE INTO scanned VALUES(?, ?, ?)")) {}
 

@@ -35,7 +35,6 @@ class ScanTables {
   void close();
 
  private:
-  SQLite::Database& database_;
   std::unique_ptr<SQLite::Statement> insert_sample_, insert_part_;
   std::vector<ScanSample> samples_;
   std::vector<ScannedPart> parts_;

@@ -90,7 +90,10 @@ std::vector<CommandRow> tracking_commands() {
         {"--no-needle", Kind::toggle},
         {"--no-plan", Kind::toggle},
         {"--no-front-view", Kind::toggle},
-        {"--no-status", Kind::toggle}}}};
+        {"--no-status", Kind::toggle},
+        {"--ultrasound", Kind::toggle},
+        {"--full-resolution", Kind::toggle},
+        {"--times", Kind::toggle}}}};
 #else
   return {};
 #endif
