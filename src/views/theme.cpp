@@ -87,6 +87,7 @@ QScrollBar::add-line, QScrollBar::sub-line { height: 0; width: 0; }
 QSplitter::handle { background: %3; }
 QLineEdit { background: %7; border: 1px solid %5; border-radius: 6px; padding: 6px; }
 QTreeWidget { selection-background-color: %9; }
+QHeaderView::section { background: %7; color: %6; border: none; padding: 3px 4px; }
 QListWidget::item { padding: 5px 8px; border-radius: 6px; }
 QListWidget::item:selected, QTreeWidget::item:selected { background: %9; color: %2; }
 QComboBox, QDoubleSpinBox, QSpinBox { background: %7; border: 1px solid %5; border-radius: 6px; padding: 5px 8px; }

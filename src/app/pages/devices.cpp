@@ -20,7 +20,9 @@ using namespace views;
 
 namespace {
 
-constexpr int list_width = 360;  // pixels
+constexpr int list_width = 360;       // pixels
+constexpr int item_text_width = 280;  // pixels, of a device's words in the list
+constexpr int item_padding = 8;       // pixels, as in the list's style sheet
 
 QColor lamp_colour(DeviceRow::Lamp lamp) {
   switch (lamp) {
@@ -100,8 +102,6 @@ QWidget* DevicesPage::make_side() {
   list_->setAccessibleName(tr("Devices"));
   list_->setToolTip(tr("What can hold the needle; a filled lamp: it is there"));
   list_->setWordWrap(true);
-  list_->setTextElideMode(Qt::ElideNone);  // else the second line of a long name takes the place of its state
-  list_->setTextElideMode(Qt::ElideNone);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setStyleSheet(
       QStringLiteral("QListWidget { border: none; outline: none; } QListWidget::item { padding: 8px; border-radius: "
@@ -202,6 +202,10 @@ void DevicesPage::show_rows() {
     if (full_name(row) == used_ && row.can_open()) text += tr(", used for practising");
     auto* item = new QListWidgetItem(lamp_icon(row.lamp), text, list_);
     item->setToolTip(in_words(row.sentence));
+    // The list's own height of an item forgets the padding of the style sheet, by which a long name needs a line
+    // more.
+    const QRect words = list_->fontMetrics().boundingRect(QRect(0, 0, item_text_width, 1000), Qt::TextWordWrap, text);
+    item->setSizeHint(QSize(item_text_width, words.height() + 2 * item_padding));
   }
   list_->setCurrentRow(std::min(kept, list_->count() - 1));
   const std::string asking = finder_.asking();
