@@ -11,8 +11,6 @@
 #include "app/script.h"
 #include "app/spoken_language.h"
 
-#include "core/error.h"
-
 namespace {
 
 int run_application() {
@@ -38,10 +36,6 @@ int open_window(const QCommandLineParser& options) {
     window.scan(patient, bodkin::station::ultrasound_request(options.value("scan").toStdString()),
                 options.value("output").toStdString());
   } else if (options.isSet(QStringLiteral("connect"))) {
-    if (patient.empty()) {
-      throw bodkin::InputError(
-          "--connect needs the patient that the station has, a copy of its case: bodkin app CASE --connect HOST");
-    }
     window.follow(options.value("connect").toStdString(), patient);
   } else if (!patient.empty()) {
     window.open(patient);

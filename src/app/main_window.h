@@ -54,7 +54,8 @@ class MainWindow : public QMainWindow {
   void open(const std::filesystem::path& patient);
   // A procedure that comes with Bodkin, on its own patient.
   void practise_procedure(const QString& name);
-  // The session of a station elsewhere, "HOST" or "HOST:PORT", on the patient that it has.
+  // The session of a station elsewhere, "HOST" or "HOST:PORT", on the patient that it has; an empty path: the copy of
+  // its case in the current folder or among the patients of this window. Throws InputError where there is none.
   void follow(const std::string& server, const std::filesystem::path& patient);
   // As `bodkin perform` and `bodkin ultrasound --live` want it.
   void perform(const std::filesystem::path& patient, const AttemptOptions& options);

@@ -7,8 +7,10 @@
 #include <QSettings>
 #include <QStandardPaths>
 #include <algorithm>
+#include <array>
 
 #include "app/main_window.h"
+#include "app/models/station_patient.h"
 #include "app/pages/cards.h"
 #include "app/pages/palette.h"
 #include "app/pages/practise.h"
@@ -27,7 +29,9 @@ void MainWindow::follow(const std::string& server, const std::filesystem::path& 
   link::ClientSettings settings = link::parse_server(server, "--connect");
   settings.largest_queue = std::size_t{1} << 16U;      // commands alone
   settings.silence = std::chrono::milliseconds(3000);  // three of the messages that say "I live"
-  practice_.follow(settings, patient);
+  const std::array<std::filesystem::path, 2> here = {std::filesystem::current_path(),
+                                                     practice_.cases().built_in_folder().parent_path()};
+  practice_.follow(settings, patient.empty() ? patient_of_station(settings, here) : patient);
 }
 
 void MainWindow::run(Command command) {

@@ -21,7 +21,7 @@ constexpr const char* app_footer = R"(Examples:
   bodkin app patient                           practise on this patient at once
   bodkin app dicom_folder                      a CT becomes a patient first
   bodkin app --script walk.txt --shots pictures
-  bodkin app patient --connect room3           what 'bodkin serve patient ...' does on the machine room3
+  bodkin app --connect room3                   what 'bodkin serve patient ...' does on the machine room3
   bodkin app --benchmark                       how fast the window is on this machine
 
 docs/app.md describes the window and the lines of a script.)";
@@ -54,7 +54,8 @@ void add_app_command(CLI::App& app, CommandContext& /*context*/) {
   add_text(*command, "--language", arguments->language,
            "Language of the window, such as de; without it that of the system, or the one chosen last");
   add_text(*command, "--connect", arguments->connect,
-           "Show the session of 'bodkin serve' at this machine, HOST or HOST:PORT; CASE is a copy of the case there");
+           "Show the session of 'bodkin serve' at this machine, HOST or HOST:PORT; CASE is a copy of the case there, "
+           "without it looked for in this folder and among the window's patients");
   add_switch(*command, "--benchmark", arguments->benchmark,
              "Move needle, camera and volume of the patient that comes with Bodkin, print how fast, and leave");
   on_run(*command, [arguments] { run_app(*arguments); });

@@ -25,6 +25,7 @@
 #include "cli/terminal_keys.h"
 #include "cli/wait_for_order.h"
 #include "core/error.h"
+#include "io/case_folder.h"
 #include "training/procedure_file.h"
 #include "training/store/attempt_record.h"
 
@@ -56,12 +57,14 @@ struct ServeOptions {
   std::string trainee, store;
 };
 
-// Until a client asks for a session; nothing when a person ended the program first. `trouble`: why the last one that
-// was asked for did not run; empty: it did.
-std::optional<StartOrder> wait_for_order(link::Server& server, StationOrders& orders, const std::string& trouble,
-                                         Console& console) {
+// Until a client asks for a session; nothing when a person ended the program first. `patient`: the name of the
+// station's own case; empty: it has a folder of cases. `trouble`: why the last session that was asked for did not
+// run; empty: it did.
+std::optional<StartOrder> wait_for_order(link::Server& server, StationOrders& orders, const std::string& patient,
+                                         const std::string& trouble, Console& console) {
   std::uint64_t greeted = 0;
-  const nlohmann::json state = {{"guard", "waiting"}, {"message", "waits for StartProcedure"}, {"trouble", trouble}};
+  const nlohmann::json state = {
+      {"guard", "waiting"}, {"message", "waits for StartProcedure"}, {"case", patient}, {"trouble", trouble}};
   const std::string text = state.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
   for (auto told = std::chrono::steady_clock::time_point{}; !WaitForOrder::is_ended();) {
     const auto now = std::chrono::steady_clock::now();
@@ -174,10 +177,12 @@ void serve_orders(const ServeOptions& arguments, link::Server& server, Console& 
   const WaitForOrder until_a_person_ends_it;
   nlohmann::ordered_json sessions = nlohmann::ordered_json::array();
   StationOrders orders(arguments.perform.folder);
+  const bool has_own_case = fs::exists(fs::path(arguments.perform.folder) / "case.xml");
+  const std::string patient = has_own_case ? io::read_case_description(arguments.perform.folder).name : "";
   std::string trouble;
   while (context.exit_code == 0) {
     deliver_waiting(arguments.store, console);
-    const std::optional<StartOrder> order = wait_for_order(server, orders, trouble, console);
+    const std::optional<StartOrder> order = wait_for_order(server, orders, patient, trouble, console);
     if (!order) break;
     PerformOptions perform = arguments.perform;
     perform.folder = order->folder;

@@ -79,11 +79,13 @@ void take_text(StationView& view, const std::string& device, const std::string& 
   if (device == "Case") {
     view.patient = text_in(json, "case");
     view.procedure = text_in(json, "procedure");
+    view.tissues_digest = text_in(json, "tissues_digest");
     view.layers = layers_in(json);
     const auto path = json.find("path_mm");
     view.path = path != json.end() && path->is_number() ? path->get<double>() : 0.0;
   } else if (device == "State") {
     view.runs = text_in(json, "guard") != "waiting";
+    if (const std::string name = text_in(json, "case"); !name.empty()) view.patient = name;
     view.guard = text_in(json, "guard");
     view.tissue = text_in(json, "tissue");
     view.step = text_in(json, "step");

@@ -28,6 +28,7 @@ struct StationView {
   ClientStatus status;  // of the connection
   bool runs = false;    // a session; else the station waits for one
   std::string patient, procedure;
+  std::string tissues_digest;        // of the patient in the session
   std::vector<StationLayer> layers;  // in order; empty: the case has no planned path
   double path = 0.0;                 // mm from the entry to the target
   std::string guard, tissue;         // "active", "fat"

@@ -1,6 +1,10 @@
 // The window as the screen of a station that runs elsewhere.
 #include "app/models/remote_station.h"
 
+#include <fstream>
+#include <thread>
+
+#include "app/models/station_patient.h"
 #include "link/contents.h"
 #include "link/skin_sheet.h"
 #include "session/session_file.h"
@@ -9,6 +13,7 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include "core/error.h"
 #include "io/case_folder.h"
 #include "io/digest.h"
 
@@ -100,6 +105,63 @@ TEST_F(RemoteWindow, refuses_a_station_with_another_patient) {
   follow(station.port());
   ASSERT_TRUE(wait_until([&] { return !window_->practice().failure().empty(); }));
   EXPECT_THAT(window_->practice().failure(), HasSubstr("has another patient"));
+}
+
+TEST_F(RemoteWindow, finds_the_copy_of_the_stations_case_by_name_and_tissues) {
+  // Beside it a case of the same name with other tissues, and one that cannot be read.
+  anatomy::Case other = link::served_slabs();
+  other.tissues.voxels.front() = anatomy::tissue::fat;
+  const std::filesystem::path patients = folder_ / "patients";
+  for (const char* name : {"a", "b", "damaged"}) std::filesystem::create_directories(patients / name);
+  io::write_case(other.description, other.ct, other.tissues, {}, &other.library, patients / "a");
+  anatomy::Case same = link::served_slabs();
+  io::write_case(same.description, same.ct, same.tissues, {}, &same.library, patients / "b");
+  std::ofstream(patients / "damaged/case.xml") << "<case";
+  link::ServedSession station(slow_hand);
+  station.start();
+  link::ClientSettings server;
+  server.host = "127.0.0.1";
+  server.port = station.port();
+  const std::vector<std::filesystem::path> here = {folder_ / "nowhere", patients};
+  EXPECT_EQ(patient_of_station(server, here), patients / "b");
+  std::filesystem::remove_all(patients / "b");
+  try {
+    patient_of_station(server, here);
+    FAIL() << "expected a refusal";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("of whom there is no case here"));
+  }
+}
+
+TEST(StationPatient, a_waiting_station_tells_its_name_and_one_that_is_not_there_is_a_sentence) {
+  link::ServerSettings any;
+  any.port = 0;
+  link::ClientSettings place;
+  place.host = "127.0.0.1";
+  const std::filesystem::path patients =
+      std::filesystem::temp_directory_path() / ("bodkin_waiting_" + std::to_string(getpid()));
+  {
+    link::Server server(any);
+    place.port = server.port();
+    anatomy::Case same = link::served_slabs();
+    std::filesystem::create_directories(patients / "copy");
+    io::write_case(same.description, same.ct, same.tissues, {}, &same.library, patients / "copy");
+    std::jthread telling([&server, name = same.description.name](const std::stop_token& end) {
+      while (!end.stop_requested()) {
+        server.publish(
+            {"STRING", "State", 0.0, link::string_content(R"({"guard":"waiting","case":")" + name + "\"}")}, true);
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      }
+    });
+    EXPECT_EQ(patient_of_station(place, {{patients}}), patients / "copy");
+  }
+  std::filesystem::remove_all(patients);
+  try {
+    patient_of_station(place, {{patients}});
+    FAIL() << "expected a refusal";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("127.0.0.1"));
+  }
 }
 
 // A body of finite elements: the window is told where the skin is, not how it came there.

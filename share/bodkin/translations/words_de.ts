@@ -680,6 +680,14 @@
         <translation>Das wird an der Station %1 entschieden.</translation>
     </message>
     <message>
+        <source>the station at %1 does not say which patient it has; name the copy of its case: bodkin app CASE --connect %2</source>
+        <translation>die Station %1 sagt nicht, welchen Patienten sie hat; nennen Sie die Kopie ihres Falls: bodkin app FALL --connect %2</translation>
+    </message>
+    <message>
+        <source>the station at %1 has the patient '%2', of whom there is no case here; copy its folder, and name it: bodkin app CASE --connect %3</source>
+        <translation>die Station %1 hat den Patienten „%2“, von dem es hier keinen Fall gibt; kopieren Sie seinen Ordner und nennen Sie ihn: bodkin app FALL --connect %3</translation>
+    </message>
+    <message>
         <source>the station at %1 has another patient ('%2') than %3; open the case that it has, a copy of its folder</source>
         <translation>die Station %1 hat einen anderen Patienten („%2“) als %3; öffnen Sie den Fall, den sie hat, eine Kopie seines Ordners</translation>
     </message>
