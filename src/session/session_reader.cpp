@@ -104,8 +104,7 @@ void Reader::check_first_bytes() {
       version > static_cast<std::uint32_t>(session_schema::version)) {
     throw InputError(
         fmt::format("{}: the session has format version {}, this Bodkin reads versions {} to {}; open it with the "
-                    "version of Bodkin "
-                    "that wrote it",
+                    "version of Bodkin that wrote it",
                     file_.string(), version, session_schema::oldest_version, session_schema::version));
   }
   version_ = static_cast<int>(version);

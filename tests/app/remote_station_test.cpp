@@ -108,7 +108,7 @@ TEST_F(RemoteWindow, refuses_a_station_with_another_patient) {
 }
 
 TEST_F(RemoteWindow, finds_the_copy_of_the_stations_case_by_name_and_tissues) {
-  // Beside it a case of the same name with other tissues, and one that cannot be read.
+  // Among the cases here are one of the same name with other tissues, and one that cannot be read.
   anatomy::Case other = link::served_slabs();
   other.tissues.voxels.front() = anatomy::tissue::fat;
   const std::filesystem::path patients = folder_ / "patients";

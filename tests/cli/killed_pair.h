@@ -71,6 +71,7 @@ class KilledPair {
 
   void start_server();
   void start_client();
+  void replace_server();
   void kill_server();
   void kill_client();
   std::vector<Row> heard() const;

@@ -29,19 +29,19 @@ TEST_F(Track, finds_every_body_of_footage_close_to_the_truth) {
 }
 
 TEST_F(Track, follows_the_bodies_through_a_video_as_through_pictures) {
-  ASSERT_EQ(bodkin("--quiet scene render footage --frames 3 --width 800 --height 450 --jpeg 0").exit_code, 0);
-  ASSERT_EQ(std::system(("ffmpeg -v error -framerate 30 -i '" + (folder_ / "footage/frame_%05d.png").string() +
+  ASSERT_EQ(bodkin("--quiet scene render film --frames 3 --width 800 --height 450 --jpeg 0").exit_code, 0);
+  ASSERT_EQ(std::system(("ffmpeg -v error -framerate 30 -i '" + (folder_ / "film/frame_%05d.png").string() +
                          "' -c:v ffv1 -pix_fmt gray '" + (folder_ / "video.mkv").string() + "'")
                             .c_str()),
             0);
   const Outcome tracked =
-      bodkin("--json track video.mkv --camera footage/camera.json --bodies footage/bodies.json --csv poses.csv");
+      bodkin("--json track video.mkv --camera film/camera.json --bodies film/bodies.json --csv film.csv");
   ASSERT_EQ(tracked.exit_code, 0) << tracked.text();
   for (const nlohmann::json& body : nlohmann::json::parse(tracked.output)) EXPECT_EQ(body["ok"], 3) << body;
-  EXPECT_EQ(lines_of(text_of("poses.csv")), 10);
+  EXPECT_EQ(lines_of(text_of("film.csv")), 10);
   EXPECT_THAT(bodkin("track video.mkv").errors, HasSubstr("not calibrated"));
   // A part of it, by time.
-  const Outcome part = bodkin("--json track video.mkv --seconds 0.05 --camera footage/camera.json");
+  const Outcome part = bodkin("--json track video.mkv --seconds 0.05 --camera film/camera.json");
   EXPECT_EQ(nlohmann::json::parse(part.output)[0]["ok"], 2) << part.text();
 }
 

@@ -70,7 +70,7 @@ TEST(ScannedParts, structures_are_found_by_their_labels_where_the_slice_cuts_the
                           static_cast<int>(index.z() + 0.5)) = label;
   };
   fill(Vec3(0.0, -20.0, 0.0), 7);   // in the slice z = 0
-  fill(Vec3(0.0, -20.0, 10.0), 8);  // beside it
+  fill(Vec3(0.0, -20.0, 10.0), 8);  // 10 mm from that slice
   EXPECT_EQ(found(patient, on_the_back(0.0), 60.0).structures, (std::set<std::uint16_t>{7}));
 }
 
