@@ -59,6 +59,13 @@ TEST_F(MovingWindow, turns_and_moves_the_body_about_a_workspace_that_stays_on_th
   const OpenCase& patient = *practice.patient();
   EXPECT_EQ(usual, usual_place(*patient.description().procedure.path));
   click("practise.move");
+  // What comes up stands beside what was there, and over nothing.
+  const auto* const reset = window_->findChild<QPushButton*>(QStringLiteral("practise.move.reset"));
+  for (const char* other : {"practise.move", "practise.move.undo"}) {
+    const auto* const button = window_->findChild<QPushButton*>(QLatin1String(other));
+    EXPECT_EQ(button->y(), reset->y()) << other;
+    EXPECT_FALSE(button->geometry().intersects(reset->geometry())) << other;
+  }
   ASSERT_TRUE(view().workspace().has_value());
   const auto middle_on_screen = [&] {
     const scene::Camera camera = view().camera();

@@ -197,6 +197,7 @@ void DevicesPage::show_rows() {
   rows_ = finder_.rows();
   const QSignalBlocker quiet(list_);
   list_->clear();
+  list_->ensurePolished();  // for the font of the style sheet
   for (const DeviceRow& row : rows_) {
     QString text = in_words(row.title) + QLatin1Char('\n') + in_words(row.state);
     if (full_name(row) == used_ && row.can_open()) text += tr(", used for practising");
@@ -205,7 +206,7 @@ void DevicesPage::show_rows() {
     // The list's own height of an item forgets the padding of the style sheet, by which a long name needs a line
     // more.
     const QRect words = list_->fontMetrics().boundingRect(QRect(0, 0, item_text_width, 1000), Qt::TextWordWrap, text);
-    item->setSizeHint(QSize(item_text_width, words.height() + 2 * item_padding));
+    item->setSizeHint(QSize(item_text_width, words.height() + 4 * item_padding));
   }
   list_->setCurrentRow(std::min(kept, list_->count() - 1));
   const std::string asking = finder_.asking();

@@ -130,6 +130,7 @@ void PractisePage::show_moving(const std::optional<View3d::Workspace>& workspace
   move_->setChecked(workspace.has_value());
   undo_->setVisible(workspace.has_value());
   reset_->setVisible(workspace.has_value());
+  arrange_overlays();  // what is hidden has no place
 }
 
 void PractisePage::reset_layout() {
