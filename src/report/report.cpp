@@ -68,6 +68,7 @@ class ReportWriter {
     course();
     second_hand();
     tissues();
+    distances();
     events();
     measures();
     provenance();
@@ -241,6 +242,21 @@ class ReportWriter {
     for (const training::TissueTotal& total : score_.tissues) {
       table.rows.push_back({tissue_cell(total.tissue), number(total.from, 1), number(total.to, 1),
                             number(total.time, 2), number(total.peak_force, 2), number(total.peak_depth, 1)});
+    }
+    add(std::move(table));
+  }
+
+  void distances() {
+    if (score_.distances.empty()) return;
+    heading("How near it came to what must not be entered");
+    Table table{{{"what"}, {"least distance, mm", true}, {"at, s", true}, {"depth, mm", true}}, {}, false};
+    for (const training::ForbiddenDistance& each : score_.distances) {
+      if (each.closest) {
+        table.rows.push_back(
+            {{each.title}, number(*each.closest, 1), number(each.time, 1), number(std::max(0.0, each.depth), 1)});
+      } else {
+        table.rows.push_back({{each.title}, {"over 100"}, {}, {}});
+      }
     }
     add(std::move(table));
   }

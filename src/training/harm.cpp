@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "io/tissue_library_file.h"
+#include "training/surface_voxels.h"
 
 namespace bodkin::training {
 
@@ -27,11 +28,19 @@ std::string spoken_name(std::string name) {
 class HarmSearch {
  public:
   HarmSearch(const Attempt& attempt, const Procedure& procedure, const PatientVolumes& volumes)
-      : attempt_(attempt), procedure_(procedure), volumes_(volumes), covered_(attempt.size(), 0) {}
+      : attempt_(attempt),
+        procedure_(procedure),
+        volumes_(volumes),
+        covered_(attempt.size(), 0),
+        way_(way_in_body(attempt)) {}
 
   HarmReport search() {
     structures();
     tissues();
+    std::stable_sort(report_.distances.begin(), report_.distances.end(),
+                     [](const ForbiddenDistance& a, const ForbiddenDistance& b) {
+                       return a.closest.value_or(unbounded) < b.closest.value_or(unbounded);
+                     });
     std::stable_sort(report_.harms.begin(), report_.harms.end(), [](const Harm& a, const Harm& b) {
       return a.grade != b.grade ? a.grade > b.grade : a.first_time < b.first_time;
     });
@@ -88,7 +97,9 @@ class HarmSearch {
       const auto distance = [&](const Vec3& tip) {
         return distance_to_value(*volumes_.structures, tip, each.label, forbidden.margin);
       };
+      if (!structure_surfaces_) structure_surfaces_.emplace(*volumes_.structures, guarded, way_);
       look_for(forbidden, true, is_in, distance);
+      measure_distance(forbidden, structure_surfaces_->nearest_to(each.label, way_));
     }
   }
 
@@ -108,7 +119,33 @@ class HarmSearch {
         return can_look ? distance_to_value(*volumes_.tissues, tip, *id, forbidden.margin) : forbidden.margin;
       };
       look_for(forbidden, false, is_in, distance);
+      if (!can_look) continue;
+      if (!tissue_surfaces_) tissue_surfaces_.emplace(*volumes_.tissues, forbidden_tissues(), way_);
+      measure_distance(forbidden, tissue_surfaces_->nearest_to(*id, way_));
     }
+  }
+
+  std::set<std::uint8_t> forbidden_tissues() const {
+    std::set<std::uint8_t> ids;
+    for (const Forbidden& each : procedure_.forbidden)
+      if (const auto id = attempt_.find_tissue(each.tissue); id && !each.tissue.empty()) ids.insert(*id);
+    return ids;
+  }
+
+  // After look_for(), which knows of entries and of the margin what the way's points may have missed.
+  void measure_distance(const Forbidden& forbidden, const std::optional<NearestVoxel>& nearest) {
+    ForbiddenDistance found{.title = forbidden.title, .closest = {}};
+    if (nearest) {
+      found.closest = nearest->distance;
+      found.time = attempt_.time[way_[nearest->point].tick];
+      found.depth = attempt_.depth[way_[nearest->point].tick];
+    }
+    if (last_found_ && (!found.closest || last_found_->closest <= *found.closest)) {
+      found.closest = last_found_->closest;
+      found.time = last_found_->first_time;
+      found.depth = last_found_->first_depth;
+    }
+    report_.distances.push_back(std::move(found));
   }
 
   template <typename IsIn, typename Distance>
@@ -145,19 +182,26 @@ class HarmSearch {
       outside = 0.0;
       harm.deepest = std::max(harm.deepest, attempt_.depth[i]);
     }
+    last_found_.reset();
     if (harm.entered) {
       harm.closest = 0.0;
-      report_.harms.push_back(harm);
     } else if (harm.closest < forbidden.margin) {
       harm.grade = Grade::borderline;
-      report_.harms.push_back(harm);
+    } else {
+      return;
     }
+    last_found_ = harm;
+    report_.harms.push_back(harm);
   }
 
   const Attempt& attempt_;
   const Procedure& procedure_;
   const PatientVolumes& volumes_;
   std::vector<char> covered_;  // ticks that an entry into a structure accounts for
+  std::vector<WayPoint> way_;  // of the tip in the body
+  std::optional<SurfaceVoxels<std::uint16_t>> structure_surfaces_;
+  std::optional<SurfaceVoxels<std::uint8_t>> tissue_surfaces_;
+  std::optional<Harm> last_found_;  // by look_for()
   HarmReport report_;
 };
 

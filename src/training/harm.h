@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,9 +30,18 @@ struct PatientVolumes {
   const anatomy::TissueVolume* tissues = nullptr;
 };
 
+// How near the tip came to something that it must not enter, however far that was.
+struct ForbiddenDistance {
+  std::string title;
+  std::optional<double> closest;  // mm, 0 where it was entered; nothing: it was never within 100 mm, or is not there
+  double time = 0.0;              // s since the first tick, when the tip was closest
+  double depth = 0.0;             // mm, at the same time
+};
+
 struct HarmReport {
-  std::vector<Harm> harms;             // the worst first, then in the order of time
-  std::vector<std::string> unchecked;  // structures that might have been entered: their voxels are not at hand
+  std::vector<Harm> harms;                   // the worst first, then in the order of time
+  std::vector<ForbiddenDistance> distances;  // of all that was looked for, the nearest first
+  std::vector<std::string> unchecked;        // structures that might have been entered: their voxels are not at hand
 };
 
 // Finds every entry into what the procedure forbids, and into structures that the case marks as critical. One tick
@@ -39,8 +49,9 @@ struct HarmReport {
 // path, is the organ that the needle is meant for, and no harm.
 //
 // The tissue at the tip is the session's own. Structures need `volumes.structures`; without, those whose tissue the
-// procedure forbids too are still found by it, and the others are told as unchecked. Near misses need the volumes.
-// Throws InputError for a forbidden tissue that neither the session nor Bodkin knows: it would never be found.
+// procedure forbids too are still found by it, and the others are told as unchecked. Near misses and distances need
+// the volumes. Throws InputError for a forbidden tissue that neither the session nor Bodkin knows: it would never be
+// found.
 HarmReport find_harm(const Attempt& attempt, const Procedure& procedure, const PatientVolumes& volumes);
 
 // Throws InputError unless `tissue` is one of the library that comes with Bodkin: for a tissue that a session's

@@ -108,6 +108,7 @@ TargetError target_error(const Vec3& tip, const anatomy::NeedlePath& path) {
 Measured::Measured(const Attempt& its_attempt, const std::vector<std::string>& named)
     : attempt(its_attempt),
       motion(filtered_motion(attempt)),
+      active(needle_in_action(attempt, motion)),
       path_length(training::path_length(motion)),
       tremor(training::tremor(attempt)),
       punctures(find_punctures(attempt)) {

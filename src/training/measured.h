@@ -47,6 +47,7 @@ struct Measured {
 
   const Attempt& attempt;
   Motion motion;
+  std::vector<char> active;  // needle_in_action() of the motion
   double path_length = 0.0;  // mm in the body
   std::optional<Tremor> tremor;
   std::vector<Puncture> punctures;   // punctures and losses of resistance or pressure, in order
@@ -58,6 +59,10 @@ struct Measured {
   double peak_force = 0.0;  // N, largest resistance in the body
   double peak_depth = 0.0;  // mm, where that was
   anatomy::TissueId peak_tissue = anatomy::tissue::air;
+
+  // mm, least distance of the tip in the body from anything that it must not enter; 0 where it entered. Not of the
+  // session: whoever has the patient's voxels fills it in.
+  std::optional<double> nearest_forbidden;
 
   // The first loss of resistance, or else of pressure; nullptr when there was none.
   const Puncture* loss() const;

@@ -15,6 +15,7 @@ std::vector<Metric> metrics_of_tissue();
 std::vector<Metric> metrics_of_hands();
 std::vector<Metric> metrics_of_technique();
 std::vector<Metric> metrics_of_ultrasound();
+std::vector<Metric> metrics_of_guidance();
 std::vector<Metric> metrics_of_palpation();
 std::vector<Metric> metrics_of_fluid();
 

@@ -13,6 +13,26 @@ std::optional<double> path_length_of(const Measured& measured) {
   return with_insertion(measured, [&](const Attempt&) { return measured.path_length; });
 }
 
+// PerkTutor's Path Length has the ways outside the body too.
+std::optional<double> whole_path_length(const Measured& measured) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < measured.motion.tip.size(); ++i)
+    length += (measured.motion.tip[i] - measured.motion.tip[i - 1]).norm();
+  return length;
+}
+
+// Share of the time, of either speed.
+std::optional<double> time_in_action(const Measured& measured) {
+  const Motion& motion = measured.motion;
+  double active = 0.0, all = 0.0;
+  for (std::size_t i = 0; i < motion.tip.size(); ++i) {
+    if (motion.inside[i] == 0) continue;
+    all += 1.0;
+    active += measured.active[i] != 0 ? 1.0 : 0.0;
+  }
+  return all > 0.0 ? std::optional(100.0 * active / all) : std::nullopt;
+}
+
 // From the last skin contact to the final position: how much longer the way was than straight.
 std::optional<double> path_inefficiency(const Measured& measured) {
   const Attempt& attempt = measured.attempt;
@@ -76,6 +96,12 @@ std::optional<double> smoothness_of(const Measured& measured) {
   return smoothness(measured.motion, attempt.time[attempt.final_tip->tick]);
 }
 
+std::optional<double> jerk_of(const Measured& measured) {
+  const Attempt& attempt = measured.attempt;
+  if (attempt.insertions.empty()) return std::nullopt;
+  return root_of_jerk(measured.motion, attempt.time[attempt.final_tip->tick]);
+}
+
 std::optional<double> tremor_amplitude(const Measured& measured) {
   return measured.tremor ? std::optional(measured.tremor->amplitude) : std::nullopt;
 }
@@ -105,6 +131,12 @@ std::vector<Metric> metrics_of_motion() {
       {"path_length_mm", "mm", "length of the tip's path in the body",
        "sum of the distances between points of the filtered motion (10 Hz, sampled at 100 Hz)",
        "PerkTutor, Path in Tissue", path_length_of},
+      {"whole_path_length_mm", "mm", "length of the tip's path", "the same with the ways outside the body",
+       "PerkTutor, Path Length", whole_path_length},
+      {"in_action_percent", "%", "time in action",
+       "share of the time in the body in which the filtered tip moves by over 5 mm/s or the needle turns by over 10 "
+       "deg/s, each change counted once it has lasted for over 0.2 s",
+       "TrainUS, in action", time_in_action},
       {"path_inefficiency_percent", "%", "detour to the final position",
        "length of the way from the last contact to the final position, over the straight distance, less 100 %",
        "PerkTutor, Path Inefficiency", path_inefficiency},
@@ -118,6 +150,11 @@ std::vector<Metric> metrics_of_motion() {
       {"smoothness", "", "smoothness",
        "logarithmic dimensionless jerk of the filtered motion until the final position; nearer to 0 is smoother",
        "Hogan and Sternad 2009; Balasubramanian et al. 2012", smoothness_of},
+      {"jerk_mm_per_s2_5", "mm/s^2.5", "root of the squared jerk",
+       "square root of the sum of squared third differences times dt, of the same motion",
+       "PerkTutor, Motion "
+       "Smoothness, whose printed unit is another",
+       jerk_of},
       {"tremor_mm", "mm", "tremor of the tip", "root mean square of the motion from 4 to 12 Hz, Welch's spectrum",
        "Bodkin", tremor_amplitude},
       {"tremor_Hz", "Hz", "frequency of the tremor", "where that spectrum is greatest", "Bodkin", tremor_frequency},

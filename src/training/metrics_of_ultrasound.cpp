@@ -11,7 +11,6 @@ namespace {
 
 constexpr double in_plane = 2.0;         // mm from the slice within which the tip is seen
 constexpr double target_in_plane = 5.0;  // mm, the same of the target, PerkTutor's
-constexpr double in_motion = 5.0;        // mm/s of a tip that is on its way, TrainUS
 constexpr double at_target = 1.0;        // mm: nearer, the line to the target has no direction
 
 struct Mean {
@@ -29,7 +28,7 @@ struct Mean {
 
 struct Seen {
   Mean distance, angle;                // mm of the tip, deg of the needle
-  Mean moving_distance, moving_angle;  // the same while the tip moved
+  Mean moving_distance, moving_angle;  // the same while the needle was in action
   Mean to_target;                      // deg in the slice, between needle and the line to the target
   Mean tip_seen, target_seen;          // 1: it was
 };
@@ -38,7 +37,8 @@ struct Seen {
 std::optional<Seen> look(const Measured& measured) {
   const Attempt& attempt = measured.attempt;
   const double start = static_cast<double>(attempt.session().ticks.front().tick) * attempt.dt();
-  const std::vector<char> moving = in_action(speeds(measured.motion), measured.motion.interval, in_motion);
+  const std::vector<char>& moving = measured.active;
+  const auto& machine = attempt.session().header.ultrasound;
   Seen found;
   for (const ProbeMoment& probe : probe_track(attempt.session())) {
     const auto place = std::lower_bound(attempt.time.begin(), attempt.time.end(), probe.time - start);
@@ -56,9 +56,9 @@ std::optional<Seen> look(const Measured& measured) {
       found.moving_distance.add(distance);
       found.moving_angle.add(angle);
     }
-    const Vec3 target = attempt.path().target - probe.face;
-    const bool in_front = target.dot(probe.into) > 0.0;
-    found.target_seen.add(in_front && std::abs(target.dot(normal)) <= target_in_plane ? 1.0 : 0.0);
+    const bool shows_target =
+        is_in_picture(probe, machine ? &*machine : nullptr, attempt.path().target, target_in_plane);
+    found.target_seen.add(shows_target ? 1.0 : 0.0);
     const auto in_slice = [&](const Vec3& v) { return Vec3(v - v.dot(normal) * normal); };
     const Vec3 way = in_slice(attempt.path().target - attempt.tip[i]), shaft = in_slice(attempt.axis[i]);
     if (way.norm() > at_target && shaft.norm() > 0.1)
@@ -97,28 +97,29 @@ std::vector<Metric> metrics_of_ultrasound() {
            [](const Measured& m) { return mean_of(m, &Seen::distance); }},
           {"tip_to_slice_max_mm", "mm", "distance of the tip from the ultrasound slice, greatest",
            "the same, greatest", "TrainUS", [](const Measured& m) { return greatest_of(m, &Seen::distance); }},
-          {"tip_to_slice_moving_mean_mm", "mm", "distance of the moving tip from the ultrasound slice, mean",
-           "the same while the filtered tip was faster than 5 mm/s for over 0.2 s", "TrainUS, while in action",
+          {"tip_to_slice_moving_mean_mm", "mm",
+           "distance of the tip of a needle in action from the ultrasound slice, mean",
+           "the same while the needle was in action (`in_action_percent`)", "TrainUS, while in action",
            [](const Measured& m) { return mean_of(m, &Seen::moving_distance); }},
-          {"tip_to_slice_moving_max_mm", "mm", "distance of the moving tip from the ultrasound slice, greatest",
-           "the same, greatest", "TrainUS, while in action",
-           [](const Measured& m) { return greatest_of(m, &Seen::moving_distance); }},
+          {"tip_to_slice_moving_max_mm", "mm",
+           "distance of the tip of a needle in action from the ultrasound slice, greatest", "the same, greatest",
+           "TrainUS, while in action", [](const Measured& m) { return greatest_of(m, &Seen::moving_distance); }},
           {"tip_in_slice_percent", "%", "time with the tip in the ultrasound slice",
            "share of those samples with the tip within 2 mm of the slice", "Bodkin",
            [](const Measured& m) { return percent_of(m, &Seen::tip_seen); }},
           {"target_in_slice_percent", "%", "time with the target in the ultrasound slice",
-           "share of those samples with the target in front of the probe and within 5 mm of the slice",
+           "share of those samples with the target inside the picture and within 5 mm of its slice",
            "PerkTutor, Targets Scanned", [](const Measured& m) { return percent_of(m, &Seen::target_seen); }},
           {"needle_to_slice_deg", "deg", "angle between needle and ultrasound slice", "mean over those samples",
            "TrainUS", [](const Measured& m) { return mean_of(m, &Seen::angle); }},
           {"needle_to_slice_max_deg", "deg", "greatest angle between needle and ultrasound slice",
            "the same, greatest", "TrainUS", [](const Measured& m) { return greatest_of(m, &Seen::angle); }},
-          {"needle_to_slice_moving_deg", "deg", "angle between moving needle and ultrasound slice",
-           "mean while the filtered tip was faster than 5 mm/s for over 0.2 s", "TrainUS, while in action",
+          {"needle_to_slice_moving_deg", "deg", "angle between a needle in action and the ultrasound slice",
+           "mean while the needle was in action (`in_action_percent`)", "TrainUS, while in action",
            [](const Measured& m) { return mean_of(m, &Seen::moving_angle); }},
-          {"needle_to_slice_moving_max_deg", "deg", "greatest angle between moving needle and ultrasound slice",
-           "the same, greatest", "TrainUS, while in action",
-           [](const Measured& m) { return greatest_of(m, &Seen::moving_angle); }},
+          {"needle_to_slice_moving_max_deg", "deg",
+           "greatest angle between a needle in action and the ultrasound slice", "the same, greatest",
+           "TrainUS, while in action", [](const Measured& m) { return greatest_of(m, &Seen::moving_angle); }},
           {"needle_to_target_deg", "deg", "angle between needle and the way to the target in the ultrasound picture",
            "both cast on the slice, mean over the samples with the tip over 1 mm from the target", "TrainUS",
            [](const Measured& m) { return mean_of(m, &Seen::to_target); }},

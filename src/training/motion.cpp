@@ -73,6 +73,30 @@ void add_window(const std::vector<Vec3>& tip, std::size_t first, std::array<doub
   }
 }
 
+struct Jerk {
+  double duration = 0.0;  // s
+  double fastest = 0.0;   // mm/s
+  double squares = 0.0;   // mm^2/s^5, integral of the squared jerk
+};
+
+// From the first point in the body to the one at `until`, by central differences; nothing for less than 0.1 s.
+std::optional<Jerk> jerk_until(const Motion& motion, double until) {
+  std::size_t first = 0;
+  while (first < motion.tip.size() && motion.inside[first] == 0) ++first;
+  std::size_t last = first;
+  while (last + 1 < motion.tip.size() && motion.time[last + 1] <= until) ++last;
+  const double h = motion.interval;
+  Jerk found{.duration = static_cast<double>(last - first) * h};
+  if (last <= first || found.duration < shortest_motion) return std::nullopt;
+  for (std::size_t i = first + 2; i + 2 <= last; ++i) {
+    const Vec3 third = (motion.tip[i + 2] - 2.0 * motion.tip[i + 1] + 2.0 * motion.tip[i - 1] - motion.tip[i - 2]) /
+                       (2.0 * h * h * h);
+    found.squares += third.squaredNorm() * h;
+    found.fastest = std::max(found.fastest, (motion.tip[i + 1] - motion.tip[i - 1]).norm() / (2.0 * h));
+  }
+  return found;
+}
+
 }  // namespace
 
 Motion filtered_motion(const Attempt& attempt) {
@@ -118,6 +142,25 @@ std::vector<double> speeds(const Motion& motion) {
   return found;
 }
 
+std::vector<double> turning_speeds(const Attempt& attempt, const Motion& motion) {
+  constexpr double span = 0.05;  // s
+  const auto& ticks = attempt.session().ticks;
+  const auto half = static_cast<std::size_t>(std::max(1.0, std::round(0.5 * span / attempt.dt())));
+  const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(motion.interval / attempt.dt())));
+  std::vector<double> found(motion.tip.size(), 0.0);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::size_t middle = std::min(i * stride, attempt.size() - 1);
+    const std::size_t before = middle - std::min(middle, half), after = std::min(middle + half, attempt.size() - 1);
+    if (after == before) continue;
+    const Mat3 turn = ticks[before].input.needle.linear().transpose() * ticks[after].input.needle.linear();
+    // The angle by its sine and its cosine, both of which a small turn has exactly.
+    const Vec3 sine(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
+    const double angle = std::atan2(sine.norm(), turn.trace() - 1.0) / degree;
+    found[i] = angle / (static_cast<double>(after - before) * attempt.dt());
+  }
+  return found;
+}
+
 std::vector<char> in_action(const std::vector<double>& speed, double interval, double fast) {
   constexpr double shortest = 0.2;  // s
   std::vector<char> active(speed.size(), 0);
@@ -135,23 +178,24 @@ std::vector<char> in_action(const std::vector<double>& speed, double interval, d
   return active;
 }
 
+std::vector<char> needle_in_action(const Attempt& attempt, const Motion& motion) {
+  constexpr double fast_tip = 5.0, fast_turn = 10.0;  // mm/s, deg/s
+  std::vector<char> active = in_action(speeds(motion), motion.interval, fast_tip);
+  const std::vector<char> turning = in_action(turning_speeds(attempt, motion), motion.interval, fast_turn);
+  for (std::size_t i = 0; i < active.size(); ++i) active[i] = active[i] != 0 || turning[i] != 0 ? 1 : 0;
+  return active;
+}
+
 std::optional<double> smoothness(const Motion& motion, double until) {
-  std::size_t first = 0;
-  while (first < motion.tip.size() && motion.inside[first] == 0) ++first;
-  std::size_t last = first;
-  while (last + 1 < motion.tip.size() && motion.time[last + 1] <= until) ++last;
-  const double h = motion.interval, duration = static_cast<double>(last - first) * h;
-  if (last <= first || duration < shortest_motion) return std::nullopt;
-  double fastest = 0.0, jerk = 0.0;
-  for (std::size_t i = first + 2; i + 2 <= last; ++i) {
-    // Central differences.
-    const Vec3 third = (motion.tip[i + 2] - 2.0 * motion.tip[i + 1] + 2.0 * motion.tip[i - 1] - motion.tip[i - 2]) /
-                       (2.0 * h * h * h);
-    jerk += third.squaredNorm() * h;
-    fastest = std::max(fastest, (motion.tip[i + 1] - motion.tip[i - 1]).norm() / (2.0 * h));
-  }
-  if (!(fastest > 0.0) || !(jerk > 0.0)) return std::nullopt;
-  return -std::log(duration * duration * duration / (fastest * fastest) * jerk);
+  const std::optional<Jerk> found = jerk_until(motion, until);
+  if (!found || !(found->fastest > 0.0) || !(found->squares > 0.0)) return std::nullopt;
+  const double duration = found->duration;
+  return -std::log(duration * duration * duration / (found->fastest * found->fastest) * found->squares);
+}
+
+std::optional<double> root_of_jerk(const Motion& motion, double until) {
+  const std::optional<Jerk> found = jerk_until(motion, until);
+  return found ? std::optional(std::sqrt(found->squares)) : std::nullopt;
 }
 
 std::optional<Tremor> tremor(const Attempt& attempt) {

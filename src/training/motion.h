@@ -23,9 +23,17 @@ double path_length(const Motion& motion);
 // mm/s of the tip at each point, by central differences.
 std::vector<double> speeds(const Motion& motion);
 
+// deg/s of the needle at each point, with its turning about itself, over 50 ms around it so that noise of the
+// rotation does not count.
+std::vector<double> turning_speeds(const Attempt& attempt, const Motion& motion);
+
 // 1 where something is in action: a change to above `fast` counts once it has lasted for over 0.2 s, from its
 // beginning, and so does the change back. `interval`: s between the speeds.
 std::vector<char> in_action(const std::vector<double>& speed, double interval, double fast);
+
+// 1 at the points of the motion at which the needle is in action as TrainUS has it: its tip moves by over 5 mm/s, or
+// it turns by over 10 deg/s.
+std::vector<char> needle_in_action(const Attempt& attempt, const Motion& motion);
 
 // Smoothness of the motion from the first point in the body to the point at time `until` (s): the logarithmic
 // dimensionless jerk
@@ -35,6 +43,9 @@ std::vector<char> in_action(const std::vector<double>& speed, double interval, d
 // (Hogan and Sternad 2009; Balasubramanian, Melendez-Calderon and Burdet 2012). A single movement of least jerk has
 // -ln(204.8) = -5.32; hesitation and correction make it lower. Nothing for less than 0.1 s or without motion.
 std::optional<double> smoothness(const Motion& motion, double until);
+
+// mm/s^2.5; the square root of the integral of |j|^2 over the same motion. Nothing for less than 0.1 s.
+std::optional<double> root_of_jerk(const Motion& motion, double until);
 
 // Involuntary trembling of the tip in the body.
 struct Tremor {

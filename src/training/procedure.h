@@ -65,6 +65,7 @@ struct Step {
   std::string title;
   std::string tissue;
   std::string event;
+  std::string shown;
   std::string text;
 
   template <typename S = Step>
@@ -72,12 +73,20 @@ struct Step {
     return std::tuple{Parameter{"title", &S::title, "as people read it", Origin::choice},
                       Parameter{"tissue", &S::tissue, "reached when the tip is first in it", Origin::choice},
                       Parameter{"event", &S::event, "reached when this first happens", Origin::choice},
+                      Parameter{"shown", &S::shown,
+                                "reached when the ultrasound first shows it: target, a landmark of the case, or "
+                                "spinous_process_L3",
+                                Origin::choice},
                       Parameter{"text", &S::text, "what to do and what to feel", Origin::choice}};
   }
   template <typename S = Step>
   static constexpr auto relations() {
-    return std::tuple{Relation<S>{[](const S& step) { return step.tissue.empty() || step.event.empty(); },
-                                  "the step has a tissue and an event, expected one of them or neither"}};
+    return std::tuple{Relation<S>{
+        [](const S& step) {
+          return (step.tissue.empty() ? 0 : 1) + (step.event.empty() ? 0 : 1) + (step.shown.empty() ? 0 : 1) <= 1;
+        },
+        "the step has more than one of tissue, event and shown, expected one of them or "
+        "none"}};
   }
 };
 

@@ -27,9 +27,9 @@ RecordedPatient read_recorded_patient(const session::Session& session, const ana
   }
   if (!description.structures_file.empty())
     patient.structures = io::load_case_structures(folder, description, progress);
-  const bool margins = std::any_of(procedure.forbidden.begin(), procedure.forbidden.end(),
-                                   [](const Forbidden& each) { return each.margin > 0.0 && !each.tissue.empty(); });
-  if (margins) patient.tissues = io::load_case_tissues(folder, description, progress);
+  const bool forbids_tissues = std::any_of(procedure.forbidden.begin(), procedure.forbidden.end(),
+                                           [](const Forbidden& each) { return !each.tissue.empty(); });
+  if (forbids_tissues) patient.tissues = io::load_case_tissues(folder, description, progress);
   return patient;
 }
 

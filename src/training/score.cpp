@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "training/interspace.h"
 #include "training/metric_groups.h"
+#include "training/scan_guide.h"
 #include "training/sentences.h"
 
 namespace bodkin::training {
@@ -56,10 +57,14 @@ class Scorer {
     score_.punctures = measured_.punctures;
     score_.final_tip = attempt_.final_tip;
     score_.experts = experts_ == nullptr ? 0 : experts_->size();
-    measure();
-    follow_steps();
     const HarmReport harm = find_harm(attempt_, procedure_, volumes_);
     score_.harms = harm.harms;
+    score_.distances = harm.distances;
+    for (const ForbiddenDistance& each : harm.distances)
+      if (each.closest)
+        measured_.nearest_forbidden = std::min(*each.closest, measured_.nearest_forbidden.value_or(*each.closest));
+    measure();
+    follow_steps();
     for (const Harm& each : harm.harms) add(each.grade, "harm", harm_sentence(each));
     if (attempt_.insertions.empty()) {
       add(Grade::fail, "goal", "The needle never touched the body.");
@@ -133,6 +138,8 @@ class Scorer {
         result.depth = attempt_.depth[*at];
         from = *at;
       }
+      // The other hand's: whenever it was, the needle's steps are none the later.
+      if (!step.shown.empty()) result.time = first_shown(attempt_, step.shown);
       score_.steps.push_back(std::move(result));
     }
   }

@@ -46,6 +46,7 @@ struct Score {
   std::vector<MetricResult> metrics;
   std::vector<StepResult> steps;
   std::vector<Harm> harms;
+  std::vector<ForbiddenDistance> distances;  // of all that must not be entered, the nearest first
   std::vector<TissueTotal> tissues;
   std::vector<Puncture> punctures;
   std::optional<FinalPosition> final_tip;

@@ -82,6 +82,14 @@ std::string score_json(const Score& score, const Attempt& attempt, const std::st
                              {"inside_s", each.time_inside},
                              {"closest_mm", each.closest}});
   }
+  json["distances"] = ordered_json::array();
+  for (const ForbiddenDistance& each : score.distances) {
+    const bool near = each.closest.has_value();
+    json["distances"].push_back({{"what", each.title},
+                                 {"closest_mm", number_or_null(each.closest)},
+                                 {"at_s", near ? ordered_json(each.time) : ordered_json(nullptr)},
+                                 {"depth_mm", near ? ordered_json(each.depth) : ordered_json(nullptr)}});
+  }
   json["punctures"] = ordered_json::array();
   for (const Puncture& each : score.punctures) {
     json["punctures"].push_back({{"kind", session::event_kind_name(each.kind)},

@@ -111,7 +111,8 @@ TEST(Report, tables_repeat_their_heads_on_paper_and_settings_are_folded_away) {
     for (std::size_t at = html.find(text); at != std::string::npos; at = html.find(text, at + 1)) ++found;
     return found;
   };
-  EXPECT_EQ(count("<thead>"), 4);  // steps, tissues, events and measures
+  EXPECT_EQ(count("<thead>"), 5);  // steps, tissues, distances, events and measures
+  EXPECT_NE(html.find("How near it came to what must not be entered"), std::string::npos);
   EXPECT_EQ(count("<details>"), 1);
   EXPECT_NE(html.find("\n  &quot;hand&quot;: {"), std::string::npos) << html.substr(html.find("<details>"), 300);
 }

@@ -4,8 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/random.h"
 #include "training/procedure_file.h"
 #include "training/score.h"
+#include "training/surface_voxels.h"
 
 namespace bodkin {
 
@@ -102,6 +104,58 @@ TEST(Harm, coming_closer_than_the_margin_is_a_near_miss) {
   EXPECT_EQ(near.harms[0].grade, Grade::borderline);
   EXPECT_NEAR(near.harms[0].closest, 1.0, 0.26);  // looked at every 0.25 mm; the slab begins at 30 mm
   EXPECT_TRUE(body.harm(far, procedure).harms.empty());
+}
+
+TEST(Harm, the_least_distance_to_everything_that_is_forbidden_is_told_beyond_any_margin) {
+  const Body body;
+  training::Procedure procedure = find_procedure("needle_insertion");
+  procedure.forbidden = {{.structure = "colon", .title = "the colon", .margin = 2.0},
+                         {.tissue = "cortical_bone", .title = "bone"}};
+  WrittenSession written;
+  written.to(0, 100, WrittenSession::air).to(12, 1200, {}).rest(300, {}).to(4, 800, {});
+  const HarmReport report = body.harm(written, procedure);
+  EXPECT_TRUE(report.harms.empty());
+  ASSERT_EQ(report.distances.size(), 3U);  // a kidney too, which the case marks as critical
+  EXPECT_EQ(report.distances[0].title, "the colon");
+  EXPECT_NEAR(report.distances[0].closest.value(), 18.0, 0.51);  // the slab begins at 30 mm; points each 0.5 mm
+  EXPECT_NEAR(report.distances[0].depth, 12.0, 0.51);
+  EXPECT_NEAR(report.distances[0].time, 1.3, 0.06);
+  EXPECT_FALSE(report.distances[1].closest.has_value()) << "there is none of it";
+  EXPECT_TRUE(body.harm(written, procedure, false).distances.empty()) << "the patient is not at hand";
+  const Score result =
+      score(written.session(), body.description, procedure, PatientVolumes{&body.structures, &body.tissues});
+  EXPECT_NEAR(result.find("nearest_forbidden_mm")->value, 18.0, 0.51);
+  written.to(31, 2700, {});
+  EXPECT_EQ(body.harm(written, procedure).distances[0].closest.value(), 0.0);
+}
+
+// The search leaves out points that the way between two of them makes too far; all pairs leave out nothing.
+TEST(Harm, the_nearest_voxel_of_a_way_is_that_of_all_pairs) {
+  Grid grid;
+  grid.size = {40, 50, 30};
+  grid.spacing = Vec3(1.0, 0.8, 1.5);
+  grid.origin = Vec3(-20, -40, -20);
+  LabelVolume volume(grid, 0);
+  Random random(5);
+  for (int n = 0; n < 25; ++n) {
+    const auto at = [&](int size) { return std::min(size - 1, static_cast<int>(random.uniform() * size)); };
+    volume.at(at(grid.size[0]), at(grid.size[1]), at(grid.size[2])) = static_cast<std::uint16_t>(1 + n % 5);
+  }
+  std::vector<WayPoint> way;
+  Vec3 tip(0, 0, 0);
+  for (std::size_t i = 0; i < 300; ++i) {
+    tip += Vec3(random.normal(), random.normal() - 0.1, random.normal()) * 0.6;
+    way.push_back({tip, i});
+  }
+  const SurfaceVoxels<std::uint16_t> surfaces(volume, {1, 2, 3, 4, 5}, way);
+  for (std::uint16_t label = 1; label <= 5; ++label) {
+    double least = SurfaceVoxels<std::uint16_t>::farthest;
+    for (const WayPoint& each : way) least = std::min(least, distance_to_value(volume, each.tip, label, least));
+    const auto found = surfaces.nearest_to(label, way);
+    ASSERT_TRUE(found.has_value()) << label;
+    EXPECT_NEAR(found->distance, least, 1e-9) << label;
+    EXPECT_NEAR(distance_to_value<std::uint16_t>(volume, way[found->point].tip, label, 60.0), least, 1e-9) << label;
+  }
 }
 
 TEST(Harm, the_distance_to_a_voxel_is_measured_to_its_box) {

@@ -143,6 +143,14 @@ TEST(Metric, a_movement_of_least_jerk_has_the_smoothness_of_the_literature) {
   EXPECT_LT(*value_of(steps, "smoothness"), -8.0);
 }
 
+// The movement of least jerk of length L in time T has 720 L^2 / T^5 of squared jerk.
+TEST(Metric, the_root_of_the_jerk_is_that_of_the_polynomial) {
+  WrittenSession written = least_jerk(40.0, 2000);
+  const double expected = std::sqrt(720.0 * 40.0 * 40.0 / std::pow(2.0, 5.0));
+  // It is greatest at both ends, which the filter rounds off.
+  EXPECT_NEAR(*value_of(written, "jerk_mm_per_s2_5"), expected, 0.05 * expected);
+}
+
 TEST(Metric, a_needle_turned_about_its_entry_sweeps_a_sector) {
   WrittenSession written;
   written.to(0, 100, WrittenSession::air).to(40, 1000, {});
@@ -193,6 +201,36 @@ TEST(Metric, the_needle_in_an_ultrasound_slice_is_measured_from_the_probes_pose)
   EXPECT_NEAR(*value_of(written, "target_in_slice_percent"), 0.0, 1e-9);
 }
 
+// Turning alone is action too, be it about the needle's own axis or of its shaft.
+TEST(Metric, a_needle_is_in_action_while_it_moves_or_turns) {
+  const auto percent = [](double turn_deg_per_s, const Vec3& about) {
+    WrittenSession written;
+    written.to(0, 100, WrittenSession::air).to(0.01, 1, {}).rest(3999, {});
+    auto& ticks = written.session().ticks;
+    for (std::size_t i = ticks.size() - 2000; i < ticks.size(); ++i) {
+      const double angle = turn_deg_per_s * degree * 0.001 * static_cast<double>(i + 2000 - ticks.size());
+      ticks[i].input.needle.rotate(Eigen::AngleAxisd(angle, about));
+    }
+    return *value_of(written, "in_action_percent");
+  };
+  EXPECT_NEAR(percent(20.0, Vec3::UnitZ()), 50.0, 1.5);
+  EXPECT_NEAR(percent(20.0, Vec3::UnitX()), 50.0, 1.5);
+  EXPECT_NEAR(percent(9.0, Vec3::UnitX()), 0.0, 1e-12) << "TrainUS has 10 deg/s";
+  WrittenSession moving;
+  moving.to(0, 100, WrittenSession::air).to(10, 1000, {}).rest(1000, {});  // at 10 mm/s, then not
+  EXPECT_NEAR(*value_of(moving, "in_action_percent"), 50.0, 1.5);
+  WrittenSession slow;
+  slow.to(0, 100, WrittenSession::air).to(4, 1000, {}).rest(1000, {});
+  EXPECT_NEAR(*value_of(slow, "in_action_percent"), 0.0, 1e-12) << "4 mm/s is slower than 5";
+}
+
+TEST(Metric, the_whole_path_has_the_ways_outside_the_body_too) {
+  WrittenSession written;
+  written.to(0, 1000, WrittenSession::air).to(30, 3000, {}).rest(500, {});
+  EXPECT_NEAR(*value_of(written, "path_length_mm"), 30.0, 0.2);
+  EXPECT_NEAR(*value_of(written, "whole_path_length_mm"), 40.0, 0.2);
+}
+
 // A mouse moves the probe on the screen: the machine's own samples say where it was.
 TEST(Metric, a_probe_on_the_screen_is_measured_as_one_in_a_second_hand) {
   WrittenSession written;
@@ -201,7 +239,7 @@ TEST(Metric, a_probe_on_the_screen_is_measured_as_one_in_a_second_hand) {
   session.header.ultrasound = io::find_probe("L12-3");
   session::ScanSample sample;
   sample.time = 0.05;
-  sample.probe.translation() = Vec3(20, 0, 3);
+  sample.probe.translation() = Vec3(10, 0, 3);  // the face is 38.4 mm long: the target lies under it
   sample.probe.linear().col(0) = Vec3::UnitX();
   sample.probe.linear().col(1) = -Vec3::UnitY();  // into the patient
   sample.probe.linear().col(2) = -Vec3::UnitZ();

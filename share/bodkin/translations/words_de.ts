@@ -2724,12 +2724,60 @@
         <translation>Tiefe der Stöße über das Ziel hinaus</translation>
     </message>
     <message>
-        <source>distance of the moving tip from the ultrasound slice, mean</source>
-        <translation>Abstand der bewegten Spitze von der Ultraschallebene, Mittel</translation>
+        <source>distance of the tip of a needle in action from the ultrasound slice, mean</source>
+        <translation>Abstand der Spitze einer tätigen Nadel von der Ultraschallebene, Mittel</translation>
     </message>
     <message>
-        <source>distance of the moving tip from the ultrasound slice, greatest</source>
-        <translation>Abstand der bewegten Spitze von der Ultraschallebene, größter</translation>
+        <source>distance of the tip of a needle in action from the ultrasound slice, greatest</source>
+        <translation>Abstand der Spitze einer tätigen Nadel von der Ultraschallebene, größter</translation>
+    </message>
+    <message>
+        <source>length of the tip's path</source>
+        <translation>Länge des Wegs der Spitze</translation>
+    </message>
+    <message>
+        <source>time in action</source>
+        <translation>Zeit in Tätigkeit</translation>
+    </message>
+    <message>
+        <source>root of the squared jerk</source>
+        <translation>Wurzel des quadrierten Rucks</translation>
+    </message>
+    <message>
+        <source>distance of the needle's line at the skin from the target</source>
+        <translation>Abstand der Nadelgeraden an der Haut vom Ziel</translation>
+    </message>
+    <message>
+        <source>distance of the tip at the skin from the line of the planned path</source>
+        <translation>Abstand der Spitze an der Haut von der Geraden des geplanten Wegs</translation>
+    </message>
+    <message>
+        <source>contacts with bone on the first way in</source>
+        <translation>Knochenkontakte auf dem ersten Weg hinein</translation>
+    </message>
+    <message>
+        <source>spinous processes of L5, L4 and L3 that the ultrasound showed</source>
+        <translation>Dornfortsätze von L5, L4 und L3, die der Ultraschall zeigte</translation>
+    </message>
+    <message>
+        <source>time until the ultrasound first showed the target</source>
+        <translation>Zeit, bis der Ultraschall das Ziel zuerst zeigte</translation>
+    </message>
+    <message>
+        <source>steps of a guided insertion that were kept</source>
+        <translation>eingehaltene Schritte eines geführten Einstichs</translation>
+    </message>
+    <message>
+        <source>least distance from what must not be entered</source>
+        <translation>kleinster Abstand von dem, was nicht getroffen werden darf</translation>
+    </message>
+    <message>
+        <source>Before you pierce the skin: find the target, and line up the needle with the way to it.</source>
+        <translation>Bevor Sie die Haut durchstechen: Suchen Sie das Ziel auf und richten Sie die Nadel auf den Weg dorthin aus.</translation>
+    </message>
+    <message>
+        <source>With a probe: find the spinous processes of L5, L4 and L3 and the space, then line up the needle with it.</source>
+        <translation>Mit einem Schallkopf: Suchen Sie die Dornfortsätze von L5, L4 und L3 und den Zwischenraum auf, dann richten Sie die Nadel darauf aus.</translation>
     </message>
     <message>
         <source>structures of the procedure that the ultrasound showed</source>
@@ -2744,12 +2792,12 @@
         <translation>größter Winkel zwischen Nadel und Ultraschallebene</translation>
     </message>
     <message>
-        <source>angle between moving needle and ultrasound slice</source>
-        <translation>Winkel zwischen bewegter Nadel und Ultraschallebene</translation>
+        <source>angle between a needle in action and the ultrasound slice</source>
+        <translation>Winkel zwischen tätiger Nadel und Ultraschallebene</translation>
     </message>
     <message>
-        <source>greatest angle between moving needle and ultrasound slice</source>
-        <translation>größter Winkel zwischen bewegter Nadel und Ultraschallebene</translation>
+        <source>greatest angle between a needle in action and the ultrasound slice</source>
+        <translation>größter Winkel zwischen tätiger Nadel und Ultraschallebene</translation>
     </message>
     <message>
         <source>angle between needle and the way to the target in the ultrasound picture</source>

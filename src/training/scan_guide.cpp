@@ -1,0 +1,148 @@
+#include "training/scan_guide.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "training/probe_track.h"
+
+namespace bodkin::training {
+
+namespace {
+
+constexpr double shown_within = 5.0;     // mm of the slice, PerkTutor's Targets Scanned
+constexpr double largest_angle = 15.0;   // deg, TrainUS
+constexpr double largest_offset = 10.0;  // mm, TrainUS
+constexpr double drawn_back = 5.0;       // mm, after which a needle is on another way
+constexpr std::string_view target_name = "target", process_prefix = "spinous_process_";
+constexpr std::array<std::string_view, 3> scanned_vertebrae = {"L5", "L4", "L3"};
+
+struct Interspaces {
+  std::string_view vertebra, above, below;
+};
+constexpr std::array<Interspaces, 4> around_vertebrae = {
+    {{"L2", "L1_L2", "L2_L3"}, {"L3", "L2_L3", "L3_L4"}, {"L4", "L3_L4", "L4_L5"}, {"L5", "L4_L5", "L5_S1"}}};
+
+std::optional<Vec3> find_landmark(const anatomy::CaseDescription& description, std::string_view name) {
+  for (const anatomy::Landmark& each : description.landmarks)
+    if (each.name == name) return each.position;
+  return std::nullopt;
+}
+
+double angle_between(const Vec3& one, const Vec3& other) {
+  return std::atan2(one.cross(other).norm(), one.dot(other)) / degree;
+}
+
+// What is looked for: a point, and what the picture must be turned to.
+struct Sought {
+  Vec3 point = Vec3::Zero();
+  std::optional<Vec3> beam_along;   // unit
+  std::optional<Vec3> slice_along;  // unit
+};
+
+std::optional<Sought> sought(const anatomy::CaseDescription& description, const anatomy::NeedlePath& path,
+                             std::string_view what) {
+  if (what == target_name) {
+    Sought found{.point = path.target};
+    if (path.length() > 0.0) found.slice_along = path.direction();
+    return found;
+  }
+  if (what.starts_with(process_prefix)) {
+    const auto process = spinous_process(description, what.substr(process_prefix.size()));
+    return process ? std::optional(Sought{.point = process->middle, .beam_along = process->into}) : std::nullopt;
+  }
+  const auto landmark = find_landmark(description, what);
+  return landmark ? std::optional(Sought{.point = *landmark}) : std::nullopt;
+}
+
+bool shows(const ProbeMoment& probe, const anatomy::UltrasoundProbe* machine, const Sought& sought) {
+  if (sought.beam_along && angle_between(probe.into, *sought.beam_along) > largest_angle) return false;
+  if (sought.slice_along) {
+    const double out_of_slice =
+        std::asin(std::clamp(std::abs(sought.slice_along->dot(probe.normal)), 0.0, 1.0)) / degree;
+    if (out_of_slice > largest_angle) return false;
+  }
+  return is_in_picture(probe, machine, sought.point, shown_within);
+}
+
+std::optional<double> first_on(const std::vector<ProbeMoment>& track, const Attempt& attempt, std::string_view what) {
+  const auto wanted = sought(attempt.description(), attempt.path(), what);
+  if (!wanted) return std::nullopt;
+  const double start = static_cast<double>(attempt.session().ticks.front().tick) * attempt.dt();
+  const auto& machine = attempt.session().header.ultrasound;
+  for (const ProbeMoment& probe : track) {
+    if (shows(probe, machine ? &*machine : nullptr, *wanted)) return std::max(0.0, probe.time - start);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<SpinousProcess> spinous_process(const anatomy::CaseDescription& description,
+                                              std::string_view vertebra) {
+  for (const Interspaces& each : around_vertebrae) {
+    if (each.vertebra != vertebra) continue;
+    const auto above = find_landmark(description, each.above), below = find_landmark(description, each.below);
+    const auto skin_above = find_landmark(description, std::string(each.above) + "_skin");
+    const auto skin_below = find_landmark(description, std::string(each.below) + "_skin");
+    if (!above || !below || !skin_above || !skin_below) return std::nullopt;
+    const Vec3 canal = 0.5 * (*above + *below), skin = 0.5 * (*skin_above + *skin_below);
+    if (!((canal - skin).norm() > 0.0)) return std::nullopt;
+    return SpinousProcess{.middle = 0.5 * (canal + skin), .into = (canal - skin).normalized()};
+  }
+  return std::nullopt;
+}
+
+std::optional<double> first_shown(const Attempt& attempt, std::string_view what) {
+  return first_on(probe_track(attempt.session()), attempt, what);
+}
+
+bool can_be_shown(const anatomy::CaseDescription& description, std::string_view what) {
+  return sought(description, description.procedure.path.value_or(anatomy::NeedlePath()), what).has_value();
+}
+
+std::optional<Aim> aim_of(const Attempt& attempt) {
+  const anatomy::NeedlePath& path = attempt.path();
+  if (attempt.insertions.empty() || !(path.length() > 0.0)) return std::nullopt;
+  const Insertion& insertion = attempt.insertions.back();
+  const Vec3 &tip = attempt.tip[insertion.first], &axis = attempt.axis[insertion.first];
+  Aim aim;
+  aim.miss = (path.target - tip).cross(axis).norm();
+  aim.off_line = (tip - path.entry).cross(path.direction()).norm();
+  aim.angle = angle_between(axis, path.direction());
+  std::size_t end = insertion.first;
+  double deepest = attempt.depth[end];
+  for (; end < insertion.last && deepest - attempt.depth[end] <= drawn_back; ++end)
+    deepest = std::max(deepest, attempt.depth[end]);
+  for (const session::SessionEvent& each : attempt.session().events) {
+    const std::size_t at = attempt.index_of(each);
+    if (each.event.kind == forces::EventKind::bone_contact && at >= insertion.first && at <= end) ++aim.bone_contacts;
+  }
+  return aim;
+}
+
+std::vector<GuideStep> guide_steps(const Attempt& attempt) {
+  std::vector<GuideStep> steps;
+  const std::vector<ProbeMoment> track = probe_track(attempt.session());
+  const auto aim = aim_of(attempt);
+  if (track.empty() || !aim) return steps;
+  const double entered = attempt.time[attempt.first_contact()];
+  const auto was_shown = [&](std::string_view what) {
+    const auto time = first_on(track, attempt, what);
+    return time && *time < entered;
+  };
+  std::vector<GuideStep> processes;
+  for (const std::string_view vertebra : scanned_vertebrae) {
+    const std::string name = std::string(process_prefix) + std::string(vertebra);
+    if (can_be_shown(attempt.description(), name)) processes.push_back({name, was_shown(name)});
+  }
+  if (processes.size() == scanned_vertebrae.size()) steps = std::move(processes);
+  steps.push_back({std::string(target_name), was_shown(target_name)});
+  const double tolerance = attempt.description().procedure.target_tolerance;
+  steps.push_back({"line", aim->miss <= tolerance && aim->bone_contacts == 0});
+  steps.push_back({"offset", aim->off_line < largest_offset});
+  steps.push_back({"angle", aim->angle < largest_angle});
+  return steps;
+}
+
+}  // namespace bodkin::training
