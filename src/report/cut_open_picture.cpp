@@ -17,7 +17,8 @@ constexpr double relative_reach = 0.9;                      // the same by the l
 constexpr double opening = 2.0 / 3.0;                       // of the distance that the picture shows, half of it
 constexpr double from_the_front = 0.45, from_above = 0.35;  // how far the eye stands out of the cut's normal
 constexpr double pixels_for_px = 1.5;
-constexpr std::uint32_t ground = 0x0E1116, planned = 0x2DE0BE, taken = 0x4DA3FF, end_of_way = 0xFFFFFF;
+constexpr std::uint32_t ground = 0x0E1116, planned = 0x2DE0BE, taken = 0x4DA3FF, end_of_way = 0xFFFFFF,
+                        probe_colour = 0xFFB547;
 
 // The axis of the lattice that is most across the path and most to the patient's side.
 int side_axis(const anatomy::Grid& grid, const Vec3& along) {
@@ -93,7 +94,8 @@ Eye eye_of(const Vec3& middle, const Vec3& open_side, const Vec3& along, double 
 }  // namespace
 
 imaging::Canvas cut_open_picture(const anatomy::Case& patient, const anatomy::NeedlePath& path,
-                                 const std::vector<Vec3>& travelled, double width, double height) {
+                                 const std::vector<Vec3>& travelled, double width, double height,
+                                 const ProbeWay& probe) {
   const anatomy::Grid& grid = patient.ct.grid;
   const Vec3 middle = 0.5 * (path.entry + path.target), along = path.direction();
   const double reach = std::max(least_reach, relative_reach * path.length());
@@ -138,18 +140,33 @@ imaging::Canvas cut_open_picture(const anatomy::Case& patient, const anatomy::Ne
   imaging::Canvas canvas(width, height);
   canvas.image(std::move(image), 0.0, 0.0, width, height);
   const auto place = [&](const Vec3& point) { return Eigen::Vector2d(eye.pixel_of(point) / pixels_for_px); };
+  const auto places = [&](const std::vector<Vec3>& points) {
+    std::vector<Eigen::Vector2d> all;
+    for (const Vec3& point : points) all.push_back(place(point));
+    return all;
+  };
+  if (!probe.slice.empty()) {
+    const imaging::Path slice = imaging::Path::polygon(places(probe.slice));
+    canvas.fill(slice, {probe_colour, 0.12});
+    canvas.stroke(slice, {probe_colour, 1.5});
+  }
+  if (!probe.face.empty()) {
+    canvas.stroke(imaging::Path::polyline(places(probe.face)), {probe_colour, 3.0});
+    canvas.fill(imaging::Path::circle(place(probe.face.back()), 4.0), probe_colour);
+  }
   canvas.stroke(imaging::Path::segment(place(path.entry), place(path.target)), {planned, 2.0, {6.0, 4.0}});
   canvas.stroke(imaging::Path::circle(place(path.target), 7.0), {planned, 2.0});
   if (!travelled.empty()) {
-    std::vector<Eigen::Vector2d> way;
-    for (const Vec3& point : travelled) way.push_back(place(point));
-    canvas.stroke(imaging::Path::polyline(way), {taken, 2.5});
+    canvas.stroke(imaging::Path::polyline(places(travelled)), {taken, 2.5});
     const auto deepest = std::max_element(travelled.begin(), travelled.end(), [&](const Vec3& a, const Vec3& b) {
       return (a - path.entry).dot(along) < (b - path.entry).dot(along);
     });
     canvas.fill(imaging::Path::circle(place(*deepest), 3.5), end_of_way);
   }
   const imaging::TextStyle words{.size = 12.0, .ink = 0xE9EDF2, .halo = true};
+  if (!probe.face.empty())
+    canvas.text({12.0, height - 60.0}, "probe: way of its face, with its slice",
+                {.size = 12.0, .ink = probe_colour, .halo = true});
   canvas.text({12.0, height - 44.0}, "cut open along the planned path; bone as in the CT", words);
   canvas.text({12.0, height - 28.0}, "dashed: planned, with the target",
               {.size = 12.0, .ink = planned, .halo = true});

@@ -10,6 +10,7 @@
 #include "report/document_html.h"
 #include "report/force_limits.h"
 #include "report/force_plot.h"
+#include "report/probe_figures.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -65,6 +66,7 @@ class ReportWriter {
     steps();
     force();
     pictures();
+    probe();
     course();
     second_hand();
     tissues();
@@ -199,8 +201,47 @@ class ReportWriter {
                       "axial, at the level of the target", path, tip});
     figure(imaging::slice_picture(panels, patient_.library, "", panel_height),
            "Sagittal and axial slices with the planned path and the path of the tip", true);
-    figure(cut_open_picture(patient_, path, tip, relief_width, relief_height),
-           "The patient in 3-D, cut open along the planned path, with the path of the tip", true);
+    const ProbeFigures probe(session_);
+    const ProbeWay way = probe.empty() ? ProbeWay{} : probe.way(end_of_way());
+    figure(cut_open_picture(patient_, path, tip, relief_width, relief_height, way),
+           probe.empty()
+               ? "The patient in 3-D, cut open along the planned path, with the path of the tip"
+               : "The patient in 3-D, cut open along the planned path, with the path of the tip, the way of "
+                 "the ultrasound probe and its slice",
+           true);
+  }
+
+  // s since the first tick: of the final position, or of the last tick.
+  double end_of_way() const {
+    const std::size_t tick = score_.final_tip ? score_.final_tip->tick : session_.ticks.size() - 1;
+    return static_cast<double>(session_.ticks[tick].tick - session_.ticks.front().tick) * session_.header.dt;
+  }
+
+  void probe() {
+    const ProbeFigures probe(session_);
+    if (probe.empty()) return;
+    heading("Where the ultrasound probe was");
+    remark(probe.sentence(score_));
+    if (session_.header.path.length() <= 0.0 || patient_.ct.empty()) return;
+    constexpr double panel_height = 455.0;
+    std::vector<ProbeFigures::Moment> moments;
+    for (const session::SessionEvent& each : session_.events) {
+      if (each.event.kind != forces::EventKind::contact) continue;
+      const double time = static_cast<double>(each.tick - session_.ticks.front().tick) * session_.header.dt;
+      moments.push_back({time, fmt::format("at {:.1f} s, when the needle touched the skin", time)});
+      break;
+    }
+    const double end = end_of_way();
+    const bool rested = score_.final_tip && score_.final_tip->is_rest;
+    moments.push_back({end, fmt::format("at {:.1f} s, {}", end,
+                                        rested             ? "when the tip came to rest"
+                                        : score_.final_tip ? "when the tip was deepest"
+                                                           : "at the end")});
+    figure(
+        imaging::slice_picture(probe.panels(patient_, moments, travelled()), patient_.library, "", panel_height),
+        "The CT in the slice of the ultrasound probe, with the edges of its picture, the planned path and the path "
+        "of the tip",
+        true);
   }
 
   void course() {

@@ -65,6 +65,21 @@ TEST(CutOpenPicture, the_way_of_the_tip_is_drawn_where_it_went) {
   EXPECT_NEAR(count(whole, is_blue) - letters, 2 * (count(half, is_blue) - letters), 120);
 }
 
+TEST(CutOpenPicture, the_probe_is_drawn_where_it_went_with_its_slice) {
+  const anatomy::Case patient = with_ball(Vec3(-25.0, 0.0, 0.0));
+  const auto is_orange = [](const imaging::Rgb& pixel) {
+    return pixel.red > 230 && pixel.green > 150 && pixel.green < 210 && pixel.blue < 110;
+  };
+  const auto drawn = [&](const ProbeWay& probe) {
+    return count(cut_open_picture(patient, path, {}, 320.0, 240.0, probe).pixels(1.0), is_orange);
+  };
+  const int none = drawn({});
+  const Vec3 from(-10.0, 50.0, -30.0), to(-10.0, 50.0, 30.0);
+  const int way = drawn({{from, to}, {}});
+  EXPECT_GT(way, none + 100);
+  EXPECT_GT(drawn({{from, to}, {from, to, to - 40.0 * Vec3::UnitY(), from - 40.0 * Vec3::UnitY()}}), way + 100);
+}
+
 TEST(CutOpenPicture, a_path_that_leaves_the_ct_is_still_drawn) {
   anatomy::NeedlePath beside = path;
   beside.entry = Vec3(0.0, 300.0, 200.0);

@@ -3,10 +3,12 @@
 #include <regex>
 
 #include "report/force_plot.h"
+#include "report/probe_figures.h"
 #include "study/profile.h"
 #include "tests/session/slab_case.h"
 #include <gtest/gtest.h>
 
+#include "io/probe_library_file.h"
 #include "io/run_program.h"
 #include "training/procedure_file.h"
 #include "training/score.h"
@@ -143,6 +145,54 @@ TEST(Report, of_a_needle_that_never_touched_can_be_written) {
   expect_well_formed_page(html);
   EXPECT_NE(html.find("never touched"), std::string::npos);
   EXPECT_NE(html.find("has changed since the recording"), std::string::npos);
+}
+
+// A probe on the screen, whose slice holds the path, tilts by 12 degrees and slides by 10 mm.
+TEST(Report, shows_where_the_ultrasound_probe_was) {
+  Made made;
+  const std::string without = made.html();
+  EXPECT_EQ(without.find("Where the ultrasound probe was"), std::string::npos);
+  Session& session = made.session;
+  session.header.ultrasound = io::find_probe("L12-3");
+  const NeedlePath path = session.header.path;
+  const Vec3 into = path.direction();
+  for (int i = 0; i <= 10; ++i) {
+    ScanSample sample;
+    sample.time = 0.1 * i;
+    const Vec3 side = into.unitOrthogonal();
+    sample.probe.linear() << side, into, side.cross(into);
+    sample.probe.rotate(Eigen::AngleAxisd(1.2 * i * degree, Vec3::UnitX()));
+    sample.probe.translation() = path.entry + (1.0 * i - 5.0) * side;
+    sample.settings.depth = 60.0;
+    session.scans.push_back(sample);
+  }
+  const std::string html = made.html();
+  expect_well_formed_page(html);
+  EXPECT_NE(html.find("The probe moved by 10 mm and turned by up to 12 deg from where it began. It first showed the "
+                      "target after 0.0 s. With the needle in the body, the tip was in the slice for "),
+            std::string::npos);
+  EXPECT_NE(html.find("with the edges of its picture"), std::string::npos);
+  const ProbeFigures figures(session);
+  const auto panels = figures.panels(made.patient, {{0.0, "at first"}, {1.0, "at last"}}, {path.entry, path.target});
+  ASSERT_EQ(panels.size(), 2U);
+  EXPECT_EQ(panels[0].title, "slice of the probe at first");
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const imaging::SlicePlane& plane = panels[i].slice.plane;
+    const Pose& held = session.scans[10 * i].probe;
+    EXPECT_NEAR(plane.distance(held.translation()), 0.0, 1e-9);
+    EXPECT_NEAR(std::abs(plane.normal().dot(held.linear().col(2))), 1.0, 1e-9);
+    EXPECT_NEAR((plane.down - held.linear().col(1)).norm(), 0.0, 1e-9) << "the face is above";
+    // The picture of a linear probe is as wide as its face, and as deep as was set.
+    double width = 0.0, depth = 0.0;
+    for (const Vec3& corner : panels[i].outline) {
+      width = std::max(width, 2.0 * std::abs((corner - held.translation()).dot(plane.right)));
+      depth = std::max(depth, (corner - held.translation()).dot(plane.down));
+      EXPECT_NEAR(plane.distance(corner), 0.0, 1e-9);
+    }
+    EXPECT_NEAR(width, session.header.ultrasound->aperture(), 1.0);
+    EXPECT_NEAR(depth, 60.0, 1e-9);
+  }
+  EXPECT_NEAR((figures.way(0.5).face.back() - session.scans.back().probe.translation()).norm(), 0.0, 1e-9);
 }
 
 TEST(Report, shows_what_the_second_hand_felt) {
