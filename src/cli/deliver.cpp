@@ -19,7 +19,7 @@ void deliver_result(const std::string& session, const std::string& trainee, cons
   training::AttemptRecord record = training::record_of(judged.session, judged.description.name, judged.score);
   record.trainee = trainee;
   record.file = std::filesystem::absolute(session).lexically_normal().string();
-  training::Outbox outbox(training::store_place(store), training::outbox_file());
+  training::Outbox outbox(training::store_place(store), training::outbox_folder());
   const training::Delivery delivery = outbox.add(record);
   if (delivery.state == training::Delivery::State::waiting) {
     console.note(fmt::format("the result of {} waits on this station: {}", trainee, delivery.reason));
@@ -32,7 +32,7 @@ void deliver_result(const std::string& session, const std::string& trainee, cons
 void deliver_waiting(const std::string& store, Console& console) {
   constexpr std::chrono::milliseconds patience{2000};
   try {
-    training::Outbox outbox(training::store_place(store), training::outbox_file(), patience);
+    training::Outbox outbox(training::store_place(store), training::outbox_folder(), patience);
     if (outbox.waiting() == 0) return;
     console.note(fmt::format("{} results that had waited on this station are in the store", outbox.deliver()));
   } catch (const std::runtime_error& error) {

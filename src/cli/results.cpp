@@ -37,6 +37,7 @@ struct ResultsArguments {
   std::string procedure;
   std::string folder;
   std::string plan;
+  std::string from;
   bool owns = false;
   std::string output;
 };
@@ -63,6 +64,12 @@ void note_waiting(Console& console, const training::Outbox& outbox) {
   if (waiting > 0)
     console.note(
         fmt::format("{} attempts of this station wait for the store; 'bodkin results deliver' tries again", waiting));
+  for (const training::WaitingFor& other : outbox.waiting_elsewhere()) {
+    console.note(
+        fmt::format("{} attempts of this station wait for another store, {}; 'bodkin results deliver --store' with "
+                    "its address tries again",
+                    other.attempts, other.store));
+  }
 }
 
 void run_add(const ResultsArguments& arguments, const CommandContext& context) {
@@ -83,7 +90,7 @@ void run_add(const ResultsArguments& arguments, const CommandContext& context) {
     records.back().file = fs::absolute(file).lexically_normal().string();
   }
   const std::string place = training::store_place(arguments.store);
-  training::Outbox outbox(place, training::outbox_file());
+  training::Outbox outbox(place, training::outbox_folder());
   if (plan) {
     training::ResultStore store(place);
     training::put_in_stages(*plan, store, records);
@@ -135,7 +142,7 @@ void run_list(const ResultsArguments& arguments, const CommandContext& context) 
                    {"mastery", row.mastery},
                    {"last_at", row.last_at}});
   }
-  note_waiting(console, training::Outbox(place, training::outbox_file()));
+  note_waiting(console, training::Outbox(place, training::outbox_folder()));
   console.json(ordered_json{{"store", store.place()}, {"rows", all}}.dump(2));
 }
 
@@ -199,7 +206,7 @@ void run_csv(const ResultsArguments& arguments, const CommandContext& context) {
 void run_delete(const ResultsArguments& arguments, const CommandContext& context) {
   Console console(context);
   const std::string place = training::store_place(arguments.store);
-  training::Outbox outbox(place, training::outbox_file());
+  training::Outbox outbox(place, training::outbox_folder());
   training::ResultStore store(place);
   const std::int64_t waited = outbox.remove_trainee(arguments.trainee).attempts;
   training::Deletion done;
@@ -212,6 +219,12 @@ void run_delete(const ResultsArguments& arguments, const CommandContext& context
                            done.deleted_files.size(), arguments.trainee));
   for (const std::string& file : done.other_files)
     console.note(fmt::format("a session file is still to be deleted by hand: {}", file));
+  for (const training::WaitingFor& other : outbox.waiting_elsewhere()) {
+    console.note(
+        fmt::format("{} attempts on this station wait for another store, {}; what {} has there is deleted with "
+                    "--store and its address",
+                    other.attempts, other.store, arguments.trainee));
+  }
   console.json(ordered_json{{"attempts", done.attempts + waited},
                             {"deleted_files", done.deleted_files.size()},
                             {"remaining_files", done.other_files}}
@@ -220,8 +233,9 @@ void run_delete(const ResultsArguments& arguments, const CommandContext& context
 
 void run_deliver(const ResultsArguments& arguments, const CommandContext& context) {
   Console console(context);
-  const std::int64_t delivered =
-      training::Outbox(training::store_place(arguments.store), training::outbox_file()).deliver();
+  training::Outbox outbox(training::store_place(arguments.store), training::outbox_folder());
+  const std::int64_t delivered = arguments.from.empty() ? outbox.deliver() : outbox.take_over(arguments.from);
+  note_waiting(console, outbox);
   console.line(fmt::format("{} attempts were delivered", delivered));
   console.json(ordered_json{{"delivered", delivered}}.dump(2));
 }
@@ -269,7 +283,11 @@ void add_results_command(CLI::App& app, CommandContext& context) {
   command = add_one(*group, context, gone, "delete", "Deletes everything of a trainee, for good", run_delete);
   add_text(*command, "TRAINEE", gone->trainee, "Label of the trainee").required();
 
-  add_one(*group, context, fresh(), "deliver", "Delivers what waits on this station", run_deliver);
+  Arguments deliver = fresh();
+  command =
+      add_one(*group, context, deliver, "deliver", "Delivers what waits on this station for the store", run_deliver);
+  add_text(*command, "--from", deliver->from,
+           "Address of a store that has moved: what waits for it goes to this one");
 }
 
 }  // namespace bodkin::cli

@@ -374,7 +374,7 @@ const std::vector<CommandRow>& command_table() {
          {{"--store", Kind::text}, {"--procedure", Kind::text}, {"--output", Kind::text}}},
         {"results csv", "", "", {{"--store", Kind::text}, {"--trainee", Kind::text}, {"--output", Kind::text}}},
         {"results delete", "a", "TRAINEE", {{"--store", Kind::text}}},
-        {"results deliver", "", "", {{"--store", Kind::text}}},
+        {"results deliver", "", "", {{"--store", Kind::text}, {"--from", Kind::text}}},
         {"plan check", "plan.xml", "PLAN", {}},
         {"plan show", "plan.xml", "PLAN", {{"--trainee", Kind::text}, {"--store", Kind::text}}},
         {"teacher",

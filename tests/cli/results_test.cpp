@@ -95,8 +95,19 @@ TEST_F(ResultsCommand, keeps_an_attempt_here_while_the_store_cannot_be_reached_a
   EXPECT_EQ(waits.exit_code, 0) << waits.text();
   EXPECT_THAT(waits.output, HasSubstr("waits for the store"));
   EXPECT_EQ(bodkin("-q results deliver" + nowhere).exit_code, 1);
-  EXPECT_THAT(bodkin("-q results deliver").output, HasSubstr("1 attempts were delivered"));
-  EXPECT_THAT(bodkin("-q results deliver").output, HasSubstr("0 attempts were delivered"));
+  // It waits for that store, not for this one.
+  const Outcome here = bodkin("results deliver");
+  EXPECT_THAT(here.output, HasSubstr("0 attempts were delivered"));
+  EXPECT_THAT(here.errors, HasSubstr("1 attempts of this station wait for another store, "
+                                     "postgresql://station@127.0.0.1:1/none;"));
+  EXPECT_THAT(bodkin("-q results list").output, Not(HasSubstr("trainee-07")));
+  const Outcome mistaken = bodkin("-q results deliver --from postgresql://station@127.0.0.1:2/none");
+  EXPECT_EQ(mistaken.exit_code, 2);
+  EXPECT_THAT(mistaken.errors, HasSubstr("nothing on this station waits for the store"));
+  // That store has moved here.
+  const std::string moved = " --from postgres://station:secret@127.0.0.1:1/none";
+  EXPECT_THAT(bodkin("-q results deliver" + moved).output, HasSubstr("1 attempts were delivered"));
+  EXPECT_EQ(bodkin("-q results deliver" + moved).exit_code, 2);
   EXPECT_THAT(bodkin("-q results list").output, HasSubstr("trainee-07"));
 }
 

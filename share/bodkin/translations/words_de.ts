@@ -7804,6 +7804,10 @@
         <translation>die Ablage %1 lässt sich nicht öffnen; ihr Ordner muss da und für Sie beschreibbar sein</translation>
     </message>
     <message>
+        <source>nothing on this station waits for the store %1; 'bodkin results list' names the stores that something waits for</source>
+        <translation>an diesem Arbeitsplatz wartet nichts auf die Ablage %1; „bodkin results list“ nennt die Ablagen, auf die etwas wartet</translation>
+    </message>
+    <message>
         <source>%1 is no store of results; name another file with --store</source>
         <translation>%1 ist keine Ablage von Ergebnissen; nennen Sie mit --store eine andere Datei</translation>
     </message>

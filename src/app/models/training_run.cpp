@@ -17,7 +17,7 @@ namespace {
 std::string deliver(const training::PlanInUse& use, training::AttemptRecord record) {
   try {
     const std::string place = training::store_place();
-    training::Outbox outbox(place, training::outbox_file());
+    training::Outbox outbox(place, training::outbox_folder());
     std::vector<training::AttemptRecord> records = {std::move(record)};
     try {
       if (outbox.waiting() > 0) outbox.deliver();
@@ -44,7 +44,7 @@ PlanStanding read_standing(const std::string& plan, const std::string& trainee) 
     if (trainee.empty()) return standing;
     training::check_label(trainee, "the trainee");
     const std::string place = training::store_place();
-    training::Outbox outbox(place, training::outbox_file());
+    training::Outbox outbox(place, training::outbox_folder());
     if (outbox.waiting() > 0) outbox.deliver();
     training::ResultStore store(place);
     standing.attempts = training::plan_attempts(store, standing.use.plan.name, trainee);

@@ -1,24 +1,62 @@
 #include "training/store/outbox.h"
 
 #include <algorithm>
+#include <regex>
+#include <system_error>
+
+#include "session/session_schema.h"
+#include <fmt/format.h>
+
+#include "core/files.h"
+#include "io/resources.h"
 
 namespace bodkin::training {
 
+namespace {
+
 namespace fs = std::filesystem;
 
-Outbox::Outbox(std::string place, fs::path file, std::chrono::milliseconds patience)
-    : place_(std::move(place)), file_(std::move(file)), patience_(patience) {}
+constexpr std::string_view attempts_suffix = ".sqlite", name_suffix = ".store";
+constexpr std::size_t longest_name = 1 << 16;  // bytes
+
+// What a store is known by, and told as.
+std::string name_of_store(const std::string& place) {
+  if (!is_server(place)) return fs::absolute(place).lexically_normal().string();
+  const std::string address = "postgresql://" + place.substr(place.find("://") + 3);
+  const std::string bare = std::regex_replace(address, std::regex("://([^/@:]*):[^/@]*@"), "://$1@");
+  return std::regex_replace(bare, std::regex("([?&]password=)[^&]*"), "$1");
+}
+
+fs::path file_for(const fs::path& folder, const std::string& name) {
+  return folder / (session::text_checksum(name) + std::string(attempts_suffix));
+}
+
+std::int64_t count_of(const fs::path& file, std::chrono::milliseconds patience) {
+  if (!fs::exists(file)) return 0;
+  return static_cast<std::int64_t>(ResultStore(file.string(), patience).summaries().size());
+}
+
+}  // namespace
+
+Outbox::Outbox(std::string place, fs::path folder, std::chrono::milliseconds patience)
+    : place_(std::move(place)),
+      folder_(std::move(folder)),
+      file_(file_for(folder_, name_of_store(place_))),
+      patience_(patience) {}
 
 Delivery Outbox::add(const AttemptRecord& record) {
   check_label(record.trainee, "the trainee");
   Delivery delivery;
   try {
     ResultStore store(place_, patience_);
-    delivery.delivered = deliver_to(store);
+    delivery.delivered = deliver_to(store, file_);
     delivery.state = store.add(record) ? Delivery::State::stored : Delivery::State::known;
   } catch (const std::runtime_error& refused) {
     if (dynamic_cast<const InputError*>(&refused) == nullptr && dynamic_cast<const SystemError*>(&refused) == nullptr)
       throw;
+    // The name first: attempts without one could not be told apart from those for another store.
+    const fs::path name_file = fs::path(file_).replace_extension(name_suffix);
+    if (!fs::exists(name_file)) write_file(name_file, name_of_store(place_));
     ResultStore(file_.string(), patience_).add(record);
     delivery.state = Delivery::State::waiting;
     delivery.reason = refused.what();
@@ -28,12 +66,25 @@ Delivery Outbox::add(const AttemptRecord& record) {
 
 std::int64_t Outbox::deliver() {
   ResultStore store(place_, patience_);
-  return deliver_to(store);
+  return deliver_to(store, file_);
 }
 
-std::int64_t Outbox::deliver_to(ResultStore& store) {
-  if (!fs::exists(file_)) return 0;
-  ResultStore outbox(file_.string(), patience_);
+std::int64_t Outbox::take_over(const std::string& other) {
+  const std::string name = name_of_store(other);
+  const fs::path file = file_for(folder_, name);
+  if (count_of(file, patience_) == 0) {
+    throw InputError(
+        fmt::format("nothing on this station waits for the store {}; 'bodkin results list' names the stores that "
+                    "something waits for",
+                    name));
+  }
+  ResultStore store(place_, patience_);
+  return deliver_to(store, file);
+}
+
+std::int64_t Outbox::deliver_to(ResultStore& store, const fs::path& file) {
+  if (!fs::exists(file)) return 0;
+  ResultStore outbox(file.string(), patience_);
   const std::vector<AttemptRecord> waiting = outbox.attempts();
   for (const AttemptRecord& each : waiting) {
     store.add(each);
@@ -43,8 +94,21 @@ std::int64_t Outbox::deliver_to(ResultStore& store) {
 }
 
 std::int64_t Outbox::waiting() const {
-  if (!fs::exists(file_)) return 0;
-  return static_cast<std::int64_t>(ResultStore(file_.string(), patience_).summaries().size());
+  return count_of(file_, patience_);
+}
+
+std::vector<WaitingFor> Outbox::waiting_elsewhere() const {
+  std::vector<WaitingFor> found;
+  std::error_code failure;
+  for (const auto& entry : fs::directory_iterator(folder_, failure)) {
+    if (entry.path().extension() != name_suffix) continue;
+    const fs::path file = fs::path(entry.path()).replace_extension(attempts_suffix);
+    if (file.filename() == file_.filename()) continue;
+    const std::int64_t attempts = count_of(file, patience_);
+    if (attempts > 0) found.push_back({io::read_text_file(entry.path(), longest_name), attempts});
+  }
+  std::sort(found.begin(), found.end(), [](const WaitingFor& a, const WaitingFor& b) { return a.store < b.store; });
+  return found;
 }
 
 Deletion Outbox::remove_trainee(const std::string& label) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "training/store/result_store.h"
 
@@ -15,31 +16,45 @@ struct Delivery {
   std::int64_t delivered = 0;  // attempts that had waited and are in the store now
 };
 
-// A station's way to the store: what the store cannot take now waits in a file here and is delivered later. An
-// attempt is removed from the outbox only when the store has it, and the store keeps none twice: a call that is
-// killed in between does no harm.
+// Attempts that wait for a store.
+struct WaitingFor {
+  std::string store;  // its place, without a password
+  std::int64_t attempts = 0;
+};
+
+// A station's way to a store: what the store cannot take now waits in a file here and is delivered later, to that
+// store and no other. An attempt is removed from the outbox only when the store has it, and the store keeps none
+// twice: a call that is killed in between does no harm.
+//
+// The folder has a file of attempts for each store that some have ever waited for, and beside it the store's name. A
+// store is known by its address without the password, a file by its absolute path.
 class Outbox {
  public:
-  // `place`: the store, as ResultStore takes it. `file`: where attempts wait; made when the first one does.
-  Outbox(std::string place, std::filesystem::path file,
+  // `place`: the store, as ResultStore takes it. `folder`: where attempts wait; made when the first one does.
+  Outbox(std::string place, std::filesystem::path folder,
          std::chrono::milliseconds patience = ResultStore::usual_patience);
 
-  // Delivers what waits, then the record. When the store refuses for whatever reason (unreachable, locked, full,
-  // newer), the record waits. Throws InputError for a record that no store would take, and SystemError when the
-  // outbox cannot be written either; the session is then to be added again.
+  // Delivers what waits for this store, then the record. When the store refuses for whatever reason (unreachable,
+  // locked, full, newer), the record waits. Throws InputError for a record that no store would take, and SystemError
+  // when the outbox cannot be written either; the session is then to be added again.
   Delivery add(const AttemptRecord& record);
-  // Delivers what waits. Throws what the store says when it refuses.
+  // Delivers what waits for this store. Throws what the store says when it refuses.
   std::int64_t deliver();
-  // How many wait.
+  // Delivers to this store what waits for another one, which has moved or is no more. Throws InputError when nothing
+  // waits for `other`, and what the store says when it refuses.
+  std::int64_t take_over(const std::string& other);
+  // How many wait for this store.
   std::int64_t waiting() const;
-  // Removes what a trainee has here.
+  // The other stores for which some wait, in the order of their names.
+  std::vector<WaitingFor> waiting_elsewhere() const;
+  // Removes what a trainee has here that waits for this store.
   Deletion remove_trainee(const std::string& label);
 
  private:
-  std::int64_t deliver_to(ResultStore& store);
+  std::int64_t deliver_to(ResultStore& store, const std::filesystem::path& file);
 
   std::string place_;
-  std::filesystem::path file_;
+  std::filesystem::path folder_, file_;
   std::chrono::milliseconds patience_;
 };
 

@@ -32,8 +32,8 @@ std::string store_place(const std::string& given) {
   return (made_data_folder() / "results.sqlite").string();
 }
 
-fs::path outbox_file() {
-  return made_data_folder() / "outbox.sqlite";
+fs::path outbox_folder() {
+  return made_data_folder() / "outbox";
 }
 
 }  // namespace bodkin::training

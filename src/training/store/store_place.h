@@ -9,7 +9,7 @@ namespace bodkin::training {
 // results.sqlite in the person's data folder, which is made. Throws SystemError when that cannot be.
 std::string store_place(const std::string& given = {});
 
-// Where attempts of this station wait for the store: outbox.sqlite in the data folder, which is made.
-std::filesystem::path outbox_file();
+// Where attempts of this station wait for stores: the folder outbox in the data folder, which is made.
+std::filesystem::path outbox_folder();
 
 }  // namespace bodkin::training

@@ -29,7 +29,7 @@ using std::chrono_literals::operator""ms;
 class StoreFile : public ::testing::Test {
  protected:
   std::string place() const { return (folder_.path() / "results.sqlite").string(); }
-  fs::path outbox_file() const { return folder_.path() / "outbox.sqlite"; }
+  fs::path outbox_folder() const { return folder_.path() / "outbox"; }
   std::string bytes() const {
     std::ifstream stream(place(), std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
@@ -173,14 +173,14 @@ TEST_F(StoreFile, that_is_locked_says_so_and_the_attempt_waits) {
     other->begin();
     EXPECT_THAT(refusal([&] { ResultStore(place(), 50ms).add(attempt_record("a", 2)); }),
                 HasSubstr("is locked by another program; nothing was changed"));
-    Outbox outbox(place(), outbox_file(), 50ms);
+    Outbox outbox(place(), outbox_folder(), 50ms);
     const Delivery delivery = outbox.add(attempt_record("a", 2));
     EXPECT_EQ(delivery.state, Delivery::State::waiting);
     EXPECT_THAT(delivery.reason, HasSubstr("is locked by another program"));
     EXPECT_EQ(outbox.waiting(), 1);
     other->roll_back();
   }
-  const Delivery later = Outbox(place(), outbox_file()).add(attempt_record("a", 3));
+  const Delivery later = Outbox(place(), outbox_folder()).add(attempt_record("a", 3));
   EXPECT_EQ(later.delivered, 1);
   EXPECT_EQ(ResultStore(place()).summaries().size(), 3U);
 }
@@ -204,14 +204,70 @@ TEST_F(StoreFile, on_a_full_disk_says_so_and_keeps_what_it_had) {
   EXPECT_EQ(store.add(many), 498);
 }
 
+// Leaves attempts waiting for a store that another program has locked.
+void keep_waiting(const std::string& place, const fs::path& folder, std::initializer_list<int> numbers) {
+  const auto other = connect_sqlite(place, 100ms);
+  other->begin();
+  for (const int number : numbers)
+    EXPECT_EQ(Outbox(place, folder, 50ms).add(attempt_record("a", number)).state, Delivery::State::waiting);
+  other->roll_back();
+}
+
 TEST_F(StoreFile, is_delivered_to_once_where_a_call_was_killed_before_it_forgot) {
-  ResultStore(outbox_file().string()).add({attempt_record("a", 1), attempt_record("a", 2)});
+  { ResultStore made(place()); }
+  keep_waiting(place(), outbox_folder(), {1, 2});
   ResultStore(place()).add(attempt_record("a", 1));  // the call that was killed had come so far
-  Outbox outbox(place(), outbox_file());
+  Outbox outbox(place(), outbox_folder());
   EXPECT_EQ(outbox.deliver(), 2);
   EXPECT_EQ(outbox.deliver(), 0);
   EXPECT_EQ(ResultStore(place()).summaries().size(), 2U);
-  EXPECT_TRUE(ResultStore(outbox_file().string()).trainees().empty());
+  EXPECT_EQ(outbox.waiting(), 0);
+}
+
+// A station that is used with two stores, of which one is away for a time.
+TEST_F(StoreFile, gets_what_waits_for_it_and_another_store_gets_none_of_that) {
+  const std::string second = place() + ".second";
+  for (const std::string& each : {place(), second}) ResultStore made(each);
+  keep_waiting(place(), outbox_folder(), {1, 2});
+  keep_waiting(second, outbox_folder(), {3});
+  Outbox to_first(place(), outbox_folder()), to_second(second, outbox_folder());
+  EXPECT_EQ(to_first.waiting(), 2);
+  EXPECT_EQ(to_second.waiting(), 1);
+  // An attempt for the second takes along what waits for the second alone.
+  EXPECT_EQ(to_second.add(attempt_record("a", 4)).delivered, 1);
+  EXPECT_EQ(ResultStore(second).summaries().size(), 2U);
+  EXPECT_TRUE(ResultStore(place()).summaries().empty());
+  ASSERT_EQ(to_second.waiting_elsewhere().size(), 1U);
+  EXPECT_EQ(to_second.waiting_elsewhere()[0].store, place());
+  EXPECT_EQ(to_second.waiting_elsewhere()[0].attempts, 2);
+  EXPECT_EQ(to_second.deliver(), 0);
+  // The same store by another way of writing its path.
+  const std::string roundabout = (folder_.path() / "outbox" / ".." / fs::path(place()).filename()).string();
+  EXPECT_EQ(Outbox(roundabout, outbox_folder()).deliver(), 2);
+  EXPECT_EQ(ResultStore(place()).summaries().size(), 2U);
+  EXPECT_TRUE(to_second.waiting_elsewhere().empty());
+}
+
+TEST_F(StoreFile, that_has_moved_is_followed_when_asked) {
+  const std::string moved = place() + ".moved";
+  { ResultStore made(place()); }
+  keep_waiting(place(), outbox_folder(), {1, 2});
+  Outbox outbox(moved, outbox_folder());
+  EXPECT_THAT(refusal([&] { outbox.take_over(moved); }),
+              HasSubstr("nothing on this station waits for the store " + moved));
+  EXPECT_EQ(outbox.take_over(place()), 2);
+  EXPECT_EQ(ResultStore(moved).summaries().size(), 2U);
+  EXPECT_THAT(refusal([&] { outbox.take_over(place()); }), HasSubstr("waits for the store " + place()));
+}
+
+TEST_F(StoreFile, forgets_what_waits_of_a_trainee_for_it_alone) {
+  const std::string second = place() + ".second";
+  for (const std::string& each : {place(), second}) ResultStore made(each);
+  keep_waiting(place(), outbox_folder(), {1, 2});
+  keep_waiting(second, outbox_folder(), {3});
+  EXPECT_EQ(Outbox(place(), outbox_folder()).remove_trainee("a").attempts, 2);
+  EXPECT_EQ(Outbox(place(), outbox_folder()).waiting(), 0);
+  EXPECT_EQ(Outbox(second, outbox_folder()).waiting(), 1) << "a label of another store may be another person";
 }
 
 TEST_F(StoreFile, refuses_a_label_that_could_be_an_address) {

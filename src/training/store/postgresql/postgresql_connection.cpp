@@ -23,7 +23,8 @@ std::string first_line(const std::string& text) {
 class PostgresqlConnection final : public SqlConnection {
  public:
   PostgresqlConnection(const std::string& url, std::chrono::milliseconds patience)
-      : place_(std::regex_replace(url, std::regex("://([^/@:]*):[^/@]*@"), "://$1@")) {
+      : place_(std::regex_replace(std::regex_replace(url, std::regex("://([^/@:]*):[^/@]*@"), "://$1@"),
+                                  std::regex("([?&]password=)[^&]*"), "$1")) {
     const long long seconds = std::max<long long>(1, (patience.count() + 999) / 1000);
     guarded([&] {
       const std::string time =

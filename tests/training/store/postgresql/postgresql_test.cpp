@@ -1,3 +1,6 @@
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <thread>
 
@@ -16,6 +19,7 @@ namespace bodkin {
 using namespace bodkin::training;
 namespace {
 
+namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using std::chrono_literals::operator""ms;
@@ -64,6 +68,7 @@ TEST_F(StoreServer, keeps_and_gives_back_the_same_as_a_file) {
   EXPECT_EQ(store.summaries_of_plan("first_week").at(0).stage, 2);
   EXPECT_EQ(cohort_table(store.summaries()).at(0).passed, 1);
   EXPECT_EQ(store.place().find("secret"), std::string::npos);
+  EXPECT_EQ(ResultStore(server_->url() + "?password=secret").place().find("secret"), std::string::npos);
 }
 
 TEST_F(StoreServer, keeps_no_session_twice_however_many_stations_make_and_fill_it) {
@@ -80,7 +85,7 @@ TEST_F(StoreServer, keeps_no_session_twice_however_many_stations_make_and_fill_i
 
 TEST_F(StoreServer, that_goes_away_is_delivered_to_when_it_is_back) {
   const ScratchFolder folder;
-  Outbox outbox(server_->url(), folder.path() / "outbox.sqlite", 1000ms);
+  Outbox outbox(server_->url(), folder.path() / "outbox", 1000ms);
   EXPECT_EQ(outbox.add(attempt_record("a", 1)).state, Delivery::State::stored);
   ResultStore open(server_->url(), 1000ms);
   server_->stop();
@@ -92,6 +97,12 @@ TEST_F(StoreServer, that_goes_away_is_delivered_to_when_it_is_back) {
   EXPECT_THROW(outbox.deliver(), StoreUnreachable);
   EXPECT_EQ(outbox.add(attempt_record("a", 3)).state, Delivery::State::waiting);
   EXPECT_EQ(outbox.waiting(), 2);
+  for (const auto& each : fs::recursive_directory_iterator(folder.path())) {
+    if (!each.is_regular_file()) continue;
+    std::ifstream in(each.path(), std::ios::binary);
+    const std::string kept((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    EXPECT_EQ(kept.find("secret"), std::string::npos) << each.path() << ": no password is stored";
+  }
   server_->start();
   EXPECT_EQ(outbox.deliver(), 2);
   EXPECT_EQ(outbox.add(attempt_record("a", 3)).state, Delivery::State::known);
