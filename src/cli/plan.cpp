@@ -105,7 +105,7 @@ void run_plan(const PlanArguments& arguments, const CommandContext& context, boo
   Console console(context);
   const fs::path file = training::find_plan(arguments.plan);
   const training::Plan plan = training::read_plan(file);
-  if (checks) training::check_names(plan, file.string());
+  training::check_names(plan, file.string());
   console.line(fmt::format("{}: {}", plan.name, plan.title));
   ordered_json stages = ordered_json::array();
   for (std::size_t i = 0; i < plan.stages.size(); ++i) {

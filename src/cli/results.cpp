@@ -91,10 +91,7 @@ void run_add(const ResultsArguments& arguments, const CommandContext& context) {
   }
   const std::string place = training::store_place(arguments.store);
   training::Outbox outbox(place, training::outbox_folder());
-  if (plan) {
-    training::ResultStore store(place);
-    training::put_in_stages(*plan, store, records);
-  }
+  if (plan) outbox.put_in_plan(*plan, records);
   ordered_json all = ordered_json::array();
   for (std::size_t i = 0; i < records.size(); ++i) {
     using State = training::Delivery::State;

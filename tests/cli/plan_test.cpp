@@ -26,7 +26,9 @@ TEST_F(PlanCommand, checks_that_every_name_exists) {
   const Outcome said = bodkin("-q plan check plan.xml");
   EXPECT_EQ(said.exit_code, 2);
   EXPECT_THAT(said.errors, HasSubstr("plan.xml: stage 'a': the case 'nowhere' is no folder with a case.xml"));
-  EXPECT_EQ(bodkin("-q plan show plan.xml").exit_code, 0);
+  const Outcome shown = bodkin("-q plan show plan.xml");
+  EXPECT_EQ(shown.exit_code, 2);
+  EXPECT_EQ(shown.errors, said.errors) << "every command that uses a plan looks for the same names";
   EXPECT_THAT(bodkin("-q plan show nothing").errors, HasSubstr("there is no plan 'nothing', expected one of lumbar"));
 }
 

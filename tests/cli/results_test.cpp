@@ -63,6 +63,25 @@ TEST_F(ResultsCommand, puts_an_attempt_into_the_stage_of_a_plan) {
               HasSubstr("trainee-07: stage 1 of 3, 1 of 2 passed in a row, attempt 2 of 10"));
 }
 
+TEST_F(ResultsCommand, keeps_nothing_for_a_plan_that_names_what_does_not_exist) {
+  const auto stage_with = [](const std::string& what) {
+    return "<plan version=\"1\" name=\"p\" title=\"P\"><stage title=\"a\" " + what + "/></plan>";
+  };
+  for (const auto& [stage, said] : std::initializer_list<std::pair<std::string, std::string>>{
+           {"case=\"nowhere\"", "the case 'nowhere' is no folder with a case.xml"},
+           {"case=\"built-in\" procedure=\"dance\"", "there is no procedure 'dance'"},
+           {"case=\"built-in\" crystal_ball=\"true\"", "crystal_ball"}}) {
+    write("plan.xml", stage_with(stage));
+    const Outcome refused = bodkin("-q results add session.bodkin --trainee trainee-07 --plan plan.xml");
+    EXPECT_EQ(refused.exit_code, 2) << stage;
+    EXPECT_THAT(refused.errors, HasSubstr(said)) << stage;
+    EXPECT_EQ(lines_of(refused.errors), 1) << stage;
+    EXPECT_EQ(bodkin("-q plan check plan.xml").errors, refused.errors) << stage;
+    EXPECT_EQ(bodkin("-q plan show plan.xml").errors, refused.errors) << stage;
+    EXPECT_FALSE(fs::exists(folder_ / "data/bodkin/results.sqlite")) << stage;
+  }
+}
+
 TEST_F(ResultsCommand, deletes_a_session_that_the_store_owns) {
   fs::copy(folder_ / "session.bodkin", folder_ / "owned.bodkin");
   bodkin("-q results add owned.bodkin --trainee trainee-07 --own");

@@ -40,7 +40,6 @@ PlanStanding read_standing(const std::string& plan, const std::string& trainee) 
   standing.trainee = trainee;
   try {
     standing.use = training::read_plan_in_use(plan);
-    training::check_names(standing.use.plan, plan);
     if (trainee.empty()) return standing;
     training::check_label(trainee, "the trainee");
     const std::string place = training::store_place();

@@ -36,6 +36,21 @@ std::int64_t count_of(const fs::path& file, std::chrono::milliseconds patience) 
   return static_cast<std::int64_t>(ResultStore(file.string(), patience).summaries().size());
 }
 
+// What a store says, as opposed to a fault of the program.
+bool is_refusal(const std::runtime_error& error) {
+  return dynamic_cast<const InputError*>(&error) != nullptr || dynamic_cast<const SystemError*>(&error) != nullptr;
+}
+
+// Finds the stage of an attempt that had to wait without one, by the plan that waits with it.
+void put_in_stage(AttemptRecord& record, ResultStore& outbox, ResultStore& store) {
+  std::vector<AttemptRecord> records = {record};
+  records.front().plan.clear();
+  for (const StoredPlan& plan : outbox.plans())
+    if (plan.name == record.plan)
+      put_in_stages({parse_plan(plan.document, plan.name), plan.document}, store, records);
+  record = records.front();
+}
+
 }  // namespace
 
 Outbox::Outbox(std::string place, fs::path folder, std::chrono::milliseconds patience)
@@ -52,16 +67,35 @@ Delivery Outbox::add(const AttemptRecord& record) {
     delivery.delivered = deliver_to(store, file_);
     delivery.state = store.add(record) ? Delivery::State::stored : Delivery::State::known;
   } catch (const std::runtime_error& refused) {
-    if (dynamic_cast<const InputError*>(&refused) == nullptr && dynamic_cast<const SystemError*>(&refused) == nullptr)
-      throw;
-    // The name first: attempts without one could not be told apart from those for another store.
-    const fs::path name_file = fs::path(file_).replace_extension(name_suffix);
-    if (!fs::exists(name_file)) write_file(name_file, name_of_store(place_));
+    if (!is_refusal(refused)) throw;
+    name_store();
     ResultStore(file_.string(), patience_).add(record);
     delivery.state = Delivery::State::waiting;
     delivery.reason = refused.what();
   }
   return delivery;
+}
+
+void Outbox::put_in_plan(const PlanInUse& plan, std::vector<AttemptRecord>& records) {
+  try {
+    ResultStore store(place_, patience_);
+    deliver_to(store, file_);
+    put_in_stages(plan, store, records);
+  } catch (const std::runtime_error& refused) {
+    if (!is_refusal(refused)) throw;
+    name_store();
+    ResultStore(file_.string(), patience_).put_plan({plan.plan.name, plan.plan.title, plan.document});
+    for (AttemptRecord& each : records) {
+      each.plan = plan.plan.name;
+      each.stage = 0;
+    }
+  }
+}
+
+// Before anything waits: attempts without it could not be told apart from those for another store.
+void Outbox::name_store() const {
+  const fs::path name_file = fs::path(file_).replace_extension(name_suffix);
+  if (!fs::exists(name_file)) write_file(name_file, name_of_store(place_));
 }
 
 std::int64_t Outbox::deliver() {
@@ -85,8 +119,9 @@ std::int64_t Outbox::take_over(const std::string& other) {
 std::int64_t Outbox::deliver_to(ResultStore& store, const fs::path& file) {
   if (!fs::exists(file)) return 0;
   ResultStore outbox(file.string(), patience_);
-  const std::vector<AttemptRecord> waiting = outbox.attempts();
-  for (const AttemptRecord& each : waiting) {
+  std::vector<AttemptRecord> waiting = outbox.attempts();
+  for (AttemptRecord& each : waiting) {
+    if (!each.plan.empty() && each.stage == 0) put_in_stage(each, outbox, store);
     store.add(each);
     outbox.remove(each.digest);
   }

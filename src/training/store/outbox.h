@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "training/store/plan_attempts.h"
 #include "training/store/result_store.h"
 
 namespace bodkin::training {
@@ -38,6 +39,10 @@ class Outbox {
   // locked, full, newer), the record waits. Throws InputError for a record that no store would take, and SystemError
   // when the outbox cannot be written either; the session is then to be added again.
   Delivery add(const AttemptRecord& record);
+  // Puts attempts of one trainee in the stages of a plan, as put_in_stages() does, after delivering what waits. When
+  // the store refuses, which stage the trainee has come to is not known: they get the plan without a stage, and are
+  // put in one when they are delivered.
+  void put_in_plan(const PlanInUse& plan, std::vector<AttemptRecord>& records);
   // Delivers what waits for this store. Throws what the store says when it refuses.
   std::int64_t deliver();
   // Delivers to this store what waits for another one, which has moved or is no more. Throws InputError when nothing
@@ -51,6 +56,7 @@ class Outbox {
   Deletion remove_trainee(const std::string& label);
 
  private:
+  void name_store() const;
   std::int64_t deliver_to(ResultStore& store, const std::filesystem::path& file);
 
   std::string place_;

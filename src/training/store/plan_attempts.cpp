@@ -22,7 +22,9 @@ std::vector<StageAttempt> plan_attempts(ResultStore& store, const std::string& p
 
 PlanInUse read_plan_in_use(const std::string& name) {
   const std::filesystem::path file = find_plan(name);
-  return {read_plan(file), io::read_text_file(file, largest_plan_document)};
+  PlanInUse use{read_plan(file), io::read_text_file(file, largest_plan_document)};
+  check_names(use.plan, file.string());
+  return use;
 }
 
 void put_in_stages(const PlanInUse& use, ResultStore& store, std::vector<AttemptRecord>& records) {

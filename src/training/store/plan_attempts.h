@@ -17,7 +17,8 @@ struct PlanInUse {
   std::string document;
 };
 
-// A plan that comes with Bodkin, by its name, or a file. Throws InputError.
+// A plan that comes with Bodkin, by its name, or a file. Throws InputError when there is none, and for the first name
+// in it of what does not exist.
 PlanInUse read_plan_in_use(const std::string& name);
 
 // Puts attempts of one trainee, at least one, in the stages of the plan, which the store keeps from now on. Each

@@ -248,6 +248,39 @@ TEST_F(StoreFile, gets_what_waits_for_it_and_another_store_gets_none_of_that) {
   EXPECT_TRUE(to_second.waiting_elsewhere().empty());
 }
 
+// Which stage comes next only the store knows, which did not answer.
+TEST_F(StoreFile, gives_an_attempt_that_waited_the_stage_that_it_has_when_it_is_delivered) {
+  const PlanInUse plan = read_plan_in_use("lumbar_puncture_first_steps");
+  const int first_stage_attempts = plan.plan.stages.front().attempts;
+  ResultStore(place()).put_plan({plan.plan.name, plan.plan.title, plan.document});
+  std::vector<AttemptRecord> late = {attempt_record("a", 40)};
+  {
+    const auto other = connect_sqlite(place(), 100ms);
+    other->begin();
+    Outbox outbox(place(), outbox_folder(), 50ms);
+    outbox.put_in_plan(plan, late);
+    EXPECT_EQ(late.front().plan, plan.plan.name);
+    EXPECT_EQ(outbox.add(late.front()).state, Delivery::State::waiting);
+    other->roll_back();
+  }
+  // Meanwhile another station brings what fills the first stage.
+  std::vector<AttemptRecord> earlier;
+  for (int number = 1; number <= first_stage_attempts; ++number) {
+    earlier.push_back(attempt_record("a", number));
+    earlier.back().verdict = Grade::fail;
+  }
+  {
+    ResultStore store(place());
+    put_in_stages(plan, store, earlier);
+    store.add(earlier);
+  }
+  EXPECT_EQ(Outbox(place(), outbox_folder()).deliver(), 1);
+  const auto kept = ResultStore(place()).attempt(late.front().digest);
+  ASSERT_TRUE(kept.has_value());
+  EXPECT_EQ(kept->plan, plan.plan.name);
+  EXPECT_EQ(kept->stage, 2);
+}
+
 TEST_F(StoreFile, that_has_moved_is_followed_when_asked) {
   const std::string moved = place() + ".moved";
   { ResultStore made(place()); }
