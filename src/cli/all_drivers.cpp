@@ -2,6 +2,9 @@
 
 #include "link/tracking_driver.h"
 #include "station/recorded_hand.h"
+#ifdef BODKIN_HAS_TRACKING
+#include "tracking/tool_driver.h"
+#endif
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -14,6 +17,9 @@ namespace bodkin::cli {
 std::vector<const bodkin_driver*> all_drivers() {
   std::vector<const bodkin_driver*> drivers(haptics::built_in_drivers().begin(), haptics::built_in_drivers().end());
   drivers.push_back(&link::tracking_driver());
+#ifdef BODKIN_HAS_TRACKING
+  drivers.push_back(&tracking::tool_driver());
+#endif
   drivers.push_back(&station::recorded_driver());
   return drivers;
 }

@@ -8,9 +8,8 @@
 
 namespace bodkin::cli {
 
-// The drivers that come with the program: those of devices (haptics/drivers/drivers.h), of a recorded hand and of
-// a tracker. The
-// mouse is a device of the window (app/hand/mouse_driver.h).
+// The drivers that come with the program: those of devices (haptics/drivers/drivers.h), of a recorded hand, of a
+// tracker, and of a tool before a camera. The mouse is a device of the window (app/hand/mouse_driver.h).
 std::vector<const bodkin_driver*> all_drivers();
 
 // The one of that name; null when no driver has it.

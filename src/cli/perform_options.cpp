@@ -22,6 +22,8 @@ const char* const perform_footer = R"(Examples:
   bodkin perform patient mouse                            the mouse, in the window of bodkin-app
   bodkin perform patient simulated                        no hand at all: a simulated one
   bodkin perform patient recorded:mine.bodkin             the hand of a session
+  bodkin perform patient tracked:/dev/video0 --settings "camera=camera.json bodies=bodies.json registration=placed.json"
+                                                          a real needle with markers over a mannequin
   bodkin perform patient force_dimension --force-scale 0.5
   bodkin perform patient openhaptics --mannequin placed.json --hub                 a real hub over a mannequin
   bodkin perform patient ./my_driver.so -o mine.bodkin
@@ -72,6 +74,12 @@ std::optional<station::MannequinPlace> mannequin_place(const PerformOptions& opt
   if (options.mannequin.empty()) {
     if (options.at_hub) throw InputError("--hub needs --mannequin, the registration of the device");
     return std::nullopt;
+  }
+  if (device.is_seen()) {
+    throw InputError(
+        fmt::format("--mannequin is for a device that touches it; give '{}' its registration with "
+                    "--settings registration={}",
+                    options.device.device, options.mannequin));
   }
   if (is_mouse(options.device) || device.is_recorded() || device.is_tracked()) {
     throw InputError(

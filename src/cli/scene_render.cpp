@@ -1,5 +1,7 @@
+#include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "tracking/footage_scene.h"
@@ -10,6 +12,7 @@
 #include "cli/console.h"
 #include "cli/tracking_commands.h"
 #include "core/error.h"
+#include "io/case_folder.h"
 
 namespace bodkin::cli {
 
@@ -20,12 +23,15 @@ struct SceneRenderArguments {
   std::int64_t frames = 60, width = 1280, height = 720, seed = 1, quality = 85;
   double rate = 30.0, blur = 0.7, motion = 0.0, occlusion = 0.0, noise = 1.0, sharpening = 0.0;
   bool still = false;
+  std::string patient;
+  double aside = 0.0;
 };
 
 constexpr const char* scene_render_footer = R"(Examples:
   bodkin scene render footage                              two seconds of a needle, a probe and a mannequin
   bodkin scene render footage --frames 300 --motion 4      with motion blur of 4 pixels
   bodkin scene render footage --tone other --occlusion 0.3 another tone curve, fingers over the markers
+  bodkin scene render attempt --case patient               a needle that goes along the patient's planned path
   bodkin track footage                                     how well they are tracked, against the truth
 
 The folder gets pictures, camera.json, bodies.json and scene.json, which holds the true poses of every picture.
@@ -51,6 +57,17 @@ void run_scene_render(const SceneRenderArguments& arguments, const CommandContex
   options.blur = arguments.blur;
   options.motion = arguments.motion;
   options.still = arguments.still;
+  if (!arguments.patient.empty()) {
+    const std::optional<anatomy::NeedlePath> path = io::read_case_description(arguments.patient).procedure.path;
+    if (!path)
+      throw InputError(
+          fmt::format("{}: the case has no planned path; plan one with 'bodkin case plan'", arguments.patient));
+    options.path = path->length();
+    options.aside = arguments.aside;
+    options.frames = static_cast<int>(std::ceil(tracking::length_of_way(options) * options.rate));
+  } else if (arguments.aside != 0.0) {
+    throw InputError("--aside is of a needle that goes along a path; add --case CASE");
+  }
   options.look.occlusion = arguments.occlusion;
   options.look.shot_noise *= arguments.noise;
   options.look.read_noise *= arguments.noise;
@@ -71,6 +88,11 @@ void add_scene_render_command(CLI::App& scene_group, CommandContext& context) {
                                   scene_render_footer);
   add_text(*command, "DIR", arguments->folder, "New folder of the footage").required();
   add_whole_number(*command, "--frames", arguments->frames, 1, 100000, "Pictures, 1 to 100000");
+  add_text(
+      *command, "--case", arguments->patient,
+      "Case whose planned path the needle goes along, in as many pictures as that takes (--frames has no effect)");
+  add_number(*command, "--aside", arguments->aside, -50.0, 50.0,
+             "With --case: mm beside the path, to the mannequin's x, -50 to 50");
   add_number(*command, "--rate", arguments->rate, 1.0, 240.0, "Pictures/s, 1 to 240");
   add_whole_number(*command, "--width", arguments->width, 160, 3840, "Pixels, 160 to 3840");
   add_whole_number(*command, "--height", arguments->height, 120, 2160, "Pixels, 120 to 2160");

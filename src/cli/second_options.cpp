@@ -34,7 +34,8 @@ std::optional<station::SecondChoice> choose_second(const SecondOptions& options,
   }
   station::SecondChoice choice{choose_device(options.device), *role};
   const bool same = choice.device.driver == first.driver && choice.device.identity == first.identity;
-  if (same && !first.is_simulated()) {
+  const bool same_tool = !first.is_seen() || choice.device.settings == first.settings;
+  if (same && same_tool && !first.is_simulated()) {
     throw InputError(
         fmt::format("--second is '{}', the device that holds the needle; expected another one, as DRIVER:IDENTITY "
                     "where both are of one driver",

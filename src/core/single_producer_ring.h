@@ -25,6 +25,11 @@ class SingleProducerRing {
     return true;
   }
 
+  // Producer only: push() would be refused now.
+  bool is_full() const noexcept {
+    return after(head_.load(std::memory_order_relaxed)) == tail_.load(std::memory_order_acquire);
+  }
+
   // Consumer only. False when the ring is empty.
   bool pop(Value& value) noexcept {
     const std::size_t tail = tail_.load(std::memory_order_relaxed);

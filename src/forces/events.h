@@ -31,15 +31,17 @@ enum class EventKind : std::uint8_t {
   needle_buckled,      // the needle bows outside the body and its tip stays; value = force that it bears, N
   points_taken,        // more contact points of the needle's own line are there; value = their number, once no more
                        // will come -1 less their number
-  points_late,     // the needle is where a contact point is still being computed; value = mm past the point's place
-  palpated,        // a fingertip has felt a place on the skin; tissue = bone where it lies under it, else skin;
-                   // value = how firm it is, N/mm
-  stylet_out,      // of the needle in the body; value = 0
-  stylet_in,       // put back; value = 0
-  manometer_on,    // the manometer is connected; value = 0
-  manometer_off,   // taken off; value = height of the column in it, mm of fluid
-  pressure_read,   // the column in the manometer has settled; value = its height, mm of fluid
-  fluid_collected  // each whole millilitre, and when the drip ends; value = collected in this insertion, mm^3
+  points_late,      // the needle is where a contact point is still being computed; value = mm past the point's place
+  palpated,         // a fingertip has felt a place on the skin; tissue = bone where it lies under it, else skin;
+                    // value = how firm it is, N/mm
+  stylet_out,       // of the needle in the body; value = 0
+  stylet_in,        // put back; value = 0
+  manometer_on,     // the manometer is connected; value = 0
+  manometer_off,    // taken off; value = height of the column in it, mm of fluid
+  pressure_read,    // the column in the manometer has settled; value = its height, mm of fluid
+  fluid_collected,  // each whole millilitre, and when the drip ends; value = collected in this insertion, mm^3
+  hand_lost,        // of a tracked hand: it is not seen any more, and the needle rests where it was; value = 0
+  hand_seen         // it is seen again, and the needle is where it is; value = s for which it was not
 };
 
 struct Event {

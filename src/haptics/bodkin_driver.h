@@ -45,6 +45,8 @@ enum {
 /* The last bit of a state's buttons is none that a finger presses: the hand has ended the session, as where a
  * recording is over or a window was closed. It stays set. */
 #define BODKIN_BUTTON_END (1u << 31)
+/* Nor is the one before it: where the hand is is not known, and the pose is the last one that was. */
+#define BODKIN_BUTTON_UNSEEN (1u << 30)
 
 /* Numbers of which nothing is known are 0. */
 typedef struct bodkin_abilities {

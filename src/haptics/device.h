@@ -68,6 +68,8 @@ struct DeviceState {
 
   // The hand has ended the session (BODKIN_BUTTON_END).
   bool ended() const noexcept { return (buttons >> 31U) != 0; }
+  // Where the hand is is not known (BODKIN_BUTTON_UNSEEN).
+  bool unseen() const noexcept { return (buttons >> 30U & 1U) != 0; }
 };
 
 }  // namespace bodkin::haptics

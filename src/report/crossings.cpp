@@ -167,6 +167,10 @@ std::string event_text(const forces::Event& event, const anatomy::TissueLibrary&
       return fmt::format("the manometer shows {:.1f} cm of fluid", 0.1 * event.value);
     case forces::EventKind::fluid_collected:
       return fmt::format("{:.1f} mL of fluid are collected", 0.001 * event.value);
+    case forces::EventKind::hand_lost:
+      return "the needle is not seen any more, it rests where it was";
+    case forces::EventKind::hand_seen:
+      return fmt::format("the needle is seen again, after {:.2f} s", event.value);
     case forces::EventKind::fault:
       break;
   }
@@ -181,7 +185,8 @@ bool is_notable(forces::EventKind kind) {
          kind == forces::EventKind::moving_body_failed || kind == forces::EventKind::fluid_returned ||
          kind == forces::EventKind::hub_contact || kind == forces::EventKind::needle_buckled ||
          kind == forces::EventKind::pressure_lost || kind == forces::EventKind::points_late ||
-         kind == forces::EventKind::palpated || kind == forces::EventKind::pressure_read;
+         kind == forces::EventKind::palpated || kind == forces::EventKind::pressure_read ||
+         kind == forces::EventKind::hand_seen;
 }
 
 std::vector<PlotBand> bands_of(std::span<const TissueCrossing> crossings, const anatomy::TissueLibrary& library) {

@@ -55,7 +55,9 @@ std::vector<std::uint8_t> events_bytes(std::span<const forces::Event> events) {
 
 // Until version 2 the force models told themselves when resistance was lost, some of them never and each by a rule of
 // its own; the simulation's rule (simulation/loss_of_resistance.h) says something else about the same forces.
+// Whether a tracked hand is seen the tick does not know.
 bool is_compared(const forces::Event& event, const Session& session) {
+  if (event.kind == forces::EventKind::hand_lost || event.kind == forces::EventKind::hand_seen) return false;
   return session.version >= 3 || event.kind != forces::EventKind::loss_of_resistance;
 }
 

@@ -31,17 +31,26 @@ bool DeviceChoice::is_mouse() const {
 }
 
 bool DeviceChoice::is_tracked() const {
-  return driver != nullptr && std::string_view(driver->name) == "openigtlink";
+  return driver != nullptr && (is_seen() || std::string_view(driver->name) == "openigtlink");
 }
 
-std::string settings_about(const Vec3& middle, const DeviceChoice& device) {
+bool DeviceChoice::is_seen() const {
+  return driver != nullptr && std::string_view(driver->name) == "tracked";
+}
+
+std::string settings_about(const Vec3& middle, const anatomy::NeedlePath& path, const DeviceChoice& device) {
   if (!device.is_tracked()) return device.settings;
-  return fmt::format("patient_x_mm={:.9g} patient_y_mm={:.9g} patient_z_mm={:.9g} {}", middle.x(), middle.y(),
-                     middle.z(), device.settings);
+  std::string words =
+      fmt::format("patient_x_mm={:.9g} patient_y_mm={:.9g} patient_z_mm={:.9g} ", middle.x(), middle.y(), middle.z());
+  if (device.is_seen()) {
+    words += fmt::format("entry_mm={:.9g},{:.9g},{:.9g} target_mm={:.9g},{:.9g},{:.9g} ", path.entry.x(),
+                         path.entry.y(), path.entry.z(), path.target.x(), path.target.y(), path.target.z());
+  }
+  return words + device.settings;
 }
 
 std::string settings_along(const anatomy::NeedlePath& path, const DeviceChoice& device) {
-  if (device.is_tracked()) return settings_about(workspace_about(path).centre, device);
+  if (device.is_tracked()) return settings_about(workspace_about(path).centre, path, device);
   if (!device.is_simulated()) return device.settings;
   constexpr double degrees = 180.0 / std::numbers::pi;
   const Vec3 line = workspace_about(path).rotation.transpose() * path.direction();  // right, away, up

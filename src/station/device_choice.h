@@ -19,8 +19,10 @@ struct DeviceChoice {
   bool is_recorded() const;
   // The window's mouse, a hand that the window plays: no person's hand feels its force.
   bool is_mouse() const;
-  // A tool of a tracker (link/tracking_driver.h), whose poses can be in the patient already.
+  // A tool of a tracker (link/tracking_driver.h) or before a camera, whose poses can be in the patient already.
   bool is_tracked() const;
+  // A real needle or probe over a mannequin, before a camera (tracking/tool_driver.h).
+  bool is_seen() const;
 };
 
 // The settings for a driver that performs along `path`: a simulated hand aims at it and goes to its end, unless the
@@ -28,8 +30,9 @@ struct DeviceChoice {
 std::string settings_along(const anatomy::NeedlePath& path, const DeviceChoice& device);
 
 // The choice's settings; before them, for a tool of a tracker, where in the patient (LPS mm) the middle of the
-// workspace lies, so that a pose in the patient is the needle's.
-std::string settings_about(const Vec3& middle, const DeviceChoice& device);
+// workspace lies, so that a pose in the patient is the needle's, and for one before a camera the path, which says how
+// the patient lies in a mannequin that was not registered.
+std::string settings_about(const Vec3& middle, const anatomy::NeedlePath& path, const DeviceChoice& device);
 
 // Completes what the device does not report with what share/bodkin/devices.csv knows of the model.
 void complete_from_table(haptics::DeviceAbilities& abilities);

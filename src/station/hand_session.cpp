@@ -11,6 +11,7 @@
 
 #include "core/latest_value.h"
 #include "core/single_producer_ring.h"
+#include "haptics/bodkin_driver.h"
 #include "simulation/haptic_tick.h"
 
 namespace bodkin::station {
@@ -65,6 +66,7 @@ struct HandSession::Shared {
     const Vec3 ahead = body == nullptr ? Vec3(Vec3::Zero()) : body->needle_ahead();
     publish_forces(record.input.needle, ahead);
     if (moving) keep_moving(record.output);
+    note_sight((input.buttons & BODKIN_BUTTON_UNSEEN) != 0, record.output);
     if (!closed.load(std::memory_order_acquire)) recorder.push(record);
     // After the tick itself, so that a recorded sample of the second hand has its tick before it.
     if (second) second->needle.write({static_cast<double>(ticks) * tick.dt(), record.output.tissue});
@@ -78,8 +80,8 @@ struct HandSession::Shared {
         corridor_left = false;
       if (event.kind == forces::EventKind::corridor_left) corridor_left = true;
     }
-    HandSnapshot now{ticks,         record.input.needle, ahead,          record.output,
-                     corridor_left, record.input.other,  numbers.taken()};
+    HandSnapshot now{ticks,         record.input.needle, ahead,           record.output,
+                     corridor_left, record.input.other,  numbers.taken(), unseen_for.has_value()};
     now.output.events.clear();
     snapshot.write(now);
     return {record.output.applied, 0.0};
@@ -105,6 +107,17 @@ struct HandSession::Shared {
     output.events.push({forces::EventKind::moving_body_failed, output.tissue, output.depth, 0.0});
   }
 
+  // After the tick's own events, for the tick does not know of it.
+  void note_sight(bool unseen, simulation::TickOutput& output) noexcept {
+    if (unseen) {
+      if (!unseen_for) output.events.push({forces::EventKind::hand_lost, output.tissue, output.depth, 0.0});
+      unseen_for = unseen_for.value_or(0.0) + tick.dt();
+    } else if (unseen_for) {
+      output.events.push({forces::EventKind::hand_seen, output.tissue, output.depth, *unseen_for});
+      unseen_for.reset();
+    }
+  }
+
   std::shared_ptr<const anatomy::Case> patient;
   simulation::HapticTick tick;
   FeltNumbers numbers{patient, tick};
@@ -119,6 +132,7 @@ struct HandSession::Shared {
   bool moving_failed = false;
   std::optional<AxialNeedle> axial;  // empty: the device renders force
   bool tick_in_tissue = false;       // after the tick before
+  std::optional<double> unseen_for;  // s for which a tracked hand has not been seen; empty: it is
   session::Recorder recorder;
   std::uint64_t ticks = 0;
   bool corridor_left = false;

@@ -45,6 +45,7 @@ struct HandSnapshot {
   bool corridor_left = false;        // the needle is past the contact points of its line: the force is not valid
   simulation::OtherHand other;       // of that tick
   std::uint32_t changes = 0;         // of the force models' numbers so far
+  bool unseen = false;               // a tracked hand is not seen: the needle rests where it was
 };
 
 // A person's hand on a device performs a procedure on a patient, and every tick is recorded. The constructor opens

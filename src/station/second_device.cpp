@@ -16,7 +16,7 @@ SecondDevice::SecondDevice(const SecondChoice& choice, const DeviceChoice& first
                            bool use_calibration)
     : choice_(choice),
       port_(*choice.device.driver, choice.device.identity,
-            settings_about(second_workspace(choice.role, path).centre, choice.device)),
+            settings_about(second_workspace(choice.role, path).centre, path, choice.device)),
       device_(port_.abilities()),
       link_(std::make_shared<session::SecondLink>()) {
   const bool one_driver = choice.device.driver == first.driver;

@@ -14,6 +14,7 @@
 #include "station/body_glide.h"
 #include "station/body_supervisor.h"
 #include "station/device_choice.h"
+#include "station/device_record.h"
 #include "station/followed_points.h"
 #include "station/guard_sentence.h"
 #include "station/node_field.h"
@@ -21,16 +22,15 @@
 #include "station/real_time_check.h"
 #include "station/recorded_hand.h"
 #include "station/scan_log.h"
+#include "station/sight_watch.h"
 #include "station/station_checks.h"
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "core/error.h"
 #include "haptics/calibration.h"
 #include "haptics/guard_event.h"
 #include "haptics/stable_stiffness.h"
 #include "imaging/ultrasound/acoustic_volume.h"
-#include "io/calibrations_file.h"
 
 namespace bodkin::station {
 
@@ -82,6 +82,7 @@ struct Station::Parts {
   std::unique_ptr<SecondHand> second;
   std::optional<BodySupervisor> supervisor;
   std::unique_ptr<HandSession> session;
+  SightWatch sight;
   bool second_runs = false, was_faulted = false;
   BodyGlide glide;
   Clock::time_point begin = Clock::now();
@@ -166,23 +167,7 @@ void Station::Parts::open_second(const haptics::DeviceAbilities& first) {
 session::SessionHeader Station::Parts::header() const {
   session::SessionHeader header = session::session_header(*patient, options.case_folder, path);
   header.operator_name = "hand";
-  header.operator_settings =
-      nlohmann::ordered_json{
-          {"device", device.name},
-          {"driver", options.device.driver->name},
-          {"identity", options.device.identity},
-          {"settings", options.device.settings},
-          {"scale", options.scale},
-          {"force_scale", options.force_scale},
-          {"delay_s", device.measured_delay.value_or(device.delay)},
-          {"delay_source", device.measured_delay ? "measured" : device.delay_source},
-          {"force_delay_s", stiffness.delay},
-          {"stiffness_N_per_mm", stiffness.weakest()},
-          {"stiffness_by_axis_N_per_mm", {stiffness.axis.x(), stiffness.axis.y(), stiffness.axis.z()}},
-          {"published_stiffness_N_per_mm", stiffness.published},
-          {"mannequin", mannequin_json(options.mannequin)},
-          {"calibration", calibration.empty() ? "" : io::calibrations_xml({&calibration, 1})}}
-          .dump();
+  header.operator_settings = device_record(options, device, stiffness, calibration);
   header.device = patient->description.device;
   if (second_device) header.second = second_device->header();
   if (options.ultrasound) header.ultrasound = options.ultrasound->probe;
@@ -258,6 +243,7 @@ void Station::Parts::add_summary(session::RunResult& run) const {
         fmt::format("the device ran at {:.0f} Hz instead of {:g}; the tissue's time was {:.2f} times the clock's",
                     rate, servo.rate, rate / servo.rate));
   }
+  if (std::string unseen = sight.summary(run.wall_time); !unseen.empty()) run.notes.push_back(std::move(unseen));
   if (scan != nullptr) {
     const std::uint64_t pictures = scan->picture().number;
     run.notes.push_back(fmt::format("{} ultrasound pictures, {:.0f} a second", pictures,
@@ -294,9 +280,7 @@ Station::Station(StationOptions options, StationObserver& observer) {
   }
   parts.session = std::make_unique<HandSession>(parts.patient, header, parts.options.output, parts.options.overwrite,
                                                 std::move(port), parts.device, parts.servo, std::move(link));
-  // The mouse is a hand of its own that tissue holds back, and a recording is to come back as it was.
-  const DeviceChoice& hand = parts.options.device;
-  if (parts.device.peak_force == 0.0 && !hand.is_recorded() && !hand.is_mouse()) parts.session->guide_along_axis();
+  if (moves_along_its_axis(parts.options.device, parts.device)) parts.session->guide_along_axis();
   if (parts.supervisor) parts.supervisor->attach(*parts.session);
   if (parts.scan != nullptr) parts.session->show_on(parts.scan);
   if (parts.points) parts.session->show_on(parts.points->display());
@@ -347,6 +331,8 @@ const StationStatus& Station::update() {
   status.diagnostic_names = parts.session->diagnostic_names();
   status.samples = parts.session->take_samples();
   status.events = parts.session->take_events();
+  if (const std::string lost = parts.sight.follow(status); !lost.empty())
+    parts.say(fmt::format("{:.1f} s: {}: {}", status.time, lost, parts.session->servo().explain()));
   if (parts.second_runs) status.second = SecondStatus{parts.second->role(), parts.second->snapshot()};
   if (status.servo.device.ended()) end();
   parts.disarm_second_on_fault();

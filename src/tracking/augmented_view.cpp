@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "tracking/station_footage.h"
 #include <fmt/format.h>
 
 #include "imaging/canvas.h"
@@ -75,24 +76,11 @@ void keep_in_front(const ShownBody& tool, const CameraModel& camera, const imagi
 }  // namespace
 
 Similarity placed_at(const anatomy::Case& patient, const Vec3& at) {
-  Vec3 entry = Vec3::Zero(), into = -Vec3::UnitY();
-  if (patient.description.procedure.path) {
-    entry = patient.description.procedure.path->entry;
-    into = patient.description.procedure.path->direction();
-  } else if (!patient.ct.empty()) {
-    entry = patient.ct.grid.to_patient(
-        0.5 * Vec3(patient.ct.grid.size[0] - 1, patient.ct.grid.size[1] - 1, patient.ct.grid.size[2] - 1));
-  }
-  // The mannequin's z is the path, its y the feet's direction as far as the path lets it.
-  Vec3 down = -Vec3::UnitZ() - into * into.dot(-Vec3::UnitZ());
-  if (down.norm() < 0.1) down = Vec3::UnitY() - into * into.y();
-  down.normalize();
-  Similarity made;
-  made.turn.row(0) = down.cross(into).transpose();
-  made.turn.row(1) = down.transpose();
-  made.turn.row(2) = into.transpose();
-  made.shift = at - made.turn * entry;
-  return made;
+  if (patient.description.procedure.path) return placed_along(*patient.description.procedure.path, at);
+  const anatomy::Grid& grid = patient.ct.grid;
+  Vec3 middle = Vec3::Zero();
+  if (!patient.ct.empty()) middle = grid.to_patient(0.5 * Vec3(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1));
+  return placed_along({middle, middle - Vec3::UnitY()}, at);
 }
 
 AugmentedView::AugmentedView(const anatomy::Case& patient, const CameraModel& camera,

@@ -87,8 +87,7 @@ class AugmentedView {
   int at_rest_ = 0;                           // pictures in a row
 };
 
-// The place of a patient before there is a registration: the entry of its path lies at `at` (mannequin frame, mm),
-// the path goes into the mannequin, and the patient's feet point down the board.
+// placed_along() the patient's path; without one its CT's middle lies there.
 Similarity placed_at(const anatomy::Case& patient, const Vec3& at);
 
 }  // namespace bodkin::tracking

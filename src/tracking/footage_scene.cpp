@@ -33,6 +33,18 @@ Pose pointing(const Vec3& origin, const Vec3& axis, double turned) {
   return pose;
 }
 
+constexpr double above_skin = 40.0;                 // mm, where a needle that follows a path begins
+constexpr double way_speed = 15.0;                  // mm/s
+constexpr double way_before = 0.5, way_rest = 1.5;  // s at rest above the skin, and at the end of the path
+
+// mm below the skin of a needle that follows a path.
+double depth_at(double time, double path) {
+  const double arrives = way_before + (above_skin + path) / way_speed;
+  const double going = std::clamp(way_speed * (time - way_before), 0.0, above_skin + path);
+  const double leaving = std::clamp(2.0 * way_speed * (time - arrives - way_rest), 0.0, above_skin + path);
+  return going - leaving - above_skin;
+}
+
 std::vector<Pose> places_at(double time, const SceneOptions& options, const std::vector<MarkerBody>& bodies) {
   Random random(options.seed);
   const double tilt = random.uniform(0.35, 0.5), turned = random.uniform(-0.06, 0.06);
@@ -43,9 +55,12 @@ std::vector<Pose> places_at(double time, const SceneOptions& options, const std:
                         Eigen::AngleAxisd(turned + 0.02 * swing * std::sin(0.5 * time), Vec3::UnitZ()))
                            .toRotationMatrix();
   // The needle goes in and out by 30 mm about 30 mm of depth, and its hub turns.
-  const double depth = 30.0 - 30.0 * std::cos(1.2 * swing * time + (options.still ? 1.5 : 0.0));
-  const Vec3 axis = Vec3(0.28, 0.42 + 0.04 * swing * std::sin(0.9 * time), 0.86).normalized();
-  const Vec3 tip = scene_skin() + Vec3(10.0, -15.0, 0.0) + depth * axis;
+  const double depth = options.path > 0.0 ? depth_at(time, options.path)
+                                          : 30.0 - 30.0 * std::cos(1.2 * swing * time + (options.still ? 1.5 : 0.0));
+  const Vec3 axis =
+      options.path > 0.0 ? Vec3::UnitZ() : Vec3(0.28, 0.42 + 0.04 * swing * std::sin(0.9 * time), 0.86).normalized();
+  const Vec3 entry = scene_skin() + (options.path > 0.0 ? Vec3(options.aside, 0.0, 0.0) : Vec3(10.0, -15.0, 0.0));
+  const Vec3 tip = entry + depth * axis;
   const Pose needle =
       mannequin * pointing(tip - axis * bodies[1].tip.norm(), axis, 0.5 + 0.6 * swing * std::sin(0.4 * time));
   const Vec3 probe_axis = Vec3(0.15, -0.45, 0.88).normalized();
@@ -55,6 +70,11 @@ std::vector<Pose> places_at(double time, const SceneOptions& options, const std:
 }
 
 }  // namespace
+
+double length_of_way(const SceneOptions& options) {
+  const double way = (above_skin + options.path) / way_speed;
+  return way_before + way + way_rest + 0.5 * way + way_before;
+}
 
 Vec3 scene_skin() {
   return {-235.0, 0.0, 6.0};

@@ -22,8 +22,15 @@ struct SceneOptions {
   double blur = 0.7;    // pixels
   double motion = 0.0;  // of the needle during an exposure, pixels
   bool still = false;   // nothing moves
+  // mm of a path that begins at scene_skin() and goes straight into the mannequin (placed_along): the needle comes
+  // from 40 mm above the skin, goes along it to its end at 15 mm/s, rests there for 1.5 s, and is withdrawn; `aside`
+  // mm beside it towards the mannequin's x. 0: it goes in and out at an angle.
+  double path = 0.0, aside = 0.0;
   FootageLook look;
 };
+
+// s from the beginning of such a needle's way to its end.
+double length_of_way(const SceneOptions& options);
 
 // The middle of the mannequin's skin, from the middle of its board (mannequin frame, mm).
 Vec3 scene_skin();

@@ -70,4 +70,18 @@ Pose tool_in_patient(const MarkerBody& body, const Pose& camera_from_body, const
   return tool;
 }
 
+Similarity placed_along(const anatomy::NeedlePath& path, const Vec3& at) {
+  const Vec3 into = path.direction();
+  // The mannequin's z is the path, its y the feet's direction as far as the path lets it.
+  Vec3 down = -Vec3::UnitZ() - into * into.dot(-Vec3::UnitZ());
+  if (down.norm() < 0.1) down = Vec3::UnitY() - into * into.y();
+  down.normalize();
+  Similarity made;
+  made.turn.row(0) = down.cross(into).transpose();
+  made.turn.row(1) = down.transpose();
+  made.turn.row(2) = into.transpose();
+  made.shift = at - made.turn * path.entry;
+  return made;
+}
+
 }  // namespace bodkin::tracking

@@ -11,6 +11,7 @@
 #include "tracking/picture_source.h"
 #include "tracking/registration.h"
 
+#include "anatomy/needle_path.h"
 #include "core/geometry.h"
 
 namespace bodkin::tracking {
@@ -42,5 +43,9 @@ std::string why_nothing_was_found(const std::string& source, const GreyPicture& 
 // that of the body as far as the axis lets it. All poses of one picture.
 Pose tool_in_patient(const MarkerBody& body, const Pose& camera_from_body, const Pose& camera_from_mannequin,
                      const Similarity& mannequin_from_patient);
+
+// The place of a patient before there is a registration: the entry of `path` lies at `at` (mannequin frame, mm), the
+// path goes into the mannequin, and the patient's feet point down the board.
+Similarity placed_along(const anatomy::NeedlePath& path, const Vec3& at);
 
 }  // namespace bodkin::tracking

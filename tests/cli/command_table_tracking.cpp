@@ -20,6 +20,8 @@ std::vector<CommandRow> tracking_commands() {
         {"--sharpening", Kind::number, {"-1", "2.1"}},
         {"--occlusion", Kind::number, {"-1", "0.91"}},
         {"--jpeg", Kind::whole, {"-1", "101"}},
+        {"--case", Kind::text},
+        {"--aside", Kind::number, {"-51", "51"}},
         {"--still", Kind::toggle}}},
       {"track",
        "somewhere",

@@ -6240,6 +6240,70 @@
         <translation>jedes Werkzeug eines Servers, den Sie nennen: localhost:18944/NeedleTipToReference</translation>
     </message>
     <message>
+        <source>no tool among the bodies is called "%1"; expected %2</source>
+        <translation>unter den Körpern heißt kein Werkzeug „%1“; erwartet: %2</translation>
+    </message>
+    <message>
+        <source>no marker of the %1 is seen; keep its markers in the picture</source>
+        <translation>vom Körper „%1“ ist kein Marker zu sehen; halten Sie seine Marker im Bild</translation>
+    </message>
+    <message>
+        <source>the %1 is seen badly, its pose is uncertain; hold it still, in better light</source>
+        <translation>der Körper „%1“ ist schlecht zu sehen, seine Lage ist unsicher; halten Sie ihn ruhig und in besserem Licht</translation>
+    </message>
+    <message>
+        <source>no marker of the mannequin's board is seen; keep it in the picture</source>
+        <translation>von der Tafel der Puppe ist kein Marker zu sehen; halten Sie sie im Bild</translation>
+    </message>
+    <message>
+        <source>the mannequin's board is seen badly, its pose is uncertain; uncover it</source>
+        <translation>die Tafel der Puppe ist schlecht zu sehen, ihre Lage ist unsicher; decken Sie sie auf</translation>
+    </message>
+    <message>
+        <source>the needle is not seen and rests where it was</source>
+        <translation>die Nadel ist nicht zu sehen und ruht, wo sie war</translation>
+    </message>
+    <message>
+        <source>the needle was not seen %1 time, %2 s in all; it rested where it was, and 'bodkin report' shows when</source>
+        <translation>die Nadel war %1 Mal nicht zu sehen, zusammen %2 s; sie ruhte, wo sie war, und „bodkin report“ zeigt, wann</translation>
+    </message>
+    <message>
+        <source>the needle was not seen %1 times, %2 s in all; it rested where it was, and 'bodkin report' shows when</source>
+        <translation>die Nadel war %1 Mal nicht zu sehen, zusammen %2 s; sie ruhte, wo sie war, und „bodkin report“ zeigt, wann</translation>
+    </message>
+    <message>
+        <source>the needle is not seen any more, it rests where it was</source>
+        <translation>die Nadel ist nicht mehr zu sehen, sie ruht, wo sie war</translation>
+    </message>
+    <message>
+        <source>the needle is seen again, after %1 s</source>
+        <translation>die Nadel ist wieder zu sehen, nach %1 s</translation>
+    </message>
+    <message>
+        <source>a real needle or probe with markers, seen by a camera; no force</source>
+        <translation>eine wirkliche Nadel oder Sonde mit Markern, von einer Kamera gesehen; keine Kraft</translation>
+    </message>
+    <message>
+        <source>a camera (/dev/video0), a video or a folder of pictures that you name</source>
+        <translation>eine Kamera (/dev/video0), ein Video oder ein Ordner von Bildern, den Sie nennen</translation>
+    </message>
+    <message>
+        <source>no pictures are named; expected a camera, a video or a folder, as tracked:/dev/video0</source>
+        <translation>es sind keine Bilder genannt; erwartet: eine Kamera, ein Video oder ein Ordner, wie tracked:/dev/video0</translation>
+    </message>
+    <message>
+        <source>the %1 was not seen in %2 pictures</source>
+        <translation>der Körper „%1“ war in %2 Bildern nicht zu sehen</translation>
+    </message>
+    <message>
+        <source>times that the tracked needle was not seen</source>
+        <translation>wie oft die verfolgte Nadel nicht zu sehen war</translation>
+    </message>
+    <message>
+        <source>time for which it was not seen</source>
+        <translation>wie lange sie nicht zu sehen war</translation>
+    </message>
+    <message>
         <source>the tool is '%1', expected a name of 1 to 20 letters, as in openigtlink:localhost:18944/NeedleTipToReference</source>
         <translation>das Werkzeug ist „%1“, erwartet: ein Name von 1 bis 20 Buchstaben, wie in openigtlink:localhost:18944/NeedleTipToReference</translation>
     </message>

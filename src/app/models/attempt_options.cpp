@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "link/tracking_driver.h"
 #include "station/recorded_hand.h"
 #include "station/ultrasound_request.h"
+#include "tracking/tool_driver.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -20,7 +22,9 @@ namespace {
 
 const bodkin_driver& driver_called(const std::string& name) {
   if (name.find('/') != std::string::npos) return haptics::load_plugin(name);
-  if (name == station::recorded_driver().name) return station::recorded_driver();
+  for (const bodkin_driver* driver :
+       {&station::recorded_driver(), &link::tracking_driver(), &tracking::tool_driver()})
+    if (name == driver->name) return *driver;
   const auto drivers = haptics::built_in_drivers();
   const auto found =
       std::find_if(drivers.begin(), drivers.end(), [&](const bodkin_driver* driver) { return name == driver->name; });

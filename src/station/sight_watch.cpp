@@ -1,0 +1,38 @@
+#include "station/sight_watch.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace bodkin::station {
+
+namespace {
+constexpr double a_moment = 0.5;  // s
+}
+
+std::string SightWatch::follow(const StationStatus& status) {
+  for (const session::SessionEvent& event : status.events) {
+    if (event.event.kind == forces::EventKind::hand_lost) {
+      ++times_;
+      is_unseen_ = true;
+      was_told_ = false;
+      since_ = status.time;
+    } else if (event.event.kind == forces::EventKind::hand_seen) {
+      unseen_ += event.event.value;
+      is_unseen_ = false;
+    }
+  }
+  if (!is_unseen_ || was_told_ || status.time - since_ < a_moment) return {};
+  was_told_ = true;
+  return "the needle is not seen and rests where it was";
+}
+
+std::string SightWatch::summary(double end) const {
+  if (times_ == 0) return {};
+  const double all = unseen_ + (is_unseen_ ? std::max(0.0, end - since_) : 0.0);
+  return fmt::format(
+      "the needle was not seen {} {}, {:.2f} s in all; it rested where it was, and 'bodkin report' shows when",
+      times_, times_ == 1 ? "time" : "times", all);
+}
+
+}  // namespace bodkin::station

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "station/station_observer.h"
+
+namespace bodkin::station {
+
+// Whether a tracked needle is seen, for the person: a moment passes without a word, half a second does not.
+class SightWatch {
+ public:
+  // Once a status. A sentence without its end when the needle has not been seen for that long; once for each time.
+  std::string follow(const StationStatus& status);
+  // Of the whole session, `end` s long by its ticks; empty: it was always seen.
+  std::string summary(double end) const;
+
+ private:
+  int times_ = 0;
+  double unseen_ = 0.0;  // s, of the times that are over
+  double since_ = 0.0;   // s, when the time began that is not
+  bool is_unseen_ = false, was_told_ = false;
+};
+
+}  // namespace bodkin::station

@@ -1,0 +1,181 @@
+// `bodkin perform CASE tracked:FOOTAGE`: a real needle that a camera sees, recorded and judged like any other hand.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <vector>
+
+#include "session/session_file.h"
+#include "tests/cli/bodkin_command.h"
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#ifdef BODKIN_HAS_TRACKING
+
+#include "tracking/footage_scene.h"
+#include "tracking/station_footage.h"
+#include <fmt/format.h>
+
+#include "core/files.h"
+#include "imaging/png_file.h"
+
+namespace bodkin_test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::bodkin::Pose;
+using ::bodkin::Vec3;
+using ::bodkin::forces::EventKind;
+using ::bodkin::session::Session;
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+class PerformTracked : public PatientCommand {
+ protected:
+  static void render(const std::string& name, const std::string& more) {
+    if (fs::exists(folder_ / name)) return;
+    const Outcome made =
+        bodkin("--quiet scene render " + name + " --case patient --rate 10 --width 640 --height 360 " + more);
+    ASSERT_EQ(made.exit_code, 0) << made.text();
+  }
+
+  static double metric(const json& score, const std::string& name) {
+    for (const json& each : score.at("metrics")) {
+      if (each.at("name") == name) return each.at("value").get<double>();
+    }
+    ADD_FAILURE() << "no metric " << name;
+    return -1.0;
+  }
+
+  // Where the footage says that the needle's tip was, and whether its picture was left as it was rendered.
+  struct Truth {
+    std::vector<double> time;
+    std::vector<Vec3> tip;
+  };
+  static Truth truth_of(const std::string& name, const ::bodkin::anatomy::NeedlePath& path) {
+    using namespace ::bodkin::tracking;
+    const Footage footage = open_footage(folder_ / name);
+    const std::vector<MarkerBody> bodies = read_bodies(folder_ / name / "bodies.json");
+    const auto place_of = [&](const std::string& body) {
+      return static_cast<std::size_t>(std::find(footage.bodies.begin(), footage.bodies.end(), body) -
+                                      footage.bodies.begin());
+    };
+    const auto needle =
+        std::find_if(bodies.begin(), bodies.end(), [](const MarkerBody& body) { return body.name == "needle"; });
+    Truth truth;
+    for (const FootageFrame& frame : footage.frames) {
+      truth.time.push_back(frame.time);
+      truth.tip.push_back(tool_in_patient(*needle, frame.camera_from_body[place_of("needle")],
+                                          frame.camera_from_body[place_of("mannequin")],
+                                          placed_along(path, scene_skin()))
+                              .translation());
+    }
+    return truth;
+  }
+  static Vec3 at(const Truth& truth, double time) {
+    const auto after = std::upper_bound(truth.time.begin(), truth.time.end(), time);
+    if (after == truth.time.end()) return truth.tip.back();
+    const auto i = static_cast<std::size_t>(after - truth.time.begin());
+    if (i == 0) return truth.tip.front();
+    const double share = (time - truth.time[i - 1]) / (truth.time[i] - truth.time[i - 1]);
+    return truth.tip[i - 1] + share * (truth.tip[i] - truth.tip[i - 1]);
+  }
+};
+
+TEST_F(PerformTracked, is_recorded_where_it_really_was_and_judged_by_the_procedure) {
+  render("along", "");
+  const Outcome outcome = bodkin("--json perform patient tracked:along -o along.bodkin");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.text();
+  const Session session = ::bodkin::session::read_session(folder_ / "along.bodkin");
+  EXPECT_TRUE(session.finished);
+  EXPECT_EQ(json::parse(session.header.operator_settings).at("driver"), "tracked");
+  const Truth truth = truth_of("along", session.header.path);
+  // By the ticks' own time, which is the footage's but for a late tick here and there.
+  double sum = 0.0, most = 0.0;
+  for (const auto& tick : session.ticks) {
+    const double off =
+        (tick.input.needle.translation() - at(truth, static_cast<double>(tick.tick) * session.header.dt)).norm();
+    sum += off * off;
+    most = std::max(most, off);
+  }
+  const double rms = std::sqrt(sum / static_cast<double>(session.ticks.size()));
+  EXPECT_LT(rms, 0.8) << "mm, at most " << most;
+  // Nothing holds a real needle on a line but the real mannequin: it is not moved along an axis by the simulation.
+  EXPECT_TRUE(std::none_of(session.events.begin(), session.events.end(),
+                           [](const auto& one) { return one.event.kind == EventKind::hand_lost; }));
+  const json score = json::parse(bodkin("--json score along.bodkin").output);
+  EXPECT_EQ(score.at("reached"), true);
+  EXPECT_EQ(score.at("final_position").at("tissue"), "cerebrospinal fluid");
+  // The footage's needle ends exactly on the target.
+  EXPECT_NEAR(metric(score, "final_axial_mm"), 0.0, 0.5);
+  EXPECT_NEAR(metric(score, "final_lateral_mm"), 0.0, 0.5);
+  EXPECT_EQ(metric(score, "times_unseen"), 0.0);
+  EXPECT_EQ(metric(score, "unseen_s"), 0.0);
+  EXPECT_EQ(bodkin("-q replay along.bodkin").exit_code, 0);
+  EXPECT_EQ(bodkin("-q report along.bodkin -o along.html").exit_code, 0);
+}
+
+TEST_F(PerformTracked, beside_the_path_it_misses_by_as_much_as_it_really_does) {
+  render("beside", "--aside 6");
+  ASSERT_EQ(bodkin("-q perform patient tracked:beside -o beside.bodkin").exit_code, 0);
+  const json score = json::parse(bodkin("--json score beside.bodkin").output);
+  EXPECT_NEAR(metric(score, "final_lateral_mm"), 6.0, 0.6);
+}
+
+TEST_F(PerformTracked, a_needle_that_is_hidden_rests_and_the_session_says_for_how_long) {
+  render("along", "");
+  fs::copy(folder_ / "along", folder_ / "hidden");
+  // On its way in, at 40 mm of the way that begins 40 mm above the skin: 1.2 s without a picture that shows anything.
+  for (int n = 40; n < 52; ++n) {
+    using namespace ::bodkin;
+    write_file(folder_ / "hidden" / fmt::format("frame_{:05}.png", n),
+               imaging::encode_png(imaging::ImageRgb(640, 360)));
+  }
+  const Outcome outcome = bodkin("perform patient tracked:hidden -o hidden.bodkin");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.text();
+  EXPECT_THAT(outcome.errors, HasSubstr("the needle was not seen 1 time"));
+  const Session session = ::bodkin::session::read_session(folder_ / "hidden.bodkin");
+  const Truth truth = truth_of("hidden", session.header.path);
+  bool unseen = false;
+  double seconds = 0.0;
+  auto event = session.events.begin();
+  const Vec3 last_seen = truth.tip[39];
+  for (const auto& tick : session.ticks) {
+    for (; event != session.events.end() && event->tick <= tick.tick; ++event) {
+      if (event->event.kind == EventKind::hand_lost) unseen = true;
+      if (event->event.kind == EventKind::hand_seen) {
+        unseen = false;
+        seconds = event->event.value;
+      }
+    }
+    const double time = static_cast<double>(tick.tick) * session.header.dt;
+    const Vec3 tip = tick.input.needle.translation();
+    if (time > 4.1 && time < 5.1) {
+      EXPECT_TRUE(unseen) << time;
+      EXPECT_LT((tip - last_seen).norm(), 1.0) << "it rests where it was seen last, at " << time;
+    }
+    if (!unseen) {
+      EXPECT_LT((tip - at(truth, time)).norm(), 2.5) << "never where it is not, at " << time;
+    }
+  }
+  EXPECT_NEAR(seconds, 1.3 + 0.07, 0.1) << "from the last picture to the first, and the way there";
+  const json score = json::parse(bodkin("--json score hidden.bodkin").output);
+  EXPECT_EQ(metric(score, "times_unseen"), 1.0);
+  EXPECT_NEAR(metric(score, "unseen_s"), seconds, 1e-9);
+  EXPECT_EQ(bodkin("-q replay hidden.bodkin").exit_code, 0);
+}
+
+TEST_F(PerformTracked, what_it_cannot_do_is_one_sentence) {
+  EXPECT_THAT(bodkin("perform patient tracked:/no/such -o x.bodkin").errors, HasSubstr("/no/such"));
+  const Outcome mannequin = bodkin("perform patient tracked:/no/such --mannequin placed.json -o x.bodkin");
+  EXPECT_EQ(mannequin.exit_code, 2);
+  EXPECT_THAT(mannequin.errors, HasSubstr("--settings registration=placed.json"));
+  EXPECT_FALSE(fs::exists(folder_ / "x.bodkin"));
+  const Outcome aside = bodkin("scene render nowhere --aside 3");
+  EXPECT_EQ(aside.exit_code, 2);
+  EXPECT_THAT(aside.errors, HasSubstr("add --case CASE"));
+}
+
+}  // namespace
+}  // namespace bodkin_test
+
+#endif

@@ -1,0 +1,123 @@
+// A real tool as the hand of a session: where it is, and what is refused.
+#include "tracking/tool_driver.h"
+
+#include <filesystem>
+#include <thread>
+
+#include "tracking/footage_scene.h"
+#include "tracking/tool_sightings.h"
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "core/files.h"
+#include "haptics/device_port.h"
+#include "imaging/png_file.h"
+
+namespace bodkin::tracking {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class ToolDriver : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = fs::temp_directory_path() / ("bodkin-tools-" + std::to_string(getpid()));
+    SceneOptions options;
+    options.frames = 4;
+    options.rate = 10.0;
+    options.width = 800;
+    options.height = 450;
+    options.still = true;
+    footage_ = render_scene(folder_ / "still", options);
+  }
+  static void TearDownTestSuite() { fs::remove_all(folder_); }
+
+  static std::string source() { return (folder_ / "still").string(); }
+  static Vec3 truth(const anatomy::NeedlePath& path, std::size_t body) {
+    const std::vector<MarkerBody> bodies = station_bodies();
+    const std::vector<Pose>& poses = footage_.frames[0].camera_from_body;
+    return tool_in_patient(bodies[body], poses[body], poses[0], placed_along(path, scene_skin())).translation();
+  }
+  static haptics::DeviceState state_after(haptics::DevicePort& port, int ticks) {
+    haptics::DeviceState state;
+    for (int n = 0; n < ticks; ++n) {
+      port.exchange({}, state);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return state;
+  }
+  static std::string refusal(const std::string& identity, const std::string& settings) {
+    try {
+      const haptics::DevicePort port(tool_driver(), identity, settings);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return {};
+  }
+
+  static inline fs::path folder_;
+  static inline Footage footage_;
+};
+
+// The operator stands at the feet of a prone patient: right is -x, away is z, up is y.
+Vec3 in_patient(const Vec3& hand, const Vec3& middle) {
+  return middle + Vec3(-hand.x(), hand.z(), hand.y());
+}
+
+TEST_F(ToolDriver, two_tools_of_one_source_are_where_they_really_were) {
+  const anatomy::NeedlePath path{{4.0, 80.0, -30.0}, {2.0, 30.0, -20.0}};
+  const std::string words = "entry_mm=4,80,-30 target_mm=2,30,-20 patient_x_mm=4 patient_y_mm=110 patient_z_mm=-30";
+  haptics::DevicePort needle(tool_driver(), source(), words);
+  haptics::DevicePort probe(tool_driver(), source(), words + " body=probe");
+  EXPECT_EQ(needle.abilities().peak_force, 0.0);
+  EXPECT_EQ(probe.abilities().name, "tracked probe");
+  needle.start();
+  probe.start();
+  const haptics::DeviceState of_needle = state_after(needle, 100), of_probe = state_after(probe, 100);
+  const Vec3 middle(4.0, 110.0, -30.0);
+  EXPECT_LT((in_patient(of_needle.hand.translation(), middle) - truth(path, 1)).norm(), 1.0);
+  EXPECT_LT((in_patient(of_probe.hand.translation(), middle) - truth(path, 2)).norm(), 1.0);
+  EXPECT_FALSE(of_needle.unseen());
+  EXPECT_TRUE(state_after(needle, 400).ended()) << "the footage is over";
+}
+
+TEST_F(ToolDriver, follows_what_a_window_tracks_already) {
+  const FootageFiles files{source(), "", "", 30.0};
+  auto shown = std::make_shared<ToolSightings>(station_bodies(), Similarity(), true);
+  announce(sightings_key(files, "", std::nullopt), shown);
+  std::vector<TrackedPose> poses(3);
+  for (TrackedPose& pose : poses) pose.status = TrackingStatus::ok;
+  shown->publish(poses, 1.0, 1.0);
+  std::jthread camera([&](const std::stop_token& stop) {
+    for (double time = 2.0; !stop.stop_requested(); time += 0.01) {
+      shown->publish(poses, time, time);
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  });
+  haptics::DevicePort port(tool_driver(), source(), "");
+  port.start();
+  const Vec3 tip = station_bodies()[1].tip;
+  EXPECT_LT((in_patient(state_after(port, 50).hand.translation(), Vec3::Zero()) - tip).norm(), 1e-6)
+      << "of the announced poses, not of the footage";
+}
+
+TEST_F(ToolDriver, says_in_one_sentence_what_is_wrong) {
+  EXPECT_THAT(refusal("", ""), HasSubstr("no pictures are named"));
+  EXPECT_THAT(refusal(source(), "body=scalpel"), HasSubstr("\"scalpel\"; expected needle, probe"));
+  EXPECT_THAT(refusal(source(), "registration=/no/such.json"), HasSubstr("/no/such.json"));
+  EXPECT_THAT(refusal(source(), "entry_mm=1,2"), HasSubstr("entry_mm"));
+  EXPECT_THAT(refusal("/dev/no_such_camera", fmt::format("camera={}/camera.json", source())),
+              HasSubstr("/dev/no_such_camera"));
+  // Pictures without a marker of ours.
+  const fs::path blank = folder_ / "blank";
+  fs::create_directories(blank);
+  for (const char* file : {"camera.json", "bodies.json"}) fs::copy_file(folder_ / "still" / file, blank / file);
+  write_file(blank / "frame_00000.png", imaging::encode_png(colour_of(GreyPicture(800, 450))));
+  EXPECT_THAT(refusal(blank.string(), ""), HasSubstr("the needle was not seen in 1 pictures"));
+}
+
+}  // namespace
+}  // namespace bodkin::tracking
