@@ -210,6 +210,34 @@ TEST(Score, speed_in_the_ligament_is_judged_and_its_sudden_yield_is_not) {
   EXPECT_THAT(sentences(fast), HasSubstr("Slow down as soon as you feel the ligamentum flavum"));
 }
 
+// The technique that acupuncture asks for is to be shown, and to the depth of the point.
+TEST(Score, acupuncture_without_its_technique_is_no_pass) {
+  const training::Procedure procedure = find_procedure("acupuncture");
+  const auto needled = [](int thrusts, double depth, double twirl_deg) {
+    WrittenSession written;
+    written.to(0, 500, WrittenSession::air).event(EventKind::contact, tissue::skin).to(depth, 3000, {});
+    for (int n = 0; n < thrusts; ++n) written.to(depth - 5.0, 1000, {}).to(depth, 1000, {});
+    auto& ticks = written.session().ticks;
+    for (std::size_t i = 3600; i < ticks.size(); ++i) {
+      const double angle =
+          0.5 * twirl_deg * degree * std::sin(2.0 * EIGEN_PI * 0.001 * static_cast<double>(i - 3600));
+      ticks[i].input.needle.rotate(Eigen::AngleAxisd(angle, Vec3::UnitZ()));
+    }
+    written.to(50, 800, {}).rest(1000, {});
+    return written;
+  };
+  WrittenSession whole = needled(4, 50.0, 180.0), still = needled(0, 50.0, 0.0), shallow = needled(4, 44.0, 180.0);
+  const Score passed = score_of(whole, procedure);
+  EXPECT_EQ(passed.verdict, Grade::pass) << sentences(passed);
+  const Score nothing = score_of(still, procedure);
+  EXPECT_EQ(nothing.verdict, Grade::borderline);
+  EXPECT_THAT(sentences(nothing), HasSubstr("You did not lift and thrust the needle.\n"));
+  EXPECT_THAT(sentences(nothing), HasSubstr("You did not twirl the needle.\n"));
+  const Score short_of_it = score_of(shallow, procedure);
+  EXPECT_EQ(short_of_it.verdict, Grade::borderline) << sentences(short_of_it);
+  EXPECT_THAT(sentences(short_of_it), HasSubstr("Let each thrust end at the depth of the point."));
+}
+
 TEST(Score, the_verdict_is_the_worst_finding) {
   Random random(11);
   for (int trial = 0; trial < 60; ++trial) {

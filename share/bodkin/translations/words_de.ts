@@ -2780,6 +2780,18 @@
         <translation>Mit einem Schallkopf: Suchen Sie die Dornfortsätze von L5, L4 und L3 und den Zwischenraum auf, dann richten Sie die Nadel darauf aus.</translation>
     </message>
     <message>
+        <source>You did not lift and thrust the needle.</source>
+        <translation>Sie haben die Nadel nicht gehoben und gesenkt.</translation>
+    </message>
+    <message>
+        <source>You did not twirl the needle.</source>
+        <translation>Sie haben die Nadel nicht gedreht.</translation>
+    </message>
+    <message>
+        <source>Let each thrust end at the depth of the point.</source>
+        <translation>Lassen Sie jeden Stoß in der Tiefe des Punkts enden.</translation>
+    </message>
+    <message>
         <source>structures of the procedure that the ultrasound showed</source>
         <translation>Strukturen des Eingriffs, die der Ultraschall zeigte</translation>
     </message>
