@@ -18,6 +18,7 @@
 #include "training/score_json.h"
 #include "training/simulated_attempt.h"
 #include "training/simulated_probe.h"
+#include "training/surface_voxels.h"
 #include "training/trainee.h"
 
 namespace bodkin::training {
@@ -62,6 +63,11 @@ class Cohort {
       const bool is_done = !blocks_[trainee].empty();
       result_.continued += is_done ? 1 : 0;
       if (!is_done && trainee % settings_.part.count == settings_.part.index) missing.push_back(trainee);
+    }
+    for (const CohortStage& stage : settings_.stages) {
+      const anatomy::Case& patient = *stage.patient;
+      surfaces_.push_back(surfaces_of({&patient.structures, &patient.tissues}, patient.description, patient.library,
+                                      stage.procedure));
     }
     stream_.open(partial_, std::ios::binary | std::ios::app);
     parallel_for(
@@ -156,7 +162,7 @@ class Cohort {
         session::Session session = simulate_attempt(*here.patient, script, here.path, chance);
         if (asks_for_probe(here.procedure)) hold_probe(session, script, chance);
         const Score result = score(session, here.patient->description, here.procedure,
-                                   {&here.patient->structures, &here.patient->tissues});
+                                   {&here.patient->structures, &here.patient->tissues, &surfaces_[stage]});
         rows +=
             fmt::format("{},{},{},{},{}\n", number, stage + 1, attempt, number_text(skill), score_csv_fields(result));
         attempts.push_back({static_cast<int>(stage + 1), result.verdict, score_points(result)});
@@ -213,6 +219,7 @@ class Cohort {
   std::vector<Block> blocks_;  // by trainee; empty: not done
   std::mutex lock_;            // guards stream_
   std::ofstream stream_;
+  std::vector<PatientSurfaces> surfaces_;  // by stage
   CohortResult result_;
 };
 

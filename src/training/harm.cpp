@@ -25,6 +25,19 @@ std::string spoken_name(std::string name) {
   return name;
 }
 
+const Forbidden* rule_about(const std::string& structure, const Procedure& procedure) {
+  for (const Forbidden& each : procedure.forbidden)
+    if (each.structure == structure) return &each;
+  return nullptr;
+}
+
+std::set<std::uint16_t> guarded_labels(const anatomy::CaseDescription& description, const Procedure& procedure) {
+  std::set<std::uint16_t> guarded;
+  for (const anatomy::Structure& each : description.structures)
+    if (each.critical || rule_about(each.name, procedure) != nullptr) guarded.insert(each.label);
+  return guarded;
+}
+
 class HarmSearch {
  public:
   HarmSearch(const Attempt& attempt, const Procedure& procedure, const PatientVolumes& volumes)
@@ -48,12 +61,6 @@ class HarmSearch {
   }
 
  private:
-  const Forbidden* rule_about(const std::string& structure) const {
-    for (const Forbidden& each : procedure_.forbidden)
-      if (each.structure == structure) return &each;
-    return nullptr;
-  }
-
   bool forbids_tissue(const std::string& tissue) const {
     return !tissue.empty() && std::any_of(procedure_.forbidden.begin(), procedure_.forbidden.end(),
                                           [&](const Forbidden& each) { return each.tissue == tissue; });
@@ -75,9 +82,7 @@ class HarmSearch {
   }
 
   void structures() {
-    std::set<std::uint16_t> guarded;
-    for (const anatomy::Structure& each : attempt_.description().structures)
-      if (each.critical || rule_about(each.name) != nullptr) guarded.insert(each.label);
+    const std::set<std::uint16_t> guarded = guarded_labels(attempt_.description(), procedure_);
     if (guarded.empty()) return;
     const bool can_look = volumes_.structures != nullptr && !volumes_.structures->empty();
     const std::set<std::uint16_t> aim = can_look ? meant(guarded) : std::set<std::uint16_t>();
@@ -87,7 +92,7 @@ class HarmSearch {
         if (!forbids_tissue(each.tissue)) report_.unchecked.push_back(spoken_name(each.name));
         continue;
       }
-      const Forbidden* rule = rule_about(each.name);
+      const Forbidden* rule = rule_about(each.name, procedure_);
       Forbidden forbidden;
       if (rule != nullptr) forbidden = *rule;
       if (forbidden.title.empty()) forbidden.title = "the " + spoken_name(each.name);
@@ -97,9 +102,11 @@ class HarmSearch {
       const auto distance = [&](const Vec3& tip) {
         return distance_to_value(*volumes_.structures, tip, each.label, forbidden.margin);
       };
-      if (!structure_surfaces_) structure_surfaces_.emplace(*volumes_.structures, guarded, way_);
+      if (volumes_.surfaces == nullptr && !structure_surfaces_)
+        structure_surfaces_.emplace(*volumes_.structures, guarded);
+      const auto& surfaces = volumes_.surfaces != nullptr ? volumes_.surfaces->structures : *structure_surfaces_;
       look_for(forbidden, true, is_in, distance);
-      measure_distance(forbidden, structure_surfaces_->nearest_to(each.label, way_));
+      measure_distance(forbidden, surfaces.nearest_to(each.label, way_));
     }
   }
 
@@ -120,8 +127,10 @@ class HarmSearch {
       };
       look_for(forbidden, false, is_in, distance);
       if (!can_look) continue;
-      if (!tissue_surfaces_) tissue_surfaces_.emplace(*volumes_.tissues, forbidden_tissues(), way_);
-      measure_distance(forbidden, tissue_surfaces_->nearest_to(*id, way_));
+      if (volumes_.surfaces == nullptr && !tissue_surfaces_)
+        tissue_surfaces_.emplace(*volumes_.tissues, forbidden_tissues());
+      const auto& surfaces = volumes_.surfaces != nullptr ? volumes_.surfaces->tissues : *tissue_surfaces_;
+      measure_distance(forbidden, surfaces.nearest_to(*id, way_));
     }
   }
 
@@ -214,6 +223,14 @@ void require_known_tissue(const std::string& tissue, const Procedure& procedure)
       "the procedure {} names the tissue '{}', which neither the session's patient nor Bodkin knows; correct "
       "the name",
       procedure.name, tissue));
+}
+
+PatientSurfaces surfaces_of(const PatientVolumes& volumes, const anatomy::CaseDescription& description,
+                            const anatomy::TissueLibrary& library, const Procedure& procedure) {
+  std::set<std::uint8_t> tissues;
+  for (const Forbidden& each : procedure.forbidden)
+    if (const anatomy::TissueProperties* tissue = library.find(each.tissue)) tissues.insert(tissue->id);
+  return {{*volumes.structures, guarded_labels(description, procedure)}, {*volumes.tissues, tissues}};
 }
 
 HarmReport find_harm(const Attempt& attempt, const Procedure& procedure, const PatientVolumes& volumes) {

@@ -24,11 +24,18 @@ struct Harm {
   double closest = 0.0;      // mm from the tip; 0 when entered
 };
 
-// The voxels of the patient, for what a session does not keep. Either may be null.
+struct PatientSurfaces;
+
+// The voxels of the patient, for what a session does not keep. Any may be null.
 struct PatientVolumes {
   const anatomy::LabelVolume* structures = nullptr;
   const anatomy::TissueVolume* tissues = nullptr;
+  const PatientSurfaces* surfaces = nullptr;  // of both, by surfaces_of(), where many attempts are measured
 };
+
+// The surfaces of what a procedure and the case forbid. Both volumes of `volumes` must be there.
+PatientSurfaces surfaces_of(const PatientVolumes& volumes, const anatomy::CaseDescription& description,
+                            const anatomy::TissueLibrary& library, const Procedure& procedure);
 
 // How near the tip came to something that it must not enter, however far that was.
 struct ForbiddenDistance {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace bodkin::training {
 
@@ -11,35 +12,7 @@ namespace {
 
 constexpr double cell = 0.5;            // mm
 constexpr std::size_t coarse_step = 8;  // points of a way
-
-struct IndexBox {
-  std::array<int, 3> low{}, high{};  // both within the volume
-  bool empty = true;
-};
-
-// The voxels within `reach` mm of a way.
-IndexBox box_around(const anatomy::Grid& grid, const std::vector<WayPoint>& way, double reach) {
-  IndexBox box;
-  if (way.empty()) return box;
-  Vec3 least = Vec3::Constant(std::numeric_limits<double>::infinity()), most = -least;
-  for (const WayPoint& each : way) {
-    const Vec3 index = grid.to_index(each.tip);
-    least = least.cwiseMin(index);
-    most = most.cwiseMax(index);
-  }
-  box.empty = false;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto at = static_cast<std::size_t>(axis);
-    const double voxels = reach / grid.spacing[axis] + 1.0, last = grid.size[at] - 1;
-    const double low = std::max(0.0, std::floor(least[axis] - voxels));
-    const double high = std::min(last, std::ceil(most[axis] + voxels));
-    if (!(low <= high)) box.empty = true;
-    if (box.empty) return box;
-    box.low[at] = static_cast<int>(low);
-    box.high[at] = static_cast<int>(high);
-  }
-  return box;
-}
+constexpr int block_side = 8;           // voxels
 
 template <typename Voxel>
 bool is_on_surface(const anatomy::Volume<Voxel>& volume, int i, int j, int k) {
@@ -71,36 +44,66 @@ std::vector<WayPoint> way_in_body(const Attempt& attempt) {
 }
 
 template <typename Voxel>
-SurfaceVoxels<Voxel>::SurfaceVoxels(const anatomy::Volume<Voxel>& volume, const std::set<Voxel>& labels,
-                                    const std::vector<WayPoint>& way)
+SurfaceVoxels<Voxel>::SurfaceVoxels(const anatomy::Volume<Voxel>& volume, const std::set<Voxel>& labels)
     : grid_(volume.grid) {
-  const IndexBox box = box_around(grid_, way, farthest);
-  if (box.empty) return;
   std::vector<char> wanted(std::size_t{std::numeric_limits<Voxel>::max()} + 1, 0);
   for (const Voxel label : labels) wanted[label] = 1;
-  for (int k = box.low[2]; k <= box.high[2]; ++k) {
-    for (int j = box.low[1]; j <= box.high[1]; ++j) {
-      for (int i = box.low[0]; i <= box.high[0]; ++i) {
-        const Voxel label = volume.at(i, j, k);
-        if (wanted[label] != 0 && is_on_surface(volume, i, j, k)) indices_[label].emplace_back(i, j, k);
+  std::map<std::pair<Voxel, std::array<int, 3>>, std::vector<Index>> cells;
+  for (int k = 0; k < grid_.size[2]; ++k) {
+    for (int j = 0; j < grid_.size[1]; ++j) {
+      const Voxel* const row = &volume.voxels[grid_.offset(0, j, k)];
+      for (int i = 0; i < grid_.size[0]; ++i) {
+        const Voxel label = row[i];
+        if (wanted[label] == 0 || !is_on_surface(volume, i, j, k)) continue;
+        cells[{label, {i / block_side, j / block_side, k / block_side}}].push_back(
+            {static_cast<std::int16_t>(i), static_cast<std::int16_t>(j), static_cast<std::int16_t>(k)});
       }
     }
+  }
+  for (auto& [place, voxels] : cells) {
+    Block block{voxels.front(), voxels.front(), {}};
+    for (const Index& voxel : voxels) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        block.low[axis] = std::min(block.low[axis], voxel[axis]);
+        block.high[axis] = std::max(block.high[axis], voxel[axis]);
+      }
+    }
+    block.voxels = std::move(voxels);
+    blocks_[place.first].push_back(std::move(block));
   }
 }
 
 template <typename Voxel>
-std::optional<NearestVoxel> SurfaceVoxels<Voxel>::nearest_to(Voxel label, const std::vector<WayPoint>& way) const {
-  const auto place = indices_.find(label);
-  if (place == indices_.end()) return std::nullopt;
-  const auto distance_at = [&](std::size_t p) {
-    const Vec3 index = grid_.to_index(way[p].tip);
-    double here = std::numeric_limits<double>::infinity();
-    for (const Vec3& voxel : place->second) {
-      const Vec3 beyond = ((voxel - index).cwiseAbs().array() - 0.5).max(0.0);
-      here = std::min(here, beyond.cwiseProduct(grid_.spacing).squaredNorm());
+double SurfaceVoxels<Voxel>::distance_to(const std::vector<Block>& blocks, const Vec3& index) const {
+  // Square of mm to the box from the voxel `low` to the voxel `high`.
+  const auto square_to = [&](const Index& low, const Index& high) {
+    double square = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double x = index[static_cast<Eigen::Index>(axis)];
+      const double beyond = std::max({0.0, low[axis] - 0.5 - x, x - high[axis] - 0.5});
+      square += beyond * beyond * grid_.spacing[static_cast<Eigen::Index>(axis)] *
+                grid_.spacing[static_cast<Eigen::Index>(axis)];
     }
-    return std::sqrt(here);
+    return square;
   };
+  const auto nearest_block = std::min_element(blocks.begin(), blocks.end(), [&](const Block& a, const Block& b) {
+    return square_to(a.low, a.high) < square_to(b.low, b.high);
+  });
+  double least = std::numeric_limits<double>::infinity();
+  const auto look_at = [&](const Block& block) {
+    for (const Index& voxel : block.voxels) least = std::min(least, square_to(voxel, voxel));
+  };
+  look_at(*nearest_block);
+  for (const Block& block : blocks)
+    if (square_to(block.low, block.high) < least) look_at(block);
+  return std::sqrt(least);
+}
+
+template <typename Voxel>
+std::optional<NearestVoxel> SurfaceVoxels<Voxel>::nearest_to(Voxel label, const std::vector<WayPoint>& way) const {
+  const auto place = blocks_.find(label);
+  if (place == blocks_.end()) return std::nullopt;
+  const auto distance_at = [&](std::size_t p) { return distance_to(place->second, grid_.to_index(way[p].tip)); };
   NearestVoxel found{.distance = farthest, .point = way.size()};
   const auto take = [&](std::size_t p, double distance) {
     if (distance < found.distance) found = {distance, p};

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
@@ -23,25 +25,39 @@ struct NearestVoxel {
   std::size_t point = 0;  // of the way, index
 };
 
-// The voxels of some labels that border on another label, near a way: nothing of a label is nearer to a point outside
-// it than these are.
+// The voxels of some labels that border on another label: nothing of a label is nearer to a point outside it than
+// these are. They lie in blocks, of which those that are too far away are passed over.
 template <typename Voxel>
 class SurfaceVoxels {
  public:
   static constexpr double farthest = 100.0;  // mm from the way; what is farther away counts as absent
 
-  SurfaceVoxels(const anatomy::Volume<Voxel>& volume, const std::set<Voxel>& labels,
-                const std::vector<WayPoint>& way);
+  SurfaceVoxels(const anatomy::Volume<Voxel>& volume, const std::set<Voxel>& labels);
 
   // Of the way and a label's voxels, the pair that is nearest; nothing where none is within `farthest`.
   std::optional<NearestVoxel> nearest_to(Voxel label, const std::vector<WayPoint>& way) const;
 
  private:
+  using Index = std::array<std::int16_t, 3>;
+  struct Block {
+    Index low{}, high{};  // the box around its voxels
+    std::vector<Index> voxels;
+  };
+
+  // mm from a continuous index to the box of the nearest voxel.
+  double distance_to(const std::vector<Block>& blocks, const Vec3& index) const;
+
   anatomy::Grid grid_;
-  std::map<Voxel, std::vector<Vec3>> indices_;
+  std::map<Voxel, std::vector<Block>> blocks_;
 };
 
 extern template class SurfaceVoxels<std::uint16_t>;
 extern template class SurfaceVoxels<std::uint8_t>;
+
+// Of a patient: what many attempts are measured by, found once.
+struct PatientSurfaces {
+  SurfaceVoxels<std::uint16_t> structures;
+  SurfaceVoxels<std::uint8_t> tissues;
+};
 
 }  // namespace bodkin::training

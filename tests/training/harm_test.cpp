@@ -147,7 +147,7 @@ TEST(Harm, the_nearest_voxel_of_a_way_is_that_of_all_pairs) {
     tip += Vec3(random.normal(), random.normal() - 0.1, random.normal()) * 0.6;
     way.push_back({tip, i});
   }
-  const SurfaceVoxels<std::uint16_t> surfaces(volume, {1, 2, 3, 4, 5}, way);
+  const SurfaceVoxels<std::uint16_t> surfaces(volume, {1, 2, 3, 4, 5});
   for (std::uint16_t label = 1; label <= 5; ++label) {
     double least = SurfaceVoxels<std::uint16_t>::farthest;
     for (const WayPoint& each : way) least = std::min(least, distance_to_value(volume, each.tip, label, least));
