@@ -191,6 +191,8 @@ constexpr std::array table = {
     KeyBinding{KeyScope::ultrasound, "S", Command::of_the_view, BODKIN_TEXT_OF("save the picture"), false},
     KeyBinding{KeyScope::ultrasound, "H", Command::of_the_view, BODKIN_TEXT_OF("all of this in the picture"), false},
     KeyBinding{KeyScope::camera, "Space", Command::of_the_page, BODKIN_TEXT_OF("start, pause, go on"), false},
+    KeyBinding{KeyScope::camera, "R", Command::of_the_page,
+               BODKIN_TEXT_OF("record a session with the tracked needle, end it"), false},
     KeyBinding{KeyScope::camera, "P", Command::of_the_page, BODKIN_TEXT_OF("bone, soft tissue, skin, vessels"),
                false},
     KeyBinding{KeyScope::camera, "+", Command::of_the_page, BODKIN_TEXT_OF("a larger view into the mannequin"),

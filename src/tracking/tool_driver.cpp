@@ -3,8 +3,11 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -79,6 +82,20 @@ OpenCameras& open_cameras() {
   return cameras;
 }
 
+// What a camera is opened with, and where its mannequin lies.
+std::string key_of(const ToolSettings& settings) {
+  const auto whole = [](const std::filesystem::path& file) {
+    std::error_code code;
+    return file.empty() ? std::string() : std::filesystem::weakly_canonical(file, code).string();
+  };
+  std::string key = fmt::format("{}|{}|{}|{}", whole(settings.files.source), whole(settings.files.camera),
+                                whole(settings.files.bodies), whole(settings.registration));
+  if (!settings.registration.empty() || !settings.path) return key;
+  for (const Vec3& point : {settings.path->entry, settings.path->target})
+    key += fmt::format("|{:.3f},{:.3f},{:.3f}", point.x(), point.y(), point.z());
+  return key;
+}
+
 Similarity place_of(const ToolSettings& settings) {
   if (!settings.registration.empty()) return read_registration(settings.registration).fixed_from_moving;
   return placed_along(settings.path.value_or(anatomy::NeedlePath{Vec3::Zero(), -Vec3::UnitY()}), scene_skin());
@@ -91,9 +108,9 @@ struct ToolSource {
 };
 
 ToolSource open_source_of(const ToolSettings& settings, bool anew) {
-  const std::string key = sightings_key(settings.files, settings.registration, settings.path);
+  const std::string key = key_of(settings);
   const std::lock_guard guard(open_cameras().lock);
-  if (std::shared_ptr<ToolSightings> shown = announced(key)) return {nullptr, std::move(shown)};
+  if (std::shared_ptr<ToolSightings> shown = announced(settings.files.source)) return {nullptr, std::move(shown)};
   std::erase_if(open_cameras().all, [](const auto& each) { return each.second.expired(); });
   for (const auto& [name, held] : open_cameras().all) {
     if (anew || name != key) continue;
@@ -217,21 +234,6 @@ struct Tracked {
 const bodkin_driver& tool_driver() noexcept {
   static constexpr bodkin_driver driver = haptics::driver_of<Tracked>();
   return driver;
-}
-
-std::string sightings_key(const FootageFiles& files, const std::filesystem::path& registration,
-                          const std::optional<anatomy::NeedlePath>& path) {
-  const auto whole = [](const std::filesystem::path& file) {
-    std::error_code code;
-    return file.empty() ? std::string() : std::filesystem::weakly_canonical(file, code).string();
-  };
-  std::string key =
-      fmt::format("{}|{}|{}|{}", whole(files.source), whole(files.camera), whole(files.bodies), whole(registration));
-  if (registration.empty() && path) {
-    for (const Vec3& point : {path->entry, path->target})
-      key += fmt::format("|{:.3f},{:.3f},{:.3f}", point.x(), point.y(), point.z());
-  }
-  return key;
 }
 
 }  // namespace bodkin::tracking

@@ -29,12 +29,17 @@ Unseen why_unseen(TrackingStatus status, Unseen lost, Unseen uncertain) {
 
 struct Announcements {
   std::mutex lock;
-  std::map<std::string, std::weak_ptr<ToolSightings>> by_key;
+  std::map<std::string, std::weak_ptr<ToolSightings>> by_source;
 };
 
 Announcements& announcements() {
   static Announcements all;
   return all;
+}
+
+std::string whole_name(const std::string& source) {
+  std::error_code code;
+  return std::filesystem::weakly_canonical(source, code).string();
 }
 
 }  // namespace
@@ -170,16 +175,16 @@ void ToolSightings::end(const std::string& failure) {
   }
 }
 
-void announce(const std::string& key, const std::shared_ptr<ToolSightings>& sightings) {
+void announce(const std::string& source, const std::shared_ptr<ToolSightings>& sightings) {
   const std::lock_guard guard(announcements().lock);
-  std::erase_if(announcements().by_key, [](const auto& entry) { return entry.second.expired(); });
-  announcements().by_key[key] = sightings;
+  std::erase_if(announcements().by_source, [](const auto& entry) { return entry.second.expired(); });
+  announcements().by_source[whole_name(source)] = sightings;
 }
 
-std::shared_ptr<ToolSightings> announced(const std::string& key) {
+std::shared_ptr<ToolSightings> announced(const std::string& source) {
   const std::lock_guard guard(announcements().lock);
-  const auto found = announcements().by_key.find(key);
-  return found == announcements().by_key.end() ? nullptr : found->second.lock();
+  const auto found = announcements().by_source.find(whole_name(source));
+  return found == announcements().by_source.end() ? nullptr : found->second.lock();
 }
 
 }  // namespace bodkin::tracking

@@ -120,9 +120,9 @@ class ToolSightings {
   std::optional<std::string> end_;
 };
 
-// A place where followers find the sightings of pictures that are already being tracked in this program, by what they
-// are opened with: a camera can be opened once. Any thread.
-void announce(const std::string& key, const std::shared_ptr<ToolSightings>& sightings);
-std::shared_ptr<ToolSightings> announced(const std::string& key);  // null: nobody tracks them
+// Where followers find the sightings of pictures that a window of this program is tracking already, by their source:
+// a camera can be opened once. Any thread.
+void announce(const std::string& source, const std::shared_ptr<ToolSightings>& sightings);
+std::shared_ptr<ToolSightings> announced(const std::string& source);  // null: nobody tracks them
 
 }  // namespace bodkin::tracking

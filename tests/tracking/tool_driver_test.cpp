@@ -85,12 +85,12 @@ TEST_F(ToolDriver, two_tools_of_one_source_are_where_they_really_were) {
 }
 
 TEST_F(ToolDriver, follows_what_a_window_tracks_already) {
-  const FootageFiles files{source(), "", "", 30.0};
   auto shown = std::make_shared<ToolSightings>(station_bodies(), Similarity(), true);
-  announce(sightings_key(files, "", std::nullopt), shown);
+  announce(source(), shown);
   std::vector<TrackedPose> poses(3);
   for (TrackedPose& pose : poses) pose.status = TrackingStatus::ok;
   shown->publish(poses, 1.0, 1.0);
+  EXPECT_EQ(announced((folder_ / "still" / ".." / "still").string()), shown);
   std::jthread camera([&](const std::stop_token& stop) {
     for (double time = 2.0; !stop.stop_requested(); time += 0.01) {
       shown->publish(poses, time, time);

@@ -305,6 +305,26 @@
 <context>
     <name>CameraPage</name>
     <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>A session with the tracked needle: recorded, judged and kept; again: it ends (R)</source>
+        <translation>Eine Sitzung mit der verfolgten Nadel: aufgezeichnet, beurteilt und aufbewahrt; noch einmal: sie endet (R)</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Rückblick</translation>
+    </message>
+    <message>
+        <source>See the session again, moment by moment</source>
+        <translation>Die Sitzung noch einmal sehen, Augenblick für Augenblick</translation>
+    </message>
+    <message>
         <source>The camera's picture</source>
         <translation>Das Bild der Kamera</translation>
     </message>
@@ -807,6 +827,10 @@
     <message>
         <source>start, pause, go on</source>
         <translation>beginnen, anhalten, weiter</translation>
+    </message>
+    <message>
+        <source>record a session with the tracked needle, end it</source>
+        <translation>eine Sitzung mit der verfolgten Nadel aufnehmen, sie beenden</translation>
     </message>
     <message>
         <source>a larger view into the mannequin</source>

@@ -6316,6 +6316,26 @@
         <translation>wie lange sie nicht zu sehen war</translation>
     </message>
     <message>
+        <source>this patient has no planned path by which an attempt is judged; plan one first</source>
+        <translation>dieser Patient hat keinen geplanten Pfad, nach dem ein Versuch beurteilt wird; planen Sie zuerst einen</translation>
+    </message>
+    <message>
+        <source>The recording begins as soon as needle and mannequin are seen.</source>
+        <translation>Die Aufnahme beginnt, sobald Nadel und Puppe zu sehen sind.</translation>
+    </message>
+    <message>
+        <source>Recording, %1 s: the needle is NOT SEEN and rests where it was, %2 mm deep</source>
+        <translation>Aufnahme, %1 s: die Nadel ist NICHT ZU SEHEN und ruht, wo sie war, %2 mm tief</translation>
+    </message>
+    <message>
+        <source>Recording, %1 s: %2 mm deep, %3 N</source>
+        <translation>Aufnahme, %1 s: %2 mm tief, %3 N</translation>
+    </message>
+    <message>
+        <source>The session is being saved and judged.</source>
+        <translation>Die Sitzung wird gesichert und beurteilt.</translation>
+    </message>
+    <message>
         <source>the tool is '%1', expected a name of 1 to 20 letters, as in openigtlink:localhost:18944/NeedleTipToReference</source>
         <translation>das Werkzeug ist „%1“, erwartet: ein Name von 1 bis 20 Buchstaben, wie in openigtlink:localhost:18944/NeedleTipToReference</translation>
     </message>

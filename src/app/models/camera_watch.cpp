@@ -10,9 +10,11 @@
 #include "tracking/footage_scene.h"
 #include "tracking/lens_watch.h"
 #include "tracking/registration_file.h"
+#include "tracking/tool_sightings.h"
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "haptics/tick_clock.h"
 
 namespace bodkin::app {
 
@@ -48,11 +50,22 @@ class CameraWatch::Show {
   }
 
   void set_look(const tracking::AugmentedLook& look) { view_.set_look(look); }
+  // A session can follow the tools of a passage through the pictures, until it ends.
+  void begin(const std::string& source) {
+    sightings_ = std::make_shared<tracking::ToolSightings>(tracker_.bodies(), place_, true);
+    tracking::announce(source, sightings_);
+  }
+  void end(const std::string& why) {
+    if (sightings_ != nullptr) sightings_->end(why);
+    sightings_.reset();
+  }
 
-  // Draws upon the picture, and says what was seen.
-  void draw(tracking::SourcePicture& picture, const std::string& source, CameraNews& news) {
+  // Draws upon the picture, and says what was seen. `taken`: s of the system's clock, when it was.
+  void draw(tracking::SourcePicture& picture, double taken, const std::string& source, CameraNews& news) {
     const auto& poses = tracker_.track(picture.grey, picture.time);
     lens_.add(poses);
+    sightings_->warn(lens_.warning());
+    sightings_->publish(poses, taken, haptics::monotonic_seconds());
     const tracking::TrackedPose& mannequin = poses[mannequin_];
     std::vector<tracking::ShownBody> tools;
     for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -82,6 +95,7 @@ class CameraWatch::Show {
   tracking::Tracker tracker_;
   tracking::AugmentedView view_;
   tracking::LensWatch lens_;
+  std::shared_ptr<tracking::ToolSightings> sightings_;
   std::size_t mannequin_ = 0;
   int without_markers_ = 0;
 };
@@ -133,6 +147,19 @@ void CameraWatch::run(const std::stop_token& stop) {
 }
 
 bool CameraWatch::play(const std::stop_token& stop, Show* show) {
+  if (show == nullptr) return show_pictures(stop, nullptr);
+  show->begin(files_.source);
+  try {
+    const bool again = show_pictures(stop, show);
+    show->end({});
+    return again;
+  } catch (const std::exception& failure) {
+    show->end(failure.what());
+    throw;
+  }
+}
+
+bool CameraWatch::show_pictures(const std::stop_token& stop, Show* show) {
   // A camera can be held open once: what found its calibration has let it go.
   const std::unique_ptr<tracking::PictureSource> source =
       show != nullptr ? tracking::open_footage_files(files_).source
@@ -160,7 +187,8 @@ bool CameraWatch::play(const std::stop_token& stop, Show* show) {
         look = std::exchange(look_, std::nullopt);
       }
       if (look) show->set_look(*look);
-      show->draw(*picture, files_.source, news);
+      const double now = haptics::monotonic_seconds();
+      show->draw(*picture, source->live() ? picture->time : now, files_.source, news);
     } else {
       news.note =
           "This camera is not calibrated: its picture is shown alone. Calibrate it with 'bodkin camera calibrate'.";

@@ -45,7 +45,8 @@ struct CameraNews {
 
 // Pictures of a camera, a video or a folder, with the patient drawn into the mannequin, on a thread of its own: each
 // picture is drawn with its own poses. A video or a folder plays in its own time, again and again. A camera that is
-// not calibrated gives its pictures alone. All calls from one thread; none waits for a picture.
+// not calibrated gives its pictures alone. A session can follow the tools meanwhile (tracking::announce); it ends
+// with a passage through video or folder. All calls from one thread; none waits for a picture.
 class CameraWatch {
  public:
   // `registration`: of patient and mannequin (bodkin register); empty: as in rendered footage.
@@ -67,6 +68,7 @@ class CameraWatch {
   void run(const std::stop_token& stop);
   // One passage through the source; false: it has no end that could be begun anew, or it was told to stop.
   bool play(const std::stop_token& stop, Show* show);
+  bool show_pictures(const std::stop_token& stop, Show* show);
 
   std::shared_ptr<const OpenCase> patient_;
   tracking::FootageFiles files_;

@@ -44,6 +44,15 @@ QColor status_colour(tracking::TrackingStatus status) {
   return {};
 }
 
+station::UltrasoundChoice choice_of_page(const OpenCase& patient) {
+  station::UltrasoundChoice choice;
+  choice.probe = io::find_probe(probe_of_page);
+  choice.settings.depth = depth_of_page;
+  choice.request.view =
+      patient.description().procedure.path ? imaging::ScanView::needle : imaging::ScanView::paramedian;
+  return choice;
+}
+
 }  // namespace
 
 CameraPage::~CameraPage() = default;
@@ -87,20 +96,11 @@ void CameraPage::start() {
   for (int i = 0; i < files; ++i) settings.setValue(QLatin1String(keys[i]), paths_[i]->text().trimmed());
   failure_.clear();
   scan_failure_.clear();
-  const auto path = [this](File which) {
-    return std::filesystem::path(paths_[which]->text().trimmed().toStdString());
-  };
-  tracking::FootageFiles wanted;
-  wanted.source = source.toStdString();
-  wanted.camera = path(camera);
-  wanted.bodies = path(bodies);
-  watch_ = std::make_unique<CameraWatch>(patient_, wanted, path(registration), look());
+  told_.clear();
+  result_.reset();
+  watch_ = std::make_unique<CameraWatch>(patient_, wanted_files(), path_in(registration), look());
   try {
-    station::UltrasoundChoice choice;
-    choice.probe = io::find_probe(probe_of_page);
-    choice.settings.depth = depth_of_page;
-    choice.request.view =
-        patient_->description().procedure.path ? imaging::ScanView::needle : imaging::ScanView::paramedian;
+    const station::UltrasoundChoice choice = choice_of_page(*patient_);
     ultrasound_->set_scan(choice);
     const station::LiveScan& scan = *ultrasound_->scan();
     machine_ =
@@ -113,7 +113,44 @@ void CameraPage::start() {
   show_buttons();
 }
 
+std::filesystem::path CameraPage::path_in(File which) const {
+  return paths_[which]->text().trimmed().toStdString();
+}
+
+tracking::FootageFiles CameraPage::wanted_files() const {
+  tracking::FootageFiles wanted;
+  wanted.source = source_->currentText().trimmed().toStdString();
+  wanted.camera = path_in(camera);
+  wanted.bodies = path_in(bodies);
+  return wanted;
+}
+
+void CameraPage::record() {
+  if (attempt_ != nullptr) return attempt_->end();
+  if (watch_ == nullptr) return;
+  result_.reset();
+  try {
+    std::optional<station::UltrasoundChoice> ultrasound;
+    if (machine_ != nullptr) ultrasound = choice_of_page(*patient_);
+    attempt_ = std::make_unique<TrackedAttempt>(patient_, wanted_files(), path_in(registration), ultrasound);
+  } catch (const std::exception& failure) {
+    told_ = failure.what();
+  }
+  show_buttons();
+}
+
+void CameraPage::follow_attempt() {
+  if (attempt_ == nullptr) return;
+  const StationNews& news = attempt_->poll();
+  told_ = TrackedAttempt::sentence(news);
+  if (!TrackedAttempt::is_over(news)) return;
+  result_ = news.result;
+  attempt_.reset();
+  show_buttons();
+}
+
 void CameraPage::stop() {
+  attempt_.reset();  // saves it
   watch_.reset();
   machine_.reset();
   scan_.reset();
@@ -195,6 +232,7 @@ void CameraPage::advance(double clock) {
       stop();
     }
   }
+  follow_attempt();
   show_line();
 }
 
@@ -218,7 +256,11 @@ void CameraPage::show_news(double clock) {
   std::optional<imaging::NeedleInSound> needle;
   if (news_.needle) needle = imaging::NeedleInSound{*news_.needle, patient_->description().needle};
   // A probe that is not seen well orders no picture.
-  if (news_.probe) machine_->set({{station::probe_in_hand(*news_.probe), scan.settings()}, needle});
+  if (news_.probe) {
+    const station::ScanOrder order{station::probe_in_hand(*news_.probe), scan.settings()};
+    machine_->set({order, needle});
+    if (attempt_ != nullptr) attempt_->set_scan_order(order);
+  }
   scan_ = news_.probe ? machine_->picture() : nullptr;
   shown_.ultrasound = scan_.get();
   ultrasound_->show_frame(shown_, changes);
@@ -266,6 +308,8 @@ void CameraPage::show_line() {
   } else if (!news_.note.empty()) {
     words = in_words(news_.note);
     trouble = true;
+  } else if (!told_.empty()) {
+    words = in_words(told_);
   } else if (news_.number == 0) {
     words = tr("Opening the pictures and preparing the patient.");
   } else {
@@ -291,6 +335,9 @@ void CameraPage::show_buttons() {
   pause_->setEnabled(watch_ != nullptr);
   pause_->setChecked(watch_ != nullptr && watch_->is_paused());
   render_->setEnabled(demo_ == nullptr && watch_ == nullptr);
+  record_->setText(attempt_ == nullptr ? tr("Record") : tr("Finish"));
+  record_->setEnabled(watch_ != nullptr && patient_ != nullptr && patient_->description().procedure.path.has_value());
+  review_->setEnabled(result_.has_value());
 }
 
 bool CameraPage::press(const QKeySequence& keys) {
@@ -303,6 +350,7 @@ bool CameraPage::press(const QKeySequence& keys) {
     }
     return true;
   }
+  if (keys == QKeySequence(Qt::Key_R)) return record(), true;
   const int step = 10;
   if (keys == QKeySequence(Qt::Key_Plus)) return oval_->setValue(oval_->value() + step), true;
   if (keys == QKeySequence(Qt::Key_Minus)) return oval_->setValue(oval_->value() - step), true;

@@ -3,10 +3,13 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "app/models/camera_watch.h"
 #include "app/models/demo_footage.h"
 #include "app/models/probe_machine.h"
+#include "app/models/tracked_attempt.h"
 #include "app/page.h"
 #include "views/camera_picture.h"
 #include "views/slice_view.h"
@@ -42,6 +45,11 @@ class CameraPage : public Page {
   // The pictures of this source from now on.
   void start();
   void stop();
+  // A session with the tracked needle begins, or ends and is saved and judged.
+  void record();
+  bool is_recording() const { return attempt_ != nullptr; }
+  // Of the last session that was saved; empty: none.
+  const std::optional<AttemptResult>& result() const { return result_; }
   // Of the newest picture.
   const CameraNews& news() const { return news_; }
   const Frame& frame() const { return shown_; }
@@ -62,6 +70,9 @@ class CameraPage : public Page {
   void show_bodies();
   void show_line();
   void show_buttons();
+  void follow_attempt();
+  tracking::FootageFiles wanted_files() const;
+  std::filesystem::path path_in(File which) const;
 
   std::filesystem::path folder_;
   std::shared_ptr<const OpenCase> patient_;
@@ -69,6 +80,9 @@ class CameraPage : public Page {
   std::unique_ptr<DemoFootage> demo_;  // being rendered
   std::unique_ptr<ProbeMachine> machine_;
   std::shared_ptr<const station::LivePicture> scan_;
+  std::unique_ptr<TrackedAttempt> attempt_;  // being recorded
+  std::string told_;                         // of the attempt that runs, or was the last
+  std::optional<AttemptResult> result_;
   CameraNews news_;
   Frame shown_;
   std::string failure_;       // why the last source came to nothing
@@ -81,7 +95,7 @@ class CameraPage : public Page {
   QComboBox* preset_ = nullptr;
   QSlider *oval_ = nullptr, *threshold_ = nullptr;
   QCheckBox *plan_ = nullptr, *needle_ = nullptr;
-  QPushButton *start_ = nullptr, *pause_ = nullptr, *render_ = nullptr;
+  QPushButton *start_ = nullptr, *pause_ = nullptr, *render_ = nullptr, *record_ = nullptr, *review_ = nullptr;
   QTableWidget* table_ = nullptr;
   QLabel* line_ = nullptr;
 };

@@ -128,10 +128,17 @@ QWidget* CameraPage::make_panel() {
   pause_ = button("camera.pause", tr("Pause"), tr("Keep this picture, go on (Space)"));
   pause_->setCheckable(true);
   render_ = button("camera.demo", tr("Demonstration"), tr("Without a camera: pictures that are rendered once"));
+  record_ = button("camera.record", tr("Record"),
+                   tr("A session with the tracked needle: recorded, judged and kept; again: it ends (R)"));
+  review_ = button("camera.review", tr("Review"), tr("See the session again, moment by moment"));
+  connect(record_, &QPushButton::clicked, this, &CameraPage::record);
+  connect(review_, &QPushButton::clicked, this, [this] {
+    if (result_) emit patient_requested(QString::fromStdString(result_->session.string()));
+  });
   connect(start_, &QPushButton::clicked, this, [this] { watch_ == nullptr ? start() : stop(); });
   connect(pause_, &QPushButton::clicked, this, [this] { press(QKeySequence(Qt::Key_Space)); });
   connect(render_, &QPushButton::clicked, this, &CameraPage::start_demo);
-  for (QPushButton* each : {start_, pause_, render_}) buttons->addWidget(each);
+  for (QPushButton* each : {start_, pause_, render_, record_, review_}) buttons->addWidget(each);
   form->addLayout(buttons, files + 1, 0, 1, 3);
   columns->addLayout(form, 3);
 

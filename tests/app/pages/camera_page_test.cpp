@@ -9,13 +9,17 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 
 #include "app/pages/camera.h"
+#include "session/session_file.h"
 #include "tests/views/made_up.h"
 #include "tracking/footage_scene.h"
 #include <gtest/gtest.h>
+
+#include "io/case_folder.h"
 
 namespace bodkin::app {
 namespace {
@@ -114,6 +118,54 @@ TEST_F(CameraPageTest, shows_the_needle_and_the_probe_where_they_are_in_the_pati
   QTest::mouseClick(find<QPushButton>("camera.start"), Qt::LeftButton);
   EXPECT_EQ(page_.news().number, 0U);
   EXPECT_EQ(table->rowCount(), 0) << "what is not seen now is not shown as if it were";
+}
+
+// The pictures go on while their needle is recorded; the session ends with the footage and is judged.
+TEST_F(CameraPageTest, records_a_session_with_the_needle_that_it_shows) {
+  // A session keeps the description of its case, so there must be one on the disk.
+  auto patient = std::make_shared<OpenCase>(*layered_patient());
+  patient->folder = folder("patient");
+  anatomy::Case& made = patient->patient;
+  io::write_case(made.description, made.ct, made.tissues, {}, &made.library, patient->folder);
+  page_.set_case(patient);
+  page_.enter();
+  tracking::SceneOptions options;
+  options.width = 640;
+  options.height = 360;
+  options.rate = 10.0;
+  options.path = layered_patient()->description().procedure.path->length();
+  options.frames = static_cast<int>(std::ceil(tracking::length_of_way(options) * options.rate));
+  options.look.samples = 3;
+  const tracking::Footage footage = tracking::render_scene(folder("attempt"), options);
+  qputenv("XDG_DATA_HOME", made_.path().toUtf8());
+  start(footage.folder);
+  ASSERT_TRUE(wait([&] { return page_.news().number > 0; })) << line();
+  auto* const record = find<QPushButton>("camera.record");
+  auto* const review = find<QPushButton>("camera.review");
+  EXPECT_FALSE(review->isEnabled());
+  QTest::mouseClick(record, Qt::LeftButton);
+  ASSERT_TRUE(page_.is_recording());
+  ASSERT_TRUE(wait([&] { return line().starts_with("Recording") || !page_.is_recording(); })) << line();
+  const auto shown = page_.news().number;
+  ASSERT_TRUE(wait([&] { return !page_.is_recording(); })) << line();
+  EXPECT_NE(page_.news().number, shown) << "the pictures went on";
+  ASSERT_TRUE(page_.result().has_value()) << line();
+  EXPECT_TRUE(review->isEnabled());
+  const session::Session session = session::read_session(page_.result()->session);
+  EXPECT_TRUE(session.finished);
+  // It went along the path, to its end.
+  const anatomy::NeedlePath path = session.header.path;
+  double deepest = -1e9, aside = 0.0;
+  for (const auto& tick : session.ticks) {
+    const Vec3 from_entry = tick.input.needle.translation() - path.entry;
+    const double along = from_entry.dot(path.direction());
+    deepest = std::max(deepest, along);
+    aside = std::max(aside, (from_entry - along * path.direction()).norm());
+  }
+  EXPECT_NEAR(deepest, path.length(), 1.0);
+  EXPECT_LT(aside, 2.0);
+  EXPECT_FALSE(page_.result()->headline.empty());
+  qunsetenv("XDG_DATA_HOME");
 }
 
 TEST_F(CameraPageTest, oval_and_path_follow_their_controls) {
