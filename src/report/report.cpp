@@ -8,6 +8,7 @@
 #include "report/cut_open_picture.h"
 #include "report/diagnostic_plot.h"
 #include "report/document_html.h"
+#include "report/expert_plot.h"
 #include "report/force_limits.h"
 #include "report/force_plot.h"
 #include "report/probe_figures.h"
@@ -63,6 +64,7 @@ class ReportWriter {
         static_cast<double>(session_.ticks.back().tick - session_.ticks.front().tick) * session_.header.dt);
     verdict();
     tiles();
+    expert_band();
     steps();
     force();
     pictures();
@@ -111,6 +113,19 @@ class ReportWriter {
           {training::metric_text(*result->metric, result->value), std::string(result->metric->title), result->grade});
     }
     add(std::move(tiles));
+  }
+
+  void expert_band() {
+    const std::vector<ExpertRow> rows = expert_rows(score_);
+    if (rows.empty()) return;
+    heading("Among experts");
+    const auto outside =
+        std::count_if(rows.begin(), rows.end(), [](const ExpertRow& row) { return !row.is_within(); });
+    remark(
+        fmt::format("Of {} measures that the procedure judges, {} lie where nine of ten experts' do ({} attempts of "
+                    "experts).",
+                    rows.size(), rows.size() - static_cast<std::size_t>(outside), score_.experts));
+    figure(draw_expert_band(rows), "Each judged measure as a dot on the band of the experts' middle nine tenths");
   }
 
   void steps() {

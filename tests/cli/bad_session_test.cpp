@@ -123,7 +123,9 @@ TEST_F(BadSession, of_which_nothing_is_wrong_waits_while_the_store_is_no_place_f
   EXPECT_EQ(waits.exit_code, 0) << waits.text();
   EXPECT_THAT(waits.output, HasSubstr("waits for the store"));
   EXPECT_THAT(waits.errors, HasSubstr("the store patient cannot be opened"));
-  EXPECT_THAT(bodkin("-q results deliver --store store.sqlite").output, HasSubstr("1 attempts were delivered"));
+  EXPECT_THAT(bodkin("results deliver --store store.sqlite").errors, HasSubstr("wait for another store"));
+  EXPECT_THAT(bodkin("-q results deliver --store store.sqlite --from patient").output,
+              HasSubstr("1 attempts were delivered"));
 }
 
 }  // namespace

@@ -37,6 +37,25 @@ TEST_F(CohortCommand, under_mpirun_makes_the_same_table_as_one_process) {
     EXPECT_EQ(entry.path().filename().string().find("three.csv.partial"), std::string::npos) << entry.path();
 }
 
+// As by a power cut: nothing of the program runs after it.
+TEST_F(CohortCommand, killed_in_between_goes_on_where_it_was_to_the_same_table) {
+  write("plan.xml", plan);
+  ASSERT_EQ(bodkin("-q cohort plan.xml --trainees 60 --seed 5 -o whole.csv").exit_code, 0);
+  write("kill.sh", "cd '" + folder_.string() +
+                       "'\n'" BODKIN_BUILD
+                       "/bin/bodkin' -q cohort plan.xml --trainees 60 --seed 5 -o killed.csv > killed.log 2>&1 &\n"
+                       "for i in $(seq 2000); do grep -q 'end of trainee' killed.csv.partial 2> /dev/null && break; "
+                       "sleep 0.01; done\n"
+                       "kill -9 $!\nwait $!\n");
+  EXPECT_NE(std::system(("bash '" + (folder_ / "kill.sh").string() + "'").c_str()), 0);
+  ASSERT_TRUE(std::filesystem::exists(folder_ / "killed.csv.partial")) << "it had ended before it was killed";
+  const Outcome rest = bodkin("-q --json cohort plan.xml --trainees 60 --seed 5 -o killed.csv");
+  ASSERT_EQ(rest.exit_code, 0) << rest.text();
+  EXPECT_GT(nlohmann::json::parse(rest.output).at("continued"), 0);
+  EXPECT_TRUE(text_of("killed.csv") == text_of("whole.csv"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "killed.csv.partial"));
+}
+
 TEST_F(CohortCommand, refuses_a_part_that_is_none) {
   write("plan.xml", plan);
   for (const char* part : {"3/2", "0/2", "1", "a/b", "1/2/3"}) {

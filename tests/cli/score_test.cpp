@@ -69,5 +69,20 @@ TEST_F(ScoreCommand, refuses_what_is_no_session_and_no_procedure) {
   EXPECT_EQ(bodkin("-q score " + session() + " --experts wrong.bodkin").exit_code, 2);
 }
 
+TEST_F(ScoreCommand, says_errors_in_the_published_form) {
+  const auto schema = nlohmann::json::parse(content_of(BODKIN_REPOSITORY "/share/bodkin/error.schema.json"));
+  const auto& members = schema.at("properties").at("error").at("properties");
+  for (const char* arguments :
+       {"score nothing.bodkin", "report nothing.bodkin", "results show nobody --store x.sqlite"}) {
+    const Outcome said = bodkin(std::string("-q --json ") + arguments);
+    const auto error = nlohmann::json::parse(said.output);
+    ASSERT_EQ(error.size(), 1U) << arguments;
+    EXPECT_EQ(error.at("error").size(), members.size()) << arguments;
+    for (const auto& [name, value] : error.at("error").items()) EXPECT_TRUE(members.contains(name)) << name;
+    EXPECT_EQ(error.at("error").at("exit_code"), said.exit_code);
+    EXPECT_EQ("bodkin: " + error.at("error").at("sentence").get<std::string>() + "\n", said.errors);
+  }
+}
+
 }  // namespace
 }  // namespace bodkin_test
