@@ -4,6 +4,7 @@
 #include <deque>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -13,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "station/pressed_scan.h"
 #include "station/probe_contact.h"
 #include "tracking/augmented_view.h"
 #include "tracking/footage_scene.h"
@@ -95,19 +97,24 @@ struct TrackedPicture {
   Clock::time_point arrived;
 };
 
-// What the probe sees, in the corner of the picture.
-class UltrasoundInset {
+// What the probe sees, in one corner of the picture, and the CT in its plane in another.
+class ProbeInsets {
  public:
-  explicit UltrasoundInset(const anatomy::Case& patient)
-      : patient_(patient),
-        machine_(imaging::acoustic_volume(patient, {}), io::find_probe("C5-2"), {.depth = depth_of_inset}) {}
+  ProbeInsets(const anatomy::Case& patient, const fs::path& folder,
+              const std::function<void(const std::string&)>& note)
+      : patient_(patient), scan_(patient, folder, choice(), note) {}
 
-  // `probe`, `needle`: as tools in the patient; without a probe there is no picture.
-  void draw(imaging::ImageRgb& picture, const std::optional<Pose>& probe, const std::optional<Pose>& needle) {
+  // `probe`, `needle`: as tools in the patient; without a probe there is no picture. `time`: s, of the picture.
+  void draw(imaging::ImageRgb& picture, const std::optional<Pose>& probe, const std::optional<Pose>& needle,
+            double time) {
+    std::optional<Pose> held;
+    if (probe) held = station::probe_in_hand(*probe);
+    scan_.advance(held, last_ ? time - *last_ : 0.0);
+    last_ = time;
     if (!probe) return;
     std::optional<imaging::NeedleInSound> in_sound;
     if (needle) in_sound = imaging::NeedleInSound{*needle, patient_.description.needle};
-    const imaging::UltrasoundFrame& frame = machine_.image(station::probe_in_hand(*probe), in_sound);
+    const imaging::UltrasoundFrame& frame = scan_.image(*held, in_sound);
     imaging::ImageRgb grey(frame.width, frame.height);
     for (std::size_t i = 0; i < grey.pixels.size(); ++i)
       grey.pixels[i] = {frame.pixels[i], frame.pixels[i], frame.pixels[i]};
@@ -117,24 +124,43 @@ class UltrasoundInset {
     canvas.image(std::move(grey), x, y, width, height);
     canvas.stroke(imaging::Path::rectangle(x, y, width, height), {imaging::Ink(0xFFFFFF, 0.8), 1.0});
     const std::string words = frame.why != imaging::NoImage::none ? std::string(reason(frame.why))
-                              : frame.press > 0.5 ? fmt::format("ultrasound, pressed {:.0f} mm", frame.press)
-                                                  : "ultrasound";
+                              : scan_.force() > 0.05 ? fmt::format("ultrasound, {:.1f} N, moved {:.0f} mm",
+                                                                   scan_.force(), scan_.most_moved())
+                              : frame.press > 0.5    ? fmt::format("ultrasound, pressed {:.0f} mm", frame.press)
+                                                     : "ultrasound";
     canvas.text({x + 8.0, y + 18.0}, words, {.size = 13.0, .ink = 0xFFFFFF, .halo = true});
+    draw_ct(canvas, picture, *held);
     canvas.draw_over(picture);
   }
 
  private:
-  static constexpr double depth_of_inset = 90.0;  // mm
+  static station::UltrasoundChoice choice() {
+    station::UltrasoundChoice made;
+    made.probe = io::find_probe("C5-2");
+    made.settings.depth = 90.0;  // mm
+    return made;
+  }
+
+  void draw_ct(imaging::Canvas& canvas, const imaging::ImageRgb& picture, const Pose& probe) {
+    imaging::ImageRgb ct = scan_.slice(probe);
+    const double height = 0.3 * picture.height, width = height * ct.width / ct.height;
+    const double x = 12.0, y = picture.height - height - 12.0;
+    canvas.image(std::move(ct), x, y, width, height);
+    canvas.stroke(imaging::Path::rectangle(x, y, width, height), {imaging::Ink(0xFFFFFF, 0.8), 1.0});
+    canvas.text({x + 8.0, y + 18.0}, "CT where the probe points", {.size = 13.0, .ink = 0xFFFFFF, .halo = true});
+  }
 
   const anatomy::Case& patient_;
-  imaging::Ultrasound machine_;
+  station::PressedScan scan_;
+  std::optional<double> last_;  // s, time of the picture before
 };
 
 // Draws and writes tracked pictures on a thread of its own, while the next ones are being read and tracked.
 class OverlayWriter {
  public:
   OverlayWriter(const OverlayArguments& arguments, const anatomy::Case& patient,
-                const tracking::OpenedFootage& opened, std::size_t mannequin)
+                const tracking::OpenedFootage& opened, std::size_t mannequin,
+                const std::function<void(const std::string&)>& note)
       : bodies_(opened.bodies),
         mannequin_(mannequin),
         place_(arguments.registration.empty()
@@ -142,7 +168,7 @@ class OverlayWriter {
                    : tracking::read_registration(arguments.registration).fixed_from_moving),
         view_(patient, opened.camera, place_, look_of(arguments)),
         output_(arguments.output) {
-    if (arguments.ultrasound) ultrasound_.emplace(patient);
+    if (arguments.ultrasound) ultrasound_.emplace(patient, arguments.patient, note);
     if (output_.extension() == ".avi")
       video_.emplace(output_, opened.camera.width, opened.camera.height, opened.source->rate());
     thread_ = std::jthread([this] { run(); });
@@ -224,7 +250,7 @@ class OverlayWriter {
     times_.add("blend and draw", seconds_between(begin, drawn) - view_.cast_seconds());
     Clock::time_point shown = drawn;
     if (ultrasound_) {
-      ultrasound_->draw(picture.colour, probe, needle);
+      ultrasound_->draw(picture.colour, probe, needle, mannequin.time);
       shown = Clock::now();
       times_.add("ultrasound", seconds_between(drawn, shown));
     }
@@ -242,7 +268,7 @@ class OverlayWriter {
   std::size_t mannequin_;
   tracking::Similarity place_;
   tracking::AugmentedView view_;
-  std::optional<UltrasoundInset> ultrasound_;
+  std::optional<ProbeInsets> ultrasound_;
   fs::path output_;
   std::optional<tracking::VideoWriter> video_;
   tracking::StageTimes times_;
@@ -286,7 +312,8 @@ void run_overlay(const OverlayArguments& arguments, const CommandContext& contex
   }
   const auto mannequin = static_cast<std::size_t>(found - opened.bodies.begin());
   tracking::Tracker tracker(opened.camera, opened.bodies);
-  OverlayWriter writer(arguments, patient, opened, mannequin);
+  OverlayWriter writer(arguments, patient, opened, mannequin,
+                       [&console](const std::string& sentence) { console.note(sentence); });
   tracking::LensWatch lens;
   tracking::StageTimes tracked;
   int drawn = 0;

@@ -23,18 +23,6 @@ double checked_scan_rate(double rate) {
   throw InputError(fmt::format("live ultrasound: {} pictures a second, expected 1 to 1000", rate));
 }
 
-// The plane that a frame shows, pixel by pixel, at rest.
-imaging::SlicePlane plane_of_frame(const imaging::UltrasoundFrame& frame, const Pose& probe) {
-  imaging::SlicePlane plane;
-  plane.corner = probe * frame.corner;
-  plane.right = probe.linear().col(0);
-  plane.down = probe.linear().col(1);
-  plane.pixel = frame.pixel;
-  plane.width = frame.width;
-  plane.height = frame.height;
-  return plane;
-}
-
 double farthest(std::span<const float> moved) {
   double most = 0.0;
   for (std::size_t i = 0; i + 2 < moved.size(); i += 3)

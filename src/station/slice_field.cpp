@@ -15,6 +15,17 @@ bool same_grid(const imaging::SlicePlane& a, const imaging::SlicePlane& b) {
 
 }  // namespace
 
+imaging::SlicePlane plane_of_frame(const imaging::UltrasoundFrame& frame, const Pose& probe) {
+  imaging::SlicePlane plane;
+  plane.corner = probe * frame.corner;
+  plane.right = probe.linear().col(0);
+  plane.down = probe.linear().col(1);
+  plane.pixel = frame.pixel;
+  plane.width = frame.width;
+  plane.height = frame.height;
+  return plane;
+}
+
 SliceField::SliceField(std::shared_ptr<const fem::BodyDescription> body)
     : body_(std::move(body)), finder_(body_->mesh) {}
 

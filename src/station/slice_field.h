@@ -7,8 +7,12 @@
 #include "fem/solid/elastic_body.h"
 #include "fem/solid/points_in_mesh.h"
 #include "imaging/slice.h"
+#include "imaging/ultrasound/ultrasound.h"
 
 namespace bodkin::station {
+
+// The plane that a frame of a probe at this pose shows, pixel by pixel, at rest.
+imaging::SlicePlane plane_of_frame(const imaging::UltrasoundFrame& frame, const Pose& probe);
 
 // How tissue in a plane has moved, from how the nodes of its mesh have: linear within every element. The plane may be
 // another one in every picture.

@@ -42,6 +42,21 @@ TEST_F(Overlay, says_how_long_each_stage_takes_and_adds_the_ultrasound) {
   EXPECT_NE(text_of("times.avi"), text_of("plain.avi"));
 }
 
+#ifdef BODKIN_HAS_MESHER
+TEST_F(Overlay, a_probe_deforms_a_patient_that_has_a_mesh) {
+  ASSERT_EQ(bodkin("--quiet scene render pressing --frames 3 --rate 10 --width 640 --height 360").exit_code, 0);
+  fs::copy(folder_ / "patient", folder_ / "meshed", fs::copy_options::recursive);
+  ASSERT_EQ(bodkin("--quiet case mesh meshed --nodes 2500 --merge-layers").exit_code, 0);
+  for (const char* patient : {"patient", "meshed"}) {
+    const std::string to = std::string("of_") + patient;
+    const Outcome made = bodkin("--quiet overlay " + std::string(patient) + " pressing --ultrasound -o " + to);
+    ASSERT_EQ(made.exit_code, 0) << made.text();
+  }
+  // The first picture has no time before it in which a body could have moved.
+  EXPECT_NE(text_of("of_patient/overlay_00002.png"), text_of("of_meshed/overlay_00002.png"));
+}
+#endif
+
 TEST_F(Overlay, refuses_an_unknown_preset_and_a_folder_in_use) {
   const Outcome preset = bodkin("overlay patient footage --preset x-ray");
   EXPECT_EQ(preset.exit_code, 2);

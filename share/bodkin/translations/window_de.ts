@@ -305,6 +305,14 @@
 <context>
     <name>CameraPage</name>
     <message>
+        <source>CT where the probe points</source>
+        <translation>CT, wohin die Sonde zeigt</translation>
+    </message>
+    <message>
+        <source>The patient's CT in the plane of the tracked probe, as the probe presses it</source>
+        <translation>Das CT des Patienten in der Ebene der verfolgten Sonde, so wie sie drückt</translation>
+    </message>
+    <message>
         <source>Record</source>
         <translation>Aufnehmen</translation>
     </message>

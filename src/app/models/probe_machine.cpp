@@ -2,7 +2,10 @@
 
 #include <chrono>
 #include <exception>
+#include <filesystem>
 #include <utility>
+
+#include "station/pressed_scan.h"
 
 #include "core/error.h"
 #include "imaging/ultrasound/ultrasound.h"
@@ -10,6 +13,9 @@
 namespace bodkin::app {
 
 namespace {
+
+constexpr std::chrono::milliseconds settling{1500};  // of a body after the probe has moved
+constexpr std::chrono::milliseconds pace{25};        // between its pictures meanwhile
 
 bool same_wish(const ProbeMachine::Wish& a, const ProbeMachine::Wish& b) {
   if (a.needle.has_value() != b.needle.has_value()) return false;
@@ -20,10 +26,11 @@ bool same_wish(const ProbeMachine::Wish& a, const ProbeMachine::Wish& b) {
 }  // namespace
 
 ProbeMachine::ProbeMachine(std::shared_ptr<const OpenCase> patient, const station::UltrasoundChoice& choice,
-                           Wish first)
-    : wish_(std::move(first)), thread_([this, patient = std::move(patient), choice](const std::stop_token& stop) {
+                           Wish first, bool presses)
+    : wish_(std::move(first)),
+      thread_([this, patient = std::move(patient), choice, presses](const std::stop_token& stop) {
         try {
-          run(stop, patient, choice);
+          run(stop, patient, choice, presses);
         } catch (const std::exception& failure) {
           const std::lock_guard guard(lock_);
           trouble_ = failure.what();
@@ -37,18 +44,28 @@ ProbeMachine::~ProbeMachine() {
 }
 
 void ProbeMachine::run(const std::stop_token& stop, const std::shared_ptr<const OpenCase>& patient,
-                       const station::UltrasoundChoice& choice) {
+                       const station::UltrasoundChoice& choice, bool presses) {
   using Clock = std::chrono::steady_clock;
-  imaging::Ultrasound machine(imaging::acoustic_volume(patient->patient, {}), choice.probe, choice.settings,
-                              choice.detail);
+  station::PressedScan machine(patient->patient, presses ? patient->folder : std::filesystem::path(), choice,
+                               [this](const std::string& sentence) {
+                                 const std::lock_guard guard(lock_);
+                                 trouble_ = sentence;
+                               });
+  Clock::time_point last = Clock::now(), changed = last;
   for (std::uint64_t number = 1; !stop.stop_requested(); ++number) {
     Wish wish;
     {
       std::unique_lock guard(lock_);
-      if (!changed_.wait(guard, stop, [this] { return is_new_; })) return;
+      const bool settles = machine.deforms() && Clock::now() - changed < settling;
+      if (settles) changed_.wait_for(guard, stop, pace, [this] { return is_new_; });
+      if (!settles && !changed_.wait(guard, stop, [this] { return is_new_; })) return;
+      if (is_new_) changed = Clock::now();
       is_new_ = false;
       wish = wish_;
     }
+    const Clock::time_point now = Clock::now();
+    machine.advance(wish.order.probe, std::chrono::duration<double>(now - last).count());
+    last = now;
     auto made = std::make_shared<station::LivePicture>();
     try {
       machine.set(wish.order.settings);
@@ -62,9 +79,13 @@ void ProbeMachine::run(const std::stop_token& stop, const std::shared_ptr<const 
     made->milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
     made->number = number;
     made->order = {wish.order.probe, machine.settings()};
+    made->most = machine.most_moved();
+    std::shared_ptr<const imaging::ImageRgb> ct;
+    if (presses) ct = std::make_shared<const imaging::ImageRgb>(machine.slice(wish.order.probe));
     if (wish.needle) made->needle = wish.needle->pose;
     const std::lock_guard guard(lock_);
     picture_ = std::move(made);
+    ct_ = std::move(ct);
   }
 }
 
@@ -79,6 +100,11 @@ void ProbeMachine::set(const Wish& wish) {
 std::shared_ptr<const station::LivePicture> ProbeMachine::picture() const {
   const std::lock_guard guard(lock_);
   return picture_;
+}
+
+std::shared_ptr<const imaging::ImageRgb> ProbeMachine::ct() const {
+  const std::lock_guard guard(lock_);
+  return ct_;
 }
 
 std::string ProbeMachine::take_trouble() {

@@ -16,7 +16,8 @@ namespace bodkin::app {
 using namespace views;
 
 // The ultrasound machine of a patient whom nobody needles: makes a picture, on a thread of its own, whenever probe,
-// knobs or needle have changed. The tissue lies still. All calls from one thread; none waits for a picture.
+// knobs or needle have changed. Where the patient has a mesh and the probe is to press him, he moves under it, and
+// more pictures are made until he has come to rest. All calls from one thread; none waits for a picture.
 class ProbeMachine {
  public:
   struct Wish {
@@ -24,7 +25,9 @@ class ProbeMachine {
     std::optional<imaging::NeedleInSound> needle;
   };
 
-  ProbeMachine(std::shared_ptr<const OpenCase> patient, const station::UltrasoundChoice& choice, Wish first);
+  // `presses`: the mesh of the patient's folder is deformed by the probe; else the tissue gives way layer by layer.
+  ProbeMachine(std::shared_ptr<const OpenCase> patient, const station::UltrasoundChoice& choice, Wish first,
+               bool presses = false);
   ~ProbeMachine();
   ProbeMachine(const ProbeMachine&) = delete;
   ProbeMachine& operator=(const ProbeMachine&) = delete;
@@ -32,18 +35,21 @@ class ProbeMachine {
   void set(const Wish& wish);
   // The newest picture; null: none yet.
   std::shared_ptr<const station::LivePicture> picture() const;
+  // The CT in the plane of the newest picture, deformed like it; null: none yet, or the probe is not to press.
+  std::shared_ptr<const imaging::ImageRgb> ct() const;
   // Why there is none, or why the newest settings cannot be: a sentence, said once.
   std::string take_trouble();
 
  private:
   void run(const std::stop_token& stop, const std::shared_ptr<const OpenCase>& patient,
-           const station::UltrasoundChoice& choice);
+           const station::UltrasoundChoice& choice, bool presses);
 
   mutable std::mutex lock_;  // guards all below but the thread
   std::condition_variable_any changed_;
   Wish wish_;
   bool is_new_ = true;
   std::shared_ptr<const station::LivePicture> picture_;
+  std::shared_ptr<const imaging::ImageRgb> ct_;
   std::string trouble_;
   std::jthread thread_;
 };

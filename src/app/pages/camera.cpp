@@ -103,13 +103,14 @@ void CameraPage::start() {
     const station::UltrasoundChoice choice = choice_of_page(*patient_);
     ultrasound_->set_scan(choice);
     const station::LiveScan& scan = *ultrasound_->scan();
-    machine_ =
-        std::make_unique<ProbeMachine>(patient_, choice, ProbeMachine::Wish{{scan.pose(), scan.settings()}, {}});
+    machine_ = std::make_unique<ProbeMachine>(patient_, choice,
+                                              ProbeMachine::Wish{{scan.pose(), scan.settings()}, {}}, true);
   } catch (const std::exception& failure) {  // no skin there: without ultrasound
     machine_.reset();
     scan_failure_ = failure.what();
   }
   picture_->show_picture(nullptr);
+  ct_->show_picture(nullptr);
   show_buttons();
 }
 
@@ -262,6 +263,7 @@ void CameraPage::show_news(double clock) {
     if (attempt_ != nullptr) attempt_->set_scan_order(order);
   }
   scan_ = news_.probe ? machine_->picture() : nullptr;
+  ct_->show_picture(news_.probe ? machine_->ct() : nullptr);
   shown_.ultrasound = scan_.get();
   ultrasound_->show_frame(shown_, changes);
   if (const std::string trouble = machine_->take_trouble(); !trouble.empty()) ultrasound_->say(trouble);

@@ -88,6 +88,7 @@ class CameraPage : public Page {
   std::string failure_;       // why the last source came to nothing
   std::string scan_failure_;  // why there is no ultrasound
   CameraPicture* picture_;
+  CameraPicture* ct_ = nullptr;  // in the plane of the tracked probe
   UltrasoundView* ultrasound_;
   std::array<SliceView*, 2> slices_{};
   QComboBox* source_ = nullptr;

@@ -60,6 +60,10 @@ QWidget* CameraPage::make_side() {
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(4);
   rows->addWidget(ultrasound_, 4);
+  ct_ = named(new CameraPicture, "camera.ct", tr("CT where the probe points"),
+              tr("The patient's CT in the plane of the tracked probe, as the probe presses it"));
+  ct_->show_words(ct_->accessibleName());
+  rows->addWidget(ct_, 3);
   auto* small = new QHBoxLayout;
   small->setSpacing(4);
   auto measures = std::make_shared<Measures>();

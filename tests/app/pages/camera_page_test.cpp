@@ -106,6 +106,8 @@ TEST_F(CameraPageTest, shows_the_needle_and_the_probe_where_they_are_in_the_pati
   // The tracked probe holds the ultrasound.
   if (page_.news().probe) {
     EXPECT_TRUE(wait([&] { return find<UltrasoundView>("camera.ultrasound")->scan() != nullptr; }));
+    EXPECT_TRUE(wait([&] { return find<CameraPicture>("camera.ct")->picture() != nullptr; }))
+        << "the CT in its plane";
   }
   EXPECT_NE(line().find("pictures/s"), std::string::npos) << line();
   // The patient is drawn over the camera's picture, and nothing outside of the oval but needle and path.
