@@ -85,7 +85,7 @@ void list_experts(const CommandContext& context) {
   for (const std::string& procedure : training::shipped_procedures()) {
     std::error_code error;
     const bool own = fs::is_regular_file(training::own_expert_file(procedure), error);
-    const auto experts = training::experts_of(procedure);
+    const auto experts = training::experts_of(training::find_shipped_procedure(procedure));
     const std::size_t attempts = experts ? experts->size() : 0;
     const std::string who = own ? "imported: " + experts->origin() : experts ? "simulated, with Bodkin" : "none";
     console.line(fmt::format("{:<28} {:>8}  {}", procedure, attempts, who));

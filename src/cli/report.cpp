@@ -90,7 +90,7 @@ void run_report(const ReportArguments& arguments, const CommandContext& context)
                                             ? training::procedure_of_case(description.procedure.name)
                                             : training::find_procedure(arguments.procedure);
   const auto experts =
-      arguments.experts.empty() ? training::experts_of(procedure.name) : training::ExpertSet::read(arguments.experts);
+      arguments.experts.empty() ? training::experts_of(procedure) : training::ExpertSet::read(arguments.experts);
   // Voxels of another patient than the recorded one say nothing about what the needle met.
   const training::PatientVolumes volumes =
       changed ? training::PatientVolumes{} : training::PatientVolumes{&patient.structures, &patient.tissues};
@@ -109,7 +109,7 @@ void run_report(const ReportArguments& arguments, const CommandContext& context)
   result["interventions"] = limits.interventions;
   result["limited_time_s"] = limits.time;
   result["report"] = fs::absolute(file).string();
-  const training::Attempt attempt(session, description);
+  const training::Attempt attempt(session, description, procedure.thresholds);
   result["score"] = nlohmann::ordered_json::parse(training::score_json(score, attempt, arguments.session));
   console.json(result.dump(2));
   if (!arguments.open) return;

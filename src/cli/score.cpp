@@ -93,7 +93,7 @@ void run_score(const ScoreArguments& arguments, CommandContext& context) {
       if (!arguments.folder.empty()) throw InputError(fmt::format("--case: {}", patient.missing));
       console.note(patient.missing);
     }
-    const auto experts = given ? given : training::experts_of(procedure.name);
+    const auto experts = given ? given : training::experts_of(procedure);
     const training::Score score =
         training::score(session, description, procedure, patient.volumes(), experts ? &*experts : nullptr);
     if (score.verdict >= training::Grade::fail) context.exit_code = exit_not_passed;
@@ -104,7 +104,7 @@ void run_score(const ScoreArguments& arguments, CommandContext& context) {
     }
     table += fmt::format("{},{}\n", csv_field(fs::path(file).filename().string()), training::score_csv_fields(score));
     if (context.json) {
-      const training::Attempt attempt(session, description);
+      const training::Attempt attempt(session, description, procedure.thresholds);
       all.push_back(nlohmann::ordered_json::parse(training::score_json(score, attempt, file)));
     }
   }

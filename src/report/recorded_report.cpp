@@ -30,7 +30,7 @@ std::string recorded_report_html(const fs::path& file) {
                                                    session::mesh_digest(folder, session.header.haptics.resistance));
   const anatomy::CaseDescription description = training::description_of(session);
   const training::Procedure procedure = training::procedure_of_case(description.procedure.name);
-  const auto experts = training::experts_of(procedure.name);
+  const auto experts = training::experts_of(procedure);
   // Voxels of another patient than the recorded one say nothing about what the needle met.
   const training::PatientVolumes volumes =
       changed ? training::PatientVolumes{} : training::PatientVolumes{&patient.structures, &patient.tissues};

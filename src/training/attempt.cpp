@@ -15,18 +15,14 @@ namespace bodkin::training {
 
 namespace {
 
-constexpr double shortest_absence = 0.5;  // s outside, after which a contact is a new insertion
-constexpr double shortest_way_out = 5.0;  // mm outside, the same
-constexpr double rest_speed = 1.0;        // mm/s
-constexpr double rest_half = 0.2;         // s; that speed is between the means of two such stretches of time
-constexpr double shortest_rest = 0.5;     // s
-constexpr double same_depth = 1.0;        // mm within which two rests are equally deep
-constexpr double usual_tick = 1.5;        // ticks apart; more means that some were lost
+constexpr double rest_half = 0.2;   // s; the speed of a rest is between the means of two such stretches of time
+constexpr double usual_tick = 1.5;  // ticks apart; more means that some were lost
 
 }  // namespace
 
-Attempt::Attempt(const session::Session& session, const anatomy::CaseDescription& description)
-    : session_(session), description_(description) {
+Attempt::Attempt(const session::Session& session, const anatomy::CaseDescription& description,
+                 const Thresholds& thresholds)
+    : session_(session), description_(description), thresholds_(thresholds) {
   if (session.ticks.empty()) throw InputError("the session holds no tick, so that there is nothing to judge");
   const std::size_t count = session.ticks.size();
   time.reserve(count), tip.reserve(count), axis.reserve(count), depth.reserve(count), resistance.reserve(count);
@@ -59,9 +55,10 @@ void Attempt::find_insertions() {
       if (!insertions.empty()) way_out = std::max(way_out, (tip[i] - tip[insertions.back().last]).norm());
       continue;
     }
-    const bool is_new = insertions.empty() ||
-                        (insertions.back().last + 1 < i &&
-                         (way_out > shortest_way_out || time[i] - time[insertions.back().last] > shortest_absence));
+    const bool is_new =
+        insertions.empty() ||
+        (insertions.back().last + 1 < i &&
+         (way_out > thresholds_.outside_way || time[i] - time[insertions.back().last] > thresholds_.outside_time));
     if (is_new) insertions.push_back({i, i, 0.0});
     insertions.back().last = i;
     insertions.back().deepest = std::max(insertions.back().deepest, depth[i]);
@@ -80,7 +77,7 @@ void Attempt::find_rests() {
     outside.push_back(outside.back() + (inside[i] == 0 ? 1 : 0));
   }
   const auto close = [&](std::size_t from, std::size_t to) {  // middles of windows
-    if (static_cast<double>(to - from) * dt() < shortest_rest - 2.0 * rest_half - 0.5 * dt()) return;
+    if (static_cast<double>(to - from) * dt() < thresholds_.rest_time - 2.0 * rest_half - 0.5 * dt()) return;
     Rest rest{.first = insertion.first + from, .last = insertion.first + to, .tip = Vec3::Zero(), .depth = 0.0};
     for (std::size_t i = rest.first; i <= rest.last; ++i) {
       rest.tip += tip[i] / static_cast<double>(to - from + 1);
@@ -93,7 +90,7 @@ void Attempt::find_rests() {
     const Vec3 before = (sums[middle] - sums[middle - half]) / static_cast<double>(half);
     const Vec3 after = (sums[middle + half] - sums[middle]) / static_cast<double>(half);
     const bool resting = outside[middle + half] == outside[middle - half] &&
-                         (after - before).norm() < rest_speed * static_cast<double>(half) * dt();
+                         (after - before).norm() < thresholds_.rest_speed * static_cast<double>(half) * dt();
     if (resting && !since) since = middle;
     if (!resting && since) {
       close(*since, middle - 1);
@@ -109,7 +106,7 @@ void Attempt::find_final_tip() {
     const auto deeper = [](const Rest& a, const Rest& b) { return a.depth < b.depth; };
     const double deepest = std::max_element(rests.begin(), rests.end(), deeper)->depth;
     const auto last = std::find_if(rests.rbegin(), rests.rend(),
-                                   [&](const Rest& rest) { return rest.depth >= deepest - same_depth; });
+                                   [&](const Rest& rest) { return rest.depth >= deepest - thresholds_.same_rest; });
     found = {true, last->last, last->tip, last->depth, tissue_of(*last)};
   } else {
     const Insertion& insertion = insertions.back();

@@ -8,20 +8,21 @@
 #include "session/session_file.h"
 
 #include "anatomy/case.h"
+#include "training/thresholds.h"
 
 namespace bodkin::training {
 
 // An insertion: from the contact with the skin until the needle has left the body. A needle that comes back within
-// half a second, having been less than 5 mm outside, is still the same insertion.
+// the thresholds outside_s and outside_mm is still the same insertion.
 struct Insertion {
   std::size_t first = 0;  // index of the first tick in contact
   std::size_t last = 0;   // of the last one
   double deepest = 0.0;   // mm
 };
 
-// A place in the body where the tip stayed for at least half a second: the mean of its position over 0.2 s moved by
-// less than 1 mm/s from the mean over the 0.2 s before. A tremor of 8 to 12 Hz cancels in these means, so that a
-// trembling hand can rest.
+// A place in the body where the tip stayed for at least rest_s: the mean of its position over 0.2 s moved by
+// less than rest_mm_per_s from the mean over the 0.2 s before. A tremor of 8 to 12 Hz cancels in these means, so that
+// a trembling hand can rest.
 struct Rest {
   std::size_t first = 0;  // ticks at which the tip rested
   std::size_t last = 0;
@@ -29,7 +30,7 @@ struct Rest {
   double depth = 0.0;       // mean, mm
 };
 
-// Where the tip ended: the deepest rest of the last insertion (the last one of those within 1 mm of it), or the
+// Where the tip ended: the deepest rest of the last insertion (the last one of those within same_rest_mm), or the
 // insertion's deepest point when it did not rest. A rest before the skin was pierced is in air and none.
 struct FinalPosition {
   bool is_rest = false;
@@ -44,10 +45,12 @@ struct FinalPosition {
 class Attempt {
  public:
   // Throws InputError for a session without ticks. `session` must outlive the object.
-  Attempt(const session::Session& session, const anatomy::CaseDescription& description);
+  Attempt(const session::Session& session, const anatomy::CaseDescription& description,
+          const Thresholds& thresholds = {});
 
   const session::Session& session() const { return session_; }
   const anatomy::CaseDescription& description() const { return description_; }
+  const Thresholds& thresholds() const { return thresholds_; }
   const anatomy::NeedlePath& path() const { return session_.header.path; }
   std::size_t size() const { return time.size(); }
   double dt() const { return session_.header.dt; }
@@ -83,6 +86,7 @@ class Attempt {
 
   const session::Session& session_;
   anatomy::CaseDescription description_;
+  Thresholds thresholds_;
 };
 
 // The description that the session keeps of its case. Throws InputError when it is none.

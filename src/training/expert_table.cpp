@@ -62,11 +62,12 @@ fs::path own_expert_file(const std::string& procedure) {
   return io::data_folder() / "experts" / (procedure + ".csv");
 }
 
-std::optional<ExpertSet> experts_of(const std::string& procedure) {
-  const fs::path own = own_expert_file(procedure);
+std::optional<ExpertSet> experts_of(const Procedure& procedure) {
+  const fs::path own = own_expert_file(procedure.name);
   std::error_code error;
   if (fs::is_regular_file(own, error)) return ExpertSet::read(own);
-  return ExpertSet::shipped(procedure);
+  if (procedure.thresholds != Thresholds()) return std::nullopt;
+  return ExpertSet::shipped(procedure.name);
 }
 
 ExpertsAdded add_experts(const fs::path& file, std::span<const ExpertAttempt> attempts) {

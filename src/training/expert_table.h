@@ -14,8 +14,9 @@ namespace bodkin::training {
 std::filesystem::path own_expert_file(const std::string& procedure);
 
 // The experts that attempts at a procedure are compared with: a person's own where there are some, or else those that
-// come with Bodkin. Throws InputError for a table of one's own that is none.
-std::optional<ExpertSet> experts_of(const std::string& procedure);
+// come with Bodkin, who were measured with the default thresholds and are not compared with where the procedure
+// states others. Throws InputError for a table of one's own that is none.
+std::optional<ExpertSet> experts_of(const Procedure& procedure);
 
 // An expert's attempt on its way into a table.
 struct ExpertAttempt {

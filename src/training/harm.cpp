@@ -15,9 +15,8 @@ namespace bodkin::training {
 
 namespace {
 
-constexpr double outside_before_reentry = 1.0;  // mm travelled outside before an entry counts again
-constexpr double near_miss_step = 0.25;         // mm of travel between two looks
-constexpr double organ_wall = 10.0;             // mm of the planned path before the target in which its organ begins
+constexpr double near_miss_step = 0.25;  // mm of travel between two looks
+constexpr double organ_wall = 10.0;      // mm of the planned path before the target in which its organ begins
 
 // "inferior_vena_cava" becomes "inferior vena cava".
 std::string spoken_name(std::string name) {
@@ -187,7 +186,7 @@ class HarmSearch {
         harm.first_time = attempt_.time[i];
         harm.first_depth = harm.deepest = attempt_.depth[i];
       }
-      if (outside >= outside_before_reentry) ++harm.entries;
+      if (outside >= attempt_.thresholds().reentry) ++harm.entries;
       outside = 0.0;
       harm.deepest = std::max(harm.deepest, attempt_.depth[i]);
     }

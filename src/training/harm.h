@@ -16,7 +16,7 @@ struct Harm {
   std::string consequence;  // what it does to a patient; may be empty
   Grade grade = Grade::dangerous;
   bool entered = false;      // false: the tip only came closer than the margin
-  int entries = 0;           // counted again after 1 mm of travel outside
+  int entries = 0;           // counted again after reentry_mm of travel outside
   double first_time = 0.0;   // s since the first tick; of a near miss, when the tip was closest
   double first_depth = 0.0;  // mm along the needle's line, at the same time
   double deepest = 0.0;      // mm, greatest depth of the tip while in it

@@ -8,11 +8,8 @@ namespace bodkin::training {
 
 namespace {
 
-constexpr double stop_speed = 1.0;              // mm/s inwards
-constexpr double speed_span = 0.02;             // s over which a speed is taken
-constexpr double retreat_of_redirection = 5.0;  // mm
-constexpr double advance_afterwards = 1.0;      // mm
-constexpr double turn_of_redirection = 3.0;     // deg
+constexpr double speed_span = 0.02;         // s over which a speed is taken
+constexpr double advance_afterwards = 1.0;  // mm
 
 // Counts redirections inside one insertion.
 int redirections_in(const Attempt& attempt, const Insertion& insertion) {
@@ -27,7 +24,7 @@ int redirections_in(const Attempt& attempt, const Insertion& insertion) {
       if (depth >= deepest) {
         deepest = depth;
         axis_at_deepest = axis;
-      } else if (deepest - depth > retreat_of_redirection) {
+      } else if (deepest - depth > attempt.thresholds().retreat) {
         retreated = true;
         shallowest = depth;
       }
@@ -36,7 +33,7 @@ int redirections_in(const Attempt& attempt, const Insertion& insertion) {
     shallowest = std::min(shallowest, depth);
     if (depth - shallowest < advance_afterwards) continue;
     const double turn = std::atan2(axis.cross(axis_at_deepest).norm(), axis.dot(axis_at_deepest)) / degree;
-    if (turn > turn_of_redirection) ++count;
+    if (turn > attempt.thresholds().redirection) ++count;
     retreated = false;
     deepest = depth;
     axis_at_deepest = axis;
@@ -55,7 +52,7 @@ void follow(const Attempt& attempt, std::size_t index, Puncture& puncture) {
     if (before == i) continue;
     const double speed = (attempt.depth[i] - attempt.depth[before]) / (attempt.time[i] - attempt.time[before]);
     if (i >= index) puncture.speed = std::max(puncture.speed, speed);
-    if (speed < stop_speed || attempt.inside[i] == 0) break;
+    if (speed < attempt.thresholds().stop_speed || attempt.inside[i] == 0) break;
   }
   const std::size_t stop = std::min(i, attempt.size() - 1);
   puncture.overshoot = deepest - from;

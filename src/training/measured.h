@@ -16,7 +16,7 @@ struct Puncture {
   double time = 0.0;                                // s since the first tick
   double depth = 0.0;                               // mm
   double force = 0.0;                               // N: at which it gave way; of a loss of resistance, the drop
-  double overshoot = 0.0;  // mm that the tip went further until it stopped (slower than 1 mm/s inwards)
+  double overshoot = 0.0;  // mm that the tip went further until it stopped (slower than stop_mm_per_s inwards)
   double speed = 0.0;      // mm/s, greatest on that way, over 20 ms
   double reaction = 0.0;   // s until it stopped
   double approach = 0.0;   // mm/s, greatest inwards in the second before, over 100 ms
@@ -54,7 +54,7 @@ struct Measured {
   std::vector<TissueTotal> tissues;  // in the order of their first depth
   // Those of `named` that came into the ultrasound's picture, in the order in which they did.
   std::vector<session::ScannedPart> scanned;
-  int redirections = 0;     // retreats of over 5 mm, then an advance with the axis turned by over 3 deg
+  int redirections = 0;     // retreats of over retreat_mm, then an advance with another axis
   double work = 0.0;        // N mm that the hand did against the applied force
   double peak_force = 0.0;  // N, largest resistance in the body
   double peak_depth = 0.0;  // mm, where that was

@@ -8,8 +8,6 @@ namespace bodkin::training {
 
 namespace {
 
-constexpr double fast_tip = 50.0;   // mm/s, PerkTutor's
-constexpr double fast_turn = 50.0;  // deg/s, PerkTutor's
 constexpr double turn_span = 0.05;  // s over which a turn is taken, so that noise of the rotation does not add up
 constexpr std::size_t fewest_samples = 10;  // of a correlation
 
@@ -17,8 +15,8 @@ std::size_t ticks_in(double seconds, const Attempt& attempt) {
   return static_cast<std::size_t>(std::max(1.0, std::round(seconds / attempt.dt())));
 }
 
-double count_of_actions(const std::vector<double>& speed, double interval, double fast) {
-  const std::vector<char> active = in_action(speed, interval, fast);
+double count_of_actions(const std::vector<double>& speed, double interval, double fast, double lasting) {
+  const std::vector<char> active = in_action(speed, interval, fast, lasting);
   double count = 0.0;
   for (std::size_t i = 0; i < active.size(); ++i)
     count += active[i] != 0 && (i == 0 || active[i - 1] == 0) ? 1.0 : 0.0;
@@ -26,7 +24,8 @@ double count_of_actions(const std::vector<double>& speed, double interval, doubl
 }
 
 std::optional<double> translational_actions(const Measured& measured) {
-  return count_of_actions(speeds(measured.motion), measured.motion.interval, fast_tip);
+  const Thresholds& least = measured.attempt.thresholds();
+  return count_of_actions(speeds(measured.motion), measured.motion.interval, least.quick_speed, least.action_time);
 }
 
 std::optional<double> rotational_actions(const Measured& measured) {
@@ -39,7 +38,7 @@ std::optional<double> rotational_actions(const Measured& measured) {
     const Mat3 step = ticks[i - stride].input.needle.linear().transpose() * ticks[i].input.needle.linear();
     speed.push_back(std::abs(Eigen::AngleAxisd(step).angle()) / degree / interval);
   }
-  return count_of_actions(speed, interval, fast_turn);
+  return count_of_actions(speed, interval, attempt.thresholds().quick_turn, attempt.thresholds().action_time);
 }
 
 // Turning about the needle's own axis.

@@ -7,8 +7,6 @@ namespace bodkin::training {
 
 namespace {
 
-constexpr double least_lift = 0.5;       // mm; a smaller change of direction is tremor
-constexpr double least_twirl = 10.0;     // deg, the same
 constexpr std::size_t fewest_turns = 5;  // of a motion to and fro: two whole cycles
 
 struct Oscillation {
@@ -76,7 +74,7 @@ std::optional<Oscillation> lifting(const Measured& measured) {
     if (measured.motion.inside[i] != 0)
       curve.push_back({measured.motion.time[i], (measured.motion.tip[i] - attempt.path().entry).dot(along)});
   }
-  return oscillation(curve, least_lift);
+  return oscillation(curve, attempt.thresholds().lift);
 }
 
 // Rotation about the needle's own axis, summed over 10 ms at a time.
@@ -95,7 +93,7 @@ std::optional<Oscillation> twirling(const Measured& measured) {
     if (turn.w() < 0.0) angle -= turn.z() > 0.0 ? 360.0 : -360.0;
     curve.push_back({attempt.time[i], angle});
   }
-  return oscillation(curve, least_twirl);
+  return oscillation(curve, attempt.thresholds().twirl);
 }
 
 std::optional<double> lift_amplitude(const Measured& measured) {

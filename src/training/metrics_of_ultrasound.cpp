@@ -9,9 +9,7 @@ namespace bodkin::training {
 
 namespace {
 
-constexpr double in_plane = 2.0;         // mm from the slice within which the tip is seen
-constexpr double target_in_plane = 5.0;  // mm, the same of the target, PerkTutor's
-constexpr double at_target = 1.0;        // mm: nearer, the line to the target has no direction
+constexpr double at_target = 1.0;  // mm: nearer, the line to the target has no direction
 
 struct Mean {
   double sum = 0.0, most = 0.0;
@@ -50,14 +48,14 @@ std::optional<Seen> look(const Measured& measured) {
     const double angle = std::asin(std::clamp(std::abs(attempt.axis[i].dot(normal)), 0.0, 1.0)) / degree;
     found.distance.add(distance);
     found.angle.add(angle);
-    found.tip_seen.add(distance <= in_plane ? 1.0 : 0.0);
+    found.tip_seen.add(distance <= attempt.thresholds().tip_in_slice ? 1.0 : 0.0);
     const auto point = static_cast<std::size_t>(attempt.time[i] / measured.motion.interval + 0.5);
     if (moving[std::min(point, moving.size() - 1)] != 0) {
       found.moving_distance.add(distance);
       found.moving_angle.add(angle);
     }
-    const bool shows_target =
-        is_in_picture(probe, machine ? &*machine : nullptr, attempt.path().target, target_in_plane);
+    const bool shows_target = is_in_picture(probe, machine ? &*machine : nullptr, attempt.path().target,
+                                            attempt.thresholds().target_in_slice);
     found.target_seen.add(shows_target ? 1.0 : 0.0);
     const auto in_slice = [&](const Vec3& v) { return Vec3(v - v.dot(normal) * normal); };
     const Vec3 way = in_slice(attempt.path().target - attempt.tip[i]), shaft = in_slice(attempt.axis[i]);

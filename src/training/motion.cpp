@@ -161,8 +161,7 @@ std::vector<double> turning_speeds(const Attempt& attempt, const Motion& motion)
   return found;
 }
 
-std::vector<char> in_action(const std::vector<double>& speed, double interval, double fast) {
-  constexpr double shortest = 0.2;  // s
+std::vector<char> in_action(const std::vector<double>& speed, double interval, double fast, double lasting) {
   std::vector<char> active(speed.size(), 0);
   char state = 0;
   std::size_t since = 0;  // where the speed last changed sides
@@ -170,7 +169,7 @@ std::vector<char> in_action(const std::vector<double>& speed, double interval, d
     const char side = speed[i] > fast ? 1 : 0;
     if (side == state) since = i + 1;
     active[i] = state;
-    if (static_cast<double>(i + 1 - since) * interval <= shortest) continue;
+    if (static_cast<double>(i + 1 - since) * interval <= lasting) continue;
     state = side;
     for (std::size_t k = since; k <= i; ++k) active[k] = state;
     since = i + 1;
@@ -179,9 +178,10 @@ std::vector<char> in_action(const std::vector<double>& speed, double interval, d
 }
 
 std::vector<char> needle_in_action(const Attempt& attempt, const Motion& motion) {
-  constexpr double fast_tip = 5.0, fast_turn = 10.0;  // mm/s, deg/s
-  std::vector<char> active = in_action(speeds(motion), motion.interval, fast_tip);
-  const std::vector<char> turning = in_action(turning_speeds(attempt, motion), motion.interval, fast_turn);
+  const Thresholds& least = attempt.thresholds();
+  std::vector<char> active = in_action(speeds(motion), motion.interval, least.action_speed, least.action_time);
+  const std::vector<char> turning =
+      in_action(turning_speeds(attempt, motion), motion.interval, least.action_turn, least.action_time);
   for (std::size_t i = 0; i < active.size(); ++i) active[i] = active[i] != 0 || turning[i] != 0 ? 1 : 0;
   return active;
 }

@@ -27,12 +27,12 @@ std::vector<double> speeds(const Motion& motion);
 // rotation does not count.
 std::vector<double> turning_speeds(const Attempt& attempt, const Motion& motion);
 
-// 1 where something is in action: a change to above `fast` counts once it has lasted for over 0.2 s, from its
+// 1 where something is in action: a change to above `fast` counts once it has lasted for over `lasting` s, from its
 // beginning, and so does the change back. `interval`: s between the speeds.
-std::vector<char> in_action(const std::vector<double>& speed, double interval, double fast);
+std::vector<char> in_action(const std::vector<double>& speed, double interval, double fast, double lasting);
 
-// 1 at the points of the motion at which the needle is in action as TrainUS has it: its tip moves by over 5 mm/s, or
-// it turns by over 10 deg/s.
+// 1 at the points of the motion at which the needle is in action as TrainUS has it: its tip moves faster than
+// action_mm_per_s, or it turns faster than action_deg_per_s, for over action_s.
 std::vector<char> needle_in_action(const Attempt& attempt, const Motion& motion);
 
 // Smoothness of the motion from the first point in the body to the point at time `until` (s): the logarithmic

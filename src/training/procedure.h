@@ -8,6 +8,7 @@
 
 #include "core/parameter.h"
 #include "core/settings_check.h"
+#include "training/thresholds.h"
 
 namespace bodkin::training {
 
@@ -175,6 +176,7 @@ struct Procedure {
   std::vector<Goal> goals;  // any one suffices
   std::vector<Forbidden> forbidden;
   std::vector<Rule> rules;
+  Thresholds thresholds;
 
   template <typename S = Procedure>
   static constexpr auto parameters() {
@@ -191,7 +193,8 @@ struct Procedure {
         ChildElements{"step", &S::steps, "a stage of it, in order", 50},
         ChildElements{"goal", &S::goals, "what reaches its aim", 10},
         ChildElements{"forbidden", &S::forbidden, "what the tip must not enter", 100},
-        ChildElements{"rule", &S::rules, "what a metric must be", 100}};
+        ChildElements{"rule", &S::rules, "what a metric must be", 100},
+        ChildElement{"thresholds", &S::thresholds, "from where on something counts in its metrics"}};
   }
   template <typename S = Procedure>
   static constexpr auto relations() {

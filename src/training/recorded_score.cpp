@@ -28,7 +28,7 @@ RecordedScore score_recording(const std::filesystem::path& file, const std::stri
       folder.empty() ? std::filesystem::path(result.session.header.case_folder) : folder, by, progress);
   if (!patient.missing.empty() && !folder.empty()) throw InputError("--case: " + patient.missing);
   result.missing = patient.missing;
-  const auto experts = experts_of(by.name);
+  const auto experts = experts_of(by);
   result.score = score(result.session, result.description, by, patient.volumes(), experts ? &*experts : nullptr);
   return result;
 }

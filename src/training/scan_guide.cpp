@@ -10,10 +10,6 @@ namespace bodkin::training {
 
 namespace {
 
-constexpr double shown_within = 5.0;     // mm of the slice, PerkTutor's Targets Scanned
-constexpr double largest_angle = 15.0;   // deg, TrainUS
-constexpr double largest_offset = 10.0;  // mm, TrainUS
-constexpr double drawn_back = 5.0;       // mm, after which a needle is on another way
 constexpr std::string_view target_name = "target", process_prefix = "spinous_process_";
 constexpr std::array<std::string_view, 3> scanned_vertebrae = {"L5", "L4", "L3"};
 
@@ -55,14 +51,15 @@ std::optional<Sought> sought(const anatomy::CaseDescription& description, const 
   return landmark ? std::optional(Sought{.point = *landmark}) : std::nullopt;
 }
 
-bool shows(const ProbeMoment& probe, const anatomy::UltrasoundProbe* machine, const Sought& sought) {
-  if (sought.beam_along && angle_between(probe.into, *sought.beam_along) > largest_angle) return false;
+bool shows(const ProbeMoment& probe, const anatomy::UltrasoundProbe* machine, const Sought& sought,
+           const Thresholds& limits) {
+  if (sought.beam_along && angle_between(probe.into, *sought.beam_along) > limits.guide_angle) return false;
   if (sought.slice_along) {
     const double out_of_slice =
         std::asin(std::clamp(std::abs(sought.slice_along->dot(probe.normal)), 0.0, 1.0)) / degree;
-    if (out_of_slice > largest_angle) return false;
+    if (out_of_slice > limits.guide_angle) return false;
   }
-  return is_in_picture(probe, machine, sought.point, shown_within);
+  return is_in_picture(probe, machine, sought.point, limits.target_in_slice);
 }
 
 std::optional<double> first_on(const std::vector<ProbeMoment>& track, const Attempt& attempt, std::string_view what) {
@@ -71,7 +68,8 @@ std::optional<double> first_on(const std::vector<ProbeMoment>& track, const Atte
   const double start = static_cast<double>(attempt.session().ticks.front().tick) * attempt.dt();
   const auto& machine = attempt.session().header.ultrasound;
   for (const ProbeMoment& probe : track) {
-    if (shows(probe, machine ? &*machine : nullptr, *wanted)) return std::max(0.0, probe.time - start);
+    if (shows(probe, machine ? &*machine : nullptr, *wanted, attempt.thresholds()))
+      return std::max(0.0, probe.time - start);
   }
   return std::nullopt;
 }
@@ -112,7 +110,7 @@ std::optional<Aim> aim_of(const Attempt& attempt) {
   aim.angle = angle_between(axis, path.direction());
   std::size_t end = insertion.first;
   double deepest = attempt.depth[end];
-  for (; end < insertion.last && deepest - attempt.depth[end] <= drawn_back; ++end)
+  for (; end < insertion.last && deepest - attempt.depth[end] <= attempt.thresholds().retreat; ++end)
     deepest = std::max(deepest, attempt.depth[end]);
   for (const session::SessionEvent& each : attempt.session().events) {
     const std::size_t at = attempt.index_of(each);
@@ -140,8 +138,8 @@ std::vector<GuideStep> guide_steps(const Attempt& attempt) {
   steps.push_back({std::string(target_name), was_shown(target_name)});
   const double tolerance = attempt.description().procedure.target_tolerance;
   steps.push_back({"line", aim->miss <= tolerance && aim->bone_contacts == 0});
-  steps.push_back({"offset", aim->off_line < largest_offset});
-  steps.push_back({"angle", aim->angle < largest_angle});
+  steps.push_back({"offset", aim->off_line < attempt.thresholds().guide_offset});
+  steps.push_back({"angle", aim->angle < attempt.thresholds().guide_angle});
   return steps;
 }
 

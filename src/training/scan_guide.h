@@ -22,7 +22,7 @@ struct SpinousProcess {
 std::optional<SpinousProcess> spinous_process(const anatomy::CaseDescription& description, std::string_view vertebra);
 
 // The first time, in s since the first tick, at which the picture showed `what`. The target
-// counts when the planned path lies within 15 deg of the slice, a spinous process when the beam is within 15 deg of
+// counts when the planned path lies within guide_deg of the slice, a spinous process when the beam is within that of
 // the straight way from the skin to the canal: elsewhere the picture is no guide for a needle (the limits of
 // TrainUS).
 std::optional<double> first_shown(const Attempt& attempt, std::string_view what);
@@ -35,7 +35,7 @@ struct Aim {
   double miss = 0.0;      // mm between the needle's straight line and the planned target
   double off_line = 0.0;  // mm of the tip from the line of the planned path
   double angle = 0.0;     // deg between needle and planned path
-  int bone_contacts = 0;  // met on this first way, before the needle was drawn back by over 5 mm
+  int bone_contacts = 0;  // met on this first way, before the needle was drawn back by over retreat_mm
 };
 std::optional<Aim> aim_of(const Attempt& attempt);
 
@@ -46,8 +46,8 @@ struct GuideStep {
 };
 // The seven steps of TrainUS's lumbar exercise: the spinous processes of L5, L4 and L3 and then the target were shown
 // before the first insertion; the line of the needle at the skin goes through the target and meets no bone; the tip
-// is less than 10 mm from the planned line there, and the needle less than 15 deg. The last four alone for a case
-// without a lumbar spine. Empty without a probe or an insertion.
+// is less than guide_mm from the planned line there, and the needle less than guide_deg. The last four alone for a
+// case without a lumbar spine. Empty without a probe or an insertion.
 std::vector<GuideStep> guide_steps(const Attempt& attempt);
 
 }  // namespace bodkin::training

@@ -56,6 +56,7 @@ class Scorer {
     score_.tissues = measured_.tissues;
     score_.punctures = measured_.punctures;
     score_.final_tip = attempt_.final_tip;
+    score_.thresholds = procedure_.thresholds;
     score_.experts = experts_ == nullptr ? 0 : experts_->size();
     const HarmReport harm = find_harm(attempt_, procedure_, volumes_);
     score_.harms = harm.harms;
@@ -82,6 +83,7 @@ class Scorer {
         add(Grade::pass, "structures_scanned", scanned_sentence(measured_.scanned));
       find_level();
       check_needle();
+      tell_thresholds();
       check_parts();
       rules();
     }
@@ -225,6 +227,16 @@ class Scorer {
     }
   }
 
+  // Said, because the definitions of the metrics state the usual ones.
+  void tell_thresholds() {
+    std::vector<std::string> own;
+    for (const auto& [name, value] : own_thresholds(attempt_.thresholds()))
+      own.push_back(fmt::format("{} {:.6g}", name, value));
+    if (own.empty()) return;
+    add(Grade::pass, "thresholds",
+        fmt::format("Measured with thresholds of the procedure's own: {}.", fmt::join(own, ", ")));
+  }
+
   void check_needle() {
     const int gauge = attempt_.description().needle.gauge;
     if (gauge >= procedure_.thickest_gauge && gauge <= procedure_.thinnest_gauge) return;
@@ -330,7 +342,7 @@ const MetricResult* Score::find(std::string_view metric) const {
 
 Score score(const session::Session& session, const anatomy::CaseDescription& description, const Procedure& procedure,
             const PatientVolumes& volumes, const ExpertSet* experts) {
-  const Attempt attempt(session, description);
+  const Attempt attempt(session, description, procedure.thresholds);
   return Scorer(attempt, procedure, volumes, experts).judge();
 }
 

@@ -15,7 +15,8 @@ namespace bodkin::training {
 // One reason for the verdict, as a teacher would say it.
 struct Finding {
   Grade grade = Grade::pass;
-  std::string subject;   // what it is about: the name of a metric, "goal", "harm", "level", "needle", "recording"
+  std::string subject;   // what it is about: the name of a metric, "goal", "harm", "level", "needle",
+                         // "thresholds", "recording"
   std::string sentence;  // ends with a full stop
 };
 
@@ -50,6 +51,7 @@ struct Score {
   std::vector<TissueTotal> tissues;
   std::vector<Puncture> punctures;
   std::optional<FinalPosition> final_tip;
+  Thresholds thresholds;    // that it was measured with
   std::size_t experts = 0;  // attempts in the expert set; 0: none was at hand
 
   // nullptr when the attempt does not have it.

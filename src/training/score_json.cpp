@@ -34,6 +34,13 @@ ordered_json metric_json(const MetricResult& result) {
   return json;
 }
 
+// Those that are not the default.
+ordered_json thresholds_json(const Thresholds& thresholds) {
+  ordered_json json = ordered_json::object();
+  for (const auto& [name, value] : own_thresholds(thresholds)) json[std::string(name)] = value;
+  return json;
+}
+
 ordered_json final_json(const Score& score, const Attempt& attempt) {
   if (!score.final_tip) return nullptr;
   const Vec3& tip = score.final_tip->tip;
@@ -59,6 +66,7 @@ std::string score_json(const Score& score, const Attempt& attempt, const std::st
                        {"level", score.level.empty() ? ordered_json(nullptr) : ordered_json(score.level)},
                        {"final_position", final_json(score, attempt)},
                        {"experts", score.experts}};
+  if (score.thresholds != Thresholds()) json["thresholds"] = thresholds_json(score.thresholds);
   json["findings"] = ordered_json::array();
   for (const Finding& each : score.findings)
     json["findings"].push_back(

@@ -10,7 +10,8 @@ namespace bodkin::training {
 inline constexpr int score_version = 1;
 
 // A score as one JSON object of the published form, indented. Times in s, lengths in mm, forces in N; what an attempt
-// does not have is null. `session`: the file that was scored.
+// does not have is null. The thresholds of its metrics are told where they are not the default. `session`: the file
+// that was scored.
 std::string score_json(const Score& score, const Attempt& attempt, const std::string& session);
 
 // A score in a table of attempts: the names of its columns, and its values in them, with commas between. Fields that

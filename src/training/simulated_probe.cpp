@@ -10,7 +10,6 @@ namespace bodkin::training {
 namespace {
 
 constexpr double sample_time = 0.01;   // s
-constexpr double seen_within = 2.0;    // mm of the slice, as the metrics count it
 constexpr double sliding_speed = 5.0;  // mm/s after a tip that was lost
 constexpr double wander_time = 2.0;    // s, after which the hand's drift has forgotten where it was
 constexpr double beside_entry = 25.0;  // mm from the entry to the middle of the probe's face
@@ -45,7 +44,7 @@ void hold_probe(session::Session& session, const simulation::OperatorScript& scr
     drift = keeps * drift + std::sqrt(1.0 - keeps * keeps) * script.wander * random.normal();
     const Vec3 place = face + (slid + drift) * normal;
     const double away = (session.ticks[i].input.needle.translation() - place).dot(normal);
-    lost_for = std::abs(away) > seen_within ? lost_for + sample_time : 0.0;
+    lost_for = std::abs(away) > Thresholds().tip_in_slice ? lost_for + sample_time : 0.0;
     if (lost_for > script.reaction)
       slid += std::copysign(std::min(sliding_speed * sample_time, std::abs(away)), away);
     session::SecondSample sample;

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "io/resources.h"
 #include "training/metric.h"
+#include "training/procedure_file.h"
 
 namespace bodkin {
 
@@ -34,18 +35,18 @@ class ExpertTable : public ::testing::Test {
 };
 
 TEST_F(ExpertTable, own_experts_take_the_place_of_the_simulated_ones) {
-  const std::string simulated = experts_of("epidural")->origin();
+  const std::string simulated = experts_of(find_shipped_procedure("epidural"))->origin();
   std::vector<ExpertAttempt> attempts;
   for (int i = 0; i < 6; ++i) attempts.push_back(attempt_of("digest-" + std::to_string(i), 10.0 * i));
   const std::filesystem::path file = own_expert_file("epidural");
   const ExpertsAdded added = add_experts(file, attempts);
   EXPECT_EQ(added.added, 6U);
   EXPECT_EQ(added.attempts, 6U);
-  const auto own = experts_of("epidural");
+  const auto own = experts_of(find_shipped_procedure("epidural"));
   EXPECT_NE(own->origin(), simulated);
   EXPECT_EQ(own->size(), 6U);
   EXPECT_NEAR(own->place("path_length_mm", 25.0)->percentile, 50.0, 1e-9);
-  EXPECT_EQ(experts_of("lumbar_puncture")->size(), 60U);
+  EXPECT_EQ(experts_of(find_shipped_procedure("lumbar_puncture"))->size(), 60U);
 }
 
 TEST_F(ExpertTable, an_attempt_that_is_added_again_replaces_its_row) {

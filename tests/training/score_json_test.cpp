@@ -80,5 +80,19 @@ TEST(ScoreJson, a_row_of_the_table_has_a_field_for_every_column) {
   EXPECT_EQ(place->percentile, 50.0);  // read back to the same bits
 }
 
+TEST(ScoreJson, tells_thresholds_that_are_not_the_default) {
+  WrittenSession written = good_puncture();
+  EXPECT_FALSE(json_of(written).contains("thresholds"));
+  training::Procedure procedure = find_procedure("lumbar_puncture");
+  procedure.thresholds.retreat = 7.5;
+  const Attempt attempt(written.session(), written_description(), procedure.thresholds);
+  const Score result = score(written.session(), written_description(), procedure);
+  const json told = json::parse(score_json(result, attempt, "a.bodkin"));
+  EXPECT_EQ(told.at("thresholds"), json({{"retreat_mm", 7.5}}));
+  std::ifstream stream(io::shared_file("score.schema.json"));
+  const json schema = json::parse(stream).at("properties").at("thresholds");
+  EXPECT_EQ(schema.at("additionalProperties"), json({{"type", "number"}}));
+}
+
 }  // namespace
 }  // namespace bodkin

@@ -1744,6 +1744,10 @@
         <translation>Der Ultraschall zeigte: %1.</translation>
     </message>
     <message>
+        <source>Measured with thresholds of the procedure's own: %1.</source>
+        <translation>Gemessen mit eigenen Schwellen der Prozedur: %1.</translation>
+    </message>
+    <message>
         <source>A needle of %1G is unusual here: %2G to %3G is.</source>
         <translation>Eine Nadel von %1G ist hier unüblich; üblich sind %2G bis %3G.</translation>
     </message>

@@ -151,7 +151,7 @@ void Recording::judge(bool is_same) {
       return;
     }
     const training::Procedure procedure = training::procedure_of_case(description.procedure.name);
-    const auto experts = training::experts_of(procedure.name);
+    const auto experts = training::experts_of(procedure);
     score_ = training::score(session_, description, procedure, {}, experts ? &*experts : nullptr);
   } catch (const InputError& error) {
     not_judged_ = error.what();
