@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "anatomy/breathing.h"
 #include "anatomy/condensed_body.h"
 #include "anatomy/force_settings.h"
 #include "anatomy/needle.h"
@@ -127,6 +128,7 @@ struct CaseDescription {
   HapticSettings haptics;
   std::vector<Landmark> landmarks;
   Procedure procedure;
+  std::optional<Breathing> breathing;  // nothing: the patient does not breathe
   std::vector<std::string> notes;  // what was repaired or assumed when the case was made
 };
 

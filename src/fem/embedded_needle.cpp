@@ -66,19 +66,22 @@ void EmbeddedNeedle::reset() noexcept {
   contact_nodes_.clear();
   begun_ = false;
   field_ = {};
+  breath_ = {};
 }
 
 // mm, LPS, that the body moves a point by itself.
 Vec3 EmbeddedNeedle::goal(std::uint32_t point) const noexcept {
-  Vec3 moved = Vec3::Zero();
-  if (field_.empty() || point >= body_.in_mesh.size()) return moved;
+  Vec3 breathed = Vec3::Zero();
+  if (breath_.field != nullptr) breathed = breath_.field->moved(body_.nodes[point], breath_.drawn_in) - breath_.of_frame;
+  if (field_.empty() || point >= body_.in_mesh.size()) return breathed;
   const anatomy::PlaceInElement& place = body_.in_mesh[point];
+  Vec3 moved = Vec3::Zero();
   for (std::size_t corner = 0; corner < 4; ++corner) {
     const std::size_t at = 3 * std::size_t{place.nodes[corner]};
-    if (at + 3 > field_.size()) return Vec3::Zero();
+    if (at + 3 > field_.size()) return breathed;
     moved += place.weights[corner] * Eigen::Map<const Eigen::Vector3f>(field_.data() + at).cast<double>();
   }
-  return moved;
+  return breathed + moved;
 }
 
 void EmbeddedNeedle::place_new_points() noexcept {
@@ -89,9 +92,10 @@ void EmbeddedNeedle::place_new_points() noexcept {
   }
 }
 
-bool EmbeddedNeedle::move_with(std::span<const float> of_mesh) noexcept {
+bool EmbeddedNeedle::move_with(std::span<const float> of_mesh, const BodyBreath& breath) noexcept {
   field_ = of_mesh;
-  if (field_.empty() && !moves_) return false;
+  breath_ = breath;
+  if (field_.empty() && breath_.field == nullptr && !moves_) return false;
   const double share = std::min(1.0, dt_ / carry_time);
   moves_ = false;
   for (const ContactNode& node : line()) {

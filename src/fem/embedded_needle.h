@@ -8,6 +8,7 @@
 #include "anatomy/condensed_body.h"
 #include "anatomy/force_settings.h"
 #include "core/geometry.h"
+#include "fem/body_motion.h"
 #include "fem/contact_nodes.h"
 #include "fem/contact_tissues.h"
 #include "fem/node_forces.h"
@@ -92,10 +93,10 @@ class EmbeddedNeedle {
   void begin_growing(const Vec3& entry, const Vec3& direction, const ProvisionalSurface& surface = {}) noexcept;
   // Before a tick: the first `points` of the body are there now; `complete`: no more will come.
   void extend(std::size_t points, bool complete = false) noexcept;
-  // Before a tick: the body moves by itself, pressed by a probe for example. `of_mesh`: mm, 3 per node of its mesh;
-  // fewer: it stands still. The tissue at the needle goes there within some hundredths of a second, and takes the
-  // needle along or moves along it. Whether any point moves at all.
-  bool move_with(std::span<const float> of_mesh) noexcept;
+  // Before a tick: the body moves by itself, pressed by a probe for example, or as its patient breathes. `of_mesh`:
+  // mm, 3 per node of its mesh; fewer: it stands still. The tissue at the needle goes there within some hundredths of
+  // a second, and takes the needle along or moves along it. Whether any point moves at all.
+  bool move_with(std::span<const float> of_mesh, const BodyBreath& breath = {}) noexcept;
   // Adds a puncture: the points within 1 mm of it in the same tissue are open.
   void open(const Vec3& place, anatomy::TissueId tissue) noexcept;
   // mm, of the points that extend() added, in their order; negative for one that is not there.
@@ -186,6 +187,7 @@ class EmbeddedNeedle {
   std::vector<double> forces_;           // 3 x (most_nodes + 1), N on the tissue: along, across, across
   std::vector<std::uint8_t> punctured_;  // by point of the body
   std::span<const float> field_;         // of the body's own motion, as move_with() has it
+  BodyBreath breath_;
   std::vector<Vec3> carried_;            // mm, LPS, by point of the body; as far as the tissue has gone there
   std::size_t placed_ = 0;               // nodes of the line whose carried_ is known
   bool moves_ = false;                   // something of carried_ is not 0

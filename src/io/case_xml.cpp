@@ -164,6 +164,8 @@ anatomy::CaseDescription parse_case_xml(std::string_view document, const std::st
   if (const XmlElement* procedure = root.child("procedure"); procedure != nullptr) {
     description.procedure = read_procedure(*procedure, origin);
   }
+  if (const XmlElement* breathing = root.child("breathing"); breathing != nullptr)
+    description.breathing = settings_from<anatomy::Breathing>(*breathing, origin);
   if (const XmlElement* notes = root.child("notes"); notes != nullptr) {
     for (const XmlElement& note : notes->children) description.notes.push_back(note.text);
   }

@@ -80,6 +80,7 @@ std::string case_xml(const anatomy::CaseDescription& description) {
     xml.close();
   }
   write_procedure(xml, description.procedure);
+  if (description.breathing) write_settings(xml, settings_tree("breathing", *description.breathing));
   if (!description.notes.empty()) {
     xml.open("notes");
     for (const std::string& note : description.notes) xml.text_element("note", note);

@@ -12,6 +12,7 @@
 #include "report/force_limits.h"
 #include "report/force_plot.h"
 #include "report/probe_figures.h"
+#include "session/material_tip.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -189,8 +190,9 @@ class ReportWriter {
 
   std::vector<Vec3> travelled() const {
     std::vector<Vec3> points;
+    session::MaterialTip material(patient_.description.breathing, session_.header.dt);
     for (const simulation::TickRecord& record : session_.ticks) {
-      const Vec3 tip = record.input.needle.translation();
+      const Vec3 tip = material.place_of(record);
       const bool shown = record.output.in_contact || (tip - session_.header.path.entry).norm() < shown_before_contact;
       if (shown && (points.empty() || (tip - points.back()).norm() >= travel_step)) points.push_back(tip);
     }

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "anatomy/breathing.h"
 #include "core/geometry.h"
 #include "fem/body_motion.h"
 #include "fem/contact_line.h"
@@ -36,6 +37,13 @@ class BodyPort {
   virtual void approach(const Vec3& tip, const Vec3& axis) noexcept {
     static_cast<void>(tip);
     static_cast<void>(axis);
+  }
+  // In a tick of a patient who breathes: tissue has moved as `field` says, and the needle is given with `of_tip` (mm)
+  // taken off, the motion of the tissue at its tip. `field` must outlive the ticks.
+  virtual void breathe(const anatomy::BreathField& field, double drawn_in, const Vec3& of_tip) noexcept {
+    static_cast<void>(field);
+    static_cast<void>(drawn_in);
+    static_cast<void>(of_tip);
   }
   // Of a recording, before the tick that has this event (EventKind::points_taken): its value.
   virtual void take_points(double recorded) noexcept { static_cast<void>(recorded); }

@@ -8,7 +8,7 @@
 namespace bodkin::simulation {
 
 // An operator's hand in the patient: the operator means, the hand moves, the tick finds the force, the hand feels it
-// one tick later. Equal cases, scripts, paths and seeds give equal bits. step() allocates nothing and locks nothing;
+// one tick later. A patient who breathes is asked to hold the breath all the time. Equal cases, scripts, paths and seeds give equal bits. step() allocates nothing and locks nothing;
 // the patient must outlive the loop.
 class ClosedLoop {
  public:
@@ -28,6 +28,7 @@ class ClosedLoop {
   HapticTick tick_;
   Operator operator_;
   haptics::SimulatedHand hand_;
+  bool breathes_ = false;
   std::uint64_t ticks_ = 0;
   Wrench felt_;  // on the hand, from the last tick
 };

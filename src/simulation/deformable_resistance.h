@@ -59,7 +59,9 @@ class DeformableShaft {
   // mm by which the hand's needle is ahead of the one in the body: the spring between them, and bone.
   Vec3 ahead() const noexcept { return ahead_; }
   // Before a step: how the body moves by itself (EmbeddedNeedle::move_with).
-  bool move_with(std::span<const float> of_mesh) noexcept { return needle_->move_with(of_mesh); }
+  bool move_with(std::span<const float> of_mesh, const fem::BodyBreath& breath) noexcept {
+    return needle_->move_with(of_mesh, breath);
+  }
   // Forces on the tissue in the last tick, by node of the mesh.
   fem::NodeForces node_forces() const noexcept { return fem::of_mesh(needle_->node_forces(), *body_); }
   double stiffness_scale() const noexcept { return scale_; }

@@ -56,6 +56,26 @@ haptics::GovernorSettings governor_settings(const anatomy::Case& patient, double
   return settings;
 }
 
+// A patient who breathes, and the needle in the material.
+struct Breath {
+  Breath(const anatomy::Breathing& breathing, double dt) noexcept : clock(breathing, dt), field(breathing) {}
+
+  // One tick.
+  TickInput in_material(const TickInput& input, BodyPort* body) noexcept {
+    const double drawn_in = clock.step(input.other.breath_held);
+    const Vec3 tip = input.needle.translation();
+    TickInput moved = input;
+    moved.needle.translation() = field.material(tip, drawn_in);
+    of_tip = tip - moved.needle.translation();
+    if (body != nullptr) body->breathe(field, drawn_in, of_tip);
+    return moved;
+  }
+
+  anatomy::BreathClock clock;
+  anatomy::BreathField field;
+  Vec3 of_tip = Vec3::Zero();  // mm, motion of the tissue at the tip
+};
+
 }  // namespace
 
 struct HapticTick::State {
@@ -73,6 +93,10 @@ struct HapticTick::State {
         layers(from, resistance.passes_layers()),
         bow(from, dt),
         organs(from, dt) {
+    if (from.description.breathing) {
+      bodkin::check(*from.description.breathing, "breathing");
+      breath.emplace(*from.description.breathing, dt);
+    }
     if (from.description.haptics.parts.fingertip) {
       finger.emplace(from.tissues, *from.description.haptics.parts.fingertip, from.description.device.stiffness, dt);
     }
@@ -92,6 +116,7 @@ struct HapticTick::State {
   NeedleBow bow;
   OrganRelease organs;
   NeedleContact contact;
+  std::optional<Breath> breath;  // nothing: nobody breathes
   std::optional<forces::Fingertip> finger;
   bool finger_is_down = false;  // in the needle's place
   LossOfResistance loss;
@@ -109,6 +134,8 @@ struct HapticTick::State {
   void announce_tissue(const Vec3& tip, TickOutput& output) noexcept;
   void announce_limits(const Vec3& wanted, TickOutput& output) noexcept;
   TickOutput fault() noexcept;
+  // Where the device holds a tip of the material.
+  Vec3 hand(const Vec3& tip) const noexcept { return breath ? Vec3(tip + breath->of_tip) : tip; }
   void place_tip(forces::NeedleInTissue& needle) noexcept;
   double follow_layers(const forces::NeedleInTissue& needle, const forces::ResistanceForce& found,
                        TickOutput& output) noexcept;
@@ -182,7 +209,7 @@ TickOutput HapticTick::State::feel(const Vec3& tip, const Vec3& axis, double adv
                                       .axis = axis,
                                       .velocity = speed,
                                       .in_contact = felt.touching,
-                                      .compensation = compensation.step(tip)};
+                                      .compensation = compensation.step(hand(tip))};
   output.requested.force = request.compensation - felt.force * axis;
   output.applied.force = governor.step(request);
   output.applied.torque = governor.torque();
@@ -231,7 +258,7 @@ TickOutput HapticTick::State::step(const TickInput& input, const Vec3& axis) noe
   // that of the law, and a tilt of the hand neither gains nor loses energy.
   haptics::ForceRequest request{.axis = contact.held() ? contact.direction() : axis,
                                 .velocity = advance / dt,
-                                .compensation = compensation.step(tip)};
+                                .compensation = compensation.step(hand(tip))};
   double stiffness = 0.0;
   if (contact.held()) {
     forces::NeedleInTissue needle{.motion = moving,
@@ -291,6 +318,10 @@ BodyPort* HapticTick::body() noexcept {
   return state_->resistance.body();
 }
 
+void HapticTick::hold_breath() noexcept {
+  state_->breath.reset();
+}
+
 std::span<const forces::DiagnosticName> HapticTick::diagnostic_names() const noexcept {
   return state_->resistance.diagnostic_names();
 }
@@ -302,6 +333,10 @@ double HapticTick::stiffness_scale() const noexcept {
 void HapticTick::reset() noexcept {
   State& state = *state_;
   state.motion.reset();
+  if (state.breath) {
+    state.breath->clock.reset();
+    state.breath->of_tip.setZero();
+  }
   state.resistance.reset();
   state.governor.reset();
   state.contact.reset();
@@ -320,7 +355,9 @@ TickOutput HapticTick::step(const TickInput& input) noexcept {
   const bool usable = (tip.array().abs() <= farthest_tip).all() && length > 1e-6 && length < 1e6;  // NaN is not
   if (state.governor.failed() || !usable) return state.fault();
 
-  TickOutput output = state.step(input, axis / length);
+  TickOutput output =
+      state.step(state.breath ? state.breath->in_material(input, body()) : input, axis / length);
+  if (state.breath) output.drawn_in = state.breath->clock.drawn_in();
   if (state.governor.failed()) {  // a model gave something that is not a number: keep what was known before
     state.last.events.clear();
     state.last.requested = Wrench{};

@@ -12,6 +12,9 @@ namespace bodkin::simulation {
 // The one function that a servo calls a thousand times a second: needle in tissue to force on the hand, through the
 // governor. Deterministic: the same case and the same inputs give the same bits. step() allocates nothing, locks
 // nothing, throws nothing and reads no clock; the case must outlive the object.
+//
+// A patient who breathes (anatomy::Breathing) does so in the time of the ticks. The models see the needle in the
+// material: where it would be if the tissue at its tip had not moved. Depths and tissues are those of the material.
 class HapticTick {
  public:
   // Throws InputError when the case's parameters make a model impossible or the case has no tissues.
@@ -23,6 +26,9 @@ class HapticTick {
   TickOutput step(const TickInput& input) noexcept;
   // The deformable body that the needle meets; null for a resistance without one. Valid as long as this.
   BodyPort* body() noexcept;
+
+  // Before the ticks: the patient holds the breath for ever, for curves of tissue at rest.
+  void hold_breath() noexcept;
 
   // Names of TickOutput::diagnostics; they live as long as this.
   std::span<const forces::DiagnosticName> diagnostic_names() const noexcept;

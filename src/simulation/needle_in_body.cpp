@@ -93,7 +93,7 @@ forces::ResistanceForce NeedleInBody::step(const forces::NeedleInTissue& needle,
         {forces::EventKind::corridor_taken, needle.tissue, needle.motion.depth, on_own_line_ ? own_line : -1.0});
   }
   if (on_own_line_) take_known_points(needle, events);
-  if (motion_ != nullptr) take_motion(needle, events);
+  if (motion_ != nullptr || breath_.field != nullptr) take_motion(needle, events);
   forces::ResistanceForce force = model().step(needle, events);
   touches_ = force.in_contact;
   remember_hole();
@@ -103,6 +103,7 @@ forces::ResistanceForce NeedleInBody::step(const forces::NeedleInTissue& needle,
 void NeedleInBody::reset() noexcept {
   planned_.reset();
   if (own_ != nullptr) own_->reset();
+  breath_ = {};
   on_own_line_ = touches_ = false;
   announced_ = told_motion_ = true;
   hole_count_ = 0;
@@ -139,8 +140,9 @@ void NeedleInBody::take_known_points(const forces::NeedleInTissue& needle, force
 }
 
 void NeedleInBody::take_motion(const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept {
-  const bool moves = model().move_with(std::span<const float>(motion_->read()));
-  if (!moves || std::exchange(told_motion_, true)) return;
+  const auto of_mesh = motion_ == nullptr ? std::span<const float>() : std::span<const float>(motion_->read());
+  const bool moves = model().move_with(of_mesh, breath_);
+  if (!moves || motion_ == nullptr || std::exchange(told_motion_, true)) return;
   events.push({forces::EventKind::corridor_refreshed, needle.tissue, needle.motion.depth, 1.0});
 }
 

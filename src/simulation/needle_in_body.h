@@ -37,6 +37,9 @@ class NeedleInBody final : public BodyPort {
   std::shared_ptr<fem::ContactLine> stream_points(bool as_recorded) override;
   bool move_with(const std::shared_ptr<fem::BodyMotion>& motion) override;
   void approach(const Vec3& tip, const Vec3& axis) noexcept override;
+  void breathe(const anatomy::BreathField& field, double drawn_in, const Vec3& of_tip) noexcept override {
+    breath_ = {&field, drawn_in, of_tip};
+  }
   void take_points(double recorded) noexcept override { recorded_ = recorded; }
   fem::NodeForces node_forces() const noexcept override;
   Vec3 needle_ahead() const noexcept override;
@@ -77,6 +80,7 @@ class NeedleInBody final : public BodyPort {
   std::unique_ptr<DeformableShaft> own_;    // in its points
   bool on_own_line_ = false;
   std::shared_ptr<fem::BodyMotion> motion_;  // null: the body moves by the needle alone
+  fem::BodyBreath breath_;
   bool as_recorded_ = false;
   std::optional<double> recorded_;            // of the next tick
   std::optional<anatomy::NeedlePath> asked_;  // the line whose points are asked for

@@ -38,19 +38,22 @@ class Thumb {
   std::uint8_t byte_ = 0;
 };
 
-// What the other hand does with the skin and at the needle's hub, in the three bits that a recording keeps.
+// What the other hand does with the skin and at the needle's hub, and what the patient is asked, in the four bits that
+// a recording keeps.
 struct OtherHand {
   bool finger = false;           // a fingertip is where the tip of the needle would be; for the part `fingertip`
   bool stylet_moved = false;     // the stylet is not as the case has it; for the part `csf_flow`
   bool manometer_moved = false;  // the same of the manometer
+  bool breath_held = false;      // the patient is asked to hold the breath; for one who breathes
 
   constexpr std::uint8_t byte() const noexcept {
-    return static_cast<std::uint8_t>((finger ? 1 : 0) | (stylet_moved ? 2 : 0) | (manometer_moved ? 4 : 0));
+    return static_cast<std::uint8_t>((finger ? 1 : 0) | (stylet_moved ? 2 : 0) | (manometer_moved ? 4 : 0) |
+                                     (breath_held ? 8 : 0));
   }
-  // Nothing for a byte above 7.
+  // Nothing for a byte above 15.
   static constexpr std::optional<OtherHand> from_byte(unsigned byte) noexcept {
-    if (byte > 7U) return std::nullopt;
-    return OtherHand{(byte & 1U) != 0, (byte & 2U) != 0, (byte & 4U) != 0};
+    if (byte > 15U) return std::nullopt;
+    return OtherHand{(byte & 1U) != 0, (byte & 2U) != 0, (byte & 4U) != 0, (byte & 8U) != 0};
   }
 };
 
@@ -72,6 +75,7 @@ struct TickOutput {
   double energy = 0.0;      // N mm that the hand has given to the tissue along the needle, as passivity counts it
   anatomy::TissueId tissue = anatomy::tissue::air;  // at the tip
   bool in_contact = false;
+  double drawn_in = 0.0;              // breath, 0 to 1; not recorded, for the ticks give it (anatomy::BreathClock)
   std::uint8_t limits = 0;            // governor flags, see haptics/force_governor.h
   forces::Diagnostics diagnostics{};  // of the resistance, in the order of HapticTick::diagnostic_names(); 0 outside
   forces::TickEvents events;

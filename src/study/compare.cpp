@@ -137,6 +137,7 @@ ModelRun play(const std::string& name, const anatomy::Case& patient, const std::
   run.name = name;
   run.force.reserve(motion.size());
   simulation::HapticTick haptics(patient);
+  haptics.hold_breath();
   run.diagnostics.assign(haptics.diagnostic_names().begin(), haptics.diagnostic_names().end());
   run.published.reserve(motion.size() * run.diagnostics.size());
   double spent = 0.0;

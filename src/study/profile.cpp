@@ -66,6 +66,7 @@ Profile insert_at_constant_speed(const anatomy::Case& patient, const ProfileOpti
   profile.notes = line.notes;
 
   simulation::HapticTick haptics(patient);
+  haptics.hold_breath();
   profile.dt = haptics.dt();
   profile.diagnostics.assign(haptics.diagnostic_names().begin(), haptics.diagnostic_names().end());
   const double peak_force = patient.description.device.peak_force;

@@ -10,6 +10,7 @@
 #include "core/geometry.h"
 #include "io/case_xml.h"
 #include "io/xml_document.h"
+#include "session/material_tip.h"
 
 namespace bodkin::training {
 
@@ -25,13 +26,16 @@ Attempt::Attempt(const session::Session& session, const anatomy::CaseDescription
     : session_(session), description_(description), thresholds_(thresholds) {
   if (session.ticks.empty()) throw InputError("the session holds no tick, so that there is nothing to judge");
   const std::size_t count = session.ticks.size();
-  time.reserve(count), tip.reserve(count), axis.reserve(count), depth.reserve(count), resistance.reserve(count);
+  time.reserve(count), hand.reserve(count), tip.reserve(count), axis.reserve(count), depth.reserve(count), resistance.reserve(count);
   force.reserve(count), tissue.reserve(count), inside.reserve(count);
   const std::uint64_t first = session.ticks.front().tick;
+  session::MaterialTip material(description.breathing, dt());
   for (const simulation::TickRecord& record : session.ticks) {
     const simulation::TickOutput& output = record.output;
     time.push_back(static_cast<double>(record.tick - first) * dt());
-    tip.push_back(record.input.needle.translation());
+    hand.push_back(record.input.needle.translation());
+    tip.push_back(material.place_of(record));
+    if (description.breathing) drawn_in_.push_back(material.drawn_in());
     axis.push_back(needle_axis(record.input.needle));
     depth.push_back(output.depth);
     resistance.push_back(output.resistance);
@@ -70,10 +74,10 @@ void Attempt::find_rests() {
   const Insertion& insertion = insertions.back();
   const auto half = static_cast<std::size_t>(std::max(1.0, std::round(rest_half / dt())));
   const std::size_t count = insertion.last - insertion.first + 1;
-  std::vector<Vec3> sums = {Vec3::Zero()};  // of the tips before each tick of the insertion
+  std::vector<Vec3> sums = {Vec3::Zero()};  // of the places before each tick of the insertion
   std::vector<std::size_t> outside = {0};   // ticks out of contact before each
   for (std::size_t i = insertion.first; i <= insertion.last; ++i) {
-    sums.push_back(sums.back() + tip[i]);
+    sums.push_back(sums.back() + hand[i]);
     outside.push_back(outside.back() + (inside[i] == 0 ? 1 : 0));
   }
   const auto close = [&](std::size_t from, std::size_t to) {  // middles of windows
@@ -122,6 +126,11 @@ anatomy::TissueId Attempt::tissue_of(const Rest& rest) const {
   std::array<std::size_t, 256> ticks{};
   for (std::size_t i = rest.first; i <= rest.last; ++i) ++ticks[tissue[i]];
   return static_cast<anatomy::TissueId>(std::max_element(ticks.begin(), ticks.end()) - ticks.begin());
+}
+
+Vec3 Attempt::now(const Vec3& material, std::size_t index) const {
+  if (!description_.breathing) return material;
+  return material + anatomy::BreathField(*description_.breathing).moved(material, drawn_in_[index]);
 }
 
 std::size_t Attempt::index_of(const session::SessionEvent& event) const {

@@ -56,7 +56,8 @@ class Attempt {
   double dt() const { return session_.header.dt; }
 
   std::vector<double> time;                // s since the first tick
-  std::vector<Vec3> tip;                   // LPS mm
+  std::vector<Vec3> hand;                  // LPS mm, the tip as the hand holds it
+  std::vector<Vec3> tip;                   // LPS mm, where the tissue at it lies while the patient has breathed out
   std::vector<Vec3> axis;                  // unit, hub to tip
   std::vector<double> depth;               // mm along the needle's line
   std::vector<double> resistance;          // N
@@ -71,6 +72,8 @@ class Attempt {
   // Index of the first tick in contact, and of the last; only with an insertion.
   std::size_t first_contact() const { return insertions.front().first; }
   std::size_t last_contact() const { return insertions.back().last; }
+  // LPS mm, where at a tick tissue is that lies at `material` while the patient has breathed out.
+  Vec3 now(const Vec3& material, std::size_t index) const;
   // Index of the tick of an event.
   std::size_t index_of(const session::SessionEvent& event) const;
   // The tissue of that name in the session's own list.
@@ -84,6 +87,7 @@ class Attempt {
   void find_final_tip();
   anatomy::TissueId tissue_of(const Rest& rest) const;  // where the tip was for most of it
 
+  std::vector<double> drawn_in_;  // 0 to 1; empty: the patient does not breathe
   const session::Session& session_;
   anatomy::CaseDescription description_;
   Thresholds thresholds_;

@@ -116,7 +116,7 @@ Measured::Measured(const Attempt& its_attempt, const std::vector<std::string>& n
   for (std::size_t i = 0; i < attempt.size(); ++i) {
     double step_work = 0.0;
     if (i > 0) {
-      step_work = -0.5 * (attempt.force[i] + attempt.force[i - 1]).dot(attempt.tip[i] - attempt.tip[i - 1]);
+      step_work = -0.5 * (attempt.force[i] + attempt.force[i - 1]).dot(attempt.hand[i] - attempt.hand[i - 1]);
       work += step_work;
     }
     if (attempt.inside[i] == 0) continue;

@@ -79,7 +79,7 @@ std::optional<double> hands_together(const Measured& measured) {
   const auto tip_at = [&](double time) {
     const auto place = std::lower_bound(attempt.time.begin(), attempt.time.end(), time - start);
     const auto i = static_cast<std::size_t>(place - attempt.time.begin());
-    return attempt.tip[std::min(i, attempt.size() - 1)];
+    return attempt.hand[std::min(i, attempt.size() - 1)];
   };
   double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, yy = 0.0, xy = 0.0;
   for (std::size_t i = 1; i < session.second.size(); ++i) {

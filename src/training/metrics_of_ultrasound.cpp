@@ -44,7 +44,7 @@ std::optional<Seen> look(const Measured& measured) {
     const auto i = static_cast<std::size_t>(place - attempt.time.begin());
     if (attempt.inside[i] == 0) continue;
     const Vec3& normal = probe.normal;
-    const double distance = std::abs((attempt.tip[i] - probe.face).dot(normal));
+    const double distance = std::abs((attempt.hand[i] - probe.face).dot(normal));
     const double angle = std::asin(std::clamp(std::abs(attempt.axis[i].dot(normal)), 0.0, 1.0)) / degree;
     found.distance.add(distance);
     found.angle.add(angle);
@@ -54,11 +54,12 @@ std::optional<Seen> look(const Measured& measured) {
       found.moving_distance.add(distance);
       found.moving_angle.add(angle);
     }
-    const bool shows_target = is_in_picture(probe, machine ? &*machine : nullptr, attempt.path().target,
-                                            attempt.thresholds().target_in_slice);
+    const Vec3 target = attempt.now(attempt.path().target, i);
+    const bool shows_target =
+        is_in_picture(probe, machine ? &*machine : nullptr, target, attempt.thresholds().target_in_slice);
     found.target_seen.add(shows_target ? 1.0 : 0.0);
     const auto in_slice = [&](const Vec3& v) { return Vec3(v - v.dot(normal) * normal); };
-    const Vec3 way = in_slice(attempt.path().target - attempt.tip[i]), shaft = in_slice(attempt.axis[i]);
+    const Vec3 way = in_slice(target - attempt.hand[i]), shaft = in_slice(attempt.axis[i]);
     if (way.norm() > at_target && shaft.norm() > 0.1)
       found.to_target.add(std::atan2(way.cross(shaft).norm(), way.dot(shaft)) / degree);
   }

@@ -30,7 +30,7 @@ Means means_of(const Attempt& attempt) {
     Vec3 sum = Vec3::Zero();
     bool inside = true;
     for (std::size_t i = first; i < first + stride; ++i) {
-      sum += attempt.tip[i];
+      sum += attempt.hand[i];
       inside = inside && attempt.inside[i] != 0;
     }
     means.tip.push_back(sum / static_cast<double>(stride));
@@ -117,7 +117,7 @@ Motion filtered_motion(const Attempt& attempt) {
     for (std::ptrdiff_t k = -half; k <= half; ++k) {
       const std::ptrdiff_t j = static_cast<std::ptrdiff_t>(i) + k;
       if (j < 0 || j >= count) continue;
-      sum += weights[static_cast<std::size_t>(k + half)] * attempt.tip[static_cast<std::size_t>(j)];
+      sum += weights[static_cast<std::size_t>(k + half)] * attempt.hand[static_cast<std::size_t>(j)];
       weight += weights[static_cast<std::size_t>(k + half)];
     }
     motion.time.push_back(attempt.time[i]);

@@ -56,6 +56,10 @@ void expect_same(const CaseDescription& a, const CaseDescription& b) {
   EXPECT_TRUE(same(a.device.stiffness, b.device.stiffness));
   EXPECT_TRUE(same(a.device.position_resolution, b.device.position_resolution));
   EXPECT_TRUE(same_bits(a.haptics, b.haptics));
+  ASSERT_EQ(a.breathing.has_value(), b.breathing.has_value());
+  if (a.breathing) {
+    EXPECT_TRUE(same_parameters(*a.breathing, *b.breathing));
+  }
   ASSERT_EQ(a.landmarks.size(), b.landmarks.size());
   for (std::size_t i = 0; i < a.landmarks.size(); ++i) {
     EXPECT_EQ(a.landmarks[i].name, b.landmarks[i].name);
@@ -120,6 +124,15 @@ CaseDescription wild_case(Random& random) {
   d.haptics = wild_haptics(random);
   for (int i = 0; random.uniform() < 0.7; ++i)
     d.landmarks.push_back({wild_text(random) + std::to_string(i), vector(1e5)});
+  if (random.uniform() < 0.5) {
+    d.breathing.emplace();
+    d.breathing->rate = wild_number(random, 2.0, 60.0);
+    d.breathing->motion = Vec3(wild_number(random, -30.0, 30.0), wild_number(random, -30.0, 30.0), 0.25);
+    d.breathing->centre = vector(1e5);
+    d.breathing->radius = wild_number(random, 200.0, 500.0);
+    d.breathing->pause = 1 + static_cast<int>(random.next() % 6);
+    d.breathing->longest_hold = wild_number(random, 1.0, 120.0);
+  }
   d.procedure.name = "biopsy_2";
   d.procedure.target_tissue = random.uniform() < 0.5 ? "" : "mass";
   d.procedure.target_tolerance = wild_number(random, 1e-3, 100.0);

@@ -48,6 +48,14 @@ TEST(CaseXml, every_value_arrives) {
   EXPECT_EQ(d.procedure.target_tissue, "dura");
   EXPECT_EQ(d.procedure.path->target, Vec3(3.0, -117.5, 294.0));
   EXPECT_EQ(d.notes, std::vector<std::string>{"one"});
+  EXPECT_FALSE(d.breathing.has_value());
+  const CaseDescription breathes = parse(replaced(
+      largest, "  <notes>", "  <breathing x_mm='1' y_mm='-2' z_mm='300' rate_per_min='12' pause='3'/><notes>"));
+  ASSERT_TRUE(breathes.breathing.has_value());
+  EXPECT_EQ(breathes.breathing->centre, Vec3(1.0, -2.0, 300.0));
+  EXPECT_EQ(breathes.breathing->rate, 12.0);
+  EXPECT_EQ(breathes.breathing->pause, 3);
+  EXPECT_EQ(breathes.breathing->motion, Breathing().motion);
 }
 
 TEST(CaseXml, a_gauge_alone_brings_its_nominal_diameters) {
@@ -80,7 +88,13 @@ constexpr Refusal refusals[] = {
     // structure
     {"unknown_element", "  <landmarks>", "  <landmark_list/><landmarks>",
      "line 17: <case> has the unknown element <landmark_list>; it takes <description>, <volumes>, <tissue_library>, "
-     "<needle>, <device>, <haptics>, <landmarks>, <procedure> and <notes>"},
+     "<needle>, <device>, <haptics>, <landmarks>, <procedure>, <breathing> and <notes>"},
+    {"breathing_without_centre", "  <notes>", "  <breathing x_mm='1' y_mm='2'/><notes>",
+     "line 25: <breathing> lacks the attribute z_mm, expected a number from -100000 to 100000"},
+    {"breathing_too_far", "  <notes>", "  <breathing x_mm='1' y_mm='2' z_mm='3' feet_head_mm='-40'/><notes>",
+     "line 25: breathing: motion is longer than a third of radius_mm, expected less, so that tissue does not fold; "
+     "make "
+     "radius_mm larger"},
     {"element_twice", "  <notes>", "  <needle gauge='22'/><notes>",
      "line 25: <case> has the element <needle> once more, expected it once at most"},
     {"missing_volumes", "<tissues file='tissues.nrrd'/>", "", "line 2: <volumes> lacks <tissues>"},

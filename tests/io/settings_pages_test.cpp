@@ -120,6 +120,7 @@ std::map<std::string, std::string> all_tables() {
   add("compensation", GravitySettings{});
   add("needle", Needle{});
   add("device", DeviceLimits{});
+  add("breathing", Breathing{});
   add("tissue", TissueProperties{}, false);
   add("probe", UltrasoundProbe{}, false);
   return tables;
@@ -153,7 +154,7 @@ TEST(SettingsPages, tables_of_settings_are_those_of_the_code) {
     EXPECT_TRUE(write || wanted == page)
         << entry.path() << " does not say what the code says; run the test with BODKIN_WRITE_PAGES=1";
   }
-  for (const char* name : {"resistance", "constraint", "parts", "compensation", "needle", "device", "tissue", "probe",
+  for (const char* name : {"resistance", "constraint", "parts", "compensation", "needle", "device", "breathing", "tissue", "probe",
                            "tracking_wall", "rail"})
     EXPECT_TRUE(used.contains(name)) << name << " is on no page";
 }

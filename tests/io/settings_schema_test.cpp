@@ -236,6 +236,7 @@ TEST(SettingsSchema, case_files_allow_what_the_tables_allow) {
                   {"gauge", "resistance", "constraint", "parts", "compensation"});
   rest.compare<HapticSettings>("haptics");
   rest.compare<Needle>("needle");
+  rest.compare<Breathing>("breathing");
 }
 
 TEST(SettingsSchema, tissue_libraries_allow_what_the_tables_allow) {
