@@ -26,6 +26,7 @@ void add_case_check_command(CLI::App& case_group, CommandContext& context);
 void add_case_show_command(CLI::App& case_group, CommandContext& context);
 void add_case_plan_command(CLI::App& case_group, CommandContext& context);
 void add_case_warp_command(CLI::App& case_group, CommandContext& context);  // of a build with VTK
+void add_case_breathe_command(CLI::App& case_group, CommandContext& context);
 void add_case_mesh_command(CLI::App& case_group, CommandContext& context);
 void add_devices_list_command(CLI::App& devices_group, CommandContext& context);
 void add_devices_check_command(CLI::App& devices_group, CommandContext& context);

@@ -32,6 +32,7 @@ std::string text_of_status(const station::StationStatus& status, const anatomy::
                                  sight, now.depth, force, std::string(bar, '='), library.title(now.tissue), place);
   if (status.plunger_pressed) text += "  plunger pressed";
   if (status.needle.other.finger) text += "  finger";
+  if (status.needle.other.breath_held) text += now.drawn_in > 0.0 ? "  breathing out" : "  breath held";
   for (std::size_t i = 0; i < status.diagnostic_names.size(); ++i) {
     if (status.diagnostic_names[i].name == "csf_height_mm")
       text += fmt::format("  {:4.1f} cm", 0.1 * now.diagnostics[i]);
@@ -53,6 +54,7 @@ void apply_key(char key, station::Station& station, bool plunger_pressed) {
   if (key == 'f') station.command(station::StationCommand::turn_finger);
   if (key == 's') station.command(station::StationCommand::turn_stylet);
   if (key == 'm') station.command(station::StationCommand::turn_manometer);
+  if (key == 'h') station.command(station::StationCommand::turn_breath);
   if (key == 'q') station.command(station::StationCommand::end);
 }
 

@@ -72,6 +72,7 @@ int run_program(int argc, char** argv) {
   add_case_check_command(*case_group, context);
   add_case_show_command(*case_group, context);
   add_case_plan_command(*case_group, context);
+  add_case_breathe_command(*case_group, context);
   add_case_mesh_command(*case_group, context);
 #ifdef BODKIN_HAS_WARP
   add_case_warp_command(*case_group, context);

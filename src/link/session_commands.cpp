@@ -110,8 +110,13 @@ std::string SessionCommands::apply_to_needle(const Command& command, station::St
     return station.command(StationCommand::turn_stylet), "the stylet comes out of the needle, or goes back";
   if (command.name == "Manometer")
     return station.command(StationCommand::turn_manometer), "the manometer is connected, or taken off";
+  if (command.name == "HoldBreath") {
+    const bool on = wanted(command, status.needle.other.breath_held);
+    if (on != status.needle.other.breath_held) station.command(StationCommand::turn_breath);
+    return on ? "the patient is asked to hold the breath" : "the patient breathes on";
+  }
   throw InputError(fmt::format(
-      "the command {} is not known; expected Freeze, Clutch, Plunger, Finger, Stylet, Manometer, Arm, "
+      "the command {} is not known; expected Freeze, Clutch, Plunger, Finger, Stylet, Manometer, HoldBreath, Arm, "
       "Disarm, StopRecording, Reset, RequestChannelIds, RequestDeviceIds, GetModelParameters, SetModelParameter, "
       "SetUsParameter or GetUsParameter",
       command.name));

@@ -64,7 +64,7 @@ struct HandSession::Shared {
     record.output = numbers.step(ticks, record.input);
     tick_in_tissue = record.output.depth > 0.0;
     const Vec3 ahead = body == nullptr ? Vec3(Vec3::Zero()) : body->needle_ahead();
-    publish_forces(record.input.needle, ahead);
+    publish_forces(record.input.needle, ahead, record.output.drawn_in);
     if (moving) keep_moving(record.output);
     note_sight((input.buttons & BODKIN_BUTTON_UNSEEN) != 0, record.output);
     if (!closed.load(std::memory_order_acquire)) recorder.push(record);
@@ -93,12 +93,12 @@ struct HandSession::Shared {
   }
 
   // To whoever shows the body and the needle in it.
-  void publish_forces(Pose needle, const Vec3& ahead) noexcept {
+  void publish_forces(Pose needle, const Vec3& ahead, double drawn_in) noexcept {
     if (!display && !scan) return;
     const fem::NodeForces forces = body == nullptr ? fem::NodeForces{} : body->node_forces();
     needle.translation() -= ahead;
     if (display) display->set_forces(forces);
-    if (scan) scan->set_needle(forces, needle);
+    if (scan) scan->set_needle(forces, needle, drawn_in);
   }
 
   void keep_moving(simulation::TickOutput& output) noexcept {

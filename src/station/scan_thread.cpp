@@ -38,7 +38,7 @@ ScanThread::ScanThread(std::shared_ptr<const imaging::AcousticVolume> patient, i
       needle_(needle),
       body_(std::move(body)),
       slice_(body_.mesh == nullptr ? nullptr : std::make_unique<SliceField>(body_.mesh)),
-      layers_(body_.moves || body_.by_forces == nullptr
+      layers_(body_.moves || (body_.by_forces == nullptr && !body_.breath)
                   ? std::nullopt
                   : std::optional<PressedLayers>(std::in_place, std::move(patient), machine_.probe())),
       orders_(first),
@@ -85,21 +85,30 @@ void ScanThread::make(LivePicture& now) {
     now.needle = tick.needle;
     needle = imaging::NeedleInSound{tick.needle, needle_};
   }
+  // As the needle's tick has it: the picture is that of a probe and a needle in the tissue, which has moved away from
+  // them by what it has moved at the probe.
+  probe_ = now.order.probe;
+  carried_.setZero();
+  if (body_.breath && probe_.matrix().allFinite()) {
+    probe_.translation() = body_.breath->material(now.order.probe.translation(), tick.drawn_in);
+    carried_ = now.order.probe.translation() - probe_.translation();
+    if (needle) needle->pose.translation() -= carried_;
+  }
   std::optional<imaging::ScanDisplacement> displacement;
-  if (slice_ != nullptr && now.order.probe.matrix().allFinite()) {
+  if ((slice_ != nullptr || body_.breath) && probe_.matrix().allFinite()) {
     // How large a picture of these settings is, only a picture says.
-    if (now.order.settings.depth != depth_) now.frame = machine_.image(now.order.probe);
+    if (now.order.settings.depth != depth_) now.frame = machine_.image(probe_);
     depth_ = now.order.settings.depth;
-    move_tissue(now, tick.forces);
+    move_tissue(now, tick);
     displacement = now.grid;
     displacement->moved = now.moved;
   }
-  now.frame = machine_.image(now.order.probe, needle, displacement);
+  now.frame = machine_.image(probe_, needle, displacement);
 }
 
 // What the probe does on top of what the needle does: both are small.
 void ScanThread::add_layers(LivePicture& now, const imaging::SlicePlane& grid) {
-  layers_->settle(now.order.probe, now.order.settings.depth, now.order.settings.gel);
+  layers_->settle(probe_, now.order.settings.depth, now.order.settings.gel);
   if (!layers_->pressed()) return;
   float* moved = now.moved.data();
   for (int row = 0; row < grid.height; ++row) {
@@ -110,10 +119,33 @@ void ScanThread::add_layers(LivePicture& now, const imaging::SlicePlane& grid) {
   }
 }
 
-void ScanThread::move_tissue(LivePicture& now, const fem::NodeForces& forces) {
-  const imaging::SlicePlane grid = imaging::warp_grid(plane_of_frame(now.frame, now.order.probe), field_spacing);
-  moved_.assign(3 * body_.mesh->mesh.nodes.size(), 0.0F);
+// How breath has moved the tissue in the picture, less what it has moved at the probe.
+void ScanThread::add_breath(LivePicture& now, const imaging::SlicePlane& grid, double drawn_in) const {
+  float* moved = now.moved.data();
+  for (const Vec3& point : imaging::points_of(grid)) {
+    const Vec3 place = point + carried_;
+    const Vec3 by = place - body_.breath->material(place, drawn_in) - carried_;
+    Eigen::Map<Eigen::Vector3f>{moved} += by.cast<float>();
+    moved += 3;
+  }
+}
+
+void ScanThread::move_tissue(LivePicture& now, const Tick& tick) {
+  const imaging::SlicePlane grid = imaging::warp_grid(plane_of_frame(now.frame, probe_), field_spacing);
   now.left_out = 0.0;
+  if (slice_ == nullptr) {
+    now.moved.assign(3 * static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height), 0.0F);
+  } else {
+    move_body(now, grid, tick.forces);
+  }
+  if (body_.breath) add_breath(now, grid, tick.drawn_in);
+  now.most = farthest(now.moved);
+  if (layers_) add_layers(now, grid);
+  now.grid = {now.frame.corner, grid.pixel, grid.width, grid.height, {}};
+}
+
+void ScanThread::move_body(LivePicture& now, const imaging::SlicePlane& grid, const fem::NodeForces& forces) {
+  moved_.assign(3 * body_.mesh->mesh.nodes.size(), 0.0F);
   const auto add = [this](std::span<const float> nodes) {
     if (nodes.size() != moved_.size()) return;  // nothing was published yet
     for (std::size_t i = 0; i < moved_.size(); ++i) moved_[i] += nodes[i];
@@ -124,9 +156,6 @@ void ScanThread::move_tissue(LivePicture& now, const fem::NodeForces& forces) {
   }
   if (body_.moves) add(nodes_.read());
   now.moved = imaging::displacements_of_places(grid, slice_->displacements(grid, moved_));
-  now.most = farthest(now.moved);
-  if (layers_) add_layers(now, grid);
-  now.grid = {now.frame.corner, grid.pixel, grid.width, grid.height, {}};
 }
 
 }  // namespace bodkin::station

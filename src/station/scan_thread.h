@@ -37,7 +37,7 @@ struct LivePicture {
   bool refused = false;            // the settings of the order cannot be: those of the last picture stayed
 };
 
-// The deformable body of a live ultrasound, static or moving.
+// How the patient of a live ultrasound deforms: a deformable body, static or moving, and breath.
 struct ScanBody {
   std::shared_ptr<const fem::BodyDescription>
       mesh;                              // null: no body; only the probe compresses tissue, layer by layer
@@ -45,6 +45,7 @@ struct ScanBody {
   // A body that moves by itself, feels the probe too and gives that motion by set_displacements(). To a static one
   // the probe's compression is added layer by layer.
   bool moves = false;
+  std::optional<anatomy::BreathField> breath = {};  // nothing: nobody breathes
 };
 
 // Simulates ultrasound pictures repeatedly on a thread of its own, from the newest needle and forces of the tick and
@@ -55,9 +56,10 @@ class ScanThread {
   ScanThread(std::shared_ptr<const imaging::AcousticVolume> patient, imaging::Ultrasound machine,
              const anatomy::Needle& needle, ScanBody body, const ScanOrder& first, double rate = 60.0);
 
-  // The tick's thread only; wait-free. Forces by node of the mesh; the needle as it is in the body.
-  void set_needle(const fem::NodeForces& forces, const Pose& needle) noexcept {
-    ticks_.write({forces, needle, true});
+  // The tick's thread only; wait-free. Forces by node of the mesh; the needle as it is in the body; how far breath is
+  // drawn in.
+  void set_needle(const fem::NodeForces& forces, const Pose& needle, double drawn_in = 0.0) noexcept {
+    ticks_.write({forces, needle, true, drawn_in});
   }
 
   // Observer's thread, and so the two below: what the next pictures follow.
@@ -72,18 +74,23 @@ class ScanThread {
     fem::NodeForces forces;
     Pose needle = Pose::Identity();
     bool published = false;
+    double drawn_in = 0.0;
   };
   void run(const std::stop_token& stop, double rate);
   void make(LivePicture& now);
+  void add_breath(LivePicture& now, const imaging::SlicePlane& grid, double drawn_in) const;
   void add_layers(LivePicture& now, const imaging::SlicePlane& grid);
-  void move_tissue(LivePicture& now, const fem::NodeForces& forces);
+  void move_tissue(LivePicture& now, const Tick& tick);
+  void move_body(LivePicture& now, const imaging::SlicePlane& grid, const fem::NodeForces& forces);
 
   imaging::Ultrasound machine_;
   anatomy::Needle needle_;
   ScanBody body_;
   std::unique_ptr<SliceField> slice_;
   std::optional<PressedLayers> layers_;
-  std::vector<float> moved_;  // mm, of every node of the mesh, in this picture
+  std::vector<float> moved_;       // mm, of every node of the mesh, in this picture
+  Vec3 carried_ = Vec3::Zero();    // mm, by which breath has moved the tissue at the probe, in this picture
+  Pose probe_ = Pose::Identity();  // of this picture, where it would be had the tissue at it not moved
   LatestValue<Tick> ticks_;
   LatestValue<ScanOrder> orders_;
   LatestValue<std::vector<float>> nodes_;

@@ -181,8 +181,10 @@ void Station::Parts::prepare_ultrasound(const Pose& probe) {
       imaging::acoustic_volume(*patient, observer.progress());
   imaging::Ultrasound machine(volume, choice.probe, choice.settings, choice.detail);
   order = {probe, choice.settings};
+  std::optional<anatomy::BreathField> breath;
+  if (patient->description.breathing) breath.emplace(*patient->description.breathing);
   scan = std::make_shared<ScanThread>(volume, std::move(machine), patient->description.needle,
-                                      ScanBody{body, std::move(field), moving != nullptr}, order);
+                                      ScanBody{body, std::move(field), moving != nullptr, breath}, order);
   scan_log.emplace(patient, choice.probe);
 }
 
@@ -399,6 +401,8 @@ void Station::command(StationCommand command) {
       return parts.session->turn(&simulation::OtherHand::stylet_moved);
     case StationCommand::turn_manometer:
       return parts.session->turn(&simulation::OtherHand::manometer_moved);
+    case StationCommand::turn_breath:
+      return parts.session->turn(&simulation::OtherHand::breath_held);
     case StationCommand::end:
       return end();
   }

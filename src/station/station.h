@@ -20,6 +20,7 @@ enum class StationCommand {
   turn_finger,      // a finger feels the skin in place of the needle, or the needle is taken again
   turn_stylet,      // it is taken out of the needle, or put back
   turn_manometer,   // it is connected, or taken off
+  turn_breath,      // the patient is asked to hold the breath, or to breathe on
   end
 };
 

@@ -247,6 +247,70 @@ TEST(ScanThread, keeps_up) {
   EXPECT_LT(static_cast<double>(made) / gone, 75.0);
 }
 
+double mean_difference(const UltrasoundFrame& a, const UltrasoundFrame& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) sum += std::abs(static_cast<int>(a.pixels[i]) - b.pixels[i]);
+  return sum / static_cast<double>(a.pixels.size());
+}
+
+// Tissue that breath carries along the array is what a probe sees that is moved the other way. Away from the probe it
+// is carried less.
+TEST(ScanThread, breath_moves_the_tissue_in_the_picture) {
+  SeenThread seen;
+  for (const bool deformable : {false, true}) {
+    Breathing wide, narrow;
+    wide.motion = narrow.motion = Vec3(0.0, 0.0, -6.0);
+    wide.centre = narrow.centre = Vec3(0.0, 0.0, 0.0);
+    wide.radius = 500.0;
+    narrow.radius = 30.0;
+    for (const Breathing& breathing : {wide, narrow}) {
+      ScanBody body;
+      if (deformable) {
+        body.mesh = seen.block.body;
+        body.by_forces = std::make_unique<NodeField>(seen.elastic, *seen.block.body,
+                                                     *seen.block.patient.description.procedure.path);
+      }
+      const BreathField field(breathing);
+      body.breath = field;
+      const Pose probe = on_skin(0.0, 0.0);
+      ScanThread thread(seen.block.sounding, seen.machine(), Needle(), std::move(body), {probe, shallow()}, 200.0);
+      thread.set_needle({}, straight_in, 1.0);
+      const LivePicture* const picture =
+          picture_where(thread, [](const LivePicture& now) { return now.needle.has_value() && now.number > 2; });
+      ASSERT_NE(picture, nullptr);
+      EXPECT_EQ(picture->needle->translation(), straight_in.translation()) << "where the hand holds it";
+      const Vec3 carried = probe.translation() - field.material(probe.translation(), 1.0);
+      EXPECT_NEAR(carried.z(), -6.0, 0.6);
+      Pose moved = probe, needle = straight_in;
+      moved.translation() -= carried;
+      needle.translation() -= carried;
+      Ultrasound machine = seen.machine();
+      const UltrasoundFrame expected = machine.image(moved, NeedleInSound{needle, Needle()});
+      const UltrasoundFrame still = machine.image(probe, NeedleInSound{straight_in, Needle()});
+      if (breathing.radius == wide.radius) {
+        EXPECT_LT(mean_difference(picture->frame, expected), 0.6 * mean_difference(still, expected))
+            << "but for speckle, which tells parts of a millimetre";
+      }
+      // Every point of the grid, against the formula by repeated substitution.
+      const SlicePlane grid = grid_of(*picture);
+      const std::vector<Vec3> points = points_of(grid);
+      double apart = 0.0;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        Vec3 material = points[i];
+        for (int round = 0; round < 60; ++round) {
+          const double inside = 1.0 - (material - breathing.centre).squaredNorm() / std::pow(breathing.radius, 2);
+          material = points[i] - std::pow(std::max(0.0, inside), 2) * breathing.motion;
+        }
+        const Vec3 found = Eigen::Map<const Eigen::Vector3f>(picture->moved.data() + 3 * i).cast<double>();
+        const Vec3 by_breath = points[i] - material - carried;
+        // The press of the probe is on top of it, across the array.
+        apart = std::max(apart, std::abs(found.z() - by_breath.z()));
+      }
+      EXPECT_LT(apart, 0.2) << deformable;
+    }
+  }
+}
+
 TEST(ScanThread, without_a_body_the_picture_is_rigid) {
   SeenThread seen;
   ScanThread thread(seen.block.sounding, seen.machine(), Needle(), {}, {on_skin(0.0, 5.0, 2.0), shallow()}, 200.0);

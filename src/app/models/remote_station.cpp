@@ -298,6 +298,8 @@ void RemoteStation::command(station::StationCommand command) {
       return shared_->send("Stylet", {});
     case StationCommand::turn_manometer:
       return shared_->send("Manometer", {});
+    case StationCommand::turn_breath:
+      return shared_->send("HoldBreath", {});
     case StationCommand::end:
       return end();
   }
