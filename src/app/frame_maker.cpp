@@ -11,6 +11,7 @@ namespace {
 constexpr double visible_motion = 0.05;          // mm
 constexpr double turned_enough = 0.05 * degree;  // rad
 constexpr double down_soon = -0.5;               // mm above the skin
+constexpr double breath_step = 0.5;              // mm, from picture to picture of a patient who breathes
 
 bool same_pose(const Pose& a, const Pose& b) {
   return (a.translation() - b.translation()).norm() <= visible_motion &&
@@ -22,6 +23,9 @@ bool same_pose(const Pose& a, const Pose& b) {
 void FrameMaker::begin(std::shared_ptr<const OpenCase> patient, const std::optional<anatomy::NeedlePath>& plan) {
   patient_ = std::move(patient);
   plan_ = plan;
+  breath_.reset();
+  if (patient_ != nullptr && patient_->description().breathing) breath_.emplace(*patient_->description().breathing);
+  drawn_in_ = 0.0;
   contact_ = {};
   new_attempt_ = true;
   time_in_body_ = last_time_ = 0.0;
@@ -49,16 +53,34 @@ SkinDimple FrameMaker::dimple_of(const Frame& frame, const StationNews& news) co
   return dimple;
 }
 
+// Every step draws the patient anew, so that they are as large as one hardly sees.
+void FrameMaker::breathe(Frame& frame, double drawn_in) {
+  if (!breath_) return;
+  const double step = breath_step / std::max(breath_step, breath_->motion().norm());
+  if (std::abs(drawn_in - drawn_in_) >= step || drawn_in == 0.0) drawn_in_ = drawn_in;
+  frame.drawn_in = drawn_in_;
+}
+
+Vec3 FrameMaker::seen(const Vec3& material) const {
+  return breath_ ? Vec3(material + breath_->moved(material, drawn_in_)) : material;
+}
+
+Vec3 FrameMaker::in_material(const Vec3& place) const {
+  return breath_ ? breath_->material(place, drawn_in_) : place;
+}
+
 void FrameMaker::measure_plan(Frame& frame) const {
   frame.plan = plan_;
   if (!plan_ || plan_->length() <= 0.0) return;
-  const Vec3 along = plan_->direction(), tip = frame.needle.translation();
-  const Vec3 from_entry = tip - plan_->entry;
+  const anatomy::NeedlePath now{seen(plan_->entry), seen(plan_->target)};
+  frame.plan = now;
+  const Vec3 along = now.direction(), tip = frame.needle.translation();
+  const Vec3 from_entry = tip - now.entry;
   frame.off_path_vector = from_entry - along * along.dot(from_entry);
   frame.off_path = frame.off_path_vector.norm();
   const Vec3 axis = needle_axis(frame.needle);
   frame.off_angle = std::atan2(along.cross(axis).norm(), along.dot(axis));
-  frame.target_distance = (plan_->target - tip).norm();
+  frame.target_distance = (now.target - tip).norm();
   const anatomy::Procedure& procedure = patient_->description().procedure;
   frame.target_tolerance = procedure.target_tolerance;
   const anatomy::TissueProperties* tissue = patient_->patient.library.find(procedure.target_tissue);
@@ -87,12 +109,14 @@ void FrameMaker::update(Frame& frame, const StationNews& news, const NeedleContr
   frame.samples = news.samples;
   frame.events = news.events;
   frame.displacements = news.displacements;
+  breathe(frame, now.drawn_in);
   place_needle(frame, news, control, hand);
+  frame.in_tissue = in_material(frame.needle.translation());
   frame.entry.reset();
   if (is_touching()) frame.entry = frame.needle.translation() - frame.depth * needle_axis(frame.needle);
   frame.dimple = dimple_of(frame, news);
   if (patient_ != nullptr) {
-    frame.place = is_touching() ? place_name(patient_->patient, frame.needle.translation()) : std::string();
+    frame.place = is_touching() ? place_name(patient_->patient, frame.in_tissue) : std::string();
     measure_plan(frame);
   }
   frame.device = news.device;
@@ -117,7 +141,7 @@ Changes FrameMaker::changes(const Frame& frame) {
   changes.tissue = frame.tissue != last_.tissue || frame.place != last_.place;
   changes.dimple = std::abs(frame.dimple.depth - last_.dimple.depth) > 0.5 * visible_motion ||
                    (frame.dimple.depth != 0.0 && (frame.dimple.at - last_.dimple.at).norm() > visible_motion) ||
-                   !frame.displacements.empty();
+                   !frame.displacements.empty() || frame.drawn_in != last_.drawn_in;
   changes.force = !frame.samples.empty() || !frame.events.empty();
   changes.state = frame.state != last_.state;
   const auto same_plan = [&] {

@@ -30,10 +30,15 @@ class FrameMaker {
   bool is_touching() const noexcept { return contact_.is_touching(); }
   bool has_punctured() const noexcept { return contact_.has_punctured(); }
   bool is_on_bone() const noexcept { return contact_.is_on_bone(); }
+  // LPS mm, where what lies at `material` when the patient has breathed out is in the frame.
+  Vec3 seen(const Vec3& material) const;
+  // The other way round.
+  Vec3 in_material(const Vec3& place) const;
 
  private:
   void place_needle(Frame& frame, const StationNews& news, const NeedleControl* control,
                     const HandReport& hand) const;
+  void breathe(Frame& frame, double drawn_in);
   void measure_plan(Frame& frame) const;
   SkinDimple dimple_of(const Frame& frame, const StationNews& news) const;
 
@@ -42,6 +47,8 @@ class FrameMaker {
   station::PunctureWatch contact_;
   bool new_attempt_ = true;
   double time_in_body_ = 0.0, last_time_ = 0.0;
+  std::optional<anatomy::BreathField> breath_;  // nothing: the patient does not breathe
+  double drawn_in_ = 0.0;                       // that is shown
   Frame last_;
 };
 

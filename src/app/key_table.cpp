@@ -43,6 +43,8 @@ constexpr std::array table = {
                BODKIN_TEXT_OF("feel the skin with a finger, take the needle again"), true},
     KeyBinding{KeyScope::practise, "S", Command::turn_stylet, BODKIN_TEXT_OF("stylet out, in"), true},
     KeyBinding{KeyScope::practise, "R", Command::turn_manometer, BODKIN_TEXT_OF("manometer on, off"), true},
+    KeyBinding{KeyScope::practise, "Z", Command::turn_breath,
+               BODKIN_TEXT_OF("ask the patient to hold the breath, or to breathe on"), true},
     KeyBinding{KeyScope::practise, "A", Command::again, BODKIN_TEXT_OF("save and try again"), true},
     KeyBinding{KeyScope::practise, "E", Command::end, BODKIN_TEXT_OF("end, and see how it went"), true},
     KeyBinding{KeyScope::practise, "V", Command::arm, BODKIN_TEXT_OF("arm again after a fault"), true},

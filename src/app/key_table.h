@@ -35,6 +35,7 @@ enum class Command : std::uint8_t {
   turn_finger,
   turn_stylet,
   turn_manometer,
+  turn_breath,
   again,
   end,
   arm,

@@ -101,6 +101,8 @@ void MainWindow::run(Command command) {
       return practice_.turn(station::StationCommand::turn_stylet);
     case Command::turn_manometer:
       return practice_.turn(station::StationCommand::turn_manometer);
+    case Command::turn_breath:
+      return practice_.turn(station::StationCommand::turn_breath);
     case Command::again:
       return another_attempt();
     case Command::end:
@@ -138,6 +140,7 @@ void MainWindow::connect_other_hand() {
   connect(other_hand, &OtherHandBar::finger_turned, this, [this] { run(Command::turn_finger); });
   connect(other_hand, &OtherHandBar::stylet_turned, this, [this] { run(Command::turn_stylet); });
   connect(other_hand, &OtherHandBar::manometer_turned, this, [this] { run(Command::turn_manometer); });
+  connect(other_hand, &OtherHandBar::breath_turned, this, [this] { run(Command::turn_breath); });
   connect(other_hand, &OtherHandBar::plunger_pressed, this, [this](bool on) { practice_.press_plunger(on); });
   connect(other_hand, &OtherHandBar::filling_chosen, this, [this](bool air) {
     practice_.fill_syringe(air ? anatomy::SyringeFilling::air : anatomy::SyringeFilling::saline);

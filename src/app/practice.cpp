@@ -333,7 +333,7 @@ void Practice::follow_needle() {
 void Practice::follow_warning() {
   std::optional<Warning> found;
   if (maker_.is_touching())
-    found = warning_at(patient_->patient, frame_.needle.translation(), frame_.tissue, maker_.is_on_bone());
+    found = warning_at(patient_->patient, frame_.in_tissue, frame_.tissue, maker_.is_on_bone());
   if (found) {
     if (!frame_.warning || frame_.warning->title != found->title) acknowledged_ = false;
     const auto same = [&](const MetDanger& danger) { return danger.warning.title == found->title; };
@@ -434,7 +434,9 @@ const Frame& Practice::advance(double clock) {
   frame_.state = state();
   frame_.clock = clock;
   frame_.hint = hint();
-  frame_.left_needles = left_needles_;
+  shown_left_ = left_needles_;
+  for (LeftNeedle& left : shown_left_) left.pose.translation() = maker_.seen(left.pose.translation());
+  frame_.left_needles = shown_left_;
   changes_ = maker_.changes(frame_);
   if (std::exchange(left_needles_changed_, false)) changes_.plan = true;  // the pictures must be drawn again
   return frame_;

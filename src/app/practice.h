@@ -191,7 +191,8 @@ class Practice {
   std::string refusal_;     // why the last wish was not done
   std::vector<std::string> log_;
   std::vector<MetDanger> dangers_;
-  std::vector<LeftNeedle> left_needles_;
+  std::vector<LeftNeedle> left_needles_;  // where they lie when the patient has breathed out
+  std::vector<LeftNeedle> shown_left_;    // where they are now
   double refused_at_ = 0.0, safe_since_ = 0.0, clock_ = 0.0;
   bool again_wanted_ = false, acknowledged_ = false, was_forbidden_ = false, plunger_pressed_ = false,
        left_needles_changed_ = false, aimed_ = false;

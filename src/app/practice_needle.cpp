@@ -57,7 +57,8 @@ void Practice::leave_needle() {
   if (patient_ == nullptr || !is_attempt(state())) return;
   if (!maker_.is_touching() || !maker_.has_punctured())
     return say("Push the needle through the skin before you leave it there.");
-  const LeftNeedle left{frame_.needle, frame_.depth};
+  LeftNeedle left{frame_.needle, frame_.depth};
+  left.pose.translation() = frame_.in_tissue;
   again();
   if (again_wanted_) left_needles_.push_back(left);
 }
@@ -84,7 +85,9 @@ void Practice::turn(station::StationCommand what) {
   if (!may_use_other_hand()) return;
   const bool is_finger = what == station::StationCommand::turn_finger;
   if (is_finger && !haptics_.parts.fingertip) return say("This patient has no skin to feel with a finger.");
-  if (!is_finger && !has_fluid()) return say("This patient has no fluid to measure.");
+  const bool is_breath = what == station::StationCommand::turn_breath;
+  if (is_breath && !frame_.other_hand.breathes) return say("This patient does not breathe.");
+  if (!is_finger && !is_breath && !has_fluid()) return say("This patient has no fluid to measure.");
   if (is_finger && frame_.other_hand.finger_presses) return say("Lift the finger first (W), then take the needle.");
   if (is_finger && maker_.is_touching()) return say("Withdraw the needle before you feel the skin.");
   link_.command(what);
@@ -115,6 +118,8 @@ OtherHandState Practice::other_hand(const StationNews& news) const {
     state.plunger = plunger_pressed_;
     state.air = parts.syringe->filling == anatomy::SyringeFilling::air;
   }
+  state.breathes = patient_ != nullptr && patient_->description().breathing.has_value();
+  state.holds_breath = state.breathes && now.breath_held;
   return state;
 }
 

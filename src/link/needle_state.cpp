@@ -13,7 +13,7 @@ namespace bodkin::link {
 
 namespace {
 
-constexpr std::size_t fixed_columns = 18;
+constexpr std::size_t fixed_columns = needle_state_fixed_columns;
 
 // Between LPS and RAS, the same in both directions.
 Vec3 mirrored(const Vec3& force) {
@@ -31,10 +31,11 @@ Whole whole(double value) {
 }  // namespace
 
 std::vector<std::string> needle_state_columns(std::span<const forces::DiagnosticName> diagnostics) {
-  std::vector<std::string> names = {"time_s",        "depth_mm",    "velocity_mm_s", "requested_R_N", "requested_A_N",
-                                    "requested_S_N", "applied_R_N", "applied_A_N",   "applied_S_N",   "resistance_N",
-                                    "constraint_N",  "energy_N_mm", "tissue",        "in_contact",    "limits",
-                                    "ticks",         "late_ticks",  "recent_success"};
+  std::vector<std::string> names = {"time_s",        "depth_mm",       "velocity_mm_s", "requested_R_N",
+                                    "requested_A_N", "requested_S_N",  "applied_R_N",   "applied_A_N",
+                                    "applied_S_N",   "resistance_N",   "constraint_N",  "energy_N_mm",
+                                    "tissue",        "in_contact",     "limits",        "ticks",
+                                    "late_ticks",    "recent_success", "drawn_in"};
   for (const forces::DiagnosticName& each : diagnostics) names.emplace_back(each.name);
   return names;
 }
@@ -56,6 +57,7 @@ NeedleState needle_state(const station::StationStatus& status, std::size_t diagn
   state.ticks = status.timings.ticks;
   state.late_ticks = status.timings.overruns;
   state.recent_success = status.timings.recent_success;
+  state.drawn_in = output.drawn_in;
   const auto* const first = output.diagnostics.data();
   state.diagnostics.assign(first, first + std::min(diagnostics, output.diagnostics.size()));
   return state;
@@ -80,7 +82,8 @@ Bytes needle_state_content(const NeedleState& state) {
                              static_cast<double>(state.limits),
                              static_cast<double>(state.ticks),
                              static_cast<double>(state.late_ticks),
-                             state.recent_success};
+                             state.recent_success,
+                             state.drawn_in};
   row.insert(row.end(), state.diagnostics.begin(), state.diagnostics.end());
   return array_content(row, row.size());
 }
@@ -109,6 +112,7 @@ NeedleState read_needle_state(std::span<const std::uint8_t> content) {
   state.ticks = whole<std::uint64_t>(row[15]);
   state.late_ticks = whole<std::uint64_t>(row[16]);
   state.recent_success = row[17];
+  state.drawn_in = std::clamp(row[18], 0.0, 1.0);
   state.diagnostics.assign(row.begin() + fixed_columns, row.end());
   return state;
 }

@@ -30,8 +30,12 @@ struct NeedleState {
   std::uint64_t ticks = 0;   // of the servo, and those that came late
   std::uint64_t late_ticks = 0;
   double recent_success = 1.0;      // share of the last hundred ticks that were in time
+  double drawn_in = 0.0;            // breath, 0 to 1
   std::vector<double> diagnostics;  // of the force model, in the order of the names
 };
+
+// Columns before those of the diagnostics.
+inline constexpr std::size_t needle_state_fixed_columns = 19;
 
 // Names of the columns in turn, with units; those of `diagnostics` are the last ones.
 std::vector<std::string> needle_state_columns(std::span<const forces::DiagnosticName> diagnostics);

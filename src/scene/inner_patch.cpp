@@ -90,7 +90,7 @@ const InnerPatch::Part* InnerPatch::part_of(std::size_t surface) const {
   return found == parts_.end() ? nullptr : &*found;
 }
 
-void InnerPatch::deform(std::span<const float> displacements) {
+void InnerPatch::deform(std::span<const float> displacements, const BreathMotion& breath) {
   const bool moved = displacements.size() == 3 * rest_.size();
   for (Part& part : parts_) {
     for (std::size_t i = 0; i < part.mesh.points.size(); ++i) {
@@ -99,6 +99,8 @@ void InnerPatch::deform(std::span<const float> displacements) {
       if (moved) part.mesh.points[i] += share_[at] * Eigen::Map<const Eigen::Vector3f>(displacements.data() + 3 * at);
     }
     turn_normals(part);
+    for (std::size_t i = 0; i < part.mesh.points.size(); ++i)
+      part.mesh.points[i] += breath.of(rest_[part.first + i]).cast<float>();
   }
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "scene/breath_motion.h"
 #include "scene/surfaces.h"
 
 #include "core/geometry.h"
@@ -36,8 +37,9 @@ class InnerPatch {
   // At rest, LPS mm: where displacements of a deformable body are wanted.
   const std::vector<Vec3>& rest() const { return rest_; }
 
-  // `displacements`: mm, x y z of every point of rest() in turn; of another length: all at rest.
-  void deform(std::span<const float> displacements);
+  // `displacements`: mm, x y z of every point of rest() in turn; of another length: all at rest. Then all moves with
+  // `breath`.
+  void deform(std::span<const float> displacements, const BreathMotion& breath = {});
 
   static constexpr double radius = 25.0, before = 10.0, beyond = 110.0;  // mm
 

@@ -176,7 +176,7 @@ std::size_t SkinPatch::nearest_to(const Vec3& point) const {
   return static_cast<std::size_t>(nearest - rest_.begin());
 }
 
-void SkinPatch::deform(const SkinDent& dent, std::span<const float> displacements) {
+void SkinPatch::deform(const SkinDent& dent, std::span<const float> displacements, const BreathMotion& breath) {
   if (empty()) return;
   const bool moved = displacements.size() == 3 * rest_.size();
   const Vec3 along = dent.direction.normalized();
@@ -194,7 +194,7 @@ void SkinPatch::deform(const SkinDent& dent, std::span<const float> displacement
     const Vec3 from = point - rest_[bottom_];
     const Dent here = dent_at(from, along, reach_);
     if (moved) point += std::clamp((reach_ - from.norm()) / fading, 0.0, 1.0) * moved_by(i);
-    mesh_.points[i] = (point + here.shape * dip).cast<float>();
+    mesh_.points[i] = (point + here.shape * dip + breath.of(rest_[i])).cast<float>();
     // Normals turn with the inverse transpose of the deformation's gradient 1 + dip gradient^T.
     const Vec3 normal = rest_normals_[i].cast<double>();
     const double stretch = std::max(0.05, 1.0 + dip.dot(here.gradient));

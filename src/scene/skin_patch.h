@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "scene/breath_motion.h"
 #include "scene/mesh.h"
 
 #include "core/geometry.h"
@@ -44,8 +45,9 @@ class SkinPatch {
   std::size_t bottom() const { return bottom_; }
 
   // `displacements`: of a deformable body, mm, x y z of every point of rest() in turn; or empty. A dent is added to
-  // them, about the point that is nearest to its entry; depth 0 and no displacements are the skin at rest.
-  void deform(const SkinDent& dent, std::span<const float> displacements = {});
+  // them, about the point that is nearest to its entry; depth 0 and no displacements are the skin at rest. All of it
+  // is of a patient who has breathed out, and then moves with `breath`.
+  void deform(const SkinDent& dent, std::span<const float> displacements = {}, const BreathMotion& breath = {});
 
   static constexpr double radius = 32.0;     // mm
   static constexpr double dent_width = 3.0;  // mm

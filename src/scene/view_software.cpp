@@ -66,7 +66,24 @@ void SoftwareView::set_entry(const Vec3& entry, const Vec3& direction) {
   patch_ = SkinPatch(surfaces_->skin(), entry, direction);
   inner_ = patch_.empty() ? InnerPatch() : InnerPatch(*surfaces_, entry, direction.normalized());
   dented_ = inside_moved_ = false;
+  breath_stale_ = breath_.moves();
   stale_ = true;
+}
+
+void SoftwareView::set_breath(const BreathMotion& breath) {
+  if (breath.drawn_in == breath_.drawn_in && breath.field.has_value() == breath_.field.has_value()) return;
+  breath_ = breath;
+  breath_stale_ = stale_ = true;
+  if (!breath_.moves()) {
+    moved_.reset();
+    return;
+  }
+  if (!moved_) moved_ = *surfaces_;
+  for (std::size_t part = 0; part < moved_->parts.size(); ++part) {
+    const std::vector<Eigen::Vector3f>& rest = surfaces_->parts[part].mesh.points;
+    std::vector<Eigen::Vector3f>& now = moved_->parts[part].mesh.points;
+    for (std::size_t i = 0; i < rest.size(); ++i) now[i] = rest[i] + breath_.of(rest[i].cast<double>()).cast<float>();
+  }
 }
 
 std::vector<Vec3> SoftwareView::deformable_points() const {
@@ -79,19 +96,20 @@ void SoftwareView::set_dent(const std::optional<SkinDent>& dent, std::span<const
   if (patch_.empty()) return;
   const SkinDent now = dent.value_or(SkinDent{patch_.entry(), -Vec3::UnitY(), 0.0});
   const bool dented = now.depth != 0.0 || !displacements.empty();
-  if (!dented && !dented_) return;
-  if (dented == dented_ && displacements.empty() && now.depth == dent_.depth && now.entry == dent_.entry &&
-      now.direction == dent_.direction) {
+  if (!dented && !dented_ && !breath_stale_) return;
+  if (!breath_stale_ && dented == dented_ && displacements.empty() && now.depth == dent_.depth &&
+      now.entry == dent_.entry && now.direction == dent_.direction) {
     return;
   }
   const std::size_t of_skin = 3 * patch_.rest().size();
   const bool known = displacements.size() == of_skin + 3 * inner_.rest().size();
-  patch_.deform(now, known ? displacements.first(of_skin) : std::span<const float>());
+  patch_.deform(now, known ? displacements.first(of_skin) : std::span<const float>(), breath_);
   dent_ = now;
   dented_ = dented;
   patch_stale_ = true;
-  if (!known && !inside_moved_) return;
-  inner_.deform(known ? displacements.subspan(of_skin) : std::span<const float>());
+  const bool was_stale = std::exchange(breath_stale_, false);
+  if (!known && !inside_moved_ && !was_stale) return;
+  inner_.deform(known ? displacements.subspan(of_skin) : std::span<const float>(), breath_);
   inside_moved_ = known;
   inner_stale_ = true;
 }
@@ -113,7 +131,7 @@ PixelBox SoftwareView::draw() {
   const PixelBox whole = layers_->box();
   const bool everything = stale_ || look_stale_;
   if (stale_) {
-    layers_->draw(*surfaces_, patch_.empty() ? surfaces_->skin().triangles : patch_.around(), inner_, camera_, look_,
+    layers_->draw(seen(), patch_.empty() ? surfaces_->skin().triangles : patch_.around(), inner_, camera_, look_,
                   skin_tint_);
     patch_stale_ = inner_stale_ = true;
   }
@@ -141,7 +159,7 @@ PixelBox SoftwareView::draw() {
 }
 
 std::optional<SurfacePoint> SoftwareView::skin_at(double x, double y) const {
-  return first_hit(surfaces_->skin(), projection().ray(x, y));
+  return first_hit(seen().skin(), projection().ray(x, y));
 }
 
 }  // namespace bodkin::scene

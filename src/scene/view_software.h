@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "scene/breath_motion.h"
 #include "scene/camera.h"
 #include "scene/inner_patch.h"
 #include "scene/look.h"
@@ -46,6 +47,10 @@ class SoftwareView {
   // first.
   void set_dent(const std::optional<SkinDent>& dent, std::span<const float> displacements = {});
 
+  // The patient breathes. What is told of the body at rest (set_entry, deformable_points, set_dent) is that of one
+  // who has breathed out.
+  void set_breath(const BreathMotion& breath);
+
   // Colours laid over the skin, 0xAARRGGBB for each of its points (surfaces().skin()); empty: none. Tinted skin does
   // not dent. Throws std::invalid_argument for another number of colours.
   void set_skin_tint(std::vector<std::uint32_t> tint);
@@ -61,14 +66,21 @@ class SoftwareView {
   Projection projection() const { return {camera_, picture_.width, picture_.height}; }
   const SkinPatch& patch() const { return patch_; }
   const InnerPatch& inner_patch() const { return inner_; }
+  // Of a patient who has breathed out.
   const PatientSurfaces& surfaces() const { return *surfaces_; }
   const std::shared_ptr<const PatientSurfaces>& shared_surfaces() const { return surfaces_; }
   const StillLayers& layers() const { return *layers_; }
-  // The skin at rest under a pixel.
+  // The skin under a pixel, undented.
   std::optional<SurfacePoint> skin_at(double x, double y) const;
 
  private:
+  // As they are now.
+  const PatientSurfaces& seen() const { return moved_ ? *moved_ : *surfaces_; }
+
   std::shared_ptr<const PatientSurfaces> surfaces_;
+  std::optional<PatientSurfaces> moved_;  // by breath; nothing: breathed out
+  BreathMotion breath_;
+  bool breath_stale_ = false;  // the patches have not been moved with it
   Camera camera_;
   Look look_;
   Opening opening_;

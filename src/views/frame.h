@@ -48,8 +48,10 @@ struct OtherHandState {
   bool finger = false;                                              // feels the skin in the needle's place
   bool finger_presses = false;                                      // it is on the skin
   bool stylet_in = false, manometer_on = false;
-  bool plunger = false;  // is pressed
-  bool air = false;      // fills the syringe, not saline
+  bool plunger = false;       // is pressed
+  bool air = false;           // fills the syringe, not saline
+  bool breathes = false;      // the patient
+  bool holds_breath = false;  // is asked to
 };
 
 // All that a view may draw of one moment, plain data: a view computes no force and asks nobody. The spans are valid
@@ -66,9 +68,11 @@ struct Frame {
   bool has_needle = false;
   Pose needle = Pose::Identity();  // LPS
   Pose hand = Pose::Identity();
-  double depth = 0.0;         // mm along the needle's line below the skin; not more than 0 outside
-  double velocity = 0.0;      // mm/s, inwards
-  std::optional<Vec3> entry;  // LPS mm, where the needle went through the skin
+  double drawn_in = 0.0;          // breath, 0 to 1, by which the patient is drawn; in steps that can be seen
+  Vec3 in_tissue = Vec3::Zero();  // LPS mm, where what is at the tip lies when the patient has breathed out
+  double depth = 0.0;             // mm along the needle's line below the skin; not more than 0 outside
+  double velocity = 0.0;          // mm/s, inwards
+  std::optional<Vec3> entry;      // LPS mm, where the needle went through the skin
   anatomy::TissueId tissue = anatomy::tissue::air;  // at the tip
   std::string place;                                // its name, or the name of the structure that the tip is in
   SkinDimple dimple;

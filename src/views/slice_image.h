@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "scene/breath_motion.h"
 #include "views/open_case.h"
 #include "views/slice_sampling.h"
 
@@ -35,7 +36,8 @@ extern const std::array<WindowPreset, 6> window_presets;
 class SliceImage {
  public:
   void set_case(std::shared_ptr<const OpenCase> patient);
-  const QImage& picture(const imaging::SlicePlane& plane, const SliceLook& look);
+  // `drawn_in`: breath, 0 to 1.
+  const QImage& picture(const imaging::SlicePlane& plane, const SliceLook& look, double drawn_in = 0.0);
 
   // Pictures that were computed, for tests of the cache: samples of the patient, and greys from samples.
   int sampled() const { return sampled_; }
@@ -43,12 +45,14 @@ class SliceImage {
 
  private:
   void sample(const imaging::SlicePlane& plane, const SliceLook& look);
+  void sample_moved(const imaging::SlicePlane& plane, const SliceLook& look);
   void paint(const SliceLook& look);
 
   std::shared_ptr<const OpenCase> patient_;
   std::optional<ForbiddenPlaces> places_;
   std::array<Tint, 256> tints_{};
   imaging::SlicePlane plane_;
+  scene::BreathMotion breath_;
   std::optional<SliceLook> look_;        // of the picture; none: nothing was painted yet
   std::vector<float> hounsfield_;        // height x width
   std::vector<Tint> tint_;               // height x width

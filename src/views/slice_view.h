@@ -80,6 +80,7 @@ class SliceView : public View {
     std::vector<std::pair<double, double>> broken;  // mm of the plan from its entry
     double tolerance = 3.0;                         // mm
     bool reached = false;
+    double drawn_in = 0.0;  // breath, 0 to 1
     Vec3 crosshair = Vec3::Zero();
     bool follows = true;
     double clock = 0.0;

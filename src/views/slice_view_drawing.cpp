@@ -72,7 +72,7 @@ void SliceView::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.fillRect(rect(), Qt::black);
   if (patient_ != nullptr) {
-    QImage picture = image_.picture(plane(), look_);
+    QImage picture = image_.picture(plane(), look_, shown_.drawn_in);
     picture.setDevicePixelRatio(devicePixelRatioF());
     painter.drawImage(QPointF(0.0, 0.0), picture);
     painter.setRenderHint(QPainter::Antialiasing);

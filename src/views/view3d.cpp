@@ -18,6 +18,7 @@ namespace {
 
 constexpr double most_pixels = 1920.0 * 1080.0;  // that are drawn; a larger widget scales the picture up
 constexpr double settles_after = 0.12;           // s after the last movement of the camera full detail comes back
+constexpr double settles_after_breath = 0.3;     // s, the same after the last motion of the patient
 constexpr double flight_time = 0.35;             // s
 // mm from where the skin was cut out at which it is cut out anew. With a deformable body that is avoided, since its
 // displacements are those of the points that were asked for.
@@ -214,7 +215,9 @@ void View3d::show_frame(const Frame& frame, const Changes& changes) {
   const bool moves = camera_moved_ >= 0.0 && clock_ - camera_moved_ < settles_after;
   scene_->set_camera(cameras[0]);
   if (right_scene_) right_scene_->set_camera(cameras[1]);
-  for (scene::SoftwareView* scene : scenes()) scene->set_detail(moves ? 1 : 2);
+  if (frame.drawn_in != shown_.drawn_in) breath_moved_ = clock_;
+  const bool breathes = breath_moved_ >= 0.0 && clock_ - breath_moved_ < settles_after_breath;
+  for (scene::SoftwareView* scene : scenes()) scene->set_detail(moves || breathes ? 1 : 2);
   update_scene(frame);
   const scene::PixelBox drawn = draw_scenes();
   const bool spoke = !said_.isEmpty() && clock_ >= said_until_;
@@ -268,7 +271,12 @@ void View3d::update_scene(const Frame& frame) {
 }
 
 void View3d::update_skin(const Frame& frame) {
-  const SkinDimple& dimple = frame.dimple;
+  scene::BreathMotion breath;
+  breath.drawn_in = frame.drawn_in;
+  if (const auto& breathing = patient_->description().breathing) breath.field.emplace(*breathing);
+  for (scene::SoftwareView* scene : scenes()) scene->set_breath(breath);
+  SkinDimple dimple = frame.dimple;
+  dimple.at = breath.at_rest(dimple.at);
   std::optional<scene::SkinDent> dent;
   if (dimple.depth != 0.0) dent = scene::SkinDent{dimple.at, dimple.inwards, dimple.depth};
   const Vec3 from = dimple.at - scene_->patch().entry();

@@ -151,7 +151,7 @@ class View3d : public View {
   scene::Camera camera_;
   scene::ViewSubject subject_;
   std::optional<scene::CameraFlight> flight_;
-  double flight_began_ = 0.0, camera_moved_ = -1.0, clock_ = 0.0;  // s
+  double flight_began_ = 0.0, camera_moved_ = -1.0, breath_moved_ = -1.0, clock_ = 0.0;  // s
   scene::Look look_;
   scene::CaseLooks saved_looks_;
   bool opens_as_saved_ = true;

@@ -162,6 +162,7 @@ void EveryKey::press_keys_of_the_needle_and_its_views() {
   elsewhere(practise, "S");  // WholeProcedure
   elsewhere(practise, "R");  // WholeProcedure
   elsewhere(practise, "B");  // WholeProcedure
+  elsewhere(practise, "Z");  // BreathingPatient
   elsewhere(practise, "V");  // needs a fault of the guard, which a mouse cannot have
   // The views.
   expect_standard_views(view3d, page().view3d());

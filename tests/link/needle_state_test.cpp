@@ -33,6 +33,7 @@ TEST(NeedleState, arrives_as_it_was_sent_with_forces_in_ras_between) {
   status.timings.ticks = 1ULL << 40U;
   status.timings.overruns = 17;
   status.timings.recent_success = 0.99;
+  output.drawn_in = 0.625;
   const Bytes content = needle_state_content(needle_state(status, names.size()));
   const NumberArray row = read_array(content);
   ASSERT_EQ(row.values.size(), needle_state_columns(names).size()) << "every number has a name";
@@ -58,12 +59,13 @@ TEST(NeedleState, arrives_as_it_was_sent_with_forces_in_ras_between) {
   EXPECT_EQ(read.ticks, 1ULL << 40U);
   EXPECT_EQ(read.late_ticks, 17U);
   EXPECT_EQ(read.recent_success, 0.99);
+  EXPECT_EQ(read.drawn_in, 0.625);
   EXPECT_EQ(read.diagnostics, (std::vector<double>{39.0, 1.5}));
 }
 
 TEST(NeedleState, of_a_foreign_server_is_refused_or_kept_within_what_the_numbers_can_be) {
-  std::vector<double> row(18, 0.0);
-  EXPECT_THROW(read_needle_state(array_content(std::span(row).first(17), 17)), InputError);
+  std::vector<double> row(19, 0.0);
+  EXPECT_THROW(read_needle_state(array_content(std::span(row).first(18), 18)), InputError);
   EXPECT_THROW(read_needle_state(array_content(row, 9)), InputError) << "two rows";
   row[12] = 256.0;
   row[14] = -1.0;

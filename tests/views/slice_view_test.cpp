@@ -51,6 +51,45 @@ TEST(SliceView, a_pixel_shows_the_value_of_its_place_through_window_and_level) {
   }
 }
 
+TEST(SliceView, of_a_patient_who_breathes_shows_what_has_moved_there) {
+  auto open = std::make_shared<OpenCase>(*bodkin_test::layered_patient());
+  anatomy::Breathing breathing;
+  breathing.centre = Vec3(0.0, 10.0, 0.0);
+  breathing.motion = Vec3(3.0, -4.0, -9.0);
+  breathing.radius = 40.0;
+  open->patient.description.breathing = breathing;
+  for (const SliceKind kind : {SliceKind::axial, SliceKind::coronal, SliceKind::sagittal}) {
+    Frame frame = frame_at(20.0);
+    ShownSlice slice(kind, frame);
+    slice.view.set_case(open);
+    SliceLook look = slice.view.look();
+    look.window = 400.0;
+    look.level = 60.0;
+    look.tints = look.hatched = false;
+    slice.view.set_look(look);
+    slice.view.show_frame(frame, Changes::all());
+    const QImage breathed_out = slice.picture();
+    frame.drawn_in = 0.75;
+    slice.view.show_frame(frame, {});
+    const QImage picture = slice.picture();
+    EXPECT_NE(picture, breathed_out);
+    for (const QPoint place :
+         {QPoint(120, 60), QPoint(300, 90), QPoint(140, 220), QPoint(290, 200), QPoint(230, 120)}) {
+      const Vec3 point = slice.view.to_patient(QPointF(place) + QPointF(0.5, 0.5));
+      if (point.cwiseAbs().maxCoeff() > 40.0) continue;
+      Vec3 material = point;
+      for (int i = 0; i < 60; ++i) {
+        const double inside = std::max(0.0, 1.0 - (material - breathing.centre).squaredNorm() / 1600.0);
+        material = point - 0.75 * inside * inside * breathing.motion;
+      }
+      EXPECT_NEAR(qRed(picture.pixel(place)), expected_grey(material, look), 1.5) << static_cast<int>(kind);
+    }
+    frame.drawn_in = 0.0;
+    slice.view.show_frame(frame, {});
+    EXPECT_EQ(slice.picture(), breathed_out);
+  }
+}
+
 TEST(SliceView, the_slice_at_the_tip_shows_the_voxel_of_the_tip) {
   for (const SliceKind kind : {SliceKind::axial, SliceKind::coronal, SliceKind::sagittal}) {
     const Frame frame = frame_at(20.0);

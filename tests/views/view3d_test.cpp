@@ -122,6 +122,46 @@ TEST_F(View3dTest, the_pointer_over_the_skin_aims_at_the_point_below_it) {
   EXPECT_EQ(down.count(), 1);
 }
 
+TEST_F(View3dTest, the_patient_moves_as_breath_is_drawn_in) {
+  auto open = std::make_shared<OpenCase>(*coarse_patient());
+  anatomy::Breathing breathing;
+  breathing.centre = Vec3(0.0, 30.0, 0.0);
+  breathing.motion = Vec3(0.0, 9.0, 0.0);
+  breathing.radius = 100.0;  // wide beside the triangles of a flat skin
+  open->patient.description.breathing = breathing;
+  view_.set_case(open);
+  for (int i = 0; i < 20000 && !view_.is_ready(); ++i) {
+    view_.show_frame({}, {});
+    QTest::qWait(5);
+  }
+  look(scene::StandardView::posterior);
+  const auto skin_along = [&](double x, double z) {
+    const QPoint pixel = at(Vec3(x, 30.0, z));
+    return view_.scene()->skin_at(pixel.x(), pixel.y())->point;
+  };
+  for (const auto& [x, z] :
+       {std::pair(0.0, 0.0), std::pair(15.0, 0.0), std::pair(0.0, -30.0), std::pair(44.0, 20.0)}) {
+    Frame frame = frame_at(-5.0);
+    frame.drawn_in = 0.0;
+    show(frame);
+    const Vec3 before = skin_along(x, z);
+    frame.drawn_in = 0.8;
+    show(frame);
+    const Vec3 after = skin_along(x, z);
+    const double inside = std::max(0.0, 1.0 - (before - breathing.centre).squaredNorm() / (100.0 * 100.0));
+    EXPECT_NEAR(after.y() - before.y(), 0.8 * 9.0 * inside * inside, 0.6) << x << " " << z;
+  }
+  // A dent is where the needle is: its bottom moves with the skin.
+  Frame frame = frame_at(2.0);
+  frame.drawn_in = 0.8;
+  frame.dimple.at = Vec3(0.0, 30.0 + 0.8 * 9.0, 0.0);
+  frame.dimple.inwards = -Vec3::UnitY();
+  frame.dimple.depth = 3.0;
+  show(frame);
+  const scene::SkinPatch& patch = view_.scene()->patch();
+  EXPECT_NEAR(static_cast<double>(patch.mesh().points[patch.bottom()].y()), 30.0 + 0.8 * 9.0 - 3.0, 0.1);
+}
+
 TEST_F(View3dTest, wheel_pushes_and_zooms_with_control) {
   QSignalSpy pushed(&view_, &View::pushed);
   const auto wheel = [&](int delta, Qt::KeyboardModifiers modifiers) {

@@ -1756,6 +1756,26 @@
         <translation>Manometer</translation>
     </message>
     <message>
+        <source>Ask the patient to hold the breath, or to breathe on (Z)</source>
+        <translation>Den Patienten bitten, den Atem anzuhalten oder weiterzuatmen (Z)</translation>
+    </message>
+    <message>
+        <source>Breath</source>
+        <translation>Atem</translation>
+    </message>
+    <message>
+        <source>Breathes</source>
+        <translation>Atmet</translation>
+    </message>
+    <message>
+        <source>Breathes out</source>
+        <translation>Atmet aus</translation>
+    </message>
+    <message>
+        <source>Breath held</source>
+        <translation>Atem angehalten</translation>
+    </message>
+    <message>
         <source>Manometer %1 mm</source>
         <translation>Manometer %1 mm</translation>
     </message>

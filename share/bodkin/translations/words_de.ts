@@ -265,6 +265,10 @@
         <translation>Mandrin heraus, hinein</translation>
     </message>
     <message>
+        <source>ask the patient to hold the breath, or to breathe on</source>
+        <translation>den Patienten bitten, den Atem anzuhalten oder weiterzuatmen</translation>
+    </message>
+    <message>
         <source>manometer on, off</source>
         <translation>Manometer an, ab</translation>
     </message>
@@ -1882,6 +1886,10 @@
     <message>
         <source>Press with the finger. W, then H: the needle.</source>
         <translation>Drücken Sie mit dem Finger. W, dann H: die Nadel.</translation>
+    </message>
+    <message>
+        <source>This patient does not breathe.</source>
+        <translation>Dieser Patient atmet nicht.</translation>
     </message>
     <message>
         <source>This patient has no fluid to measure.</source>
@@ -6180,8 +6188,8 @@
         <translation>eine Sitzung läuft schon und wird aufgezeichnet; StopRecording beendet sie, Reset beginnt sie neu</translation>
     </message>
     <message>
-        <source>the command %1 is not known; expected Freeze, Clutch, Plunger, Finger, Stylet, Manometer, Arm, Disarm, StopRecording, Reset, RequestChannelIds, RequestDeviceIds, GetModelParameters, SetModelParameter, SetUsParameter or GetUsParameter</source>
-        <translation>der Befehl %1 ist unbekannt; erwartet: Freeze, Clutch, Plunger, Finger, Stylet, Manometer, Arm, Disarm, StopRecording, Reset, RequestChannelIds, RequestDeviceIds, GetModelParameters, SetModelParameter, SetUsParameter oder GetUsParameter</translation>
+        <source>the command %1 is not known; expected Freeze, Clutch, Plunger, Finger, Stylet, Manometer, HoldBreath, Arm, Disarm, StopRecording, Reset, RequestChannelIds, RequestDeviceIds, GetModelParameters, SetModelParameter, SetUsParameter or GetUsParameter</source>
+        <translation>der Befehl %1 ist unbekannt; erwartet: Freeze, Clutch, Plunger, Finger, Stylet, Manometer, HoldBreath, Arm, Disarm, StopRecording, Reset, RequestChannelIds, RequestDeviceIds, GetModelParameters, SetModelParameter, SetUsParameter oder GetUsParameter</translation>
     </message>
     <message>
         <source>this session has no ultrasound; start bodkin serve with --ultrasound PROBE</source>

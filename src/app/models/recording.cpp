@@ -5,6 +5,7 @@
 
 #include "app/frame_maker.h"
 #include "app/models/warnings.h"
+#include "session/material_tip.h"
 #include <fmt/format.h>
 
 #include "core/error.h"
@@ -102,7 +103,12 @@ std::string Recording::tissue_title(anatomy::TissueId tissue) const {
 void Recording::find_stays() {
   first_contact_ = begin();
   bool touched = false;
+  const std::optional<anatomy::Breathing> breathing =
+      patient_ == nullptr ? std::nullopt : patient_->description().breathing;
+  session::MaterialTip material(breathing, session_.header.dt);
   for (std::size_t i = 0; i < size(); ++i) {
+    const Vec3 tip = material.place_of(session_.ticks[i]);
+    if (breathing) drawn_in_.push_back(static_cast<float>(material.drawn_in()));
     const anatomy::TissueId tissue = samples_[i].tissue;
     const bool inside = samples_[i].depth > 0.0;
     if (inside && !std::exchange(touched, true)) first_contact_ = time(i);
@@ -113,7 +119,6 @@ void Recording::find_stays() {
       stays_.push_back({i, i, tissue});
     }
     if (!inside) continue;
-    const Vec3 tip = session_.ticks[i].input.needle.translation();
     if (!goes_on) {
       // Joined to the piece before, without a gap.
       const bool joined = stays_.size() > 1 && stays_[stays_.size() - 2].last + 1 == i && !path_.empty();
@@ -165,6 +170,7 @@ Frame Recording::frame(std::size_t index) const {
   news.needle.ticks = index + 1;
   news.needle.needle = record.input.needle;
   news.needle.output = record.output;
+  if (!drawn_in_.empty()) news.needle.output.drawn_in = static_cast<double>(drawn_in_[index]);
   news.diagnostic_names = diagnostic_names_;
   // What has given way until now, and whether the tip is on bone, follows from what happened before.
   for (const session::SessionEvent& event : session_.events) {
@@ -191,7 +197,7 @@ Frame Recording::frame(std::size_t index) const {
   if (patient_ == nullptr) {
     if (frame.depth > 0.0) frame.place = tissue_title(frame.tissue);
   } else if (maker.is_touching()) {
-    frame.warning = warning_at(patient_->patient, frame.needle.translation(), frame.tissue, maker.is_on_bone());
+    frame.warning = warning_at(patient_->patient, frame.in_tissue, frame.tissue, maker.is_on_bone());
   }
   return frame;
 }

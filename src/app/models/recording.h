@@ -102,6 +102,7 @@ class Recording {
   std::vector<float> in_body_;  // s until each tick
   std::vector<Happening> happenings_;
   std::vector<Stay> stays_;
+  std::vector<float> drawn_in_;  // breath, 0 to 1, by tick; empty: the patient does not breathe
   std::vector<PathPiece> path_;
   std::vector<forces::DiagnosticName> diagnostic_names_;  // of session_
 };

@@ -134,6 +134,7 @@ struct RemoteStation::Shared {
     output.energy = state.energy;
     output.tissue = state.tissue;
     output.in_contact = state.in_contact;
+    output.drawn_in = state.drawn_in;
     output.diagnostics = {};
     const std::size_t count = std::min(state.diagnostics.size(), output.diagnostics.size());
     std::copy_n(state.diagnostics.begin(), count, output.diagnostics.begin());
@@ -222,9 +223,8 @@ struct RemoteStation::Shared {
     deforms = flag_in(about, "deformable_body");
     const auto columns = about.find("needle_state_columns");
     if (columns == about.end() || !columns->is_array()) return;
-    constexpr std::size_t before_diagnostics = 18;
     names.clear();
-    for (std::size_t i = before_diagnostics; i < columns->size(); ++i)
+    for (std::size_t i = link::needle_state_fixed_columns; i < columns->size(); ++i)
       names.push_back((*columns)[i].is_string() ? (*columns)[i].get<std::string>() : std::string());
   }
 

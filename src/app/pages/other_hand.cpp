@@ -36,14 +36,17 @@ OtherHandBar::OtherHandBar(QWidget* parent) : QWidget(parent) {
   manometer_ = add("practise.manometer", tr("Connect the manometer, or take it off (R)"));
   plunger_ = add("practise.plunger", tr("Press the plunger of the syringe as long as the button or B is held"));
   air_ = add("practise.air", tr("Fill the syringe with air, or with saline again; another attempt begins"));
+  breath_ = add("practise.breath", tr("Ask the patient to hold the breath, or to breathe on (Z)"));
   air_->setText(tr("Air"));
   air_->setAccessibleName(air_->text());
-  for (const auto& [button, words] : {std::pair{finger_, tr("Finger")}, std::pair{stylet_, tr("Stylet")},
-                                      std::pair{manometer_, tr("Manometer")}, std::pair{plunger_, tr("Plunger")}})
+  for (const auto& [button, words] :
+       {std::pair{finger_, tr("Finger")}, std::pair{stylet_, tr("Stylet")}, std::pair{manometer_, tr("Manometer")},
+        std::pair{plunger_, tr("Plunger")}, std::pair{breath_, tr("Breath")}})
     button->setAccessibleName(words);
   connect(finger_, &QPushButton::clicked, this, &OtherHandBar::finger_turned);
   connect(stylet_, &QPushButton::clicked, this, &OtherHandBar::stylet_turned);
   connect(manometer_, &QPushButton::clicked, this, &OtherHandBar::manometer_turned);
+  connect(breath_, &QPushButton::clicked, this, &OtherHandBar::breath_turned);
   connect(plunger_, &QPushButton::pressed, this, [this] { emit plunger_pressed(true); });
   connect(plunger_, &QPushButton::released, this, [this] { emit plunger_pressed(false); });
   connect(air_, &QPushButton::clicked, this, &OtherHandBar::filling_chosen);
@@ -79,7 +82,13 @@ void OtherHandBar::show_frame(const views::Frame& frame) {
   label_button(plunger_, now.plunger ? tr("Plunger %1 kPa").arg(pressure, 0, 'f', 0) : tr("Plunger"), "B",
                now.plunger);
   air_->setChecked(now.air);
-  setVisible(now.has_finger || now.has_fluid || now.has_syringe);
+  breath_->setVisible(now.breathes);
+  label_button(breath_,
+               !now.holds_breath      ? tr("Breathes")
+               : frame.drawn_in > 0.0 ? tr("Breathes out")
+                                      : tr("Breath held"),
+               "Z", now.holds_breath);
+  setVisible(now.has_finger || now.has_fluid || now.has_syringe || now.breathes);
   if (size() != sizeHint()) resize(sizeHint());
 }
 

@@ -9,8 +9,8 @@ class QPushButton;
 namespace bodkin::app {
 
 // What the hand that does not hold the needle can do on this patient: feel the skin, take the stylet out, connect the
-// manometer, press the plunger. A row of buttons that say how things stand; those for which the patient has nothing
-// are hidden.
+// manometer, press the plunger, ask the patient to hold the breath. A row of buttons that say how things stand; those
+// for which the patient has nothing are hidden.
 class OtherHandBar : public QWidget {
   Q_OBJECT
  public:
@@ -22,13 +22,14 @@ class OtherHandBar : public QWidget {
   void finger_turned();
   void stylet_turned();
   void manometer_turned();
+  void breath_turned();
   void plunger_pressed(bool on);
   void filling_chosen(bool air);
 
  private:
   QPushButton* add(const char* name, const QString& tip);
 
-  QPushButton *finger_, *stylet_, *manometer_, *plunger_, *air_;
+  QPushButton *finger_, *stylet_, *manometer_, *plunger_, *air_, *breath_;
 };
 
 }  // namespace bodkin::app
