@@ -31,25 +31,30 @@ BreathClock::BreathClock(const Breathing& breathing, double dt) noexcept
       longest_hold_(ticks_of(breathing.longest_hold, dt)),
       pause_(breathing.pause) {}
 
-void BreathClock::reset() noexcept {
-  phase_ = held_ = 0;
+void BreathClock::set(const BreathMoment& moment) noexcept {
+  now_ = moment;
+  now_.phase %= period_;
   holds_ = false;
-  drawn_in_ = 0.0;
+  drawn_in_ = drawn_in_at(now_.phase);
 }
 
 double BreathClock::step(bool hold) noexcept {
-  holds_ = hold && phase_ == 0 && held_ < longest_hold_;
+  holds_ = hold && now_.phase == 0 && now_.held < longest_hold_;
   if (holds_) {
-    ++held_;
+    ++now_.held;
     return drawn_in_;
   }
-  if (++phase_ >= period_) phase_ = 0;
-  if (phase_ == 0) held_ = 0;
-  const double share = static_cast<double>(std::min(phase_, period_ - phase_)) / static_cast<double>(period_);
+  if (++now_.phase >= period_) now_.phase = 0;
+  if (now_.phase == 0) now_.held = 0;
+  return drawn_in_ = drawn_in_at(now_.phase);
+}
+
+double BreathClock::drawn_in_at(std::uint64_t phase) const noexcept {
+  const double share = static_cast<double>(std::min(phase, period_ - phase)) / static_cast<double>(period_);
   const double wave = sine(std::numbers::pi * share);
-  drawn_in_ = 1.0;
-  for (int i = 0; i < pause_; ++i) drawn_in_ *= wave * wave;
-  return drawn_in_;
+  double drawn_in = 1.0;
+  for (int i = 0; i < pause_; ++i) drawn_in *= wave * wave;
+  return drawn_in;
 }
 
 double BreathField::weight(const Vec3& material) const noexcept {

@@ -38,7 +38,8 @@ struct Breathing {
                   "the same, towards the head; organs below the diaphragm go down by 5 to 25 mm, so it is negative "
                   "(Keall et al. 2006)",
                   Origin::literature},
-        Component{"x_mm", &S::centre, 0, Range{-1e5, 1e5}, "mm", "centre, LPS: tissue there moves most", Origin::choice},
+        Component{"x_mm", &S::centre, 0, Range{-1e5, 1e5}, "mm", "centre, LPS: tissue there moves most",
+                  Origin::choice},
         Component{"y_mm", &S::centre, 1, Range{-1e5, 1e5}, "mm", "the same", Origin::choice},
         Component{"z_mm", &S::centre, 2, Range{-1e5, 1e5}, "mm", "the same", Origin::choice},
         Parameter{"radius_mm", &S::radius, Range{20.0, 500.0}, "mm",
@@ -57,6 +58,11 @@ struct Breathing {
   }
 };
 
+// Between two ticks of a patient who breathes.
+struct BreathMoment {
+  std::uint64_t phase = 0, held = 0;  // ticks since the breath began, and of holding it
+};
+
 // When a patient breathes: advanced once a tick, so that a recording gives the same breaths again. Starts breathed
 // out.
 class BreathClock {
@@ -64,18 +70,23 @@ class BreathClock {
   // `dt`: s.
   BreathClock(const Breathing& breathing, double dt) noexcept;
 
-  // The next tick; `hold`: somebody asks the patient to hold the breath. A patient who is asked breathes out first and
-  // holds for `longest_hold`, then takes one breath and holds again. Returns how far breath is drawn in, 0 to 1.
+  // The next tick; `hold`: somebody asks the patient to hold the breath. A patient who is asked breathes out first
+  // and holds for `longest_hold`, then takes one breath and holds again. Returns how far breath is drawn in, 0 to 1.
   double step(bool hold) noexcept;
   double drawn_in() const noexcept { return drawn_in_; }
   // The breath is held now.
   bool holds() const noexcept { return holds_; }
-  void reset() noexcept;
+  void reset() noexcept { set({}); }
+  const BreathMoment& moment() const noexcept { return now_; }
+  // Goes on from a moment of a clock of the same patient.
+  void set(const BreathMoment& moment) noexcept;
 
  private:
+  double drawn_in_at(std::uint64_t phase) const noexcept;
+
   std::uint64_t period_, longest_hold_;  // ticks
   int pause_;
-  std::uint64_t phase_ = 0, held_ = 0;  // ticks
+  BreathMoment now_;
   bool holds_ = false;
   double drawn_in_ = 0.0;
 };

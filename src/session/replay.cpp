@@ -142,6 +142,12 @@ class NumbersTaken {
   }
 
  private:
+  anatomy::BreathMoment breath_before(std::uint64_t tick) const {
+    if (!patient_.description.breathing) return {};
+    anatomy::BreathClock clock(*patient_.description.breathing, session_.header.dt);
+    for (std::uint64_t each = 0; each < tick; ++each) clock.step(session_.ticks[each].input.other.breath_held);
+    return clock.moment();
+  }
   struct Made {
     Made(const anatomy::Case& from, const NumberChange& change) : patient(with(from, change)), tick(patient) {}
     static anatomy::Case with(anatomy::Case patient, const NumberChange& change) {
@@ -154,6 +160,7 @@ class NumbersTaken {
 
   void take(const NumberChange& change) {
     auto made = std::make_unique<Made>(patient_, change);
+    made->tick.set_breath(breath_before(change.from_tick));
     for (std::uint64_t tick = change.from_tick; tick < change.tick; ++tick)
       made->tick.step(session_.ticks[tick].input);
     if (!felt_.take(made->tick)) {

@@ -322,6 +322,10 @@ void HapticTick::hold_breath() noexcept {
   state_->breath.reset();
 }
 
+void HapticTick::set_breath(const anatomy::BreathMoment& moment) noexcept {
+  if (state_->breath) state_->breath->clock.set(moment);
+}
+
 std::span<const forces::DiagnosticName> HapticTick::diagnostic_names() const noexcept {
   return state_->resistance.diagnostic_names();
 }
@@ -355,9 +359,11 @@ TickOutput HapticTick::step(const TickInput& input) noexcept {
   const bool usable = (tip.array().abs() <= farthest_tip).all() && length > 1e-6 && length < 1e6;  // NaN is not
   if (state.governor.failed() || !usable) return state.fault();
 
-  TickOutput output =
-      state.step(state.breath ? state.breath->in_material(input, body()) : input, axis / length);
-  if (state.breath) output.drawn_in = state.breath->clock.drawn_in();
+  TickOutput output = state.step(state.breath ? state.breath->in_material(input, body()) : input, axis / length);
+  if (state.breath) {
+    output.drawn_in = state.breath->clock.drawn_in();
+    output.breath = state.breath->clock.moment();
+  }
   if (state.governor.failed()) {  // a model gave something that is not a number: keep what was known before
     state.last.events.clear();
     state.last.requested = Wrench{};

@@ -30,6 +30,9 @@ class HapticTick {
   // Before the ticks: the patient holds the breath for ever, for curves of tissue at rest.
   void hold_breath() noexcept;
 
+  // Before the ticks: the patient is in the midst of breathing, for a tick that takes over from another.
+  void set_breath(const anatomy::BreathMoment& moment) noexcept;
+
   // Names of TickOutput::diagnostics; they live as long as this.
   std::span<const forces::DiagnosticName> diagnostic_names() const noexcept;
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "anatomy/breathing.h"
 #include "core/geometry.h"
 #include "forces/diagnostics.h"
 #include "forces/events.h"
@@ -38,8 +39,8 @@ class Thumb {
   std::uint8_t byte_ = 0;
 };
 
-// What the other hand does with the skin and at the needle's hub, and what the patient is asked, in the four bits that
-// a recording keeps.
+// What the other hand does with the skin and at the needle's hub, and what the patient is asked, in the four bits
+// that a recording keeps.
 struct OtherHand {
   bool finger = false;           // a fingertip is where the tip of the needle would be; for the part `fingertip`
   bool stylet_moved = false;     // the stylet is not as the case has it; for the part `csf_flow`
@@ -75,8 +76,9 @@ struct TickOutput {
   double energy = 0.0;      // N mm that the hand has given to the tissue along the needle, as passivity counts it
   anatomy::TissueId tissue = anatomy::tissue::air;  // at the tip
   bool in_contact = false;
-  double drawn_in = 0.0;              // breath, 0 to 1; not recorded, for the ticks give it (anatomy::BreathClock)
-  std::uint8_t limits = 0;            // governor flags, see haptics/force_governor.h
+  double drawn_in = 0.0;         // breath, 0 to 1; neither this nor the next is recorded, for the ticks give them
+  anatomy::BreathMoment breath;  // after the tick
+  std::uint8_t limits = 0;       // governor flags, see haptics/force_governor.h
   forces::Diagnostics diagnostics{};  // of the resistance, in the order of HapticTick::diagnostic_names(); 0 outside
   forces::TickEvents events;
 };

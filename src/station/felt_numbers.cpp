@@ -31,7 +31,10 @@ void InsertionInputs::keep(const simulation::TickRecord& record) {
   if (is_in_ && (!follows || inputs_.size() >= most)) is_incomplete_ = true;
   if (has(record.output.events, forces::EventKind::withdrawn)) is_in_ = is_incomplete_ = false;
   if (!follows || is_incomplete_) {
+    // After a gap it is that after the tick: a millisecond does not matter where ticks were lost.
+    before_ = follows && !breaths_.empty() ? breaths_.back() : record.output.breath;
     inputs_.clear();
+    breaths_.clear();
     first_ = record.tick;
   }
   if (has(record.output.events, forces::EventKind::contact)) {
@@ -39,20 +42,23 @@ void InsertionInputs::keep(const simulation::TickRecord& record) {
     forget_all_but(lead_in);
   }
   inputs_.push_back(record.input);
+  breaths_.push_back(record.output.breath);
   if (!is_in_ && inputs_.size() > 2 * lead_in) forget_all_but(lead_in);
 }
 
 void InsertionInputs::forget_all_but(std::size_t count) {
   if (inputs_.size() <= count) return;
   const std::size_t gone = inputs_.size() - count;
+  before_ = breaths_[gone - 1];
+  breaths_.erase(breaths_.begin(), breaths_.begin() + static_cast<std::ptrdiff_t>(gone));
   inputs_.erase(inputs_.begin(), inputs_.begin() + static_cast<std::ptrdiff_t>(gone));
   first_ += gone;
 }
 
-std::optional<std::uint64_t> InsertionInputs::first() const {
+std::optional<InsertionInputs::Begin> InsertionInputs::first() const {
   const std::lock_guard guard(lock_);
   if (inputs_.empty()) return std::nullopt;
-  return first_;
+  return Begin{first_, before_};
 }
 
 bool InsertionInputs::is_incomplete() const {
@@ -185,12 +191,13 @@ void FeltNumbers::bring_in(const session::NumberChange& change) {
 
 // Through the inputs that there are; false: there is none yet.
 bool FeltNumbers::lead(Next& next) const {
-  const std::optional<std::uint64_t> first = inputs_.first();
+  const std::optional<InsertionInputs::Begin> first = inputs_.first();
   if (!first) {
     std::this_thread::sleep_for(nap);
     return false;
   }
-  next.change.from_tick = next.next = *first;
+  next.change.from_tick = next.next = first->tick;
+  next.tick.set_breath(first->breath);
   for (std::size_t taken = at_once; taken == at_once;) {
     const std::vector<simulation::TickInput> inputs = inputs_.from(next.next, at_once);
     for (const simulation::TickInput& input : inputs) next.tick.step(input);

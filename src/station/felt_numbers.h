@@ -25,8 +25,12 @@ class InsertionInputs {
 
   // Ticks in their order, from one thread.
   void keep(const simulation::TickRecord& record);
-  // Any thread: the tick of the first one; nothing: none is there.
-  std::optional<std::uint64_t> first() const;
+  struct Begin {
+    std::uint64_t tick = 0;
+    anatomy::BreathMoment breath;  // before it
+  };
+  // Any thread: the first one; nothing: none is there.
+  std::optional<Begin> first() const;
   // Any thread: the insertion is longer than `most`, or ticks of it were lost.
   bool is_incomplete() const;
   // Any thread: those from `tick` on, at most `count`.
@@ -37,6 +41,8 @@ class InsertionInputs {
 
   mutable std::mutex lock_;  // guards all below
   std::vector<simulation::TickInput> inputs_;
+  std::vector<anatomy::BreathMoment> breaths_;  // after each
+  anatomy::BreathMoment before_;                // the first one
   std::uint64_t first_ = 0;
   bool is_in_ = false, is_incomplete_ = false;
 };

@@ -24,19 +24,38 @@ simulation::TickRecord record_of(std::uint64_t tick, std::optional<forces::Event
   return record;
 }
 
+std::uint64_t first_tick(const InsertionInputs& inputs) {
+  const auto first = inputs.first();
+  return first ? first->tick : 0;
+}
+
+// What a tick that goes through them begins with: the breath before the first one.
+TEST(InsertionInputs, keep_the_breath_before_them) {
+  InsertionInputs inputs;
+  anatomy::BreathMoment breath;
+  for (std::uint64_t tick = 0; tick < 5000; ++tick) {
+    simulation::TickRecord record = record_of(tick);
+    breath.phase = tick + 1;
+    record.output.breath = breath;
+    inputs.keep(record);
+    ASSERT_EQ(inputs.first()->breath.phase, inputs.first()->tick) << "after so many ticks";
+  }
+  EXPECT_GT(first_tick(inputs), 4000U);
+}
+
 TEST(InsertionInputs, keeps_an_insertion_from_a_moment_before_the_skin) {
   InsertionInputs inputs;
   std::uint64_t tick = 0;
   EXPECT_FALSE(inputs.first().has_value());
   for (; tick < 5000; ++tick) inputs.keep(record_of(tick));
-  EXPECT_GE(inputs.first().value_or(0), 4700U) << "outside the last moment is enough";
+  EXPECT_GE(first_tick(inputs), 4700U) << "outside the last moment is enough";
   inputs.keep(record_of(tick++, forces::EventKind::contact));
-  EXPECT_EQ(inputs.first(), 4900U);
+  EXPECT_EQ(first_tick(inputs), 4900U);
   for (; tick < 9000; ++tick) inputs.keep(record_of(tick));
-  EXPECT_EQ(inputs.first(), 4900U) << "the whole insertion";
+  EXPECT_EQ(first_tick(inputs), 4900U) << "the whole insertion";
   EXPECT_EQ(inputs.from(8990, 100).size(), 10U);
   inputs.keep(record_of(tick++, forces::EventKind::withdrawn));
-  EXPECT_GE(inputs.first().value_or(0), 8700U);
+  EXPECT_GE(first_tick(inputs), 8700U);
   EXPECT_FALSE(inputs.is_incomplete());
 }
 
@@ -76,6 +95,7 @@ class FeltNumbersTest : public ::testing::Test {
     }
     return all;
   }
+  void expect_that_changes_are_felt_and_replay();
   Session recorded() const { return read_session(folder_.path() / "session.bodkin"); }
 
   ScratchFolder folder_;
@@ -84,7 +104,7 @@ class FeltNumbersTest : public ::testing::Test {
 
 struct Silent : StationObserver {};
 
-TEST_F(FeltNumbersTest, are_felt_within_an_insertion_and_the_recording_replays_to_the_bit) {
+void FeltNumbersTest::expect_that_changes_are_felt_and_replay() {
   Silent observer;
   Station station(options(), observer);
   station.start();
@@ -119,6 +139,19 @@ TEST_F(FeltNumbersTest, are_felt_within_an_insertion_and_the_recording_replays_t
   const ReplayResult differs = replay_session(without, patient, {}, nullptr);
   ASSERT_TRUE(differs.difference.has_value());
   EXPECT_GE(differs.difference->tick, session.changes.front().tick);
+}
+
+TEST_F(FeltNumbersTest, are_felt_within_an_insertion_and_the_recording_replays_to_the_bit) {
+  expect_that_changes_are_felt_and_replay();
+}
+
+// The tick that takes over breathes on where the one before was, though it has not gone through all that was before.
+TEST_F(FeltNumbersTest, are_felt_so_while_the_patient_breathes) {
+  anatomy::Breathing& breathing = patient_.description.breathing.emplace();
+  breathing.rate = 37.0;
+  breathing.motion = Vec3(4.0, 0.0, 0.5);
+  breathing.centre = patient_.description.procedure.path->target;
+  expect_that_changes_are_felt_and_replay();
 }
 
 TEST_F(FeltNumbersTest, of_another_model_or_rate_wait_for_the_next_attempt) {
