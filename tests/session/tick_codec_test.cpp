@@ -12,7 +12,7 @@ using namespace bodkin::session;
 namespace {
 
 TEST(TickCodec, a_tick_keeps_what_the_other_hand_does) {
-  for (unsigned byte = 0; byte < 8; ++byte) {
+  for (unsigned byte = 0; byte < 16; ++byte) {
     simulation::TickRecord record, found;
     record.output.in_contact = byte % 2 == 1;
     record.input.other = *simulation::OtherHand::from_byte(byte);
@@ -21,7 +21,7 @@ TEST(TickCodec, a_tick_keeps_what_the_other_hand_does) {
     ASSERT_TRUE(decode_tick(bytes, found));
     EXPECT_EQ(found.input.other.byte(), byte);
     EXPECT_EQ(found.output.in_contact, byte % 2 == 1);
-    bytes[29 * 8 + 1] = 16;
+    bytes[29 * 8 + 1] = 32;
     EXPECT_FALSE(decode_tick(bytes, found)) << "what no hand does";
   }
 }
