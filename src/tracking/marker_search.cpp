@@ -87,12 +87,12 @@ std::vector<FoundMarker> search_markers(const GreyPicture& picture, const std::v
 }
 
 bool is_mirrored(const GreyPicture& picture) {
-  if (!search_markers(picture).empty()) return false;
+  const std::size_t as_it_is = search_markers(picture).size();
   cv::Mat flipped;
   cv::flip(view_of(picture), flipped, 1);
   std::vector<FoundMarker> found;
   append_markers(flipped, Eigen::Vector2d::Zero(), found);
-  return !found.empty();
+  return found.size() > 2 * as_it_is;
 }
 
 }  // namespace bodkin::tracking

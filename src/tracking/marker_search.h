@@ -25,7 +25,8 @@ struct PictureBox {
 std::vector<FoundMarker> search_markers(const GreyPicture& picture);
 std::vector<FoundMarker> search_markers(const GreyPicture& picture, const std::vector<PictureBox>& boxes);
 
-// Whether the picture shows markers only when it is flipped left to right, as from a camera that mirrors.
+// The picture is mirrored left to right: more than twice as many markers are found in its mirror image. (Some
+// patterns are the mirror images of others, so a few may be found as it is.)
 bool is_mirrored(const GreyPicture& picture);
 
 }  // namespace bodkin::tracking

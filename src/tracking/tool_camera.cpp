@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "tracking/grey_picture.h"
 #include "tracking/lens_watch.h"
 #include "tracking/tracker.h"
 
@@ -37,17 +38,24 @@ void ToolCamera::run(const std::stop_token& stop) {
 void ToolCamera::track(const std::stop_token& stop) {
   Tracker tracker(footage_.camera, footage_.bodies);
   LensWatch lens;
+  GreyPicture last;  // while none has shown a marker
   int without_markers = 0;
+  bool any_marker = false;
   while (!stop.stop_requested()) {
     if (sightings_->is_waiting()) {
       std::this_thread::sleep_for(nap);
       continue;
     }
     const std::optional<SourcePicture> picture = footage_.source->next();
-    if (!picture) return;
+    if (!picture) {
+      if (!any_marker && last.width > 0) sightings_->warn(why_nothing_was_found(name_, last));
+      return;
+    }
     const std::vector<TrackedPose>& poses = tracker.track(picture->grey, picture->time);
     lens.add(poses);
     without_markers = tracker.markers().empty() ? without_markers + 1 : 0;
+    any_marker = any_marker || without_markers == 0;
+    if (!any_marker) last = picture->grey;
     sightings_->warn(without_markers >= pictures_before_doubt ? why_nothing_was_found(name_, picture->grey)
                                                               : lens.warning());
     sightings_->publish(poses, picture->time, haptics::monotonic_seconds());

@@ -85,6 +85,12 @@ void Tracker::search(const GreyPicture& picture, double time) {
   }
   found_ = search_markers(picture);
   searched_ = time;
+  // In a mirrored picture a marker can be taken for another one, and a body be found where it is not.
+  if (!all_known && (!looked_ || time - *looked_ >= settings_.search_every || time < *looked_)) {
+    mirrored_ = is_mirrored(picture);
+    looked_ = time;
+  }
+  if (mirrored_) found_.clear();
 }
 
 TrackedPose Tracker::follow(const GreyPicture& picture, const MarkerBody& body) const {

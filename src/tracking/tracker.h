@@ -63,7 +63,8 @@ class Tracker {
   const std::vector<MarkerBody>& bodies() const { return bodies_; }
   const std::vector<TrackedPose>& poses() const { return poses_; }
   const CameraModel& camera() const { return refinement_.camera(); }
-  // Markers that the last picture showed, also those of no body.
+  // Markers that the last picture showed, also those of no body; none of a mirrored one (is_mirrored()), in which all
+  // bodies are lost.
   const std::vector<FoundMarker>& markers() const { return found_; }
 
  private:
@@ -77,6 +78,8 @@ class Tracker {
   std::vector<TrackedPose> poses_;
   std::vector<FoundMarker> found_;
   std::optional<double> searched_;  // when the whole picture was searched last
+  std::optional<double> looked_;    // when it was last asked whether it is mirrored
+  bool mirrored_ = false;           // then no marker counts as found
 };
 
 }  // namespace bodkin::tracking

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <thread>
+#include <utility>
 
 #include "tracking/footage_scene.h"
 #include "tracking/tool_sightings.h"
@@ -19,6 +20,7 @@ namespace bodkin::tracking {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::HasSubstr;
 
 class ToolDriver : public testing::Test {
@@ -116,7 +118,21 @@ TEST_F(ToolDriver, says_in_one_sentence_what_is_wrong) {
   fs::create_directories(blank);
   for (const char* file : {"camera.json", "bodies.json"}) fs::copy_file(folder_ / "still" / file, blank / file);
   write_file(blank / "frame_00000.png", imaging::encode_png(colour_of(GreyPicture(800, 450))));
-  EXPECT_THAT(refusal(blank.string(), ""), HasSubstr("the needle was not seen in 1 pictures"));
+  EXPECT_THAT(refusal(blank.string(), ""), AllOf(HasSubstr("the needle was not seen in 1 pictures"),
+                                                 HasSubstr("no marker of the dictionary 4x4_50")));
+  // A picture that the camera has mirrored is named as such.
+  const fs::path mirrored = folder_ / "mirrored";
+  fs::create_directories(mirrored);
+  for (const char* file : {"camera.json", "bodies.json"}) fs::copy_file(folder_ / "still" / file, mirrored / file);
+  imaging::ImageRgb picture = read_picture(folder_ / "still" / footage_.frames[0].file);
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width / 2; ++x) std::swap(picture.at(x, y), picture.at(picture.width - 1 - x, y));
+  }
+  write_file(mirrored / "frame_00000.png", imaging::encode_png(picture));
+  EXPECT_THAT(refusal(mirrored.string(), ""), HasSubstr("mirrored left to right"));
+  // Some markers are the mirror images of others: none of these may pass for a body.
+  Tracker tracker(read_camera(mirrored / "camera.json"), read_bodies(mirrored / "bodies.json"));
+  for (const TrackedPose& pose : tracker.track(grey_of(picture), 0.0)) EXPECT_EQ(pose.status, TrackingStatus::lost);
 }
 
 }  // namespace
