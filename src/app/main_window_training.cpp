@@ -78,7 +78,7 @@ void MainWindow::begin_stage() {
     steps_ = StepFollower(stage_->procedure.empty()
                               ? training::procedure_of_case(practice_.patient()->description().procedure.name)
                               : training::find_procedure(stage_->procedure),
-                          practice_.patient()->patient.library);
+                          practice_.patient()->patient);
     return;
   }
   if (practice_.state() != State::no_case) practice_.leave();
@@ -156,7 +156,7 @@ void MainWindow::advance_plan(const Frame& frame) {
   QString step;
   if (stage_->aids.hints) {
     if (practice_.changes().attempt) steps_.begin();
-    steps_.follow(frame);
+    steps_.follow(frame, practice_.ultrasound() ? &practice_.ultrasound()->probe : nullptr);
     if (const training::Step* const next = steps_.next())
       step = in_words(next->title) + QStringLiteral(". ") + in_words(next->text);
   }

@@ -123,6 +123,8 @@ class Practice {
 
   State state() const noexcept { return machine_.state(); }
   const std::shared_ptr<const OpenCase>& patient() const noexcept { return patient_; }
+  // The machine of the attempts; nothing without one.
+  const std::optional<station::UltrasoundChoice>& ultrasound() const noexcept { return ultrasound_; }
   // While it prepares: what, how far, and for how long, s.
   CaseModel::Status preparation() const;
   // Why the last preparation came to nothing; empty: it did not.

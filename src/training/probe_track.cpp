@@ -14,13 +14,13 @@ ProbeMoment moment_of(const session::SecondSample& sample, double reach) {
   return {sample.time, sample.position, sample.rotation * Vec3::UnitZ(), sample.rotation * Vec3::UnitY(), reach};
 }
 
+}  // namespace
+
 // The probe's own frame: second axis into the patient, the slice in its first and second.
-ProbeMoment moment_of(const session::ScanSample& sample, double time) {
+ProbeMoment probe_moment(const session::ScanSample& sample, double time) {
   const Mat3 axes = sample.probe.linear();
   return {time, sample.probe.translation(), axes.col(1), axes.col(2), sample.settings.depth};
 }
-
-}  // namespace
 
 bool is_in_picture(const ProbeMoment& probe, const anatomy::UltrasoundProbe* machine, const Vec3& point,
                    double thickness) {
@@ -65,7 +65,7 @@ std::vector<ProbeMoment> probe_track(const session::Session& session) {
   for (double moment = 0.0; begin + moment * moment_interval <= end + time_rounding; ++moment) {
     const double time = begin + moment * moment_interval;
     while (now + 1 != session.scans.end() && (now + 1)->time <= time + time_rounding) ++now;
-    track.push_back(moment_of(*now, time));
+    track.push_back(probe_moment(*now, time));
   }
   return track;
 }

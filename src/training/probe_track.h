@@ -23,6 +23,9 @@ struct ProbeMoment {
 bool is_in_picture(const ProbeMoment& probe, const anatomy::UltrasoundProbe* machine, const Vec3& point,
                    double thickness);
 
+// A sample of an ultrasound machine, at a `time` (s of the session) at which it holds.
+ProbeMoment probe_moment(const session::ScanSample& sample, double time);
+
 // The way of the probe, a hundred times a second: that of a second hand which held it, or else as the machine's own
 // samples have it, each of which holds until the next one. Empty without a probe.
 std::vector<ProbeMoment> probe_track(const session::Session& session);

@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "training/probe_track.h"
-
 namespace bodkin::training {
 
 namespace {
@@ -29,15 +27,22 @@ double angle_between(const Vec3& one, const Vec3& other) {
   return std::atan2(one.cross(other).norm(), one.dot(other)) / degree;
 }
 
-// What is looked for: a point, and what the picture must be turned to.
-struct Sought {
-  Vec3 point = Vec3::Zero();
-  std::optional<Vec3> beam_along;   // unit
-  std::optional<Vec3> slice_along;  // unit
-};
+std::optional<double> first_on(const std::vector<ProbeMoment>& track, const Attempt& attempt, std::string_view what) {
+  const auto wanted = find_sought(attempt.description(), attempt.path(), what);
+  if (!wanted) return std::nullopt;
+  const double start = static_cast<double>(attempt.session().ticks.front().tick) * attempt.dt();
+  const auto& machine = attempt.session().header.ultrasound;
+  for (const ProbeMoment& probe : track) {
+    if (is_shown(*wanted, probe, machine ? &*machine : nullptr, attempt.thresholds()))
+      return std::max(0.0, probe.time - start);
+  }
+  return std::nullopt;
+}
 
-std::optional<Sought> sought(const anatomy::CaseDescription& description, const anatomy::NeedlePath& path,
-                             std::string_view what) {
+}  // namespace
+
+std::optional<Sought> find_sought(const anatomy::CaseDescription& description, const anatomy::NeedlePath& path,
+                                  std::string_view what) {
   if (what == target_name) {
     Sought found{.point = path.target};
     if (path.length() > 0.0) found.slice_along = path.direction();
@@ -51,8 +56,8 @@ std::optional<Sought> sought(const anatomy::CaseDescription& description, const 
   return landmark ? std::optional(Sought{.point = *landmark}) : std::nullopt;
 }
 
-bool shows(const ProbeMoment& probe, const anatomy::UltrasoundProbe* machine, const Sought& sought,
-           const Thresholds& limits) {
+bool is_shown(const Sought& sought, const ProbeMoment& probe, const anatomy::UltrasoundProbe* machine,
+              const Thresholds& limits) {
   if (sought.beam_along && angle_between(probe.into, *sought.beam_along) > limits.guide_angle) return false;
   if (sought.slice_along) {
     const double out_of_slice =
@@ -61,20 +66,6 @@ bool shows(const ProbeMoment& probe, const anatomy::UltrasoundProbe* machine, co
   }
   return is_in_picture(probe, machine, sought.point, limits.target_in_slice);
 }
-
-std::optional<double> first_on(const std::vector<ProbeMoment>& track, const Attempt& attempt, std::string_view what) {
-  const auto wanted = sought(attempt.description(), attempt.path(), what);
-  if (!wanted) return std::nullopt;
-  const double start = static_cast<double>(attempt.session().ticks.front().tick) * attempt.dt();
-  const auto& machine = attempt.session().header.ultrasound;
-  for (const ProbeMoment& probe : track) {
-    if (shows(probe, machine ? &*machine : nullptr, *wanted, attempt.thresholds()))
-      return std::max(0.0, probe.time - start);
-  }
-  return std::nullopt;
-}
-
-}  // namespace
 
 std::optional<SpinousProcess> spinous_process(const anatomy::CaseDescription& description,
                                               std::string_view vertebra) {
@@ -96,7 +87,7 @@ std::optional<double> first_shown(const Attempt& attempt, std::string_view what)
 }
 
 bool can_be_shown(const anatomy::CaseDescription& description, std::string_view what) {
-  return sought(description, description.procedure.path.value_or(anatomy::NeedlePath()), what).has_value();
+  return find_sought(description, description.procedure.path.value_or(anatomy::NeedlePath()), what).has_value();
 }
 
 std::optional<Aim> aim_of(const Attempt& attempt) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "training/measured.h"
+#include "training/probe_track.h"
 
 namespace bodkin::training {
 
@@ -21,10 +22,23 @@ struct SpinousProcess {
 };
 std::optional<SpinousProcess> spinous_process(const anatomy::CaseDescription& description, std::string_view vertebra);
 
-// The first time, in s since the first tick, at which the picture showed `what`. The target
-// counts when the planned path lies within guide_deg of the slice, a spinous process when the beam is within that of
-// the straight way from the skin to the canal: elsewhere the picture is no guide for a needle (the limits of
-// TrainUS).
+// What is looked for: a point, and what the picture must be turned to.
+struct Sought {
+  Vec3 point = Vec3::Zero();        // LPS mm
+  std::optional<Vec3> beam_along;   // unit
+  std::optional<Vec3> slice_along;  // unit
+};
+// Nothing for a case without the landmarks for it.
+std::optional<Sought> find_sought(const anatomy::CaseDescription& description, const anatomy::NeedlePath& path,
+                                  std::string_view what);
+
+// Whether the picture of that moment shows it. The target counts when the planned path lies within guide_deg of the
+// slice, a spinous process when the beam is within that of the straight way from the skin to the canal: elsewhere the
+// picture is no guide for a needle (the limits of TrainUS). `machine`: as is_in_picture() has it.
+bool is_shown(const Sought& sought, const ProbeMoment& probe, const anatomy::UltrasoundProbe* machine,
+              const Thresholds& limits);
+
+// The first time, in s since the first tick, at which the picture showed `what`.
 std::optional<double> first_shown(const Attempt& attempt, std::string_view what);
 
 // Whether the picture can show it at all: the target always, else what the case has landmarks for.

@@ -14,8 +14,10 @@
 #include "app/models/allowed_frame.h"
 #include "app/models/step_follower.h"
 #include "app/pages/practise.h"
+#include "station/scan_thread.h"
 #include "tests/app/window_fixture.h"
 
+#include "io/probe_library_file.h"
 #include "io/tissue_library_file.h"
 #include "training/procedure_file.h"
 #include "training/store/store_place.h"
@@ -51,28 +53,86 @@ TEST(AllowedFrame, hides_what_a_stage_does_not_show_and_nothing_else) {
   EXPECT_TRUE(all.has_needle);
 }
 
+// A patient of landmarks and a path alone.
+anatomy::Case patient_of(const anatomy::NeedlePath& path) {
+  anatomy::Case patient;
+  patient.library = io::default_tissue_library();
+  patient.description.procedure.path = path;
+  return patient;
+}
+
 TEST(StepFollower, names_the_step_after_the_farthest_that_was_reached) {
-  StepFollower steps(training::find_procedure("lumbar_puncture"), io::default_tissue_library());
+  StepFollower steps(training::find_procedure("lumbar_puncture"), patient_of({}));
   const auto now = [&] { return steps.next() == nullptr ? std::string("done") : steps.next()->title; };
   const auto happens = [&](forces::EventKind kind) {
     Frame frame;
     const std::vector<session::SessionEvent> events = {{0, {kind, anatomy::tissue::skin, 1.0, 0.0}}};
     frame.events = events;
-    steps.follow(frame);
+    steps.follow(frame, nullptr);
   };
   EXPECT_EQ(now(), "Find the interspace");
   happens(forces::EventKind::contact);
   EXPECT_EQ(now(), "Cross the interspinous ligament");
   happens(forces::EventKind::withdrawn);  // not the end of the procedure
   EXPECT_EQ(now(), "Cross the interspinous ligament");
-  steps.follow(frame_in(anatomy::tissue::ligamentum_flavum, 40.0));  // beside the interspinous ligament
+  steps.follow(frame_in(anatomy::tissue::ligamentum_flavum, 40.0), nullptr);  // beside the interspinous ligament
   EXPECT_EQ(now(), "Lose the resistance");
-  steps.follow(frame_in(anatomy::tissue::cerebrospinal_fluid, 50.0));
+  steps.follow(frame_in(anatomy::tissue::cerebrospinal_fluid, 50.0), nullptr);
   EXPECT_EQ(now(), "Let fluid return");
   happens(forces::EventKind::withdrawn);
   EXPECT_EQ(now(), "done");
   steps.begin();
   EXPECT_EQ(now(), "Find the interspace");
+}
+
+// Along -y, 50 mm deep; a probe on the skin at the origin looks the same way.
+TEST(StepFollower, a_step_of_the_ultrasound_is_over_when_the_picture_shows_it_and_no_sooner) {
+  const anatomy::NeedlePath path{Vec3::Zero(), Vec3(0, -50, 0)};
+  const training::Procedure procedure = training::find_procedure("ultrasound_guided_injection");
+  ASSERT_EQ(procedure.steps.at(0).shown, "target");
+  const anatomy::UltrasoundProbe probe = io::find_probe("L12-3");
+  station::LivePicture picture;
+  picture.order.settings.depth = 60.0;
+  picture.order.probe.linear().col(0) = Vec3::UnitX();
+  picture.order.probe.linear().col(1) = -Vec3::UnitY();  // into the patient
+  picture.order.probe.linear().col(2) = -Vec3::UnitZ();
+  const auto sees = [&](StepFollower& steps, const Vec3& face) {
+    picture.order.probe.translation() = face;
+    Frame frame;
+    frame.ultrasound = &picture;
+    steps.follow(frame, &probe);
+  };
+  const auto touches_skin = [](StepFollower& steps) {
+    Frame frame;
+    const std::vector<session::SessionEvent> events = {
+        {0, {forces::EventKind::contact, anatomy::tissue::skin, 1.0, 0.0}}};
+    frame.events = events;
+    steps.follow(frame, nullptr);
+  };
+  const auto title = [](const StepFollower& steps) { return steps.next()->title; };
+
+  StepFollower steps(procedure, patient_of(path));
+  EXPECT_EQ(title(steps), "Show the target");
+  sees(steps, Vec3(0, 0, 6));
+  EXPECT_EQ(title(steps), "Show the target") << "6 mm beside the slice";
+  picture.frame.why = imaging::NoImage::no_contact;
+  sees(steps, Vec3(0, 0, 1));
+  EXPECT_EQ(title(steps), "Show the target") << "the picture is black";
+  picture.frame.why = imaging::NoImage::none;
+  touches_skin(steps);
+  EXPECT_EQ(title(steps), "Show the target") << "the needle is ahead of the probe";
+  sees(steps, Vec3(0, 0, 1));
+  EXPECT_EQ(title(steps), "Advance in the slice") << "both are done";
+
+  steps.begin();
+  sees(steps, Vec3(0, 0, 1));
+  EXPECT_EQ(title(steps), "Touch the skin");
+  sees(steps, Vec3(0, 0, 30));
+  EXPECT_EQ(title(steps), "Touch the skin") << "once is enough";
+
+  steps.begin();
+  touches_skin(steps);
+  EXPECT_EQ(title(steps), "Advance in the slice") << "without a probe nothing can be shown";
 }
 
 class TrainingWindow : public WindowFixture {
@@ -202,6 +262,20 @@ TEST_F(TrainingWindow, leads_through_its_stages_keeps_the_results_and_goes_on_af
   window_->run(Command::begin);
   ASSERT_TRUE(wait(State::ready, 60)) << practice().failure();
   EXPECT_TRUE(find("practise.slice.sagittal")->isVisible());
+}
+
+// The probe lies over the planned way of the needle: its picture shows the target.
+TEST_F(TrainingWindow, goes_on_from_the_step_that_the_ultrasound_shows) {
+  QFile file(plan_file());
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+  file.write(
+      "<plan version=\"1\" name=\"two_stages\" title=\"Two stages\">"
+      "<stage title=\"Probe\" case=\"built-in\" procedure=\"ultrasound_guided_injection\" attempts=\"1\" "
+      "ultrasound=\"true\"/></plan>");
+  file.close();
+  begin_plan();
+  EXPECT_TRUE(wait([&] { return text("practise.step").startsWith(QStringLiteral("Touch the skin")); }, 60))
+      << text("practise.step").toStdString();
 }
 
 TEST_F(TrainingWindow, counts_an_attempt_that_was_given_up_or_cut_off_by_closing_the_window) {

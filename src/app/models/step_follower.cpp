@@ -4,19 +4,31 @@
 #include <utility>
 
 #include "session/tick_codec.h"
+#include "station/scan_thread.h"
 
 namespace bodkin::app {
 
-StepFollower::StepFollower(training::Procedure procedure, const anatomy::TissueLibrary& tissues)
+StepFollower::StepFollower(training::Procedure procedure, const anatomy::Case& patient)
     : procedure_(std::move(procedure)) {
+  const anatomy::NeedlePath path = patient.description.procedure.path.value_or(anatomy::NeedlePath());
   for (const training::Step& step : procedure_.steps) {
-    const anatomy::TissueProperties* const tissue = step.tissue.empty() ? nullptr : tissues.find(step.tissue);
-    tissues_.push_back(tissue == nullptr ? anatomy::tissue::air : tissue->id);
+    Watched watched;
+    const anatomy::TissueProperties* const tissue = step.tissue.empty() ? nullptr : patient.library.find(step.tissue);
+    if (tissue != nullptr) watched.tissue = tissue->id;
+    if (!step.shown.empty()) watched.sought = training::find_sought(patient.description, path, step.shown);
+    watched_.push_back(watched);
   }
 }
 
+void StepFollower::begin() {
+  next_ = 0;
+  has_probe_ = false;
+  for (Watched& each : watched_) each.was_shown = false;
+}
+
 bool StepFollower::shows(const Frame& frame, std::size_t step) const {
-  if (tissues_[step] != anatomy::tissue::air) return frame.depth > 0.0 && frame.tissue == tissues_[step];
+  const anatomy::TissueId tissue = watched_[step].tissue;
+  if (tissue != anatomy::tissue::air) return frame.depth > 0.0 && frame.tissue == tissue;
   const std::string& wanted = procedure_.steps[step].event;
   return !wanted.empty() &&
          std::any_of(frame.events.begin(), frame.events.end(), [&](const session::SessionEvent& event) {
@@ -32,22 +44,38 @@ bool StepFollower::is_in_turn(std::size_t step) const {
     const std::string& event = procedure_.steps[between].event;
     if (!wanted.empty() && event == wanted) return false;
     const bool waits = !event.empty() && !session::is_of_other_hand(event);
-    if (wanted == "withdrawn" && (tissues_[between] != anatomy::tissue::air || waits)) return false;
+    if (wanted == "withdrawn" && (watched_[between].tissue != anatomy::tissue::air || waits)) return false;
   }
   return true;
 }
 
-void StepFollower::follow(const Frame& frame) {
-  // The farthest that shows.
-  for (std::size_t step = tissues_.size(); step > next_; --step) {
-    if (!is_in_turn(step - 1) || !shows(frame, step - 1)) continue;
-    next_ = step;
-    return;
+void StepFollower::look(const station::LivePicture& picture, const anatomy::UltrasoundProbe& probe) {
+  has_probe_ = true;
+  if (picture.frame.why != imaging::NoImage::none) return;  // it is black
+  const training::ProbeMoment moment =
+      training::probe_moment({.probe = picture.order.probe, .settings = picture.order.settings}, 0.0);
+  for (Watched& each : watched_) {
+    each.was_shown =
+        each.was_shown || (each.sought && training::is_shown(*each.sought, moment, &probe, procedure_.thresholds));
   }
 }
 
+void StepFollower::follow(const Frame& frame, const anatomy::UltrasoundProbe* probe) {
+  if (frame.ultrasound != nullptr && probe != nullptr) look(*frame.ultrasound, *probe);
+  // The farthest that shows.
+  for (std::size_t step = watched_.size(); step > next_; --step) {
+    if (!is_in_turn(step - 1) || !shows(frame, step - 1)) continue;
+    next_ = step;
+    break;
+  }
+  while (next_ < watched_.size() && watched_[next_].was_shown) ++next_;
+}
+
 const training::Step* StepFollower::next() const {
-  return next_ < procedure_.steps.size() ? &procedure_.steps[next_] : nullptr;
+  if (next_ >= watched_.size()) return nullptr;
+  for (std::size_t step = 0; has_probe_ && step < next_; ++step)
+    if (watched_[step].sought && !watched_[step].was_shown) return &procedure_.steps[step];
+  return &procedure_.steps[next_];
 }
 
 }  // namespace bodkin::app
