@@ -420,6 +420,7 @@ const Frame& Practice::advance(double clock) {
     maker_.update(frame_, news, feed_ != nullptr ? &control_ : nullptr, hand);
   if (is_attempt(state())) {
     follow_needle();
+    follow_fluid();
     follow_warning();
     follow_completion();
   } else {

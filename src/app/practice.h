@@ -148,6 +148,7 @@ class Practice {
   void take_patient();
   void take_news(const StationNews& news);
   void follow_needle();
+  void follow_fluid();
   void follow_warning();
   void follow_completion();
   std::string hint() const;

@@ -87,7 +87,10 @@ void Practice::turn(station::StationCommand what) {
   if (is_finger && !haptics_.parts.fingertip) return say("This patient has no skin to feel with a finger.");
   const bool is_breath = what == station::StationCommand::turn_breath;
   if (is_breath && !frame_.other_hand.breathes) return say("This patient does not breathe.");
-  if (!is_finger && !is_breath && !has_fluid()) return say("This patient has no fluid to measure.");
+  if (!is_finger && !is_breath && !has_fluid()) {
+    return say(haptics_.parts.csf_flow ? "The syringe is on the needle: there is no place for stylet or manometer."
+                                       : "This patient has no fluid to measure.");
+  }
   if (is_finger && frame_.other_hand.finger_presses) return say("Lift the finger first (W), then take the needle.");
   if (is_finger && maker_.is_touching()) return say("Withdraw the needle before you feel the skin.");
   link_.command(what);
@@ -110,7 +113,7 @@ OtherHandState Practice::other_hand(const StationNews& news) const {
   state.has_finger = parts.fingertip.has_value();
   state.finger = now.finger;
   state.finger_presses = now.finger && news.needle.output.tissue != anatomy::tissue::air;
-  if ((state.has_fluid = parts.csf_flow.has_value())) {
+  if ((state.has_fluid = has_fluid())) {
     state.stylet_in = parts.csf_flow->stylet != now.stylet_moved;
     state.manometer_on = parts.csf_flow->manometer != now.manometer_moved;
   }
@@ -123,8 +126,17 @@ OtherHandState Practice::other_hand(const StationNews& news) const {
   return state;
 }
 
+// A syringe that is on the needle from the beginning leaves no place for stylet and manometer.
 bool Practice::has_fluid() const {
-  return haptics_.parts.csf_flow.has_value();
+  const anatomy::ForceParts& parts = haptics_.parts;
+  return parts.csf_flow.has_value() && (!parts.syringe.has_value() || parts.csf_flow->stylet);
+}
+
+// Who looks for the epidural space must know that he is beyond it: it is seen, whatever else is shown.
+void Practice::follow_fluid() {
+  for (const session::SessionEvent& each : frame_.events)
+    if (each.event.kind == forces::EventKind::fluid_returned && has_syringe())
+      say("Fluid comes back through the needle: the dura is open.");
 }
 
 bool Practice::has_syringe() const {

@@ -146,6 +146,21 @@ TEST_F(WholeProcedure, an_epidural_with_the_thumb_on_the_plunger_passes) {
   expect_verdict(training::Grade::pass);
 }
 
+// Too far: the window says what a hub would show, and the verdict is never better.
+TEST_F(WholeProcedure, an_epidural_needle_through_the_dura_is_a_wet_tap) {
+  begin("epidural");
+  ASSERT_TRUE(hold(
+      Qt::Key_PageDown, false, [&] { return count(forces::EventKind::fluid_returned) > 0; }, 90))
+      << told();
+  EXPECT_TRUE(wait([&] { return frame().hint == "Fluid comes back through the needle: the dura is open."; }, 5))
+      << frame().hint;
+  key(Qt::Key_R);
+  EXPECT_TRUE(wait([&] { return frame().hint.starts_with("The syringe is on the needle"); }, 5)) << frame().hint;
+  key(Qt::Key_E);
+  expect_verdict(training::Grade::fail);
+  EXPECT_EQ(practice().result()->headline, "Failed: the tip entered the dural sac");
+}
+
 TEST_F(WholeProcedure, the_syringe_is_filled_with_air_above_the_skin_alone) {
   begin("epidural");
   ASSERT_FALSE(frame().other_hand.air);

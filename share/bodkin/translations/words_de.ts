@@ -1892,6 +1892,14 @@
         <translation>Dieser Patient atmet nicht.</translation>
     </message>
     <message>
+        <source>The syringe is on the needle: there is no place for stylet or manometer.</source>
+        <translation>Die Spritze sitzt auf der Nadel: Für Mandrin und Manometer ist kein Platz.</translation>
+    </message>
+    <message>
+        <source>Fluid comes back through the needle: the dura is open.</source>
+        <translation>Liquor fließt durch die Nadel zurück: Die Dura ist eröffnet.</translation>
+    </message>
+    <message>
         <source>This patient has no fluid to measure.</source>
         <translation>Bei diesem Patienten ist kein Liquor zu messen.</translation>
     </message>

@@ -28,9 +28,12 @@ constexpr std::string_view practised_layers = "alamilla_2018_fig_9";
 constexpr std::string_view fluid_of_practice =
     "csf_flow stylet=true manometer=false pressure_volume_index_mL=25 times_faster=20";
 
+// A needle for the epidural space is open: fluid shows that the dura is, too.
+constexpr std::string_view fluid_of_wet_tap = "csf_flow stylet=false manometer=false";
+
 constexpr std::array<PracticePatient, 9> all_patients = {{
     {"lumbar_puncture", "synthetic-lumbar-puncture", "Lumbar torso. Fluid from the sac below the cord.", false},
-    {"epidural", "synthetic-epidural-syringe", "Lumbar torso. Stop behind the flavum, before the dura.", false},
+    {"epidural", "synthetic-epidural-fluid", "Lumbar torso. Stop behind the flavum, before the dura.", false},
     {"spinal_anaesthesia", "synthetic-spinal-anaesthesia", "Lumbar torso. A thin needle, 25G, into the fluid.",
      false},
     {"ct_guided_biopsy", "synthetic-biopsy", "Lumbar torso. A lesion of 20 mm beside the psoas.", false},
@@ -65,6 +68,7 @@ std::vector<std::string> make_torso(const PracticePatient& patient, const fs::pa
   if (name == "epidural") {
     request["needle"] = "18,90,tuohy";
     request["parts"].push_back("syringe");
+    request["parts"].push_back(fluid_of_wet_tap);
   }
   if (name == "spinal_anaesthesia") request["needle"] = "25,90,whitacre";
   if (name == "ct_guided_biopsy") {
