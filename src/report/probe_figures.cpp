@@ -36,15 +36,19 @@ const training::ProbeMoment& ProbeFigures::at(double time) const {
   return after == track_.begin() ? track_.front() : *(after - 1);
 }
 
+std::vector<Vec3> ProbeFigures::way_of_face() const {
+  std::vector<Vec3> way;
+  for (const training::ProbeMoment& probe : track_)
+    if (way.empty() || (probe.face - way.back()).norm() >= face_step) way.push_back(probe.face);
+  return way;
+}
+
 std::string ProbeFigures::sentence(const training::Score& score) const {
   const training::ProbeMoment& first = track_.front();
   double moved = 0.0, turned = 0.0;
-  Vec3 last = first.face;
+  const std::vector<Vec3> face = way_of_face();
+  for (std::size_t i = 1; i < face.size(); ++i) moved += (face[i] - face[i - 1]).norm();
   for (const training::ProbeMoment& probe : track_) {
-    if (const double step = (probe.face - last).norm(); step >= face_step) {
-      moved += step;
-      last = probe.face;
-    }
     Mat3 then, now;
     then << marked_side(first), first.into, first.normal;
     now << marked_side(probe), probe.into, probe.normal;
@@ -124,11 +128,7 @@ std::vector<imaging::SlicePanel> ProbeFigures::panels(const anatomy::Case& patie
 }
 
 ProbeWay ProbeFigures::way(double time) const {
-  ProbeWay way;
-  for (const training::ProbeMoment& probe : track_)
-    if (way.face.empty() || (probe.face - way.face.back()).norm() >= face_step) way.face.push_back(probe.face);
-  way.slice = outline(at(time));
-  return way;
+  return {.face = way_of_face(), .slice = outline(at(time))};
 }
 
 }  // namespace bodkin::report

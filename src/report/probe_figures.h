@@ -41,6 +41,8 @@ class ProbeFigures {
   // instead a piece of its slice, 40 mm wide, as deep as the target.
   std::vector<Vec3> outline(const training::ProbeMoment& probe) const;
   const training::ProbeMoment& at(double time) const;
+  // The way of the middle of the face, LPS mm, without its trembling.
+  std::vector<Vec3> way_of_face() const;
 
   const session::Session& session_;
   std::vector<training::ProbeMoment> track_;
