@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -11,6 +12,7 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/new_case_options.h"
+#include "training/procedure_file.h"
 
 namespace bodkin::cli {
 namespace {
@@ -50,7 +52,11 @@ void run_case_synthesize(const CaseSynthesizeOptions& options, const CommandCont
     const bool is_drawn = options.vary && !each.option.given();
     request[each.name] = is_drawn ? drawn.parameters.*each.member : each.value;
   }
-  if (options.vary && !options.gauge.given() && !options.needle.given()) request["needle_gauge"] = drawn.gauge;
+  if (options.vary && !options.gauge.given() && !options.needle.given()) {
+    const training::Procedure procedure = training::find_shipped_procedure(
+        options.common.procedure.empty() ? "lumbar_puncture" : options.common.procedure);
+    request["needle_gauge"] = std::clamp(drawn.gauge, procedure.thickest_gauge, procedure.thinnest_gauge);
+  }
   make_case("case-synthesize", request, options.common.folder, context);
 }
 

@@ -1,7 +1,9 @@
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "tests/cli/bodkin_command.h"
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -54,6 +56,24 @@ TEST_F(CaseSynthesize, a_seed_draws_a_patient_and_what_is_given_stays) {
   EXPECT_EQ(bodkin("case check old").exit_code, 0);
   const auto weight = [](const std::string& text) { return text.substr(text.find(" m, "), 9); };
   EXPECT_EQ(weight(said("old")), weight(said("drawn"))) << "other parameters are drawn as before";
+}
+
+// An epidural needs a thick needle: 16 to 20G.
+TEST_F(CaseSynthesize, a_needle_is_drawn_among_those_that_are_usual_at_the_procedure) {
+  std::set<std::string> drawn;
+  for (int seed = 1; seed <= 6; ++seed) {
+    const auto gauge_for = [&](const std::string& options) {
+      const Outcome outcome = bodkin(
+          fmt::format("-q case synthesize lumbar drawn --overwrite --vary --seed {} --spacing 3{}", seed, options));
+      EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+      const std::string text = text_of("drawn/case.xml");
+      const std::size_t begin = text.find("gauge=\"") + 7;
+      return text.substr(begin, text.find('"', begin) - begin);
+    };
+    drawn.insert(gauge_for(""));
+    EXPECT_EQ(gauge_for(" --procedure epidural"), "20");
+  }
+  EXPECT_GT(drawn.size(), 1U) << "of a lumbar puncture 20, 22 or 25G";
 }
 
 TEST_F(CaseSynthesize, parameters_out_of_range_are_refused_and_leave_nothing) {
