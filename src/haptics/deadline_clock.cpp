@@ -5,12 +5,16 @@
 #include <cmath>
 #include <cstring>
 #include <ctime>
+#include <mutex>
 #include <thread>
 
+#include <linux/capability.h>
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 namespace bodkin::haptics {
 
@@ -24,6 +28,29 @@ constexpr unsigned long default_timer_slack = 0;  // ns; 0 asks for the system's
 std::string permit(const char* limit) {
   return std::string("; permit it with the line '@realtime - ") + limit +
          "' in /etc/security/limits.d/bodkin.conf, add yourself to the group realtime and log in again";
+}
+
+// Locking less memory than the program will need would make its later allocations fail.
+bool may_lock_any_memory() noexcept {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_MEMLOCK, &limit) == 0) {
+    if (limit.rlim_cur == RLIM_INFINITY) return true;
+    limit.rlim_cur = limit.rlim_max;
+    if (limit.rlim_max == RLIM_INFINITY && setrlimit(RLIMIT_MEMLOCK, &limit) == 0) return true;
+  }
+  __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+  __user_cap_data_struct sets[_LINUX_CAPABILITY_U32S_3] = {};
+  return syscall(SYS_capget, &header, sets) == 0 && (sets[0].effective & 1U << CAP_IPC_LOCK) != 0;
+}
+
+// Of the whole program.
+std::mutex locks_mutex;
+int locks = 0;
+
+bool schedule_first() noexcept {
+  sched_param parameters{};
+  parameters.sched_priority = fifo_priority;
+  return sched_setscheduler(0, SCHED_FIFO, &parameters) == 0;
 }
 
 std::int64_t now() noexcept {
@@ -54,17 +81,23 @@ void DeadlineClock::wait() noexcept {
   if (next_ < earliest) next_ += (earliest - next_ + period_ - 1) / period_ * period_;
 }
 
+LockedMemory::LockedMemory() {
+  const std::lock_guard lock(locks_mutex);
+  locked_ = locks > 0 || (may_lock_any_memory() && mlockall(MCL_CURRENT | MCL_FUTURE) == 0);
+  if (locked_) ++locks;
+}
+
+LockedMemory::~LockedMemory() {
+  if (!locked_) return;
+  const std::lock_guard lock(locks_mutex);
+  if (--locks == 0) munlockall();
+}
+
 RealTimePriority::RealTimePriority() {
-  sched_param parameters{};
-  parameters.sched_priority = fifo_priority;
-  scheduled_ = sched_setscheduler(0, SCHED_FIFO, &parameters) == 0;
+  scheduled_ = schedule_first();
   if (!scheduled_)
     refused_.push_back(std::string("no real-time priority: ") + std::strerror(errno) + permit("rtprio 60"));
-  // Locking less memory than the program will need would make its later allocations fail.
-  rlimit limit{};
-  const bool unlimited = getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY;
-  locked_ = unlimited && mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
-  if (!locked_)
+  if (!memory_.is_locked())
     refused_.push_back("memory is not locked: the system limits how much may be" + permit("memlock unlimited"));
   prctl(PR_SET_TIMERSLACK, 1UL);
 }
@@ -74,8 +107,12 @@ RealTimePriority::~RealTimePriority() {
     const sched_param ordinary{};
     sched_setscheduler(0, SCHED_OTHER, &ordinary);
   }
-  if (locked_) munlockall();
   prctl(PR_SET_TIMERSLACK, default_timer_slack);
+}
+
+bool raise_this_thread() noexcept {
+  const int policy = sched_getscheduler(0) & ~SCHED_RESET_ON_FORK;
+  return policy == SCHED_FIFO || policy == SCHED_RR || policy == SCHED_DEADLINE || schedule_first();
 }
 
 std::vector<std::string> real_time_refusals() {

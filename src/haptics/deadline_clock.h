@@ -37,6 +37,21 @@ class DeadlineClock {
   std::int64_t worst_ = 0;
 };
 
+// Keeps the memory of the program in place while it lives, so that no tick waits for the disk. Several may live at a
+// time: the memory is let go with the last. Any thread.
+class LockedMemory {
+ public:
+  LockedMemory();
+  ~LockedMemory();
+  LockedMemory(const LockedMemory&) = delete;
+  LockedMemory& operator=(const LockedMemory&) = delete;
+
+  bool is_locked() const noexcept { return locked_; }
+
+ private:
+  bool locked_ = false;
+};
+
 // Asks the system to run the calling thread ahead of others (SCHED_FIFO, memory locked, fine timers) while it lives.
 // What the system does not grant is listed, one sentence each, and the thread runs on without it.
 class RealTimePriority {
@@ -50,9 +65,13 @@ class RealTimePriority {
 
  private:
   bool scheduled_ = false;
-  bool locked_ = false;
+  LockedMemory memory_;
   std::vector<std::string> refused_;
 };
+
+// Lets the calling thread, a vendor's, run ahead of others for as long as it lives, unless the vendor has seen to it.
+// Neither locks nor allocates. False: the system does not grant it.
+bool raise_this_thread() noexcept;
 
 // What the system would not grant a servo thread of this program, one sentence each, tried out in a thread that has
 // ended when this returns.

@@ -6,6 +6,8 @@
 #include <thread>
 #include <utility>
 
+#include "haptics/deadline_clock.h"
+
 namespace bodkin::haptics {
 
 namespace {
@@ -32,7 +34,12 @@ struct DeviceServo::Shared final : DeviceTick {
   Shared(DevicePort opened, const DeviceAbilities& known, const ServoSettings& settings, Controller controller)
       : port(std::move(opened)), servo(guarded(settings, known), std::move(controller)) {}
 
-  Wrench tick(const DeviceState& state, double dt) noexcept override { return told(servo.step(state, dt)); }
+  // In the vendor's thread.
+  Wrench tick(const DeviceState& state, double dt) noexcept override {
+    if (!raised) raise_this_thread();
+    raised = true;
+    return told(servo.step(state, dt));
+  }
   Wrench told(const Wrench& applied) noexcept {
     const bool at_rest = applied.force.isZero(0.0) && applied.torque.isZero(0.0);
     pushes.store(!at_rest, std::memory_order_release);
@@ -57,6 +64,7 @@ struct DeviceServo::Shared final : DeviceTick {
 
   DevicePort port;
   ServoTick servo;
+  bool raised = false;              // the vendor's thread; only there
   std::atomic<bool> pushes{false};  // the newest tick has a force or a torque
   std::atomic<std::uint64_t> steps{0};
 };
@@ -70,6 +78,7 @@ DeviceServo::~DeviceServo() {
 }
 
 void DeviceServo::start(bool require_real_time) {
+  if (shared_->port.abilities().owns_loop) memory_ = std::make_unique<LockedMemory>();
   shared_->port.start(shared_.get());
   started_ = true;
   if (shared_->port.abilities().owns_loop) return;
@@ -97,6 +106,7 @@ bool DeviceServo::stop() noexcept {
   } catch (const std::exception&) {
     answered = false;  // the port has given the call up and ends the force when the device comes back
   }
+  memory_.reset();
   return answered;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "haptics/deadline_clock.h"
 #include "haptics/device_port.h"
 #include "haptics/servo_thread.h"
 #include "haptics/servo_tick.h"
@@ -23,8 +24,8 @@ class DeviceServo {
   DeviceServo(const DeviceServo&) = delete;
   DeviceServo& operator=(const DeviceServo&) = delete;
 
-  // The loop runs from now on. Throws DeviceError, or SystemError when real-time priority is required and refused.
-  // Once only.
+  // The loop runs from now on, ahead of other programs where the system grants that: a thread of ours, or the
+  // vendor's. Throws DeviceError, or SystemError when real-time priority is required and refused. Once only.
   void start(bool require_real_time = false);
   // Ramps the force to zero and ends the loop. A loop whose ticks do not come any more is not waited for longer than
   // 40 ms, and one whose ticks come slowly not longer than 120 ms, before it ends without a ramp. False: the device
@@ -45,8 +46,9 @@ class DeviceServo {
  private:
   struct Shared;
 
-  std::shared_ptr<Shared> shared_;       // with a loop that may have to be left behind
-  std::unique_ptr<ServoThread> thread_;  // where the loop is ours
+  std::shared_ptr<Shared> shared_;        // with a loop that may have to be left behind
+  std::unique_ptr<ServoThread> thread_;   // where the loop is ours
+  std::unique_ptr<LockedMemory> memory_;  // while a vendor's loop runs
   std::vector<std::string> refused_;
   bool started_ = false;
 };

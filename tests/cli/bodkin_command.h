@@ -14,7 +14,6 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <wordexp.h>
@@ -40,12 +39,18 @@ inline std::string content_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
+// What the shell of run_bodkin() is told before the program.
+inline std::string& before_program() {
+  static std::string words;
+  return words;
+}
+
 // Runs the bodkin command that was built, in `folder`.
 inline Outcome run_bodkin(const std::filesystem::path& folder, const std::string& arguments) {
   const std::filesystem::path errors =
       std::filesystem::temp_directory_path() / ("bodkin_errors_" + std::to_string(getpid()));
-  const std::string command =
-      "cd '" + folder.string() + "' && '" BODKIN_BUILD "/bin/bodkin' " + arguments + " 2> '" + errors.string() + "'";
+  const std::string command = "cd '" + folder.string() + "' && " + before_program() +
+                              "'" BODKIN_BUILD "/bin/bodkin' " + arguments + " 2> '" + errors.string() + "'";
   FILE* pipe = popen(command.c_str(), "r");
   Outcome outcome;
   char block[4096];
@@ -119,21 +124,16 @@ class BodkinCommand : public ::testing::Test {
   static inline std::filesystem::path folder_;
 };
 
-// A system that lets no program lock its memory, for as long as this lives.
+// A system that lets no program lock its memory, for as long as this lives; the superuser's neither.
 class LittleLockedMemory {
  public:
   LittleLockedMemory() {
-    getrlimit(RLIMIT_MEMLOCK, &before_);
-    rlimit little = before_;
-    little.rlim_cur = std::min<rlim_t>(little.rlim_cur, 65536);
-    setrlimit(RLIMIT_MEMLOCK, &little);
+    before_program() = "ulimit -l 64 && ";
+    if (geteuid() == 0) before_program() += "setpriv --bounding-set=-ipc_lock,-sys_resource ";
   }
-  ~LittleLockedMemory() { setrlimit(RLIMIT_MEMLOCK, &before_); }
+  ~LittleLockedMemory() { before_program().clear(); }
   LittleLockedMemory(const LittleLockedMemory&) = delete;
   LittleLockedMemory& operator=(const LittleLockedMemory&) = delete;
-
- private:
-  rlimit before_{};
 };
 
 // A small synthetic patient, made once for all the tests of this process: under a sanitizer that takes seconds.

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <fstream>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -11,6 +12,7 @@
 
 #include "tests/haptics/driver_rig.h"
 #include <gtest/gtest.h>
+#include <sched.h>
 
 namespace bodkin {
 
@@ -70,6 +72,32 @@ TEST_P(DeviceServoOf, pulls_only_between_arming_and_stopping) {
   EXPECT_TRUE(servo_->stop());
   EXPECT_EQ(force(), 0.0);
   EXPECT_FALSE(board().motors_on.load());
+}
+
+// kB
+long locked_memory() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("VmLck:")) return std::stol(line.substr(6));
+  }
+  return -1;
+}
+
+std::atomic<int> policy_of_the_loop{-1};
+
+// Also where the loop is the vendor's.
+TEST_P(DeviceServoOf, runs_ahead_of_other_programs_in_memory_that_stays) {
+  if (!real_time_refusals().empty()) GTEST_SKIP() << real_time_refusals().front();
+  policy_of_the_loop = -1;
+  board().after_callback = [] { policy_of_the_loop = sched_getscheduler(0); };
+  servo_->start();
+  ASSERT_TRUE(comes_true([&] { return servo_->rounds() > 20; }));
+  EXPECT_GT(locked_memory(), 1000);
+  if (servo_->own_delay() == 0.0) {
+    EXPECT_EQ(policy_of_the_loop, SCHED_FIFO);
+  }
+  EXPECT_TRUE(servo_->stop());
+  EXPECT_EQ(locked_memory(), 0);
 }
 
 TEST_P(DeviceServoOf, a_fault_of_the_device_ends_the_force_and_is_told) {

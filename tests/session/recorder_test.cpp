@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <fstream>
+#include <iterator>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -162,6 +165,22 @@ TEST(DeadlineClock, keeps_the_pace_and_counts_what_is_late) {
   clock.wait();
   EXPECT_GT(clock.missed(), before);
   EXPECT_GE(clock.worst_lateness(), 0.015);
+}
+
+TEST(RealTimePriority, the_memory_stays_locked_until_the_last_one_ends) {
+  auto first = std::make_unique<LockedMemory>();
+  if (!first->is_locked()) GTEST_SKIP() << "the system does not lock the memory of this test";
+  auto second = std::make_unique<LockedMemory>();
+  const auto locked = [] {
+    std::ifstream status("/proc/self/status");
+    std::string text{std::istreambuf_iterator<char>(status), {}};
+    return std::stol(text.substr(text.find("VmLck:") + 6));
+  };
+  EXPECT_GT(locked(), 0);
+  first.reset();
+  EXPECT_GT(locked(), 0);
+  second.reset();
+  EXPECT_EQ(locked(), 0);
 }
 
 TEST(DeadlineClock, does_not_catch_up_what_is_late) {
