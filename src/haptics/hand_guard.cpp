@@ -66,6 +66,8 @@ HandGuard::HandGuard(const GuardSettings& settings)
       driven_(
           driven_shaking(driven_swing * settings.oscillation_amplitude, delayed_stiffness(settings), settings.dt)),
       slow_(slow_shaking(driven_swing * settings.oscillation_amplitude, delayed_stiffness(settings), settings.dt)),
+      round_trips_(0.5 * driven_swing * settings.oscillation_amplitude,
+                   slow_shaking(0.0, delayed_stiffness(settings), settings.dt).gain),
       swings_(settings.oscillation_amplitude),
       turns_(turning_noise),
       passivity_(settings.damping),
@@ -129,6 +131,7 @@ void HandGuard::ramp_from_zero() noexcept {
   fast_.reset();
   driven_.reset();
   slow_.reset();
+  round_trips_.reset();
   swings_.reset();
   turns_.reset();
   calming_.reset();
@@ -202,6 +205,7 @@ Shaking HandGuard::find_shaking(double dt) noexcept {
   const Vec3 of_tissue = held_force_ - held_damping_;
   const bool driven = driven_.step(motion_.moved(), of_tissue, dt);
   const bool slow = slow_.step(motion_.moved(), of_tissue, dt);
+  const bool uneven = round_trips_.step(motion_.moved(), of_tissue, dt);
 
   watch_range(dt);
   const bool fast_or_wide = swings_.step(motion_.moved(), dt);
@@ -215,6 +219,7 @@ Shaking HandGuard::find_shaking(double dt) noexcept {
   if (fast) return of(fast_, false);
   if (driven) return of(driven_, false);
   if (slow) return of(slow_, false);
+  if (uneven) return of(round_trips_, false);
   if (unpushed_for_ > unpushed_time) return {};
   // A small swing that lasts under a force that stays the same is the hand's own.
   if (fast_or_wide || (swings_.lasts() && force_range_.last > steady_force)) return of(swings_, false);

@@ -12,6 +12,7 @@
 #include "haptics/held_force.h"
 #include "haptics/motion_watch.h"
 #include "haptics/oscillation_watch.h"
+#include "haptics/round_trip_watch.h"
 #include "haptics/swing_watch.h"
 
 namespace bodkin::haptics {
@@ -108,6 +109,7 @@ class HandGuard {
   GuardSettings settings_;
   MotionWatch motion_;
   OscillationWatch fast_, driven_, slow_;
+  RoundTripWatch round_trips_;
   SwingWatch swings_, turns_;  // of the hand's position, and of its orientation as the motion of a point on a lever
   Calming calming_;
   GuardState state_ = GuardState::disarmed;

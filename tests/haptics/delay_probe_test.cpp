@@ -1,10 +1,14 @@
 #include "haptics/delay_probe.h"
 
 #include <cmath>
+#include <optional>
 
 #include "tests/haptics/device_model.h"
 #include "tests/one_tick.h"
 #include <gtest/gtest.h>
+
+#include "haptics/oscillation_watch.h"
+#include "haptics/round_trip_watch.h"
 
 namespace bodkin {
 
@@ -39,6 +43,30 @@ TEST(DelayProbe, finds_the_delay_of_a_loosely_held_device_within_eight_tenths_of
         EXPECT_NEAR(*found, delay + (ours ? one_tick : 0.0), 0.0008) << resolution;
       }
     }
+  }
+}
+
+// It drives the hand to and fro on purpose; without force in between for so long that it is no shaking.
+TEST(DelayProbe, is_no_uneven_driving) {
+  for (const double arm : {0.05, 0.1, 0.3}) {
+    DeviceModel model;
+    model.friction = 0.02;
+    model.resolution = 0.01;
+    model.arm_stiffness = arm;
+    DelayProbe probe;
+    RoundTripWatch trips(0.075, slow_shaking(0.0, 1.0, one_tick).gain);
+    Random random(5);
+    probe.begin();
+    Vec3 before = model.reading(), force = Vec3::Zero();
+    for (int i = 0; i < 8000 && !probe.is_over(); ++i) {
+      model.step(Vec3::Zero(), one_tick);
+      const Vec3 moved = model.reading() - before;
+      EXPECT_FALSE(trips.step(moved, force, one_tick)) << arm << " N/mm, tick " << i;
+      before = model.reading();
+      force = probe.step(before, one_tick);
+      model.command(force, random);
+    }
+    EXPECT_TRUE(probe.is_over());
   }
 }
 
