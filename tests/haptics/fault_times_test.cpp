@@ -1,17 +1,21 @@
 // How long a force lasts after a fault, measured at the motors of the stand-ins for the vendors' libraries: driver,
 // port, servo and guard together, in real time. BODKIN_FAULT_ROUNDS=30 haptics_tests --gtest_filter='*FaultTimes*'
-// measures every fault so often and prints the table of docs/safety.md.
+// measures every fault so often and prints the table of docs/safety.md; with BODKIN_WRITE_PAGES=1 it writes it there.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/haptics/driver_rig.h"
+#include "tests/training/page_table.h"
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "haptics/device_servo.h"
@@ -33,7 +37,8 @@ int wanted_rounds() {
 struct TimedFault {
   const char* name;
   Trouble trouble;     // none: the session ends
-  double longest;      // ms from the fault to zero force, as docs/safety.md says
+  double limit;        // ms from the fault to zero force, as docs/safety.md says
+  double later;        // ms that this driver takes longer
   GuardReason reason;  // why the guard is faulted then
 };
 
@@ -47,6 +52,43 @@ struct Measured {
 
 class FaultTimes : public testing::TestWithParam<DriverSubject> {
  protected:
+  static void TearDownTestSuite() {
+    if (wanted_rounds() == 0) return;
+    std::string heading = "| fault | limit |", line = "|---|---|", rows;
+    for (const DriverSubject& subject : driver_subjects()) {
+      heading += " `" + subject.name + "` |";
+      line += "---|";
+    }
+    for (const auto& [fault, longest] : limits()) {
+      rows += fmt::format("| {} | {:.0f} |", fault, longest);
+      for (const DriverSubject& subject : driver_subjects()) {
+        const auto found = cells().find({fault, subject.name});
+        rows += " " + (found == cells().end() ? "-" : found->second) + " |";
+      }
+      rows += "\n";
+    }
+    const std::string table = heading + "\n" + line + "\n" + rows;
+    std::printf("%s", table.c_str());
+    if (std::getenv("BODKIN_WRITE_PAGES") != nullptr)
+      training::expect_table_on_page("safety.md", "| fault | limit |", table);
+  }
+  // What the drivers' tests have measured so far: the limits of the faults in their order, and median and largest of
+  // a fault and a driver.
+  static std::vector<std::pair<std::string, double>>& limits() {
+    static std::vector<std::pair<std::string, double>> all;
+    return all;
+  }
+  static std::map<std::pair<std::string, std::string>, std::string>& cells() {
+    static std::map<std::pair<std::string, std::string>, std::string> all;
+    return all;
+  }
+  void keep(const TimedFault& fault, std::vector<double> times) const {
+    std::sort(times.begin(), times.end());
+    cells()[{fault.name, GetParam().name}] = fmt::format("{:.1f}, {:.1f}", times[times.size() / 2], times.back());
+    const auto same = [&](const auto& one) { return one.first == fault.name; };
+    if (std::none_of(limits().begin(), limits().end(), same)) limits().emplace_back(fault.name, fault.limit);
+  }
+
   ~FaultTimes() override {
     servo_.reset();
     board().clear();
@@ -57,12 +99,12 @@ class FaultTimes : public testing::TestWithParam<DriverSubject> {
 
   std::vector<TimedFault> faults() const {
     const double of_the_grip = GetParam().name == "haply" ? 20.0 : 0.0;  // it tells of its buttons 50 times a second
-    std::vector<TimedFault> all = {{"the readings stand still", Trouble::stuck, 521, GuardReason::frozen},
-                                   {"the hand lets go", Trouble::hand_off, 20 + of_the_grip, GuardReason::none},
-                                   {"the session ends", Trouble::none, 20, GuardReason::none}};
+    std::vector<TimedFault> all = {{"the readings stand still", Trouble::stuck, 521, 0, GuardReason::frozen},
+                                   {"the hand lets go", Trouble::hand_off, 20, of_the_grip, GuardReason::none},
+                                   {"the session ends", Trouble::none, 20, 0, GuardReason::none}};
     if (wanted_rounds() == 0) return all;
     const auto add = [&](Trouble trouble, const char* name) {
-      if (GetParam().in_loop.count(trouble) > 0) all.push_back({name, trouble, 1, GuardReason::device_fault});
+      if (GetParam().in_loop.count(trouble) > 0) all.push_back({name, trouble, 1, 0, GuardReason::device_fault});
     };
     add(Trouble::unplug, "it is unplugged");
     add(Trouble::emergency_stop, "its emergency stop is pressed");
@@ -145,16 +187,18 @@ TEST_P(FaultTimes, of_a_device_are_within_what_the_page_says) {
       ASSERT_NO_FATAL_FAILURE(start()) << fault.name;
       const Measured seen = measured(fault);
       EXPECT_EQ(force(), 0.0) << fault.name;
-      EXPECT_LE(seen.time, fault.longest + of_the_driver * seen.longest_gap) << fault.name << ", round " << round;
+      EXPECT_LE(seen.time, fault.limit + fault.later + of_the_driver * seen.longest_gap)
+          << fault.name << ", round " << round;
       times.push_back(seen.time);
       held_up += seen.longest_gap > 3.0 ? 1 : 0;
       servo_.reset();
     }
     if (wanted_rounds() == 0) continue;
-    std::sort(times.begin(), times.end());
-    std::printf("| %s | %s | %d | %.0f | %.1f | %.1f | %d |\n", GetParam().name.c_str(), fault.name, rounds,
-                fault.longest, times[times.size() / 2], times.back(), held_up);
-    std::fflush(stdout);
+    keep(fault, times);
+    if (held_up > 0) {
+      std::printf("%s, %s: ticks were held up by more than 3 ms in %d of %d rounds\n", GetParam().name.c_str(),
+                  fault.name, held_up, rounds);
+    }
   }
 }
 
