@@ -176,6 +176,32 @@ TEST_F(HaplyVersions, a_transform_that_is_set_meanwhile_takes_the_force) {
   rounds_until(port, [](const DeviceState& now) { return now.fault == DeviceFault::none; });
 }
 
+// As the vendor's own example of a remote configuration does, over HTTP, to whatever session runs.
+TEST_F(HaplyVersions, a_basis_a_preset_or_a_mount_that_is_set_meanwhile_takes_the_force) {
+  for (const stand_in::Oddity oddity :
+       {stand_in::Oddity::new_basis, stand_in::Oddity::new_preset, stand_in::Oddity::new_mount}) {
+    serve(stand_in::HaplyService::of("3.5"));
+    DevicePort port(haply_driver(), "", words());
+    port.start();
+    const Vec3 force(1, 0, 0);
+    rounds_until(
+        port, [&](const DeviceState&) { return board_.force[0] == 1.0; }, force);
+    service_->oddity() = oddity;
+    rounds_until(
+        port, [](const DeviceState& now) { return now.fault == DeviceFault::vendor_error; }, force);
+    EXPECT_THAT(port.explain(), HasSubstr("a basis, a preset or a mount"));
+    DeviceState state;
+    for (int i = 0; i < 50; ++i) {  // and stays so, whatever the states without a configuration say
+      port.exchange({force, Vec3::Zero()}, state);
+      EXPECT_EQ(state.fault, DeviceFault::vendor_error);
+      EXPECT_EQ(board_.force[0], 0.0);
+    }
+    service_->oddity() = stand_in::Oddity::none;
+    rounds_until(port, [](const DeviceState& now) { return now.fault == DeviceFault::none; });
+    port.stop();
+  }
+}
+
 TEST(HaplyEvents, are_read_and_what_is_none_is_nothing) {
   const HaplyEvent brake = parse_haply_event(
       R"({"name":"device-safety-triggered","data":{"device_id":"049D","safety_type":"stall_detected"},"message":"m"})");

@@ -4628,8 +4628,8 @@
         <translation>die Notbremse des Inverse3 ist angezogen: lösen Sie sie, wie Haply Hub es sagt, und beginnen Sie neu</translation>
     </message>
     <message>
-        <source>Haply's Inverse service has been given a transform of the device meanwhile, and forces would point the wrong way: take it back in Haply Hub</source>
-        <translation>dem Inverse-Dienst von Haply wurde inzwischen eine Umrechnung für das Gerät gegeben, und Kräfte würden in die falsche Richtung zeigen: nehmen Sie das in Haply Hub zurück</translation>
+        <source>Haply's Inverse service has been given a transform, a basis, a preset or a mount of the device meanwhile, and forces would point the wrong way: take it back in Haply Hub</source>
+        <translation>dem Inverse-Dienst von Haply wurde inzwischen eine Umrechnung, eine Achsenfolge, eine Voreinstellung oder eine Aufstellung des Geräts gegeben, und Kräfte würden in die falsche Richtung zeigen: nehmen Sie das in Haply Hub zurück</translation>
     </message>
     <message>
         <source>Haply's Inverse service leaves the device idle although forces are sent: say force_key=vector or force_key=values, whichever was not used</source>

@@ -307,6 +307,9 @@ struct ForceDimension {
     const char id = handle->id();
     calibrate(sdk, id, initialise, move);
     if (sdk.dhdSetGravityCompensation != nullptr) sdk.dhdSetGravityCompensation(gravity, id);
+    // As in the SDK's examples. A gripper without it has no button.
+    const bool has_gripper = sdk.dhdHasActiveGripper != nullptr && sdk.dhdHasActiveGripper(id);
+    if (has_gripper && sdk.dhdEmulateButton != nullptr) sdk.dhdEmulateButton(1, id);
 
     const Model& model = model_of(sdk.dhdGetSystemType(id));
     const bool wrist = sdk.dhdHasWrist(id), torques = sdk.dhdHasActiveWrist(id);

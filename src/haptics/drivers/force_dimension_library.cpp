@@ -48,6 +48,8 @@ ForceDimensionLibrary::ForceDimensionLibrary(const std::string& chosen) : librar
   library.need(dhdErrorGetLastStr, "dhdErrorGetLastStr");
   library.take(dhdSetMaxForce, "dhdSetMaxForce");
   library.take(dhdSetGravityCompensation, "dhdSetGravityCompensation");
+  library.take(dhdHasActiveGripper, "dhdHasActiveGripper");
+  library.take(dhdEmulateButton, "dhdEmulateButton");
   library.take(dhdEnableExpertMode, "dhdEnableExpertMode");
   library.take(dhdDisableExpertMode, "dhdDisableExpertMode");
   library.take(dhdSetWatchdog, "dhdSetWatchdog");

@@ -41,6 +41,8 @@ struct ForceDimensionLibrary {
   // Null in SDKs that lack them.
   int (*dhdSetMaxForce)(double limit, char);
   int (*dhdSetGravityCompensation)(int on, char);
+  bool (*dhdHasActiveGripper)(char);
+  int (*dhdEmulateButton)(unsigned char on, char);  // a gripper that is closed counts as a button
   int (*dhdEnableExpertMode)();
   int (*dhdDisableExpertMode)();
   int (*dhdSetWatchdog)(unsigned char steps_of_125_us, char);

@@ -26,6 +26,7 @@ using Cause = HaplyCause;
 using namespace std::chrono_literals;
 
 constexpr auto round_patience = 5ms;     // a round without an answer by then repeats the last state
+constexpr auto inspected_every = 500ms;  // of the configuration, which another program may change
 constexpr auto refused_after = 100ms;    // of forces that the service lets go idle
 constexpr auto start_patience = 2000ms;  // for the answer to the first message
 constexpr auto stop_patience = 500ms;    // for each of the answers at the end
@@ -147,7 +148,7 @@ class InverseDevice : public OpenDevice {
       }
     }
     if (events_ != nullptr && !events_->listens()) listen();
-    if (inspects_ && !ask(writer_.inspection(), size, start_patience)) {
+    if (inspects_ && !ask(writer_.inspection(Vec3::Zero()), size, start_patience)) {
       connection_.reset();
       throw DriverFailure(BODKIN_COMMUNICATION_LOST, words_of(Cause::silent));
     }
@@ -160,6 +161,8 @@ class InverseDevice : public OpenDevice {
     owed_ = false;
     last_position_ = Clock::now();
     pushed_in_vain_ = {};
+    config_moved_ = false;
+    inspected_ = last_position_;
     const Cause cause = whole ? take(reading, last_position_, false) : Cause::damaged;
     if (cause != Cause::none) throw DriverFailure(result_of(cause), words_of(cause));
     started_ = true;
@@ -247,7 +250,10 @@ class InverseDevice : public OpenDevice {
       const Vec3 force = frame_.force_of(command);
       pushes_ = !force.isZero();
       sent_ = now;
-      if (!connection_->send(writer_.force(force), now + round_patience)) return lose();
+      const bool inspect = inspects_ && now - inspected_ > inspected_every;
+      if (inspect) inspected_ = now;
+      if (!connection_->send(inspect ? writer_.inspection(force) : writer_.force(force), now + round_patience))
+        return lose();
       owed_ = true;
     }
     if (!connection_->arrives(now + round_patience)) return Clock::now() - sent_ > silence_ ? lose() : before;
@@ -276,7 +282,8 @@ class InverseDevice : public OpenDevice {
     if (reading.has_velocity) frame_.put_velocity(reading.velocity, state_);
     if (events_ != nullptr && events_->is_disconnected()) return Cause::unplugged;
     if (now - last_position_ > silence_) return Cause::without_position;
-    if (reading.moved) return Cause::moved;
+    if (reading.has_config) config_moved_ = reading.config_moved;
+    if (reading.moved || config_moved_) return Cause::moved;
     if (!reading.calibrated) return Cause::uncalibrated;
     if (!reading.powered) return Cause::unpowered;
     if (events_ != nullptr && events_->is_braked()) return Cause::braked;
@@ -327,7 +334,8 @@ class InverseDevice : public OpenDevice {
   std::uint32_t grip_buttons_ = 0;
   bool owed_ = false;    // an answer
   bool pushes_ = false;  // the message that it answers
-  Clock::time_point sent_, last_position_, pushed_in_vain_;
+  Clock::time_point sent_, last_position_, pushed_in_vain_, inspected_;
+  bool config_moved_ = false;
   std::atomic<Cause> cause_{Cause::none};
 };
 

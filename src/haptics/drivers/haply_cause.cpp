@@ -45,8 +45,9 @@ const char* words_of(HaplyCause cause) noexcept {
     case HaplyCause::braked:
       return "the Inverse3's emergency brake is engaged: release it as Haply Hub says, and start again";
     case HaplyCause::moved:
-      return "Haply's Inverse service has been given a transform of the device meanwhile, and forces would point the "
-             "wrong way: take it back in Haply Hub";
+      return "Haply's Inverse service has been given a transform, a basis, a preset or a mount of the device "
+             "meanwhile, "
+             "and forces would point the wrong way: take it back in Haply Hub";
     case HaplyCause::refused:
       return "Haply's Inverse service leaves the device idle although forces are sent: say force_key=vector or "
              "force_key=values, whichever was not used";

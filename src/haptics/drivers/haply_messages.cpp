@@ -98,6 +98,55 @@ bool read_transform(json::value value, HaplyReading& to) noexcept {
   return whole;
 }
 
+// A word that the pages give by itself or within an object of the same name, under `inner`. `usual`: whether it is
+// one of those that leave the axes as they are.
+template <typename Usual>
+bool read_word(json::value value, const char* inner, Usual usual, bool& so) noexcept {
+  const auto take = [&](json::value word) {
+    std::string_view said;
+    if (!text(word, said)) return false;
+    so = so && (said.empty() || usual(said));
+    return true;
+  };
+  json::json_type type{};
+  if (value.type().get(type) != simdjson::SUCCESS) return false;
+  if (type == json::json_type::null) return true;
+  if (type != json::json_type::object) return take(value);
+  return members(value, [&](json::raw_json_string key, json::value word) { return !(key == inner) || take(word); });
+}
+
+bool read_mount(json::value value, bool& so) noexcept {
+  json::json_type type{};
+  if (value.type().get(type) != simdjson::SUCCESS) return false;
+  if (type == json::json_type::null) return true;
+  return members(value, [&](json::raw_json_string key, json::value inner) {
+    if (key == "position" || key == "rotation") return are_all(inner, 0.0, so);
+    if (key == "scale") return are_all(inner, 1.0, so);
+    return !(key == "transform") || read_mount(inner, so);
+  });
+}
+
+bool read_config(json::value value, HaplyReading& to) noexcept {
+  bool same = true;
+  const bool whole = members(value, [&](json::raw_json_string key, json::value inner) {
+    if (key == "basis") {
+      return read_word(
+          inner, "permutation", [](std::string_view said) { return said == "XYZ" || said == "xyz"; }, same);
+    }
+    if (key == "preset")
+      return read_word(
+          inner, "preset", [](std::string_view said) { return said == "defaults"; }, same);
+    return !(key == "mount") || read_mount(inner, same);
+  });
+  to.has_config = true;
+  to.config_moved = !same;
+  return whole;
+}
+
+bool no_config(json::value, HaplyReading&) noexcept {
+  return true;
+}
+
 bool read_device_state(json::value value, HaplyReading& to) noexcept {
   return members(value, [&](json::raw_json_string key, json::value inner) {
     if (key == "cursor_position") return to.has_position = numbers(inner, "xyz", to.position.data());
@@ -156,12 +205,14 @@ bool read_grip_state(json::value value, HaplyReading& to) noexcept {
 }
 
 // One entry of a list; its name may come last, so whose it is shows at the end.
-template <typename State, typename Status>
-bool read_entry(json::value value, State state, Status status, HaplyReading& to, std::string_view& name) noexcept {
+template <typename State, typename Status, typename Config>
+bool read_entry(json::value value, State state, Status status, Config config, HaplyReading& to,
+                std::string_view& name) noexcept {
   return members(value, [&](json::raw_json_string key, json::value inner) {
     if (key == "device_id") return text(inner, name);
     if (key == "state") return state(inner, to);
     if (key == "status") return status(inner, to);
+    if (key == "config") return config(inner, to);
     return true;
   });
 }
@@ -176,6 +227,8 @@ void put_device(const HaplyReading& from, HaplyReading& to) noexcept {
   to.powered = from.powered;
   to.idle = from.idle;
   to.moved = from.moved;
+  to.has_config = from.has_config;
+  to.config_moved = from.config_moved;
 }
 
 void put_grip(const HaplyReading& from, HaplyReading& to) noexcept {
@@ -214,7 +267,7 @@ struct HaplyStateReader::Parser {
   bool read_device(json::value entry, HaplyReading& to) const noexcept {
     HaplyReading one;
     std::string_view name;
-    if (!read_entry(entry, read_device_state, read_status, one, name)) return false;
+    if (!read_entry(entry, read_device_state, read_status, read_config, one, name)) return false;
     if (name == device) put_device(one, to);
     return true;
   }
@@ -222,7 +275,7 @@ struct HaplyStateReader::Parser {
   bool read_grip(json::value entry, HaplyReading& to) const noexcept {
     HaplyReading one;
     std::string_view name;
-    if (!read_entry(entry, read_grip_state, read_grip_status, one, name)) return false;
+    if (!read_entry(entry, read_grip_state, read_grip_status, no_config, one, name)) return false;
     if (!grip.empty() && name == grip) put_grip(one, to);
     return true;
   }

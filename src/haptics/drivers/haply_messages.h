@@ -23,7 +23,9 @@ struct HaplyReading {
   Vec3 position = Vec3::Zero(), velocity = Vec3::Zero();  // m, m/s
   bool calibrated = true, powered = true;                 // unless the message says that it is not
   bool idle = false;                                      // the service says that nothing drives the device
-  bool moved = false;  // the service says that a transform changes the device's axes
+  bool moved = false;         // the service says that a transform changes the device's axes
+  bool has_config = false;    // the message holds the device's configuration
+  bool config_moved = false;  // which has a basis, a preset or a mount that changes its axes
 
   bool grip_listed = false;
   bool grip_awake = true;  // connected and not asleep
@@ -69,8 +71,8 @@ class HaplyCommandWriter {
   std::string_view introduction() noexcept { return write(introduction_, Vec3::Zero()); }
   // Asks for a state and commands nothing, so that the device goes idle.
   std::string_view probe() const noexcept { return probe_; }
-  // Commands no force and asks for a state that holds the devices' configuration, too.
-  std::string_view inspection() noexcept { return write(inspection_, Vec3::Zero()); }
+  // N. The same as force(), and asks for a state that holds the devices' configuration, too.
+  std::string_view inspection(const Vec3& force) noexcept { return write(inspection_, force); }
 
  private:
   std::string_view write(const std::string& beginning, const Vec3& force) noexcept;

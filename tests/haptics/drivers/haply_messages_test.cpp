@@ -48,6 +48,27 @@ TEST_F(HaplyMessages, every_field_of_a_state_arrives) {
   EXPECT_EQ(reading_.buttons, 5u);
 }
 
+TEST_F(HaplyMessages, a_configuration_that_changes_the_axes_is_seen) {
+  const auto with = [this](const std::string& config) {
+    EXPECT_TRUE(read_with("\"status\":{\"cal", "\"config\":" + config + ",\"status\":{\"cal")) << config;
+    EXPECT_TRUE(reading_.has_config) << config;
+    return reading_.config_moved;
+  };
+  const std::string mount = R"({"position":{"x":0,"y":0,"z":0},"rotation":{"w":1,"x":0,"y":0,"z":0},)";
+  EXPECT_FALSE(with("{}"));
+  EXPECT_FALSE(with(R"({"basis":{"permutation":"XYZ"},"preset":"defaults","mount":)" + mount +
+                    R"("scale":{"x":1,"y":1,"z":1}},"type":"inverse3","filters":{"force_gate":{"gain":0.3}}})"));
+  EXPECT_FALSE(with(R"({"basis":"xyz","preset":null,"mount":null})"));
+  EXPECT_TRUE(with(R"({"basis":{"permutation":"XZY"}})"));
+  EXPECT_TRUE(with(R"({"basis":"-XYZ"})"));
+  EXPECT_TRUE(with(R"({"preset":{"preset":"arm_front"}})"));
+  EXPECT_TRUE(with(R"({"mount":)" + mount + R"("scale":{"x":1,"y":2,"z":1}}})"));
+  EXPECT_TRUE(with(R"({"mount":{"transform":{"rotation":{"w":0.7,"x":0.7,"y":0,"z":0}}}})"));
+  EXPECT_TRUE(read(whole));
+  EXPECT_FALSE(reading_.has_config || reading_.config_moved);
+  EXPECT_FALSE(read_with("\"status\":{\"cal", "\"config\":{\"basis\":7},\"status\":{\"cal"));
+}
+
 TEST_F(HaplyMessages, a_flag_that_is_down_is_seen) {
   EXPECT_TRUE(read_with("\"calibrated\":true", "\"calibrated\":false"));
   EXPECT_FALSE(reading_.calibrated);

@@ -18,7 +18,8 @@ constexpr char the_id = 3;  // not the index, so that a driver that mixes them u
 constexpr int falcon = 60;
 constexpr double peak = 12.0;
 
-stand_in::Mechanism mechanism(1.0, peak);
+stand_in::Mechanism mechanism(1.0, peak, 1e-5);
+bool gripper_is_button = false;  // of the devices that have one
 bool open_now = false, opened_by_drd = false, brakes = true, expert = false, calibrated_by_itself = false;
 int off_cause = 0;
 int moved = 0;  // forces that were sent while the hand moved it
@@ -72,6 +73,7 @@ int open_device(char index, bool by_drd) {
   if (index != 0) return failed(15);
   if (open_now || board().troubled_by(Trouble::busy)) return failed(20);
   open_now = brakes = true;
+  gripper_is_button = false;
   opened_by_drd = by_drd;
   off_cause = 0;
   watchdog_steps = 0;
@@ -185,8 +187,19 @@ EXPORT int dhdSetForceAndTorque(double x, double y, double z, double a, double b
 EXPORT int dhdSetForce(double x, double y, double z, char id) {
   return send(x, y, z, 0.0, 0.0, 0.0, id);
 }
+EXPORT bool dhdHasActiveGripper(char id) {
+  const int type = dhdGetSystemType(id);
+  return type == 35 || type == 37 || (type >= 104 && type <= 109);
+}
+EXPORT int dhdEmulateButton(unsigned char on, char id) {
+  if (!is_ours(id)) return -1;
+  if (!dhdHasActiveGripper(id)) return failed(6);
+  gripper_is_button = on != 0;
+  return 0;
+}
 EXPORT unsigned dhdGetButtonMask(char id) {
-  return is_ours(id) ? board().buttons.load() : 0;
+  if (!is_ours(id)) return 0;
+  return dhdHasActiveGripper(id) && !gripper_is_button ? 0 : board().buttons.load();
 }
 #ifndef BROKEN_SDK
 EXPORT int dhdEnableForce(unsigned char on, char id) {

@@ -325,10 +325,13 @@ struct HaplyService::Server {
   }
   Json with_configuration(Json made) const {
     for (Json& device : made["inverse3"]) {
-      Json config = {{"type", "inverse3"}, {"port", "/dev/ttyACM0"}, {"basis", {{"permutation", basis}}}};
+      Json config = {{"type", "inverse3"},
+                     {"port", "/dev/ttyACM0"},
+                     {"basis", {{"permutation", oddity == Oddity::new_basis ? "YXZ" : basis}}}};
       if (!ways.preset.empty()) config["preset"] = ways.preset;
+      if (oddity == Oddity::new_preset) config["preset"] = "arm_front";
       if (!std::isnan(ways.mount_height)) {
-        config["mount"] = {{"position", xyz({0, 0, ways.mount_height})},
+        config["mount"] = {{"position", xyz({0, 0, oddity == Oddity::new_mount ? 0.1 : ways.mount_height})},
                            {"rotation", {{"w", 1}, {"x", 0}, {"y", 0}, {"z", 0}}},
                            {"scale", xyz({1, 1, 1})}};
       }

@@ -26,7 +26,10 @@ enum class Oddity : int {
   no_answer,
   grip_asleep,
   grip_gone,
-  new_transform  // another program's, while the session runs
+  new_transform,  // another program's, while the session runs
+  new_basis,      // the same, by HTTP
+  new_preset,
+  new_mount
 };
 
 // Haply's Inverse service on a port of its own of the loopback interface: one Inverse3, a grip, one answer for every

@@ -17,7 +17,6 @@ constexpr double hand_spring = 300;   // N/m
 constexpr double hand_damper = 3.0;   // N s/m
 constexpr double loose_spring = 40;   // N/m
 constexpr double loose_damper = 0.5;  // N s/m
-constexpr double count = 5e-5;        // m, one encoder count
 constexpr double held_for = 3.0;      // s
 constexpr double handle = 0.6;        // N, of a device that nobody holds
 constexpr double lever = 0.05;        // m from the device's point to the tip
@@ -87,7 +86,7 @@ void Mechanism::step(Board& board, const double (&force)[3], const double (&torq
       speed_[i] = free - std::copysign(loss, free);
       at_[i] += speed_[i] * dt;
     }
-    const double rounded = std::round(at_[i] / count) * count;
+    const double rounded = std::round(at_[i] / count_) * count_;
     const double seen = firm && !alone ? at_[i] : rounded;
     board.force[i] = motor;
     board.torque[i] = torque[i];

@@ -13,8 +13,8 @@ namespace stand_in {
 //   m x'' = F - c x' - f sign(x') + k (h - x) - d x'
 class Mechanism {
  public:
-  // `unit`: m per unit of the vendor's lengths. `limit`: N along each axis.
-  Mechanism(double unit, double limit) : unit_(unit), limit_(limit) {}
+  // `unit`: m per unit of the vendor's lengths. `limit`: N along each axis. `count`: m, of the encoders.
+  Mechanism(double unit, double limit, double count = 5e-5) : unit_(unit), limit_(limit), count_(count) {}
 
   // One millisecond under the force that the motors are told (N; zero when they are off). Writes what happens to the
   // board.
@@ -28,7 +28,7 @@ class Mechanism {
   void follow_habit(Board& board) noexcept;
   void keep_times(Board& board, bool pushed) noexcept;
 
-  double unit_, limit_;
+  double unit_, limit_, count_;
   double time_ = 0.0;                     // s
   std::int64_t last_ = 0;                 // ns of the steady clock, the step before
   std::array<double, 3> at_{}, speed_{};  // m, m/s
