@@ -1,4 +1,5 @@
 #include <cctype>
+#include <csignal>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -13,6 +14,7 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/end_on_signal.h"
 #include "cli/force_options.h"
 #include "cli/outcome.h"
 #include "core/error.h"
@@ -70,7 +72,12 @@ anatomy::NeedlePath path_of(const RunArguments& arguments, const anatomy::Case& 
   return path;
 }
 
-void run_scripted(RunArguments arguments, const CommandContext& context) {
+const char* name_of_signal(int signal) {
+  if (signal == SIGHUP) return "SIGHUP";
+  return signal == SIGTERM ? "SIGTERM" : "SIGINT";
+}
+
+void run_scripted(RunArguments arguments, CommandContext& context) {
   Console console(context);
   session::RunSettings& settings = arguments.settings;
   settings.seed = static_cast<std::uint64_t>(arguments.seed);
@@ -85,11 +92,21 @@ void run_scripted(RunArguments arguments, const CommandContext& context) {
                         ? free_name(patient.description.name, settings.script.name, settings.seed, settings.overwrite)
                         : fs::path(arguments.output);
   const session::SessionHeader header = session::session_header(patient, arguments.folder, settings);
-  const Outcome outcome =
-      read_outcome(settings.output, patient, session::run_session(patient, header, settings, console.progress()));
+  session::RunResult run;
+  {
+    const EndOnSignal signals;
+    settings.gives_up = [] { return EndOnSignal::signal() != 0; };
+    run = session::run_session(patient, header, settings, console.progress());
+  }
   console.clear_bar();
+  if (run.given_up) {
+    context.exit_code = 128 + EndOnSignal::signal();
+    console.note(fmt::format("the run was ended from outside ({}); the session is complete up to there",
+                             name_of_signal(EndOnSignal::signal())));
+  }
+  const Outcome outcome = read_outcome(settings.output, patient, std::move(run));
   for (const std::string& note : outcome.run.notes) console.note(note);
-  if (!outcome.run.operator_finished) {
+  if (!outcome.run.operator_finished && !outcome.run.given_up) {
     console.note(fmt::format("the longest time of {} s was over while the operator was in phase '{}'",
                              settings.longest, outcome.run.last_phase));
   }

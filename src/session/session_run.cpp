@@ -50,9 +50,15 @@ class Run {
   }
 
  private:
+  bool gives_up() {
+    result_.given_up = settings_.gives_up && settings_.gives_up();
+    return result_.given_up;
+  }
+  bool goes_on(const Recorder& recorder) { return !loop_.finished() && !recorder.failed() && !gives_up(); }
+
   void at_full_speed() {
     simulation::TickRecord record;
-    for (std::uint64_t tick = 0; tick < most_ticks_ && !loop_.finished(); ++tick) {
+    for (std::uint64_t tick = 0; tick < most_ticks_ && !loop_.finished() && !gives_up(); ++tick) {
       note_phase(loop_.phase());
       loop_.step(record);
       writer_.append(record);
@@ -75,7 +81,7 @@ class Run {
       const haptics::TickClock now = haptics::monotonic_clock();
       simulation::TickRecord record;
       clock.start();
-      for (std::uint64_t tick = 0; tick < most_ticks_ && !loop_.finished() && !recorder.failed(); ++tick) {
+      for (std::uint64_t tick = 0; tick < most_ticks_ && goes_on(recorder); ++tick) {
         note_phase(loop_.phase());
         phase.store(loop_.phase(), std::memory_order_relaxed);
         clock.wait();

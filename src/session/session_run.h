@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,14 @@ struct RunSettings {
   bool realtime = false;         // on the clock instead of as fast as it goes
   std::filesystem::path output;  // the session file
   bool overwrite = false;
+  std::function<bool()> gives_up;  // asked before every tick, may be empty: true ends the run, whose session is whole
 };
 
 struct RunResult {
   std::uint64_t ticks = 0;
-  double wall_time = 0.0;              // s that the loop took
-  bool operator_finished = false;      // false: the longest time was over first
+  double wall_time = 0.0;          // s that the loop took
+  bool operator_finished = false;  // false: the longest time was over first, or it was given up
+  bool given_up = false;
   std::string last_phase;              // of the operator
   std::uint64_t missed_deadlines = 0;  // realtime: ticks that began more than a tick late
   double worst_lateness = 0.0;         // s

@@ -1,4 +1,6 @@
+#include <fstream>
 #include <string>
+#include <tuple>
 
 #include "session/session_file.h"
 #include "tests/cli/bodkin_command.h"
@@ -68,6 +70,28 @@ TEST_F(StandardStreams, the_end_of_the_terminal_or_the_machine_ends_a_session_an
   for (const auto& [signal, code] : {std::pair{"HUP", 129}, {"TERM", 143}, {"INT", 0}}) {
     const Outcome said = perform(std::string("timeout --preserve-status -s ") + signal + " 4", "", "60");
     EXPECT_EQ(said.exit_code, code) << signal << said.output;
+    expect_complete_session();
+  }
+}
+
+// Nobody holds a needle here, but the session is as complete.
+TEST_F(StandardStreams, the_end_of_the_terminal_ends_a_run_with_a_complete_session) {
+  std::ofstream(folder_ / "waits.xml") << R"(<operator name="waits" version="1"><description>d</description>
+  <hand mass_kg="0.4" stiffness_N_per_mm="4" damping_N_s_per_mm="0.06" tremor_mm="0.02" tremor_deg="0.02"/>
+  <accuracy entry_mm="0.5" direction_deg="0.5" wander_mm="0.1" wander_deg="0.05" unsteadiness="0.08"/>
+  <reaction time_s="0.18" spread_s="0.03"/><start distance_mm="30"/>
+  <phase name="wait" speed_mm_per_s="0"><until time_s="3000" then="end"/></phase></operator>)";
+  for (const auto& [signal, code, how] : {std::tuple{"HUP", 129, "1.5 %s --realtime"},
+                                          {"TERM", 143, "1.5 %s --realtime"},
+                                          {"INT", 130, "1.5 %s --realtime"},
+                                          {"HUP", 129, "0.7 %s"}}) {
+    std::filesystem::remove(folder_ / "hand.bodkin");
+    std::string line = how;
+    line.replace(line.find("%s"), 2, program + "run patient --operator waits.xml --max-time 3600 -o hand.bodkin");
+    const Outcome said = shell(std::string("timeout --preserve-status -s ") + signal + " " + line);
+    EXPECT_EQ(said.exit_code, code) << signal << said.output;
+    EXPECT_THAT(said.output, HasSubstr(std::string("ended from outside (SIG") + signal));
+    EXPECT_THAT(said.output, testing::Not(HasSubstr("the longest time")));
     expect_complete_session();
   }
 }
