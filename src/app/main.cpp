@@ -8,6 +8,7 @@
 #include "app/close_on_signal.h"
 #include "app/main_window.h"
 #include "app/models/data_folder.h"
+#include "app/models/late_force.h"
 #include "app/script.h"
 #include "app/spoken_language.h"
 
@@ -69,6 +70,8 @@ int main(int argc, char** argv) {
         QStringLiteral("WxH")},
        {QStringLiteral("language"), QApplication::translate("main", "Language of the window, such as de"),
         QStringLiteral("CODE")},
+       {QStringLiteral("allow-late"),
+        QApplication::translate("main", "Give the whole force although the system may hold up the servo")},
        {QStringLiteral("benchmark"),
         QApplication::translate("main", "Measure the window's speed, print it, and leave")},
        {QStringLiteral("attempt"), QApplication::translate("main", "How to perform, as bodkin perform says it"),
@@ -84,6 +87,7 @@ int main(int argc, char** argv) {
   options.process(application);
   try {
     if (options.isSet(QStringLiteral("language"))) bodkin::app::speak(options.value("language"));
+    if (options.isSet(QStringLiteral("allow-late"))) bodkin::app::allow_late_force();
     // A script and a benchmark hold nobody's hand, and end when they are told to.
     std::optional<bodkin::app::CloseOnSignal> closing;
     if (!options.isSet(QStringLiteral("script")) && !options.isSet(QStringLiteral("benchmark"))) closing.emplace();

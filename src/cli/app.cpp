@@ -13,7 +13,7 @@ namespace {
 
 struct AppArguments {
   std::string patient, script, shots, size, language, connect;
-  bool benchmark = false;
+  bool benchmark = false, allow_late = false;
 };
 
 constexpr const char* app_footer = R"(Examples:
@@ -37,6 +37,7 @@ void run_app(const AppArguments& arguments) {
   for (const auto& [option, value] : options) {
     if (!value->empty()) words.insert(words.end(), {option, *value});
   }
+  if (arguments.allow_late) words.emplace_back("--allow-late");
   if (arguments.benchmark) words.emplace_back("--benchmark");
   if (!arguments.patient.empty()) words.insert(words.end(), {"--", arguments.patient});
   become_app(words);
@@ -56,6 +57,8 @@ void add_app_command(CLI::App& app, CommandContext& /*context*/) {
   add_text(*command, "--connect", arguments->connect,
            "Show the session of 'bodkin serve' at this machine, HOST or HOST:PORT; CASE is a copy of the case there, "
            "without it looked for in this folder and among the window's patients");
+  add_switch(*command, "--allow-late", arguments->allow_late,
+             "Give the whole force although the system may hold up the servo (no real-time priority)");
   add_switch(*command, "--benchmark", arguments->benchmark,
              "Move needle, camera and volume of the patient that comes with Bodkin, print how fast, and leave");
   on_run(*command, [arguments] { run_app(*arguments); });

@@ -418,6 +418,7 @@ const std::vector<CommandRow>& command_table() {
           {"--size", Kind::text},
           {"--language", Kind::text},
           {"--connect", Kind::text},
+          {"--allow-late", Kind::toggle},
           {"--benchmark", Kind::toggle}}}};
     const std::vector<CommandRow> tracking = tracking_commands();
     all.insert(all.end(), tracking.begin(), tracking.end());

@@ -3826,6 +3826,10 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Anfang der Bildnamen</translation>
     </message>
     <message>
+        <source>Give the whole force although the system may hold up the servo</source>
+        <translation>Die ganze Kraft geben, auch wenn das System die Regelung aufhalten kann</translation>
+    </message>
+    <message>
         <source>Language of the window, such as de</source>
         <translation>Sprache des Fensters, etwa de</translation>
     </message>

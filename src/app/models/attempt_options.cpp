@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/models/late_force.h"
 #include "link/tracking_driver.h"
 #include "station/recorded_hand.h"
 #include "station/ultrasound_request.h"
@@ -52,7 +53,7 @@ void AttemptOptions::apply(station::StationOptions& station) const {
   station.mannequin = mannequin;
   station.scale = scale;
   station.force_scale = force_scale;
-  station.allow_late = allow_late;
+  station.allow_late = allow_late || late_force_is_allowed();
   station.use_calibration = use_calibration;
   station.longest = longest;
 }

@@ -4,6 +4,7 @@
 #include <exception>
 #include <utility>
 
+#include "app/models/late_force.h"
 #include "station/device_check.h"
 #include "station/real_time_check.h"
 #include <fmt/format.h>
@@ -139,7 +140,7 @@ void DeviceWork::do_calibration(const station::DeviceChoice& choice, const stati
   const auto note = [this](const std::string& sentence) {
     change([&](News& news) { news.said.push_back(sentence); });
   };
-  servo_settings.guard.user_force = station::measuring_force(choice, abilities, false, note);
+  servo_settings.guard.user_force = station::measuring_force(choice, abilities, late_force_is_allowed(), note);
   servo_settings.guard.frozen_time = 0.0;  // a free handle can stand still under force
   haptics::DeviceServo servo(std::move(port), abilities, servo_settings,
                              [weighing](const haptics::ControlInput& input) { return weighing->step(input); });
