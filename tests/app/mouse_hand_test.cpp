@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "app/hand/needle_control.h"
 #include <gtest/gtest.h>
+
+#include "core/random.h"
 
 namespace bodkin::app {
 namespace {
@@ -119,6 +122,49 @@ TEST(MouseHand, the_axis_turns_about_the_skin_while_shallow_and_never_deeper) {
   MouseHand deep = hand_at_rest(wish);
   for (int i = 0; i < 2000; ++i) deep.step(turned, Vec3::Zero());
   EXPECT_NEAR((needle_axis(deep.report().needle) - wish.axis).norm(), 0.0, 1e-3);
+}
+
+// Whatever is wished, by pointer, wheel and keys, and however tightly the tissue holds the needle, also while it is
+// withdrawn: in tissue it stays on the line through the place where it went in, and deeper than a centimetre it keeps
+// its axis.
+TEST(MouseHand, keeps_its_line_in_tissue_whatever_is_wished) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Random random(seed);
+    const auto chance = [&random](double size) {
+      return Vec3(size * random.normal(), size * random.normal(), size * random.normal());
+    };
+    HandWish wish = wish_at(chance(10.0), 5.0);
+    MouseHand hand = hand_at_rest(wish);
+    HandReport last = hand.report();
+    double grip = 0.0;  // N
+    int ticks_in_tissue = 0, turns = 0;
+    for (int i = 0; i < 60'000; ++i) {
+      if (random.uniform() < 0.002) wish.depth = -20.0 + 60.0 * random.uniform();
+      if (random.uniform() < 0.001) wish.at += chance(10.0);
+      if (random.uniform() < 0.002) wish.axis = (wish.axis + chance(0.2)).normalized();
+      if (random.uniform() < 0.001) wish.is_down = random.uniform() < 0.8;
+      if (random.uniform() < 0.001) wish.is_braced = random.uniform() < 0.5;
+      if (random.uniform() < 0.005) grip = 20.0 * random.uniform();
+      const Vec3 axis = needle_axis(last.meant);
+      const double pulls = axis.dot(last.meant.translation() - last.needle.translation());
+      hand.step(wish, last.depth > 0.0 ? Vec3(-std::clamp(pulls, -grip, grip) * axis) : Vec3(chance(0.1)));
+      const HandReport& now = hand.report();
+      if (last.depth > 0.0) {
+        ++ticks_in_tissue;
+        const Vec3 new_axis = needle_axis(now.meant);
+        const Vec3 skin = last.meant.translation() - axis.dot(last.meant.translation()) * axis;
+        const Vec3 new_skin = now.meant.translation() - axis.dot(now.meant.translation()) * axis;
+        if (last.depth > MouseHand::shallow) {
+          ASSERT_TRUE(new_axis == axis) << "seed " << seed << ", tick " << i;
+          ASSERT_LT((new_skin - skin).norm(), 1e-9) << "seed " << seed << ", tick " << i;
+        }
+        turns += new_axis == axis ? 0 : 1;
+      }
+      last = now;
+    }
+    EXPECT_GT(ticks_in_tissue, 5000);
+    EXPECT_GT(turns, 10);
+  }
 }
 
 class Control : public testing::Test {

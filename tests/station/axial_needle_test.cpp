@@ -1,6 +1,11 @@
 #include "station/axial_needle.h"
 
+#include <algorithm>
+#include <cstdint>
+
 #include <gtest/gtest.h>
+
+#include "core/random.h"
 
 namespace bodkin {
 
@@ -54,6 +59,45 @@ TEST(AxialNeedle, withdrawn_it_comes_back_to_the_hand_without_a_jump) {
     ++ticks;
   }
   EXPECT_NEAR(ticks, 400, 3) << "20 mm at 50 mm/s";
+}
+
+// Hands that go and turn as they like, of needles that come into tissue and out of it by chance, ten minutes
+// altogether: in tissue neither the line nor the axis changes; outside, and where it changes, nothing jumps.
+TEST(AxialNeedle, keeps_its_line_in_tissue_whatever_the_hand_does) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Random random(seed);
+    const auto chance = [&random](double size) {
+      return Vec3(size * random.normal(), size * random.normal(), size * random.normal());
+    };
+    AxialNeedle needle;
+    Pose hand = pose_at(0, 0, 0);
+    Pose last = needle.step(hand, false, 0.001);
+    Vec3 speed = Vec3::Zero(), turning = Vec3::Zero();
+    bool in_tissue = false;
+    Vec3 entered = Vec3::Zero(), axis = Vec3::UnitZ();
+    for (int i = 0; i < 30'000; ++i) {
+      speed = 0.99 * speed + chance(0.01);        // mm per tick
+      turning = 0.99 * turning + chance(0.0003);  // rad per tick
+      hand.translation() += speed;
+      hand.linear() = Eigen::AngleAxisd(turning.norm(), turning.normalized()) * hand.linear();
+      if (random.uniform() < 0.002) {
+        in_tissue = !in_tissue;
+        entered = last.translation();
+        axis = last.linear().col(2);
+      }
+      const Pose next = needle.step(hand, in_tissue, 0.001);
+      const Vec3 way = next.translation() - last.translation();
+      ASSERT_LE(way.norm(), speed.norm() + 0.05 + 1e-9) << "seed " << seed << ", tick " << i;
+      if (in_tissue) {
+        const Vec3 from_entry = next.translation() - entered;
+        ASSERT_LT((from_entry - axis.dot(from_entry) * axis).norm(), 1e-6) << "seed " << seed << ", tick " << i;
+        ASSERT_NEAR(next.linear().col(2).dot(axis), 1.0, 1e-9) << "seed " << seed << ", tick " << i;
+        ASSERT_NEAR(axis.dot(way), axis.dot(speed), 1e-9) << "as far along as the hand";
+      }
+      ASSERT_TRUE((next.linear().transpose() * next.linear()).isIdentity(1e-9)) << "a rotation";
+      last = next;
+    }
+  }
 }
 
 }  // namespace

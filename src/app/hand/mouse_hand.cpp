@@ -70,11 +70,11 @@ void MouseHand::turn_towards(const Vec3& axis) noexcept {
 void MouseHand::follow_line(const HandWish& wish) noexcept {
   const Vec3 way = wish.at - at_;
   const bool is_elsewhere = way.norm() > same_place;
-  const bool is_up = place_ < -0.5 * waiting;
+  const bool is_up = place_ < -0.5 * waiting && report_.depth < 0.0;
   if (is_elsewhere && is_up) {
     at_ += std::min(1.0, aiming_speed * dt_ / way.norm()) * way;
     turn_towards(wish.axis);
-  } else if (!is_elsewhere && (place_ <= shallow || report_.depth <= shallow)) {
+  } else if (!is_elsewhere && report_.depth <= shallow) {
     at_ = wish.at;
     turn_towards(wish.axis);
   }
