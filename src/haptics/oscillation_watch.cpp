@@ -30,7 +30,10 @@ ShakingPattern slow_shaking(double swing, double device_stiffness, double dt) no
 bool OscillationWatch::is_driven(double turned_at) const noexcept {
   if (pattern_.gain < 0.0) return true;
   const bool came_back = std::abs(turned_at - turn_before_) < drift_share * std::abs(turned_at - turn_);
-  return came_back && given_ + given_before_ > pattern_.gain * (way_ + way_before_);
+  // A cycle never closes quite; what a force that stays gives the hand on the way that is left shakes nobody.
+  const Vec3 mean = (pushed_ + pushed_before_) / (since_turn_ + turn_took_);
+  const double given = given_ + given_before_ - mean.dot(gone_ + gone_before_);
+  return came_back && given > pattern_.gain * (way_ + way_before_);
 }
 
 bool OscillationWatch::step(const Vec3& moved, const Vec3& force, double dt) noexcept {
@@ -47,6 +50,8 @@ bool OscillationWatch::step(const Vec3& moved, const Vec3& force, double dt) noe
   place_ += moved.dot(axis_);
   given_ += force.dot(moved);
   way_ += moved.squaredNorm() / dt;
+  pushed_ += dt * force;
+  gone_ += moved;
   since_turn_ += dt;
   if (since_turn_ > pattern_.half_period) shaking_ = 0.0;
   extreme_ = forwards_ ? std::max(extreme_, place_) : std::min(extreme_, place_);
@@ -65,6 +70,10 @@ bool OscillationWatch::step(const Vec3& moved, const Vec3& force, double dt) noe
   turn_ = extreme_;
   given_before_ = given_;
   way_before_ = way_;
+  pushed_before_ = pushed_;
+  gone_before_ = gone_;
+  pushed_.setZero();
+  gone_.setZero();
   given_ = way_ = since_turn_ = 0.0;
   forwards_ = !forwards_;
   extreme_ = place_;

@@ -9,7 +9,8 @@ struct ShakingPattern {
   double swing = 0.05;              // mm from turning point to turning point, at least
   double half_period = 1.0 / 60.0;  // s from turning point to turning point, at most
   double lasting = 0.1;             // s
-  // N s/mm: with every cycle the force gives the hand more than this times the time integral of its speed squared.
+  // N s/mm: with every cycle the force gives the hand more than this times the time integral of its speed squared,
+  // what its mean gives apart.
   // Negative: what the force gives does not matter.
   double gain = -1.0;
 };
@@ -58,6 +59,8 @@ class OscillationWatch {
   double turn_ = 0.0, turn_before_ = 0.0;    // mm, the last two turning points
   double given_ = 0.0, given_before_ = 0.0;  // N mm since the last turning point, and between the last two
   double way_ = 0.0, way_before_ = 0.0;      // mm^2/s, time integral of the squared speed
+  Vec3 pushed_ = Vec3::Zero(), pushed_before_ = Vec3::Zero();  // N s
+  Vec3 gone_ = Vec3::Zero(), gone_before_ = Vec3::Zero();      // mm
 };
 
 }  // namespace bodkin::haptics

@@ -1,10 +1,13 @@
 #include "haptics/oscillation_watch.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "tests/one_tick.h"
 #include <gtest/gtest.h>
+
+#include "haptics/tremor.h"
 
 namespace bodkin {
 
@@ -47,6 +50,34 @@ TEST(OscillationWatch, driven_shaking_is_one_that_the_force_feeds) {
   EXPECT_EQ(found(watch, 15.0, 0.05, 2.0, 0.004), 0) << "small";
   EXPECT_EQ(found(watch, 5.0, 1.0, 2.0, 0.004), 0) << "slow";
   EXPECT_EQ(found(watch, 15.0, 1.0, 2.0, 0.004, 60.0), 0) << "the hand goes somewhere";
+}
+
+// A trembling hand leans on a wall that yields, or on tissue that breath carries along: the force stays or changes
+// slowly, and what it gives on the way that a cycle does not close is not what shakes the hand.
+TEST(OscillationWatch, a_tremor_under_a_force_that_stays_or_rises_is_the_hands_own) {
+  for (const double push : {0.5, 1.5, 3.0}) {
+    for (const double rise : {0.0, 1.0, -2.0}) {  // N/s
+      for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        for (const OscillationWatch& fresh : {OscillationWatch(driven_shaking(0.15, 1.0, one_tick)),
+                                              OscillationWatch(slow_shaking(0.15, 1.0, one_tick))}) {
+          OscillationWatch watch = fresh;
+          Tremor tremor(0.1, one_tick, seed);
+          const Vec3 aside = Vec3(0.6, -0.3, 0.74).normalized();
+          Vec3 place = Vec3::Zero(), before = Vec3::Zero();
+          int count = 0;
+          for (int i = 0; i < 30000; ++i) {
+            before = place;
+            place = tremor.next();
+            const double slow = std::clamp(rise * std::sin(0.5 * one_tick * i), -2.0, 2.0);
+            // A spring of 0.4 N/mm, without the leak of its tick.
+            const Vec3 force = (push + slow) * aside - 0.4 * 0.5 * (place + before);
+            count += watch.step(place - before, force, one_tick) ? 1 : 0;
+          }
+          EXPECT_EQ(count, 0) << push << " " << rise << " " << seed;
+        }
+      }
+    }
+  }
 }
 
 TEST(OscillationWatch, bursts_with_rests_between_them_do_not_add_up) {
