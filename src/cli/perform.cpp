@@ -14,6 +14,8 @@
 #include "cli/perform_options.h"
 #include "cli/perform_screen.h"
 #include "cli/terminal_keys.h"
+#include "training/planning_rules.h"
+#include "training/procedure_file.h"
 
 namespace bodkin::cli {
 
@@ -37,6 +39,7 @@ void run_perform(const PerformOptions& arguments, CommandContext& context) {
   Console console(context);
   station::StationOptions options = station_options(arguments, console);
   PerformScreen screen(console, options.longest);
+  screen.end_at(training::completing_tissue(training::procedure_of_case(options.patient.description.procedure.name)));
   station::Station station(std::move(options), screen);
   station::StationResult result = run_with_keys(station, screen);
   console.clear_bar();

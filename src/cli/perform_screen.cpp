@@ -68,7 +68,23 @@ void PerformScreen::note(const std::string& sentence) {
   console_.note(sentence);
 }
 
+void PerformScreen::follow_completion(station::Station& station, const station::StationStatus& status) {
+  if (ending_.empty()) return;
+  contact_.update(status.needle.output, status.events);
+  const anatomy::TissueProperties* const tissue = station.patient().library.find(ending_);
+  if (tissue == nullptr || !contact_.has_punctured()) return;
+  const auto entered = std::find_if(status.events.begin(), status.events.end(), [tissue](const auto& each) {
+    return each.event.kind == forces::EventKind::tissue_entered && each.event.tissue == tissue->id;
+  });
+  if (entered == status.events.end()) return;
+  ending_.clear();
+  note(fmt::format("the tip touched the {} {:.1f} mm below the skin: the attempt is complete", tissue->title,
+                   entered->event.depth));
+  station.end();
+}
+
 void PerformScreen::update(station::Station& station, const station::StationStatus& status) {
+  follow_completion(station, status);
   while (const std::optional<char> key = keys_ == nullptr ? std::nullopt : keys_->next())
     apply_key(*key, station, status.plunger_pressed);
   if (line_) line_(text_of_status(status, station.patient().library), status.time / longest_);

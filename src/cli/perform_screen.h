@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
+#include "station/puncture_watch.h"
 #include "station/station_observer.h"
 
 #include "cli/console.h"
@@ -19,14 +21,22 @@ class PerformScreen : public station::StationObserver {
   // Single keys from the terminal are commands while `keys` lives; may be null.
   void listen_to(TerminalKeys* keys) noexcept { keys_ = keys; }
 
+  // The session ends when the tip touches this tissue after the skin has given way ("mass" in a biopsy); empty: a
+  // person ends it.
+  void end_at(std::string tissue) { ending_ = std::move(tissue); }
+
   Progress progress() override { return console_.progress(); }
   void note(const std::string& sentence) override;
   void update(station::Station& station, const station::StationStatus& status) override;
 
  private:
+  void follow_completion(station::Station& station, const station::StationStatus& status);
+
   Console& console_;
   Progress line_;  // of the terminal
   double longest_;
+  std::string ending_;  // name of a tissue
+  station::PunctureWatch contact_;
   TerminalKeys* keys_ = nullptr;
 };
 

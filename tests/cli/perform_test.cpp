@@ -22,6 +22,26 @@ using PerformCommand = PatientCommand;
 
 const std::string device = "force_dimension --settings library=" BODKIN_STAND_INS "/force_dimension/libdrd.so ";
 
+// A simulated hand that would go on beyond the lesion.
+TEST_F(PerformCommand, a_biopsy_ends_when_the_tip_touches_the_lesion) {
+  const Outcome made = bodkin(
+      "-q case synthesize lumbar lesion --spacing 2 --lesion 20 --procedure ct_guided_biopsy --target lesion "
+      "--needle 18,150,chiba");
+  ASSERT_EQ(made.exit_code, 0) << made.text();
+  const Outcome outcome = bodkin(
+      "perform lesion simulated --settings 'speed_mm_s=60 start_mm=5 depth_mm=110 wait_s=0 tremor_mm=0' "
+      "--allow-late -o biopsy.bodkin");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.text();
+  EXPECT_THAT(outcome.text(), HasSubstr("the tip touched the lesion"));
+  const ::bodkin::session::Session session = ::bodkin::session::read_session(folder_ / "biopsy.bodkin");
+  EXPECT_TRUE(session.finished);
+  const double path = session.header.path.length();
+  double deepest = 0.0;
+  for (const auto& tick : session.ticks) deepest = std::max(deepest, tick.output.depth);
+  EXPECT_GT(deepest, path - 11.0) << "the lesion begins 10 mm before its middle";
+  EXPECT_LT(deepest, path + 10.0) << "and not 30 mm behind it, where the hand was going";
+}
+
 TEST_F(PerformCommand, records_a_hand_on_a_device_and_the_recording_replays_to_the_bit) {
   const Outcome outcome = bodkin("--json -q perform patient " + device + "--max-time 2 -o hand.bodkin");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.text();
