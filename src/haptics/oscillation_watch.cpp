@@ -32,8 +32,8 @@ bool OscillationWatch::is_driven(double turned_at) const noexcept {
   const bool came_back = std::abs(turned_at - turn_before_) < drift_share * std::abs(turned_at - turn_);
   // A cycle never closes quite; what a force that stays gives the hand on the way that is left shakes nobody.
   const Vec3 mean = (pushed_ + pushed_before_) / (since_turn_ + turn_took_);
-  const double given = given_ + given_before_ - mean.dot(gone_ + gone_before_);
-  return came_back && given > pattern_.gain * (way_ + way_before_);
+  const double by_mean = mean.dot(gone_ + gone_before_);
+  return came_back && given_ + given_before_ - by_mean > pattern_.gain * (way_ + way_before_);
 }
 
 bool OscillationWatch::step(const Vec3& moved, const Vec3& force, double dt) noexcept {

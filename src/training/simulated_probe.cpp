@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/random.h"
+#include "training/thresholds.h"
 
 namespace bodkin::training {
 
