@@ -6,12 +6,14 @@
 #include <utility>
 
 #include "tracking/footage_scene.h"
+#include "tracking/station_footage.h"
 #include "tracking/tool_sightings.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "anatomy/needle_path.h"
 #include "core/files.h"
 #include "haptics/device_port.h"
 #include "imaging/png_file.h"
