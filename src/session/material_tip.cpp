@@ -9,7 +9,7 @@ MaterialTip::MaterialTip(const std::optional<anatomy::Breathing>& breathing, dou
 }
 
 Vec3 MaterialTip::place_of(const simulation::TickRecord& record) {
-  const Vec3 tip = record.input.needle.translation();
+  Vec3 tip = record.input.needle.translation();
   if (!clock_) return tip;
   for (; next_ <= record.tick; ++next_) clock_->step(record.input.other.breath_held);
   return field_->material(tip, clock_->drawn_in());
