@@ -10,7 +10,7 @@ namespace bodkin::report {
 
 // An attempt within the band of experts: a row for each measure, the bar being the middle nine tenths of the experts
 // (from 5 % to 95 %) and the dot the attempt. Each row has a scale of its own, on which the bar is as long as the
-// others; a dot that is more than a bar's length beside it stands at the edge, as an arrow.
+// others; a dot that lies more than a bar's length outside it is drawn at the edge, as an arrow.
 struct ExpertRow {
   std::string title;
   double value = 0.0, low = 0.0, high = 0.0;

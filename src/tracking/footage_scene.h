@@ -24,7 +24,7 @@ struct SceneOptions {
   bool still = false;   // nothing moves
   // mm of a path that begins at scene_skin() and goes straight into the mannequin (placed_along): the needle comes
   // from 40 mm above the skin, goes along it to its end at 15 mm/s, rests there for 1.5 s, and is withdrawn; `aside`
-  // mm beside it towards the mannequin's x. 0: it goes in and out at an angle.
+  // mm by which the needle's line is shifted towards the mannequin's x. 0: it goes in and out at an angle.
   double path = 0.0, aside = 0.0;
   FootageLook look;
 };

@@ -177,7 +177,7 @@ TEST(Thresholds, each_moves_what_it_says_and_old_sessions_are_measured_with_it) 
       {"twirl_deg", 30.0, turning(40.0, 5000, true), "twirl_deg", 20, absent, 0.5},
       {"tip_in_slice_mm", 4.0, beside_slice(3.0), "tip_in_slice_percent", 0, 100},
       {"target_in_slice_mm", 7.0, beside_slice(6.0), "target_in_slice_percent", 0, 100},
-      // 9 mm beside the planned entry, the needle stands askew by 10.2 deg; 12 mm beside it by 13.5 deg.
+      // An entry 9 mm from the planned one tilts the needle by 10.2 deg, one 12 mm away by 13.5 deg.
       {"guide_deg", 8.0, guided(9.0), "guide_steps_percent", 100, 75},
       {"guide_mm", 14.0, guided(12.0), "guide_steps_percent", 75, 100}};
   const training::Procedure usual = procedure_with("");

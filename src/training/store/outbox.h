@@ -27,8 +27,8 @@ struct WaitingFor {
 // store and no other. An attempt is removed from the outbox only when the store has it, and the store keeps none
 // twice: a call that is killed in between does no harm.
 //
-// The folder has a file of attempts for each store that some have ever waited for, and beside it the store's name. A
-// store is known by its address without the password, a file by its absolute path.
+// The folder has a file of attempts for each store that some have ever waited for, and a file with the store's name.
+// A store is known by its address without the password, a file by its absolute path.
 class Outbox {
  public:
   // `place`: the store, as ResultStore takes it. `folder`: where attempts wait; made when the first one does.
