@@ -1,7 +1,7 @@
 #include <csignal>
 #include <cstdlib>
 
-#include "tests/cli/bodkin_command.h"
+#include "tests/cli/results_rig.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -18,22 +18,10 @@ using std::chrono_literals::operator""ms;
 
 // Every command that opens the store, when the store cannot be used: one sentence, the exit code of its kind, and
 // nothing in it changed. The session that was to be kept waits.
-class StoreTrouble : public PatientCommand {
+class StoreTrouble : public ResultsRig {
  protected:
-  static void SetUpTestSuite() {
-    PatientCommand::SetUpTestSuite();
-    setenv("XDG_DATA_HOME", (folder_ / "data").c_str(), 1);
-    unsetenv("BODKIN_STORE");
-    if (made_.exit_code == 0)
-      bodkin("-q run " + patient() + " --operator expert --output " + (folder_ / "session.bodkin").string());
-  }
-  static void TearDownTestSuite() {
-    unsetenv("XDG_DATA_HOME");
-    PatientCommand::TearDownTestSuite();
-  }
   void SetUp() override {
-    PatientCommand::SetUp();
-    fs::remove_all(folder_ / "data");
+    ResultsRig::SetUp();
     fs::remove(store());
   }
 

@@ -1,6 +1,6 @@
 #include <cstdlib>
 
-#include "tests/cli/bodkin_command.h"
+#include "tests/cli/results_rig.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -12,25 +12,7 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// With a data folder of its own.
-class ResultsCommand : public PatientCommand {
- protected:
-  static void SetUpTestSuite() {
-    PatientCommand::SetUpTestSuite();
-    setenv("XDG_DATA_HOME", (folder_ / "data").c_str(), 1);
-    unsetenv("BODKIN_STORE");
-    if (made_.exit_code == 0)
-      bodkin("-q run " + patient() + " --operator expert --output " + (folder_ / "session.bodkin").string());
-  }
-  static void TearDownTestSuite() {
-    unsetenv("XDG_DATA_HOME");
-    PatientCommand::TearDownTestSuite();
-  }
-  void SetUp() override {
-    PatientCommand::SetUp();
-    fs::remove_all(folder_ / "data");
-  }
-};
+class ResultsCommand : public ResultsRig {};
 
 TEST_F(ResultsCommand, keeps_a_session_once_and_lists_it) {
   const Outcome first = bodkin("-q results add session.bodkin --trainee trainee-07");
