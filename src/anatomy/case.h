@@ -129,7 +129,7 @@ struct CaseDescription {
   std::vector<Landmark> landmarks;
   Procedure procedure;
   std::optional<Breathing> breathing;  // nothing: the patient does not breathe
-  std::vector<std::string> notes;  // what was repaired or assumed when the case was made
+  std::vector<std::string> notes;      // what was repaired or assumed when the case was made
 };
 
 // A patient in memory, ready for the needle.

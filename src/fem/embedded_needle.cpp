@@ -72,7 +72,8 @@ void EmbeddedNeedle::reset() noexcept {
 // mm, LPS, that the body moves a point by itself.
 Vec3 EmbeddedNeedle::goal(std::uint32_t point) const noexcept {
   Vec3 breathed = Vec3::Zero();
-  if (breath_.field != nullptr) breathed = breath_.field->moved(body_.nodes[point], breath_.drawn_in) - breath_.of_frame;
+  if (breath_.field != nullptr)
+    breathed = breath_.field->moved(body_.nodes[point], breath_.drawn_in) - breath_.of_frame;
   if (field_.empty() || point >= body_.in_mesh.size()) return breathed;
   const anatomy::PlaceInElement& place = body_.in_mesh[point];
   Vec3 moved = Vec3::Zero();

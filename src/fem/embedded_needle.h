@@ -188,10 +188,10 @@ class EmbeddedNeedle {
   std::vector<std::uint8_t> punctured_;  // by point of the body
   std::span<const float> field_;         // of the body's own motion, as move_with() has it
   BodyBreath breath_;
-  std::vector<Vec3> carried_;            // mm, LPS, by point of the body; as far as the tissue has gone there
-  std::size_t placed_ = 0;               // nodes of the line whose carried_ is known
-  bool moves_ = false;                   // something of carried_ is not 0
-  std::size_t captured_ = 0;             // contact nodes on the shaft
+  std::vector<Vec3> carried_;  // mm, LPS, by point of the body; as far as the tissue has gone there
+  std::size_t placed_ = 0;     // nodes of the line whose carried_ is known
+  bool moves_ = false;         // something of carried_ is not 0
+  std::size_t captured_ = 0;   // contact nodes on the shaft
   bool begun_ = false, fresh_ = true;
   Vec3 entry_ = Vec3::Zero();
   Mat3 frame_ = Mat3::Identity();  // columns: along the line, across, across

@@ -8,8 +8,8 @@
 namespace bodkin::simulation {
 
 // An operator's hand in the patient: the operator means, the hand moves, the tick finds the force, the hand feels it
-// one tick later. A patient who breathes is asked to hold the breath all the time. Equal cases, scripts, paths and seeds give equal bits. step() allocates nothing and locks nothing;
-// the patient must outlive the loop.
+// one tick later. A patient who breathes is asked to hold the breath all the time. Equal cases, scripts, paths and
+// seeds give equal bits. step() allocates nothing and locks nothing; the patient must outlive the loop.
 class ClosedLoop {
  public:
   // Throws InputError for a script, a path or a patient that cannot be used.

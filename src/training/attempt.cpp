@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 
+#include "session/material_tip.h"
 #include <fmt/format.h>
 
 #include "core/error.h"
 #include "core/geometry.h"
 #include "io/case_xml.h"
 #include "io/xml_document.h"
-#include "session/material_tip.h"
 
 namespace bodkin::training {
 
@@ -26,7 +26,8 @@ Attempt::Attempt(const session::Session& session, const anatomy::CaseDescription
     : session_(session), description_(description), thresholds_(thresholds) {
   if (session.ticks.empty()) throw InputError("the session holds no tick, so that there is nothing to judge");
   const std::size_t count = session.ticks.size();
-  time.reserve(count), hand.reserve(count), tip.reserve(count), axis.reserve(count), depth.reserve(count), resistance.reserve(count);
+  time.reserve(count), hand.reserve(count), tip.reserve(count), axis.reserve(count), depth.reserve(count),
+      resistance.reserve(count);
   force.reserve(count), tissue.reserve(count), inside.reserve(count);
   const std::uint64_t first = session.ticks.front().tick;
   session::MaterialTip material(description.breathing, dt());

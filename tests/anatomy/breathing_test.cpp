@@ -101,7 +101,8 @@ TEST(Breathing, tissue_does_not_fold) {
     Mat3 gradient;
     for (int axis = 0; axis < 3; ++axis) {
       const Vec3 off = step * Vec3::Unit(axis);
-      gradient.col(axis) = Vec3::Unit(axis) + (field.moved(at + off, 1.0) - field.moved(at - off, 1.0)) / (2.0 * step);
+      gradient.col(axis) =
+          Vec3::Unit(axis) + (field.moved(at + off, 1.0) - field.moved(at - off, 1.0)) / (2.0 * step);
     }
     least = std::min(least, gradient.determinant());
   }

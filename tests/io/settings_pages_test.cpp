@@ -154,8 +154,8 @@ TEST(SettingsPages, tables_of_settings_are_those_of_the_code) {
     EXPECT_TRUE(write || wanted == page)
         << entry.path() << " does not say what the code says; run the test with BODKIN_WRITE_PAGES=1";
   }
-  for (const char* name : {"resistance", "constraint", "parts", "compensation", "needle", "device", "breathing", "tissue", "probe",
-                           "tracking_wall", "rail"})
+  for (const char* name : {"resistance", "constraint", "parts", "compensation", "needle", "device", "breathing",
+                           "tissue", "probe", "tracking_wall", "rail"})
     EXPECT_TRUE(used.contains(name)) << name << " is on no page";
 }
 
