@@ -1,16 +1,34 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "anatomy/breathing.h"
 #include "core/geometry.h"
 #include "core/latest_value.h"
+#include "core/single_producer_ring.h"
 
 namespace bodkin::fem {
 
-// How a body moves by itself, a probe pressing it for example, from the thread that moves it to the needle's tick:
-// mm, 3 per node of its mesh; of zero length while it stands still.
-using BodyMotion = LatestValue<std::vector<float>>;
+// Where a body has moved by itself, a probe pressing it for example.
+struct BodyField {
+  std::uint64_t step = 0;    // of the body, after which it lay so; 0: at rest, before the first
+  std::vector<float> moved;  // mm, 3 per node of its mesh; of zero length while it stands still
+};
+
+// From the thread that moves the body to the needle's tick.
+using BodyMotion = LatestValue<BodyField>;
+
+// What determines a step of a body, given those before it, and what came of it.
+struct BodyStep {
+  std::uint64_t step = 0;     // from 1 on, without a gap
+  std::optional<Pose> probe;  // that pressed the body; none: none
+  std::uint64_t digest = 0;   // of BodyField::moved
+};
+
+// From the thread that moves the body to whoever records it.
+using BodySteps = SingleProducerRing<BodyStep>;
 
 // How a body moves as its patient breathes, in a frame that moves along.
 struct BodyBreath {

@@ -33,6 +33,19 @@ void Recorder::take_samples() {
   while (second_->samples.pop(sample)) writer_.append(sample);
 }
 
+void Recorder::follow(std::shared_ptr<BodyLog> body) {
+  const std::lock_guard guard(lock_);
+  followed_ = std::move(body);
+}
+
+void Recorder::take_body() {
+  if (!body_) return;
+  BodyTaken taken;
+  while (body_->taken.pop(taken)) writer_.append(taken);
+  fem::BodyStep step;
+  while (body_->steps->pop(step)) writer_.append(step);
+}
+
 void Recorder::note(NumberChange change) {
   const std::lock_guard guard(lock_);
   notes_.changes.push_back(std::move(change));
@@ -53,6 +66,7 @@ void Recorder::take_notes() {
   {
     const std::lock_guard guard(lock_);
     std::swap(notes, notes_);
+    if (followed_) body_ = std::move(followed_);
   }
   for (const NumberChange& change : notes.changes) writer_.append(change);
   for (const ScanSample& sample : notes.scans) writer_.append(sample);
@@ -64,13 +78,16 @@ void Recorder::work() {
     simulation::TickRecord record;
     auto saved = std::chrono::steady_clock::now();
     for (bool last = false; !last;) {
+      take_notes();
       // Asked before the ring is emptied: whatever was pushed before the request is still taken.
       last = stopping_.load(std::memory_order_acquire);
       while (ring_.pop(record)) {
+        take_body();  // before the chunk of the tick is saved that met it
         writer_.append(record);
         if (observer_) observer_(record);
       }
       take_samples();
+      take_body();
       take_notes();
       const auto now = std::chrono::steady_clock::now();
       if (now - saved >= save_interval) {

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "session/body_log.h"
 #include "session/second_link.h"
 #include "session/session_file.h"
 
@@ -36,6 +37,8 @@ class Recorder {
 
   // Servo thread only; wait-free. A record that finds the ring full is lost and counted.
   void push(const simulation::TickRecord& record) noexcept;
+  // Before the first push(): a body moves by itself, of which this is saved too.
+  void follow(std::shared_ptr<BodyLog> body);
   // Any thread; waits for a copy at most. Saved with the ticks.
   void note(NumberChange change);
   void note(const ScanSample& sample);
@@ -51,6 +54,7 @@ class Recorder {
  private:
   void work();
   void take_samples();
+  void take_body();
   void take_notes();
   void stop();
 
@@ -65,7 +69,9 @@ class Recorder {
   Observer observer_;
   SingleProducerRing<simulation::TickRecord> ring_;
   std::shared_ptr<SecondLink> second_;
-  std::mutex lock_;  // guards `notes_`
+  std::mutex lock_;  // guards `notes_` and `followed_`
+  std::shared_ptr<BodyLog> followed_;
+  std::shared_ptr<BodyLog> body_;  // of the recorder's thread; may be null
   Notes notes_;
   std::uint64_t lost_ = 0;
   std::atomic<bool> stopping_{false};

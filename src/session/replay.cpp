@@ -10,6 +10,7 @@
 
 #include "patient/prepared_body.h"
 #include "session/case_digest.h"
+#include "session/moved_body.h"
 #include "session/session_run.h"
 #include "session/session_schema.h"
 #include "session/tick_codec.h"
@@ -55,9 +56,11 @@ std::vector<std::uint8_t> events_bytes(std::span<const forces::Event> events) {
 
 // Until version 2 the force models told themselves when resistance was lost, some of them never and each by a rule of
 // its own; the simulation's rule (simulation/loss_of_resistance.h) says something else about the same forces.
-// Whether a tracked hand is seen the tick does not know.
+// Whether a tracked hand is seen the tick does not know, nor that a body on another thread has failed.
 bool is_compared(const forces::Event& event, const Session& session) {
-  if (event.kind == forces::EventKind::hand_lost || event.kind == forces::EventKind::hand_seen) return false;
+  if (event.kind == forces::EventKind::hand_lost || event.kind == forces::EventKind::hand_seen ||
+      event.kind == forces::EventKind::moving_body_failed)
+    return false;
   return session.version >= 3 || event.kind != forces::EventKind::loss_of_resistance;
 }
 
@@ -200,15 +203,8 @@ void check_recomputable(const Session& session) {
           "versions of Bodkin prepared; 'bodkin report' and 'bodkin export' show what was felt",
           static_cast<double>(event.tick) * session.header.dt));
     }
-    if (event.event.kind != forces::EventKind::corridor_refreshed &&
-        event.event.kind != forces::EventKind::moving_body_failed)
-      continue;
-    throw InputError(fmt::format(
-        "the session cannot be recomputed: at {:.3f} s its needle met a body that moved on a thread of its "
-        "own (--body moving), of which only what was felt is kept; 'bodkin report' and 'bodkin export' "
-        "show that",
-        static_cast<double>(event.tick) * session.header.dt));
   }
+  check_moved_body(session);
 }
 
 ReplayResult replay_session(const Session& session, anatomy::Case patient, const Progress& progress,
@@ -228,6 +224,7 @@ ReplayResult replay_session(const Session& session, anatomy::Case patient, const
   std::vector<std::uint8_t> was, is, all_events;
   std::uint64_t chain = 0;
   PointsTaken points(session, patient, body, haptics.body());
+  MovedBody moved(session, body, haptics.body());
   const std::span<const forces::DiagnosticName> published = haptics.diagnostic_names();
   const auto names = has_same_diagnostics(session.header, published) ? published : published.first(0);
   auto event = session.events.begin();
@@ -241,6 +238,8 @@ ReplayResult replay_session(const Session& session, anatomy::Case patient, const
     for (; event != session.events.end() && event->tick == recorded.tick; ++event)
       if (is_compared(event->event, session)) recorded_events.push_back(event->event);
     points.prepare_for(recorded_events);
+    moved.prepare_for(recorded.tick);
+    if (result.body_difference.empty()) result.body_difference = moved.difference();
     simulation::TickRecord recomputed{recorded.tick, recorded.input, numbers.step(recorded)};
     was.clear();
     is.clear();

@@ -29,17 +29,17 @@ struct ReplayResult {
   std::string body_difference;
 };
 
-// Throws InputError for a session whose needle was in a body that a probe pressed on a thread of its own: what that
-// thread came to by then is not kept. Only ticks in the body at rest can be recomputed.
+// Throws InputError for a session that lacks what its recomputation needs: in which corridor of nodes the needle was,
+// as older versions prepared them, or how the body moved that a probe pressed.
 void check_recomputable(const Session& session);
 
 // Feeds the recorded needle poses to a new haptic tick on `patient`, with the force models that the session used
 // instead of the case's, and compares every number, flag and event with the recording, bit by bit (of sessions of
 // format version 2 not the losses of resistance, which followed another rule). Stops at the first
-// difference. `body`: what the patient's deformable body was made of, from which the corridors are prepared that the
-// session took in addition; may be null for a session that took none. Throws InputError when the session cannot be
-// replayed: it holds no ticks, ticks are missing, its tick is not that of its force models, a corridor that it took
-// cannot be prepared, or check_recomputable() refuses it.
+// difference. `body`: what the patient's deformable body was made of, for contact points beside the planned line and
+// for a body that moved by itself; may be null for a session without either. Throws InputError when the session
+// cannot be replayed: it holds no ticks, ticks are missing, its tick is not that of its force models, `body` is
+// missing, or check_recomputable() refuses it.
 ReplayResult replay_session(const Session& session, anatomy::Case patient, const Progress& progress = {},
                             const fem::BodyDescription* body = nullptr);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "session/body_table.h"
 #include "session/change_table.h"
 #include "session/scan_table.h"
 #include "session/session_schema.h"
@@ -136,6 +137,7 @@ struct SessionWriter::Impl {
   std::unique_ptr<SQLite::Statement> insert_event;
   std::unique_ptr<SQLite::Statement> insert_sample;
   std::unique_ptr<ScanTables> scans;  // null: there is no ultrasound machine
+  std::unique_ptr<BodyTables> body;   // null: it did not move by itself
   std::uint32_t chunk_ticks;          // ticks of a full chunk
   std::uint64_t first_tick = 0;       // of the chunk being filled
   std::uint64_t total_ticks = 0;      // written or waiting
@@ -192,6 +194,7 @@ SessionWriter::Impl::Impl(const fs::path& path, const SessionHeader& header)
   insert_sample = std::make_unique<SQLite::Statement>(
       database, "INSERT INTO second_hand VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   if (header.ultrasound) scans = std::make_unique<ScanTables>(database);
+  if (!header.moving_body.empty()) body = std::make_unique<BodyTables>(database);
   pressure_is_kept = header.second && header.second->role == SecondRole::plunger;
   data.reserve(chunk_ticks * encoded_tick_size() + 1024);
 }
@@ -221,11 +224,13 @@ void SessionWriter::Impl::put_timings(const SessionTimings& timings) {
 
 void SessionWriter::Impl::flush() {
   const bool has_scans = scans != nullptr && !scans->empty();
-  if (ticks == 0 && samples.empty() && !has_scans) return;
+  const bool has_body = body != nullptr && !body->empty();
+  if (ticks == 0 && samples.empty() && !has_scans && !has_body) return;
   SQLite::Transaction transaction(database);
   if (ticks > 0) put_chunk();
   put_samples();
   if (has_scans) scans->put();
+  if (has_body) body->put();
   transaction.commit();
   total_samples += samples.size();
   samples.clear();
@@ -348,6 +353,14 @@ void SessionWriter::append(const ScannedPart& part) {
   if (impl_->scans != nullptr) impl_->scans->add(part);
 }
 
+void SessionWriter::append(const fem::BodyStep& step) {
+  if (impl_->body != nullptr) impl_->body->add(step);
+}
+
+void SessionWriter::append(const BodyTaken& taken) {
+  if (impl_->body != nullptr) impl_->body->add(taken);
+}
+
 void SessionWriter::append(const NumberChange& change) {
   commit();
   try {
@@ -375,6 +388,7 @@ void SessionWriter::finish(const std::optional<SessionTimings>& timings) {
       impl_->put_header("scan_samples", fmt::format("{}", impl_->scans->samples()));
       impl_->scans->close();
     }
+    if (impl_->body != nullptr) impl_->body->close();
     impl_->insert_chunk.reset();
     impl_->insert_diagnostics.reset();
     impl_->insert_event.reset();

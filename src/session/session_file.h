@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "session/body_log.h"
 #include "session/number_change.h"
 #include "session/scan_sample.h"
 #include "session/second_sample.h"
@@ -76,6 +77,9 @@ class SessionWriter {
   // Of the ultrasound machine, which the header names; times rise strictly.
   void append(const ScanSample& sample);
   void append(const ScannedPart& part);
+  // Of a body that moves by itself, which the header names; in their order.
+  void append(const fem::BodyStep& step);
+  void append(const BodyTaken& taken);
   // Ticks of changes rise strictly. Writes at once what was appended.
   void append(const NumberChange& change);
   // Makes everything appended so far safe on disk.
@@ -99,6 +103,8 @@ struct Session {
   std::vector<SecondSample> second;       // of the second hand
   std::vector<ScanSample> scans;          // of the ultrasound machine: each holds until the next one
   std::vector<ScannedPart> scanned;       // what its picture showed, in the order of their times
+  std::vector<fem::BodyStep> body_steps;  // of a body that moved by itself; a step may be missing
+  std::vector<BodyTaken> body_taken;      // which of them the needle met
   std::vector<NumberChange> changes;      // of the force models' numbers while it ran
   std::optional<SessionTimings> timings;  // of a finished session that ran on the clock
   bool finished = false;                  // false: the recording process died; what is here is what was saved

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "session/body_table.h"
 #include "session/change_table.h"
 #include "session/scan_table.h"
 #include "session/second_table.h"
@@ -145,6 +146,7 @@ void Reader::check_schema(SQLite::Database& database) const {
   }
   const std::string changes = session_schema::changes.name;
   expected[changes] = session_schema::changes.sql;
+  for (const auto& table : session_schema::moving_body) expected[table.name] = table.sql;
   SQLite::Statement query(database, "SELECT type, name, sql FROM sqlite_schema");
   while (query.executeStep()) {
     const std::string type = query.getColumn(0).getString();
@@ -156,6 +158,7 @@ void Reader::check_schema(SQLite::Database& database) const {
     expected.erase(found);
   }
   expected.erase(changes);  // a session without changes has none
+  for (const auto& table : session_schema::moving_body) expected.erase(table.name);
   if (!expected.empty()) fail(fmt::format("the table '{}' is missing", expected.begin()->first));
 }
 
@@ -391,6 +394,8 @@ Session Reader::read() {
     if (version_ >= session_schema::with_diagnostics) read_diagnostics(database, session);
     read_hands(database, session);
     session.changes = read_changes(database, file_.string());
+    session.body_steps = read_body_steps(database, file_.string());
+    session.body_taken = read_body_taken(database, file_.string());
     read_timings(database, session);
   } catch (const SQLite::Exception& error) {
     fail(fmt::format("the file is damaged ({})", error.what()));

@@ -59,6 +59,16 @@ inline constexpr Table changes = {
     "CREATE TABLE changes(tick INTEGER PRIMARY KEY, from_tick INTEGER NOT NULL, haptics TEXT NOT NULL, tissues TEXT "
     "NOT NULL, checksum INTEGER NOT NULL)"};
 
+// Only in a session whose body moved by itself.
+inline constexpr std::array<Table, 2> moving_body = {{
+    {"body_steps",
+     "CREATE TABLE body_steps(step INTEGER PRIMARY KEY, probe BLOB, digest INTEGER NOT NULL, checksum INTEGER NOT "
+     "NULL)"},
+    {"body_taken",
+     "CREATE TABLE body_taken(number INTEGER PRIMARY KEY, tick INTEGER NOT NULL, step INTEGER NOT NULL, checksum "
+     "INTEGER NOT NULL)"},
+}};
+
 inline constexpr std::uint32_t most_changes = 10'000;
 inline constexpr std::uint32_t most_ticks_of_a_chunk = 4096;
 inline constexpr std::uint64_t most_second_samples = 1'000'000;  // almost three hours; of a second hand or a probe

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "anatomy/breathing.h"
@@ -45,6 +46,8 @@ class BodyPort {
     static_cast<void>(drawn_in);
     static_cast<void>(of_tip);
   }
+  // Step of the body (BodyField::step) whose motion the needle has met last; 0 before the first.
+  virtual std::uint64_t motion_taken() const noexcept { return 0; }
   // Of a recording, before the tick that has this event (EventKind::points_taken): its value.
   virtual void take_points(double recorded) noexcept { static_cast<void>(recorded); }
   // The needle's forces on the body in the last tick, by node of its mesh; none without contact.

@@ -140,7 +140,12 @@ void NeedleInBody::take_known_points(const forces::NeedleInTissue& needle, force
 }
 
 void NeedleInBody::take_motion(const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept {
-  const auto of_mesh = motion_ == nullptr ? std::span<const float>() : std::span<const float>(motion_->read());
+  std::span<const float> of_mesh;
+  if (motion_ != nullptr) {
+    const fem::BodyField& newest = motion_->read();
+    motion_taken_ = newest.step;
+    of_mesh = newest.moved;
+  }
   const bool moves = model().move_with(of_mesh, breath_);
   if (!moves || motion_ == nullptr || std::exchange(told_motion_, true)) return;
   events.push({forces::EventKind::corridor_refreshed, needle.tissue, needle.motion.depth, 1.0});

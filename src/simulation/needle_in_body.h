@@ -36,6 +36,7 @@ class NeedleInBody final : public BodyPort {
 
   std::shared_ptr<fem::ContactLine> stream_points(bool as_recorded) override;
   bool move_with(const std::shared_ptr<fem::BodyMotion>& motion) override;
+  std::uint64_t motion_taken() const noexcept override { return motion_taken_; }
   void approach(const Vec3& tip, const Vec3& axis) noexcept override;
   void breathe(const anatomy::BreathField& field, double drawn_in, const Vec3& of_tip) noexcept override {
     breath_ = {&field, drawn_in, of_tip};
@@ -80,6 +81,7 @@ class NeedleInBody final : public BodyPort {
   std::unique_ptr<DeformableShaft> own_;    // in its points
   bool on_own_line_ = false;
   std::shared_ptr<fem::BodyMotion> motion_;  // null: the body moves by the needle alone
+  std::uint64_t motion_taken_ = 0;           // step of the body
   fem::BodyBreath breath_;
   bool as_recorded_ = false;
   std::optional<double> recorded_;            // of the next tick

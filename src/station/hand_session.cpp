@@ -65,7 +65,7 @@ struct HandSession::Shared {
     tick_in_tissue = record.output.depth > 0.0;
     const Vec3 ahead = body == nullptr ? Vec3(Vec3::Zero()) : body->needle_ahead();
     publish_forces(record.input.needle, ahead, record.output.drawn_in);
-    if (moving) keep_moving(record.output);
+    if (moving) keep_moving(record);
     note_sight((input.buttons & BODKIN_BUTTON_UNSEEN) != 0, record.output);
     if (!closed.load(std::memory_order_acquire)) recorder.push(record);
     // After the tick itself, so that a recorded sample of the second hand has its tick before it.
@@ -101,8 +101,14 @@ struct HandSession::Shared {
     if (scan) scan->set_needle(forces, needle, drawn_in);
   }
 
-  void keep_moving(simulation::TickOutput& output) noexcept {
+  void keep_moving(simulation::TickRecord& record) noexcept {
+    simulation::TickOutput& output = record.output;
     moving->set_time(static_cast<double>(ticks) * tick.dt());
+    const std::uint64_t step = body == nullptr ? 0 : body->motion_taken();
+    if (step != body_taken.step) {
+      body_taken = {body_taken.step == 0 ? 0 : body_taken.number + 1, record.tick, step};
+      body_log->taken.push(body_taken);
+    }
     if (!moving->failed() || std::exchange(moving_failed, true)) return;
     output.events.push({forces::EventKind::moving_body_failed, output.tissue, output.depth, 0.0});
   }
@@ -129,6 +135,8 @@ struct HandSession::Shared {
   std::shared_ptr<simulation::DisplayThread> display;  // may be null
   std::shared_ptr<ScanThread> scan;                    // may be null
   std::shared_ptr<fem::BodyThread> moving;             // may be null
+  std::shared_ptr<session::BodyLog> body_log;          // with `moving`
+  session::BodyTaken body_taken;                       // the newest; of step 0: none
   bool moving_failed = false;
   std::optional<AxialNeedle> axial;  // empty: the device renders force
   bool tick_in_tissue = false;       // after the tick before
@@ -170,6 +178,9 @@ void HandSession::guide_along_axis() {
 
 void HandSession::move_with(std::shared_ptr<fem::BodyThread> body) {
   if (shared_->body != nullptr) shared_->body->move_with(body->motion());
+  shared_->body_log = std::make_shared<session::BodyLog>();
+  shared_->body_log->steps = body->steps();
+  shared_->recorder.follow(shared_->body_log);
   shared_->moving = std::move(body);
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "patient/prepared_body.h"
+#include "session/moved_body.h"
 #include "station/body_glide.h"
 #include "station/body_supervisor.h"
 #include "station/device_choice.h"
@@ -46,6 +47,7 @@ struct Station::Parts {
   Parts(StationOptions from, StationObserver& watching);
 
   void prepare_patient();
+  fem::BodySolverSettings moving_settings() const;
   void follow_points(const std::vector<Vec3>& points);
   haptics::DevicePort open_device();
   void open_second(const haptics::DeviceAbilities& first);
@@ -104,10 +106,14 @@ void Station::Parts::prepare_patient() {
   if (!options.moving_body) return;
   const std::string warning = slow_motion_warning(body->mesh.nodes.size());
   if (!warning.empty()) observer.note(warning);
+  moving = std::make_shared<fem::BodyThread>(*body, moving_settings());
+}
+
+fem::BodySolverSettings Station::Parts::moving_settings() const {
   fem::BodySolverSettings settings;
   settings.motion.dt = body_step_time;
   settings.probe = *options.moving_body;
-  moving = std::make_shared<fem::BodyThread>(*body, settings);
+  return settings;
 }
 
 // Precomputes what moves the points that the observer wants to see, and the ultrasound.
@@ -171,7 +177,7 @@ session::SessionHeader Station::Parts::header() const {
   header.device = patient->description.device;
   if (second_device) header.second = second_device->header();
   if (options.ultrasound) header.ultrasound = options.ultrasound->probe;
-  if (moving != nullptr) header.moving_body = moving_body_record(*options.moving_body, body->mesh.nodes.size());
+  if (moving != nullptr) header.moving_body = session::moving_body_text(moving_settings(), body->mesh.nodes.size());
   return header;
 }
 

@@ -6,7 +6,6 @@
 #include "station/probe_contact.h"
 #include "station/recorded_hand.h"
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "core/error.h"
 
@@ -52,12 +51,6 @@ Pose first_probe(const UltrasoundChoice& choice, const anatomy::Case& patient) {
   } catch (const InputError& refused) {
     throw InputError(fmt::format("--ultrasound: {}", refused.what()));
   }
-}
-
-std::string moving_body_record(const fem::ProbeFace& face, std::size_t nodes) {
-  return nlohmann::ordered_json{
-      {"nodes", nodes}, {"width_mm", face.width}, {"thickness_mm", face.thickness}, {"radius_mm", face.radius}}
-      .dump();
 }
 
 std::string what_is_left(const haptics::StableStiffness& stiffness) {

@@ -17,9 +17,6 @@ anatomy::NeedlePath path_of(const StationOptions& options);
 // Throws InputError for a moving body without a probe or without the resistance that feels it.
 void check_moving_body(const StationOptions& options);
 
-// What a session keeps of its moving body, JSON.
-std::string moving_body_record(const fem::ProbeFace& face, std::size_t nodes);
-
 // Of the device that is held; with a recording, of the device that was held then.
 anatomy::DeviceLimits limits_with(const DeviceChoice& choice, const haptics::DeviceAbilities& device,
                                   const anatomy::DeviceLimits& of_case);

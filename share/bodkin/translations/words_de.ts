@@ -7032,8 +7032,20 @@
         <translation>die Sitzung kann nicht nachgerechnet werden: bei %1 s nahm ihre Nadel einen anderen Korridor von Netzknoten, den ältere Versionen von Bodkin vorbereiteten; „bodkin report“ und „bodkin export“ zeigen, was gespürt wurde</translation>
     </message>
     <message>
-        <source>the session cannot be recomputed: at %1 s its needle met a body that moved on a thread of its own (--body moving), of which only what was felt is kept; 'bodkin report' and 'bodkin export' show that</source>
-        <translation>die Sitzung kann nicht nachgerechnet werden: bei %1 s traf ihre Nadel einen Körper, der sich in einem eigenen Faden bewegte (--body moving), von dem nur behalten ist, was gespürt wurde; „bodkin report“ und „bodkin export“ zeigen es</translation>
+        <source>the session cannot be recomputed: at %1 s its needle met a body that moved by itself (--body moving), of which not every step was kept; 'bodkin report' and 'bodkin export' show what was felt</source>
+        <translation>die Sitzung kann nicht nachgerechnet werden: bei %1 s traf ihre Nadel einen Körper, der sich von selbst bewegte (--body moving) und von dem nicht jeder Schritt behalten ist; „bodkin report“ und „bodkin export“ zeigen, was gespürt wurde</translation>
+    </message>
+    <message>
+        <source>the session's moving_body is '%1', expected JSON with width_mm, thickness_mm, radius_mm, reach_mm and step_s; record it again</source>
+        <translation>moving_body der Sitzung ist „%1“, erwartet wird JSON mit width_mm, thickness_mm, radius_mm, reach_mm und step_s; zeichnen Sie sie neu auf</translation>
+    </message>
+    <message>
+        <source>the session's needle met a body that moved by itself, but there is no deformable body here; replay it with its own case</source>
+        <translation>die Nadel der Sitzung traf einen Körper, der sich von selbst bewegte, aber hier ist kein verformbarer Körper; rechnen Sie sie mit ihrem eigenen Fall nach</translation>
+    </message>
+    <message>
+        <source>the session's needle met a body that moved by itself, which its resistance does not feel here; record it again</source>
+        <translation>die Nadel der Sitzung traf einen Körper, der sich von selbst bewegte, was ihr Widerstand hier nicht spürt; zeichnen Sie sie neu auf</translation>
     </message>
     <message>
         <source>the session holds no ticks, there is nothing to replay</source>

@@ -2,12 +2,15 @@
 
 #include <chrono>
 
+#include "fem/solid/body_digests.h"
+
 namespace bodkin::fem {
 
 namespace {
 
 constexpr double default_step_time = 1.0 / 60.0;  // s, of a static body (dt = 0)
 constexpr std::chrono::milliseconds time_poll{1};
+constexpr std::size_t kept_steps = 4096;  // a minute for whoever records them
 
 BodySnapshot empty_snapshot(std::size_t nodes) {
   BodySnapshot snapshot;
@@ -22,7 +25,9 @@ BodyThread::BodyThread(const BodyDescription& body, const BodySolverSettings& se
       step_time_(settings.motion.dt > 0.0 ? settings.motion.dt : default_step_time),
       next_(empty_snapshot(body.mesh.nodes.size())),
       snapshots_(next_),
-      motion_(std::make_shared<BodyMotion>(next_.displacements)),
+      field_{0, next_.displacements},
+      motion_(std::make_shared<BodyMotion>(field_)),
+      steps_(std::make_shared<BodySteps>(kept_steps)),
       thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
 void BodyThread::run(const std::stop_token& stop) noexcept {
@@ -36,12 +41,12 @@ void BodyThread::run(const std::stop_token& stop) noexcept {
     }
     done = now - done < 2.0 * step_time_ ? done + step_time_ : now;
     make_step();
-    publish_snapshot();
+    publish();
   }
 }
 
 void BodyThread::make_step() noexcept {
-  const std::optional<Pose>& probe = probe_.read();
+  const std::optional<Pose>& probe = probe_of_step_ = probe_.read();
   const bool fault = solver_.step(probe).fault;
   ++next_.steps;
   ProbeReading reading;
@@ -57,19 +62,17 @@ void BodyThread::make_step() noexcept {
   failed_.store(true, std::memory_order_release);
 }
 
-void BodyThread::publish_snapshot() noexcept {
-  const CorotationalBody& body = solver_.body();
-  for (std::uint32_t node = 0; node < body.nodes(); ++node) {
-    const Vec3 moved = body.position(node) - body.at_rest(node);
-    for (std::size_t i = 0; i < 3; ++i)
-      next_.displacements[3 * node + i] = static_cast<float>(moved[static_cast<Eigen::Index>(i)]);
-  }
+void BodyThread::publish() noexcept {
+  read_displacements(solver_.body(), next_.displacements);
   snapshots_.write(next_);
-  if (!failed_.load(std::memory_order_relaxed)) {
-    motion_->write(next_.displacements);
+  field_.step = next_.steps;
+  if (failed_.load(std::memory_order_relaxed)) {
+    field_.moved.clear();
   } else {
-    motion_->write({});
+    field_.moved = next_.displacements;
   }
+  steps_->push({field_.step, probe_of_step_, digest_of(field_.moved)});
+  motion_->write(field_);
 }
 
 }  // namespace bodkin::fem

@@ -47,6 +47,8 @@ class BodyThread {
   void move_probe(const std::optional<Pose>& probe) noexcept { probe_.write(probe); }
   // How the body moves, for the needle in it (BodyPort::move_with); of zero length once it has failed.
   const std::shared_ptr<BodyMotion>& motion() const noexcept { return motion_; }
+  // Every step, for the recorder's thread, each before its motion; those that find the ring full are left out.
+  const std::shared_ptr<BodySteps>& steps() const noexcept { return steps_; }
   // Observer's thread: the newest snapshot, unchanged until the next call.
   const BodySnapshot& snapshot() noexcept { return snapshots_.read(); }
   // Probe's thread: the newest reading, unchanged until the next call.
@@ -57,7 +59,7 @@ class BodyThread {
  private:
   void run(const std::stop_token& stop) noexcept;
   void make_step() noexcept;
-  void publish_snapshot() noexcept;
+  void publish() noexcept;
 
   DeformableBodySolver solver_;
   double step_time_;  // s
@@ -66,7 +68,10 @@ class BodyThread {
   BodySnapshot next_;  // of the body's thread
   LatestValue<BodySnapshot> snapshots_;
   LatestValue<ProbeReading> readings_;
+  BodyField field_;                    // of the body's thread
+  std::optional<Pose> probe_of_step_;  // of the body's thread
   std::shared_ptr<BodyMotion> motion_;
+  std::shared_ptr<BodySteps> steps_;
   std::atomic<bool> failed_{false};
   std::jthread thread_;  // the last member: it uses the others
 };

@@ -16,4 +16,12 @@ const CorotationalStep& DeformableBodySolver::step(const std::optional<Pose>& pr
   return step;
 }
 
+void read_displacements(const CorotationalBody& body, std::span<float> displacements) noexcept {
+  for (std::uint32_t node = 0; node < body.nodes(); ++node) {
+    const Vec3 moved = body.position(node) - body.at_rest(node);
+    for (std::size_t i = 0; i < 3; ++i)
+      displacements[3 * node + i] = static_cast<float>(moved[static_cast<Eigen::Index>(i)]);
+  }
+}
+
 }  // namespace bodkin::fem

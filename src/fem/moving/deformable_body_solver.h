@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "fem/moving/corotational_body.h"
 #include "fem/moving/probe_press.h"
@@ -30,5 +31,9 @@ class DeformableBodySolver {
   CorotationalBody moving_;
   ProbePress press_;
 };
+
+// Writes by how much the nodes lie from their places at rest, mm, x y z in turn, into as many numbers as the body
+// has.
+void read_displacements(const CorotationalBody& body, std::span<float> displacements) noexcept;
 
 }  // namespace bodkin::fem

@@ -24,4 +24,8 @@ std::uint64_t digest_of(const anatomy::CondensedBody& body) noexcept {
   return chained(chain, body.compliance.data(), static_cast<std::size_t>(body.compliance.size()));
 }
 
+std::uint64_t digest_of(std::span<const float> moved) noexcept {
+  return chained(0, moved.data(), moved.size());
+}
+
 }  // namespace bodkin::fem

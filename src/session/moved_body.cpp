@@ -1,0 +1,105 @@
+#include "session/moved_body.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "fem/solid/body_digests.h"
+
+namespace bodkin::session {
+
+std::string moving_body_text(const fem::BodySolverSettings& settings, std::size_t nodes) {
+  const fem::ProbeFace& face = settings.probe;
+  return nlohmann::ordered_json{
+      {"nodes", nodes},           {"width_mm", face.width}, {"thickness_mm", face.thickness},
+      {"radius_mm", face.radius}, {"reach_mm", face.reach}, {"step_s", settings.motion.dt}}
+      .dump();
+}
+
+fem::BodySolverSettings moving_body_settings(const std::string& text) {
+  fem::BodySolverSettings settings;
+  try {
+    const nlohmann::json json = nlohmann::json::parse(text);
+    json.at("width_mm").get_to(settings.probe.width);
+    json.at("thickness_mm").get_to(settings.probe.thickness);
+    json.at("radius_mm").get_to(settings.probe.radius);
+    json.at("reach_mm").get_to(settings.probe.reach);
+    json.at("step_s").get_to(settings.motion.dt);
+  } catch (const nlohmann::json::exception&) {
+    throw InputError(
+        fmt::format("the session's moving_body is '{}', expected JSON with width_mm, thickness_mm, radius_mm, "
+                    "reach_mm and step_s; "
+                    "record it again",
+                    text));
+  }
+  return settings;
+}
+
+void check_moved_body(const Session& session) {
+  const auto moved = [](const SessionEvent& event) {
+    return event.event.kind == forces::EventKind::corridor_refreshed ||
+           event.event.kind == forces::EventKind::moving_body_failed;
+  };
+  const auto first = std::find_if(session.events.begin(), session.events.end(), moved);
+  if (session.body_taken.empty() && first == session.events.end()) return;
+  const std::vector<BodyTaken>& taken = session.body_taken;
+  bool whole = !taken.empty() && taken.back().step <= session.body_steps.size();
+  for (std::size_t i = 0; whole && i < taken.size(); ++i) whole = taken[i].number == i;
+  for (std::size_t i = 0; whole && i < taken.back().step; ++i) whole = session.body_steps[i].step == i + 1;
+  if (whole) return;
+  const std::uint64_t tick = first != session.events.end() ? first->tick : taken.front().tick;
+  throw InputError(fmt::format(
+      "the session cannot be recomputed: at {:.3f} s its needle met a body that moved by itself (--body moving), of "
+      "which not every step was kept; 'bodkin report' and 'bodkin export' show what was felt",
+      static_cast<double>(tick) * session.header.dt));
+}
+
+MovedBody::MovedBody(const Session& session, const fem::BodyDescription* body, simulation::BodyPort* port)
+    : session_(session), next_(session.body_taken.begin()) {
+  check_moved_body(session);
+  if (session.body_taken.empty()) return;
+  if (body == nullptr || port == nullptr) {
+    throw InputError(
+        "the session's needle met a body that moved by itself, but there is no deformable body here; replay it with "
+        "its own case");
+  }
+  solver_ = std::make_unique<fem::DeformableBodySolver>(*body, moving_body_settings(session.header.moving_body));
+  field_.moved.assign(3 * solver_->body().nodes(), 0.0F);
+  motion_ = std::make_shared<fem::BodyMotion>(field_);
+  if (!port->move_with(motion_)) {
+    throw InputError(
+        "the session's needle met a body that moved by itself, which its resistance does not feel here; record it "
+        "again");
+  }
+}
+
+void MovedBody::step() noexcept {
+  const fem::BodyStep& recorded = session_.body_steps[field_.step];
+  failed_ = solver_->step(recorded.probe).fault || failed_;
+  if (failed_) {
+    field_.moved.clear();
+  } else {
+    fem::read_displacements(solver_->body(), field_.moved);
+  }
+  ++field_.step;
+  if (different_ == 0 && fem::digest_of(field_.moved) != recorded.digest) different_ = field_.step;
+}
+
+void MovedBody::prepare_for(std::uint64_t tick) noexcept {
+  if (solver_ == nullptr || next_ == session_.body_taken.end() || next_->tick != tick) return;
+  while (field_.step < next_->step) step();
+  motion_->write(field_);
+  ++next_;
+}
+
+std::string MovedBody::difference() const {
+  if (different_ == 0) return {};
+  return fmt::format(
+      "the body that a probe pressed moved otherwise than in the session from its step {} on: it was computed by "
+      "another version of Bodkin",
+      different_);
+}
+
+}  // namespace bodkin::session
