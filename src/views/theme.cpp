@@ -3,6 +3,10 @@
 #include <QFontDatabase>
 #include <QRgb>
 #include <array>
+#include <string>
+
+#include "core/error.h"
+#include "io/resources.h"
 
 namespace bodkin::views {
 
@@ -25,6 +29,16 @@ QString family() {
     return QFont().family();
   }();
   return chosen;
+}
+
+// As a style sheet names a small picture of share/bodkin/app, which reads as well on dark as on light.
+QString picture(const char* name) {
+  try {
+    return QStringLiteral("url(\"%1\")")
+        .arg(QString::fromStdString(io::shared_file("app/" + std::string(name) + ".png").string()));
+  } catch (const SystemError&) {
+    return QStringLiteral("none");
+  }
 }
 
 }  // namespace
@@ -91,9 +105,15 @@ QHeaderView::section { background: %7; color: %6; border: none; padding: 3px 4px
 QListWidget::item { padding: 5px 8px; border-radius: 6px; }
 QListWidget::item:selected, QTreeWidget::item:selected { background: %9; color: %2; }
 QComboBox, QDoubleSpinBox, QSpinBox { background: %7; border: 1px solid %5; border-radius: 6px; padding: 5px 8px; }
-QDoubleSpinBox::up-button, QDoubleSpinBox::down-button, QSpinBox::up-button, QSpinBox::down-button { width: 0px; }
+QComboBox::drop-down { border: none; width: 24px; }
+QComboBox::down-arrow, QSpinBox::down-arrow, QDoubleSpinBox::down-arrow { image: %13; width: 9px; height: 6px; }
+QSpinBox::up-arrow, QDoubleSpinBox::up-arrow { image: %12; width: 9px; height: 6px; }
+QDoubleSpinBox::up-button, QDoubleSpinBox::down-button, QSpinBox::up-button, QSpinBox::down-button {
+  width: 20px; border: none; background: transparent; }
 QComboBox QAbstractItemView { background: %7; selection-background-color: %9; }
 QCheckBox::indicator:unchecked { width: 12px; height: 12px; border: 1px solid %6; border-radius: 3px; }
+QCheckBox::indicator:checked { width: 12px; height: 12px; border: 1px solid %8; border-radius: 3px;
+  background: %8; image: %14; }
 QSlider::groove:horizontal { background: %5; height: 6px; border-radius: 3px; }
 QSlider::sub-page:horizontal { background: %8; border-radius: 3px; }
 QSlider::handle:horizontal { background: %2; width: 16px; margin: -5px 0; border-radius: 8px; }
@@ -103,7 +123,7 @@ QMenu::item:selected { background: %9; }
 )")
       .arg(family(), text.name(), ground.name(), panel.name(), line.name(), second.name(), raised.name(),
            accent.name(), is_dark ? QStringLiteral("#1B3350") : QStringLiteral("#D6E6F8"))
-      .arg(on_accent, danger.name());
+      .arg(on_accent, danger.name(), picture("arrow_up"), picture("arrow_down"), picture("tick"));
 }
 
 QFont font(int pixels, bool strong) {
