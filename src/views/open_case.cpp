@@ -1,7 +1,6 @@
 #include "views/open_case.h"
 
 #include <algorithm>
-#include <cctype>
 
 namespace bodkin::views {
 
@@ -9,13 +8,6 @@ std::string readable_structure(const std::string& name) {
   std::string text = name;
   if (text.starts_with("vertebrae_")) text.replace(0, 10, "vertebra ");
   std::replace(text.begin(), text.end(), '_', ' ');
-  return text;
-}
-
-std::string readable_procedure(const std::string& name) {
-  std::string text = name;
-  std::replace(text.begin(), text.end(), '_', ' ');
-  if (!text.empty()) text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
   return text;
 }
 

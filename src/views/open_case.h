@@ -13,7 +13,7 @@ struct OpenCase {
   anatomy::Case patient;
   std::filesystem::path folder;
   std::string title;      // of the patient, for people
-  std::string procedure;  // "Lumbar puncture"
+  std::string procedure;  // its title, "CT-guided biopsy"
 
   const anatomy::CaseDescription& description() const noexcept { return patient.description; }
 };
@@ -23,8 +23,5 @@ std::string place_name(const anatomy::Case& patient, const Vec3& point);
 
 // "vertebrae_L3" as people read it: "vertebra L3".
 std::string readable_structure(const std::string& name);
-
-// "lumbar_puncture" as people read it: "Lumbar puncture".
-std::string readable_procedure(const std::string& name);
 
 }  // namespace bodkin::views

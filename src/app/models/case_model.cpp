@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/models/procedure_title.h"
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
@@ -57,7 +58,7 @@ struct CaseModel::Job {
     read->patient = io::load_case(folder, progress());
     read->folder = folder;
     read->title = read->description().name;
-    read->procedure = readable_procedure(read->description().procedure.name);
+    read->procedure = procedure_title(read->description().procedure.name);
     const std::lock_guard guard(lock);
     opened = std::move(read);
   }

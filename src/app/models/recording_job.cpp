@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "app/models/procedure_title.h"
 #include "session/case_digest.h"
 #include <fmt/format.h>
 
@@ -32,7 +33,7 @@ std::shared_ptr<const OpenCase> read_patient(const fs::path& folder, const Progr
   read->patient = io::load_case(folder, progress);
   read->folder = folder;
   read->title = read->description().name;
-  read->procedure = readable_procedure(read->description().procedure.name);
+  read->procedure = procedure_title(read->description().procedure.name);
   return read;
 }
 

@@ -18,6 +18,7 @@
 #include <algorithm>
 
 #include "app/models/practice_patients.h"
+#include "app/models/procedure_title.h"
 #include "app/spoken_language.h"
 #include "views/language.h"
 #include "views/open_case.h"
@@ -228,11 +229,10 @@ QWidget* StartPage::make_procedures() {
   int number = 0;
   for (const PracticePatient& patient : practice_patients()) {
     const QString name = QString::fromUtf8(patient.procedure.data(), static_cast<int>(patient.procedure.size()));
-    std::string title = readable_procedure(std::string(patient.procedure)), description;
+    const std::string title = procedure_title(std::string(patient.procedure));
+    std::string description;
     try {
-      const training::Procedure procedure = training::find_shipped_procedure(std::string(patient.procedure));
-      title = procedure.title;
-      description = procedure.description;
+      description = training::find_shipped_procedure(std::string(patient.procedure)).description;
     } catch (const std::exception&) {  // its file is missing; choosing it says so
     }
     QPushButton* const card =
