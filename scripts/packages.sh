@@ -14,7 +14,7 @@ packages_to_run=(
 
 # The window, which `./run --without-app` leaves out.
 packages_of_app=(
-  qtbase5-dev libvtk9-dev libvtk9-qt-dev fonts-roboto-unhinted
+  qtbase5-dev libvtk9-dev libvtk9-qt-dev libgl-dev libx11-dev fonts-roboto-unhinted
 )
 
 packages_to_test=(

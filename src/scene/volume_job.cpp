@@ -1,28 +1,17 @@
 #include "scene/volume_job.h"
 
 #include <atomic>
-#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <optional>
 #include <utility>
 
+#include "scene/volume_painter.h"
+
 #include "core/error.h"
 
 namespace bodkin::scene {
-
-imaging::VolumeCamera volume_camera(const Projection& projection) {
-  imaging::VolumeCamera camera;
-  const Mat3& axes = projection.axes();
-  camera.eye = projection.camera().eye;
-  camera.width = projection.width();
-  camera.height = projection.height();
-  camera.right = axes.col(0) / projection.focal_length();
-  camera.down = axes.col(1) / projection.focal_length();
-  camera.first = axes.col(2) + (0.5 - 0.5 * camera.width) * camera.right + (0.5 - 0.5 * camera.height) * camera.down;
-  return camera;
-}
 
 struct VolumeJob::Shared {
   mutable std::mutex mutex;  // guards what follows
@@ -33,21 +22,6 @@ struct VolumeJob::Shared {
   std::shared_ptr<const VolumeResult> newest;
   std::atomic<bool> another_is_wanted{false};
 };
-
-namespace {
-
-void draw_volume(const std::shared_ptr<const imaging::PreparedVolume>& volume, const VolumeOrder& order,
-                 ThreadPool& pool, const std::function<bool()>& cancelled, VolumeResult& result, bool& finished) {
-  const auto begin = std::chrono::steady_clock::now();
-  result.order = order;
-  result.caster =
-      std::make_shared<const imaging::RayCaster>(volume, order.look, imaging::step_of(*volume, order.voxels));
-  finished = result.caster->draw(volume_camera(Projection(order.camera, order.width, order.height)), pool,
-                                 result.pixels, cancelled);
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
-}  // namespace
 
 VolumeJob::VolumeJob(std::shared_ptr<const anatomy::Case> patient, int threads)
     : shared_(std::make_shared<Shared>()) {
@@ -67,10 +41,10 @@ VolumeJob::VolumeJob(std::shared_ptr<const anatomy::Case> patient, int threads)
           shared->status.busy = shared->wanted.has_value();
         } catch (const std::exception& failure) {
           const std::scoped_lock lock(shared->mutex);
-          shared->status = {1.0, false, failure.what()};
+          shared->status = {1.0, false, failure.what(), {}, {}};
           return;
         }
-        ThreadPool pool(threads);
+        VolumePainter painter(shared->volume, threads);
         while (!stop.stop_requested()) {
           VolumeOrder order;
           {
@@ -80,14 +54,14 @@ VolumeJob::VolumeJob(std::shared_ptr<const anatomy::Case> patient, int threads)
             shared->another_is_wanted = false;
           }
           auto result = std::make_shared<VolumeResult>();
-          bool finished = false;
-          draw_volume(
-              shared->volume, order, pool,
-              [&] { return stop.stop_requested() || (order.may_be_cut_short && shared->another_is_wanted); }, *result,
-              finished);
+          const bool finished = painter.draw(
+              order, [&] { return stop.stop_requested() || (order.may_be_cut_short && shared->another_is_wanted); },
+              *result);
           const std::scoped_lock lock(shared->mutex);
           if (finished) shared->newest = std::move(result);
           shared->status.busy = shared->wanted.has_value();
+          shared->status.card = painter.card();
+          shared->status.refusal = painter.refusal();
         }
       });
 }

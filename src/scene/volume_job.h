@@ -3,40 +3,18 @@
 #include <memory>
 #include <string>
 #include <thread>
-#include <vector>
 
-#include "scene/camera.h"
+#include "scene/volume_order.h"
 
 #include "anatomy/case.h"
-#include "imaging/volume_rendering/ray_caster.h"
 
 namespace bodkin::scene {
-
-// The rays of a camera's picture.
-imaging::VolumeCamera volume_camera(const Projection& projection);
-
-// A picture of the inside of a patient that is wanted.
-struct VolumeOrder {
-  Camera camera;
-  imaging::VolumeLook look;
-  int width = 0, height = 0;      // pixels
-  double voxels = 1.0;            // that a step is long
-  bool may_be_cut_short = false;  // by another order; one that follows a moving camera must not, or none is finished
-
-  bool operator==(const VolumeOrder&) const = default;
-};
-
-struct VolumeResult {
-  VolumeOrder order;
-  std::vector<std::uint32_t> pixels;  // 0xffRRGGBB, row by row
-  std::shared_ptr<const imaging::RayCaster> caster;
-  double seconds = 0.0;  // that it took
-};
 
 // Prepares a patient's volume, then draws what is ordered, on threads of its own. One thread calls.
 class VolumeJob {
  public:
-  // `patient` is held until the volume is prepared. `threads`: that draw; 0: as many as the machine has cores.
+  // `patient` is held until the volume is prepared. `threads`: that draw on the processor; 0: as many as the machine
+  // has cores.
   explicit VolumeJob(std::shared_ptr<const anatomy::Case> patient, int threads = 0);
   // Cancels, and waits for what cannot be interrupted: some tenths of a second.
   ~VolumeJob();
@@ -47,6 +25,8 @@ class VolumeJob {
     double fraction = 0.0;  // of the preparation, 0 to 1
     bool busy = true;       // it prepares or draws
     std::string error;      // why the preparation failed, one sentence
+    std::string card;       // the graphics card that draws; empty: none
+    std::string refusal;    // why the one that was wished for does not, one sentence; may be empty
   };
   Status status() const;
   // Null until it is prepared.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "views/language.h"
 #include "views/orientation_cube.h"
@@ -23,6 +24,8 @@ struct Level {
 };
 constexpr std::array<Level, 3> levels = {
     {{MovingDetail::most_rays, MovingDetail::finest_step}, {512.0 * 512.0, 1.0}, {1280.0 * 800.0, 0.7}}};
+// A graphics card draws all of the view at once, with somewhat longer steps while something moves.
+constexpr double moving_step_of_card = 1.0;    // voxels
 constexpr double volume_settles_after = 0.12;  // s after the last change
 constexpr double volume_flight_time = 0.35;    // s
 constexpr double volume_cube_size = 76.0;      // pixels
@@ -51,6 +54,8 @@ void VolumeView::set_case(std::shared_ptr<const OpenCase> patient) {
   ordered_.reset();
   flight_.reset();
   shown_percent_ = -1;
+  by_card_ = false;
+  moving_detail_ = {};
   patient_ = std::move(patient);
   if (patient_) {
     for (std::size_t id = 0; id < look_.tissues.size(); ++id) {
@@ -87,8 +92,13 @@ void VolumeView::take_volume() {
 }
 
 scene::VolumeOrder VolumeView::order_of(int level) const {
-  const Level wanted =
-      level == 0 ? Level{moving_detail_.rays(), moving_detail_.step()} : levels[static_cast<std::size_t>(level)];
+  Level wanted = levels[static_cast<std::size_t>(level)];
+  if (level == 0 && !by_card_) {
+    wanted = {moving_detail_.rays(), moving_detail_.step()};
+  } else if (level == 0) {
+    wanted.pixels = levels.back().pixels * moving_detail_.rays() / MovingDetail::most_rays;
+    wanted.voxels = moving_step_of_card * moving_detail_.step() / MovingDetail::finest_step;
+  }
   const double all = std::max(1.0, scale_ * scale_ * width() * height());
   const double share = std::min(1.0, std::sqrt(wanted.pixels / all)) * scale_;
   scene::VolumeOrder order;
@@ -98,6 +108,7 @@ scene::VolumeOrder VolumeView::order_of(int level) const {
   order.height = std::max(1, static_cast<int>(std::lround(share * height())));
   order.voxels = wanted.voxels;
   order.may_be_cut_short = level > 0;
+  order.drawer = drawer_;
   return order;
 }
 
@@ -148,12 +159,35 @@ void VolumeView::show_frame(const Frame& frame, const Changes& changes) {
   order_what_is_missing();
   const std::shared_ptr<const scene::VolumeResult> newest = job_->newest();
   const bool another = newest != picture_.base();
-  if (another) picture_.set_base(newest);
-  if (another && !newest->order.may_be_cut_short) moving_detail_.took(newest->seconds);
+  if (another) {
+    picture_.set_base(newest);
+    const bool was_by_card = std::exchange(by_card_, newest->by_card);
+    if (was_by_card != by_card_) {
+      moving_detail_ = {};
+      moved_ = true;
+    } else if (!newest->order.may_be_cut_short) {
+      moving_detail_.took(newest->seconds);
+    }
+    take_drawer();
+  }
   if (!another && !changes.needle && !changes.plan && !changes.theme) return;
   show_needle(frame);
   picture_.draw(needles_, marks_);
   update();
+}
+
+void VolumeView::set_drawer(scene::VolumeDrawer drawer) {
+  if (drawer == drawer_) return;
+  drawer_ = drawer;
+  moved_ = true;
+}
+
+void VolumeView::take_drawer() {
+  const scene::VolumeJob::Status status = job_->status();
+  if (status.card == card_ && status.refusal == refusal_) return;
+  card_ = status.card;
+  refusal_ = status.refusal;
+  emit drawer_changed();
 }
 
 void VolumeView::show_needle(const Frame& frame) {

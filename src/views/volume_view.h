@@ -3,6 +3,7 @@
 #include <QPointF>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "scene/camera_moves.h"
 #include "scene/volume_picture.h"
@@ -12,8 +13,8 @@
 namespace bodkin::views {
 
 // The inside of the patient without surfaces: colour, grey, the largest HU or the sum on each ray, with needle, path
-// and target at their depth. The processor draws it on threads of its own: coarsely while the camera or the look
-// changes, in full a moment after.
+// and target at their depth. It is drawn on threads of its own: by the processor coarsely while the camera or the
+// look changes and in full a moment after, by a graphics card in full at once.
 //
 // Mouse: a drag turns the patient, with the middle button it moves him, with the right one it sets the window
 // (brightness in a sum); the wheel zooms; a double click asks for the whole page. Keys: 0 to 6 views, M next mode, P
@@ -36,6 +37,11 @@ class VolumeView : public View {
   void set_camera(const scene::Camera& camera);
   void choose_view(scene::StandardView view);
   bool press(int key);  // false: not a key of this view
+  scene::VolumeDrawer drawer() const { return drawer_; }
+  void set_drawer(scene::VolumeDrawer drawer);
+  // The graphics card that draws, and why one that was wished for does not; either may be empty.
+  const std::string& card() const { return card_; }
+  const std::string& refusal() const { return refusal_; }
 
   // The patient's volume; null until it is prepared.
   std::shared_ptr<const imaging::PreparedVolume> volume() const;
@@ -47,6 +53,7 @@ class VolumeView : public View {
  signals:
   void ready();  // volume() is there
   void look_changed();
+  void drawer_changed();                                       // card() or refusal()
   void preset_chosen(bodkin::imaging::TransferPreset preset);  // by choose_preset() or by its key; look() has it
 
  protected:
@@ -64,12 +71,16 @@ class VolumeView : public View {
   scene::VolumeOrder order_of(int level) const;
   void order_what_is_missing();
   void take_volume();
+  void take_drawer();
   void show_needle(const Frame& frame);
 
   std::shared_ptr<const OpenCase> patient_;
   std::unique_ptr<scene::VolumeJob> job_;
   scene::VolumePicture picture_;
   MovingDetail moving_detail_;
+  scene::VolumeDrawer drawer_ = scene::VolumeDrawer::automatic;
+  bool by_card_ = false;
+  std::string card_, refusal_;
   imaging::VolumeLook look_;
   imaging::TransferPreset preset_ = imaging::TransferPreset::bone;
   scene::Camera camera_;

@@ -3425,6 +3425,46 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
 <context>
     <name>VolumePage</name>
     <message>
+        <source>Drawn by</source>
+        <translation>Gezeichnet von</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>By the graphics card, where there is one</source>
+        <translation>Von der Grafikkarte, wo es eine gibt</translation>
+    </message>
+    <message>
+        <source>Graphics card</source>
+        <translation>Grafikkarte</translation>
+    </message>
+    <message>
+        <source>By OpenGL, even where the processor computes it</source>
+        <translation>Von OpenGL, auch wo der Prozessor es rechnet</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>Prozessor</translation>
+    </message>
+    <message>
+        <source>By the processor alone</source>
+        <translation>Vom Prozessor allein</translation>
+    </message>
+    <message>
+        <source>The processor draws.</source>
+        <translation>Der Prozessor zeichnet.</translation>
+    </message>
+    <message>
+        <source>%1 draws.</source>
+        <translation>%1 zeichnet.</translation>
+    </message>
+    <message>
+        <source>The processor draws: %1.</source>
+        <translation>Der Prozessor zeichnet: %1.</translation>
+    </message>
+    <message>
         <source>What is seen  (M: next)</source>
         <translation>Was man sieht  (M: nächstes)</translation>
     </message>

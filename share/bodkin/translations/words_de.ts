@@ -488,6 +488,34 @@
 <context>
     <name>Words</name>
     <message>
+        <source>no graphics card can be reached, because there is no X11 display</source>
+        <translation>keine Grafikkarte ist erreichbar, denn es gibt keine X11-Anzeige</translation>
+    </message>
+    <message>
+        <source>no graphics card can be reached, because the display has no OpenGL 3.2</source>
+        <translation>keine Grafikkarte ist erreichbar, denn die Anzeige hat kein OpenGL 3.2</translation>
+    </message>
+    <message>
+        <source>OpenGL is computed by the processor here (%1)</source>
+        <translation>OpenGL rechnet hier der Prozessor (%1)</translation>
+    </message>
+    <message>
+        <source>the volume is %1 voxels long, and the graphics card takes %2</source>
+        <translation>das Volumen ist %1 Voxel lang, und die Grafikkarte nimmt %2</translation>
+    </message>
+    <message>
+        <source>VTK's volume mapper does not support this graphics card</source>
+        <translation>VTK zeichnet Volumen mit dieser Grafikkarte nicht</translation>
+    </message>
+    <message>
+        <source>the graphics card did not draw the volume: %1</source>
+        <translation>die Grafikkarte hat das Volumen nicht gezeichnet: %1</translation>
+    </message>
+    <message>
+        <source>the graphics card draws something else than the processor</source>
+        <translation>die Grafikkarte zeichnet etwas anderes als der Prozessor</translation>
+    </message>
+    <message>
         <source>spreads over the abdomen</source>
         <translation>breitet sich über den Bauch aus</translation>
     </message>

@@ -12,6 +12,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/kept_drawer.h"
+
 namespace bodkin::app {
 
 namespace {
@@ -291,7 +293,10 @@ void PractisePage::toggle_volume() {
   if (filled_ != nullptr) toggle_fill();
   has_volume_ = !has_volume_;
   inside_->setChecked(has_volume_);
-  if (has_volume_) dock_->hide();
+  if (has_volume_) {
+    dock_->hide();
+    volume_->set_drawer(kept_volume_drawer());
+  }
   arrange_slices();
   arrange_columns();
   if (has_volume_) volume_->setFocus(Qt::OtherFocusReason);

@@ -11,6 +11,8 @@
 #include <QVariant>
 #include <cmath>
 
+#include "app/kept_drawer.h"
+#include "views/language.h"
 #include "views/theme.h"
 
 namespace bodkin::app {
@@ -42,6 +44,7 @@ VolumePage::VolumePage(std::function<const Frame&()> frame, QWidget* parent)
   columns->addWidget(make_panel());
   connect(view_, &VolumeView::look_changed, this, &VolumePage::show_look);
   connect(view_, &VolumeView::ready, this, [this] { curve_->set_histogram(view_->volume()->histogram); });
+  connect(view_, &VolumeView::drawer_changed, this, &VolumePage::show_drawer);
   connect(view_, &VolumeView::preset_chosen, this, &VolumePage::show_preset);
   set_preset(imaging::TransferPreset::bone);
   show_look();
@@ -122,6 +125,28 @@ QWidget* VolumePage::make_panel() {
     });
   }
   rows->addStretch(1);
+  rows->addWidget(heading(tr("Drawn by")));
+  auto* drawers = new QHBoxLayout;
+  drawers->setSpacing(volume_gap);
+  drawers_ = {
+      button("volume.drawer.automatic", tr("Automatic"), tr("By the graphics card, where there is one")),
+      button("volume.drawer.card", tr("Graphics card"), tr("By OpenGL, even where the processor computes it")),
+      button("volume.drawer.processor", tr("Processor"), tr("By the processor alone"))};
+  for (std::size_t i = 0; i < drawers_.size(); ++i) {
+    drawers_[i]->setStyleSheet(QStringLiteral("padding: 6px 4px;"));
+    drawers->addWidget(drawers_[i]);
+    connect(drawers_[i], &QPushButton::clicked, this, [this, i] {
+      keep_volume_drawer(scene::volume_drawers[i]);
+      view_->set_drawer(scene::volume_drawers[i]);
+      show_drawer();
+    });
+  }
+  rows->addLayout(drawers);
+  drawn_by_ = new QLabel;
+  drawn_by_->setObjectName(QStringLiteral("volume.drawn_by"));
+  drawn_by_->setProperty("role", QStringLiteral("second"));
+  drawn_by_->setWordWrap(true);
+  rows->addWidget(drawn_by_);
   return panel;
 }
 
@@ -192,12 +217,28 @@ void VolumePage::show_look() {
   tissues_->setChecked(look.tissue_colours);
 }
 
+void VolumePage::show_drawer() {
+  for (std::size_t i = 0; i < drawers_.size(); ++i)
+    drawers_[i]->setChecked(view_->drawer() == scene::volume_drawers[i]);
+  QString text;
+  if (view_->drawer() == scene::VolumeDrawer::processor) {
+    text = tr("The processor draws.");
+  } else if (!view_->card().empty()) {
+    text = tr("%1 draws.").arg(QString::fromStdString(view_->card()));
+  } else if (!view_->refusal().empty()) {
+    text = tr("The processor draws: %1.").arg(in_words(view_->refusal()));
+  }
+  drawn_by_->setText(text);
+}
+
 void VolumePage::set_case(std::shared_ptr<const OpenCase> patient) {
   view_->set_case(std::move(patient));
 }
 
 void VolumePage::enter() {
   entered_ = true;
+  view_->set_drawer(kept_volume_drawer());
+  show_drawer();
   view_->setFocus(Qt::OtherFocusReason);
 }
 

@@ -9,6 +9,7 @@
 #include "views/volume_view.h"
 
 class QCheckBox;
+class QLabel;
 class QPushButton;
 class QSlider;
 
@@ -38,11 +39,14 @@ class VolumePage : public Page {
   void use_sliders();
   void use_curve(const imaging::TransferFunction& function);
   void show_look();
+  void show_drawer();
 
   std::function<const Frame&()> frame_;
   VolumeView* view_;
   OpacityCurve* curve_ = nullptr;
   std::array<QPushButton*, 4> modes_{}, presets_{};
+  std::array<QPushButton*, 3> drawers_{};
+  QLabel* drawn_by_ = nullptr;
   QSlider *shift_ = nullptr, *density_ = nullptr;
   QCheckBox *shaded_ = nullptr, *tissues_ = nullptr;
   imaging::TransferFunction base_;  // what the sliders adjust

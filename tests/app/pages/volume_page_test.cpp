@@ -1,12 +1,20 @@
 #include <QApplication>
+#include <QLabel>
 #include <QMouseEvent>
 #include <QPushButton>
+#include <QSettings>
 #include <QSlider>
+#include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <string>
 
+#include "app/kept_drawer.h"
 #include "app/pages/volume.h"
+#include "tests/scene/software_display.h"
 #include "tests/views/made_up.h"
 #include <gtest/gtest.h>
 
@@ -38,7 +46,15 @@ std::shared_ptr<const OpenCase> bony_patient() {
 
 class VolumePageTest : public testing::Test {
  protected:
+  static void SetUpTestSuite() {  // what is kept stays in a folder of its own
+    settings_ = std::make_unique<QTemporaryDir>();
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings_->path());
+    QCoreApplication::setOrganizationName(QStringLiteral("bodkin"));
+    QCoreApplication::setApplicationName(QStringLiteral("volume-page-tests"));
+  }
+  static void TearDownTestSuite() { settings_.reset(); }
   VolumePageTest() : page_([this]() -> const Frame& { return frame_; }) {
+    keep_volume_drawer(scene::VolumeDrawer::processor);
     page_.resize(800, 500);
     page_.show();
     frame_ = frame_at(20.0);
@@ -67,10 +83,13 @@ class VolumePageTest : public testing::Test {
   }
   void click(const char* name) { QTest::mouseClick(find<QPushButton>(name), Qt::LeftButton); }
 
+  static std::unique_ptr<QTemporaryDir> settings_;
   Frame frame_;
   VolumePage page_;
   double clock_ = 0.0;
 };
+
+std::unique_ptr<QTemporaryDir> VolumePageTest::settings_;
 
 int red(std::uint32_t colour) {
   return static_cast<int>(colour >> 16U & 0xFFU);
@@ -171,6 +190,49 @@ TEST_F(VolumePageTest, while_the_camera_moves_the_picture_is_coarse_and_fine_aft
   EXPECT_LE(coarse.width * coarse.height, 66000);
   settle();
   EXPECT_EQ(page_.view().picture().base()->order.width, page_.view().width());
+}
+
+TEST_F(VolumePageTest, what_draws_is_chosen_and_kept_and_a_card_that_is_not_there_is_one_sentence) {
+  EXPECT_TRUE(find<QPushButton>("volume.drawer.processor")->isChecked());
+  EXPECT_EQ(find<QLabel>("volume.drawn_by")->text(), QStringLiteral("The processor draws."));
+  const char* const display = std::getenv("DISPLAY");
+  const std::string before = display == nullptr ? "" : display;
+  unsetenv("DISPLAY");
+  click("volume.drawer.card");
+  settle();
+  if (display != nullptr) setenv("DISPLAY", before.c_str(), 1);
+  EXPECT_EQ(kept_volume_drawer(), scene::VolumeDrawer::card);
+  EXPECT_EQ(page_.view().drawer(), scene::VolumeDrawer::card);
+  EXPECT_FALSE(find<QPushButton>("volume.drawer.processor")->isChecked());
+  EXPECT_EQ(find<QLabel>("volume.drawn_by")->text(),
+            QStringLiteral("The processor draws: no graphics card can be reached, because there is no X11 display."));
+  EXPECT_FALSE(page_.view().picture().base()->by_card);
+  click("volume.drawer.automatic");
+  EXPECT_EQ(kept_volume_drawer(), scene::VolumeDrawer::automatic);
+}
+
+TEST_F(VolumePageTest, a_card_draws_all_of_the_view_at_once_while_the_camera_moves) {
+  const scene::SoftwareDisplay display;
+  if (!display.is_there()) GTEST_SKIP() << "Xvfb is not installed";
+  click("volume.drawer.card");
+  settle();
+  ASSERT_TRUE(page_.view().picture().base()->by_card) << page_.view().refusal();
+  EXPECT_TRUE(find<QLabel>("volume.drawn_by")->text().startsWith(QStringLiteral("llvmpipe")));
+  // Bone is where the ray caster has it, the needle before it.
+  page_.view().choose_view(scene::StandardView::posterior);
+  settle();
+  EXPECT_GT(red(pixel(Vec3(-29.0, 20.0, 0.0))), red(pixel(Vec3(30.0, 20.0, 20.0))) + 60);
+  const scene::Camera camera = scene::turned(page_.view().camera(), 0.3, 0.0);
+  page_.view().set_camera(camera);
+  page_.advance(clock_ += 0.01);
+  for (int i = 0; i < 4000 && !(page_.view().picture().base()->order.camera == camera); ++i) {
+    QTest::qWait(2);
+    page_.advance(clock_ += 0.00001);
+  }
+  const scene::VolumeOrder moving = page_.view().picture().base()->order;
+  EXPECT_FALSE(moving.may_be_cut_short);
+  EXPECT_LE(moving.voxels, 2.0) << "finer than the processor's";
+  EXPECT_GT(moving.width * moving.height, 66000) << "more rays than the processor's";
 }
 
 }  // namespace
