@@ -9,6 +9,7 @@
 #include "report/plot.h"
 #include "study/fitting/gauge_law.h"
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "anatomy/needle.h"
@@ -40,6 +41,7 @@ constexpr const char* fit_footer = R"(Examples:
   bodkin fit layered skin.csv --bounds break_force=0.5:3 --free element_spacing
   bodkin fit layered slow.csv fast.csv                       one set of values for both curves
   bodkin fit tracking_wall back.csv --layers 0,2,15          a force for each layer of known depth
+  bodkin fit layered slow.csv fast.csv --layers 0,2,15       stiffness, break force and friction for each
   bodkin fit all liver.csv                                   which model describes it best (AIC)
   bodkin fit layered a.csv b.csv c.csv --needles 16G,18G,22G how the force of puncture goes with the gauge
 
@@ -137,7 +139,9 @@ nlohmann::json json_of(const study::CurveFit& fit) {
   result["aic"] = fit.aic;
   result["rmse_N"] = fit.rmse;
   result["confidence"] = 0.95;
-  result["yields_at_mm"] = fit.yields_at ? nlohmann::json(*fit.yields_at) : nlohmann::json(nullptr);
+  result["yields_at_mm"] = nullptr;  // a number for one tissue, of a stack an array
+  if (fit.yields_at.size() == 1) result["yields_at_mm"] = fit.yields_at.front();
+  if (fit.yields_at.size() > 1) result["yields_at_mm"] = fit.yields_at;
   result["parameters"] = nlohmann::json::array();
   for (const study::FittedParameter& one : fit.parameters) {
     nlohmann::json entry = {
@@ -174,9 +178,9 @@ void print(const Console& console, const study::CurveFit& fit) {
                            "joint 95 % confidence"));
   for (const study::FittedParameter& one : fit.parameters)
     console.line(fmt::format("{:<18} {:>11.5g} {:<10} {}", one.name, one.value, one.unit, certainty_text(one)));
-  console.line(fmt::format("\nR^2 {}, RMSE {:.4g} N, {} samples{}", r_squared_text(fit.r_squared), fit.rmse,
-                           fit.samples,
-                           fit.yields_at ? fmt::format(", gives way at {:.2f} mm", *fit.yields_at) : ""));
+  console.line(fmt::format(
+      "\nR^2 {}, RMSE {:.4g} N, {} samples{}", r_squared_text(fit.r_squared), fit.rmse, fit.samples,
+      fit.yields_at.empty() ? "" : fmt::format(", gives way at {:.2f} mm", fmt::join(fit.yields_at, ", "))));
 }
 
 std::vector<double> layers_of(const std::vector<std::string>& texts) {
@@ -203,8 +207,8 @@ double diameter_of(const std::string& text) {
   return size->outer_diameter;
 }
 
-// What a model was refused for, or how well it does.
-void print(const Console& console, const study::ModelChoice& choice) {
+// How well each model does; `layers`: those that know layers were fitted as stacks.
+void print(const Console& console, const study::ModelChoice& choice, bool layers) {
   console.line(fmt::format("{:<20} {:>11} {:>10} {:>10} {:>12} {:>9} {:>8}", "model", "parameters", "R^2", "RMSE, N",
                            "AIC", "less best", "weight"));
   double all = 0.0;
@@ -218,6 +222,10 @@ void print(const Console& console, const study::ModelChoice& choice) {
                              std::isnan(fit.r_squared) ? "undefined" : fmt::format("{:.4f}", fit.r_squared), fit.rmse,
                              fit.aic, behind, std::exp(-0.5 * behind) / all));
   }
+  std::vector<std::string> of_one;
+  for (const study::CurveFit& fit : choice.fits)
+    if (layers && !study::has_layers(fit.model)) of_one.push_back(fit.model);
+  if (!of_one.empty()) console.line(fmt::format("fitted as one tissue, without layers: {}", fmt::join(of_one, ", ")));
   console.line("");
 }
 
@@ -286,7 +294,6 @@ void refuse_for_all(const FitArguments& arguments) {
                             : !arguments.start.empty()        ? "--start"
                             : !arguments.bounds.empty()       ? "--bounds"
                             : !arguments.request.free.empty() ? "--free"
-                            : !arguments.layers.empty()       ? "--layers"
                             : !arguments.needles.empty()      ? "--needles"
                                                               : nullptr;
   if (given != nullptr) throw InputError(fmt::format("{} is for one model, expected its name instead of all", given));
@@ -321,7 +328,7 @@ void run_fit(const FitArguments& arguments, const CommandContext& context) {
   write_file(base + ".xml", study::fitted_xml(fit, study::joined(curves)));
   for (const auto& [model, reason] : choice.refused) console.note(fmt::format("{} is left out: {}", model, reason));
   for (const std::string& note : fit.notes) console.note(note);
-  if (all) print(console, choice);
+  if (all) print(console, choice, !request.layers.empty());
   if (all) console.line(fmt::format("The best, {}:\n", fit.model));
   print(console, fit);
   console.line(fmt::format("\n{}\n{}", fs::absolute(base + ".svg").string(), fs::absolute(base + ".xml").string()));
@@ -357,9 +364,10 @@ void add_fit_command(CLI::App& app, CommandContext& context) {
   add_texts(*command, "--start", arguments->start, "Begin with a value, name=value");
   add_texts(*command, "--bounds", arguments->bounds, "Keep a parameter within name=low:high");
   add_texts(*command, "--free", request.free, "Fit a parameter that the model usually keeps");
-  add_texts(*command, "--layers", arguments->layers,
-            "mm at which the layers of a stack begin, the first 0: values for each (tracking_wall, depth_profile, "
-            "shaft_friction)")
+  add_texts(
+      *command, "--layers", arguments->layers,
+      "mm at which the layers of a stack begin, the first 0: values for each (tracking_wall, depth_profile, layered, "
+      "shaft_friction)")
       .separated_by_commas("MM,MM,...");
   add_texts(*command, "--needles", arguments->needles,
             "The gauge of each curve's needle: fits each curve, then the law of puncture force and diameter")

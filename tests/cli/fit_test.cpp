@@ -92,6 +92,28 @@ TEST_F(FitCommand, refuses_in_one_sentence_and_writes_nothing) {
   EXPECT_FALSE(fs::exists(none + ".xml"));
 }
 
+TEST_F(FitCommand, compares_the_models_of_a_stack) {
+  const std::string curve = file("two.csv", [] {
+    std::string text = "time_s,depth_mm,force_N\n";  // two plateaus, of 1 and 2 N
+    for (int i = 0; i <= 160; ++i) {
+      const double depth = 0.1 * i;
+      text += std::to_string(0.01 * i) + "," + std::to_string(depth) + "," +
+              std::to_string(depth < 8.0 ? std::min(0.5 * depth, 1.0) : std::min(1.0 + 0.5 * (depth - 8.0), 2.0)) +
+              "\n";
+    }
+    return text;
+  }());
+  const Outcome said = bodkin("-q fit all " + curve + " --layers 0,8 -o " + base());
+  ASSERT_EQ(said.exit_code, 0) << said.text();
+  EXPECT_THAT(said.text(), HasSubstr("The best, tracking_wall"));
+  EXPECT_THAT(said.text(), HasSubstr("fitted as one tissue, without layers: "));
+  const Outcome stack = bodkin("-q --json fit layered " + curve + " --layers 0,8 -o " + base());
+  ASSERT_EQ(stack.exit_code, 0) << stack.text();
+  EXPECT_EQ(nlohmann::json::parse(stack.text()).at("parameters")[1].at("name"), "stiffness_2");
+  EXPECT_EQ(bodkin("-q fit all " + curve + " --layers 0,8,8 -o " + base()).exit_code, 2);
+  EXPECT_EQ(bodkin("-q fit layered " + curve + " --layers 0,8.05 -o " + base()).exit_code, 2);
+}
+
 TEST_F(FitCommand, explains_itself_with_examples) {
   const Outcome said = bodkin("fit --help");
   EXPECT_EQ(said.exit_code, 0);

@@ -18,7 +18,8 @@ namespace {
 
 constexpr double alpha = 0.05;               // 1 - confidence
 constexpr double flat = 1e-3;                // singular values below this share are noise
-constexpr double less_by = 1.0 - 1e-4;       // of the sum of squares: a better place
+constexpr double less_by = 1.0 - 1e-4;       // of the sum of squares: a better place, ...
+constexpr double less_of_many = 1.0 - 1e-3;  // ... where several yields make the search long
 constexpr std::size_t samples_to_spare = 5;  // more samples than parameters
 constexpr double usual_speed = 10.0;         // mm/s, where the speed does not matter
 constexpr double alike = 0.3;                // correlation of neighbouring residuals that is worth a note
@@ -126,7 +127,8 @@ class Estimation {
 
   void run() {
     solution_ = solver_.solve();
-    if (looks_for_yield() && !solution_.yield_tick) give_up_yield();
+    for (const std::size_t which : solver_.yields())
+      if (!solution_.yield_ticks[which]) give_up_yield(which);
     while (true) {
       find_active();
       const Eigen::MatrixXd slope = solver_.sensitivity(solution_, active_);
@@ -147,8 +149,6 @@ class Estimation {
   std::vector<FittedParameter>& parameters() noexcept { return parameters_; }
 
  private:
-  bool looks_for_yield() const { return model_.yield && solver_.looked_for[*model_.yield]; }
-
   // Smooth parameters that are looked for and lie within their bounds.
   void find_active() {
     active_.clear();
@@ -184,11 +184,11 @@ class Estimation {
     solution_ = solver_.improve(std::move(solution_));
   }
 
-  void give_up_yield() {
-    const std::size_t yield = *model_.yield;
+  void give_up_yield(std::size_t which) {
+    const std::size_t yield = model_.yields[which];
     double most = 0.0;
     for (std::size_t n = 0; n < solver_.history().ticks.size(); ++n)
-      most = std::max(most, solver_.yield_value(solution_.values, n));
+      most = std::max(most, solver_.yield_value(solution_.values, which, n));
     solver_.kept[yield] =
         std::clamp(std::max(solver_.kept[yield], 1.01 * most), solver_.low[yield], solver_.high[yield]);
     keep(yield, fmt::format("nothing gives way in the data; it is more than {:.4g} {}", most,
@@ -197,25 +197,31 @@ class Estimation {
 
   // False when a parameter turned out to be undetermined and the rest has to be fitted again.
   bool find_intervals(const Eigen::MatrixXd& slope) {
-    const bool yields = looks_for_yield();
-    const std::size_t estimated = active_.size() + (yields ? 1 : 0);
+    const std::vector<std::size_t> yields = solver_.yields();
+    const std::size_t estimated = active_.size() + yields.size();
     if (estimated == 0) return true;
     const std::size_t freedom = solver_.counted() - estimated;
     const double variance = solution_.sum_of_squares / static_cast<double>(freedom);
     const double quantile = joint_quantile(alpha, estimated, freedom);
     Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(0, 0);
     if (!active_.empty()) covariance = variance * inverse_normal_matrix(slope);
-    bool bounded = true;
     const double allowed = solution_.sum_of_squares + quantile * quantile * variance;
     std::vector<double> errors;
     for (Eigen::Index i = 0; i < covariance.rows(); ++i) errors.push_back(std::sqrt(covariance(i, i)));
     const std::vector<CurveSolution> around = solver_.neighbours(solution_, active_, errors);
     for (const CurveSolution& other : around) {
-      if (other.sum_of_squares >= less_by * solution_.sum_of_squares) continue;
+      if (other.sum_of_squares >= (model_.yields.size() > 1 ? less_of_many : less_by) * solution_.sum_of_squares)
+        continue;
       solution_ = solver_.improve(other);
       return false;
     }
-    const std::vector<YieldCandidate> others = solver_.alternatives(solution_, allowed, bounded);
+    std::vector<std::vector<YieldCandidate>> others;  // for each yield
+    std::vector<bool> bounded;
+    for (const std::size_t which : yields) {
+      bool ends = true;
+      others.push_back(solver_.alternatives(solution_, which, allowed, ends));
+      bounded.push_back(ends);
+    }
     smooth_intervals(covariance, quantile, others);
     for (const CurveSolution& other : around) {
       if (other.sum_of_squares > allowed) continue;
@@ -225,7 +231,8 @@ class Estimation {
         parameters_[i].high = std::clamp(other.values[i] + error, parameters_[i].high, solver_.high[i]);
       }
     }
-    if (yields) yield_interval(covariance, quantile, others, bounded);
+    for (std::size_t i = 0; i < yields.size(); ++i)
+      yield_interval(yields[i], covariance, quantile, others[i], bounded[i]);
     for (auto i = active_.rbegin(); i != active_.rend(); ++i) {
       const FittedParameter& one = parameters_[*i];
       if (one.high - one.low <= solver_.high[*i] - solver_.low[*i]) continue;
@@ -237,7 +244,7 @@ class Estimation {
   }
 
   void smooth_intervals(const Eigen::MatrixXd& covariance, double quantile,
-                        const std::vector<YieldCandidate>& others) {
+                        const std::vector<std::vector<YieldCandidate>>& others) {
     const std::vector<std::size_t> smooth = solver_.smooth();
     for (std::size_t a = 0; a < active_.size(); ++a) {
       const auto row = static_cast<Eigen::Index>(a);
@@ -245,10 +252,15 @@ class Estimation {
       one.standard_error = std::sqrt(covariance(row, row));
       const auto place =
           static_cast<std::size_t>(std::find(smooth.begin(), smooth.end(), active_[a]) - smooth.begin());
-      double down = 0.0, up = 0.0;  // what other places of the yield would shift
-      for (const YieldCandidate& other : others) {
-        down = std::min(down, other.shift[place]);
-        up = std::max(up, other.shift[place]);
+      double down = 0.0, up = 0.0;  // what other places of the yields would shift
+      for (const std::vector<YieldCandidate>& of_one : others) {
+        double lowest = 0.0, highest = 0.0;
+        for (const YieldCandidate& other : of_one) {
+          lowest = std::min(lowest, other.shift[place]);
+          highest = std::max(highest, other.shift[place]);
+        }
+        down += lowest;
+        up += highest;
       }
       const double value = solution_.values[active_[a]];
       one.low = std::max(solver_.low[active_[a]], value + down - quantile * one.standard_error);
@@ -257,14 +269,14 @@ class Estimation {
   }
 
   // The value of the last tick before the one that gives way does not suffice, that of the tick itself does.
-  void yield_interval(const Eigen::MatrixXd& covariance, double quantile, const std::vector<YieldCandidate>& others,
-                      bool bounded) {
-    const std::size_t yield = *model_.yield;
+  void yield_interval(std::size_t which, const Eigen::MatrixXd& covariance, double quantile,
+                      const std::vector<YieldCandidate>& others, bool bounded) {
+    const std::size_t yield = model_.yields[which];
     FittedParameter& one = parameters_[yield];
     const std::vector<std::size_t> smooth = solver_.smooth();
     const auto error_at = [&](std::size_t tick) {
       if (active_.empty()) return 0.0;
-      const Eigen::VectorXd gradient = solver_.yield_gradient(solution_, active_, tick);
+      const Eigen::VectorXd gradient = solver_.yield_gradient(solution_, active_, which, tick);
       return std::sqrt(std::max(0.0, gradient.dot(covariance * gradient)));
     };
     const auto include = [&](std::size_t tick, const std::vector<double>& shift) {
@@ -272,12 +284,12 @@ class Estimation {
       for (std::size_t i = 0; i < shift.size(); ++i) values[smooth[i]] += shift[i];
       const double reach = quantile * error_at(tick);
       const std::size_t step = std::min(tick, solver_.grid_step());
-      one.low = std::min(one.low, solver_.yield_value(values, tick - step) - reach);
-      one.high = std::max(one.high, solver_.yield_value(values, tick) + reach);
+      one.low = std::min(one.low, solver_.yield_value(values, which, tick - step) - reach);
+      one.high = std::max(one.high, solver_.yield_value(values, which, tick) + reach);
       if (solver_.grid_step() > 1 && tick + step < solver_.history().ticks.size())
-        one.high = std::max(one.high, solver_.yield_value(values, tick + step - 1) + reach);
+        one.high = std::max(one.high, solver_.yield_value(values, which, tick + step - 1) + reach);
     };
-    const std::size_t tick = *solution_.yield_tick;
+    const std::size_t tick = *solution_.yield_ticks[which];
     one.status = ParameterStatus::estimated;
     one.remark.clear();
     one.low = one.high = solution_.values[yield];
@@ -384,8 +396,8 @@ CurveFit fit_curves(std::span<const MeasuredCurve> curves, const FitRequest& ask
   fit.parameters = estimation.parameters();
   fit.samples = solver.counted();
   fit.force = solver.force_at_samples(estimation.solution().values);
-  if (estimation.solution().yield_tick)
-    fit.yields_at = solver.history().ticks[*estimation.solution().yield_tick].depth;
+  for (const std::optional<std::size_t>& tick : estimation.solution().yield_ticks)
+    if (tick) fit.yields_at.push_back(solver.history().ticks[*tick].depth);
   fit.elements = model.elements(estimation.solution().values);
   describe_quality(curve, counts, fit);
   remark_on_motion(solver.history(), fit);
@@ -405,9 +417,11 @@ CurveFit fit_curves(std::span<const MeasuredCurve> curves, const FitRequest& ask
 
 ModelChoice choose_model(std::span<const MeasuredCurve> curves, const FitRequest& request) {
   ModelChoice choice;
+  if (!request.layers.empty()) fit_stack("tracking_wall", request.layers);  // depths that are none: for no model
   for (const FitModel& model : fit_models()) {
     FitRequest one = request;
     one.model = model.name;
+    if (!has_layers(model.name)) one.layers.clear();
     try {
       choice.fits.push_back(fit_curves(curves, one));
     } catch (const InputError& error) {

@@ -59,10 +59,11 @@ struct CurveFit {
   double r_squared = 0.0;                   // NaN where the measured force is constant: there is nothing to explain
   // Akaike's criterion with the correction for few samples; smaller is better, between models of the same samples.
   double aic = 0.0;
-  double rmse = 0.0;                // N
-  std::optional<double> yields_at;  // mm, depth at which the tissue gives way
-  std::vector<double> force;        // N, the model's, at every sample of the curve
-  std::vector<std::string> notes;   // one sentence each
+  double rmse = 0.0;  // N
+  std::vector<double>
+      yields_at;              // mm, depths at which tissues give way: one, or in a stack one for each layer that does
+  std::vector<double> force;  // N, the model's, at every sample of the curve
+  std::vector<std::string> notes;  // one sentence each
   FittedElements elements;
 
   const FittedParameter* find(std::string_view name) const noexcept;
@@ -76,12 +77,13 @@ CurveFit fit_curve(const MeasuredCurve& curve, const FitRequest& request);
 // other.
 CurveFit fit_curves(std::span<const MeasuredCurve> curves, const FitRequest& request);
 
-// Every model fitted to the same curves, the best by `aic` first.
+// Every model fitted to the same curves, the best by `aic` first. With `layers` those that know layers are fitted as
+// stacks, the others as one tissue.
 struct ModelChoice {
   std::vector<CurveFit> fits;
   std::vector<std::pair<std::string, std::string>> refused;  // model, and why
 };
-// `request` without model, fix, start, bounds, free and layers. Throws InputError when no model can be fitted.
+// `request` without model, fix, start, bounds and free. Throws InputError when no model can be fitted.
 ModelChoice choose_model(std::span<const MeasuredCurve> curves, const FitRequest& request);
 
 // The fitted values as an XML document: elements of the tissue library and of a case, ready to be copied.

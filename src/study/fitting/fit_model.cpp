@@ -24,19 +24,33 @@ const FitModel& fit_model(std::string_view name) {
   throw InputError(fmt::format("the model is {}, expected one of {}", io::in_quotes(name), names));
 }
 
+namespace {
+
+using Stack = FitModel (*)(std::span<const double>);
+
+Stack stack_of(std::string_view name) {
+  return name == "tracking_wall"    ? tracking_wall_stack_fit
+         : name == "depth_profile"  ? depth_profile_stack_fit
+         : name == "layered"        ? layered_stack_fit
+         : name == "shaft_friction" ? shaft_friction_stack_fit
+                                    : Stack{nullptr};
+}
+
+}  // namespace
+
+bool has_layers(std::string_view name) {
+  return stack_of(name) != nullptr;
+}
+
 FitModel fit_stack(std::string_view name, std::span<const double> tops) {
   constexpr std::size_t most = 30;
   constexpr double deepest = 500.0;  // mm
-  using Stack = FitModel (*)(std::span<const double>);
-  const std::string_view known = fit_model(name).name;
-  const Stack stack = known == "tracking_wall"    ? tracking_wall_stack_fit
-                      : known == "depth_profile"  ? depth_profile_stack_fit
-                      : known == "shaft_friction" ? shaft_friction_stack_fit
-                                                  : Stack{nullptr};
+  const Stack stack = stack_of(fit_model(name).name);
   if (stack == nullptr) {
-    throw InputError(fmt::format(
-        "--layers is for tracking_wall, depth_profile and shaft_friction, not {}; {}", name,
-        known == "layered" ? "fit each layer by itself with --from and --to" : "it knows one tissue and no layers"));
+    throw InputError(
+        fmt::format("--layers is for tracking_wall, depth_profile, layered and shaft_friction, not {}; it knows one "
+                    "tissue and no layers",
+                    name));
   }
   if (tops.front() != 0.0)
     throw InputError(fmt::format("--layers begins at {:g} mm, expected 0, the skin, first", tops.front()));

@@ -46,16 +46,17 @@ struct FitModel {
   std::string_view name;
   std::vector<FitParameter>
       parameters;                      // those first that are the last to be given up when data do not determine them
-  std::optional<std::size_t> yield;    // the parameter that decides where the tissue gives way: the force jumps there
+  std::vector<std::size_t> yields;     // parameters that each decide where a tissue gives way: the force jumps there
   std::optional<std::size_t> contact;  // depth at which the needle meets the tissue
   std::vector<std::size_t> jumpy;      // parameters that move smaller jumps of the force along the curve
   bool needs_time = false;             // the force depends on speed
   // Fills the force of every tick, N.
   void (*simulate)(std::span<const double> values, const NeedleHistory& history, std::span<double> force) = nullptr;
-  // The value of `yield` with which the tissue gives way in this motion; 0 where it cannot.
-  double (*yields_in)(std::span<const double> values, const AxialMotion& motion) = nullptr;
-  // Values to begin with.
-  void (*guess)(const CurveShape& shape, std::span<double> values) = nullptr;
+  // The value of yields[which] with which that tissue gives way in this motion; 0 where it cannot.
+  double (*yields_in)(std::span<const double> values, const AxialMotion& motion, std::size_t which) = nullptr;
+  // Values to begin with, from the curve as it is if the tissues of `yields` give way there: a shape for each, at
+  // least one.
+  void (*guess)(std::span<const CurveShape> shapes, std::span<double> values) = nullptr;
   FittedElements (*elements)(std::span<const double> values) = nullptr;
 };
 
@@ -65,9 +66,11 @@ const std::vector<FitModel>& fit_models();
 // Throws InputError with the names that there are.
 const FitModel& fit_model(std::string_view name);
 
-// A model of a stack whose layers begin at `tops` (mm, the first 0, rising): a force for each, what the layers share
-// once. Throws InputError for a model that knows no layers or whose layers give way by jumps, and for depths that are
-// none.
+// Whether fit_stack() has a model of this name.
+bool has_layers(std::string_view name);
+
+// A model of a stack whose layers begin at `tops` (mm, the first 0, rising): values for each layer, what the layers
+// share once. Throws InputError for a model that knows no layers, and for depths that are none.
 FitModel fit_stack(std::string_view name, std::span<const double> tops);
 
 // The models whose force has no law of its own for tissue along the shaft ...
@@ -78,6 +81,7 @@ FitModel depth_profile_fit();
 FitModel depth_profile_stack_fit(std::span<const double> tops);
 // ... and those that have.
 FitModel layered_fit();
+FitModel layered_stack_fit(std::span<const double> tops);
 FitModel three_component_fit();
 FitModel fracture_fit();
 FitModel shaft_friction_fit();

@@ -14,23 +14,6 @@ namespace bodkin::study {
 
 namespace {
 
-constexpr anatomy::TissueId first_layer = 32;  // ids of the layers' tissues, free in the engine
-constexpr double deepest_layer = 500.0;        // mm
-
-// A value for each layer, as parameters `name_1`, `name_2` ...
-void add_for_layers(FitModel& model, std::size_t layers, const FitParameter& one) {
-  for (std::size_t i = 0; i < layers; ++i) {
-    model.parameters.push_back(one);
-    model.parameters.back().name = fmt::format("{}_{}", one.name, i + 1);
-  }
-}
-
-// Where each layer begins; always kept.
-void add_tops(FitModel& model, std::span<const double> tops) {
-  for (std::size_t i = 0; i < tops.size(); ++i)
-    model.parameters.push_back({fmt::format("from_{}", i + 1), "mm", 0.0, deepest_layer, tops[i], false});
-}
-
 // The values: skin's stiffness, puncture depth, a stiffness for each layer, trailing length, contact, a slope for
 // each layer, then where each layer begins.
 namespace profile_stack {
@@ -76,11 +59,12 @@ void simulate(std::span<const double> p, const NeedleHistory& history, std::span
       });
 }
 
-double yields_in(std::span<const double> p, const AxialMotion& motion) {
+double yields_in(std::span<const double> p, const AxialMotion& motion, std::size_t /*which*/) {
   return motion.depth - contact(p);
 }
 
-void guess(const CurveShape& shape, std::span<double> p) {
+void guess(std::span<const CurveShape> shapes, std::span<double> p) {
+  const CurveShape& shape = shapes.front();
   const double depth = std::max(0.1, shape.peak_depth - shape.contact);
   const std::size_t n = layers(p);
   p[skin_stiffness] = shape.peak_force / depth;
@@ -137,7 +121,8 @@ void simulate(std::span<const double> p, const NeedleHistory& history, std::span
       });
 }
 
-void guess(const CurveShape& shape, std::span<double> p) {
+void guess(std::span<const CurveShape> shapes, std::span<double> p) {
+  const CurveShape& shape = shapes.front();
   const double all = std::max(1e-4, shape.end_force / std::max(0.5, shape.end_depth - shape.contact));
   for (std::size_t i = 0; i < layers(p); ++i) p[i] = all;
   p[layers(p) + contact] = shape.contact;
@@ -162,7 +147,7 @@ FitModel depth_profile_stack_fit(std::span<const double> tops) {
   FitModel model = {
       .name = "depth_profile",
       .parameters = {{"skin_stiffness", "N/mm", 0.01, 10.0, 0.3}, {"puncture_depth", "mm", 0.1, 50.0, 5.0}},
-      .yield = profile_stack::puncture_depth,
+      .yields = {profile_stack::puncture_depth},
       .contact = profile_stack::first + tops.size() + 1,
       .simulate = profile_stack::simulate,
       .yields_in = profile_stack::yields_in,

@@ -5,107 +5,12 @@
 #include "study/fitting/simulate.h"
 
 #include "forces/fracture.h"
-#include "forces/layered.h"
 #include "forces/shaft_friction.h"
 #include "forces/three_component.h"
-#include "forces/voigt_law.h"
 
 namespace bodkin::study {
 
 namespace {
-
-// The cubic law's force for k = 1: for the k that a force at a depth implies.
-double cubic_per_stiffness(double spacing, double depth) {
-  return forces::VoigtLaw(forces::VoigtSum::cubic, 1.0, 0.0, spacing).elastic(std::max(depth, 0.01));
-}
-
-namespace layered {
-enum : std::size_t {
-  stiffness,
-  break_force,
-  dynamic_friction,
-  shaft_stiffness,
-  viscosity,
-  spacing,
-  shaft_spacing,
-  static_ratio,
-  contact
-};
-constexpr double rigid_device = 1e12;  // N/mm: nothing is softened for the sake of a device
-constexpr double layer = 0.5;          // mm
-
-anatomy::LayeredTissue tissue_of(std::span<const double> p) {
-  anatomy::LayeredTissue one;
-  one.kind = anatomy::LayeredKind::viscoelastic;
-  one.stiffness = p[stiffness];
-  one.viscosity = p[viscosity];
-  one.element_spacing = p[spacing];
-  one.break_force = p[break_force];
-  one.shaft_stiffness = p[shaft_stiffness];
-  one.shaft_spacing = p[shaft_spacing];
-  one.dynamic_friction = p[dynamic_friction];
-  one.static_friction = p[dynamic_friction] * p[static_ratio];
-  return one;
-}
-
-void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> force) {
-  double deepest = 0.0;
-  for (const AxialMotion& motion : history.ticks) deepest = std::max(deepest, motion.depth - p[contact]);
-  const double longest = deepest + 2.0;
-  const std::vector<anatomy::TissueId> layers(static_cast<std::size_t>(longest / layer) + 1, anatomy::tissue::soft);
-  anatomy::TissueProperties soft;
-  soft.id = anatomy::tissue::soft;
-  soft.layered = tissue_of(p);
-  forces::Layered model(anatomy::TissueLibrary({soft}), {.layer = layer}, rigid_device, history.dt, longest);
-  forces::TickEvents events;
-  bool inside = false;  // this model also holds a needle that is just leaving
-  for (std::size_t n = 0; n < history.ticks.size(); ++n) {
-    AxialMotion motion = history.ticks[n];
-    motion.depth -= p[contact];
-    if (!inside && motion.depth > 0.0) {
-      model.begin();
-      inside = true;
-    }
-    force[n] = 0.0;
-    if (!inside) continue;
-    events.clear();
-    const forces::LayeredForce found = model.step(motion, layers, events);
-    force[n] = found.resistance;
-    inside = found.in_contact;
-  }
-}
-
-double yields_in(std::span<const double> p, const AxialMotion& motion) {
-  if (motion.direction <= 0) return 0.0;
-  const forces::VoigtLaw push(forces::VoigtSum::cubic, p[stiffness], p[viscosity], p[spacing]);
-  return push.push(motion.depth - p[contact], motion.velocity);
-}
-
-void guess(const CurveShape& shape, std::span<double> p) {
-  const double depth = shape.peak_depth - shape.contact;
-  p[stiffness] = shape.peak_force / cubic_per_stiffness(p[spacing], depth);
-  const double shaft = std::max(0.5, shape.end_depth - shape.contact);
-  p[dynamic_friction] = std::max(1e-4, shape.end_force / shaft);
-  p[shaft_stiffness] = p[dynamic_friction] / cubic_per_stiffness(p[shaft_spacing], 0.8);
-  p[viscosity] = 0.02 * p[stiffness];
-  p[contact] = shape.contact;
-}
-
-FittedElements elements(std::span<const double> p) {
-  const anatomy::LayeredTissue one = tissue_of(p);
-  io::XmlElement element;
-  element.name = "layered";
-  element.children.push_back(numbers_element("viscoelastic", {{"stiffness_N_per_mm", one.stiffness},
-                                                              {"viscosity_N_s_per_mm", one.viscosity},
-                                                              {"element_spacing_mm", one.element_spacing},
-                                                              {"break_force_N", one.break_force},
-                                                              {"shaft_stiffness_N_per_mm2", one.shaft_stiffness},
-                                                              {"shaft_spacing_mm", one.shaft_spacing},
-                                                              {"static_friction_N_per_mm", one.static_friction},
-                                                              {"dynamic_friction_N_per_mm", one.dynamic_friction}}));
-  return {.tissues = {element}};
-}
-}  // namespace layered
 
 namespace three {
 enum : std::size_t {
@@ -147,12 +52,13 @@ void simulate(std::span<const double> p, const NeedleHistory& history, std::span
       });
 }
 
-double yields_in(std::span<const double> p, const AxialMotion& motion) {
+double yields_in(std::span<const double> p, const AxialMotion& motion, std::size_t /*which*/) {
   const double x = motion.depth - p[contact];
   return x > 0.0 ? p[linear] * x + p[quadratic] * x * x : 0.0;
 }
 
-void guess(const CurveShape& shape, std::span<double> p) {
+void guess(std::span<const CurveShape> shapes, std::span<double> p) {
+  const CurveShape& shape = shapes.front();
   const double depth = std::max(0.1, shape.peak_depth - shape.contact);
   p[linear] = 0.3 * shape.peak_force / depth;
   p[quadratic] = 0.7 * shape.peak_force / (depth * depth);
@@ -207,12 +113,13 @@ void simulate(std::span<const double> p, const NeedleHistory& history, std::span
       });
 }
 
-double yields_in(std::span<const double> p, const AxialMotion& motion) {
+double yields_in(std::span<const double> p, const AxialMotion& motion, std::size_t /*which*/) {
   const double x = motion.depth - p[contact];
   return x > 0.0 ? forces::stored_energy(p[stiffness], p[spacing], x) / (p[width] * p[thickness]) : 0.0;
 }
 
-void guess(const CurveShape& shape, std::span<double> p) {
+void guess(std::span<const CurveShape> shapes, std::span<double> p) {
+  const CurveShape& shape = shapes.front();
   p[stiffness] = shape.peak_force / cubic_per_stiffness(p[spacing], shape.peak_depth - shape.contact);
   p[cutting_toughness] = std::max(0.001, 0.5 * (shape.after_force + shape.end_force) / p[width]);
   p[contact] = shape.contact;
@@ -245,7 +152,8 @@ void simulate(std::span<const double> p, const NeedleHistory& history, std::span
       });
 }
 
-void guess(const CurveShape& shape, std::span<double> p) {
+void guess(std::span<const CurveShape> shapes, std::span<double> p) {
+  const CurveShape& shape = shapes.front();
   p[coulomb] = std::max(1e-4, shape.end_force / std::max(0.5, shape.end_depth - shape.contact));
   p[static_friction] = 1.2 * p[coulomb];
   p[stiffness] = 3.0 * p[coulomb];
@@ -265,27 +173,6 @@ FittedElements elements(std::span<const double> p) {
 
 }  // namespace
 
-FitModel layered_fit() {
-  return {.name = "layered",
-          .parameters = {{"stiffness", "N/mm", 1e-6, 100.0, 0.05},
-                         {"break_force", "N", 0.001, 100.0, 1.0},
-                         {"dynamic_friction", "N/mm", 0.0, 5.0, 0.02},
-                         {"shaft_stiffness", "N/mm^2", 1e-6, 100.0, 0.02},
-                         {"viscosity", "N s/mm", 0.0, 10.0, 0.001},
-                         {"element_spacing", "mm", 0.05, 100.0, 1.0, false},
-                         {"shaft_spacing", "mm", 0.05, 100.0, 0.5, false},
-                         {"static_ratio", "", 1.0, 2.0, 1.2, false},
-                         {"contact", "mm", -1000.0, 1000.0, 0.0, false}},
-          .yield = layered::break_force,
-          .contact = layered::contact,
-          .jumpy = {layered::shaft_stiffness, layered::dynamic_friction},
-          .needs_time = true,
-          .simulate = layered::simulate,
-          .yields_in = layered::yields_in,
-          .guess = layered::guess,
-          .elements = layered::elements};
-}
-
 FitModel three_component_fit() {
   return {.name = "three_component",
           .parameters = {{"linear", "N/mm", 0.0, 10.0, 0.02},
@@ -299,7 +186,7 @@ FitModel three_component_fit() {
                          {"cutting_stiffness", "N/mm", 0.01, 100.0, 1.0, false},
                          {"hold", "N/mm^2", 0.001, 100.0, 0.1, false},
                          {"contact", "mm", -1000.0, 1000.0, 0.0, false}},
-          .yield = three::puncture_force,
+          .yields = {three::puncture_force},
           .contact = three::contact,
           .needs_time = true,
           .simulate = three::simulate,
@@ -318,7 +205,7 @@ FitModel fracture_fit() {
                          {"width", "mm", 0.05, 5.0, 0.8, false},
                          {"thickness", "mm", 0.01, 20.0, 1.0, false},
                          {"contact", "mm", -1000.0, 1000.0, 0.0, false}},
-          .yield = fracture::toughness,
+          .yields = {fracture::toughness},
           .contact = fracture::contact,
           .simulate = fracture::simulate,
           .yields_in = fracture::yields_in,

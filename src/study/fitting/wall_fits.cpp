@@ -24,7 +24,8 @@ void simulate(std::span<const double> p, const NeedleHistory& history, std::span
     force[n] = model.step(history.ticks[n], anatomy::tissue::soft, events);
 }
 
-void guess(const CurveShape& shape, std::span<double> p) {
+void guess(std::span<const CurveShape> shapes, std::span<double> p) {
+  const CurveShape& shape = shapes.front();
   p[stiffness] = shape.slope;
   p[wall] = std::min(shape.intercept, shape.contact);
 }
@@ -52,7 +53,8 @@ void simulate(std::span<const double> p, const NeedleHistory& history, std::span
       });
 }
 
-void guess(const CurveShape& shape, std::span<double> p) {
+void guess(std::span<const CurveShape> shapes, std::span<double> p) {
+  const CurveShape& shape = shapes.front();
   p[force] = std::max(shape.peak_force, shape.end_force);
   p[stiffness] = shape.slope;
   p[contact] = shape.contact;
@@ -96,7 +98,8 @@ void simulate(std::span<const double> p, const NeedleHistory& history, std::span
       });
 }
 
-void guess(const CurveShape& shape, std::span<double> p) {
+void guess(std::span<const CurveShape> shapes, std::span<double> p) {
+  const CurveShape& shape = shapes.front();
   p[0] = shape.slope;
   for (std::size_t i = 0; i < layers(p); ++i) p[1 + i] = std::max(shape.peak_force, shape.end_force);
   p[2 + layers(p)] = shape.contact;
@@ -132,11 +135,12 @@ void simulate(std::span<const double> p, const NeedleHistory& history, std::span
       });
 }
 
-double yields_in(std::span<const double> p, const AxialMotion& motion) {
+double yields_in(std::span<const double> p, const AxialMotion& motion, std::size_t /*which*/) {
   return motion.depth - p[contact];
 }
 
-void guess(const CurveShape& shape, std::span<double> p) {
+void guess(std::span<const CurveShape> shapes, std::span<double> p) {
+  const CurveShape& shape = shapes.front();
   const double depth = std::max(0.1, shape.peak_depth - shape.contact);
   p[skin_stiffness] = shape.peak_force / depth;
   p[contact] = shape.contact;
@@ -208,7 +212,7 @@ FitModel depth_profile_fit() {
                          {"slope", "N/mm^2", -1.0, 1.0, 0.01},
                          {"trailing", "mm", 0.01, 50.0, 2.0},
                          {"contact", "mm", -1000.0, 1000.0, 0.0, false}},
-          .yield = profile::puncture_depth,
+          .yields = {profile::puncture_depth},
           .contact = profile::contact,
           .simulate = profile::simulate,
           .yields_in = profile::yields_in,

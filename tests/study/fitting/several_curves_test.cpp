@@ -1,19 +1,18 @@
 // Several curves, stacks, needles and models at once, on curves that a script in another language has drawn from the
 // papers' equations (measured_by_others.py).
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "study/fitting/gauge_law.h"
+#include "tests/study/fitting/curves_of_others.h"
 #include "tests/study/fitting/generated_curve.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/error.h"
-#include "io/run_program.h"
 
 namespace bodkin {
 
@@ -21,23 +20,6 @@ using namespace bodkin::io;
 using namespace bodkin::study;
 using ::testing::HasSubstr;
 namespace {
-
-class CurvesOfOthers : public ::testing::Test {
- protected:
-  void SetUp() override {
-    if (std::system("python3 --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "python3 is not installed here";
-  }
-  static MeasuredCurve curve_of(const std::vector<std::string>& what) {
-    std::vector<std::string> command = {"python3", BODKIN_REPOSITORY "/tests/study/fitting/measured_by_others.py"};
-    command.insert(command.end(), what.begin(), what.end());
-    return parse_measured_curve(run_program(command, "", "python3").output, what.front() + ".csv");
-  }
-};
-
-bool within(const CurveFit& fit, const char* name, double truth) {
-  const FittedParameter& one = *fit.find(name);
-  return one.low <= truth && truth <= one.high;
-}
 
 TEST_F(CurvesOfOthers, a_tracking_wall_has_the_truth_in_its_intervals) {
   int held = 0;
@@ -182,7 +164,6 @@ TEST(SeveralCurves, stacks_and_needles_that_make_no_sense_are_refused) {
       fit_curve(curve, request);
     });
   };
-  EXPECT_THAT(stack("layered", {0.0, 3.0}), HasSubstr("fit each layer by itself"));
   EXPECT_THAT(stack("fracture", {0.0, 3.0}), HasSubstr("knows one tissue and no layers"));
   EXPECT_THAT(stack("tracking_wall", {1.0, 3.0}), HasSubstr("expected 0, the skin, first"));
   EXPECT_THAT(stack("tracking_wall", {0.0, 3.0, 3.0}), HasSubstr("expected depths that rise"));
