@@ -58,7 +58,7 @@ TEST(BodyThread, stands_still_until_time_goes_on_and_ends_with_its_object) {
   double time = 0.0;
   EXPECT_TRUE(runs_until(moving, time, [](const BodySnapshot& picture) { return picture.steps >= 3; }));
   EXPECT_FALSE(moving.failed());
-  for (const float moved : moving.motion()->read()) ASSERT_EQ(moved, 0.0F) << "nothing presses it";
+  for (const float moved : moving.motion()->read().moved) ASSERT_EQ(moved, 0.0F) << "nothing presses it";
 }
 
 TEST(BodyThread, follows_the_probe_and_tells_picture_and_needle_the_same) {
@@ -71,13 +71,13 @@ TEST(BodyThread, follows_the_probe_and_tells_picture_and_needle_the_same) {
   const BodySnapshot& picture = moving.snapshot();
   EXPECT_GT(picture.on_probe.force.z(), 0.05);
   EXPECT_LT(*std::min_element(picture.displacements.begin(), picture.displacements.end()), -5.9F);
-  EXPECT_EQ(moving.motion()->read(), picture.displacements);
+  EXPECT_EQ(moving.motion()->read().moved, picture.displacements);
   // Away again: back to where it was.
   moving.move_probe(std::nullopt);
   const std::uint64_t before = moving.snapshot().steps;
   ASSERT_TRUE(runs_until(moving, time, [before](const BodySnapshot& now) { return now.steps > before + 150; }));
   EXPECT_EQ(moving.snapshot().probe_nodes, 0U);
-  const std::vector<float>& left = moving.motion()->read();
+  const std::vector<float>& left = moving.motion()->read().moved;
   EXPECT_GT(*std::min_element(left.begin(), left.end()), -0.5F);
   EXPECT_FALSE(moving.failed());
 }
@@ -91,7 +91,7 @@ TEST(BodyThread, a_probe_that_is_nowhere_is_a_fault_after_which_the_needle_meets
   moving.move_probe(probe_down(5e4));  // 50 m
   ASSERT_TRUE(runs_until(moving, time, [](const BodySnapshot& picture) { return picture.faults > 0; }));
   EXPECT_TRUE(moving.failed());
-  EXPECT_TRUE(moving.motion()->read().empty());
+  EXPECT_TRUE(moving.motion()->read().moved.empty());
 }
 
 TEST(BodyThread, refuses_what_its_parts_refuse) {
