@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "patient/synthetic/variant.h"
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.h"
@@ -29,7 +30,6 @@ struct CaseSynthesizeOptions {
     Argument option;
   };
   std::vector<Choice> choices;
-  Argument gauge, needle;
 };
 
 constexpr const char* case_synthesize_footer = R"(Examples:
@@ -52,10 +52,13 @@ void run_case_synthesize(const CaseSynthesizeOptions& options, const CommandCont
     const bool is_drawn = options.vary && !each.option.given();
     request[each.name] = is_drawn ? drawn.parameters.*each.member : each.value;
   }
-  if (options.vary && !options.gauge.given() && !options.needle.given()) {
+  if (options.vary && !options.common.needle_is_given()) {
     const training::Procedure procedure = training::find_shipped_procedure(
         options.common.procedure.empty() ? "lumbar_puncture" : options.common.procedure);
-    request["needle_gauge"] = std::clamp(drawn.gauge, procedure.thickest_gauge, procedure.thinnest_gauge);
+    const int gauge = std::clamp(drawn.gauge, procedure.thickest_gauge, procedure.thinnest_gauge);
+    request["needle_gauge"] = gauge;
+    if (request.contains("needle"))  // of the procedure: its length and tip stay
+      request["needle"] = fmt::format("{}{}", gauge, procedure.needle.substr(procedure.needle.find(',')));
   }
   make_case("case-synthesize", request, options.common.folder, context);
 }
@@ -69,9 +72,7 @@ void add_case_synthesize_command(CLI::App& case_group, CommandContext& context) 
   CLI::App* command =
       add_command(*group, "lumbar", "A lumbar torso, L1 to the sacrum, for lumbar puncture", case_synthesize_footer);
   const auto options = std::make_shared<CaseSynthesizeOptions>();
-  const NewCaseArguments common = add_new_case_options(*command, options->common);
-  options->gauge = common.gauge;
-  options->needle = common.needle;
+  add_new_case_options(*command, options->common);
   constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
   add_whole_number(*command, "--seed", options->seed, 0, any, "Variation of sizes, and the noise");
   using Parameters = patient::LumbarParameters;

@@ -67,7 +67,7 @@ void import_experts(const ExpertsArguments& arguments, const CommandContext& con
                              result.attempts, file.string()));
     constexpr std::size_t fewest = 5;  // as ExpertSet compares
     if (result.attempts < fewest)
-      console.note(fmt::format("{}: nothing is compared with fewer than {} attempts", procedure, fewest));
+      console.note(fmt::format("{}: experts are compared with once there are {} attempts", procedure, fewest));
     all.push_back({{"procedure", procedure},
                    {"added", result.added},
                    {"known", result.known},

@@ -71,18 +71,18 @@ void say_summary(const json& result, const Console& console, const std::string& 
 
 }  // namespace
 
-NewCaseArguments add_new_case_options(CLI::App& command, NewCaseOptions& options) {
+void add_new_case_options(CLI::App& command, NewCaseOptions& options) {
   add_text(command, "DIR", options.folder, "Folder of the case; it must not exist yet").required();
   add_text(command, "--name", options.name, "Name of the patient (default: the folder's)");
   add_text(command, "--entry", options.entry, "Where the planned path enters the skin: x,y,z in LPS mm");
   add_text(command, "--target", options.target,
            "Where the needle's tip should end: x,y,z in LPS mm, or a structure by its name, whose middle is meant; "
            "without --entry the best way in is planned");
-  NewCaseArguments added;
-  added.gauge =
+  options.gauge =
       add_whole_number(command, "--needle-gauge", options.needle_gauge, anatomy::gauge_sizes().front().gauge,
-                       anatomy::gauge_sizes().back().gauge, "Gauge of the needle, 10 to 34");
-  added.needle = add_text(
+                       anatomy::gauge_sizes().back().gauge,
+                       "Gauge of a Quincke needle of 90 mm, 10 to 34 (default: the procedure's needle, or 22)");
+  options.needle_option = add_text(
       command, "--needle", options.needle,
       "The whole needle: GAUGE,LENGTH,TIP, such as 18,90,tuohy; tips are quincke, whitacre, tuohy, chiba, trephine, "
       "filiform, sprotte, diamond, conical");
@@ -100,7 +100,6 @@ NewCaseArguments add_new_case_options(CLI::App& command, NewCaseOptions& options
            "What is practised: a procedure that comes with Bodkin (default: lumbar_puncture where there is a lumbar "
            "spine)");
   add_switch(command, "--overwrite", options.overwrite, "Replace a case that is already there");
-  return added;
 }
 
 json new_case_request(const NewCaseOptions& options) {
@@ -146,6 +145,7 @@ json new_case_request(const NewCaseOptions& options) {
         training::find_shipped_procedure(options.procedure.empty() ? "needle_insertion" : options.procedure);
     say_rules(training::planning_rules(procedure), request);
     request["procedure"] = procedure.name;
+    if (!procedure.needle.empty() && !options.needle_is_given()) request["needle"] = procedure.needle;
     for (const training::Goal& goal : procedure.goals)
       if (!goal.tissue.empty()) request["target_tissue"] = goal.tissue;
   }

@@ -13,23 +13,20 @@ namespace bodkin::cli {
 
 // What `case new` and `case synthesize` have in common: options, and what is said at the end.
 struct NewCaseOptions {
+  Argument gauge, needle_option;  // may be asked whether they were given
   std::string folder;
   std::string name;
   std::string entry, target;  // "x,y,z"
   std::int64_t needle_gauge = 22;
   std::string needle;  // "GAUGE,LENGTH,TIP"
+  bool needle_is_given() const { return gauge.given() || needle_option.given(); }
   std::string mechanics, force_in_organs;
   std::vector<std::string> parts;
   std::string procedure;
   bool overwrite = false;
 };
 
-// Options of which a command may ask whether they were given.
-struct NewCaseArguments {
-  Argument gauge, needle;
-};
-
-NewCaseArguments add_new_case_options(CLI::App& command, NewCaseOptions& options);
+void add_new_case_options(CLI::App& command, NewCaseOptions& options);
 
 // The options as the image worker takes them. Throws InputError when one is out of range, or when a path is half
 // given.

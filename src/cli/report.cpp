@@ -9,6 +9,7 @@
 #include "report/document_html.h"
 #include "report/document_pdf.h"
 #include "report/force_limits.h"
+#include "report/recorded_report.h"
 #include "session/case_digest.h"
 #include "session/session_file.h"
 #include "session/session_run.h"
@@ -91,11 +92,8 @@ void run_report(const ReportArguments& arguments, const CommandContext& context)
                                             : training::find_procedure(arguments.procedure);
   const auto experts =
       arguments.experts.empty() ? training::experts_of(procedure) : training::ExpertSet::read(arguments.experts);
-  // Voxels of another patient than the recorded one say nothing about what the needle met.
-  const training::PatientVolumes volumes =
-      changed ? training::PatientVolumes{} : training::PatientVolumes{&patient.structures, &patient.tissues};
   const training::Score score =
-      training::score(session, description, procedure, volumes, experts ? &*experts : nullptr);
+      report::score_for_report(session, patient, changed, procedure, experts ? &*experts : nullptr);
   const report::Document document = report::report_document(session, patient, score, changed, depth);
 
   write_file(file, is_pdf ? report::pdf_of(document) : report::html_of(document));

@@ -62,13 +62,13 @@ std::string percent_row(const training::CohortRow& row) {
 void note_waiting(Console& console, const training::Outbox& outbox) {
   const std::int64_t waiting = outbox.waiting();
   if (waiting > 0)
-    console.note(
-        fmt::format("{} attempts of this station wait for the store; 'bodkin results deliver' tries again", waiting));
+    console.note(fmt::format(
+        "attempts of this station that wait for the store: {}; 'bodkin results deliver' tries again", waiting));
   for (const training::WaitingFor& other : outbox.waiting_elsewhere()) {
     console.note(
-        fmt::format("{} attempts of this station wait for another store, {}; 'bodkin results deliver --store' with "
-                    "its address tries again",
-                    other.attempts, other.store));
+        fmt::format("attempts of this station that wait for another store, {}: {}; 'bodkin results deliver --store' "
+                    "with its address tries again",
+                    other.store, other.attempts));
   }
 }
 
@@ -97,7 +97,7 @@ void run_add(const ResultsArguments& arguments, const CommandContext& context) {
     using State = training::Delivery::State;
     const training::Delivery delivery = outbox.add(records[i]);
     if (delivery.delivered > 0)
-      console.note(fmt::format("{} attempts that had waited were delivered", delivery.delivered));
+      console.note(fmt::format("attempts that had waited and were delivered: {}", delivery.delivered));
     if (delivery.state == State::waiting) console.note(delivery.reason);
     const char* const state = delivery.state == State::stored  ? "stored"
                               : delivery.state == State::known ? "known before"
@@ -212,15 +212,15 @@ void run_delete(const ResultsArguments& arguments, const CommandContext& context
   } catch (const InputError&) {
     if (waited == 0) throw;  // nothing of that name here or there
   }
-  console.line(fmt::format("{} attempts and {} session files of {} were deleted", done.attempts + waited,
-                           done.deleted_files.size(), arguments.trainee));
+  console.line(fmt::format("deleted of {}: attempts {}, session files {}", arguments.trainee, done.attempts + waited,
+                           done.deleted_files.size()));
   for (const std::string& file : done.other_files)
     console.note(fmt::format("a session file is still to be deleted by hand: {}", file));
   for (const training::WaitingFor& other : outbox.waiting_elsewhere()) {
     console.note(
-        fmt::format("{} attempts on this station wait for another store, {}; what {} has there is deleted with "
+        fmt::format("attempts of this station that wait for another store, {}: {}; what {} has there is deleted with "
                     "--store and its address",
-                    other.attempts, other.store, arguments.trainee));
+                    other.store, other.attempts, arguments.trainee));
   }
   console.json(ordered_json{{"attempts", done.attempts + waited},
                             {"deleted_files", done.deleted_files.size()},
@@ -233,7 +233,7 @@ void run_deliver(const ResultsArguments& arguments, const CommandContext& contex
   training::Outbox outbox(training::store_place(arguments.store), training::outbox_folder());
   const std::int64_t delivered = arguments.from.empty() ? outbox.deliver() : outbox.take_over(arguments.from);
   note_waiting(console, outbox);
-  console.line(fmt::format("{} attempts were delivered", delivered));
+  console.line(fmt::format("attempts delivered: {}", delivered));
   console.json(ordered_json{{"delivered", delivered}}.dump(2));
 }
 

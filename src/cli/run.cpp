@@ -19,6 +19,8 @@
 #include "cli/outcome.h"
 #include "core/error.h"
 #include "io/case_folder.h"
+#include "training/planning_rules.h"
+#include "training/procedure_file.h"
 
 namespace bodkin::cli {
 
@@ -28,7 +30,7 @@ namespace fs = std::filesystem;
 
 struct RunArguments {
   std::string folder;
-  std::string operator_name = "expert";
+  std::string operator_name;
   std::string entry, target;
   std::string output;
   std::int64_t seed = 1;
@@ -82,12 +84,15 @@ void run_scripted(RunArguments arguments, CommandContext& context) {
   session::RunSettings& settings = arguments.settings;
   settings.seed = static_cast<std::uint64_t>(arguments.seed);
   if (!arguments.output.empty()) require_writable(arguments.output, "--output");
-  settings.script = session::load_operator(arguments.operator_name);
+  if (!arguments.operator_name.empty()) settings.script = session::load_operator(arguments.operator_name);
   anatomy::Case patient = io::load_case(arguments.folder, console.progress());
+  const training::Procedure procedure = training::procedure_of_case(patient.description.procedure.name);
+  if (arguments.operator_name.empty()) settings.script = session::load_operator(procedure.expert);
   apply(arguments.forces, patient.description.haptics);
   settings.path = path_of(arguments, patient);
   patient::prepare_body(patient, arguments.folder, settings.path, console.progress(),
                         [&](const std::string& text) { console.note(text); });
+  settings.ending = training::completing_id(procedure, patient.library);
   settings.output = arguments.output.empty()
                         ? free_name(patient.description.name, settings.script.name, settings.seed, settings.overwrite)
                         : fs::path(arguments.output);
@@ -106,7 +111,10 @@ void run_scripted(RunArguments arguments, CommandContext& context) {
   }
   const Outcome outcome = read_outcome(settings.output, patient, std::move(run));
   for (const std::string& note : outcome.run.notes) console.note(note);
-  if (!outcome.run.operator_finished && !outcome.run.given_up) {
+  if (outcome.run.completed) {
+    console.note(fmt::format("the tip touched the {} {:.1f} mm below the skin: the attempt is complete",
+                             patient.library.title(*settings.ending), *outcome.run.completed));
+  } else if (!outcome.run.operator_finished && !outcome.run.given_up) {
     console.note(fmt::format("the longest time of {} s was over while the operator was in phase '{}'",
                              settings.longest, outcome.run.last_phase));
   }
@@ -132,7 +140,7 @@ void add_run_command(CLI::App& app, CommandContext& context) {
   add_text(*command, "CASE", arguments->folder, "Folder of the case").required();
   add_text(*command, "--operator", arguments->operator_name,
            "expert, novice, expert_epidural, expert_lumbar_puncture, expert_to_target, expert_acupuncture, or an "
-           "operator file");
+           "operator file (default: the expert of the case's procedure)");
   add_whole_number(*command, "--seed", arguments->seed, 0, std::numeric_limits<std::int64_t>::max(),
                    "What chance is made from: errors of aim, tremor, reaction times");
   add_switch(*command, "--realtime", settings.realtime, "On the clock instead of as fast as it goes");

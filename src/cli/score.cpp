@@ -84,10 +84,8 @@ void run_score(const ScoreArguments& arguments, CommandContext& context) {
       console.note(fmt::format("{}: the case names the procedure {}, which is none of Bodkin's; judged as {}", file,
                                description.procedure.name, procedure.name));
     }
-    const fs::path folder =
-        arguments.folder.empty() ? fs::path(session.header.case_folder) : fs::path(arguments.folder);
     const training::RecordedPatient patient =
-        training::read_recorded_patient(session, description, folder, procedure, console.progress());
+        training::read_recorded_patient(session, description, arguments.folder, procedure, console.progress());
     console.clear_bar();
     if (!patient.missing.empty()) {
       if (!arguments.folder.empty()) throw InputError(fmt::format("--case: {}", patient.missing));
@@ -120,7 +118,7 @@ void add_score_command(CLI::App& app, CommandContext& context) {
       add_command(app, "score", "How good an attempt was, by the rules of its procedure", score_footer);
   add_texts(*command, "SESSION", arguments->sessions, "Files of sessions").required();
   add_text(*command, "--procedure", arguments->procedure, "Name or file of a procedure (default: the case's)");
-  add_text(*command, "--case", arguments->folder, "Folder of the case (default: where it was recorded)");
+  add_text(*command, "--case", arguments->folder, "Folder of the case (default: the patient that the session keeps)");
   add_text(*command, "--experts", arguments->experts, "Table of attempts of experts to compare with");
   add_text(*command, "--csv", arguments->table, "Table to write, a row for each session");
   on_run(*command, [arguments, &context] { run_score(*arguments, context); });

@@ -5,7 +5,9 @@
 #include <cstring>
 #include <fstream>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -74,7 +76,7 @@ anatomy::Grid grid_of_header(const NrrdHeader& header, const std::string& name) 
 
 // Unpacks `packed` into the whole of `voxels`.
 template <typename Voxel>
-void unpack(const std::vector<std::uint8_t>& packed, std::vector<Voxel>& voxels, const std::string& name) {
+void unpack(std::span<const std::uint8_t> packed, std::vector<Voxel>& voxels, const std::string& name) {
   const std::unique_ptr<libdeflate_decompressor, FreeDecompressor> decompressor(libdeflate_alloc_decompressor());
   if (!decompressor) throw std::bad_alloc();
   const std::size_t expected = voxels.size() * sizeof(Voxel);
@@ -88,6 +90,24 @@ void unpack(const std::vector<std::uint8_t>& packed, std::vector<Voxel>& voxels,
   if (read != packed.size()) refuse_packed(name, "are followed by other bytes");
 }
 
+// The grid that a header declares, after everything that it claims has agreed with the `packed_length` bytes behind
+// it, of which `tail` are the last ones.
+anatomy::Grid checked_grid(const NrrdHeader& header, std::size_t voxel_bytes, std::size_t packed_length,
+                           const std::uint8_t* tail, const std::string& name) {
+  require_plausible_size(name, {header.size.begin(), header.size.end()}, voxel_bytes,
+                         static_cast<double>(packed_length) * most_inflation);
+  const anatomy::Grid grid = grid_of_header(header, name);
+  require_packed_length(tail, packed_length, grid.voxel_count() * voxel_bytes, name);
+  return grid;
+}
+
+template <typename Voxel>
+std::optional<ParsedNrrdHeader> header_in(std::string_view head) {
+  std::optional<ParsedNrrdHeader> parsed = parse_nrrd_header(head.substr(0, longest_nrrd_header));
+  if (parsed && parsed->header.type != nrrd_type<Voxel>()) parsed.reset();
+  return parsed;
+}
+
 }  // namespace
 
 template <typename Voxel>
@@ -97,8 +117,8 @@ std::optional<anatomy::Volume<Voxel>> read_nrrd(const std::filesystem::path& fil
   std::string head(longest_nrrd_header, '\0');
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(stream.gcount()));
-  const std::optional<ParsedNrrdHeader> parsed = parse_nrrd_header(head);
-  if (!parsed || parsed->header.type != nrrd_type<Voxel>()) return std::nullopt;
+  const std::optional<ParsedNrrdHeader> parsed = header_in<Voxel>(head);
+  if (!parsed) return std::nullopt;
 
   // Everything that the header claims is checked before memory is taken for it.
   stream.clear();
@@ -106,26 +126,38 @@ std::optional<anatomy::Volume<Voxel>> read_nrrd(const std::filesystem::path& fil
   const std::size_t length = static_cast<std::size_t>(stream.tellg());
   if (length < parsed->bytes + gzip_frame) refuse_packed(name, "are truncated or damaged");
   const std::size_t packed_length = length - parsed->bytes;
-  const std::array<int, 3>& size = parsed->header.size;
-  require_plausible_size(name, {size.begin(), size.end()}, sizeof(Voxel),
-                         static_cast<double>(packed_length) * most_inflation);
-  anatomy::Volume<Voxel> volume;
-  volume.grid = grid_of_header(parsed->header, name);
-  const std::size_t count = volume.grid.voxel_count();
   std::uint8_t tail[gzip_length];
   stream.seekg(-static_cast<std::streamoff>(gzip_length), std::ios::end);
   stream.read(reinterpret_cast<char*>(tail), gzip_length);
-  require_packed_length(tail, packed_length, count * sizeof(Voxel), name);
+  anatomy::Volume<Voxel> volume;
+  volume.grid = checked_grid(parsed->header, sizeof(Voxel), packed_length, tail, name);
 
   stream.seekg(static_cast<std::streamoff>(parsed->bytes));
   const std::vector<std::uint8_t> packed = read_bytes(stream, packed_length, name);
-  volume.voxels.resize(count);
-  unpack(packed, volume.voxels, name);
+  volume.voxels.resize(volume.grid.voxel_count());
+  unpack<Voxel>(packed, volume.voxels, name);
+  return volume;
+}
+
+template <typename Voxel>
+std::optional<anatomy::Volume<Voxel>> parse_nrrd(std::span<const std::uint8_t> bytes, const std::string& name) {
+  const std::optional<ParsedNrrdHeader> parsed =
+      header_in<Voxel>({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  if (!parsed) return std::nullopt;
+  if (bytes.size() < parsed->bytes + gzip_frame) refuse_packed(name, "are truncated or damaged");
+  const std::span<const std::uint8_t> packed = bytes.subspan(parsed->bytes);
+  anatomy::Volume<Voxel> volume;
+  volume.grid = checked_grid(parsed->header, sizeof(Voxel), packed.size(), packed.last(gzip_length).data(), name);
+  volume.voxels.resize(volume.grid.voxel_count());
+  unpack<Voxel>(packed, volume.voxels, name);
   return volume;
 }
 
 template std::optional<anatomy::CtVolume> read_nrrd(const std::filesystem::path& file);
 template std::optional<anatomy::LabelVolume> read_nrrd(const std::filesystem::path& file);
 template std::optional<anatomy::TissueVolume> read_nrrd(const std::filesystem::path& file);
+template std::optional<anatomy::LabelVolume> parse_nrrd(std::span<const std::uint8_t> bytes, const std::string& name);
+template std::optional<anatomy::TissueVolume> parse_nrrd(std::span<const std::uint8_t> bytes,
+                                                         const std::string& name);
 
 }  // namespace bodkin::io

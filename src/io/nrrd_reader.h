@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
+#include <string>
 
 #include "anatomy/volume.h"
 
@@ -17,8 +20,16 @@ namespace bodkin::io {
 template <typename Voxel>
 std::optional<anatomy::Volume<Voxel>> read_nrrd(const std::filesystem::path& file);
 
+// The same for the content of such a file, as nrrd_bytes() makes it. `name` begins every message.
+template <typename Voxel>
+std::optional<anatomy::Volume<Voxel>> parse_nrrd(std::span<const std::uint8_t> bytes, const std::string& name);
+
 extern template std::optional<anatomy::CtVolume> read_nrrd(const std::filesystem::path& file);
 extern template std::optional<anatomy::LabelVolume> read_nrrd(const std::filesystem::path& file);
 extern template std::optional<anatomy::TissueVolume> read_nrrd(const std::filesystem::path& file);
+extern template std::optional<anatomy::LabelVolume> parse_nrrd(std::span<const std::uint8_t> bytes,
+                                                               const std::string& name);
+extern template std::optional<anatomy::TissueVolume> parse_nrrd(std::span<const std::uint8_t> bytes,
+                                                                const std::string& name);
 
 }  // namespace bodkin::io

@@ -5,11 +5,13 @@
 #include <cerrno>
 #include <cstring>
 #include <memory>
+#include <new>
 #include <string>
 #include <string_view>
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <libdeflate.h>
 #include <unistd.h>
 #include <zlib.h>
 
@@ -33,6 +35,10 @@ NrrdHeader header_of(const anatomy::Grid& grid, std::string_view type) {
 [[noreturn]] void fail_to_write(const std::filesystem::path& file) {
   throw SystemError(fmt::format("{} cannot be written: {}", file.string(), std::strerror(errno)));
 }
+
+struct FreeCompressor {
+  void operator()(libdeflate_compressor* compressor) const { libdeflate_free_compressor(compressor); }
+};
 
 }  // namespace
 
@@ -58,8 +64,25 @@ void write_nrrd(const anatomy::Volume<Voxel>& volume, const std::filesystem::pat
   if (gzclose(stream.release()) != Z_OK) fail_to_write(file);
 }
 
+template <typename Voxel>
+std::vector<std::uint8_t> nrrd_bytes(const anatomy::Volume<Voxel>& volume) {
+  const std::string header = nrrd_header_text(header_of(volume.grid, nrrd_type<Voxel>()));
+  const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(libdeflate_alloc_compressor(1));
+  if (!compressor) throw std::bad_alloc();
+  const std::size_t length = volume.voxels.size() * sizeof(Voxel);
+  std::vector<std::uint8_t> bytes(header.begin(), header.end());
+  bytes.resize(header.size() + libdeflate_gzip_compress_bound(compressor.get(), length));
+  const std::size_t packed = libdeflate_gzip_compress(compressor.get(), volume.voxels.data(), length,
+                                                      &bytes[header.size()], bytes.size() - header.size());
+  bytes.resize(header.size() + packed);
+  bytes.shrink_to_fit();
+  return bytes;
+}
+
 template void write_nrrd(const anatomy::CtVolume& volume, const std::filesystem::path& file);
 template void write_nrrd(const anatomy::LabelVolume& volume, const std::filesystem::path& file);
 template void write_nrrd(const anatomy::TissueVolume& volume, const std::filesystem::path& file);
+template std::vector<std::uint8_t> nrrd_bytes(const anatomy::LabelVolume& volume);
+template std::vector<std::uint8_t> nrrd_bytes(const anatomy::TissueVolume& volume);
 
 }  // namespace bodkin::io

@@ -40,6 +40,8 @@ constexpr double invisible = 0.1;
 constexpr std::uint32_t paper = 0xFFFFFF, text_ink = 0x26303A, title_ink = 0x12212E, axis_ink = 0x5B6670,
                         grid_ink = 0xD5DADE, zero_ink = 0x8A949C, mark_ink = 0xB3261E;
 constexpr double band_opacity = 0.32;
+constexpr double range_opacity = 0.22;
+constexpr double range_sample = 10.0;  // px, height of its sample in the key
 
 using Place = Eigen::Vector2d;
 
@@ -110,6 +112,12 @@ std::vector<PlotBand> merged(const std::vector<PlotBand>& bands) {
   return result;
 }
 
+struct KeyEntry {
+  std::string name;
+  std::uint32_t colour;
+  const PlotSeries* series;  // null: a range
+};
+
 class PlotArtist {
  public:
   explicit PlotArtist(const Plot& plot) : plot_(plot), bands_(merged(plot.bands)) { measure(); }
@@ -140,6 +148,11 @@ class PlotArtist {
       for (const double x : series.x) x_.include(x);
       for (const double y : series.y) (series.right_axis ? right_ : y_).include(y);
     }
+    for (const PlotRange& range : plot_.ranges) {
+      for (const double x : range.x) x_.include(x);
+      for (const double low : range.low) y_.include(low);
+      for (const double high : range.high) y_.include(high);
+    }
     for (const PlotBand& band : bands_) {
       x_.include(band.from);
       x_.include(band.to);
@@ -169,14 +182,16 @@ class PlotArtist {
     canvas_.set_size(width, height_);
   }
 
-  // There is a key when more than one series has a name. Its columns are as wide as the longest name.
+  // There is a key when more than one series or range has a name. Its columns are as wide as the longest name.
   void measure_key() {
     double longest = 0.0;
-    for (const PlotSeries& series : plot_.series) {
-      if (series.name.empty()) continue;
-      named_.push_back(&series);
-      longest = std::max(longest, imaging::text_width(series.name, plain_text));
-    }
+    const auto name = [&](const KeyEntry& entry) {
+      if (entry.name.empty()) return;
+      named_.push_back(entry);
+      longest = std::max(longest, imaging::text_width(entry.name, plain_text));
+    };
+    for (const PlotRange& range : plot_.ranges) name({range.name, range.colour, nullptr});
+    for (const PlotSeries& series : plot_.series) name({series.name, series.colour, &series});
     if (named_.size() < 2) return named_.clear();
     key_column_ = key_sample + 24.0 + longest;
     key_columns_ = std::max<std::size_t>(1, static_cast<std::size_t>((width - left_margin) / key_column_));
@@ -293,8 +308,14 @@ class PlotArtist {
       const std::size_t row = i / key_columns_, column = i % key_columns_;
       const Place at(left_margin + key_column_ * static_cast<double>(column),
                      bottom() + axis_room + 9.0 + key_row * static_cast<double>(row));
-      canvas_.stroke(imaging::Path::segment(at, at + Place(key_sample, 0.0)), line_style(*named_[i]));
-      write(at + Place(key_sample + 8.0, label_line * plain_text), named_[i]->name, style(plain_text));
+      const KeyEntry& entry = named_[i];
+      if (entry.series != nullptr) {
+        canvas_.stroke(imaging::Path::segment(at, at + Place(key_sample, 0.0)), line_style(*entry.series));
+      } else {
+        canvas_.fill(imaging::Path::rectangle(at.x(), at.y() - 0.5 * range_sample, key_sample, range_sample),
+                     {entry.colour, range_opacity});
+      }
+      write(at + Place(key_sample + 8.0, label_line * plain_text), entry.name, style(plain_text));
     }
   }
 
@@ -338,6 +359,14 @@ class PlotArtist {
   // Without the points on straight lines between others, as far as can be seen; cut off where the axes end.
   void series() {
     imaging::Canvas area(right_edge_ - left_margin, plot_.height);
+    for (const PlotRange& range : plot_.ranges) {
+      std::vector<Place> outline;
+      for (std::size_t i = 0; i < range.x.size(); ++i)
+        outline.emplace_back(px_x(range.x[i]) - left_margin, px_y(range.high[i]) - top_);
+      for (std::size_t i = range.x.size(); i-- > 0;)
+        outline.emplace_back(px_x(range.x[i]) - left_margin, px_y(range.low[i]) - top_);
+      area.fill(imaging::Path::polygon(outline), {range.colour, range_opacity});
+    }
     for (const PlotSeries& series : plot_.series) {
       std::vector<std::array<double, 2>> places;
       for (const std::size_t i : points_to_draw(series))
@@ -354,7 +383,7 @@ class PlotArtist {
   std::vector<PlotMark> groups_;
   AxisRange x_, y_, right_;
   double top_ = 0.0, right_edge_ = 0.0, height_ = 0.0;  // px
-  std::vector<const PlotSeries*> named_;                // in the key; empty: there is none
+  std::vector<KeyEntry> named_;                         // in the key; empty: there is none
   std::size_t key_columns_ = 1;
   double key_column_ = 0.0, key_height_ = 0.0;  // px
   imaging::Canvas canvas_{0.0, 0.0};

@@ -28,6 +28,13 @@ struct PlotSeries {
   std::vector<double> dash = {};  // px, strokes and gaps in turn; empty: a solid line
 };
 
+// The room between two lines over the axis on the left, filled; it lies under the series.
+struct PlotRange {
+  std::string name;                  // empty: not in the key
+  std::vector<double> x, low, high;  // equally many, finite
+  std::uint32_t colour = 0x12385C;
+};
+
 // A numbered dot; its text stands in a list below the plot. Dots at (nearly) one place share a number.
 struct PlotMark {
   double x = 0.0;
@@ -48,6 +55,7 @@ struct Plot {
   std::string y_label;
   std::string right_label;  // empty: no axis on the right
   std::vector<PlotBand> bands;
+  std::vector<PlotRange> ranges;
   std::vector<PlotSeries> series;  // the last one lies on top
   std::vector<PlotMark> marks;
   std::vector<PlotDivider> dividers;

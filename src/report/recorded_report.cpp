@@ -10,10 +10,21 @@
 #include "io/resources.h"
 #include "training/expert_table.h"
 #include "training/procedure_file.h"
+#include "training/recorded_patient.h"
 
 namespace bodkin::report {
 
 namespace fs = std::filesystem;
+
+training::Score score_for_report(const session::Session& session, const anatomy::Case& patient, bool changed,
+                                 const training::Procedure& procedure, const training::ExpertSet* experts) {
+  const anatomy::CaseDescription description = training::description_of(session);
+  const std::optional<training::RecordedPatient> kept = training::kept_patient(session);
+  // Voxels of another patient than the recorded one say nothing about what the needle met.
+  const training::PatientVolumes of_case =
+      changed ? training::PatientVolumes{} : training::PatientVolumes{&patient.structures, &patient.tissues};
+  return training::score(session, description, procedure, kept ? kept->volumes() : of_case, experts);
+}
 
 std::string recorded_report_html(const fs::path& file) {
   const session::Session session = session::read_session(file);
@@ -28,15 +39,10 @@ std::string recorded_report_html(const fs::path& file) {
   const std::string description_text = io::read_text_file(folder / "case.xml", session::largest_case_xml);
   const bool changed = !session::is_digest_of_case(session.header.case_digest, patient, description_text,
                                                    session::mesh_digest(folder, session.header.haptics.resistance));
-  const anatomy::CaseDescription description = training::description_of(session);
-  const training::Procedure procedure = training::procedure_of_case(description.procedure.name);
+  const training::Procedure procedure = training::procedure_of_case(training::description_of(session).procedure.name);
   const auto experts = training::experts_of(procedure);
-  // Voxels of another patient than the recorded one say nothing about what the needle met.
-  const training::PatientVolumes volumes =
-      changed ? training::PatientVolumes{} : training::PatientVolumes{&patient.structures, &patient.tissues};
   return report_html(session, patient,
-                     training::score(session, description, procedure, volumes, experts ? &*experts : nullptr),
-                     changed);
+                     score_for_report(session, patient, changed, procedure, experts ? &*experts : nullptr), changed);
 }
 
 }  // namespace bodkin::report

@@ -8,6 +8,7 @@
 #include "report/cut_open_picture.h"
 #include "report/diagnostic_plot.h"
 #include "report/document_html.h"
+#include "report/expert_forces.h"
 #include "report/expert_plot.h"
 #include "report/force_limits.h"
 #include "report/force_plot.h"
@@ -183,9 +184,22 @@ class ReportWriter {
       plot = force_against_depth(session_.ticks, session_.events, session_.header.dt, patient_);
     }
     plot.x_label = depth_label(depth_);
+    if (const auto experts = expert_range()) {
+      plot.ranges.push_back(*experts);
+      remark(
+          fmt::format("Behind the curve: between the least and the greatest resistance that {} attempts of the "
+                      "simulated expert meet on the way in, on this patient, with this path and these force models.",
+                      expert_attempts));
+    }
     figure(draw_plot(plot), "Resistance against depth, with the tissues as coloured bands");
     const std::vector<Plot> published = diagnostics_against_depth(session_.ticks, session_.header.diagnostics);
     if (!published.empty()) figure(draw_plots(published), "What the force models published, against depth");
+  }
+
+  // Depths of the hand alone can be compared, and only on the patient as the session had it.
+  std::optional<PlotRange> expert_range() const {
+    if (case_changed_ || depth_ == PlottedDepth::material || score_.expert.empty()) return std::nullopt;
+    return expert_forces(patient_, session_.header, score_.expert);
   }
 
   std::vector<Vec3> travelled() const {

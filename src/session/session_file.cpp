@@ -9,6 +9,7 @@
 #include "session/scan_table.h"
 #include "session/session_schema.h"
 #include "session/tick_codec.h"
+#include "session/volume_table.h"
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
 
@@ -183,6 +184,7 @@ SessionWriter::Impl::Impl(const fs::path& path, const SessionHeader& header)
       all += fmt::format("{}\n{}\n{}\n", tissue.id, tissue.name, tissue.title);
     }
     put_header("checksum", text_checksum(all));
+    put_volumes(database, header.volumes);
     transaction.commit();
   }
   database.exec("PRAGMA journal_mode=WAL");

@@ -12,6 +12,7 @@
 #include "session/scan_sample.h"
 #include "session/second_sample.h"
 #include "session/session_timings.h"
+#include "session/volume_table.h"
 
 #include "anatomy/case.h"
 #include "anatomy/ultrasound_probe.h"
@@ -52,6 +53,7 @@ struct SessionHeader {
   std::string body_digest;          // of the deformable body as it was prepared; "": there was none
   std::vector<TissueName> tissues;  // of the case's library, in the order of their ids
   std::vector<RecordedDiagnostic> diagnostics;  // in the order of TickOutput::diagnostics, at most most_diagnostics
+  RecordedVolumes volumes;                      // of the patient; none in a session of before version 5
 };
 
 // An event with its place in the session.
@@ -96,8 +98,8 @@ class SessionWriter {
 struct Session {
   SessionHeader header;
   // Of the file's format. Version 2 has no diagnostics, and its loss_of_resistance is what the force model told;
-  // version 3 does not know what an ultrasound machine did.
-  int version = 4;
+  // version 3 does not know what an ultrasound machine did, version 4 keeps no volumes of the patient.
+  int version = 5;
   std::vector<simulation::TickRecord> ticks;  // events stand in `events`, not in the records
   std::vector<SessionEvent> events;
   std::vector<SecondSample> second;       // of the second hand

@@ -15,6 +15,7 @@
 #include "session/session_file.h"
 #include "session/session_schema.h"
 #include "session/tick_codec.h"
+#include "session/volume_table.h"
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
@@ -144,6 +145,7 @@ void Reader::check_schema(SQLite::Database& database) const {
     expected.erase("scans");
     expected.erase("scanned");
   }
+  if (version_ < session_schema::with_volumes) expected.erase("volumes");
   const std::string changes = session_schema::changes.name;
   expected[changes] = session_schema::changes.sql;
   for (const auto& table : session_schema::moving_body) expected[table.name] = table.sql;
@@ -393,6 +395,7 @@ Session Reader::read() {
     read_chunks(database, session);
     if (version_ >= session_schema::with_diagnostics) read_diagnostics(database, session);
     read_hands(database, session);
+    if (version_ >= session_schema::with_volumes) session.header.volumes = read_volumes(database, file_.string());
     session.changes = read_changes(database, file_.string());
     session.body_steps = read_body_steps(database, file_.string());
     session.body_taken = read_body_taken(database, file_.string());

@@ -54,14 +54,18 @@ class Run {
     result_.given_up = settings_.gives_up && settings_.gives_up();
     return result_.given_up;
   }
-  bool goes_on(const Recorder& recorder) { return !loop_.finished() && !recorder.failed() && !gives_up(); }
+  bool is_over() { return result_.completed || loop_.finished() || gives_up(); }
+  void note_completion(const simulation::TickRecord& record) noexcept {
+    if (is_touched(record.output, settings_.ending)) result_.completed = record.output.depth;
+  }
 
   void at_full_speed() {
     simulation::TickRecord record;
-    for (std::uint64_t tick = 0; tick < most_ticks_ && !loop_.finished() && !gives_up(); ++tick) {
+    for (std::uint64_t tick = 0; tick < most_ticks_ && !is_over(); ++tick) {
       note_phase(loop_.phase());
       loop_.step(record);
       writer_.append(record);
+      note_completion(record);
       ++result_.ticks;
       if (tick % show_interval == 0) show(loop_.phase());
     }
@@ -81,13 +85,14 @@ class Run {
       const haptics::TickClock now = haptics::monotonic_clock();
       simulation::TickRecord record;
       clock.start();
-      for (std::uint64_t tick = 0; tick < most_ticks_ && goes_on(recorder); ++tick) {
+      for (std::uint64_t tick = 0; tick < most_ticks_ && !recorder.failed() && !is_over(); ++tick) {
         note_phase(loop_.phase());
         phase.store(loop_.phase(), std::memory_order_relaxed);
         clock.wait();
         const std::int64_t began = now();
         loop_.step(record);
         recorder.push(record);
+        note_completion(record);
         const double compute = static_cast<double>(now() - began) * 1e-9;
         timings.lateness.record(clock.lateness());
         timings.compute.record(compute);
@@ -125,6 +130,10 @@ class Run {
 
 }  // namespace
 
+bool is_touched(const simulation::TickOutput& output, const std::optional<anatomy::TissueId>& tissue) noexcept {
+  return tissue && output.in_contact && output.tissue == *tissue;
+}
+
 SessionHeader session_header(const anatomy::Case& patient, const std::filesystem::path& case_folder,
                              const anatomy::NeedlePath& path) {
   SessionHeader header;
@@ -138,6 +147,7 @@ SessionHeader session_header(const anatomy::Case& patient, const std::filesystem
   header.path = path;
   header.haptics = patient.description.haptics;
   header.body_digest = digest_of_body(patient);
+  header.volumes = recorded_volumes(patient);
   for (const forces::DiagnosticName& one : simulation::diagnostic_names(header.haptics))
     header.diagnostics.push_back({std::string(one.name), std::string(one.title)});
   for (int id = 0; id < 255; ++id) {

@@ -23,6 +23,10 @@ std::int64_t chunk_checksum(std::uint64_t first_tick, std::uint32_t ticks, std::
       static_cast<std::uint64_t>(XXH3_64bits_withSeed(data.data(), data.size(), place)));
 }
 
+std::int64_t data_checksum(std::span<const std::uint8_t> data) {
+  return std::bit_cast<std::int64_t>(static_cast<std::uint64_t>(XXH3_64bits(data.data(), data.size())));
+}
+
 std::string text_checksum(const std::string& text) {
   return fmt::format("{:016x}", static_cast<std::uint64_t>(XXH3_64bits(text.data(), text.size())));
 }

@@ -7,14 +7,15 @@
 
 namespace bodkin::session {
 
-// The shape of a session file, version 4; docs/session-format.md explains it to people.
+// The shape of a session file, version 5; docs/session-format.md explains it to people.
 namespace session_schema {
 
 inline constexpr std::int32_t application_id = 0x42444B4E;  // "BDKN"
-inline constexpr std::int32_t version = 4;
+inline constexpr std::int32_t version = 5;
 inline constexpr std::int32_t oldest_version = 2;
 inline constexpr std::int32_t with_diagnostics = 3;  // the first one that has the table `diagnostics`
 inline constexpr std::int32_t with_scans = 4;        // the first one that has `scans` and `scanned`
+inline constexpr std::int32_t with_volumes = 5;      // the first one that has `volumes`
 
 struct Table {
   const char* name;
@@ -22,7 +23,7 @@ struct Table {
 };
 
 // The authority is all of them but `events`, which repeats the events of the chunks for those who ask in SQL.
-inline constexpr std::array<Table, 9> tables = {{
+inline constexpr std::array<Table, 10> tables = {{
     {"header", "CREATE TABLE header(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID"},
     {"tissues", "CREATE TABLE tissues(id INTEGER PRIMARY KEY, name TEXT NOT NULL, title TEXT NOT NULL)"},
     {"chunks",
@@ -50,6 +51,8 @@ inline constexpr std::array<Table, 9> tables = {{
     {"diagnostics",
      "CREATE TABLE diagnostics(first_tick INTEGER PRIMARY KEY, ticks INTEGER NOT NULL, checksum INTEGER NOT NULL, "
      "data BLOB NOT NULL)"},
+    {"volumes",
+     "CREATE TABLE volumes(name TEXT PRIMARY KEY, checksum INTEGER NOT NULL, nrrd BLOB NOT NULL) WITHOUT ROWID"},
     {"timings", "CREATE TABLE timings(what TEXT NOT NULL, up_to_s REAL NOT NULL, count INTEGER NOT NULL)"},
 }};
 
@@ -86,6 +89,9 @@ inline constexpr double unit_tolerance = 1e-6;  // of a rotation's length
 // XXH3 (64 bits) over the place and the content of a chunk, as SQLite stores integers.
 std::int64_t chunk_checksum(std::uint64_t first_tick, std::uint32_t ticks, std::uint32_t events,
                             std::span<const std::uint8_t> data);
+
+// XXH3 (64 bits) of any bytes, as SQLite stores integers.
+std::int64_t data_checksum(std::span<const std::uint8_t> data);
 
 // XXH3 (64 bits) of a text, as 16 hexadecimal digits.
 std::string text_checksum(const std::string& text);

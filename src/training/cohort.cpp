@@ -14,6 +14,7 @@
 #include "training/cusum.h"
 #include "training/metric_groups.h"
 #include "training/plan_progress.h"
+#include "training/planning_rules.h"
 #include "training/score.h"
 #include "training/score_json.h"
 #include "training/simulated_attempt.h"
@@ -159,7 +160,8 @@ class Cohort {
             settings_.performer ? *settings_.performer : operator_of_skill(settings_.novice, settings_.expert, skill);
         const std::uint64_t chance =
             mix64(settings_.seed) ^ mix64(number + 1) ^ mix64(0x5EED0000ULL + static_cast<std::uint64_t>(done));
-        session::Session session = simulate_attempt(*here.patient, script, here.path, chance);
+        session::Session session = simulate_attempt(*here.patient, script, here.path, chance,
+                                                    completing_id(here.procedure, here.patient->library));
         if (asks_for_probe(here.procedure)) hold_probe(session, script, chance);
         const Score result = score(session, here.patient->description, here.procedure,
                                    {&here.patient->structures, &here.patient->tissues, &surfaces_[stage]});

@@ -29,6 +29,24 @@ std::string table_head() {
   return "digest," + score_csv_columns();
 }
 
+constexpr std::string_view thresholds_mark = "# Measured with thresholds: ";
+
+// "rest_s 1, stop_mm_per_s 3", or "the usual ones".
+std::string text_of(const Thresholds& thresholds) {
+  std::string text;
+  for (const auto& [name, value] : own_thresholds(thresholds))
+    text += fmt::format("{}{} {:.17g}", text.empty() ? "" : ", ", name, value);
+  return text.empty() ? "the usual ones" : text;
+}
+
+// What a table says of its thresholds. One of before it said so was measured with the usual ones.
+std::string thresholds_in(std::string_view table) {
+  const std::size_t at = table.find(thresholds_mark);
+  if (at == std::string_view::npos) return text_of({});
+  const std::size_t from = at + thresholds_mark.size();
+  return std::string(table.substr(from, table.find('\n', from) - from));
+}
+
 // The rows that a table of ours holds; none where there is no file.
 std::vector<TableRow> rows_of(const fs::path& file) {
   std::error_code error;
@@ -65,7 +83,11 @@ fs::path own_expert_file(const std::string& procedure) {
 std::optional<ExpertSet> experts_of(const Procedure& procedure) {
   const fs::path own = own_expert_file(procedure.name);
   std::error_code error;
-  if (fs::is_regular_file(own, error)) return ExpertSet::read(own);
+  if (fs::is_regular_file(own, error)) {
+    ExpertSet experts = ExpertSet::read(own);
+    const bool alike = thresholds_in(io::read_text_file(own, largest_table)) == text_of(procedure.thresholds);
+    return alike ? std::optional(std::move(experts)) : std::nullopt;
+  }
   if (procedure.thresholds != Thresholds()) return std::nullopt;
   return ExpertSet::shipped(procedure.name);
 }
@@ -73,6 +95,16 @@ std::optional<ExpertSet> experts_of(const Procedure& procedure) {
 ExpertsAdded add_experts(const fs::path& file, std::span<const ExpertAttempt> attempts) {
   std::vector<TableRow> rows = rows_of(file);
   ExpertsAdded result;
+  std::string before = text_of(attempts.empty() ? Thresholds() : attempts.front().score.thresholds);
+  if (!rows.empty()) before = thresholds_in(io::read_text_file(file, largest_table));
+  for (const ExpertAttempt& attempt : attempts) {
+    const std::string own = text_of(attempt.score.thresholds);
+    if (own == before) continue;
+    throw InputError(
+        fmt::format("{}: its attempts were measured with the thresholds {}, the new ones with {}; delete the table "
+                    "with 'bodkin experts delete {}' and import all sessions by one procedure",
+                    file.string(), before, own, file.stem().string()));
+  }
   for (const ExpertAttempt& attempt : attempts) {
     const auto same =
         std::find_if(rows.begin(), rows.end(), [&](const TableRow& row) { return row.digest == attempt.digest; });
@@ -88,7 +120,7 @@ ExpertsAdded add_experts(const fs::path& file, std::span<const ExpertAttempt> at
   result.attempts = rows.size();
   std::string text =
       "# Attempts of experts, imported by 'bodkin experts import'. A row is known by the digest of its session.\n";
-  text += table_head() + '\n';
+  text += fmt::format("{}{}\n{}\n", thresholds_mark, before, table_head());
   for (const TableRow& row : rows) text += fmt::format("{},{}\n", row.digest, row.fields);
   if (!rows.empty()) write_file(file, text);
   return result;

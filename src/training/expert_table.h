@@ -14,8 +14,8 @@ namespace bodkin::training {
 std::filesystem::path own_expert_file(const std::string& procedure);
 
 // The experts that attempts at a procedure are compared with: a person's own where there are some, or else those that
-// come with Bodkin, who were measured with the default thresholds and are not compared with where the procedure
-// states others. Throws InputError for a table of one's own that is none.
+// come with Bodkin, who were measured with the default thresholds. Experts who were measured with other thresholds
+// than the procedure states are not compared with. Throws InputError for a table of one's own that is none.
 std::optional<ExpertSet> experts_of(const Procedure& procedure);
 
 // An expert's attempt on its way into a table.
@@ -29,8 +29,9 @@ struct ExpertsAdded {
   std::size_t attempts = 0;          // in the table now
 };
 
-// Adds attempts to the table in `file`, which is made where it is missing, and replaced as a whole. Throws InputError
-// for a table that another version of Bodkin wrote or that is none, SystemError when it cannot be written.
+// Adds attempts to the table in `file`, which is made where it is missing, and replaced as a whole; it says with
+// which thresholds they were measured. Throws InputError for a table that another version of Bodkin wrote or that is
+// none, for attempts with other thresholds than those in it, SystemError when it cannot be written.
 ExpertsAdded add_experts(const std::filesystem::path& file, std::span<const ExpertAttempt> attempts);
 
 }  // namespace bodkin::training

@@ -77,7 +77,7 @@ std::vector<Metric> metrics_of_guidance() {
        "TrainUS, lumbar insertion", guide_steps_kept},
       {"nearest_forbidden_mm", "mm", "least distance from what must not be entered",
        "of the tip in the body from the nearest voxel of what the procedure forbids and the case marks as critical; "
-       "0 where it entered; of what is within 100 mm, and with the patient's segmentation at hand",
+       "0 where it entered; of what is within 100 mm",
        "Lampotang et al. 2013, near misses", nearest_forbidden}};
 }
 

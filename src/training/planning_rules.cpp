@@ -21,4 +21,9 @@ std::string completing_tissue(const Procedure& procedure) {
   return "";
 }
 
+std::optional<anatomy::TissueId> completing_id(const Procedure& procedure, const anatomy::TissueLibrary& library) {
+  const anatomy::TissueProperties* const tissue = library.find(completing_tissue(procedure));
+  return tissue == nullptr ? std::nullopt : std::optional(tissue->id);
+}
+
 }  // namespace bodkin::training

@@ -170,6 +170,8 @@ struct Procedure {
   std::string title;
   std::string description;
   std::string levels;  // interspaces that may be entered, names of landmarks with a blank between; empty: any place
+  std::string expert = "expert";  // simulated operator who is good at it, see session::load_operator
+  std::string needle;             // that is usual: "GAUGE,LENGTH,TIP"; empty: the case chooses
   int thickest_gauge = 10;
   int thinnest_gauge = 34;
   std::vector<Step> steps;
@@ -186,6 +188,8 @@ struct Procedure {
         Parameter{"description", &S::description, "what it is for", Origin::choice},
         Parameter{"levels", &S::levels, "interspaces that may be entered, as landmarks name them; empty: any place",
                   Origin::choice},
+        Parameter{"expert", &S::expert, "simulated operator who is good at it", Origin::choice},
+        Parameter{"needle", &S::needle, "that is usual: GAUGE,LENGTH,TIP; empty: the case chooses", Origin::choice},
         Parameter{"thickest_gauge", &S::thickest_gauge, Range{10.0, 34.0}, "", "of a needle that is usual",
                   Origin::choice},
         Parameter{"thinnest_gauge", &S::thinnest_gauge, Range{10.0, 34.0}, "", "of a needle that is usual",

@@ -1,6 +1,7 @@
 #include "training/recorded_patient.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "session/session_run.h"
 #include <fmt/format.h>
@@ -10,9 +11,22 @@
 
 namespace bodkin::training {
 
+std::optional<RecordedPatient> kept_patient(const session::Session& session) {
+  const session::RecordedVolumes& volumes = session.header.volumes;
+  if (volumes.structures.empty() && volumes.tissues.empty()) return std::nullopt;
+  RecordedPatient patient;
+  if (!volumes.structures.empty()) patient.structures = session::structures_of(volumes, "the session");
+  if (!volumes.tissues.empty()) patient.tissues = session::tissues_of(volumes, "the session");
+  return patient;
+}
+
 RecordedPatient read_recorded_patient(const session::Session& session, const anatomy::CaseDescription& description,
-                                      const std::filesystem::path& folder, const Procedure& procedure,
+                                      const std::filesystem::path& named, const Procedure& procedure,
                                       const Progress& progress) {
+  if (named.empty()) {
+    if (std::optional<RecordedPatient> kept = kept_patient(session)) return std::move(*kept);
+  }
+  const std::filesystem::path folder = named.empty() ? std::filesystem::path(session.header.case_folder) : named;
   RecordedPatient patient;
   const std::filesystem::path document = folder / "case.xml";
   std::error_code error;

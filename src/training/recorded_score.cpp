@@ -23,9 +23,7 @@ RecordedScore score_recording(const std::filesystem::path& file, const std::stri
   result.description = description_of(result.session);
   const Procedure by =
       procedure.empty() ? procedure_of_case(result.description.procedure.name) : find_procedure(procedure);
-  const RecordedPatient patient = read_recorded_patient(
-      result.session, result.description,
-      folder.empty() ? std::filesystem::path(result.session.header.case_folder) : folder, by, progress);
+  const RecordedPatient patient = read_recorded_patient(result.session, result.description, folder, by, progress);
   if (!patient.missing.empty() && !folder.empty()) throw InputError("--case: " + patient.missing);
   result.missing = patient.missing;
   const auto experts = experts_of(by);

@@ -21,8 +21,8 @@ struct RecordedScore {
 // Reads a session that can be judged. Throws InputError as read_session() does, and for one without a tick.
 session::Session read_attempt(const std::filesystem::path& file);
 
-// Reads a session and judges it by `procedure` (a name or a file; empty: the one that its case names), on the case in
-// `folder` (empty: where it was recorded), against the experts that come with Bodkin. Throws InputError, also
+// Reads a session and judges it by `procedure` (a name or a file; empty: the one that its case names), on the
+// patient that it keeps or the case in `folder`, against the experts that come with Bodkin. Throws InputError, also
 // where `folder` was given and is not the case of the session.
 RecordedScore score_recording(const std::filesystem::path& file, const std::string& procedure = {},
                               const std::filesystem::path& folder = {}, const Progress& progress = {});

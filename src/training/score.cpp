@@ -53,6 +53,7 @@ class Scorer {
   Score judge() {
     score_.procedure = procedure_.name;
     score_.title = procedure_.title;
+    score_.expert = procedure_.expert;
     score_.tissues = measured_.tissues;
     score_.punctures = measured_.punctures;
     score_.final_tip = attempt_.final_tip;

@@ -38,6 +38,7 @@ struct StepResult {
 struct Score {
   std::string procedure;  // its name
   std::string title;      // of the procedure
+  std::string expert;     // simulated operator who is good at it
   Grade verdict = Grade::fail;
   std::string headline;                // without a full stop
   bool reached = false;                // the procedure's aim, by one of its goals
@@ -59,10 +60,10 @@ struct Score {
 };
 
 // Judges a session by a procedure. The verdict is the worst of its findings: an attempt that entered what the
-// procedure or the case forbids is never a pass, whatever else it reached. Everything is computed from the session;
-// `volumes` adds what it does not keep (see find_harm), and where a critical structure could not be looked for, the
-// verdict is borderline at best. `experts` may be null. Throws InputError for a session without ticks, and for a
-// procedure that names a tissue that neither the session nor Bodkin knows.
+// procedure or the case forbids is never a pass, whatever else it reached. Everything is computed from the session,
+// whose patient's voxels are `volumes` (see training/recorded_patient.h); where they are not at hand and a critical
+// structure could not be looked for, the verdict is borderline at best. `experts` may be null. Throws InputError for
+// a session without ticks, and for a procedure that names a tissue that neither the session nor Bodkin knows.
 Score score(const session::Session& session, const anatomy::CaseDescription& description, const Procedure& procedure,
             const PatientVolumes& volumes = {}, const ExpertSet* experts = nullptr);
 

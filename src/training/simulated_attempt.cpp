@@ -1,11 +1,14 @@
 #include "training/simulated_attempt.h"
 
+#include "session/session_run.h"
+
 #include "simulation/closed_loop.h"
 
 namespace bodkin::training {
 
 session::Session simulate_attempt(const anatomy::Case& patient, const simulation::OperatorScript& script,
-                                  const anatomy::NeedlePath& path, std::uint64_t seed, double longest) {
+                                  const anatomy::NeedlePath& path, std::uint64_t seed,
+                                  const std::optional<anatomy::TissueId>& ending, double longest) {
   simulation::ClosedLoop loop(patient, script, path, seed);
   session::Session session;
   session.header.dt = loop.dt();
@@ -20,6 +23,7 @@ session::Session simulate_attempt(const anatomy::Case& patient, const simulation
     simulation::TickRecord& record = session.ticks.emplace_back();
     loop.step(record);
     for (const forces::Event& event : record.output.events) session.events.push_back({record.tick, event});
+    if (session::is_touched(record.output, ending)) break;
   }
   session.finished = true;
   return session;

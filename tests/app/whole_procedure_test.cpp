@@ -140,6 +140,11 @@ TEST_F(WholeProcedure, an_epidural_with_the_thumb_on_the_plunger_passes) {
       << told();
   QTest::mouseRelease(find("practise.plunger"), Qt::LeftButton);
   EXPECT_TRUE(wait([&] { return !frame().other_hand.plunger; }, 10));
+  // The key does the same while it is held.
+  QTest::keyPress(window_->focusWidget(), Qt::Key_B);
+  EXPECT_TRUE(wait([&] { return frame().other_hand.plunger; }, 10));
+  QTest::keyRelease(window_->focusWidget(), Qt::Key_B);
+  EXPECT_TRUE(wait([&] { return !frame().other_hand.plunger; }, 10));
   QTest::qWait(2500);  // the needle rests
   EXPECT_EQ(frame().tissue, anatomy::tissue::epidural_fat) << frame().place;
   key(Qt::Key_E);

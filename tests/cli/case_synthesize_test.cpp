@@ -76,6 +76,21 @@ TEST_F(CaseSynthesize, a_needle_is_drawn_among_those_that_are_usual_at_the_proce
   EXPECT_GT(drawn.size(), 1U) << "of a lumbar puncture 20, 22 or 25G";
 }
 
+TEST_F(CaseSynthesize, the_needle_is_the_procedure_s_unless_one_is_given) {
+  const auto needle = [&](const std::string& options) {
+    const std::string folder = fmt::format("needle{}", std::hash<std::string>()(options));
+    EXPECT_EQ(bodkin("--quiet case synthesize lumbar " + folder + " --spacing 3 " + options).exit_code, 0);
+    const auto about = nlohmann::json::parse(bodkin("--json case show " + folder + " -o it.svg").output).at("needle");
+    return fmt::format("{} {} {}", about.at("gauge").get<int>(), about.at("length_mm").get<double>(),
+                       about.at("tip").get<std::string>());
+  };
+  EXPECT_EQ(needle(""), "22 90 quincke");
+  EXPECT_EQ(needle("--procedure epidural"), "18 90 tuohy");
+  EXPECT_EQ(needle("--procedure epidural --needle 16,110,tuohy"), "16 110 tuohy");
+  EXPECT_EQ(needle("--procedure epidural --needle-gauge 20"), "20 90 quincke");
+  EXPECT_THAT(needle("--procedure epidural --vary --seed 4"), testing::EndsWith(" 90 tuohy"));
+}
+
 TEST_F(CaseSynthesize, parameters_out_of_range_are_refused_and_leave_nothing) {
   for (const char* wrong : {"--age 12", "--age nan", "--weight 400", "--height 0", "--flexion -0.1", "--spacing 0.1",
                             "--scoliosis 60", "--calcification 2", "--seed -3", "--seed x"}) {

@@ -71,7 +71,7 @@ TEST_F(StoreTrouble, a_newer_store_is_left_as_it_is) {
   EXPECT_FALSE(fs::exists(folder_ / "table.csv"));
   bodkin::training::connect_sqlite(store().string(), 1000ms)
       ->change("UPDATE store_version SET version = version - 1");
-  EXPECT_THAT(bodkin("-q results deliver" + at_store()).output, HasSubstr("1 attempts were delivered"));
+  EXPECT_THAT(bodkin("-q results deliver" + at_store()).output, HasSubstr("attempts delivered: 1"));
   EXPECT_EQ(bodkin::training::ResultStore(store().string()).summaries().size(), 2U);
 }
 
@@ -80,7 +80,7 @@ TEST_F(StoreTrouble, a_server_that_cannot_be_reached_loses_nothing) {
   for (const std::string& command : readers) expect_one_sentence(command + nowhere, 1, "cannot be reached");
   expect_that_it_waits(nowhere, "cannot be reached");
   expect_one_sentence("-q results deliver" + nowhere, 1, "cannot be reached");
-  EXPECT_THAT(bodkin("results list").errors, HasSubstr("1 attempts of this station wait for another store"));
+  EXPECT_THAT(bodkin("results list").errors, HasSubstr("attempts of this station that wait for another store"));
   EXPECT_THAT(bodkin("results deliver" + nowhere).errors, ::testing::Not(HasSubstr("secret")));
 }
 
@@ -88,8 +88,7 @@ TEST_F(StoreTrouble, a_server_that_cannot_be_reached_loses_nothing) {
 TEST_F(StoreTrouble, an_attempt_at_a_plan_waits_and_gets_its_stage_when_it_is_delivered) {
   const std::string nowhere = "postgresql://station@127.0.0.1:1/none";
   expect_that_it_waits(" --plan lumbar_puncture_first_steps --store " + nowhere, "cannot be reached");
-  EXPECT_THAT(bodkin("-q results deliver --from " + nowhere + at_store()).output,
-              HasSubstr("1 attempts were delivered"));
+  EXPECT_THAT(bodkin("-q results deliver --from " + nowhere + at_store()).output, HasSubstr("attempts delivered: 1"));
   EXPECT_THAT(bodkin("-q plan show lumbar_puncture_first_steps --trainee trainee-07" + at_store()).output,
               HasSubstr("trainee-07: stage 1 of 3, 1 of 2 passed in a row, attempt 2 of 10"));
 }
@@ -102,7 +101,7 @@ TEST_F(StoreTrouble, a_locked_store_says_so_and_the_attempt_waits) {
   expect_one_sentence("-q results list" + at_store(), 1, "is locked by another program; nothing was changed");
   expect_that_it_waits(at_store(), "is locked by another program");
   other->roll_back();
-  EXPECT_THAT(bodkin("-q results deliver" + at_store()).output, HasSubstr("1 attempts were delivered"));
+  EXPECT_THAT(bodkin("-q results deliver" + at_store()).output, HasSubstr("attempts delivered: 1"));
   EXPECT_EQ(bodkin::training::ResultStore(store().string()).summaries().size(), 2U);
 }
 
@@ -124,7 +123,7 @@ TEST_F(StoreTrouble, on_a_full_disk_the_store_keeps_what_it_had_and_the_attempt_
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
   EXPECT_EQ(bodkin::training::ResultStore(store().string()).summaries("trainee-01").size(), many.size());
-  EXPECT_THAT(bodkin("-q results deliver" + at_store()).output, HasSubstr("1 attempts were delivered"));
+  EXPECT_THAT(bodkin("-q results deliver" + at_store()).output, HasSubstr("attempts delivered: 1"));
 }
 
 }  // namespace

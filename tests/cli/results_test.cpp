@@ -67,7 +67,7 @@ TEST_F(ResultsCommand, keeps_nothing_for_a_plan_that_names_what_does_not_exist) 
 TEST_F(ResultsCommand, deletes_a_session_that_the_store_owns) {
   fs::copy(folder_ / "session.bodkin", folder_ / "owned.bodkin");
   bodkin("-q results add owned.bodkin --trainee trainee-07 --own");
-  EXPECT_THAT(bodkin("-q results delete trainee-07").output, HasSubstr("1 attempts and 1 session files"));
+  EXPECT_THAT(bodkin("-q results delete trainee-07").output, HasSubstr("attempts 1, session files 1"));
   EXPECT_FALSE(fs::exists(folder_ / "owned.bodkin"));
 }
 
@@ -84,7 +84,7 @@ TEST_F(ResultsCommand, deletes_everything_of_a_trainee_but_files_that_are_not_th
   bodkin("-q results add session.bodkin --trainee trainee-07");
   const Outcome said = bodkin("-q results delete trainee-07");
   EXPECT_EQ(said.exit_code, 0) << said.text();
-  EXPECT_THAT(said.output, HasSubstr("1 attempts and 0 session files of trainee-07 were deleted"));
+  EXPECT_THAT(said.output, HasSubstr("deleted of trainee-07: attempts 1, session files 0"));
   EXPECT_TRUE(fs::exists(folder_ / "session.bodkin"));
   EXPECT_THAT(bodkin("-q results list").output, Not(HasSubstr("trainee-07")));
   EXPECT_EQ(bodkin("-q results delete trainee-07").exit_code, 2);
@@ -98,16 +98,16 @@ TEST_F(ResultsCommand, keeps_an_attempt_here_while_the_store_cannot_be_reached_a
   EXPECT_EQ(bodkin("-q results deliver" + nowhere).exit_code, 1);
   // It waits for that store, not for this one.
   const Outcome here = bodkin("results deliver");
-  EXPECT_THAT(here.output, HasSubstr("0 attempts were delivered"));
-  EXPECT_THAT(here.errors, HasSubstr("1 attempts of this station wait for another store, "
-                                     "postgresql://station@127.0.0.1:1/none;"));
+  EXPECT_THAT(here.output, HasSubstr("attempts delivered: 0"));
+  EXPECT_THAT(here.errors, HasSubstr("attempts of this station that wait for another store, "
+                                     "postgresql://station@127.0.0.1:1/none: 1;"));
   EXPECT_THAT(bodkin("-q results list").output, Not(HasSubstr("trainee-07")));
   const Outcome mistaken = bodkin("-q results deliver --from postgresql://station@127.0.0.1:2/none");
   EXPECT_EQ(mistaken.exit_code, 2);
   EXPECT_THAT(mistaken.errors, HasSubstr("nothing on this station waits for the store"));
   // That store has moved here.
   const std::string moved = " --from postgres://station:secret@127.0.0.1:1/none";
-  EXPECT_THAT(bodkin("-q results deliver" + moved).output, HasSubstr("1 attempts were delivered"));
+  EXPECT_THAT(bodkin("-q results deliver" + moved).output, HasSubstr("attempts delivered: 1"));
   EXPECT_EQ(bodkin("-q results deliver" + moved).exit_code, 2);
   EXPECT_THAT(bodkin("-q results list").output, HasSubstr("trainee-07"));
 }

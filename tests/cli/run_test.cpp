@@ -57,6 +57,29 @@ TEST_F(RunCommand, does_not_overwrite_unless_asked_and_numbers_its_own_names) {
   EXPECT_THAT(second, HasSubstr("expert-77-2.bodkin"));
 }
 
+TEST_F(RunCommand, of_a_biopsy_is_the_expert_s_who_follows_a_plan_and_ends_at_the_lesion) {
+  ASSERT_EQ(bodkin("-q case synthesize lumbar lesion --spacing 2 --lesion 20 --procedure ct_guided_biopsy --target "
+                   "lesion --needle 18,150,chiba")
+                .exit_code,
+            0);
+  const Outcome run = bodkin("--json run lesion --seed 3 --output lesion.bodkin");
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.errors, HasSubstr("the tip touched the lesion"));
+  EXPECT_THAT(run.errors, HasSubstr("the attempt is complete"));
+  const auto json = nlohmann::json::parse(run.output);
+  EXPECT_EQ(json.at("operator"), "expert_to_target");
+  EXPECT_TRUE(json.at("reached").get<bool>());
+  const bodkin::session::Session session = bodkin::session::read_session(folder_ / "lesion.bodkin");
+  EXPECT_TRUE(session.finished);
+  EXPECT_NEAR(session.ticks.back().output.depth, json.at("completed_at_mm").get<double>(), 1e-9);
+  const auto mass = std::find_if(session.header.tissues.begin(), session.header.tissues.end(),
+                                 [](const auto& each) { return each.name == "mass"; });
+  ASSERT_NE(mass, session.header.tissues.end());
+  const auto in_lesion = std::count_if(session.ticks.begin(), session.ticks.end(),
+                                       [&](const auto& tick) { return tick.output.tissue == mass->id; });
+  EXPECT_EQ(in_lesion, 1);
+}
+
 TEST_F(RunCommand, ends_at_the_longest_time) {
   const Outcome run = bodkin("--json run patient --max-time 2 --output short.bodkin");
   ASSERT_EQ(run.exit_code, 0) << run.errors;

@@ -1,4 +1,5 @@
 #include "tests/cli/bodkin_command.h"
+#include "tests/session/session_samples.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -29,6 +30,19 @@ TEST_F(ScoreCommand, of_the_expert_is_a_pass_and_says_why) {
   EXPECT_THAT(said.output, HasSubstr("You crossed the ligamentum flavum at "));
 }
 
+// Near misses and distances to organs too: the session keeps the patient's voxels.
+TEST_F(ScoreCommand, needs_the_session_alone) {
+  const std::string recorded = session();
+  const Outcome with = bodkin("-q --json score " + recorded + " --procedure epidural");
+  const fs::path away = folder_ / "away";
+  fs::rename(patient(), away);
+  const Outcome without = bodkin("-q --json score " + recorded + " --procedure epidural");
+  fs::rename(away, patient());
+  EXPECT_EQ(without.errors, "");
+  EXPECT_EQ(without.output, with.output);
+  EXPECT_FALSE(nlohmann::json::parse(without.output).at("distances").empty());
+}
+
 TEST_F(ScoreCommand, by_another_procedure_fails_with_exit_code_3) {
   const Outcome said = bodkin("-q --json score " + session() + " --procedure epidural");
   EXPECT_EQ(said.exit_code, 3) << said.text();
@@ -45,8 +59,10 @@ TEST_F(ScoreCommand, writes_a_table_with_a_row_for_each_session) {
   EXPECT_THAT(text_of("table.csv"), HasSubstr("\nsession.bodkin,pass,1,"));
 }
 
-TEST_F(ScoreCommand, without_the_case_says_what_could_not_be_looked_for) {
-  const std::string recorded = session();
+TEST_F(ScoreCommand, of_an_older_session_without_its_case_says_what_could_not_be_looked_for) {
+  const std::string recorded = (folder_ / "older.bodkin").string();
+  fs::copy_file(session(), recorded, fs::copy_options::overwrite_existing);
+  ::bodkin::make_version_4(recorded);
   fs::rename(patient(), folder_ / "away");
   const Outcome lost = bodkin("score " + recorded);
   const Outcome named = bodkin("score " + recorded + " --case nowhere");

@@ -69,6 +69,21 @@ std::vector<int> rows_of(const ImageRgb& image, int column, std::uint32_t colour
   return found;
 }
 
+TEST(Plot, a_range_is_filled_between_its_lines_and_stands_in_the_key) {
+  Plot plot = ramp();
+  plot.series[0].y = {9.0, 9.0};
+  plot.ranges = {{"experts", {0.0, 10.0}, {2.0, 2.0}, {6.0, 6.0}, 0xFF0000}};
+  const ImageRgb image = draw_plot(plot).pixels(1.0);
+  // Down the middle of the plot the fill is one stretch, from 6 N to 2 N of an axis from 0 to 9.72 N.
+  const int column = 300;
+  std::vector<int> rows;
+  for (int row = 0; row < image.height; ++row)
+    if (image.at(column, row).red > image.at(column, row).blue + 20) rows.push_back(row);
+  ASSERT_FALSE(rows.empty());
+  EXPECT_NEAR((rows.back() - rows.front() + 1) / 330.0, 4.0 / 9.56, 0.03);
+  EXPECT_NE(draw_plot(plot).svg().find("experts"), std::string::npos);
+}
+
 TEST(Plot, curves_lie_where_the_axes_say) {
   Plot plot;
   plot.x_label = "depth, mm";

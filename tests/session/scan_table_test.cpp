@@ -51,7 +51,7 @@ TEST(ScanTable, probe_machine_and_what_was_seen_come_back) {
   const ScratchSession scratch;
   write_scans(scratch.path());
   const Session session = read_session(scratch.path());
-  EXPECT_EQ(session.version, 4);
+  EXPECT_EQ(session.version, 5);
   ASSERT_TRUE(session.header.ultrasound.has_value());
   const anatomy::UltrasoundProbe wanted_probe = io::find_probe("L14-5");
   EXPECT_EQ(session.header.ultrasound->name, wanted_probe.name);

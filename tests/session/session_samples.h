@@ -53,8 +53,16 @@ class ScratchSession {
   std::filesystem::path path_;
 };
 
+// Makes of a finished session one of format version 4, which kept no volumes of the patient.
+inline void make_version_4(const std::filesystem::path& file) {
+  SQLite::Database database(file.string(), SQLite::OPEN_READWRITE);
+  database.exec("DROP TABLE volumes");
+  database.exec("PRAGMA user_version=4");
+}
+
 // Makes of a finished session without ultrasound one of format version 3, which did not know of it.
 inline void make_version_3(const std::filesystem::path& file) {
+  make_version_4(file);
   SQLite::Database database(file.string(), SQLite::OPEN_READWRITE);
   database.exec("DROP TABLE scans");
   database.exec("DROP TABLE scanned");

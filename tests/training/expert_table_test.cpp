@@ -59,6 +59,26 @@ TEST_F(ExpertTable, an_attempt_that_is_added_again_replaces_its_row) {
   EXPECT_EQ(ExpertSet::read(file).size(), 3U);
 }
 
+TEST_F(ExpertTable, attempts_measured_with_other_thresholds_are_neither_mixed_nor_compared_with) {
+  const std::filesystem::path file = own_expert_file("epidural");
+  std::vector<ExpertAttempt> attempts;
+  for (int i = 0; i < 6; ++i) attempts.push_back(attempt_of("digest-" + std::to_string(i), 10.0 * i));
+  for (ExpertAttempt& each : attempts) each.score.thresholds.stop_speed = 3.0;
+  add_experts(file, attempts);
+  EXPECT_THAT(io::read_text_file(file, 100'000), HasSubstr("# Measured with thresholds: stop_mm_per_s 3\n"));
+  training::Procedure procedure = find_shipped_procedure("epidural");
+  EXPECT_FALSE(experts_of(procedure).has_value());
+  procedure.thresholds.stop_speed = 3.0;
+  EXPECT_EQ(experts_of(procedure)->size(), 6U);
+  try {
+    add_experts(file, std::vector{attempt_of("usual", 2.0)});
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("measured with the thresholds stop_mm_per_s 3, the new ones with the usual"));
+  }
+  EXPECT_EQ(ExpertSet::read(file).size(), 6U);
+}
+
 TEST_F(ExpertTable, a_table_of_another_version_is_refused_and_left_as_it_is) {
   const std::filesystem::path file = own_expert_file("epidural");
   std::filesystem::create_directories(file.parent_path());

@@ -60,19 +60,17 @@ std::vector<std::string> make_torso(const PracticePatient& patient, const fs::pa
                             {"weight", 72.0},
                             {"flexion", 0.5},
                             {"spacing", 1.0}};
+  if (!procedure.needle.empty()) request["needle"] = procedure.needle;
   if (name != built_in_patient().procedure) request["procedure"] = name;
   for (const training::Goal& goal : procedure.goals)
     if (!goal.tissue.empty()) request["target_tissue"] = goal.tissue;
   if (name != "ct_guided_biopsy") request["parts"] = {"fingertip"};
   if (name == "lumbar_puncture" || name == "spinal_anaesthesia") request["parts"].push_back(fluid_of_practice);
   if (name == "epidural") {
-    request["needle"] = "18,90,tuohy";
     request["parts"].push_back("syringe");
     request["parts"].push_back(fluid_of_wet_tap);
   }
-  if (name == "spinal_anaesthesia") request["needle"] = "25,90,whitacre";
   if (name == "ct_guided_biopsy") {
-    request["needle"] = "18,150,chiba";
     request["force_in_organs"] = "none";  // as in the biopsy simulator of Kwon et al. 2001
     request["lesion"] = 20.0;
     request["target_structure"] = "lesion";
