@@ -183,6 +183,94 @@ TEST(RayCaster, long_steps_far_behind_are_not_seen) {
   EXPECT_LT(most, 64);  // at outlines, where rays of both meet the edge between different samples
 }
 
+// Light along a ray by the sum as it is written, in double precision: one sample after the other, no block skipped,
+// no step longer than another, to the end.
+CastRay plain_ray(const anatomy::CtVolume& ct, const TransferFunction& transfer, double step, const Vec3& eye,
+                  const Vec3& direction) {
+  const Vec3 half = 0.5 * ct.grid.spacing, low = ct.grid.origin - half;
+  const Vec3 high = ct.grid.to_patient(Vec3::Constant(ct.grid.size[0] - 1)) + half;
+  double enters = 0.0, leaves = 1e9;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double a = (low[axis] - eye[axis]) / direction[axis], b = (high[axis] - eye[axis]) / direction[axis];
+    enters = std::max(enters, std::min(a, b));
+    leaves = std::min(leaves, std::max(a, b));
+  }
+  double left = 1.0;
+  std::array<double, 3> light{};
+  for (double at = enters; at < leaves; at += step) {
+    const double length = std::min(step, leaves - at);
+    Vec3 index = ct.grid.to_index(eye + (at + 0.5 * length) * direction);
+    index = index.cwiseMax(0.0).cwiseMin(ct.grid.size[0] - 1.0);
+    const double hounsfield = anatomy::linear(ct, ct.grid.to_patient(index), -1000.0);
+    const double opacity = 1.0 - std::pow(1.0 - transfer.opacity_at(hounsfield), length);
+    const std::array<double, 3> colour = transfer.colour_at(hounsfield);
+    for (std::size_t c = 0; c < 3; ++c) light[c] += left * opacity * colour[c];
+    left *= 1.0 - opacity;
+  }
+  const auto part = [&](std::size_t c) { return static_cast<float>(light[c]); };
+  return {part(0), part(1), part(2), static_cast<float>(1.0 - left)};
+}
+
+struct Off {
+  double mean = 0.0, most = 0.0;  // of 255
+};
+Off off_from_plain(const anatomy::CtVolume& ct, const TransferFunction& transfer) {
+  constexpr double step = 1.5;
+  VolumeLook look = look_of(VolumeMode::colour);
+  look.shaded = false;
+  look.transfer = transfer;
+  const RayCaster caster(prepared(ct), look, step);
+  Off off;
+  int parts = 0;
+  for (double x = -31.0; x < 32.0; x += 3.1) {
+    for (double z = -31.0; z < 32.0; z += 3.1) {
+      const Vec3 eye(90.0, -260.0, 70.0), direction = (Vec3(x, 0.001, z) - eye).normalized();
+      const CastRay ray = caster.cast(eye, direction, everywhere);
+      const CastRay plain = plain_ray(ct, transfer, step, eye, direction);
+      for (const float difference :
+           {ray.red - plain.red, ray.green - plain.green, ray.blue - plain.blue, ray.opacity - plain.opacity}) {
+        const double here = 255.0 * static_cast<double>(std::abs(difference));
+        off.mean += here;
+        off.most = std::max(off.most, here);
+        ++parts;
+      }
+    }
+  }
+  off.mean /= parts;
+  return off;
+}
+
+TEST(RayCaster, rays_meet_what_a_plain_sum_does) {
+  const anatomy::CtVolume ct = balls();
+  for (const TransferPreset preset : transfer_presets) {
+    // So faint that more than a quarter of the light is left everywhere: the same samples. What is left are the rows
+    // of the tables, of one HU each.
+    TransferFunction transfer = preset_function(preset);
+    for (OpacityPoint& point : transfer.opacity) point.opacity *= 0.02;
+    const Off faint = off_from_plain(ct, transfer);
+    // As it is shown, with longer steps behind that, and an end where nothing can be seen.
+    const Off usual = off_from_plain(ct, preset_function(preset));
+    std::printf("%s: of 255, %.4f in the mean, %.3f at most; with longer steps %.3f, %.1f\n",
+                std::string(name_of(preset)).c_str(), faint.mean, faint.most, usual.mean, usual.most);
+    EXPECT_LT(faint.mean, 0.01);
+    EXPECT_LT(faint.most, 0.1);
+    EXPECT_LT(usual.mean, 0.5);
+    EXPECT_LT(usual.most, 16.0);  // a quarter of the light, at an edge that a step meets late
+  }
+}
+
+TEST(RayCaster, asking_the_memory_ahead_changes_no_bit) {
+  const RayCaster caster(prepared(balls()), look_of(VolumeMode::colour), 0.8);
+  const Vec3 eye(90.0, -260.0, 70.0);
+  for (double x = -31.0; x < 32.0; x += 4.3) {
+    const Vec3 direction = (Vec3(x, 0.0, 0.5 * x) - eye).normalized();
+    const CastRay usual = caster.cast(eye, direction, everywhere);
+    const CastRay ahead = caster.cast(eye, direction, everywhere, true);
+    EXPECT_EQ(usual.red, ahead.red);
+    EXPECT_EQ(usual.opacity, ahead.opacity);
+  }
+}
+
 TEST(RayCaster, a_drawing_that_is_cancelled_says_so) {
   const RayCaster caster(prepared(balls()), look_of(VolumeMode::colour), 0.8);
   ThreadPool pool(2);
@@ -226,8 +314,34 @@ TEST(PreparedVolume, a_large_ct_becomes_coarser_and_stays_where_it_is) {
   EXPECT_EQ(made.grid.size, (std::array<int, 3>{32, 32, 32}));
   EXPECT_NEAR((made.grid.to_patient(Vec3::Constant(15.5)) - ct.grid.to_patient(Vec3::Constant(31.5))).norm(), 0.0,
               1e-9);
-  EXPECT_EQ(made.hounsfield[static_cast<std::size_t>((5 * 34 + 5) * 34 + 16)], -1000);
-  EXPECT_EQ(made.hounsfield[static_cast<std::size_t>((5 * 34 + 5) * 34 + 17)], 1000);
+  EXPECT_EQ(made.hounsfield[made.offset(16, 5, 5)], -1000);
+  EXPECT_EQ(made.hounsfield[made.offset(17, 5, 5)], 1000);
+}
+
+// Every voxel and its neighbours behind it, also where a brick ends; the border repeats the outermost voxels.
+TEST(PreparedVolume, a_brick_has_each_voxel_and_its_neighbours_next_to_it) {
+  anatomy::Grid grid;
+  grid.size = {19, 14, 23};  // no multiples of a block
+  anatomy::CtVolume ct(grid);
+  for (std::size_t v = 0; v < ct.voxels.size(); ++v) ct.voxels[v] = static_cast<std::int16_t>(v % 4000 - 1000);
+  const PreparedVolume made = prepare_volume(ct, {}, {});
+  const auto expected = [&](int i, int j, int k) {
+    return ct.at(std::clamp(i - 1, 0, 18), std::clamp(j - 1, 0, 13), std::clamp(k - 1, 0, 22));
+  };
+  constexpr std::size_t row = PreparedVolume::brick_side, slice = row * row;
+  ASSERT_EQ(made.size, (std::array<int, 3>{21, 16, 25}));
+  for (int k = 0; k < 24; ++k) {
+    for (int j = 0; j < 15; ++j) {
+      for (int i = 0; i < 20; ++i) {
+        const std::int16_t* const voxel = &made.hounsfield[made.offset(i, j, k)];
+        ASSERT_EQ(voxel[0], expected(i, j, k)) << i << " " << j << " " << k;
+        ASSERT_EQ(voxel[1], expected(i + 1, j, k)) << i << " " << j << " " << k;
+        ASSERT_EQ(voxel[row], expected(i, j + 1, k)) << i << " " << j << " " << k;
+        ASSERT_EQ(voxel[slice], expected(i, j, k + 1)) << i << " " << j << " " << k;
+        ASSERT_EQ(voxel[slice + row + 1], expected(i + 1, j + 1, k + 1)) << i << " " << j << " " << k;
+      }
+    }
+  }
 }
 
 TEST(PreparedVolume, needs_a_ct_or_tissues) {

@@ -52,7 +52,7 @@ Cutaway cast_cutaway(const RayCaster& caster, const PictureCamera& camera, const
         if ((pixel - oval.centre).cwiseQuotient(oval.radii + Eigen::Vector2d::Constant(made.step)).norm() >= 1.0)
           continue;
         const Vec3 direction = (camera.patient_from_camera.linear() * camera.ray(pixel)).normalized();
-        const CastRay met = caster.cast(eye, direction, 1e9);
+        const CastRay met = caster.cast(eye, direction, 1e9, made.coarser());
         made.lights[static_cast<std::size_t>(row) * static_cast<std::size_t>(made.columns) +
                     static_cast<std::size_t>(column)] = {met.red, met.green, met.blue, met.opacity};
         ++here;

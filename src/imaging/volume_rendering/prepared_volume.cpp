@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/error.h"
 #include "core/parallel_for.h"
@@ -68,11 +69,12 @@ std::array<int, 3> coarsening(const anatomy::Grid& grid, std::size_t most_voxels
   return by;
 }
 
-// With the border; HU beyond the scale are brought to its ends.
-void fill_voxels(PreparedVolume& made, const anatomy::CtVolume& ct, const anatomy::TissueVolume& tissues) {
+// HU with the border, row by row; those beyond the scale are brought to its ends. Tissues too.
+std::vector<std::int16_t> fill_voxels(PreparedVolume& made, const anatomy::CtVolume& ct,
+                                      const anatomy::TissueVolume& tissues) {
   const std::size_t all = static_cast<std::size_t>(made.size[0]) * static_cast<std::size_t>(made.size[1]) *
                           static_cast<std::size_t>(made.size[2]);
-  made.hounsfield.resize(all);
+  std::vector<std::int16_t> hounsfield(all);
   made.tissues.resize(tissues.empty() ? 0 : all);
   // The tissue map has a lattice of its own. Along i it is walked in steps.
   const Vec3 step = tissues.empty() ? Vec3(Vec3::Zero())
@@ -87,7 +89,7 @@ void fill_voxels(PreparedVolume& made, const anatomy::CtVolume& ct, const anatom
           (static_cast<std::size_t>(j) + static_cast<std::size_t>(made.size[1]) * static_cast<std::size_t>(k));
       const std::int16_t* const source = &ct.voxels[made.grid.offset(0, from_j, from_k)];
       for (int i = 0; i < made.size[0]; ++i) {
-        made.hounsfield[row + static_cast<std::size_t>(i)] = std::clamp<std::int16_t>(
+        hounsfield[row + static_cast<std::size_t>(i)] = std::clamp<std::int16_t>(
             source[std::clamp(i - 1, 0, made.grid.size[0] - 1)], anatomy::lowest_hounsfield, 3071);
       }
       if (tissues.empty()) continue;
@@ -100,12 +102,35 @@ void fill_voxels(PreparedVolume& made, const anatomy::CtVolume& ct, const anatom
       }
     }
   });
+  return hounsfield;
+}
+
+// From row by row to bricks; beyond the border the outermost voxels are repeated.
+template <typename Value>
+void fill_bricks(const PreparedVolume& made, const std::vector<Value>& rows, LargePageVector<Value>& bricks) {
+  constexpr int side = PreparedVolume::brick_side, block = PreparedVolume::block;
+  bricks.resize(made.ranges.size() * static_cast<std::size_t>(PreparedVolume::brick_size));
+  parallel_for(made.blocks[2], [&](int c) {
+    for (int b = 0; b < made.blocks[1]; ++b) {
+      for (int a = 0; a < made.blocks[0]; ++a) {
+        Value* to = bricks.data() + made.offset(a * block, b * block, c * block);
+        for (int k = c * block; k < c * block + side; ++k) {
+          for (int j = b * block; j < b * block + side; ++j) {
+            const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(std::min(k, made.size[2] - 1)) * made.size[1] +
+                                       std::min(j, made.size[1] - 1);
+            const Value* const from = rows.data() + row * made.size[0];
+            for (int i = a * block; i < a * block + side; ++i) *to++ = from[std::min(i, made.size[0] - 1)];
+          }
+        }
+      }
+    }
+  });
 }
 
 // Gradients of the HU after smoothing by (1 2 1) / 4 along every axis, which takes most of a CT's noise.
-void fill_gradients(PreparedVolume& made) {
+void fill_gradients(PreparedVolume& made, std::vector<std::int16_t> smooth) {
   const std::ptrdiff_t nx = made.size[0], ny = made.size[1], nz = made.size[2];
-  std::vector<std::int16_t> smooth = made.hounsfield, other(smooth.size());
+  std::vector<std::int16_t> other(smooth.size());
   for (int axis = 0; axis < 3; ++axis) {
     const std::ptrdiff_t stride = axis == 0 ? 1 : axis == 1 ? nx : nx * ny;
     parallel_for(nz, [&](std::ptrdiff_t k) {
@@ -129,7 +154,7 @@ void fill_gradients(PreparedVolume& made) {
     });
     smooth.swap(other);
   }
-  made.gradients.resize(smooth.size());
+  std::vector<std::array<std::int8_t, 4>> gradients(smooth.size());
   const Eigen::Vector3f scale = (0.5 * made.grid.spacing.cwiseInverse()).cast<float>();
   parallel_for(nz, [&](std::ptrdiff_t k) {
     const std::ptrdiff_t below = k > 0 ? -nx * ny : 0, above = k < nz - 1 ? nx * ny : 0;
@@ -141,13 +166,14 @@ void fill_gradients(PreparedVolume& made) {
         const Eigen::Vector3f difference(static_cast<float>(at[i < nx - 1 ? 1 : 0] - at[i > 0 ? -1 : 0]),
                                          static_cast<float>(at[after] - at[before]),
                                          static_cast<float>(at[above] - at[below]));
-        made.gradients[static_cast<std::size_t>(row + i)] = gradient_byte(difference.cwiseProduct(scale));
+        gradients[static_cast<std::size_t>(row + i)] = gradient_byte(difference.cwiseProduct(scale));
       }
     }
   });
+  fill_bricks(made, gradients, made.gradients);
 }
 
-void fill_blocks(PreparedVolume& made) {
+void fill_blocks(PreparedVolume& made, const std::vector<std::int16_t>& hounsfield) {
   for (std::size_t a = 0; a < 3; ++a)
     made.blocks[a] = (made.size[a] + PreparedVolume::block - 1) / PreparedVolume::block;
   made.ranges.resize(static_cast<std::size_t>(made.blocks[0]) * static_cast<std::size_t>(made.blocks[1]) *
@@ -162,7 +188,7 @@ void fill_blocks(PreparedVolume& made) {
         for (int k = c * PreparedVolume::block; k <= end(c, 2); ++k) {
           for (int j = b * PreparedVolume::block; j <= end(b, 1); ++j) {
             const std::int16_t* const row =
-                made.hounsfield.data() + (static_cast<std::ptrdiff_t>(k) * made.size[1] + j) * made.size[0];
+                hounsfield.data() + (static_cast<std::ptrdiff_t>(k) * made.size[1] + j) * made.size[0];
             for (int i = a * PreparedVolume::block; i <= end(a, 0); ++i) {
               range.least = std::min(range.least, row[i]);
               range.most = std::max(range.most, row[i]);
@@ -177,7 +203,7 @@ void fill_blocks(PreparedVolume& made) {
 }
 
 // Over voxels without the border: histogram, and what rays along i, j and k sum up.
-void measure(PreparedVolume& made) {
+void measure(PreparedVolume& made, const std::vector<std::int16_t>& hounsfield) {
   const auto [ni, nj, nk] = made.grid.size;
   std::vector<float> along[3];
   along[0].resize(static_cast<std::size_t>(nj) * static_cast<std::size_t>(nk));
@@ -186,7 +212,7 @@ void measure(PreparedVolume& made) {
   for (int k = 0; k < nk; ++k) {
     for (int j = 0; j < nj; ++j) {
       const std::int16_t* const row =
-          made.hounsfield.data() + (static_cast<std::ptrdiff_t>(k + 1) * made.size[1] + j + 1) * made.size[0] + 1;
+          hounsfield.data() + (static_cast<std::ptrdiff_t>(k + 1) * made.size[1] + j + 1) * made.size[0] + 1;
       float* const over_j = along[1].data() + static_cast<std::ptrdiff_t>(k) * ni;
       float* const over_k = along[2].data() + static_cast<std::ptrdiff_t>(j) * ni;
       float sum = 0.0F;
@@ -245,12 +271,13 @@ PreparedVolume prepare_volume(const anatomy::CtVolume& ct, const anatomy::Tissue
   made.grid = used->grid;
   for (std::size_t a = 0; a < 3; ++a) made.size[a] = made.grid.size[a] + 2;
   report(0.1);
-  fill_voxels(made, *used, tissues);
+  std::vector<std::int16_t> hounsfield = fill_voxels(made, *used, tissues);
   report(0.4);
-  fill_blocks(made);
-  measure(made);
+  fill_blocks(made, hounsfield);
+  measure(made, hounsfield);
+  fill_bricks(made, hounsfield, made.hounsfield);
   report(0.6);
-  fill_gradients(made);
+  fill_gradients(made, std::move(hounsfield));
   report(1.0);
   return made;
 }

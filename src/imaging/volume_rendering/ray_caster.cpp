@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <tuple>
 
 #include "imaging/volume_rendering/ray_kernel.h"
 
@@ -15,11 +16,13 @@ constexpr int scale_from = -1024;       // HU of the first row
 constexpr double most_opacity = 0.999;  // of 1 mm: its optical depth is finite
 constexpr double air_up_to = -900.0;    // HU that weigh nothing in a sum: the noise of air would
 constexpr int tile = 16;                // pixels along each side: neighbouring rays share voxels
-constexpr float light_from_right = -0.35F, light_from_above = -0.45F;  // beside the line of sight
+constexpr double light_from_right = -0.35, light_from_above = -0.45;  // beside the line of sight
+const double length_of_light =
+    std::sqrt(1.0 + light_from_right * light_from_right + light_from_above * light_from_above);
 
-void append_colour(std::vector<float>& table, const std::array<double, 3>& colour) {
+void append_row(std::vector<float>& table, const std::array<double, 3>& colour, double opacity) {
   for (const double part : colour) table.push_back(static_cast<float>(part));
-  table.push_back(0.0F);
+  table.push_back(static_cast<float>(opacity));
 }
 
 std::uint32_t byte_of(float share) {
@@ -61,10 +64,13 @@ double step_of(const PreparedVolume& volume, double voxels) {
 }
 
 RayCaster::RayCaster(std::shared_ptr<const PreparedVolume> volume, const VolumeLook& look, double step)
-    : volume_(std::move(volume)), look_(look), step_(step) {
+    : volume_(std::move(volume)),
+      look_(look),
+      step_(step),
+      index_from_mm_(volume_->grid.spacing.cwiseInverse().asDiagonal() * volume_->grid.direction.transpose()),
+      index_of_origin_(volume_->to_index(Vec3::Zero())) {
   depth_.resize(scale_size);
-  opacity_.resize(scale_size);
-  colours_.reserve(4 * scale_size);
+  for (std::vector<float>& table : shown_) table.reserve(4 * scale_size);
   for (int row = 0; row < scale_size; ++row) {
     const double hounsfield = row + scale_from;
     const double opacity = std::clamp(look.transfer.opacity_at(hounsfield), 0.0, most_opacity);
@@ -72,18 +78,21 @@ RayCaster::RayCaster(std::shared_ptr<const PreparedVolume> volume, const VolumeL
     const double depth =
         sums ? (hounsfield < air_up_to ? 0.0 : 0.001 * (hounsfield + 1000.0)) : -std::log1p(-opacity);
     depth_[static_cast<std::size_t>(row)] = static_cast<float>(depth);
-    opacity_[static_cast<std::size_t>(row)] = static_cast<float>(-std::expm1(-depth * step));
     std::array<double, 3> colour = look.transfer.colour_at(hounsfield);
     if (look.mode == VolumeMode::grey) {
       // Never quite black: what is opaque can be told from the background.
       colour.fill(std::clamp((hounsfield - look.level) / look.window + 0.5, 0.06, 1.0));
     }
-    append_colour(colours_, colour);
+    double passed = std::exp(-depth * step);
+    for (std::vector<float>& table : shown_) {
+      append_row(table, colour, 1.0 - passed);
+      passed *= passed;
+    }
   }
   if (look.mode == VolumeMode::colour && look.tissue_colours && !volume_->tissues.empty()) {
     for (const std::uint32_t colour : look.tissues) {
-      append_colour(tissue_colours_,
-                    {(colour >> 16U & 0xFFU) / 255.0, (colour >> 8U & 0xFFU) / 255.0, (colour & 0xFFU) / 255.0});
+      append_row(tissue_colours_,
+                 {(colour >> 16U & 0xFFU) / 255.0, (colour >> 8U & 0xFFU) / 255.0, (colour & 0xFFU) / 255.0}, 0.0);
     }
   }
   find_skips();
@@ -108,20 +117,22 @@ void RayCaster::skip_nothing() {
   std::fill(away_.begin(), away_.end(), std::uint8_t{0});
 }
 
-CastRay RayCaster::cast(const Vec3& eye, const Vec3& direction, double until) const {
+CastRay RayCaster::cast(const Vec3& eye, const Vec3& direction, double until, bool far_apart) const {
   const PreparedVolume& volume = *volume_;
-  const Vec3 from = volume.to_index(eye);
-  const Vec3 along = volume.grid.direction.transpose() * direction;  // unit, along i, j, k in mm
-  const Vec3 speed = along.cwiseQuotient(volume.grid.spacing);
+  const Vec3 from = index_from_mm_ * eye + index_of_origin_;
+  const Vec3 speed = index_from_mm_ * direction;
+  Vec3 until_next;
   double enters = 0.0, leaves = until;
   for (int axis = 0; axis < 3; ++axis) {
     // The outermost voxels reach half a voxel beyond their centres.
     const double low = 0.5, high = volume.grid.size[static_cast<std::size_t>(axis)] + 0.5;
     if (std::abs(speed[axis]) < 1e-12) {
       if (from[axis] < low || from[axis] > high) return {};
+      until_next[axis] = std::copysign(1e12, speed[axis] > 0.0 ? 1.0 : -1.0);
       continue;
     }
-    const double a = (low - from[axis]) / speed[axis], b = (high - from[axis]) / speed[axis];
+    until_next[axis] = 1.0 / speed[axis];
+    const double a = (low - from[axis]) * until_next[axis], b = (high - from[axis]) * until_next[axis];
     enters = std::max(enters, std::min(a, b));
     leaves = std::min(leaves, std::max(a, b));
   }
@@ -132,17 +143,18 @@ CastRay RayCaster::cast(const Vec3& eye, const Vec3& direction, double until) co
   const double before = (way.samples - 1) * step_;
   way.last = static_cast<float>(length - before);
   way.last_at = static_cast<float>(before + 0.5 * (length - before));
+  way.far_apart = far_apart;
   const Vec3 entry = from + enters * speed;
   // Light stands beside the viewer, above his shoulder.
-  Vec3 side = direction.cross(Vec3::UnitZ());
-  if (side.squaredNorm() < 1e-6) side = Vec3::UnitX();
-  side.normalize();
-  const Vec3 above = side.cross(direction);
-  const Vec3 light = (-direction - light_from_above * above + light_from_right * side).normalized();
-  const Vec3 light_along = volume.grid.direction.transpose() * light;
+  Vec3 side(direction.y(), -direction.x(), 0.0);  // direction x UnitZ
+  const double across = std::hypot(side.x(), side.y());
+  side = across < 1e-3 ? Vec3(Vec3::UnitX()) : Vec3(side / across);
+  const Vec3 light = -direction - light_from_above * side.cross(direction) + light_from_right * side;
+  const Vec3 light_along = volume.grid.direction.transpose() * (light / length_of_light);
   for (int axis = 0; axis < 3; ++axis) {
     way.entry[axis] = static_cast<float>(entry[axis]);
     way.direction[axis] = static_cast<float>(speed[axis]);
+    way.until_next[axis] = static_cast<float>(until_next[axis]);
     way.light[axis] = static_cast<float>(light_along[axis]);
   }
   kernel::Field field;
@@ -156,8 +168,8 @@ CastRay RayCaster::cast(const Vec3& eye, const Vec3& direction, double until) co
     field.blocks[a] = volume.blocks[a];
   }
   field.depth = depth_.data();
-  field.opacity = opacity_.data();
-  field.colours = colours_.data();
+  static_assert(kernel::step_lengths == std::tuple_size_v<decltype(shown_)>);
+  for (std::size_t table = 0; table < shown_.size(); ++table) field.shown[table] = shown_[table].data();
   field.tissue_colours = tissue_colours_.data();
   field.step = static_cast<float>(step_);
   kernel::Met met;

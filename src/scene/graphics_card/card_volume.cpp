@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <optional>
 #include <utility>
 
@@ -103,13 +102,12 @@ void fill_image(const imaging::PreparedVolume& volume, vtkImageData& image) {
   values->SetNumberOfTuples(static_cast<vtkIdType>(nx) * ny * nz);
   short* out = values->GetPointer(0);
   for (int k = 0; k < nz; ++k) {
-    const std::ptrdiff_t from_k = std::clamp(k - 1, 0, from[2] - 1);
+    const int from_k = std::clamp(k - 1, 0, from[2] - 1);
     for (int j = 0; j < ny; ++j, out += nx) {
-      const std::ptrdiff_t from_j = std::clamp(j - 1, 0, from[1] - 1);
-      const std::int16_t* const row = volume.hounsfield.data() + (from_k * from[1] + from_j) * from[0];
-      std::memcpy(out + 1, row, sizeof(short) * static_cast<std::size_t>(from[0]));
-      out[0] = row[0];
-      out[nx - 1] = row[from[0] - 1];
+      const int from_j = std::clamp(j - 1, 0, from[1] - 1);
+      for (int i = 0; i < nx; ++i) {
+        out[i] = volume.hounsfield[volume.offset(std::clamp(i - 1, 0, from[0] - 1), from_j, from_k)];
+      }
     }
   }
   values->SetValue(0, static_cast<short>(scale_from));
