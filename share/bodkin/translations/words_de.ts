@@ -7208,6 +7208,18 @@
         <translation>die Liste der Gewebe ist beschädigt</translation>
     </message>
     <message>
+        <source>the list of the patient's volumes is damaged</source>
+        <translation>die Liste der Volumen des Patienten ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the patient's volume '%1' is damaged, its checksum does not fit</source>
+        <translation>das Volumen „%1“ des Patienten ist beschädigt, seine Prüfsumme passt nicht</translation>
+    </message>
+    <message>
+        <source>the volume '%1' is not one that a session keeps</source>
+        <translation>das Volumen „%1“ ist keines, das eine Sitzung enthält</translation>
+    </message>
+    <message>
         <source>the header is damaged, its checksum does not fit</source>
         <translation>der Kopf ist beschädigt, seine Prüfsumme passt nicht</translation>
     </message>
@@ -7862,6 +7874,10 @@
     <message>
         <source>no column is a metric, expected names such as path_length_mm</source>
         <translation>keine Spalte ist eine Messgröße, erwartet: Namen wie path_length_mm</translation>
+    </message>
+    <message>
+        <source>its attempts were measured with the thresholds %1, the new ones with %2; delete the table with 'bodkin experts delete %3' and import all sessions by one procedure</source>
+        <translation>seine Versuche wurden mit den Schwellen %1 gemessen, die neuen mit %2; löschen Sie die Tabelle mit „bodkin experts delete %3“ und importieren Sie alle Sitzungen nach einer Prozedur</translation>
     </message>
     <message>
         <source>its columns are not those of this version; delete the table with 'bodkin experts delete %1' and import the sessions again</source>
