@@ -43,6 +43,10 @@ void decode(std::span<const std::uint8_t> bytes) {
     bodkin::session::encode_tick(record, again);
     if (!std::equal(again.begin(), again.end(), bytes.begin())) std::abort();
   }
+  try {
+    bodkin::session::tissues_of({.structures = {}, .tissues = {bytes.begin(), bytes.end()}}, "the input");
+  } catch (const bodkin::InputError&) {
+  }
   bodkin::forces::Event event;
   std::uint32_t tick = 0;
   if (bytes.size() >= bodkin::session::encoded_event_size) {
