@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "tests/haptics/uneven_swing.h"
 #include "tests/one_tick.h"
@@ -155,6 +156,89 @@ TEST(RoundTripWatch, tells_frequency_and_width) {
   EXPECT_TRUE(seen);
   EXPECT_NEAR(watch.frequency(), 6.0, 0.1);
   EXPECT_NEAR(watch.width(), 1.0, 0.02);
+}
+
+// A hand that swings evenly, 1 mm from side to side about a place that may move, under a force whose part along the
+// motion is `drive` N (in phase with the speed) at those times at which `is_driven`. When it was found, s.
+struct Swung {
+  double hertz = 10.0;
+  double base = -3.0, drive = 0.3;  // N
+  std::function<bool(double time)> is_driven = [](double) { return true; };
+  std::function<double(double time)> middle = [](double) { return 0.0; };  // mm
+  std::function<bool(double time)> rests = [](double) { return false; };   // neither moves nor is pushed
+  double seconds = 20.0;
+
+  std::vector<double> found() const {
+    RoundTripWatch watch = watch_of_device();
+    std::vector<double> times;
+    double phase = 0.0, before = middle(0.0);
+    for (int i = 1; i <= static_cast<int>(seconds / one_tick); ++i) {
+      const double time = one_tick * i;
+      const bool still = rests(time);
+      if (!still) phase += 2.0 * std::numbers::pi * hertz * one_tick;
+      const double now = middle(time) + 0.5 * std::sin(phase);
+      const double along = still ? 0.0 : base + (is_driven(time) ? drive * std::cos(phase) : 0.0);
+      if (watch.step(Vec3(now - before, 0.0, 0.0), Vec3(along, 0.0, 0.0), one_tick)) times.push_back(time);
+      before = now;
+    }
+    return times;
+  }
+};
+
+// Round trips begin where the hand passes its place against the force, here half a swing after it set out; the first
+// passage that is seen ends one that is not whole and does not count.
+TEST(RoundTripWatch, counts_whole_round_trips_alone_for_600_ms_and_three_of_them) {
+  for (const double hertz : {3.1, 4.0, 5.5, 9.7, 17.0}) {
+    const std::vector<double> times = Swung{.hertz = hertz}.found();
+    ASSERT_GT(times.size(), 1U) << hertz;
+    const double trips = std::max(3.0, std::ceil(0.6 * hertz));
+    EXPECT_NEAR(times[1] - times[0], trips / hertz, 0.003) << hertz << " Hz";
+    // A slow hand has its place found first.
+    if (hertz < 5.0) continue;
+    EXPECT_NEAR(times[0], (1.5 + trips) / hertz, 0.003) << hertz << " Hz";
+  }
+}
+
+TEST(RoundTripWatch, a_round_trip_that_is_not_driven_begins_the_count_again) {
+  // Four of five at 10 Hz last 400 ms each time; two of three at 3.1 Hz 645 ms.
+  for (const auto& [hertz, every] : {std::pair{10.0, 5.0}, {3.1, 3.0}}) {
+    const auto is_driven = [hertz = hertz, every = every](double time) {
+      return std::fmod(time * hertz + 0.5, every) < every - 1.0;
+    };
+    EXPECT_TRUE((Swung{.hertz = hertz, .is_driven = is_driven}.found().empty())) << hertz << " Hz";
+  }
+}
+
+TEST(RoundTripWatch, a_pause_without_force_begins_the_count_again) {
+  const auto pauses = [](double length) {
+    return Swung{.rests = [length](double time) { return std::fmod(time, 0.45 + length) > 0.45; }}.found();
+  };
+  EXPECT_FALSE(pauses(0.1).empty()) << "as between two pulses";
+  EXPECT_TRUE(pauses(0.15).empty());
+}
+
+TEST(RoundTripWatch, forces_too_small_to_shake_a_hand_do_not_count) {
+  EXPECT_TRUE((Swung{.base = 0.0, .drive = 0.09}.found().empty()));
+  EXPECT_FALSE((Swung{.base = 0.0, .drive = 0.3}.found().empty())) << "and turns to and fro with the swing";
+}
+
+TEST(RoundTripWatch, follows_a_hand_that_swings_elsewhere_afterwards) {
+  const auto times = Swung{.middle = [](double time) { return 20.0 * std::min(1.0, time); }, .seconds = 3.0}.found();
+  EXPECT_FALSE(times.empty());
+}
+
+TEST(RoundTripWatch, tells_the_frequency_finer_than_the_ticks) {
+  RoundTripWatch watch = watch_of_device();
+  const double hertz = 61.3;
+  const auto wave = [&](int tick) { return 0.5 * std::sin(2.0 * std::numbers::pi * hertz * one_tick * tick); };
+  int seen = 0;
+  for (int i = 1; i < 5000; ++i) {
+    const double along = -3.0 + 0.3 * std::cos(2.0 * std::numbers::pi * hertz * one_tick * i);
+    if (!watch.step(Vec3(wave(i) - wave(i - 1), 0.0, 0.0), Vec3(along, 0.0, 0.0), one_tick)) continue;
+    ++seen;
+    EXPECT_NEAR(watch.frequency(), hertz, 0.01 * hertz);
+  }
+  EXPECT_GT(seen, 3);
 }
 
 }  // namespace
