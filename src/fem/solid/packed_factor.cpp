@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "core/simd.h"
+#include "core/thread_pool.h"
 
 namespace bodkin::fem {
 
@@ -54,7 +56,7 @@ struct SweepStep {
   std::size_t first;          // the supernode's first equation
   const std::uint32_t* rows;  // below, in nodes
   std::size_t lead;           // between the columns of a point
-  double* const* points;      // three columns each, over all equations
+  double* const* points;      // three columns each, over the equations that are met
   std::size_t count;
 };
 
@@ -131,7 +133,7 @@ void products_plain(const double* a, const double* b, std::size_t length, Lanes*
 
 }  // namespace
 
-PackedFactor::PackedFactor(const MultifrontalCholesky& factor) {
+PackedFactor::PackedFactor(const MultifrontalCholesky& factor, int threads) {
   const SymbolicFactor& symbolic = factor.symbolic();
   position_ = symbolic.position;
   rows_ = symbolic.rows;
@@ -154,7 +156,14 @@ PackedFactor::PackedFactor(const MultifrontalCholesky& factor) {
     parts_.push_back(part);
   }
   numbers_ = ZeroPages(numbers_size_);
-  for (std::uint32_t s = 0; s < parts_.size(); ++s) pack(parts_[s], factor.kept_panel(s));
+  // The largest first, so that no thread is left with one of them in the end.
+  std::vector<std::uint32_t> by_size(parts_.size());
+  std::iota(by_size.begin(), by_size.end(), 0U);
+  std::stable_sort(by_size.begin(), by_size.end(), [&symbolic](std::uint32_t a, std::uint32_t b) {
+    return symbolic.supernodes[a].panel_size() > symbolic.supernodes[b].panel_size();
+  });
+  ThreadPool pool(threads);
+  pool.run(by_size.size(), [&](std::size_t i) { pack(parts_[by_size[i]], factor.kept_panel(by_size[i])); });
 }
 
 std::size_t PackedFactor::bytes() const noexcept {
@@ -183,18 +192,35 @@ void PackedFactor::pack(const Part& part, const double* panel) {
 }
 
 std::vector<PointResponse> PackedFactor::respond(std::span<const CarriedPoint> points, Kernel kernel) const {
-  const std::size_t lead = 3 * position_.size();
-  std::vector<double> columns(3 * lead * points.size(), 0.0);
   std::vector<std::vector<bool>> meets(points.size(), std::vector<bool>(parts_.size(), false));
   std::vector<bool> met(parts_.size(), false);
   for (std::size_t p = 0; p < points.size(); ++p) {
     for (const CarriedPoint::Share& share : points[p].shares) {
-      const std::uint32_t position = position_[share.node];
-      for (std::size_t c = 0; c < 3; ++c) columns[(3 * p + c) * lead + 3 * std::size_t{position} + c] += share.weight;
-      for (std::uint32_t at = part_of_[position]; !meets[p][at]; at = parts_[at].parent)
+      for (std::uint32_t at = part_of_[position_[share.node]]; !meets[p][at]; at = parts_[at].parent)
         meets[p][at] = met[at] = true;
     }
   }
+  // Of all equations only those on the points' paths take part, a few of a hundred: these are numbered anew, so that
+  // neither memory nor clearing it grows with the body.
+  std::vector<std::uint32_t> begin(parts_.size(), 0);
+  std::uint32_t nodes_met = 0;
+  for (std::uint32_t s = 0; s < parts_.size(); ++s) {
+    begin[s] = nodes_met;
+    if (met[s]) nodes_met += parts_[s].columns;
+  }
+  const auto place_of = [this, &begin](std::uint32_t position) {
+    const std::uint32_t part = part_of_[position];
+    return begin[part] + (position - parts_[part].first);
+  };
+  const std::size_t lead = 3 * std::size_t{nodes_met};
+  std::vector<double> columns(3 * lead * points.size(), 0.0);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    for (const CarriedPoint::Share& share : points[p].shares) {
+      const std::size_t at = 3 * std::size_t{place_of(position_[share.node])};
+      for (std::size_t c = 0; c < 3; ++c) columns[(3 * p + c) * lead + at + c] += share.weight;
+    }
+  }
+  std::vector<std::uint32_t> rows;
   std::vector<PointResponse> responses(points.size());
   std::vector<double*> here;
   std::vector<std::size_t> which;
@@ -208,12 +234,14 @@ std::vector<PointResponse> PackedFactor::respond(std::span<const CarriedPoint> p
       here.push_back(columns.data() + 3 * p * lead);
       which.push_back(p);
     }
+    rows.clear();
+    for (std::size_t k = 0; k < part.rows; ++k) rows.push_back(place_of(rows_[part.rows_at + k]));
     const SweepStep step{.own = numbers_.data() + part.own_at,
                          .below = numbers_.data() + part.below_at,
                          .width = 3 * std::size_t{part.columns},
                          .height = 3 * std::size_t{part.rows},
-                         .first = 3 * std::size_t{part.first},
-                         .rows = rows_.data() + part.rows_at,
+                         .first = 3 * std::size_t{begin[s]},
+                         .rows = rows.data(),
                          .lead = lead,
                          .points = here.data(),
                          .count = here.size()};

@@ -42,8 +42,9 @@ struct PointResponse {
 // may ask at once.
 class PackedFactor {
  public:
-  // Copies the factor, which must have been kept whole; it may be destroyed afterwards.
-  explicit PackedFactor(const MultifrontalCholesky& factor);
+  // Copies the factor, which must have been kept whole; it may be destroyed afterwards. `threads`: that share the
+  // work; 0: as many as the machine has cores.
+  explicit PackedFactor(const MultifrontalCholesky& factor, int threads = 0);
 
   std::uint32_t nodes() const noexcept { return static_cast<std::uint32_t>(position_.size()); }
   std::size_t bytes() const noexcept;
