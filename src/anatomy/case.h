@@ -142,6 +142,9 @@ struct Case {
   // The corridor of the deformable body, prepared by prepare_body() for the resistances that need one; without a body
   // otherwise.
   PreparedCorridor corridor;
+  // Needles that were left in the body before, from their entry to their tip at rest: prepare_body() couples them
+  // with the needle in the hand, for the resistance that meets contact points.
+  std::vector<NeedlePath> left_needles;
 };
 
 }  // namespace bodkin::anatomy

@@ -185,7 +185,7 @@ void Practice::take_patient() {
     patient_ = std::move(opened);
     plan_ = patient_->description().procedure.path;
     models_.reset();
-    left_needles_.clear();
+    left_needles_ = left_before();
     points_.clear();  // of another patient
     mover_.begin(usual_place(plan_ ? *plan_ : unplanned_path(patient_->patient.tissues)));
     begin_attempt();
@@ -254,6 +254,7 @@ void Practice::begin_attempt() {
     options.overwrite = options_.overwrite && attempts_ == 0;
     ++attempts_;
     options_.apply(options);
+    options.left_needles = left_in_body();
     if (models_) options.patient.description.haptics = models_->haptics;
     haptics_ = options.patient.description.haptics;
     if (models_) options.patient.library = anatomy::TissueLibrary(models_->tissues);  // felt from the first tick on

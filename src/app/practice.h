@@ -164,6 +164,9 @@ class Practice {
   // Says so, where the station is elsewhere: what was asked for is decided there.
   bool is_decided_elsewhere();
 
+  std::vector<LeftNeedle> left_before() const;
+  std::vector<anatomy::NeedlePath> left_in_body() const;
+
   CaseModel cases_;
   StationLink link_;
   StateMachine machine_;

@@ -63,6 +63,25 @@ void Practice::leave_needle() {
   if (again_wanted_) left_needles_.push_back(left);
 }
 
+// Those that `bodkin perform` names.
+std::vector<LeftNeedle> Practice::left_before() const {
+  std::vector<LeftNeedle> left;
+  for (const anatomy::NeedlePath& one : options_.left_needles)
+    left.push_back({needle_pose(one.target, one.direction()), one.length()});
+  return left;
+}
+
+// For the next attempt, whose needle meets them in the body. What is hardly in the skin does nothing.
+std::vector<anatomy::NeedlePath> Practice::left_in_body() const {
+  std::vector<anatomy::NeedlePath> left;
+  for (const LeftNeedle& one : left_needles_) {
+    if (one.depth < 1.0) continue;
+    const Vec3 tip = one.pose.translation();
+    left.push_back({tip - one.depth * needle_axis(one.pose), tip});
+  }
+  return left;
+}
+
 void Practice::take_out_left_needle() {
   if (left_needles_.empty()) return say("No needle was left in the body.");
   left_needles_.pop_back();

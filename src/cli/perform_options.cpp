@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "session/left_needles.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -59,6 +60,10 @@ void add_perform_options(CLI::App& command, PerformOptions& options) {
   add_second_options(command, options.second);
   add_force_options(command, options.forces);
   add_body_option(command, options.body);
+  add_texts(
+      command, "--left", options.left,
+      "x,y,z:x,y,z, mm: entry and tip of a needle that was left in the body, with --resistance embedded_needle; may "
+      "be given more than once");
   add_text(command, "--ultrasound", options.ultrasound,
            "\"PROBE SETTING=VALUE ...\": its picture live in the window of bodkin-app, with the needle and the "
            "tissue that it drags; "
@@ -92,6 +97,20 @@ std::optional<station::MannequinPlace> mannequin_place(const PerformOptions& opt
       io::read_rigid_placement(options.mannequin, "a hand is not scaled: register without --scale"), options.at_hub};
 }
 
+// Throws InputError naming the option.
+std::vector<anatomy::NeedlePath> left_needles(const std::vector<std::string>& texts) {
+  std::vector<anatomy::NeedlePath> left;
+  for (const std::string& text : texts) {
+    const std::size_t colon = text.find(':');
+    if (colon == std::string::npos) {
+      throw InputError(fmt::format("--left is '{}', expected entry and tip of a needle as x,y,z:x,y,z in mm", text));
+    }
+    left.push_back({parse_point(text.substr(0, colon), "--left"), parse_point(text.substr(colon + 1), "--left")});
+  }
+  session::check_left_needles(left);
+  return left;
+}
+
 }  // namespace
 
 station::StationOptions station_options(const PerformOptions& options, Console& console) {
@@ -113,6 +132,7 @@ station::StationOptions station_options(const PerformOptions& options, Console& 
           .use_calibration = !options.no_calibration,
           .second = std::move(second),
           .moving_body = moving_body,
+          .left_needles = left_needles(options.left),
           .ultrasound = {},
           .output = options.output,
           .overwrite = options.overwrite,
@@ -162,6 +182,8 @@ std::string window_order(const PerformOptions& options) {
   if (const std::optional<fem::ProbeFace> face = parse_body(options.body)) {
     order["moving_body_mm"] = {face->width, face->thickness, face->radius};
   }
+  for (const anatomy::NeedlePath& left : left_needles(options.left))
+    order["left_needles_mm"].push_back(session::left_needles_text({left}));
   if (!options.ultrasound.empty()) order["ultrasound"] = station::to_json(pane_request(options.ultrasound));
   io::read_case_description(options.folder);
   anatomy::HapticSettings unused;

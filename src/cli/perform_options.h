@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "station/station_options.h"
 
@@ -26,8 +27,9 @@ struct PerformOptions {
   bool allow_late = false;
   SecondOptions second;
   ForceOptions forces;
-  std::string body;        // "": static
-  std::string ultrasound;  // "": none
+  std::string body;               // "": static
+  std::string ultrasound;         // "": none
+  std::vector<std::string> left;  // "ENTRY:TIP" of needles that were left in the body
 };
 
 // The examples and the keys, below --help.

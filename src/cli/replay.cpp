@@ -37,6 +37,7 @@ int run_replay(const ReplayArguments& arguments, const CommandContext& context) 
   anatomy::Case patient = io::load_case(folder, console.progress());
   session::check_same_case(session, patient, folder);
   patient.description.haptics = session.header.haptics;
+  patient.left_needles = session.header.left_needles;
   const std::shared_ptr<const fem::BodyDescription> body = patient::prepare_body(
       patient, folder, session.header.path, console.progress(), [&](const std::string& text) { console.note(text); });
   const session::ReplayResult result =

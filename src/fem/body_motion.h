@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "anatomy/breathing.h"
@@ -15,6 +16,13 @@ namespace bodkin::fem {
 struct BodyField {
   std::uint64_t step = 0;    // of the body, after which it lay so; 0: at rest, before the first
   std::vector<float> moved;  // mm, 3 per node of its mesh; of zero length while it stands still
+  // The first `held_count` of `held`: nodes of the mesh that the probe holds. `held` has room for all that it could
+  // hold, and never grows.
+  std::vector<std::uint32_t> held;
+  std::size_t held_count = 0;
+  std::uint64_t held_since = 0;  // step that took or released one last
+
+  std::span<const std::uint32_t> held_nodes() const noexcept { return {held.data(), held_count}; }
 };
 
 // From the thread that moves the body to the needle's tick.

@@ -1,5 +1,7 @@
 #include "fem/contact_line.h"
 
+#include <algorithm>
+
 namespace bodkin::fem {
 
 namespace {
@@ -8,7 +10,8 @@ constexpr std::uint64_t complete_bit = std::uint64_t{1} << 31U, points_mask = co
 
 }  // namespace
 
-ContactLine::ContactLine(double spring) : spring_(spring) {
+ContactLine::ContactLine(double spring, std::size_t most_held)
+    : spring_(spring), newest_{.held = std::vector<std::uint32_t>(most_held, 0)}, wanted_(newest_) {
   body_.nodes.resize(most_points, Vec3::Zero());
   body_.tissues.resize(most_points, anatomy::tissue::air);
   body_.in_mesh.resize(most_points);
@@ -16,11 +19,16 @@ ContactLine::ContactLine(double spring) : spring_(spring) {
   body_.compliance = Eigen::MatrixXd::Zero(size, size);
 }
 
-void ContactLine::ask(const Vec3& entry, const Vec3& direction) noexcept {
+void ContactLine::ask(const Vec3& entry, const Vec3& direction, std::span<const std::uint32_t> held) noexcept {
   std::uint64_t before = asked_.load(std::memory_order_relaxed);
   if (before == closed) return;
   const auto number = static_cast<std::uint32_t>(before + 1);
-  wanted_.write({number, entry, direction});
+  newest_.number = number;
+  newest_.entry = entry;
+  newest_.direction = direction;
+  newest_.held_count = std::min(held.size(), newest_.held.size());
+  std::copy_n(held.begin(), newest_.held_count, newest_.held.begin());
+  wanted_.write(newest_);
   // Fails only when the line has been closed meanwhile.
   if (asked_.compare_exchange_strong(before, number, std::memory_order_acq_rel)) asked_.notify_all();
 }

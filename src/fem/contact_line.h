@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "anatomy/condensed_body.h"
 #include "core/latest_value.h"
@@ -27,13 +28,14 @@ class ContactLine {
   static constexpr std::size_t most_points = 160;
 
   // `spring`: mm/N, compliance of a spring on which the whole body stands, added between every two points.
-  explicit ContactLine(double spring = 0.0);
+  // `most_held`: how many nodes of the body's mesh something may hold (ask()).
+  explicit ContactLine(double spring = 0.0, std::size_t most_held = 0);
 
   // The tick's thread.
 
   // From now on the points are those of a line that touches the body at `entry` and goes along the unit vector
-  // `direction`; there are none yet.
-  void ask(const Vec3& entry, const Vec3& direction) noexcept;
+  // `direction`; there are none yet. Their compliance is that of a body of which these nodes are held.
+  void ask(const Vec3& entry, const Vec3& direction, std::span<const std::uint32_t> held = {}) noexcept;
   struct Progress {
     std::size_t points = 0;
     bool complete = false;  // no more will come
@@ -49,6 +51,8 @@ class ContactLine {
   struct Line {
     std::uint32_t number = 0;
     Vec3 entry = Vec3::Zero(), direction = Vec3::UnitZ();
+    std::vector<std::uint32_t> held = {};  // the first `held_count` are nodes that are held
+    std::size_t held_count = 0;
   };
   // Waits until another line is asked for; nothing after close().
   std::optional<Line> next_line() noexcept;
@@ -64,6 +68,7 @@ class ContactLine {
 
   double spring_;
   anatomy::CondensedBody body_;
+  Line newest_;  // of the tick's thread
   LatestValue<Line> wanted_;
   std::atomic<std::uint64_t> asked_{0};     // number of the line asked for, or `closed`
   std::atomic<std::uint64_t> progress_{0};  // number of the line, 32 bits; complete, 1 bit; points, 31 bits

@@ -28,7 +28,7 @@ anatomy::CondensedBody points_of(const fem::ContactBody& body, const anatomy::Ca
                                  const anatomy::NeedlePath& path, const anatomy::EmbeddedNeedleSettings& settings) {
   const std::vector<fem::NeedleStation> stations =
       fem::stations_along(path, path.length() + settings.body.corridor_beyond, settings.point_spacing, patient);
-  return body.contact_points(stations, path.direction(), settings.tip_radius);
+  return body.contact_points(stations, path.direction(), settings.tip_radius, 0, body.bind(patient.left_needles, {}));
 }
 
 // Checks the body first, as fem::condense() does.
@@ -116,7 +116,8 @@ std::unique_ptr<fem::ContactStream> contact_stream(const fem::BodyDescription& b
   if (kept == nullptr) kept = contact_body(body, {}, {});
   const fem::ContactStreamSettings settings{.length = length + points->body.corridor_beyond,
                                             .spacing = points->point_spacing,
-                                            .tip_radius = points->tip_radius};
+                                            .tip_radius = points->tip_radius,
+                                            .left = patient->left_needles};
   return std::make_unique<fem::ContactStream>(kept, std::move(patient), settings, std::move(line));
 }
 

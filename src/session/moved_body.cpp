@@ -66,7 +66,7 @@ MovedBody::MovedBody(const Session& session, const fem::BodyDescription* body, s
         "its own case");
   }
   solver_ = std::make_unique<fem::DeformableBodySolver>(*body, moving_body_settings(session.header.moving_body));
-  field_.moved.assign(3 * solver_->body().nodes(), 0.0F);
+  field_ = fem::field_at_rest(*solver_);
   motion_ = std::make_shared<fem::BodyMotion>(field_);
   if (!port->move_with(motion_)) {
     throw InputError(
@@ -78,12 +78,7 @@ MovedBody::MovedBody(const Session& session, const fem::BodyDescription* body, s
 void MovedBody::step() noexcept {
   const fem::BodyStep& recorded = session_.body_steps[field_.step];
   failed_ = solver_->step(recorded.probe).fault || failed_;
-  if (failed_) {
-    field_.moved.clear();
-  } else {
-    fem::read_displacements(solver_->body(), field_.moved);
-  }
-  ++field_.step;
+  fem::read_field(*solver_, failed_, field_);
   if (different_ == 0 && fem::digest_of(field_.moved) != recorded.digest) different_ = field_.step;
 }
 

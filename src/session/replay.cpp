@@ -223,8 +223,8 @@ ReplayResult replay_session(const Session& session, anatomy::Case patient, const
   result.body_difference = body_difference(session, patient);
   std::vector<std::uint8_t> was, is, all_events;
   std::uint64_t chain = 0;
-  PointsTaken points(session, patient, body, haptics.body());
   MovedBody moved(session, body, haptics.body());
+  PointsTaken points(session, patient, body, haptics.body());
   const std::span<const forces::DiagnosticName> published = haptics.diagnostic_names();
   const auto names = has_same_diagnostics(session.header, published) ? published : published.first(0);
   auto event = session.events.begin();

@@ -6,6 +6,7 @@
 
 #include "session/body_table.h"
 #include "session/change_table.h"
+#include "session/left_needles.h"
 #include "session/scan_table.h"
 #include "session/session_schema.h"
 #include "session/tick_codec.h"
@@ -59,6 +60,7 @@ std::vector<std::pair<std::string, std::string>> header_rows(const SessionHeader
   }
   if (header.ultrasound) rows.emplace_back("ultrasound_xml", io::probes_xml({&*header.ultrasound, 1}));
   if (!header.moving_body.empty()) rows.emplace_back("moving_body", header.moving_body);
+  if (!header.left_needles.empty()) rows.emplace_back("left_needles_mm", left_needles_text(header.left_needles));
   if (!header.body_digest.empty()) rows.emplace_back("body_digest", header.body_digest);
   if (!header.diagnostics.empty()) rows.emplace_back("diagnostics", lines_of(header.diagnostics));
   // In the order of the keys, in which the checksum takes them.

@@ -49,11 +49,12 @@ struct SessionHeader {
   std::optional<anatomy::DeviceLimits> device;         // that was held, in place of the case's
   std::optional<SecondHeader> second;                  // a second hand, where there was one
   std::optional<anatomy::UltrasoundProbe> ultrasound;  // of the machine, where there was one
-  std::string moving_body;          // JSON: of a body that moved on its own time (--body moving); "": it was static
-  std::string body_digest;          // of the deformable body as it was prepared; "": there was none
-  std::vector<TissueName> tissues;  // of the case's library, in the order of their ids
-  std::vector<RecordedDiagnostic> diagnostics;  // in the order of TickOutput::diagnostics, at most most_diagnostics
-  RecordedVolumes volumes;                      // of the patient; none in a session of before version 5
+  std::string moving_body;  // JSON: of a body that moved on its own time (--body moving); "": it was static
+  std::vector<anatomy::NeedlePath> left_needles;  // in the body before, from entry to tip
+  std::string body_digest;                        // of the deformable body as it was prepared; "": there was none
+  std::vector<TissueName> tissues;                // of the case's library, in the order of their ids
+  std::vector<RecordedDiagnostic> diagnostics;    // in the order of TickOutput::diagnostics, at most most_diagnostics
+  RecordedVolumes volumes;                        // of the patient; none in a session of before version 5
 };
 
 // An event with its place in the session.

@@ -9,6 +9,7 @@
 
 #include "session/body_table.h"
 #include "session/change_table.h"
+#include "session/left_needles.h"
 #include "session/scan_table.h"
 #include "session/second_table.h"
 #include "session/session_end.h"
@@ -245,6 +246,11 @@ void Reader::read_header(SQLite::Database& database, Session& session) {
     header.ultrasound = probes.front();
   }
   if (header_.contains("moving_body")) header.moving_body = text("moving_body");
+  if (header_.contains("left_needles_mm")) {
+    const auto left = parse_left_needles(text("left_needles_mm"));
+    if (!left) fail("the header's list of needles that were left in the body is damaged");
+    header.left_needles = *left;
+  }
   if (header_.contains("body_digest")) header.body_digest = text("body_digest");
   if (version_ >= session_schema::with_diagnostics && header_.contains("diagnostics"))
     header.diagnostics = diagnostics_of_header();

@@ -146,6 +146,7 @@ SessionHeader session_header(const anatomy::Case& patient, const std::filesystem
   header.started_at = utc_now();
   header.path = path;
   header.haptics = patient.description.haptics;
+  header.left_needles = patient.left_needles;
   header.body_digest = digest_of_body(patient);
   header.volumes = recorded_volumes(patient);
   for (const forces::DiagnosticName& one : simulation::diagnostic_names(header.haptics))

@@ -26,8 +26,8 @@ class BodyPort {
     static_cast<void>(as_recorded);
     return {};
   }
-  // Before the ticks: the body moves by itself from now on, as `motion` says, and takes the needle along. False, and
-  // nothing done, when the resistance knows no such motion.
+  // Before the ticks, and before stream_points(): the body moves by itself from now on, as `motion` says, and takes
+  // the needle along. False, and nothing done, when the resistance knows no such motion.
   virtual bool move_with(const std::shared_ptr<fem::BodyMotion>& motion) {
     static_cast<void>(motion);
     return false;

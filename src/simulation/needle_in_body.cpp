@@ -15,10 +15,16 @@ constexpr int skin_bisections = 10;
 constexpr double same_hole = 1.0;  // mm
 constexpr double late = 1.0;       // mm past a point's place, at which it comes late
 constexpr std::uint32_t ticks_from_look_to_look = 10;
+constexpr std::uint64_t steps_at_rest = 12;  // of the body, after which a probe that holds the same nodes rests
 
 double distance(const Vec3& point, const Vec3& entry, const Vec3& direction) noexcept {
   const Vec3 from = point - entry;
   return (from - from.dot(direction) * direction).norm();
+}
+
+// BodyField::held_since of the nodes that are held; 0: none are.
+std::uint64_t held_by(const fem::BodyField* motion) noexcept {
+  return motion == nullptr || motion->held_count == 0 ? 0 : motion->held_since;
 }
 
 bool runs_along(const anatomy::NeedlePath& path, const Vec3& entry, const Vec3& direction, double within) noexcept {
@@ -39,7 +45,8 @@ NeedleInBody::NeedleInBody(const anatomy::Case& patient, const Settings& setting
       planned_(patient, settings, dt) {}
 
 std::shared_ptr<fem::ContactLine> NeedleInBody::stream_points(bool as_recorded) {
-  line_ = std::make_shared<fem::ContactLine>(planned_.spring());
+  const fem::BodyField* const motion = newest_motion();
+  line_ = std::make_shared<fem::ContactLine>(planned_.spring(), motion == nullptr ? 0 : motion->held.size());
   own_ = std::make_unique<DeformableShaft>(planned_, *patient_, *line_, settings_, dt_);
   as_recorded_ = as_recorded;
   return line_;
@@ -53,8 +60,25 @@ bool NeedleInBody::move_with(const std::shared_ptr<fem::BodyMotion>& motion) {
 void NeedleInBody::approach(const Vec3& tip, const Vec3& axis) noexcept {
   if (line_ == nullptr || ticks_outside_++ % ticks_from_look_to_look != 0) return;
   const std::optional<Vec3> entry = skin_ahead(tip, axis);
-  if (!entry || runs_along(path_, *entry, axis, same_line)) return;
-  if (!asked_ || !runs_along(*asked_, *entry, axis, same_aim)) ask(*entry, axis);
+  if (!entry) return;
+  const fem::BodyField* const motion = newest_motion();
+  if (held_by(motion) == 0 && runs_along(path_, *entry, axis, same_line)) return;
+  if (!is_asked(*entry, axis, same_aim, motion)) ask(*entry, axis, motion);
+}
+
+// While a probe moves, it takes and releases nodes in every step: the line asked for stays.
+bool NeedleInBody::is_asked(const Vec3& entry, const Vec3& direction, double within,
+                            const fem::BodyField* motion) const noexcept {
+  if (!asked_ || !runs_along(*asked_, entry, direction, within)) return false;
+  const bool rests = motion == nullptr || motion->step >= motion->held_since + steps_at_rest;
+  return held_by(motion) == asked_held_ || !rests;
+}
+
+const fem::BodyField* NeedleInBody::newest_motion() noexcept {
+  if (motion_ == nullptr) return nullptr;
+  const fem::BodyField& newest = motion_->read();
+  motion_taken_ = newest.step;
+  return &newest;
 }
 
 fem::NodeForces NeedleInBody::node_forces() const noexcept {
@@ -67,7 +91,8 @@ Vec3 NeedleInBody::needle_ahead() const noexcept {
 
 void NeedleInBody::begin(const Vec3& entry, const Vec3& direction) noexcept {
   told_motion_ = false;
-  const bool own = line_ != nullptr && !runs_along(path_, entry, direction, same_line);
+  const bool own =
+      line_ != nullptr && (held_by(newest_motion()) != 0 || !runs_along(path_, entry, direction, same_line));
   if (own != on_own_line_) announced_ = false;
   on_own_line_ = own;
   if (own) {
@@ -82,7 +107,7 @@ void NeedleInBody::begin_own_line(const Vec3& entry, const Vec3& direction) noex
   points_ = 0;
   complete_ = false;
   begins_ = true;
-  if (!asked_ || !runs_along(*asked_, entry, direction, same_line)) ask(entry, direction);
+  if (!asked_ || !runs_along(*asked_, entry, direction, same_line)) ask(entry, direction, newest_motion());
   own_->begin_growing(entry, direction, is_hole(entry));
 }
 
@@ -108,6 +133,7 @@ void NeedleInBody::reset() noexcept {
   announced_ = told_motion_ = true;
   hole_count_ = 0;
   asked_.reset();
+  asked_held_ = 0;
   ticks_outside_ = 0;
 }
 
@@ -140,20 +166,17 @@ void NeedleInBody::take_known_points(const forces::NeedleInTissue& needle, force
 }
 
 void NeedleInBody::take_motion(const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept {
-  std::span<const float> of_mesh;
-  if (motion_ != nullptr) {
-    const fem::BodyField& newest = motion_->read();
-    motion_taken_ = newest.step;
-    of_mesh = newest.moved;
-  }
+  const fem::BodyField* const newest = newest_motion();
+  const std::span<const float> of_mesh = newest == nullptr ? std::span<const float>() : newest->moved;
   const bool moves = model().move_with(of_mesh, breath_);
   if (!moves || motion_ == nullptr || std::exchange(told_motion_, true)) return;
   events.push({forces::EventKind::corridor_refreshed, needle.tissue, needle.motion.depth, 1.0});
 }
 
-void NeedleInBody::ask(const Vec3& entry, const Vec3& direction) noexcept {
+void NeedleInBody::ask(const Vec3& entry, const Vec3& direction, const fem::BodyField* motion) noexcept {
   asked_ = anatomy::NeedlePath{entry, entry + path_.length() * direction};
-  line_->ask(entry, direction);
+  asked_held_ = held_by(motion);
+  line_->ask(entry, direction, motion == nullptr ? std::span<const std::uint32_t>() : motion->held_nodes());
 }
 
 // Where a needle outside the body would meet the skin.

@@ -25,7 +25,9 @@ namespace bodkin::simulation {
 // another line than before. What has given way stays open from line to line.
 //
 // Where the body moves by itself (move_with) the tissue takes the needle along; an event says so once in an
-// insertion.
+// insertion. A probe that presses holds nodes of the surface, and the points are then those of a body whose nodes
+// these are, on the planned line too: of those that were held when the line was asked for, and it is asked for again
+// when others are and the probe has come to rest, as long as the needle is outside.
 class NeedleInBody final : public BodyPort {
  public:
   using Settings = anatomy::EmbeddedNeedleSettings;
@@ -66,7 +68,9 @@ class NeedleInBody final : public BodyPort {
   void begin_own_line(const Vec3& entry, const Vec3& direction) noexcept;
   void take_known_points(const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept;
   void take_motion(const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept;
-  void ask(const Vec3& entry, const Vec3& direction) noexcept;
+  const fem::BodyField* newest_motion() noexcept;
+  bool is_asked(const Vec3& entry, const Vec3& direction, double within, const fem::BodyField* motion) const noexcept;
+  void ask(const Vec3& entry, const Vec3& direction, const fem::BodyField* motion) noexcept;
   std::optional<Vec3> skin_ahead(const Vec3& tip, const Vec3& axis) const noexcept;
   bool is_hole(const Vec3& place) const noexcept;
   void remember_hole() noexcept;
@@ -86,6 +90,7 @@ class NeedleInBody final : public BodyPort {
   bool as_recorded_ = false;
   std::optional<double> recorded_;            // of the next tick
   std::optional<anatomy::NeedlePath> asked_;  // the line whose points are asked for
+  std::uint64_t asked_held_ = 0;              // BodyField::held_since of the nodes that were held then; 0: none
   std::uint32_t ticks_outside_ = 0;
   bool begins_ = false;     // on its own line, in the next step
   std::size_t points_ = 0;  // that the needle knows of

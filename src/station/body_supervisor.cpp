@@ -39,8 +39,8 @@ BodySupervisor::BodySupervisor(std::shared_ptr<const anatomy::Case> patient,
 void BodySupervisor::attach(HandSession& session) {
   simulation::BodyPort* const port = session.body();
   if (port == nullptr || whole_body_ == nullptr) return;
-  stream_ = patient::contact_stream(*body_, patient_, length_, whole_body_, port->stream_points(false));
   if (moving_ != nullptr) session.move_with(moving_);
+  stream_ = patient::contact_stream(*body_, patient_, length_, whole_body_, port->stream_points(false));
 }
 
 std::vector<std::string> BodySupervisor::update() {

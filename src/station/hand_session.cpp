@@ -103,7 +103,7 @@ struct HandSession::Shared {
 
   void keep_moving(simulation::TickRecord& record) noexcept {
     simulation::TickOutput& output = record.output;
-    moving->set_time(static_cast<double>(ticks) * tick.dt());
+    moving->set_time(static_cast<double>(ticks) * tick.dt(), output.drawn_in);
     const std::uint64_t step = body == nullptr ? 0 : body->motion_taken();
     if (step != body_taken.step) {
       body_taken = {body_taken.step == 0 ? 0 : body_taken.number + 1, record.tick, step};

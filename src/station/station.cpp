@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "patient/prepared_body.h"
+#include "session/left_needles.h"
 #include "session/moved_body.h"
 #include "station/body_glide.h"
 #include "station/body_supervisor.h"
@@ -96,7 +97,10 @@ Station::Parts::Parts(StationOptions from, StationObserver& watching)
     : options(std::move(from)),
       observer(watching),
       path(path_of(options)),
-      patient(std::make_shared<anatomy::Case>(std::move(options.patient))) {}
+      patient(std::make_shared<anatomy::Case>(std::move(options.patient))) {
+  session::check_left_needles(options.left_needles);
+  patient->left_needles = options.left_needles;
+}
 
 void Station::Parts::prepare_patient() {
   body = patient::prepare_body(
@@ -106,7 +110,7 @@ void Station::Parts::prepare_patient() {
   if (!options.moving_body) return;
   const std::string warning = slow_motion_warning(body->mesh.nodes.size());
   if (!warning.empty()) observer.note(warning);
-  moving = std::make_shared<fem::BodyThread>(*body, moving_settings());
+  moving = std::make_shared<fem::BodyThread>(*body, moving_settings(), breath_of(*patient));
 }
 
 fem::BodySolverSettings Station::Parts::moving_settings() const {
@@ -187,10 +191,9 @@ void Station::Parts::prepare_ultrasound(const Pose& probe) {
       imaging::acoustic_volume(*patient, observer.progress());
   imaging::Ultrasound machine(volume, choice.probe, choice.settings, choice.detail);
   order = {probe, choice.settings};
-  std::optional<anatomy::BreathField> breath;
-  if (patient->description.breathing) breath.emplace(*patient->description.breathing);
-  scan = std::make_shared<ScanThread>(volume, std::move(machine), patient->description.needle,
-                                      ScanBody{body, std::move(field), moving != nullptr, breath}, order);
+  scan =
+      std::make_shared<ScanThread>(volume, std::move(machine), patient->description.needle,
+                                   ScanBody{body, std::move(field), moving != nullptr, breath_of(*patient)}, order);
   scan_log.emplace(patient, choice.probe);
 }
 

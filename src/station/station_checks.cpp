@@ -24,6 +24,11 @@ anatomy::NeedlePath path_of(const StationOptions& options) {
       options.case_folder.string()));
 }
 
+std::optional<anatomy::BreathField> breath_of(const anatomy::Case& patient) {
+  if (!patient.description.breathing) return {};
+  return anatomy::BreathField(*patient.description.breathing);
+}
+
 void check_moving_body(const StationOptions& options) {
   if (!options.moving_body) return;
   if (!options.second || options.second->role != session::SecondRole::probe) {

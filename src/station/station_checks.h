@@ -14,6 +14,9 @@ namespace bodkin::station {
 // Where the hand is to work. Throws InputError where neither the options nor the case say so.
 anatomy::NeedlePath path_of(const StationOptions& options);
 
+// How the patient breathes; nothing: nobody does.
+std::optional<anatomy::BreathField> breath_of(const anatomy::Case& patient);
+
 // Throws InputError for a moving body without a probe or without the resistance that feels it.
 void check_moving_body(const StationOptions& options);
 

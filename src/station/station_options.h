@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "station/mannequin_place.h"
 #include "station/second_device.h"
@@ -30,6 +31,9 @@ struct StationOptions {
   // Empty: a body is rigid or static, as the resistance has it. Otherwise it moves, pressed by the probe of the
   // second device, which has this face.
   std::optional<fem::ProbeFace> moving_body;
+  // Needles that were left in the body before, from their entry to their tip at rest. The resistance that meets
+  // contact points couples them with the needle in the hand.
+  std::vector<anatomy::NeedlePath> left_needles;
   std::optional<UltrasoundChoice> ultrasound;
   std::filesystem::path output = "session-by-hand.bodkin";
   bool overwrite = false;

@@ -7,13 +7,14 @@
 #include <string>
 #include <thread>
 
+#include "patient/prepared_body.h"
 #include "session/case_digest.h"
 #include "session/moved_body.h"
 #include "session/replay.h"
 #include "station/hand_session.h"
 #include "station/second_hand.h"
-#include "tests/fem/lattice_body.h"
 #include "tests/session/session_samples.h"
+#include "tests/station/pressed_block.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -31,6 +32,7 @@ using namespace bodkin::fem;
 using namespace bodkin::forces;
 using namespace bodkin::haptics;
 using namespace bodkin::io;
+using namespace bodkin::patient;
 using namespace bodkin::session;
 using namespace bodkin::simulation;
 using namespace bodkin::station;
@@ -38,50 +40,6 @@ namespace {
 
 using std::chrono::milliseconds;
 using ::testing::HasSubstr;
-
-struct PressedBlock {
-  Case patient;
-  std::shared_ptr<const BodyDescription> body;
-  BodySolverSettings settings;
-};
-
-// A block of muscle, 120 x 50 x 80 mm below the plane y = 0, held at its bottom; the planned path goes down at
-// x = -30, a probe with a face of 35 x 35 mm is at hand.
-PressedBlock pressed_block() {
-  PressedBlock made;
-  Case& patient = made.patient;
-  patient.library = default_tissue_library();
-  Grid grid;
-  grid.size = {60, 70, 40};
-  grid.spacing = Vec3(2.0, 1.0, 2.0);
-  grid.origin = Vec3(-59.0, -49.5, -39.0);
-  patient.tissues = TissueVolume(grid, tissue::air);
-  for (int k = 0; k < grid.size[2]; ++k)
-    for (int j = 0; j < 50; ++j)
-      for (int i = 0; i < grid.size[0]; ++i) patient.tissues.at(i, j, k) = tissue::muscle;
-  patient.ct = CtVolume(grid, 40);
-  patient.description.device = {"strong", 100.0, 50.0, 1e6, 100.0, 0.0};
-  patient.description.haptics.constraint = NoConstraint{};
-  EmbeddedNeedleSettings needle;
-  needle.body.corridor_radius = 15.0;
-  needle.body.stiffness_scale = 1.0;
-  needle.body.fix_cut = false;
-  needle.body.fix_beyond = 45.0;
-  patient.description.haptics.resistance = needle;
-  patient.description.procedure.path = NeedlePath{Vec3(-30.0, 0.0, 0.0), Vec3(-30.0, -30.0, 0.0)};
-  TetrahedralMesh mesh = kuhn_box({13, 6, 9}, Vec3(120.0, 50.0, 80.0));
-  for (Vec3& node : mesh.nodes) node -= Vec3(60.0, 50.0, 40.0);
-  std::fill(mesh.tissues.begin(), mesh.tissues.end(), tissue::muscle);
-  const NeedlePath& path = *patient.description.procedure.path;
-  made.body = std::make_shared<const BodyDescription>(describe_body(mesh, patient, needle.body, path).body);
-  const ContactBody whole(made.body);
-  const auto stations = stations_along(path, path.length() + 10.0, needle.point_spacing, patient);
-  patient.corridor = {
-      std::make_shared<const CondensedBody>(whole.contact_points(stations, path.direction(), needle.tip_radius)),
-      path};
-  made.settings.probe.width = made.settings.probe.thickness = 35.0;
-  return made;
-}
 
 std::unique_ptr<SecondHand> probe_hand(const PressedBlock& block, const std::string& settings,
                                        const std::shared_ptr<SecondLink>& link,
@@ -165,6 +123,9 @@ Session perform_on(const PressedBlock& block, const std::filesystem::path& file)
                       link);
   const auto second = probe_hand(block, "speed_mm_s=40 depth_mm=12 lateral_mm=25 wait_s=600", link, pressed);
   session.move_with(pressed);
+  std::shared_ptr<const ContactBody> whole = block.whole;
+  const auto stream = contact_stream(*block.body, std::make_shared<const Case>(block.patient), header.path.length(),
+                                     whole, session.body()->stream_points(false));
   second->start();
   session.start();
   arm(session);
@@ -210,7 +171,13 @@ void expect_replay_of_moved_body(const Session& session, const PressedBlock& blo
   EXPECT_THAT(pressed_deeper.body_difference, HasSubstr("step " + std::to_string(middle)));
 
   altered = session;
-  altered.body_taken[session.body_taken.size() / 2].tick += 1;
+  const auto deepest = std::max_element(
+      session.ticks.begin(), session.ticks.end(),
+      [](const TickRecord& a, const TickRecord& b) { return a.output.resistance < b.output.resistance; });
+  const auto inside = std::find_if(altered.body_taken.begin(), altered.body_taken.end(),
+                                   [&](const BodyTaken& taken) { return taken.tick >= deepest->tick; });
+  ASSERT_NE(inside, altered.body_taken.end());
+  inside->tick += 1;
   EXPECT_TRUE(replay_session(altered, block.patient, {}, body).difference.has_value()) << "met one tick later";
 
   EXPECT_THAT(refusal_of_replay(session, block, nullptr), HasSubstr("no deformable body"));
@@ -254,10 +221,6 @@ TEST(MovingBody, the_probes_hand_feels_the_bodys_force_and_the_needle_enters_it_
   EXPECT_NEAR(sample->force, expected, 0.1 * expected);
 
   expect_replay_of_moved_body(session, block);
-}
-
-Pose straight_down(double x, double depth) {
-  return needle_pose(Vec3(x, -depth, 0.0), -Vec3::UnitY());
 }
 
 // The tissue at the needle is moved by `by` mm: all nodes of the block alike.

@@ -171,6 +171,24 @@ TEST(OwnLines, a_session_whose_points_come_at_any_time_replays_to_the_bit) {
   EXPECT_THROW(replay_session(session, block.patient), InputError);  // without the body
 }
 
+// What a needle that was left does is there in live and in the replay, and is to be felt.
+TEST(OwnLines, beside_a_needle_that_was_left_replay_to_the_bit) {
+  BlockOfTissue block = block_of_tissue();
+  const std::vector<Insertion> one = {{Vec3(40.0, 30.0, 0.0), Vec3::UnitZ()}};
+  const Session without = session_on_own_lines(block, Points::in_time, one);
+  block.patient.left_needles = {{Vec3(41.0, 30.0, 0.0), Vec3(41.0, 30.0, 14.0)},
+                                {Vec3(40.0, 28.0, 0.0), Vec3(40.0, 29.0, 9.0)}};
+  const Session session = session_on_own_lines(block, Points::in_time, one);
+  ASSERT_EQ(session.ticks.size(), without.ticks.size());
+  double apart = 0.0;
+  for (std::size_t i = 0; i < session.ticks.size(); ++i)
+    apart = std::max(apart, std::abs(session.ticks[i].output.resistance - without.ticks[i].output.resistance));
+  EXPECT_GT(apart, 0.01);
+  expect_replay(session, block);
+  block.patient.left_needles.pop_back();
+  EXPECT_TRUE(replay_session(session, block.patient, {}, block.body.get()).difference.has_value());
+}
+
 TEST(OwnLines, share_their_holes_with_prepared_lines) {
   const BlockOfTissue block = block_of_tissue();
   const Vec3 planned = block.patient.description.procedure.path->entry;

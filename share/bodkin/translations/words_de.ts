@@ -7064,6 +7064,14 @@
         <translation>die Sitzung kann nicht nachgerechnet werden: bei %1 s traf ihre Nadel einen Körper, der sich von selbst bewegte (--body moving) und von dem nicht jeder Schritt behalten ist; „bodkin report“ und „bodkin export“ zeigen, was gespürt wurde</translation>
     </message>
     <message>
+        <source>%1 needles were left in the body, expected at most %2; take some out</source>
+        <translation>%1 Nadeln stecken im Körper, höchstens %2 werden erwartet; ziehen Sie einige heraus</translation>
+    </message>
+    <message>
+        <source>needle %1 that was left in the body is %2 mm long from its entry to its tip, expected %3 to %4 mm and places within %5 mm; give entry and tip in mm as the case has them</source>
+        <translation>Nadel %1, die im Körper steckt, ist von ihrem Einstich bis zur Spitze %2 mm lang, erwartet werden %3 bis %4 mm und Orte innerhalb von %5 mm; geben Sie Einstich und Spitze in mm an, wie der Fall sie hat</translation>
+    </message>
+    <message>
         <source>the session's moving_body is '%1', expected JSON with width_mm, thickness_mm, radius_mm, reach_mm and step_s; record it again</source>
         <translation>moving_body der Sitzung ist „%1“, erwartet wird JSON mit width_mm, thickness_mm, radius_mm, reach_mm und step_s; zeichnen Sie sie neu auf</translation>
     </message>

@@ -4,6 +4,7 @@
 
 #include "app/models/late_force.h"
 #include "link/tracking_driver.h"
+#include "session/left_needles.h"
 #include "station/recorded_hand.h"
 #include "station/ultrasound_request.h"
 #include "tracking/tool_driver.h"
@@ -98,6 +99,10 @@ AttemptOptions read_attempt_options(const std::string& text) {
       face.thickness = json.at("moving_body_mm").at(1).get<double>();
       face.radius = json.at("moving_body_mm").at(2).get<double>();
       options.moving_body = face;
+    }
+    for (const nlohmann::json& text : json.value("left_needles_mm", nlohmann::json::array())) {
+      if (const auto left = session::parse_left_needles(text.get<std::string>()))
+        options.left_needles.insert(options.left_needles.end(), left->begin(), left->end());
     }
     if (json.contains("mannequin")) {
       const bool at_hub = json.value("at_hub", false);

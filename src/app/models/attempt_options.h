@@ -19,6 +19,7 @@ struct AttemptOptions {
   std::optional<station::UltrasoundChoice> ultrasound;
   std::optional<station::SecondChoice> second;
   std::optional<fem::ProbeFace> moving_body;
+  std::vector<anatomy::NeedlePath> left_needles;  // in the body before, from entry to tip
   std::optional<station::MannequinPlace> mannequin;
   double scale = 1.0, force_scale = 1.0;
   bool allow_late = false;

@@ -20,12 +20,14 @@ BodySnapshot empty_snapshot(std::size_t nodes) {
 
 }  // namespace
 
-BodyThread::BodyThread(const BodyDescription& body, const BodySolverSettings& settings)
+BodyThread::BodyThread(const BodyDescription& body, const BodySolverSettings& settings,
+                       const std::optional<anatomy::BreathField>& breath)
     : solver_(body, settings),
       step_time_(settings.motion.dt > 0.0 ? settings.motion.dt : default_step_time),
+      breath_(breath),
       next_(empty_snapshot(body.mesh.nodes.size())),
       snapshots_(next_),
-      field_{0, next_.displacements},
+      field_(field_at_rest(solver_)),
       motion_(std::make_shared<BodyMotion>(field_)),
       steps_(std::make_shared<BodySteps>(kept_steps)),
       thread_([this](const std::stop_token& stop) { run(stop); }) {}
@@ -46,8 +48,13 @@ void BodyThread::run(const std::stop_token& stop) noexcept {
 }
 
 void BodyThread::make_step() noexcept {
-  const std::optional<Pose>& probe = probe_of_step_ = probe_.read();
-  const bool fault = solver_.step(probe).fault;
+  const std::optional<Pose>& probe = probe_.read();
+  probe_of_step_ = probe;
+  if (probe && breath_ && probe->matrix().allFinite()) {
+    probe_of_step_->translation() =
+        breath_->material(probe->translation(), drawn_in_.load(std::memory_order_relaxed));
+  }
+  const bool fault = solver_.step(probe_of_step_).fault;
   ++next_.steps;
   ProbeReading reading;
   reading.on_probe = solver_.press().on_probe(solver_.body());
@@ -63,14 +70,10 @@ void BodyThread::make_step() noexcept {
 }
 
 void BodyThread::publish() noexcept {
-  read_displacements(solver_.body(), next_.displacements);
+  const bool failed = failed_.load(std::memory_order_relaxed);
+  read_field(solver_, failed, field_);
+  if (!failed) next_.displacements = field_.moved;
   snapshots_.write(next_);
-  field_.step = next_.steps;
-  if (failed_.load(std::memory_order_relaxed)) {
-    field_.moved.clear();
-  } else {
-    field_.moved = next_.displacements;
-  }
   steps_->push({field_.step, probe_of_step_, digest_of(field_.moved)});
   motion_->write(field_);
 }

@@ -38,11 +38,16 @@ struct ProbeReading {
 // Every function is wait-free and belongs to one thread, named with it. The thread ends with the object.
 class BodyThread {
  public:
-  // Checks the arguments and starts at rest. Throws InputError.
-  BodyThread(const BodyDescription& body, const BodySolverSettings& settings);
+  // Checks the arguments and starts at rest. Throws InputError. `breath`: how the patient breathes, who may not: what
+  // the body does besides is computed for the tissue breathed out, which a probe meets where breath has moved it.
+  BodyThread(const BodyDescription& body, const BodySolverSettings& settings,
+             const std::optional<anatomy::BreathField>& breath = {});
 
-  // Clock's thread: s, from any origin.
-  void set_time(double seconds) noexcept { time_.store(seconds, std::memory_order_relaxed); }
+  // Clock's thread: s, from any origin, and how far breath is drawn in, 0 to 1.
+  void set_time(double seconds, double drawn_in = 0.0) noexcept {
+    drawn_in_.store(drawn_in, std::memory_order_relaxed);
+    time_.store(seconds, std::memory_order_relaxed);
+  }
   // Probe's thread; empty: no probe touches the body.
   void move_probe(const std::optional<Pose>& probe) noexcept { probe_.write(probe); }
   // How the body moves, for the needle in it (BodyPort::move_with); of zero length once it has failed.
@@ -63,7 +68,8 @@ class BodyThread {
 
   DeformableBodySolver solver_;
   double step_time_;  // s
-  std::atomic<double> time_{0.0};
+  std::optional<anatomy::BreathField> breath_;
+  std::atomic<double> time_{0.0}, drawn_in_{0.0};
   LatestValue<std::optional<Pose>> probe_;
   BodySnapshot next_;  // of the body's thread
   LatestValue<BodySnapshot> snapshots_;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
+#include "fem/body_motion.h"
 #include "fem/moving/corotational_body.h"
 #include "fem/moving/probe_press.h"
 #include "fem/solid/elastic_body.h"
@@ -32,8 +32,9 @@ class DeformableBodySolver {
   ProbePress press_;
 };
 
-// Writes by how much the nodes lie from their places at rest, mm, x y z in turn, into as many numbers as the body
-// has.
-void read_displacements(const CorotationalBody& body, std::span<float> displacements) noexcept;
-
+// The motion of a body at rest, with room for everything that it may come to.
+BodyField field_at_rest(const DeformableBodySolver& solver);
+// After a step: becomes the motion that it led to. `failed`: this step or one before it did, so that the needle meets
+// the body at rest.
+void read_field(const DeformableBodySolver& solver, bool failed, BodyField& field) noexcept;
 }  // namespace bodkin::fem

@@ -122,6 +122,22 @@ void ProbePress::let_go_what_is_pulled(CorotationalBody& body) noexcept {
   }
 }
 
+void ProbePress::held_nodes(std::span<std::uint32_t> nodes) const noexcept {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < surface_.size(); ++i)
+    if (taken_[i] != 0) nodes[count++] = surface_[i];
+}
+
+bool ProbePress::holds(std::span<const std::uint32_t> nodes) const noexcept {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < surface_.size(); ++i) {
+    if (taken_[i] == 0) continue;
+    if (count == nodes.size() || nodes[count] != surface_[i]) return false;
+    ++count;
+  }
+  return count == nodes.size();
+}
+
 Wrench ProbePress::on_probe(const CorotationalBody& body) const noexcept {
   Wrench sum;
   for (std::size_t i = 0; i < surface_.size(); ++i) {

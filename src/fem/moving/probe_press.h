@@ -41,6 +41,10 @@ class ProbePress {
   // How many nodes are held, and by what force on the probe, N, and torque about its origin, N mm, after a step.
   std::size_t held() const noexcept { return held_; }
   Wrench on_probe(const CorotationalBody& body) const noexcept;
+  // The nodes held, ascending, of which the first held() are written; `nodes` has room for surface().
+  void held_nodes(std::span<std::uint32_t> nodes) const noexcept;
+  // Whether exactly these are held.
+  bool holds(std::span<const std::uint32_t> nodes) const noexcept;
   // Nodes of the mesh's surface that are not fixed, ascending.
   std::span<const std::uint32_t> surface() const noexcept { return surface_; }
 

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "anatomy/mesh_parts.h"
 #include "core/error.h"
@@ -19,6 +22,8 @@ constexpr double reach = 5.0;  // mm outside the mesh, where its surface has bee
 constexpr std::size_t most_in_element = 2;
 constexpr std::size_t points_at_once = 8;  // that share reading the factor
 constexpr double shaft_radius = 0.5;       // mm: a ball as soft as 1 mm of a thin needle's shaft
+constexpr double left_spacing = 1.0;       // mm, of the points of a needle that was left
+constexpr double longest_left = 1000.0;    // mm
 
 BodyDescription without_corridor(const BodyDescription& body) {
   return {body.mesh, body.materials, body.fixed, {}};
@@ -35,7 +40,7 @@ ContactBody::ContactBody(std::shared_ptr<const BodyDescription> body, const Fact
   kept.keep_field = true;
   const ElasticBody elastic(whole, plan_body(whole, progress), kept, progress);
   free_nodes_ = elastic.system().free_nodes;
-  factor_ = std::make_unique<const PackedFactor>(elastic.factor());
+  factor_ = std::make_unique<const PackedFactor>(elastic.factor(), options.threads);
 }
 
 CarriedPoint ContactBody::carried(const PointInMesh& place) const {
@@ -48,12 +53,65 @@ CarriedPoint ContactBody::carried(const PointInMesh& place) const {
   return point;
 }
 
+double ContactBody::shaft_gain_in(std::uint32_t element) const {
+  const ElasticMaterial& material = *body_->materials.find(body_->mesh.tissues[element]);
+  return shaft_gain(material, edge_of_volume(anatomy::element_volume(body_->mesh, element)), shaft_radius);
+}
+
+BoundPoints ContactBody::bind(std::span<const anatomy::NeedlePath> left, std::span<const std::uint32_t> held) const {
+  std::vector<BoundPoints::Group> groups;
+  const auto respond = [this](BoundPoints::Group& group, const std::vector<CarriedPoint>& loads) {
+    for (std::size_t from = 0; from < loads.size(); from += points_at_once) {
+      const std::size_t count = std::min(points_at_once, loads.size() - from);
+      std::vector<PointResponse> found = factor_->respond({loads.data() + from, count});
+      std::move(found.begin(), found.end(), std::back_inserter(group.responses));
+    }
+  };
+  for (const anatomy::NeedlePath& needle : left) {
+    const double length = needle.length();
+    if (!(length > 0.0 && length <= longest_left)) {
+      throw InputError(
+          fmt::format("a needle that was left in the body is {} mm long, expected more than 0 and at most "
+                      "{:.0f} mm from its entry to its tip",
+                      length, longest_left));
+    }
+    const Vec3 direction = needle.direction();
+    BoundPoints::Group group;
+    group.is_free = true;
+    std::vector<CarriedPoint> loads;
+    for (double depth = std::min(0.5 * left_spacing, 0.5 * length); depth <= length; depth += left_spacing) {
+      const PointInMesh place = finder_.find(needle.entry + depth * direction, reach);
+      if (!place.moves()) continue;
+      loads.push_back(carried(place));
+      group.places.push_back(needle.entry + depth * direction);
+      group.gains.push_back(shaft_gain_in(place.element));
+    }
+    respond(group, loads);
+    groups.push_back(std::move(group));
+  }
+  BoundPoints::Group nodes;
+  std::vector<CarriedPoint> loads;
+  for (const std::uint32_t node : held) {
+    if (node >= body_->mesh.nodes.size()) {
+      throw InputError(fmt::format("node {} is held but not in the mesh, whose nodes are 0 to {}", node,
+                                   body_->mesh.nodes.size() - 1));
+    }
+    if (fixed_[node]) continue;
+    loads.push_back({{{free_nodes_[node], 1.0}}});
+    nodes.places.push_back(body_->mesh.nodes[node]);
+    nodes.gains.push_back(0.0);
+  }
+  respond(nodes, loads);
+  groups.push_back(std::move(nodes));
+  return BoundPoints(std::move(groups));
+}
+
 // The points of one line, computed group by group from the entry on.
 class ContactBody::Points {
  public:
   Points(const ContactBody& body, std::span<const NeedleStation> stations, const Vec3& direction, double tip_radius,
-         int threads)
-      : body_(body), direction_(direction), tip_radius_(tip_radius), pool_(threads) {
+         int threads, const BoundPoints& bound)
+      : body_(body), bound_(bound), direction_(direction), tip_radius_(tip_radius), pool_(threads) {
     std::map<std::uint32_t, std::size_t> in_element;
     for (const NeedleStation& station : stations) {
       const PointInMesh place = body.finder_.find(station.place, reach);
@@ -64,6 +122,7 @@ class ContactBody::Points {
       points_.push_back({&station, place});
     }
     responses_.resize(points_.size());
+    shares_.resize(points_.size());
     between_.resize(points_.size());
   }
 
@@ -77,11 +136,16 @@ class ContactBody::Points {
       for (std::size_t i = first; i < last; ++i) loads.push_back(load_of(points_[i]));
       std::vector<PointResponse> found = body_.factor_->respond(loads);
       std::move(found.begin(), found.end(), responses_.begin() + static_cast<std::ptrdiff_t>(first));
+      if (bound_.empty()) return;
+      for (std::size_t i = first; i < last; ++i) shares_[i] = bound_.shares({&responses_[i], 1});
     });
     pool_.run(to - from, [&](std::size_t which) {
       const std::size_t j = from + which;
       between_[j].resize(j + 1);
-      for (std::size_t i = 0; i <= j; ++i) between_[j][i] = compliance_between(responses_[i], responses_[j]);
+      for (std::size_t i = 0; i <= j; ++i) {
+        between_[j][i] = compliance_between(responses_[i], responses_[j]);
+        if (!bound_.empty()) between_[j][i] -= bound_.taken(shares_[i], 0, shares_[j], 0);
+      }
       between_[j][j] += gain_of(j);
     });
   }
@@ -112,10 +176,7 @@ class ContactBody::Points {
   // mm/N, what the mesh lacks at a point.
   Mat3 gain_of(std::size_t i) const {
     const BodyDescription& body = *body_.body_;
-    const std::uint32_t element = points_[i].place.element;
-    const ElasticMaterial& material = *body.materials.find(body.mesh.tissues[element]);
-    Mat3 regular = shaft_gain(material, edge_of_volume(anatomy::element_volume(body.mesh, element)), shaft_radius) *
-                   Mat3::Identity();
+    const Mat3 regular = body_.shaft_gain_in(points_[i].place.element) * Mat3::Identity();
     if (!points_[i].station->resists) return regular;
     const Mat3 gain = refinement_gain(body.mesh, body_.finder_, body.materials, body_.fixed_, disk_of(points_[i]));
     // A disk in held elements moves by nothing else.
@@ -123,17 +184,19 @@ class ContactBody::Points {
   }
 
   const ContactBody& body_;
+  const BoundPoints& bound_;
   Vec3 direction_;
   double tip_radius_;
   ThreadPool pool_;
   std::vector<Point> points_;
   std::vector<PointResponse> responses_;
+  std::vector<Eigen::MatrixXd> shares_;     // BoundPoints::shares() of each
   std::vector<std::vector<Mat3>> between_;  // of each point with those before it, and itself
 };
 
 anatomy::CondensedBody ContactBody::contact_points(std::span<const NeedleStation> stations, const Vec3& direction,
-                                                   double tip_radius, int threads) const {
-  Points points(*this, stations, direction, tip_radius, threads);
+                                                   double tip_radius, int threads, const BoundPoints& bound) const {
+  Points points(*this, stations, direction, tip_radius, threads, bound);
   if (points.size() == 0) {
     throw InputError(
         "the needle's path meets no part of the mesh; lead it through the meshed part of the patient, or mesh the "
@@ -158,8 +221,8 @@ anatomy::CondensedBody ContactBody::contact_points(std::span<const NeedleStation
 }
 
 void ContactBody::stream(std::span<const NeedleStation> stations, const Vec3& direction, double tip_radius,
-                         const std::function<bool(const ContactPoint&)>& next) const {
-  Points points(*this, stations, direction, tip_radius, 1);
+                         const std::function<bool(const ContactPoint&)>& next, const BoundPoints& bound) const {
+  Points points(*this, stations, direction, tip_radius, 1, bound);
   std::size_t group = 1;
   for (std::size_t from = 0; from < points.size(); from += group, group = std::min(2 * group, points_at_once)) {
     const std::size_t to = std::min(points.size(), from + group);

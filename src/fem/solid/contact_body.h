@@ -9,6 +9,7 @@
 #include "anatomy/condensed_body.h"
 #include "core/progress.h"
 #include "fem/contact_line.h"
+#include "fem/solid/bound_points.h"
 #include "fem/solid/elastic_body.h"
 #include "fem/solid/needle_stations.h"
 #include "fem/solid/packed_factor.h"
@@ -34,24 +35,32 @@ class ContactBody {
   const BodyDescription& description() const noexcept { return *body_; }
   const PackedFactor& factor() const noexcept { return *factor_; }
 
+  // What needles that were left in the body, from their entry to their tip, and nodes of its mesh that are held do to
+  // it; a node that is fixed anyway does nothing. Of a needle each millimetre that is in the mesh is a point, as of a
+  // shaft. Throws InputError for a needle without length, and for a node that is not in the mesh or named twice.
+  BoundPoints bind(std::span<const anatomy::NeedlePath> left, std::span<const std::uint32_t> held) const;
+
   // The contact points at these stations of a line along the unit vector `direction`: one node for each, in their
   // order. Left out are stations farther than 5 mm from the mesh, and the third and further ones without a border in
   // one element. `tip_radius`: mm, above 0. Any number of threads may ask at once; the same bits for any number of
-  // `threads`, which share the work (0: as many as the machine has cores). Throws InputError when no station is left.
+  // `threads`, which share the work (0: as many as the machine has cores). `bound`: of this body, with what it does.
+  // Throws InputError when no station is left.
   anatomy::CondensedBody contact_points(std::span<const NeedleStation> stations, const Vec3& direction,
-                                        double tip_radius, int threads = 0) const;
+                                        double tip_radius, int threads = 0, const BoundPoints& bound = {}) const;
 
   // The same points with the same bits, one after another, on this thread: `next` hears each when it is computed, and
   // says whether to go on. They are computed in groups, the first alone and the largest of 8. None at all on a line
   // beside the mesh.
   void stream(std::span<const NeedleStation> stations, const Vec3& direction, double tip_radius,
-              const std::function<bool(const ContactPoint&)>& next) const;
+              const std::function<bool(const ContactPoint&)>& next, const BoundPoints& bound = {}) const;
 
   // A place of the mesh as a point that its nodes carry; those that are held carry nothing.
   CarriedPoint carried(const PointInMesh& place) const;
 
  private:
   class Points;
+
+  double shaft_gain_in(std::uint32_t element) const;
 
   std::shared_ptr<const BodyDescription> body_;
   std::vector<bool> fixed_;                // by node of the mesh

@@ -1,6 +1,8 @@
 #include "fem/solid/contact_stream.h"
 
+#include <algorithm>
 #include <exception>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -33,8 +35,14 @@ void ContactStream::serve() {
 void ContactStream::compute(const ContactLine::Line& line) {
   const anatomy::NeedlePath path{line.entry, line.entry + settings_.length * line.direction};
   const std::vector<NeedleStation> stations = stations_along(path, settings_.length, settings_.spacing, *patient_);
-  body_->stream(stations, line.direction, settings_.tip_radius,
-                [&](const ContactPoint& point) { return line_->append(line, point); });
+  const std::span<const std::uint32_t> held(line.held.data(), line.held_count);
+  if (!bound_ || !std::equal(held.begin(), held.end(), held_.begin(), held_.end())) {
+    bound_ = body_->bind(settings_.left, held);
+    held_.assign(held.begin(), held.end());
+  }
+  body_->stream(
+      stations, line.direction, settings_.tip_radius,
+      [&](const ContactPoint& point) { return line_->append(line, point); }, *bound_);
 }
 
 }  // namespace bodkin::fem

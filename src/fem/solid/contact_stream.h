@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <thread>
+#include <vector>
 
 #include "anatomy/case.h"
 #include "fem/contact_line.h"
@@ -11,9 +14,10 @@ namespace bodkin::fem {
 
 // What the points of a needle's line are like; see EmbeddedNeedleSettings.
 struct ContactStreamSettings {
-  double length = 100.0;    // mm, above 0, how deep needles go
-  double spacing = 1.0;     // mm, above 0
-  double tip_radius = 1.0;  // mm, above 0
+  double length = 100.0;                       // mm, above 0, how deep needles go
+  double spacing = 1.0;                        // mm, above 0
+  double tip_radius = 1.0;                     // mm, above 0
+  std::vector<anatomy::NeedlePath> left = {};  // needles that were left in the body, from entry to tip
 };
 
 // Computes the contact points of every line that is asked for (ContactLine) on a thread of its own: the first one
@@ -36,6 +40,8 @@ class ContactStream {
   std::shared_ptr<const anatomy::Case> patient_;
   ContactStreamSettings settings_;
   std::shared_ptr<ContactLine> line_;
+  std::optional<BoundPoints> bound_;  // by `held_`; of the thread
+  std::vector<std::uint32_t> held_;
   std::thread thread_;  // the last member: it uses the others
 };
 

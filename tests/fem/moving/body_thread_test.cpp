@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "fem/solid/body_digests.h"
 
 namespace bodkin {
 
@@ -80,6 +81,50 @@ TEST(BodyThread, follows_the_probe_and_tells_picture_and_needle_the_same) {
   const std::vector<float>& left = moving.motion()->read().moved;
   EXPECT_GT(*std::min_element(left.begin(), left.end()), -0.5F);
   EXPECT_FALSE(moving.failed());
+}
+
+// A probe that is held still 3 mm above the skin of a patient who breathes: skin that rises by 9 mm there is pressed
+// as deep as by a probe that comes down by 9 mm, and what is recorded of a step is all that it takes to make it
+// again.
+TEST(BodyThread, skin_that_rises_with_the_breath_is_pressed_by_a_probe_that_is_held_still) {
+  Breathing breathing;
+  breathing.centre = Vec3(8.0, 20.0, 34.0);
+  breathing.motion = Vec3(0.0, 0.0, 9.0);
+  breathing.radius = 500.0;  // hardly less beside the centre
+  BodyThread breathes(small_box(), quick_settings(), BreathField(breathing)), still(small_box(), quick_settings());
+  breathes.move_probe(probe_down(-3.0));
+  still.move_probe(probe_down(6.0));
+  double time = 0.0;
+  for (; time < 1.0; time += 0.002) {
+    breathes.set_time(time, 0.0);
+    still.set_time(time);
+    std::this_thread::sleep_for(std::chrono::microseconds(500));
+  }
+  EXPECT_EQ(breathes.snapshot().probe_nodes, 0U) << "breathed out it touches nothing";
+  const auto settled = [](BodyThread& body) {
+    return body.snapshot().probe_nodes > 3U && body.snapshot().steps > 150U;
+  };
+  for (int look = 0; look < 20000 && !(settled(breathes) && settled(still)); ++look, time += 0.002) {
+    breathes.set_time(time, 1.0);
+    still.set_time(time);
+    std::this_thread::sleep_for(std::chrono::microseconds(500));
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  const double force = still.snapshot().on_probe.force.z();
+  EXPECT_GT(force, 0.05);
+  EXPECT_NEAR(breathes.snapshot().on_probe.force.z(), force, 0.02 * force);
+  EXPECT_EQ(breathes.reading().probe, probe_down(-3.0).translation()) << "where the hand has it";
+  DeformableBodySolver again(small_box(), quick_settings());
+  BodyField field = field_at_rest(again);
+  BodyStep step;
+  std::uint64_t steps = 0;
+  while (breathes.steps()->pop(step)) {
+    read_field(again, again.step(step.probe).fault, field);
+    ASSERT_EQ(step.step, ++steps);
+    ASSERT_EQ(step.digest, digest_of(field.moved));
+  }
+  EXPECT_GT(steps, 150U);
+  EXPECT_EQ(field.held_nodes().size(), breathes.snapshot().probe_nodes);
 }
 
 TEST(BodyThread, a_probe_that_is_nowhere_is_a_fault_after_which_the_needle_meets_the_body_at_rest) {

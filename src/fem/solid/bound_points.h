@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/geometry.h"
+#include "fem/solid/packed_factor.h"
+
+namespace bodkin::fem {
+
+// Points of a body that something rigid binds while a needle is pushed into it: the nodes that an ultrasound probe
+// holds stay where they are, and the points along a needle that was left follow its six motions, on which nothing but
+// the tissue acts. With S the compliance without them, the forces of all points solve one dense system,
+//
+//   u = S f + S_c f_c           the needle's own points
+//   0 = S_c^T f + A f_c - R q   A: between the bound points, and what the mesh lacks at each of them
+//   0 = R^T f_c                 R: motions of the needles that were left; 0 at held nodes
+//
+// and without f_c and q it is u = S' f with S' = S - Y^T Y, Y = (1 - Z Z^T) L^-1 S_c^T, A = L L^T, Z the orthonormal
+// basis of L^-1 R. S' is symmetric, so that the energy of all of them together is f^T S' f / 2, and every function of
+// a needle in a body holds for it unchanged. A left needle sticks to the tissue and does not bend.
+//
+// The same bits on every processor.
+class BoundPoints {
+ public:
+  // Bound together: held nodes, or one needle that was left.
+  struct Group {
+    std::vector<PointResponse> responses;  // of each point
+    std::vector<Vec3> places;              // mm
+    std::vector<double> gains;             // mm/N, what the mesh lacks at each, 0 or more
+    bool is_free = false;                  // a needle, which moves as a rigid body; else all points are held
+  };
+  // Nothing is bound.
+  BoundPoints() = default;
+  // Throws InputError when a point is held twice.
+  explicit BoundPoints(std::vector<Group> groups);
+
+  bool empty() const noexcept { return places_.empty(); }
+  std::size_t points() const noexcept { return places_.size(); }
+  // Y of other points: 3 columns each, 3 points() rows.
+  Eigen::MatrixXd shares(std::span<const PointResponse> others) const;
+  // Y_a^T Y_b of two of them, mm/N: how much less point a moves by a force on point b. taken(b, a) is its transpose
+  // to the last bit.
+  Mat3 taken(const Eigen::MatrixXd& shares, std::size_t a, const Eigen::MatrixXd& shares_b, std::size_t b) const;
+  // N, 3 a bound point: f_c by these forces (3 a point) on the points of `shares`.
+  Eigen::VectorXd forces(const Eigen::MatrixXd& shares, const Eigen::VectorXd& on_points) const;
+
+ private:
+  void take_out_motions(double* columns, std::size_t count) const noexcept;
+
+  std::vector<PointResponse> responses_;
+  std::vector<Vec3> places_;
+  Eigen::MatrixXd lower_;    // L
+  Eigen::MatrixXd motions_;  // Z
+};
+
+}  // namespace bodkin::fem
