@@ -1,26 +1,30 @@
 #include "app/frame_clock.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace bodkin::app {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int quick_interval = 16, slow_interval = 33;  // ms
-constexpr double too_slow = 25.0, quick_again = 12.0;   // ms a frame
-constexpr int slow_frames = 3, quick_frames = 60;       // the latter at 30 a second
+constexpr int slow_interval = 33;                      // ms
+constexpr double too_slow = 25.0, quick_again = 12.0;  // ms a frame
+constexpr int slow_frames = 3, quick_frames = 60;      // the latter at 30 a second
+constexpr double most_behind = 2.0;                    // frames that are made up for
 
 }  // namespace
 
 FrameClock::FrameClock(QObject* parent) : QObject(parent) {
   timer_.setTimerType(Qt::PreciseTimer);
-  timer_.setInterval(quick_interval);
+  timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, &FrameClock::tick);
 }
 
 void FrameClock::start() {
-  begin_ = Clock::now();
-  timer_.start();
+  begin_ = due_ = Clock::now();
+  timer_.start(interval_);
 }
 
 double FrameClock::now() const {
@@ -28,14 +32,26 @@ double FrameClock::now() const {
 }
 
 void FrameClock::tick() {
+  wait_for_next();  // first, for what is done in a frame may open a dialog, and frames go on meanwhile
   virtual_now_ += 1.0 / 60.0;
   const Clock::time_point began = Clock::now();
   emit frame(now());
   last_ = std::chrono::duration<double, std::milli>(Clock::now() - began).count();
   slow_ = last_ > too_slow ? slow_ + 1 : 0;
   quick_ = last_ < quick_again ? quick_ + 1 : 0;
-  if (slow_ >= slow_frames) timer_.setInterval(slow_interval);
-  if (quick_ >= quick_frames) timer_.setInterval(quick_interval);
+  if (slow_ >= slow_frames) interval_ = slow_interval;
+  if (quick_ >= quick_frames) interval_ = quick_interval;
+}
+
+// One that comes late does not delay those after it, or a frame in ten that the system holds up would be missing from
+// each second.
+void FrameClock::wait_for_next() {
+  const Clock::time_point now = Clock::now();
+  const auto interval = std::chrono::milliseconds(interval_);
+  const auto behind = std::chrono::duration_cast<Clock::duration>(most_behind * interval);
+  due_ = std::max(due_ + interval, now - behind);
+  const double left = std::chrono::duration<double, std::milli>(due_ - now).count();
+  timer_.start(static_cast<int>(std::lround(std::max(0.0, left))));
 }
 
 }  // namespace bodkin::app

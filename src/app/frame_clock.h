@@ -20,16 +20,20 @@ class FrameClock : public QObject {
   // s since start().
   double now() const;
   double milliseconds_of_last_frame() const { return last_; }
-  int rate() const { return timer_.interval() > 20 ? 30 : 60; }
+  int rate() const { return interval_ > quick_interval ? 30 : 60; }
 
  signals:
   void frame(double clock);
 
  private:
+  static constexpr int quick_interval = 16;  // ms
+
   void tick();
+  void wait_for_next();
 
   QTimer timer_;
-  std::chrono::steady_clock::time_point begin_;
+  int interval_ = quick_interval;  // ms
+  std::chrono::steady_clock::time_point begin_, due_;
   bool virtual_ = false;
   double virtual_now_ = 0.0;
   double last_ = 0.0;  // ms
