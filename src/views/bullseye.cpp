@@ -118,7 +118,9 @@ void Bullseye::paintEvent(QPaintEvent* /*event*/) {
   }
 
   const double left = centre.x() + radius() + 16.0, room = width() - left - 10.0;
-  double y = centre.y() - (hint_.isEmpty() ? 4.0 : 16.0);
+  set_font(painter, text_size);
+  const bool is_long = painter.fontMetrics().horizontalAdvance(hint_) > room;  // then it has two lines
+  double y = centre.y() - (hint_.isEmpty() ? 4.0 : is_long ? 24.0 : 16.0);
   const auto write = [&](const QString& words, const QColor& ink, bool strong) {
     set_font(painter, text_size, strong);
     draw_text(painter, {left, y}, painter.fontMetrics().elidedText(words, Qt::ElideRight, static_cast<int>(room)),
@@ -137,7 +139,13 @@ void Bullseye::paintEvent(QPaintEvent* /*event*/) {
                       : tr("No planned path"),
           theme.text, true);
   }
-  if (!hint_.isEmpty()) write(hint_, theme.second, false);
+  if (hint_.isEmpty()) return;
+  if (!is_long) return write(hint_, theme.second, false);
+  set_font(painter, text_size);
+  painter.setPen(theme.second);
+  const double line = painter.fontMetrics().lineSpacing();
+  painter.drawText(QRectF(left, y - painter.fontMetrics().ascent(), room, 2.0 * line + 1.0),
+                   static_cast<int>(Qt::AlignLeft | Qt::AlignTop) | Qt::TextWordWrap, hint_);
 }
 
 }  // namespace bodkin::views
