@@ -36,6 +36,18 @@ ClosestNodeContact::ClosestNodeContact(const anatomy::CondensedBody& body, const
   line_.resize(static_cast<std::size_t>(std::ceil(settings.longest / layer_step)) + 1);
 }
 
+ContactNumbers ClosestNodeContact::numbers() const noexcept {
+  return {tissues_, settings_.capture_radius, settings_.relaxation, settings_.presliding};
+}
+
+void ClosestNodeContact::set_numbers(const ContactNumbers& numbers) noexcept {
+  tissues_ = numbers.tissues;
+  settings_.capture_radius = numbers.capture_radius;
+  settings_.relaxation = numbers.time;
+  settings_.presliding = numbers.presliding;
+  known_ = 0;  // the friction of the layers is summed up anew
+}
+
 void ClosestNodeContact::reset() noexcept {
   std::fill(punctured_.begin(), punctured_.end(), std::uint8_t{0});
   begin(Vec3::Zero(), Vec3::UnitZ());

@@ -8,6 +8,7 @@
 #include "anatomy/condensed_body.h"
 #include "anatomy/force_settings.h"
 #include "core/geometry.h"
+#include "fem/contact_numbers.h"
 #include "fem/contact_tissues.h"
 #include "fem/embedded_needle.h"
 #include "fem/node_forces.h"
@@ -53,6 +54,10 @@ class ClosestNodeContact {
   void begin(const Vec3& entry, const Vec3& direction, std::span<const anatomy::TissueId> line = {}) noexcept;
   ClosestNodeForce step(const Vec3& tip) noexcept;
   void reset() noexcept;
+  // Capture radius, relaxation, presliding and tissues, and others from the next tick on, within the ranges that the
+  // constructor takes.
+  ContactNumbers numbers() const noexcept;
+  void set_numbers(const ContactNumbers& numbers) noexcept;
 
   // What the tissue feels, a punctured node that goes back included: at most 2 nodes, with forces on the body as the
   // mesh has it (that is, divided by c_i).

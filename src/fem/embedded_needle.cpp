@@ -60,6 +60,16 @@ EmbeddedNeedle::EmbeddedNeedle(const anatomy::CondensedBody& body, const Contact
   check_tick("embedded_needle", dt);
 }
 
+ContactNumbers EmbeddedNeedle::numbers() const noexcept {
+  return {tissues_, settings_.capture_radius, settings_.puncture_time, 0.0};
+}
+
+void EmbeddedNeedle::set_numbers(const ContactNumbers& numbers) noexcept {
+  tissues_ = numbers.tissues;
+  settings_.capture_radius = numbers.capture_radius;
+  settings_.puncture_time = numbers.time;
+}
+
 void EmbeddedNeedle::reset() noexcept {
   std::fill(punctured_.begin(), punctured_.end(), std::uint8_t{0});
   start(Vec3::Zero(), Vec3::UnitZ());  // reads nothing of the body, which may be growing

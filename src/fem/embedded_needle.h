@@ -10,6 +10,7 @@
 #include "core/geometry.h"
 #include "fem/body_motion.h"
 #include "fem/contact_nodes.h"
+#include "fem/contact_numbers.h"
 #include "fem/contact_tissues.h"
 #include "fem/node_forces.h"
 #include "fem/shaft_constraints.h"
@@ -107,6 +108,10 @@ class EmbeddedNeedle {
   const EmbeddedNeedleForce& step(const Pose& needle, double pressed = 0.0) noexcept;
   // Restores the state after construction: no contact, nothing punctured, a body that stands still.
   void reset() noexcept;
+  // Capture radius, time of a puncture and tissues, and others from the next tick on, within the ranges that the
+  // constructor takes. A tissue that gave way at once goes on doing so until the next insertion.
+  ContactNumbers numbers() const noexcept;
+  void set_numbers(const ContactNumbers& numbers) noexcept;
   // Forces of the last tick, by node.
   const NodeForces& node_forces() const noexcept { return published_; }
   // Whether an insertion has begun and, as of the last tick, has contact nodes or its tip below the entry.

@@ -19,6 +19,7 @@
 #include "core/error.h"
 #include "io/resources.h"
 #include "simulation/changing_tick.h"
+#include "simulation/contact_settings.h"
 
 namespace bodkin::session {
 
@@ -137,7 +138,7 @@ class PointsTaken {
 class NumbersTaken {
  public:
   NumbersTaken(const Session& session, const anatomy::Case& patient, simulation::HapticTick& first)
-      : session_(session), patient_(patient), felt_(first), next_(session.changes.begin()) {}
+      : session_(session), patient_(patient), body_(first.body()), felt_(first), next_(session.changes.begin()) {}
 
   simulation::TickOutput step(const simulation::TickRecord& recorded) {
     if (next_ != session_.changes.end() && next_->tick == recorded.tick) take(*next_++);
@@ -162,6 +163,13 @@ class NumbersTaken {
   };
 
   void take(const NumberChange& change) {
+    if (body_ != nullptr) {
+      anatomy::Case with;
+      with.description = patient_.description;
+      with.library = patient_.library;
+      apply(change, with);
+      return body_->change_numbers(simulation::contact_numbers(with));
+    }
     auto made = std::make_unique<Made>(patient_, change);
     made->tick.set_breath(breath_before(change.from_tick));
     for (std::uint64_t tick = change.from_tick; tick < change.tick; ++tick)
@@ -177,6 +185,7 @@ class NumbersTaken {
 
   const Session& session_;
   const anatomy::Case& patient_;
+  simulation::BodyPort* body_;  // null: a rigid patient
   simulation::ChangingTick felt_;
   std::vector<NumberChange>::const_iterator next_;
   std::unique_ptr<Made> now_, before_;  // the latter fades

@@ -7,6 +7,7 @@
 #include "core/geometry.h"
 #include "fem/body_motion.h"
 #include "fem/contact_line.h"
+#include "fem/contact_numbers.h"
 #include "fem/node_forces.h"
 
 namespace bodkin::simulation {
@@ -46,6 +47,9 @@ class BodyPort {
     static_cast<void>(drawn_in);
     static_cast<void>(of_tip);
   }
+  // Before a tick: the contact goes over to these numbers (contact_numbers()) within 0.1 s; at once where the needle
+  // touches nothing.
+  virtual void change_numbers(const fem::ContactNumbers& numbers) noexcept = 0;
   // Step of the body (BodyField::step) whose motion the needle has met last; 0 before the first.
   virtual std::uint64_t motion_taken() const noexcept { return 0; }
   // Of a recording, before the tick that has this event (EventKind::points_taken): its value.

@@ -1,6 +1,7 @@
 #include "simulation/deformable_resistance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -15,9 +16,7 @@ namespace bodkin::simulation {
 
 namespace {
 
-constexpr double least_friction_share = 0.1;  // of the device's stiffness, left to the friction's spring
-constexpr double least_cosine = 0.2;          // between needle and line, as EmbeddedNeedle takes it
-constexpr double least_presliding = 0.01;     // N/mm, that ClosestNodeContact takes
+constexpr double least_cosine = 0.2;  // between needle and line, as EmbeddedNeedle takes it
 
 // The contact points of the planned line, or the nodes of the corridor, as the resistance needs them.
 const std::shared_ptr<const anatomy::CondensedBody>& body_in(const anatomy::Case& patient, bool of_points) {
@@ -26,17 +25,6 @@ const std::shared_ptr<const anatomy::CondensedBody>& body_in(const anatomy::Case
   throw InputError(
       std::string(anatomy::name_of(patient.description.haptics.resistance)) +
       " needs the deformable body of the case, and none was prepared; make a mesh with: bodkin case mesh");
-}
-
-fem::ContactTissues tissues_in(const anatomy::Case& patient) {
-  fem::ContactTissues tissues;
-  const anatomy::TissueLibrary library = forces::felt_tissues(patient);
-  for (const anatomy::TissueProperties& tissue : library.tissues()) {
-    const anatomy::DeformableTissue& here = tissue.deformable;
-    tissues[tissue.id] = {
-        .friction = here.friction, .puncture_force = here.puncture_force, .stiffness = here.stiffness};
-  }
-  return tissues;
 }
 
 double stiffness_on_path(const anatomy::CondensedBody& body, const anatomy::NeedlePath& path,
@@ -104,7 +92,7 @@ DeformableShaft::DeformableShaft(const anatomy::Case& patient, const anatomy::Em
   if (rendered < found) scale_ = rendered / found;
   if (rendered < found) spring_ = 1.0 / rendered - 1.0 / found;
   body_ = on_spring(body, spring_);
-  needle_ = std::make_unique<fem::EmbeddedNeedle>(*body_, tissues_in(patient), settings, dt,
+  needle_ = std::make_unique<fem::EmbeddedNeedle>(*body_, contact_tissues(patient), settings, dt,
                                                   beam_in(patient, settings.bending));
 }
 
@@ -114,12 +102,12 @@ DeformableShaft::DeformableShaft(const DeformableShaft& other, const anatomy::Ca
     : scale_(other.scale_),
       body_(std::shared_ptr<const anatomy::CondensedBody>(), &line.body()),
       spring_(other.spring_),
-      needle_(std::make_unique<fem::EmbeddedNeedle>(*body_, tissues_in(patient), settings, dt,
+      needle_(std::make_unique<fem::EmbeddedNeedle>(*body_, contact_tissues(patient), settings, dt,
                                                     beam_in(patient, settings.bending))),
       bone_(patient),
       deforms_(other.deforms_),
       surface_compliance_(other.body_->compliance.topLeftCorner<3, 3>()),
-      surface_strength_(tissues_in(patient)[other.body_->tissues[0]].puncture_force) {}
+      surface_strength_(contact_tissues(patient)[other.body_->tissues[0]].puncture_force) {}
 
 void DeformableShaft::begin_growing(const Vec3& entry, const Vec3& direction, bool open) noexcept {
   needle_->begin_growing(
@@ -186,19 +174,16 @@ DeformableTip::DeformableTip(const anatomy::Case& patient, const anatomy::Closes
     : body_(body_in(patient, false)),
       bone_(patient),
       tissues_(patient.tissues),
-      line_(static_cast<std::size_t>(settings.longest / fem::ClosestNodeContact::layer_step), anatomy::tissue::air) {
+      line_(static_cast<std::size_t>(settings.longest / fem::ClosestNodeContact::layer_step), anatomy::tissue::air),
+      dt_(dt) {
   const double device = patient.description.device.stiffness;
-  fem::ContactTissues tissues = tissues_in(patient);
-  double firm = 0.0;
-  for (fem::ContactTissue& tissue : tissues) {
+  for (const fem::ContactTissue& tissue : contact_tissues(patient)) {
     if (tissue.stiffness > device) scale_ = std::min(scale_, device / tissue.stiffness);
-    tissue.stiffness = std::min(tissue.stiffness, device);
-    firm = std::max(firm, tissue.stiffness);
   }
+  const fem::ContactNumbers numbers = contact_numbers(patient, settings);
   anatomy::ClosestNodeSettings possible = settings;
-  possible.presliding =
-      std::min(settings.presliding, std::max({device - firm, least_friction_share * device, least_presliding}));
-  contact_ = std::make_unique<fem::ClosestNodeContact>(*body_, tissues, possible, dt);
+  possible.presliding = numbers.presliding;
+  contact_ = std::make_unique<fem::ClosestNodeContact>(*body_, numbers.tissues, possible, dt);
 }
 
 void DeformableTip::begin(const Vec3& entry, const Vec3& direction) noexcept {
@@ -206,10 +191,16 @@ void DeformableTip::begin(const Vec3& entry, const Vec3& direction) noexcept {
     const double depth = fem::ClosestNodeContact::layer_step * static_cast<double>(i);
     line_[i] = anatomy::nearest<anatomy::TissueId>(tissues_, Vec3(entry + depth * direction), anatomy::tissue::air);
   }
+  if (change_.goes_on()) contact_->set_numbers(change_.last());
   contact_->begin(entry, direction, line_);
   bone_.reset();
   entry_ = entry;
   direction_ = direction;
+}
+
+void DeformableTip::change_numbers(const fem::ContactNumbers& numbers) noexcept {
+  if (!touches_) return contact_->set_numbers(numbers);
+  change_.begin(contact_->numbers(), numbers, static_cast<int>(std::lround(contact_change_time / dt_)));
 }
 
 void DeformableTip::reset() noexcept {
@@ -220,6 +211,7 @@ void DeformableTip::reset() noexcept {
 
 forces::ResistanceForce DeformableTip::step(const forces::NeedleInTissue& needle,
                                             forces::TickEvents& events) noexcept {
+  if (change_.goes_on()) contact_->set_numbers(change_.next());
   const double bone = bone_.step(needle.motion.depth, needle.tissue, events);
   const fem::ClosestNodeForce found = contact_->step(needle.tip - bone_.behind() * direction_);
   report(found.puncture, events);

@@ -12,8 +12,12 @@
 #include "forces/resistance_model.h"
 #include "simulation/body_port.h"
 #include "simulation/bone_wall.h"
+#include "simulation/contact_settings.h"
 
 namespace bodkin::simulation {
+
+// s, in which a contact goes over to other numbers.
+inline constexpr double contact_change_time = 0.1;
 
 // The resistances of a deformable body (docs/fem-contact.md) in the tick. The patient must outlive them; its library
 // says what a needle meets in each tissue. Throw InputError when the patient has no body, or for settings or tissues
@@ -52,6 +56,8 @@ class DeformableShaft {
   // Of the last step, where something gave way.
   const std::optional<fem::TissuePuncture>& puncture() const noexcept { return puncture_; }
   void open(const Vec3& place, anatomy::TissueId tissue) noexcept { needle_->open(place, tissue); }
+  fem::ContactNumbers numbers() const noexcept { return needle_->numbers(); }
+  void set_numbers(const fem::ContactNumbers& numbers) noexcept { needle_->set_numbers(numbers); }
   // mm/N, of the spring that the body stands on for the device's sake.
   double spring() const noexcept { return spring_; }
   void reset() noexcept;
@@ -100,6 +106,7 @@ class DeformableTip final : public BodyPort {
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   void reset() noexcept;
   forces::ResistanceForce step(const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept;
+  void change_numbers(const fem::ContactNumbers& numbers) noexcept override;
   Vec3 needle_ahead() const noexcept override {
     return touches_ ? Vec3(bone_.behind() * direction_) : Vec3(Vec3::Zero());
   }
@@ -119,6 +126,8 @@ class DeformableTip final : public BodyPort {
   std::unique_ptr<fem::ClosestNodeContact> contact_;
   Vec3 entry_ = Vec3::Zero(), direction_ = Vec3::UnitZ();
   bool touches_ = false;  // as of the last step
+  double dt_;
+  fem::ContactChange change_;
 };
 
 }  // namespace bodkin::simulation

@@ -1,5 +1,6 @@
 #include "simulation/needle_in_body.h"
 
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -81,6 +82,16 @@ const fem::BodyField* NeedleInBody::newest_motion() noexcept {
   return &newest;
 }
 
+void NeedleInBody::change_numbers(const fem::ContactNumbers& numbers) noexcept {
+  if (!touches_) return set_numbers(numbers);
+  change_.begin(planned_.numbers(), numbers, static_cast<int>(std::lround(contact_change_time / dt_)));
+}
+
+void NeedleInBody::set_numbers(const fem::ContactNumbers& numbers) noexcept {
+  planned_.set_numbers(numbers);
+  if (own_ != nullptr) own_->set_numbers(numbers);
+}
+
 fem::NodeForces NeedleInBody::node_forces() const noexcept {
   return touches_ ? model().node_forces() : fem::NodeForces{};
 }
@@ -91,6 +102,7 @@ Vec3 NeedleInBody::needle_ahead() const noexcept {
 
 void NeedleInBody::begin(const Vec3& entry, const Vec3& direction) noexcept {
   told_motion_ = false;
+  if (change_.goes_on()) set_numbers(change_.last());
   const bool own =
       line_ != nullptr && (held_by(newest_motion()) != 0 || !runs_along(path_, entry, direction, same_line));
   if (own != on_own_line_) announced_ = false;
@@ -113,6 +125,7 @@ void NeedleInBody::begin_own_line(const Vec3& entry, const Vec3& direction) noex
 
 forces::ResistanceForce NeedleInBody::step(const forces::NeedleInTissue& needle,
                                            forces::TickEvents& events) noexcept {
+  if (change_.goes_on()) set_numbers(change_.next());
   if (!std::exchange(announced_, true)) {
     events.push(
         {forces::EventKind::corridor_taken, needle.tissue, needle.motion.depth, on_own_line_ ? own_line : -1.0});

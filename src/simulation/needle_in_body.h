@@ -43,6 +43,7 @@ class NeedleInBody final : public BodyPort {
   void breathe(const anatomy::BreathField& field, double drawn_in, const Vec3& of_tip) noexcept override {
     breath_ = {&field, drawn_in, of_tip};
   }
+  void change_numbers(const fem::ContactNumbers& numbers) noexcept override;
   void take_points(double recorded) noexcept override { recorded_ = recorded; }
   fem::NodeForces node_forces() const noexcept override;
   Vec3 needle_ahead() const noexcept override;
@@ -71,6 +72,7 @@ class NeedleInBody final : public BodyPort {
   const fem::BodyField* newest_motion() noexcept;
   bool is_asked(const Vec3& entry, const Vec3& direction, double within, const fem::BodyField* motion) const noexcept;
   void ask(const Vec3& entry, const Vec3& direction, const fem::BodyField* motion) noexcept;
+  void set_numbers(const fem::ContactNumbers& numbers) noexcept;
   std::optional<Vec3> skin_ahead(const Vec3& tip, const Vec3& axis) const noexcept;
   bool is_hole(const Vec3& place) const noexcept;
   void remember_hole() noexcept;
@@ -97,7 +99,8 @@ class NeedleInBody final : public BodyPort {
   bool complete_ = false;
   std::array<Hole, most_holes> holes_;  // of all lines
   std::size_t hole_count_ = 0;
-  bool touches_ = false;     // as of the last step
+  bool touches_ = false;  // as of the last step
+  fem::ContactChange change_;
   bool announced_ = true;    // the line that the needle is on
   bool told_motion_ = true;  // of this insertion
 };

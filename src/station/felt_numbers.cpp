@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "core/error.h"
+#include "forces/needle_law.h"
+#include "simulation/contact_settings.h"
 
 namespace bodkin::station {
 
@@ -86,7 +88,7 @@ FeltNumbers::Next::Next(const anatomy::Case& from, session::NumberChange made)
 FeltNumbers::FeltNumbers(std::shared_ptr<const anatomy::Case> patient, simulation::HapticTick& first)
     : patient_(std::move(patient)),
       felt_(first),
-      is_deformable_(first.body() != nullptr),
+      body_(first.body()),
       diagnostics_(first.diagnostic_names().begin(), first.diagnostic_names().end()) {}
 
 FeltNumbers::~FeltNumbers() {
@@ -109,6 +111,13 @@ simulation::TickOutput FeltNumbers::step(std::uint64_t tick, const simulation::T
       offered_.store(nullptr, std::memory_order_release);
     }
   }
+  if (NextContact* const next = offered_contact_.load(std::memory_order_acquire); next != nullptr) {
+    body_->change_numbers(next->numbers);
+    next->change.tick = next->change.from_tick = tick;
+    ++taken_;
+    offered_contact_.store(nullptr, std::memory_order_relaxed);
+    next->is_taken.store(true, std::memory_order_release);
+  }
   recent_[tick % recent_ticks] = input;
   simulation::TickOutput output = felt_.step(input);
   if (settling_ != nullptr && !felt_.is_settling())
@@ -118,8 +127,13 @@ simulation::TickOutput FeltNumbers::step(std::uint64_t tick, const simulation::T
 
 void FeltNumbers::order(const anatomy::HapticSettings& haptics, const std::vector<anatomy::TissueProperties>& tissues,
                         Note note) {
-  if (is_deformable_)
-    throw InputError("a deformable body has other numbers from the next attempt on, for it is prepared with them");
+  if (body_ != nullptr &&
+      !simulation::differ_in_contact_alone(patient_->description.haptics, forces::felt_tissues(*patient_).tissues(),
+                                           haptics, tissues)) {
+    throw InputError(
+        "the deformable body has such numbers from the next attempt on, for it is prepared with them; its capture "
+        "radius, times, friction and puncture forces act at once");
+  }
   if (haptics.rate != patient_->description.haptics.rate)
     throw InputError("another rate holds from the next attempt on");
   {
@@ -164,7 +178,10 @@ void FeltNumbers::work() {
       wanted_.reset();
     }
     try {
-      bring_in(change);
+      if (body_ != nullptr)
+        bring_in_contact(change);
+      else
+        bring_in(change);
     } catch (const InputError& refused) {
       const std::lock_guard guard(lock_);
       refusal_ = refused.what();
@@ -187,6 +204,20 @@ void FeltNumbers::bring_in(const session::NumberChange& change) {
     offered_.store(next.get(), std::memory_order_release);
     if (wait_for(std::move(next))) return;
   }
+}
+
+void FeltNumbers::bring_in_contact(const session::NumberChange& change) {
+  contact_ = std::make_unique<NextContact>();  // the servo is done with the one before
+  NextContact* const next = contact_.get();
+  next->change = change;
+  anatomy::Case with;
+  with.description = patient_->description;
+  with.library = patient_->library;
+  session::apply(change, with);
+  next->numbers = simulation::contact_numbers(with);
+  offered_contact_.store(next, std::memory_order_release);
+  while (!next->is_taken.load(std::memory_order_acquire) && !is_over()) std::this_thread::sleep_for(nap);
+  if (next->is_taken.load(std::memory_order_acquire)) note_(next->change);
 }
 
 // Through the inputs that there are; false: there is none yet.

@@ -49,7 +49,8 @@ class InsertionInputs {
 
 // The haptic tick of a session whose numbers can be changed while it runs. A thread makes the tick with the new
 // numbers and leads it through the inputs of the present insertion; the servo leads it through the newest, takes it
-// over (simulation::ChangingTick), and waits for nothing.
+// over (simulation::ChangingTick), and waits for nothing. With a deformable body the tick stays, and goes over to
+// what may change of its contact (fem::ContactNumbers).
 class FeltNumbers {
  public:
   using Note = std::function<void(session::NumberChange)>;
@@ -88,8 +89,16 @@ class FeltNumbers {
     std::atomic<State> state{State::offered};
   };
 
+  // Numbers of the contact with a deformable body that are to act.
+  struct NextContact {
+    session::NumberChange change;
+    fem::ContactNumbers numbers;
+    std::atomic<bool> is_taken{false};
+  };
+
   void work();
   void bring_in(const session::NumberChange& change);
+  void bring_in_contact(const session::NumberChange& change);
   bool lead(Next& next) const;
   bool wait_for(std::unique_ptr<Next> next);
   bool is_over() const;
@@ -105,6 +114,7 @@ class FeltNumbers {
   Next* settling_ = nullptr;
   std::uint32_t taken_ = 0;
   std::atomic<Next*> offered_{nullptr};
+  std::atomic<NextContact*> offered_contact_{nullptr};
 
   mutable std::mutex lock_;  // guards the three below
   std::condition_variable changed_;
@@ -113,7 +123,8 @@ class FeltNumbers {
   bool stopping_ = false;
   Note note_;                                        // of the orders; set before the thread begins
   std::unique_ptr<Next> now_, before_;               // the thread's; the latter may fade
-  bool is_deformable_;                               // the first tick
+  std::unique_ptr<NextContact> contact_;             // the thread's; the servo may look at it
+  simulation::BodyPort* body_;                       // of the first tick; null: a rigid patient
   std::vector<forces::DiagnosticName> diagnostics_;  // of the session
   std::thread thread_;                               // begins with the first order
 };

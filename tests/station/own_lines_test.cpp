@@ -6,8 +6,8 @@
 
 #include "patient/prepared_body.h"
 #include "session/replay.h"
-#include "tests/fem/lattice_body.h"
 #include "tests/simulation/real_time_guard.h"
+#include "tests/station/block_of_tissue.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,48 +30,6 @@ using namespace bodkin::simulation;
 namespace {
 
 using ::testing::HasSubstr;
-
-constexpr double block_side = 60.0;  // mm
-
-struct BlockOfTissue {
-  Case patient;
-  std::shared_ptr<const BodyDescription> body;
-  std::shared_ptr<const ContactBody> whole;
-};
-
-// A block of tissue, skin at z = 0, whose planned path runs at x = 15.
-BlockOfTissue block_of_tissue() {
-  BlockOfTissue made;
-  Case& patient = made.patient;
-  patient.library = default_tissue_library();
-  Grid grid;
-  grid.size = {60, 60, 80};
-  grid.origin = Vec3(0.5, 0.5, -19.5);
-  patient.tissues = TissueVolume(grid, tissue::air);
-  for (int k = 20; k < 80; ++k)
-    for (int j = 0; j < 60; ++j)
-      for (int i = 0; i < 60; ++i) patient.tissues.at(i, j, k) = k < 22 ? tissue::skin : tissue::muscle;
-  patient.ct = CtVolume(grid, 40);
-  patient.description.device = {"strong", 100.0, 50.0, 1e6, 100.0, 0.0};
-  patient.description.haptics.constraint = NoConstraint{};
-  EmbeddedNeedleSettings settings;
-  settings.body.corridor_radius = 8.0;
-  settings.body.fix_cut = false;
-  settings.body.fix_beyond = 55.0;
-  patient.description.haptics.resistance = settings;
-  const NeedlePath path{Vec3(15.0, 30.0, 0.0), Vec3(15.0, 30.0, 30.0)};
-  patient.description.procedure.path = path;
-  TetrahedralMesh mesh = kuhn_lattice(13, block_side);
-  std::fill(mesh.tissues.begin(), mesh.tissues.end(), tissue::muscle);
-  made.body = std::make_shared<const BodyDescription>(describe_body(mesh, patient, settings.body, path).body);
-  made.whole = std::make_shared<const ContactBody>(made.body);
-  const auto stations =
-      stations_along(path, path.length() + settings.body.corridor_beyond, settings.point_spacing, patient);
-  patient.corridor = {std::make_shared<const CondensedBody>(
-                          made.whole->contact_points(stations, path.direction(), settings.tip_radius)),
-                      path};
-  return made;
-}
 
 // A straight way in and out again at 50 mm/s; `depth`: mm.
 struct Insertion {
