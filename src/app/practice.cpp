@@ -9,6 +9,7 @@
 #include "station/hand_session.h"
 #include <fmt/format.h>
 
+#include "simulation/contact_settings.h"
 #include "training/planning_rules.h"
 #include "training/procedure_file.h"
 
@@ -134,11 +135,13 @@ void Practice::set_models(const ModelSettings& models) {
 }
 
 bool Practice::feel_models(const ModelSettings& models) {
-  const auto same_kind = [](const auto& a, const auto& b) { return a.index() == b.index(); };
-  if (server_ || !is_attempt(state()) || anatomy::body_of(haptics_.resistance) != nullptr ||
-      !same_kind(models.haptics.resistance, haptics_.resistance) ||
-      !same_kind(models.haptics.constraint, haptics_.constraint))
-    return false;
+  const bool is_same = models.haptics.resistance.index() == haptics_.resistance.index() &&
+                       models.haptics.constraint.index() == haptics_.constraint.index();
+  if (server_ || !is_attempt(state()) || !is_same) return false;
+  if (anatomy::body_of(haptics_.resistance) != nullptr) {
+    const auto before = models_ ? models_->tissues : forces::model_settings(patient_->patient).tissues;
+    if (!simulation::differ_in_contact_alone(haptics_, before, models.haptics, models.tissues)) return false;
+  }
   models_ = models;
   link_.change_numbers(models.haptics, models.tissues);
   return true;

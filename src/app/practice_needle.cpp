@@ -119,7 +119,7 @@ void Practice::fill_syringe(anatomy::SyringeFilling filling) {
   if (is_decided_elsewhere() || !has_syringe() || !is_attempt(state())) return;
   if (maker_.is_touching()) return say("Withdraw the needle before you fill the syringe anew.");
   ModelSettings models = models_ ? *models_ : ModelSettings{haptics_, patient_->patient.library.tissues()};
-  models.haptics.parts.syringe = haptics_.parts.syringe;
+  if (!models.haptics.parts.syringe) models.haptics.parts.syringe = haptics_.parts.syringe;
   models.haptics.parts.syringe->filling = filling;
   set_models(models);
 }

@@ -68,7 +68,7 @@ TEST(ParameterModel, the_acupuncture_model_has_eleven_steps_with_the_declared_ra
 
 TEST(ParameterModel, every_model_has_a_step_for_each_number_that_it_declares) {
   ParameterModel model(layered_patient());
-  for (const std::string_view name : ParameterModel::models()) {
+  for (const std::string_view name : model.models()) {
     model.choose_model(name);
     EXPECT_EQ(model.model(), name);
     EXPECT_GE(model.steps().size(), 3U) << name;
@@ -126,6 +126,85 @@ TEST(ParameterModel, what_cannot_be_is_refused_in_a_sentence_and_changes_nothing
   const std::size_t sliding = step_called(model, "Muscle: dynamic friction");
   EXPECT_THAT(model.set(sliding, 0.5), HasSubstr("static_friction_N_per_mm"));
   EXPECT_FALSE(model.can_undo());
+}
+
+TEST(ParameterModel, the_parts_of_a_case_have_their_steps_which_are_undone_as_all_others) {
+  auto patient = std::make_shared<OpenCase>(*layered_patient());
+  anatomy::ForceParts& parts = patient->patient.description.haptics.parts;
+  parts.csf_flow.emplace();
+  parts.syringe.emplace();
+  parts.fingertip.emplace();
+  parts.bevel_tip.emplace();
+  parts.needle_grasp.emplace();
+  ParameterModel model(patient);
+  EXPECT_EQ(model.steps().size(), 11U) << "the eleven are the eleven";
+  model.show_all(true);
+  const std::size_t pressure = step_called(model, "Fluid: opening pressure");
+  EXPECT_EQ(model.steps()[pressure].unit, "mm");
+  EXPECT_EQ(model.steps()[pressure].range.high, 1000.0);
+  EXPECT_EQ(model.value(pressure), 145.0);
+  EXPECT_EQ(model.set(pressure, 220.0), "");
+  EXPECT_EQ(model.now().haptics.parts.csf_flow->opening_pressure, 220.0);
+  EXPECT_TRUE(model.is_changed());
+  EXPECT_EQ(model.set(step_called(model, "Syringe: thumb force"), 8.0), "");
+  EXPECT_EQ(model.now().haptics.parts.syringe->thumb_force, 8.0);
+  step_called(model, "Finger: modulus");
+  // Viscosities are a thousand millionth of their unit in the file, which nobody could read or set.
+  const std::size_t viscosity = step_called(model, "Fluid: viscosity");
+  EXPECT_EQ(model.steps()[viscosity].unit, "mPa s");
+  EXPECT_NEAR(model.value(viscosity), 1.0, 1e-9);
+  EXPECT_NEAR(model.steps()[viscosity].range.low, 0.1, 1e-9);
+  EXPECT_EQ(model.set(viscosity, 0.7), "");
+  EXPECT_NEAR(model.now().haptics.parts.csf_flow->viscosity, 0.7e-9, 1e-18);
+  model.undo();
+  step_called(model, "Bevel: curvature");
+  step_called(model, "Winding up: turns to wind");
+  EXPECT_THAT(model.set(pressure, 2000.0), HasSubstr("opening_pressure_mm is 2000"));
+  model.undo();
+  model.undo();
+  EXPECT_FALSE(model.is_changed());
+  EXPECT_EQ(model.value(pressure), 145.0);
+  model.redo();
+  EXPECT_EQ(model.before(pressure), 145.0);
+  EXPECT_EQ(model.value(pressure), 220.0);
+  // Another model keeps what suits every model, and back again has all.
+  model.choose_model("tracking_wall");
+  step_called(model, "Fluid: opening pressure");
+  EXPECT_FALSE(model.now().haptics.parts.needle_grasp.has_value());
+  model.choose_model("layered");
+  EXPECT_TRUE(model.now().haptics.parts.needle_grasp.has_value());
+  EXPECT_EQ(model.now().haptics.parts.csf_flow->opening_pressure, 220.0);
+}
+
+TEST(ParameterModel, the_shares_of_relaxation_together_are_one_at_most) {
+  auto patient = std::make_shared<OpenCase>(*layered_patient());
+  patient->patient.description.haptics.resistance = anatomy::SpringDamperWallSettings{};
+  patient->patient.description.haptics.parts.relaxation = {{0.4, 0.1}, {0.5, 2.0}};
+  ParameterModel model(patient);
+  const std::size_t second = step_called(model, "Relaxation 2: share");
+  EXPECT_EQ(model.set(second, 0.6), "");
+  EXPECT_EQ(model.now().haptics.parts.relaxation[1].share, 0.6);
+  EXPECT_THAT(model.set(second, 0.7), HasSubstr("add up to more than 1"));
+  EXPECT_EQ(model.value(second), 0.6);
+}
+
+TEST(ParameterModel, a_model_of_a_deformable_body_has_its_steps_and_is_come_back_to) {
+  auto patient = std::make_shared<OpenCase>(*layered_patient());
+  anatomy::EmbeddedNeedleSettings settings;
+  settings.capture_radius = 1.2;
+  patient->patient.description.haptics.resistance = settings;
+  ParameterModel model(patient);
+  EXPECT_EQ(model.model(), "embedded_needle");
+  EXPECT_EQ(model.models().back(), "embedded_needle");
+  EXPECT_EQ(ParameterModel(layered_patient()).models().back(), "fracture") << "without a body none of its models";
+  EXPECT_EQ(model.set(step_called(model, "Model: puncture time"), 0.1), "");
+  EXPECT_EQ(model.set(step_called(model, "Muscle: friction"), 0.07), "");
+  const auto muscle = std::find_if(model.now().tissues.begin(), model.now().tissues.end(),
+                                   [](const auto& one) { return one.id == anatomy::tissue::muscle; });
+  EXPECT_EQ(muscle->deformable.friction, 0.07);
+  model.choose_model("layered");
+  model.choose_model("embedded_needle");
+  EXPECT_EQ(model.value(step_called(model, "Model: capture radius")), 1.2);
 }
 
 TEST(ParameterModel, saved_tissues_come_back_from_their_file) {

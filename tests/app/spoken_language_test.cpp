@@ -94,6 +94,16 @@ std::set<std::string> texts_of_parameters() {
     }
     (std::make_index_sequence<std::variant_size_v<Choice>>{});
   };
+  anatomy::ForceParts& parts = settings.haptics.parts;
+  parts.relaxation.resize(1);
+  parts.shaft_friction.emplace();
+  parts.needle_grasp.emplace();
+  parts.bevel_tip.emplace();
+  parts.csf_flow.emplace();
+  parts.syringe.emplace();
+  parts.fingertip.emplace();
+  for (const forces::ModelPart part : forces::added_parts) forces::visit_part(settings, part, 0, add);
+  texts.insert({"Shaft friction", "Winding up", "Bevel", "Fluid", "Syringe"});
   each_of(settings.haptics.constraint, forces::ModelPart::constraint, [] {});
   each_of(settings.haptics.resistance, forces::ModelPart::resistance, [&] { add_tissues_of(settings); });
   texts.erase("");

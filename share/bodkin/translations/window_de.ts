@@ -1312,8 +1312,8 @@
         <translation>Damit üben</translation>
     </message>
     <message>
-        <source>Another model is felt from the next attempt on.</source>
-        <translation>Ein anderes Modell spürt man vom nächsten Versuch an.</translation>
+        <source>This is felt from the next attempt on.</source>
+        <translation>Das ist vom nächsten Versuch an zu spüren.</translation>
     </message>
     <message>
         <source>The needle feels it at once: now %1 N along it, %2 mm deep.</source>
@@ -2442,7 +2442,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
     </message>
     <message>
         <source>keep others</source>
-        <translation>andere behalten</translation>
+        <translation>andere lassen</translation>
     </message>
     <message>
         <source>Other structures are not painted over</source>

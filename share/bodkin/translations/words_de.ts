@@ -488,6 +488,226 @@
 <context>
     <name>Words</name>
     <message>
+        <source>%1 has no deformable body, expected embedded_needle or closest_node</source>
+        <translation>%1 hat keinen verformbaren Körper, erwartet wird embedded_needle oder closest_node</translation>
+    </message>
+    <message>
+        <source>The curve of a deformable body is not computed here; push the needle to feel a number.</source>
+        <translation>Die Kurve eines verformbaren Körpers wird hier nicht berechnet; an der Nadel ist eine Zahl zu fühlen.</translation>
+    </message>
+    <message>
+        <source>Shaft friction</source>
+        <translation>Schaftreibung</translation>
+    </message>
+    <message>
+        <source>Winding up</source>
+        <translation>Aufwickeln</translation>
+    </message>
+    <message>
+        <source>Bevel</source>
+        <translation>Anschliff</translation>
+    </message>
+    <message>
+        <source>Fluid</source>
+        <translation>Liquor</translation>
+    </message>
+    <message>
+        <source>Syringe</source>
+        <translation>Spritze</translation>
+    </message>
+    <message>
+        <source>Finger</source>
+        <translation>Finger</translation>
+    </message>
+    <message>
+        <source>curvature</source>
+        <translation>Krümmung</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>reach</source>
+        <translation>Reichweite</translation>
+    </message>
+    <message>
+        <source>manometer bore</source>
+        <translation>Weite des Manometers</translation>
+    </message>
+    <message>
+        <source>pressure volume index</source>
+        <translation>Druck-Volumen-Index</translation>
+    </message>
+    <message>
+        <source>times faster</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>bore</source>
+        <translation>Innendurchmesser</translation>
+    </message>
+    <message>
+        <source>air volume</source>
+        <translation>Luftvolumen</translation>
+    </message>
+    <message>
+        <source>saline compliance</source>
+        <translation>Nachgiebigkeit mit Kochsalzlösung</translation>
+    </message>
+    <message>
+        <source>thumb force</source>
+        <translation>Daumenkraft</translation>
+    </message>
+    <message>
+        <source>one way</source>
+        <translation>in einer Richtung</translation>
+    </message>
+    <message>
+        <source>two way</source>
+        <translation>hin und her</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>turns to wind</source>
+        <translation>Umdrehungen zum Aufwickeln</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>kappa, of needle and tissue; 0 for a symmetric tip</source>
+        <translation>kappa, von Nadel und Gewebe; 0 für eine symmetrische Spitze</translation>
+    </message>
+    <message>
+        <source>of the tissue that pulls the tip to the path that the bevel cuts</source>
+        <translation>des Gewebes, das die Spitze auf den Weg zieht, den der Anschliff schneidet</translation>
+    </message>
+    <message>
+        <source>of the soft tissue between skin and bone under a pressing finger</source>
+        <translation>des Weichgewebes zwischen Haut und Knochen unter einem drückenden Finger</translation>
+    </message>
+    <message>
+        <source>of the fingertip</source>
+        <translation>der Fingerspitze</translation>
+    </message>
+    <message>
+        <source>deeper bone is not felt: the tissue yields as if there were bone just there</source>
+        <translation>tieferer Knochen ist nicht zu fühlen: das Gewebe gibt nach, als läge genau dort Knochen</translation>
+    </message>
+    <message>
+        <source>of fluid; 14.5 (SD 3.7) cm lying (Gilland et al. 1974)</source>
+        <translation>Flüssigkeitssäule; im Liegen 14.5 (SD 3.7) cm (Gilland et al. 1974)</translation>
+    </message>
+    <message>
+        <source>of the fluid, 0.7 to 1.0 mPa s</source>
+        <translation>der Flüssigkeit, 0.7 bis 1.0 mPa s</translation>
+    </message>
+    <message>
+        <source>of the manometer's tube</source>
+        <translation>des Rohrs des Manometers</translation>
+    </message>
+    <message>
+        <source>of fluid whose loss lowers the pressure to a tenth, about 25 (Marmarou et al. 1978); 0: it stays</source>
+        <translation>Flüssigkeit, deren Verlust den Druck auf ein Zehntel senkt, etwa 25 (Marmarou et al. 1978); 0: er bleibt</translation>
+    </message>
+    <message>
+        <source>so much faster the fluid rises and collects than it would, for a lesson that has no time to wait</source>
+        <translation>so viel schneller steigt und sammelt sich die Flüssigkeit, für eine Übung, die keine Zeit zum Warten hat</translation>
+    </message>
+    <message>
+        <source>of the barrel: 11.1 N at 62.7 kPa are 177 mm^2</source>
+        <translation>des Zylinders: 11.1 N bei 62.7 kPa sind 177 mm^2</translation>
+    </message>
+    <message>
+        <source>of the gas at rest, with air</source>
+        <translation>des Gases in Ruhe, bei Füllung mit Luft</translation>
+    </message>
+    <message>
+        <source>of the chamber with saline</source>
+        <translation>der Kammer mit Kochsalzlösung</translation>
+    </message>
+    <message>
+        <source>saline 1e-9, air 1.8e-11</source>
+        <translation>Kochsalzlösung 1e-9, Luft 1.8e-11</translation>
+    </message>
+    <message>
+        <source>of the plunger</source>
+        <translation>des Kolbens</translation>
+    </message>
+    <message>
+        <source>with which the thumb presses the plunger while the needle is in</source>
+        <translation>mit der der Daumen auf den Kolben drückt, während die Nadel im Körper ist</translation>
+    </message>
+    <message>
+        <source>rise of the pull-out force after turning one way (Langevin et al. 2001: +167 %)</source>
+        <translation>Anstieg der Kraft beim Ziehen nach Drehen in einer Richtung (Langevin et al. 2001: +167 %)</translation>
+    </message>
+    <message>
+        <source>rise after turning to and fro (+52 %); at most one_way</source>
+        <translation>Anstieg nach Hin- und Herdrehen (+52 %); höchstens one_way</translation>
+    </message>
+    <message>
+        <source>factor at an acupuncture point (1.18 compared with control points)</source>
+        <translation>Faktor an einem Akupunkturpunkt (1.18 gegenüber Vergleichspunkten)</translation>
+    </message>
+    <message>
+        <source>after which 63 % are reached</source>
+        <translation>nach denen 63 % erreicht sind</translation>
+    </message>
+    <message>
+        <source>g_i, of the force; all together 1 at most</source>
+        <translation>g_i, der Kraft; alle zusammen höchstens 1</translation>
+    </message>
+    <message>
+        <source>tau_i, in which it decays</source>
+        <translation>tau_i, in der er abklingt</translation>
+    </message>
+    <message>
+        <source>Young's modulus</source>
+        <translation>Elastizitätsmodul</translation>
+    </message>
+    <message>
+        <source>Poisson's ratio; nearer to 1/2 linear tetrahedra lock</source>
+        <translation>Querkontraktionszahl; näher an 1/2 sperren lineare Tetraeder</translation>
+    </message>
+    <message>
+        <source>mu_t, Coulomb force per mm of shaft</source>
+        <translation>mu_t, Reibungskraft je mm Schaft</translation>
+    </message>
+    <message>
+        <source>F_p, along the needle, at which the tissue gives way; 0: at once</source>
+        <translation>F_p, längs der Nadel, bei der das Gewebe nachgibt; 0: sofort</translation>
+    </message>
+    <message>
+        <source>k_target, of `closest_node` alone; 0: as the mesh has it</source>
+        <translation>k_target, nur für `closest_node`; 0: wie das Netz</translation>
+    </message>
+    <message>
+        <source>young</source>
+        <translation>Elastizitätsmodul</translation>
+    </message>
+    <message>
+        <source>poisson</source>
+        <translation>Querkontraktionszahl</translation>
+    </message>
+    <message>
+        <source>the deformable body has such numbers from the next attempt on, for it is prepared with them; its capture radius, times, friction and puncture forces act at once</source>
+        <translation>solche Zahlen hat der verformbare Körper vom nächsten Versuch an, denn er wird mit ihnen vorbereitet; Fangradius, Zeiten, Reibung und Durchstichkräfte wirken sofort</translation>
+    </message>
+    <message>
+        <source>the session cannot be recomputed: at %1 s its needle met a body that moved on a thread of its own (--body moving), of which only what was felt is kept; 'bodkin report' and 'bodkin export' show that</source>
+        <translation>die Sitzung kann nicht nachgerechnet werden: bei %1 s traf ihre Nadel einen Körper, der sich in einem eigenen Faden bewegte (--body moving), von dem nur behalten ist, was gespürt wurde; „bodkin report“ und „bodkin export“ zeigen es</translation>
+    </message>
+    <message>
         <source>no graphics card can be reached, because there is no X11 display</source>
         <translation>keine Grafikkarte ist erreichbar, denn es gibt keine X11-Anzeige</translation>
     </message>
@@ -534,10 +754,6 @@
     <message>
         <source>another rate holds from the next attempt on</source>
         <translation>eine andere Rate gilt vom nächsten Versuch an</translation>
-    </message>
-    <message>
-        <source>a deformable body has other numbers from the next attempt on, for it is prepared with them</source>
-        <translation>ein verformbarer Körper hat andere Zahlen vom nächsten Versuch an, denn er wird mit ihnen vorbereitet</translation>
     </message>
     <message>
         <source>the needle has been in for more than ten minutes, or the disk was too slow; draw it out before you change a number</source>
@@ -3340,11 +3556,11 @@
         <translation>Verstärkung</translation>
     </message>
     <message>
-        <source>gradient least per mm</source>
+        <source>gradient least</source>
         <translation>kleinster Gradient je mm</translation>
     </message>
     <message>
-        <source>gradient reference per mm</source>
+        <source>gradient reference</source>
         <translation>Bezugsgradient je mm</translation>
     </message>
     <message>

@@ -66,6 +66,10 @@ ForceCurve force_curve(anatomy::Case& patient, const ModelSettings& settings) {
     curve.trouble = "This patient has no planned path to try the needle on.";
     return curve;
   }
+  if (anatomy::body_of(settings.haptics.resistance) != nullptr) {
+    curve.trouble = "The curve of a deformable body is not computed here; push the needle to feel a number.";
+    return curve;
+  }
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begin = Clock::now();
   try {

@@ -47,6 +47,35 @@ constexpr std::array usual_steps = {
     UsualStep{Place::tissue, anatomy::tissue::cortical_bone, "contact_stiffness", "How hard is bone?"},
     UsualStep{Place::constraint, 0, "", "How firmly does the body hold the needle on its path?"}};
 
+// What people call a part that a case adds to its resistance.
+std::string part_words(Place place, std::size_t index) {
+  switch (place) {
+    case Place::relaxation:
+      return fmt::format("Relaxation {}", index + 1);
+    case Place::shaft_friction:
+      return "Shaft friction";
+    case Place::needle_grasp:
+      return "Winding up";
+    case Place::bevel_tip:
+      return "Bevel";
+    case Place::csf_flow:
+      return "Fluid";
+    case Place::syringe:
+      return "Syringe";
+    case Place::fingertip:
+      return "Finger";
+    default:
+      return {};
+  }
+}
+
+// Those that belong to a model, and not to any that there may be.
+void give_own_parts(anatomy::ForceParts& to, const anatomy::ForceParts& from) {
+  to.relaxation = from.relaxation;
+  to.shaft_friction = from.shaft_friction;
+  to.needle_grasp = from.needle_grasp;
+}
+
 // The number of a step, where it counts; null where there is none.
 template <typename Settings>
 auto* number_at(Settings& settings, const SettingStep& step) {
@@ -68,6 +97,16 @@ auto* number_at(Settings& settings, const SettingStep& step) {
 std::string capitalised(std::string words) {
   if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') words[0] = static_cast<char>(words[0] - 'a' + 'A');
   return words;
+}
+
+// What flows is a thousand million times less viscous than the unit of stress and time has it: nobody reads nine
+// zeros.
+void use_readable_unit(SettingStep& step) {
+  if (step.unit != "MPa s") return;
+  step.unit = "mPa s";
+  step.size_of_unit = 1e-9;
+  step.range.low /= step.size_of_unit;
+  step.range.high /= step.size_of_unit;
 }
 
 // Where a slider begins and ends about a value: wide enough to feel a difference, within what is allowed.
@@ -92,8 +131,9 @@ bool same_library(const std::vector<anatomy::TissueProperties>& a, const std::ve
 }  // namespace
 
 std::string parameter_words(std::string_view name, std::string_view unit) {
-  std::string suffix = "_";
-  for (const char c : unit) {
+  const bool is_inverse = unit.starts_with("1/");  // "curvature_per_mm"
+  std::string suffix = is_inverse ? "" : "_";
+  for (const char c : unit.substr(is_inverse ? 1 : 0)) {
     if (c == '/')
       suffix += "_per_";
     else if (c == ' ')
@@ -122,8 +162,11 @@ ParameterModel::ParameterModel(std::shared_ptr<const OpenCase> patient) : patien
   find_steps();
 }
 
-std::vector<std::string_view> ParameterModel::models() {
-  return {rigid_models.begin(), rigid_models.end()};
+std::vector<std::string_view> ParameterModel::models() const {
+  std::vector<std::string_view> names(rigid_models.begin(), rigid_models.end());
+  const std::string_view own = anatomy::name_of(reference_.haptics.resistance);
+  if (std::find(names.begin(), names.end(), own) == names.end()) names.push_back(own);
+  return names;
 }
 
 std::string_view ParameterModel::model() const {
@@ -140,8 +183,13 @@ void ParameterModel::choose_model(std::string_view name) {
   make(std::make_index_sequence<std::variant_size_v<anatomy::ResistanceSettings>>{});
   if (!found) throw InputError(fmt::format("there is no force model '{}'", name));
   remember(false);
-  now_.haptics.resistance = std::move(chosen);
-  now_.haptics.parts = {};  // they belong to the model that was
+  if (name == anatomy::name_of(reference_.haptics.resistance)) {
+    now_.haptics.resistance = reference_.haptics.resistance;
+    give_own_parts(now_.haptics.parts, reference_.haptics.parts);
+  } else {
+    now_.haptics.resistance = std::move(chosen);
+    give_own_parts(now_.haptics.parts, {});
+  }
   find_steps();
 }
 
@@ -175,7 +223,8 @@ void ParameterModel::find_steps() {
               step.origin = parameter.origin;
               step.source = source;
               const double* const was = number_at(std::as_const(reference_), step);
-              span_slider(step, was != nullptr ? *was : value);
+              use_readable_unit(step);
+              span_slider(step, (was != nullptr ? *was : value) / step.size_of_unit);
               steps_.push_back(std::move(step));
             }
           },
@@ -203,27 +252,35 @@ void ParameterModel::find_steps() {
   add_all(Place::resistance, 0, "Model", {}, {}, {});
   for (const anatomy::TissueId id : on_path_) add_tissue(id, {}, {});
   add_all(Place::constraint, 0, "Path", {}, {}, {});
+  for (const Place place : forces::added_parts) {
+    const std::size_t count = place == Place::relaxation ? now_.haptics.parts.relaxation.size() : 1;
+    for (std::size_t index = 0; index < count; ++index)
+      add_all(place, static_cast<anatomy::TissueId>(index), part_words(place, index), {}, {}, {});
+  }
 }
 
 double ParameterModel::value(std::size_t step) const {
   const double* const number = number_at(now_, steps_.at(step));
-  return number == nullptr ? 0.0 : *number;
+  return number == nullptr ? 0.0 : *number / steps_.at(step).size_of_unit;
 }
 
 double ParameterModel::before(std::size_t step) const {
   const double* const number = number_at(reference_, steps_.at(step));
-  return number == nullptr ? value(step) : *number;  // of another model there was nothing before
+  // Of another model there was nothing before.
+  return number == nullptr ? value(step) : *number / steps_.at(step).size_of_unit;
 }
 
 std::string ParameterModel::set(std::size_t step, double value, bool continues) {
   const SettingStep& asked = steps_.at(step);
   ModelSettings changed = now_;
   double* const number = number_at(changed, asked);
-  if (number == nullptr || *number == value) return {};
-  *number = value;
+  const double wanted = value * asked.size_of_unit;
+  if (number == nullptr || *number == wanted) return {};
+  *number = wanted;
   try {
     forces::visit_part(std::as_const(changed), asked.place, asked.tissue,
                        [&](const auto& owner) { check(owner, asked.title); });
+    check(changed.haptics.parts, asked.title);  // the shares of relaxation together
   } catch (const InputError& refused) {
     return refused.what();
   }
@@ -266,7 +323,9 @@ bool ParameterModel::is_changed() const {
     return !same;
   };
   return model() != anatomy::name_of(reference_.haptics.resistance) || differs(Place::resistance) ||
-         differs(Place::constraint) || differs(Place::weight) || !same_library(now_.tissues, reference_.tissues);
+         differs(Place::constraint) || differs(Place::weight) ||
+         !same_parameters(now_.haptics.parts, reference_.haptics.parts) ||
+         !same_library(now_.tissues, reference_.tissues);
 }
 
 void ParameterModel::load(const std::filesystem::path& file) {

@@ -22,12 +22,13 @@ using forces::ModelSettings;
 // declaration.
 struct SettingStep {
   forces::ModelPart place = forces::ModelPart::resistance;
-  anatomy::TissueId tissue = anatomy::tissue::air;  // of ModelPart::tissue
+  anatomy::TissueId tissue = anatomy::tissue::air;  // of ModelPart::tissue; of relaxation its index
   std::string name;                                 // "break_force_N"
   std::string title;                                // "Skin: break force"
   std::string question;                             // one sentence
   std::string description;                          // what the declaration says: "H, at which the tissue gives way"
-  std::string unit;                                 // "N"; empty: none
+  std::string unit;                                 // "N"; empty: none; all below are in it
+  double size_of_unit = 1.0;                        // in the unit of the declaration
   Range range;                                      // what is allowed
   double low = 0.0, high = 1.0;                     // of the slider, within the range
   double grain = 0.01;                              // one unit of the last digit that is shown
@@ -41,21 +42,23 @@ std::string parameter_words(std::string_view name, std::string_view unit);
 
 // The settings of a patient's force model, step by step, with undo. The steps of `layered` are the eleven of the
 // acupuncture simulator (Heng et al. 2004), or all of its numbers; every other model has a step for each number that
-// it declares and for those of the tissues on the planned path.
+// it declares, for those of the tissues on the planned path and of the parts that the case adds, such as its syringe.
 class ParameterModel {
  public:
   explicit ParameterModel(std::shared_ptr<const OpenCase> patient);
 
-  // The models that can be chosen: those that need no deformable body.
-  static std::vector<std::string_view> models();
+  // The models that can be chosen: those that need no deformable body, and the one that the patient came with.
+  std::vector<std::string_view> models() const;
   std::string_view model() const;
-  // With its default settings; the tissues stay. Can be undone. Throws InputError for a name that there is not.
+  // With its default settings, the patient's own one with those that he came with; the tissues and parts that suit
+  // any model stay. Can be undone. Throws InputError for a name that there is not.
   void choose_model(std::string_view name);
   // All numbers instead of the eleven; only `layered` has a difference.
   void show_all(bool all);
   bool shows_all() const { return all_; }
 
   const std::vector<SettingStep>& steps() const { return steps_; }
+  // In the unit of the step, as all here.
   double value(std::size_t step) const;
   double before(std::size_t step) const;  // of the reference
   // Empty, or why the value cannot be; then nothing has changed. `continues`: the same gesture as the last change,

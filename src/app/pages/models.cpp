@@ -41,6 +41,7 @@ void ModelsPage::set_case(std::shared_ptr<const OpenCase> patient) {
   now_.reset();
   reference_.reset();
   chart_->set_case(patient_);
+  models_->clear();
 }
 
 void ModelsPage::enter() {
@@ -55,6 +56,11 @@ void ModelsPage::enter() {
 void ModelsPage::show_steps() {
   is_shown_ = true;
   const std::string_view model = model_->model();
+  for (const std::string_view name : model_->models()) {
+    const QString plain = QString::fromUtf8(name.data(), static_cast<int>(name.size()));
+    if (models_->findData(plain) < 0)
+      models_->addItem(QString(plain).replace(QLatin1Char('_'), QLatin1Char(' ')), plain);
+  }
   models_->setCurrentIndex(models_->findData(QString::fromUtf8(model.data(), static_cast<int>(model.size()))));
   all_->setVisible(model == "layered");
   all_->setChecked(model_->shows_all());
@@ -146,7 +152,7 @@ void ModelsPage::show_felt() {
   const Frame& frame = frame_();
   felt_->setVisible(is_attempt(frame.state));
   if (!is_felt_) {
-    felt_->setText(tr("Another model is felt from the next attempt on."));
+    felt_->setText(tr("This is felt from the next attempt on."));
   } else if (frame.entry) {
     felt_->setText(tr("The needle feels it at once: now %1 N along it, %2 mm deep.")
                        .arg(frame.resistance, 0, 'f', 2)

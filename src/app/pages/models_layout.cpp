@@ -89,10 +89,6 @@ QWidget* ModelsPage::make_side() {
   models_->setAccessibleName(tr("Force model"));
   models_->setToolTip(tr("Another model of the force along the needle, with its own steps"));
   models_->setFocusPolicy(Qt::NoFocus);
-  for (const std::string_view name : ParameterModel::models()) {
-    const QString plain = QString::fromUtf8(name.data(), static_cast<int>(name.size()));
-    models_->addItem(QString(plain).replace(QLatin1Char('_'), QLatin1Char(' ')), plain);
-  }
   connect(models_, qOverload<int>(&QComboBox::activated), this, [this] {
     if (model_ == nullptr) return;
     model_->choose_model(models_->currentData().toString().toStdString());
