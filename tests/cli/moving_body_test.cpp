@@ -20,6 +20,9 @@ TEST_F(MovingBodyCommand, words_that_say_no_moving_body_are_one_sentence) {
   const std::vector<std::pair<std::string, std::string>> refused = {
       {"simulated --body jelly", "--body is 'jelly'; expected static, or moving"},
       {"simulated --body 'static width_mm=3'", "expected static, or moving"},
+      {"simulated --left 1,2,3", "--left is '1,2,3', expected entry and tip of a needle as x,y,z:x,y,z in mm"},
+      {"simulated --left 1,2,3:4,5", "--left"},
+      {"simulated --left 1,2,3:1,2,3.5", "needle 1 that was left in the body is 0.5 mm long"},
       {"simulated --body moving", "but no second device holds one; add --second DEVICE --second-as probe"},
       {"simulated --second simulated --body moving", "but no second device holds one"},
       {"simulated --second simulated --second-as probe --body moving", "add --resistance embedded_needle"},

@@ -36,11 +36,18 @@ ContactBody::ContactBody(std::shared_ptr<const BodyDescription> body, const Fact
     : body_(std::move(body)), fixed_(body_->mesh.nodes.size(), false), finder_(body_->mesh) {
   for (const std::uint32_t node : body_->fixed) fixed_[node] = true;
   const BodyDescription whole = without_corridor(*body_);
-  FactorOptions kept = options;
-  kept.keep_field = true;
-  const ElasticBody elastic(whole, plan_body(whole, progress), kept, progress);
-  free_nodes_ = elastic.system().free_nodes;
-  factor_ = std::make_unique<const PackedFactor>(elastic.factor(), options.threads);
+  BodyPlan plan = plan_body(whole, progress);
+  free_nodes_ = plan.system.free_nodes;
+  const auto packed = std::make_shared<PackedFactor>(plan.symbolic);
+  // Each panel goes straight to where it is kept: the factor is in memory once.
+  FactorOptions once = options;
+  once.keep_field = false;
+  once.finished = [&packed](std::size_t supernode, const double* panel, ThreadPool& pool) {
+    packed->take(supernode, panel, pool);
+  };
+  once.taken_elsewhere = packed->bytes();
+  const ElasticBody elastic(whole, std::move(plan), once, progress);
+  factor_ = packed;
 }
 
 CarriedPoint ContactBody::carried(const PointInMesh& place) const {

@@ -65,7 +65,7 @@ class ContactBody {
   std::shared_ptr<const BodyDescription> body_;
   std::vector<bool> fixed_;                // by node of the mesh
   std::vector<std::uint32_t> free_nodes_;  // by node of the mesh, as the equations number it
-  std::unique_ptr<const PackedFactor> factor_;
+  std::shared_ptr<const PackedFactor> factor_;
   PointFinder finder_;
 };
 

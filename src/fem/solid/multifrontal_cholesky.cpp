@@ -38,7 +38,7 @@ MultifrontalCholesky::MultifrontalCholesky(const BlockMatrix& matrix, SymbolicFa
                                            const FactorOptions& options, const Progress& progress)
     : symbolic_(std::move(symbolic)), options_(options) {
   const std::size_t limit = options_.memory_limit > 0 ? options_.memory_limit : available_memory();
-  const std::size_t needed = symbolic_.bytes(options_.keep_field);
+  const std::size_t needed = symbolic_.bytes(options_.keep_field) + options_.taken_elsewhere;
   if (needed > limit) {
     throw InputError(
         fmt::format("the body's {} free nodes with {} in the corridor need {} bytes ({:.1f} GB) to be "
@@ -102,6 +102,7 @@ void MultifrontalCholesky::factorise(const BlockMatrix& matrix, ThreadPool& pool
       if (i < sound && pivot * pivot > no_pivot * diagonal[i]) continue;
       throw NotPositiveDefinite(symbolic_.order[supernode.first + i / 3]);
     }
+    if (options_.finished) options_.finished(s, front.panel, pool);
     if (below > 0) {
       pack(front.update, below, top);
       waiting.push_back(s);

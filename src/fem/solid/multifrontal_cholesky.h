@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -30,6 +31,11 @@ struct FactorOptions {
   std::size_t memory_limit = 0;
   // Keep the whole factor, for solve() and respond(), or only that of the last nodes, in a fraction of the memory.
   bool keep_field = true;
+  // Hears the panel of each supernode when it is finished, in their order, as kept_panel() has it; the pool is idle
+  // then. Who keeps the factor elsewhere needs no keep_field, and half the memory.
+  std::function<void(std::size_t supernode, const double* panel, ThreadPool& pool)> finished = {};
+  // Bytes that are taken elsewhere meanwhile, as by whoever hears the panels: part of what is refused beforehand.
+  std::size_t taken_elsewhere = 0;
   // The innermost loops; nullptr: the fastest that the processor has. The bits do not depend on them.
   const DenseTiles* tiles = nullptr;
 };

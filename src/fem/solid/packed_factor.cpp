@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 #include "core/simd.h"
 #include "core/thread_pool.h"
@@ -13,6 +12,7 @@ namespace {
 
 // The factor is packed in strips of this many rows: for each column of the supernode, the strip's numbers in it.
 constexpr std::size_t strip = 8;
+constexpr std::size_t numbers_at_once = std::size_t{1} << 16U;  // that one thread packs
 
 constexpr std::size_t strips_of(std::size_t rows) {
   return (rows + strip - 1) / strip;
@@ -133,8 +133,12 @@ void products_plain(const double* a, const double* b, std::size_t length, Lanes*
 
 }  // namespace
 
-PackedFactor::PackedFactor(const MultifrontalCholesky& factor, int threads) {
-  const SymbolicFactor& symbolic = factor.symbolic();
+PackedFactor::PackedFactor(const MultifrontalCholesky& factor) : PackedFactor(factor.symbolic()) {
+  ThreadPool alone(1);
+  for (std::size_t s = 0; s < parts_.size(); ++s) take(s, factor.kept_panel(s), alone);
+}
+
+PackedFactor::PackedFactor(const SymbolicFactor& symbolic) {
   position_ = symbolic.position;
   rows_ = symbolic.rows;
   part_of_.resize(position_.size());
@@ -155,15 +159,6 @@ PackedFactor::PackedFactor(const MultifrontalCholesky& factor, int threads) {
     numbers_size_ = part.below_at + strip * strips_of(3 * std::size_t{supernode.rows}) * supernode.width();
     parts_.push_back(part);
   }
-  numbers_ = ZeroPages(numbers_size_);
-  // The largest first, so that no thread is left with one of them in the end.
-  std::vector<std::uint32_t> by_size(parts_.size());
-  std::iota(by_size.begin(), by_size.end(), 0U);
-  std::stable_sort(by_size.begin(), by_size.end(), [&symbolic](std::uint32_t a, std::uint32_t b) {
-    return symbolic.supernodes[a].panel_size() > symbolic.supernodes[b].panel_size();
-  });
-  ThreadPool pool(threads);
-  pool.run(by_size.size(), [&](std::size_t i) { pack(parts_[by_size[i]], factor.kept_panel(by_size[i])); });
 }
 
 std::size_t PackedFactor::bytes() const noexcept {
@@ -171,24 +166,39 @@ std::size_t PackedFactor::bytes() const noexcept {
          sizeof(std::uint32_t) * (position_.size() + part_of_.size() + rows_.size());
 }
 
-void PackedFactor::pack(const Part& part, const double* panel) {
-  const std::size_t width = 3 * std::size_t{part.columns}, below = 3 * std::size_t{part.rows};
-  const std::size_t height = width + below;
-  double* to = numbers_.data() + part.own_at;
-  for (std::size_t first = 0; first < width; first += strip) {
-    const std::size_t rows = std::min(strip, width - first);
-    for (std::size_t k = 0; k < first + strip; ++k, to += strip) {
-      for (std::size_t i = 0; k < width && i < rows; ++i) {
-        if (first + i > k) to[i] = panel[k * height + first + i];
-        if (first + i == k) to[i] = 1.0 / panel[k * height + k];
-      }
+void PackedFactor::take(std::size_t supernode, const double* panel, ThreadPool& pool) {
+  if (numbers_.data() == nullptr) numbers_ = ZeroPages(numbers_size_);  // not before the memory was found to suffice
+  const Part& part = parts_[supernode];
+  const std::size_t width = 3 * std::size_t{part.columns};
+  const std::size_t own = strips_of(width), all = own + strips_of(3 * std::size_t{part.rows});
+  const std::size_t in_piece = std::max<std::size_t>(1, numbers_at_once / (strip * width));
+  pool.run((all + in_piece - 1) / in_piece, [&](std::size_t piece) {
+    for (std::size_t i = piece * in_piece; i < std::min(all, (piece + 1) * in_piece); ++i) {
+      if (i < own)
+        pack_own(part, panel, i);
+      else
+        pack_below(part, panel, i - own);
+    }
+  });
+}
+
+void PackedFactor::pack_own(const Part& part, const double* panel, std::size_t strip_number) {
+  const std::size_t width = 3 * std::size_t{part.columns}, height = width + 3 * std::size_t{part.rows};
+  const std::size_t first = strip * strip_number, rows = std::min(strip, width - first);
+  double* to = numbers_.data() + part.own_at + triangle_size(first);
+  for (std::size_t k = 0; k < first + strip; ++k, to += strip) {
+    for (std::size_t i = 0; k < width && i < rows; ++i) {
+      if (first + i > k) to[i] = panel[k * height + first + i];
+      if (first + i == k) to[i] = 1.0 / panel[k * height + k];
     }
   }
-  to = numbers_.data() + part.below_at;
-  for (std::size_t first = 0; first < below; first += strip) {
-    const std::size_t rows = std::min(strip, below - first);
-    for (std::size_t k = 0; k < width; ++k, to += strip) std::copy_n(panel + k * height + width + first, rows, to);
-  }
+}
+
+void PackedFactor::pack_below(const Part& part, const double* panel, std::size_t strip_number) {
+  const std::size_t width = 3 * std::size_t{part.columns}, below = 3 * std::size_t{part.rows};
+  const std::size_t height = width + below, first = strip * strip_number, rows = std::min(strip, below - first);
+  double* to = numbers_.data() + part.below_at + first * width;
+  for (std::size_t k = 0; k < width; ++k, to += strip) std::copy_n(panel + k * height + width + first, rows, to);
 }
 
 std::vector<PointResponse> PackedFactor::respond(std::span<const CarriedPoint> points, Kernel kernel) const {

@@ -42,9 +42,13 @@ struct PointResponse {
 // may ask at once.
 class PackedFactor {
  public:
-  // Copies the factor, which must have been kept whole; it may be destroyed afterwards. `threads`: that share the
-  // work; 0: as many as the machine has cores.
-  explicit PackedFactor(const MultifrontalCholesky& factor, int threads = 0);
+  // Room for a factor of this structure, whose panels take() brings.
+  explicit PackedFactor(const SymbolicFactor& symbolic);
+  // Copies a factor that was kept whole, on this thread; it may be destroyed afterwards.
+  explicit PackedFactor(const MultifrontalCholesky& factor);
+
+  // The panel of a supernode, once each (FactorOptions::finished); `pool` shares the work.
+  void take(std::size_t supernode, const double* panel, ThreadPool& pool);
 
   std::uint32_t nodes() const noexcept { return static_cast<std::uint32_t>(position_.size()); }
   std::size_t bytes() const noexcept;
@@ -66,7 +70,8 @@ class PackedFactor {
     std::size_t own_at = 0, below_at = 0;  // into numbers_
     std::uint32_t parent = 0;              // a part after it; itself: none
   };
-  void pack(const Part& part, const double* panel);
+  void pack_own(const Part& part, const double* panel, std::size_t strip_number);
+  void pack_below(const Part& part, const double* panel, std::size_t strip_number);
 
   std::vector<std::uint32_t> position_;  // of each node in the order of elimination
   std::vector<std::uint32_t> part_of_;   // by position

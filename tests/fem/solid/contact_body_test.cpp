@@ -123,6 +123,14 @@ TEST(ContactBody, has_the_same_bits_for_any_number_of_threads) {
             0);
 }
 
+// What is kept counts beside what its computation takes.
+TEST(ContactBody, one_that_does_not_fit_into_memory_is_refused) {
+  const auto description = block(6.0, 1);
+  const std::size_t kept = ContactBody(description).factor().bytes();
+  EXPECT_THROW(ContactBody(description, {.memory_limit = kept}), InputError);
+  EXPECT_NO_THROW(ContactBody(description, {.memory_limit = 10 * kept}));
+}
+
 TEST(ContactBody, a_line_beside_the_mesh_is_refused) {
   const ContactBody body(block(10.0, 1));
   EXPECT_THROW(body.contact_points(stations_down(Vec3(90.0, 30.0, 40.0)), -Vec3::UnitZ(), 1.0), InputError);
