@@ -239,8 +239,39 @@ TEST(HapticTick, a_needle_fired_in_at_1_m_per_second_stays_within_the_device) {
   }
   for (int tick = 0; tick < 200; ++tick) drive.to(300.0);
   EXPECT_TRUE(drive.output.limits & (force_limit::peak | force_limit::thermal));
-  EXPECT_TRUE(drive.output.limits & force_limit::stiffness || drive.output.in_contact);
   EXPECT_FALSE(drive.seen(EventKind::force_limited).empty());
+}
+
+TEST(HapticTick, a_force_beyond_the_device_is_told_again_only_after_a_rest) {
+  Case patient = slab_patient();
+  patient.description.haptics.resistance = SpringDamperWallSettings{.stiffness = 0.5, .damping = 0.0};
+  patient.description.device.peak_force = 1.0;
+  patient.description.device.continuous_force = 1.0;
+  Drive drive(patient);
+  drive.move(6.0, 20.0);
+  for (int tick = 0; tick < 300; ++tick) drive.to(6.0);
+  EXPECT_TRUE(drive.output.limits & force_limit::peak);
+  EXPECT_EQ(drive.seen(EventKind::force_limited).size(), 1U);
+  drive.move(1.0, 20.0);  // 0.2 s below the limit
+  EXPECT_FALSE(drive.output.limits & force_limit::peak);
+  drive.move(6.0, 20.0);
+  EXPECT_EQ(drive.seen(EventKind::force_limited).size(), 2U);
+}
+
+TEST(HapticTick, tissue_that_is_stiffer_than_the_device_renders_is_told) {
+  for (const double renders : {0.1, 100.0}) {
+    Case patient = slab_patient();
+    patient.description.device.stiffness = renders;
+    Drive drive(patient);
+    int told = 0;
+    for (double depth = -1.0; depth < 30.0; depth += 0.02)
+      told += (drive.to(depth).limits & force_limit::stiffness) != 0 ? 1 : 0;
+    if (renders < 1.0) {
+      EXPECT_GT(told, 50);
+    } else {
+      EXPECT_EQ(told, 0);
+    }
+  }
 }
 
 TEST(HapticTick, leaving_the_volume_is_air_and_said_once) {
