@@ -116,6 +116,14 @@ TEST(LossOfResistance, relaxation_at_rest_and_unloading_are_no_loss) {
   EXPECT_TRUE(line.losses.empty());
 }
 
+TEST(LossOfResistance, a_needle_that_is_drawn_back_behind_a_flavum_that_holds_has_lost_nothing) {
+  Line line;
+  line.go(14.5, 5.0, [](double) { return 4.0; });  // the tip is beyond the far side at rest, the flavum still tents
+  line.go(14.1, 5.0, [](double) { return 1.0; });
+  line.rest(0.5);
+  EXPECT_TRUE(line.losses.empty());
+}
+
 TEST(LossOfResistance, a_flavum_that_was_passed_is_not_lost_again_on_the_same_line) {
   Line line;
   const auto force = [](double depth) { return depth < 14.0 ? 4.0 : 1.0; };
