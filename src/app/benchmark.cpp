@@ -2,21 +2,28 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QTemporaryDir>
 #include <QThread>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <optional>
 #include <thread>
 
 #include "app/main_window.h"
+#include "app/pages/camera.h"
 #include "app/pages/practise.h"
 #include "app/pages/volume.h"
+#include "tracking/footage_scene.h"
+#include "tracking/jpeg_file.h"
 #include <fmt/format.h>
 #include <sys/resource.h>
 
 #include "core/error.h"
+#include "core/files.h"
 
 namespace bodkin::app {
 
@@ -26,6 +33,7 @@ constexpr double longest_wait = 120.0;           // s
 constexpr double turn_of_frame = 0.02;           // rad
 constexpr double lowest = 12.0, deepest = 20.0;  // mm, between which the needle moves
 constexpr double least_dent = 0.5;               // mm, with which the skin is pressed
+constexpr int camera_frames = 30, camera_quality = 85;
 constexpr double kilobytes = 1024.0, bytes_of_gigabyte = 1e9;
 
 // s of all threads of the process.
@@ -177,6 +185,54 @@ void measure_volume(MainWindow& window, double seconds, std::vector<BenchmarkRow
   window.show_page(PageId::practise);
 }
 
+// Pictures of a mannequin, a needle and a probe that all move, as a camera would send them: compressed, 30 a second.
+std::filesystem::path camera_pictures(const std::filesystem::path& folder) {
+  tracking::SceneOptions options;
+  options.frames = camera_frames;
+  options.look.samples = 2;
+  const tracking::Footage rendered = tracking::render_scene(folder / "rendered", options);
+  std::filesystem::create_directory(folder / "camera");
+  for (const char* file : {"camera.json", "bodies.json"})
+    std::filesystem::copy_file(rendered.folder / file, folder / "camera" / file);
+  for (std::size_t i = 0; i < rendered.frames.size(); ++i) {
+    const imaging::ImageRgb picture = tracking::read_picture(rendered.folder / rendered.frames[i].file);
+    write_file(folder / "camera" / fmt::format("{:03}.jpg", i), tracking::encode_jpeg(picture, camera_quality));
+  }
+  return folder / "camera";
+}
+
+// From a picture's arrival on the page of augmented reality until it is painted.
+void measure_augmented_reality(MainWindow& window, double seconds, std::vector<BenchmarkRow>& rows) {
+  const QTemporaryDir folder;
+  if (!folder.isValid()) throw SystemError("benchmark: no folder for the camera's pictures can be made");
+  const std::filesystem::path pictures = camera_pictures(folder.path().toStdString());
+  window.show_page(PageId::camera);
+  auto* const page = window.findChild<CameraPage*>();
+  if (page == nullptr) throw SystemError("benchmark: the window has no page for a camera");
+  page->show_source(pictures);
+  wait_until("the camera's picture", [&] {
+    if (!page->news().error.empty()) throw SystemError("benchmark: " + page->news().error);
+    return !page->latencies().empty();
+  });
+  QElapsedTimer timer;
+  timer.start();
+  const std::uint64_t before = page->news().number;
+  page->forget_latencies();
+  while (seconds_of(timer) < seconds || page->latencies().empty()) pass_moment();
+  const double passed = seconds_of(timer);
+  std::vector<double> latencies(page->latencies().begin(), page->latencies().end());
+  const auto pictures_shown = static_cast<double>(page->news().number - before);
+  page->stop();
+  std::sort(latencies.begin(), latencies.end());
+  const auto at = [&](double share) {
+    return 1e3 * latencies[static_cast<std::size_t>(share * static_cast<double>(latencies.size() - 1))];
+  };
+  rows.push_back({"camera's picture from arrival to painted, median", at(0.5), "ms", 60.0, true});
+  rows.push_back({"the same of 95 % of the pictures", at(0.95), "ms", 90.0, true});
+  rows.push_back({"camera's pictures drawn", pictures_shown / passed, "pictures/s", 20.0, false});
+  window.show_page(PageId::practise);
+}
+
 std::string processor() {
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);) {
@@ -206,6 +262,7 @@ std::vector<BenchmarkRow> measure_window(MainWindow& window, double seconds) {
   rows.push_back(
       {"late ticks with the window, above those without", std::max(0.0, with - without), "% points", 0.5, true});
   measure_volume(window, seconds, rows);
+  measure_augmented_reality(window, seconds, rows);
   rows.push_back({"memory at most", peak_gigabytes(), "GB", 2.5, true});
   return rows;
 }

@@ -20,9 +20,9 @@ struct BenchmarkRow {
 };
 
 // Measures the window's speed on this machine: it opens the patient that comes with Bodkin, moves the needle, turns
-// the camera, and looks into the volume, as a person would, `seconds` for each. CPU times are those of the whole
-// process with the servo in it, all threads, for each frame that was drawn. Throws SystemError when the window comes
-// to no patient or no needle.
+// the camera, looks into the volume and shows augmented reality, as a person would, `seconds` for each. CPU times are
+// those of the whole process with the servo in it, all threads, for each frame that was drawn. Throws SystemError
+// when the window comes to no patient or no needle.
 std::vector<BenchmarkRow> measure_window(MainWindow& window, double seconds);
 
 // Machine and rows as a table for a terminal.

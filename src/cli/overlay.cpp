@@ -94,7 +94,7 @@ double seconds_between(Clock::time_point from, Clock::time_point to) {
 struct TrackedPicture {
   imaging::ImageRgb colour;
   std::vector<tracking::TrackedPose> poses;
-  Clock::time_point arrived;
+  Clock::time_point arrived;  // not decoded yet
 };
 
 // What the probe sees, in one corner of the picture, and the CT in its plane in another.
@@ -322,15 +322,15 @@ void run_overlay(const OverlayArguments& arguments, const CommandContext& contex
   const Clock::time_point start = Clock::now();
   Clock::time_point before = start;
   for_each_picture(*opened.source, arguments.footage, console, "overlay", [&](tracking::SourcePicture& frame) {
-    const Clock::time_point arrived = Clock::now();
-    tracked.add("read and decode", seconds_between(before, arrived));
+    const Clock::time_point decoded = Clock::now();
+    tracked.add("read and decode", seconds_between(before, decoded));
     const auto& poses = tracker.track(frame.grey, frame.time);
-    tracked.add("track", seconds_between(arrived, Clock::now()));
+    tracked.add("track", seconds_between(decoded, Clock::now()));
     lens.add(poses);
     if (warning.empty()) warning = lens.warning();
     if (poses[mannequin].status == tracking::TrackingStatus::ok) ++drawn;
     if (drawn == 0 && tracker.markers().empty()) last = frame.grey;
-    writer.add({std::move(frame.colour), poses, arrived});
+    writer.add({std::move(frame.colour), poses, frame.arrived});
     before = Clock::now();
     return true;
   });

@@ -251,6 +251,7 @@ std::optional<SourcePicture> LiveCamera::next() {
     }
     if (!newest) continue;
     SourcePicture picture;
+    picture.arrived = std::chrono::steady_clock::now();
     picture.time =
         static_cast<double>(newest->timestamp.tv_sec) + 1e-6 * static_cast<double>(newest->timestamp.tv_usec);
     const Buffer& buffer = buffers_[newest->index];

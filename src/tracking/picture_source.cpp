@@ -26,6 +26,7 @@ class FolderSource : public PictureSource {
     if (at_ == footage_.frames.size()) return std::nullopt;
     const FootageFrame& frame = footage_.frames[at_++];
     SourcePicture picture;
+    picture.arrived = std::chrono::steady_clock::now();
     picture.colour = read_picture(footage_.folder / frame.file);
     picture.grey = grey_of(picture.colour);
     picture.time = frame.time;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,7 +18,9 @@ namespace bodkin::tracking {
 struct SourcePicture {
   imaging::ImageRgb colour;
   GreyPicture grey;
-  double time = 0.0;                   // s: of a camera the moment of the exposure, else from the first picture
+  double time = 0.0;  // s: of a camera the moment of the exposure, else from the first picture
+  // When it had come from the driver, the pipe or the disk and was still to be decoded.
+  std::chrono::steady_clock::time_point arrived;
   std::vector<Pose> camera_from_body;  // truth of rendered footage, in the order of bodies(); else empty
 };
 

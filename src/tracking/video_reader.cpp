@@ -85,6 +85,7 @@ class VideoSource : public PictureSource {
   std::optional<SourcePicture> next() override {
     if (at_ == times_.size()) return std::nullopt;
     SourcePicture picture;
+    picture.arrived = std::chrono::steady_clock::now();
     picture.colour = imaging::ImageRgb(width_, height_);
     static_assert(sizeof(imaging::Rgb) == 3);
     const std::size_t size = picture.colour.pixels.size() * sizeof(imaging::Rgb);

@@ -21,6 +21,7 @@ CameraPicture::CameraPicture(QWidget* parent) : QWidget(parent) {
 
 void CameraPicture::show_picture(std::shared_ptr<const imaging::ImageRgb> picture) {
   picture_ = std::move(picture);
+  is_new_ = picture_ != nullptr;
   update();
 }
 
@@ -46,6 +47,9 @@ void CameraPicture::paintEvent(QPaintEvent* /*event*/) {
   box.moveCenter(rect().center());
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   painter.drawImage(box, image);
+  if (!std::exchange(is_new_, false)) return;
+  painter.end();
+  emit painted();
 }
 
 }  // namespace bodkin::views

@@ -19,11 +19,16 @@ class CameraPicture : public QWidget {
   void show_words(const QString& words);
   const std::shared_ptr<const imaging::ImageRgb>& picture() const { return picture_; }
 
+ signals:
+  // A picture has been painted for the first time.
+  void painted();
+
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
   std::shared_ptr<const imaging::ImageRgb> picture_;
+  bool is_new_ = false;  // not painted yet
   QString words_;
 };
 

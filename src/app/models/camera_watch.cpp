@@ -174,12 +174,13 @@ bool CameraWatch::show_pictures(const std::stop_token& stop, Show* show) {
     }
     std::optional<tracking::SourcePicture> picture = source->next();
     if (!picture) return !source->live() && last.has_value();
+    const Clock::duration decoding = Clock::now() - picture->arrived;
     const double wait = last && !source->live() ? std::max(0.0, picture->time - last_time) : 0.0;
     while (last && !stop.stop_requested() && since(*last) < wait) std::this_thread::sleep_for(short_nap);
     last = Clock::now();
     last_time = picture->time;
-    const Clock::time_point arrived = Clock::now();
     CameraNews news;
+    news.arrived = *last - decoding;  // of a video or a folder: when it would have come from a camera
     if (show != nullptr) {
       std::optional<tracking::AugmentedLook> look;
       {
@@ -197,7 +198,6 @@ bool CameraWatch::show_pictures(const std::stop_token& stop, Show* show) {
     while (shown.front() + std::chrono::seconds(1) < shown.back()) shown.pop_front();
     news.time = picture->time;
     news.rate = static_cast<double>(shown.size());
-    news.milliseconds = 1000.0 * since(arrived);
     news.picture = std::make_shared<const imaging::ImageRgb>(std::move(picture->colour));
     const std::lock_guard guard(lock_);
     news.number = news_.number + 1;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -36,7 +37,7 @@ struct CameraNews {
   std::shared_ptr<const imaging::ImageRgb> picture;  // with what is drawn over it
   double time = 0.0;                                 // s, of the picture
   double rate = 0.0;                                 // pictures/s, of the last second
-  double milliseconds = 0.0;                         // from the picture's arrival until it could be shown
+  std::chrono::steady_clock::time_point arrived;     // when the picture had come, not decoded yet
   std::vector<BodyNews> bodies;
   std::optional<Pose> needle, probe;  // LPS mm, third axis into the patient; none: not seen well in this picture
   std::string tip;                    // what the needle's tip is in; empty: outside, or no needle

@@ -10,6 +10,7 @@
 #include <QSettings>
 #include <QSlider>
 #include <QTableWidget>
+#include <chrono>
 #include <cmath>
 #include <exception>
 #include <utility>
@@ -30,6 +31,7 @@ namespace {
 constexpr const char* probe_of_page = "C5-2";
 constexpr double depth_of_page = 90.0;  // mm
 constexpr double percent = 0.01;
+constexpr std::size_t most_latencies = 1000;
 constexpr double usual_radius_x = 150.0, usual_radius_y = 185.0;  // pixels of the picture
 
 QColor status_colour(tracking::TrackingStatus status) {
@@ -98,6 +100,7 @@ void CameraPage::start() {
   scan_failure_.clear();
   told_.clear();
   result_.reset();
+  latencies_.clear();
   watch_ = std::make_unique<CameraWatch>(patient_, wanted_files(), path_in(registration), look());
   try {
     const station::UltrasoundChoice choice = choice_of_page(*patient_);
@@ -168,6 +171,11 @@ void CameraPage::start_demo() {
   show_buttons();
 }
 
+void CameraPage::show_source(const std::filesystem::path& source) {
+  for (QLineEdit* path : paths_) path->clear();  // it has files of its own
+  use_source(QString::fromStdString(source.string()));
+}
+
 void CameraPage::use_source(const QString& source) {
   source_->setEditText(source);
   start();
@@ -213,10 +221,9 @@ void CameraPage::advance(double clock) {
   if (demo_ != nullptr) {
     const DemoFootage::Status status = demo_->status();
     if (status.is_ready) {
-      const QString folder = QString::fromStdString(demo_->folder().string());
+      const std::filesystem::path folder = demo_->folder();
       demo_.reset();
-      for (QLineEdit* path : paths_) path->clear();  // it has files of its own
-      use_source(folder);
+      show_source(folder);
     } else if (!status.error.empty()) {
       failure_ = status.error;
       demo_.reset();
@@ -235,6 +242,13 @@ void CameraPage::advance(double clock) {
   }
   follow_attempt();
   show_line();
+}
+
+void CameraPage::note_latency() {
+  if (watch_ == nullptr || news_.picture == nullptr || picture_->picture() != news_.picture) return;
+  const auto passed = std::chrono::steady_clock::now() - news_.arrived;
+  latencies_.push_back(std::chrono::duration<double>(passed).count());
+  if (latencies_.size() > most_latencies) latencies_.pop_front();
 }
 
 void CameraPage::show_news(double clock) {
@@ -317,7 +331,7 @@ void CameraPage::show_line() {
   } else {
     words = tr("%1 pictures/s, each shown %2 ms after it came.")
                 .arg(news_.rate, 0, 'f', 0)
-                .arg(news_.milliseconds, 0, 'f', 0);
+                .arg(latencies_.empty() ? 0.0 : 1000.0 * latencies_.back(), 0, 'f', 0);
     if (!news_.tip.empty()) {
       words = (news_.tip_on_bone ? tr("Tip on bone: %1.") : tr("Tip in: %1.")).arg(in_words(news_.tip)) +
               QStringLiteral(" ") + words;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -53,6 +54,11 @@ class CameraPage : public Page {
   // Of the newest picture.
   const CameraNews& news() const { return news_; }
   const Frame& frame() const { return shown_; }
+  // s from a picture's arrival, still to be decoded, until it was painted; of the last thousand since start().
+  const std::deque<double>& latencies() const { return latencies_; }
+  void forget_latencies() { latencies_.clear(); }
+  // Pictures of this folder, video or camera from now on, with the files that lie beside them.
+  void show_source(const std::filesystem::path& source);
 
  private:
   enum File { camera, bodies, registration, files };
@@ -67,6 +73,7 @@ class CameraPage : public Page {
   tracking::AugmentedLook look() const;
   void send_look();
   void show_news(double clock);
+  void note_latency();
   void show_bodies();
   void show_line();
   void show_buttons();
@@ -84,6 +91,7 @@ class CameraPage : public Page {
   std::string told_;                         // of the attempt that runs, or was the last
   std::optional<AttemptResult> result_;
   CameraNews news_;
+  std::deque<double> latencies_;
   Frame shown_;
   std::string failure_;       // why the last source came to nothing
   std::string scan_failure_;  // why there is no ultrasound

@@ -42,6 +42,7 @@ CameraPage::CameraPage(const std::filesystem::path& folder, QWidget* parent)
                      tr("The patient drawn into the mannequin, the needle, the planned path"))),
       ultrasound_(named(new UltrasoundView, "camera.ultrasound", tr("Ultrasound"),
                         tr("The ultrasound of where the tracked probe points"))) {
+  connect(picture_, &CameraPicture::painted, this, &CameraPage::note_latency);
   auto* columns = new QHBoxLayout(this);
   columns->setContentsMargins(0, 0, 0, 0);
   columns->setSpacing(4);

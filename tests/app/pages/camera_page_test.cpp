@@ -9,9 +9,12 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <vector>
 
 #include "app/pages/camera.h"
 #include "session/session_file.h"
@@ -120,6 +123,30 @@ TEST_F(CameraPageTest, shows_the_needle_and_the_probe_where_they_are_in_the_pati
   QTest::mouseClick(find<QPushButton>("camera.start"), Qt::LeftButton);
   EXPECT_EQ(page_.news().number, 0U);
   EXPECT_EQ(table->rowCount(), 0) << "what is not seen now is not shown as if it were";
+}
+
+// Every picture that is painted counts once, from before it was decoded.
+TEST_F(CameraPageTest, knows_how_long_a_picture_takes_from_its_arrival_until_it_is_painted) {
+  const tracking::Footage footage = render("latency");
+  const auto begin = std::chrono::steady_clock::now();
+  tracking::read_picture(footage.folder / footage.frames.front().file);
+  const double decoding = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  start(footage.folder);
+  ASSERT_TRUE(wait([&] { return page_.latencies().size() > 9; })) << line();
+  EXPECT_LE(page_.latencies().size(), page_.news().number);
+  std::vector<double> sorted(page_.latencies().begin(), page_.latencies().end());
+  std::sort(sorted.begin(), sorted.end());
+  EXPECT_GT(sorted.front(), 0.3 * decoding);
+  EXPECT_LT(sorted[sorted.size() / 2], 5.0);
+  std::printf("from arrival to painted: median %.0f ms, %.0f ms at most\n", 1000.0 * sorted[sorted.size() / 2],
+              1000.0 * sorted.back());
+  // What is painted again, as when the window is uncovered, is no new picture.
+  page_.stop();
+  const std::size_t count = page_.latencies().size();
+  find<CameraPicture>("camera.picture")->repaint();
+  EXPECT_EQ(page_.latencies().size(), count);
+  page_.forget_latencies();
+  EXPECT_TRUE(page_.latencies().empty());
 }
 
 // The pictures go on while their needle is recorded; the session ends with the footage and is judged.
