@@ -99,6 +99,11 @@ void run_register(const RegisterArguments& arguments, const CommandContext& cont
   if (const auto swapped = tracking::swapped_pair(to, from, arguments.scale)) {
     console.note(fmt::format("points {} and {} fit far better when they are exchanged; check their names",
                              names[swapped->first], names[swapped->second]));
+  } else if (const auto scale = arguments.scale ? std::nullopt : tracking::hidden_scale(to, from)) {
+    console.note(fmt::format(
+        "the points fit far better with a scale of {:.4f}: a print is not to scale, or the two are not of one size; "
+        "measure the ruler on the print, or give --scale",
+        *scale));
   }
   nlohmann::ordered_json json = nlohmann::ordered_json::parse(tracking::registration_json(registration));
   if (!arguments.target.empty()) {

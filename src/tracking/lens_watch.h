@@ -10,16 +10,20 @@ namespace bodkin::tracking {
 
 // Notices that the camera is no longer the one that was calibrated: its lens was turned, or its focus moved. Then
 // picture and model disagree for every body at once, also at rest; motion or a bent body shows on one alone or
-// passes.
+// passes. Another focal length shows on a wide board alone, for a small cube looks much the same through it; so does
+// a board that is bent.
 class LensWatch {
  public:
-  // The poses of the next picture.
+  // The poses of the next picture, of the same bodies in the same order.
   void add(const std::vector<TrackedPose>& poses);
   // One sentence while it is so; else empty.
   std::string warning() const;
 
  private:
-  std::deque<bool> disagree_;  // of the last pictures in which bodies rested
+  using Disagreements = std::deque<bool>;  // of the last pictures in which something rested
+
+  Disagreements all_;
+  std::vector<Disagreements> boards_;  // of each body, in pictures that show it as a board
   std::vector<TrackedPose> before_;
 };
 

@@ -1,6 +1,7 @@
 #include "tracking/registration.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Eigenvalues>
@@ -197,6 +198,21 @@ ErrorInterval tre_interval(const Registration& registration, const std::vector<V
   const auto tre_of = [&](double quantile) { return std::sqrt(variance * squares / expected * freedom / quantile); };
   return {tre_of(chi_squared_quantile(freedom, 1.6449)), tre_of(freedom),
           tre_of(chi_squared_quantile(freedom, -1.6449))};
+}
+
+std::optional<double> hidden_scale(const std::vector<Vec3>& fixed, const std::vector<Vec3>& moving) {
+  constexpr std::size_t least_points = 4;
+  constexpr double least_difference = 0.002;
+  // F with 1 and 3k - 7 degrees of freedom that one in a thousand exceeds, for 4 to 8 points; more have less.
+  constexpr std::array<double, 5> exceeded = {47.2, 25.4, 19.7, 17.1, 15.7};
+  if (fixed.size() != moving.size() || fixed.size() < least_points) return std::nullopt;
+  const Similarity rigid = closed_form(fixed, moving, false), scaled = closed_form(fixed, moving, true);
+  if (std::abs(scaled.scale - 1.0) <= least_difference) return std::nullopt;
+  const double freedom = 3.0 * static_cast<double>(fixed.size()) - 7.0;
+  const double without = std::pow(fre_of(rigid, fixed, moving), 2), with = std::pow(fre_of(scaled, fixed, moving), 2);
+  const double bound = exceeded[std::min(fixed.size() - least_points, exceeded.size() - 1)];
+  if ((without - with) * freedom <= bound * with) return std::nullopt;
+  return scaled.scale;
 }
 
 std::optional<std::pair<std::size_t, std::size_t>> swapped_pair(const std::vector<Vec3>& fixed,

@@ -54,6 +54,13 @@ TEST_F(Register, exchanged_names_are_said) {
   EXPECT_THAT(done.errors, HasSubstr("exchanged"));
 }
 
+TEST_F(Register, a_scale_that_would_fit_is_said) {
+  write("larger.csv", "e,60.6,50.5,20.2\nd,0,0,60.6\na,0,0,0\nb,101,0,0\nc,0,80.8,0\n");
+  EXPECT_THAT(bodkin("register fixed.csv larger.csv").errors, HasSubstr("a scale of 0.9901"));
+  EXPECT_EQ(bodkin("register fixed.csv larger.csv --scale").errors, "");
+  EXPECT_EQ(bodkin("register fixed.csv moving.csv").errors, "");
+}
+
 }  // namespace
 }  // namespace bodkin_test
 

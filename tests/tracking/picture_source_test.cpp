@@ -5,7 +5,10 @@
 #include <filesystem>
 #include <string>
 
+#include "tracking/footage.h"
 #include "tracking/lens_watch.h"
+#include "tracking/marker_body.h"
+#include "tracking/tracker.h"
 #include "tracking/video_file.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -120,6 +123,45 @@ TEST(LensWatch, speaks_when_no_resting_body_fits_and_is_silent_else) {
   EXPECT_THAT(moved.warning(), HasSubstr("calibrate it anew"));
   EXPECT_EQ(bent.warning(), "");
   EXPECT_EQ(moving.warning(), "");
+}
+
+// Through a lens whose focal length is another by a tenth, a cube looks as it should and a board does not.
+TEST(LensWatch, names_a_board_that_does_not_fit_while_cubes_do) {
+  CameraModel camera;
+  camera.width = 640;
+  camera.height = 480;
+  camera.fx = camera.fy = 520.0;
+  camera.cx = 319.5;
+  camera.cy = 239.5;
+  const std::vector<MarkerBody> bodies = station_bodies();
+  std::vector<PlacedBody> placed;
+  for (const MarkerBody& body : bodies) {
+    PlacedBody one;
+    one.body = &body;
+    if (body.name == "mannequin") {
+      one.camera_from_body.linear() = Eigen::AngleAxisd(0.5, Vec3::UnitX()).toRotationMatrix();
+      one.camera_from_body.translation() = Vec3(-60.0, 30.0, 620.0);
+    } else {
+      one.camera_from_body.linear() =
+          (Eigen::AngleAxisd(0.4, Vec3::UnitX()) * Eigen::AngleAxisd(0.5, Vec3::UnitY())).toRotationMatrix();
+      one.camera_from_body.translation() = Vec3(body.name == "needle" ? 110.0 : 200.0, -60.0, 560.0);
+    }
+    placed.push_back(one);
+  }
+  const GreyPicture picture = render_picture(camera, {}, placed, 5);
+  CameraModel other = camera;
+  other.fx *= 1.1;
+  other.fy *= 1.1;
+  for (const bool moved : {false, true}) {
+    Tracker tracker(moved ? other : camera, bodies);
+    LensWatch watch;
+    for (int n = 0; n < 32; ++n) watch.add(tracker.track(picture, n / 30.0));
+    if (moved) {
+      EXPECT_THAT(watch.warning(), HasSubstr("a board of markers does not fit"));
+    } else {
+      EXPECT_EQ(watch.warning(), "");
+    }
+  }
 }
 
 }  // namespace

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <optional>
+#include <vector>
 
 #include "tracking/bead_centres.h"
 #include <Eigen/LU>
@@ -174,6 +177,37 @@ TEST(Registration, exchanged_names_are_noticed) {
 }
 
 // Balls of 2 mm radius in foam, with voxels that they fill in part.
+// Noise alone pretends a scale about once in a thousand registrations; a print that is 1 % too large is noticed.
+TEST(Registration, a_print_that_is_not_to_scale_is_noticed) {
+  Random random(17);
+  const auto noise = [&](double size) {
+    const double x = random.normal(), y = random.normal(), z = random.normal();
+    return Vec3(size * Vec3(x, y, z));
+  };
+  for (const std::size_t count : {std::size_t{4}, std::size_t{6}, std::size_t{8}}) {
+    int pretended = 0, found = 0;
+    constexpr int trials = 4000;
+    for (int trial = 0; trial < trials; ++trial) {
+      std::vector<Vec3> moving, same, larger;
+      for (std::size_t i = 0; i < count; ++i) {
+        moving.push_back(noise(60.0));
+        same.push_back(moving.back() + noise(0.5));
+        larger.push_back(1.01 * moving.back() + noise(0.05));
+      }
+      pretended += hidden_scale(same, moving) ? 1 : 0;
+      const std::optional<double> scale = hidden_scale(larger, moving);
+      found += scale && std::abs(*scale - 1.01) < 0.002 ? 1 : 0;
+    }
+    std::printf("%zu points: pretended %d, found %d of %d\n", count, pretended, found, trials);
+    EXPECT_LE(pretended, 16);  // four in a thousand, far beyond chance for one in a thousand
+    EXPECT_GT(found, 0.97 * trials);
+  }
+  const std::vector<Vec3> three = {Vec3(0, 0, 0), Vec3(90, 0, 0), Vec3(0, 70, 0)};
+  std::vector<Vec3> scaled = three;
+  for (Vec3& point : scaled) point *= 1.02;
+  EXPECT_FALSE(hidden_scale(scaled, three).has_value());
+}
+
 TEST(BeadCentres, are_found_within_a_tenth_of_a_millimetre) {
   anatomy::Grid grid;
   grid.size = {70, 60, 40};

@@ -8060,6 +8060,10 @@
         <translation>kein Körper passt zum Bild, obwohl alle ruhen: Linse, Fokus oder Licht haben sich seit der Kalibrierung der Kamera geändert; kalibrieren Sie sie neu</translation>
     </message>
     <message>
+        <source>a board of markers does not fit the picture although it rests: it is bent, or the lens or its focus changed since the camera was calibrated; press it flat, else calibrate the camera anew</source>
+        <translation>eine Tafel mit Marken passt nicht zum Bild, obwohl sie ruht: Sie ist verbogen, oder Linse oder Fokus haben sich seit der Kalibrierung der Kamera geändert; drücken Sie sie flach, sonst kalibrieren Sie die Kamera neu</translation>
+    </message>
+    <message>
         <source>the pictures are mirrored left to right; switch mirroring off in the camera</source>
         <translation>die Bilder sind seitenverkehrt; schalten Sie die Spiegelung in der Kamera ab</translation>
     </message>
