@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "core/parameter.h"
 #include "core/settings_check.h"
@@ -201,14 +203,29 @@ struct SyringeTissue {
   }
 };
 
+// Where the fibres of a tissue run, as an axis of the patient.
+enum class FibreAxis : std::uint8_t {
+  none,       // it has none
+  superior,   // along the spine
+  left,       // from side to side
+  posterior,  // from front to back
+};
+constexpr std::array<std::string_view, 4> enumeration_names(FibreAxis) {
+  return {"none", "superior", "left", "posterior"};
+}
+
 // What a tissue of a deformable body is made of (docs/fem.md), and what a needle meets in it (docs/fem-contact.md).
-// young = 0: the library says nothing, the tissue cannot be in a mesh.
+// young = 0: the library says nothing, the tissue cannot be in a mesh. Moduli along the fibres count where there are
+// some; 0: as across them.
 struct DeformableTissue {
   double young = 0.0;
   double poisson = 0.3;
   double friction = 0.0;
   double puncture_force = 0.0;
   double stiffness = 0.0;
+  FibreAxis fibres = FibreAxis::none;
+  double young_along = 0.0;
+  double shear_along = 0.0;
 
   template <typename S = DeformableTissue>
   static constexpr auto parameters() {
@@ -220,7 +237,12 @@ struct DeformableTissue {
                       Parameter{"puncture_force_N", &S::puncture_force, Range{0.0, 100.0}, "N",
                                 "F_p, along the needle, at which the tissue gives way; 0: at once", Origin::choice},
                       Parameter{"stiffness_N_per_mm", &S::stiffness, Range{0.0, 100.0}, "N/mm",
-                                "k_target, of `closest_node` alone; 0: as the mesh has it", Origin::choice}};
+                                "k_target, of `closest_node` alone; 0: as the mesh has it", Origin::choice},
+                      Parameter{"fibres", &S::fibres, "axis of the patient along which fibres run", Origin::choice},
+                      Parameter{"young_along_MPa", &S::young_along, Range{0.0, 1e6}, "MPa",
+                                "Young's modulus along the fibres; 0: as across them", Origin::choice},
+                      Parameter{"shear_along_MPa", &S::shear_along, Range{0.0, 1e6}, "MPa",
+                                "shear modulus along the fibres; 0: as across them", Origin::choice}};
   }
 };
 

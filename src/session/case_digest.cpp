@@ -1,5 +1,9 @@
 #include "session/case_digest.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "patient/meshing/mesh_record.h"
 #include "session/session_schema.h"
 #include <fmt/format.h>
@@ -16,6 +20,10 @@ constexpr std::string_view second_kind = "2:";  // before tissues had a physical
 constexpr std::string_view third_kind = "3:";
 constexpr std::size_t largest_mesh = std::size_t{4} << 30;  // bytes
 
+// Parameters that came later: at zero, as they are where a library says nothing of them, they leave the digests of
+// earlier sessions as they were.
+constexpr std::array<std::string_view, 3> later_parameters = {"fibres", "young_along_MPa", "shear_along_MPa"};
+
 // Every parameter, whether or not it counts for the alternative chosen, but what is in the element `without`.
 template <Parameterized Settings>
 void add_parameters(const Settings& settings, std::string& text, std::string_view without = {}) {
@@ -29,6 +37,9 @@ void add_parameters(const Settings& settings, std::string& text, std::string_vie
           text += std::string(entry.name) + '\n';
           add_parameters(value, text);
         } else {
+          const bool later =
+              std::find(later_parameters.begin(), later_parameters.end(), entry.name) != later_parameters.end();
+          if (later && value == Value{}) return;
           text += std::string(entry.name) + '=' + value_text(value) + '\n';
         }
       },

@@ -1,6 +1,7 @@
 #pragma once
 
 // A body solved by CalculiX (C3D4, SPOOLES), a program that is not ours. It prints seven digits.
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -25,6 +26,29 @@ inline bool calculix_is_there() {
   return std::system("command -v ccx > /dev/null 2>&1") == 0;
 }
 
+// Fibres along an axis of the mesh only.
+inline std::string calculix_material(const ElasticMaterial& material) {
+  const double nu = material.poisson, across = material.young / (2.0 * (1.0 + nu));
+  if (!material.has_fibres()) return fmt::format("*ELASTIC\n{:.12g}, {:.12g}\n", material.young, nu);
+  std::array<double, 3> young{}, shear{};  // shear: 12, 13, 23
+  for (Eigen::Index i = 0; i < 3; ++i)
+    young[static_cast<std::size_t>(i)] = material.fibre[i] != 0.0 ? material.young_along : material.young;
+  const std::array<std::array<Eigen::Index, 2>, 3> pairs = {{{0, 1}, {0, 2}, {1, 2}}};
+  std::array<double, 3> ratio{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto [i, j] = pairs[k];
+    const bool along = material.fibre[i] != 0.0 || material.fibre[j] != 0.0;
+    shear[k] = along ? material.shear_along : across;
+    // Of the strain along j, the pull being along i: nu / E_a is the compliance between the fibres and what is
+    // across.
+    ratio[k] = along ? nu / material.young_along * young[static_cast<std::size_t>(i)] : nu;
+  }
+  return fmt::format(
+      "*ELASTIC, TYPE=ENGINEERING CONSTANTS\n{:.12g}, {:.12g}, {:.12g}, {:.12g}, {:.12g}, {:.12g}, {:.12g}, "
+      "{:.12g},\n{:.12g}\n",
+      young[0], young[1], young[2], ratio[0], ratio[1], ratio[2], shear[0], shear[1], shear[2]);
+}
+
 // The input of CalculiX: the mesh with its materials, the fixed nodes, and the way of some others. It reads no more
 // than 20 characters of a number.
 inline std::string calculix_input(const BodyDescription& body, const std::vector<std::uint32_t>& moved,
@@ -45,10 +69,8 @@ inline std::string calculix_input(const BodyDescription& body, const std::vector
     if (elements.empty()) continue;
     const ElasticMaterial& material = *body.materials.find(static_cast<TissueId>(id));
     text += fmt::format("*ELEMENT, TYPE=C3D4, ELSET=TISSUE{}\n{}", id, elements);
-    text += fmt::format(
-        "*MATERIAL, NAME=MATERIAL{0}\n*ELASTIC\n{1:.12g}, {2:.12g}\n*SOLID SECTION, ELSET=TISSUE{0}, "
-        "MATERIAL=MATERIAL{0}\n",
-        id, material.young, material.poisson);
+    text += fmt::format("*MATERIAL, NAME=MATERIAL{0}\n{1}*SOLID SECTION, ELSET=TISSUE{0}, MATERIAL=MATERIAL{0}\n", id,
+                        calculix_material(material));
   }
   text += "*BOUNDARY\n";
   for (const std::uint32_t node : body.fixed) text += fmt::format("{}, 1, 3\n", node + 1);

@@ -182,6 +182,20 @@ TEST(TissueLibraryFile, faults_of_the_other_models_are_refused_with_line_field_f
             "<deformable>, <acoustic>, <physical> or <source>");
 }
 
+TEST(TissueLibraryFile, fibres_of_a_deformable_body_arrive) {
+  const auto deformable = [](const std::string& more) {
+    const std::string element =
+        "<deformable young_MPa='0.17' friction_N_per_mm='0.2' puncture_force_N='4.7'" + more + "/>";
+    return parse(replaced(library, "<source>measured", element + "<source>measured")).find(TissueId{32})->deformable;
+  };
+  const DeformableTissue whole = deformable(" fibres='superior' young_along_MPa='15' shear_along_MPa='0.4'");
+  EXPECT_EQ(whole.fibres, FibreAxis::superior);
+  EXPECT_EQ(whole.young_along, 15.0);
+  EXPECT_EQ(whole.shear_along, 0.4);
+  EXPECT_EQ(deformable("").fibres, FibreAxis::none);
+  EXPECT_THAT(refusal([&] { deformable(" fibres='upwards'"); }), HasSubstr("upwards"));
+}
+
 TEST(TissueLibraryFile, what_a_tissue_is_to_sound_arrives) {
   const auto acoustic = [](const std::string& element) {
     return parse(replaced(library, "<source>measured", element + "<source>measured")).find(TissueId{32})->acoustic;

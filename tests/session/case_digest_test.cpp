@@ -6,6 +6,7 @@
 #include "tests/change_parameter.h"
 #include "tests/session/session_samples.h"
 #include "tests/session/slab_case.h"
+#include "tests/simulation/slab_patient.h"
 #include <gtest/gtest.h>
 
 #include "anatomy/case.h"
@@ -137,6 +138,17 @@ TEST(CaseDigest, the_mesh_counts_where_a_resistance_meets_it) {
   std::ofstream(folder / "mesh.vtu") << "two";
   EXPECT_NE(mesh_digest(folder, EmbeddedNeedleSettings{}), one);
   std::filesystem::remove_all(folder);
+}
+
+// Computed by the program of before tissues could have fibres.
+TEST(CaseDigest, of_a_case_without_fibres_is_that_from_before_there_were_fibres) {
+  Case patient = slab_patient();
+  EXPECT_EQ(case_digest(patient, "case", "mesh"), "3:f5151b7e4df23e81");
+  EXPECT_EQ(second_case_digest(patient, "case", "mesh"), "2:474c0c442ea35d43");
+  std::vector<TissueProperties> tissues = patient.library.tissues();
+  tissues.back().deformable.fibres = FibreAxis::superior;
+  patient.library = TissueLibrary(tissues);
+  EXPECT_NE(case_digest(patient, "case", "mesh"), "3:f5151b7e4df23e81");
 }
 
 TEST(CaseDigest, a_session_from_before_the_physical_description_is_compared_without_it) {

@@ -78,7 +78,8 @@ CorotationalElements::CorotationalElements(const anatomy::TetrahedralMesh& mesh,
       corners[a] = mesh.nodes[mesh.elements[element][a]];
     }
     const TetrahedronGradients shape = tetrahedron_gradients(corners);
-    const LameConstants material = lame_constants(*materials.find(mesh.tissues[element]));
+    const ElasticMaterial& tissue = *materials.find(mesh.tissues[element]);
+    const LameConstants material = lame_constants({.young = tissue.young, .poisson = tissue.poisson});
     for (std::size_t a = 0; a < 3; ++a) {
       batch.gradient[a].x[lane] = shape.gradient[a + 1].x();
       batch.gradient[a].y[lane] = shape.gradient[a + 1].y();

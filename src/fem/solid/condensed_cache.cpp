@@ -123,6 +123,10 @@ BodyDigest digest_of(const BodyDescription& body) {
     if (!met[tissue] || material == nullptr) continue;
     const std::array<double, 3> values = {static_cast<double>(tissue), material->young, material->poisson};
     hash.add(values.data(), sizeof values);
+    if (!material->has_fibres()) continue;
+    const std::array<double, 5> along = {material->young_along, material->shear_along, material->fibre.x(),
+                                         material->fibre.y(), material->fibre.z()};
+    hash.add(along.data(), sizeof along);
   }
   std::vector<std::uint32_t> fixed = body.fixed;
   std::sort(fixed.begin(), fixed.end());

@@ -60,7 +60,7 @@ void find_pattern(const anatomy::TetrahedralMesh& mesh, ElasticSystem& system) {
 void add_element(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials, std::size_t element,
                  ElasticSystem& system) {
   const TetrahedronGradients shape = tetrahedron_gradients(corners_at(mesh, element));
-  const LameConstants constants = lame_constants(*materials.find(mesh.tissues[element]));
+  const ElasticConstants constants = elastic_constants(*materials.find(mesh.tissues[element]));
   BlockMatrix& matrix = system.stiffness;
   for (std::size_t b = 0; b < 4; ++b) {
     const std::uint32_t column = system.free_nodes[mesh.elements[element][b]];
@@ -103,13 +103,12 @@ Eigen::VectorXd elastic_forces(const anatomy::TetrahedralMesh& mesh, const Elast
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(displacement.size());
   for (std::size_t element = 0; element < mesh.elements.size(); ++element) {
     const TetrahedronGradients shape = tetrahedron_gradients(corners_at(mesh, element));
-    const LameConstants constants = lame_constants(*materials.find(mesh.tissues[element]));
+    const ElasticConstants constants = elastic_constants(*materials.find(mesh.tissues[element]));
     Mat3 gradient = Mat3::Zero();  // of the displacement
     for (std::size_t corner = 0; corner < 4; ++corner)
       gradient += displacement.segment<3>(3 * Eigen::Index{mesh.elements[element][corner]}) *
                   shape.gradient[corner].transpose();
-    const Mat3 stress =
-        constants.lambda * gradient.trace() * Mat3::Identity() + constants.mu * (gradient + gradient.transpose());
+    const Mat3 stress = stress_of(constants, 0.5 * (gradient + gradient.transpose()));
     for (std::size_t corner = 0; corner < 4; ++corner)
       forces.segment<3>(3 * Eigen::Index{mesh.elements[element][corner]}) +=
           shape.volume * (stress * shape.gradient[corner]);

@@ -7,13 +7,20 @@
 
 #include "anatomy/tetrahedral_mesh.h"
 #include "anatomy/tissue.h"
+#include "core/geometry.h"
 
 namespace bodkin::fem {
 
-// A linear elastic isotropic material.
+// A linear elastic material: isotropic, or with fibres and isotropic across them. Pulled along its fibres it gets
+// thinner by Poisson's ratio, too.
 struct ElasticMaterial {
-  double young = 0.0;    // MPa, above 0
-  double poisson = 0.0;  // above -1, at most 0.49; nearer to 1/2 linear tetrahedra lock
+  double young = 0.0;         // MPa, above 0; across the fibres where there are some
+  double poisson = 0.0;       // above -1, at most 0.49; nearer to 1/2 linear tetrahedra lock
+  Vec3 fibre = Vec3::Zero();  // unit vector along the fibres; zero: none
+  double young_along = 0.0;   // MPa, along the fibres, above 0
+  double shear_along = 0.0;   // MPa, between the fibres and what is across, above 0
+
+  bool has_fibres() const noexcept { return !fibre.isZero(0.0); }
 };
 
 // Lame's constants of a material, MPa: stress = lambda tr(strain) 1 + 2 mu strain.
@@ -22,7 +29,22 @@ struct LameConstants {
   double mu = 0.0;      // E / (2 (1 + nu))
 };
 
+// Of a material with fibres those across them.
 LameConstants lame_constants(const ElasticMaterial& material) noexcept;
+
+// All constants of a material (Spencer 1984): with f along the fibres and e the strain, MPa,
+//   stress = lambda tr(e) 1 + 2 mu e + coupling ((f.e f) 1 + tr(e) f f) + shear (f (e f) + (e f) f) + tension (f.e f)
+//   f f.
+// Without fibres the last three are zero.
+struct ElasticConstants {
+  LameConstants across;
+  double coupling = 0.0, shear = 0.0, tension = 0.0;
+  Vec3 fibre = Vec3::Zero();
+};
+
+ElasticConstants elastic_constants(const ElasticMaterial& material) noexcept;
+
+Mat3 stress_of(const ElasticConstants& material, const Mat3& strain) noexcept;
 
 // The materials of a body, one per tissue.
 class ElasticMaterials {

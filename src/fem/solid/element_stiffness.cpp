@@ -16,9 +16,32 @@ TetrahedronGradients tetrahedron_gradients(const std::array<Vec3, 4>& corners) {
   return result;
 }
 
-Mat3 stiffness_block(const TetrahedronGradients& element, const LameConstants& material, std::size_t a,
+namespace {
+
+// What fibres add to the block between two corners, per volume. Each sum is in an order that an exchange of the
+// corners leaves as it is.
+Mat3 fibre_block(const Vec3& ga, const Vec3& gb, const ElasticConstants& material) {
+  const Vec3& f = material.fibre;
+  const double fa = f.dot(ga), fb = f.dot(gb), both = fa * fb, dot = ga.dot(gb);
+  Mat3 block;
+  for (Eigen::Index j = 0; j < 3; ++j) {
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      const double along = (f[i] * fa) * (f[j] * fb);
+      const double coupling = (f[j] * fb) * ga[i] + (f[i] * fa) * gb[j];
+      const double shear =
+          (((f[i] * ga[j]) * fb + (f[j] * gb[i]) * fa) + ((f[i] * f[j]) * dot + (i == j ? both : 0.0)));
+      block(i, j) = (material.coupling * coupling + 0.5 * material.shear * shear) + material.tension * along;
+    }
+  }
+  return block;
+}
+
+}  // namespace
+
+Mat3 stiffness_block(const TetrahedronGradients& element, const ElasticConstants& constants, std::size_t a,
                      std::size_t b) {
   const Vec3 &ga = element.gradient[a], &gb = element.gradient[b];
+  const LameConstants& material = constants.across;
   const double across = material.mu * ga.dot(gb);
   Mat3 block;
   for (Eigen::Index j = 0; j < 3; ++j) {
@@ -27,12 +50,13 @@ Mat3 stiffness_block(const TetrahedronGradients& element, const LameConstants& m
       block(i, j) = element.volume * ((volumetric + shear) + (i == j ? across : 0.0));
     }
   }
+  if (!constants.fibre.isZero(0.0)) block += element.volume * fibre_block(ga, gb, constants);
   return block;
 }
 
 Eigen::Matrix<double, 12, 12> element_stiffness(const std::array<Vec3, 4>& corners, const ElasticMaterial& material) {
   const TetrahedronGradients element = tetrahedron_gradients(corners);
-  const LameConstants constants = lame_constants(material);
+  const ElasticConstants constants = elastic_constants(material);
   Eigen::Matrix<double, 12, 12> stiffness;
   for (std::size_t a = 0; a < 4; ++a) {
     for (std::size_t b = 0; b < 4; ++b) {

@@ -29,6 +29,18 @@ std::array<bool, 256> rigid_tissues(const anatomy::TissueLibrary& library) {
   return rigid;
 }
 
+// Patients lie along the axes of their CT: +x to the left, +y to the back, +z to the head.
+ElasticMaterial material_of(const anatomy::DeformableTissue& tissue, double scale) {
+  ElasticMaterial material{.young = scale * tissue.young, .poisson = tissue.poisson};
+  if (tissue.fibres == anatomy::FibreAxis::none) return material;
+  material.fibre = tissue.fibres == anatomy::FibreAxis::superior ? Vec3::UnitZ()
+                   : tissue.fibres == anatomy::FibreAxis::left   ? Vec3::UnitX()
+                                                                 : Vec3::UnitY();
+  material.young_along = tissue.young_along > 0.0 ? scale * tissue.young_along : material.young;
+  material.shear_along = tissue.shear_along > 0.0 ? scale * tissue.shear_along : lame_constants(material).mu;
+  return material;
+}
+
 ElasticMaterials materials_of(const anatomy::TetrahedralMesh& mesh, const anatomy::TissueLibrary& library,
                               double scale) {
   std::array<bool, 256> met{};
@@ -47,8 +59,7 @@ ElasticMaterials materials_of(const anatomy::TetrahedralMesh& mesh, const anatom
   }
   ElasticMaterials materials;
   for (const anatomy::TissueProperties& tissue : library.tissues()) {
-    if (met[tissue.id])
-      materials.set(tissue.id, {.young = scale * tissue.deformable.young, .poisson = tissue.deformable.poisson});
+    if (met[tissue.id]) materials.set(tissue.id, material_of(tissue.deformable, scale));
   }
   return materials;
 }

@@ -34,8 +34,9 @@ Mat3 refinement_gain(const anatomy::TetrahedralMesh& mesh, const PointFinder& fi
 // mm/N: by how much more a point on a needle's shaft moves than a single barycentric point of an element with this
 // edge (mm) says, in a material as far as the eye can see. A force that is spread over a ball of `radius` mm moves it
 // by (3 - 4 nu + 1/3) / (16 pi G (1 - nu)) * 6 / (5 radius) (Kelvin's solution, averaged over the ball twice), a
-// barycentric point by about as much as a ball of 0.6 edges. At least a hundredth of the latter, so that any number
-// of points may lie in one element and the equations stay regular.
+// barycentric point by about as much as a ball of 0.6 edges. Fibres are left out, so that along them it is too much.
+// At least a hundredth of the latter, so that any number of points may lie in one element and the equations stay
+// regular.
 double shaft_gain(const ElasticMaterial& material, double edge, double radius) noexcept;
 
 }  // namespace bodkin::fem

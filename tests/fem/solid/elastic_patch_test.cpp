@@ -67,6 +67,54 @@ TEST(ElasticPatch, any_linear_field_on_the_border_goes_on_inside) {
   }
 }
 
+// A pull of 0.001 MPa along the fibres and across them: the strains are those of the moduli, the border has no other
+// force.
+TEST(ElasticPatch, fibres_stretch_by_their_own_modulus_along_and_across) {
+  constexpr double pull = 0.001, young = 0.17, along = 10.0, nu = 0.3;
+  for (const Eigen::Index fibre : {Eigen::Index{0}, Eigen::Index{2}}) {
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      ElasticMaterial material{young, nu, Vec3::Unit(fibre), along, 0.4};
+      const BodyDescription body = patch_body(material, 7);
+      Vec3 strain;
+      for (Eigen::Index i = 0; i < 3; ++i)
+        strain[i] = i == axis ? pull / (axis == fibre ? along : young)
+                              : -nu * pull / (i == fibre || axis == fibre ? along : young);
+      const Eigen::VectorXd moved = held_at(body, [&](const Vec3& x) { return Vec3(strain.cwiseProduct(x)); });
+      for (std::uint32_t node = 0; node < body.mesh.nodes.size(); ++node)
+        EXPECT_LT((moved.segment<3>(3 * Eigen::Index{node}) - strain.cwiseProduct(body.mesh.nodes[node])).norm(),
+                  1e-12);
+      const Eigen::VectorXd forces = elastic_forces(body.mesh, body.materials, moved);
+      Vec3 far = Vec3::Zero();  // on the three faces away from the origin, each along its own axis
+      for (std::uint32_t node = 0; node < body.mesh.nodes.size(); ++node)
+        for (Eigen::Index i = 0; i < 3; ++i)
+          if (body.mesh.nodes[node][i] == patch_side) far[i] += forces(3 * Eigen::Index{node} + i);
+      const Vec3 expected = pull * patch_side * patch_side * Vec3::Unit(axis);
+      EXPECT_LT((far - expected).norm(), 1e-12) << "fibres " << fibre << ", pull " << axis;
+    }
+  }
+}
+
+// What docs/fem.md says of a slab of ligament, 10 mm thick, that a needle pushes at right angles to its fibres.
+TEST(ElasticPatch, fibres_across_the_needle_change_its_dimple_by_a_few_percent) {
+  const auto way_of = [](const ElasticMaterial& ligament) {
+    BodyDescription body = lattice_body(17, 48.0, 0.1, 10);
+    body.materials.set(tissue::soft, {0.2, 0.3});
+    body.materials.set(tissue::ligamentum_flavum, ligament);
+    std::uint32_t middle = 0;
+    for (std::uint32_t node = 0; node < body.mesh.nodes.size(); ++node)
+      if ((body.mesh.nodes[node] - Vec3::Constant(24.0)).norm() <
+          (body.mesh.nodes[middle] - Vec3::Constant(24.0)).norm())
+        middle = node;
+    const ElasticBody elastic(body, plan_body(body));
+    Eigen::VectorXd force = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(body.mesh.nodes.size()));
+    force(3 * Eigen::Index{middle} + 2) = 1.0;
+    return elastic.displacement(force)(3 * Eigen::Index{middle} + 2);
+  };
+  const double without = way_of({1.7, 0.3}), shear = 1.7 / 2.6;
+  EXPECT_NEAR(way_of({1.7, 0.3, Vec3::UnitX(), 15.0, shear}) / without, 0.96, 0.01);
+  EXPECT_NEAR(way_of({1.7, 0.3, Vec3::UnitX(), 150.0, shear}) / without, 0.94, 0.01);
+}
+
 TEST(ElasticPatch, forces_of_the_assembled_matrix_are_those_of_the_elements) {
   Random random(5);
   const BodyDescription body = lattice_body(5, 40.0, 0.1, 10);
