@@ -100,8 +100,8 @@ AttemptOptions read_attempt_options(const std::string& text) {
       face.radius = json.at("moving_body_mm").at(2).get<double>();
       options.moving_body = face;
     }
-    for (const nlohmann::json& text : json.value("left_needles_mm", nlohmann::json::array())) {
-      if (const auto left = session::parse_left_needles(text.get<std::string>()))
+    for (const nlohmann::json& line : json.value("left_needles_mm", nlohmann::json::array())) {
+      if (const auto left = session::parse_left_needles(line.get<std::string>()))
         options.left_needles.insert(options.left_needles.end(), left->begin(), left->end());
     }
     if (json.contains("mannequin")) {
