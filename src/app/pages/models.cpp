@@ -175,7 +175,7 @@ void ModelsPage::advance(double /*clock*/) {
   now_ = std::move(curve);
   if (reference_ == nullptr) reference_ = now_;  // the first one is that of the patient as he came
   chart_->show_curves(now_, reference_);
-  const auto give = [this](const ForceCurve& of) {
+  const auto give = [](const ForceCurve& of) {
     return of.first_give ? tr("first give %1 N, ").arg(*of.first_give, 0, 'f', 2) : QString();
   };
   figures_->setText(now_->trouble.empty() ? tr("%1strongest %2 N   (was: %3strongest %4 N)")
