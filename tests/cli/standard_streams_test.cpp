@@ -96,9 +96,10 @@ TEST_F(StandardStreams, the_end_of_the_terminal_ends_a_run_with_a_complete_sessi
   }
 }
 
-// The limit stands for a disk without room: a write beyond it fails.
+// The limit, in kB, stands for a disk without room: a write beyond it fails. The patient's voxels fit, and some
+// seconds.
 TEST_F(StandardStreams, a_disk_that_fills_under_a_recording_ends_it_and_keeps_what_was_written) {
-  const Outcome said = perform("trap '' XFSZ; ulimit -f 200;", "-q", "30");
+  const Outcome said = perform("trap '' XFSZ; ulimit -f 2000;", "-q", "30");
   EXPECT_EQ(said.exit_code, 1);
   EXPECT_THAT(said.output, HasSubstr("cannot write the session hand.bodkin"));
   const auto kept = ::bodkin::session::read_session(folder_ / "hand.bodkin");
