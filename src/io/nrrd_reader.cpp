@@ -96,7 +96,7 @@ anatomy::Grid checked_grid(const NrrdHeader& header, std::size_t voxel_bytes, st
                            const std::uint8_t* tail, const std::string& name) {
   require_plausible_size(name, {header.size.begin(), header.size.end()}, voxel_bytes,
                          static_cast<double>(packed_length) * most_inflation);
-  const anatomy::Grid grid = grid_of_header(header, name);
+  anatomy::Grid grid = grid_of_header(header, name);
   require_packed_length(tail, packed_length, grid.voxel_count() * voxel_bytes, name);
   return grid;
 }

@@ -7444,6 +7444,22 @@
         <translation>das Volumen „%1“ ist keines, das eine Sitzung enthält</translation>
     </message>
     <message>
+        <source>Young's modulus along the fibres; 0: as across them</source>
+        <translation>Elastizitätsmodul entlang der Fasern; 0: wie quer zu ihnen</translation>
+    </message>
+    <message>
+        <source>shear along</source>
+        <translation>Schub entlang</translation>
+    </message>
+    <message>
+        <source>shear modulus along the fibres; 0: as across them</source>
+        <translation>Schubmodul entlang der Fasern; 0: wie quer zu ihnen</translation>
+    </message>
+    <message>
+        <source>young along</source>
+        <translation>Young entlang</translation>
+    </message>
+    <message>
         <source>the header is damaged, its checksum does not fit</source>
         <translation>der Kopf ist beschädigt, seine Prüfsumme passt nicht</translation>
     </message>

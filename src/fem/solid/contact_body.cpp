@@ -183,7 +183,7 @@ class ContactBody::Points {
   // mm/N, what the mesh lacks at a point.
   Mat3 gain_of(std::size_t i) const {
     const BodyDescription& body = *body_.body_;
-    const Mat3 regular = body_.shaft_gain_in(points_[i].place.element) * Mat3::Identity();
+    Mat3 regular = body_.shaft_gain_in(points_[i].place.element) * Mat3::Identity();
     if (!points_[i].station->resists) return regular;
     const Mat3 gain = refinement_gain(body.mesh, body_.finder_, body.materials, body_.fixed_, disk_of(points_[i]));
     // A disk in held elements moves by nothing else.
