@@ -47,8 +47,8 @@ class BodyPort {
     static_cast<void>(drawn_in);
     static_cast<void>(of_tip);
   }
-  // Before a tick: the contact goes over to these numbers (contact_numbers()) within 0.1 s; at once where the needle
-  // touches nothing.
+  // Before a tick: changes the parameters of the contact (contact_numbers()) to these, gradually over 0.1 s; at once
+  // where the needle touches nothing.
   virtual void change_numbers(const fem::ContactNumbers& numbers) noexcept = 0;
   // Step of the body (BodyField::step) whose motion the needle has met last; 0 before the first.
   virtual std::uint64_t motion_taken() const noexcept { return 0; }

@@ -16,7 +16,7 @@
 
 namespace bodkin::simulation {
 
-// s, in which a contact goes over to other numbers.
+// s, in which the parameters of a contact are changed step by step.
 inline constexpr double contact_change_time = 0.1;
 
 // The resistances of a deformable body (docs/fem-contact.md) in the tick. The patient must outlive them; its library

@@ -49,8 +49,8 @@ class InsertionInputs {
 
 // The haptic tick of a session whose numbers can be changed while it runs. A thread makes the tick with the new
 // numbers and leads it through the inputs of the present insertion; the servo leads it through the newest, takes it
-// over (simulation::ChangingTick), and waits for nothing. With a deformable body the tick stays, and goes over to
-// what may change of its contact (fem::ContactNumbers).
+// over (simulation::ChangingTick), and waits for nothing. With a deformable body the same tick continues, and those
+// parameters of its contact that may change are replaced step by step (fem::ContactNumbers).
 class FeltNumbers {
  public:
   using Note = std::function<void(session::NumberChange)>;
