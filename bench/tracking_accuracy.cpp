@@ -56,6 +56,16 @@ void print_row(const char* name, std::vector<double> errors) {
               std::sqrt(squares / static_cast<double>(errors.size())), at(0.5), at(0.95), errors.back());
 }
 
+// RMS distance of points from their mean.
+double spread_of(const std::vector<Vec3>& points) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& point : points) sum += point;
+  const Vec3 mean = sum / static_cast<double>(points.size());
+  double squares = 0.0;
+  for (const Vec3& point : points) squares += (point - mean).squaredNorm();
+  return std::sqrt(squares / static_cast<double>(points.size()));
+}
+
 bool read_choice(int argc, char** argv, Choice& choice) {
   for (int i = 1; i < argc; ++i) {
     const std::string name = argv[i];
@@ -140,6 +150,7 @@ int main(int argc, char** argv) {
   double predicted = 0.0, squares = 0.0, track_ms = 0.0, render_ms = 0.0;
   int lost = 0, uncertain = 0, wrong = 0, wrong_uncertain = 0, within_three = 0, board_bad = 0;
   Vec3 first_tip = Vec3::Zero();
+  std::vector<Vec3> raw_tips, filtered_tips;
   Pose needle = Pose::Identity(), board = Pose::Identity();
   for (int n = 0; n < choice.pictures; ++n) {
     if (n == 0 || !choice.still) {
@@ -187,6 +198,8 @@ int main(int argc, char** argv) {
       continue;
     }
     if (in_camera.empty()) first_tip = tip;
+    raw_tips.push_back(tip);
+    filtered_tips.emplace_back(of_needle.filtered * bodies[1].tip);
     in_camera.push_back(error);
     noise.push_back((tip - first_tip).norm());
     residuals.push_back(of_needle.residual);
@@ -214,7 +227,12 @@ int main(int argc, char** argv) {
   print_row("60 mm behind the board, mm", board_error);
   print_row("60 mm behind the board, px", overlay);
   print_row("tip when uncertain, mm", uncertain_error);
-  if (choice.still) print_row("tip against the first picture, mm", noise);
+  if (choice.still && !raw_tips.empty()) {
+    print_row("tip against the first picture, mm", noise);
+    const double raw = spread_of(raw_tips), filtered = spread_of(filtered_tips);
+    std::printf("tip against its mean: measured %.3f mm RMS, filtered %.3f, cut by %.2f\n", raw, filtered,
+                raw / filtered);
+  }
   print_row("residual", residuals);
   print_row("residual of edges over flat parts", ratios);
   if (!in_camera.empty()) {
