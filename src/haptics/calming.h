@@ -14,8 +14,9 @@ struct Shaking {
 };
 
 // What is done about a hand that shakes, step by step until it is calm: half the stiffness; a quarter of it, with
-// damping; no force. A step is given 25 ms, so that a shaking that nothing stops has lost its force within 100 ms. A
-// hand that has been calm for ten seconds gets its force back within one more. All functions are noexcept.
+// damping; no force. A step is given 25 ms, or 50 where a slow hand just turns, so that a shaking that nothing stops
+// has lost its force within 100 ms. A hand that has been calm for ten seconds gets its force back within one more.
+// All functions are noexcept.
 class Calming {
  public:
   enum class Step : std::uint8_t { none, softer, damped, none_left };
@@ -38,9 +39,19 @@ class Calming {
   bool damps_ = false;
   bool watching_ = false;
   Shaking shaking_;
-  double since_ = 0.0;                                                    // s since the last step
-  double for_ = 0.0;                                                      // s in the window
-  Vec3 place_ = Vec3::Zero(), low_ = Vec3::Zero(), high_ = Vec3::Zero();  // mm, in the window
+  void watch_anew() noexcept;
+
+  // The places where a hand has been, mm.
+  struct Reach {
+    Vec3 low = Vec3::Zero(), high = Vec3::Zero();
+    void add(const Vec3& place) noexcept;
+    double most() const noexcept { return (high - low).maxCoeff(); }  // of an axis
+  };
+
+  double since_ = 0.0;         // s since the last step
+  double for_ = 0.0;           // s in the window
+  Vec3 place_ = Vec3::Zero();  // mm from where the last step was taken
+  Reach window_, all_;         // in the window, and since the last step
 };
 
 }  // namespace bodkin::haptics

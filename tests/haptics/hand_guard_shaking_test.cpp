@@ -192,14 +192,17 @@ GuardSettings undamped_of_1_N_mm() {
 // Neither even nor wide, and the energy from turn to turn is hidden by what the spring stores: a spring that answers
 // late drives it.
 TEST(HandGuardShaking, what_is_driven_unevenly_goes_through_the_same_steps) {
-  for (int axis = 0; axis < 3; ++axis) {
+  int late = 0;  // were found after more than that
+  for (int seed = 1; seed <= 300; ++seed) {
+    const int axis = seed % 3;
     for (const double hertz : {3.5, 5.0, 8.0, 12.0}) {
       GuardRig rig(undamped_of_1_N_mm());
-      const Steps seen = DrivenHand(hertz, static_cast<std::uint64_t>(axis + 1)).steps(rig, axis);
-      expect_all_steps(rig, seen, on_axis(axis, hertz), 0.15);  // a slow hand may turn just then
-      EXPECT_LE(seen.softer, 1.0 + 6.0 / hertz) << on_axis(axis, hertz);
+      const Steps seen = DrivenHand(hertz, static_cast<std::uint64_t>(seed)).steps(rig, axis);
+      expect_all_steps(rig, seen, on_axis(axis, hertz) + ", hand " + std::to_string(seed));
+      late += seen.softer > 1.0 + 6.0 / hertz ? 1 : 0;
     }
   }
+  EXPECT_LE(late, 24) << "of 1200";
 }
 
 // The hand swings evenly, whatever is done. The force of 3 N opposes its speed by a tenth of itself, so that the hand
