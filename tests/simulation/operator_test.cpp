@@ -90,6 +90,32 @@ TEST(Operator, answers_a_drop_of_force_after_the_reaction_time_and_not_before) {
   EXPECT_NEAR(rehearsal.step(0.5), there, 1e-9) << "holding still is holding still";
 }
 
+// The sense of a slowly varying force ends at 15 Hz: a push of 3 N that is away for two milliseconds is still 2.5 N.
+TEST(Operator, does_not_feel_what_is_over_in_two_milliseconds) {
+  OperatorCondition drop;
+  drop.force_drop = 1.0;
+  drop.next = 1;
+  Rehearsal rehearsal(machine({phase("in", 5.0, {drop}), phase("stop", 0.0, {after(9.0, OperatorCondition::end)})}),
+                      1);
+  for (int tick = 0; tick < 1500; ++tick) rehearsal.step(tick % 500 > 497 ? 0.0 : 3.0);
+  EXPECT_EQ(rehearsal.actor().phase(), 0);
+}
+
+// Bone stops the needle 25 mm before the hand's aim.
+TEST(Operator, a_hand_that_holds_still_lets_go_of_its_push) {
+  Operator actor(
+      machine({phase("in", 50.0, {after(1.0, 1)}), phase("stop", 0.0, {after(1.0, OperatorCondition::end)})}), path,
+      1, one_tick);
+  const auto depth = [](const Pose& pose) { return (pose.translation() - path.entry).dot(path.direction()); };
+  Pose needle = actor.start(), wanted = needle;
+  for (int tick = 0; tick < 1500; ++tick) {
+    wanted = actor.step({needle, Vec3::Zero()});
+    needle = wanted;
+    if (depth(needle) > -5.0) needle.translation() = path.entry - 5.0 * path.direction();
+  }
+  EXPECT_NEAR(depth(wanted), -5.0, 1e-9);
+}
+
 TEST(Operator, plans_are_followed_without_a_reaction_time) {
   OperatorCondition deep;
   deep.depth_above = -20.0;
