@@ -104,17 +104,22 @@ class ProbeInsets {
               const std::function<void(const std::string&)>& note)
       : patient_(patient), scan_(patient, folder, choice(), note) {}
 
-  // `probe`, `needle`: as tools in the patient; without a probe there is no picture. `time`: s, of the picture.
-  void draw(imaging::ImageRgb& picture, const std::optional<Pose>& probe, const std::optional<Pose>& needle,
-            double time) {
-    std::optional<Pose> held;
-    if (probe) held = station::probe_in_hand(*probe);
-    scan_.advance(held, last_ ? time - *last_ : 0.0);
+  // The probe, as a tool in the patient, presses him until `time` (s, of the next picture); nothing: it is lifted.
+  // How his tissue has moved then; null: it rests.
+  std::shared_ptr<const imaging::MovedTissue> press(const std::optional<Pose>& probe, double time) {
+    held_.reset();
+    if (probe) held_ = station::probe_in_hand(*probe);
+    scan_.advance(held_, last_ ? time - *last_ : 0.0);
     last_ = time;
-    if (!probe) return;
+    return scan_.moved_tissue();
+  }
+
+  // Where the probe was pressed last; without one there is no picture. `needle`: as a tool in the patient.
+  void draw(imaging::ImageRgb& picture, const std::optional<Pose>& needle) {
+    if (!held_) return;
     std::optional<imaging::NeedleInSound> in_sound;
     if (needle) in_sound = imaging::NeedleInSound{*needle, patient_.description.needle};
-    const imaging::UltrasoundFrame& frame = scan_.image(*held, in_sound);
+    const imaging::UltrasoundFrame& frame = scan_.image(*held_, in_sound);
     imaging::ImageRgb grey(frame.width, frame.height);
     for (std::size_t i = 0; i < grey.pixels.size(); ++i)
       grey.pixels[i] = {frame.pixels[i], frame.pixels[i], frame.pixels[i]};
@@ -129,7 +134,7 @@ class ProbeInsets {
                               : frame.press > 0.5    ? fmt::format("ultrasound, pressed {:.0f} mm", frame.press)
                                                      : "ultrasound";
     canvas.text({x + 8.0, y + 18.0}, words, {.size = 13.0, .ink = 0xFFFFFF, .halo = true});
-    draw_ct(canvas, picture, *held);
+    draw_ct(canvas, picture, *held_);
     canvas.draw_over(picture);
   }
 
@@ -153,6 +158,7 @@ class ProbeInsets {
   const anatomy::Case& patient_;
   station::PressedScan scan_;
   std::optional<double> last_;  // s, time of the picture before
+  std::optional<Pose> held_;    // the machine's probe
 };
 
 // Draws and writes tracked pictures on a thread of its own, while the next ones are being read and tracked.
@@ -244,15 +250,18 @@ class OverlayWriter {
       if (bodies_[b].name == "probe") probe = tool;
       if (bodies_[b].name == "needle") needle = tool;
     }
-    view_.draw(picture.colour, &mannequin, tools);
+    std::shared_ptr<const imaging::MovedTissue> moved;
+    if (ultrasound_) moved = ultrasound_->press(probe, mannequin.time);
+    const Clock::time_point pressed = Clock::now();
+    view_.draw(picture.colour, &mannequin, tools, moved.get());
     const Clock::time_point drawn = Clock::now();
     times_.add("ray cast", view_.cast_seconds());
-    times_.add("blend and draw", seconds_between(begin, drawn) - view_.cast_seconds());
+    times_.add("blend and draw", seconds_between(pressed, drawn) - view_.cast_seconds());
     Clock::time_point shown = drawn;
     if (ultrasound_) {
-      ultrasound_->draw(picture.colour, probe, needle, mannequin.time);
+      ultrasound_->draw(picture.colour, needle);
       shown = Clock::now();
-      times_.add("ultrasound", seconds_between(drawn, shown));
+      times_.add("ultrasound", seconds_between(begin, pressed) + seconds_between(drawn, shown));
     }
     times_.add("arrival to drawn", seconds_between(picture.arrived, shown));
     if (video_) {

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "imaging/rest_place.h"
+
 namespace bodkin::imaging {
 
 namespace {
-
-constexpr int iterations = 8;
 
 // Displacement at a place, by its projection onto the grid; that of the border beyond it.
 Vec3 displacement_at(const Vec3& place, const SlicePlane& grid, std::span<const float> displacements) {
@@ -29,19 +29,6 @@ Vec3 displacement_at(const Vec3& place, const SlicePlane& grid, std::span<const 
     }
   }
   return sum;
-}
-
-// Where at rest that was which now is at `place`.
-Vec3 rest_place(const Vec3& place, const SlicePlane& grid, std::span<const float> displacements) {
-  Vec3 rest = place;
-  for (int i = 0; i < iterations; ++i) {
-    // Half steps: where tissue is stretched by more than its length whole ones would not settle.
-    const Vec3 next = 0.5 * rest + 0.5 * (place - displacement_at(rest, grid, displacements));
-    const bool settled = (next - rest).squaredNorm() < 1e-6;
-    rest = next;
-    if (settled) break;
-  }
-  return rest;
 }
 
 }  // namespace
@@ -69,8 +56,9 @@ Slice cut_deformed(const SlicePlane& plane, const anatomy::CtVolume& ct, const a
                    const SlicePlane& grid, std::span<const float> displacements) {
   Slice slice;
   slice.plane = plane;
+  const auto displacement = [&](const Vec3& at) { return displacement_at(at, grid, displacements); };
   for (const Vec3& pixel : points_of(plane)) {
-    const Vec3 rest = rest_place(pixel, grid, displacements);
+    const Vec3 rest = rest_place(pixel, displacement);
     slice.hounsfield.push_back(
         static_cast<float>(anatomy::linear(ct, rest, std::numeric_limits<double>::quiet_NaN())));
     slice.tissues.push_back(anatomy::nearest(tissues, rest, Slice::outside));
@@ -81,8 +69,9 @@ Slice cut_deformed(const SlicePlane& plane, const anatomy::CtVolume& ct, const a
 std::vector<float> displacements_of_places(const SlicePlane& grid, std::span<const float> displacements) {
   std::vector<float> moved;
   moved.reserve(displacements.size());
+  const auto displacement = [&](const Vec3& at) { return displacement_at(at, grid, displacements); };
   for (const Vec3& place : points_of(grid)) {
-    const Vec3 here = place - rest_place(place, grid, displacements);
+    const Vec3 here = place - rest_place(place, displacement);
     for (Eigen::Index axis = 0; axis < 3; ++axis) moved.push_back(static_cast<float>(here[axis]));
   }
   return moved;

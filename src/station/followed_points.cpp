@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "station/node_field.h"
+#include "station/slice_field.h"
 
 #include "fem/solid/display_columns.h"
 
@@ -18,15 +19,7 @@ FollowedPoints::FollowedPoints(const fem::ElasticBody& elastic, const anatomy::T
 }
 
 void FollowedPoints::update(std::span<const float> nodes) {
-  by_itself_.resize(3 * points_.size());
-  for (std::size_t point = 0; point < points_.size(); ++point) {
-    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    for (std::size_t corner = 0; corner < 4; ++corner) {
-      sum += static_cast<float>(points_[point].weights[corner]) *
-             Eigen::Map<const Eigen::Vector3f>(nodes.data() + 3 * std::size_t{points_[point].nodes[corner]});
-    }
-    Eigen::Map<Eigen::Vector3f>(by_itself_.data() + 3 * point) = sum;
-  }
+  move_points(points_, nodes, by_itself_);
 }
 
 std::span<const float> FollowedPoints::displacements() {

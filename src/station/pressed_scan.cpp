@@ -80,6 +80,7 @@ PressedScan::PressedScan(const anatomy::Case& patient, const std::filesystem::pa
   motion.probe = face_of(choice.probe, body_->mesh);
   solver_ = std::make_unique<fem::DeformableBodySolver>(*body_, motion);
   field_ = std::make_unique<SliceField>(body_);
+  lattice_ = std::make_unique<TissueLattice>(*body_);
   nodes_.assign(3 * body_->mesh.nodes.size(), 0.0F);
 }
 
@@ -112,6 +113,10 @@ void PressedScan::take_displacements() {
     const Vec3 moved = body.position(node) - body.at_rest(node);
     Eigen::Map<Eigen::Vector3f>(nodes_.data() + 3 * std::size_t{node}) = moved.cast<float>();
   }
+}
+
+std::shared_ptr<const imaging::MovedTissue> PressedScan::moved_tissue() const {
+  return deforms() ? lattice_->moved(nodes_) : nullptr;
 }
 
 imaging::SlicePlane PressedScan::plane_of_image(const Pose& probe) const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "station/slice_field.h"
+#include "station/tissue_lattice.h"
 #include "station/ultrasound_choice.h"
 
 #include "anatomy/case.h"
@@ -36,6 +37,8 @@ class PressedScan {
   const imaging::UltrasoundFrame& image(const Pose& probe, const std::optional<imaging::NeedleInSound>& needle);
   // The CT in the plane of the last image, deformed like it; `pixel`: mm.
   imaging::ImageRgb slice(const Pose& probe, double pixel = 0.5);
+  // How the tissue has moved since it rested, anywhere, for pictures in other planes; null: it has not.
+  std::shared_ptr<const imaging::MovedTissue> moved_tissue() const;
   // Throws InputError for a knob that cannot be so.
   void set(const imaging::UltrasoundSettings& settings) { machine_.set(settings); }
   const imaging::UltrasoundSettings& settings() const { return machine_.settings(); }
@@ -54,6 +57,7 @@ class PressedScan {
   std::shared_ptr<const fem::BodyDescription> body_;  // null: there is no mesh
   std::unique_ptr<fem::DeformableBodySolver> solver_;
   std::unique_ptr<SliceField> field_;
+  std::unique_ptr<TissueLattice> lattice_;
   std::vector<float> nodes_;   // mm, of every node of the mesh
   std::vector<float> places_;  // mm, of the image's grid, as ScanDisplacement has it
   imaging::UltrasoundFrame frame_;

@@ -26,6 +26,18 @@ imaging::SlicePlane plane_of_frame(const imaging::UltrasoundFrame& frame, const 
   return plane;
 }
 
+void move_points(std::span<const fem::PointInMesh> points, std::span<const float> nodes, std::vector<float>& moved) {
+  moved.resize(3 * points.size());
+  for (std::size_t point = 0; point < points.size(); ++point) {
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      sum += static_cast<float>(points[point].weights[corner]) *
+             Eigen::Map<const Eigen::Vector3f>(nodes.data() + 3 * std::size_t{points[point].nodes[corner]});
+    }
+    Eigen::Map<Eigen::Vector3f>(moved.data() + 3 * point) = sum;
+  }
+}
+
 SliceField::SliceField(std::shared_ptr<const fem::BodyDescription> body)
     : body_(std::move(body)), finder_(body_->mesh) {}
 
@@ -34,16 +46,8 @@ std::span<const float> SliceField::displacements(const imaging::SlicePlane& grid
     grid_ = grid;
     places_.clear();
     for (const Vec3& point : imaging::points_of(grid)) places_.push_back(finder_.find(point));
-    moved_.resize(3 * places_.size());
   }
-  for (std::size_t point = 0; point < places_.size(); ++point) {
-    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    for (std::size_t corner = 0; corner < 4; ++corner) {
-      sum += static_cast<float>(places_[point].weights[corner]) *
-             Eigen::Map<const Eigen::Vector3f>(nodes.data() + 3 * std::size_t{places_[point].nodes[corner]});
-    }
-    Eigen::Map<Eigen::Vector3f>(moved_.data() + 3 * point) = sum;
-  }
+  move_points(places_, nodes, moved_);
   return moved_;
 }
 

@@ -14,6 +14,9 @@ namespace bodkin::station {
 // The plane that a frame of a probe at this pose shows, pixel by pixel, at rest.
 imaging::SlicePlane plane_of_frame(const imaging::UltrasoundFrame& frame, const Pose& probe);
 
+// mm, x y z of each point in turn, from how the nodes of its mesh have moved: linear within every element.
+void move_points(std::span<const fem::PointInMesh> points, std::span<const float> nodes, std::vector<float>& moved);
+
 // How tissue in a plane has moved, from how the nodes of its mesh have: linear within every element. The plane may be
 // another one in every picture.
 class SliceField {

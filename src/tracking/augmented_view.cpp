@@ -39,6 +39,11 @@ Similarity composed(const Pose& outer, const Similarity& inner) {
   return made;
 }
 
+// What is at a place (LPS mm) now.
+anatomy::TissueId tissue_at(const anatomy::Case& patient, const Vec3& place, const imaging::MovedTissue* moved) {
+  return anatomy::nearest(patient.tissues, moved != nullptr ? moved->at_rest(place) : place, anatomy::tissue::air);
+}
+
 // The faces of a body stay as the camera saw them.
 void keep_in_front(const ShownBody& tool, const CameraModel& camera, const imaging::ImageRgb& before,
                    imaging::ImageRgb& picture) {
@@ -164,7 +169,7 @@ std::optional<Eigen::Vector2d> AugmentedView::pixel_of(const Vec3& in_camera) co
 }
 
 void AugmentedView::draw(imaging::ImageRgb& picture, const TrackedPose* mannequin,
-                         const std::vector<ShownBody>& tools) {
+                         const std::vector<ShownBody>& tools, const imaging::MovedTissue* moved) {
   needle_.reset();
   is_shown_ = false;
   cast_seconds_ = 0.0;
@@ -187,9 +192,9 @@ void AugmentedView::draw(imaging::ImageRgb& picture, const TrackedPose* mannequi
     // A needle that points away from the camera begins behind its cube.
     const bool away = needle == nullptr || (needle->camera_from_body.linear() * needle_body->axis).z() > 0.0;
     if (!away) keep_tools();
-    draw_tools(picture, camera_from_patient, needle, needle_body);
+    draw_tools(picture, camera_from_patient, needle, needle_body, moved);
     if (away) keep_tools();
-    if (look_.front_view && needle_) draw_front_view(picture);
+    if (look_.front_view && needle_) draw_front_view(picture, moved);
   } else {
     last_.reset();
   }
@@ -221,7 +226,8 @@ void AugmentedView::draw(imaging::ImageRgb& picture, const TrackedPose* mannequi
 }
 
 void AugmentedView::draw_tools(imaging::ImageRgb& picture, const Similarity& camera_from_patient,
-                               const TrackedPose* needle, const MarkerBody* needle_body) {
+                               const TrackedPose* needle, const MarkerBody* needle_body,
+                               const imaging::MovedTissue* moved) {
   imaging::Canvas canvas(picture.width, picture.height);
   if (look_.plan && patient_.description.procedure.path) {
     const anatomy::NeedlePath& path = *patient_.description.procedure.path;
@@ -247,8 +253,7 @@ void AugmentedView::draw_tools(imaging::ImageRgb& picture, const Similarity& cam
       const Vec3 from = tip - back * axis, to = tip - (back - piece) * axis;
       const auto first = pixel_of(from), last = pixel_of(to);
       if (!first || !last) continue;
-      const anatomy::TissueId id =
-          anatomy::nearest(patient_.tissues, patient_from_camera * (0.5 * (from + to)), anatomy::tissue::air);
+      const anatomy::TissueId id = tissue_at(patient_, patient_from_camera * (0.5 * (from + to)), moved);
       std::uint32_t colour = steel;
       if (id != anatomy::tissue::air) {
         inside.depth += piece;
@@ -259,7 +264,7 @@ void AugmentedView::draw_tools(imaging::ImageRgb& picture, const Similarity& cam
       canvas.stroke(imaging::Path::segment(*first, *last), {imaging::Ink(0x10151A, 0.55), width + 2.0});
       canvas.stroke(imaging::Path::segment(*first, *last), {imaging::Ink(colour, 1.0), width});
     }
-    const anatomy::TissueId at = anatomy::nearest(patient_.tissues, inside.tip, anatomy::tissue::air);
+    const anatomy::TissueId at = tissue_at(patient_, inside.tip, moved);
     inside.bone = at == anatomy::tissue::cortical_bone || at == anatomy::tissue::cancellous_bone;
     if (at != anatomy::tissue::air) {
       const anatomy::TissueProperties* tissue = patient_.library.find(at);
@@ -274,11 +279,13 @@ void AugmentedView::draw_tools(imaging::ImageRgb& picture, const Similarity& cam
 }
 
 // The CT as seen from the front with a crosshair at the needle's tip.
-void AugmentedView::draw_front_view(imaging::ImageRgb& picture) const {
+void AugmentedView::draw_front_view(imaging::ImageRgb& picture, const imaging::MovedTissue* moved) const {
   const double side = 0.3 * picture.height, extent = 140.0;  // px, mm
   const imaging::SlicePlane plane =
       imaging::view_plane(imaging::View::coronal, needle_->tip, extent, extent, extent / side);
-  imaging::ImageRgb image = imaging::paint(imaging::cut(plane, patient_.ct, patient_.tissues), patient_.library);
+  const imaging::Slice slice = moved != nullptr ? imaging::cut_moved(plane, patient_.ct, patient_.tissues, *moved)
+                                                : imaging::cut(plane, patient_.ct, patient_.tissues);
+  imaging::ImageRgb image = imaging::paint(slice, patient_.library);
   imaging::Canvas canvas(picture.width, picture.height);
   const double x = picture.width - side - 12.0, y = picture.height - side - 12.0;
   canvas.image(std::move(image), x, y, side, side);

@@ -10,6 +10,7 @@
 
 #include "anatomy/case.h"
 #include "imaging/image_rgb.h"
+#include "imaging/moved_tissue.h"
 #include "imaging/volume_rendering/cutaway.h"
 
 namespace bodkin::tracking {
@@ -49,8 +50,10 @@ class AugmentedView {
   // Draws upon `picture`, which has the camera's size, what the poses of that same picture say. `tools`: what is held
   // before the mannequin and hides the cutaway; the one named "needle" is drawn to its tip. A body that is lost is
   // not drawn; its status is written instead, and the pose it had before is never used. The rays are cast anew unless
-  // the patient lies within a tenth of a pixel of where he lay when they were cast.
-  void draw(imaging::ImageRgb& picture, const TrackedPose* mannequin, const std::vector<ShownBody>& tools);
+  // the patient lies within a tenth of a pixel of where he lay when they were cast. `moved`: how his tissue has moved
+  // (null: not at all), which the view from the front and the needle's tissues follow; the cutaway shows him at rest.
+  void draw(imaging::ImageRgb& picture, const TrackedPose* mannequin, const std::vector<ShownBody>& tools,
+            const imaging::MovedTissue* moved = nullptr);
 
   void set_look(const AugmentedLook& look);
 
@@ -63,8 +66,8 @@ class AugmentedView {
 
  private:
   void draw_tools(imaging::ImageRgb& picture, const Similarity& camera_from_patient, const TrackedPose* needle,
-                  const MarkerBody* needle_body);
-  void draw_front_view(imaging::ImageRgb& picture) const;
+                  const MarkerBody* needle_body, const imaging::MovedTissue* moved);
+  void draw_front_view(imaging::ImageRgb& picture, const imaging::MovedTissue* moved) const;
   std::optional<Eigen::Vector2d> pixel_of(const Vec3& in_camera) const;
   Vec3 region() const;
   double moved(const Similarity& from, const Similarity& to) const;

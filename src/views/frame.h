@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,6 +17,7 @@
 #include "core/geometry.h"
 #include "forces/diagnostics.h"
 #include "haptics/servo_records.h"
+#include "imaging/moved_tissue.h"
 
 namespace bodkin::views {
 
@@ -76,6 +78,8 @@ struct Frame {
   anatomy::TissueId tissue = anatomy::tissue::air;  // at the tip
   std::string place;                                // its name, or the name of the structure that the tip is in
   SkinDimple dimple;
+  // How tissue has moved anywhere, which slices follow; null: they show it at rest.
+  std::shared_ptr<const imaging::MovedTissue> moved_tissue;
   std::span<const float> displacements;  // mm, x y z of every point that the scene asked for; empty: a rigid body
 
   std::span<const LeftNeedle> left_needles;  // the one that was left first stands first

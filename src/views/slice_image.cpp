@@ -42,17 +42,20 @@ void SliceImage::set_case(std::shared_ptr<const OpenCase> patient) {
   tints_ = tissue_tints(colours, opacity);
 }
 
-const QImage& SliceImage::picture(const imaging::SlicePlane& plane, const SliceLook& look, double drawn_in) {
+const QImage& SliceImage::picture(const imaging::SlicePlane& plane, const SliceLook& look, double drawn_in,
+                                  std::shared_ptr<const imaging::MovedTissue> moved) {
   if (patient_ == nullptr || plane.width < 1 || plane.height < 1) {
     picture_ = QImage();
     return picture_;
   }
-  const bool sampled = look_ && same_plane(plane, plane_) && look.slab == look_->slab && drawn_in == breath_.drawn_in;
+  const bool sampled = look_ && same_plane(plane, plane_) && look.slab == look_->slab &&
+                       drawn_in == breath_.drawn_in && moved == moved_;
   if (sampled && look == *look_) return picture_;
   breath_.drawn_in = drawn_in;
+  moved_ = std::move(moved);
   if (!sampled) {
     ++sampled_;
-    breath_.moves() ? sample_moved(plane, look) : sample(plane, look);
+    breath_.moves() || moved_ != nullptr ? sample_moved(plane, look) : sample(plane, look);
   }
   paint(look);
   look_ = look;
@@ -71,17 +74,15 @@ void SliceImage::sample(const imaging::SlicePlane& plane, const SliceLook& look)
   sample_forbidden(plane, *places_, forbidden_);
 }
 
-// The same in tiles, in each of which the way back to the patient who has breathed out is taken as affine: across 8
-// pixels of a patient's slice it is that to a hundredth of a millimetre.
+// The same in tiles, in each of which the way back to the patient at rest, who has breathed out, is taken as affine:
+// across 8 pixels of a patient's slice breath is that to a hundredth of a millimetre, and what a body does nearly.
 void SliceImage::sample_moved(const imaging::SlicePlane& plane, const SliceLook& look) {
   constexpr int side = 8;  // pixels
   const std::size_t pixels = static_cast<std::size_t>(plane.width) * static_cast<std::size_t>(plane.height);
   std::vector<float> hounsfield(pixels);
   std::vector<Tint> tint(pixels);
   std::vector<std::uint8_t> forbidden(pixels);
-  const auto material = [&](int column, int row) {
-    return breath_.at_rest(plane.corner + plane.pixel * (column * plane.right + row * plane.down));
-  };
+  const auto material = [&](int column, int row) { return at_rest(plane.point(column, row)); };
   for (int top = 0; top < plane.height; top += side) {
     for (int left = 0; left < plane.width; left += side) {
       imaging::SlicePlane tile = plane;

@@ -11,6 +11,8 @@
 #include "views/open_case.h"
 #include "views/slice_sampling.h"
 
+#include "imaging/moved_tissue.h"
+
 namespace bodkin::views {
 
 // What a slice's pixels depend on besides the patient.
@@ -36,8 +38,14 @@ extern const std::array<WindowPreset, 6> window_presets;
 class SliceImage {
  public:
   void set_case(std::shared_ptr<const OpenCase> patient);
-  // `drawn_in`: breath, 0 to 1.
-  const QImage& picture(const imaging::SlicePlane& plane, const SliceLook& look, double drawn_in = 0.0);
+  // `drawn_in`: breath, 0 to 1. `moved`: how tissue has moved besides; null: not at all.
+  const QImage& picture(const imaging::SlicePlane& plane, const SliceLook& look, double drawn_in = 0.0,
+                        std::shared_ptr<const imaging::MovedTissue> moved = nullptr);
+
+  // LPS mm, where what the last picture shows at `place` lies when nothing moves it.
+  Vec3 at_rest(const Vec3& place) const {
+    return breath_.at_rest(moved_ != nullptr ? moved_->at_rest(place) : place);
+  }
 
   // Pictures that were computed, for tests of the cache: samples of the patient, and greys from samples.
   int sampled() const { return sampled_; }
@@ -53,6 +61,7 @@ class SliceImage {
   std::array<Tint, 256> tints_{};
   imaging::SlicePlane plane_;
   scene::BreathMotion breath_;
+  std::shared_ptr<const imaging::MovedTissue> moved_;
   std::optional<SliceLook> look_;        // of the picture; none: nothing was painted yet
   std::vector<float> hounsfield_;        // height x width
   std::vector<Tint> tint_;               // height x width

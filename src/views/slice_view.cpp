@@ -113,8 +113,9 @@ void SliceView::show_frame(const Frame& frame, const Changes& changes) {
   if (patient_ == nullptr) return;
   shown_.clock = frame.clock;
   if (cine_) step_cine(frame.clock);
-  const bool redraw = frame.drawn_in != shown_.drawn_in || changes.needle || changes.tissue || changes.state ||
-                      changes.plan || changes.crosshair || changes.warning || changes.theme || changes.attempt;
+  const bool redraw = frame.drawn_in != shown_.drawn_in || frame.moved_tissue != shown_.moved_tissue ||
+                      changes.needle || changes.tissue || changes.state || changes.plan || changes.crosshair ||
+                      changes.warning || changes.theme || changes.attempt;
   if (!redraw) return;
   // An attempt without a plan to be seen must not begin with the slices at it.
   if (const bool hides = !frame.plan; changes.attempt && hides != hides_plan_) {
@@ -139,6 +140,7 @@ void SliceView::show_frame(const Frame& frame, const Changes& changes) {
   shown_.tolerance = frame.target_tolerance;
   shown_.reached = frame.target_reached;
   shown_.drawn_in = frame.drawn_in;
+  shown_.moved_tissue = frame.moved_tissue;
   shown_.crosshair = frame.crosshair;
   shown_.follows = frame.follows_tip;
   if (frame.follows_tip && frame.has_needle) {

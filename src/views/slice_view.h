@@ -81,6 +81,7 @@ class SliceView : public View {
     double tolerance = 3.0;                         // mm
     bool reached = false;
     double drawn_in = 0.0;  // breath, 0 to 1
+    std::shared_ptr<const imaging::MovedTissue> moved_tissue;
     Vec3 crosshair = Vec3::Zero();
     bool follows = true;
     double clock = 0.0;

@@ -72,7 +72,7 @@ void SliceView::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.fillRect(rect(), Qt::black);
   if (patient_ != nullptr) {
-    QImage picture = image_.picture(plane(), look_, shown_.drawn_in);
+    QImage picture = image_.picture(plane(), look_, shown_.drawn_in, shown_.moved_tissue);
     picture.setDevicePixelRatio(devicePixelRatioF());
     painter.drawImage(QPointF(0.0, 0.0), picture);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -259,7 +259,7 @@ void SliceView::draw_measures(QPainter& painter) const {
 }
 
 QString SliceView::words_under_pointer() const {
-  const Vec3 point = to_patient(*pointer_);
+  const Vec3 point = image_.at_rest(to_patient(*pointer_));
   const anatomy::Case& patient = patient_->patient;
   QString words;
   if (!patient.ct.empty()) {

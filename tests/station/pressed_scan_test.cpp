@@ -127,6 +127,29 @@ TEST_F(PressedScanTest, the_ct_in_its_plane_moves_with_the_tissue_and_comes_back
   EXPECT_LT(pressed.most_moved(), 0.2);
 }
 
+// Slices in other planes follow the same body: across the probe's plane the plate lies as deep as in it.
+TEST_F(PressedScanTest, the_tissue_has_moved_alike_in_every_plane_and_comes_back) {
+  PressedScan scan(patient_, folder_.path(), choice_, {});
+  EXPECT_EQ(scan.moved_tissue(), nullptr);
+  const Pose probe = probe_at(8.0);
+  for (int step = 0; step < 90; ++step) scan.advance(probe, 1.0 / 60.0);
+  scan.image(probe, {});
+  constexpr double pixel = 0.5;
+  const double in_plane = plate_in(scan.slice(probe, pixel), pixel);
+  const auto moved = scan.moved_tissue();
+  ASSERT_NE(moved, nullptr);
+  const imaging::SlicePlane across = {Vec3(0.0, -8.0, -5.0), Vec3::UnitZ(), -Vec3::UnitY(), pixel, 21, 80};
+  const double in_other = plate_in(
+      imaging::paint(imaging::cut_moved(across, patient_.ct, patient_.tissues, *moved), patient_.library), pixel);
+  EXPECT_NEAR(in_other, in_plane, 0.3);
+  // At the skin it has moved as far as the face, far away not at all.
+  EXPECT_NEAR(moved->of(Vec3(0.0, -0.5, 0.0)).y(), -8.0, 1.0);
+  EXPECT_LT(moved->of(Vec3(-58.0, -48.0, 0.0)).norm(), 0.3);
+  for (int step = 0; step < 180; ++step) scan.advance(std::nullopt, 1.0 / 60.0);
+  const auto after = scan.moved_tissue();
+  EXPECT_TRUE(after == nullptr || after->of(Vec3(0.0, -0.5, 0.0)).norm() < 0.2);
+}
+
 TEST_F(PressedScanTest, a_long_pause_is_not_made_up_for_and_no_probe_is_no_fault) {
   PressedScan scan(patient_, folder_.path(), choice_, {});
   scan.advance(probe_at(15.0), 1000.0);

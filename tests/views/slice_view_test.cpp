@@ -90,6 +90,37 @@ TEST(SliceView, of_a_patient_who_breathes_shows_what_has_moved_there) {
   }
 }
 
+// A probe has moved everything by the same vector: each pixel shows what lay that far away.
+TEST(SliceView, of_a_patient_who_is_pressed_shows_what_has_moved_there) {
+  const Vec3 moved(6.0, -3.0, -4.0);
+  const imaging::PointLattice lattice =
+      imaging::lattice_around({Vec3::Constant(-60.0), Vec3::Constant(60.0)}, 20.0, 1000);
+  std::vector<float> displacements;
+  for (std::size_t point = 0; point < lattice.points().size(); ++point)
+    for (Eigen::Index axis = 0; axis < 3; ++axis) displacements.push_back(static_cast<float>(moved[axis]));
+  for (const SliceKind kind : {SliceKind::axial, SliceKind::coronal, SliceKind::sagittal}) {
+    Frame frame = frame_at(20.0);
+    ShownSlice slice(kind, frame);
+    SliceLook look = slice.view.look();
+    look.window = 400.0;
+    look.level = 60.0;
+    look.tints = look.hatched = false;
+    slice.view.set_look(look);
+    const QImage at_rest = slice.picture();
+    frame.moved_tissue = std::make_shared<const imaging::MovedTissue>(lattice, displacements);
+    slice.view.show_frame(frame, {});
+    const QImage picture = slice.picture();
+    for (const QPoint place : {QPoint(120, 60), QPoint(300, 90), QPoint(140, 220), QPoint(290, 200)}) {
+      const Vec3 point = slice.view.to_patient(QPointF(place) + QPointF(0.5, 0.5));
+      if (point.cwiseAbs().maxCoeff() > 40.0) continue;
+      EXPECT_NEAR(qRed(picture.pixel(place)), expected_grey(point - moved, look), 1.5) << static_cast<int>(kind);
+    }
+    frame.moved_tissue = nullptr;
+    slice.view.show_frame(frame, {});
+    EXPECT_EQ(slice.picture(), at_rest);
+  }
+}
+
 TEST(SliceView, the_slice_at_the_tip_shows_the_voxel_of_the_tip) {
   for (const SliceKind kind : {SliceKind::axial, SliceKind::coronal, SliceKind::sagittal}) {
     const Frame frame = frame_at(20.0);

@@ -50,6 +50,7 @@ class CameraWatch::Show {
   }
 
   void set_look(const tracking::AugmentedLook& look) { view_.set_look(look); }
+  void set_moved_tissue(std::shared_ptr<const imaging::MovedTissue> moved) { moved_ = std::move(moved); }
   // A session can follow the tools of a passage through the pictures, until it ends.
   void begin(const std::string& source) {
     sightings_ = std::make_shared<tracking::ToolSightings>(tracker_.bodies(), place_, true);
@@ -80,7 +81,7 @@ class CameraWatch::Show {
       if (body.name == "needle") news.needle = tool;
       if (body.name == "probe") news.probe = tool;
     }
-    view_.draw(picture.colour, &mannequin, tools);
+    view_.draw(picture.colour, &mannequin, tools, moved_.get());
     if (view_.needle()) {
       news.tip = view_.needle()->tissue;
       news.tip_on_bone = view_.needle()->bone;
@@ -96,6 +97,7 @@ class CameraWatch::Show {
   tracking::AugmentedView view_;
   tracking::LensWatch lens_;
   std::shared_ptr<tracking::ToolSightings> sightings_;
+  std::shared_ptr<const imaging::MovedTissue> moved_;
   std::size_t mannequin_ = 0;
   int without_markers_ = 0;
 };
@@ -125,6 +127,11 @@ CameraWatch::~CameraWatch() {
 void CameraWatch::set_look(const tracking::AugmentedLook& look) {
   const std::lock_guard guard(lock_);
   look_ = look;
+}
+
+void CameraWatch::set_moved_tissue(std::shared_ptr<const imaging::MovedTissue> moved) {
+  const std::lock_guard guard(lock_);
+  moved_ = std::move(moved);
 }
 
 CameraNews CameraWatch::news() const {
@@ -186,6 +193,7 @@ bool CameraWatch::show_pictures(const std::stop_token& stop, Show* show) {
       {
         const std::lock_guard guard(lock_);
         look = std::exchange(look_, std::nullopt);
+        show->set_moved_tissue(moved_);
       }
       if (look) show->set_look(*look);
       const double now = haptics::monotonic_seconds();

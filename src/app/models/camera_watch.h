@@ -59,6 +59,8 @@ class CameraWatch {
 
   // From the next picture on.
   void set_look(const tracking::AugmentedLook& look);
+  // How the tissue has moved, in the pictures from the next one on; null: it rests.
+  void set_moved_tissue(std::shared_ptr<const imaging::MovedTissue> moved);
   void pause(bool on) { paused_.store(on); }
   bool is_paused() const { return paused_.load(); }
   CameraNews news() const;
@@ -75,9 +77,10 @@ class CameraWatch {
   tracking::FootageFiles files_;
   std::filesystem::path registration_;
   std::atomic<bool> paused_{false};
-  mutable std::mutex lock_;  // guards the two below
+  mutable std::mutex lock_;  // guards the three below
   CameraNews news_;
   std::optional<tracking::AugmentedLook> look_;  // not used yet
+  std::shared_ptr<const imaging::MovedTissue> moved_;
   std::jthread thread_;
 };
 

@@ -82,10 +82,12 @@ void ProbeMachine::run(const std::stop_token& stop, const std::shared_ptr<const 
     made->most = machine.most_moved();
     std::shared_ptr<const imaging::ImageRgb> ct;
     if (presses) ct = std::make_shared<const imaging::ImageRgb>(machine.slice(wish.order.probe));
+    std::shared_ptr<const imaging::MovedTissue> moved = machine.moved_tissue();
     if (wish.needle) made->needle = wish.needle->pose;
     const std::lock_guard guard(lock_);
     picture_ = std::move(made);
     ct_ = std::move(ct);
+    moved_ = std::move(moved);
   }
 }
 
@@ -105,6 +107,11 @@ std::shared_ptr<const station::LivePicture> ProbeMachine::picture() const {
 std::shared_ptr<const imaging::ImageRgb> ProbeMachine::ct() const {
   const std::lock_guard guard(lock_);
   return ct_;
+}
+
+std::shared_ptr<const imaging::MovedTissue> ProbeMachine::moved_tissue() const {
+  const std::lock_guard guard(lock_);
+  return moved_;
 }
 
 std::string ProbeMachine::take_trouble() {

@@ -11,6 +11,8 @@
 #include "station/ultrasound_choice.h"
 #include "views/open_case.h"
 
+#include "imaging/moved_tissue.h"
+
 namespace bodkin::app {
 
 using namespace views;
@@ -37,6 +39,8 @@ class ProbeMachine {
   std::shared_ptr<const station::LivePicture> picture() const;
   // The CT in the plane of the newest picture, deformed like it; null: none yet, or the probe is not to press.
   std::shared_ptr<const imaging::ImageRgb> ct() const;
+  // How that probe has moved the tissue, anywhere; null: it rests.
+  std::shared_ptr<const imaging::MovedTissue> moved_tissue() const;
   // Why there is none, or why the newest settings cannot be: a sentence, said once.
   std::string take_trouble();
 
@@ -50,6 +54,7 @@ class ProbeMachine {
   bool is_new_ = true;
   std::shared_ptr<const station::LivePicture> picture_;
   std::shared_ptr<const imaging::ImageRgb> ct_;
+  std::shared_ptr<const imaging::MovedTissue> moved_;
   std::string trouble_;
   std::jthread thread_;
 };

@@ -258,11 +258,15 @@ void CameraPage::show_news(double clock) {
   changes.needle = changes.tissue = true;
   shown_.clock = clock;
   shown_.has_needle = news_.needle.has_value();
+  shown_.moved_tissue = machine_ != nullptr && news_.probe ? machine_->moved_tissue() : nullptr;
+  if (watch_ != nullptr) watch_->set_moved_tissue(shown_.moved_tissue);
   if (news_.needle) {
     shown_.needle = shown_.hand = *news_.needle;
     shown_.crosshair = news_.needle->translation();
-    shown_.tissue = anatomy::nearest(patient_->patient.tissues, shown_.crosshair, anatomy::tissue::air);
-    shown_.place = place_name(patient_->patient, shown_.crosshair);
+    const Vec3 tip =
+        shown_.moved_tissue != nullptr ? shown_.moved_tissue->at_rest(shown_.crosshair) : shown_.crosshair;
+    shown_.tissue = anatomy::nearest(patient_->patient.tissues, tip, anatomy::tissue::air);
+    shown_.place = place_name(patient_->patient, tip);
     changes.crosshair = true;
   }
   for (SliceView* slice : slices_) slice->show_frame(shown_, changes);

@@ -17,7 +17,9 @@
 #include <vector>
 
 #include "app/pages/camera.h"
+#include "patient/meshing/mesh_record.h"
 #include "session/session_file.h"
+#include "tests/fem/lattice_body.h"
 #include "tests/views/made_up.h"
 #include "tracking/footage_scene.h"
 #include <gtest/gtest.h>
@@ -123,6 +125,45 @@ TEST_F(CameraPageTest, shows_the_needle_and_the_probe_where_they_are_in_the_pati
   QTest::mouseClick(find<QPushButton>("camera.start"), Qt::LeftButton);
   EXPECT_EQ(page_.news().number, 0U);
   EXPECT_EQ(table->rowCount(), 0) << "what is not seen now is not shown as if it were";
+}
+
+// A block of muscle whose skin is 8 mm nearer to the camera than the dummy's face comes: the probe presses it.
+TEST_F(CameraPageTest, slices_show_the_tissue_that_the_probe_has_pressed) {
+  auto patient = std::make_shared<OpenCase>(*layered_patient());
+  patient->folder = folder("block");
+  anatomy::Case& made = patient->patient;
+  anatomy::Grid grid;
+  grid.size = {60, 30, 60};
+  grid.spacing = Vec3::Constant(4.0);
+  grid.origin = Vec3(-118.0, -98.0, -118.0);
+  made.ct = anatomy::CtVolume(grid, -1000);
+  made.tissues = anatomy::TissueVolume(grid, anatomy::tissue::air);
+  for (int k = 0; k < 60; ++k) {
+    for (int j = 0; j < 25; ++j) {
+      for (int i = 0; i < 60; ++i) {
+        made.ct.at(i, j, k) = 50;
+        made.tissues.at(i, j, k) = anatomy::tissue::muscle;
+      }
+    }
+  }
+  made.description.procedure.path = anatomy::NeedlePath{Vec3(0.0, -8.0, 0.0), Vec3(0.0, -50.0, 0.0)};
+  io::write_case(made.description, made.ct, made.tissues, {}, &made.library, patient->folder);
+  anatomy::TetrahedralMesh mesh = kuhn_box({13, 6, 13}, Vec3(240.0, 100.0, 240.0));
+  for (Vec3& node : mesh.nodes) node -= Vec3(120.0, 100.0, 120.0);
+  std::fill(mesh.tissues.begin(), mesh.tissues.end(), anatomy::tissue::muscle);
+  patient::write_case_mesh(mesh, {}, patient->folder);
+  page_.set_case(patient);
+  page_.enter();
+  start(render("pressing").folder);
+  ASSERT_TRUE(wait([&] { return page_.frame().moved_tissue != nullptr; })) << line();
+  const auto pressed = [&] {
+    if (page_.frame().moved_tissue == nullptr || !page_.news().probe) return 0.0;
+    Vec3 skin = page_.news().probe->translation();
+    skin.y() = -1.0;
+    return -page_.frame().moved_tissue->of(skin).y();
+  };
+  EXPECT_TRUE(wait([&] { return pressed() > 4.0; })) << pressed();
+  EXPECT_LT(pressed(), 12.0);
 }
 
 // Every picture that is painted counts once, from before it was decoded.
