@@ -73,6 +73,14 @@ PressedScan::PressedScan(const anatomy::Case& patient, const std::filesystem::pa
   settings.stiffness_scale = 1.0;  // a probe presses the tissue as it is; the scale is meant for needles
   fem::DescribedBody described = fem::describe_body(std::move(mesh->mesh), patient, settings, *path);
   body_ = std::make_shared<const fem::BodyDescription>(std::move(described.body));
+  if (const auto tissue = fem::tissue_with_fibres(body_->mesh, body_->materials)) {
+    if (note)
+      note(fmt::format(
+          "the probe presses the patient layer by layer: tissue {} has fibres, which a body that moves by "
+          "itself does not know",
+          *tissue));
+    return;
+  }
   const std::string slow = slow_motion_warning(body_->mesh.nodes.size());
   if (note && !slow.empty()) note(slow);
   fem::BodySolverSettings motion;

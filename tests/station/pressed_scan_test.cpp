@@ -158,6 +158,21 @@ TEST_F(PressedScanTest, a_long_pause_is_not_made_up_for_and_no_probe_is_no_fault
   EXPECT_TRUE(scan.deforms());
 }
 
+// The body that moves has no fibres: the picture goes on without it, and says why.
+TEST_F(PressedScanTest, a_tissue_with_fibres_is_pressed_layer_by_layer) {
+  std::vector<TissueProperties> tissues = patient_.library.tissues();
+  for (TissueProperties& one : tissues)
+    if (one.id == tissue::muscle) one.deformable.fibres = FibreAxis::superior;
+  patient_.library = TissueLibrary(tissues);
+  std::vector<std::string> notes;
+  PressedScan scan(patient_, folder_.path(), choice_, [&](const std::string& note) { notes.push_back(note); });
+  EXPECT_FALSE(scan.deforms());
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_NE(notes[0].find("layer by layer"), std::string::npos) << notes[0];
+  scan.advance(probe_at(6.0), 0.5);
+  EXPECT_GT(scan.image(probe_at(6.0), {}).press, 4.0);
+}
+
 TEST_F(PressedScanTest, a_tool_and_its_probe_are_each_others_inverse) {
   const Pose probe = probe_at(3.0);
   EXPECT_LT((probe_in_hand(tool_of_probe(probe)).matrix() - probe.matrix()).norm(), 1e-12);

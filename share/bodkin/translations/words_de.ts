@@ -7680,6 +7680,14 @@
         <translation>das Netz hat %1 Knoten, für die ein Schritt des bewegten Körpers etwa %2 ms braucht; 60 Schritte je Sekunde lassen %3 ms: er wird sich in Zeitlupe bewegen; ein Netz von %4 Knoten hält Schritt</translation>
     </message>
     <message>
+        <source>tissue %1 has fibres, which a body that moves by itself does not know; leave the fibres out of its entry in tissues.xml, or let the body lie still (without --body moving)</source>
+        <translation>Gewebe %1 hat Fasern, die ein Körper, der sich von selbst bewegt, nicht kennt; die Fasern aus seinem Eintrag in tissues.xml weglassen oder den Körper ruhen lassen (ohne --body moving)</translation>
+    </message>
+    <message>
+        <source>the probe presses the patient layer by layer: tissue %1 has fibres, which a body that moves by itself does not know</source>
+        <translation>der Schallkopf drückt den Patienten Schicht für Schicht: Gewebe %1 hat Fasern, die ein Körper, der sich von selbst bewegt, nicht kennt</translation>
+    </message>
+    <message>
         <source>the moving body failed: the probe loses its force, and the needle meets the body at rest from now on</source>
         <translation>der bewegte Körper ist ausgefallen: der Schallkopf verliert seine Kraft, und die Nadel trifft von nun an den ruhenden Körper</translation>
     </message>

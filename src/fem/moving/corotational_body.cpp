@@ -18,6 +18,12 @@ constexpr double tonnes_per_cubic_mm = 1e-12;  // of 1 kg/m^3
 
 const BodyDescription& checked_moving_body(const BodyDescription& body) {
   check_body(body);
+  if (const auto tissue = tissue_with_fibres(body.mesh, body.materials)) {
+    throw InputError(
+        fmt::format("tissue {} has fibres, which a body that moves by itself does not know; leave the fibres out of "
+                    "its entry in tissues.xml, or let the body lie still (without --body moving)",
+                    *tissue));
+  }
   return body;
 }
 

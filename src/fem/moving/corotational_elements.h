@@ -32,7 +32,8 @@ struct alignas(64) TurnedElement {
 //
 // The force is exactly the gradient of the energy. A rotation of the whole costs nothing, small displacements give
 // the linear body, and an inverted or flat element has a finite force that drives it back. (Mueller & Gross 2004;
-// as an energy Chao et al. 2010, McAdams et al. 2011.) Fibres are left out: their tissue is what it is across them.
+// as an energy Chao et al. 2010, McAdams et al. 2011.) Without fibres: CorotationalBody refuses a tissue that
+// has them.
 class CorotationalElements {
  public:
   // The mesh must be sound (check_mesh) and its tissues have materials. At most 2^28 elements.

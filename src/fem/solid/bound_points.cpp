@@ -38,7 +38,7 @@ void subtract(double* from, const double* what, double factor, std::size_t rows)
 }  // namespace
 
 BoundPoints::BoundPoints(std::vector<Group> groups) {
-  std::vector<double> gains;
+  std::vector<Mat3> gains;
   std::vector<std::pair<std::size_t, std::size_t>> free;  // first and last point of each needle
   for (Group& group : groups) {
     const std::size_t first = places_.size();
@@ -54,7 +54,7 @@ BoundPoints::BoundPoints(std::vector<Group> groups) {
     const auto column = static_cast<Eigen::Index>(3 * b);
     for (std::size_t a = b; a < places_.size(); ++a)
       lower_.block<3, 3>(static_cast<Eigen::Index>(3 * a), column) = compliance_between(responses_[a], responses_[b]);
-    lower_.block<3, 3>(column, column) += gains[b] * Mat3::Identity();
+    lower_.block<3, 3>(column, column) += gains[b];
   }
   if (cholesky(dense_tiles().front(), rows, lower_.data(), rows) < rows)
     throw InputError("a node of the body is held twice; name each node once");

@@ -31,7 +31,7 @@ class BoundPoints {
   struct Group {
     std::vector<PointResponse> responses;  // of each point
     std::vector<Vec3> places;              // mm
-    std::vector<double> gains;             // mm/N, what the mesh lacks at each, 0 or more
+    std::vector<Mat3> gains;               // mm/N, what the mesh lacks at each, positive semidefinite
     bool is_free = false;                  // a needle, which moves as a rigid body; else all points are held
   };
   // Nothing is bound.

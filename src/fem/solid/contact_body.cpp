@@ -60,7 +60,7 @@ CarriedPoint ContactBody::carried(const PointInMesh& place) const {
   return point;
 }
 
-double ContactBody::shaft_gain_in(std::uint32_t element) const {
+Mat3 ContactBody::shaft_gain_in(std::uint32_t element) const {
   const ElasticMaterial& material = *body_->materials.find(body_->mesh.tissues[element]);
   return shaft_gain(material, edge_of_volume(anatomy::element_volume(body_->mesh, element)), shaft_radius);
 }
@@ -106,7 +106,7 @@ BoundPoints ContactBody::bind(std::span<const anatomy::NeedlePath> left, std::sp
     if (fixed_[node]) continue;
     loads.push_back({{{free_nodes_[node], 1.0}}});
     nodes.places.push_back(body_->mesh.nodes[node]);
-    nodes.gains.push_back(0.0);
+    nodes.gains.push_back(Mat3::Zero());
   }
   respond(nodes, loads);
   groups.push_back(std::move(nodes));
@@ -183,7 +183,7 @@ class ContactBody::Points {
   // mm/N, what the mesh lacks at a point.
   Mat3 gain_of(std::size_t i) const {
     const BodyDescription& body = *body_.body_;
-    Mat3 regular = body_.shaft_gain_in(points_[i].place.element) * Mat3::Identity();
+    const Mat3 regular = body_.shaft_gain_in(points_[i].place.element);
     if (!points_[i].station->resists) return regular;
     const Mat3 gain = refinement_gain(body.mesh, body_.finder_, body.materials, body_.fixed_, disk_of(points_[i]));
     // A disk in held elements moves by nothing else.

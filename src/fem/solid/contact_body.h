@@ -23,8 +23,8 @@ namespace bodkin::fem {
 // A point of the line moves with its element, by barycentric weights; one that has to be punctured is a disk over
 // which the tip pushes. The compliance between points is exact for the whole mesh (PackedFactor). To that of a point
 // with itself is added what the mesh lacks: of a disk by local refinement (refinement_gain), of a point on the shaft
-// by Kelvin's solution (shaft_gain), so that what is felt hardly depends on where the mesh has its nodes, and the
-// equations stay regular wherever the points lie.
+// by the solution for a ball (shaft_gain), so that what is felt hardly depends on where the mesh has its nodes, and
+// the equations stay regular wherever the points lie.
 class ContactBody {
  public:
   // `body`: its corridor is not read. Throws InputError when the body does not fit into memory, or cannot be solved;
@@ -60,7 +60,7 @@ class ContactBody {
  private:
   class Points;
 
-  double shaft_gain_in(std::uint32_t element) const;
+  Mat3 shaft_gain_in(std::uint32_t element) const;
 
   std::shared_ptr<const BodyDescription> body_;
   std::vector<bool> fixed_;                // by node of the mesh

@@ -89,6 +89,15 @@ void ElasticMaterials::set(anatomy::TissueId tissue, const ElasticMaterial& mate
   by_tissue_[tissue] = material;
 }
 
+std::optional<anatomy::TissueId> tissue_with_fibres(const anatomy::TetrahedralMesh& mesh,
+                                                    const ElasticMaterials& materials) noexcept {
+  for (const anatomy::TissueId tissue : mesh.tissues) {
+    const ElasticMaterial* const material = materials.find(tissue);
+    if (material != nullptr && material->has_fibres()) return tissue;
+  }
+  return {};
+}
+
 std::vector<std::string> check_materials(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials) {
   std::size_t softest = 0, stiffest = 0;
   const auto young_of = [&](std::size_t element) {

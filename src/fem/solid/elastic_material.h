@@ -60,6 +60,10 @@ class ElasticMaterials {
   std::array<std::optional<ElasticMaterial>, 256> by_tissue_;  // by TissueId
 };
 
+// The first tissue of a mesh that has fibres; nothing: none has.
+std::optional<anatomy::TissueId> tissue_with_fibres(const anatomy::TetrahedralMesh& mesh,
+                                                    const ElasticMaterials& materials) noexcept;
+
 // Throws InputError naming the first element whose tissue has no material, and where it is. Returns a warning, one
 // sentence, where one tissue is more than a million times as stiff as another. The mesh's indices must be in range.
 std::vector<std::string> check_materials(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials);

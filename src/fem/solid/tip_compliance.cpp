@@ -24,6 +24,7 @@ constexpr double rest_of_gains =
     1.0 / 3.0;                           // of the last gain: once the edges are below the disk, gains fall by four
 constexpr double ball_of_element = 0.6;  // radius by edge, as soft as a barycentric point
 constexpr double least_gain = 0.01;
+constexpr int wave_directions = 1000;  // between along the fibres and across them
 
 // The places in the disk over which the force is spread: a sunflower's, each with the same area.
 Vec3 place_in(const TipDisk& disk, int i) {
@@ -100,11 +101,39 @@ Mat3 refinement_gain(const anatomy::TetrahedralMesh& mesh, const PointFinder& fi
   return gained + rest_of_gains * last;
 }
 
-double shaft_gain(const ElasticMaterial& material, double edge, double radius) noexcept {
-  const double nu = material.poisson, shear = material.young / (2.0 * (1.0 + nu));
-  const double kelvin = (3.0 - 4.0 * nu + 1.0 / 3.0) / (16.0 * std::numbers::pi * shear * (1.0 - nu));
-  const double there = kelvin * 6.0 / (5.0 * ball_of_element * edge);
-  return std::max(kelvin * 6.0 / (5.0 * radius) - there, least_gain * there);
+// The displacement by a force that varies as a wave with the normal n has the amplitude C(n)^-1 of the force's by the
+// square of the wave's number, C(n) the Christoffel tensor: C(n) v is the stress of the strain by v along n, on n. A
+// ball is a sum of waves that has as much in all directions, so that only the mean of C(n)^-1 remains of them. About
+// fibres C turns with n.
+Mat3 ball_compliance(const ElasticMaterial& material) noexcept {
+  if (!material.has_fibres()) {
+    const double nu = material.poisson, shear = material.young / (2.0 * (1.0 + nu));
+    return (3.0 - 4.0 * nu + 1.0 / 3.0) / (16.0 * std::numbers::pi * shear * (1.0 - nu)) * Mat3::Identity();
+  }
+  const ElasticConstants constants = elastic_constants(material);
+  const Vec3 &fibre = material.fibre, side = fibre.unitOrthogonal();
+  double along = 0.0, across = 0.0;
+  for (int i = 0; i < wave_directions; ++i) {
+    const double cosine = (i + 0.5) / wave_directions;
+    const Vec3 normal = cosine * fibre + std::sqrt(1.0 - cosine * cosine) * side;
+    Mat3 christoffel;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const Mat3 gradient = Vec3::Unit(axis) * normal.transpose();
+      christoffel.col(axis) = stress_of(constants, 0.5 * (gradient + gradient.transpose())) * normal;
+    }
+    const Mat3 inverse = christoffel.inverse();
+    const double here = fibre.dot(inverse * fibre);
+    along += here / wave_directions;
+    across += 0.5 * (inverse.trace() - here) / wave_directions;
+  }
+  const Mat3 of_fibre = fibre * fibre.transpose();
+  return (along * of_fibre + across * (Mat3::Identity() - of_fibre)) / (4.0 * std::numbers::pi);
+}
+
+Mat3 shaft_gain(const ElasticMaterial& material, double edge, double radius) noexcept {
+  const Mat3 ball = ball_compliance(material), there = ball * 6.0 / (5.0 * ball_of_element * edge);
+  const Mat3 gain = ball * 6.0 / (5.0 * radius) - there, least = least_gain * there;
+  return gain.trace() > least.trace() ? gain : least;
 }
 
 }  // namespace bodkin::fem

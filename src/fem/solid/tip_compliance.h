@@ -31,12 +31,15 @@ std::vector<std::pair<std::uint32_t, double>> shares_of(const TipDisk& disk, con
 Mat3 refinement_gain(const anatomy::TetrahedralMesh& mesh, const PointFinder& finder,
                      const ElasticMaterials& materials, const std::vector<bool>& fixed, const TipDisk& disk);
 
-// mm/N: by how much more a point on a needle's shaft moves than a single barycentric point of an element with this
-// edge (mm) says, in a material as far as the eye can see. A force that is spread over a ball of `radius` mm moves it
-// by (3 - 4 nu + 1/3) / (16 pi G (1 - nu)) * 6 / (5 radius) (Kelvin's solution, averaged over the ball twice), a
-// barycentric point by about as much as a ball of 0.6 edges. Fibres are left out, so that along them it is too much.
+// mm^2/N, 3 x 3: a force that is spread evenly over a ball in a material as far as the eye can see moves the ball, on
+// average, by this times 6 / (5 radius). Without fibres it is Kelvin's solution, (3 - 4 nu + 1/3) / (16 pi G (1 -
+// nu)) in every direction; in general the mean of the inverse Christoffel tensors of all directions by 4 pi.
+Mat3 ball_compliance(const ElasticMaterial& material) noexcept;
+
+// mm/N, 3 x 3: by how much more a point on a needle's shaft moves than a single barycentric point of an element with
+// this edge (mm) says: a ball of `radius` mm, less what a barycentric point is about as soft as, a ball of 0.6 edges.
 // At least a hundredth of the latter, so that any number of points may lie in one element and the equations stay
 // regular.
-double shaft_gain(const ElasticMaterial& material, double edge, double radius) noexcept;
+Mat3 shaft_gain(const ElasticMaterial& material, double edge, double radius) noexcept;
 
 }  // namespace bodkin::fem

@@ -374,5 +374,25 @@ TEST(CorotationalBody, refuses_settings_out_of_range_and_bodies_that_are_none) {
   EXPECT_THROW(CorotationalBody(loose, CorotationalSettings{}), InputError);
 }
 
+// Its law has no fibres: it would be softer along them than the body that a needle meets.
+TEST(CorotationalBody, refuses_a_tissue_with_fibres) {
+  BodyDescription body = lattice_body(4, 40.0, 0.1, 10);
+  const TissueId tissue = body.mesh.tissues.front();
+  ElasticMaterial material = *body.materials.find(tissue);
+  EXPECT_FALSE(tissue_with_fibres(body.mesh, body.materials).has_value());
+  material.fibre = Vec3::UnitZ();
+  material.young_along = 20.0 * material.young;
+  material.shear_along = material.young;
+  body.materials.set(tissue, material);
+  EXPECT_EQ(tissue_with_fibres(body.mesh, body.materials), tissue);
+  try {
+    const CorotationalBody moving(body, CorotationalSettings{});
+    ADD_FAILURE() << "it was made";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("has fibres, which a body that moves by itself does not know"));
+    EXPECT_THAT(error.what(), HasSubstr("without --body moving"));
+  }
+}
+
 }  // namespace
 }  // namespace bodkin

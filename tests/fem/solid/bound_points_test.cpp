@@ -101,7 +101,7 @@ class WholeBody {
       for (int i = 0; i < 3; ++i)
         edges.col(i) = body_.mesh.nodes[nodes[static_cast<std::size_t>(i + 1)]] - body_.mesh.nodes[nodes[0]];
       const double edge = std::cbrt(6.0 * std::sqrt(2.0) * std::abs(edges.determinant()) / 6.0);
-      for (int i = 0; i < 3; ++i) gains_.push_back(shaft_gain({young, poisson}, edge, 0.5));
+      for (int i = 0; i < 3; ++i) gains_.push_back(shaft_gain({young, poisson}, edge, 0.5)(i, i));
     }
   }
 
