@@ -134,10 +134,20 @@ void FrameMaker::update(Frame& frame, const StationNews& news, const NeedleContr
   if (frame.follows_tip && is_touching()) frame.crosshair = frame.needle.translation();
 }
 
+// Those that were left, since they were last drawn.
+bool FrameMaker::have_moved(std::span<const LeftNeedle> left) {
+  const bool same = std::equal(left.begin(), left.end(), left_.begin(), left_.end(),
+                               [](const LeftNeedle& now, const Pose& then) { return same_pose(now.pose, then); });
+  if (same) return false;
+  left_.clear();
+  for (const LeftNeedle& one : left) left_.push_back(one.pose);
+  return true;
+}
+
 Changes FrameMaker::changes(const Frame& frame) {
   Changes changes;
-  changes.needle = frame.has_needle != last_.has_needle || !same_pose(frame.needle, last_.needle) ||
-                   !same_pose(frame.hand, last_.hand);
+  changes.needle = have_moved(frame.left_needles) || frame.has_needle != last_.has_needle ||
+                   !same_pose(frame.needle, last_.needle) || !same_pose(frame.hand, last_.hand);
   changes.tissue = frame.tissue != last_.tissue || frame.place != last_.place;
   changes.dimple = std::abs(frame.dimple.depth - last_.dimple.depth) > 0.5 * visible_motion ||
                    (frame.dimple.depth != 0.0 && (frame.dimple.at - last_.dimple.at).norm() > visible_motion) ||
@@ -158,6 +168,7 @@ Changes FrameMaker::changes(const Frame& frame) {
   last_.samples = {};
   last_.events = {};
   last_.displacements = {};
+  last_.left_needles = {};
   last_.diagnostic_names = {};
   last_.timings = nullptr;
   last_.ultrasound = nullptr;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "app/hand/needle_control.h"
 #include "app/models/station_link.h"
@@ -32,6 +34,8 @@ class FrameMaker {
   bool is_on_bone() const noexcept { return contact_.is_on_bone(); }
   // LPS mm, where what lies at `material` when the patient has breathed out is in the frame.
   Vec3 seen(const Vec3& material) const;
+  // Nothing: the patient does not breathe.
+  const std::optional<anatomy::BreathField>& breath() const noexcept { return breath_; }
   // The other way round.
   Vec3 in_material(const Vec3& place) const;
 
@@ -40,6 +44,7 @@ class FrameMaker {
                     const HandReport& hand) const;
   void breathe(Frame& frame, double drawn_in);
   void measure_plan(Frame& frame) const;
+  bool have_moved(std::span<const LeftNeedle> left);
   SkinDimple dimple_of(const Frame& frame, const StationNews& news) const;
 
   std::shared_ptr<const OpenCase> patient_;
@@ -47,9 +52,10 @@ class FrameMaker {
   station::PunctureWatch contact_;
   bool new_attempt_ = true;
   double time_in_body_ = 0.0, last_time_ = 0.0;
-  std::optional<anatomy::BreathField> breath_;  // nothing: the patient does not breathe
-  double drawn_in_ = 0.0;                       // that is shown
+  std::optional<anatomy::BreathField> breath_;
+  double drawn_in_ = 0.0;  // that is shown
   Frame last_;
+  std::vector<Pose> left_;  // needles that were left, as they were drawn last
 };
 
 }  // namespace bodkin::app

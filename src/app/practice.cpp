@@ -188,7 +188,7 @@ void Practice::take_patient() {
     patient_ = std::move(opened);
     plan_ = patient_->description().procedure.path;
     models_.reset();
-    left_needles_ = left_before();
+    left_needles_.begin(options_.left_needles);
     points_.clear();  // of another patient
     mover_.begin(usual_place(plan_ ? *plan_ : unplanned_path(patient_->patient.tissues)));
     begin_attempt();
@@ -257,7 +257,7 @@ void Practice::begin_attempt() {
     options.overwrite = options_.overwrite && attempts_ == 0;
     ++attempts_;
     options_.apply(options);
-    options.left_needles = left_in_body();
+    options.left_needles = left_needles_.paths();
     if (models_) options.patient.description.haptics = models_->haptics;
     haptics_ = options.patient.description.haptics;
     if (models_) options.patient.library = anatomy::TissueLibrary(models_->tissues);  // felt from the first tick on
@@ -269,7 +269,8 @@ void Practice::begin_attempt() {
       connect_mouse(feed_);
     }
     const std::string device = has_mouse ? "Mouse" : is_asked ? options.device.driver->name : device_->title;
-    link_.start(std::move(options), device, {plan.has_value(), procedure}, points_);
+    std::vector<Vec3> followed = left_needles_.follow(points_, maker_.breath());
+    link_.start(std::move(options), device, {plan.has_value(), procedure}, std::move(followed));
     if (feed_ == nullptr && mover_.is_moved()) send_body();
   } catch (const std::exception& error) {
     failure_ = error.what();
@@ -439,9 +440,8 @@ const Frame& Practice::advance(double clock) {
   frame_.state = state();
   frame_.clock = clock;
   frame_.hint = hint();
-  shown_left_ = left_needles_;
-  for (LeftNeedle& left : shown_left_) left.pose.translation() = maker_.seen(left.pose.translation());
-  frame_.left_needles = shown_left_;
+  frame_.left_needles = left_needles_.now(news.displacements, frame_.drawn_in);
+  frame_.displacements = left_needles_.of_others(frame_.displacements);
   changes_ = maker_.changes(frame_);
   if (std::exchange(left_needles_changed_, false)) changes_.plan = true;  // the pictures must be drawn again
   return frame_;

@@ -11,6 +11,7 @@
 #include "app/hand/needle_control.h"
 #include "app/models/attempt_options.h"
 #include "app/models/case_model.h"
+#include "app/models/left_needles.h"
 #include "app/models/parameter_model.h"
 #include "app/models/station_link.h"
 #include "link/client.h"
@@ -76,7 +77,8 @@ class Practice {
   void leave_needle();
   // The needle that was left last is taken out.
   void take_out_left_needle();
-  const std::vector<LeftNeedle>& left_needles() const noexcept { return left_needles_; }
+  // From entry to tip, where they lie when the patient has breathed out.
+  const std::vector<anatomy::NeedlePath>& left_needles() const noexcept { return left_needles_.paths(); }
   void press_plunger(bool on);  // of the syringe, if the patient's needle has one
   // Finger, stylet or manometer, if the patient has the part for it; else it says so.
   void turn(station::StationCommand what);
@@ -164,9 +166,6 @@ class Practice {
   // Says so, where the station is elsewhere: what was asked for is decided there.
   bool is_decided_elsewhere();
 
-  std::vector<LeftNeedle> left_before() const;
-  std::vector<anatomy::NeedlePath> left_in_body() const;
-
   CaseModel cases_;
   StationLink link_;
   StateMachine machine_;
@@ -197,8 +196,7 @@ class Practice {
   std::string refusal_;     // why the last wish was not done
   std::vector<std::string> log_;
   std::vector<MetDanger> dangers_;
-  std::vector<LeftNeedle> left_needles_;  // where they lie when the patient has breathed out
-  std::vector<LeftNeedle> shown_left_;    // where they are now
+  LeftNeedles left_needles_;
   double refused_at_ = 0.0, safe_since_ = 0.0, clock_ = 0.0;
   bool again_wanted_ = false, acknowledged_ = false, was_forbidden_ = false, plunger_pressed_ = false,
        left_needles_changed_ = false, aimed_ = false;

@@ -54,37 +54,18 @@ void Practice::withdraw() {
 }
 
 void Practice::leave_needle() {
+  constexpr double least_left = 1.0;  // mm; a needle that is hardly in the skin falls out
   if (patient_ == nullptr || !is_attempt(state())) return;
-  if (!maker_.is_touching() || !maker_.has_punctured())
+  if (!maker_.is_touching() || !maker_.has_punctured() || frame_.depth < least_left)
     return say("Push the needle through the skin before you leave it there.");
-  LeftNeedle left{frame_.needle, frame_.depth};
-  left.pose.translation() = frame_.in_tissue;
+  const Vec3 tip = frame_.needle.translation(), entry = tip - frame_.depth * needle_axis(frame_.needle);
+  const anatomy::NeedlePath left{maker_.in_material(entry), frame_.in_tissue};
   again();
-  if (again_wanted_) left_needles_.push_back(left);
-}
-
-// Those that `bodkin perform` names.
-std::vector<LeftNeedle> Practice::left_before() const {
-  std::vector<LeftNeedle> left;
-  for (const anatomy::NeedlePath& one : options_.left_needles)
-    left.push_back({needle_pose(one.target, one.direction()), one.length()});
-  return left;
-}
-
-// For the next attempt, whose needle meets them in the body. What is hardly in the skin does nothing.
-std::vector<anatomy::NeedlePath> Practice::left_in_body() const {
-  std::vector<anatomy::NeedlePath> left;
-  for (const LeftNeedle& one : left_needles_) {
-    if (one.depth < 1.0) continue;
-    const Vec3 tip = one.pose.translation();
-    left.push_back({tip - one.depth * needle_axis(one.pose), tip});
-  }
-  return left;
+  if (again_wanted_) left_needles_.add(left);
 }
 
 void Practice::take_out_left_needle() {
-  if (left_needles_.empty()) return say("No needle was left in the body.");
-  left_needles_.pop_back();
+  if (!left_needles_.take_out()) return say("No needle was left in the body.");
   left_needles_changed_ = true;
 }
 

@@ -117,6 +117,13 @@ bool EmbeddedNeedle::move_with(std::span<const float> of_mesh, const BodyBreath&
   return moves_;
 }
 
+Vec3 EmbeddedNeedle::carried_along_shaft() const noexcept {
+  Vec3 sum = Vec3::Zero();
+  if (!begun_ || captured_ == 0) return sum;
+  for (std::size_t i = 0; i < captured_; ++i) sum += carried_[line()[i].index];
+  return sum / static_cast<double>(captured_);
+}
+
 void EmbeddedNeedle::open(const Vec3& place, anatomy::TissueId tissue) noexcept {
   for (const ContactNode& node : line()) {
     if (node.tissue == tissue && (body_.nodes[node.index] - place).squaredNorm() < same_hole * same_hole)

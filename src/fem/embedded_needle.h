@@ -98,6 +98,8 @@ class EmbeddedNeedle {
   // mm, 3 per node of its mesh; fewer: it stands still. The tissue at the needle goes there within some hundredths of
   // a second, and takes the needle along or moves along it. Whether any point moves at all.
   bool move_with(std::span<const float> of_mesh, const BodyBreath& breath = {}) noexcept;
+  // mm, LPS: by which the body has moved by itself at the contact points on the shaft, their mean; 0 without any.
+  Vec3 carried_along_shaft() const noexcept;
   // Adds a puncture: the points within 1 mm of it in the same tissue are open.
   void open(const Vec3& place, anatomy::TissueId tissue) noexcept;
   // mm, of the points that extend() added, in their order; negative for one that is not there.

@@ -21,7 +21,7 @@ struct ControlInput {
   double dt = 0.0;                 // s since the last tick, as measured
   std::uint64_t tick = 0;
   std::uint32_t buttons = 0;
-  bool needle_held = false;                 // frozen or clutched: it stays where it is and the hand feels no force
+  bool needle_held = false;                 // frozen or clutched: nobody holds it, and the hand feels no force
   GuardState guard = GuardState::disarmed;  // after the previous tick: whether the hand will feel the answer
 };
 
@@ -29,6 +29,8 @@ struct ControlInput {
 struct Control {
   Wrench wrench;     // on the hand that would hold the needle: LPS, N, N mm about the tip
   double age = 0.0;  // s since the state behind it was computed; 0 = in this tick
+  // mm, LPS: by which tissue takes a held needle along until the next tick; of a needle in a hand it is ignored.
+  Vec3 carried = Vec3::Zero();
 };
 
 // Anything that turns a needle's pose into a wrench: tissue, a spring, nothing. Called once a tick, in the servo's

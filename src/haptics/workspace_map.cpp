@@ -101,6 +101,10 @@ const Pose& WorkspaceMap::step(const Pose& hand, double dt) noexcept {
   return needle_;
 }
 
+void WorkspaceMap::carry(const Vec3& by) noexcept {
+  if (is_held() && begun_ && by.allFinite()) needle_.translation() += by;
+}
+
 Wrench WorkspaceMap::felt(const Wrench& on_needle) const noexcept {
   if (is_held()) return {};
   Wrench hand;

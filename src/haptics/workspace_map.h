@@ -35,7 +35,8 @@ void check(const WorkspaceSettings& settings);
 // only by rotation, scale and the grasp, so nothing here adds energy.
 //
 // Hold: while the needle is frozen (it stays in the tissue, the hand may leave) or the clutch is pressed (the hand
-// goes back to the middle of a small workspace), the needle keeps its pose in the patient. When the last hold ends,
+// goes back to the middle of a small workspace), the needle keeps its pose in the patient, or goes with the tissue
+// that it sticks in. When the last hold ends,
 // the grasp is taken anew (shift and G), so the needle does not jump, wherever the hand is and however it is turned.
 // All functions but the constructor are noexcept and allocate nothing.
 class WorkspaceMap {
@@ -55,6 +56,9 @@ class WorkspaceMap {
   // patient). It glides there at body_speed and body_turn, so that no needle is torn through it. Ignored when it is
   // not finite or no rotation.
   void move_body(const Vec3& middle, const Mat3& rotation) noexcept;
+
+  // While the needle is held: the tissue that it sticks in takes it along by `by`, mm (LPS). Ignored otherwise.
+  void carry(const Vec3& by) noexcept;
 
   // k s: how much stiffer than it is the needle's surroundings feel. A device that renders 1 N/mm stably renders
   // tissue of at most 1 / stiffness_factor() N/mm.

@@ -59,6 +59,9 @@ class BodyPort {
   // mm from the needle in the body to the one in the hand, where the body is stiffer than the device can render or
   // bone is in the way: what is drawn is the hand's needle less this. 0 without contact.
   virtual Vec3 needle_ahead() const noexcept = 0;
+  // mm, of the last tick: by which the body has moved by itself along the needle, on average over its shaft; of
+  // breath what it is more than at the tip. 0 without contact.
+  virtual Vec3 tissue_motion() const noexcept { return Vec3::Zero(); }
 
  protected:
   ~BodyPort() = default;

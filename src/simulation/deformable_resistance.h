@@ -68,6 +68,8 @@ class DeformableShaft {
   bool move_with(std::span<const float> of_mesh, const fem::BodyBreath& breath) noexcept {
     return needle_->move_with(of_mesh, breath);
   }
+  // mm, by which the tissue along the shaft has moved by itself (EmbeddedNeedle::carried_along_shaft).
+  Vec3 tissue_motion() const noexcept { return needle_->carried_along_shaft(); }
   // Forces on the tissue in the last tick, by node of the mesh.
   fem::NodeForces node_forces() const noexcept { return fem::of_mesh(needle_->node_forces(), *body_); }
   double stiffness_scale() const noexcept { return scale_; }

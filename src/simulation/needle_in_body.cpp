@@ -100,6 +100,10 @@ Vec3 NeedleInBody::needle_ahead() const noexcept {
   return touches_ ? model().ahead() : Vec3(Vec3::Zero());
 }
 
+Vec3 NeedleInBody::tissue_motion() const noexcept {
+  return touches_ ? model().tissue_motion() : Vec3(Vec3::Zero());
+}
+
 void NeedleInBody::begin(const Vec3& entry, const Vec3& direction) noexcept {
   told_motion_ = false;
   if (change_.goes_on()) set_numbers(change_.last());

@@ -47,6 +47,7 @@ class NeedleInBody final : public BodyPort {
   void take_points(double recorded) noexcept override { recorded_ = recorded; }
   fem::NodeForces node_forces() const noexcept override;
   Vec3 needle_ahead() const noexcept override;
+  Vec3 tissue_motion() const noexcept override;
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   forces::ResistanceForce step(const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept;

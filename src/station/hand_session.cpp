@@ -8,6 +8,8 @@
 #include "session/recorder.h"
 #include "station/axial_needle.h"
 #include "station/felt_numbers.h"
+#include "station/released_needle.h"
+#include "station/station_checks.h"
 
 #include "core/latest_value.h"
 #include "core/single_producer_ring.h"
@@ -65,6 +67,8 @@ struct HandSession::Shared {
     tick_in_tissue = record.output.depth > 0.0;
     const Vec3 ahead = body == nullptr ? Vec3(Vec3::Zero()) : body->needle_ahead();
     publish_forces(record.input.needle, ahead, record.output.drawn_in);
+    const Vec3 carried =
+        released.step(input.needle_held && tick_in_tissue, input.needle.translation(), tissue_motion(record));
     if (moving) keep_moving(record);
     note_sight((input.buttons & BODKIN_BUTTON_UNSEEN) != 0, record.output);
     if (!closed.load(std::memory_order_acquire)) recorder.push(record);
@@ -84,7 +88,15 @@ struct HandSession::Shared {
                      corridor_left, record.input.other,  numbers.taken(), unseen_for.has_value()};
     now.output.events.clear();
     snapshot.write(now);
-    return {record.output.applied, 0.0};
+    return {record.output.applied, 0.0, carried};
+  }
+
+  // mm, of the tissue at the needle, by breath and by what presses the body.
+  Vec3 tissue_motion(const simulation::TickRecord& record) const noexcept {
+    const Vec3 tip = record.input.needle.translation();
+    const Vec3 by_body = body == nullptr ? Vec3(Vec3::Zero()) : body->tissue_motion();
+    if (!breath) return by_body;
+    return by_body + tip - breath->material(tip, record.output.drawn_in);
   }
 
   simulation::Thumb thumb_now() const noexcept {
@@ -138,6 +150,8 @@ struct HandSession::Shared {
   std::shared_ptr<session::BodyLog> body_log;          // with `moving`
   session::BodyTaken body_taken;                       // the newest; of step 0: none
   bool moving_failed = false;
+  std::optional<anatomy::BreathField> breath = breath_of(*patient);
+  ReleasedNeedle released;
   std::optional<AxialNeedle> axial;  // empty: the device renders force
   bool tick_in_tissue = false;       // after the tick before
   std::optional<double> unseen_for;  // s for which a tracked hand has not been seen; empty: it is

@@ -17,6 +17,7 @@ namespace {
 using PictureClock = std::chrono::steady_clock;
 
 constexpr double field_spacing = 2.0;  // mm between the points at which tissue's motion is known
+constexpr double press_fades = 20.0;   // mm beside the slice, where a probe's layers press no more
 
 double checked_scan_rate(double rate) {
   if (rate >= 1.0 && rate <= 1000.0) return rate;
@@ -38,9 +39,14 @@ ScanThread::ScanThread(std::shared_ptr<const imaging::AcousticVolume> patient, i
       needle_(needle),
       body_(std::move(body)),
       slice_(body_.mesh == nullptr ? nullptr : std::make_unique<SliceField>(body_.mesh)),
-      layers_(body_.moves || (body_.by_forces == nullptr && !body_.breath)
+      layers_(body_.moves || (body_.by_forces == nullptr && !body_.breath && body_.left.needles() == 0)
                   ? std::nullopt
                   : std::optional<PressedLayers>(std::in_place, std::move(patient), machine_.probe())),
+      left_places_(body_.mesh == nullptr || body_.left.needles() == 0
+                       ? std::vector<fem::PointInMesh>()
+                       : fem::find_points(body_.mesh->mesh, body_.left.points())),
+      left_moved_(3 * body_.left.points().size(), 0.0F),
+      left_seen_(body_.left.needles(), imaging::NeedleInSound{Pose::Identity(), needle}),
       orders_(first),
       thread_([this, pace = checked_scan_rate(rate)](const std::stop_token& stop) { run(stop, pace); }) {}
 
@@ -103,7 +109,43 @@ void ScanThread::make(LivePicture& now) {
     displacement = now.grid;
     displacement->moved = now.moved;
   }
-  now.frame = machine_.image(probe_, needle, displacement);
+  if (!left_seen_.empty() && probe_.matrix().allFinite()) {
+    if (!displacement && layers_) layers_->settle(probe_, now.order.settings.depth, now.order.settings.gel);
+    move_left_needles(now, tick.drawn_in);
+  }
+  now.frame = machine_.image(probe_, needle, displacement, left_seen_);
+}
+
+// mm, by which the layers under the probe have moved what would be at `place` (LPS, as probe_ has it) without them.
+Vec3 ScanThread::by_layers(const Vec3& place) const {
+  constexpr int rounds = 8;  // PressedLayers knows what has come to a place, not where a place has gone
+  const Pose into_probe = probe_.inverse(Eigen::Isometry);
+  Vec3 moved = Vec3::Zero();
+  for (int round = 0; round < rounds; ++round) {
+    const Vec3 now = into_probe * (place + moved);
+    moved = std::max(0.0, 1.0 - std::abs(now.z()) / press_fades) * layers_->moved(now);
+  }
+  return moved;
+}
+
+// With the tissue of this picture.
+void ScanThread::move_left_needles(LivePicture& now, double drawn_in) {
+  const std::vector<Vec3>& points = body_.left.points();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Vec3 moved = Vec3::Zero();
+    for (std::size_t corner = 0; corner < 4 && !left_places_.empty(); ++corner) {
+      const std::size_t node = left_places_[i].nodes[corner];
+      moved += left_places_[i].weights[corner] *
+               Eigen::Map<const Eigen::Vector3f>(moved_.data() + 3 * node).cast<double>();
+    }
+    if (layers_) moved += by_layers(points[i] + body_.left.breathed(i, drawn_in) + moved - carried_);
+    Eigen::Map<Eigen::Vector3f>(left_moved_.data() + 3 * i) = moved.cast<float>();
+  }
+  now.left = body_.left.poses(left_moved_, drawn_in);
+  for (std::size_t i = 0; i < left_seen_.size(); ++i) {
+    left_seen_[i].pose = now.left[i];
+    left_seen_[i].pose.translation() -= carried_;
+  }
 }
 
 // What the probe does on top of what the needle does: both are small.

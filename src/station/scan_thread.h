@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "station/left_needle_motion.h"
 #include "station/node_field.h"
 #include "station/pressed_layers.h"
 #include "station/slice_field.h"
@@ -29,6 +30,7 @@ struct LivePicture {
   imaging::UltrasoundFrame frame;
   ScanOrder order;                 // that it follows
   std::optional<Pose> needle;      // in it; none before the first tick
+  std::vector<Pose> left;          // needles that were left, in it
   imaging::ScanDisplacement grid;  // of `moved`, whose `moved` is not set; no columns where the tissue is at rest
   std::vector<float> moved;        // mm, as ScanDisplacement has it
   double most = 0.0;               // mm, the farthest that the body has moved anything in the picture, layers apart
@@ -46,6 +48,7 @@ struct ScanBody {
   // the probe's compression is added layer by layer.
   bool moves = false;
   std::optional<anatomy::BreathField> breath = {};  // nothing: nobody breathes
+  LeftNeedleMotion left = {};                       // needles that were left in it, with the same breath
 };
 
 // Simulates ultrasound pictures repeatedly on a thread of its own, from the newest needle and forces of the tick and
@@ -82,13 +85,18 @@ class ScanThread {
   void add_layers(LivePicture& now, const imaging::SlicePlane& grid);
   void move_tissue(LivePicture& now, const Tick& tick);
   void move_body(LivePicture& now, const imaging::SlicePlane& grid, const fem::NodeForces& forces);
+  void move_left_needles(LivePicture& now, double drawn_in);
+  Vec3 by_layers(const Vec3& place) const;
 
   imaging::Ultrasound machine_;
   anatomy::Needle needle_;
   ScanBody body_;
   std::unique_ptr<SliceField> slice_;
   std::optional<PressedLayers> layers_;
-  std::vector<float> moved_;       // mm, of every node of the mesh, in this picture
+  std::vector<float> moved_;                       // mm, of every node of the mesh, in this picture
+  std::vector<fem::PointInMesh> left_places_;      // of the points of needles that were left; empty without a mesh
+  std::vector<float> left_moved_;                  // mm, of these points, in this picture
+  std::vector<imaging::NeedleInSound> left_seen_;  // as the machine has them
   Vec3 carried_ = Vec3::Zero();    // mm, by which breath has moved the tissue at the probe, in this picture
   Pose probe_ = Pose::Identity();  // of this picture, where it would be had the tissue at it not moved
   LatestValue<Tick> ticks_;

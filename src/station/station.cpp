@@ -191,9 +191,10 @@ void Station::Parts::prepare_ultrasound(const Pose& probe) {
       imaging::acoustic_volume(*patient, observer.progress());
   imaging::Ultrasound machine(volume, choice.probe, choice.settings, choice.detail);
   order = {probe, choice.settings};
+  const std::optional<anatomy::BreathField> breath = breath_of(*patient);
+  ScanBody seen{body, std::move(field), moving != nullptr, breath, LeftNeedleMotion(options.left_needles, breath)};
   scan =
-      std::make_shared<ScanThread>(volume, std::move(machine), patient->description.needle,
-                                   ScanBody{body, std::move(field), moving != nullptr, breath_of(*patient)}, order);
+      std::make_shared<ScanThread>(volume, std::move(machine), patient->description.needle, std::move(seen), order);
   scan_log.emplace(patient, choice.probe);
 }
 

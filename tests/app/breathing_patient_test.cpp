@@ -103,12 +103,19 @@ TEST_F(BreathingPatient, is_drawn_moving_and_holds_the_breath_when_asked) {
   key(Qt::Key_Space, Qt::ShiftModifier);
   ASSERT_TRUE(wait(State::ready, 60));
   ASSERT_EQ(window_->practice().left_needles().size(), 1U);
-  const Vec3 left = window_->practice().left_needles().front().pose.translation();
+  const anatomy::NeedlePath left = window_->practice().left_needles().front();
   ASSERT_TRUE(wait([&] { return frame().drawn_in > 0.6; }, 12)) << "another attempt, another breath";
   ASSERT_EQ(frame().left_needles.size(), 1U);
-  const Vec3 shown = frame().left_needles.front().pose.translation();
-  EXPECT_NEAR((shown - left - field.moved(left, frame().drawn_in)).norm(), 0.0, 1e-9);
-  EXPECT_GT((shown - left).norm(), 2.0);
+  // It is straight: no part of it can be farther from its tissue than that strays from a line.
+  const Pose shown = frame().left_needles.front().pose;
+  const auto now = [&](const Vec3& rest) { return Vec3(rest + field.moved(rest, frame().drawn_in)); };
+  const Vec3 tip = shown.translation(), entry = tip - left.length() * needle_axis(shown);
+  EXPECT_LT((tip - now(left.target)).norm(), 0.5);
+  EXPECT_LT((entry - now(left.entry)).norm(), 0.5);
+  EXPECT_GT((tip - left.target).norm(), 2.0);
+  const Vec3 ends = now(left.target) - now(left.entry);
+  EXPECT_LT(std::acos(std::min(1.0, needle_axis(shown).dot(ends.normalized()))), 0.5 * degree);
+  EXPECT_GT(std::acos(std::min(1.0, needle_axis(shown).dot(left.direction()))), 1.0 * degree) << "it has turned";
 }
 
 TEST_F(BreathingPatient, one_who_does_not_has_no_button_and_says_so) {

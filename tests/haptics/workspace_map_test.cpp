@@ -210,6 +210,29 @@ TEST(WorkspaceMap, a_body_that_is_moved_glides_and_a_frozen_needle_goes_with_it)
   EXPECT_LT((map.step(Pose::Identity(), 0.001).translation() - last).norm(), 1e-9);
 }
 
+// Tissue that moves takes a needle along that nobody holds; the hand takes it up where it is then.
+TEST(WorkspaceMap, a_held_needle_is_carried_and_one_in_the_hand_is_not) {
+  Random random(19);
+  for (int trial = 0; trial < 20; ++trial) {
+    WorkspaceMap map(any_settings(random, random.uniform(0.5, 2.0)));
+    const Pose hand = any_hand(random);
+    map.carry(Vec3(1.0, 2.0, 3.0));
+    const Pose before = map.step(hand, 0.001);
+    map.carry(Vec3(1.0, 2.0, 3.0));
+    ASSERT_LT(difference(map.step(hand, 0.001), before), 1e-12);
+    (trial % 2 == 0) ? map.freeze(true) : map.clutch(true);
+    map.step(any_hand(random), 0.001);
+    map.carry(Vec3(0.5, -1.0, 4.0));
+    map.carry(Vec3(0.0, std::nan(""), 0.0));
+    Pose carried = before;
+    carried.translation() += Vec3(0.5, -1.0, 4.0);
+    ASSERT_LT(difference(map.step(any_hand(random), 0.001), carried), 1e-12);
+    map.freeze(false);
+    map.clutch(false);
+    ASSERT_LT(difference(map.step(any_hand(random), 0.001), carried), 1e-9) << "without a jump";
+  }
+}
+
 TEST(WorkspaceMap, a_body_moved_to_nowhere_stays) {
   WorkspaceMap map(WorkspaceSettings{});
   map.move_body(Vec3(std::nan(""), 0.0, 0.0), Mat3::Identity());

@@ -12,6 +12,7 @@
 #include "session/moved_body.h"
 #include "session/replay.h"
 #include "station/hand_session.h"
+#include "station/released_needle.h"
 #include "station/second_hand.h"
 #include "tests/session/session_samples.h"
 #include "tests/station/pressed_block.h"
@@ -267,6 +268,36 @@ TEST(MovingBody, tissue_that_moves_aside_takes_the_needle_along) {
     back = aside.step({straight_down(-30.5 + 0.5 * std::min(1.0, 0.01 * tick), 22.0)}).requested.force;
   }
   EXPECT_NEAR(found.x(), back.x(), 0.05 * expected.x());
+}
+
+// Nobody holds it: it goes with the tissue, and neither the tissue pulls at it nor it at the tissue.
+TEST(MovingBody, a_needle_that_was_let_go_goes_with_the_tissue) {
+  const PressedBlock block = pressed_block();
+  HapticTick tick(block.patient);
+  const auto motion = std::make_shared<BodyMotion>();
+  ASSERT_TRUE(tick.body()->move_with(motion));
+  Pose needle = Pose::Identity();
+  for (double depth = -2.0; depth < 22.0; depth += 0.05) tick.step({needle = straight_down(-30.0, depth)});
+  const Pose held = needle;
+  const TickOutput before = tick.step({needle});
+  EXPECT_EQ(tick.body()->tissue_motion(), Vec3::Zero());
+  const Vec3 by(0.5, -2.0, 0.3);
+  ReleasedNeedle released;
+  EXPECT_EQ(released.step(true, needle.translation(), tick.body()->tissue_motion()), Vec3::Zero());
+  motion->write({1, moved_alike(block, by)});
+  Vec3 force = before.requested.force;
+  for (int i = 0; i < 400; ++i) {
+    force = tick.step({needle}).requested.force;
+    needle.translation() += released.step(true, needle.translation(), tick.body()->tissue_motion());
+    // The body jumps here, by 0.1 mm in the first tick, which the needle follows in the next.
+    ASSERT_LT((force - before.requested.force).norm(), 0.1) << i;
+  }
+  EXPECT_LT((force - before.requested.force).norm(), 0.01);
+  EXPECT_LT((needle.translation() - held.translation() - by).norm(), 1e-4);
+  EXPECT_LT((tick.body()->tissue_motion() - by).norm(), 1e-4);
+  // A hand that takes it holds it where it is.
+  EXPECT_EQ(released.step(false, needle.translation(), Vec3(9.0, 9.0, 9.0)), Vec3::Zero());
+  EXPECT_LT(released.step(true, needle.translation(), Vec3(9.0, 9.0, 9.0)).norm(), 1e-12);
 }
 
 // Pressed deeper by 3 mm, the skin is met 3 mm deeper, and every layer gives way 3 mm deeper.

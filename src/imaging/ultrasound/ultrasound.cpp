@@ -130,7 +130,8 @@ struct Ultrasound::Machine {
   void prepare(const UltrasoundSettings& wanted);
   void aim(const Pose& pose) noexcept;
   void move(const Pose& pose, const std::optional<ScanDisplacement>& displacement) noexcept;
-  void draw(const Pose& pose, const std::optional<NeedleInSound>& needle) noexcept;
+  void draw(const Pose& pose, const std::optional<NeedleInSound>& needle,
+            std::span<const NeedleInSound> others) noexcept;
   scan::March marching(std::size_t pass) const noexcept;
 
   std::shared_ptr<const AcousticVolume> patient;
@@ -281,7 +282,8 @@ scan::March Ultrasound::Machine::marching(std::size_t pass) const noexcept {
   return march;
 }
 
-void Ultrasound::Machine::draw(const Pose& pose, const std::optional<NeedleInSound>& needle) noexcept {
+void Ultrasound::Machine::draw(const Pose& pose, const std::optional<NeedleInSound>& needle,
+                               std::span<const NeedleInSound> others) noexcept {
   // Blocks of lines: all passes of a block by the same thread, in order, so that sums do not depend on who computes
   // them.
   const auto march_block = [this](int block) noexcept {
@@ -299,11 +301,12 @@ void Ultrasound::Machine::draw(const Pose& pose, const std::optional<NeedleInSou
 
   const EchoRows rows{lines.lines, lines.samples, tables.stride, in_phase, quadrature, amplitude};
   if (detail.reverberation) add_reverberation(rows, strong_at, strong_echo, lines.spacing);
-  if (needle) {
-    NeedleInSound seen = *needle;
-    seen.pose = pose.inverse(Eigen::Isometry) * needle->pose;
+  const auto add = [&](NeedleInSound seen) noexcept {
+    seen.pose = pose.inverse(Eigen::Isometry) * seen.pose;
     add_needle(rows, lines, beam, seen);
-  }
+  };
+  for (const NeedleInSound& other : others) add(other);
+  if (needle) add(*needle);
 
   const auto compress_rows = [this](int turn, int thread) noexcept {
     scan::Row row = tables.row;
@@ -360,7 +363,8 @@ void Ultrasound::set(const UltrasoundSettings& settings) {
 }
 
 const UltrasoundFrame& Ultrasound::image(const Pose& pose, const std::optional<NeedleInSound>& needle,
-                                         const std::optional<ScanDisplacement>& displacement) noexcept {
+                                         const std::optional<ScanDisplacement>& displacement,
+                                         std::span<const NeedleInSound> others) noexcept {
   Machine& machine = *machine_;
   const FaceContact contact =
       face_contact(*machine.patient, machine.tables.line_origin, machine.tables.line_direction, pose,
@@ -374,7 +378,7 @@ const UltrasoundFrame& Ultrasound::image(const Pose& pose, const std::optional<N
   }
   machine.aim(pose);
   machine.move(pose, displacement);
-  machine.draw(pose, needle);
+  machine.draw(pose, needle, others);
   return machine.frame;
 }
 

@@ -51,9 +51,10 @@ class Ultrasound {
   void set(const UltrasoundSettings& settings);
 
   // The picture with the probe at `pose` (probe to patient). Valid until the next call. A displacement that is not
-  // finite or too small for its rows and columns is left out.
+  // finite or too small for its rows and columns is left out. `others`: more needles.
   const UltrasoundFrame& image(const Pose& pose, const std::optional<NeedleInSound>& needle = std::nullopt,
-                               const std::optional<ScanDisplacement>& displacement = std::nullopt) noexcept;
+                               const std::optional<ScanDisplacement>& displacement = std::nullopt,
+                               std::span<const NeedleInSound> others = {}) noexcept;
 
  private:
   struct Lines;
