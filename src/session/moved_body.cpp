@@ -12,13 +12,13 @@ namespace bodkin::session {
 
 std::string moving_body_text(const fem::BodySolverSettings& settings, std::size_t nodes) {
   const fem::ProbeFace& face = settings.probe;
-  return nlohmann::ordered_json{
-      {"nodes", nodes},           {"width_mm", face.width}, {"thickness_mm", face.thickness},
-      {"radius_mm", face.radius}, {"reach_mm", face.reach}, {"step_s", settings.motion.dt}}
-      .dump();
+  nlohmann::ordered_json json{{"nodes", nodes},           {"width_mm", face.width}, {"thickness_mm", face.thickness},
+                              {"radius_mm", face.radius}, {"reach_mm", face.reach}, {"step_s", settings.motion.dt}};
+  if (!settings.left_needles.empty()) json["left_needles"] = settings.left_needles.size();
+  return json.dump();
 }
 
-fem::BodySolverSettings moving_body_settings(const std::string& text) {
+fem::BodySolverSettings moving_body_settings(const std::string& text, const std::vector<anatomy::NeedlePath>& left) {
   fem::BodySolverSettings settings;
   try {
     const nlohmann::json json = nlohmann::json::parse(text);
@@ -27,6 +27,7 @@ fem::BodySolverSettings moving_body_settings(const std::string& text) {
     json.at("radius_mm").get_to(settings.probe.radius);
     json.at("reach_mm").get_to(settings.probe.reach);
     json.at("step_s").get_to(settings.motion.dt);
+    if (json.value("left_needles", std::size_t{0}) > 0) settings.left_needles = left;
   } catch (const nlohmann::json::exception&) {
     throw InputError(
         fmt::format("the session's moving_body is '{}', expected JSON with width_mm, thickness_mm, radius_mm, "
@@ -65,7 +66,8 @@ MovedBody::MovedBody(const Session& session, const fem::BodyDescription* body, s
         "the session's needle met a body that moved by itself, but there is no deformable body here; replay it with "
         "its own case");
   }
-  solver_ = std::make_unique<fem::DeformableBodySolver>(*body, moving_body_settings(session.header.moving_body));
+  solver_ = std::make_unique<fem::DeformableBodySolver>(
+      *body, moving_body_settings(session.header.moving_body, session.header.left_needles));
   field_ = fem::field_at_rest(*solver_);
   motion_ = std::make_shared<fem::BodyMotion>(field_);
   if (!port->move_with(motion_)) {

@@ -16,7 +16,10 @@ namespace bodkin::session {
 // What a session's header keeps of a body that moves by itself (SessionHeader::moving_body), JSON; and what it was
 // made of. Throws InputError for a text that is not one.
 std::string moving_body_text(const fem::BodySolverSettings& settings, std::size_t nodes);
-fem::BodySolverSettings moving_body_settings(const std::string& text);
+// `left`: the needles that were left in the session's body; those that were not made part of the moving one, in
+// sessions of Bodkin before this, are not part of it.
+fem::BodySolverSettings moving_body_settings(const std::string& text,
+                                             const std::vector<anatomy::NeedlePath>& left = {});
 
 // Throws InputError when the needle met a body that moved by itself, and the session does not have all that is
 // needed to move it again.

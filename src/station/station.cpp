@@ -117,6 +117,7 @@ fem::BodySolverSettings Station::Parts::moving_settings() const {
   fem::BodySolverSettings settings;
   settings.motion.dt = body_step_time;
   settings.probe = *options.moving_body;
+  settings.left_needles = options.left_needles;
   return settings;
 }
 
@@ -187,8 +188,7 @@ session::SessionHeader Station::Parts::header() const {
 
 void Station::Parts::prepare_ultrasound(const Pose& probe) {
   const UltrasoundChoice& choice = *options.ultrasound;
-  const std::shared_ptr<const imaging::AcousticVolume> volume =
-      imaging::acoustic_volume(*patient, observer.progress());
+  const auto volume = imaging::acoustic_volume(*patient, observer.progress());
   imaging::Ultrasound machine(volume, choice.probe, choice.settings, choice.detail);
   order = {probe, choice.settings};
   const std::optional<anatomy::BreathField> breath = breath_of(*patient);

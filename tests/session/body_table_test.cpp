@@ -123,6 +123,12 @@ TEST(BodyTable, the_header_says_what_the_body_was_made_of) {
   settings.probe = {35.5, 20.0, 60.0, 12.0};
   settings.motion.dt = 0.02;
   const fem::BodySolverSettings read = moving_body_settings(moving_body_text(settings, 5));
+  const std::vector<anatomy::NeedlePath> left = {{Vec3::Zero(), Vec3::UnitX()}};
+  EXPECT_TRUE(moving_body_settings(moving_body_text(settings, 5), left).left_needles.empty())
+      << "a session of before, whose moving body knew of no needle";
+  fem::BodySolverSettings with = settings;
+  with.left_needles = left;
+  EXPECT_EQ(moving_body_settings(moving_body_text(with, 5), left).left_needles.size(), 1U);
   EXPECT_EQ(read.probe.width, 35.5);
   EXPECT_EQ(read.probe.thickness, 20.0);
   EXPECT_EQ(read.probe.radius, 60.0);

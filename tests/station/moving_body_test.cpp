@@ -113,6 +113,7 @@ Session perform_on(const PressedBlock& block, const std::filesystem::path& file)
   header.haptics = block.patient.description.haptics;
   header.second = SecondHeader{SecondRole::probe, "{}"};
   header.moving_body = moving_body_text(block.settings, block.body->mesh.nodes.size());
+  header.left_needles = block.settings.left_needles;
   header.body_digest = digest_of_body(block.patient);
   const auto link = std::make_shared<SecondLink>();
   gate_is_open = false;
@@ -183,6 +184,10 @@ void expect_replay_of_moved_body(const Session& session, const PressedBlock& blo
 
   EXPECT_THAT(refusal_of_replay(session, block, nullptr), HasSubstr("no deformable body"));
   altered = session;
+  altered.header.left_needles[0].target.y() += 4.0;
+  EXPECT_THAT(replay_session(altered, block.patient, {}, body).body_difference, HasSubstr("step"))
+      << "a needle that was left is part of the body that moves";
+  altered = session;
   altered.body_steps.erase(altered.body_steps.begin() + 3);
   EXPECT_THAT(refusal_of_replay(altered, block, body), HasSubstr("not every step was kept"));
   altered.body_steps.clear();
@@ -192,8 +197,10 @@ void expect_replay_of_moved_body(const Session& session, const PressedBlock& blo
 
 TEST(MovingBody, the_probes_hand_feels_the_bodys_force_and_the_needle_enters_it_as_it_is_moved) {
   const ScratchSession scratch;
-  const PressedBlock block = pressed_block();
+  PressedBlock block = pressed_block();
+  block.settings.left_needles = block.patient.left_needles = {{Vec3(7.0, 0.0, 3.0), Vec3(2.0, -28.0, 0.0)}};
   const Session session = perform_on(block, scratch.path());
+  EXPECT_THAT(session.header.moving_body, HasSubstr("\"left_needles\":1"));
   EXPECT_THAT(session.header.moving_body, HasSubstr("\"nodes\":702,\"width_mm\":35.0"));
   const auto entered = std::find_if(session.events.begin(), session.events.end(), [](const SessionEvent& event) {
     return event.event.kind == EventKind::corridor_refreshed;

@@ -54,9 +54,11 @@ double largest_column(const NodeVectors& vectors) noexcept {
 
 }  // namespace
 
-CorotationalBody::CorotationalBody(const BodyDescription& body, const CorotationalSettings& settings)
+CorotationalBody::CorotationalBody(const BodyDescription& body, const CorotationalSettings& settings,
+                                   std::span<const anatomy::NeedlePath> left)
     : settings_(checked_corotational_settings(settings)),
       elements_(checked_moving_body(body).mesh, body.materials),
+      needles_(body.mesh, body.materials, left),
       matrix_(body.mesh),
       gradients_(body.mesh.nodes.size()),
       masses_(body.mesh.nodes.size(), 0.0),
@@ -74,6 +76,8 @@ CorotationalBody::CorotationalBody(const BodyDescription& body, const Corotation
     const double by = (1.0 / settings_.dt + settings_.mass_damping) / settings_.dt;
     for (std::size_t node = 0; node < masses_.size(); ++node) inertia_[node] = masses_[node] * by;
   }
+  diagonal_ = inertia_;
+  needles_.add_stiffness(diagonal_);
   const auto count = static_cast<Eigen::Index>(mesh.nodes.size());
   for (NodeVectors* vector : {&rest_, &places_, &velocities_, &goals_, &forces_, &loads_, &begin_, &begin_forces_,
                               &push_, &moved_, &product_, &before_, &change_, &residual_})
@@ -89,8 +93,14 @@ void CorotationalBody::reset() noexcept {
   velocities_.setZero();
   loads_.setZero();
   elements_.reset();
-  energy_ = elements_.evaluate(places_, forces_);
+  energy_ = evaluate();
   told_ = {};
+}
+
+// Forces and energy at places_.
+double CorotationalBody::evaluate() noexcept {
+  const double energy = elements_.evaluate(places_, forces_);
+  return energy + needles_.add_forces(places_, forces_);
 }
 
 bool CorotationalBody::place(const Eigen::Matrix3Xd& places) noexcept {
@@ -98,7 +108,7 @@ bool CorotationalBody::place(const Eigen::Matrix3Xd& places) noexcept {
   for (Eigen::Index node = 0; node < places.cols(); ++node)
     if (held_[static_cast<std::size_t>(node)] == 0) places_.col(node).head<3>() = places.col(node);
   velocities_.setZero();
-  energy_ = elements_.evaluate(places_, forces_);
+  energy_ = evaluate();
   return true;
 }
 
@@ -128,10 +138,13 @@ double CorotationalBody::damping_share() const noexcept {
   return settings_.dt > 0.0 ? settings_.stiffness_damping / settings_.dt : 0.0;
 }
 
-// sum += factor times what masses and their damping do against `moved`.
-void CorotationalBody::add_inertia(const NodeVectors& moved, double factor, NodeVectors& sum) const noexcept {
-  for (Eigen::Index node = 0; node < moved.cols(); ++node)
-    sum.col(node) += factor * inertia_[static_cast<std::size_t>(node)] * moved.col(node);
+// sum += `share` of the matrix's diagonal, less what masses and their damping do against `moved`.
+void CorotationalBody::add_diagonals(const NodeVectors& moved, double share, NodeVectors& sum) const noexcept {
+  for (Eigen::Index node = 0; node < moved.cols(); ++node) {
+    const auto i = static_cast<std::size_t>(node);
+    const double needles = diagonal_[i] - inertia_[i];
+    sum.col(node) += ((share - 1.0) * inertia_[i] + share * needles) * moved.col(node);
+  }
 }
 
 void CorotationalBody::begin_step() noexcept {
@@ -144,7 +157,7 @@ void CorotationalBody::begin_step() noexcept {
     for (Eigen::Index node = 0; node < push_.cols(); ++node)
       push_.col(node) += masses_[static_cast<std::size_t>(node)] / settings_.dt * velocities_.col(node);
   }
-  matrix_.assemble(elements_.turned(), 1.0 + damping_share(), inertia_);
+  matrix_.assemble(elements_.turned(), 1.0 + damping_share(), diagonal_);
   matrix_.invert_diagonal(held_);
   moved_.setZero();
   for (Eigen::Index node = 0; node < moved_.cols(); ++node)
@@ -156,11 +169,14 @@ void CorotationalBody::begin_step() noexcept {
 // What the step has cost so far of the energy that implicit Euler makes least; not above 0 when nothing is moved by
 // force.
 double CorotationalBody::energy_won() const noexcept {
-  double inertia = 0.0;
-  for (Eigen::Index node = 0; node < moved_.cols(); ++node)
-    inertia += inertia_[static_cast<std::size_t>(node)] * moved_.col(node).squaredNorm();
+  double inertia = 0.0, diagonal = 0.0;
+  for (Eigen::Index node = 0; node < moved_.cols(); ++node) {
+    const double square = moved_.col(node).squaredNorm();
+    inertia += inertia_[static_cast<std::size_t>(node)] * square;
+    diagonal += diagonal_[static_cast<std::size_t>(node)] * square;
+  }
   const double share = damping_share();
-  const double stiff = (moved_.cwiseProduct(product_).sum() - inertia) / (1.0 + share);
+  const double stiff = (moved_.cwiseProduct(product_).sum() - diagonal) / (1.0 + share);
   return energy_ - begin_energy_ + 0.5 * inertia + 0.5 * share * stiff - push_.cwiseProduct(moved_).sum();
 }
 
@@ -168,7 +184,7 @@ double CorotationalBody::energy_won() const noexcept {
 void CorotationalBody::find_residual() noexcept {
   const double share = damping_share() / (1.0 + damping_share());
   residual_ = push_ + forces_ - share * product_;
-  add_inertia(moved_, share - 1.0, residual_);
+  add_diagonals(moved_, share, residual_);
   for (Eigen::Index node = 0; node < residual_.cols(); ++node)
     if (held_[static_cast<std::size_t>(node)] != 0) residual_.col(node).setZero();
   told_.unbalance = largest_column(residual_);
@@ -183,7 +199,7 @@ bool CorotationalBody::correct(double& won) noexcept {
     moved_ = before_ + change_;
     places_ = begin_ + moved_;
     matrix_.multiply(moved_, product_);
-    energy_ = elements_.evaluate(places_, forces_);
+    energy_ = evaluate();
     const double now = energy_won();
     const bool finite = std::isfinite(now) && forces_.allFinite() && largest_column(moved_) < farthest_step;
     const double rounding = 1e-12 * (std::abs(energy_) + std::abs(begin_energy_));
@@ -199,7 +215,7 @@ bool CorotationalBody::correct(double& won) noexcept {
 void CorotationalBody::go_back() noexcept {
   places_ = begin_;
   velocities_.setZero();
-  energy_ = elements_.evaluate(places_, forces_);
+  energy_ = evaluate();
   told_.fault = true;
   told_.largest_move = 0.0;
 }

@@ -7,6 +7,7 @@
 #include "fem/moving/conjugate_gradients.h"
 #include "fem/moving/corotational_elements.h"
 #include "fem/moving/node_matrix.h"
+#include "fem/moving/rigid_needles.h"
 #include "fem/solid/elastic_body.h"
 
 namespace bodkin::fem {
@@ -51,8 +52,10 @@ struct CorotationalStep {
 // it, to the bit. Not for two threads at once. docs/corotational.md
 class CorotationalBody {
  public:
-  // Checks body (check_body) and settings; throws InputError.
-  CorotationalBody(const BodyDescription& body, const CorotationalSettings& settings);
+  // Checks body (check_body) and settings; throws InputError. `left`: needles that were left in it, from entry to
+  // tip.
+  CorotationalBody(const BodyDescription& body, const CorotationalSettings& settings,
+                   std::span<const anatomy::NeedlePath> left = {});
 
   // Holds a node at a place, mm, from the next step on; and lets it go. Fixed nodes stay, and places that are not
   // finite are not taken.
@@ -82,25 +85,28 @@ class CorotationalBody {
   Vec3 holding_force(std::uint32_t node) const noexcept { return -(forces_ + loads_).col(node).head<3>(); }
   const NodeVectors& places() const noexcept { return places_; }
 
-  double elastic_energy() const noexcept { return energy_; }                // N mm
+  double elastic_energy() const noexcept { return energy_; }                // N mm, with that of needles left in it
   double kinetic_energy() const noexcept;                                   // N mm
   double mass(std::uint32_t node) const noexcept { return masses_[node]; }  // t, that is N s^2/mm
 
  private:
+  double evaluate() noexcept;
   void begin_step() noexcept;
   bool correct(double& won) noexcept;
   double energy_won() const noexcept;
   void find_residual() noexcept;
   void go_back() noexcept;
-  void add_inertia(const NodeVectors& moved, double factor, NodeVectors& sum) const noexcept;
+  void add_diagonals(const NodeVectors& moved, double share, NodeVectors& sum) const noexcept;
   double damping_share() const noexcept;
 
   CorotationalSettings settings_;
   CorotationalElements elements_;
+  RigidNeedles needles_;
   NodeMatrix matrix_;
   ConjugateGradients gradients_;
   std::vector<double> masses_;      // t
   std::vector<double> inertia_;     // by node, what mass and its damping add to the diagonal, N/mm
+  std::vector<double> diagonal_;    // by node, that and what needles add to it, N/mm
   std::vector<std::uint8_t> held_;  // 0 free, 1 held, 2 fixed
   NodeVectors rest_, places_, velocities_, goals_;
   NodeVectors forces_, loads_;               // N, of the elements and from outside

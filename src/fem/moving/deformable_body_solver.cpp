@@ -3,7 +3,7 @@
 namespace bodkin::fem {
 
 DeformableBodySolver::DeformableBodySolver(const BodyDescription& body, const BodySolverSettings& settings)
-    : moving_(body, settings.motion), press_(body.mesh, body.fixed, settings.probe) {}
+    : moving_(body, settings.motion, settings.left_needles), press_(body.mesh, body.fixed, settings.probe) {}
 
 const CorotationalStep& DeformableBodySolver::step(const std::optional<Pose>& probe) noexcept {
   if (probe) {

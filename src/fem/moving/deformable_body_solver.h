@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "fem/body_motion.h"
 #include "fem/moving/corotational_body.h"
@@ -12,6 +13,7 @@ namespace bodkin::fem {
 struct BodySolverSettings {
   CorotationalSettings motion;
   ProbeFace probe;
+  std::vector<anatomy::NeedlePath> left_needles;  // in the body, from entry to tip, at rest
 };
 
 // A deformable body and the probe that presses it, one step at a time and without a thread (BodyThread runs it on

@@ -8,10 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "anatomy/mesh_parts.h"
 #include "core/error.h"
 #include "core/thread_pool.h"
-#include "fem/solid/mesh_patch.h"
+#include "fem/solid/left_points.h"
 #include "fem/solid/tip_compliance.h"
 
 namespace bodkin::fem {
@@ -21,9 +20,6 @@ namespace {
 constexpr double reach = 5.0;  // mm outside the mesh, where its surface has been rounded off
 constexpr std::size_t most_in_element = 2;
 constexpr std::size_t points_at_once = 8;  // that share reading the factor
-constexpr double shaft_radius = 0.5;       // mm: a ball as soft as 1 mm of a thin needle's shaft
-constexpr double left_spacing = 1.0;       // mm, of the points of a needle that was left
-constexpr double longest_left = 1000.0;    // mm
 
 BodyDescription without_corridor(const BodyDescription& body) {
   return {body.mesh, body.materials, body.fixed, {}};
@@ -60,11 +56,6 @@ CarriedPoint ContactBody::carried(const PointInMesh& place) const {
   return point;
 }
 
-Mat3 ContactBody::shaft_gain_in(std::uint32_t element) const {
-  const ElasticMaterial& material = *body_->materials.find(body_->mesh.tissues[element]);
-  return shaft_gain(material, edge_of_volume(anatomy::element_volume(body_->mesh, element)), shaft_radius);
-}
-
 BoundPoints ContactBody::bind(std::span<const anatomy::NeedlePath> left, std::span<const std::uint32_t> held) const {
   std::vector<BoundPoints::Group> groups;
   const auto respond = [this](BoundPoints::Group& group, const std::vector<CarriedPoint>& loads) {
@@ -75,23 +66,13 @@ BoundPoints ContactBody::bind(std::span<const anatomy::NeedlePath> left, std::sp
     }
   };
   for (const anatomy::NeedlePath& needle : left) {
-    const double length = needle.length();
-    if (!(length > 0.0 && length <= longest_left)) {
-      throw InputError(
-          fmt::format("a needle that was left in the body is {} mm long, expected more than 0 and at most "
-                      "{:.0f} mm from its entry to its tip",
-                      length, longest_left));
-    }
-    const Vec3 direction = needle.direction();
     BoundPoints::Group group;
     group.is_free = true;
     std::vector<CarriedPoint> loads;
-    for (double depth = std::min(0.5 * left_spacing, 0.5 * length); depth <= length; depth += left_spacing) {
-      const PointInMesh place = finder_.find(needle.entry + depth * direction, reach);
-      if (!place.moves()) continue;
-      loads.push_back(carried(place));
-      group.places.push_back(needle.entry + depth * direction);
-      group.gains.push_back(shaft_gain_in(place.element));
+    for (const LeftPoint& point : left_points(body_->mesh, finder_, body_->materials, needle)) {
+      loads.push_back(carried(point.in_mesh));
+      group.places.push_back(point.place);
+      group.gains.push_back(point.gain);
     }
     respond(group, loads);
     groups.push_back(std::move(group));
@@ -183,7 +164,7 @@ class ContactBody::Points {
   // mm/N, what the mesh lacks at a point.
   Mat3 gain_of(std::size_t i) const {
     const BodyDescription& body = *body_.body_;
-    const Mat3 regular = body_.shaft_gain_in(points_[i].place.element);
+    const Mat3 regular = shaft_gain_in(body.mesh, body.materials, points_[i].place.element);
     if (!points_[i].station->resists) return regular;
     const Mat3 gain = refinement_gain(body.mesh, body_.finder_, body.materials, body_.fixed_, disk_of(points_[i]));
     // A disk in held elements moves by nothing else.

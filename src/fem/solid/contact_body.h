@@ -60,8 +60,6 @@ class ContactBody {
  private:
   class Points;
 
-  Mat3 shaft_gain_in(std::uint32_t element) const;
-
   std::shared_ptr<const BodyDescription> body_;
   std::vector<bool> fixed_;                // by node of the mesh
   std::vector<std::uint32_t> free_nodes_;  // by node of the mesh, as the equations number it
