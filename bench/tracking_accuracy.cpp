@@ -25,7 +25,8 @@ struct Choice {
   int pictures = 200, width = 1280, height = 720;
   std::uint64_t seed = 1;
   double distance = 600.0, motion = 0.0, sharpening = 0.0, blur = 0.7, exponent = 0.0, contrast = 0.0;
-  double assumed_blur = 0.7, assumed_exponent = -1.0, gate = 0.0, noise = 1.0, exposure = 1.0, occlusion = 0.0;
+  double assumed_blur = 0.7, assumed_exponent = -1.0, assumed_focal = 1.0, gate = 0.0, noise = 1.0, exposure = 1.0,
+         occlusion = 0.0;
   bool still = false;
 };
 
@@ -99,6 +100,8 @@ bool read_choice(int argc, char** argv, Choice& choice) {
       choice.assumed_blur = value;
     else if (name == "--assumed-exponent")
       choice.assumed_exponent = value;
+    else if (name == "--assumed-focal")
+      choice.assumed_focal = value;
     else if (name == "--gate")
       choice.gate = value;
     else if (name == "--noise")
@@ -121,7 +124,8 @@ int main(int argc, char** argv) {
     std::puts(
         "tracking_accuracy [--pictures N] [--width PX --height PX] [--seed N] [--distance MM] [--still]\n"
         "  [--motion PX] [--sharpening S] [--blur PX] [--exponent E] [--contrast C] [--assumed-blur PX]\n"
-        "  [--assumed-exponent E] [--gate RESIDUAL] [--noise N] [--exposure E] [--occlusion SHARE]");
+        "  [--assumed-exponent E] [--assumed-focal SHARE] [--gate RESIDUAL] [--noise N] [--exposure E] [--occlusion "
+        "SHARE]");
     return 2;
   }
   CameraModel camera = footage_camera(choice.width, choice.height);
@@ -130,6 +134,8 @@ int main(int argc, char** argv) {
   CameraModel assumed = camera;
   assumed.blur = choice.assumed_blur;
   if (choice.assumed_exponent >= 0.0) assumed.tone = {choice.assumed_exponent, 0.0};
+  assumed.fx *= choice.assumed_focal;
+  assumed.fy *= choice.assumed_focal;
   FootageLook look;
   look.sharpening = choice.sharpening;
   look.exposure = choice.exposure;
@@ -146,7 +152,8 @@ int main(int argc, char** argv) {
   Tracker tracker(assumed, bodies, settings);
 
   Random random(choice.seed);
-  std::vector<double> in_camera, in_mannequin, board_error, uncertain_error, noise, residuals, ratios, overlay;
+  std::vector<double> in_camera, in_mannequin, board_error, uncertain_error, noise, residuals, ratios, overlay, tone,
+      blur, focal;
   double predicted = 0.0, squares = 0.0, track_ms = 0.0, render_ms = 0.0;
   int lost = 0, uncertain = 0, wrong = 0, wrong_uncertain = 0, within_three = 0, board_bad = 0;
   Vec3 first_tip = Vec3::Zero();
@@ -177,6 +184,7 @@ int main(int argc, char** argv) {
     track_ms += cpu_ms() - start;
     const TrackedPose &of_board = poses[0], &of_needle = poses[1];
     if (of_board.status != TrackingStatus::ok) ++board_bad;
+    if (of_board.status == TrackingStatus::ok) focal.push_back(100.0 * of_board.misfit.focal.value);
     if (of_needle.status == TrackingStatus::lost) {
       ++lost;
       continue;
@@ -185,6 +193,8 @@ int main(int argc, char** argv) {
     const double error = (tip - true_tip).norm();
     const double angle =
         Eigen::AngleAxisd(of_needle.camera_from_body.linear().transpose() * needle.linear()).angle() / degree;
+    tone.push_back(std::abs(of_needle.misfit.tone.value));
+    blur.push_back(std::abs(of_needle.misfit.blur.value));
     if (of_needle.status == TrackingStatus::uncertain) {
       ++uncertain;
       if (angle > 10.0) ++wrong_uncertain;
@@ -214,7 +224,8 @@ int main(int argc, char** argv) {
       in_mannequin.push_back((of_board.camera_from_body.inverse() * tip - board.inverse() * true_tip).norm());
       const Vec3 target(0.0, 0.0, 60.0);
       board_error.push_back((of_board.camera_from_body * target - board * target).norm());
-      overlay.push_back((camera.project(of_board.camera_from_body * target) - camera.project(board * target)).norm());
+      overlay.push_back(
+          (assumed.project(of_board.camera_from_body * target) - camera.project(board * target)).norm());
     }
   }
   std::printf(
@@ -235,6 +246,9 @@ int main(int argc, char** argv) {
   }
   print_row("residual", residuals);
   print_row("residual of edges over flat parts", ratios);
+  print_row("another tone curve, share of step", tone);
+  print_row("another blur, px^2", blur);
+  print_row("another focal length, %", focal);
   if (!in_camera.empty()) {
     const auto count = static_cast<double>(in_camera.size());
     std::printf("predicted RMS %.3f, found %.3f; within 3 sigma %.1f %%\n", std::sqrt(predicted / count),

@@ -10,6 +10,7 @@ constexpr std::size_t pictures = 30;  // a second of a usual camera
 constexpr double share = 0.8;         // of them in which no body fits
 constexpr double rest = 2.0;          // mm from one picture to the next
 constexpr int of_board = 4;           // markers seen at once; of a cube three are at most
+constexpr double most_focal = 0.01;   // share by which a board may say that the focal length is another
 
 void note_picture(std::deque<bool>& disagreements, bool disagrees) {
   disagreements.push_back(disagrees);
@@ -33,7 +34,7 @@ void LensWatch::add(const std::vector<TrackedPose>& poses) {
     const bool fits = poses[i].status == TrackingStatus::ok;
     ++resting;
     fitting += fits ? 1 : 0;
-    if (poses[i].markers >= of_board) note_picture(boards_[i], !fits);
+    if (poses[i].markers >= of_board) note_picture(boards_[i], !fits || poses[i].misfit.focal.exceeds(most_focal));
   }
   before_ = poses;
   if (resting > 0) note_picture(all_, fitting == 0);

@@ -10,8 +10,8 @@ namespace bodkin::tracking {
 
 // Notices that the camera is no longer the one that was calibrated: its lens was turned, or its focus moved. Then
 // picture and model disagree for every body at once, also at rest; motion or a bent body shows on one alone or
-// passes. Another focal length shows on a wide board alone, for a small cube looks much the same through it; so does
-// a board that is bent.
+// passes. Another focal length shows on a wide board alone, for a small cube looks much the same through it: as
+// perspective that is too strong or too weak (CameraMisfit::focal). So does a board that is bent.
 class LensWatch {
  public:
   // The poses of the next picture, of the same bodies in the same order.

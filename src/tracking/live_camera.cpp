@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 #include "tracking/jpeg_file.h"
@@ -19,6 +21,7 @@ namespace {
 constexpr unsigned buffer_count = 4;
 constexpr int patience = 2000;    // ms without a picture
 constexpr int most_damaged = 30;  // one after the other
+constexpr std::chrono::milliseconds between_tries{100};
 
 InputError refusal(const std::string& name, int reason) {
   switch (reason) {
@@ -42,22 +45,38 @@ InputError refusal(const std::string& name, int reason) {
 
 LiveCamera::LiveCamera(std::string name, const SourceOptions& options, std::unique_ptr<VideoDevice> device)
     : name_(std::move(name)), device_(std::move(device)) {
-  if (const int refused = device_->open(name_); refused != 0) throw refusal(name_, refused);
-  try {
-    v4l2_capability able{};
-    const int refused = device_->control(VIDIOC_QUERYCAP, &able);
-    const unsigned has = (able.capabilities & V4L2_CAP_DEVICE_CAPS) != 0 ? able.device_caps : able.capabilities;
-    if (refused != 0 || (has & V4L2_CAP_VIDEO_CAPTURE) == 0 || (has & V4L2_CAP_STREAMING) == 0) {
-      throw InputError(fmt::format(
-          "{}: this device gives no pictures; a camera often has two device files, so try the other one", name_));
+  using Clock = std::chrono::steady_clock;
+  const auto until = Clock::now() + std::chrono::duration<double>(options.busy_patience);
+  while (true) {
+    busy_ = false;
+    try {
+      start(options);
+      return;
+    } catch (...) {
+      release();
+      if (!busy_ || Clock::now() >= until) throw;
     }
-    choose_format(options);
-    lock(options.locks);
-    begin();
-  } catch (...) {
-    release();
-    throw;
+    std::this_thread::sleep_for(between_tries);  // a program that ends holds its camera for a moment
   }
+}
+
+void LiveCamera::start(const SourceOptions& options) {
+  if (const int refused = device_->open(name_); refused != 0) refuse(refused);
+  v4l2_capability able{};
+  const int refused = device_->control(VIDIOC_QUERYCAP, &able);
+  const unsigned has = (able.capabilities & V4L2_CAP_DEVICE_CAPS) != 0 ? able.device_caps : able.capabilities;
+  if (refused != 0 || (has & V4L2_CAP_VIDEO_CAPTURE) == 0 || (has & V4L2_CAP_STREAMING) == 0) {
+    throw InputError(fmt::format(
+        "{}: this device gives no pictures; a camera often has two device files, so try the other one", name_));
+  }
+  choose_format(options);
+  lock(options.locks);
+  begin();
+}
+
+void LiveCamera::refuse(int reason) {
+  busy_ = reason == EBUSY;
+  throw refusal(name_, reason);
 }
 
 LiveCamera::~LiveCamera() {
@@ -82,7 +101,7 @@ void LiveCamera::choose_format(const SourceOptions& options) {
     format.fmt.pix.pixelformat = kind;
     format.fmt.pix.field = V4L2_FIELD_NONE;
     if (const int refused = device_->control(VIDIOC_S_FMT, &format); refused != 0) {
-      if (refused == EBUSY) throw refusal(name_, refused);
+      if (refused == EBUSY) refuse(refused);
       continue;
     }
     if (format.fmt.pix.pixelformat != kind) continue;
@@ -176,20 +195,20 @@ void LiveCamera::begin() {
   request.count = buffer_count;
   request.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
   request.memory = V4L2_MEMORY_MMAP;
-  if (const int refused = device_->control(VIDIOC_REQBUFS, &request); refused != 0) throw refusal(name_, refused);
+  if (const int refused = device_->control(VIDIOC_REQBUFS, &request); refused != 0) refuse(refused);
   for (unsigned n = 0; n < request.count; ++n) {
     v4l2_buffer buffer{};
     buffer.type = request.type;
     buffer.memory = V4L2_MEMORY_MMAP;
     buffer.index = n;
-    if (const int refused = device_->control(VIDIOC_QUERYBUF, &buffer); refused != 0) throw refusal(name_, refused);
+    if (const int refused = device_->control(VIDIOC_QUERYBUF, &buffer); refused != 0) refuse(refused);
     void* const at = device_->map(buffer.length, buffer.m.offset);
     if (at == nullptr) throw SystemError(fmt::format("{}: there is no memory for its pictures", name_));
     buffers_.push_back({at, buffer.length});
-    if (const int refused = device_->control(VIDIOC_QBUF, &buffer); refused != 0) throw refusal(name_, refused);
+    if (const int refused = device_->control(VIDIOC_QBUF, &buffer); refused != 0) refuse(refused);
   }
   int kind = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-  if (const int refused = device_->control(VIDIOC_STREAMON, &kind); refused != 0) throw refusal(name_, refused);
+  if (const int refused = device_->control(VIDIOC_STREAMON, &kind); refused != 0) refuse(refused);
 }
 
 bool LiveCamera::decode(const Buffer& buffer, std::size_t used, SourcePicture& picture) const {

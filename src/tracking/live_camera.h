@@ -14,8 +14,9 @@ namespace bodkin::tracking {
 // switched off is refused.
 class LiveCamera : public PictureSource {
  public:
-  // `name`: the device file. Throws InputError when it is missing, busy, not allowed, no camera, has not the wanted
-  // size or cannot be locked as its calibration was.
+  // `name`: the device file. A camera that another program uses is tried again for options.busy_patience. Throws
+  // InputError when it is missing, still busy, not allowed, no camera, has not the wanted size or cannot be locked as
+  // its calibration was.
   LiveCamera(std::string name, const SourceOptions& options, std::unique_ptr<VideoDevice> device);
   ~LiveCamera() override;
   LiveCamera(const LiveCamera&) = delete;
@@ -39,6 +40,8 @@ class LiveCamera : public PictureSource {
     std::size_t length;
   };
 
+  void start(const SourceOptions& options);
+  [[noreturn]] void refuse(int reason);
   void choose_format(const SourceOptions& options);
   void lock(const std::optional<CameraControls>& wanted);
   bool set(unsigned id, int value);
@@ -56,6 +59,7 @@ class LiveCamera : public PictureSource {
   double rate_ = 30.0;
   int dropped_ = 0, damaged_ = 0;
   bool has_fixed_exposure_ = true;
+  bool busy_ = false;  // the reason of the last refusal
 };
 
 }  // namespace bodkin::tracking

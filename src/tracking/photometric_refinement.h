@@ -4,9 +4,11 @@
 #include <span>
 #include <vector>
 
+#include "tracking/camera_misfit.h"
 #include "tracking/camera_model.h"
 #include "tracking/grey_picture.h"
 #include "tracking/marker_body.h"
+#include "tracking/pattern_rows.h"
 
 #include "core/geometry.h"
 
@@ -39,16 +41,20 @@ class PhotometricRefinement {
   RefinedPose refine(const GreyPicture& picture, const MarkerBody& body, std::span<const int> ids, const Pose& start,
                      int steps = 4) const;
 
+  // How the picture of a body at its pose differs from what the calibrated camera would make of it.
+  CameraMisfit misfit(const GreyPicture& picture, const MarkerBody& body, std::span<const int> ids,
+                      const RefinedPose& pose) const;
+
   const CameraModel& camera() const { return camera_; }
   // Another tone curve and blur of the same lens.
   void set_light(const ToneCurve& tone, double blur);
 
  private:
-  struct Row;  // what one step gathers from one face
-  struct Face;
-  struct Sums;
-  bool gather(const GreyPicture& picture, const Face& face, const Pose& camera_from_body, int stride,
+  struct Sums;  // what one step gathers
+  bool gather(const GreyPicture& picture, const FacePattern& face, const Pose& camera_from_body, int stride,
               Sums& sums) const;
+
+  PatternCamera pattern_camera() const { return {camera_, rays_, light_, variance_}; }
 
   CameraModel camera_;
   std::vector<Eigen::Vector2f> rays_;

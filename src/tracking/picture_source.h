@@ -51,6 +51,7 @@ struct SourceOptions {
   double rate = 30.0;                   // of a folder that has no times, and asked of a camera; pictures/s
   int width = 1280, height = 720;       // asked of a camera
   std::optional<CameraControls> locks;  // of a camera's calibration; absent: what the camera has now
+  double busy_patience = 2.0;           // s for which a camera that another program uses is tried again
 };
 
 // A folder of pictures (.png, .jpg), a video file, or a camera's device file (/dev/video0). Throws InputError when it

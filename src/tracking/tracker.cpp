@@ -129,6 +129,7 @@ TrackedPose Tracker::follow(const GreyPicture& picture, const MarkerBody& body) 
   tracked.covariance = best.covariance;
   tracked.residual = best.residual;
   tracked.edge_ratio = best.edge_ratio;
+  tracked.misfit = refinement_.misfit(picture, body, ids, best);
   const bool ambiguous = second.sound && second.residual < settings_.least_contrast * best.residual;
   const auto beyond = [&](double residual, double ratio) {
     return best.residual > residual && best.edge_ratio > ratio;
@@ -136,7 +137,9 @@ TrackedPose Tracker::follow(const GreyPicture& picture, const MarkerBody& body) 
   const bool unlike = beyond(settings_.most_residual, settings_.most_edge_ratio) ||
                       beyond(settings_.high_residual, settings_.high_edge_ratio) ||
                       best.residual > settings_.any_residual;
-  tracked.status = unlike || ambiguous ? TrackingStatus::uncertain : TrackingStatus::ok;
+  const bool other_light =
+      tracked.misfit.tone.exceeds(settings_.most_tone) || tracked.misfit.blur.exceeds(settings_.most_blur);
+  tracked.status = unlike || ambiguous || other_light ? TrackingStatus::uncertain : TrackingStatus::ok;
   return tracked;
 }
 

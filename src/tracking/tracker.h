@@ -32,6 +32,7 @@ struct TrackedPose {
   Pose filtered = Pose::Identity();          // the mean over the rest, or the same as measured while it moves
   Matrix6 covariance = Matrix6::Zero();      // of the measured one, see RefinedPose
   double residual = 1.0, edge_ratio = 1.0;   // see RefinedPose
+  CameraMisfit misfit;                       // see there; of no meaning when lost
   int markers = 0;                           // found on the body
 };
 
@@ -45,6 +46,10 @@ struct TrackerSettings {
   double most_residual = 0.046, most_edge_ratio = 1.9;
   double high_residual = 0.055, high_edge_ratio = 1.5;
   double any_residual = 0.165;
+  // Nor does the pose of a picture count whose light is not the calibrated camera's (see CameraMisfit): a camera's
+  // own pictures stay below half of these.
+  double most_tone = 0.1;        // share of the step from black to white
+  double most_blur = 0.2;        // pixels squared
   double least_contrast = 1.03;  // residual of the second-best pose over that of the best; below, it is uncertain
   int steps = 4;                 // of the refinement
   double search_every = 1.0;     // s; the whole picture is searched this often, else boxes around the last poses

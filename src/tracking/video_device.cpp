@@ -41,7 +41,7 @@ class SystemVideoDevice : public VideoDevice {
     return (asked.revents & (POLLERR | POLLHUP | POLLNVAL)) != 0 ? ENODEV : 0;
   }
   void close() override {
-    ::close(file_);
+    if (file_ >= 0) ::close(file_);
     file_ = -1;
   }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tracking/footage.h"
+#include "tracking/tracker.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -81,6 +82,20 @@ TEST(CameraCalibration, finds_lens_tone_curve_and_blur_and_leaves_out_what_moved
       return (tone.light(level) - black) / (white - black);
     };
     EXPECT_NEAR(share(made.camera.tone), share(truth.tone), 0.03) << level;
+  }
+  // Its own pictures are not taken for those of another camera.
+  Tracker tracker(made.camera, {CalibrationBoard{}.printed(), cube_body("needle", 12, 60.0, 150.0)});
+  PlacedBody needle{&tracker.bodies()[1], Pose::Identity()};
+  needle.camera_from_body.translation() = Vec3(20.0, 10.0, 400.0);
+  needle.camera_from_body.linear() = Eigen::AngleAxisd(0.7, Vec3(1.0, 0.5, 0.0).normalized()).toRotationMatrix();
+  for (const GreyPicture& picture :
+       {picture_of_board(truth, board_place(4)), render_picture(truth, {}, {needle}, 6)}) {
+    for (const TrackedPose& pose : tracker.track(picture, 0.0)) {
+      if (pose.status == TrackingStatus::lost) continue;
+      EXPECT_EQ(pose.status, TrackingStatus::ok);
+      EXPECT_LT(std::abs(pose.misfit.tone.value), 0.08);
+      EXPECT_LT(std::abs(pose.misfit.blur.value), 0.15);
+    }
   }
 }
 

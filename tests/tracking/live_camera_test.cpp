@@ -33,6 +33,7 @@ struct CameraState {
                                       {V4L2_CID_SHARPNESS, 128}};
   std::set<unsigned> stuck;  // controls that take no value
   int open_refusal = 0, buffer_refusal = 0;
+  int busy_tries = 0;  // tries for which another program still has it
   bool captures = true, compressed = true;
   int width = 640, height = 480;
   bool streaming = false, is_open = false;
@@ -103,6 +104,10 @@ class ReplacedDevice : public VideoDevice {
         return 0;
       }
       case VIDIOC_REQBUFS:
+        if (state_.busy_tries > 0) {
+          --state_.busy_tries;
+          return EBUSY;
+        }
         if (state_.buffer_refusal != 0) return state_.buffer_refusal;
         static_cast<v4l2_requestbuffers*>(argument)->count = 3;
         return 0;
@@ -149,6 +154,7 @@ SourceOptions options_of(const CameraState& state) {
   SourceOptions options;
   options.width = state.width;
   options.height = state.height;
+  options.busy_patience = 0.0;
   return options;
 }
 
@@ -238,6 +244,21 @@ TEST(LiveCamera, says_why_there_is_no_camera) {
   SourceOptions larger = options;
   larger.width = 1280;
   EXPECT_THAT(refusal_of(state, larger), HasSubstr("nearest are 640 x 480"));
+}
+
+TEST(LiveCamera, waits_for_a_camera_that_another_program_is_letting_go) {
+  CameraState state;
+  SourceOptions options = options_of(state);
+  state.busy_tries = 2;
+  EXPECT_THAT(refusal_of(state, options), HasSubstr("another program"));
+  EXPECT_EQ(state.busy_tries, 1) << "without patience it is tried once";
+  options.busy_patience = 60.0;
+  state.busy_tries = 2;
+  EXPECT_EQ(refusal_of(state, options), "");
+  EXPECT_EQ(state.busy_tries, 0);
+  // What patience does not help with is said at once.
+  state.open_refusal = EACCES;
+  EXPECT_THAT(refusal_of(state, options), HasSubstr("group video"));
 }
 
 TEST(LiveCamera, gives_the_newest_picture_with_the_time_of_the_driver) {

@@ -83,6 +83,69 @@ TEST(Tracker, what_the_model_does_not_know_makes_a_pose_uncertain) {
   EXPECT_NE(tracker.track(render_picture(camera, blurred, {moving}, 2), 0.0).front().status, TrackingStatus::ok);
 }
 
+// Also far away or at a slant, where the residual is hardly larger than noise.
+TEST(Tracker, a_picture_with_another_tone_curve_blur_or_sharpening_makes_every_pose_uncertain) {
+  const CameraModel camera = footage_camera(640, 480);
+  const std::vector<MarkerBody> bodies = {cube_body("needle", 12, 60.0, 150.0)};
+  CameraModel toned = camera, blurred = camera;
+  toned.tone = {1.8, 0.3};
+  blurred.blur = 1.1;
+  FootageLook usual, sharpened;
+  sharpened.sharpening = 0.6;
+  const std::vector<std::pair<const CameraModel*, const FootageLook*>> cases = {
+      {&camera, &usual}, {&toned, &usual}, {&blurred, &usual}, {&camera, &sharpened}};
+  for (std::size_t which = 0; which < cases.size(); ++which) {
+    Tracker tracker(camera, bodies);
+    Random random(21);
+    int ok = 0, uncertain = 0;
+    for (int n = 0; n < 12; ++n) {
+      Pose truth = Pose::Identity();
+      const double across = random.uniform(-60.0, 60.0), about = random.uniform(0.0, 6.28);
+      truth.translation() = Vec3(across, 20.0, 800.0);
+      const double tilt = n % 2 == 0 ? 0.0 : 1.15;
+      truth.linear() =
+          (Eigen::AngleAxisd(about, Vec3::UnitZ()) * Eigen::AngleAxisd(tilt, Vec3::UnitX())).toRotationMatrix();
+      const GreyPicture picture = render_picture(*cases[which].first, *cases[which].second, {{bodies.data(), truth}},
+                                                 300U + static_cast<unsigned>(n));
+      const TrackedPose pose = tracker.track(picture, n / 30.0).front();
+      ok += pose.status == TrackingStatus::ok ? 1 : 0;
+      uncertain += pose.status == TrackingStatus::uncertain ? 1 : 0;
+    }
+    EXPECT_GT(ok + uncertain, 3) << which;
+    EXPECT_EQ(which == 0 ? uncertain : ok, 0) << which;
+  }
+}
+
+// Each number is that by which the camera of the picture differs from the one that it is taken for.
+TEST(Tracker, knows_by_how_much_blur_and_focal_length_of_a_picture_are_others) {
+  const CameraModel camera = footage_camera(640, 480);
+  const std::vector<MarkerBody> bodies = {board_body("mannequin", 0, 4, 3, 46.0)};
+  Pose board = Pose::Identity();
+  board.translation() = Vec3(10.0, 5.0, 450.0);
+  board.linear() = (Eigen::AngleAxisd(0.5, Vec3(1.0, 0.4, 0.0).normalized()) * Eigen::AngleAxisd(0.2, Vec3::UnitZ()))
+                       .toRotationMatrix();
+  const auto misfit_of = [&](const CameraModel& other) {
+    Tracker tracker(camera, bodies);
+    return tracker.track(render_picture(other, {}, {{bodies.data(), board}}, 8), 0.0).front().misfit;
+  };
+  const CameraMisfit same = misfit_of(camera);
+  EXPECT_LT(std::abs(same.tone.value), 0.05);
+  EXPECT_LT(std::abs(same.blur.value), 0.06);
+  EXPECT_LT(std::abs(same.focal.value), 0.005);
+  CameraModel other = camera;
+  other.blur = 0.8;
+  EXPECT_NEAR(misfit_of(other).blur.value, 0.8 * 0.8 - 0.7 * 0.7, 0.05);
+  for (const double share : {-0.03, 0.02}) {
+    other = camera;
+    other.fx *= 1.0 + share;
+    other.fy *= 1.0 + share;
+    const Estimate focal = misfit_of(other).focal;
+    EXPECT_NEAR(focal.value, share, 0.006);
+    EXPECT_LT(focal.deviation, 0.004);
+    EXPECT_TRUE(focal.exceeds(0.01));
+  }
+}
+
 TEST(Tracker, a_body_that_is_gone_is_lost_and_its_neighbour_is_not) {
   const CameraModel camera = footage_camera(640, 480);
   const std::vector<MarkerBody> bodies = {board_body("mannequin", 0, 2, 2, 52.0),
