@@ -123,7 +123,8 @@ TEST_F(Review, seeking_shows_the_needle_and_the_time_that_the_file_holds) {
   EXPECT_EQ(page_->frame().place, "muscle");
 }
 
-// What the probe on the screen did comes back: its picture, made again, and the border of what it saw.
+// What the probe on the screen did comes back: its picture, made again, and the border of what it saw; and a needle
+// that was left, in the picture and beside the other one.
 TEST_F(Review, shows_the_recorded_probe_and_its_picture) {
   auto patient = std::make_shared<OpenCase>();
   patient->patient = slab_case({{anatomy::tissue::skin, 2.0}, {anatomy::tissue::muscle, 60.0}});
@@ -131,6 +132,8 @@ TEST_F(Review, shows_the_recorded_probe_and_its_picture) {
   const fs::path file = sessions_ / "scanned.bodkin";
   session::SessionHeader header = header_of(patient->folder);
   header.ultrasound = io::find_probe("L14-5");
+  const anatomy::NeedlePath left{Vec3(12.0, 0.0, 0.0), Vec3(-6.0, -18.0, 0.0)};
+  header.left_needles = {left};
   {
     session::SessionWriter writer(file, header, true);
     for (int i = 0; i < 2000; ++i) {
@@ -164,6 +167,12 @@ TEST_F(Review, shows_the_recorded_probe_and_its_picture) {
   EXPECT_EQ(shown.frame.why, imaging::NoImage::none);
   EXPECT_EQ(shown.settings.depth, 40.0);
   EXPECT_EQ(shown.pose.translation(), Vec3::Zero());
+  ASSERT_EQ(page_->frame().left_needles.size(), 1U);
+  EXPECT_LT((page_->frame().left_needles[0].pose.translation() - left.target).norm(), 1e-12);
+  session::Session without = page_->recording()->session();
+  without.header.left_needles.clear();
+  ScanReplay empty(without, patient->patient, {});
+  EXPECT_NE(empty.picture(0, page_->frame().needle).frame.pixels, shown.frame.pixels) << "it throws an echo";
   page_->seek(1.5);
   settle();
   EXPECT_EQ(shown.frame.why, imaging::NoImage::no_contact);

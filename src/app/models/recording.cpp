@@ -6,6 +6,7 @@
 #include "app/frame_maker.h"
 #include "app/models/warnings.h"
 #include "session/material_tip.h"
+#include "station/left_needle_motion.h"
 #include <fmt/format.h>
 
 #include "core/error.h"
@@ -161,6 +162,17 @@ void Recording::judge(bool is_same) {
   } catch (const InputError& error) {
     not_judged_ = error.what();
   }
+}
+
+std::vector<LeftNeedle> Recording::left_needles(std::size_t index) const {
+  const std::vector<anatomy::NeedlePath>& left = session_.header.left_needles;
+  std::optional<anatomy::BreathField> breath;
+  if (!drawn_in_.empty()) breath.emplace(*patient_->description().breathing);
+  station::LeftNeedleMotion motion(left, breath);
+  std::vector<LeftNeedle> found;
+  for (const Pose& pose : motion.poses({}, drawn_in_.empty() ? 0.0 : static_cast<double>(drawn_in_[index])))
+    found.push_back({pose, left[found.size()].length()});
+  return found;
 }
 
 Frame Recording::frame(std::size_t index) const {

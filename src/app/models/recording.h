@@ -75,6 +75,9 @@ class Recording {
 
   // The moment of a tick as the views draw it. The spans in it live as long as the recording.
   Frame frame(std::size_t index) const;
+  // Where needles that were left in the body are in that moment: moved by breath alone, for what else moved the
+  // tissue is not in the session.
+  std::vector<LeftNeedle> left_needles(std::size_t index) const;
   // Every tick, for the curves.
   std::span<const station::HandSample> samples() const noexcept { return samples_; }
   const std::vector<Happening>& happenings() const noexcept { return happenings_; }

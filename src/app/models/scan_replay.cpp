@@ -29,7 +29,10 @@ ScanReplay::ScanReplay(const session::Session& session, const anatomy::Case& pat
     : samples_(session.scans),
       needle_(patient.description.needle),
       machine_(imaging::acoustic_volume(patient, progress), *session.header.ultrasound,
-               session.scans.front().settings) {}
+               session.scans.front().settings) {
+  for (const anatomy::NeedlePath& left : session.header.left_needles)
+    left_.push_back({needle_pose(left.target, left.direction()), needle_});
+}
 
 station::UltrasoundChoice ScanReplay::choice(std::size_t sample) const {
   station::UltrasoundChoice choice;
@@ -44,7 +47,7 @@ const station::LivePicture& ScanReplay::picture(std::size_t sample, const Pose& 
   if (same) return picture_;
   const session::ScanSample& now = samples_[sample];
   machine_.set(now.settings);
-  picture_.frame = machine_.image(now.probe, imaging::NeedleInSound{needle, needle_});
+  picture_.frame = machine_.image(now.probe, imaging::NeedleInSound{needle, needle_}, std::nullopt, left_);
   picture_.order = {now.probe, now.settings};
   picture_.needle = needle;
   ++picture_.number;

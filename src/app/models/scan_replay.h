@@ -22,7 +22,8 @@ std::optional<std::size_t> scan_at(const session::Session& session, double time)
 std::vector<Vec3> scan_border(const session::Session& session, std::size_t sample);
 
 // The ultrasound machine of a recorded session: its pictures, made again from how the probe was held and the machine
-// was set. The tissue lies still, also where the session's body was a deformable one.
+// was set. The tissue lies still, also where the session's body was a deformable one, and so do needles that were
+// left.
 class ScanReplay {
  public:
   // Of a session that has samples of a machine. Throws InputError when the patient gives no picture.
@@ -36,6 +37,7 @@ class ScanReplay {
  private:
   std::vector<session::ScanSample> samples_;
   anatomy::Needle needle_;
+  std::vector<imaging::NeedleInSound> left_;
   imaging::Ultrasound machine_;
   station::LivePicture picture_;
   std::optional<std::size_t> shown_;  // of the picture

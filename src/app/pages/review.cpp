@@ -281,6 +281,8 @@ void ReviewPage::advance(double clock) {
 void ReviewPage::show_moment(double clock) {
   const std::size_t index = recording_->index_at(time_);
   frame_ = recording_->frame(index);
+  left_needles_ = recording_->left_needles(index);
+  frame_.left_needles = left_needles_;
   frame_.clock = clock;
   frame_.follows_tip = !crosshair_;
   if (crosshair_) frame_.crosshair = *crosshair_;

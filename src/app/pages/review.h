@@ -126,6 +126,7 @@ class ReviewPage : public Page {
   std::unique_ptr<PictureSeries> series_;
   FrameMaker differences_;  // finds what is new in a frame
   Frame frame_;
+  std::vector<LeftNeedle> left_needles_;  // of frame_
   ForceChart::Cursor shown_cursor_;
   double time_ = 0.0, speed_ = 1.0, clock_ = 0.0;
   bool playing_ = false, curves_stale_ = false;
