@@ -319,11 +319,18 @@ TEST(Layered, a_long_held_shaft_stays_within_the_stiffness_of_the_device) {
     rig->rest(40);
   }
   EXPECT_NEAR(free.last.resistance, bounded.last.resistance, 1e-9);  // the same force at rest, another way to it
-  double stiffest = 0.0;
-  while (bounded.depth() > 110.0) stiffest = std::max(stiffest, bounded.to(bounded.depth() - 0.005).stiffness);
+  double stiffest = 0.0, steepest = 0.0;  // N/mm, as the model states it, and of the force itself
+  while (bounded.depth() > 110.0) {
+    const double before = bounded.last.resistance;
+    stiffest = std::max(stiffest, bounded.to(bounded.depth() - 0.005).stiffness);
+    steepest = std::max(steepest, (before - bounded.last.resistance) / 0.005);
+  }
   EXPECT_LE(stiffest, 1.0 + 1e-3);  // break-away is noticed a tick late
+  EXPECT_LE(steepest, 1.0 + 0.02);
+  const double before = free.last.resistance;
   free.to(free.depth() - 0.005);
   EXPECT_GT(free.last.stiffness, 3.0);
+  EXPECT_GT((before - free.last.resistance) / 0.005, 3.0);
 }
 
 TEST(Layered, a_tissue_too_stiff_for_the_device_is_softened_and_that_is_reported) {
