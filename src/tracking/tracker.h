@@ -46,8 +46,8 @@ struct TrackerSettings {
   double most_residual = 0.046, most_edge_ratio = 1.9;
   double high_residual = 0.055, high_edge_ratio = 1.5;
   double any_residual = 0.165;
-  // Nor does the pose of a picture count whose light is not the calibrated camera's (see CameraMisfit): a camera's
-  // own pictures stay below half of these.
+  // Nor does the pose of a picture count whose light is not the calibrated camera's (see CameraMisfit): with the
+  // usual noise a camera's own pictures stay below half of these.
   double most_tone = 0.1;        // share of the step from black to white
   double most_blur = 0.2;        // pixels squared
   double least_contrast = 1.03;  // residual of the second-best pose over that of the best; below, it is uncertain
