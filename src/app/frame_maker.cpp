@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 namespace bodkin::app {
 
@@ -164,7 +165,14 @@ Changes FrameMaker::changes(const Frame& frame) {
                     (frame.warning && frame.warning->title != last_.warning->title);
   changes.attempt = new_attempt_;
   new_attempt_ = false;
-  last_ = frame;
+  Frame before = std::exchange(last_, frame);
+  // What moves too little to be drawn is compared with where it was drawn, for it may move on so slowly.
+  if (!changes.needle) {
+    last_.needle = before.needle;
+    last_.hand = before.hand;
+  }
+  if (!changes.dimple) last_.dimple = before.dimple;
+  if (!changes.crosshair) last_.crosshair = before.crosshair;
   last_.samples = {};
   last_.events = {};
   last_.displacements = {};

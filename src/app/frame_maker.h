@@ -26,7 +26,7 @@ class FrameMaker {
   // Everything of the frame but its state, warning, hint and clock. `control`: null where another device holds the
   // needle. `hand`: of the mouse.
   void update(Frame& frame, const StationNews& news, const NeedleControl* control, const HandReport& hand);
-  // What differs from the frame of the last call; to be called once the frame is complete.
+  // What differs from what was drawn last, after the calls so far; to be called once the frame is complete.
   Changes changes(const Frame& frame);
 
   bool is_touching() const noexcept { return contact_.is_touching(); }
@@ -53,8 +53,8 @@ class FrameMaker {
   bool new_attempt_ = true;
   double time_in_body_ = 0.0, last_time_ = 0.0;
   std::optional<anatomy::BreathField> breath_;
-  double drawn_in_ = 0.0;  // that is shown
-  Frame last_;
+  double drawn_in_ = 0.0;   // that is shown
+  Frame last_;              // as it was drawn last
   std::vector<Pose> left_;  // needles that were left, as they were drawn last
 };
 
