@@ -14,12 +14,11 @@
 #include <utility>
 #include <vector>
 
-#include "station/pressed_scan.h"
-#include "station/probe_contact.h"
 #include "tracking/augmented_view.h"
 #include "tracking/footage_scene.h"
 #include "tracking/lens_watch.h"
 #include "tracking/registration_file.h"
+#include "tracking/shown_target_error.h"
 #include "tracking/stage_times.h"
 #include "tracking/tracker.h"
 #include "tracking/video_file.h"
@@ -29,14 +28,12 @@
 #include "cli/arguments.h"
 #include "cli/console.h"
 #include "cli/footage_options.h"
+#include "cli/probe_insets.h"
 #include "cli/tracking_commands.h"
 #include "core/error.h"
 #include "core/files.h"
-#include "imaging/canvas.h"
 #include "imaging/png_file.h"
-#include "imaging/ultrasound/ultrasound.h"
 #include "io/case_folder.h"
-#include "io/probe_library_file.h"
 
 namespace bodkin::cli {
 
@@ -97,81 +94,15 @@ struct TrackedPicture {
   Clock::time_point arrived;  // not decoded yet
 };
 
-// What the probe sees, in one corner of the picture, and the CT in its plane in another.
-class ProbeInsets {
- public:
-  ProbeInsets(const anatomy::Case& patient, const fs::path& folder,
-              const std::function<void(const std::string&)>& note)
-      : patient_(patient), scan_(patient, folder, choice(), note) {}
-
-  // The probe, as a tool in the patient, presses him until `time` (s, of the next picture); nothing: it is lifted.
-  // How his tissue has moved then; null: it rests.
-  std::shared_ptr<const imaging::MovedTissue> press(const std::optional<Pose>& probe, double time) {
-    held_.reset();
-    if (probe) held_ = station::probe_in_hand(*probe);
-    scan_.advance(held_, last_ ? time - *last_ : 0.0);
-    last_ = time;
-    return scan_.moved_tissue();
-  }
-
-  // Where the probe was pressed last; without one there is no picture. `needle`: as a tool in the patient.
-  void draw(imaging::ImageRgb& picture, const std::optional<Pose>& needle) {
-    if (!held_) return;
-    std::optional<imaging::NeedleInSound> in_sound;
-    if (needle) in_sound = imaging::NeedleInSound{*needle, patient_.description.needle};
-    const imaging::UltrasoundFrame& frame = scan_.image(*held_, in_sound);
-    imaging::ImageRgb grey(frame.width, frame.height);
-    for (std::size_t i = 0; i < grey.pixels.size(); ++i)
-      grey.pixels[i] = {frame.pixels[i], frame.pixels[i], frame.pixels[i]};
-    const double height = 0.4 * picture.height, width = height * frame.width / frame.height;
-    const double x = picture.width - width - 12.0, y = 12.0;
-    imaging::Canvas canvas(picture.width, picture.height);
-    canvas.image(std::move(grey), x, y, width, height);
-    canvas.stroke(imaging::Path::rectangle(x, y, width, height), {imaging::Ink(0xFFFFFF, 0.8), 1.0});
-    const std::string words = frame.why != imaging::NoImage::none ? std::string(reason(frame.why))
-                              : scan_.force() > 0.05 ? fmt::format("ultrasound, {:.1f} N, moved {:.0f} mm",
-                                                                   scan_.force(), scan_.most_moved())
-                              : frame.press > 0.5    ? fmt::format("ultrasound, pressed {:.0f} mm", frame.press)
-                                                     : "ultrasound";
-    canvas.text({x + 8.0, y + 18.0}, words, {.size = 13.0, .ink = 0xFFFFFF, .halo = true});
-    draw_ct(canvas, picture, *held_);
-    canvas.draw_over(picture);
-  }
-
- private:
-  static station::UltrasoundChoice choice() {
-    station::UltrasoundChoice made;
-    made.probe = io::find_probe("C5-2");
-    made.settings.depth = 90.0;  // mm
-    return made;
-  }
-
-  void draw_ct(imaging::Canvas& canvas, const imaging::ImageRgb& picture, const Pose& probe) {
-    imaging::ImageRgb ct = scan_.slice(probe);
-    const double height = 0.3 * picture.height, width = height * ct.width / ct.height;
-    const double x = 12.0, y = picture.height - height - 12.0;
-    canvas.image(std::move(ct), x, y, width, height);
-    canvas.stroke(imaging::Path::rectangle(x, y, width, height), {imaging::Ink(0xFFFFFF, 0.8), 1.0});
-    canvas.text({x + 8.0, y + 18.0}, "CT where the probe points", {.size = 13.0, .ink = 0xFFFFFF, .halo = true});
-  }
-
-  const anatomy::Case& patient_;
-  station::PressedScan scan_;
-  std::optional<double> last_;  // s, time of the picture before
-  std::optional<Pose> held_;    // the machine's probe
-};
-
 // Draws and writes tracked pictures on a thread of its own, while the next ones are being read and tracked.
 class OverlayWriter {
  public:
   OverlayWriter(const OverlayArguments& arguments, const anatomy::Case& patient,
-                const tracking::OpenedFootage& opened, std::size_t mannequin,
+                const tracking::OpenedFootage& opened, std::size_t mannequin, const tracking::Similarity& place,
                 const std::function<void(const std::string&)>& note)
       : bodies_(opened.bodies),
         mannequin_(mannequin),
-        place_(arguments.registration.empty()
-                   ? tracking::placed_at(patient, tracking::scene_skin())
-                   : tracking::read_registration(arguments.registration).fixed_from_moving),
+        place_(place),
         view_(patient, opened.camera, place_, look_of(arguments)),
         output_(arguments.output) {
     if (arguments.ultrasound) ultrasound_.emplace(patient, arguments.patient, note);
@@ -290,6 +221,26 @@ class OverlayWriter {
   std::jthread thread_;  // the last member: it uses the others
 };
 
+// Where the patient lies in the mannequin.
+tracking::Registration registration_of(const OverlayArguments& arguments, const anatomy::Case& patient) {
+  if (!arguments.registration.empty()) return tracking::read_registration(arguments.registration);
+  tracking::Registration placed;
+  placed.fixed_from_moving = tracking::placed_at(patient, tracking::scene_skin());
+  return placed;
+}
+
+void print_target_error(Console& console, const tracking::ShownTargetError& error, nlohmann::ordered_json& json) {
+  const std::optional<tracking::ErrorInterval> pixels = error.in_pixels();
+  if (!pixels) return;
+  const tracking::ErrorInterval& mm = *error.in_mm();
+  console.line(
+      fmt::format("TRE at the target: {:.2f} mm, {:.2f} px across the view; in 9 of 10 registrations between "
+                  "{:.2f} and {:.2f} mm, {:.2f} and {:.2f} px",
+                  mm.estimate, pixels->estimate, mm.low, mm.high, pixels->low, pixels->high));
+  json["tre_mm"] = {{"low", mm.low}, {"estimate", mm.estimate}, {"high", mm.high}};
+  json["tre_px"] = {{"low", pixels->low}, {"estimate", pixels->estimate}, {"high", pixels->high}};
+}
+
 void print_times(Console& console, const tracking::StageTimes& tracked, const tracking::StageTimes& drawn,
                  double rate) {
   for (const tracking::StageTimes* times : {&tracked, &drawn}) {
@@ -321,7 +272,9 @@ void run_overlay(const OverlayArguments& arguments, const CommandContext& contex
   }
   const auto mannequin = static_cast<std::size_t>(found - opened.bodies.begin());
   tracking::Tracker tracker(opened.camera, opened.bodies);
-  OverlayWriter writer(arguments, patient, opened, mannequin,
+  const tracking::Registration registration = registration_of(arguments, patient);
+  tracking::ShownTargetError target_error(registration, opened.camera);
+  OverlayWriter writer(arguments, patient, opened, mannequin, registration.fixed_from_moving,
                        [&console](const std::string& sentence) { console.note(sentence); });
   tracking::LensWatch lens;
   tracking::StageTimes tracked;
@@ -336,6 +289,7 @@ void run_overlay(const OverlayArguments& arguments, const CommandContext& contex
     const auto& poses = tracker.track(frame.grey, frame.time);
     tracked.add("track", seconds_between(decoded, Clock::now()));
     lens.add(poses);
+    target_error.add(poses[mannequin]);
     if (warning.empty()) warning = lens.warning();
     if (poses[mannequin].status == tracking::TrackingStatus::ok) ++drawn;
     if (drawn == 0 && tracker.markers().empty()) last = frame.grey;
@@ -350,6 +304,7 @@ void run_overlay(const OverlayArguments& arguments, const CommandContext& contex
   if (!warning.empty()) console.note(warning);
   console.line(fmt::format("{}: {} pictures, the patient in {} of them", arguments.output, pictures, drawn));
   nlohmann::ordered_json json{{"output", arguments.output}, {"pictures", pictures}, {"drawn", drawn}};
+  print_target_error(console, target_error, json);
   if (arguments.times) {
     print_times(console, tracked, writer.times(), pictures / seconds);
     json["pictures_per_second"] = pictures / seconds;

@@ -9,7 +9,6 @@
 #include "tracking/bead_centres.h"
 #include "tracking/registration_file.h"
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/arguments.h"
 #include "cli/console.h"
@@ -87,7 +86,7 @@ void run_register(const RegisterArguments& arguments, const CommandContext& cont
   } else {
     for (std::size_t i = 0; i < fixed.points.size(); ++i) pair(i, i, std::to_string(i + 1));
   }
-  const tracking::Registration registration = tracking::register_points(to, from, arguments.scale);
+  tracking::Registration registration = tracking::register_points(to, from, arguments.scale);
   for (std::size_t i = 0; i < names.size(); ++i) {
     std::string line = fmt::format("{:<16} residual {:.3f} mm", names[i], registration.residuals[i]);
     if (!registration.leave_one_out.empty())
@@ -105,7 +104,6 @@ void run_register(const RegisterArguments& arguments, const CommandContext& cont
         "measure the ruler on the print, or give --scale",
         *scale));
   }
-  nlohmann::ordered_json json = nlohmann::ordered_json::parse(tracking::registration_json(registration));
   if (!arguments.target.empty()) {
     const bool unequal = !fixed.deviations.empty() || !moving.deviations.empty();
     std::vector<Mat3> covariances;
@@ -118,10 +116,12 @@ void run_register(const RegisterArguments& arguments, const CommandContext& cont
                                                 : tracking::tre_interval(registration, from, target);
     console.line(fmt::format("TRE at the target: {:.2f} mm, between {:.2f} and {:.2f} mm in 9 of 10 registrations",
                              tre.estimate, tre.low, tre.high));
-    json["tre_mm"] = {{"low", tre.low}, {"estimate", tre.estimate}, {"high", tre.high}};
+    registration.at_target = tracking::TargetError{target, tre};
   }
-  if (!arguments.output.empty()) write_file(arguments.output, tracking::registration_json(registration));
-  console.json(json.dump(2));
+  std::string json = tracking::registration_json(registration);
+  if (!arguments.output.empty()) write_file(arguments.output, json);
+  json.pop_back();  // the console ends the line
+  console.json(json);
 }
 
 }  // namespace

@@ -18,6 +18,17 @@ struct Similarity {
   Similarity inverse() const;
 };
 
+// An estimate with the interval that holds the truth in 90 % of registrations, mm.
+struct ErrorInterval {
+  double low = 0.0, estimate = 0.0, high = 0.0;
+};
+
+// The target registration error that is to be expected at a place.
+struct TargetError {
+  Vec3 target = Vec3::Zero();  // mm, moving frame
+  ErrorInterval tre;
+};
+
 // Fiducials of two sets, paired by their order, and what their registration is worth.
 struct Registration {
   Similarity fixed_from_moving;
@@ -28,11 +39,7 @@ struct Registration {
   std::vector<double>
       leave_one_out;      // mm, error of each point when the others register it; empty with too few points
   double flatness = 0.0;  // least over largest extent but one of the points: 0 is on a line
-};
-
-// An estimate with the interval that holds the truth in 90 % of registrations, mm.
-struct ErrorInterval {
-  double low = 0.0, estimate = 0.0, high = 0.0;
+  std::optional<TargetError> at_target;  // where somebody asked for it
 };
 
 // The least-squares placement of `moving` on `fixed`, closed form (Umeyama 1991; rigid: Arun, Huang and Blostein

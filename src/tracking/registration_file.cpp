@@ -17,6 +17,7 @@ namespace bodkin::tracking {
 namespace {
 
 constexpr std::size_t most_bytes = std::size_t{16} << 20U;
+constexpr double most_mm = 1e6;
 
 bool number_in(const std::string& text, double& value) {
   char* end = nullptr;
@@ -78,18 +79,32 @@ std::string registration_json(const Registration& registration) {
   json["fre_mean_mm"] = registration.fre_mean;
   json["residuals_mm"] = registration.residuals;
   json["leave_one_out_mm"] = registration.leave_one_out;
+  if (registration.at_target) {
+    const ErrorInterval& tre = registration.at_target->tre;
+    json["target_mm"] = json_of(registration.at_target->target);
+    json["tre_mm"] = {{"low", tre.low}, {"estimate", tre.estimate}, {"high", tre.high}};
+  }
   return json.dump(2) + "\n";
 }
 
 Registration read_registration(const std::filesystem::path& file) {
   const nlohmann::json json = read_json_object(file, "registration");
   const JsonFields fields{json, file.string()};
-  fields.know({"fixed_from_moving", "scale", "fre_rms_mm", "fre_mean_mm", "residuals_mm", "leave_one_out_mm"});
+  fields.know({"fixed_from_moving", "scale", "fre_rms_mm", "fre_mean_mm", "residuals_mm", "leave_one_out_mm",
+               "target_mm", "tre_mm"});
   const io::Placement placement = io::read_placement(file);
   Registration read;
   read.fixed_from_moving = {placement.pose.linear(), placement.pose.translation(), placement.scale};
   read.fre_rms = placement.fre_rms;
-  read.fre_mean = fields.number("fre_mean_mm", 0.0, 1e6, 0.0);
+  read.fre_mean = fields.number("fre_mean_mm", 0.0, most_mm, 0.0);
+  if (const auto tre = json.find("tre_mm"); tre != json.end()) {
+    const JsonFields interval{*tre, file.string() + ": \"tre_mm\""};
+    TargetError& at_target = read.at_target.emplace();
+    at_target.target = fields.point("target_mm");
+    at_target.tre = {.low = interval.number("low", 0.0, most_mm),
+                     .estimate = interval.number("estimate", 0.0, most_mm),
+                     .high = interval.number("high", 0.0, most_mm)};
+  }
   return read;
 }
 

@@ -42,6 +42,23 @@ TEST_F(Overlay, says_how_long_each_stage_takes_and_adds_the_ultrasound) {
   EXPECT_NE(text_of("times.avi"), text_of("plain.avi"));
 }
 
+TEST_F(Overlay, says_how_far_the_target_may_be_from_where_it_is_drawn) {
+  ASSERT_EQ(bodkin("--quiet scene render placed --frames 2 --width 800 --height 450").exit_code, 0);
+  write("fixed.csv", "a,10,0,5\nb,110.5,0,5\nc,10,80.4,5\nd,10,0,65\ne,70,50,25\n");
+  write("moving.csv", "a,0,0,0\nb,100,0,0\nc,0,80,0\nd,0,0,60\ne,60,50,20\n");
+  ASSERT_EQ(bodkin("--quiet register fixed.csv moving.csv --target 30,30,40 -o placed.json").exit_code, 0);
+  const Outcome made = bodkin("--json overlay patient placed -o placed.avi --registration placed.json");
+  ASSERT_EQ(made.exit_code, 0) << made.text();
+  const nlohmann::json json = nlohmann::json::parse(made.output);
+  EXPECT_EQ(json["tre_mm"], nlohmann::json::parse(text_of("placed.json"))["tre_mm"]);
+  // A camera of about 1,000 pixels focal length that stands about 600 mm away.
+  EXPECT_NEAR(json["tre_px"]["estimate"].get<double>() / json["tre_mm"]["estimate"].get<double>(), 1.3, 0.8);
+  write("wrong.json", "{\"fixed_from_moving\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1], \"tre_mm\": 5}");
+  const Outcome wrong = bodkin("overlay patient placed -o wrong.avi --registration wrong.json");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.errors, HasSubstr("wrong.json: \"target_mm\""));
+}
+
 #ifdef BODKIN_HAS_MESHER
 TEST_F(Overlay, a_probe_deforms_a_patient_that_has_a_mesh) {
   ASSERT_EQ(bodkin("--quiet scene render pressing --frames 3 --rate 10 --width 640 --height 360").exit_code, 0);

@@ -26,7 +26,10 @@ TEST_F(Register, pairs_by_name_and_says_what_it_is_worth) {
   EXPECT_LT(json["fre_rms_mm"], 1e-6);
   EXPECT_EQ(json["residuals_mm"].size(), 5U);
   EXPECT_TRUE(json.contains("tre_mm"));
-  EXPECT_NEAR(nlohmann::json::parse(text_of("placed.json"))["fixed_from_moving"][3], 10.0, 1e-6);
+  const nlohmann::json placed = nlohmann::json::parse(text_of("placed.json"));
+  EXPECT_NEAR(placed["fixed_from_moving"][3], 10.0, 1e-6);
+  EXPECT_EQ(placed["tre_mm"], json["tre_mm"]);
+  EXPECT_EQ(placed["target_mm"], nlohmann::json::parse("[30, 30, 40]"));
 }
 
 TEST_F(Register, pairs_points_without_names) {
