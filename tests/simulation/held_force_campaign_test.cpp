@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "tests/sanitized.h"
@@ -83,6 +84,31 @@ TEST_P(HeldForceCampaign, gives_the_hand_no_work) {
       std::printf("| %s | %s | %d ways | %.1f million ticks | %ld gave work | %.3f N mm at most | %.1f s\n",
                   resistance.name.c_str(), constraint.name.c_str(), ways, static_cast<double>(ticks) * 1e-6, giving,
                   std::max(0.0, -least), taken);
+  }
+}
+
+// What a device's greatest force cuts off is cut off along the force, also where two springs of unequal stiffness
+// pull: that field has no potential any more. A surface that is pressed by 20 mm beside a line that holds sideways
+// shows it.
+TEST(HeldForceLimit, two_springs_give_work_only_where_the_device_cuts_their_force_off) {
+  const std::vector<NamedResistance> resistances = all_resistances();
+  const std::vector<NamedConstraint> constraints = all_constraints();
+  const auto proxy = std::ranges::find(resistances, "surface_proxy", &NamedResistance::name);
+  const auto line = std::ranges::find(constraints, "line_spring", &NamedConstraint::name);
+  ASSERT_TRUE(proxy != resistances.end() && line != constraints.end());
+  for (const auto& [peak, least_expected, most_expected] :
+       {std::tuple{6.0, least_on_many_ways, -0.5}, std::tuple{100.0, -0.001, 0.0}}) {
+    Case body = patient_for(*proxy, *line);
+    body.description.device.peak_force = peak;
+    Player player(body);
+    Random random(1);
+    double least = 0.0;
+    for (int way = 0; way < 1600; ++way) {
+      walk(player, random);
+      least = std::min(least, player.held() + player.given_by_springs());
+    }
+    EXPECT_GE(least, least_expected) << peak << " N";
+    EXPECT_LE(least, most_expected) << peak << " N";
   }
 }
 
